@@ -297,7 +297,7 @@ TEST(CalibrationStory, SaveWritesEveryTrialAndSaysSo) {
   QFile file(path);
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   EXPECT_EQ(file.readAll().toStdString(),
-            calibration::csvOf(story.session().run(), "a simulated hand of Weber share 0.15", 3));
+            calibration::csvOf(story.session().run(), "a simulated hand with a Weber fraction of 0.15", 3));
   EXPECT_FALSE(story.perform("calibration.save", QString("/dev/null/nowhere/all.csv")));
   EXPECT_TRUE(story.text("saved").startsWith("Not saved"));
   story.click(story.button("save"));

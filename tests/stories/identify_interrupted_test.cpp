@@ -35,7 +35,7 @@ void edit(Document& document) {
   ASSERT_TRUE(document.edit(softer(document.scene()), "stiffness", document.newGesture()).empty());
 }
 
-/// The page says why it stands still, and "Begin again" begins again.
+/// The page says why the measurement has stopped, and "Begin again" begins again.
 void expectAWayOn(IdentifyDesk& desk, const char* why) {
   EXPECT_EQ(desk.wizard.state(), Wizard::State::Failed);
   EXPECT_FALSE(desk.document().isTryingOut());

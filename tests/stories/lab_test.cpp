@@ -54,7 +54,7 @@ struct Lab : Story {
 
 TEST(LabStory, BeforeItIsMeasuredItSaysWhatMeasuringDoesAndWhatTheSceneOffers) {
   Lab story;
-  EXPECT_TRUE(story.text("told").contains("Nothing is measured yet"));
+  EXPECT_TRUE(story.text("told").contains("Nothing has been measured yet"));
   EXPECT_TRUE(story.text("told").contains("about"));
   EXPECT_FALSE(story.walk()->isEnabled());
   EXPECT_FALSE(story.find("panel.lab.back")->isEnabled());
@@ -76,8 +76,7 @@ TEST(LabStory, ThatItsArmIsTheVendorsIsSaidWhereAnotherOneIsSimulated) {
   Lab story;
   EXPECT_FALSE(story.text("told").contains("vendor"));
   ASSERT_TRUE(story.perform("arm.open", arm));
-  EXPECT_TRUE(story.text("told").contains("vendor's figures, not those of “heavy”"))
-      << story.text("told").toStdString();
+  EXPECT_TRUE(story.text("told").contains("vendor's values, not those of “heavy”")) << story.text("told").toStdString();
   ASSERT_TRUE(story.perform("arm.vendor"));
   EXPECT_FALSE(story.text("told").contains("vendor"));
 }
@@ -89,7 +88,7 @@ TEST(LabStory, TheFrontIsWalkedFromTheCheapestToTheMostExactAndBack) {
   story.measure();
   ASSERT_GE(story.last(), 2) << "three points at least";
   EXPECT_TRUE(story.walk()->isEnabled());
-  EXPECT_TRUE(story.text("choice.rate.figures").contains("allowed"));
+  EXPECT_TRUE(story.text("choice.rate.figures").contains("bound"));
   EXPECT_TRUE(story.text("differences").contains("Nothing differs"));
   ASSERT_TRUE(story.perform("lab.walk", 0));
   const trade::Settings fast = story.settings();
@@ -199,7 +198,7 @@ TEST(LabStory, AnotherSceneOrAnEditFromElsewhereEndsWhatTheFiguresWereOf) {
   ASSERT_TRUE(story.perform("scene.open", shippedScene("02_sphere")));
   story.settle();
   EXPECT_EQ(story.host().rateHz(), rate_hz) << "a rate that was tried goes with the scene that it was tried on";
-  EXPECT_TRUE(story.text("told").contains("Nothing is measured yet"));
+  EXPECT_TRUE(story.text("told").contains("Nothing has been measured yet"));
   EXPECT_FALSE(story.walk()->isEnabled());
 }
 

@@ -53,15 +53,15 @@ TEST(RegistrationStory, ThreeMarksAreTouchedAndTheArmIsFoundWhereItStands) {
   desk.story.run(300);
   EXPECT_EQ(desk.story.snapshot().mode, servo::Mode::Idle);  // nothing pulls at the tip
   EXPECT_FALSE(desk.in("registration.next")->isEnabled());
-  EXPECT_TRUE(desk.text("registration.prompt").contains("mark 1"));
+  EXPECT_TRUE(desk.text("registration.prompt").contains("reference point 1"));
   const std::vector<Vec3> marks_D = desk.tool().run().touching().marks_D();
   desk.touch(turnedArm().inverse() * marks_D[0]);
-  EXPECT_TRUE(desk.text("registration.told").startsWith("Mark 1 is touched"));
-  EXPECT_TRUE(desk.text("registration.prompt").contains("mark 2"));
+  EXPECT_TRUE(desk.text("registration.told").startsWith("Reference point 1 has been touched"));
+  EXPECT_TRUE(desk.text("registration.prompt").contains("reference point 2"));
   desk.keepPicture("registration_touch");
   desk.touch(turnedArm().inverse() * marks_D[1]);
   desk.touch(turnedArm().inverse() * marks_D[2]);
-  EXPECT_EQ(desk.text("registration.prompt"), "All marks are touched.");
+  EXPECT_EQ(desk.text("registration.prompt"), "All reference points have been touched.");
   desk.press("registration.next");
   EXPECT_FALSE(desk.in<QLabel>("registration.warnings")->isVisible())
       << desk.text("registration.warnings").toStdString();
@@ -187,11 +187,11 @@ TEST(RegistrationStory, ATipThatMovesIsSaidAndOneMarkIsTouchedAgain) {
   desk.story.run(400);
   EXPECT_TRUE(desk.text("registration.told").startsWith("The tip moved"))
       << desk.text("registration.told").toStdString();
-  EXPECT_TRUE(desk.text("registration.prompt").contains("mark 1"));
+  EXPECT_TRUE(desk.text("registration.prompt").contains("reference point 1"));
   desk.touchAll({0, 1, 0});  // the last one wrong
   desk.in<QTableWidget>("registration.touched")->selectRow(2);
   desk.press("registration.again");
-  EXPECT_TRUE(desk.text("registration.prompt").contains("mark 3"));
+  EXPECT_TRUE(desk.text("registration.prompt").contains("reference point 3"));
   desk.touchAll({2});
   desk.press("registration.next");
   EXPECT_FALSE(desk.in<QLabel>("registration.warnings")->isVisible())
@@ -211,7 +211,7 @@ TEST(RegistrationStory, CancellingLeavesWhatThereWas) {
   desk.story.run(1000);  // its ticks are heard by nobody
   ASSERT_TRUE(desk.story.perform("registration.open"));
   desk.press("registration.next");
-  EXPECT_TRUE(desk.text("registration.prompt").contains("mark 1"));
+  EXPECT_TRUE(desk.text("registration.prompt").contains("reference point 1"));
 }
 
 TEST(RegistrationStory, ItIsThereAgainAtTheNextStartAndCanBeForgotten) {

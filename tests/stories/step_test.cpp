@@ -54,7 +54,7 @@ TEST(StepStory, ItBeginsWithTheGainsOfTheScene) {
   EXPECT_NEAR(story.number(kOmega, kModel), std::sqrt(500.0 / 0.045), 0.05);
   EXPECT_EQ(story.cell(kSettling, kModel), "never");  // P and no damping at all
   EXPECT_EQ(story.number(kOvershoot, kModel), 100.0);
-  EXPECT_TRUE(story.text("note").contains("swings for ever"));
+  EXPECT_TRUE(story.text("note").contains("oscillates for ever"));
   EXPECT_EQ(story.cell(kRise, kMeasured), "");
 }
 

@@ -22,7 +22,7 @@ BeginPage::BeginPage(QWidget* parent)
       who_(new QComboBox(this)),
       weber_(new NumberBox(this)),
       seed_(new QSpinBox(this)),
-      feedback_(new QCheckBox(tr("Say &whether it was right"), this)),
+      feedback_(new QCheckBox(tr("Sho&w feedback"), this)),
       note_(quietLabel("panel.calibration.note", {}, this)) {
   reference_->setDecimals(4);
   reference_->setRange(0.005, 0.2);
@@ -44,22 +44,23 @@ BeginPage::BeginPage(QWidget* parent)
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   form->setSpacing(8);
   addRow(form, tr("&Reference"), reference_, "reference",
-         tr("The stiffness of one beam in every trial, at its tip: k = K / L². The other is stiffer."));
-  addRow(form, tr("&Answers"), who_, "who",
-         tr("Who presses the beams and says which is stiffer: you, or a hand that exists only in software."));
-  addRow(form, tr("&Weber share"), weber_, "weber",
-         tr("What the simulated hand feels scatters by this share of the stiffness (Weber's law)."));
+         tr("Stiffness of the softer beam of every trial, at its tip: k = K / L². The other one is stiffer."));
+  addRow(form, tr("&Answered by"), who_, "who",
+         tr("Who presses the beams and answers which one is stiffer: a person, or a simulated hand."));
+  addRow(form, tr("&Weber fraction"), weber_, "weber",
+         tr("Scatter of what the simulated hand feels, as a fraction of the stiffness (Weber's law)."));
   addRow(form, tr("See&d"), seed_, "seed",
-         tr("Of the stiffer side of each trial and of the simulated hand: the same seed, the same measurement."));
-  nameWidget(feedback_, "panel.calibration.feedback", tr("Say whether each answer was right"),
-             tr("For practice. A measurement is made without: whoever is told learns."));
+         tr("Determines the stiffer side of each trial and the scatter of the simulated hand. The same seed gives the "
+            "same sequence."));
+  nameWidget(feedback_, "panel.calibration.feedback", tr("Show feedback: whether each answer was right"),
+             tr("Tells you after each answer whether it was right. For practice only: feedback lets you learn."));
   auto* begin_button = new QPushButton(tr("&Begin"), this);
   nameWidget(begin_button, "panel.calibration.begin", tr("Begin the measurement"),
-             tr("Two right answers in a row make it harder, a wrong one easier (Levitt 1971)."));
+             tr("Starts the trials. Two right answers in a row make them harder, a wrong one easier (Levitt 1971)."));
   auto* column = tight<QVBoxLayout>(this, 8);
   column->addWidget(quietLabel("panel.calibration.about",
                                tr("How small a difference of stiffness can be felt (just-noticeable difference, JND)? "
-                                  "Two beams are pressed, and the stiffer one is told, again and again."),
+                                  "Press two beams and answer which one is stiffer, again and again."),
                                this));
   column->addLayout(form);
   column->addWidget(feedback_);

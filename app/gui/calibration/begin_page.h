@@ -13,12 +13,12 @@ class QSpinBox;
 
 namespace underact::gui {
 
-/// What a measurement starts from; remembered from one to the next.
+/// The settings of a measurement, kept from one to the next.
 class BeginPage : public QWidget {
   Q_OBJECT
  public:
   explicit BeginPage(QWidget* parent = nullptr);
-  /// The scene's softer beam, the reference until another is typed.
+  /// The stiffness of the scene's softer beam: the reference until another is typed in.
   void setReference(double reference_N_per_mm);
   void setNote(const QString& note);
   CalibrationSetup setup() const;

@@ -50,10 +50,10 @@ QWidget* CalibrationPanel::makeNoBeamsPage() {
   auto* open = new QPushButton(tr("&Open the two beams"), page);
   nameWidget(open, "panel.calibration.open", tr("Open the two beams"), tr("Opens the scene “Two beams, one softer”."));
   auto* column = tight<QVBoxLayout>(page, 8);
-  column->addWidget(quietLabel("panel.calibration.no_beams",
-                               tr("A calibration needs a scene of two beams whose stiffness can be set. "
-                                  "This scene has none."),
-                               page));
+  column->addWidget(quietLabel(
+      "panel.calibration.no_beams",
+      tr("A calibration needs a scene with two beams whose stiffness can be set. This scene has no such beams."),
+      page));
   column->addWidget(open);
   column->addStretch(1);
   connect(open, &QPushButton::clicked, this,
@@ -62,7 +62,7 @@ QWidget* CalibrationPanel::makeNoBeamsPage() {
 }
 
 void CalibrationPanel::addActions() {
-  const QString tip = tr("Says that the %1 beam is stiffer; possible once both were pressed.");
+  const QString tip = tr("Answers that the %1 beam is stiffer; possible once you have pressed both.");
   parts_.actions.add({"calibration.left", tr("Left &beam is stiffer"), QKeySequence("Alt+Left"), tip.arg(tr("left"))},
                      [this](const QVariantList&) { return session_->answer(Beam::Left); });
   parts_.actions.add(
@@ -113,7 +113,7 @@ void CalibrationPanel::showState() {
 }
 
 void CalibrationPanel::finish() {
-  session_->cancel();  // the scene's own stiffness, before anybody else looks
+  session_->cancel();  // restores the scene's own stiffness before others read it
 }
 
 void CalibrationPanel::present(const servo::Snapshot& snapshot) {
@@ -130,13 +130,13 @@ bool CalibrationPanel::save(const QString& path) {
   const CalibrationSetup& setup = session_->setup();
   const QString who = setup.who == Answering::Person
                           ? QStringLiteral("a person")
-                          : QStringLiteral("a simulated hand of Weber share %1").arg(setup.weber);
+                          : QStringLiteral("a simulated hand with a Weber fraction of %1").arg(setup.weber);
   const std::string csv = calibration::csvOf(session_->run(), who.toStdString(), setup.seed);
-  QSaveFile file(path);  // whole or not at all; what a person can tell apart is not for others' eyes
+  QSaveFile file(path);  // whole or not at all; a person's threshold is private
   const bool saved = file.open(QIODevice::WriteOnly) && file.setPermissions(QFile::ReadOwner | QFile::WriteOwner) &&
                      file.write(csv.c_str()) >= 0 && file.commit();
   result_->setNote(saved ? tr("Saved as %1.").arg(QDir::toNativeSeparators(path))
-                         : tr("Not saved: %1. Choose another place.").arg(file.errorString()));
+                         : tr("Not saved: %1. Choose another folder.").arg(file.errorString()));
   return saved;
 }
 

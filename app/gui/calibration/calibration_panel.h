@@ -10,8 +10,8 @@ class BeginPage;
 class ResultPage;
 class RunPage;
 
-/// How small a difference of stiffness a person, or a simulated hand, can tell: the staircase from its beginning to its
-/// result. A run goes on while the panel stands behind another.
+/// Measures the just-noticeable difference of stiffness of a person or a simulated hand: the staircase from its start
+/// to its result. A run continues while the panel is hidden behind another.
 class CalibrationPanel : public Panel {
   Q_OBJECT
  public:

@@ -9,7 +9,8 @@ namespace underact::gui {
 FeatureRow calibrationFeature() {
   return {
       .panels = {{"calibration", QT_TRANSLATE_NOOP("panel", "Calibration"), Qt::LeftDockWidgetArea, "Ctrl+Alt+8",
-                  QT_TRANSLATE_NOOP("panel", "How small a difference of stiffness a hand can tell, with two beams."),
+                  QT_TRANSLATE_NOOP(
+                      "panel", "Measures the smallest difference of stiffness that a hand can feel, with two beams."),
                   [](const FeatureParts& all, QWidget* parent) -> Panel* {
                     return new CalibrationPanel({all.servo, all.document, all.actions}, parent);
                   },

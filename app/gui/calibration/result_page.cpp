@@ -26,27 +26,28 @@ QString percent(double share) {
 ResultPage::ResultPage(QWidget* parent)
     : QWidget(parent),
       numbers_(new Readout("panel.calibration.result", this)),
-      none_(quietLabel("panel.calibration.none",
-                       tr("No threshold: the way turned fewer than four times, so nothing was met that could not be "
-                          "told, or nothing that could."),
-                       this)),
+      none_(quietLabel(
+          "panel.calibration.none",
+          tr("No threshold: there were fewer than four reversals, because every difference was felt, or none was."),
+          this)),
       note_(quietLabel("panel.calibration.saved", {}, this)),
       chart_(staircaseChart(this)) {
   numbers_->layout()->setContentsMargins(0, 0, 0, 0);
-  numbers_->addRow(tr("JND"), tr("Just-noticeable difference: 70.7 % of answers are right at it (Levitt 1971). "
-                                 "Geometric mean of the reversals after the first two."));
+  numbers_->addRow(tr("JND"), tr("Just-noticeable difference: the difference at which 70.7 % of answers are right "
+                                 "(Levitt 1971). Geometric mean of the reversals after the first two."));
   numbers_->addRow(tr("± 1 s.d."), tr("One standard deviation of the reversals' logarithms, either way."));
   numbers_->addRow(tr("in stiffness"), tr("The just-noticeable difference times the reference."));
   numbers_->addRow(tr("Reference"), tr("The stiffness of the softer beam of every trial, at its tip."));
-  numbers_->addRow(tr("Trials"), tr("Answers that were given."));
-  numbers_->addRow(tr("Weber share"), tr("What one press scatters by, if two are compared: ln(1 + JND) = 0.771 w."));
-  numbers_->addRow(tr("Answered by"), tr("A person, or the simulated hand with its own Weber share."));
+  numbers_->addRow(tr("Trials"), tr("Number of answers given."));
+  numbers_->addRow(tr("Weber fraction"),
+                   tr("Scatter w of a single press that gives this JND when two are compared: ln(1 + JND) = 0.771 w."));
+  numbers_->addRow(tr("Answered by"), tr("A person, or the simulated hand with the Weber fraction that was set."));
   auto* save = new QPushButton(tr("&Save…"), this);
   nameWidget(save, "panel.calibration.save", tr("Save the trials"),
              tr("Writes every trial and the result as a CSV file."));
   auto* again = new QPushButton(tr("A&gain"), this);
   nameWidget(again, "panel.calibration.again", tr("Measure again"),
-             tr("Back to the beginning; this result is forgotten unless it is saved."));
+             tr("Returns to the start. A result that was not saved is lost."));
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   buttons->addWidget(save);
@@ -74,7 +75,7 @@ void ResultPage::present(const CalibrationSession& session) {
   numbers_->set(kReference, tr("%1 N/mm").arg(numberText(run.reference_N_per_mm, 4)));
   numbers_->set(kTrials, QString::number(run.answers.size()));
   const bool person = session.setup().who == Answering::Person;
-  numbers_->set(kWho, person ? tr("a person") : tr("hand of %1").arg(percent(session.setup().weber)));
+  numbers_->set(kWho, person ? tr("a person") : tr("hand, w = %1").arg(percent(session.setup().weber)));
   chart_->present(staircaseSheet(run));
   setNote({});
 }

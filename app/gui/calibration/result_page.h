@@ -11,14 +11,14 @@ namespace underact::gui {
 class MarkChart;
 class Readout;
 
-/// What a measurement has found, and the way back to another.
+/// The result of a measurement, and the way back to another one.
 class ResultPage : public QWidget {
   Q_OBJECT
  public:
   explicit ResultPage(QWidget* parent = nullptr);
   void present(const CalibrationSession& session);
   void setTheme(const Theme& theme);
-  /// What became of saving.
+  /// A note on whether saving succeeded.
   void setNote(const QString& note);
 
  signals:

@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* kKeys[] = {"left", "right"};
 
-/// The two beams as the view has them, the one that is meant filled.
+/// The two beams as in the view, with the one of this side filled.
 QIcon beamIcon(std::size_t side, const Theme& theme, const QSize& size, double ratio) {
   QPixmap picture(size * ratio);
   picture.setDevicePixelRatio(ratio);
@@ -50,10 +50,9 @@ RunPage::RunPage(Actions& actions, QWidget* parent)
   trial_->setObjectName("panel.calibration.trial");
   trial_->setProperty("role", "section");
   trial_->setWordWrap(true);
-  nameWidget(
-      progress_, "panel.calibration.progress", tr("Reversals"),
-      tr("A reversal is where the way turns between harder and easier. The first two are a run-in; the just-noticeable "
-         "difference is the geometric mean of the others (Levitt 1971)."));
+  nameWidget(progress_, "panel.calibration.progress", tr("Reversals"),
+             tr("A reversal is a change between harder and easier. The first two only find the rough range; the "
+                "just-noticeable difference is the geometric mean of the others (Levitt 1971)."));
   auto* grid = tight<QGridLayout>(answers_, 8);
   const QString names[] = {tr("Left beam"), tr("Right beam")};
   const Qt::Key keys[] = {Qt::Key_Left, Qt::Key_Right};
@@ -66,13 +65,13 @@ RunPage::RunPage(Actions& actions, QWidget* parent)
     grid->addWidget(buttons_[index], 0, side);
     grid->addWidget(pressed_[index], 1, side);
     connect(buttons_[index], &QToolButton::clicked, actions_[index], &QAction::trigger);
-    // Buttons would take the arrows to go from one to the next.
+    // The buttons would use the arrow keys to move the focus.
     auto* arrow = new QShortcut(keys[side], this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
     connect(arrow, &QShortcut::activated, actions_[index], &QAction::trigger);
   }
   auto* cancel = new QPushButton(tr("&Cancel"), this);
   nameWidget(cancel, "panel.calibration.cancel", tr("Cancel the measurement"),
-             tr("The beams are again as stiff as the scene says; nothing is kept."));
+             tr("Restores the stiffness that the scene gives the beams; nothing is kept."));
   auto* column = tight<QVBoxLayout>(this, 8);
   column->addWidget(trial_);
   column->addWidget(note_);
@@ -108,11 +107,12 @@ void RunPage::present(const CalibrationSession& session, bool say_right) {
   progress_->setValue(static_cast<int>(run.staircase.reversals.size()));
   progress_->setFormat(tr("reversals %v of %m"));
   answers_->setVisible(person);
-  note_->setText(!person ? tr("It presses the beams on an arm of its own; the window's stays where it is.")
+  note_->setText(!person
+                     ? tr("It presses the beams on a simulated arm of its own; the arm in the window does not move.")
                  : session.isServoRunning()
-                     ? tr("Press each beam down with the stylus, as often as you like. Let go before you answer.")
+                     ? tr("Press each beam down with the stylus, as often as you like. Release it before you answer.")
                      : tr("The servo is stopped. Press Start to feel the beams."));
-  // Else the focus would fall from a button that is greyed on Cancel, where the next Space would end it all.
+  // Otherwise the focus would move from a disabled button to Cancel, where the next Space would end the measurement.
   if (!session.mayAnswer() && (buttons_[0]->hasFocus() || buttons_[1]->hasFocus())) setFocus();
   for (std::size_t side = 0; side < 2; ++side) {
     const bool pressed = session.isPressed(static_cast<calibration::Beam>(side));
@@ -122,7 +122,7 @@ void RunPage::present(const CalibrationSession& session, bool say_right) {
   const bool said = say_right && !run.answers.empty();
   feedback_->setText(!said                          ? QString()
                      : run.answers.back().isRight() ? tr("✓ That was right.")
-                                                    : tr("✗ It was the other."));
+                                                    : tr("✗ It was the other one."));
   feedback_->setVisible(said);
 }
 

@@ -14,7 +14,7 @@ namespace underact::gui {
 
 class Actions;
 
-/// A measurement that goes on: the trial, which beams were pressed, the two answers. It says no stiffness.
+/// A measurement under way: the trial, which beams were pressed, the two answers. It shows no stiffness.
 class RunPage : public QWidget {
   Q_OBJECT
  public:

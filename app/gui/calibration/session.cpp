@@ -26,7 +26,7 @@ CalibrationSession::CalibrationSession(Document& document, ServoFacts servo, QOb
 Problems CalibrationSession::begin(const CalibrationSetup& setup) {
   cancel();
   if (document_.isTryingOut())
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Another measurement is at work. End it first."))}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Another measurement is running. End it first."))}};
   auto beams = calibration::beamsOf(document_.scene());
   if (!beams) return beams.problems();
   beams_ = beams.value();
@@ -106,7 +106,7 @@ void CalibrationSession::leave() {
 
 void CalibrationSession::sceneEdited() {
   if (state_ != State::Running) return;
-  // Saving a scene says that it was edited, too; then it is the same as it was, and still on trial.
+  // Saving a scene emits edited() as well; the scene is then unchanged and still being tried out.
   const bool taken_away = setup_.who == Answering::Person && !document_.isTryingOut();
   if (taken_away || !scene::isSame(scene_, document_.scene()))
     cancel(tr("The scene was changed, so the measurement was cancelled."));
@@ -118,10 +118,10 @@ void CalibrationSession::present(const servo::Snapshot& snapshot) {
   servo_runs_ = snapshot.mode == servo::Mode::Running;
   const bool feels = servo_runs_ && snapshot.report.force.f_T_W().norm() > kPressed_N;
   for (const Beam beam : {Beam::Left, Beam::Right}) {
-    if (snapshot.revision != revision_) break;  // still the trial before
+    if (snapshot.revision != revision_) break;  // still the previous trial
     const auto side = static_cast<std::size_t>(beam);
     const tick::Held& held = snapshot.report.held[beams_[side]];
-    // Far from a beam the stylus is drawn to it; only what bends the beam tells how stiff it is.
+    // Far from a beam the stylus is pulled towards it; only bending the beam shows how stiff it is.
     const double stiffness_N_per_mm = beam == Beam::Left ? run_.trial.left_N_per_mm : run_.trial.right_N_per_mm;
     const double bent_m = held.acts ? (held.p_WP - calibration::tipOf(scene_, beam)).norm() : 0.0;
     const bool is_bent = stiffness_N_per_mm * kNewtonPerMetre * bent_m > kPressed_N;

@@ -21,8 +21,8 @@ struct CalibrationSetup {
   std::uint64_t seed = 1;
 };
 
-/// One measurement in the window. For a person each trial's stiffness is tried out in the document's place; the
-/// simulated hand presses an arm of its own, a trial between two events of the window, so that it stays alive.
+/// One measurement in the window. For a person the stiffness of each trial is tried out in place of the document's. The
+/// simulated hand presses an arm of its own, one trial between two events of the window, so that the window responds.
 class CalibrationSession : public QObject {
   Q_OBJECT
  public:
@@ -30,24 +30,24 @@ class CalibrationSession : public QObject {
 
   CalibrationSession(Document& document, ServoFacts servo, QObject* parent);
 
-  /// In place of a run there is. Problems: the scene has not two beams.
+  /// Replaces a run that is under way. Problems: the scene does not have two beams.
   Problems begin(const CalibrationSetup& setup);
-  /// Of a person. false: nobody is asked, or the beams have not both been pressed.
+  /// A person's answer. false: no answer is due, or not both beams have been pressed.
   bool answer(calibration::Beam beam);
-  /// The scene's own stiffness is in effect again. why: a sentence, where it was not asked for. false: nothing ran.
+  /// Restores the scene's own stiffness. why: a sentence, if the user did not ask for it. false: nothing was running.
   bool cancel(const QString& why = {});
-  /// From a result back to the beginning.
+  /// From the result back to the start.
   void leave();
   void present(const servo::Snapshot& snapshot);
 
   State state() const { return state_; }
   const CalibrationSetup& setup() const { return setup_; }
   const calibration::Measurement& run() const { return run_; }
-  /// In this trial, anew: a beam that is still held down from the last one has to be let go first.
+  /// Whether it has been pressed in this trial: a beam still held down from the last one has to be released first.
   bool isPressed(calibration::Beam beam) const { return pressed_[static_cast<std::size_t>(beam)]; }
   bool mayAnswer() const;
   bool isServoRunning() const { return servo_runs_; }
-  /// Why the last run was cancelled, if it was not asked for.
+  /// Why the last run was cancelled, if not by the user.
   const QString& why() const { return why_; }
 
  signals:
@@ -65,8 +65,8 @@ class CalibrationSession : public QObject {
   State state_ = State::Idle;
   CalibrationSetup setup_;
   calibration::Measurement run_;
-  scene::Description scene_;                // its own, as it was at the beginning
-  std::array<std::size_t, 2> beams_{0, 0};  // the constraints that they are
+  scene::Description scene_;                // as it was at the beginning
+  std::array<std::size_t, 2> beams_{0, 0};  // indices of their constraints
   std::array<bool, 2> let_go_{}, pressed_{};
   std::uint64_t revision_ = 0;  // of this trial
   bool servo_runs_ = false;

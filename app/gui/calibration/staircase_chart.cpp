@@ -15,10 +15,9 @@ QString percentLabel(double share) {
 }  // namespace
 
 MarkChart* staircaseChart(QWidget* parent) {
-  return new MarkChart(
-      "panel.calibration.chart", tr("Difference of stiffness against trial"),
-      tr("The difference of each trial. Filled: right; hollow: wrong; ringed: the way turned (reversal)."), {12, 11},
-      parent);
+  return new MarkChart("panel.calibration.chart", tr("Difference of stiffness against trial"),
+                       tr("The difference of each trial. Filled: right; hollow: wrong; ringed: reversal."), {12, 11},
+                       parent);
 }
 
 MarkSheet staircaseSheet(const calibration::Measurement& run) {
@@ -29,7 +28,7 @@ MarkSheet staircaseSheet(const calibration::Measurement& run) {
                            : tr("%1 trials; no threshold").arg(trials);
   sheet.y_title = tr("difference");
   sheet.words = {{0, Qt::AlignHCenter, tr("trial")}, {0, Qt::AlignLeft, "1"}, {0, Qt::AlignRight, trials}};
-  sheet.key = tr("● right  ○ wrong  ◎ turn");
+  sheet.key = tr("● right  ○ wrong  ◎ reversal");
   sheet.widest = percentLabel(0.005);
   sheet.way_line = {&Theme::ink, 0.5};
   if (threshold) sheet.band = {threshold->low, threshold->difference, threshold->high};

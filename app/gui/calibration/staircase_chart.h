@@ -4,10 +4,10 @@
 
 namespace underact::gui {
 
-/// For difference of stiffness against trial.
+/// An empty chart of the difference of stiffness against the trial.
 MarkChart* staircaseChart(QWidget* parent);
 
-/// The difference on a logarithmic scale: filled right, hollow wrong, a ring where the way turned; the threshold as a
+/// The difference on a logarithmic scale: filled right, hollow wrong, a ring at a reversal; the threshold as a
 /// line in a band of one standard deviation either way.
 MarkSheet staircaseSheet(const calibration::Measurement& run);
 

@@ -19,7 +19,7 @@ using identify::StageKind;
 IdentifyRun::IdentifyRun(const IdentifyParts& parts, QObject* parent) : QObject(parent), parts_(parts) {
   connect(&parts_.document, &Document::opened, this,
           [this] { end(tr("Another scene was opened, so the measurement was ended.")); });
-  // Before it is read: what the player finds then, and puts back at last, must be the window's own.
+  // Before the file is read: the player restores at its close the scene that it finds now, which must not be ours.
   connect(&parts_.player, &Player::loading, this,
           [this] { end(tr("A recording was opened, so the measurement was ended.")); });
   connect(&parts_.in_use, &ArmInUse::changed, this,
@@ -54,17 +54,17 @@ Problems IdentifyRun::begin(identify::Wanted wanted) {
   return {};
 }
 
-/// Empty: it can begin, or go on.
+/// Empty if the measurement can begin or continue.
 Problems IdentifyRun::whyNotNow() const {
   if (!parts_.document.isOpen())
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Open a scene first: it is there again afterwards."))}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Open a scene first. It is restored after the measurement."))}};
   if (parts_.player.isOpen() || parts_.player.isLoading())
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "A recording is replayed. Close it first."))}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "A recording is being replayed. Close it first."))}};
   if (parts_.document.isTryingOut() && !hasOwnScene())
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Another measurement is at work. End it first."))}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Another measurement is running. End it first."))}};
   if (parts_.servo.holdToRun())
-    return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "Hold to run is on, and the hand has to let go. Switch it off first."))}};
+    return Problems{{said(QT_TRANSLATE_NOOP(
+        "problem", "Hold to run is on, but this measurement needs your hand off the stylus. Switch it off first."))}};
   return {};
 }
 
@@ -76,7 +76,7 @@ std::string IdentifyRun::armNow() const {
   return hasSimulatedPerson() ? std::string(arm::kDefaultArm) : parts_.document.scene().arm;
 }
 
-/// What is tried out is of this measurement.
+/// Whether the scene that is being tried out belongs to this measurement.
 bool IdentifyRun::hasOwnScene() const {
   return measurement_ && parts_.document.isTryingOut() && parts_.servo.revision() == revision_;
 }
@@ -89,8 +89,7 @@ Result<std::uint64_t> IdentifyRun::put(const scene::Description& scene) {
   return revision_;
 }
 
-/// Only the last frame's snapshot is asked: another look at the host would take the present one away from those who
-/// show it.
+/// Uses only the snapshot of the last frame: another look at the host would take the current one from its viewers.
 void IdentifyRun::startServo() {
   started_ticks_ = ticks_;
   has_pushed_ = mode_ == servo::Mode::Running;
@@ -99,12 +98,12 @@ void IdentifyRun::startServo() {
   is_own_start_ = true;
 }
 
-/// Empty: it pushes, or was told so less than a second ago.
+/// Empty while the servo runs, or was started less than a second ago.
 QString IdentifyRun::whyItStands(const servo::Snapshot& snapshot) const {
   const bool waits = !has_pushed_ && snapshot.ticks - started_ticks_ < parts_.servo.rateHz();
   if (snapshot.mode == servo::Mode::Running || waits) return {};
   if (snapshot.mode == servo::Mode::Faulted)
-    return tr("%1 Force is off. When that is mended, press “Repeat this part”.")
+    return tr("%1 Force is off. Fix the cause, then press “Repeat this part”.")
         .arg(sentenceText(whatHappened(snapshot.report.fault)));
   return tr("The servo was stopped.");
 }
@@ -119,13 +118,14 @@ void IdentifyRun::goOn() {
   problems.empty() ? setState(State::Runs) : stopped(sentencesOf(problems));
 }
 
-/// Samples of two rates make no one measurement.
+/// All samples of a measurement must have the same rate.
 QString IdentifyRun::whyNotAtThisRate() const {
   if (parts_.servo.rateHz() == rate_hz_) return {};
-  return tr("The servo's rate was changed meanwhile. Put it back to %1 Hz, or go back and begin again.").arg(rate_hz_);
+  return tr("The servo rate was changed during the measurement. Set it back to %1 Hz, or go back and begin again.")
+      .arg(rate_hz_);
 }
 
-/// What begin() asked, once more. false: it is stopped, or has ended.
+/// Repeats the checks of begin(). false: the measurement is stopped or has ended.
 bool IdentifyRun::mayGoOn() {
   if (armNow() != measurement_->plan().stages.front().scene.arm) {
     end(tr("The scene is for another arm now, so the measurement was ended."));
@@ -153,16 +153,16 @@ void IdentifyRun::stopped(const QString& why) {
   setState(State::Stopped, why);
 }
 
-/// It cannot go on, only begin again.
+/// Ends the measurement: it cannot continue, only begin again.
 void IdentifyRun::end(const QString& why) {
   if (!measurement_) return;
   letGo();
   setState(State::Failed, why);
 }
 
-/// Puts back what it has changed itself: the scene, the servo, the hand.
+/// Restores what the measurement changed: the scene, the servo, the hand.
 void IdentifyRun::letGo() {
-  // First of all the force: the fit that goes on beside it may take a while to end.
+  // The force first: a fit in the background may take a while to end.
   if (hasOwnScene()) {
     parts_.document.putBack();
     parts_.view.followEdit(parts_.document.scene());
@@ -189,13 +189,13 @@ void IdentifyRun::look(const servo::Snapshot& snapshot) {
   ticks_ = snapshot.ticks;
   mode_ = snapshot.mode;
   has_pushed_ = has_pushed_ || mode_ == servo::Mode::Running;
-  if (has_pushed_ && mode_ != servo::Mode::Running) is_own_start_ = false;  // whoever starts it again wants it so
+  if (has_pushed_ && mode_ != servo::Mode::Running) is_own_start_ = false;  // a later start is the user's
   if (evaluation_) return takeEvaluation();
   if (!measurement_) return;
   if (person_) person_->act(*measurement_, q_rad_);
   if (state_ != State::Runs && state_ != State::Asks) return;
   if (state_ == State::Runs && parts_.servo.revision() != revision_)
-    return stopped(tr("The scene was changed meanwhile."));
+    return stopped(tr("The scene was changed during the measurement."));
   if (is_begun_) {
     if (const QString why = whyNotAtThisRate(); !why.isEmpty()) return stopped(why);
     if (const QString why = whyItStands(snapshot); !why.isEmpty()) return stopped(why);
@@ -241,7 +241,8 @@ QString IdentifyRun::stage() const {
 
 QString IdentifyRun::prompt() const {
   if (!measurement_) return {};
-  if (person_) return tr("A simulated hand does it: %1").arg(sentenceText(promptOf(measurement_->stage().hand)));
+  if (person_)
+    return tr("A simulated hand does this for you: %1").arg(sentenceText(promptOf(measurement_->stage().hand)));
   return sentenceText(promptOf(measurement_->stage().hand));
 }
 
@@ -258,7 +259,7 @@ std::size_t IdentifyRun::firstOfAxis() const {
   return first;
 }
 
-/// A fit of the axis' swings so far, behind the window, each time another one is recorded.
+/// Fits the swings of the axis so far, in the background, each time another one has been recorded.
 void IdentifyRun::fitLive() {
   if (live_) {
     std::optional<LiveFit> fit = live_->take();

@@ -18,7 +18,7 @@ class Document;
 class Player;
 class SceneView;
 
-/// What a measurement of the arm in the window works with.
+/// The parts of the window that a measurement of the arm uses.
 struct IdentifyParts {
   ServoFacts servo;
   ServoControl control;
@@ -29,47 +29,47 @@ struct IdentifyParts {
   ArmChoice& arms;
 };
 
-/// A measurement of the arm at hand. Its scenes are tried out in the document's place; whatever ends it, what it
-/// changed itself is as it was before: scene, servo and hand. What somebody else has changed since is left as it is.
+/// A measurement of the arm. Its scenes are tried out in place of the document's. However it ends, it restores what it
+/// changed itself: scene, servo and hand. Changes made by others in the meantime are kept.
 class IdentifyRun : public QObject {
   Q_OBJECT
  public:
-  /// Asks: the hand has to do something, then goOn(). Stopped: by a fault or a person; repeat() goes on. Evaluates: all
-  /// is recorded. Done: found() is there. Failed: why() says why nothing was found; begin() is the way on.
+  /// Asks: the hand has to do something, then goOn(). Stopped: by a fault or a person; repeat() continues. Evaluates:
+  /// everything is recorded. Done: found() is available. Failed: why() says why there is no result; begin() again.
   enum class State { Idle, Asks, Runs, Stopped, Evaluates, Done, Failed };
 
   IdentifyRun(const IdentifyParts& parts, QObject* parent);
   ~IdentifyRun() override;
 
-  /// In place of what there is. Problems: why it cannot begin.
+  /// Replaces a measurement that is under way. Problems: why it cannot begin.
   Problems begin(identify::Wanted wanted);
-  // What begin() asks is asked again: where it does not hold any more, it stops and says so.
+  // Both repeat the checks of begin(); if one fails, the measurement stops and why() says so.
   void goOn();
   void repeat();
-  /// Nothing is kept.
+  /// Discards the measurement.
   void cancel();
   void add(const servo::TickRecord& record);
-  /// Each frame. It may put a scene into effect: the snapshot of the host is no longer there then.
+  /// Called each frame. It may put a scene into effect, which invalidates the host's snapshot.
   void look(const servo::Snapshot& snapshot);
 
   State state() const { return state_; }
   bool isAtWork() const { return measurement_.has_value(); }
   double share() const { return measurement_ ? measurement_->share() : state_ == State::Done ? 1.0 : 0.0; }
-  /// What is measured now, and what the hand has to do.
+  /// The current part of the measurement, and what the hand has to do.
   QString stage() const;
   QString prompt() const;
   /// Why it was stopped, or failed.
   const QString& why() const { return why_; }
   const identify::Identified& found() const { return *found_; }
-  /// What the simulated arm is made of; none: it is a real one.
+  /// The true values of the simulated arm; none for a real one.
   const std::optional<identify::Given>& given() const { return given_; }
   bool hasSimulatedPerson() const;
-  /// The swings along the axis that is measured, with the fit so far.
+  /// The swings along the current axis, with the fit so far.
   SwingPicture picture() const;
 
  signals:
   void changed();     // of state or stage
-  void progressed();  // each frame in which it runs
+  void progressed();  // each frame while it runs
 
  private:
   struct LiveFit {
@@ -107,11 +107,11 @@ class IdentifyRun : public QObject {
   int rate_hz_ = 0;         // of the servo when the first stage began
   std::int64_t ticks_ = 0;  // of the last frame
   servo::Mode mode_ = servo::Mode::Idle;
-  std::int64_t started_ticks_ = 0;  // when the servo was told to push
-  bool has_pushed_ = false;         // and it has since
+  std::int64_t started_ticks_ = 0;  // when the servo was started
+  bool has_pushed_ = false;         // and it has run since
   bool is_begun_ = false;           // a stage has been put into effect
-  bool was_running_ = false;        // the servo, before
-  bool is_own_start_ = false;       // it runs because it was started here
+  bool was_running_ = false;        // the servo, before the measurement
+  bool is_own_start_ = false;       // the servo runs because it was started here
   arm::JointAngles q_rad_{};
   QString why_;
 };

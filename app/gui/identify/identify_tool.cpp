@@ -18,15 +18,16 @@ IdentifyTool::IdentifyTool(const FeatureParts& parts)
       actions_(parts.actions),
       window_(parts.window),
       run_(parts_, this) {
-  connect(&parts.arms, &ArmChoice::began, this, &IdentifyTool::end);  // it was to measure the arm before
-  actions_.add({"identify.open", tr("Me&asure the arm…"), QKeySequence("Ctrl+Alt+M"),
-                tr("Mass, friction, damping, encoders and rendered stiffness of the arm at hand, step by step.")},
-               [this](const QVariantList&) {
-                 open();
-                 return true;
-               });
+  connect(&parts.arms, &ArmChoice::began, this, &IdentifyTool::end);  // the measurement was of the previous arm
+  actions_.add(
+      {"identify.open", tr("Me&asure the arm…"), QKeySequence("Ctrl+Alt+M"),
+       tr("Measures mass, friction, damping, encoder resolution and rendered stiffness of this arm, step by step.")},
+      [this](const QVariantList&) {
+        open();
+        return true;
+      });
   actions_.add({"arm.open", tr("&Open a measured arm…"), QKeySequence("Ctrl+Alt+X"),
-                tr("The simulated arm becomes one that was measured, from its file.")},
+                tr("Gives the simulated arm the values of a measured arm, from its file.")},
                [this](const QVariantList& path) {
                  if (!path.isEmpty()) return openArm(path.first().toString());
                  const QString chosen =
@@ -34,19 +35,19 @@ IdentifyTool::IdentifyTool(const FeatureParts& parts)
                  return !chosen.isEmpty() && openArm(chosen);
                });
   QAction* const vendors = actions_.add({"arm.vendor", tr("&Vendor's arm"), QKeySequence("Ctrl+Alt+V"),
-                                         tr("The simulated arm is made of the vendor's figures again.")},
+                                         tr("Gives the simulated arm the vendor's values again.")},
                                         [this](const QVariantList&) {
                                           parts_.in_use.useVendors();
                                           return true;
                                         });
-  const auto follow = [this, vendors] {  // an arm that is being measured is not exchanged
+  const auto follow = [this, vendors] {  // no change of arm during a measurement
     vendors->setEnabled(parts_.in_use.isMeasured() && !run_.isAtWork());
     actions_.find("arm.open")->setEnabled(parts_.in_use.hasSimulatedArm() && !run_.isAtWork());
   };
   connect(&parts_.in_use, &ArmInUse::changed, this, follow);
   connect(&run_, &IdentifyRun::changed, this, follow);
   follow();
-  // What the last page's buttons do, with a path in place of a file dialog.
+  // The buttons of the last page, with a path instead of a file dialog.
   actions_.addCommand("identify.save", [this](const QVariantList& path) {
     return wizard_ && wizard_->keepPage() && wizard_->keepPage()->saveModel(path.value(0).toString());
   });
@@ -75,7 +76,8 @@ bool IdentifyTool::openArm(const QString& path) {
   const Problems problems = parts_.in_use.open(path);
   if (problems.empty()) return true;
   showProblemsBox("dialog.arm_problems", tr("Measured arm"),
-                  tr("This file is no arm that can be simulated. The arm stays as it is."), problems, window_);
+                  tr("This file does not describe an arm that can be simulated. The arm is unchanged."), problems,
+                  window_);
   return false;
 }
 

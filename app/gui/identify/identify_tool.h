@@ -21,7 +21,7 @@ class IdentifyTool : public QObject, public Follower {
   void look(const servo::Snapshot& snapshot) override { run_.look(snapshot); }
   void setTheme(const Theme& theme) override;
   void finish() override { end(); }
-  /// The scene's own is in effect again, and the wizard is closed.
+  /// Restores the scene and closes the wizard.
   void end();
   const IdentifyRun& run() const { return run_; }
 

@@ -18,7 +18,7 @@ class IdentifyWizard : public QWizard {
   IdentifyWizard(IdentifyRun& run, ArmInUse& in_use, ServoFacts servo, QWidget* parent);
   ~IdentifyWizard() override;
   void setTheme(const Theme& theme);
-  /// The last page, once something was found; else null.
+  /// The last page while it is shown and there is a result; else null.
   KeepPage* keepPage();
 
  private:

@@ -19,14 +19,14 @@ namespace underact::gui {
 
 class SwingPlot;
 
-/// What is measured, and what the hand will have to do.
+/// The introduction: what is measured, and what the hand will have to do.
 class IntroPage : public QWizardPage {
   Q_OBJECT
  public:
   IntroPage(bool simulated_person, QWidget* parent);
 };
 
-/// Where it swings, and which arm it is.
+/// The positions about which the tip swings, and which arm it is.
 class PlacePage : public QWizardPage {
   Q_OBJECT
  public:
@@ -41,7 +41,7 @@ class PlacePage : public QWizardPage {
   QLineEdit *device_, *serial_;
 };
 
-/// The measurement itself: what the hand has to do, how far it is, the swings.
+/// The measurement: the instruction for the hand, the progress, the swings.
 class MeasurePage : public QWizardPage {
   Q_OBJECT
  public:
@@ -65,7 +65,7 @@ class MeasurePage : public QWizardPage {
   QString refused_;  // why it could not begin
 };
 
-/// What was found.
+/// The results.
 class FoundPage : public QWizardPage {
   Q_OBJECT
  public:
@@ -83,13 +83,13 @@ class FoundPage : public QWizardPage {
   SwingPlot* plot_;
 };
 
-/// What becomes of it: a file, a report, and the arm that is simulated from now on.
+/// What to do with the results: an arm file, a report, and the simulated arm.
 class KeepPage : public QWizardPage {
   Q_OBJECT
  public:
   KeepPage(IdentifyRun& run, const PlacePage& place, ArmInUse& in_use, QWidget* parent);
   void initializePage() override;
-  /// With the name and the title that stand in the page.
+  /// With the name and the title in the page's fields.
   sim::ArmModelFile file() const;
   bool saveModel(const QString& path);
   bool saveReport(const QString& path);

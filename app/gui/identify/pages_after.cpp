@@ -40,10 +40,10 @@ FoundPage::FoundPage(IdentifyRun& run, QWidget* parent)
       which_(new QComboBox(this)),
       plot_(new SwingPlot("identify.found.plot", this)) {
   setObjectName("identify.found");
-  setTitle(tr("What was found"));
+  setTitle(tr("Results"));
   what_->setObjectName("identify.found.what");
   what_->setWordWrap(true);
-  nameWidget(table_, "identify.table", tr("What was found"));
+  nameWidget(table_, "identify.table", tr("Results"));
   table_->setHorizontalHeaderLabels(
       {tr("quantity"), tr("value"), tr("uncertainty"), tr("unit"), tr("given"), tr("difference")});
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -54,7 +54,7 @@ FoundPage::FoundPage(IdentifyRun& run, QWidget* parent)
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);
   which_->setObjectName("identify.which");
-  nameChooser(which_, tr("Swings that are shown"), {});
+  nameChooser(which_, tr("Swings shown"), {});
   auto* column = new QVBoxLayout(this);
   column->addWidget(what_);
   column->addWidget(table_, 3);
@@ -82,13 +82,13 @@ void FoundPage::initializePage() {
     }
   }
   table_->setColumnHidden(5, given == nullptr);
-  QString text = tr("Uncertainty: one standard deviation. “below”: not told from zero.");
-  if (given != nullptr) text += tr(" Given: what the simulation is made of, or the stiffness that was asked for.");
+  QString text = tr("Uncertainty: one standard deviation. “below”: cannot be told from zero.");
+  if (given != nullptr) text += tr(" Given: the value of the simulated arm, or the stiffness that was commanded.");
   for (const Problem& note : run_.found().notes) text += QLatin1Char('\n') + sentenceText(note.sentence);
   what_->setText(text);
   which_->clear();
   for (const identify::AxisSwings& one : run_.found().swings)
-    which_->addItem(tr("Swings along %1 at place %2, the fit leaves %3 µm")
+    which_->addItem(tr("Swings along %1 at position %2, residual of the fit %3 µm")
                         .arg(QLatin1Char("xyz"[one.axis]))
                         .arg(one.place + 1)
                         .arg(numberText(1e6 * one.fit.residual_m, 1)));
@@ -112,11 +112,11 @@ KeepPage::KeepPage(IdentifyRun& run, const PlacePage& place, ArmInUse& in_use, Q
       provenance_(new QLabel(this)),
       told_(new QLabel(this)) {
   setObjectName("identify.keep");
-  setTitle(tr("Keep it"));
-  nameWidget(name_, "identify.name", tr("Name"), tr("A short name, as it stands in the status line."));
+  setTitle(tr("Save the results"));
+  nameWidget(name_, "identify.name", tr("Name"), tr("A short name, shown in the status line."));
   nameWidget(title_, "identify.title", tr("Title"));
   nameWidget(provenance_, "identify.provenance", tr("Provenance"));
-  nameWidget(told_, "identify.told", tr("What was done"));
+  nameWidget(told_, "identify.told", tr("Result of the last action"));
   for (QLabel* label : {provenance_, told_}) {
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);
@@ -124,10 +124,12 @@ KeepPage::KeepPage(IdentifyRun& run, const PlacePage& place, ArmInUse& in_use, Q
   auto* form = new QFormLayout;
   form->addRow(tr("&Name"), name_);
   form->addRow(tr("&Title"), title_);
-  QPushButton* const save = button("identify.save", tr("&Save the arm…"), tr("A file for --arm-model and for here."));
-  QPushButton* const report = button("identify.report", tr("Save the &report…"), tr("A Markdown file."));
+  QPushButton* const save = button("identify.save", tr("&Save the arm…"),
+                                   tr("Saves an arm file, for “Open a measured arm” and for the option --arm-model."));
+  QPushButton* const report =
+      button("identify.report", tr("Save the &report…"), tr("Saves the results as a Markdown file."));
   QPushButton* const use_it = button("identify.use", tr("&Use this arm"),
-                                     tr("The simulated arm is this one from now on, until it is changed back."));
+                                     tr("Gives the simulated arm these values, until you choose another arm."));
   use_it->setVisible(in_use.hasSimulatedArm());
   auto* column = new QVBoxLayout(this);
   column->setSpacing(12);
@@ -189,7 +191,7 @@ bool KeepPage::saveReport(const QString& path) {
 
 bool KeepPage::use() {
   in_use_.use(file());
-  told_->setText(tr("The simulated arm is “%1” now.").arg(title_->text()));
+  told_->setText(tr("The simulated arm is now “%1”.").arg(title_->text()));
   return true;
 }
 

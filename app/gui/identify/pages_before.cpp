@@ -18,7 +18,7 @@ namespace underact::gui {
 namespace {
 
 constexpr double kReach_mm = 200.0;
-constexpr double kAside_mm = 20.0;  // of the two more places, beside and in front of the first
+constexpr double kAside_mm = 20.0;  // of the two more positions, to the left and right of the first
 
 QLabel* words(const char* name, const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -40,35 +40,34 @@ IntroPage::IntroPage(bool simulated_person, QWidget* parent) : QWizardPage(paren
   setObjectName("identify.intro");
   setTitle(tr("Measure the arm"));
   QVBoxLayout* column = columnOf(this);
-  column->addWidget(words("identify.what",
-                          tr("This finds, on the arm at hand, what the tip feels like: its mass, friction and damping "
-                             "along x, y and z, the steps of its encoders, and the stiffness that is really rendered. "
-                             "It ends with a file of the arm and a report."),
-                          this));
   column->addWidget(words(
-      "identify.hand",
-      simulated_person ? tr("The arm is a simulated one, and a simulated hand does what is asked. It takes half a "
-                            "minute.")
-                       : tr("First let go: for about 20 seconds the arm moves the stylus by itself, 20 mm to each "
-                            "side, with at most the force that any scene may use. Then you take the stylus, "
-                            "press it slowly, and turn it. It takes about a minute."),
+      "identify.what",
+      tr("This wizard measures the arm: the mass, friction and damping at its tip along x, y and z, the resolution of "
+         "its encoders, and the stiffness that it actually renders. At the end you can save an arm file and a report."),
       this));
-  column->addWidget(words("identify.safety",
-                          tr("Esc stops the force at any time. The scene that is open now is there again afterwards."),
-                          this));
+  column->addWidget(
+      words("identify.hand",
+            simulated_person
+                ? tr("The arm is simulated, and a simulated hand follows the instructions. This takes half a minute.")
+                : tr("First let go of the stylus: for about 20 seconds the arm moves it by itself, 20 mm to each side, "
+                     "with no more force than any scene may use. Then take the stylus, press it down slowly, and "
+                     "rotate it. This takes about a minute."),
+            this));
+  column->addWidget(
+      words("identify.safety", tr("Esc stops the force at any time. The open scene is restored afterwards."), this));
   column->addStretch(1);
 }
 
 PlacePage::PlacePage(int rate_hz, const QString& device, QWidget* parent)
     : QWizardPage(parent),
-      more_(new QCheckBox(tr("Also at &two more places, to the left and to the right"), this)),
+      more_(new QCheckBox(tr("Also at &two more positions, to the left and to the right"), this)),
       device_(new QLineEdit(device, this)),
       serial_(new QLineEdit(this)) {
   setObjectName("identify.where");
-  setTitle(tr("Place and arm"));
+  setTitle(tr("Position and arm"));
   auto* form = new QFormLayout;
   const double middle_mm[] = {0.0, 0.0, 60.0};
-  const QString labels[] = {tr("Place &x"), tr("Place &y"), tr("Place &z")};
+  const QString labels[] = {tr("Position &x"), tr("Position &y"), tr("Position &z")};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     at_mm_[axis] = new NumberBox(this);
     at_mm_[axis]->setObjectName(QString("identify.place.%1").arg(QLatin1Char("xyz"[axis])));
@@ -77,15 +76,15 @@ PlacePage::PlacePage(int rate_hz, const QString& device, QWidget* parent)
     at_mm_[axis]->setDecimals(1);
     at_mm_[axis]->setSuffix(tr(" mm"));
     at_mm_[axis]->setValue(middle_mm[axis]);
-    at_mm_[axis]->setToolTip(tr("The tip swings about this place, in the workspace frame W."));
+    at_mm_[axis]->setToolTip(tr("The tip swings about this position, in the workspace frame W."));
     form->addRow(labels[axis], at_mm_[axis]);
   }
-  nameWidget(more_, "identify.places", tr("Also at two more places"),
-             tr("Tells whether the arm is the same everywhere; takes three times as long."));
+  nameWidget(more_, "identify.places", tr("Also at two more positions"),
+             tr("Shows whether the results depend on the position; takes three times as long."));
   form->addRow(more_);
-  nameWidget(device_, "identify.device", tr("Arm"), tr("Which arm this is; stands in the file."));
+  nameWidget(device_, "identify.device", tr("Arm"), tr("Which arm this is; saved in the file."));
   form->addRow(tr("&Arm"), device_);
-  nameWidget(serial_, "identify.serial", tr("Serial number"), tr("As it stands on the arm; may stay empty."));
+  nameWidget(serial_, "identify.serial", tr("Serial number"), tr("As printed on the arm; optional."));
   form->addRow(tr("&Serial number"), serial_);
   QVBoxLayout* column = columnOf(this);
   column->addLayout(form);
@@ -120,20 +119,20 @@ MeasurePage::MeasurePage(IdentifyRun& run, const PlacePage& place, QWidget* pare
       why_(words("identify.why", {}, this)),
       progress_(new QProgressBar(this)),
       plot_(new SwingPlot("identify.plot", this)),
-      go_(new QPushButton(tr("&Go on"), this)),
+      go_(new QPushButton(tr("Con&tinue"), this)),
       repeat_(new QPushButton(tr("&Repeat this part"), this)) {
   setObjectName("identify.measure");
   setTitle(tr("Measuring"));
-  stage_->setAccessibleName(tr("What is measured"));
-  why_->setAccessibleName(tr("Why it stands still"));
+  stage_->setAccessibleName(tr("Current part of the measurement"));
+  why_->setAccessibleName(tr("Why the measurement has stopped"));
   why_->setProperty("role", "warning");
   nameWidget(progress_, "identify.progress", tr("Progress"));
   progress_->setRange(0, 1000);
   for (const auto& [button, name] : {std::pair{go_, "identify.go"}, {repeat_, "identify.repeat"}}) {
     nameWidget(button, name, button->text().remove('&'));
   }
-  go_->setToolTip(tr("The hand does what is asked."));
-  repeat_->setToolTip(tr("Starts the servo again, and measures the part that was stopped from its beginning."));
+  go_->setToolTip(tr("Starts this part. First take the stylus or let go of it, as the instruction says."));
+  repeat_->setToolTip(tr("Starts the servo again and repeats the interrupted part from its beginning."));
   auto* row = new QHBoxLayout;
   row->addWidget(go_);
   row->addWidget(repeat_);

@@ -14,7 +14,7 @@ constexpr std::size_t kPoints = 2000;
 constexpr std::size_t kTarget = 0, kMeasured = 1, kFit = 2;
 constexpr float kGap = std::numeric_limits<float>::quiet_NaN();
 
-/// Every so manieth point, so that all find room; what is left over is a gap.
+/// Takes every n-th point, so that they fit into the curve, and fills the rest with gaps.
 void fill(std::span<PlotPoint> into, const std::vector<SwingPoint>& from) {
   const std::size_t every = from.size() / into.size() + 1;
   std::size_t used = 0;
@@ -52,10 +52,11 @@ struct SwingPlot::Impl {
     chart.setRange(from_s, to_s, least_mm - room_mm, most_mm + room_mm);
   }
 
-  Chart chart{
-      SwingPlot::tr("Tip along x [mm]"),
-      SwingPlot::tr("time [s]"),
-      {{SwingPlot::tr("target"), 1.0F}, {SwingPlot::tr("measured"), 2.5F}, {SwingPlot::tr("fitted body"), 1.5F, true}}};
+  Chart chart{SwingPlot::tr("Tip along x [mm]"),
+              SwingPlot::tr("time [s]"),
+              {{SwingPlot::tr("target"), 1.0F},
+               {SwingPlot::tr("measured"), 2.5F},
+               {SwingPlot::tr("fitted model"), 1.5F, true}}};
 };
 
 SwingPlot::SwingPlot(const QString& object_name, QWidget* parent)
@@ -63,8 +64,8 @@ SwingPlot::SwingPlot(const QString& object_name, QWidget* parent)
   setObjectName(object_name);
   setAccessibleName(tr("Swings of the tip"));
   setToolTip(
-      tr("The tip is drawn to the target, and swings. The dashed line is how a mass with friction and damping "
-         "moves under the force that was sent."));
+      tr("The tip is pulled towards the target and swings. The dashed line is the fitted model: a mass with friction "
+         "and damping under the force that was sent."));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
   impl_->chart.reserve(kPoints);
   impl_->draw({});
@@ -80,7 +81,7 @@ QSize SwingPlot::minimumSizeHint() const {
 void SwingPlot::present(const SwingPicture& picture) {
   impl_->draw(picture);
   setAccessibleDescription(tr("%1 points along %2").arg(picture.measured.size()).arg(QLatin1Char(picture.axis)));
-  placeAnew();  // the legend may have another name in it
+  placeAnew();  // the names in the legend may have changed
 }
 
 void SwingPlot::setTheme(const Theme& theme) {

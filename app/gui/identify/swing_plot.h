@@ -6,7 +6,7 @@
 
 namespace underact::gui {
 
-/// Swings against time: the target, the tip, and the body that was fitted. It moves when asked.
+/// Swings against time: the target, the tip, and the fitted body. Redrawn on request only.
 class SwingPlot : public ChartWidget {
   Q_OBJECT
  public:

@@ -13,25 +13,25 @@ namespace underact::gui {
 namespace {
 
 QString tipOf(const trade::Choice& choice) {
-  return QObject::tr("%1\nTimed: %2. Error: %3; root of the mean square.\nAllowed: %4, since that is %5.")
+  return QObject::tr("%1\nTimed: %2. Error: %3; root mean square.\nBound: %4 (%5).")
       .arg(QString(choice.question), QString(choice.cost), QString(choice.error), errorText(choice.bound, choice.unit),
            QString(choice.reason));
 }
 
 QString figuresOf(const trade::Choice& choice, const trade::Summary& now) {
-  return QObject::tr("%1 for %2, %3 in a second; error %4 of %5 allowed")
+  return QObject::tr("%1 for %2, %3 per second; error %4, bound %5")
       .arg(timeText(1e-3 * now.p50_ns), QString(choice.cost), timeText(now.cost_us_per_s),
            errorText(now.error, choice.unit), errorText(choice.bound, choice.unit));
 }
 
-/// By words and a sign, and only then by colour.
+/// Marks a choice by words and a sign; the colour only adds to them.
 void mark(const trade::Standing& standing, const trade::Summary* now, ChoiceWords& words) {
   const trade::Choice& choice = *standing.choice;
   words.is_beyond = now != nullptr && now->error > choice.bound;
-  if (words.is_beyond) words.mark = QObject::tr("▲ The error is beyond what is allowed.");
+  if (words.is_beyond) words.mark = QObject::tr("▲ The error exceeds the bound.");
   const trade::Summary* best = recommendedOf(standing);
   if (best == nullptr || (now != nullptr && now->option == best->option)) return;
-  const QString better = QObject::tr("→ Recommended: %1 (%2 in a second, error %3)")
+  const QString better = QObject::tr("→ Recommended: %1 (%2 per second, error %3)")
                              .arg(QString::fromStdString(best->option), timeText(best->cost_us_per_s),
                                   errorText(best->error, choice.unit));
   words.mark = words.is_beyond ? words.mark + ' ' + better : better;
@@ -54,7 +54,7 @@ std::vector<ChoiceWords> choiceWords(const scene::Description& scene, const trad
     if (standing != standings.end()) {
       const trade::Summary* measured = measuredOf(*standing, now);
       words.figures =
-          measured != nullptr ? figuresOf(choice, *measured) : QObject::tr("not measured: no hand has use for it");
+          measured != nullptr ? figuresOf(choice, *measured) : QObject::tr("not measured with this setting");
       mark(*standing, measured, words);
     }
     all.push_back(std::move(words));
@@ -79,7 +79,7 @@ ChoiceList::Row ChoiceList::makeRow(const ChoiceWords& words) {
   auto* column = tight<QVBoxLayout>(row.all, 0);
   row.value = toldLabel((name + ".value").constData(), words.name, "section", row.all);
   row.figures = toldLabel((name + ".figures").constData(), tr("%1: cost and error").arg(words.name), "quiet", row.all);
-  row.mark = toldLabel((name + ".mark").constData(), tr("%1: advice").arg(words.name), "", row.all);
+  row.mark = toldLabel((name + ".mark").constData(), tr("%1: recommendation").arg(words.name), "", row.all);
   for (QLabel* label : {row.value, row.figures, row.mark}) column->addWidget(label);
   column_->addWidget(row.all);
   return row;

@@ -9,16 +9,16 @@ class QVBoxLayout;
 
 namespace underact::gui {
 
-/// What the Lab panel says of one choice.
+/// The texts of the Lab panel on one choice.
 struct ChoiceWords {
   QString key, name, value;  // "rate", "Servo rate", "1000 Hz"
-  QString figures;           // what it costs and how far it is off, of what is allowed; empty: not measured
-  QString mark;              // beyond the bound, or what is recommended; empty: all is well
+  QString figures;           // its cost, its error and the bound; empty: not measured
+  QString mark;              // beyond the bound, or the recommended option; empty: neither
   bool is_beyond = false;
   QString tip;
 };
 
-/// Of every choice that the scene offers, in the catalogue's order. standings: as measured; empty: not yet.
+/// For every choice that the scene offers, in the catalogue's order. standings: as measured; empty: not yet.
 std::vector<ChoiceWords> choiceWords(const scene::Description& scene, const trade::Settings& now,
                                      const std::vector<trade::Standing>& standings);
 

@@ -8,8 +8,9 @@ namespace underact::gui {
 
 FeatureRow labFeature() {
   return {.panels = {{"lab", QT_TRANSLATE_NOOP("panel", "Lab"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Q",
-                      QT_TRANSLATE_NOOP(
-                          "panel", "What each choice between speed and accuracy costs, and a slider along the best."),
+                      QT_TRANSLATE_NOOP("panel",
+                                        "Measures what each choice between speed and accuracy costs, with a slider "
+                                        "along the best combinations."),
                       [](const FeatureParts& all, QWidget* parent) -> Panel* {
                         return new LabPanel({all.document, all.actions, all.rate, all.arm_in_use}, parent);
                       },

@@ -9,7 +9,7 @@ namespace underact::gui {
 namespace {
 
 constexpr double kLeastCost_us_per_s = 1e-3,
-                 kLeastError_mm = 1e-6;  // what is exact stands there: a logarithm has no zero
+                 kLeastError_mm = 1e-6;  // the place of an exact one: a logarithmic axis has no zero
 constexpr double kFrontDot = 3.0, kFrontSquare = 5.0, kFrontRing = 8.0;
 constexpr double kFrontRoom = 1.25;
 constexpr MarkSheet::Colour kFrontGround{&Theme::ink, 0.0};
@@ -19,34 +19,33 @@ QPointF placeOf(const trade::Point& point) {
 }
 
 QString spokenOf(const std::vector<trade::Point>& points, const std::optional<std::size_t>& chosen) {
-  if (points.empty()) return tr("Nothing is measured.");
+  if (points.empty()) return tr("Nothing has been measured.");
   const auto on_front = std::count_if(points.begin(), points.end(), [](const auto& one) { return one.on_front; });
-  return tr("%1 ways, %2 on the front; %3")
+  return tr("%1 combinations, %2 on the front; %3")
       .arg(points.size())
       .arg(on_front)
-      .arg(chosen ? tr("chosen: %1 a second, error %2")
+      .arg(chosen ? tr("chosen: %1 per second, error %2")
                         .arg(timeText(points[*chosen].cost_us_per_s), lengthText(points[*chosen].error_mm))
-                  : tr("none of them is in effect"));
+                  : tr("none of them is in use"));
 }
 
 }  // namespace
 
 MarkChart* frontChart(QWidget* parent) {
-  return new MarkChart(
-      "panel.lab.chart", tr("Error of the tip's way against processor time"),
-      tr("Every way to run this scene: what a second of it takes, tick and simulated arm, and how far the tip is "
-         "off its way at 16 kHz, root of the mean square over all hands. The front is what nothing beats in "
-         "both."),
-      {14, 14}, parent);
+  return new MarkChart("panel.lab.chart", tr("Error of the tip's path against processor time"),
+                       tr("Every combination of choices for this scene: the processor time per second of tick and "
+                          "simulated arm, and the deviation of the tip from its path at 16 kHz, root mean square over "
+                          "all hands. On the front are the combinations that no other one beats in both."),
+                       {14, 14}, parent);
 }
 
 MarkSheet frontSheet(const std::vector<trade::Point>& points, const std::optional<std::size_t>& chosen) {
   MarkSheet sheet;
   sheet.spoken = spokenOf(points, chosen);
   if (points.empty()) return sheet;
-  sheet.y_title = tr("error of the tip's way");
-  sheet.words = {{1, Qt::AlignRight, tr("processor time for a second")}};
-  sheet.key = tr("○ a way  ● on the front  ■ as it was  ◎ chosen");
+  sheet.y_title = tr("error of the tip's path");
+  sheet.words = {{1, Qt::AlignRight, tr("processor time per second")}};
+  sheet.key = tr("○ combination  ● on the front  ■ as it was  ◎ chosen");
   sheet.word_lines = sheet.key_lines = 2;
   sheet.widest = "500 µm";
   sheet.marks_grow = true;
@@ -63,7 +62,7 @@ MarkSheet frontSheet(const std::vector<trade::Point>& points, const std::optiona
   sheet.y.lines_a_tick = 1.5;
   sheet.way_line = {&Theme::constraint};
   sheet.way_width = 2.0;
-  for (const bool on_front : {false, true}) {  // those that matter lie on top
+  for (const bool on_front : {false, true}) {  // the front is drawn on top
     const MarkSheet::Colour line =
         on_front ? MarkSheet::Colour{&Theme::constraint} : MarkSheet::Colour{&Theme::ink, 0.55};
     for (const trade::Point& point : points) {

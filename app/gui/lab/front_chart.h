@@ -7,12 +7,11 @@
 
 namespace underact::gui {
 
-/// For error of the tip's way against processor time.
+/// An empty chart of the error of the tip's path against processor time.
 MarkChart* frontChart(QWidget* parent);
 
-/// Both logarithmic: every way to run the scene as a dot, those that none beats in both filled and joined by a line,
-/// the scene as it was as a square, the chosen one ringed. chosen: of the points; none: another way than these is in
-/// effect.
+/// Both axes logarithmic: every combination as a dot, those on the front filled and joined by a line, the scene as it
+/// was as a square, the chosen one ringed. chosen: index into the points; none: another combination is set.
 MarkSheet frontSheet(const std::vector<trade::Point>& points, const std::optional<std::size_t>& chosen);
 
 }  // namespace underact::gui

@@ -50,8 +50,8 @@ void LabPanel::build() {
   column->setSpacing(4);
   column->addWidget(measuring_ = new MeasuringPart(content));
   column->addWidget(walk_ = new WalkPart(content));
-  column->addWidget(sectionTitle(tr("What this scene offers"), content));
-  column->addWidget(tick_ = toldLabel("panel.lab.tick", tr("What a tick is predicted to take"), "quiet", content));
+  column->addWidget(sectionTitle(tr("Choices of this scene"), content));
+  column->addWidget(tick_ = toldLabel("panel.lab.tick", tr("Predicted time of a tick"), "quiet", content));
   column->addSpacing(4);
   column->addWidget(choices_ = new ChoiceList(content));
   column->addStretch(1);
@@ -95,7 +95,7 @@ bool LabPanel::measure(const std::string& hand, double seconds) {
   const std::vector<trade::NamedHand> hands = handsOf(hand);
   if (run_ != nullptr || hands.empty() || !parts_.document.isOpen() || !(seconds >= 0.1 && seconds <= 60.0))
     return false;
-  forget(tr("Measuring. Window and servo go on; leave the scene as it is."));
+  forget(tr("Measuring. Window and servo keep running; do not change the scene."));
   order_ = {parts_.document.scene(), hands, seconds, parts_.rate.hz()};
   run_ =
       std::make_unique<Background<LabResult>>([order = order_](WorkState& state) { return measureLab(order, state); });
@@ -107,7 +107,7 @@ bool LabPanel::measure(const std::string& hand, double seconds) {
 bool LabPanel::cancel() {
   if (run_ == nullptr) return false;
   run_->cancel();
-  measuring_->tell(tr("Cancelling: the run that is on its way ends first."), false);
+  measuring_->tell(tr("Cancelling: the current run ends first."), false);
   return true;
 }
 
@@ -119,9 +119,9 @@ void LabPanel::look() {
   const bool is_cancelled = run_->isCancelled();
   run_.reset();
   if (is_cancelled)
-    forget(tr("Cancelled. Nothing was kept: a part would look like the whole."));
+    forget(tr("Cancelled. Nothing was kept, since partial results would be misleading."));
   else if (!isMeasuredScene(order_))
-    forget(tr("The scene was changed meanwhile: what was measured is of another one. Measure again."));
+    forget(tr("The scene was changed during the measurement, so the results do not apply to it. Measure again."));
   else
     end(std::move(*result));
 }
@@ -132,7 +132,7 @@ void LabPanel::end(LabResult result) {
   for (std::size_t index = 0; index < result_.points.size(); ++index) {
     const trade::Point& point = result_.points[index];
     if (!point.on_front) continue;
-    // A substep longer than the period is the period: two ways, one and the same run. Of such the scene's own stays.
+    // A substep longer than the period equals the period, so two combinations are the same run: keep the scene's own.
     if (!front_.empty() && result_.points[front_.back()].error_mm == point.error_mm) {
       if (point.is_own) front_.back() = index;
       continue;
@@ -140,10 +140,9 @@ void LabPanel::end(LabResult result) {
     front_.push_back(index);
   }
   if (front_.empty()) {
-    measuring_->tell(
-        tr("The finest run of this scene, or each other one, ended in a fault, so there is no front to walk on. What "
-           "could be measured stands below. Softer gains may help."),
-        true);
+    measuring_->tell(tr("The finest run of this scene, or every other one, ended in a fault, so there is no front. "
+                        "What could be measured is shown below. Lower gains may help."),
+                     true);
   } else {
     measuring_->tell(whatWasMeasured(), false);
   }
@@ -162,7 +161,7 @@ bool LabPanel::isMeasuredScene(const LabOrder& order) const {
   return scene::isSame(withSettings(parts_.document.scene(), own), withSettings(order.scene, own));
 }
 
-/// A rate that was tried here and that nobody chose to stay.
+/// Whether the current rate was only tried here and not chosen in the servo panel.
 bool LabPanel::hasTriedRate() const {
   return !result_.standings.empty() && parts_.rate.hz() != order_.rate_hz && parts_.rate.chosen() != parts_.rate.hz();
 }
@@ -170,7 +169,7 @@ bool LabPanel::hasTriedRate() const {
 void LabPanel::sceneOpened() {
   cancel();
   if (run_ != nullptr) return;
-  // Another scene begins at the rate that was there before; where that is refused, it is told.
+  // Another scene starts at the previous rate; if that is refused, the panel says so.
   const Problems problems = hasTriedRate() ? parts_.rate.tryOut(order_.rate_hz) : Problems{};
   const QString stays = problems.empty() ? QString() : tr(" The rate stays at %1 Hz. ").arg(parts_.rate.hz());
   forget(whatMeasuringDoes() + stays + sentencesOf(problems));
@@ -179,7 +178,7 @@ void LabPanel::sceneOpened() {
 void LabPanel::sceneEdited() {
   if (!result_.standings.empty() && !isMeasuredScene(order_)) {
     const QString stays = hasTriedRate() ? tr(" The servo stays at %1 Hz.").arg(parts_.rate.hz()) : QString();
-    forget(tr("The scene was changed: the figures were of another one and are gone. Measure again.") + stays);
+    forget(tr("The scene was changed, so the results no longer apply and have been discarded. Measure again.") + stays);
     return;
   }
   stale_ = true;
@@ -202,7 +201,7 @@ bool LabPanel::walkTo(int stop, bool rate_too) {
   const trade::Point& point = result_.points[pointAt(stop)];
   const Problems problems =
       setScene(point.is_own ? order_.scene : withSettings(parts_.document.scene(), point.settings));
-  if (!problems.empty()) measuring_->tell(tr("The scene stays. %1").arg(sentencesOf(problems)), true);
+  if (!problems.empty()) measuring_->tell(tr("The scene is unchanged. %1").arg(sentencesOf(problems)), true);
   const bool done = problems.empty() && (!rate_too || setRate(point.settings.rate_hz));
   walk_->setStop(stop);
   refresh();
@@ -222,7 +221,7 @@ bool LabPanel::putBack() {
   if (result_.standings.empty()) return false;
   beginGesture();
   const Problems problems = setScene(order_.scene);
-  if (!problems.empty()) measuring_->tell(tr("The scene stays. %1").arg(sentencesOf(problems)), true);
+  if (!problems.empty()) measuring_->tell(tr("The scene is unchanged. %1").arg(sentencesOf(problems)), true);
   const bool done = setRate(order_.rate_hz) && problems.empty();
   refresh();
   return done;
@@ -253,7 +252,7 @@ void LabPanel::refreshTick() {
   }
   const double tick_us = 1e-3 * predictedTick_ns(parts_.document.scene());
   const double period_us = 1e6 / parts_.rate.hz();
-  tick_->setText(tr("A tick of this scene: %1 predicted, %2 % of its period of %3 at %4 Hz.")
+  tick_->setText(tr("Time of a tick: %1 predicted, %2 % of the period of %3 at %4 Hz.")
                      .arg(timeText(tick_us), numberText(100.0 * tick_us / period_us, 2), timeText(period_us))
                      .arg(parts_.rate.hz()));
 }
@@ -266,14 +265,14 @@ void LabPanel::refreshWalk() {
 }
 
 QString LabPanel::wordsOf(const std::optional<std::size_t>& chosen) const {
-  if (!chosen) return tr("What is set now is none of the ways that were measured.");
+  if (!chosen) return tr("The current settings are none of the combinations that were measured.");
   const trade::Point& point = result_.points[*chosen];
   const QString words =
-      tr("%1 of processor time a second, the tip %2 off its way, the force %3 N.")
+      tr("Processor time per second: %1. Error of the tip's path: %2, of the force: %3 N.")
           .arg(timeText(point.cost_us_per_s), lengthText(point.error_mm), numberText(point.error_N, 4));
   if (point.settings.rate_hz == parts_.rate.hz()) return words;
   return words + ' ' +
-         tr("The rate of %1 Hz comes when you let go of the slider; the force lets go for a moment then.")
+         tr("The rate changes to %1 Hz when you let go of the slider; the force is off for a moment then.")
              .arg(point.settings.rate_hz);
 }
 
@@ -284,31 +283,29 @@ QString LabPanel::differencesText() const {
                  .arg(QString::fromStdString(one.what), QString::fromStdString(one.before),
                       QString::fromStdString(one.after));
   }
-  return lines.isEmpty() ? tr("Nothing differs from how it was measured.") : lines.join('\n');
+  return lines.isEmpty() ? tr("Nothing differs from the scene as it was measured.") : lines.join('\n');
 }
 
 QString LabPanel::whatWasMeasured() const {
-  return tr("Measured: %1 ways to run this scene, %2 of them on the front.")
-             .arg(result_.points.size())
-             .arg(front_.size()) +
+  return tr("Measured: %1 combinations, %2 of them on the front.").arg(result_.points.size()).arg(front_.size()) +
          whichArm();
 }
 
 QString LabPanel::whatMeasuringDoes() const {
-  if (!parts_.document.isOpen()) return tr("Open a scene: then it can be measured.");
+  if (!parts_.document.isOpen()) return tr("Open a scene to measure it.");
   const scene::Description& scene = parts_.document.scene();
   const double about_s = trade::secondsToMeasure(scene, measuring_->handCount(), measuring_->seconds(),
                                                  parts_.rate.hz(), predictedTick_ns(scene));
-  return tr("Nothing is measured yet. Measure runs this scene on a simulated arm of its own, in every way that it can "
-            "be run, and lays what each costs against how far it is off: about %1 here. Window and servo go on.")
+  return tr("Nothing has been measured yet. Measure runs this scene on a simulated arm of its own with every "
+            "combination of choices, and compares cost and error. This takes about %1; window and servo keep running.")
              .arg(durationText(about_s)) +
          whichArm();
 }
 
-/// Empty where it is the one that everybody would think of.
+/// Empty unless a measured arm is simulated in the window.
 QString LabPanel::whichArm() const {
   if (!parts_.arm_in_use.isMeasured()) return {};
-  return tr(" The arm that is simulated here has the vendor's figures, not those of “%1”.")
+  return tr(" The arm simulated here has the vendor's values, not those of “%1”.")
       .arg(QString::fromStdString(parts_.arm_in_use.model().name));
 }
 

@@ -15,8 +15,8 @@ class ChoiceList;
 class MeasuringPart;
 class WalkPart;
 
-/// What the scene's choices between speed and accuracy cost and how far they are off, measured in the background, and a
-/// slider along those ways to run it that nothing beats in both.
+/// Cost and error of the scene's choices between speed and accuracy, measured in the background, and a slider along the
+/// front of the combinations.
 class LabPanel : public Panel {
   Q_OBJECT
  public:
@@ -44,7 +44,7 @@ class LabPanel : public Panel {
   bool hasTriedRate() const;
   void sceneOpened();
   void sceneEdited();
-  /// The scene is the one that was measured, but for what the Lab itself may choose.
+  /// Whether the scene is the one that was measured, apart from what the Lab itself may change.
   bool isMeasuredScene(const LabOrder& order) const;
 
   // Walking.
@@ -55,7 +55,7 @@ class LabPanel : public Panel {
   void beginGesture();
   std::size_t pointAt(int stop) const { return front_[static_cast<std::size_t>(stop)]; }
   trade::Settings now() const;
-  /// Of the points; none: another way is in effect.
+  /// Index into the points; none: the current settings are not among them.
   std::optional<std::size_t> pointInEffect() const;
 
   void refresh();
@@ -70,8 +70,8 @@ class LabPanel : public Panel {
 
   Parts parts_;
   std::unique_ptr<Background<LabResult>> run_;
-  LabOrder order_;                  // that is measured, or was
-  LabResult result_;                // nothing: not measured
+  LabOrder order_;                  // that is being measured, or was
+  LabResult result_;                // empty: not measured
   std::vector<std::size_t> front_;  // of the points, the cheapest first: the slider's stops
   bool stale_ = false;
   int gesture_ = 0;

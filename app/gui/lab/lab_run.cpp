@@ -5,7 +5,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr std::uint64_t kSeed = 1;      // of the hands: the same figures each time
+constexpr std::uint64_t kSeed = 1;      // of the hands: the same results each time
 constexpr double kShareOfPoints = 0.5;  // of the time: a third of it for a circle, three quarters for a curve
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace underact::gui {
 
-/// What is measured: a scene as it is, its meshes loaded, at the servo's rate, in some hands.
+/// The order for a measurement: a scene with its meshes loaded, the servo's rate, and the hands.
 struct LabOrder {
   scene::Description scene;
   std::vector<trade::NamedHand> hands;
@@ -22,10 +22,10 @@ struct LabResult {
   std::vector<trade::Standing> standings;
 };
 
-/// All of it, in any thread; where the state is cancelled it ends soon, and what came of it is a part.
+/// The whole measurement, in any thread. When cancelled it ends soon, and the result is incomplete.
 LabResult measureLab(const LabOrder& order, WorkState& state);
 
-/// The built-in hands, or the one of that name; none: there is no such one.
+/// All built-in hands for an empty name, else the one of that name; empty if there is none.
 std::vector<trade::NamedHand> handsOf(const std::string& name);
 
 }  // namespace underact::gui

@@ -9,7 +9,7 @@
 namespace underact::gui {
 namespace {
 
-/// Three digits that count, without an exponent.
+/// Three significant digits, without an exponent.
 QString shortText(double value) {
   if (value == 0.0) return "0";
   const int before = static_cast<int>(std::floor(std::log10(std::abs(value))));
@@ -27,10 +27,10 @@ constexpr Name kNames[] = {{"rate", QT_TRANSLATE_NOOP("choice", "Servo rate")},
                            {"simulation", QT_TRANSLATE_NOOP("choice", "Simulated arm")},
                            {"search", QT_TRANSLATE_NOOP("choice", "Search")},
                            {"solver", QT_TRANSLATE_NOOP("choice", "Solver")},
-                           {"steps", QT_TRANSLATE_NOOP("choice", "Solver's steps")},
+                           {"steps", QT_TRANSLATE_NOOP("choice", "Solver steps")},
                            {"velocity", QT_TRANSLATE_NOOP("choice", "Velocity filter")},
-                           {"inverse", QT_TRANSLATE_NOOP("choice", "The arm's joints")},
-                           {"blocks", QT_TRANSLATE_NOOP("choice", "Recording's blocks")}};
+                           {"inverse", QT_TRANSLATE_NOOP("choice", "Inverse kinematics")},
+                           {"blocks", QT_TRANSLATE_NOOP("choice", "Recording blocks")}};
 
 }  // namespace
 
@@ -63,7 +63,7 @@ QString choiceName(const trade::Choice& choice) {
   for (const Name& one : kNames) {
     if (QString(one.key) == choice.key) return QCoreApplication::translate("choice", one.name);
   }
-  return choice.key;  // one that has come since
+  return choice.key;  // a choice without a name here
 }
 
 }  // namespace underact::gui

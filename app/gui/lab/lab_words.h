@@ -5,7 +5,7 @@
 
 namespace underact::gui {
 
-// Numbers as the Lab panel and its chart write them: three digits that count, in the unit that makes them short.
+// Numbers as the Lab panel and its chart write them: three significant digits, in the unit that makes them short.
 QString timeText(double us);                           // "812 ns", "1.24 µs", "3.1 ms"
 QString lengthText(double mm);                         // "31 µm", "0.12 mm"
 QString errorText(double error, const QString& unit);  // of a choice; a length as above

@@ -26,27 +26,28 @@ constexpr int kProgressSteps = 1000;
 
 MeasuringPart::MeasuringPart(QWidget* parent) : QWidget(parent) {
   auto* column = tight<QVBoxLayout>(this, 4);
-  hands_ = chooser("panel.lab.hands", tr("Hands that hold the stylus"),
-                   tr("Who moves the simulated stylus while it is measured."), this);
+  hands_ = chooser("panel.lab.hands", tr("Hands that move the stylus"),
+                   tr("Which simulated hands move the stylus during the measurement."), this);
   hands_->addItem(tr("All hands"), "");
   for (const sim::BuiltInHand& one : sim::builtInHands()) hands_->addItem(one.name, one.name);
   seconds_ = new QSpinBox(this);
   seconds_->setObjectName("panel.lab.seconds");
   seconds_->setAccessibleName(tr("Length of each run, s"));
-  seconds_->setToolTip(tr("How long each run is, in the time of the simulated arm."));
+  seconds_->setToolTip(tr("How long each run is, in simulated time."));
   seconds_->setRange(2, 4);
   seconds_->setSuffix(tr(" s each"));
   seconds_->setFocusPolicy(Qt::StrongFocus);
-  measure_ = pushButton("panel.lab.measure", tr("&Measure"),
-                        tr("Measures cost and error of every choice, and the front of all ways to run this scene."),
-                        this, tr("Measure speed and accuracy of this scene"));
+  measure_ =
+      pushButton("panel.lab.measure", tr("&Measure"),
+                 tr("Measures cost and error of every choice, and the front of all combinations for this scene."), this,
+                 tr("Measure speed and accuracy of this scene"));
   cancel_ = pushButton("panel.lab.cancel", tr("Cancel"), tr("Ends the measurement; nothing is kept."), this,
                        tr("Cancel the measurement"));
   progress_ = new QProgressBar(this);
   progress_->setObjectName("panel.lab.progress");
   progress_->setAccessibleName(tr("Progress of the measurement"));
   progress_->setRange(0, kProgressSteps);
-  told_ = toldLabel("panel.lab.told", tr("What there is to know of the measurement"), "quiet", this);
+  told_ = toldLabel("panel.lab.told", tr("Status of the measurement"), "quiet", this);
   auto* form = panelForm();
   form->addRow(tr("&Hands"), hands_);
   form->addRow(tr("R&uns"), seconds_);

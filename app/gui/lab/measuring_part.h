@@ -10,13 +10,13 @@ class QSpinBox;
 
 namespace underact::gui {
 
-/// Who holds the stylus and for how long, the measurement's begin and end, and what there is to know of it.
+/// The hands and the duration of each run, the start and the end of the measurement, and its status.
 class MeasuringPart : public QWidget {
   Q_OBJECT
  public:
   explicit MeasuringPart(QWidget* parent = nullptr);
   std::string hand() const;       // empty: all
-  std::size_t handCount() const;  // of those that are chosen
+  std::size_t handCount() const;  // of the chosen ones
   double seconds() const;         // of each run
   void setShare(double share);
   void setBusy(bool is_busy, bool can_measure);

@@ -16,9 +16,9 @@
 namespace underact::gui {
 namespace {
 
-/// The dearest stop that is no dearer than the point.
+/// The most expensive stop that costs no more than the point.
 int stopBefore(const std::vector<std::size_t>& front, std::size_t point) {
-  const auto dearer = std::upper_bound(front.begin(), front.end(), point);  // points are in the order of their cost
+  const auto dearer = std::upper_bound(front.begin(), front.end(), point);  // points are sorted by cost
   return std::max(0, static_cast<int>(dearer - front.begin()) - 1);
 }
 
@@ -31,8 +31,8 @@ WalkPart::WalkPart(QWidget* parent) : QWidget(parent) {
   walk_->setObjectName("panel.lab.walk");
   walk_->setAccessibleName(tr("From speed to accuracy"));
   walk_->setToolTip(
-      tr("Along the front: from the cheapest way to run this scene to the most exact. The mark is how it "
-         "was; a double click goes back there."));
+      tr("Moves along the front, from the fastest combination to the most accurate. The mark shows how the scene was; "
+         "a double click goes back to it."));
   walk_->setPageStep(1);
   walk_->setTickInterval(1);
   auto* speed = new QLabel(tr("S&peed"), this);
@@ -42,10 +42,10 @@ WalkPart::WalkPart(QWidget* parent) : QWidget(parent) {
   ends->addWidget(walk_, 1);
   ends->addWidget(new QLabel(tr("Accuracy"), this));
   column->addLayout(ends);
-  chosen_ = toldLabel("panel.lab.chosen", tr("What is chosen"), "quiet", this);
-  differences_ = toldLabel("panel.lab.differences", tr("What differs from how the scene was"), "", this);
+  chosen_ = toldLabel("panel.lab.chosen", tr("Chosen combination"), "quiet", this);
+  differences_ = toldLabel("panel.lab.differences", tr("Differences from the scene as it was"), "", this);
   back_ = pushButton("panel.lab.back", tr("As it &was"),
-                     tr("Puts scene and servo rate back to how they were when they were measured."), this,
+                     tr("Restores scene and servo rate as they were when they were measured."), this,
                      tr("As it was when it was measured"));
   column->addWidget(chosen_);
   column->addWidget(differences_);

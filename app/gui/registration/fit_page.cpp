@@ -26,13 +26,13 @@ FitPage::FitPage(RegistrationTool& tool, QWidget* parent)
       tool_(tool),
       residual_(toldLabel("registration.residual", tr("How well the points fit"), "", this)),
       expected_(toldLabel("registration.expected", tr("Expected error"), "", this)),
-      warnings_(toldLabel("registration.warnings", tr("What does not look right"), "warning", this)),
-      told_(toldLabel("registration.kept", tr("Whether it is kept"), "alarm", this)),
-      table_(pageTable("registration.residuals", tr("How far beside each mark its point lies"),
-                       {tr("Mark"), tr("beside it, mm"), tr("spread, mm")}, this)),
+      warnings_(toldLabel("registration.warnings", tr("Warnings"), "warning", this)),
+      told_(toldLabel("registration.kept", tr("Whether the registration was saved"), "alarm", this)),
+      table_(pageTable("registration.residuals", tr("Residual of each reference point"),
+                       {tr("Point"), tr("residual, mm"), tr("spread, mm")}, this)),
       picture_(new MarksPicture("registration.result_picture", this)) {
   setObjectName("registration.result");
-  setTitle(tr("How well it fits"));
+  setTitle(tr("Check the result"));
   expected_->setToolTip(
       tr("e<sup>2</sup>/N · (1 + (d₁²/f₁² + d₂²/f₂² + d₃²/f₃²)/3): Fitzpatrick, West and Maurer, 1998."));
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -51,12 +51,13 @@ void FitPage::initializePage() {
   told_->hide();
   const std::vector<registration::Touch> touches = tool_.run().touching().touches();
   const Result<registration::Fit> fitted = tool_.run().fit();
-  if (!fitted) return;  // the page before does not let it come to this
+  if (!fitted) return;  // the page before does not allow this
   const registration::Fit& fit = fitted.value();
-  residual_->setText(tr("The touched points lie beside their marks by %1 mm (root mean square).").arg(mm(fit.rms_m)));
+  residual_->setText(
+      tr("The touched points lie %1 mm from their reference points (root mean square).").arg(mm(fit.rms_m)));
   const registration::ErrorInTheMiddle middle = errorInTheMiddle(touches, fit);
-  expected_->setText(tr("In the middle of the workspace an error of %1 mm is expected; in 19 of 20 registrations like "
-                        "this one it is at most %2 mm. More marks, and such that are farther apart, make it smaller.")
+  expected_->setText(tr("Expected error at the centre of the workspace: %1 mm; at most %2 mm in 19 of 20 registrations "
+                        "like this one. More reference points, and points farther apart, make it smaller.")
                          .arg(mm(middle.expected_m), mm(middle.likely_most_m)));
   QStringList sentences;
   for (const registration::Warning& warning : warningsOf(touches, fit)) sentences << sentenceText(warning.sentence);
@@ -77,8 +78,9 @@ bool FitPage::validatePage() {
   const Problems problems = tool_.accept();
   if (problems.empty()) return true;
   was_told_ = true;
-  told_->setText(tr("It counts now, but only until the window closes. %1 Press Accept again to close this.")
-                     .arg(sentencesOf(problems)));
+  told_->setText(
+      tr("The registration is in use, but only until the window closes. %1 Press Accept again to close the wizard.")
+          .arg(sentencesOf(problems)));
   told_->show();
   return false;
 }

@@ -12,7 +12,7 @@ namespace underact::gui {
 namespace {
 
 constexpr double kRoom_px = 32.0, kRing_px = 7.0;
-constexpr double kEnlarged = 20.0;  // a millimetre beside its mark is seen
+constexpr double kEnlarged = 20.0;  // makes a residual of a millimetre visible
 
 QPointF flat_mm(const Vec3& p_D) {
   return kMillimetrePerMetre * QPointF(registration::rightOf(p_D), -registration::awayOf(p_D));
@@ -21,7 +21,7 @@ QPointF flat_mm(const Vec3& p_D) {
 }  // namespace
 
 MarksPicture::MarksPicture(const QString& object_name, QWidget* parent)
-    : Painted(object_name, tr("The marks on the desk, from above"), {}, parent) {
+    : Painted(object_name, tr("The reference points on the desk, from above"), {}, parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   present({}, {});
 }
@@ -29,8 +29,8 @@ MarksPicture::MarksPicture(const QString& object_name, QWidget* parent)
 void MarksPicture::present(std::vector<ShownMark> marks, std::optional<std::size_t> due) {
   marks_ = std::move(marks);
   due_ = due;
-  setAccessibleDescription(due ? tr("Mark %1 of %2 is due.").arg(*due + 1).arg(marks_.size())
-                               : tr("%1 marks.").arg(marks_.size()));
+  setAccessibleDescription(due ? tr("Next: reference point %1 of %2.").arg(*due + 1).arg(marks_.size())
+                               : tr("%1 reference points.").arg(marks_.size()));
   update();
 }
 

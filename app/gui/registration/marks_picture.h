@@ -7,20 +7,20 @@
 
 namespace underact::gui {
 
-/// A mark as the picture shows it.
+/// A reference point as the picture shows it.
 struct ShownMark {
   Vec3 p_D = Vec3::Zero();
   bool touched = false;
-  std::optional<Vec3> off_D = {};  // from the mark to where the touched point comes to lie
+  std::optional<Vec3> off_D = {};  // residual: from the reference point to the touched one
 };
 
-/// The desk from above, away from the person at the top: marks with their numbers, the one that is due, and how far
-/// beside their marks the points lie, enlarged.
+/// The desk from above, the far side at the top: the reference points with their numbers, the one that is due, and the
+/// residuals, enlarged.
 class MarksPicture : public Painted {
   Q_OBJECT
  public:
   MarksPicture(const QString& object_name, QWidget* parent);
-  /// due: the mark that is touched next; none: no one.
+  /// due: the reference point to touch next, if any.
   void present(std::vector<ShownMark> marks, std::optional<std::size_t> due);
   QSize sizeHint() const override { return {420, 260}; }
   QSize minimumSizeHint() const override { return {200, 120}; }

@@ -16,7 +16,7 @@ namespace underact::gui {
 
 class MarksPicture;
 
-/// Which arm, whether it is calibrated, which marks, and their sheet.
+/// The arm, whether it is calibrated, the reference points, and their sheet.
 class PreparePage : public QWizardPage {
   Q_OBJECT
  public:
@@ -47,7 +47,7 @@ class PreparePage : public QWizardPage {
   bool is_ready_ = false, marks_are_good_ = false;
 };
 
-/// Mark after mark.
+/// The touching of one reference point after the other.
 class TouchPage : public QWizardPage {
   Q_OBJECT
  public:
@@ -71,7 +71,7 @@ class TouchPage : public QWizardPage {
   MarksPicture* picture_;
 };
 
-/// What came of it, and whether it is taken.
+/// The result, to be accepted or not.
 class FitPage : public QWizardPage {
   Q_OBJECT
  public:
@@ -85,10 +85,10 @@ class FitPage : public QWizardPage {
   QLabel *residual_, *expected_, *warnings_, *told_;
   QTableWidget* table_;
   MarksPicture* picture_;
-  bool was_told_ = false;  // that it is not kept
+  bool was_told_ = false;  // that it could not be saved
 };
 
-/// A table of the pages: its columns, their widths shared.
+/// A table with columns of equal width.
 QTableWidget* pageTable(const char* name, const QString& spoken, const QStringList& columns, QWidget* parent);
 
 }  // namespace underact::gui

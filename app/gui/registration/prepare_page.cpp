@@ -50,11 +50,11 @@ PreparePage::PreparePage(RegistrationTool& tool, QWidget* parent) : QWizardPage(
   auto* column = new QVBoxLayout(this);
   column->setSpacing(8);
   QLabel* what = toldLabel("registration.what", tr("What this is for"), "", this);
-  what->setText(tr(
-      "The stylus touches marks on the desk whose places are known. From them follows how the arm stands there: the "
-      "view is turned so that left on the desk is left in the picture, and two arms are drawn where they stand. Tape "
-      "the sheet to the desk, and do not move sheet and arm any more. The scene and its forces stay where they are in "
-      "the arm's own frame."));
+  what->setText(
+      tr("You touch reference points on the desk, whose positions are known, with the tip of the stylus. From these "
+         "the program finds the pose of the arm: the view is turned so that left on the desk is left in the picture, "
+         "and two arms are drawn where they stand. Tape the sheet to the desk, and then move neither the sheet nor the "
+         "arm. The scene and its forces stay where they are in the arm's own frame."));
   column->addWidget(what);
   column->addWidget(buildArm());
   column->addWidget(buildMarks(), 1);
@@ -66,11 +66,12 @@ PreparePage::PreparePage(RegistrationTool& tool, QWidget* parent) : QWizardPage(
 QWidget* PreparePage::buildArm() {
   auto* box = new QWidget(this);
   auto* column = tight<QVBoxLayout>(box);
-  arm_ = chooser("registration.arm", tr("Arm"), tr("Which arm is registered."), box);
+  arm_ = chooser("registration.arm", tr("Arm"), tr("Which arm to register."), box);
   state_ = toldLabel("registration.state", tr("Whether the arm is registered"), "quiet", box);
   calibration_ = toldLabel("registration.calibration", tr("Whether the arm is calibrated"), "", box);
-  forget_ = pushButton("registration.forget", tr("&Forget where it stands"),
-                       tr("The view is drawn as the arm stands, as before."), box);
+  forget_ =
+      pushButton("registration.forget", tr("&Forget this registration"),
+                 tr("Deletes the registration of this arm. The view then shows the arm as if it stood straight."), box);
   column->addWidget(arm_);
   column->addWidget(calibration_);
   column->addWidget(state_);
@@ -84,24 +85,27 @@ QWidget* PreparePage::buildMarks() {
   auto* box = new QWidget(this);
   auto* column = tight<QVBoxLayout>(box);
   count_ = new QSpinBox(box);
-  nameWidget(count_, "registration.count", tr("How many marks"),
-             tr("More marks: a smaller error, and it is better known. Puts the sheet's own places back."));
+  nameWidget(count_, "registration.count", tr("Number of reference points"),
+             tr("More reference points make the error smaller, and better known. Restores the positions of the printed "
+                "sheet."));
   count_->setRange(static_cast<int>(registration::kFewestMarks), static_cast<int>(registration::kMostMarks));
-  count_->setSuffix(tr(" marks"));
-  paper_ = chooser("registration.paper", tr("Paper"), tr("What the sheet is printed on."), box);
+  count_->setSuffix(tr(" points"));
+  paper_ = chooser("registration.paper", tr("Paper"), tr("The paper to print the sheet on."), box);
   paper_->addItems({tr("A4"), tr("Letter")});
   sheet_ = pushButton("registration.sheet", tr("Save the &sheet as PDF…"),
-                      tr("Print it at 100 %; its ruler shows whether it was."), box);
+                      tr("Saves the sheet of reference points. Print it at 100 %, and check its ruler."), box);
   auto* row = new QHBoxLayout;
   row->addWidget(count_);
   row->addStretch(1);
   row->addWidget(paper_);
   row->addWidget(sheet_);
-  table_ = pageTable("registration.marks", tr("Places of the marks, mm from mark 1"),
-                     {tr("Mark"), tr("right, mm"), tr("away, mm"), tr("up, mm")}, box);
-  table_->setToolTip(tr("Where the marks are, from mark 1: to the right, away from you, up. Own marks can be typed."));
+  table_ = pageTable("registration.marks", tr("Positions of the reference points, mm from point 1"),
+                     {tr("Point"), tr("right, mm"), tr("away, mm"), tr("up, mm")}, box);
+  table_->setToolTip(
+      tr("Positions of the reference points, from point 1: to the right, away from you, up. You can type in points of "
+         "your own."));
   picture_ = new MarksPicture("registration.sheet_picture", box);
-  layout_ = toldLabel("registration.layout", tr("How the marks lie"), "warning", box);
+  layout_ = toldLabel("registration.layout", tr("Layout of the reference points"), "warning", box);
   auto* both = new QHBoxLayout;
   both->addWidget(table_, 1);
   both->addWidget(picture_, 1);
@@ -146,7 +150,7 @@ void PreparePage::fillMarks() {
   showMarks();
 }
 
-/// What is wrong with the marks, before anybody touches one: as if they had been touched without any error.
+/// Says what is wrong with the reference points before any is touched, as if they had been touched without error.
 void PreparePage::showMarks() {
   const std::vector<Vec3> marks_D = this->marks_D();
   std::vector<registration::Touch> touches;
@@ -160,7 +164,7 @@ void PreparePage::showMarks() {
   QStringList sentences;
   marks_are_good_ = false;
   if (!all_near) {
-    sentences << tr("Each place must be a number within 1000 mm.");
+    sentences << tr("Each coordinate must be a number from -1000 to 1000 mm.");
     shown.clear();
   } else if (const Result<registration::Fit> fit = fitTouches(touches); !fit) {
     sentences << sentencesOf(fit.problems());
@@ -191,10 +195,10 @@ void PreparePage::look() {
   const QString why_not = tool_.whyNot(), trouble = tool_.trouble(which());
   const bool is_ready = why_not.isEmpty() && trouble.isEmpty();
   const QString sentence = !why_not.isEmpty()   ? why_not
-                           : !trouble.isEmpty() ? tr("The arm says: %1").arg(trouble)
+                           : !trouble.isEmpty() ? tr("The arm reports: %1").arg(trouble)
                            : tool_.isSimulated(which())
-                               ? tr("A simulated arm needs no calibration. Move its hand in the view meanwhile.")
-                               : tr("The arm says that it is calibrated and that nothing is missing.");
+                               ? tr("A simulated arm needs no calibration. Move its hand in the view.")
+                               : tr("The arm reports that it is calibrated and that nothing is missing.");
   if (sentence == calibration_->text() && is_ready == is_ready_) return;
   calibration_->setText(sentence);
   calibration_->setProperty("role", is_ready ? "" : "warning");
@@ -215,7 +219,7 @@ void PreparePage::forget() {
 bool PreparePage::saveSheet(const QString& path) {
   const Paper paper = paper_->currentIndex() == 1 ? Paper::Letter : Paper::A4;
   const Problems problems = gui::saveSheet(path, marks_D(), paper);
-  layout_->setText(problems.empty() ? tr("The sheet is in %1. Print it at 100 %, and check its ruler.").arg(path)
+  layout_->setText(problems.empty() ? tr("The sheet was saved as %1. Print it at 100 %, and check its ruler.").arg(path)
                                     : sentencesOf(problems));
   layout_->show();
   return problems.empty();

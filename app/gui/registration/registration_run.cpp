@@ -50,11 +50,11 @@ void RegistrationRun::tell(Touching::Event event, std::size_t mark) {
       told_ = tr("Hold the tip still.");
       break;
     case Touching::Event::Moved:
-      told_ =
-          tr("The tip moved by more than 1 mm while it was held. Rest it in mark %1 and press again.").arg(mark + 1);
+      told_ = tr("The tip moved by more than 1 mm while you held it. Rest it on reference point %1 and press again.")
+                  .arg(mark + 1);
       break;
     case Touching::Event::Touched:
-      told_ = tr("Mark %1 is touched, the tip spread by %2 mm.")
+      told_ = tr("Reference point %1 has been touched; the spread of the tip was %2 mm.")
                   .arg(mark + 1)
                   .arg(numberText(touching_->held(mark)->spread_m * kMillimetrePerMetre, 2));
       break;

@@ -9,29 +9,29 @@
 
 namespace underact::gui {
 
-/// A registration that is being made: which arm, which marks, what was touched so far, what came of it.
+/// A registration under way: the reference points, what has been touched so far, and the result.
 class RegistrationRun : public QObject {
   Q_OBJECT
  public:
   explicit RegistrationRun(QObject* parent) : QObject(parent) {}
 
-  /// From now on the ticks of that arm are heard; what was touched before is gone.
+  /// Discards what was touched before and starts with these reference points.
   void begin(std::vector<Vec3> marks_D);
   void end();
   bool isOn() const { return touching_.has_value(); }
-  /// Every tick of the arm.
+  /// Called for every tick of the arm.
   void add(const servo::TickRecord& record);
-  /// The key, in place of the stylus's button.
+  /// The key, instead of the stylus button.
   void press();
   void touchAgain(std::size_t mark);
 
-  // Where it is on.
+  // Only while it is on.
   const registration::Touching& touching() const { return *touching_; }
-  /// Where the tip is; none: no sample came.
+  /// The position of the tip; none before the first sample.
   const std::optional<Vec3>& p_WT() const { return p_WT_; }
-  /// What became of the last press.
+  /// The result of the last press.
   const QString& told() const { return told_; }
-  /// Once all marks are touched. Problems: why they tell no pose.
+  /// Once all reference points have been touched. Problems: why they do not determine a pose.
   Result<registration::Fit> fit() const { return fitTouches(touching_->touches()); }
 
  signals:

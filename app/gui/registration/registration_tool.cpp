@@ -23,7 +23,7 @@ namespace {
 
 using registration::Registration;
 
-/// The place of the second arm as the first one sees it: X_WS = X_DW^-1 X_DS.
+/// The pose of the second arm in the frame of the first: X_WS = X_DW^-1 X_DS.
 std::optional<Pose> placeOf(const std::optional<Registration>& first, const std::optional<Registration>& second) {
   if (!first || !second) return {};
   return Pose(first->fit.X_DW.inverse() * second->fit.X_DW);
@@ -33,12 +33,13 @@ std::optional<Pose> placeOf(const std::optional<Registration>& first, const std:
 
 RegistrationTool::RegistrationTool(const FeatureParts& parts) : QObject(parts.window), parts_(parts), run_(this) {
   connect(this, &RegistrationTool::changed, this, [this] { parts_.where_it_stands.say(sentence(Which::First)); });
-  parts_.actions.add({"registration.open", tr("Re&gister the arm…"), QKeySequence("Ctrl+Alt+Shift+R"),
-                      tr("Finds where the arm stands on the desk from marks that its tip touches, step by step.")},
-                     [this](const QVariantList&) {
-                       open();
-                       return true;
-                     });
+  parts_.actions.add(
+      {"registration.open", tr("Re&gister the arm…"), QKeySequence("Ctrl+Alt+Shift+R"),
+       tr("Finds the pose of the arm on the desk from reference points that its tip touches, step by step.")},
+      [this](const QVariantList&) {
+        open();
+        return true;
+      });
   parts_.actions.addCommand("registration.forget", [this](const QVariantList& second) {
     return forget(second.value(0).toBool() ? Which::Second : Which::First).empty();
   });
@@ -50,7 +51,7 @@ RegistrationTool::RegistrationTool(const FeatureParts& parts) : QObject(parts.wi
     return wizard_ && wizard_->saveSheet(path.value(0).toString());
   });
   connect(&parts_.arms, &ArmChoice::changed, this, &RegistrationTool::recallAll);
-  connect(&parts_.second, &SecondArm::changed, this, [this] {  // it also comes by our own doing
+  connect(&parts_.second, &SecondArm::changed, this, [this] {  // our own changes emit it as well
     if (keyOf(Which::Second) != known_[1].arm) recallAll();
   });
   recallAll();
@@ -71,7 +72,7 @@ bool RegistrationTool::isSimulated(Which which) const {
 std::string RegistrationTool::keyOf(Which which) const {
   if (which == Which::Second) {
     if (!hasSecond()) return {};
-    // Simulated, it is another one than the first.
+    // A simulated second arm must not share the key of the first.
     if (isSimulated(which)) return "simulated:second";
     return device::armKey(parts_.second.arms().name().toStdString(), parts_.second.servo().device());
   }
@@ -81,7 +82,7 @@ std::string RegistrationTool::keyOf(Which which) const {
 }
 
 void RegistrationTool::recallAll() {
-  if (wizard_ && run_.isOn()) wizard_->close();  // it was of another arm
+  if (wizard_ && run_.isOn()) wizard_->close();  // the run was of another arm
   for (const Which which : {Which::First, Which::Second}) {
     Known known{keyOf(which), {}, {}};
     if (!known.arm.empty()) {
@@ -117,19 +118,19 @@ QString RegistrationTool::trouble(Which which) const {
 }
 
 QString RegistrationTool::whyNot() const {
-  if (parts_.document.showsRecorded()) return tr("A recording is replayed. Close it, then register the arm.");
-  if (parts_.document.isTryingOut()) return tr("A measurement is at work on this arm. End it, then register the arm.");
-  return parts_.document.isOpen() ? QString() : tr("No scene is open. Open one, so that the tip is known.");
+  if (parts_.document.showsRecorded()) return tr("A recording is being replayed. Close it, then register the arm.");
+  if (parts_.document.isTryingOut()) return tr("A measurement is running on this arm. End it, then register the arm.");
+  return parts_.document.isOpen() ? QString()
+                                  : tr("No scene is open. Open one, so that the position of the tip is known.");
 }
 
 QString RegistrationTool::sentence(Which which) const {
   const Known& known = known_[index(which)];
   if (!known.why_not.isEmpty()) return tr("Not registered: %1").arg(known.why_not);
-  if (!known.registration) return tr("Not registered: the view is drawn as the arm stands.");
+  if (!known.registration) return tr("Not registered: the view shows the arm as if it stood straight.");
   const registration::ErrorInTheMiddle middle = errorInTheMiddle(known.registration->touches, known.registration->fit);
-  return tr("Registered on %1 by %2 marks, which the points miss by %3 mm. In the middle of the workspace %4 mm of "
-            "error "
-            "are expected.")
+  return tr("Registered on %1 with %2 reference points, residual %3 mm. Expected error at the centre of the workspace: "
+            "%4 mm.")
       .arg(QString::fromStdString(known.registration->date))
       .arg(known.registration->touches.size())
       .arg(numberText(kMillimetrePerMetre * known.registration->fit.rms_m, 2),
@@ -137,7 +138,7 @@ QString RegistrationTool::sentence(Which which) const {
 }
 
 void RegistrationTool::begin(Which which, std::vector<Vec3> marks_D) {
-  parts_.actions.perform("session.stop");  // nothing pulls at the tip while it is to rest
+  parts_.actions.perform("session.stop");  // nothing may pull at the tip while it rests
   which_ = which;
   parts_.second.setListener(which == Which::Second ? [this](const servo::TickRecord& record) { run_.add(record); }
                                                    : std::function<void(const servo::TickRecord&)>());
@@ -150,7 +151,7 @@ void RegistrationTool::stopTouching() {
 }
 
 Problems RegistrationTool::accept() {
-  if (!run_.isOn()) return {{said(QT_TRANSLATE_NOOP("problem", "Nothing was touched.")), {}}};
+  if (!run_.isOn()) return {{said(QT_TRANSLATE_NOOP("problem", "No reference point has been touched.")), {}}};
   const Result<registration::Fit> fit = run_.fit();
   if (!fit) return fit.problems();
   Registration made{keyOf(which_), QDate::currentDate().toString(Qt::ISODate).toStdString(),

@@ -13,8 +13,8 @@ namespace underact::gui {
 
 class RegistrationWizard;
 
-/// Where the arms stand on the desk: kept for each by its serial number, shown in the view, made anew by a wizard. The
-/// picture alone follows: the scene stays in the first arm's frame W, and so do the forces.
+/// The registrations of the arms: saved for each by its serial number, shown in the view, renewed by a wizard. Only the
+/// picture follows them: the scene and the forces stay in the first arm's frame W.
 class RegistrationTool : public QObject, public Follower {
   Q_OBJECT
  public:
@@ -26,25 +26,25 @@ class RegistrationTool : public QObject, public Follower {
   void look(const servo::Snapshot& snapshot) override;
   void setTheme(const Theme& theme) override;
 
-  /// None: it is not registered.
+  /// None if the arm is not registered.
   const std::optional<registration::Registration>& of(Which which) const { return known_[index(which)].registration; }
-  /// Whether it is, how well, and what kept it from being read.
+  /// Whether the arm is registered, how well, or why its registration could not be read.
   QString sentence(Which which) const;
-  /// The arm as people call it.
+  /// The arm's name for people.
   QString title(Which which) const;
   bool hasSecond() const;
-  /// What the arm's side says is wrong, a calibration that is missing, say; empty: nothing.
+  /// What the arm reports as wrong, such as a missing calibration; empty: nothing.
   QString trouble(Which which) const;
-  /// Why nothing can be touched now; empty: it can.
+  /// Why no point can be touched now; empty if it can.
   QString whyNot() const;
   bool isSimulated(Which which) const;
 
-  /// The arm's ticks are heard by the run from now on, and its force is let go.
+  /// Stops the servo and passes the arm's ticks to the run from now on.
   void begin(Which which, std::vector<Vec3> marks_D);
-  /// Nothing is touched any more; what was touched is gone, and what was known stays.
+  /// Ends the touching and discards what was touched; the previous registration stays.
   void stopTouching();
   RegistrationRun& run() { return run_; }
-  /// The run's result counts from now on, and is kept. Problems: it cannot be kept; it counts until the window closes.
+  /// Puts the run's result into use and saves it. Problems: it cannot be saved; it is in use until the window closes.
   Problems accept();
   Problems forget(Which which);
 
@@ -55,7 +55,7 @@ class RegistrationTool : public QObject, public Follower {
   struct Known {
     std::string arm;  // its key
     std::optional<registration::Registration> registration;
-    QString why_not;  // it cannot be read
+    QString why_not;  // why it cannot be read
   };
   static std::size_t index(Which which) { return which == Which::First ? 0 : 1; }
   std::string keyOf(Which which) const;

@@ -9,8 +9,8 @@ class PreparePage;
 class FitPage;
 class TouchPage;
 
-/// "Register the arm", page by page. Not modal: the simulated arm's hand is moved in the view meanwhile. Closing it
-/// leaves what there was.
+/// "Register the arm", page by page. Not modal, so that the simulated arm's hand can be moved in the view. Closing it
+/// keeps the previous registration.
 class RegistrationWizard : public QWizard {
   Q_OBJECT
  public:
@@ -18,7 +18,7 @@ class RegistrationWizard : public QWizard {
   ~RegistrationWizard() override;
   void look();  // each frame
   void setTheme(const Theme& theme);
-  /// The marks' sheet as a PDF; what came of it is said. false: nothing was written.
+  /// Saves the sheet of reference points as a PDF and says whether it worked. false: nothing was written.
   bool saveSheet(const QString& path);
 
  private:

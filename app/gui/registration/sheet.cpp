@@ -12,7 +12,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kRim_mm = 12.0;    // that printers leave white, and the rings
+constexpr double kRim_mm = 12.0;    // unprintable margin of printers, and the rings
 constexpr double kWords_mm = 34.0;  // at the top and at the bottom
 constexpr double kFlat_m = 1e-5;
 constexpr int kDotsPerInch = 1200;
@@ -63,14 +63,14 @@ void paintSheet(QPainter& painter, const std::vector<Vec3>& marks_D, const QSize
   painter.setPen(QPen(Qt::black, 0.25));
   const QRectF words(kRim_mm, kRim_mm, page_mm.width() - 2.0 * kRim_mm, kWords_mm - kRim_mm);
   painter.drawText(words, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap,
-                   tr("Underact: marks for registering an arm. Print at 100 %, tape it to the desk, the arm behind or "
-                      "beside it. This edge is away from you."));
+                   tr("Underact: reference points for registering an arm. Print at 100 % and tape to the desk, the arm "
+                      "behind or beside it. This edge faces away from you."));
   for (std::size_t at = 0; at < marks_D.size(); ++at)
     paintMark(painter, onPage(marks_D[at], marks_D, page_mm), QString::number(at + 1));
   const QPointF ruler_mm(0.5 * page_mm.width() - 50.0, page_mm.height() - 20.0);
   paintRuler(painter, ruler_mm);
   painter.drawText(QRectF(ruler_mm + QPointF(0.0, 1.5), QSizeF(100.0, 7.0)), Qt::AlignHCenter | Qt::AlignTop,
-                   tr("100 mm, if it was printed at 100 %"));
+                   tr("100 mm if printed at 100 %"));
 }
 
 Problems saveSheet(const QString& path, const std::vector<Vec3>& marks_D, Paper paper) {
@@ -78,15 +78,17 @@ Problems saveSheet(const QString& path, const std::vector<Vec3>& marks_D, Paper 
   const QSizeF page_mm = page.size(QPageSize::Millimeter);
   for (const Vec3& mark_D : marks_D) {
     if (std::abs(registration::upOf(mark_D) - registration::upOf(marks_D.front())) > kFlat_m)
-      return {{said(QT_TRANSLATE_NOOP("problem",
-                                      "A sheet holds only marks that lie flat: at least one is higher than mark 1.")),
-               {}}};
+      return {
+          {said(QT_TRANSLATE_NOOP(
+               "problem",
+               "A sheet holds only reference points of equal height: at least one is higher or lower than point 1.")),
+           {}}};
   }
   const QRectF bounds = boundsOf(marks_D);
   if (bounds.width() > page_mm.width() - 4.0 * kRim_mm || bounds.height() > page_mm.height() - 2.5 * kWords_mm)
-    return {{said(QT_TRANSLATE_NOOP(
-                 "problem",
-                 "The marks do not fit on this paper. Put them nearer together, or draw them on the desk by hand.")),
+    return {{said(QT_TRANSLATE_NOOP("problem",
+                                    "The reference points do not fit on this paper. Move them closer together, or draw "
+                                    "them on the desk by hand.")),
              {}}};
   QFile file(path);
   if (!file.open(QIODevice::WriteOnly))
@@ -96,7 +98,7 @@ Problems saveSheet(const QString& path, const std::vector<Vec3>& marks_D, Paper 
   writer.setPageSize(page);
   writer.setPageMargins(QMarginsF());
   writer.setResolution(kDotsPerInch);
-  writer.setTitle(tr("Marks for registering an arm"));
+  writer.setTitle(tr("Reference points for registering an arm"));
   QPainter painter(&writer);
   painter.scale(kDotsPerInch / kMillimetresPerInch, kDotsPerInch / kMillimetresPerInch);
   paintSheet(painter, marks_D, page_mm);

@@ -10,15 +10,15 @@ namespace underact::gui {
 
 enum class Paper { A4, Letter };
 
-/// Where a mark of the desk lies on the page, mm from its upper left corner; the marks are in the page's middle.
+/// The position of a reference point on the page, mm from its upper left corner; the points are centred on the page.
 QPointF onPage(const Vec3& p_D, const std::vector<Vec3>& marks_D, const QSizeF& page_mm);
 
-/// The sheet, 1 unit of the painter a millimetre of the page: each mark as a cross in a ring with its number, a ruler
-/// of 100 mm to see by whether it was printed at 100 %.
+/// Paints the sheet, one unit of the painter per millimetre of the page: each reference point as a cross in a ring with
+/// its number, and a ruler of 100 mm to check that it was printed at 100 %.
 void paintSheet(QPainter& painter, const std::vector<Vec3>& marks_D, const QSizeF& page_mm);
 
-/// As a PDF, at its true size. Problems: the marks do not lie flat, do not fit on the paper, or the file cannot be
-/// written.
+/// Saves it as a PDF, at its true size. Problems: the points differ in height or do not fit on the paper, or the file
+/// cannot be written.
 Problems saveSheet(const QString& path, const std::vector<Vec3>& marks_D, Paper paper);
 
 }  // namespace underact::gui

@@ -19,18 +19,18 @@ TouchPage::TouchPage(RegistrationTool& tool, const PreparePage& prepare, QWidget
       tool_(tool),
       prepare_(prepare),
       prompt_(toldLabel("registration.prompt", tr("What to do now"), "", this)),
-      told_(toldLabel("registration.told", tr("What became of the last press"), "quiet", this)),
-      tip_(toldLabel("registration.tip", tr("Where the tip is"), "quiet", this)),
+      told_(toldLabel("registration.told", tr("Result of the last press"), "quiet", this)),
+      tip_(toldLabel("registration.tip", tr("Position of the tip"), "quiet", this)),
       progress_(new QProgressBar(this)),
-      hold_(
-          pushButton("registration.hold", tr("&Hold (Space)"), tr("Takes the tip's place over half a second."), this)),
-      again_(pushButton("registration.again", tr("&Touch this mark again"),
-                        tr("The mark that is chosen in the table is due next."), this)),
-      table_(pageTable("registration.touched", tr("Marks, and where the tip was"),
-                       {tr("Mark"), tr("x, y, z in W, mm"), tr("spread, mm")}, this)),
+      hold_(pushButton("registration.hold", tr("&Hold (Space)"),
+                       tr("Records the position of the tip for half a second."), this)),
+      again_(pushButton("registration.again", tr("&Touch this point again"),
+                        tr("The reference point selected in the table is touched next."), this)),
+      table_(pageTable("registration.touched", tr("Reference points and positions of the tip"),
+                       {tr("Point"), tr("x, y, z in W, mm"), tr("spread, mm")}, this)),
       picture_(new MarksPicture("registration.touch_picture", this)) {
   setObjectName("registration.touch");
-  setTitle(tr("Touch the marks"));
+  setTitle(tr("Touch the reference points"));
   build();
   connect(hold_, &QPushButton::clicked, &tool_.run(), &RegistrationRun::press);
   connect(again_, &QPushButton::clicked, this, [this] {
@@ -44,7 +44,7 @@ void TouchPage::build() {
   QFont large = prompt_->font();
   large.setPointSizeF(1.2 * large.pointSizeF());
   prompt_->setFont(large);
-  nameWidget(progress_, "registration.progress", tr("How long it was held"));
+  nameWidget(progress_, "registration.progress", tr("Progress of the hold"));
   progress_->setRange(0, 100);
   progress_->setTextVisible(false);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -86,9 +86,9 @@ void TouchPage::look() {
   RegistrationRun& run = tool_.run();
   if (!run.isOn() || !isVisible()) return;
   const QString trouble = tool_.trouble(prepare_.which());
-  tip_->setText(!trouble.isEmpty() ? tr("The arm says: %1").arg(trouble)
+  tip_->setText(!trouble.isEmpty() ? tr("The arm reports: %1").arg(trouble)
                 : run.p_WT()       ? tr("Tip: %1").arg(placeText(kMillimetrePerMetre * *run.p_WT()))
-                                   : tr("No sample came from the arm yet."));
+                                   : tr("The arm has not sent a sample yet."));
   progress_->setValue(run.touching().isHolding() ? static_cast<int>(100.0 * run.touching().share()) : 0);
 }
 
@@ -111,11 +111,11 @@ void TouchPage::showState() {
   picture_->present(shown, due < count ? std::optional(due) : std::nullopt);
   QString told = run.told();
   if (touching.isDone()) {
-    prompt_->setText(tr("All marks are touched."));
+    prompt_->setText(tr("All reference points have been touched."));
     if (const Result<registration::Fit> fit = run.fit(); !fit) told = sentencesOf(fit.problems());
   } else {
     prompt_->setText(
-        tr("Rest the tip in mark %1 and press the stylus's button, or Space. The force is off.").arg(due + 1));
+        tr("Rest the tip on reference point %1 and press the stylus button, or Space. The force is off.").arg(due + 1));
   }
   told_->setText(told);
   hold_->setEnabled(!touching.isHolding() && due < count);

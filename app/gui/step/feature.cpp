@@ -9,8 +9,8 @@ namespace underact::gui {
 FeatureRow stepFeature() {
   return {.panels = {{"step", QT_TRANSLATE_NOOP("panel", "Step response"), Qt::LeftDockWidgetArea, "Ctrl+Alt+B",
                       QT_TRANSLATE_NOOP("panel",
-                                        "How the tip follows a target that jumps: rise, settling, overshoot, poles, "
-                                        "and the arm measured beside the model."),
+                                        "How the tip follows a target that jumps: rise time, settling time, overshoot, "
+                                        "poles, and the measured arm beside the model."),
                       [](const FeatureParts& all, QWidget* parent) -> Panel* {
                         return new StepPanel({all.servo, all.document, all.actions, all.rate, all.arm_in_use}, parent);
                       },

@@ -23,7 +23,7 @@ const QString kNone(QChar(0x2013));
 QString figureText(double value) {
   if (!std::isfinite(value)) return kNone;
   const int before = value == 0.0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
-  return numberText(value, std::clamp(3 - before, 0, 4));  // four digits that count, at most four behind the point
+  return numberText(value, std::clamp(3 - before, 0, 4));  // four significant digits, at most four decimals
 }
 
 QString figureText(const std::optional<double>& value, const QString& none = kNone) {
@@ -37,7 +37,7 @@ std::optional<double> percent(const std::optional<double>& share) {
 QString polesText(const lab::TransferFunction& transfer) {
   QStringList words;
   for (const std::complex<double>& pole : lab::poles(transfer)) {
-    if (pole.imag() < 0.0) continue;  // told with its partner
+    if (pole.imag() < 0.0) continue;  // listed with its conjugate
     const QString imaginary = pole.imag() > 0.0 ? StepFigures::tr(" ± %1i").arg(figureText(pole.imag())) : QString();
     words << figureText(pole.real()) + imaginary;
   }
@@ -49,20 +49,23 @@ QString polesText(const lab::TransferFunction& transfer) {
 StepFigures::StepFigures(QWidget* parent)
     : QWidget(parent),
       table_(new NumberTable("panel.step.table",
-                             {{tr("model"), "000.0000"}, {tr("measured"), "000.0000"}, {tr("its fit"), "000.0000"}},
-                             this)),
+                             {{tr("model"), "000.0000"}, {tr("measured"), "000.0000"}, {tr("fit"), "000.0000"}}, this)),
       poles_(quietLabel("panel.step.poles", {}, this)) {
   auto* column = tight<QVBoxLayout>(this, 4);
-  table_->addRow(tr("Final value"), tr("Where it ends, a share of the step; of an undamped one what it swings about."));
-  table_->addRow(tr("Rise [s]"), tr("From 10 % of the final value to 90 %, each first passed."));
-  table_->addRow(tr("Settling [s]"), tr("From then on it stays within 2 % of the final value."));
-  table_->addRow(tr("Peak [s]"), tr("When it is highest, where it goes beyond the final value."));
-  table_->addRow(tr("Overshoot [%]"), tr("How far it goes beyond: exp(−π ζ / √(1 − ζ²)) of a second order."));
+  table_->addRow(
+      tr("Final value"),
+      tr("Where the response ends, as a fraction of the step; without damping, the value about which it oscillates."));
+  table_->addRow(tr("Rise [s]"), tr("Rise time: from 10 % to 90 % of the final value, each when first reached."));
+  table_->addRow(tr("Settling [s]"),
+                 tr("Settling time: from then on the response stays within 2 % of the final value."));
+  table_->addRow(tr("Peak [s]"), tr("Peak time: when the response is highest, if it exceeds the final value."));
+  table_->addRow(tr("Overshoot [%]"),
+                 tr("How far the response exceeds the final value; for a second-order system, exp(−π ζ / √(1 − ζ²))."));
   table_->addRow(tr("ωₙ [rad/s]"), tr("Natural frequency: √(kp / m)."));
   table_->addRow(tr("ζ"), tr("Damping ratio: (b + kd) / (2 √(kp m)); 1 is critical."));
-  table_->addRow(tr("Error [mm]"), tr("Steady error: from the target to where the tip stands at the end. Friction can "
-                                      "hold it up to friction / kp away."));
-  table_->addRow(tr("Left [mm]"), tr("What the fit leaves of the measured curve, root of the mean square."));
+  table_->addRow(tr("Error [mm]"), tr("Steady-state error: distance from the tip to the target at the end. Friction "
+                                      "can hold the tip up to friction / kp away."));
+  table_->addRow(tr("Residual [mm]"), tr("Root mean square difference between the fit and the measured curve."));
   column->addWidget(table_);
   column->addWidget(poles_);
 }

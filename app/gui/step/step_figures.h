@@ -11,12 +11,12 @@ namespace underact::gui {
 class NumberTable;
 struct StepPicture;
 
-/// A response in numbers: its metrics, as the model has them, as measured and as fitted, and below them its poles.
+/// A response in numbers: its metrics (model, measured, fitted), and below them its poles.
 class StepFigures : public QWidget {
   Q_OBJECT
  public:
   explicit StepFigures(QWidget* parent = nullptr);
-  /// motion: of the first response.
+  /// motion: natural frequency and damping ratio of the first response.
   void present(const StepPicture& picture, const lab::NaturalMotion& motion);
 
  private:

@@ -12,21 +12,21 @@
 namespace underact::gui {
 
 StepFoot::StepFoot(QWidget* parent)
-    : QWidget(parent), step_mm_(new NumberBox(this)), limits_(new QCheckBox(tr("With the &limits of the gate"), this)) {
-  auto* take = pushButton("panel.step.take", tr("&Take gains"),
-                          tr("Law and gains of the scene, those along x, into this panel."), this,
-                          tr("Take gains from the scene"));
-  auto* give = pushButton("panel.step.give", tr("&Give gains"),
-                          tr("Law and gains of this panel into the scene, along x, y and z; one step back undoes it."),
-                          this, tr("Give gains to the scene"));
-  auto* measuring =
-      pushButton("panel.step.measure", tr("&Measure the arm"),
-                 tr("Moves the target of the scene's constraint by a step, on a simulated arm of its own with "
-                    "these gains, and lays the tip's way over the model's. Nobody holds the stylus."),
-                 this, tr("Measure the simulated arm"));
+    : QWidget(parent), step_mm_(new NumberBox(this)), limits_(new QCheckBox(tr("&Limits of the safety gate"), this)) {
+  auto* take = pushButton("panel.step.take", tr("Ge&t gains"),
+                          tr("Copies the control law and the gains along x from the scene to this panel."), this,
+                          tr("Get gains from the scene"));
+  auto* give =
+      pushButton("panel.step.give", tr("Apply &gains"),
+                 tr("Copies the control law and the gains of this panel to the scene, for x, y and z; one undo step."),
+                 this, tr("Apply gains to the scene"));
+  auto* measuring = pushButton("panel.step.measure", tr("&Measure the arm"),
+                               tr("Moves the target of the constraint by a step, on a simulated arm of its own with "
+                                  "these gains and no hand, and plots the path of the tip over the model's response."),
+                               this, tr("Measure the simulated arm"));
   step_mm_->setObjectName("panel.step.size");
-  step_mm_->setAccessibleName(tr("Length of the step, mm"));
-  step_mm_->setToolTip(tr("How far the target is moved for the measurement."));
+  step_mm_->setAccessibleName(tr("Size of the step, mm"));
+  step_mm_->setToolTip(tr("How far the target jumps in the measurement."));
   step_mm_->setDecimals(2);
   step_mm_->setRange(0.1, 100.0);
   step_mm_->setValue(10.0);
@@ -34,9 +34,9 @@ StepFoot::StepFoot(QWidget* parent)
   step_mm_->setKeyboardTracking(false);
   step_mm_->setFocusPolicy(Qt::StrongFocus);
   limits_->setObjectName("panel.step.limits");
-  limits_->setAccessibleName(tr("With the limits of the gate"));
-  limits_->setToolTip(
-      tr("The force is cut to what the arm bears, and to a speed. Off: the law alone, as the model has it."));
+  limits_->setAccessibleName(tr("Limits of the safety gate"));
+  limits_->setToolTip(tr(
+      "Measures with the limits of the safety gate on force and speed. Off: the control law alone, as in the model."));
   limits_->setChecked(true);
   auto* grid = tight<QGridLayout>(this, 4);
   grid->addWidget(take, 0, 0);

@@ -6,7 +6,7 @@ class QDoubleSpinBox;
 
 namespace underact::gui {
 
-/// What can be done with a response of the arm: gains from the scene and to it, and the measurement.
+/// The actions on a response of the arm: copying gains from and to the scene, and the measurement.
 class StepFoot : public QWidget {
   Q_OBJECT
  public:

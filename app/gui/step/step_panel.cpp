@@ -36,18 +36,19 @@ using lab::Behaviour;
 QString sentenceOn(const lab::TransferFunction& transfer) {
   switch (lab::behaviourOf(transfer)) {
     case Behaviour::Grows:
-      return StepPanel::tr("It grows without end: a pole lies right of the imaginary axis, or twice on it.");
+      return StepPanel::tr(
+          "The response grows without bound: a pole lies to the right of the imaginary axis, or a double pole on it.");
     case Behaviour::Drifts:
-      return StepPanel::tr("It goes on for ever: a pole lies at 0.");
+      return StepPanel::tr("The response drifts for ever: a pole lies at 0.");
     case Behaviour::Swings:
-      return StepPanel::tr("It swings for ever: nothing damps it.");
+      return StepPanel::tr("The response oscillates for ever: there is no damping.");
     case Behaviour::Settles:
       break;
   }
   return {};
 }
 
-/// Of den = a s^2 + b s + c; none of another degree.
+/// For den = a s^2 + b s + c; NaN for any other degree.
 lab::NaturalMotion naturalMotionOf(const lab::TransferFunction& transfer) {
   if (transfer.den.size() != 3) return {kNotANumber, kNotANumber};
   const lab::HeldMass held{transfer.den[0], transfer.den[1], transfer.den[2]};
@@ -75,14 +76,14 @@ StepPanel::StepPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts
 
 void StepPanel::build() {
   auto* outer = tight<QVBoxLayout>(this, 0);
-  outer->addWidget(plot_ = new StepPlot(this), 1);  // stays in sight while what is below it scrolls
+  outer->addWidget(plot_ = new StepPlot(this), 1);  // stays visible while the rest scrolls
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(4);
-  figure_choice_ = chooser("panel.step.figure", tr("What is shown"),
-                           tr("The arm under a law, or one of the figures of the thesis's appendix B."), this);
-  figure_choice_->addItem(tr("The arm under a law"));
+  figure_choice_ = chooser("panel.step.figure", tr("Response shown"),
+                           tr("The arm under a control law, or one of the figures in appendix B of the thesis."), this);
+  figure_choice_->addItem(tr("The arm under a control law"));
   for (const lab::ThesisStep& step : lab::thesisSteps())
     figure_choice_->addItem(tr("%1  %2").arg(QString(step.key), QCoreApplication::translate("step", step.title)));
   column->addWidget(figure_choice_);
@@ -93,12 +94,12 @@ void StepPanel::build() {
   QScrollArea* scroll = panelScroll(content, this);
   scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);
   outer->addWidget(scroll, 2);
-  // Below what scrolls: a sentence is always seen, and its coming moves no slider from under the pointer.
+  // Below the scroll area: a note is always visible, and does not move a slider from under the pointer when it appears.
   auto* foot = new QVBoxLayout;
   foot->setContentsMargins(8, 4, 8, 8);
   foot->setSpacing(4);
   note_ = quietLabel("panel.step.note", {}, this);
-  note_->setAccessibleName(tr("What there is to know of this response"));
+  note_->setAccessibleName(tr("Notes on this response"));
   foot->addWidget(note_);
   foot->addWidget(foot_ = new StepFoot(this));
   outer->addLayout(foot);
@@ -119,7 +120,7 @@ void StepPanel::connectParts() {
   connect(&parts_.document, &Document::opened, this, &StepPanel::sceneOpened);
   connect(&parts_.document, &Document::edited, this, &StepPanel::sceneEdited);
   connect(&parts_.arm_in_use, &ArmInUse::changed, this, &StepPanel::takeArm);
-  connect(&parts_.rate, &ServoRate::changed, this, [this] {  // it was measured at another one
+  connect(&parts_.rate, &ServoRate::changed, this, [this] {  // measured at another rate
     measured_.reset();
     refresh();
   });
@@ -151,7 +152,7 @@ const scene::Control& StepPanel::control() const {
   return scene::controlOf(parts_.document.scene(), index_);
 }
 
-/// The mass that moves and what slows it are the arm's, until a slider says otherwise.
+/// Sets the sliders of mass and damping to the arm's values.
 void StepPanel::takeArm() {
   held_.mass_kg = parts_.arm_in_use.model().mass_kg;
   held_.damping_N_s_per_m = parts_.arm_in_use.model().damping_N_s_per_m;
@@ -231,7 +232,7 @@ bool StepPanel::giveToScene() {
   return problems.empty();
 }
 
-// In the window's thread: 20,000 ticks, the most it asks for, take half a second, so there is nothing to cancel.
+// In the window's thread: 20,000 ticks, the maximum, take half a second, so no cancelling is needed.
 bool StepPanel::measure() {
   const scene::Description& scene = parts_.document.scene();
   if (scene.constraints.empty()) return false;
@@ -240,7 +241,7 @@ bool StepPanel::measure() {
   setup.constraint = scene.constraints[index_].name;
   setup.arm = parts_.arm_in_use.model();
   setup.arm.mass_kg = held_.mass_kg;
-  setup.arm.damping_N_s_per_m = held_.damping_N_s_per_m;  // a hand's, too: at rest it slows as the arm's own does
+  setup.arm.damping_N_s_per_m = held_.damping_N_s_per_m;  // includes a hand's, which acts like the arm's own
   setup.rate_hz = parts_.servo.rateHz();
   setup.limits = foot_->hasLimits();
   Result<lab::ArmStep> step = lab::measureStep(withControl(scene, index_, withGains(control(), law_, held_)), setup);
@@ -284,16 +285,16 @@ QString StepPanel::noteOnMeasured() const {
   if (!step.fault.empty()) return QString::fromStdString(step.fault);
   const double pull_N = step.model.kp_N_per_m * step.step_m;
   if (!step.fit && pull_N <= step.friction_N)
-    return tr("The tip did not move: %1 N do not overcome the arm's friction of %2 N. Make the step larger.")
+    return tr("The tip did not move: %1 N does not overcome the arm's friction of %2 N. Make the step larger.")
         .arg(numberText(pull_N, 2))
         .arg(numberText(step.friction_N, 2));
   if (step.limited_ticks > 0)
-    return tr("The gate cut the force in %1 ticks, so this is no linear response. Make the step smaller, or measure "
-              "without the limits.")
+    return tr("The safety gate cut the force in %1 ticks, so the response is not linear. Make the step smaller, or "
+              "measure without the limits.")
         .arg(step.limited_ticks);
   const QString arm = QString::fromStdString(parts_.arm_in_use.model().name);
   return tr("Measured along %1%3. The model has no friction; the arm has %2 N.")
-      .arg(step.axis == lab::Axis::Held ? tr("the direction in which it holds") : QString(name(step.axis)))
+      .arg(step.axis == lab::Axis::Held ? tr("the direction in which the constraint pulls") : QString(name(step.axis)))
       .arg(numberText(step.friction_N, 2))
       .arg(parts_.arm_in_use.isMeasured() ? tr(" on “%1”").arg(arm) : QString());
 }

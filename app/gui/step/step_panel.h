@@ -15,9 +15,9 @@ class StepPlot;
 class StepRows;
 struct StepPicture;
 
-/// Step responses (appendix B of the thesis): of a mass that a law holds, with the simulated arm's measured one over
-/// it, or of the thesis's own figures. Its sliders are its own, and no edits of the scene; gains are taken from the
-/// scene and given to it when asked.
+/// Step responses (appendix B of the thesis): of a mass under a control law, with the measured response of the
+/// simulated arm over it, or those of the thesis's own figures. Its sliders do not edit the scene; gains are copied
+/// from the scene and to it on request.
 class StepPanel : public Panel {
   Q_OBJECT
  public:
@@ -49,14 +49,14 @@ class StepPanel : public Panel {
   StepPicture pictureOfArm(QString& note) const;
   QString noteOnMeasured() const;
   lab::HeldMass own() const;              // the scene's gains on the arm's mass
-  const scene::Control& control() const;  // of the constraint that is chosen
+  const scene::Control& control() const;  // of the chosen constraint
 
   Parts parts_;
-  std::size_t index_ = 0;  // of the constraint whose gains are taken, given and measured
+  std::size_t index_ = 0;  // of the constraint that is measured and whose gains are copied
   int figure_ = 0;
   scene::LawType law_ = scene::LawType::P;
   lab::HeldMass held_;
-  std::optional<lab::ArmStep> measured_;  // with what is shown; none: nothing was, or something has changed since
+  std::optional<lab::ArmStep> measured_;  // with the values shown; none: not measured, or changed since
 
   StepPlot* plot_ = nullptr;
   QComboBox* figure_choice_ = nullptr;

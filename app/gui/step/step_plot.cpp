@@ -28,7 +28,7 @@ float onScreen(double value) {
   return std::isfinite(static_cast<float>(value)) ? static_cast<float>(value) : kGap;
 }
 
-/// Fills a curve with strokes that a gap ends; what is left over repeats the last gap.
+/// Fills a curve with strokes, each followed by a gap; the rest of the points are gaps.
 class Strokes {
  public:
   explicit Strokes(std::span<PlotPoint> points) : points_(points) {}
@@ -57,7 +57,7 @@ std::vector<Chart::Curve> timeCurves() {
   for (std::size_t curve = kFirst; curve < kMeasuredCurve; ++curve) curves[curve] = {QString(), 1.5F};
   curves[kFirst].width = 2.0F;
   curves[kMeasuredCurve] = {StepPlot::tr("measured"), 1.5F};
-  curves[kFit] = {StepPlot::tr("its fit"), 1.5F, true};
+  curves[kFit] = {StepPlot::tr("fit"), 1.5F, true};
   return curves;
 }
 
@@ -116,7 +116,7 @@ struct StepPlot::Impl {
     if (!shown.responses.empty()) {
       const lab::TransferFunction& first = shown.responses.front().transfer;
       poles = lab::poles(first);
-      if (first.num.size() > 1) zeros = lab::poles({{1.0}, first.num});  // the roots of what stands above
+      if (first.num.size() > 1) zeros = lab::poles({{1.0}, first.num});  // the roots of the numerator
     }
     double left = 0.0, right = 0.0, high = 0.0;
     for (const auto* roots : {&poles, &zeros}) {
@@ -154,7 +154,7 @@ struct StepPlot::Impl {
     plane.setRange(x_from, x_to, -y_to, y_to);
   }
 
-  Chart time{StepPlot::tr("Response to a step of 1"), StepPlot::tr("time [s]"), timeCurves()};
+  Chart time{StepPlot::tr("Response to a unit step"), StepPlot::tr("time [s]"), timeCurves()};
   Chart plane{StepPlot::tr("Imaginary part [rad/s]"),
               StepPlot::tr("real part [rad/s]"),
               {{QString(), 1.0F}, {StepPlot::tr("× pole"), 2.0F}, {StepPlot::tr("○ zero"), 1.5F}}};
@@ -164,8 +164,8 @@ StepPlot::StepPlot(QWidget* parent) : ChartWidget(parent), impl_(std::make_uniqu
   setObjectName("panel.step.plot");
   setAccessibleName(tr("Step response and poles"));
   setToolTip(
-      tr("Above: the response to a step of 1. Below: poles and zeros in the s-plane; what lies left of the upright "
-         "axis dies out, the faster the farther."));
+      tr("Above: the response to a unit step. Below: poles and zeros in the s-plane; poles to the left of the "
+         "imaginary axis decay, the faster the farther away."));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
   impl_->time.reserve(kPoints);
   impl_->plane.reserve(kPoints);
@@ -183,8 +183,8 @@ void StepPlot::present(const StepPicture& picture) {
   impl_->drawPlane(picture);
   const std::optional<double>& overshoot = picture.metrics.overshoot_fraction;
   setAccessibleDescription(overshoot ? tr("Overshoot %1 %").arg(numberText(100.0 * *overshoot, 1))
-                                     : tr("Nothing settles"));
-  placeAnew();  // the legend has other names
+                                     : tr("No final value"));
+  placeAnew();  // the names in the legend have changed
 }
 
 void StepPlot::setTheme(const Theme& theme) {

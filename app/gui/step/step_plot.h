@@ -10,7 +10,7 @@
 
 namespace underact::gui {
 
-/// What the two charts show. The first response is the one whose poles, zeros and metrics they mark.
+/// The content of the two charts. Poles, zeros and metrics are those of the first response.
 struct StepPicture {
   struct Response {
     QString name;
@@ -19,12 +19,13 @@ struct StepPicture {
   std::vector<Response> responses;  // at most kMostResponses
   double seconds = 1.0;
   lab::StepMetrics metrics;                 // of the first
-  std::optional<lab::Curve> measured = {};  // a share of the step
+  std::optional<lab::Curve> measured = {};  // as a fraction of the step
   std::optional<lab::SecondOrderFit> fit = {};
-  double steady_error_m = 0.0;  // of what was measured
+  double steady_error_m = 0.0;  // of the measured response
 };
 
-/// Step responses against time, and below them the poles and zeros of the first in the s-plane. It moves when asked.
+/// Step responses against time, and below them the poles and zeros of the first in the s-plane. Redrawn on request
+/// only.
 class StepPlot : public ChartWidget {
   Q_OBJECT
  public:

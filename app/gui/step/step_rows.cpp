@@ -18,15 +18,16 @@ constexpr const char* kKeys[] = {"kp", "kd", "ki", "mass", "damping"};
 
 ValueKind stepKind(int quantity) {
   if (quantity == StepRows::kMass)
-    return {StepRows::tr("What moves at the tip: the arm's apparent mass, and a hand's: m x'' + b x' + kp x = kp r."),
-            "kg",
-            1000,
-            500,
-            3,
-            100.0};
+    return {
+        StepRows::tr("Mass at the tip: the apparent mass of the arm, plus that of a hand: m x'' + b x' + kp x = kp r."),
+        "kg",
+        1000,
+        500,
+        3,
+        100.0};
   if (quantity == StepRows::kDamping)
-    return {StepRows::tr(
-                "What slows the tip besides the law, the arm's own damping and a hand's: m x'' + b x' + kp x = kp r."),
+    return {StepRows::tr("Damping at the tip besides that of the control law: the arm's own, plus that of a hand: "
+                         "m x'' + b x' + kp x = kp r."),
             "N s/m",
             10,
             200,
@@ -41,10 +42,10 @@ StepRows::StepRows(QWidget* parent) : QWidget(parent), choices_(panelForm()) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 4);
   column->setSpacing(4);
-  constraint_ = chooser("panel.step.constraint", tr("Constraint that is measured"),
-                        tr("Which constraint of the scene is measured, and whose gains are taken and given."), this);
-  law_ = chooser("panel.step.law", tr("Law of the response"),
-                 tr("P: kp e (B.13).  PD: and kd de/dt (B.14).  PID: and the integral of ki e (B.15)."), this);
+  constraint_ = chooser("panel.step.constraint", tr("Measured constraint"),
+                        tr("The constraint of the scene that is measured and whose gains are copied."), this);
+  law_ = chooser("panel.step.law", tr("Control law of the response"),
+                 tr("P: kp e (B.13).  PD: plus kd de/dt (B.14).  PID: plus the integral of ki e (B.15)."), this);
   law_->addItems(settingChoices("/control/law"));
   choices_->addRow(tr("C&onstraint"), constraint_);
   choices_->addRow(tr("La&w"), law_);

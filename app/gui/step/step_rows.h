@@ -13,7 +13,7 @@ namespace underact::gui {
 
 class ValueRow;
 
-/// A mass that a law holds, and of which constraint the gains are: the numbers that make a response.
+/// The inputs of a response: the constraint, the control law with its gains, mass and damping.
 class StepRows : public QWidget {
   Q_OBJECT
  public:
@@ -21,14 +21,14 @@ class StepRows : public QWidget {
 
   explicit StepRows(QWidget* parent = nullptr);
   void list(const std::vector<scene::Constraint>& constraints, std::size_t chosen);
-  /// own: what is marked, the scene's gains and the arm's mass.
+  /// own: the values marked on the sliders, which are the scene's gains and the arm's mass and damping.
   void present(const lab::HeldMass& held, scene::LawType law, const lab::HeldMass& own);
 
   /// In SI.
   static double& valueOf(lab::HeldMass& held, int quantity);
-  /// A number in the row's unit, N/mm say, is so many of SI.
+  /// One unit of the row, such as N/mm, in SI.
   static double unitOf(int quantity);
-  static int quantityOf(const QString& key);  // "kp", "mass"; -1: there is none
+  static int quantityOf(const QString& key);  // "kp", "mass"; -1: unknown key
 
  signals:
   void constraintChosen(int index);

@@ -23,7 +23,7 @@ TEST(LabWords, WhatIsBeyondTheBoundOrWorseThanAnotherIsMarkedInWords) {
   trade::recommend(rate.bound, standing.options);
   std::vector<ChoiceWords> words = choiceWords(scene, trade::settingsOf(scene, 250), {standing});
   EXPECT_TRUE(words.front().is_beyond);
-  EXPECT_TRUE(words.front().mark.contains("beyond"));
+  EXPECT_TRUE(words.front().mark.contains("exceeds the bound"));
   EXPECT_TRUE(words.front().mark.contains("Recommended: 2000 Hz"));
   words = choiceWords(scene, trade::settingsOf(scene, 2000), {standing});
   EXPECT_FALSE(words.front().is_beyond);

@@ -25,7 +25,7 @@ TEST(RegistrationRun, ATipHeldStillTouchesItsMarkAndTheNextOneIsDue) {
   EXPECT_EQ(run.told(), QString("Hold the tip still."));
   for (int ms = 2; ms < 3000 && run.touching().due() == 0; ++ms) run.add(tickAt(ms, Vec3::Zero(), true));
   EXPECT_EQ(run.touching().due(), 1U);
-  EXPECT_EQ(run.told(), QString("Mark 1 is touched, the tip spread by 0.00 mm."));
+  EXPECT_EQ(run.told(), QString("Reference point 1 has been touched; the spread of the tip was 0.00 mm."));
 }
 
 TEST(RegistrationRun, ATipThatMovesIsToldAndTheMarkStaysDue) {
@@ -37,7 +37,7 @@ TEST(RegistrationRun, ATipThatMovesIsToldAndTheMarkStaysDue) {
   for (int ms = 0; ms < 1000 && run.touching().isHolding(); ++ms)
     run.add(tickAt(ms, Vec3(0.00001 * ms, 0.0, 0.0), false));  // 10 mm/s
   EXPECT_TRUE(run.told().startsWith("The tip moved by more than 1 mm")) << run.told().toStdString();
-  EXPECT_TRUE(run.told().contains("mark 1"));
+  EXPECT_TRUE(run.told().contains("reference point 1"));
   EXPECT_EQ(run.touching().due(), 0U);
 }
 

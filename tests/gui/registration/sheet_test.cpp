@@ -82,7 +82,7 @@ TEST(RegistrationSheet, WhatNoPaperHoldsIsRefusedInWords) {
   const QString path = folder.filePath("no_sheet.pdf");
   EXPECT_NE(saveSheet(path, {{0, 0, 0}, {0.3, 0, 0}, {0, 0, -0.1}}, Paper::A4).front().sentence.find("do not fit"),
             std::string::npos);
-  EXPECT_NE(saveSheet(path, {{0, 0, 0}, {0.1, 0, 0}, {0, 0.05, -0.1}}, Paper::A4).front().sentence.find("flat"),
+  EXPECT_NE(saveSheet(path, {{0, 0, 0}, {0.1, 0, 0}, {0, 0.05, -0.1}}, Paper::A4).front().sentence.find("equal height"),
             std::string::npos);
   EXPECT_FALSE(QFile::exists(path));
   EXPECT_FALSE(saveSheet("/nowhere/sheet.pdf", registration::sheetMarks(), Paper::A4).empty());

@@ -32,7 +32,7 @@ TEST(StepPanel, SaysThePolesOfTheMassThatIsHeld) {
   desk.perform("step.set", QString("damping"), 0.0);
   EXPECT_TRUE(desk.label("panel.step.poles").contains("0.000 ± 10.00i"))
       << desk.label("panel.step.poles").toStdString();
-  EXPECT_TRUE(desk.label("panel.step.note").startsWith("It swings for ever"));
+  EXPECT_TRUE(desk.label("panel.step.note").startsWith("The response oscillates for ever"));
 }
 
 TEST(StepPanel, WhatIsNoQuantityOrBelowZeroIsRefused) {
