@@ -4,12 +4,12 @@
 <context>
     <name>Beside</name>
     <message>
-        <source>That scene is for another arm than the one that is felt.</source>
-        <translation>Diese Szene ist für einen anderen Arm als den gefühlten.</translation>
+        <source>The two scenes are for different arms and cannot be compared.</source>
+        <translation>Die beiden Szenen sind für verschiedene Arme und lassen sich nicht vergleichen.</translation>
     </message>
     <message>
-        <source>The other scene takes more time a tick than the window has for it.</source>
-        <translation>Die andere Szene braucht je Takt mehr Zeit, als das Fenster dafür hat.</translation>
+        <source>The comparison has ended: each tick of the other scene takes too long. Choose a simpler scene or a lower servo rate.</source>
+        <translation>Der Vergleich wurde beendet: Jeder Takt der anderen Szene dauert zu lange. Wählen Sie eine einfachere Szene oder eine niedrigere Servorate.</translation>
     </message>
 </context>
 <context>
@@ -35,8 +35,8 @@
         <translation>keine Zahl</translation>
     </message>
     <message>
-        <source>a jump</source>
-        <translation>ein Sprung</translation>
+        <source>jump</source>
+        <translation>Sprung</translation>
     </message>
     <message>
         <source>too late</source>
@@ -47,8 +47,8 @@
         <translation>stand still</translation>
     </message>
     <message>
-        <source>odd clock</source>
-        <translation>falsche Uhr</translation>
+        <source>clock error</source>
+        <translation>Uhrfehler</translation>
     </message>
     <message>
         <source>asleep</source>
@@ -59,8 +59,8 @@
         <translation>Art</translation>
     </message>
     <message>
-        <source>Revolute: it turns about its axis. Prismatic: it slides along it.</source>
-        <translation>Drehgelenk: Es dreht sich um seine Achse. Schubgelenk: Es gleitet an ihr entlang.</translation>
+        <source>Revolute: rotates about its axis. Prismatic: slides along its axis.</source>
+        <translation>Drehgelenk: dreht sich um seine Achse. Schubgelenk: gleitet entlang seiner Achse.</translation>
     </message>
     <message>
         <source>axis
@@ -69,8 +69,8 @@ x</source>
 x</translation>
     </message>
     <message>
-        <source>The axis' direction at home, of any length, in W: S = (axis, point x axis).</source>
-        <translation>Die Richtung der Achse in Grundstellung, beliebig lang, in W: S = (Achse, Punkt x Achse).</translation>
+        <source>Direction of the axis in the home pose, in W, of any length: S = (axis, point x axis).</source>
+        <translation>Richtung der Achse in Grundstellung, in W, beliebig lang: S = (Achse, Punkt x Achse).</translation>
     </message>
     <message>
         <source>
@@ -79,8 +79,8 @@ y</source>
 y</translation>
     </message>
     <message>
-        <source>The axis' direction at home.</source>
-        <translation>Die Richtung der Achse in Grundstellung.</translation>
+        <source>Direction of the axis in the home pose.</source>
+        <translation>Richtung der Achse in Grundstellung.</translation>
     </message>
     <message>
         <source>
@@ -95,7 +95,7 @@ x [mm]</source>
 x [mm]</translation>
     </message>
     <message>
-        <source>A point on the axis at home, in W; a joint that slides needs none.</source>
+        <source>A point on the axis in the home pose, in W; a prismatic joint needs none.</source>
         <translation>Ein Punkt auf der Achse in Grundstellung, in W; ein Schubgelenk braucht keinen.</translation>
     </message>
     <message>
@@ -105,7 +105,7 @@ y [mm]</source>
 y [mm]</translation>
     </message>
     <message>
-        <source>A point on the axis at home.</source>
+        <source>A point on the axis in the home pose.</source>
         <translation>Ein Punkt auf der Achse in Grundstellung.</translation>
     </message>
     <message>
@@ -121,8 +121,8 @@ z [mm]</translation>
 [° mm]</translation>
     </message>
     <message>
-        <source>The least value, degrees or mm; empty: no limit.</source>
-        <translation>Der kleinste Wert, Grad oder mm; leer: keine Grenze.</translation>
+        <source>Lower limit, degrees or mm; empty: no limit.</source>
+        <translation>Untere Grenze, Grad oder mm; leer: keine Grenze.</translation>
     </message>
     <message>
         <source>max
@@ -131,8 +131,8 @@ z [mm]</translation>
 [° mm]</translation>
     </message>
     <message>
-        <source>The largest value, degrees or mm; empty: no limit.</source>
-        <translation>Der größte Wert, Grad oder mm; leer: keine Grenze.</translation>
+        <source>Upper limit, degrees or mm; empty: no limit.</source>
+        <translation>Obere Grenze, Grad oder mm; leer: keine Grenze.</translation>
     </message>
     <message>
         <source>spring k
@@ -141,8 +141,8 @@ z [mm]</translation>
 [N mm/rad, N/mm]</translation>
     </message>
     <message>
-        <source>The joint's own spring adds k (q - rest)^2 / 2 to the energy; 0: it moves freely.</source>
-        <translation>Die eigene Feder des Gelenks trägt k (q - Ruhe)^2 / 2 zur Energie bei; 0: Es bewegt sich frei.</translation>
+        <source>The joint's own spring adds k (q - rest)^2 / 2 to the energy; 0: the joint moves freely.</source>
+        <translation>Die eigene Feder des Gelenks trägt k (q - Ruhe)^2 / 2 zur Energie bei; 0: Das Gelenk bewegt sich frei.</translation>
     </message>
     <message>
         <source>rest
@@ -151,8 +151,8 @@ z [mm]</translation>
 [° mm]</translation>
     </message>
     <message>
-        <source>Where the spring pulls nowhere, degrees or mm.</source>
-        <translation>Wo die Feder nirgendwohin zieht, Grad oder mm.</translation>
+        <source>Where the spring exerts no force, degrees or mm.</source>
+        <translation>Wo die Feder keine Kraft ausübt, Grad oder mm.</translation>
     </message>
     <message>
         <source>revolute</source>
@@ -163,7 +163,7 @@ z [mm]</translation>
         <translation>Schubgelenk</translation>
     </message>
     <message>
-        <source>"%1" is no number. Type one such as −12.5.</source>
+        <source>"%1" is not a number. Enter one such as −12.5.</source>
         <translation>„%1“ ist keine Zahl. Geben Sie eine ein, etwa −12,5.</translation>
     </message>
     <message>
@@ -263,8 +263,8 @@ z [mm]</translation>
         <translation>Dieses Programm kennt den Arm „%1“ der Sitzung nicht.</translation>
     </message>
     <message>
-        <source>There is one tick in this session: nothing to follow.</source>
-        <translation>In dieser Sitzung ist ein einziger Takt: Da ist nichts, dem man folgen könnte.</translation>
+        <source>This session has only one tick: there is nothing to follow.</source>
+        <translation>Diese Sitzung hat nur einen Takt: Es gibt nichts, dem man folgen könnte.</translation>
     </message>
     <message>
         <source>Drag the stylus</source>
@@ -311,8 +311,8 @@ z [mm]</translation>
         <translation>Gamepad, 3D-Maus</translation>
     </message>
     <message>
-        <source>move and turn the simulated hand; the panel Hands says and edits what moves what</source>
-        <translation>bewegen und drehen die simulierte Hand; der Bereich Hände zeigt und ändert, was was bewegt</translation>
+        <source>move and rotate the simulated hand; the panel Input devices shows and edits their mappings</source>
+        <translation>bewegen und drehen die simulierte Hand; der Bereich Eingabegeräte zeigt und ändert ihre Belegung</translation>
     </message>
     <message>
         <source>Space</source>
@@ -367,8 +367,8 @@ z [mm]</translation>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>one of many: only %1 is set</source>
-        <translation>eine von vielen: nur %1 ist festgelegt</translation>
+        <source>one of many: only %1 is defined</source>
+        <translation>eine von vielen: nur %1 ist bestimmt</translation>
     </message>
     <message>
         <source>✓ within</source>
@@ -424,27 +424,27 @@ z [mm]</translation>
     </message>
     <message>
         <source>%1
-Timed: %2. Error: %3; root of the mean square.
-Allowed: %4, since that is %5.</source>
+Timed: %2. Error: %3; root mean square.
+Bound: %4 (%5).</source>
         <translation>%1
-Gemessene Zeit: %2. Fehler: %3; Wurzel des mittleren Quadrats.
-Erlaubt: %4, denn das ist %5.</translation>
+Gemessene Zeit: %2. Fehler: %3; quadratisches Mittel.
+Grenze: %4 (%5).</translation>
     </message>
     <message>
-        <source>%1 for %2, %3 in a second; error %4 of %5 allowed</source>
-        <translation>%1 für %2, %3 je Sekunde; Fehler %4 von %5 erlaubt</translation>
+        <source>%1 for %2, %3 per second; error %4, bound %5</source>
+        <translation>%1 für %2, %3 je Sekunde; Fehler %4, Grenze %5</translation>
     </message>
     <message>
-        <source>▲ The error is beyond what is allowed.</source>
-        <translation>▲ Der Fehler liegt über dem Erlaubten.</translation>
+        <source>▲ The error exceeds the bound.</source>
+        <translation>▲ Der Fehler überschreitet die Grenze.</translation>
     </message>
     <message>
-        <source>→ Recommended: %1 (%2 in a second, error %3)</source>
+        <source>→ Recommended: %1 (%2 per second, error %3)</source>
         <translation>→ Empfohlen: %1 (%2 je Sekunde, Fehler %3)</translation>
     </message>
     <message>
-        <source>not measured: no hand has use for it</source>
-        <translation>nicht gemessen: keine Hand braucht es</translation>
+        <source>not measured with this setting</source>
+        <translation>mit dieser Einstellung nicht gemessen</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -555,12 +555,12 @@ Erlaubt: %4, denn das ist %5.</translation>
         <translation>%1: Über %2 N/mm kann der Stift bei %3 Hz in einer Hand mit %4 N s/m Dämpfung brummen.</translation>
     </message>
     <message>
-        <source>at its least, %1</source>
-        <translation>am kleinsten Wert, %1</translation>
+        <source>at minimum, %1</source>
+        <translation>am Minimum, %1</translation>
     </message>
     <message>
-        <source>at its most, %1</source>
-        <translation>am größten Wert, %1</translation>
+        <source>at maximum, %1</source>
+        <translation>am Maximum, %1</translation>
     </message>
     <message>
         <source>There is no such joint.</source>
@@ -571,16 +571,16 @@ Erlaubt: %4, denn das ist %5.</translation>
         <translation>Es wurde nichts gemessen.</translation>
     </message>
     <message>
-        <source>p99 is %1 times and p99.9 %2 times that of a loop that does nothing.</source>
-        <translation>p99 ist das %1-Fache und p99.9 das %2-Fache einer Schleife, die nichts tut.</translation>
+        <source>Its latency is %1 times that of a bare loop at p99, and %2 times at p99.9.</source>
+        <translation>Seine Latenz ist bei p99 das %1-Fache der einer leeren Schleife, bei p99.9 das %2-Fache.</translation>
     </message>
     <message>
-        <source>The servo is as punctual as this machine allows: </source>
-        <translation>Der Servo ist so pünktlich, wie dieser Rechner es erlaubt: </translation>
+        <source>The servo is as punctual as this machine allows. </source>
+        <translation>Der Servo ist so pünktlich, wie dieser Rechner es erlaubt. </translation>
     </message>
     <message>
-        <source>The servo is later than this machine would allow: </source>
-        <translation>Der Servo ist unpünktlicher, als dieser Rechner es erlauben würde: </translation>
+        <source>The servo is less punctual than this machine allows. </source>
+        <translation>Der Servo ist weniger pünktlich, als dieser Rechner es erlaubt. </translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -599,12 +599,12 @@ Erlaubt: %4, denn das ist %5.</translation>
         <translation>zuletzt vor %1 min</translation>
     </message>
     <message>
-        <source>The stylus button nearer to the tip; on the simulated arm the Space key, with the focus in the view (F2).</source>
-        <translation>Die Stifttaste näher an der Spitze; beim simulierten Arm die Leertaste, mit dem Fokus in der Ansicht (F2).</translation>
+        <source>The stylus button nearer the tip. On the simulated arm it is the Space key, while the view has the focus (F2).</source>
+        <translation>Die Stifttaste näher an der Spitze. Beim simulierten Arm ist es die Leertaste, solange die Ansicht den Fokus hat (F2).</translation>
     </message>
     <message>
-        <source>The stylus button further from the tip; the simulated arm has none.</source>
-        <translation>Die Stifttaste weiter von der Spitze entfernt; der simulierte Arm hat keine.</translation>
+        <source>The stylus button farther from the tip. The simulated arm has none.</source>
+        <translation>Die Stifttaste weiter von der Spitze entfernt. Der simulierte Arm hat keine.</translation>
     </message>
     <message>
         <source>Cancelled: no file was written.</source>
@@ -615,40 +615,40 @@ Erlaubt: %4, denn das ist %5.</translation>
         <translation>Nicht exportiert. %1</translation>
     </message>
     <message>
-        <source>%1 ticks are in %2</source>
-        <translation>%1 Takte sind in %2</translation>
+        <source>%1 ticks saved in %2</source>
+        <translation>%1 Takte in %2 gespeichert</translation>
     </message>
     <message>
-        <source>%1. %2 more are damaged in the session and were left out.</source>
-        <translation>%1. %2 weitere sind in der Sitzung beschädigt und wurden ausgelassen.</translation>
+        <source>%1. %2 damaged ticks of the session were left out.</source>
+        <translation>%1. %2 beschädigte Takte der Sitzung wurden ausgelassen.</translation>
     </message>
     <message>
-        <source>%1 ticks are missing: the machine was too busy to write them. The servo went on.</source>
+        <source>%1 ticks are missing: the computer was too busy to write them. The servo kept running.</source>
         <translation>%1 Takte fehlen: Der Rechner war zu beschäftigt, um sie zu schreiben. Der Servo lief weiter.</translation>
     </message>
     <message>
-        <source>The disk is nearly full: room for %1 more at this pace. Free some space; else the recording ends in order.</source>
-        <translation>Der Datenträger ist fast voll: Platz für noch %1 bei diesem Tempo. Geben Sie Platz frei; sonst endet die Aufzeichnung geordnet.</translation>
+        <source>The disk is nearly full: there is room for another %1. Free some space; otherwise the recording stops and is saved.</source>
+        <translation>Der Datenträger ist fast voll: Der Platz reicht noch für %1. Geben Sie Platz frei; sonst wird die Aufzeichnung gestoppt und gespeichert.</translation>
     </message>
     <message>
-        <source>The disk is nearly full: %1 are left. Free some space; else the recording ends in order.</source>
-        <translation>Der Datenträger ist fast voll: %1 sind übrig. Geben Sie Platz frei; sonst endet die Aufzeichnung geordnet.</translation>
+        <source>The disk is nearly full: %1 left. Free some space; otherwise the recording stops and is saved.</source>
+        <translation>Der Datenträger ist fast voll: %1 sind frei. Geben Sie Platz frei; sonst wird die Aufzeichnung gestoppt und gespeichert.</translation>
     </message>
     <message>
         <source>and %1 more</source>
         <translation>und %1 weitere</translation>
     </message>
     <message>
-        <source>Not closed: it is being recorded, or the program ended without closing it. Recover makes it whole.</source>
-        <translation>Nicht geschlossen: Sie wird gerade aufgezeichnet, oder das Programm endete, ohne sie zu schließen. „Retten“ macht sie vollständig.</translation>
+        <source>Not closed: it is still being recorded, or the program ended without closing it. Recover repairs it.</source>
+        <translation>Nicht geschlossen: Sie wird noch aufgezeichnet, oder das Programm endete, ohne sie zu schließen. „Retten“ repariert sie.</translation>
     </message>
     <message>
-        <source>Made whole after the program had ended without closing it.</source>
-        <translation>Vervollständigt, nachdem das Programm geendet hatte, ohne sie zu schließen.</translation>
+        <source>Recovered after the program ended without closing it.</source>
+        <translation>Gerettet, nachdem das Programm geendet hatte, ohne sie zu schließen.</translation>
     </message>
     <message>
-        <source>Ended because the disk was nearly full.</source>
-        <translation>Beendet, weil der Datenträger fast voll war.</translation>
+        <source>Stopped because the disk was nearly full.</source>
+        <translation>Gestoppt, weil der Datenträger fast voll war.</translation>
     </message>
     <message>
         <source>%1 ticks are missing.</source>
@@ -703,7 +703,7 @@ Erlaubt: %4, denn das ist %5.</translation>
         <translation>%1 entfernt</translation>
     </message>
     <message>
-        <source>equally far all around</source>
+        <source>equidistant</source>
         <translation>ringsum gleich weit</translation>
     </message>
     <message>
@@ -743,36 +743,36 @@ Erlaubt: %4, denn das ist %5.</translation>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Its x axis</source>
-        <translation>Seine x-Achse</translation>
+        <source>x axis</source>
+        <translation>x-Achse</translation>
     </message>
     <message>
-        <source>its place alone</source>
-        <translation>nur der Ort</translation>
+        <source>position only</source>
+        <translation>nur dem Ort</translation>
     </message>
     <message>
-        <source>its place and direction</source>
+        <source>position and direction</source>
         <translation>Ort und Richtung</translation>
     </message>
     <message>
-        <source>its place and angle</source>
+        <source>position and angle</source>
         <translation>Ort und Winkel</translation>
     </message>
     <message>
-        <source>its place and whole turn</source>
-        <translation>Ort und ganze Drehung</translation>
+        <source>position and orientation</source>
+        <translation>Ort und Orientierung</translation>
     </message>
     <message>
         <source>Joints</source>
         <translation>Gelenke</translation>
     </message>
     <message>
-        <source>Tip at home</source>
-        <translation>Spitze in Grundst.</translation>
+        <source>Home position</source>
+        <translation>Grundstellung</translation>
     </message>
     <message>
-        <source>Drawn to</source>
-        <translation>Gezogen zu</translation>
+        <source>Follows</source>
+        <translation>Folgt</translation>
     </message>
     <message>
         <source>Kθ</source>
@@ -811,24 +811,24 @@ Erlaubt: %4, denn das ist %5.</translation>
         <translation>Punkte</translation>
     </message>
     <message>
-        <source>Joined</source>
-        <translation>Verbunden</translation>
+        <source>Interpolation</source>
+        <translation>Interpolation</translation>
     </message>
     <message>
-        <source>smoothly</source>
+        <source>smooth</source>
         <translation>glatt</translation>
     </message>
     <message>
-        <source>by straight lines</source>
-        <translation>durch Strecken</translation>
+        <source>straight lines</source>
+        <translation>Strecken</translation>
     </message>
     <message>
         <source>Ends</source>
         <translation>Enden</translation>
     </message>
     <message>
-        <source>none, it is closed</source>
-        <translation>keine, sie ist geschlossen</translation>
+        <source>none, closed</source>
+        <translation>keine, geschlossen</translation>
     </message>
     <message>
         <source>two</source>
@@ -851,8 +851,8 @@ Erlaubt: %4, denn das ist %5.</translation>
         <translation>Virtueller Roboter</translation>
     </message>
     <message>
-        <source>Held to</source>
-        <translation>Gehalten an</translation>
+        <source>Search</source>
+        <translation>Suche</translation>
     </message>
     <message>
         <source>Friction</source>
@@ -901,32 +901,32 @@ Erlaubt: %4, denn das ist %5.</translation>
 <context>
     <name>cause</name>
     <message>
-        <source>the tick before was long</source>
-        <translation>der Takt davor war lang</translation>
+        <source>previous tick too long</source>
+        <translation>voriger Takt zu lang</translation>
     </message>
     <message>
-        <source>The tick before took longer than a period.</source>
-        <translation>Der Takt davor dauerte länger als eine Periode.</translation>
+        <source>The previous tick took longer than a period.</source>
+        <translation>Der vorige Takt dauerte länger als eine Periode.</translation>
     </message>
     <message>
-        <source>waited for the arm</source>
-        <translation>auf den Arm gewartet</translation>
+        <source>waiting for the arm</source>
+        <translation>Warten auf den Arm</translation>
     </message>
     <message>
-        <source>Most of that time went into waiting for the arm.</source>
-        <translation>Der größte Teil dieser Zeit verging mit dem Warten auf den Arm.</translation>
+        <source>Most of the delay was spent waiting for the arm.</source>
+        <translation>Der größte Teil der Verzögerung verging mit dem Warten auf den Arm.</translation>
     </message>
     <message>
-        <source>memory was not there</source>
-        <translation>Speicher war nicht da</translation>
+        <source>page fault</source>
+        <translation>Seitenfehler</translation>
     </message>
     <message>
-        <source>The servo thread touched memory that the system first had to fetch.</source>
-        <translation>Der Servo-Thread griff auf Speicher zu, den das System erst holen musste.</translation>
+        <source>The servo thread accessed memory that the system had to load first.</source>
+        <translation>Der Servo-Thread griff auf Speicher zu, den das System erst laden musste.</translation>
     </message>
     <message>
-        <source>core was taken</source>
-        <translation>Kern war belegt</translation>
+        <source>preempted</source>
+        <translation>verdrängt</translation>
     </message>
     <message>
         <source>Another thread ran on the servo's core.</source>
@@ -937,8 +937,8 @@ Erlaubt: %4, denn das ist %5.</translation>
         <translation>verspätet geweckt</translation>
     </message>
     <message>
-        <source>None of these: the system, or the machine a virtual one runs on, woke it late.</source>
-        <translation>Nichts davon: Das System oder die Maschine, auf der eine virtuelle läuft, weckte ihn verspätet.</translation>
+        <source>None of these: the system, or the host of a virtual machine, woke the thread late.</source>
+        <translation>Nichts davon: Das System oder der Wirt einer virtuellen Maschine weckte den Thread verspätet.</translation>
     </message>
 </context>
 <context>
@@ -960,7 +960,7 @@ Erlaubt: %4, denn das ist %5.</translation>
         <translation>Löser</translation>
     </message>
     <message>
-        <source>Solver's steps</source>
+        <source>Solver steps</source>
         <translation>Schritte des Lösers</translation>
     </message>
     <message>
@@ -968,11 +968,11 @@ Erlaubt: %4, denn das ist %5.</translation>
         <translation>Geschw.-Filter</translation>
     </message>
     <message>
-        <source>The arm's joints</source>
-        <translation>Gelenke des Arms</translation>
+        <source>Inverse kinematics</source>
+        <translation>Rückwärtskinematik</translation>
     </message>
     <message>
-        <source>Recording's blocks</source>
+        <source>Recording blocks</source>
         <translation>Blöcke der Aufzeichnung</translation>
     </message>
 </context>
@@ -993,8 +993,8 @@ Erlaubt: %4, denn das ist %5.</translation>
 [°]</translation>
     </message>
     <message>
-        <source>Twist: the angle from the axis z before to this row's z, about x.</source>
-        <translation>Verwindung: der Winkel von der Achse z davor zu z dieser Zeile, um x.</translation>
+        <source>Twist: the angle from the previous z axis to that of this row, about the previous x axis.</source>
+        <translation>Verwindung: der Winkel von der vorigen z-Achse zu der dieser Zeile, um die vorige x-Achse.</translation>
     </message>
     <message>
         <source>a
@@ -1003,8 +1003,8 @@ Erlaubt: %4, denn das ist %5.</translation>
 [mm]</translation>
     </message>
     <message>
-        <source>Length: the distance from the axis z before to this row's z, along x.</source>
-        <translation>Länge: der Abstand von der Achse z davor zu z dieser Zeile, entlang x.</translation>
+        <source>Length: the distance from the previous z axis to that of this row, along the previous x axis.</source>
+        <translation>Länge: der Abstand von der vorigen z-Achse zu der dieser Zeile, entlang der vorigen x-Achse.</translation>
     </message>
     <message>
         <source>θ
@@ -1013,8 +1013,8 @@ Erlaubt: %4, denn das ist %5.</translation>
 [°]</translation>
     </message>
     <message>
-        <source>Angle: from x before to this row's x, about z, with the joint at 0.</source>
-        <translation>Winkel: von x davor zu x dieser Zeile, um z, mit dem Gelenk bei 0.</translation>
+        <source>Angle: from the previous x axis to that of this row, about z, with the joint at 0.</source>
+        <translation>Winkel: von der vorigen x-Achse zu der dieser Zeile, um z, mit dem Gelenk bei 0.</translation>
     </message>
     <message>
         <source>d
@@ -1023,8 +1023,8 @@ Erlaubt: %4, denn das ist %5.</translation>
 [mm]</translation>
     </message>
     <message>
-        <source>Offset: the distance from x before to this row's x, along z, with the joint at 0.</source>
-        <translation>Versatz: der Abstand von x davor zu x dieser Zeile, entlang z, mit dem Gelenk bei 0.</translation>
+        <source>Offset: the distance from the previous x axis to that of this row, along z, with the joint at 0.</source>
+        <translation>Versatz: der Abstand von der vorigen x-Achse zu der dieser Zeile, entlang z, mit dem Gelenk bei 0.</translation>
     </message>
     <message>
         <source>q
@@ -1033,20 +1033,20 @@ Erlaubt: %4, denn das ist %5.</translation>
 [° mm]</translation>
     </message>
     <message>
-        <source>The joint's value: the arm's own where joints follow it, else what is typed.</source>
-        <translation>Der Wert des Gelenks: der des Arms selbst, wo Gelenke ihm folgen, sonst der eingegebene.</translation>
+        <source>The value of the joint: from the arm if the joints follow it, otherwise as typed.</source>
+        <translation>Der Wert des Gelenks: vom Arm, wenn die Gelenke ihm folgen, sonst wie eingegeben.</translation>
     </message>
     <message>
         <source>Two links in a plane</source>
         <translation>Zwei Glieder in der Ebene</translation>
     </message>
     <message>
-        <source>SCARA, with a slide</source>
-        <translation>SCARA mit Schubachse</translation>
+        <source>SCARA</source>
+        <translation>SCARA</translation>
     </message>
     <message>
-        <source>Two turns and a slide</source>
-        <translation>Zwei Dreh-, eine Schubachse</translation>
+        <source>Two revolute, one prismatic</source>
+        <translation>Zwei Dreh-, ein Schubgelenk</translation>
     </message>
 </context>
 <context>
@@ -2260,14 +2260,14 @@ Eine Hand und ein Arm, die stärker dämpfen, nehmen das auf. Eine Wand, die meh
         <translation>Im Zaum halten</translation>
     </message>
     <message>
-        <source>A **passivity controller** watches the account and adds damping as soon as the wall would give more than it got. Set *Passivity* to *Control* (*Rate and energy* in the panel *Feel*),
+        <source>A **passivity controller** watches the account and adds damping as soon as the wall would give more than it got. Set *Passivity* to *Control* (*Velocity and energy* in the panel *Feel*),
 press Start, and go through the surface as before, until the controller has added more than 0.05 N.</source>
-        <translation>Ein **Passivitätsregler** überwacht die Bilanz und fügt Dämpfung hinzu, sobald die Wand mehr geben würde, als sie bekommen hat. Stellen Sie *Passivität* auf *Regeln* (*Rate und Energie* im Bereich *Fühlen*),
+        <translation>Ein **Passivitätsregler** überwacht die Bilanz und fügt Dämpfung hinzu, sobald die Wand mehr geben würde, als sie bekommen hat. Stellen Sie *Passivität* auf *Regeln* (*Geschwindigkeit und Energie* im Bereich *Fühlen*),
 drücken Sie Start und gehen Sie wie zuvor durch die Oberfläche, bis der Regler mehr als 0,05 N hinzugefügt hat.</translation>
     </message>
     <message>
-        <source>The choice is in the section *Rate and energy* of the panel *Feel*.</source>
-        <translation>Die Auswahl steht im Abschnitt *Rate und Energie* des Bereichs *Fühlen*.</translation>
+        <source>The choice is in the section *Velocity and energy* of the panel *Feel*.</source>
+        <translation>Die Auswahl steht im Abschnitt *Geschwindigkeit und Energie* des Bereichs *Fühlen*.</translation>
     </message>
     <message>
         <source>How stiff may a wall be?</source>
@@ -2648,40 +2648,40 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Arm</translation>
     </message>
     <message>
-        <source>Where the joints and the tip of the arm are.</source>
-        <translation>Wo die Gelenke und die Spitze des Arms sind.</translation>
+        <source>Joint angles, tip position and faults of the arm.</source>
+        <translation>Gelenkwinkel, Ort der Spitze und Störungen des Arms.</translation>
     </message>
     <message>
         <source>Calibration</source>
         <translation>Kalibrierung</translation>
     </message>
     <message>
-        <source>How small a difference of stiffness a hand can tell, with two beams.</source>
-        <translation>Welchen kleinen Unterschied der Steifigkeit eine Hand erkennt, mit zwei Balken.</translation>
+        <source>Measures the smallest difference of stiffness that a hand can feel, with two beams.</source>
+        <translation>Misst den kleinsten Unterschied der Steifigkeit, den eine Hand fühlen kann, mit zwei Balken.</translation>
     </message>
     <message>
         <source>Devices</source>
         <translation>Geräte</translation>
     </message>
     <message>
-        <source>Which arms are plugged in, what is missing to use one, and which one is in use.</source>
-        <translation>Welche Arme angeschlossen sind, was für ihre Nutzung fehlt und welcher in Gebrauch ist.</translation>
+        <source>Which arms are plugged in, what each lacks, and which is in use.</source>
+        <translation>Welche Arme angeschlossen sind, was jedem fehlt und welcher in Gebrauch ist.</translation>
     </message>
     <message>
         <source>DH table</source>
         <translation>DH-Tabelle</translation>
     </message>
     <message>
-        <source>A DH table to be changed, drawn with the arm's joints beside the arm.</source>
-        <translation>Eine DH-Tabelle zum Ändern, mit den Gelenken des Arms neben dem Arm gezeichnet.</translation>
+        <source>A DH table to edit, drawn beside the arm with the same joint angles.</source>
+        <translation>Eine DH-Tabelle zum Ändern, neben dem Arm mit denselben Gelenkwinkeln gezeichnet.</translation>
     </message>
     <message>
         <source>Transforms</source>
         <translation>Transformationen</translation>
     </message>
     <message>
-        <source>Turns and shifts put together, in both orders side by side.</source>
-        <translation>Drehungen und Verschiebungen zusammengesetzt, in beiden Reihenfolgen nebeneinander.</translation>
+        <source>Rotations and translations composed in both orders, side by side.</source>
+        <translation>Drehungen und Verschiebungen, in beiden Reihenfolgen nebeneinander verkettet.</translation>
     </message>
     <message>
         <source>Feel</source>
@@ -2692,12 +2692,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Wie stark die Bindung zieht, Achse für Achse.</translation>
     </message>
     <message>
-        <source>Hands</source>
-        <translation>Hände</translation>
+        <source>Input devices</source>
+        <translation>Eingabegeräte</translation>
     </message>
     <message>
-        <source>Mouse, game controllers and 3D mice: which are there, and what moves what.</source>
-        <translation>Maus, Gamepads und 3D-Mäuse: welche da sind und was sie bewegen.</translation>
+        <source>Mouse, game controllers and 3D mice: which are plugged in, and how they move the stylus.</source>
+        <translation>Maus, Gamepads und 3D-Mäuse: welche angeschlossen sind und wie sie den Stift bewegen.</translation>
     </message>
     <message>
         <source>Kinematics</source>
@@ -2712,8 +2712,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Labor</translation>
     </message>
     <message>
-        <source>What each choice between speed and accuracy costs, and a slider along the best.</source>
-        <translation>Was jede Wahl zwischen Tempo und Genauigkeit kostet, und ein Schieberegler entlang der besten.</translation>
+        <source>Measures what each choice between speed and accuracy costs, with a slider along the best combinations.</source>
+        <translation>Misst, was jede Wahl zwischen Tempo und Genauigkeit kostet, mit einem Schieberegler entlang der besten Kombinationen.</translation>
     </message>
     <message>
         <source>Lessons</source>
@@ -2728,23 +2728,23 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Diagramme</translation>
     </message>
     <message>
-        <source>Error and force over the last 10 s, and one axis' displacement against its force.</source>
-        <translation>Fehler und Kraft der letzten 10 s, und die Auslenkung einer Achse gegen ihre Kraft.</translation>
+        <source>Error and force over the last 10 s, and force against displacement along one axis.</source>
+        <translation>Fehler und Kraft der letzten 10 s, und Kraft gegen Auslenkung entlang einer Achse.</translation>
     </message>
     <message>
         <source>Session plots</source>
         <translation>Sitzungsdiagramme</translation>
     </message>
     <message>
-        <source>The whole session that is replayed, in plots: force, angles, energy, spectrum.</source>
-        <translation>Die ganze wiedergegebene Sitzung in Diagrammen: Kraft, Winkel, Energie, Spektrum.</translation>
+        <source>Plots of the whole session that is replayed: force, angles, energy, spectrum.</source>
+        <translation>Diagramme der ganzen wiedergegebenen Sitzung: Kraft, Winkel, Energie, Spektrum.</translation>
     </message>
     <message>
         <source>Robot</source>
         <translation>Roboter</translation>
     </message>
     <message>
-        <source>The robot that exists only in software: joints, springs, turning stiffness, solver.</source>
+        <source>The virtual robot: joints, springs, rotational stiffness, solver.</source>
         <translation>Der virtuelle Roboter: Gelenke, Federn, Drehsteifigkeit, Löser.</translation>
     </message>
     <message>
@@ -2768,42 +2768,42 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Servo</translation>
     </message>
     <message>
-        <source>How evenly the servo ticks, which limits cut the force, how it is scheduled.</source>
-        <translation>Wie gleichmäßig der Servo taktet, welche Grenzen die Kraft kürzen, wie seine Zeitplanung ist.</translation>
+        <source>How evenly the servo loop runs, which limits reduce the force, and which scheduling is in effect.</source>
+        <translation>Wie gleichmäßig die Servoschleife läuft, welche Grenzen die Kraft verringern und welche Zeitplanung gilt.</translation>
     </message>
     <message>
         <source>Sessions</source>
         <translation>Sitzungen</translation>
     </message>
     <message>
-        <source>Record, mark, and find what was recorded.</source>
-        <translation>Aufzeichnen, Marken setzen und Aufgezeichnetes finden.</translation>
+        <source>Record, set markers, and find recorded sessions.</source>
+        <translation>Aufzeichnen, Marken setzen und aufgezeichnete Sitzungen finden.</translation>
     </message>
     <message>
         <source>Shape</source>
         <translation>Form</translation>
     </message>
     <message>
-        <source>What the stylus is held to, in numbers.</source>
-        <translation>Woran der Stift gehalten wird, in Zahlen.</translation>
+        <source>The geometry of the constraint in numbers, and the distance to it.</source>
+        <translation>Die Geometrie der Bindung in Zahlen und der Abstand zu ihr.</translation>
     </message>
     <message>
         <source>Step response</source>
         <translation>Sprungantwort</translation>
     </message>
     <message>
-        <source>How the tip follows a target that jumps: rise, settling, overshoot, poles, and the arm measured beside the model.</source>
-        <translation>Wie die Spitze einem springenden Ziel folgt: Anstieg, Einschwingen, Überschwingen, Pole und der gemessene Arm neben dem Modell.</translation>
+        <source>How the tip follows a target that jumps: rise time, settling time, overshoot, poles, and the measured arm beside the model.</source>
+        <translation>Wie die Spitze einem springenden Ziel folgt: Anstiegszeit, Einschwingzeit, Überschwingen, Pole und der gemessene Arm neben dem Modell.</translation>
     </message>
 </context>
 <context>
     <name>problem</name>
     <message>
-        <source>That is the first arm. Choose another one here, or there.</source>
-        <translation>Das ist der erste Arm. Wählen Sie hier oder dort einen anderen.</translation>
+        <source>This arm is already in use as the first arm. Choose another one here or there.</source>
+        <translation>Dieser Arm wird schon als erster Arm verwendet. Wählen Sie hier oder dort einen anderen.</translation>
     </message>
     <message>
-        <source>Another measurement is at work. End it first.</source>
+        <source>Another measurement is running. End it first.</source>
         <translation>Eine andere Messung läuft. Beenden Sie diese zuerst.</translation>
     </message>
     <message>
@@ -2815,12 +2815,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Ein Gelenk ist ein Drehgelenk oder ein Schubgelenk.</translation>
     </message>
     <message>
-        <source>The window met an error of its own: %1.</source>
-        <translation>Im Fenster selbst trat ein Fehler auf: %1.</translation>
+        <source>An internal error occurred in the window: %1.</source>
+        <translation>Im Fenster ist ein interner Fehler aufgetreten: %1.</translation>
     </message>
     <message>
-        <source>Save the scene under another name, then press Start. If it comes again, end the program and send the file to its makers.</source>
-        <translation>Die Szene unter anderem Namen sichern, dann Start drücken. Kommt es wieder, das Programm beenden und die Datei an die Hersteller schicken.</translation>
+        <source>Save the scene under another name, then press Start. If the error occurs again, quit the program and send the fault file to its developers.</source>
+        <translation>Speichern Sie die Szene unter einem anderen Namen und drücken Sie dann Start. Tritt der Fehler wieder auf, beenden Sie das Programm und senden Sie die Datei der Störung an die Entwickler.</translation>
     </message>
     <message>
         <source>The figures are not made yet.</source>
@@ -2831,20 +2831,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Liste der Abbildungen kann nicht gelesen werden. Machen Sie sie neu.</translation>
     </message>
     <message>
-        <source>The mapping could not be kept in %1: %2. It holds until the window is closed.</source>
-        <translation>Die Belegung konnte nicht in %1 gespeichert werden: %2. Sie gilt, bis das Fenster geschlossen wird.</translation>
+        <source>The mapping could not be saved in %1: %2. It stays in effect until you close the window.</source>
+        <translation>Die Belegung konnte nicht in %1 gespeichert werden: %2. Sie gilt, bis Sie das Fenster schließen.</translation>
     </message>
     <message>
-        <source>Open a scene first: it is there again afterwards.</source>
-        <translation>Öffnen Sie zuerst eine Szene: Danach ist sie wieder da.</translation>
+        <source>Open a scene first. It is restored after the measurement.</source>
+        <translation>Öffnen Sie zuerst eine Szene. Sie wird nach der Messung wiederhergestellt.</translation>
     </message>
     <message>
-        <source>A recording is replayed. Close it first.</source>
+        <source>A recording is being replayed. Close it first.</source>
         <translation>Eine Aufzeichnung wird wiedergegeben. Schließen Sie sie zuerst.</translation>
     </message>
     <message>
-        <source>Hold to run is on, and the hand has to let go. Switch it off first.</source>
-        <translation>„Nur mit Taste“ ist an, und die Hand muss loslassen können. Schalten Sie es zuerst aus.</translation>
+        <source>Hold to run is on, but this measurement needs your hand off the stylus. Switch it off first.</source>
+        <translation>„Nur mit Taste“ ist an, aber für diese Messung muss die Hand den Stift loslassen. Schalten Sie es zuerst aus.</translation>
     </message>
     <message>
         <source>This window was opened with one arm alone.</source>
@@ -2867,15 +2867,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Was während der Aufzeichnung eingegeben wurde, steht nicht in der Datei. Ändern Sie die Angaben zur Sitzung unten.</translation>
     </message>
     <message>
-        <source>Nothing was touched.</source>
-        <translation>Es wurde nichts berührt.</translation>
+        <source>No reference point has been touched.</source>
+        <translation>Es wurde kein Messpunkt berührt.</translation>
     </message>
     <message>
-        <source>A sheet holds only marks that lie flat: at least one is higher than mark 1.</source>
-        <translation>Auf ein Blatt passen nur Messpunkte, die flach liegen: Mindestens einer liegt höher als Messpunkt 1.</translation>
+        <source>A sheet holds only reference points of equal height: at least one is higher or lower than point 1.</source>
+        <translation>Auf ein Blatt passen nur Messpunkte gleicher Höhe: Mindestens einer liegt höher oder tiefer als Messpunkt 1.</translation>
     </message>
     <message>
-        <source>The marks do not fit on this paper. Put them nearer together, or draw them on the desk by hand.</source>
+        <source>The reference points do not fit on this paper. Move them closer together, or draw them on the desk by hand.</source>
         <translation>Die Messpunkte passen nicht auf dieses Papier. Rücken Sie sie näher zusammen, oder zeichnen Sie sie von Hand auf den Tisch.</translation>
     </message>
     <message>
@@ -2883,12 +2883,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Das Blatt kann nicht geschrieben werden: %1.</translation>
     </message>
     <message>
-        <source>The file cannot be made there. Choose another folder.</source>
+        <source>The file cannot be created there. Choose another folder.</source>
         <translation>Die Datei kann dort nicht angelegt werden. Wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
-        <source>The file that stands there cannot be replaced. Choose another name.</source>
-        <translation>Die Datei, die dort steht, kann nicht ersetzt werden. Wählen Sie einen anderen Namen.</translation>
+        <source>The existing file cannot be replaced. Choose another name.</source>
+        <translation>Die vorhandene Datei kann nicht ersetzt werden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>The file is damaged: reading broke off after %1 corners and %2 faces.</source>
@@ -4759,8 +4759,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Das Dreiecksnetz %1: %2</translation>
     </message>
     <message>
-        <source>The file %1 was not found. A recording keeps the names of its meshes and curves and not their folders; it was looked for in %2. Put it beside the session, or name its folder: in the window with Replay, Folder of its files; on the command line with --files FOLDER.</source>
-        <translation>Die Datei %1 wurde nicht gefunden. Eine Aufnahme behält die Namen ihrer Dreiecksnetze und Kurven, nicht deren Ordner; gesucht wurde in %2. Legen Sie die Datei neben die Sitzung oder nennen Sie ihren Ordner: im Fenster mit Wiedergabe, Ordner ihrer Dateien; auf der Befehlszeile mit --files ORDNER.</translation>
+        <source>The file %1 was not found. A recording keeps the names of its meshes and curves and not their folders; it was looked for in %2. Put it beside the session, or name its folder: in the window with Replay, Folder with meshes and curves; on the command line with --files FOLDER.</source>
+        <translation>Die Datei %1 wurde nicht gefunden. Eine Aufzeichnung behält die Namen ihrer Dreiecksnetze und Kurven, nicht deren Ordner; gesucht wurde in %2. Legen Sie die Datei neben die Sitzung, oder nennen Sie ihren Ordner: im Fenster mit Wiedergabe, Ordner mit Dreiecksnetzen und Kurven; auf der Befehlszeile mit --files ORDNER.</translation>
     </message>
     <message>
         <source>This is no finite direction; a double holds at most about 1.8e308.</source>
@@ -5004,7 +5004,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>There is no setting %1. Did you mean "%2"?</source>
-        <translation>Eine Einstellung %1 gibt es nicht. War „%2“ gemeint?</translation>
+        <translation>Eine Einstellung %1 gibt es nicht. Meinten Sie „%2“?</translation>
     </message>
     <message>
         <source>The scene has %1 constraints, counted from 0.</source>
@@ -7363,8 +7363,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Steifigkeitsunterschied gegen Versuch</translation>
     </message>
     <message>
-        <source>The difference of each trial. Filled: right; hollow: wrong; ringed: the way turned (reversal).</source>
-        <translation>Der Unterschied jedes Versuchs. Gefüllt: richtig; hohl: falsch; umringt: Der Weg kehrte um (Umkehrung).</translation>
+        <source>The difference of each trial. Filled: right; hollow: wrong; ringed: reversal.</source>
+        <translation>Der Unterschied jedes Versuchs. Gefüllt: richtig; hohl: falsch; umringt: Umkehrung.</translation>
     </message>
     <message>
         <source>%1 trials; the threshold is %2</source>
@@ -7383,7 +7383,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Versuch</translation>
     </message>
     <message>
-        <source>● right  ○ wrong  ◎ turn</source>
+        <source>● right  ○ wrong  ◎ reversal</source>
         <translation>● richtig  ○ falsch  ◎ Umkehr</translation>
     </message>
     <message>
@@ -7411,8 +7411,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Kurve hinzufügen …</translation>
     </message>
     <message>
-        <source>Loads a file of points, and adds their curve to the scene or makes a new one of it.</source>
-        <translation>Lädt eine Datei mit Punkten und fügt deren Kurve zur Szene hinzu oder macht eine neue daraus.</translation>
+        <source>Loads a file of points and adds their curve to the scene, or makes a new scene of it.</source>
+        <translation>Lädt eine Datei mit Punkten und fügt deren Kurve der Szene hinzu oder macht eine neue Szene daraus.</translation>
     </message>
     <message>
         <source>&amp;Figures of the thesis</source>
@@ -7435,43 +7435,43 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Einer aufgezeichneten Hand f&amp;olgen …</translation>
     </message>
     <message>
-        <source>Lets a recorded stylus go its way beside yours, and says how near you are.</source>
-        <translation>Lässt einen aufgezeichneten Stift neben dem eigenen seinen Weg gehen und sagt, wie nahe man ihm ist.</translation>
+        <source>Shows a recorded stylus as a ghost beside yours, and your distance to it.</source>
+        <translation>Zeigt einen aufgezeichneten Stift als Geisterbild neben Ihrem und den Abstand dazu.</translation>
     </message>
     <message>
         <source>&amp;Play or pause</source>
         <translation>A&amp;bspielen oder anhalten</translation>
     </message>
     <message>
-        <source>Lets the ghost go, or stand still.</source>
-        <translation>Lässt die Geisterhand gehen oder stillstehen.</translation>
+        <source>Plays or pauses the ghost.</source>
+        <translation>Spielt das Geisterbild ab oder hält es an.</translation>
     </message>
     <message>
         <source>From the &amp;beginning</source>
         <translation>Von &amp;vorn</translation>
     </message>
     <message>
-        <source>Puts the ghost back to its beginning, and counts anew.</source>
-        <translation>Setzt die Geisterhand an ihren Anfang zurück und zählt von Neuem.</translation>
+        <source>Starts the ghost from the beginning and resets the count.</source>
+        <translation>Startet das Geisterbild von vorn und setzt die Zählung zurück.</translation>
     </message>
     <message>
         <source>&amp;Close</source>
         <translation>S&amp;chließen</translation>
     </message>
     <message>
-        <source>Takes the ghost away.</source>
-        <translation>Nimmt die Geisterhand weg.</translation>
+        <source>Removes the ghost.</source>
+        <translation>Entfernt das Geisterbild.</translation>
     </message>
     <message>
         <source>Recorded session</source>
         <translation>Aufgezeichnete Sitzung</translation>
     </message>
     <message>
-        <source>“%1” is damaged. What could be read is followed.</source>
-        <translation>„%1“ ist beschädigt. Was lesbar war, lässt sich verfolgen.</translation>
+        <source>“%1” is damaged. You follow the part that could be read.</source>
+        <translation>„%1“ ist beschädigt. Sie folgen dem Teil, der lesbar war.</translation>
     </message>
     <message>
-        <source>“%1” cannot be followed. Everything stays as it is.</source>
+        <source>“%1” cannot be followed. Nothing has changed.</source>
         <translation>„%1“ kann man nicht folgen. Alles bleibt, wie es ist.</translation>
     </message>
     <message>
@@ -7480,19 +7480,19 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The ghost waited for %1 s.</source>
-        <translation>Die Geisterhand hat %1 s gewartet.</translation>
+        <translation>Das Geisterbild hat %1 s gewartet.</translation>
     </message>
     <message>
-        <source>The ghost stands still. Play lets it go on.</source>
-        <translation>Die Geisterhand steht still. Abspielen lässt sie weitergehen.</translation>
+        <source>The ghost is paused. Press Play to continue.</source>
+        <translation>Das Geisterbild steht still. Mit „Abspielen“ geht es weiter.</translation>
     </message>
     <message>
         <source>The ghost waits until you are within %1 mm.</source>
-        <translation>Die Geisterhand wartet, bis die Spitze auf %1 mm heran ist.</translation>
+        <translation>Das Geisterbild wartet, bis die Spitze auf %1 mm heran ist.</translation>
     </message>
     <message>
-        <source>Go to the ghost: it begins when you are within %1 mm.</source>
-        <translation>Zur Geisterhand gehen: Sie beginnt, wenn die Spitze auf %1 mm heran ist.</translation>
+        <source>Move to the ghost: it starts when you are within %1 mm.</source>
+        <translation>Bewegen Sie die Spitze zum Geisterbild: Es beginnt, wenn sie auf %1 mm heran ist.</translation>
     </message>
     <message>
         <source>Average %1 mm, largest %2 mm, %3 % within %4 mm</source>
@@ -7503,8 +7503,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Letzte Runde: %1</translation>
     </message>
     <message>
-        <source>The scene is not as it was when this was recorded.</source>
-        <translation>Die Szene ist nicht mehr so wie bei der Aufzeichnung.</translation>
+        <source>The scene has changed since the recording.</source>
+        <translation>Die Szene hat sich seit der Aufzeichnung geändert.</translation>
     </message>
     <message>
         <source>It was recorded in the scene “%1”.</source>
@@ -7512,11 +7512,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The recording has a gap: the ghost jumps there.</source>
-        <translation>Die Aufzeichnung hat eine Lücke: Dort springt die Geisterhand.</translation>
+        <translation>Die Aufzeichnung hat eine Lücke: Dort springt das Geisterbild.</translation>
     </message>
     <message>
         <source>The recording has %1 gaps: the ghost jumps there.</source>
-        <translation>Die Aufzeichnung hat %1 Lücken: Dort springt die Geisterhand.</translation>
+        <translation>Die Aufzeichnung hat %1 Lücken: Dort springt das Geisterbild.</translation>
     </message>
     <message>
         <source>Right, left</source>
@@ -7527,16 +7527,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Auf, ab</translation>
     </message>
     <message>
-        <source>To you, away</source>
+        <source>Nearer, farther</source>
         <translation>Her, weg</translation>
     </message>
     <message>
-        <source>Tilt</source>
-        <translation>Neigen</translation>
+        <source>Pitch</source>
+        <translation>Nicken</translation>
     </message>
     <message>
-        <source>Swing</source>
-        <translation>Schwenken</translation>
+        <source>Yaw</source>
+        <translation>Gieren</translation>
     </message>
     <message>
         <source>Roll</source>
@@ -7555,16 +7555,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>bewegt den Stift zu Ihnen</translation>
     </message>
     <message>
-        <source>tilts the stylus: its top towards you</source>
-        <translation>neigt den Stift: oben zu Ihnen</translation>
+        <source>tilts the top of the stylus towards you</source>
+        <translation>neigt den Stift oben zu Ihnen</translation>
     </message>
     <message>
-        <source>swings the stylus: its front to the right</source>
-        <translation>schwenkt den Stift: vorn nach rechts</translation>
+        <source>turns the front of the stylus to the right</source>
+        <translation>dreht den Stift vorn nach rechts</translation>
     </message>
     <message>
-        <source>rolls the stylus: its top to the left</source>
-        <translation>rollt den Stift: oben nach links</translation>
+        <source>tilts the top of the stylus to the left</source>
+        <translation>neigt den Stift oben nach links</translation>
     </message>
     <message>
         <source>Stylus button 1</source>
@@ -7619,40 +7619,40 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Version, Lizenz und was nie erprobt wurde.</translation>
     </message>
     <message>
-        <source>Nothing is measured.</source>
-        <translation>Nichts ist gemessen.</translation>
+        <source>Nothing has been measured.</source>
+        <translation>Es ist nichts gemessen.</translation>
     </message>
     <message>
-        <source>%1 ways, %2 on the front; %3</source>
-        <translation>%1 Arten, %2 auf der Front; %3</translation>
+        <source>%1 combinations, %2 on the front; %3</source>
+        <translation>%1 Kombinationen, %2 auf der Front; %3</translation>
     </message>
     <message>
-        <source>chosen: %1 a second, error %2</source>
+        <source>chosen: %1 per second, error %2</source>
         <translation>gewählt: %1 je Sekunde, Fehler %2</translation>
     </message>
     <message>
-        <source>none of them is in effect</source>
-        <translation>keine davon ist in Kraft</translation>
+        <source>none of them is in use</source>
+        <translation>keine davon wird verwendet</translation>
     </message>
     <message>
-        <source>Error of the tip's way against processor time</source>
+        <source>Error of the tip's path against processor time</source>
         <translation>Fehler des Spitzenwegs gegen Prozessorzeit</translation>
     </message>
     <message>
-        <source>Every way to run this scene: what a second of it takes, tick and simulated arm, and how far the tip is off its way at 16 kHz, root of the mean square over all hands. The front is what nothing beats in both.</source>
-        <translation>Jede Art, diese Szene laufen zu lassen: was eine Sekunde davon kostet, Takt und simulierter Arm, und wie weit die Spitze von ihrem Weg bei 16 kHz abweicht, quadratisches Mittel über alle Hände. Auf der Front liegt, was in beidem nicht übertroffen wird.</translation>
+        <source>Every combination of choices for this scene: the processor time per second of tick and simulated arm, and the deviation of the tip from its path at 16 kHz, root mean square over all hands. On the front are the combinations that no other one beats in both.</source>
+        <translation>Jede Kombination der Wahlmöglichkeiten für diese Szene: die Prozessorzeit je Sekunde für Takt und simulierten Arm und die Abweichung der Spitze von ihrem Weg bei 16 kHz, quadratisches Mittel über alle Hände. Auf der Front liegen die Kombinationen, die keine andere in beidem übertrifft.</translation>
     </message>
     <message>
-        <source>error of the tip's way</source>
+        <source>error of the tip's path</source>
         <translation>Fehler des Spitzenwegs</translation>
     </message>
     <message>
-        <source>processor time for a second</source>
-        <translation>Prozessorzeit für eine Sekunde</translation>
+        <source>processor time per second</source>
+        <translation>Prozessorzeit je Sekunde</translation>
     </message>
     <message>
-        <source>○ a way  ● on the front  ■ as it was  ◎ chosen</source>
-        <translation>○ eine Art  ● auf der Front  ■ wie es war  ◎ gewählt</translation>
+        <source>○ combination  ● on the front  ■ as it was  ◎ chosen</source>
+        <translation>○ Kombination  ● auf der Front  ■ wie es war  ◎ gewählt</translation>
     </message>
     <message>
         <source>As the &amp;system</source>
@@ -7743,16 +7743,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dreiecks&amp;netz hinzufügen …</translation>
     </message>
     <message>
-        <source>Loads an STL, OBJ, PLY or OFF file, and adds it to the scene or makes a new one of it.</source>
-        <translation>Lädt eine STL-, OBJ-, PLY- oder OFF-Datei und fügt sie zur Szene hinzu oder macht eine neue daraus.</translation>
+        <source>Loads an STL, OBJ, PLY or OFF file and adds it to the scene, or makes a new scene of it.</source>
+        <translation>Lädt eine STL-, OBJ-, PLY- oder OFF-Datei und fügt sie der Szene hinzu oder macht eine neue Szene daraus.</translation>
     </message>
     <message>
         <source>Mesh &amp;report</source>
         <translation>Be&amp;richt zum Dreiecksnetz</translation>
     </message>
     <message>
-        <source>What was found in the file of the scene's mesh, what was repaired, and how it can be felt.</source>
-        <translation>Was in der Datei des Dreiecksnetzes der Szene gefunden wurde, was repariert wurde und wie es sich fühlen lässt.</translation>
+        <source>What the file of the scene's mesh contains, what was repaired, and how the mesh can be felt.</source>
+        <translation>Was die Datei des Dreiecksnetzes der Szene enthält, was repariert wurde und wie es sich fühlen lässt.</translation>
     </message>
     <message>
         <source>&amp;Left-handed</source>
@@ -7763,15 +7763,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Spiegelt jede Szene, für den Stift in der linken Hand; Lektionen und Aufzeichnungen bleiben, wie sie sind.</translation>
     </message>
     <message>
-        <source>Underact: marks for registering an arm. Print at 100 %, tape it to the desk, the arm behind or beside it. This edge is away from you.</source>
+        <source>Underact: reference points for registering an arm. Print at 100 % and tape to the desk, the arm behind or beside it. This edge faces away from you.</source>
         <translation>Underact: Messpunkte zum Registrieren eines Arms. Mit 100 % drucken, auf den Tisch kleben, der Arm dahinter oder daneben. Diese Kante zeigt von Ihnen weg.</translation>
     </message>
     <message>
-        <source>100 mm, if it was printed at 100 %</source>
+        <source>100 mm if printed at 100 %</source>
         <translation>100 mm, falls mit 100 % gedruckt</translation>
     </message>
     <message>
-        <source>Marks for registering an arm</source>
+        <source>Reference points for registering an arm</source>
         <translation>Messpunkte zum Registrieren eines Arms</translation>
     </message>
     <message>
@@ -7779,52 +7779,52 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Sitzung wiedergeben</translation>
     </message>
     <message>
-        <source>Plays the recording, or lets it stand still.</source>
-        <translation>Spielt die Aufzeichnung ab oder hält sie an.</translation>
+        <source>Plays the recording or pauses it.</source>
+        <translation>Spielt die Aufzeichnung ab oder pausiert sie.</translation>
     </message>
     <message>
         <source>One tick &amp;back</source>
         <translation>Einen Takt &amp;zurück</translation>
     </message>
     <message>
-        <source>Shows the tick before this one, and stands still.</source>
-        <translation>Zeigt den Takt vor diesem und bleibt stehen.</translation>
+        <source>Pauses and shows the previous tick.</source>
+        <translation>Pausiert und zeigt den vorigen Takt.</translation>
     </message>
     <message>
-        <source>One tick &amp;further</source>
+        <source>One tick &amp;forward</source>
         <translation>Einen Takt &amp;weiter</translation>
     </message>
     <message>
-        <source>Shows the tick after this one, and stands still.</source>
-        <translation>Zeigt den Takt nach diesem und bleibt stehen.</translation>
+        <source>Pauses and shows the next tick.</source>
+        <translation>Pausiert und zeigt den nächsten Takt.</translation>
     </message>
     <message>
-        <source>Loop begins &amp;here</source>
-        <translation>Schleife beginnt &amp;hier</translation>
+        <source>Start loop &amp;here</source>
+        <translation>Schleifenanfang &amp;hier</translation>
     </message>
     <message>
-        <source>The loop begins at this tick.</source>
-        <translation>Die Schleife beginnt bei diesem Takt.</translation>
+        <source>Sets the start of the loop to this tick.</source>
+        <translation>Setzt den Anfang der Schleife auf diesen Takt.</translation>
     </message>
     <message>
-        <source>Loop &amp;ends here</source>
-        <translation>Schleife &amp;endet hier</translation>
+        <source>&amp;End loop here</source>
+        <translation>Schleifen&amp;ende hier</translation>
     </message>
     <message>
-        <source>The loop ends at this tick.</source>
-        <translation>Die Schleife endet bei diesem Takt.</translation>
+        <source>Sets the end of the loop to this tick.</source>
+        <translation>Setzt das Ende der Schleife auf diesen Takt.</translation>
     </message>
     <message>
         <source>&amp;Loop</source>
         <translation>&amp;Schleife</translation>
     </message>
     <message>
-        <source>Plays on and on: from where the loop begins to where it ends.</source>
-        <translation>Spielt immer weiter: vom Anfang der Schleife bis zu ihrem Ende.</translation>
+        <source>Repeats the part between the start and the end of the loop.</source>
+        <translation>Wiederholt den Teil zwischen Anfang und Ende der Schleife.</translation>
     </message>
     <message>
-        <source>Folder of the recordings' meshes and curves</source>
-        <translation>Ordner der Dreiecksnetze und Kurven von Aufnahmen</translation>
+        <source>Folder with the meshes and curves of sessions</source>
+        <translation>Ordner mit den Dreiecksnetzen und Kurven von Sitzungen</translation>
     </message>
     <message>
         <source>&amp;Open session…</source>
@@ -7835,48 +7835,48 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Öffnet eine aufgezeichnete Sitzung und gibt sie wieder.</translation>
     </message>
     <message>
-        <source>Folder of &amp;its files…</source>
-        <translation>Or&amp;dner ihrer Dateien …</translation>
+        <source>Folder w&amp;ith meshes and curves…</source>
+        <translation>Or&amp;dner mit Dreiecksnetzen und Kurven …</translation>
     </message>
     <message>
-        <source>Where the meshes and curves of recordings are, which keep only their names.</source>
-        <translation>Wo die Dreiecksnetze und Kurven von Aufnahmen liegen, die nur deren Namen behalten.</translation>
+        <source>Sets a folder in which replays look for meshes and curves: sessions store only their file names.</source>
+        <translation>Legt einen Ordner fest, in dem Wiedergaben nach Dreiecksnetzen und Kurven suchen: Sitzungen speichern nur deren Dateinamen.</translation>
     </message>
     <message>
         <source>&amp;What if</source>
         <translation>Was wäre, we&amp;nn</translation>
     </message>
     <message>
-        <source>The recorded hand on the scene and the gains of the window, in place of the recorded ones.</source>
-        <translation>Die aufgezeichnete Hand an der Szene und den Verstärkungen des Fensters, statt der aufgezeichneten.</translation>
+        <source>Replays the recorded hand with the scene and gains of the window instead of the recorded ones.</source>
+        <translation>Gibt die aufgezeichnete Hand mit Szene und Verstärkungen des Fensters statt mit den aufgezeichneten wieder.</translation>
     </message>
     <message>
         <source>&amp;Close session</source>
         <translation>Sitzung s&amp;chließen</translation>
     </message>
     <message>
-        <source>Ends the replay: the arm and the scene from before are there again.</source>
-        <translation>Beendet die Wiedergabe: Der Arm und die Szene von vorher sind wieder da.</translation>
+        <source>Ends the replay and restores the previous arm and scene.</source>
+        <translation>Beendet die Wiedergabe und stellt den vorigen Arm und die vorige Szene wieder her.</translation>
     </message>
     <message>
-        <source>“%1” is damaged. What could be read is replayed.</source>
-        <translation>„%1“ ist beschädigt. Was lesbar war, wird wiedergegeben.</translation>
+        <source>“%1” is damaged. The readable part is replayed.</source>
+        <translation>„%1“ ist beschädigt. Der lesbare Teil wird wiedergegeben.</translation>
     </message>
     <message>
-        <source>A scene of “%1” cannot be run. The one before it stays.</source>
-        <translation>Eine Szene von „%1“ kann nicht ausgeführt werden. Die vorige bleibt.</translation>
+        <source>A scene of “%1” cannot be run. The previous scene stays in effect.</source>
+        <translation>Eine Szene von „%1“ kann nicht ausgeführt werden. Die vorige Szene gilt weiter.</translation>
     </message>
     <message>
-        <source>“%1” was not opened. Scene and arm stay as they are.</source>
-        <translation>„%1“ wurde nicht geöffnet. Szene und Arm bleiben, wie sie sind.</translation>
+        <source>“%1” was not opened. The scene and the arm are unchanged.</source>
+        <translation>„%1“ wurde nicht geöffnet. Szene und Arm sind unverändert.</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
         <translation>&amp;Einpassen</translation>
     </message>
     <message>
-        <source>Shows all of the scene, from the same direction.</source>
-        <translation>Zeigt die ganze Szene, aus derselben Richtung.</translation>
+        <source>Shows the whole scene from the current direction.</source>
+        <translation>Zeigt die ganze Szene aus der jetzigen Richtung.</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -7887,8 +7887,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Vorn</translation>
     </message>
     <message>
-        <source>Looks from where the hand is, along −z.</source>
-        <translation>Blick von der Hand aus, entlang −z.</translation>
+        <source>Looks from the front, where the hand is, along −z.</source>
+        <translation>Blick von vorn, wo die Hand ist, entlang −z.</translation>
     </message>
     <message>
         <source>Front</source>
@@ -7923,8 +7923,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Isometrisch</translation>
     </message>
     <message>
-        <source>Looks from above, in front and the right.</source>
-        <translation>Blick von oben, vorn und rechts.</translation>
+        <source>Looks from the front right and above.</source>
+        <translation>Blick von vorn rechts oben.</translation>
     </message>
     <message>
         <source>Isometric</source>
@@ -7959,36 +7959,40 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Hand mit den &amp;Tasten bewegen</translation>
     </message>
     <message>
-        <source>Puts the focus into the view: the arrow keys then move the hand.</source>
-        <translation>Setzt den Fokus in die Ansicht: Die Pfeiltasten bewegen dann die Hand.</translation>
+        <source>Gives the view the keyboard focus, so that the arrow keys move the hand.</source>
+        <translation>Gibt der Ansicht den Tastaturfokus, sodass die Pfeiltasten die Hand bewegen.</translation>
     </message>
     <message>
         <source>Cut across x</source>
         <translation>Schnitt quer zu x</translation>
     </message>
     <message>
-        <source>The cut stands across x: it is seen from the side.</source>
-        <translation>Der Schnitt steht quer zu x: von der Seite zu sehen.</translation>
+        <source>Cuts meshes at right angles to x; best seen from the side.</source>
+        <translation>Schneidet Dreiecksnetze im rechten Winkel zu x; am besten von der Seite zu sehen.</translation>
     </message>
     <message>
         <source>Cut across y</source>
         <translation>Schnitt quer zu y</translation>
     </message>
     <message>
-        <source>The cut stands across y: it is seen from the top.</source>
-        <translation>Der Schnitt steht quer zu y: von oben zu sehen.</translation>
+        <source>Cuts meshes at right angles to y; best seen from the top.</source>
+        <translation>Schneidet Dreiecksnetze im rechten Winkel zu y; am besten von oben zu sehen.</translation>
     </message>
     <message>
         <source>Cut across z</source>
         <translation>Schnitt quer zu z</translation>
     </message>
     <message>
-        <source>The cut stands across z: it is seen from the front.</source>
-        <translation>Der Schnitt steht quer zu z: von vorn zu sehen.</translation>
+        <source>Cuts meshes at right angles to z; best seen from the front.</source>
+        <translation>Schneidet Dreiecksnetze im rechten Winkel zu z; am besten von vorn zu sehen.</translation>
     </message>
     <message>
-        <source>Light or dark as the desktop is, also while running.</source>
-        <translation>Hell oder dunkel wie die Arbeitsumgebung, auch während des Betriebs.</translation>
+        <source>Follow the &amp;system</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>Follows the light or dark theme of the desktop, also while the program runs.</source>
+        <translation>Folgt dem hellen oder dunklen Thema der Arbeitsumgebung, auch während des Betriebs.</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -8200,7 +8204,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Zur Szene &amp;hinzufügen</translation>
     </message>
     <message>
-        <source>&amp;New scene of it</source>
+        <source>&amp;New scene from it</source>
         <translation>&amp;Neue Szene daraus</translation>
     </message>
     <message>
@@ -8212,8 +8216,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Abbrechen</translation>
     </message>
     <message>
-        <source>Closes this. The scene stays.</source>
-        <translation>Schließt dies. Die Szene bleibt.</translation>
+        <source>Closes this dialog. The scene is not changed.</source>
+        <translation>Schließt diesen Dialog. Die Szene wird nicht verändert.</translation>
     </message>
 </context>
 <context>
@@ -8223,24 +8227,24 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Warnung</translation>
     </message>
     <message>
-        <source>What is wrong</source>
-        <translation>Was nicht stimmt</translation>
+        <source>Error message</source>
+        <translation>Fehlermeldung</translation>
     </message>
     <message>
         <source>Send live data to</source>
         <translation>Live-Daten senden an</translation>
     </message>
     <message>
-        <source>Each tick goes out as one JSON object over UDP. PlotJuggler listens with its source “UDP Server”, at port %1 by itself.</source>
-        <translation>Jeder Takt geht als ein JSON-Objekt über UDP hinaus. PlotJuggler empfängt sie mit seiner Quelle „UDP Server“, von sich aus an Port %1.</translation>
+        <source>Each tick is sent as one JSON object over UDP. To receive it in PlotJuggler, start its source “UDP Server”, whose default port is %1.</source>
+        <translation>Jeder Takt wird als ein JSON-Objekt über UDP gesendet. Um die Daten in PlotJuggler zu empfangen, starten Sie dessen Quelle „UDP Server“ mit dem Standardport %1.</translation>
     </message>
     <message>
         <source>Address</source>
         <translation>Adresse</translation>
     </message>
     <message>
-        <source>A port, a host by its number, or both: 9870, 192.168.1.20, 192.168.1.20:9870.</source>
-        <translation>Ein Port, ein Rechner mit seiner Nummer oder beides: 9870, 192.168.1.20, 192.168.1.20:9870.</translation>
+        <source>A port, an IP address, or both: 9870, 192.168.1.20, 192.168.1.20:9870.</source>
+        <translation>Ein Port, eine IP-Adresse oder beides: 9870, 192.168.1.20, 192.168.1.20:9870.</translation>
     </message>
     <message>
         <source>&amp;Send</source>
@@ -8259,8 +8263,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Adresse</translation>
     </message>
     <message>
-        <source>%1 is not this machine. What the hand does and feels goes there unencrypted: whoever is on the way can read it.</source>
-        <translation>%1 ist nicht dieser Rechner. Was die Hand tut und fühlt, geht unverschlüsselt dorthin: Wer auf dem Weg liegt, kann es lesen.</translation>
+        <source>%1 is not this computer. What the hand does and feels is sent unencrypted: anyone on the network between can read it.</source>
+        <translation>%1 ist nicht dieser Rechner. Was die Hand tut und fühlt, wird unverschlüsselt gesendet: Wer im Netz dazwischen ist, kann es mitlesen.</translation>
     </message>
 </context>
 <context>
@@ -8270,8 +8274,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Winkelkonventionen</translation>
     </message>
     <message>
-        <source>The same posture as the DH table counts it and as the device does. The device measures the shin from the base, not from the thigh. Thesis figure 3.5; the signs were never verified on hardware.</source>
-        <translation>Dieselbe Haltung, wie die DH-Tabelle sie zählt und wie das Gerät sie zählt. Das Gerät misst den Unterschenkel von der Basis aus, nicht vom Oberschenkel. Thesis, Abbildung 3.5; die Vorzeichen wurden nie an einem Gerät geprüft.</translation>
+        <source>The same configuration in the joint angles of the DH table and in those of the device. The device measures the shin from the base, not from the thigh. Thesis figure 3.5; the signs have not been verified on hardware.</source>
+        <translation>Dieselbe Stellung in den Gelenkwinkeln der DH-Tabelle und in denen des Geräts. Das Gerät misst den Unterschenkel von der Basis aus, nicht vom Oberschenkel. Thesis, Abbildung 3.5; die Vorzeichen sind nicht am Gerät geprüft.</translation>
     </message>
     <message>
         <source>DH [°]</source>
@@ -8342,7 +8346,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Position of the stylus tip in the workspace frame W: p_WT (x, y, z).</source>
-        <translation>Position der Stiftspitze im Koordinatensystem W des Arbeitsraums: p_WT (x, y, z).</translation>
+        <translation>Ort der Stiftspitze im Koordinatensystem W des Arbeitsraums: p_WT (x, y, z).</translation>
     </message>
     <message>
         <source>Joints 1–3</source>
@@ -8361,20 +8365,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Das Kardangelenk: q4, q5, q6 wie in der DH-Tabelle; gemessen, nicht angetrieben.</translation>
     </message>
     <message>
-        <source>Let through</source>
-        <translation>Durchlass</translation>
+        <source>Ramp</source>
+        <translation>Rampe</translation>
     </message>
     <message>
-        <source>The share of the force that soft start and soft release let through.</source>
-        <translation>Der Anteil der Kraft, den sanfter Start und sanftes Loslassen durchlassen.</translation>
+        <source>The share of the force that soft start and soft release pass on to the arm.</source>
+        <translation>Der Anteil der Kraft, den sanfter Start und sanftes Loslassen an den Arm weitergeben.</translation>
     </message>
     <message>
         <source>Fault</source>
         <translation>Störung</translation>
     </message>
     <message>
-        <source>What made the servo stop by itself; the line over the view says what to do.</source>
-        <translation>Was den Servo von selbst gestoppt hat; die Zeile über der Ansicht sagt, was zu tun ist.</translation>
+        <source>Why the servo stopped by itself. The line above the view says what to do.</source>
+        <translation>Warum der Servo von selbst gestoppt hat. Die Zeile über der Ansicht sagt, was zu tun ist.</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -8391,15 +8395,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
 <context>
     <name>underact::gui::AxisBar</name>
     <message>
-        <source>The line: how far it is moved. The bar: what comes through. Grey: the dead zone.</source>
-        <translation>Der Strich: wie weit sie ausgelenkt ist. Der Balken: was durchkommt. Grau: die Totzone.</translation>
+        <source>Line: deflection. Bar: output. Grey: dead zone.</source>
+        <translation>Strich: Auslenkung. Balken: Ausgabe. Grau: Totzone.</translation>
     </message>
 </context>
 <context>
     <name>underact::gui::BeginPage</name>
     <message>
-        <source>Say &amp;whether it was right</source>
-        <translation>Sa&amp;gen, ob es richtig war</translation>
+        <source>Sho&amp;w feedback</source>
+        <translation>Rückmeldung zei&amp;gen</translation>
     </message>
     <message>
         <source> N/mm</source>
@@ -8422,40 +8426,40 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Referenz</translation>
     </message>
     <message>
-        <source>The stiffness of one beam in every trial, at its tip: k = K / L². The other is stiffer.</source>
-        <translation>Die Steifigkeit des einen Balkens in jedem Versuch, an seiner Spitze: k = K / L². Der andere ist steifer.</translation>
+        <source>Stiffness of the softer beam of every trial, at its tip: k = K / L². The other one is stiffer.</source>
+        <translation>Die Steifigkeit des weicheren Balkens jedes Versuchs, an seiner Spitze: k = K / L². Der andere ist steifer.</translation>
     </message>
     <message>
-        <source>&amp;Answers</source>
-        <translation>&amp;Antworten</translation>
+        <source>&amp;Answered by</source>
+        <translation>&amp;Antworten von</translation>
     </message>
     <message>
-        <source>Who presses the beams and says which is stiffer: you, or a hand that exists only in software.</source>
-        <translation>Wer die Balken drückt und sagt, welcher steifer ist: Sie oder eine Hand, die es nur in Software gibt.</translation>
+        <source>Who presses the beams and answers which one is stiffer: a person, or a simulated hand.</source>
+        <translation>Wer die Balken drückt und antwortet, welcher steifer ist: eine Person oder eine simulierte Hand.</translation>
     </message>
     <message>
-        <source>&amp;Weber share</source>
+        <source>&amp;Weber fraction</source>
         <translation>&amp;Weber-Bruch</translation>
     </message>
     <message>
-        <source>What the simulated hand feels scatters by this share of the stiffness (Weber's law).</source>
-        <translation>Was die simulierte Hand fühlt, streut um diesen Anteil der Steifigkeit (Webersches Gesetz).</translation>
+        <source>Scatter of what the simulated hand feels, as a fraction of the stiffness (Weber's law).</source>
+        <translation>Streuung dessen, was die simulierte Hand fühlt, als Bruchteil der Steifigkeit (Webersches Gesetz).</translation>
     </message>
     <message>
         <source>See&amp;d</source>
         <translation>Startwer&amp;t</translation>
     </message>
     <message>
-        <source>Of the stiffer side of each trial and of the simulated hand: the same seed, the same measurement.</source>
-        <translation>Für die steifere Seite jedes Versuchs und für die simulierte Hand: derselbe Startwert, dieselbe Messung.</translation>
+        <source>Determines the stiffer side of each trial and the scatter of the simulated hand. The same seed gives the same sequence.</source>
+        <translation>Bestimmt die steifere Seite jedes Versuchs und die Streuung der simulierten Hand. Derselbe Startwert ergibt dieselbe Folge.</translation>
     </message>
     <message>
-        <source>Say whether each answer was right</source>
-        <translation>Sagen, ob jede Antwort richtig war</translation>
+        <source>Show feedback: whether each answer was right</source>
+        <translation>Rückmeldung zeigen: ob jede Antwort richtig war</translation>
     </message>
     <message>
-        <source>For practice. A measurement is made without: whoever is told learns.</source>
-        <translation>Zum Üben. Gemessen wird ohne: Wer es erfährt, lernt.</translation>
+        <source>Tells you after each answer whether it was right. For practice only: feedback lets you learn.</source>
+        <translation>Sagt Ihnen nach jeder Antwort, ob sie richtig war. Nur zum Üben: Durch Rückmeldung lernen Sie dazu.</translation>
     </message>
     <message>
         <source>&amp;Begin</source>
@@ -8466,12 +8470,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Messung beginnen</translation>
     </message>
     <message>
-        <source>Two right answers in a row make it harder, a wrong one easier (Levitt 1971).</source>
-        <translation>Zwei richtige Antworten nacheinander machen es schwerer, eine falsche leichter (Levitt 1971).</translation>
+        <source>Starts the trials. Two right answers in a row make them harder, a wrong one easier (Levitt 1971).</source>
+        <translation>Startet die Versuche. Zwei richtige Antworten nacheinander machen sie schwerer, eine falsche leichter (Levitt 1971).</translation>
     </message>
     <message>
-        <source>How small a difference of stiffness can be felt (just-noticeable difference, JND)? Two beams are pressed, and the stiffer one is told, again and again.</source>
-        <translation>Wie klein darf ein Unterschied der Steifigkeit sein, um noch fühlbar zu sein (eben merklicher Unterschied, JND)? Zwei Balken werden gedrückt und der steifere genannt, immer wieder.</translation>
+        <source>How small a difference of stiffness can be felt (just-noticeable difference, JND)? Press two beams and answer which one is stiffer, again and again.</source>
+        <translation>Wie klein darf ein Unterschied der Steifigkeit sein, um noch fühlbar zu sein (eben merklicher Unterschied, JND)? Drücken Sie zwei Balken und antworten Sie, welcher steifer ist, immer wieder.</translation>
     </message>
 </context>
 <context>
@@ -8481,8 +8485,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Stifttasten</translation>
     </message>
     <message>
-        <source>What a press of a button on the stylus does.</source>
-        <translation>Was ein Druck auf eine Taste am Stift bewirkt.</translation>
+        <source>What each stylus button does.</source>
+        <translation>Was jede Stifttaste bewirkt.</translation>
     </message>
     <message>
         <source>At the ti&amp;p</source>
@@ -8493,20 +8497,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Zweite</translation>
     </message>
     <message>
-        <source>does nothing here</source>
-        <translation>tut hier nichts</translation>
+        <source>No action</source>
+        <translation>Keine Aktion</translation>
     </message>
     <message>
-        <source>starts and stops the recording</source>
-        <translation>startet und beendet die Aufzeichnung</translation>
+        <source>Start or stop recording</source>
+        <translation>Aufzeichnung starten oder stoppen</translation>
     </message>
     <message>
-        <source>sets a marker</source>
-        <translation>setzt eine Marke</translation>
+        <source>Set a marker</source>
+        <translation>Marke setzen</translation>
     </message>
     <message>
-        <source>Hold to run is on: this button lets the servo push, and does nothing else.</source>
-        <translation>„Nur mit Taste“ ist an: Diese Taste lässt den Servo drücken und tut sonst nichts.</translation>
+        <source>Hold to run is on: this button enables the force and does nothing else.</source>
+        <translation>„Nur mit Taste“ ist an: Diese Taste gibt die Kraft frei und tut sonst nichts.</translation>
     </message>
 </context>
 <context>
@@ -8524,12 +8528,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Öffnet die Szene „Zwei Balken, einer weicher“.</translation>
     </message>
     <message>
-        <source>A calibration needs a scene of two beams whose stiffness can be set. This scene has none.</source>
-        <translation>Eine Kalibrierung braucht eine Szene mit zwei Balken, deren Steifigkeit sich einstellen lässt. Diese Szene hat keine.</translation>
+        <source>A calibration needs a scene with two beams whose stiffness can be set. This scene has no such beams.</source>
+        <translation>Eine Kalibrierung braucht eine Szene mit zwei Balken, deren Steifigkeit sich einstellen lässt. Diese Szene hat keine solchen Balken.</translation>
     </message>
     <message>
-        <source>Says that the %1 beam is stiffer; possible once both were pressed.</source>
-        <translation>Sagt, dass der Balken %1 steifer ist; möglich, sobald beide gedrückt wurden.</translation>
+        <source>Answers that the %1 beam is stiffer; possible once you have pressed both.</source>
+        <translation>Antwortet, dass der Balken %1 steifer ist; möglich, sobald Sie beide gedrückt haben.</translation>
     </message>
     <message>
         <source>Left &amp;beam is stiffer</source>
@@ -8552,8 +8556,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Gespeichert als %1.</translation>
     </message>
     <message>
-        <source>Not saved: %1. Choose another place.</source>
-        <translation>Nicht gespeichert: %1. Wählen Sie einen anderen Ort.</translation>
+        <source>Not saved: %1. Choose another folder.</source>
+        <translation>Nicht gespeichert: %1. Wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
         <source>Save the trials</source>
@@ -8582,8 +8586,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Gelenke</translation>
     </message>
     <message>
-        <source>From the base to the tip, all at home, in W: X = e^[S1] q1 … e^[Sn] qn X_home. Type into a cell; each is one step back.</source>
-        <translation>Von der Basis zur Spitze, alle in Grundstellung, in W: X = e^[S1] q1 … e^[Sn] qn X_home. Schreiben Sie in eine Zelle; jede Eingabe ist ein Schritt zurück.</translation>
+        <source>From the base to the end effector, in the home pose, in W: X = e^[S1] q1 … e^[Sn] qn X_home. Each edited cell is one undo step.</source>
+        <translation>Von der Basis zum Endeffektor, in Grundstellung, in W: X = e^[S1] q1 … e^[Sn] qn X_home. Jede Eingabe lässt sich einzeln rückgängig machen.</translation>
     </message>
     <message>
         <source>Joints of the robot</source>
@@ -8598,8 +8602,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Ein Gelenk nach dem gewählten hinzufügen</translation>
     </message>
     <message>
-        <source>A joint after the selected one, 8 at most.</source>
-        <translation>Ein Gelenk nach dem gewählten, höchstens 8.</translation>
+        <source>Adds a joint after the selected one; 8 at most.</source>
+        <translation>Fügt nach dem gewählten ein Gelenk hinzu; höchstens 8.</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -8610,8 +8614,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Gewähltes Gelenk entfernen</translation>
     </message>
     <message>
-        <source>Takes the selected joint away; one stays.</source>
-        <translation>Nimmt das gewählte Gelenk weg; eines bleibt.</translation>
+        <source>Removes the selected joint; a robot has at least one.</source>
+        <translation>Entfernt das gewählte Gelenk; ein Roboter hat mindestens eines.</translation>
     </message>
     <message>
         <source>Up</source>
@@ -8622,20 +8626,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Gewähltes Gelenk zur Basis hin verschieben</translation>
     </message>
     <message>
-        <source>Towards the base.</source>
-        <translation>Zur Basis hin.</translation>
+        <source>Moves the selected joint towards the base.</source>
+        <translation>Verschiebt das gewählte Gelenk zur Basis hin.</translation>
     </message>
     <message>
         <source>Down</source>
         <translation>Ab</translation>
     </message>
     <message>
-        <source>Move the selected joint towards the tip</source>
-        <translation>Gewähltes Gelenk zur Spitze hin verschieben</translation>
+        <source>Move the selected joint towards the end effector</source>
+        <translation>Gewähltes Gelenk zum Endeffektor hin verschieben</translation>
     </message>
     <message>
-        <source>Towards the tip.</source>
-        <translation>Zur Spitze hin.</translation>
+        <source>Moves the selected joint towards the end effector.</source>
+        <translation>Verschiebt das gewählte Gelenk zum Endeffektor hin.</translation>
     </message>
     <message>
         <source>joint %1, %2</source>
@@ -8645,8 +8649,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
 <context>
     <name>underact::gui::CheckDialog</name>
     <message>
-        <source>&amp;Keep every core busy meanwhile</source>
-        <translation>Dabei alle &amp;Kerne auslasten</translation>
+        <source>&amp;Keep all cores busy</source>
+        <translation>Alle &amp;Kerne auslasten</translation>
     </message>
     <message>
         <source>Servo check</source>
@@ -8657,8 +8661,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>Measures how late the servo's ticks start at %1 Hz, and in turn how late a loop starts that does nothing else. It runs on a simulated arm of its own; yours and the window go on.</source>
-        <translation>Misst, wie verspätet die Takte des Servos bei %1 Hz beginnen, und im Wechsel dazu, wie verspätet eine Schleife beginnt, die sonst nichts tut. Das läuft an einem eigenen simulierten Arm; Ihrer und das Fenster laufen weiter.</translation>
+        <source>Measures the latency of the servo at %1 Hz and, in turn, that of a bare loop, which is the best this machine can do. The check uses a simulated arm of its own; your arm and the window keep running.</source>
+        <translation>Misst die Latenz des Servos bei %1 Hz und im Wechsel die einer leeren Schleife, also das Beste, was dieser Rechner leisten kann. Die Prüfung nutzt einen eigenen simulierten Arm; Ihr Arm und das Fenster laufen weiter.</translation>
     </message>
     <message>
         <source>Duration in seconds</source>
@@ -8673,8 +8677,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Fortschritt</translation>
     </message>
     <message>
-        <source>Lateness and tick time</source>
-        <translation>Verspätung und Taktdauer</translation>
+        <source>Latency and tick time</source>
+        <translation>Latenz und Taktdauer</translation>
     </message>
     <message>
         <source>median</source>
@@ -8689,20 +8693,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>p99.9</translation>
     </message>
     <message>
-        <source>most</source>
-        <translation>max.</translation>
+        <source>max</source>
+        <translation>max</translation>
     </message>
     <message>
-        <source>bare loop, late [µs]</source>
-        <translation>leere Schleife, verspätet [µs]</translation>
+        <source>bare loop, latency [µs]</source>
+        <translation>leere Schleife, Latenz [µs]</translation>
     </message>
     <message>
-        <source>servo, late [µs]</source>
-        <translation>Servo, verspätet [µs]</translation>
+        <source>servo, latency [µs]</source>
+        <translation>Servo, Latenz [µs]</translation>
     </message>
     <message>
-        <source>servo's tick takes [µs]</source>
-        <translation>Takt des Servos dauert [µs]</translation>
+        <source>servo, tick time [µs]</source>
+        <translation>Servo, Taktdauer [µs]</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
@@ -8713,8 +8717,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Dauer</translation>
     </message>
     <message>
-        <source>Measuring, the servo and a bare loop in turn, a second each.</source>
-        <translation>Gemessen werden der Servo und eine leere Schleife im Wechsel, je eine Sekunde.</translation>
+        <source>Measuring the servo and a bare loop in turn, one second each.</source>
+        <translation>Der Servo und eine leere Schleife werden im Wechsel gemessen, je eine Sekunde lang.</translation>
     </message>
     <message>
         <source>E&amp;nd now</source>
@@ -8725,8 +8729,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Erneut &amp;messen</translation>
     </message>
     <message>
-        <source>%1 ticks in %2 s at %3 Hz, real time: %4; %5 of them a whole period late.</source>
-        <translation>%1 Takte in %2 s bei %3 Hz, Echtzeit: %4; %5 davon um eine ganze Periode verspätet.</translation>
+        <source>%1 ticks in %2 s at %3 Hz, real time: %4. Late by a period or more: %5.</source>
+        <translation>%1 Takte in %2 s bei %3 Hz, Echtzeit: %4. Um eine Periode oder mehr verspätet: %5.</translation>
     </message>
 </context>
 <context>
@@ -8771,8 +8775,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>%1: Kosten und Fehler</translation>
     </message>
     <message>
-        <source>%1: advice</source>
-        <translation>%1: Rat</translation>
+        <source>%1: recommendation</source>
+        <translation>%1: Empfehlung</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -8793,24 +8797,24 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
 <context>
     <name>underact::gui::CompareStrip</name>
     <message>
-        <source>%1 N on average, %2 N at most, %3 mm away</source>
-        <translation>%1 N im Mittel, höchstens %2 N, %3 mm entfernt</translation>
+        <source>mean %1 N, maximum %2 N, RMS error %3 mm</source>
+        <translation>im Mittel %1 N, höchstens %2 N, RMS-Fehler %3 mm</translation>
     </message>
     <message>
         <source>Two scenes compared</source>
         <translation>Zwei Szenen im Vergleich</translation>
     </message>
     <message>
-        <source>What happened to the comparison</source>
-        <translation>Was mit dem Vergleich geschah</translation>
+        <source>Message about the comparison</source>
+        <translation>Meldung zum Vergleich</translation>
     </message>
     <message>
-        <source>What the two scenes do not share</source>
-        <translation>Worin sich die beiden Szenen unterscheiden</translation>
+        <source>Differences between the two scenes</source>
+        <translation>Unterschiede zwischen den beiden Szenen</translation>
     </message>
     <message>
-        <source>Forces of both scenes</source>
-        <translation>Kräfte beider Szenen</translation>
+        <source>Force and error of both scenes</source>
+        <translation>Kraft und Fehler beider Szenen</translation>
     </message>
     <message>
         <source>Swap</source>
@@ -8829,63 +8833,63 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Forces of both come here when the servo runs.</source>
-        <translation>Hier stehen die Kräfte beider, sobald der Servo läuft.</translation>
+        <source>Start the servo to compare the forces.</source>
+        <translation>Starten Sie den Servo, um die Kräfte zu vergleichen.</translation>
     </message>
     <message>
-        <source>Since the last change: felt %1; beside it %2.</source>
-        <translation>Seit der letzten Änderung: gefühlt %1; daneben %2.</translation>
+        <source>Since the last change. Felt scene: %1. Other scene: %2.</source>
+        <translation>Seit der letzten Änderung. Gefühlte Szene: %1. Andere Szene: %2.</translation>
     </message>
 </context>
 <context>
     <name>underact::gui::CompareTool</name>
     <message>
-        <source>nothing</source>
-        <translation>nichts</translation>
+        <source>not set</source>
+        <translation>nicht gesetzt</translation>
     </message>
     <message>
-        <source>%1: %2 felt, %3 beside it</source>
-        <translation>%1: gefühlt %2, daneben %3</translation>
+        <source>%1: felt %2, other %3</source>
+        <translation>%1: gefühlt %2, andere %3</translation>
     </message>
     <message>
-        <source>&amp;Compare two</source>
-        <translation>&amp;Zwei vergleichen</translation>
+        <source>&amp;Compare two scenes</source>
+        <translation>&amp;Zwei Szenen vergleichen</translation>
     </message>
     <message>
-        <source>A second view with the scene as it is now: change gains, and see what the ones before would do with the same motion.</source>
-        <translation>Eine zweite Ansicht mit der Szene, wie sie jetzt ist: Verstärkungen ändern und sehen, was die vorigen mit derselben Bewegung täten.</translation>
+        <source>Opens a second view with the scene as it is now. Change gains, and compare the forces before and after the change on the same motion.</source>
+        <translation>Öffnet eine zweite Ansicht mit der Szene, wie sie jetzt ist. Ändern Sie Verstärkungen, und vergleichen Sie die Kräfte vor und nach der Änderung an derselben Bewegung.</translation>
     </message>
     <message>
-        <source>S&amp;wap the compared</source>
-        <translation>Vergli&amp;chene tauschen</translation>
+        <source>S&amp;wap compared scenes</source>
+        <translation>Vergli&amp;chene Szenen tauschen</translation>
     </message>
     <message>
-        <source>What was beside is felt from now on, and what was felt stands beside it.</source>
-        <translation>Was daneben stand, wird ab jetzt gefühlt, und was gefühlt wurde, steht daneben.</translation>
+        <source>Makes the other scene the one that is felt; the felt scene moves to the second view.</source>
+        <translation>Macht die andere Szene zur gefühlten; die bisher gefühlte kommt in die zweite Ansicht.</translation>
     </message>
     <message>
-        <source>Compare with what is felt &amp;now</source>
-        <translation>Mit dem jetzt &amp;Gefühlten vergleichen</translation>
+        <source>Compare with the scene as it is &amp;now</source>
+        <translation>Mit der jetzi&amp;gen Szene vergleichen</translation>
     </message>
     <message>
-        <source>The scene as it is now stands beside it from now on.</source>
-        <translation>Die Szene, wie sie jetzt ist, steht ab jetzt daneben.</translation>
+        <source>Copies the felt scene, as it is now, to the second view.</source>
+        <translation>Übernimmt die gefühlte Szene, wie sie jetzt ist, in die zweite Ansicht.</translation>
     </message>
     <message>
         <source>Compar&amp;e with another scene…</source>
         <translation>Mit &amp;anderer Szene vergleichen …</translation>
     </message>
     <message>
-        <source>Opens a scene file to stand beside what is felt.</source>
-        <translation>Öffnet eine Szenendatei, die neben dem Gefühlten steht.</translation>
+        <source>Opens a scene file in the second view.</source>
+        <translation>Öffnet eine Szenendatei in der zweiten Ansicht.</translation>
     </message>
     <message>
-        <source>swap of the compared</source>
-        <translation>Tausch der Verglichenen</translation>
+        <source>swap of compared scenes</source>
+        <translation>Tausch der verglichenen Szenen</translation>
     </message>
     <message>
-        <source>A scene to compare with</source>
-        <translation>Eine Szene zum Vergleich</translation>
+        <source>Scene to compare with</source>
+        <translation>Szene zum Vergleich</translation>
     </message>
     <message>
         <source>Scenes (*.json);;All files (*)</source>
@@ -8896,12 +8900,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Gefühlt: %1</translation>
     </message>
     <message>
-        <source>Beside it, not felt: %1</source>
-        <translation>Daneben, nicht gefühlt: %1</translation>
+        <source>Not felt: %1</source>
+        <translation>Nicht gefühlt: %1</translation>
     </message>
     <message>
-        <source>Both are the same. Change what is felt: gains, shape, method.</source>
-        <translation>Beide sind gleich. Ändern Sie das Gefühlte: Verstärkungen, Form, Verfahren.</translation>
+        <source>The two scenes are the same. Change the felt one: gains, shape, method.</source>
+        <translation>Die beiden Szenen sind gleich. Ändern Sie die gefühlte: Verstärkungen, Form, Verfahren.</translation>
     </message>
     <message>
         <source>%1
@@ -8917,15 +8921,15 @@ und %2 weitere</translation>
         <translation>Aufgezeichnet und jetzt</translation>
     </message>
     <message>
-        <source>Over the ticks since the last jump or edit in which both times the servo let the whole force through.</source>
-        <translation>Über die Takte seit dem letzten Sprung oder der letzten Änderung, in denen der Servo beide Male die ganze Kraft durchließ.</translation>
+        <source>Over the ticks since the last jump or edit in which both runs sent the whole force.</source>
+        <translation>Über die Takte seit dem letzten Sprung oder der letzten Änderung, in denen beide Läufe die ganze Kraft sendeten.</translation>
     </message>
     <message>
-        <source>rms error [mm]</source>
-        <translation>Fehler, RMS [mm]</translation>
+        <source>RMS error [mm]</source>
+        <translation>RMS-Fehler [mm]</translation>
     </message>
     <message>
-        <source>peak force [N]</source>
+        <source>maximum force [N]</source>
         <translation>größte Kraft [N]</translation>
     </message>
     <message>
@@ -8941,11 +8945,11 @@ und %2 weitere</translation>
         <translation>jetzt</translation>
     </message>
     <message>
-        <source>Error, recorded</source>
-        <translation>Fehler, aufgezeichnet</translation>
+        <source>RMS error, recorded</source>
+        <translation>RMS-Fehler, aufgezeichnet</translation>
     </message>
     <message>
-        <source>Greatest force, recorded</source>
+        <source>Maximum force, recorded</source>
         <translation>Größte Kraft, aufgezeichnet</translation>
     </message>
     <message>
@@ -8953,11 +8957,11 @@ und %2 weitere</translation>
         <translation>Mittlere Kraft, aufgezeichnet</translation>
     </message>
     <message>
-        <source>Error, now</source>
-        <translation>Fehler, jetzt</translation>
+        <source>RMS error, now</source>
+        <translation>RMS-Fehler, jetzt</translation>
     </message>
     <message>
-        <source>Greatest force, now</source>
+        <source>Maximum force, now</source>
         <translation>Größte Kraft, jetzt</translation>
     </message>
     <message>
@@ -8980,8 +8984,8 @@ und %2 weitere</translation>
         <translation>%1 wird geladen</translation>
     </message>
     <message>
-        <source>“%1” was not loaded. The scene stays as it is.</source>
-        <translation>„%1“ wurde nicht geladen. Die Szene bleibt, wie sie ist.</translation>
+        <source>“%1” was not loaded. The scene is unchanged.</source>
+        <translation>„%1“ wurde nicht geladen. Die Szene ist unverändert.</translation>
     </message>
     <message>
         <source>Adding %1</source>
@@ -8999,24 +9003,24 @@ und %2 weitere</translation>
         <translation>Größe der Kurve</translation>
     </message>
     <message>
-        <source>Adds the curve to the scene that is there.</source>
-        <translation>Fügt die Kurve zur vorhandenen Szene hinzu.</translation>
+        <source>Adds the curve to the current scene.</source>
+        <translation>Fügt die Kurve der aktuellen Szene hinzu.</translation>
     </message>
     <message>
-        <source>Opens a new scene that holds this curve alone.</source>
+        <source>Opens a new scene with only this curve.</source>
         <translation>Öffnet eine neue Szene, die nur diese Kurve enthält.</translation>
     </message>
     <message>
-        <source>How the points are joined</source>
-        <translation>Wie die Punkte verbunden sind</translation>
+        <source>Interpolation between the points</source>
+        <translation>Interpolation zwischen den Punkten</translation>
     </message>
     <message>
-        <source>smoothly (spline)</source>
+        <source>smooth (spline)</source>
         <translation>glatt (Spline)</translation>
     </message>
     <message>
-        <source>by straight lines (polyline)</source>
-        <translation>durch Strecken (Polylinie)</translation>
+        <source>straight lines (polyline)</source>
+        <translation>Strecken (Polylinie)</translation>
     </message>
     <message>
         <source>C&amp;losed: from the last point back to the first</source>
@@ -9027,48 +9031,48 @@ und %2 weitere</translation>
         <translation>Geschlossen</translation>
     </message>
     <message>
-        <source>Millimetres a unit of the file</source>
+        <source>Millimetres per file unit</source>
         <translation>Millimeter je Einheit der Datei</translation>
     </message>
     <message>
-        <source>How long a unit of the file is: 1 for mm, 1000 for m, 25.4 for inches.</source>
-        <translation>Wie lang eine Einheit der Datei ist: 1 für mm, 1000 für m, 25,4 für Zoll.</translation>
+        <source>Length of one file unit: 1 for mm, 1000 for m, 25.4 for inches.</source>
+        <translation>Länge einer Einheit der Datei: 1 für mm, 1000 für m, 25,4 für Zoll.</translation>
     </message>
     <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
     <message>
-        <source>&amp;Joined</source>
-        <translation>&amp;Verbunden</translation>
+        <source>&amp;Interpolation</source>
+        <translation>&amp;Interpolation</translation>
     </message>
     <message>
         <source>Ends</source>
         <translation>Enden</translation>
     </message>
     <message>
-        <source>A &amp;unit is</source>
-        <translation>Eine &amp;Einheit ist</translation>
+        <source>File &amp;unit</source>
+        <translation>&amp;Einheit der Datei</translation>
     </message>
     <message>
         <source>Which unit</source>
         <translation>Welche Einheit</translation>
     </message>
     <message>
-        <source>As millimetres it would be %1 long.</source>
-        <translation>In Millimetern wäre sie %1 lang.</translation>
+        <source>In millimetres the curve would be %1 long.</source>
+        <translation>In Millimetern wäre die Kurve %1 lang.</translation>
     </message>
     <message>
         <source>%1 Which unit is the file in?</source>
         <translation>%1 Welche Einheit hat die Datei?</translation>
     </message>
     <message>
-        <source>%1 It is taken to be in %2.</source>
-        <translation>%1 Angenommen wird %2.</translation>
+        <source>%1 It is assumed to be in %2.</source>
+        <translation>%1 Angenommen ist eine Kurve in %2.</translation>
     </message>
     <message>
-        <source>%1 points, %2; %3 from point to point.</source>
-        <translation>%1 Punkte, %2; %3 von Punkt zu Punkt.</translation>
+        <source>%1 points, %2, length %3.</source>
+        <translation>%1 Punkte, %2, Länge %3.</translation>
     </message>
 </context>
 <context>
@@ -9082,8 +9086,8 @@ und %2 weitere</translation>
         <translation>„%1“ in den Papierkorb verschieben?</translation>
     </message>
     <message>
-        <source>The file is %1. The bin keeps it until it is emptied: whoever can open the bin can read it and put it back. Where a person asks for their data to be erased, remove it for good.</source>
-        <translation>Die Datei heißt %1. Der Papierkorb behält sie, bis er geleert wird: Wer ihn öffnen kann, kann sie lesen und zurückholen. Verlangt eine Person, dass ihre Daten gelöscht werden, so entfernen Sie die Datei endgültig.</translation>
+        <source>The file is %1. It stays in the bin until the bin is emptied: until then, anyone with access to the bin can read and restore it. If a person asks for their data to be erased, remove it for good.</source>
+        <translation>Die Datei heißt %1. Sie bleibt im Papierkorb, bis er geleert wird: Bis dahin kann sie lesen und wiederherstellen, wer Zugriff auf den Papierkorb hat. Verlangt eine Person, dass ihre Daten gelöscht werden, so entfernen Sie die Datei endgültig.</translation>
     </message>
     <message>
         <source>&amp;Move to the bin</source>
@@ -9098,8 +9102,8 @@ und %2 weitere</translation>
         <translation>&amp;Endgültig entfernen…</translation>
     </message>
     <message>
-        <source>Remove for good, after one more question</source>
-        <translation>Endgültig entfernen, nach einer weiteren Frage</translation>
+        <source>Remove for good, after confirmation</source>
+        <translation>Endgültig entfernen, nach Rückfrage</translation>
     </message>
     <message>
         <source>Remove a session for good</source>
@@ -9110,8 +9114,8 @@ und %2 weitere</translation>
         <translation>„%1“ endgültig entfernen?</translation>
     </message>
     <message>
-        <source>This cannot be undone: the file %1 is not in the bin afterwards. Exports, plots and backups of it stay where they are.</source>
-        <translation>Das lässt sich nicht rückgängig machen: Die Datei %1 liegt danach nicht im Papierkorb. Exporte, Diagramme und Sicherungskopien davon bleiben, wo sie sind.</translation>
+        <source>This cannot be undone: the file %1 does not go to the bin. Exports, plots and backups of it are not removed.</source>
+        <translation>Das lässt sich nicht rückgängig machen: Die Datei %1 kommt nicht in den Papierkorb. Exporte, Diagramme und Sicherungskopien davon werden nicht entfernt.</translation>
     </message>
     <message>
         <source>&amp;Remove for good</source>
@@ -9196,36 +9200,36 @@ und %2 weitere</translation>
         <translation>bereit</translation>
     </message>
     <message>
-        <source>something is missing</source>
-        <translation>etwas fehlt</translation>
+        <source>not ready</source>
+        <translation>nicht bereit</translation>
     </message>
     <message>
         <source>The arm in use</source>
         <translation>Der verwendete Arm</translation>
     </message>
     <message>
-        <source>What came of the choice</source>
-        <translation>Was aus der Wahl wurde</translation>
+        <source>Result of the choice</source>
+        <translation>Ergebnis der Wahl</translation>
     </message>
     <message>
-        <source>“%1” was not opened. %2</source>
-        <translation>„%1“ wurde nicht geöffnet. %2</translation>
+        <source>“%1” could not be opened. %2</source>
+        <translation>„%1“ ließ sich nicht öffnen. %2</translation>
     </message>
     <message>
         <source>Use the si&amp;mulated arm</source>
         <translation>Si&amp;mulierten Arm verwenden</translation>
     </message>
     <message>
-        <source>Closes the arm in use: the mouse is the hand again.</source>
-        <translation>Schließt den verwendeten Arm: Die Maus ist wieder die Hand.</translation>
+        <source>Closes the arm in use. The mouse moves the simulated arm again.</source>
+        <translation>Schließt den verwendeten Arm. Die Maus bewegt wieder den simulierten Arm.</translation>
     </message>
     <message>
         <source>&amp;Look for arms</source>
         <translation>Arme s&amp;uchen</translation>
     </message>
     <message>
-        <source>Looks again at what is plugged in.</source>
-        <translation>Sieht erneut nach, was angeschlossen ist.</translation>
+        <source>Looks again for arms that are plugged in.</source>
+        <translation>Sucht erneut nach angeschlossenen Armen.</translation>
     </message>
     <message>
         <source>Plugged in</source>
@@ -9244,72 +9248,68 @@ und %2 weitere</translation>
         <translation>Arm verwenden</translation>
     </message>
     <message>
-        <source>Opens it; the servo is stopped, and Start lets it push.</source>
-        <translation>Öffnet ihn; der Servo ist gestoppt, und nach Start darf er drücken.</translation>
+        <source>Opens this arm with the servo stopped. Press Start to turn the force on.</source>
+        <translation>Öffnet diesen Arm mit gestopptem Servo. Drücken Sie Start, um die Kraft einzuschalten.</translation>
     </message>
     <message>
         <source>How to fix it…</source>
         <translation>Abhilfe …</translation>
     </message>
     <message>
-        <source>Shows the command that mends what is missing.</source>
-        <translation>Zeigt den Befehl, der behebt, was fehlt.</translation>
+        <source>Shows the command that fixes the problem.</source>
+        <translation>Zeigt den Befehl, der das Problem behebt.</translation>
     </message>
     <message>
-        <source>Report how it works…</source>
-        <translation>Erfahrung melden …</translation>
+        <source>Test and report…</source>
+        <translation>Testen und melden …</translation>
     </message>
     <message>
-        <source>Shows the command that tries the arm and writes a report for the program's makers.</source>
-        <translation>Zeigt den Befehl, der den Arm erprobt und einen Bericht für die Entwickler des Programms schreibt.</translation>
+        <source>Shows the command that tests the arm and writes a report for the developers.</source>
+        <translation>Zeigt den Befehl, der den Arm testet und einen Bericht für die Entwickler schreibt.</translation>
     </message>
     <message>
         <source>Look again</source>
         <translation>Neu suchen</translation>
     </message>
     <message>
-        <source>Looks at what is plugged in.</source>
-        <translation>Sieht nach, was angeschlossen ist.</translation>
+        <source>Another arm</source>
+        <translation>Ein anderer Arm</translation>
     </message>
     <message>
-        <source>Another one</source>
-        <translation>Ein anderer</translation>
-    </message>
-    <message>
-        <source>An arm by its name</source>
-        <translation>Ein Arm nach Namen</translation>
+        <source>Name of the arm</source>
+        <translation>Name des Arms</translation>
     </message>
     <message>
         <source>KIND:ADDRESS</source>
         <translation>ART:ADRESSE</translation>
     </message>
     <message>
-        <source>As “underact-cli devices” lists it, with a serial number, a path or an address after the colon: wooden:/dev/hidraw3.</source>
-        <translation>Wie „underact-cli devices“ ihn auflistet, mit einer Seriennummer, einem Pfad oder einer Adresse nach dem Doppelpunkt: wooden:/dev/hidraw3.</translation>
+        <source>The name as listed by “underact-cli devices”, with a serial number, a path or an address after the colon: wooden:/dev/hidraw3.</source>
+        <translation>Der Name, wie „underact-cli devices“ ihn auflistet, mit einer Seriennummer, einem Pfad oder einer Adresse nach dem Doppelpunkt: wooden:/dev/hidraw3.</translation>
     </message>
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Opens the arm of that name.</source>
+        <source>Opens the arm with this name.</source>
         <translation>Öffnet den Arm dieses Namens.</translation>
     </message>
     <message>
-        <source>Where it stands</source>
-        <translation>Wo er steht</translation>
+        <source>Registration</source>
+        <translation>Registrierung</translation>
     </message>
     <message>
-        <source>Where the arm stands on the desk</source>
-        <translation>Wo der Arm auf dem Tisch steht</translation>
+        <source>Pose of the arm on the desk</source>
+        <translation>Lage des Arms auf dem Tisch</translation>
     </message>
     <message>
         <source>Register the arm…</source>
         <translation>Arm registrieren …</translation>
     </message>
     <message>
-        <source>What is being opened</source>
-        <translation>Was geöffnet wird</translation>
+        <source>Arm being opened</source>
+        <translation>Arm, der geöffnet wird</translation>
     </message>
     <message>
         <source>Opening</source>
@@ -9320,24 +9320,24 @@ und %2 weitere</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>The simulated arm stays.</source>
-        <translation>Der simulierte Arm bleibt.</translation>
+        <source>Stops opening this arm. The simulated arm stays in use.</source>
+        <translation>Bricht das Öffnen ab. Der simulierte Arm bleibt in Gebrauch.</translation>
     </message>
     <message>
-        <source>The arm stays. %1</source>
-        <translation>Der Arm bleibt. %1</translation>
+        <source>The arm was not changed. %1</source>
+        <translation>Der Arm wurde nicht gewechselt. %1</translation>
     </message>
     <message>
-        <source>The arm must be free: use the simulated arm first. The command reads from it for two seconds, pushes with nothing, and writes down what it said; add what you felt, and send the file to the program's makers.</source>
-        <translation>Der Arm muss frei sein: Verwenden Sie zuerst den simulierten Arm. Der Befehl liest zwei Sekunden lang vom Arm, drückt dabei nicht und schreibt auf, was dieser meldet; fügen Sie hinzu, was Sie gefühlt haben, und senden Sie die Datei an die Entwickler des Programms.</translation>
+        <source>The arm must not be in use: switch to the simulated arm first. The command reads from the arm for two seconds, without any force, and writes a report. Add what you felt, and send the file to the developers.</source>
+        <translation>Der Arm darf nicht in Gebrauch sein: Wechseln Sie zuerst zum simulierten Arm. Der Befehl liest zwei Sekunden lang vom Arm, ohne Kraft, und schreibt einen Bericht. Fügen Sie hinzu, was Sie gefühlt haben, und senden Sie die Datei an die Entwickler.</translation>
     </message>
     <message>
         <source>%1 – %2</source>
         <translation>%1 – %2</translation>
     </message>
     <message>
-        <source>In use: %1. Untested on hardware: begin with a soft scene, and a hand on Stop.</source>
-        <translation>In Gebrauch: %1. Nicht am Gerät erprobt: Beginnen Sie mit einer weichen Szene und einer Hand an Stopp.</translation>
+        <source>In use: %1. Untested on hardware: start with a soft scene and keep a hand on Stop.</source>
+        <translation>In Gebrauch: %1. Nicht am Gerät erprobt: Beginnen Sie mit einer weichen Szene und lassen Sie eine Hand an Stopp.</translation>
     </message>
     <message>
         <source>In use: %1.</source>
@@ -9355,8 +9355,8 @@ und %2 weitere</translation>
         <translation>Ausgangstabelle</translation>
     </message>
     <message>
-        <source>Puts the table of an arm in place of this one.</source>
-        <translation>Setzt die Tabelle eines Arms an die Stelle dieser.</translation>
+        <source>Replaces this table with that of an arm.</source>
+        <translation>Ersetzt diese Tabelle durch die eines Arms.</translation>
     </message>
     <message>
         <source>The scene's arm</source>
@@ -9379,8 +9379,8 @@ und %2 weitere</translation>
         <translation>Gelenke folgen dem Arm</translation>
     </message>
     <message>
-        <source>Turning joints 1 to 6 stand as those of the arm do: move the stylus, and the table moves.</source>
-        <translation>Die Drehgelenke 1 bis 6 stehen wie die des Arms: Bewegen Sie den Stift, und die Tabelle bewegt sich mit.</translation>
+        <source>Revolute joints 1 to 6 take the angles of the arm's joints: move the stylus, and the table follows.</source>
+        <translation>Die Drehgelenke 1 bis 6 übernehmen die Gelenkwinkel des Arms: Bewegen Sie den Stift, und die Tabelle folgt.</translation>
     </message>
     <message>
         <source>x [mm]</source>
@@ -9395,36 +9395,36 @@ und %2 weitere</translation>
         <translation>z [mm]</translation>
     </message>
     <message>
-        <source>Table's tip</source>
+        <source>Tip of the table</source>
         <translation>Spitze (Tabelle)</translation>
     </message>
     <message>
-        <source>Where the last frame's tool is by the table: ⁰T₁ ¹T₂ … in the workspace frame.</source>
-        <translation>Wo das Werkzeug des letzten Koordinatensystems nach der Tabelle ist: ⁰T₁ ¹T₂ … im Koordinatensystem des Arbeitsraums.</translation>
+        <source>The position of the tip computed from the table, ⁰T₁ ¹T₂ …, in the workspace frame.</source>
+        <translation>Der Ort der Spitze nach der Tabelle, ⁰T₁ ¹T₂ …, im Koordinatensystem des Arbeitsraums.</translation>
     </message>
     <message>
-        <source>From the arm's</source>
-        <translation>Von der des Arms</translation>
+        <source>Offset from arm</source>
+        <translation>Abstand vom Arm</translation>
     </message>
     <message>
-        <source>The way from the arm's own tip to the table's; 0 where the table is the arm's.</source>
-        <translation>Der Weg von der Spitze des Arms zu der der Tabelle; 0, wo die Tabelle die des Arms ist.</translation>
+        <source>The vector from the tip of the arm to the tip of the table; 0 if the table is that of the arm.</source>
+        <translation>Der Vektor von der Spitze des Arms zu der der Tabelle; 0, wenn die Tabelle die des Arms ist.</translation>
     </message>
     <message>
-        <source>What is odd about the table</source>
-        <translation>Was an der Tabelle auffällt</translation>
+        <source>Notes on the table</source>
+        <translation>Hinweise zur Tabelle</translation>
     </message>
     <message>
-        <source>What was refused</source>
-        <translation>Was abgelehnt wurde</translation>
+        <source>Why the input was refused</source>
+        <translation>Warum die Eingabe abgelehnt wurde</translation>
     </message>
     <message>
         <source>Add</source>
         <translation>Neu</translation>
     </message>
     <message>
-        <source>A row after the selected one, 8 at most.</source>
-        <translation>Eine Zeile nach der gewählten, höchstens 8.</translation>
+        <source>Adds a row after the selected one; 8 at most.</source>
+        <translation>Fügt nach der gewählten eine Zeile hinzu; höchstens 8.</translation>
     </message>
     <message>
         <source>Add a row</source>
@@ -9435,8 +9435,8 @@ und %2 weitere</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Takes the selected row away; one stays.</source>
-        <translation>Nimmt die gewählte Zeile weg; eine bleibt.</translation>
+        <source>Removes the selected row; a table has at least one.</source>
+        <translation>Entfernt die gewählte Zeile; eine Tabelle hat mindestens eine.</translation>
     </message>
     <message>
         <source>Remove the selected row</source>
@@ -9447,11 +9447,11 @@ und %2 weitere</translation>
         <translation>Rückgängig</translation>
     </message>
     <message>
-        <source>The table as it was before the last change.</source>
-        <translation>Die Tabelle, wie sie vor der letzten Änderung war.</translation>
+        <source>Undoes the last change to the table.</source>
+        <translation>Macht die letzte Änderung der Tabelle rückgängig.</translation>
     </message>
     <message>
-        <source>Undo the last change of the table</source>
+        <source>Undo the last change to the table</source>
         <translation>Letzte Änderung der Tabelle rückgängig machen</translation>
     </message>
     <message>
@@ -9459,11 +9459,11 @@ und %2 weitere</translation>
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>The change that was taken back, again.</source>
-        <translation>Die zurückgenommene Änderung noch einmal.</translation>
+        <source>Redoes the change that was undone.</source>
+        <translation>Führt die rückgängig gemachte Änderung wieder aus.</translation>
     </message>
     <message>
-        <source>Redo the change of the table</source>
+        <source>Redo the change to the table</source>
         <translation>Änderung der Tabelle wiederholen</translation>
     </message>
     <message>
@@ -9478,8 +9478,8 @@ und %2 weitere</translation>
         <translation>DH-Tabelle</translation>
     </message>
     <message>
-        <source>Modified (Craig) convention: from frame i−1 to i by Rx(α) Dx(a) Rz(θ) Dz(d), with the angle of now in θ. Thesis table 3.1; Craig, eq. 3.6.</source>
-        <translation>Modifizierte Konvention (Craig): von Koordinatensystem i−1 zu i durch Rx(α) Dx(a) Rz(θ) Dz(d), mit dem jetzigen Winkel in θ. Thesis, Tabelle 3.1; Craig, Gl. 3.6.</translation>
+        <source>Modified (Craig) convention: from frame i−1 to i by Rx(α) Dx(a) Rz(θ) Dz(d); θ includes the current joint angle. Thesis table 3.1; Craig, eq. 3.6.</source>
+        <translation>Modifizierte Konvention (Craig): von Koordinatensystem i−1 zu i durch Rx(α) Dx(a) Rz(θ) Dz(d); θ enthält den jetzigen Gelenkwinkel. Thesis, Tabelle 3.1; Craig, Gl. 3.6.</translation>
     </message>
     <message>
         <source>α [°]</source>
@@ -9505,8 +9505,8 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::DistanceBar</name>
     <message>
-        <source>%1, near or not</source>
-        <translation>%1, nah oder nicht</translation>
+        <source>%1, warning when near</source>
+        <translation>%1, Warnung bei Nähe</translation>
     </message>
     <message>
         <source>near</source>
@@ -9543,8 +9543,8 @@ und %2 weitere</translation>
         <translation>Was zu tun ist</translation>
     </message>
     <message>
-        <source>Where the fault is kept</source>
-        <translation>Wo die Störung abgelegt ist</translation>
+        <source>Fault file</source>
+        <translation>Datei der Störung</translation>
     </message>
     <message>
         <source>The servo has stopped</source>
@@ -9559,16 +9559,16 @@ und %2 weitere</translation>
         <translation>Wieder &amp;starten</translation>
     </message>
     <message>
-        <source>Lets the servo push again, with its soft start.</source>
-        <translation>Lässt den Servo wieder drücken, mit sanftem Start.</translation>
+        <source>Turns the force on again, with a soft start.</source>
+        <translation>Schaltet die Kraft mit sanftem Start wieder ein.</translation>
     </message>
     <message>
         <source>&amp;Restart the servo</source>
         <translation>Servo &amp;neu starten</translation>
     </message>
     <message>
-        <source>Opens the arm again and begins the servo anew; then press Start.</source>
-        <translation>Öffnet den Arm erneut und beginnt den Servo von vorn; drücken Sie danach Start.</translation>
+        <source>Reopens the arm and restarts the servo. Then press Start.</source>
+        <translation>Öffnet den Arm erneut und startet den Servo neu. Drücken Sie danach Start.</translation>
     </message>
     <message>
         <source>Show &amp;folder</source>
@@ -9591,20 +9591,20 @@ und %2 weitere</translation>
         <translation>S&amp;chließen</translation>
     </message>
     <message>
-        <source>Closes this. The servo stays stopped until Start is pressed.</source>
-        <translation>Schließt dies. Der Servo bleibt gestoppt, bis Start gedrückt wird.</translation>
+        <source>Closes this message. The servo stays stopped until you press Start.</source>
+        <translation>Schließt diese Meldung. Der Servo bleibt gestoppt, bis Sie Start drücken.</translation>
     </message>
     <message>
         <source>%1 (%2 times)</source>
         <translation>%1 (%2-mal)</translation>
     </message>
     <message>
-        <source>Force is off, and stays off until Start is pressed.</source>
-        <translation>Die Kraft ist aus und bleibt aus, bis Start gedrückt wird.</translation>
+        <source>Force is off and stays off until you press Start.</source>
+        <translation>Die Kraft ist aus und bleibt aus, bis Sie Start drücken.</translation>
     </message>
     <message>
-        <source>The second before it is kept in %1</source>
-        <translation>Die Sekunde davor ist abgelegt in %1</translation>
+        <source>The last second before the fault is saved in %1</source>
+        <translation>Die letzte Sekunde vor der Störung ist gespeichert in %1</translation>
     </message>
 </context>
 <context>
@@ -9618,7 +9618,7 @@ und %2 weitere</translation>
         <translation>Zeit [s]</translation>
     </message>
     <message>
-        <source>asked</source>
+        <source>commanded</source>
         <translation>verlangt</translation>
     </message>
     <message>
@@ -9626,16 +9626,16 @@ und %2 weitere</translation>
         <translation>gesendet</translation>
     </message>
     <message>
-        <source>Lateness [µs]</source>
-        <translation>Verspätung [µs]</translation>
+        <source>Latency [µs]</source>
+        <translation>Latenz [µs]</translation>
     </message>
     <message>
         <source>The second before the fault</source>
         <translation>Die Sekunde vor der Störung</translation>
     </message>
     <message>
-        <source>Force and lateness of the ticks before the fault, which is at the right edge.</source>
-        <translation>Kraft und Verspätung der Takte vor der Störung; sie selbst liegt am rechten Rand.</translation>
+        <source>Force and latency of the ticks before the fault, which is at the right edge.</source>
+        <translation>Kraft und Latenz der Takte vor der Störung; sie selbst liegt am rechten Rand.</translation>
     </message>
 </context>
 <context>
@@ -9645,8 +9645,8 @@ und %2 weitere</translation>
         <translation>L&amp;etzte Störung zeigen</translation>
     </message>
     <message>
-        <source>What stopped the servo last, and where its file is.</source>
-        <translation>Was den Servo zuletzt gestoppt hat und wo die Datei dazu liegt.</translation>
+        <source>Shows what last stopped the servo, and where the fault file is.</source>
+        <translation>Zeigt, was den Servo zuletzt gestoppt hat und wo die Datei der Störung liegt.</translation>
     </message>
 </context>
 <context>
@@ -9660,8 +9660,8 @@ und %2 weitere</translation>
         <translation>Warum die Änderung abgelehnt wurde</translation>
     </message>
     <message>
-        <source>A sampled wall with one tick of delay stays calm for K &lt; (b + B) / (1.5 T); b: the hand's damping, B: kd, T: the tick. Lower the stiffness, or hold the stylus firmly.</source>
-        <translation>Eine abgetastete Wand mit einem Takt Verzögerung bleibt ruhig für K &lt; (b + B) / (1,5 T); b: die Dämpfung der Hand, B: kd, T: der Takt. Verringern Sie die Steifigkeit oder halten Sie den Stift fest.</translation>
+        <source>A sampled wall with one tick of delay is stable for K &lt; (b + B) / (1.5 T); b: damping of the hand, B: kd, T: period of the servo. Lower the stiffness or hold the stylus more firmly.</source>
+        <translation>Eine abgetastete Wand mit einem Takt Verzögerung ist stabil für K &lt; (b + B) / (1.5 T); b: Dämpfung der Hand, B: kd, T: Periode des Servos. Verringern Sie die Steifigkeit oder halten Sie den Stift fester.</translation>
     </message>
 </context>
 <context>
@@ -9671,8 +9671,8 @@ und %2 weitere</translation>
         <translation>Bindung, deren Verstärkungen gezeigt sind</translation>
     </message>
     <message>
-        <source>Which constraint of the scene the gains below belong to.</source>
-        <translation>Zu welcher Bindung der Szene die Verstärkungen darunter gehören.</translation>
+        <source>Selects the constraint whose gains are shown below.</source>
+        <translation>Wählt die Bindung, deren Verstärkungen unten gezeigt sind.</translation>
     </message>
     <message>
         <source>&amp;Constraint</source>
@@ -9691,8 +9691,8 @@ und %2 weitere</translation>
         <translation>&amp;Wirkt auf</translation>
     </message>
     <message>
-        <source>Where the control works</source>
-        <translation>Wo die Regelung wirkt</translation>
+        <source>What the control law works on</source>
+        <translation>Worauf das Regelgesetz wirkt</translation>
     </message>
     <message>
         <source>&amp;Nearest</source>
@@ -9703,7 +9703,7 @@ und %2 weitere</translation>
         <translation>Nächster Punkt bei ungleichen Verstärkungen</translation>
     </message>
     <message>
-        <source>way of the guide</source>
+        <source>direction of the guide</source>
         <translation>Richtung der Führung</translation>
     </message>
     <message>
@@ -9711,8 +9711,8 @@ und %2 weitere</translation>
         <translation>Auf Szene &amp;zurücksetzen</translation>
     </message>
     <message>
-        <source>Puts gains, influence and friction back to those of the scene's file.</source>
-        <translation>Setzt Verstärkungen, Einfluss und Reibung auf die Werte der Szenendatei zurück.</translation>
+        <source>Restores control law, gains, influence, friction and guidance to the values in the scene file.</source>
+        <translation>Setzt Regelgesetz, Verstärkungen, Einfluss, Reibung und Führung auf die Werte der Szenendatei zurück.</translation>
     </message>
     <message>
         <source>friction</source>
@@ -9731,20 +9731,20 @@ und %2 weitere</translation>
         <translation>Einfluss t</translation>
     </message>
     <message>
-        <source>Where on the circle, cylinder or sphere the target is, between the point the stylus points at and the point nearest to its tip: theta = alpha + t wrap(beta - alpha) (thesis equation 5.3).</source>
-        <translation>Wo das Ziel auf Kreis, Zylinder oder Kugel liegt, zwischen dem Punkt, auf den der Stift zeigt, und dem, der seiner Spitze am nächsten ist: theta = alpha + t wrap(beta - alpha) (Thesis, Gl. 5.3).</translation>
+        <source>Where the target lies on the circle, cylinder or sphere, between the point that the stylus points at and the point nearest to the tip: theta = alpha + t wrap(beta - alpha) (thesis equation 5.3).</source>
+        <translation>Wo das Ziel auf Kreis, Zylinder oder Kugel liegt, zwischen dem Punkt, auf den der Stift zeigt, und dem, der der Spitze am nächsten ist: theta = alpha + t wrap(beta - alpha) (Thesis, Gl. 5.3).</translation>
     </message>
     <message>
-        <source>&amp;Turn of the stylus counts</source>
-        <translation>&amp;Drehung des Stifts zählt</translation>
+        <source>&amp;Use stylus orientation</source>
+        <translation>Stift&amp;orientierung nutzen</translation>
     </message>
     <message>
-        <source>Turn of the stylus counts</source>
-        <translation>Drehung des Stifts zählt</translation>
+        <source>Use stylus orientation</source>
+        <translation>Stiftorientierung nutzen</translation>
     </message>
     <message>
-        <source>Off, the target is the nearest point: position only. On, turning the stylus moves the target.</source>
-        <translation>Aus: Das Ziel ist der nächste Punkt, nur die Position zählt. An: Das Drehen des Stifts bewegt das Ziel.</translation>
+        <source>Off: the target is the point nearest to the tip. On: rotating the stylus moves the target, too.</source>
+        <translation>Aus: Das Ziel ist der Punkt, der der Spitze am nächsten ist. An: Auch das Drehen des Stifts bewegt das Ziel.</translation>
     </message>
     <message>
         <source>influence on</source>
@@ -9771,8 +9771,8 @@ und %2 weitere</translation>
         <translation>&amp;Stiftachse</translation>
     </message>
     <message>
-        <source>Direction of the stylus that counts</source>
-        <translation>Richtung des Stifts, die zählt</translation>
+        <source>Stylus axis that points at the target</source>
+        <translation>Stiftachse, die auf das Ziel zeigt</translation>
     </message>
     <message>
         <source>Blend width</source>
@@ -9783,16 +9783,16 @@ und %2 weitere</translation>
         <translation>Oberfläche</translation>
     </message>
     <message>
-        <source>The surface has f&amp;riction</source>
-        <translation>Die Oberfläche hat R&amp;eibung</translation>
+        <source>F&amp;riction</source>
+        <translation>&amp;Reibung</translation>
     </message>
     <message>
-        <source>The surface has friction</source>
-        <translation>Die Oberfläche hat Reibung</translation>
+        <source>Friction</source>
+        <translation>Reibung</translation>
     </message>
     <message>
-        <source>Off, the stylus glides along the surface. On, it sticks up to the static share of the force across the surface, and drags by the dynamic share beyond (Coulomb).</source>
-        <translation>Aus: Der Stift gleitet die Oberfläche entlang. An: Er haftet bis zum Haftanteil der Kraft quer zur Oberfläche und wird darüber mit dem Gleitanteil gebremst (Coulomb).</translation>
+        <source>Off: the stylus slides freely along the surface. On: it sticks until the force along the surface exceeds the static coefficient times the normal force; then it slides against the dynamic coefficient times the normal force (Coulomb).</source>
+        <translation>Aus: Der Stift gleitet frei die Oberfläche entlang. An: Er haftet, bis die Kraft entlang der Oberfläche die Haftreibungszahl mal Normalkraft übersteigt; dann gleitet er gegen die Gleitreibungszahl mal Normalkraft (Coulomb).</translation>
     </message>
     <message>
         <source>friction on</source>
@@ -9827,35 +9827,35 @@ und %2 weitere</translation>
         <translation>Knicke glätten</translation>
     </message>
     <message>
-        <source>&amp;Held to</source>
-        <translation>&amp;Gehalten an</translation>
+        <source>Se&amp;arch</source>
+        <translation>&amp;Suche</translation>
     </message>
     <message>
-        <source>How the nearest point of the mesh is sought</source>
-        <translation>Wie der nächste Punkt des Dreiecksnetzes gesucht wird</translation>
+        <source>Search for the nearest point of the mesh</source>
+        <translation>Suche nach dem nächsten Punkt des Dreiecksnetzes</translation>
     </message>
     <message>
-        <source>Along the curve</source>
-        <translation>Entlang der Kurve</translation>
+        <source>Guidance</source>
+        <translation>Führung</translation>
     </message>
     <message>
-        <source>A &amp;guide leads along it</source>
-        <translation>Eine &amp;Führung zieht mit</translation>
+        <source>&amp;Guide the hand</source>
+        <translation>&amp;Hand führen</translation>
     </message>
     <message>
-        <source>A guide leads along the curve</source>
-        <translation>Eine Führung zieht an der Kurve entlang</translation>
+        <source>Guide the hand along the curve</source>
+        <translation>Hand entlang der Kurve führen</translation>
     </message>
     <message>
-        <source>Off, the stylus is held to the nearest point of the curve. On, a point runs ahead of the hand along the curve, draws it on, and waits for it.</source>
-        <translation>Aus: Der Stift wird am nächsten Punkt der Kurve gehalten. An: Ein Punkt läuft der Hand auf der Kurve voraus, zieht sie weiter und wartet auf sie.</translation>
+        <source>Off: the target is the nearest point of the curve. On: a guide point runs ahead of the hand along the curve, pulls it along and waits for it.</source>
+        <translation>Aus: Das Ziel ist der nächste Punkt der Kurve. An: Ein Führungspunkt läuft der Hand auf der Kurve voraus, zieht sie mit und wartet auf sie.</translation>
     </message>
     <message>
-        <source>guide on</source>
+        <source>guidance on</source>
         <translation>Führung an</translation>
     </message>
     <message>
-        <source>guide off</source>
+        <source>guidance off</source>
         <translation>Führung aus</translation>
     </message>
     <message>
@@ -9867,16 +9867,16 @@ und %2 weitere</translation>
         <translation>Tempo der Führung</translation>
     </message>
     <message>
-        <source>bac&amp;kwards</source>
-        <translation>rü&amp;ckwärts</translation>
+        <source>Bac&amp;kwards</source>
+        <translation>Rü&amp;ckwärts</translation>
     </message>
     <message>
         <source>The guide runs backwards</source>
         <translation>Die Führung läuft rückwärts</translation>
     </message>
     <message>
-        <source>Influence of the hand's own place on the curve</source>
-        <translation>Einfluss der Stelle der Hand auf der Kurve</translation>
+        <source>Influence of the hand's position on the curve</source>
+        <translation>Einfluss des Orts der Hand auf der Kurve</translation>
     </message>
     <message>
         <source>nearest</source>
@@ -9891,12 +9891,12 @@ und %2 weitere</translation>
         <translation>Vorlauf der Führung</translation>
     </message>
     <message>
-        <source>Rate and energy</source>
-        <translation>Rate und Energie</translation>
+        <source>Velocity and energy</source>
+        <translation>Geschwindigkeit und Energie</translation>
     </message>
     <message>
-        <source>How the rate of the error is found, for damping, and whether the energy of the constraint is watched.</source>
-        <translation>Wie die Änderungsrate des Fehlers für die Dämpfung bestimmt wird und ob die Energie der Bindung überwacht wird.</translation>
+        <source>How the velocity for damping is estimated, and whether the energy of the constraint is observed.</source>
+        <translation>Wie die Geschwindigkeit für die Dämpfung geschätzt wird und ob die Energie der Bindung beobachtet wird.</translation>
     </message>
     <message>
         <source>Setting</source>
@@ -10041,48 +10041,48 @@ und %2 weitere</translation>
         <translation>Erwarteter Fehler</translation>
     </message>
     <message>
-        <source>What does not look right</source>
-        <translation>Was nicht richtig aussieht</translation>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
     </message>
     <message>
-        <source>Whether it is kept</source>
-        <translation>Ob es gespeichert wird</translation>
+        <source>Whether the registration was saved</source>
+        <translation>Ob die Registrierung gespeichert wurde</translation>
     </message>
     <message>
-        <source>How far beside each mark its point lies</source>
-        <translation>Wie weit neben jedem Messpunkt sein Punkt liegt</translation>
+        <source>Residual of each reference point</source>
+        <translation>Residuum jedes Messpunkts</translation>
     </message>
     <message>
-        <source>Mark</source>
+        <source>Point</source>
         <translation>Messpunkt</translation>
     </message>
     <message>
-        <source>beside it, mm</source>
-        <translation>daneben, mm</translation>
+        <source>residual, mm</source>
+        <translation>Residuum, mm</translation>
     </message>
     <message>
         <source>spread, mm</source>
         <translation>Streuung, mm</translation>
     </message>
     <message>
-        <source>How well it fits</source>
-        <translation>Wie gut es passt</translation>
+        <source>Check the result</source>
+        <translation>Ergebnis prüfen</translation>
     </message>
     <message>
         <source>e&lt;sup&gt;2&lt;/sup&gt;/N · (1 + (d₁²/f₁² + d₂²/f₂² + d₃²/f₃²)/3): Fitzpatrick, West and Maurer, 1998.</source>
         <translation>e&lt;sup&gt;2&lt;/sup&gt;/N · (1 + (d₁²/f₁² + d₂²/f₂² + d₃²/f₃²)/3): Fitzpatrick, West und Maurer, 1998.</translation>
     </message>
     <message>
-        <source>The touched points lie beside their marks by %1 mm (root mean square).</source>
-        <translation>Die berührten Punkte liegen um %1 mm neben ihren Messpunkten (quadratisches Mittel).</translation>
+        <source>The touched points lie %1 mm from their reference points (root mean square).</source>
+        <translation>Die berührten Punkte liegen %1 mm neben ihren Messpunkten (quadratisches Mittel).</translation>
     </message>
     <message>
-        <source>In the middle of the workspace an error of %1 mm is expected; in 19 of 20 registrations like this one it is at most %2 mm. More marks, and such that are farther apart, make it smaller.</source>
-        <translation>In der Mitte des Arbeitsraums ist ein Fehler von %1 mm zu erwarten; in 19 von 20 Registrierungen wie dieser beträgt er höchstens %2 mm. Mehr Messpunkte, die weiter auseinanderliegen, machen ihn kleiner.</translation>
+        <source>Expected error at the centre of the workspace: %1 mm; at most %2 mm in 19 of 20 registrations like this one. More reference points, and points farther apart, make it smaller.</source>
+        <translation>Erwarteter Fehler in der Mitte des Arbeitsraums: %1 mm; in 19 von 20 Registrierungen wie dieser höchstens %2 mm. Mehr Messpunkte, die weiter auseinanderliegen, machen ihn kleiner.</translation>
     </message>
     <message>
-        <source>It counts now, but only until the window closes. %1 Press Accept again to close this.</source>
-        <translation>Es gilt jetzt, aber nur, bis das Fenster geschlossen wird. %1 Drücken Sie noch einmal „Annehmen“, um dies zu schließen.</translation>
+        <source>The registration is in use, but only until the window closes. %1 Press Accept again to close the wizard.</source>
+        <translation>Die Registrierung gilt jetzt, aber nur, bis das Fenster geschlossen wird. %1 Drücken Sie noch einmal „Annehmen“, um den Assistenten zu schließen.</translation>
     </message>
 </context>
 <context>
@@ -10104,15 +10104,15 @@ und %2 weitere</translation>
         <translation>Befehl kopieren</translation>
     </message>
     <message>
-        <source>Then paste it into a terminal.</source>
-        <translation>Fügen Sie ihn dann in ein Terminal ein.</translation>
+        <source>Copies the command; paste it into a terminal.</source>
+        <translation>Kopiert den Befehl; fügen Sie ihn in ein Terminal ein.</translation>
     </message>
 </context>
 <context>
     <name>underact::gui::FoundPage</name>
     <message>
-        <source>What was found</source>
-        <translation>Was gefunden wurde</translation>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
     </message>
     <message>
         <source>quantity</source>
@@ -10139,20 +10139,20 @@ und %2 weitere</translation>
         <translation>Differenz</translation>
     </message>
     <message>
-        <source>Swings that are shown</source>
+        <source>Swings shown</source>
         <translation>Gezeigte Schwingungen</translation>
     </message>
     <message>
-        <source>Uncertainty: one standard deviation. “below”: not told from zero.</source>
+        <source>Uncertainty: one standard deviation. “below”: cannot be told from zero.</source>
         <translation>Unsicherheit: eine Standardabweichung. „unter“: nicht von null zu unterscheiden.</translation>
     </message>
     <message>
-        <source> Given: what the simulation is made of, or the stiffness that was asked for.</source>
-        <translation> Vorgabe: woraus die Simulation besteht, oder die verlangte Steifigkeit.</translation>
+        <source> Given: the value of the simulated arm, or the stiffness that was commanded.</source>
+        <translation> Vorgabe: der Wert des simulierten Arms oder die verlangte Steifigkeit.</translation>
     </message>
     <message>
-        <source>Swings along %1 at place %2, the fit leaves %3 µm</source>
-        <translation>Schwingungen längs %1 an Stelle %2, die Anpassung lässt %3 µm übrig</translation>
+        <source>Swings along %1 at position %2, residual of the fit %3 µm</source>
+        <translation>Schwingungen entlang %1 an Ort %2, Residuum der Anpassung %3 µm</translation>
     </message>
 </context>
 <context>
@@ -10166,7 +10166,7 @@ und %2 weitere</translation>
         <translation>x, y, z koppeln</translation>
     </message>
     <message>
-        <source>A change of one axis changes all three.</source>
+        <source>Changing one axis changes all three.</source>
         <translation>Die Änderung einer Achse ändert alle drei.</translation>
     </message>
     <message>
@@ -10303,8 +10303,8 @@ und %2 weitere</translation>
         <translation>Einer aufgezeichneten Hand folgen</translation>
     </message>
     <message>
-        <source>Let the ghost go</source>
-        <translation>Geisterhand gehen lassen</translation>
+        <source>Play the ghost</source>
+        <translation>Geisterbild abspielen</translation>
     </message>
     <message>
         <source>From the beginning</source>
@@ -10312,15 +10312,15 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Time of the ghost</source>
-        <translation>Zeit der Geisterhand</translation>
+        <translation>Zeit des Geisterbilds</translation>
     </message>
     <message>
         <source>Speed</source>
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>How fast the ghost goes, times the recorded speed.</source>
-        <translation>Wie schnell die Geisterhand geht, als Vielfaches des aufgezeichneten Tempos.</translation>
+        <source>Speed of the ghost, as a multiple of the recorded speed.</source>
+        <translation>Tempo des Geisterbilds, als Vielfaches des aufgezeichneten Tempos.</translation>
     </message>
     <message>
         <source>%1 ×</source>
@@ -10331,32 +10331,32 @@ und %2 weitere</translation>
         <translation>Gespiegelt</translation>
     </message>
     <message>
-        <source>Left to right, as the scenes are for the left hand; off: where the hand was.</source>
-        <translation>Seitenverkehrt wie die Szenen für die linke Hand; aus: wo die Hand war.</translation>
+        <source>Mirrors the ghost like the scenes for the left hand. Off: the hand as it was recorded.</source>
+        <translation>Spiegelt das Geisterbild wie die Szenen für die linke Hand. Aus: die Hand, wie sie aufgezeichnet wurde.</translation>
     </message>
     <message>
         <source>Distance to the ghost</source>
-        <translation>Abstand zur Geisterhand</translation>
+        <translation>Abstand zum Geisterbild</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Take the ghost away</source>
-        <translation>Geisterhand wegnehmen</translation>
+        <source>Remove the ghost</source>
+        <translation>Geisterbild entfernen</translation>
     </message>
     <message>
         <source>Wait for me beyond</source>
         <translation>Auf mich warten ab</translation>
     </message>
     <message>
-        <source>The ghost stands still while you are farther away, and goes on when you have come to half of that.</source>
-        <translation>Die Geisterhand steht still, solange die Spitze weiter weg ist, und geht weiter, wenn sie auf die Hälfte heran ist.</translation>
+        <source>The ghost waits while you are farther away than this, and continues when you are within half the distance.</source>
+        <translation>Das Geisterbild wartet, solange die Spitze weiter weg ist, und geht weiter, wenn sie auf die Hälfte heran ist.</translation>
     </message>
     <message>
-        <source>Farther away than this the ghost waits</source>
-        <translation>Ab diesem Abstand wartet die Geisterhand</translation>
+        <source>Distance beyond which the ghost waits</source>
+        <translation>Abstand, ab dem das Geisterbild wartet</translation>
     </message>
     <message>
         <source> mm</source>
@@ -10367,28 +10367,28 @@ und %2 weitere</translation>
         <translation>Mit mir beginnen</translation>
     </message>
     <message>
-        <source>The ghost stays at its beginning until you are there.</source>
-        <translation>Die Geisterhand bleibt an ihrem Anfang, bis die Spitze dort ist.</translation>
+        <source>The ghost waits at its beginning until you are there.</source>
+        <translation>Das Geisterbild wartet an seinem Anfang, bis die Spitze dort ist.</translation>
     </message>
     <message>
         <source>Loop</source>
         <translation>Schleife</translation>
     </message>
     <message>
-        <source>At its end the ghost begins again; each round counts anew.</source>
-        <translation>Am Ende beginnt die Geisterhand von vorn; jede Runde zählt für sich.</translation>
+        <source>The ghost starts again at the end; each round is counted separately.</source>
+        <translation>Am Ende beginnt das Geisterbild von vorn; jede Runde wird für sich gezählt.</translation>
     </message>
     <message>
-        <source>What to do, and how near you are</source>
-        <translation>Was zu tun ist und wie nahe die Spitze ist</translation>
+        <source>What to do, and your result</source>
+        <translation>Was zu tun ist, und Ihr Ergebnis</translation>
     </message>
     <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
     </message>
     <message>
-        <source>Puts the sentence of the last round where others can paste it.</source>
-        <translation>Legt den Satz der letzten Runde in die Zwischenablage.</translation>
+        <source>Copies the result of the last round to the clipboard.</source>
+        <translation>Kopiert das Ergebnis der letzten Runde in die Zwischenablage.</translation>
     </message>
     <message>
         <source>Copy the result</source>
@@ -10399,8 +10399,8 @@ und %2 weitere</translation>
         <translation>Kopiert</translation>
     </message>
     <message>
-        <source>The round before</source>
-        <translation>Die Runde davor</translation>
+        <source>Previous round</source>
+        <translation>Vorige Runde</translation>
     </message>
     <message>
         <source>About the recording</source>
@@ -10411,12 +10411,12 @@ und %2 weitere</translation>
         <translation>Diese Szene öffnen</translation>
     </message>
     <message>
-        <source>The scene as it was when this was recorded, in place of the one in the window.</source>
-        <translation>Die Szene, wie sie bei der Aufzeichnung war, anstelle der jetzigen.</translation>
+        <source>Opens the scene of the recording in place of the current one.</source>
+        <translation>Öffnet die Szene der Aufzeichnung anstelle der jetzigen.</translation>
     </message>
     <message>
         <source>Pause the ghost</source>
-        <translation>Geisterhand anhalten</translation>
+        <translation>Geisterbild anhalten</translation>
     </message>
 </context>
 <context>
@@ -10519,15 +10519,15 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::Hand</name>
     <message>
-        <source>Replaying: forces go to no arm.</source>
-        <translation>Wiedergabe: Kräfte gehen an keinen Arm.</translation>
+        <source>Replay: no force is sent to the arm.</source>
+        <translation>Wiedergabe: Es wird keine Kraft an den Arm gesendet.</translation>
     </message>
 </context>
 <context>
     <name>underact::gui::HandsPanel</name>
     <message>
-        <source>something is missing</source>
-        <translation>etwas fehlt</translation>
+        <source>not ready</source>
+        <translation>nicht bereit</translation>
     </message>
     <message>
         <source>switched off</source>
@@ -10542,48 +10542,48 @@ und %2 weitere</translation>
         <translation>bereit</translation>
     </message>
     <message>
-        <source>What the hands do</source>
-        <translation>Was die Hände tun</translation>
+        <source>State of the input devices</source>
+        <translation>Zustand der Eingabegeräte</translation>
     </message>
     <message>
         <source>What is wrong</source>
         <translation>Was nicht stimmt</translation>
     </message>
     <message>
-        <source>Hands</source>
-        <translation>Hände</translation>
+        <source>Input devices</source>
+        <translation>Eingabegeräte</translation>
     </message>
     <message>
-        <source>What is there; one without its tick moves nothing.</source>
-        <translation>Was da ist; was kein Häkchen hat, bewegt nichts.</translation>
+        <source>The input devices that are plugged in. An unticked device is ignored.</source>
+        <translation>Die angeschlossenen Eingabegeräte. Ein Gerät ohne Häkchen wird ignoriert.</translation>
     </message>
     <message>
-        <source>About the selected hand</source>
-        <translation>Über die gewählte Hand</translation>
+        <source>About the selected device</source>
+        <translation>Über das gewählte Gerät</translation>
     </message>
     <message>
         <source>How to fix it…</source>
         <translation>Abhilfe …</translation>
     </message>
     <message>
-        <source>Shows the command that mends what is missing.</source>
-        <translation>Zeigt den Befehl, der behebt, was fehlt.</translation>
+        <source>Shows the command that fixes the problem.</source>
+        <translation>Zeigt den Befehl, der das Problem behebt.</translation>
     </message>
     <message>
-        <source>Mouse and keyboard – always</source>
-        <translation>Maus und Tastatur – immer</translation>
+        <source>Mouse and keyboard – always on</source>
+        <translation>Maus und Tastatur – immer aktiv</translation>
     </message>
     <message>
-        <source>Drag the stylus in the view, or click the view and press the arrow keys. Shift+F1 lists them all. A controller or 3D mouse that is plugged in comes into this list.</source>
-        <translation>Ziehen Sie den Stift in der Ansicht, oder klicken Sie in die Ansicht und drücken Sie die Pfeiltasten. Umschalt+F1 listet alle auf. Ein Gamepad oder eine 3D-Maus kommt beim Anschließen in diese Liste.</translation>
+        <source>Drag the stylus in the view, or click the view and press the arrow keys. Shift+F1 lists all keys. A game controller or 3D mouse appears in this list when you plug it in.</source>
+        <translation>Ziehen Sie den Stift in der Ansicht, oder klicken Sie in die Ansicht und drücken Sie die Pfeiltasten. Umschalt+F1 listet alle Tasten auf. Ein Gamepad oder eine 3D-Maus erscheint in dieser Liste, wenn Sie das Gerät anschließen.</translation>
     </message>
     <message>
-        <source>A %1, untested. Its mapping is kept.</source>
+        <source>A %1, untested. Its mapping is saved.</source>
         <translation>%1, nicht erprobt. Die Belegung wird gespeichert.</translation>
     </message>
     <message>
-        <source>Whatever is moved moves the simulated hand.</source>
-        <translation>Was immer bewegt wird, bewegt die simulierte Hand.</translation>
+        <source>Every device in use moves the simulated hand.</source>
+        <translation>Jedes verwendete Gerät bewegt die simulierte Hand.</translation>
     </message>
 </context>
 <context>
@@ -10612,44 +10612,44 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::HomeSection</name>
     <message>
-        <source>Tip at home</source>
-        <translation>Spitze in Grundstellung</translation>
+        <source>Home pose</source>
+        <translation>Grundstellung</translation>
     </message>
     <message>
-        <source>Where the tip V is while all joints are at 0, and how it is turned: about x, then y, then z of W, R = Rz Ry Rx. The stylus is drawn to V, and its z to V's.</source>
-        <translation>Wo die Spitze V ist, wenn alle Gelenke auf 0 stehen, und wie sie gedreht ist: um x, dann y, dann z von W, R = Rz Ry Rx. Der Stift wird zu V gezogen und sein z zu dem von V.</translation>
+        <source>Pose of the end effector V with all joints at 0: its position, and its orientation as rotations about x, then y, then z of W, R = Rz Ry Rx. The tip of the stylus is pulled towards V; the z axis of V can follow that of the stylus.</source>
+        <translation>Lage des Endeffektors V, wenn alle Gelenke auf 0 stehen: sein Ort und seine Orientierung als Drehungen um x, dann y, dann z von W, R = Rz Ry Rx. Die Spitze des Stifts wird zu V gezogen; die z-Achse von V kann der des Stifts folgen.</translation>
     </message>
     <message>
-        <source>The robot's tip at home</source>
-        <translation>Die Spitze des Roboters in Grundstellung</translation>
+        <source>Home pose of the end effector</source>
+        <translation>Grundstellung des Endeffektors</translation>
     </message>
     <message>
-        <source>Along, and about, %1 of W.</source>
+        <source>Along and about %1 of W.</source>
         <translation>Entlang und um %1 von W.</translation>
     </message>
     <message>
-        <source>place [mm]</source>
+        <source>position [mm]</source>
         <translation>Ort [mm]</translation>
     </message>
     <message>
-        <source>turn [°]</source>
-        <translation>Drehung [°]</translation>
+        <source>orientation [°]</source>
+        <translation>Orientierung [°]</translation>
     </message>
     <message>
-        <source>tip at home, %1, mm</source>
-        <translation>Spitze in Grundstellung, %1, mm</translation>
+        <source>home position, %1, mm</source>
+        <translation>Ort in Grundstellung, %1, mm</translation>
     </message>
     <message>
-        <source>Where the tip is at home, in W.</source>
-        <translation>Wo die Spitze in Grundstellung ist, in W.</translation>
+        <source>Position of the end effector with all joints at 0, in W.</source>
+        <translation>Ort des Endeffektors in W, wenn alle Gelenke auf 0 stehen.</translation>
     </message>
     <message>
-        <source>turn of the tip about %1, degrees</source>
-        <translation>Drehung der Spitze um %1, Grad</translation>
+        <source>home orientation, rotation about %1, degrees</source>
+        <translation>Orientierung in Grundstellung, Drehung um %1, Grad</translation>
     </message>
     <message>
-        <source>How the tip is turned at home: R = Rz Ry Rx.</source>
-        <translation>Wie die Spitze in Grundstellung gedreht ist: R = Rz Ry Rx.</translation>
+        <source>Orientation of the end effector with all joints at 0: R = Rz Ry Rx.</source>
+        <translation>Orientierung des Endeffektors, wenn alle Gelenke auf 0 stehen: R = Rz Ry Rx.</translation>
     </message>
 </context>
 <context>
@@ -10667,32 +10667,32 @@ und %2 weitere</translation>
         <translation>Jetzt wird ein anderer Arm simuliert, daher wurde die Messung beendet.</translation>
     </message>
     <message>
-        <source>%1 Force is off. When that is mended, press “Repeat this part”.</source>
-        <translation>%1 Die Kraft ist aus. Wenn das behoben ist, drücken Sie „Diesen Teil wiederholen“.</translation>
+        <source>%1 Force is off. Fix the cause, then press “Repeat this part”.</source>
+        <translation>%1 Die Kraft ist aus. Beheben Sie die Ursache und drücken Sie dann „Diesen Teil wiederholen“.</translation>
     </message>
     <message>
         <source>The servo was stopped.</source>
         <translation>Der Servo wurde gestoppt.</translation>
     </message>
     <message>
-        <source>The servo's rate was changed meanwhile. Put it back to %1 Hz, or go back and begin again.</source>
-        <translation>Die Taktrate des Servos wurde inzwischen geändert. Stellen Sie sie auf %1 Hz zurück, oder gehen Sie zurück und beginnen Sie neu.</translation>
+        <source>The servo rate was changed during the measurement. Set it back to %1 Hz, or go back and begin again.</source>
+        <translation>Die Servo-Taktrate wurde während der Messung geändert. Stellen Sie sie auf %1 Hz zurück, oder gehen Sie zurück und beginnen Sie neu.</translation>
     </message>
     <message>
         <source>The scene is for another arm now, so the measurement was ended.</source>
         <translation>Die Szene ist jetzt für einen anderen Arm, daher wurde die Messung beendet.</translation>
     </message>
     <message>
-        <source>The scene was changed meanwhile.</source>
-        <translation>Die Szene wurde inzwischen geändert.</translation>
+        <source>The scene was changed during the measurement.</source>
+        <translation>Die Szene wurde während der Messung geändert.</translation>
     </message>
     <message>
         <source>Evaluating</source>
         <translation>Auswertung</translation>
     </message>
     <message>
-        <source>A simulated hand does it: %1</source>
-        <translation>Eine simulierte Hand tut es: %1</translation>
+        <source>A simulated hand does this for you: %1</source>
+        <translation>Eine simulierte Hand macht das für Sie: %1</translation>
     </message>
 </context>
 <context>
@@ -10702,16 +10702,16 @@ und %2 weitere</translation>
         <translation>Arm &amp;vermessen …</translation>
     </message>
     <message>
-        <source>Mass, friction, damping, encoders and rendered stiffness of the arm at hand, step by step.</source>
-        <translation>Masse, Reibung, Dämpfung, Encoder und dargestellte Steifigkeit des vorhandenen Arms, Schritt für Schritt.</translation>
+        <source>Measures mass, friction, damping, encoder resolution and rendered stiffness of this arm, step by step.</source>
+        <translation>Misst Masse, Reibung, Dämpfung, Encoderauflösung und dargestellte Steifigkeit dieses Arms, Schritt für Schritt.</translation>
     </message>
     <message>
         <source>&amp;Open a measured arm…</source>
         <translation>Vermessenen Arm ö&amp;ffnen …</translation>
     </message>
     <message>
-        <source>The simulated arm becomes one that was measured, from its file.</source>
-        <translation>Der simulierte Arm wird zu einem, der vermessen wurde, aus dessen Datei.</translation>
+        <source>Gives the simulated arm the values of a measured arm, from its file.</source>
+        <translation>Gibt dem simulierten Arm die Werte eines vermessenen Arms, aus dessen Datei.</translation>
     </message>
     <message>
         <source>Open a measured arm</source>
@@ -10726,16 +10726,16 @@ und %2 weitere</translation>
         <translation>&amp;Herstellerarm</translation>
     </message>
     <message>
-        <source>The simulated arm is made of the vendor's figures again.</source>
-        <translation>Der simulierte Arm besteht wieder aus den Angaben des Herstellers.</translation>
+        <source>Gives the simulated arm the vendor's values again.</source>
+        <translation>Gibt dem simulierten Arm wieder die Werte des Herstellers.</translation>
     </message>
     <message>
         <source>Measured arm</source>
         <translation>Vermessener Arm</translation>
     </message>
     <message>
-        <source>This file is no arm that can be simulated. The arm stays as it is.</source>
-        <translation>Diese Datei ist kein Arm, der sich simulieren lässt. Der Arm bleibt, wie er ist.</translation>
+        <source>This file does not describe an arm that can be simulated. The arm is unchanged.</source>
+        <translation>Diese Datei beschreibt keinen Arm, der sich simulieren lässt. Der Arm bleibt unverändert.</translation>
     </message>
 </context>
 <context>
@@ -10752,20 +10752,20 @@ und %2 weitere</translation>
         <translation>Arm vermessen</translation>
     </message>
     <message>
-        <source>This finds, on the arm at hand, what the tip feels like: its mass, friction and damping along x, y and z, the steps of its encoders, and the stiffness that is really rendered. It ends with a file of the arm and a report.</source>
-        <translation>Hier wird am vorhandenen Arm ermittelt, wie sich die Spitze anfühlt: Masse, Reibung und Dämpfung entlang x, y und z, die Schritte der Encoder und die Steifigkeit, die wirklich dargestellt wird. Am Ende stehen eine Datei des Arms und ein Bericht.</translation>
+        <source>This wizard measures the arm: the mass, friction and damping at its tip along x, y and z, the resolution of its encoders, and the stiffness that it actually renders. At the end you can save an arm file and a report.</source>
+        <translation>Dieser Assistent vermisst den Arm: Masse, Reibung und Dämpfung an der Spitze entlang x, y und z, die Auflösung der Encoder und die Steifigkeit, die der Arm tatsächlich darstellt. Am Ende können Sie eine Armdatei und einen Bericht speichern.</translation>
     </message>
     <message>
-        <source>The arm is a simulated one, and a simulated hand does what is asked. It takes half a minute.</source>
-        <translation>Der Arm ist simuliert, und eine simulierte Hand tut, was verlangt wird. Es dauert eine halbe Minute.</translation>
+        <source>The arm is simulated, and a simulated hand follows the instructions. This takes half a minute.</source>
+        <translation>Der Arm ist simuliert, und eine simulierte Hand folgt den Anweisungen. Das dauert eine halbe Minute.</translation>
     </message>
     <message>
-        <source>First let go: for about 20 seconds the arm moves the stylus by itself, 20 mm to each side, with at most the force that any scene may use. Then you take the stylus, press it slowly, and turn it. It takes about a minute.</source>
-        <translation>Lassen Sie zuerst los: Etwa 20 Sekunden lang bewegt der Arm den Stift selbst, 20 mm nach jeder Seite, höchstens mit der Kraft, die jede Szene verwenden darf. Danach nehmen Sie den Stift, drücken ihn langsam und drehen ihn. Es dauert etwa eine Minute.</translation>
+        <source>First let go of the stylus: for about 20 seconds the arm moves it by itself, 20 mm to each side, with no more force than any scene may use. Then take the stylus, press it down slowly, and rotate it. This takes about a minute.</source>
+        <translation>Lassen Sie zuerst den Stift los: Etwa 20 Sekunden lang bewegt der Arm ihn selbst, 20 mm nach jeder Seite, mit höchstens der Kraft, die jede Szene verwenden darf. Nehmen Sie danach den Stift, drücken Sie ihn langsam nach unten und drehen Sie ihn. Das dauert etwa eine Minute.</translation>
     </message>
     <message>
-        <source>Esc stops the force at any time. The scene that is open now is there again afterwards.</source>
-        <translation>Esc stoppt die Kraft jederzeit. Die jetzt geöffnete Szene ist danach wieder da.</translation>
+        <source>Esc stops the force at any time. The open scene is restored afterwards.</source>
+        <translation>Esc stoppt die Kraft jederzeit. Die geöffnete Szene wird danach wiederhergestellt.</translation>
     </message>
 </context>
 <context>
@@ -10775,16 +10775,16 @@ und %2 weitere</translation>
         <translation>Jacobi-Matrix</translation>
     </message>
     <message>
-        <source>How fast the tip moves (v, m/rad) and turns (ω, rad/rad) for each joint's rate, in the workspace frame: (v, ω) = J dq/dt; joint torques are τ = Jᵀ F. Eq. 3.5 derived.</source>
-        <translation>Wie schnell sich die Spitze bewegt (v, m/rad) und dreht (ω, rad/rad), je Geschwindigkeit jedes Gelenks, im Koordinatensystem des Arbeitsraums: (v, ω) = J dq/dt; die Gelenkdrehmomente sind τ = Jᵀ F. Hergeleitet aus Gl. 3.5.</translation>
+        <source>Velocity v of the tip (m/rad) and angular velocity ω of the stylus (rad/rad) per joint rate, in the workspace frame: (v, ω) = J dq/dt; joint torques are τ = Jᵀ F. Derived from eq. 3.5.</source>
+        <translation>Geschwindigkeit v der Spitze (m/rad) und Winkelgeschwindigkeit ω des Stifts (rad/rad) je Gelenkgeschwindigkeit, im Koordinatensystem des Arbeitsraums: (v, ω) = J dq/dt; die Gelenkdrehmomente sind τ = Jᵀ F. Hergeleitet aus Gl. 3.5.</translation>
     </message>
     <message>
-        <source>Speed of the tip along %1 of W for each joint's rate, m/rad.</source>
-        <translation>Geschwindigkeit der Spitze entlang %1 von W je Geschwindigkeit jedes Gelenks, m/rad.</translation>
+        <source>Velocity of the tip along %1 of W per joint rate, m/rad.</source>
+        <translation>Geschwindigkeit der Spitze entlang %1 von W je Gelenkgeschwindigkeit, m/rad.</translation>
     </message>
     <message>
-        <source>Turning of the stylus about %1 of W for each joint's rate, rad/rad.</source>
-        <translation>Drehung des Stifts um %1 von W je Geschwindigkeit jedes Gelenks, rad/rad.</translation>
+        <source>Angular velocity of the stylus about %1 of W per joint rate, rad/rad.</source>
+        <translation>Winkelgeschwindigkeit des Stifts um %1 von W je Gelenkgeschwindigkeit, rad/rad.</translation>
     </message>
     <message>
         <source>&amp;Position only, J_p (3 × 3)</source>
@@ -10795,8 +10795,8 @@ und %2 weitere</translation>
         <translation>Nur der Positionsteil der Jacobi-Matrix</translation>
     </message>
     <message>
-        <source>Joints 4 to 6 turn the stylus about its tip and do not move it: v = J_p (q1, q2, q3)'.</source>
-        <translation>Die Gelenke 4 bis 6 drehen den Stift um seine Spitze und bewegen sie nicht: v = J_p (q1, q2, q3)'.</translation>
+        <source>Joints 4 to 6 rotate the stylus about its tip without moving it: v = J_p (q1, q2, q3)'.</source>
+        <translation>Die Gelenke 4 bis 6 drehen den Stift um seine Spitze, ohne sie zu bewegen: v = J_p (q1, q2, q3)&apos;.</translation>
     </message>
     <message>
         <source>det J_p</source>
@@ -10811,24 +10811,24 @@ und %2 weitere</translation>
         <translation>Manipulierbarkeit</translation>
     </message>
     <message>
-        <source>Yoshikawa's measure of J_p, |det J_p|.</source>
-        <translation>Yoshikawas Maß für J_p, |det J_p|.</translation>
+        <source>Yoshikawa's measure of manipulability, |det J_p|.</source>
+        <translation>Das Maß der Manipulierbarkeit nach Yoshikawa, |det J_p|.</translation>
     </message>
     <message>
-        <source>Condition</source>
-        <translation>Kondition</translation>
+        <source>Condition number</source>
+        <translation>Konditionszahl</translation>
     </message>
     <message>
-        <source>Largest over smallest singular value of J_p: 1 is alike in all directions.</source>
-        <translation>Größter durch kleinsten Singulärwert von J_p: 1 heißt gleich in allen Richtungen.</translation>
+        <source>Ratio of the largest to the smallest singular value of J_p; 1: the same in all directions.</source>
+        <translation>Verhältnis des größten zum kleinsten Singulärwert von J_p; 1: in allen Richtungen gleich.</translation>
     </message>
     <message>
         <source>Singular values</source>
         <translation>Singulärwerte</translation>
     </message>
     <message>
-        <source>Of J_p: how far the tip goes along the motion ellipsoid's axes, for each rad of joint turn. A force along the same axis is one over it for each N m of joint torque.</source>
-        <translation>Von J_p: wie weit die Spitze entlang der Achsen des Bewegungsellipsoids kommt, je rad Gelenkdrehung. Eine Kraft entlang derselben Achse ist der Kehrwert davon, je N m Gelenkdrehmoment.</translation>
+        <source>Of J_p: displacement of the tip along each axis of the motion ellipsoid per radian of joint rotation. The force along the same axis per N m of joint torque is the reciprocal.</source>
+        <translation>Von J_p: Weg der Spitze entlang jeder Achse des Bewegungsellipsoids je rad Gelenkdrehung. Die Kraft entlang derselben Achse je N m Gelenkdrehmoment ist der Kehrwert.</translation>
     </message>
     <message>
         <source>%1 m³</source>
@@ -10842,8 +10842,8 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::JobStrip</name>
     <message>
-        <source>What came of it</source>
-        <translation>Was daraus wurde</translation>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -10854,12 +10854,12 @@ und %2 weitere</translation>
         <translation>Fortschritt</translation>
     </message>
     <message>
-        <source>Cancel the work on the session</source>
-        <translation>Die Arbeit an der Sitzung abbrechen</translation>
+        <source>Cancel the export</source>
+        <translation>Export abbrechen</translation>
     </message>
     <message>
-        <source>Ends the work.</source>
-        <translation>Beendet die Arbeit.</translation>
+        <source>Stops the export.</source>
+        <translation>Bricht den Export ab.</translation>
     </message>
     <message>
         <source>Exporting %1</source>
@@ -10908,8 +10908,8 @@ und %2 weitere</translation>
         <translation>Gelenke</translation>
     </message>
     <message>
-        <source>The joint angles q of the DH table, as the arm's encoders say.</source>
-        <translation>Die Gelenkwinkel q der DH-Tabelle, wie die Encoder des Arms sie melden.</translation>
+        <source>The joint angles q of the DH table, as measured by the encoders.</source>
+        <translation>Die Gelenkwinkel q der DH-Tabelle, gemessen von den Encodern.</translation>
     </message>
     <message>
         <source>turret</source>
@@ -10936,31 +10936,31 @@ und %2 weitere</translation>
         <translation>Kardan 3</translation>
     </message>
     <message>
-        <source>Angle q%1 of table 3.1; measured and driven.</source>
-        <translation>Winkel q%1 der Tabelle 3.1; gemessen und angetrieben.</translation>
+        <source>Angle q%1 of thesis table 3.1: measured and driven.</source>
+        <translation>Winkel q%1 der Thesis, Tabelle 3.1: gemessen und angetrieben.</translation>
     </message>
     <message>
-        <source>Angle q%1 of table 3.1; measured, not driven.</source>
-        <translation>Winkel q%1 der Tabelle 3.1; gemessen, nicht angetrieben.</translation>
+        <source>Angle q%1 of thesis table 3.1: measured, not driven.</source>
+        <translation>Winkel q%1 der Thesis, Tabelle 3.1: gemessen, nicht angetrieben.</translation>
     </message>
     <message>
-        <source>A slider moves the hand, and the hand takes the arm there.</source>
-        <translation>Ein Schieberegler bewegt die Hand, und die Hand nimmt den Arm mit.</translation>
+        <source>Each slider moves the simulated hand, which moves the arm.</source>
+        <translation>Jeder Schieberegler bewegt die simulierte Hand, und diese den Arm.</translation>
     </message>
 </context>
 <context>
     <name>underact::gui::KeepPage</name>
     <message>
-        <source>Keep it</source>
-        <translation>Aufbewahren</translation>
+        <source>Save the results</source>
+        <translation>Ergebnisse speichern</translation>
     </message>
     <message>
         <source>Name</source>
         <translation>Name</translation>
     </message>
     <message>
-        <source>A short name, as it stands in the status line.</source>
-        <translation>Ein kurzer Name, wie er in der Statuszeile steht.</translation>
+        <source>A short name, shown in the status line.</source>
+        <translation>Ein kurzer Name, der in der Statuszeile steht.</translation>
     </message>
     <message>
         <source>Title</source>
@@ -10971,8 +10971,8 @@ und %2 weitere</translation>
         <translation>Herkunft</translation>
     </message>
     <message>
-        <source>What was done</source>
-        <translation>Was getan wurde</translation>
+        <source>Result of the last action</source>
+        <translation>Ergebnis der letzten Aktion</translation>
     </message>
     <message>
         <source>&amp;Name</source>
@@ -10987,24 +10987,24 @@ und %2 weitere</translation>
         <translation>Arm &amp;speichern …</translation>
     </message>
     <message>
-        <source>A file for --arm-model and for here.</source>
-        <translation>Eine Datei für --arm-model und für hier.</translation>
+        <source>Saves an arm file, for “Open a measured arm” and for the option --arm-model.</source>
+        <translation>Speichert eine Armdatei, für „Vermessenen Arm öffnen“ und für die Option --arm-model.</translation>
     </message>
     <message>
         <source>Save the &amp;report…</source>
         <translation>&amp;Bericht speichern …</translation>
     </message>
     <message>
-        <source>A Markdown file.</source>
-        <translation>Eine Markdown-Datei.</translation>
+        <source>Saves the results as a Markdown file.</source>
+        <translation>Speichert die Ergebnisse als Markdown-Datei.</translation>
     </message>
     <message>
         <source>&amp;Use this arm</source>
         <translation>Arm &amp;verwenden</translation>
     </message>
     <message>
-        <source>The simulated arm is this one from now on, until it is changed back.</source>
-        <translation>Der simulierte Arm ist ab jetzt dieser, bis er zurückgeändert wird.</translation>
+        <source>Gives the simulated arm these values, until you choose another arm.</source>
+        <translation>Gibt dem simulierten Arm diese Werte, bis Sie einen anderen Arm wählen.</translation>
     </message>
     <message>
         <source>Save the arm</source>
@@ -11039,70 +11039,70 @@ und %2 weitere</translation>
         <translation>%1 konnte nicht geschrieben werden: %2.</translation>
     </message>
     <message>
-        <source>The simulated arm is “%1” now.</source>
+        <source>The simulated arm is now “%1”.</source>
         <translation>Der simulierte Arm ist jetzt „%1“.</translation>
     </message>
 </context>
 <context>
     <name>underact::gui::KinematicsPanel</name>
     <message>
-        <source>&amp;Kinematics, all of it</source>
-        <translation>Kinematik, v&amp;ollständig</translation>
+        <source>&amp;Kinematics with all layers</source>
+        <translation>Kinematik k&amp;omplett</translation>
     </message>
     <message>
-        <source>Opens the kinematics panel and shows link frames, inverse solutions and both ellipsoids; once more: hides them.</source>
-        <translation>Öffnet den Bereich Kinematik und zeigt Gliedkoordinaten, inverse Lösungen und beide Ellipsoide; nochmals: blendet sie aus.</translation>
+        <source>Opens the Kinematics panel and shows link frames, inverse solutions and both ellipsoids. Choose it again to hide them.</source>
+        <translation>Öffnet den Bereich Kinematik und zeigt Gliedkoordinaten, inverse Lösungen und beide Ellipsoide. Nochmals gewählt, blendet es sie aus.</translation>
     </message>
     <message>
         <source>%1, in the view</source>
         <translation>%1, in der Ansicht</translation>
     </message>
     <message>
-        <source>v: the tip's way for 0.25 rad of joint turn. f: the force of 0.05 N m.</source>
-        <translation>v: der Weg der Spitze bei 0,25 rad Gelenkdrehung. f: die Kraft bei 0,05 N m.</translation>
+        <source>v: displacement of the tip for 0.25 rad of joint rotation. f: force for 0.05 N m.</source>
+        <translation>v: Weg der Spitze bei 0,25 rad Gelenkdrehung. f: Kraft bei 0,05 N m.</translation>
     </message>
     <message>
-        <source>A recording moves the arm: close the session, then the sliders do.</source>
-        <translation>Eine Aufzeichnung bewegt den Arm: Schließen Sie die Sitzung, dann tun es die Schieberegler.</translation>
+        <source>The replay moves the arm. Close the session to use the sliders.</source>
+        <translation>Die Wiedergabe bewegt den Arm. Schließen Sie die Sitzung, um die Schieberegler zu benutzen.</translation>
     </message>
     <message>
-        <source>A real arm is moved by hand: these only show where it is.</source>
-        <translation>Ein echter Arm wird von Hand bewegt: Diese zeigen nur, wo er ist.</translation>
+        <source>A real arm is moved by hand: the sliders only show its joint angles.</source>
+        <translation>Ein echter Arm wird von Hand bewegt: Die Schieberegler zeigen nur seine Gelenkwinkel.</translation>
     </message>
     <message>
-        <source>The servo is running. Press Stop (Esc), then the sliders move the arm.</source>
-        <translation>Der Servo läuft. Drücken Sie Stopp (Esc), dann bewegen die Schieberegler den Arm.</translation>
+        <source>The servo is running. Press Stop (Esc) to move the arm with the sliders.</source>
+        <translation>Der Servo läuft. Drücken Sie Stopp (Esc), um den Arm mit den Schiebereglern zu bewegen.</translation>
     </message>
 </context>
 <context>
     <name>underact::gui::LabPanel</name>
     <message>
-        <source>What this scene offers</source>
-        <translation>Was diese Szene bietet</translation>
+        <source>Choices of this scene</source>
+        <translation>Wahlmöglichkeiten dieser Szene</translation>
     </message>
     <message>
-        <source>What a tick is predicted to take</source>
-        <translation>Was ein Takt voraussichtlich braucht</translation>
+        <source>Predicted time of a tick</source>
+        <translation>Vorhergesagte Dauer eines Takts</translation>
     </message>
     <message>
-        <source>Measuring. Window and servo go on; leave the scene as it is.</source>
-        <translation>Messung läuft. Fenster und Servo laufen weiter; lassen Sie die Szene, wie sie ist.</translation>
+        <source>Measuring. Window and servo keep running; do not change the scene.</source>
+        <translation>Messung läuft. Fenster und Servo laufen weiter; ändern Sie die Szene nicht.</translation>
     </message>
     <message>
-        <source>Cancelling: the run that is on its way ends first.</source>
+        <source>Cancelling: the current run ends first.</source>
         <translation>Abbruch: Der begonnene Lauf endet zuerst.</translation>
     </message>
     <message>
-        <source>Cancelled. Nothing was kept: a part would look like the whole.</source>
-        <translation>Abgebrochen. Nichts wurde behalten: Ein Teil sähe wie das Ganze aus.</translation>
+        <source>Cancelled. Nothing was kept, since partial results would be misleading.</source>
+        <translation>Abgebrochen. Nichts wurde behalten, da ein Teil der Ergebnisse irreführend wäre.</translation>
     </message>
     <message>
-        <source>The scene was changed meanwhile: what was measured is of another one. Measure again.</source>
-        <translation>Die Szene wurde inzwischen geändert: Gemessen wurde eine andere. Messen Sie erneut.</translation>
+        <source>The scene was changed during the measurement, so the results do not apply to it. Measure again.</source>
+        <translation>Die Szene wurde während der Messung geändert, daher gelten die Ergebnisse nicht für sie. Messen Sie erneut.</translation>
     </message>
     <message>
-        <source>The finest run of this scene, or each other one, ended in a fault, so there is no front to walk on. What could be measured stands below. Softer gains may help.</source>
-        <translation>Der feinste Lauf dieser Szene oder jeder andere endete mit einer Störung, also gibt es keine Front, auf der man gehen kann. Was gemessen werden konnte, steht unten. Kleinere Verstärkungen können helfen.</translation>
+        <source>The finest run of this scene, or every other one, ended in a fault, so there is no front. What could be measured is shown below. Lower gains may help.</source>
+        <translation>Der feinste Lauf dieser Szene oder jeder andere endete mit einer Störung, daher gibt es keine Front. Was gemessen werden konnte, steht unten. Kleinere Verstärkungen können helfen.</translation>
     </message>
     <message>
         <source> The rate stays at %1 Hz. </source>
@@ -11113,75 +11113,75 @@ und %2 weitere</translation>
         <translation> Der Servo bleibt bei %1 Hz.</translation>
     </message>
     <message>
-        <source>The scene was changed: the figures were of another one and are gone. Measure again.</source>
-        <translation>Die Szene wurde geändert: Die Zahlen galten für eine andere und sind weg. Messen Sie erneut.</translation>
+        <source>The scene was changed, so the results no longer apply and have been discarded. Measure again.</source>
+        <translation>Die Szene wurde geändert, daher gelten die Ergebnisse nicht mehr und wurden verworfen. Messen Sie erneut.</translation>
     </message>
     <message>
         <source>speed or accuracy</source>
         <translation>Tempo oder Genauigkeit</translation>
     </message>
     <message>
-        <source>The scene stays. %1</source>
-        <translation>Die Szene bleibt. %1</translation>
+        <source>The scene is unchanged. %1</source>
+        <translation>Die Szene bleibt unverändert. %1</translation>
     </message>
     <message>
         <source>The rate stays at %1 Hz. %2</source>
         <translation>Die Taktrate bleibt bei %1 Hz. %2</translation>
     </message>
     <message>
-        <source>A tick of this scene: %1 predicted, %2 % of its period of %3 at %4 Hz.</source>
-        <translation>Ein Takt dieser Szene: %1 vorhergesagt, %2 % seiner Periode von %3 bei %4 Hz.</translation>
+        <source>Time of a tick: %1 predicted, %2 % of the period of %3 at %4 Hz.</source>
+        <translation>Dauer eines Takts: %1 vorhergesagt, %2 % der Periode von %3 bei %4 Hz.</translation>
     </message>
     <message>
-        <source>What is set now is none of the ways that were measured.</source>
-        <translation>Was jetzt eingestellt ist, wurde so nicht gemessen.</translation>
+        <source>The current settings are none of the combinations that were measured.</source>
+        <translation>Die jetzigen Einstellungen sind keine der gemessenen Kombinationen.</translation>
     </message>
     <message>
-        <source>%1 of processor time a second, the tip %2 off its way, the force %3 N.</source>
-        <translation>%1 Prozessorzeit je Sekunde, die Spitze %2 neben ihrem Weg, die Kraft %3 N.</translation>
+        <source>Processor time per second: %1. Error of the tip's path: %2, of the force: %3 N.</source>
+        <translation>Prozessorzeit je Sekunde: %1. Fehler des Spitzenwegs: %2, der Kraft: %3 N.</translation>
     </message>
     <message>
-        <source>The rate of %1 Hz comes when you let go of the slider; the force lets go for a moment then.</source>
-        <translation>Die Taktrate von %1 Hz kommt, wenn Sie den Schieberegler loslassen; die Kraft setzt dann kurz aus.</translation>
+        <source>The rate changes to %1 Hz when you let go of the slider; the force is off for a moment then.</source>
+        <translation>Die Taktrate wechselt auf %1 Hz, wenn Sie den Schieberegler loslassen; die Kraft setzt dann kurz aus.</translation>
     </message>
     <message>
         <source>%1: %2 → %3</source>
         <translation>%1: %2 → %3</translation>
     </message>
     <message>
-        <source>Nothing differs from how it was measured.</source>
-        <translation>Nichts weicht von der Messung ab.</translation>
+        <source>Nothing differs from the scene as it was measured.</source>
+        <translation>Nichts weicht von der gemessenen Szene ab.</translation>
     </message>
     <message>
-        <source>Measured: %1 ways to run this scene, %2 of them on the front.</source>
-        <translation>Gemessen: %1 Arten, diese Szene auszuführen, davon %2 auf der Front.</translation>
+        <source>Measured: %1 combinations, %2 of them on the front.</source>
+        <translation>Gemessen: %1 Kombinationen, davon %2 auf der Front.</translation>
     </message>
     <message>
-        <source>Open a scene: then it can be measured.</source>
-        <translation>Öffnen Sie eine Szene: Dann kann sie gemessen werden.</translation>
+        <source>Open a scene to measure it.</source>
+        <translation>Öffnen Sie eine Szene, um sie zu messen.</translation>
     </message>
     <message>
-        <source>Nothing is measured yet. Measure runs this scene on a simulated arm of its own, in every way that it can be run, and lays what each costs against how far it is off: about %1 here. Window and servo go on.</source>
-        <translation>Noch ist nichts gemessen. „Messen“ führt diese Szene an einem eigenen simulierten Arm auf jede mögliche Art aus und stellt gegenüber, was jede kostet und wie weit sie danebenliegt: hier etwa %1. Fenster und Servo laufen weiter.</translation>
+        <source>Nothing has been measured yet. Measure runs this scene on a simulated arm of its own with every combination of choices, and compares cost and error. This takes about %1; window and servo keep running.</source>
+        <translation>Noch ist nichts gemessen. „Messen“ führt diese Szene an einem eigenen simulierten Arm mit jeder Kombination der Wahlmöglichkeiten aus und vergleicht Kosten und Fehler. Das dauert etwa %1; Fenster und Servo laufen weiter.</translation>
     </message>
     <message>
-        <source> The arm that is simulated here has the vendor's figures, not those of “%1”.</source>
-        <translation> Der hier simulierte Arm hat die Zahlen des Herstellers, nicht die von „%1“.</translation>
+        <source> The arm simulated here has the vendor's values, not those of “%1”.</source>
+        <translation> Der hier simulierte Arm hat die Werte des Herstellers, nicht die von „%1“.</translation>
     </message>
 </context>
 <context>
     <name>underact::gui::LatenessChart</name>
     <message>
-        <source>How often ticks were how late</source>
-        <translation>Wie oft Takte wie sehr verspätet waren</translation>
+        <source>Latency histogram</source>
+        <translation>Histogramm der Latenz</translation>
     </message>
     <message>
-        <source>Ticks by how late they started, both scales logarithmic. The line is one period: right of it a tick was late.</source>
-        <translation>Takte nach der Verspätung ihres Beginns, beide Skalen logarithmisch. Die Linie ist eine Periode: Rechts davon war ein Takt verspätet.</translation>
+        <source>Number of ticks by latency, both scales logarithmic. The line marks one period: ticks to the right of it were late.</source>
+        <translation>Anzahl der Takte nach Latenz, beide Skalen logarithmisch. Die Linie markiert eine Periode: Takte rechts davon waren verspätet.</translation>
     </message>
     <message>
-        <source>99 of 100 ticks at most %1 µs late</source>
-        <translation>99 von 100 Takten höchstens %1 µs verspätet</translation>
+        <source>99 of 100 ticks have a latency of %1 µs or less</source>
+        <translation>99 von 100 Takten haben höchstens %1 µs Latenz</translation>
     </message>
     <message>
         <source>1 µs</source>
@@ -11199,15 +11199,15 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::Learning</name>
     <message>
-        <source>Press the button that is to be “%1”.</source>
-        <translation>Drücken Sie die Taste, die „%1“ sein soll.</translation>
+        <source>Press the button for “%1”.</source>
+        <translation>Drücken Sie die Taste für „%1“.</translation>
     </message>
     <message>
-        <source>Now press the button for the other way.</source>
+        <source>Now press the button for the opposite direction.</source>
         <translation>Drücken Sie jetzt die Taste für die Gegenrichtung.</translation>
     </message>
     <message>
-        <source>Push the stick all the way, or press the button, that %1.</source>
+        <source>Push the stick fully, or press the button, that %1.</source>
         <translation>Bewegen Sie den Stick bis zum Anschlag oder drücken Sie die Taste für: %1.</translation>
     </message>
 </context>
@@ -11406,8 +11406,8 @@ und %2 weitere</translation>
         <translation>Grenzen</translation>
     </message>
     <message>
-        <source>What the gate takes off the force on its way to the arm.</source>
-        <translation>Was die Kraftschleuse der Kraft auf dem Weg zum Arm nimmt.</translation>
+        <source>How much each limit of the safety gate reduces the force.</source>
+        <translation>Um wie viel jede Grenze der Kraftschleuse die Kraft verringert.</translation>
     </message>
     <message>
         <source>−0.00 N</source>
@@ -11418,16 +11418,16 @@ und %2 weitere</translation>
         <translation>Rampe</translation>
     </message>
     <message>
-        <source>After Start the force comes in within 0.3 s, after Stop it goes within 0.05 s; the bar is the share that is held back.</source>
-        <translation>Nach Start kommt die Kraft innerhalb von 0,3 s, nach Stopp geht sie innerhalb von 0,05 s; der Balken ist der Anteil, der zurückgehalten wird.</translation>
+        <source>After Start the force ramps up within 0.3 s, after Stop it ramps down within 0.05 s. The bar shows the share that is held back.</source>
+        <translation>Nach Start steigt die Kraft innerhalb von 0,3 s an, nach Stopp fällt sie innerhalb von 0,05 s ab. Der Balken zeigt den Anteil, der zurückgehalten wird.</translation>
     </message>
     <message>
-        <source>How warm motor %1 would be, of what it bears for good. Assumed, not measured: torque squared warms it, with a time constant of 60 s.</source>
-        <translation>Wie warm Motor %1 wäre, gemessen an dem, was er auf Dauer verträgt. Angenommen, nicht gemessen: Das Drehmoment im Quadrat erwärmt ihn, mit einer Zeitkonstante von 60 s.</translation>
+        <source>Estimated heat of motor %1, relative to that at its continuous force. Computed, not measured: heating is proportional to the torque squared, with a time constant of 60 s.</source>
+        <translation>Geschätzte Wärme von Motor %1, bezogen auf die bei Dauerkraft. Berechnet, nicht gemessen: Die Erwärmung ist proportional zum Quadrat des Drehmoments, mit einer Zeitkonstante von 60 s.</translation>
     </message>
     <message>
-        <source>Heat of the motors (assumed)</source>
-        <translation>Wärme der Motoren (angenommen)</translation>
+        <source>Motor heat (estimated)</source>
+        <translation>Wärme der Motoren (geschätzt)</translation>
     </message>
     <message>
         <source>1, 2 or 3</source>
@@ -11446,12 +11446,12 @@ und %2 weitere</translation>
         <translation>3 Unterschenkel</translation>
     </message>
     <message>
-        <source>let go</source>
+        <source>released</source>
         <translation>losgelassen</translation>
     </message>
     <message>
-        <source>has not acted</source>
-        <translation>hat nicht gewirkt</translation>
+        <source>not active yet</source>
+        <translation>bisher nicht aktiv</translation>
     </message>
     <message>
         <source>%1, at most %2</source>
@@ -11469,8 +11469,8 @@ und %2 weitere</translation>
         <translation>&amp;Live-Daten an PlotJuggler senden</translation>
     </message>
     <message>
-        <source>Sends every tick as JSON over UDP while it is on; to this machine, where no address is given.</source>
-        <translation>Sendet, solange es an ist, jeden Takt als JSON über UDP; ohne Adresse an diesen Rechner.</translation>
+        <source>Sends every tick as JSON over UDP: to this computer, unless you give another address.</source>
+        <translation>Sendet jeden Takt als JSON über UDP: an diesen Rechner, sofern Sie keine andere Adresse angeben.</translation>
     </message>
     <message>
         <source>Send live &amp;data to…</source>
@@ -11485,12 +11485,12 @@ und %2 weitere</translation>
         <translation>Live-Daten an %1</translation>
     </message>
     <message>
-        <source>%1 ticks sent, %2 not taken by the network.</source>
-        <translation>%1 Takte gesendet, %2 vom Netz nicht angenommen.</translation>
+        <source>%1 ticks sent, %2 could not be sent.</source>
+        <translation>%1 Takte gesendet, %2 konnten nicht gesendet werden.</translation>
     </message>
     <message>
-        <source>Another machine gets what the hand does.</source>
-        <translation>Ein anderer Rechner erhält, was die Hand tut.</translation>
+        <source>What the hand does is sent to another computer.</source>
+        <translation>Was die Hand tut, wird an einen anderen Rechner gesendet.</translation>
     </message>
 </context>
 <context>
@@ -11520,7 +11520,7 @@ und %2 weitere</translation>
         <translation>Grenze</translation>
     </message>
     <message>
-        <source>asked</source>
+        <source>commanded</source>
         <translation>verlangt</translation>
     </message>
     <message>
@@ -11575,8 +11575,8 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::LoadStrip</name>
     <message>
-        <source>What is loaded</source>
-        <translation>Was geladen wird</translation>
+        <source>File that is being loaded</source>
+        <translation>Datei, die geladen wird</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -11587,12 +11587,12 @@ und %2 weitere</translation>
         <translation>Fortschritt</translation>
     </message>
     <message>
-        <source>Cancel the loading</source>
-        <translation>Das Laden abbrechen</translation>
+        <source>Cancel loading</source>
+        <translation>Laden abbrechen</translation>
     </message>
     <message>
-        <source>Ends the loading. The scene stays as it is.</source>
-        <translation>Beendet das Laden. Die Szene bleibt, wie sie ist.</translation>
+        <source>Cancels loading. The scene is not changed.</source>
+        <translation>Bricht das Laden ab. Die Szene wird nicht verändert.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -11629,19 +11629,19 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::MapEditor</name>
     <message>
-        <source>The mark is the usual value; a double click goes back to it.</source>
-        <translation>Die Marke ist der übliche Wert; ein Doppelklick geht zu ihm zurück.</translation>
+        <source>The mark shows the default value. Double-click to restore it.</source>
+        <translation>Die Marke zeigt den Standardwert. Ein Doppelklick stellt ihn wieder her.</translation>
     </message>
     <message>
-        <source>What moves what</source>
-        <translation>Was bewegt was</translation>
+        <source>Mapping</source>
+        <translation>Belegung</translation>
     </message>
     <message>
         <source>What to do now</source>
         <translation>Was jetzt zu tun ist</translation>
     </message>
     <message>
-        <source>Shows what moves it: what %1.</source>
+        <source>Shows what %1.</source>
         <translation>Zeigt die Belegung für: %1.</translation>
     </message>
     <message>
@@ -11649,19 +11649,19 @@ und %2 weitere</translation>
         <translation>Bewegt durch</translation>
     </message>
     <message>
-        <source>The stick, buttons or triggers that move it.</source>
-        <translation>Der Stick, die Tasten oder Trigger, die es bewegen.</translation>
+        <source>The stick, buttons or triggers for this motion.</source>
+        <translation>Der Stick, die Tasten oder Trigger für diese Bewegung.</translation>
     </message>
     <message>
         <source>Learn…</source>
         <translation>Lernen …</translation>
     </message>
     <message>
-        <source>Takes the stick that you push next.</source>
-        <translation>Übernimmt den Stick, den Sie als Nächstes bewegen.</translation>
+        <source>Assigns the stick or button that you use next.</source>
+        <translation>Übernimmt den Stick oder die Taste, die Sie als Nächstes betätigen.</translation>
     </message>
     <message>
-        <source>The other way round</source>
+        <source>Inverted</source>
         <translation>Umgekehrt</translation>
     </message>
     <message>
@@ -11673,32 +11673,32 @@ und %2 weitere</translation>
         <translation>Totzone</translation>
     </message>
     <message>
-        <source>So much of the stick's way does nothing.</source>
-        <translation>So viel vom Weg des Sticks bewirkt nichts.</translation>
+        <source>Share of the stick's travel that has no effect.</source>
+        <translation>Anteil des Stickwegs, der nichts bewirkt.</translation>
     </message>
     <message>
         <source>Fine</source>
         <translation>Fein</translation>
     </message>
     <message>
-        <source>How fine it is near the middle: the speed grows with the way to the power 1 + this. 0: evenly.</source>
-        <translation>Wie fein es nahe der Mitte ist: Das Tempo wächst mit dem Weg hoch 1 + diesem Wert. 0: gleichmäßig.</translation>
+        <source>How fine the motion is near the centre: the speed grows with the deflection to the power of 1 + this value. 0: linear.</source>
+        <translation>Wie fein die Bewegung nahe der Mitte ist: Das Tempo wächst mit der Auslenkung hoch 1 + diesem Wert. 0: linear.</translation>
     </message>
     <message>
         <source>Speed</source>
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>Of the tip, with the stick at its end.</source>
-        <translation>Der Spitze, mit dem Stick am Anschlag.</translation>
+        <source>Speed of the tip at full deflection.</source>
+        <translation>Tempo der Spitze bei voller Auslenkung.</translation>
     </message>
     <message>
         <source>mm/s</source>
         <translation>mm/s</translation>
     </message>
     <message>
-        <source>Of the turn, with the stick at its end.</source>
-        <translation>Der Drehung, mit dem Stick am Anschlag.</translation>
+        <source>Rotational speed at full deflection.</source>
+        <translation>Drehtempo bei voller Auslenkung.</translation>
     </message>
     <message>
         <source>°/s</source>
@@ -11709,28 +11709,28 @@ und %2 weitere</translation>
         <translation>Rückgängig</translation>
     </message>
     <message>
-        <source>Takes the last change of a mapping back.</source>
-        <translation>Nimmt die letzte Änderung einer Belegung zurück.</translation>
+        <source>Undoes the last change to a mapping.</source>
+        <translation>Macht die letzte Änderung einer Belegung rückgängig.</translation>
     </message>
     <message>
         <source>Redo</source>
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>Makes the change again.</source>
-        <translation>Führt die Änderung noch einmal aus.</translation>
+        <source>Redoes the change that was undone.</source>
+        <translation>Führt die rückgängig gemachte Änderung wieder aus.</translation>
     </message>
     <message>
-        <source>As usual</source>
-        <translation>Wie üblich</translation>
+        <source>Defaults</source>
+        <translation>Standard</translation>
     </message>
     <message>
-        <source>Puts all of this device back to the usual mapping.</source>
-        <translation>Setzt dieses Gerät ganz auf die übliche Belegung zurück.</translation>
+        <source>Resets this device to its default mapping.</source>
+        <translation>Setzt dieses Gerät auf die Standardbelegung zurück.</translation>
     </message>
     <message>
-        <source>What moves what: %1</source>
-        <translation>Was bewegt was: %1</translation>
+        <source>Mapping of %1</source>
+        <translation>Belegung: %1</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -11740,15 +11740,15 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::MarksPicture</name>
     <message>
-        <source>The marks on the desk, from above</source>
+        <source>The reference points on the desk, from above</source>
         <translation>Die Messpunkte auf dem Tisch, von oben</translation>
     </message>
     <message>
-        <source>Mark %1 of %2 is due.</source>
-        <translation>Nun Messpunkt %1 von %2.</translation>
+        <source>Next: reference point %1 of %2.</source>
+        <translation>Als Nächstes: Messpunkt %1 von %2.</translation>
     </message>
     <message>
-        <source>%1 marks.</source>
+        <source>%1 reference points.</source>
         <translation>%1 Messpunkte.</translation>
     </message>
     <message>
@@ -11759,7 +11759,7 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::MeasurePage</name>
     <message>
-        <source>&amp;Go on</source>
+        <source>Con&amp;tinue</source>
         <translation>&amp;Fortfahren</translation>
     </message>
     <message>
@@ -11771,24 +11771,24 @@ und %2 weitere</translation>
         <translation>Messung</translation>
     </message>
     <message>
-        <source>What is measured</source>
-        <translation>Was gemessen wird</translation>
+        <source>Current part of the measurement</source>
+        <translation>Aktueller Teil der Messung</translation>
     </message>
     <message>
-        <source>Why it stands still</source>
-        <translation>Warum es stillsteht</translation>
+        <source>Why the measurement has stopped</source>
+        <translation>Warum die Messung stillsteht</translation>
     </message>
     <message>
         <source>Progress</source>
         <translation>Fortschritt</translation>
     </message>
     <message>
-        <source>The hand does what is asked.</source>
-        <translation>Die Hand tut, was verlangt wird.</translation>
+        <source>Starts this part. First take the stylus or let go of it, as the instruction says.</source>
+        <translation>Startet diesen Teil. Nehmen Sie vorher den Stift, oder lassen Sie ihn los, wie es die Anweisung sagt.</translation>
     </message>
     <message>
-        <source>Starts the servo again, and measures the part that was stopped from its beginning.</source>
-        <translation>Startet den Servo wieder und misst den gestoppten Teil von vorn.</translation>
+        <source>Starts the servo again and repeats the interrupted part from its beginning.</source>
+        <translation>Startet den Servo wieder und wiederholt den unterbrochenen Teil von vorn.</translation>
     </message>
     <message>
         <source>&amp;Begin again</source>
@@ -11798,12 +11798,12 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::MeasuringPart</name>
     <message>
-        <source>Hands that hold the stylus</source>
-        <translation>Hände, die den Stift halten</translation>
+        <source>Hands that move the stylus</source>
+        <translation>Hände, die den Stift bewegen</translation>
     </message>
     <message>
-        <source>Who moves the simulated stylus while it is measured.</source>
-        <translation>Wer den simulierten Stift während der Messung bewegt.</translation>
+        <source>Which simulated hands move the stylus during the measurement.</source>
+        <translation>Welche simulierten Hände den Stift während der Messung bewegen.</translation>
     </message>
     <message>
         <source>All hands</source>
@@ -11814,8 +11814,8 @@ und %2 weitere</translation>
         <translation>Länge jedes Laufs, s</translation>
     </message>
     <message>
-        <source>How long each run is, in the time of the simulated arm.</source>
-        <translation>Wie lang jeder Lauf ist, in der Zeit des simulierten Arms.</translation>
+        <source>How long each run is, in simulated time.</source>
+        <translation>Wie lang jeder Lauf ist, in simulierter Zeit.</translation>
     </message>
     <message>
         <source> s each</source>
@@ -11826,8 +11826,8 @@ und %2 weitere</translation>
         <translation>&amp;Messen</translation>
     </message>
     <message>
-        <source>Measures cost and error of every choice, and the front of all ways to run this scene.</source>
-        <translation>Misst Kosten und Fehler jeder Wahl und die Front aller Arten, diese Szene auszuführen.</translation>
+        <source>Measures cost and error of every choice, and the front of all combinations for this scene.</source>
+        <translation>Misst Kosten und Fehler jeder Wahl und die Front aller Kombinationen für diese Szene.</translation>
     </message>
     <message>
         <source>Measure speed and accuracy of this scene</source>
@@ -11850,8 +11850,8 @@ und %2 weitere</translation>
         <translation>Fortschritt der Messung</translation>
     </message>
     <message>
-        <source>What there is to know of the measurement</source>
-        <translation>Was über die Messung zu wissen ist</translation>
+        <source>Status of the measurement</source>
+        <translation>Stand der Messung</translation>
     </message>
     <message>
         <source>&amp;Hands</source>
@@ -11877,8 +11877,8 @@ und %2 weitere</translation>
         <translation>Bericht über das Dreiecksnetz</translation>
     </message>
     <message>
-        <source>What was found</source>
-        <translation>Was gefunden wurde</translation>
+        <source>Report</source>
+        <translation>Bericht</translation>
     </message>
     <message>
         <source>Which unit</source>
@@ -11893,28 +11893,28 @@ und %2 weitere</translation>
         <translation>In %1: %2 lang</translation>
     </message>
     <message>
-        <source>In millimetres, as it is</source>
-        <translation>In Millimetern, wie es ist</translation>
+        <source>In millimetres, unchanged</source>
+        <translation>In Millimetern, unverändert</translation>
     </message>
     <message>
-        <source>How it is felt</source>
-        <translation>Wie es gefühlt wird</translation>
+        <source>How the mesh is felt</source>
+        <translation>Wie das Dreiecksnetz gefühlt wird</translation>
     </message>
     <message>
-        <source>from outside, as a wall</source>
-        <translation>von außen, als Wand</translation>
+        <source>wall, from outside</source>
+        <translation>Wand, von außen</translation>
     </message>
     <message>
-        <source>from inside, as a wall</source>
-        <translation>von innen, als Wand</translation>
+        <source>wall, from inside</source>
+        <translation>Wand, von innen</translation>
     </message>
     <message>
-        <source>held to its surface, on both sides</source>
-        <translation>an der Oberfläche gehalten, beidseitig</translation>
+        <source>surface that holds the tip</source>
+        <translation>Oberfläche, die die Spitze hält</translation>
     </message>
     <message>
-        <source>&amp;Felt</source>
-        <translation>Ge&amp;fühlt</translation>
+        <source>&amp;Felt as</source>
+        <translation>Ge&amp;fühlt als</translation>
     </message>
     <message>
         <source>F&amp;riction</source>
@@ -11953,11 +11953,11 @@ und %2 weitere</translation>
         <translation>Kopiert den Bericht.</translation>
     </message>
     <message>
-        <source>Adds the mesh to the scene that is there.</source>
-        <translation>Fügt das Dreiecksnetz der vorhandenen Szene hinzu.</translation>
+        <source>Adds the mesh to the current scene.</source>
+        <translation>Fügt das Dreiecksnetz der aktuellen Szene hinzu.</translation>
     </message>
     <message>
-        <source>Opens a new scene that holds this mesh alone.</source>
+        <source>Opens a new scene with only this mesh.</source>
         <translation>Öffnet eine neue Szene, die nur dieses Dreiecksnetz enthält.</translation>
     </message>
     <message>
@@ -11968,12 +11968,12 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::MovingHands</name>
     <message>
-        <source>The hands rest: they move the simulated arm, and it is not in place now.</source>
-        <translation>Die Hände ruhen: Sie bewegen den simulierten Arm, und der ist jetzt nicht im Einsatz.</translation>
+        <source>The input devices have no effect now: they move the simulated arm, which is not in use.</source>
+        <translation>Die Eingabegeräte sind jetzt ohne Wirkung: Sie bewegen den simulierten Arm, und der ist nicht in Gebrauch.</translation>
     </message>
     <message>
-        <source>The mapping of %1 cannot be read, and it moves as usual. %2</source>
-        <translation>Die Belegung von %1 kann nicht gelesen werden; es gilt die übliche. %2</translation>
+        <source>The mapping of %1 cannot be read; the default mapping is used. %2</source>
+        <translation>Die Belegung von %1 kann nicht gelesen werden; die Standardbelegung wird verwendet. %2</translation>
     </message>
 </context>
 <context>
@@ -11994,23 +11994,23 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::PlacePage</name>
     <message>
-        <source>Also at &amp;two more places, to the left and to the right</source>
+        <source>Also at &amp;two more positions, to the left and to the right</source>
         <translation>Auch an zwei &amp;weiteren Orten, links und rechts</translation>
     </message>
     <message>
-        <source>Place and arm</source>
+        <source>Position and arm</source>
         <translation>Ort und Arm</translation>
     </message>
     <message>
-        <source>Place &amp;x</source>
+        <source>Position &amp;x</source>
         <translation>Ort &amp;x</translation>
     </message>
     <message>
-        <source>Place &amp;y</source>
+        <source>Position &amp;y</source>
         <translation>Ort &amp;y</translation>
     </message>
     <message>
-        <source>Place &amp;z</source>
+        <source>Position &amp;z</source>
         <translation>Ort &amp;z</translation>
     </message>
     <message>
@@ -12018,24 +12018,24 @@ und %2 weitere</translation>
         <translation> mm</translation>
     </message>
     <message>
-        <source>The tip swings about this place, in the workspace frame W.</source>
+        <source>The tip swings about this position, in the workspace frame W.</source>
         <translation>Die Spitze schwingt um diesen Ort, im Koordinatensystem W des Arbeitsraums.</translation>
     </message>
     <message>
-        <source>Also at two more places</source>
+        <source>Also at two more positions</source>
         <translation>Auch an zwei weiteren Orten</translation>
     </message>
     <message>
-        <source>Tells whether the arm is the same everywhere; takes three times as long.</source>
-        <translation>Zeigt, ob der Arm überall gleich ist; dauert dreimal so lange.</translation>
+        <source>Shows whether the results depend on the position; takes three times as long.</source>
+        <translation>Zeigt, ob die Ergebnisse vom Ort abhängen; dauert dreimal so lange.</translation>
     </message>
     <message>
         <source>Arm</source>
         <translation>Arm</translation>
     </message>
     <message>
-        <source>Which arm this is; stands in the file.</source>
-        <translation>Welcher Arm es ist; steht in der Datei.</translation>
+        <source>Which arm this is; saved in the file.</source>
+        <translation>Welcher Arm es ist; wird in der Datei gespeichert.</translation>
     </message>
     <message>
         <source>&amp;Arm</source>
@@ -12046,8 +12046,8 @@ und %2 weitere</translation>
         <translation>Seriennummer</translation>
     </message>
     <message>
-        <source>As it stands on the arm; may stay empty.</source>
-        <translation>Wie sie auf dem Arm steht; darf leer bleiben.</translation>
+        <source>As printed on the arm; optional.</source>
+        <translation>Wie auf dem Arm angegeben; darf leer bleiben.</translation>
     </message>
     <message>
         <source>&amp;Serial number</source>
@@ -12072,16 +12072,16 @@ und %2 weitere</translation>
         <translation>Ener&amp;gie</translation>
     </message>
     <message>
-        <source>Error and force over the last 10 s, and displacement against force</source>
-        <translation>Fehler und Kraft der letzten 10 s, und Auslenkung gegen Kraft</translation>
+        <source>Error and force over the last 10 s, and force against displacement</source>
+        <translation>Fehler und Kraft der letzten 10 s, und Kraft gegen Auslenkung</translation>
     </message>
     <message>
-        <source>Axis of displacement against force</source>
-        <translation>Achse der Auslenkung gegen Kraft</translation>
+        <source>Axis of force against displacement</source>
+        <translation>Achse der Kraft gegen Auslenkung</translation>
     </message>
     <message>
-        <source>Which axis of W the plot of displacement against force shows (thesis figure 4.3).</source>
-        <translation>Welche Achse von W das Diagramm der Auslenkung gegen Kraft zeigt (Thesis, Abbildung 4.3).</translation>
+        <source>Axis of the workspace frame W along which force is plotted against displacement (thesis figure 4.3).</source>
+        <translation>Achse des Koordinatensystems W des Arbeitsraums, entlang der Kraft gegen Auslenkung aufgetragen wird (Thesis, Abbildung 4.3).</translation>
     </message>
     <message>
         <source>x</source>
@@ -12100,31 +12100,31 @@ und %2 weitere</translation>
         <translation>Energiediagramm</translation>
     </message>
     <message>
-        <source>The energy that the stylus has put into the constraints and not got back, E = Σ −f·Δp; below zero they give more than they got: they are active.</source>
-        <translation>Die Energie, die der Stift in die Bindungen gesteckt und nicht zurückbekommen hat, E = Σ −f·Δp; unter null geben sie mehr ab, als sie bekamen: Sie sind aktiv.</translation>
+        <source>The energy that the stylus has put into the constraints and not received back, E = Σ −f·Δp. Below zero they have given out more than they received: they are active.</source>
+        <translation>Die Energie, die der Stift in die Bindungen gesteckt und nicht zurückbekommen hat, E = Σ −f·Δp. Unter null haben sie mehr abgegeben, als sie bekamen: Sie sind aktiv.</translation>
     </message>
     <message>
-        <source>&amp;Displacement against force, axis</source>
-        <translation>&amp;Auslenkung gegen Kraft, Achse</translation>
+        <source>Force against &amp;displacement, axis</source>
+        <translation>Kraft gegen &amp;Auslenkung, Achse</translation>
     </message>
     <message>
-        <source>There is no room for this plot: hide Energy, or make the window wider.</source>
-        <translation>Für dieses Diagramm ist kein Platz: Blenden Sie Energie aus, oder machen Sie das Fenster breiter.</translation>
+        <source>There is not enough room for this plot: switch Energy off, or make the window wider.</source>
+        <translation>Für dieses Diagramm ist zu wenig Platz: Schalten Sie Energie aus, oder machen Sie das Fenster breiter.</translation>
     </message>
 </context>
 <context>
     <name>underact::gui::PlotsRun</name>
     <message>
-        <source>Cancelled: the plots are not all drawn.</source>
-        <translation>Abgebrochen: Nicht alle Diagramme sind gezeichnet.</translation>
+        <source>Cancelled: not all plots were drawn.</source>
+        <translation>Abgebrochen: Nicht alle Diagramme wurden gezeichnet.</translation>
     </message>
     <message>
-        <source>%1 plots are drawn: %2</source>
-        <translation>%1 Diagramme sind gezeichnet: %2</translation>
+        <source>%1 plots saved: %2</source>
+        <translation>%1 Diagramme gespeichert: %2</translation>
     </message>
     <message>
-        <source>The plots were not drawn, and underact-cli did not say why.</source>
-        <translation>Die Diagramme wurden nicht gezeichnet, und underact-cli nannte keinen Grund.</translation>
+        <source>The plots were not drawn; underact-cli gave no reason.</source>
+        <translation>Die Diagramme wurden nicht gezeichnet; underact-cli nannte keinen Grund.</translation>
     </message>
     <message>
         <source>The plots were not drawn. %1</source>
@@ -12142,16 +12142,16 @@ und %2 weitere</translation>
         <translation>Wozu das dient</translation>
     </message>
     <message>
-        <source>The stylus touches marks on the desk whose places are known. From them follows how the arm stands there: the view is turned so that left on the desk is left in the picture, and two arms are drawn where they stand. Tape the sheet to the desk, and do not move sheet and arm any more. The scene and its forces stay where they are in the arm's own frame.</source>
-        <translation>Der Stift berührt Messpunkte auf dem Tisch, deren Orte bekannt sind. Daraus folgt, wie der Arm dort steht: Die Ansicht wird so gedreht, dass links auf dem Tisch auch im Bild links ist, und zwei Arme werden dort gezeichnet, wo sie stehen. Kleben Sie das Blatt auf den Tisch, und bewegen Sie Blatt und Arm nicht mehr. Die Szene und ihre Kräfte bleiben, wo sie im eigenen Koordinatensystem des Arms sind.</translation>
+        <source>You touch reference points on the desk, whose positions are known, with the tip of the stylus. From these the program finds the pose of the arm: the view is turned so that left on the desk is left in the picture, and two arms are drawn where they stand. Tape the sheet to the desk, and then move neither the sheet nor the arm. The scene and its forces stay where they are in the arm's own frame.</source>
+        <translation>Sie berühren mit der Spitze des Stifts Messpunkte auf dem Tisch, deren Orte bekannt sind. Daraus ermittelt das Programm die Lage des Arms: Die Ansicht wird so gedreht, dass links auf dem Tisch auch im Bild links ist, und zwei Arme werden dort gezeichnet, wo sie stehen. Kleben Sie das Blatt auf den Tisch, und bewegen Sie danach weder Blatt noch Arm. Die Szene und ihre Kräfte bleiben, wo sie im eigenen Koordinatensystem des Arms sind.</translation>
     </message>
     <message>
         <source>Arm</source>
         <translation>Arm</translation>
     </message>
     <message>
-        <source>Which arm is registered.</source>
-        <translation>Welcher Arm registriert wird.</translation>
+        <source>Which arm to register.</source>
+        <translation>Welcher Arm registriert werden soll.</translation>
     </message>
     <message>
         <source>Whether the arm is registered</source>
@@ -12162,23 +12162,23 @@ und %2 weitere</translation>
         <translation>Ob der Arm kalibriert ist</translation>
     </message>
     <message>
-        <source>&amp;Forget where it stands</source>
-        <translation>Standort &amp;vergessen</translation>
+        <source>&amp;Forget this registration</source>
+        <translation>Diese Registrierung &amp;vergessen</translation>
     </message>
     <message>
-        <source>The view is drawn as the arm stands, as before.</source>
-        <translation>Die Ansicht wird wie zuvor so gezeichnet, wie der Arm steht.</translation>
+        <source>Deletes the registration of this arm. The view then shows the arm as if it stood straight.</source>
+        <translation>Löscht die Registrierung dieses Arms. Die Ansicht zeigt den Arm dann, als stünde er gerade.</translation>
     </message>
     <message>
-        <source>How many marks</source>
-        <translation>Wie viele Messpunkte</translation>
+        <source>Number of reference points</source>
+        <translation>Anzahl der Messpunkte</translation>
     </message>
     <message>
-        <source>More marks: a smaller error, and it is better known. Puts the sheet's own places back.</source>
-        <translation>Mehr Messpunkte: Der Fehler wird kleiner und ist besser bekannt. Setzt die Orte des Blatts wieder ein.</translation>
+        <source>More reference points make the error smaller, and better known. Restores the positions of the printed sheet.</source>
+        <translation>Mehr Messpunkte machen den Fehler kleiner und besser bekannt. Setzt die Orte des gedruckten Blatts wieder ein.</translation>
     </message>
     <message>
-        <source> marks</source>
+        <source> points</source>
         <translation> Messpunkte</translation>
     </message>
     <message>
@@ -12186,8 +12186,8 @@ und %2 weitere</translation>
         <translation>Papier</translation>
     </message>
     <message>
-        <source>What the sheet is printed on.</source>
-        <translation>Worauf das Blatt gedruckt wird.</translation>
+        <source>The paper to print the sheet on.</source>
+        <translation>Das Papier, auf das das Blatt gedruckt wird.</translation>
     </message>
     <message>
         <source>A4</source>
@@ -12202,15 +12202,15 @@ und %2 weitere</translation>
         <translation>&amp;Blatt als PDF speichern …</translation>
     </message>
     <message>
-        <source>Print it at 100 %; its ruler shows whether it was.</source>
-        <translation>Drucken Sie es mit 100 %; sein Lineal zeigt, ob es stimmt.</translation>
+        <source>Saves the sheet of reference points. Print it at 100 %, and check its ruler.</source>
+        <translation>Speichert das Blatt mit den Messpunkten. Drucken Sie es mit 100 %, und prüfen Sie sein Lineal.</translation>
     </message>
     <message>
-        <source>Places of the marks, mm from mark 1</source>
+        <source>Positions of the reference points, mm from point 1</source>
         <translation>Orte der Messpunkte, mm ab Messpunkt 1</translation>
     </message>
     <message>
-        <source>Mark</source>
+        <source>Point</source>
         <translation>Messpunkt</translation>
     </message>
     <message>
@@ -12226,32 +12226,32 @@ und %2 weitere</translation>
         <translation>oben, mm</translation>
     </message>
     <message>
-        <source>Where the marks are, from mark 1: to the right, away from you, up. Own marks can be typed.</source>
-        <translation>Wo die Messpunkte sind, von Messpunkt 1 aus: nach rechts, von Ihnen weg, nach oben. Eigene Messpunkte können eingetippt werden.</translation>
+        <source>Positions of the reference points, from point 1: to the right, away from you, up. You can type in points of your own.</source>
+        <translation>Orte der Messpunkte, von Messpunkt 1 aus: nach rechts, von Ihnen weg, nach oben. Sie können eigene Messpunkte eintippen.</translation>
     </message>
     <message>
-        <source>How the marks lie</source>
-        <translation>Wie die Messpunkte liegen</translation>
+        <source>Layout of the reference points</source>
+        <translation>Anordnung der Messpunkte</translation>
     </message>
     <message>
-        <source>Each place must be a number within 1000 mm.</source>
-        <translation>Jeder Ort muss eine Zahl bis 1000 mm sein.</translation>
+        <source>Each coordinate must be a number from -1000 to 1000 mm.</source>
+        <translation>Jede Koordinate muss eine Zahl von -1000 bis 1000 mm sein.</translation>
     </message>
     <message>
-        <source>The arm says: %1</source>
+        <source>The arm reports: %1</source>
         <translation>Der Arm meldet: %1</translation>
     </message>
     <message>
-        <source>A simulated arm needs no calibration. Move its hand in the view meanwhile.</source>
-        <translation>Ein simulierter Arm braucht keine Kalibrierung. Bewegen Sie inzwischen seine Hand in der Ansicht.</translation>
+        <source>A simulated arm needs no calibration. Move its hand in the view.</source>
+        <translation>Ein simulierter Arm braucht keine Kalibrierung. Bewegen Sie seine Hand in der Ansicht.</translation>
     </message>
     <message>
-        <source>The arm says that it is calibrated and that nothing is missing.</source>
+        <source>The arm reports that it is calibrated and that nothing is missing.</source>
         <translation>Der Arm meldet, dass er kalibriert ist und nichts fehlt.</translation>
     </message>
     <message>
-        <source>The sheet is in %1. Print it at 100 %, and check its ruler.</source>
-        <translation>Das Blatt ist in %1. Drucken Sie es mit 100 %, und prüfen Sie sein Lineal.</translation>
+        <source>The sheet was saved as %1. Print it at 100 %, and check its ruler.</source>
+        <translation>Das Blatt wurde als %1 gespeichert. Drucken Sie es mit 100 %, und prüfen Sie sein Lineal.</translation>
     </message>
     <message>
         <source>Save the sheet</source>
@@ -12269,15 +12269,15 @@ und %2 weitere</translation>
         <translation>Tasten</translation>
     </message>
     <message>
-        <source>The button that is this one.</source>
-        <translation>Die Taste, die hierfür steht.</translation>
+        <source>The button of the device with this function.</source>
+        <translation>Die Taste des Geräts mit dieser Funktion.</translation>
     </message>
     <message>
         <source>Learn…</source>
         <translation>Lernen …</translation>
     </message>
     <message>
-        <source>Takes the button that you press next.</source>
+        <source>Assigns the button that you press next.</source>
         <translation>Übernimmt die Taste, die Sie als Nächstes drücken.</translation>
     </message>
     <message>
@@ -12366,12 +12366,12 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::RateChooser</name>
     <message>
-        <source>Rate of the servo</source>
-        <translation>Taktrate des Servos</translation>
+        <source>Servo rate</source>
+        <translation>Servo-Taktrate</translation>
     </message>
     <message>
-        <source>Ticks a second. A change lets the force go for a moment; where the servo ran it starts again, softly.</source>
-        <translation>Takte je Sekunde. Eine Änderung lässt die Kraft kurz los; lief der Servo, so startet er sanft wieder.</translation>
+        <source>Ticks per second. Changing the rate releases the force for a moment; a running servo restarts with its soft start.</source>
+        <translation>Takte je Sekunde. Eine Änderung der Taktrate lässt die Kraft kurz los; ein laufender Servo startet danach sanft wieder.</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -12389,15 +12389,15 @@ und %2 weitere</translation>
         <translation>&amp;Marke</translation>
     </message>
     <message>
-        <source>What became of the recording</source>
-        <translation>Was aus der Aufzeichnung wurde</translation>
+        <source>Recording status</source>
+        <translation>Status der Aufzeichnung</translation>
     </message>
     <message>
         <source>Time</source>
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>From the recording's first tick to its last.</source>
+        <source>From the first tick of the recording to the last.</source>
         <translation>Vom ersten Takt der Aufzeichnung bis zum letzten.</translation>
     </message>
     <message>
@@ -12405,64 +12405,64 @@ und %2 weitere</translation>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Of the file.</source>
-        <translation>Der Datei.</translation>
+        <source>Size of the file.</source>
+        <translation>Größe der Datei.</translation>
     </message>
     <message>
         <source>Ticks</source>
         <translation>Takte</translation>
     </message>
     <message>
-        <source>That are in the file; and those that found no room, if there are any.</source>
-        <translation>Die in der Datei sind; und die, die keinen Platz fanden, falls es welche gibt.</translation>
+        <source>Ticks in the file, and ticks that could not be written, if any.</source>
+        <translation>Takte in der Datei und, falls vorhanden, Takte, die nicht geschrieben werden konnten.</translation>
     </message>
     <message>
         <source>Markers</source>
         <translation>Marken</translation>
     </message>
     <message>
-        <source>Set by key M, the button or the stylus.</source>
-        <translation>Gesetzt mit der Taste M, der Schaltfläche oder dem Stift.</translation>
+        <source>Markers set with the M key, the button or the stylus.</source>
+        <translation>Marken, gesetzt mit der Taste M, der Schaltfläche oder dem Stift.</translation>
     </message>
     <message>
-        <source>Disk left</source>
-        <translation>Platz frei</translation>
+        <source>Free space</source>
+        <translation>Freier Platz</translation>
     </message>
     <message>
-        <source>What the disk still takes; the recording ends in order before it is full.</source>
-        <translation>Was der Datenträger noch fasst; die Aufzeichnung endet geordnet, bevor er voll ist.</translation>
+        <source>Free space on the disk. The recording stops and is saved before the disk is full.</source>
+        <translation>Freier Platz auf dem Datenträger. Bevor er voll ist, wird die Aufzeichnung gestoppt und gespeichert.</translation>
     </message>
     <message>
         <source>Enough for</source>
         <translation>Reicht für</translation>
     </message>
     <message>
-        <source>How long that lasts at this recording's pace.</source>
-        <translation>Wie lange das beim Tempo dieser Aufzeichnung reicht.</translation>
+        <source>How long the free space lasts for this recording.</source>
+        <translation>Wie lange der freie Platz für diese Aufzeichnung reicht.</translation>
     </message>
     <message>
         <source>%1, %2 missing</source>
         <translation>%1, %2 fehlen</translation>
     </message>
     <message>
-        <source>Words</source>
+        <source>Metadata</source>
         <translation>Angaben</translation>
     </message>
     <message>
-        <source>What the file says of the session; they can be changed later.</source>
-        <translation>Was die Datei über die Sitzung sagt; später änderbar.</translation>
+        <source>Information about the session, saved in its file. You can edit it later.</source>
+        <translation>Informationen zur Sitzung, in ihrer Datei gespeichert. Sie lassen sich später ändern.</translation>
     </message>
     <message>
         <source>Set a marker</source>
         <translation>Marke setzen</translation>
     </message>
     <message>
-        <source>What the next marker says</source>
-        <translation>Was die nächste Marke sagt</translation>
+        <source>Label of the next marker</source>
+        <translation>Text der nächsten Marke</translation>
     </message>
     <message>
-        <source>What the next marker says; Enter sets it.</source>
-        <translation>Was die nächste Marke sagt; Eingabe setzt sie.</translation>
+        <source>Label of the next marker. Press Enter to set it.</source>
+        <translation>Text der nächsten Marke. Die Eingabetaste setzt sie.</translation>
     </message>
     <message>
         <source>Label</source>
@@ -12485,12 +12485,12 @@ und %2 weitere</translation>
         <translation>Aufzeichnen</translation>
     </message>
     <message>
-        <source>Recording into %1</source>
+        <source>Recording to %1</source>
         <translation>Wird aufgezeichnet in %1</translation>
     </message>
     <message>
-        <source>Recorded into %1</source>
-        <translation>Aufgezeichnet in %1</translation>
+        <source>Saved as %1</source>
+        <translation>Gespeichert als %1</translation>
     </message>
 </context>
 <context>
@@ -12507,12 +12507,12 @@ und %2 weitere</translation>
         <translation>Halten Sie die Spitze still.</translation>
     </message>
     <message>
-        <source>The tip moved by more than 1 mm while it was held. Rest it in mark %1 and press again.</source>
-        <translation>Die Spitze bewegte sich um mehr als 1 mm, während sie gehalten wurde. Setzen Sie sie in Messpunkt %1 und drücken Sie erneut.</translation>
+        <source>The tip moved by more than 1 mm while you held it. Rest it on reference point %1 and press again.</source>
+        <translation>Die Spitze hat sich um mehr als 1 mm bewegt, während Sie sie hielten. Setzen Sie sie auf Messpunkt %1 und drücken Sie erneut.</translation>
     </message>
     <message>
-        <source>Mark %1 is touched, the tip spread by %2 mm.</source>
-        <translation>Messpunkt %1 ist berührt, die Spitze streute um %2 mm.</translation>
+        <source>Reference point %1 has been touched; the spread of the tip was %2 mm.</source>
+        <translation>Messpunkt %1 ist berührt; die Streuung der Spitze war %2 mm.</translation>
     </message>
 </context>
 <context>
@@ -12522,36 +12522,36 @@ und %2 weitere</translation>
         <translation>Arm re&amp;gistrieren …</translation>
     </message>
     <message>
-        <source>Finds where the arm stands on the desk from marks that its tip touches, step by step.</source>
-        <translation>Findet Schritt für Schritt, wo der Arm auf dem Tisch steht, anhand von Messpunkten, die seine Spitze berührt.</translation>
+        <source>Finds the pose of the arm on the desk from reference points that its tip touches, step by step.</source>
+        <translation>Ermittelt Schritt für Schritt die Lage des Arms auf dem Tisch, anhand von Messpunkten, die seine Spitze berührt.</translation>
     </message>
     <message>
         <source>Second arm: %1</source>
         <translation>Zweiter Arm: %1</translation>
     </message>
     <message>
-        <source>A recording is replayed. Close it, then register the arm.</source>
+        <source>A recording is being replayed. Close it, then register the arm.</source>
         <translation>Eine Aufzeichnung wird wiedergegeben. Schließen Sie sie und registrieren Sie dann den Arm.</translation>
     </message>
     <message>
-        <source>A measurement is at work on this arm. End it, then register the arm.</source>
+        <source>A measurement is running on this arm. End it, then register the arm.</source>
         <translation>An diesem Arm läuft eine Messung. Beenden Sie sie und registrieren Sie dann den Arm.</translation>
     </message>
     <message>
-        <source>No scene is open. Open one, so that the tip is known.</source>
-        <translation>Es ist keine Szene geöffnet. Öffnen Sie eine, damit die Spitze bekannt ist.</translation>
+        <source>No scene is open. Open one, so that the position of the tip is known.</source>
+        <translation>Es ist keine Szene geöffnet. Öffnen Sie eine, damit der Ort der Spitze bekannt ist.</translation>
     </message>
     <message>
         <source>Not registered: %1</source>
         <translation>Nicht registriert: %1</translation>
     </message>
     <message>
-        <source>Not registered: the view is drawn as the arm stands.</source>
-        <translation>Nicht registriert: Die Ansicht ist so gezeichnet, wie der Arm steht.</translation>
+        <source>Not registered: the view shows the arm as if it stood straight.</source>
+        <translation>Nicht registriert: Die Ansicht zeigt den Arm, als stünde er gerade.</translation>
     </message>
     <message>
-        <source>Registered on %1 by %2 marks, which the points miss by %3 mm. In the middle of the workspace %4 mm of error are expected.</source>
-        <translation>Registriert am %1 mit %2 Messpunkten, die die Punkte um %3 mm verfehlen. In der Mitte des Arbeitsraums sind %4 mm Fehler zu erwarten.</translation>
+        <source>Registered on %1 with %2 reference points, residual %3 mm. Expected error at the centre of the workspace: %4 mm.</source>
+        <translation>Registriert am %1 mit %2 Messpunkten, Residuum %3 mm. Erwarteter Fehler in der Mitte des Arbeitsraums: %4 mm.</translation>
     </message>
 </context>
 <context>
@@ -12576,16 +12576,16 @@ und %2 weitere</translation>
         <translation>Die Sitzung wird gelesen</translation>
     </message>
     <message>
-        <source>How much of the session is read</source>
-        <translation>Wie viel der Sitzung gelesen ist</translation>
+        <source>Reading progress</source>
+        <translation>Lesefortschritt</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Do not open the session</source>
-        <translation>Sitzung nicht öffnen</translation>
+        <source>Cancel opening the session</source>
+        <translation>Öffnen der Sitzung abbrechen</translation>
     </message>
     <message>
         <source>One tick back</source>
@@ -12596,16 +12596,16 @@ und %2 weitere</translation>
         <translation>Abspielen</translation>
     </message>
     <message>
-        <source>One tick further</source>
+        <source>One tick forward</source>
         <translation>Einen Takt weiter</translation>
     </message>
     <message>
-        <source>Place in the recording</source>
+        <source>Position in the recording</source>
         <translation>Stelle in der Aufzeichnung</translation>
     </message>
     <message>
-        <source>Where the recording is. Ticks above the line are markers, crosses are faults.</source>
-        <translation>Wo die Aufzeichnung ist. Striche über der Linie sind Marken, Kreuze sind Störungen.</translation>
+        <source>Click or drag to jump. Strokes above the line are markers, crosses are faults.</source>
+        <translation>Klicken oder ziehen Sie, um zu springen. Striche über der Linie sind Marken, Kreuze sind Störungen.</translation>
     </message>
     <message>
         <source>Time in the recording</source>
@@ -12616,8 +12616,8 @@ und %2 weitere</translation>
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>How fast the hand moves, times the recorded speed. At 1 the samples are the recorded ones.</source>
-        <translation>Wie schnell die Hand sich bewegt, als Vielfaches des aufgezeichneten Tempos. Bei 1 sind die Abtastwerte die aufgezeichneten.</translation>
+        <source>Speed of the hand relative to the recording. At 1 × the samples are exactly the recorded ones.</source>
+        <translation>Tempo der Hand im Verhältnis zur Aufzeichnung. Bei 1 × sind die Abtastwerte genau die aufgezeichneten.</translation>
     </message>
     <message>
         <source>%1 ×</source>
@@ -12640,8 +12640,8 @@ und %2 weitere</translation>
         <translation>Was wäre, wenn</translation>
     </message>
     <message>
-        <source>Recorded here</source>
-        <translation>Hier aufgezeichnet</translation>
+        <source>Recorded force and error</source>
+        <translation>Aufgezeichnete Kraft und aufgezeichneter Fehler</translation>
     </message>
     <message>
         <source>Close</source>
@@ -12652,8 +12652,8 @@ und %2 weitere</translation>
         <translation>Sitzung schließen</translation>
     </message>
     <message>
-        <source>%1: recorded here %2 N, error %3 mm</source>
-        <translation>%1: hier aufgezeichnet %2 N, Fehler %3 mm</translation>
+        <source>%1: recorded force %2 N, error %3 mm</source>
+        <translation>%1: aufgezeichnete Kraft %2 N, Fehler %3 mm</translation>
     </message>
     <message>
         <source>A session is being replayed. Close the replay first.</source>
@@ -12667,16 +12667,16 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::ResultPage</name>
     <message>
-        <source>No threshold: the way turned fewer than four times, so nothing was met that could not be told, or nothing that could.</source>
-        <translation>Keine Schwelle: Der Weg kehrte weniger als viermal um; es kam also nichts vor, was nicht zu unterscheiden war, oder nichts, was es war.</translation>
+        <source>No threshold: there were fewer than four reversals, because every difference was felt, or none was.</source>
+        <translation>Keine Schwelle: Es gab weniger als vier Umkehrungen, weil jeder Unterschied gefühlt wurde oder keiner.</translation>
     </message>
     <message>
         <source>JND</source>
         <translation>JND</translation>
     </message>
     <message>
-        <source>Just-noticeable difference: 70.7 % of answers are right at it (Levitt 1971). Geometric mean of the reversals after the first two.</source>
-        <translation>Eben merklicher Unterschied (JND): 70,7 % der Antworten sind bei ihm richtig (Levitt 1971). Geometrisches Mittel der Umkehrungen nach den ersten zwei.</translation>
+        <source>Just-noticeable difference: the difference at which 70.7 % of answers are right (Levitt 1971). Geometric mean of the reversals after the first two.</source>
+        <translation>Eben merklicher Unterschied (JND): der Unterschied, bei dem 70,7 % der Antworten richtig sind (Levitt 1971). Geometrisches Mittel der Umkehrungen nach den ersten zwei.</translation>
     </message>
     <message>
         <source>± 1 s.d.</source>
@@ -12707,24 +12707,24 @@ und %2 weitere</translation>
         <translation>Versuche</translation>
     </message>
     <message>
-        <source>Answers that were given.</source>
-        <translation>Gegebene Antworten.</translation>
+        <source>Number of answers given.</source>
+        <translation>Zahl der gegebenen Antworten.</translation>
     </message>
     <message>
-        <source>Weber share</source>
+        <source>Weber fraction</source>
         <translation>Weber-Bruch</translation>
     </message>
     <message>
-        <source>What one press scatters by, if two are compared: ln(1 + JND) = 0.771 w.</source>
-        <translation>Wie stark ein einzelner Druck streut, wenn zwei verglichen werden: ln(1 + JND) = 0,771 w.</translation>
+        <source>Scatter w of a single press that gives this JND when two are compared: ln(1 + JND) = 0.771 w.</source>
+        <translation>Streuung w eines einzelnen Drucks, die beim Vergleich von zweien diesen JND ergibt: ln(1 + JND) = 0.771 w.</translation>
     </message>
     <message>
         <source>Answered by</source>
-        <translation>Geantwortet hat</translation>
+        <translation>Antworten von</translation>
     </message>
     <message>
-        <source>A person, or the simulated hand with its own Weber share.</source>
-        <translation>Eine Person oder die simulierte Hand mit ihrem eigenen Weber-Bruch.</translation>
+        <source>A person, or the simulated hand with the Weber fraction that was set.</source>
+        <translation>Eine Person oder die simulierte Hand mit dem eingestellten Weber-Bruch.</translation>
     </message>
     <message>
         <source>&amp;Save…</source>
@@ -12747,8 +12747,8 @@ und %2 weitere</translation>
         <translation>Erneut messen</translation>
     </message>
     <message>
-        <source>Back to the beginning; this result is forgotten unless it is saved.</source>
-        <translation>Zurück zum Anfang; dieses Ergebnis geht verloren, wenn es nicht gespeichert wird.</translation>
+        <source>Returns to the start. A result that was not saved is lost.</source>
+        <translation>Geht zum Anfang zurück. Ein nicht gespeichertes Ergebnis geht verloren.</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -12763,8 +12763,8 @@ und %2 weitere</translation>
         <translation>eine Person</translation>
     </message>
     <message>
-        <source>hand of %1</source>
-        <translation>Hand mit %1</translation>
+        <source>hand, w = %1</source>
+        <translation>Hand, w = %1</translation>
     </message>
 </context>
 <context>
@@ -12786,12 +12786,12 @@ und %2 weitere</translation>
         <translation>Gelenk verschieben</translation>
     </message>
     <message>
-        <source>tip at home</source>
-        <translation>Spitze in Grundstellung</translation>
+        <source>home position</source>
+        <translation>Ort in Grundstellung</translation>
     </message>
     <message>
-        <source>turn of the tip</source>
-        <translation>Drehung der Spitze</translation>
+        <source>home orientation</source>
+        <translation>Orientierung in Grundstellung</translation>
     </message>
     <message>
         <source>robot</source>
@@ -12813,64 +12813,64 @@ und %2 weitere</translation>
         <translation>Jetzt</translation>
     </message>
     <message>
-        <source>What the solver found in the tick that is shown.</source>
+        <source>What the solver found in the tick shown.</source>
         <translation>Was der Löser im gezeigten Takt gefunden hat.</translation>
     </message>
     <message>
-        <source>Joints found by</source>
-        <translation>Gelenke durch</translation>
+        <source>Solved by</source>
+        <translation>Gelöst durch</translation>
     </message>
     <message>
-        <source>The closed form, or the iteration and its steps of this tick.</source>
-        <translation>Die geschlossene Form oder die Iteration und ihre Schritte in diesem Takt.</translation>
+        <source>A closed form, or the iteration with its number of steps in this tick.</source>
+        <translation>Eine geschlossene Form oder die Iteration mit der Zahl ihrer Schritte in diesem Takt.</translation>
     </message>
     <message>
-        <source>Left to go</source>
-        <translation>Restweg</translation>
+        <source>Remaining step</source>
+        <translation>Restschritt</translation>
     </message>
     <message>
-        <source>The largest step that a joint would still take by itself.</source>
-        <translation>Der größte Schritt, den ein Gelenk von sich aus noch machen würde.</translation>
+        <source>The largest step that any joint would still take by itself, in rad or fractions of the reach.</source>
+        <translation>Der größte Schritt, den ein Gelenk von sich aus noch machen würde, in rad oder Anteilen der Reichweite.</translation>
     </message>
     <message>
         <source>Energy</source>
         <translation>Energie</translation>
     </message>
     <message>
-        <source>V = e·K e / 2, and the springs' part, at the joints of this tick.</source>
-        <translation>V = e·K e / 2 und der Anteil der Federn, bei den Gelenken dieses Takts.</translation>
+        <source>V = e·K e / 2 plus the energy of the joint springs, in this tick.</source>
+        <translation>V = e·K e / 2 und die Energie der Gelenkfedern, in diesem Takt.</translation>
     </message>
     <message>
         <source>Moment, not sent</source>
         <translation>Moment, nicht gesendet</translation>
     </message>
     <message>
-        <source>m = Kθ e_o about the stylus's tip. The arm has no motors for it: it is shown, never sent.</source>
-        <translation>m = Kθ e_o um die Spitze des Stifts. Der Arm hat dafür keine Motoren: Es wird gezeigt, nie gesendet.</translation>
+        <source>m = Kθ e_o about the tip of the stylus. The arm has no motors for it: it is shown, but never sent.</source>
+        <translation>m = Kθ e_o um die Spitze des Stifts. Der Arm hat dafür keine Motoren: Es wird gezeigt, aber nie gesendet.</translation>
     </message>
     <message>
         <source>Target</source>
         <translation>Ziel</translation>
     </message>
     <message>
-        <source>At the robot's tip; or on its way there, at 2 m/s at most, where a minimum vanished or was left for a better one.</source>
-        <translation>An der Spitze des Roboters; oder auf dem Weg dorthin, mit höchstens 2 m/s, wo ein Minimum verschwand oder für ein besseres verlassen wurde.</translation>
+        <source>At the end effector, or moving there at no more than 2 m/s after a minimum has vanished or a better one was adopted. Not unique: every position is equally good.</source>
+        <translation>Am Endeffektor oder auf dem Weg dorthin, mit höchstens 2 m/s, nachdem ein Minimum verschwunden ist oder ein besseres übernommen wurde. Nicht eindeutig: Jeder Ort ist gleich gut.</translation>
     </message>
     <message>
-        <source>A better pose</source>
-        <translation>Eine bessere Lage</translation>
+        <source>Better pose</source>
+        <translation>Bessere Lage</translation>
     </message>
     <message>
-        <source>Another minimum that a second search knows of; it is taken once it has saved a tenth for 50 ms.</source>
-        <translation>Ein anderes Minimum, das eine zweite Suche kennt; es wird genommen, sobald es 50 ms lang ein Zehntel gespart hat.</translation>
+        <source>A lower minimum found by a second search; it is adopted once it has saved a tenth of the energy for 50 ms.</source>
+        <translation>Ein tieferes Minimum, das eine zweite Suche gefunden hat; es wird übernommen, sobald es 50 ms lang ein Zehntel der Energie gespart hat.</translation>
     </message>
     <message>
         <source>Joint q%1</source>
         <translation>Gelenk q%1</translation>
     </message>
     <message>
-        <source>Its value; 0 is home.</source>
-        <translation>Sein Wert; 0 ist die Grundstellung.</translation>
+        <source>The value of the joint; 0 is the home pose.</source>
+        <translation>Der Wert des Gelenks; 0 ist die Grundstellung.</translation>
     </message>
     <message>
         <source>nearest point, thesis 5.2</source>
@@ -12885,8 +12885,8 @@ und %2 weitere</translation>
         <translation>Iteration, %1 von %2 Schritten</translation>
     </message>
     <message>
-        <source>nothing</source>
-        <translation>nichts</translation>
+        <source>converged</source>
+        <translation>konvergiert</translation>
     </message>
     <message>
         <source>%1 mJ</source>
@@ -12897,31 +12897,31 @@ und %2 weitere</translation>
         <translation>%1 N mm</translation>
     </message>
     <message>
-        <source>every place is as good</source>
-        <translation>jeder Ort ist gleich gut</translation>
+        <source>not unique</source>
+        <translation>nicht eindeutig</translation>
     </message>
     <message>
-        <source>on its way to the tip</source>
-        <translation>auf dem Weg zur Spitze</translation>
+        <source>moving to the end effector</source>
+        <translation>auf dem Weg zum Endeffektor</translation>
     </message>
     <message>
-        <source>at the tip</source>
-        <translation>an der Spitze</translation>
+        <source>at the end effector</source>
+        <translation>am Endeffektor</translation>
     </message>
     <message>
-        <source>is known: saves %1 mJ</source>
-        <translation>ist bekannt: spart %1 mJ</translation>
+        <source>known: saves %1 mJ</source>
+        <translation>bekannt: spart %1 mJ</translation>
     </message>
     <message>
-        <source>is not known</source>
-        <translation>ist nicht bekannt</translation>
+        <source>none known</source>
+        <translation>keine bekannt</translation>
     </message>
 </context>
 <context>
     <name>underact::gui::RobotPanel</name>
     <message>
-        <source>This scene has no virtual robot. A new one is added beside what there is: one joint, whose tip the stylus is drawn to.</source>
-        <translation>Diese Szene hat keinen virtuellen Roboter. Ein neuer kommt zu dem hinzu, was da ist: ein Gelenk, zu dessen Spitze der Stift gezogen wird.</translation>
+        <source>This scene has no virtual robot. “New robot” adds one with a single joint; the stylus is pulled towards its end effector.</source>
+        <translation>Diese Szene hat keinen virtuellen Roboter. „Neuer Roboter“ fügt einen mit einem einzigen Gelenk hinzu; der Stift wird zu seinem Endeffektor gezogen.</translation>
     </message>
     <message>
         <source>Moment, not sent</source>
@@ -12940,8 +12940,8 @@ und %2 weitere</translation>
         <translation>Neuer Roboter</translation>
     </message>
     <message>
-        <source>Adds a robot of one joint to the scene, beside what it has.</source>
-        <translation>Fügt der Szene einen Roboter mit einem Gelenk hinzu, neben dem, was sie hat.</translation>
+        <source>Adds a robot with one joint to the scene.</source>
+        <translation>Fügt der Szene einen Roboter mit einem Gelenk hinzu.</translation>
     </message>
     <message>
         <source>Add a robot to the scene</source>
@@ -12952,39 +12952,39 @@ und %2 weitere</translation>
         <translation>Roboter entfernen</translation>
     </message>
     <message>
-        <source>Takes the robot that is shown out of the scene; something must stay to be held to.</source>
-        <translation>Nimmt den gezeigten Roboter aus der Szene; etwas muss bleiben, woran gehalten wird.</translation>
+        <source>Removes the robot shown from the scene; a scene needs at least one constraint.</source>
+        <translation>Entfernt den gezeigten Roboter aus der Szene; eine Szene braucht mindestens eine Bindung.</translation>
     </message>
     <message>
-        <source>Remove the robot that is shown from the scene</source>
+        <source>Remove the robot shown from the scene</source>
         <translation>Den gezeigten Roboter aus der Szene entfernen</translation>
     </message>
     <message>
-        <source>Robot that is shown</source>
+        <source>Robot shown</source>
         <translation>Gezeigter Roboter</translation>
     </message>
     <message>
-        <source>Which robot of the scene is shown.</source>
-        <translation>Welcher Roboter der Szene gezeigt wird.</translation>
+        <source>The robot of the scene that this panel shows.</source>
+        <translation>Der Roboter der Szene, den dieser Bereich zeigt.</translation>
     </message>
     <message>
         <source>Robot</source>
         <translation>Roboter</translation>
     </message>
     <message>
-        <source>What it pulls with</source>
-        <translation>Womit er zieht</translation>
+        <source>Force</source>
+        <translation>Kraft</translation>
     </message>
     <message>
-        <source>The robot's joints take the least energy V = e·K e / 2, and the stylus is drawn to its tip: F = K e.</source>
-        <translation>Die Gelenke des Roboters nehmen die kleinste Energie V = e·K e / 2 ein, und der Stift wird zu dessen Spitze gezogen: F = K e.</translation>
+        <source>The joints move to the minimum of the energy V = e·K e / 2, and the stylus is pulled towards the end effector: F = K e.</source>
+        <translation>Die Gelenke gehen in das Minimum der Energie V = e·K e / 2, und der Stift wird zum Endeffektor gezogen: F = K e.</translation>
     </message>
     <message>
         <source>Kθ</source>
         <translation>Kθ</translation>
     </message>
     <message>
-        <source>Turning stiffness</source>
+        <source>Rotational stiffness</source>
         <translation>Drehsteifigkeit</translation>
     </message>
     <message>
@@ -12992,8 +12992,8 @@ und %2 weitere</translation>
         <translation>Folgt</translation>
     </message>
     <message>
-        <source>What of the stylus's turn the tip follows</source>
-        <translation>Was die Spitze von der Drehung des Stifts mitmacht</translation>
+        <source>The part of the stylus's orientation that the end effector follows</source>
+        <translation>Der Teil der Orientierung des Stifts, dem der Endeffektor folgt</translation>
     </message>
     <message>
         <source>Force law</source>
@@ -13004,8 +13004,8 @@ und %2 weitere</translation>
         <translation>Löser</translation>
     </message>
     <message>
-        <source>How the joints of least energy are found, every tick. Nothing felt changes with the method.</source>
-        <translation>Wie in jedem Takt die Gelenkwerte kleinster Energie gefunden werden. Die Methode ändert nichts am Gefühlten.</translation>
+        <source>How the joint angles of minimum energy are found in every tick. The method does not change what you feel.</source>
+        <translation>Wie in jedem Takt die Gelenkwinkel kleinster Energie gefunden werden. Die Methode ändert nicht, was Sie fühlen.</translation>
     </message>
     <message>
         <source>Method</source>
@@ -13016,19 +13016,19 @@ und %2 weitere</translation>
         <translation>Methode des Lösers</translation>
     </message>
     <message>
-        <source>Most steps</source>
+        <source>Max. steps</source>
         <translation>Max. Schritte</translation>
     </message>
     <message>
-        <source>Most steps a tick</source>
-        <translation>Max. Schritte je Takt</translation>
+        <source>Maximum number of steps per tick</source>
+        <translation>Größte Zahl der Schritte je Takt</translation>
     </message>
     <message>
         <source>Tolerance</source>
         <translation>Toleranz</translation>
     </message>
     <message>
-        <source>Tolerance, rad and shares of the reach</source>
+        <source>Tolerance, rad and fractions of the reach</source>
         <translation>Toleranz, rad und Anteile der Reichweite</translation>
     </message>
 </context>
@@ -13039,8 +13039,8 @@ und %2 weitere</translation>
         <translation>Umkehrungen</translation>
     </message>
     <message>
-        <source>A reversal is where the way turns between harder and easier. The first two are a run-in; the just-noticeable difference is the geometric mean of the others (Levitt 1971).</source>
-        <translation>Eine Umkehrung ist, wo der Weg zwischen schwerer und leichter umkehrt. Die ersten zwei sind Einlauf; der eben merkliche Unterschied ist das geometrische Mittel der anderen (Levitt 1971).</translation>
+        <source>A reversal is a change between harder and easier. The first two only find the rough range; the just-noticeable difference is the geometric mean of the others (Levitt 1971).</source>
+        <translation>Eine Umkehrung ist ein Wechsel zwischen schwerer und leichter. Die ersten zwei finden nur den groben Bereich; der eben merkliche Unterschied ist das geometrische Mittel der anderen (Levitt 1971).</translation>
     </message>
     <message>
         <source>Left beam</source>
@@ -13063,8 +13063,8 @@ und %2 weitere</translation>
         <translation>Messung abbrechen</translation>
     </message>
     <message>
-        <source>The beams are again as stiff as the scene says; nothing is kept.</source>
-        <translation>Die Balken sind wieder so steif, wie die Szene sagt; nichts wird behalten.</translation>
+        <source>Restores the stiffness that the scene gives the beams; nothing is kept.</source>
+        <translation>Stellt die Steifigkeit wieder her, die die Szene den Balken gibt; nichts wird behalten.</translation>
     </message>
     <message>
         <source>%1 is stiffer</source>
@@ -13089,12 +13089,12 @@ und %2 weitere</translation>
         <translation>Umkehrungen %v von %m</translation>
     </message>
     <message>
-        <source>It presses the beams on an arm of its own; the window's stays where it is.</source>
-        <translation>Sie drückt die Balken an einem eigenen Arm; der des Fensters bleibt, wo er ist.</translation>
+        <source>It presses the beams on a simulated arm of its own; the arm in the window does not move.</source>
+        <translation>Sie drückt die Balken an einem eigenen simulierten Arm; der Arm im Fenster bewegt sich nicht.</translation>
     </message>
     <message>
-        <source>Press each beam down with the stylus, as often as you like. Let go before you answer.</source>
-        <translation>Drücken Sie jeden Balken mit dem Stift herunter, so oft Sie mögen. Lassen Sie los, bevor Sie antworten.</translation>
+        <source>Press each beam down with the stylus, as often as you like. Release it before you answer.</source>
+        <translation>Drücken Sie jeden Balken mit dem Stift herunter, so oft Sie mögen. Lassen Sie ihn los, bevor Sie antworten.</translation>
     </message>
     <message>
         <source>The servo is stopped. Press Start to feel the beams.</source>
@@ -13113,7 +13113,7 @@ und %2 weitere</translation>
         <translation>✓ Das war richtig.</translation>
     </message>
     <message>
-        <source>✗ It was the other.</source>
+        <source>✗ It was the other one.</source>
         <translation>✗ Es war der andere.</translation>
     </message>
 </context>
@@ -13140,16 +13140,16 @@ und %2 weitere</translation>
         <translation>Neue Szene</translation>
     </message>
     <message>
-        <source>Tuned gains</source>
-        <translation>Abgestimmte Verstärkungen</translation>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
     </message>
     <message>
-        <source>The scene “%1” was never saved.</source>
-        <translation>Die Szene „%1“ wurde nie gespeichert.</translation>
+        <source>The scene “%1” has not been saved.</source>
+        <translation>Die Szene „%1“ ist noch nicht gespeichert.</translation>
     </message>
     <message>
-        <source>The gains of “%1” were changed.</source>
-        <translation>Die Verstärkungen von „%1“ wurden geändert.</translation>
+        <source>The scene “%1” has unsaved changes.</source>
+        <translation>Die Szene „%1“ hat nicht gespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>Save it as a scene file, or discard it?</source>
@@ -13167,8 +13167,8 @@ und %2 weitere</translation>
         <translation>3D-Ansicht</translation>
     </message>
     <message>
-        <source>What the stylus is held to, the stylus and the force on it. Arrow keys move the hand.</source>
-        <translation>Woran der Stift gehalten wird, der Stift und die Kraft auf ihn. Pfeiltasten bewegen die Hand.</translation>
+        <source>The constraint, the stylus and the force on it. The arrow keys move the hand.</source>
+        <translation>Die Bindung, der Stift und die Kraft auf ihn. Die Pfeiltasten bewegen die Hand.</translation>
     </message>
 </context>
 <context>
@@ -13229,24 +13229,24 @@ und %2 weitere</translation>
         <translation>Zeitplanung</translation>
     </message>
     <message>
-        <source>What the system granted the servo thread.</source>
-        <translation>Was das System dem Servo-Thread gewährt hat.</translation>
+        <source>The scheduling that the system granted to the servo thread.</source>
+        <translation>Die Zeitplanung, die das System dem Servo-Thread gewährt hat.</translation>
     </message>
     <message>
         <source>Scheduling in effect</source>
         <translation>Geltende Zeitplanung</translation>
     </message>
     <message>
-        <source>What else was granted</source>
-        <translation>Was sonst gewährt wurde</translation>
+        <source>Also granted</source>
+        <translation>Außerdem gewährt</translation>
     </message>
     <message>
-        <source>How to get better</source>
-        <translation>Wie es besser wird</translation>
+        <source>How to improve it</source>
+        <translation>Wie sie besser wird</translation>
     </message>
     <message>
-        <source>It is as good as it gets.</source>
-        <translation>Besser geht es nicht.</translation>
+        <source>There is nothing to improve.</source>
+        <translation>Es gibt nichts zu verbessern.</translation>
     </message>
 </context>
 <context>
@@ -13256,20 +13256,20 @@ und %2 weitere</translation>
         <translation>„%1“ wurde nicht geöffnet. %2</translation>
     </message>
     <message>
-        <source>The scene stays. %1</source>
-        <translation>Die Szene bleibt. %1</translation>
+        <source>The scene is unchanged. %1</source>
+        <translation>Die Szene bleibt unverändert. %1</translation>
     </message>
     <message>
-        <source>The second arm keeps its rate. %1</source>
-        <translation>Der zweite Arm behält seine Taktrate. %1</translation>
+        <source>The rate of the second arm is unchanged. %1</source>
+        <translation>Die Taktrate des zweiten Arms bleibt unverändert. %1</translation>
     </message>
     <message>
         <source>The second arm: %1 %2</source>
         <translation>Der zweite Arm: %1 %2</translation>
     </message>
     <message>
-        <source> It is kept in %1.</source>
-        <translation> Abgelegt in %1.</translation>
+        <source> The report is in %1.</source>
+        <translation> Der Bericht liegt in %1.</translation>
     </message>
 </context>
 <context>
@@ -13295,24 +13295,24 @@ und %2 weitere</translation>
         <translation>Ein zweiter Arm</translation>
     </message>
     <message>
-        <source>What happened to the second arm</source>
-        <translation>Was mit dem zweiten Arm geschah</translation>
+        <source>Message from the second arm</source>
+        <translation>Meldung des zweiten Arms</translation>
     </message>
     <message>
         <source>Arm</source>
         <translation>Arm</translation>
     </message>
     <message>
-        <source>Which arm it is.</source>
-        <translation>Welcher Arm es ist.</translation>
+        <source>The arm in use.</source>
+        <translation>Der verwendete Arm.</translation>
     </message>
     <message>
         <source>Servo</source>
         <translation>Servo</translation>
     </message>
     <message>
-        <source>What its servo does. Start and Stop are those of the first arm.</source>
-        <translation>Was sein Servo tut. Start und Stopp sind die des ersten Arms.</translation>
+        <source>State of its servo. Start and Stop apply to both arms.</source>
+        <translation>Zustand seines Servos. Start und Stopp gelten für beide Arme.</translation>
     </message>
     <message>
         <source>Force</source>
@@ -13327,44 +13327,44 @@ und %2 weitere</translation>
         <translation>Spitze</translation>
     </message>
     <message>
-        <source>Where its tip is, in its own frame W.</source>
-        <translation>Wo seine Spitze ist, in seinem eigenen Koordinatensystem W.</translation>
+        <source>Position of its tip in its own frame W.</source>
+        <translation>Ort seiner Spitze in seinem eigenen Koordinatensystem W.</translation>
     </message>
     <message>
         <source>A s&amp;econd arm</source>
         <translation>Ein &amp;zweiter Arm</translation>
     </message>
     <message>
-        <source>Another arm with a servo and a scene of its own, beside the first. Start and Stop are for both.</source>
-        <translation>Ein weiterer Arm mit eigenem Servo und eigener Szene, neben dem ersten. Start und Stopp gelten für beide.</translation>
+        <source>Adds an arm beside the first, with its own servo and scene. Start and Stop apply to both arms.</source>
+        <translation>Fügt neben dem ersten einen Arm mit eigenem Servo und eigener Szene hinzu. Start und Stopp gelten für beide Arme.</translation>
     </message>
     <message>
-        <source>The second arm stays. %1</source>
-        <translation>Der zweite Arm bleibt. %1</translation>
+        <source>The second arm is unchanged. %1</source>
+        <translation>Der zweite Arm bleibt unverändert. %1</translation>
     </message>
     <message>
         <source>Second arm</source>
         <translation>Zweiter Arm</translation>
     </message>
     <message>
-        <source>Which arm it is; others are in the panel Devices.</source>
-        <translation>Welcher Arm es ist; andere stehen im Bereich Geräte.</translation>
+        <source>The arm to use; the Devices panel lists more.</source>
+        <translation>Der Arm, der verwendet wird; weitere stehen im Bereich Geräte.</translation>
     </message>
     <message>
         <source>Scene of the second arm</source>
         <translation>Szene des zweiten Arms</translation>
     </message>
     <message>
-        <source>What it is held to.</source>
-        <translation>Woran er gehalten wird.</translation>
+        <source>What the second arm is constrained to.</source>
+        <translation>Woran der zweite Arm gebunden ist.</translation>
     </message>
     <message>
         <source>Side of the second arm</source>
         <translation>Seite des zweiten Arms</translation>
     </message>
     <message>
-        <source>Where it stands beside the first.</source>
-        <translation>Wo er neben dem ersten steht.</translation>
+        <source>The side of the first arm on which it stands.</source>
+        <translation>Die Seite des ersten Arms, auf der er steht.</translation>
     </message>
     <message>
         <source>left</source>
@@ -13387,8 +13387,8 @@ und %2 weitere</translation>
         <translation>Spiegelt meine Hand</translation>
     </message>
     <message>
-        <source>A simulated second arm is moved as the first hand is, in a mirror.</source>
-        <translation>Ein simulierter zweiter Arm wird wie die erste Hand bewegt, gespiegelt.</translation>
+        <source>Moves a simulated second arm as the mirror image of the first hand.</source>
+        <translation>Bewegt einen simulierten zweiten Arm als Spiegelbild der ersten Hand.</translation>
     </message>
     <message>
         <source>What is being opened</source>
@@ -13399,8 +13399,8 @@ und %2 weitere</translation>
         <translation>Szene</translation>
     </message>
     <message>
-        <source>Stands</source>
-        <translation>Steht</translation>
+        <source>Side</source>
+        <translation>Seite</translation>
     </message>
     <message>
         <source>A scene for the second arm</source>
@@ -13411,8 +13411,8 @@ und %2 weitere</translation>
         <translation>Szenen (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Where the registrations of both arms say.</source>
-        <translation>Wo die Registrierungen beider Arme es angeben.</translation>
+        <source>Set by the registrations of both arms.</source>
+        <translation>Durch die Registrierungen beider Arme festgelegt.</translation>
     </message>
     <message>
         <source>Opening %1…</source>
@@ -13465,12 +13465,12 @@ und %2 weitere</translation>
         <translation>Schnitt quer zu z</translation>
     </message>
     <message>
-        <source>Where the cut is</source>
-        <translation>Wo der Schnitt ist</translation>
+        <source>Position of the cut</source>
+        <translation>Ort des Schnitts</translation>
     </message>
     <message>
-        <source>Where along its axis the cut is. A double click lets it follow the stylus again.</source>
-        <translation>Wo entlang seiner Achse der Schnitt ist. Nach einem Doppelklick folgt er wieder dem Stift.</translation>
+        <source>Position of the cut along its axis. Double-click to let it follow the stylus again.</source>
+        <translation>Ort des Schnitts entlang seiner Achse. Nach einem Doppelklick folgt er wieder dem Stift.</translation>
     </message>
     <message>
         <source> mm</source>
@@ -13485,8 +13485,8 @@ und %2 weitere</translation>
         <translation>Schnitt &amp;mit Tasten verschieben</translation>
     </message>
     <message>
-        <source>Puts the focus on the cut's slider: the arrow keys then move it by 1 mm, Page Up and Down by 10.</source>
-        <translation>Setzt den Fokus auf den Schieberegler des Schnitts: Die Pfeiltasten verschieben ihn dann um 1 mm, Bild auf und Bild ab um 10.</translation>
+        <source>Moves the focus to the slider of the cut: the arrow keys then move the cut by 1 mm, Page Up and Page Down by 10 mm.</source>
+        <translation>Setzt den Fokus auf den Schieberegler des Schnitts: Die Pfeiltasten verschieben den Schnitt dann um 1 mm, Bild auf und Bild ab um 10 mm.</translation>
     </message>
 </context>
 <context>
@@ -13496,36 +13496,36 @@ und %2 weitere</translation>
         <translation>&amp;Nur mit Taste</translation>
     </message>
     <message>
-        <source>The servo pushes only while the stylus button is held.</source>
-        <translation>Der Servo drückt nur, solange die Stifttaste gehalten wird.</translation>
+        <source>There is force only while the stylus button is held.</source>
+        <translation>Kraft gibt es nur, solange die Stifttaste gehalten wird.</translation>
     </message>
     <message>
         <source>&amp;Restart the servo</source>
         <translation>Servo neu st&amp;arten</translation>
     </message>
     <message>
-        <source>Ends the servo thread, opens the arm again and begins anew; the scene stays.</source>
-        <translation>Beendet den Servo-Thread, öffnet den Arm wieder und beginnt neu; die Szene bleibt.</translation>
+        <source>Ends the servo thread, reopens the arm and starts from the beginning with the same scene.</source>
+        <translation>Beendet den Servo-Thread, öffnet den Arm erneut und beginnt mit derselben Szene von vorn.</translation>
     </message>
     <message>
         <source>&amp;Check the servo…</source>
         <translation>Servo &amp;prüfen …</translation>
     </message>
     <message>
-        <source>Measures how late the servo's ticks are, beside the least that this machine allows.</source>
-        <translation>Misst, wie verspätet die Takte des Servos sind, neben dem Mindesten, das dieser Rechner zulässt.</translation>
+        <source>Measures the latency of the servo and compares it with the best this machine can do.</source>
+        <translation>Misst die Latenz des Servos und vergleicht sie mit dem Besten, was dieser Rechner leisten kann.</translation>
     </message>
     <message>
         <source>Hold to run</source>
         <translation>Nur mit Taste</translation>
     </message>
     <message>
-        <source>The servo pushes only while the stylus button is held: here the Space key, with the focus in the view (F2).</source>
-        <translation>Der Servo drückt nur, solange die Stifttaste gehalten wird: hier die Leertaste, mit dem Fokus in der Ansicht (F2).</translation>
+        <source>There is force only while the stylus button is held. On the simulated arm, that button is the Space key while the view has the focus (F2).</source>
+        <translation>Kraft gibt es nur, solange die Stifttaste gehalten wird. Beim simulierten Arm ist das die Leertaste, solange die Ansicht den Fokus hat (F2).</translation>
     </message>
     <message>
-        <source>What came of the restart, or of another rate</source>
-        <translation>Ergebnis des Neustarts oder einer anderen Taktrate</translation>
+        <source>Result of the restart or the rate change</source>
+        <translation>Ergebnis des Neustarts oder der geänderten Taktrate</translation>
     </message>
     <message>
         <source>Restart the servo</source>
@@ -13536,29 +13536,29 @@ und %2 weitere</translation>
         <translation>Servo prüfen …</translation>
     </message>
     <message>
-        <source>The servo was begun anew. Start lets it push.</source>
-        <translation>Der Servo wurde neu begonnen. Start lässt ihn drücken.</translation>
+        <source>The servo was restarted. Press Start to turn the force on.</source>
+        <translation>Der Servo wurde neu gestartet. Drücken Sie Start, um die Kraft einzuschalten.</translation>
     </message>
     <message>
-        <source>The arm did not open again. %1</source>
+        <source>The arm could not be reopened. %1</source>
         <translation>Der Arm ließ sich nicht wieder öffnen. %1</translation>
     </message>
     <message>
-        <source>The rate stays. %1</source>
-        <translation>Die Taktrate bleibt. %1</translation>
+        <source>The rate was not changed. %1</source>
+        <translation>Die Taktrate wurde nicht geändert. %1</translation>
     </message>
 </context>
 <context>
     <name>underact::gui::SessionIndex</name>
     <message>
-        <source>This computer has too little memory left to read the file. Close other programs, then choose another folder and this one again.</source>
-        <translation>Dieser Rechner hat zu wenig Speicher frei, um die Datei zu lesen. Schließen Sie andere Programme und wählen Sie dann einen anderen Ordner und wieder diesen.</translation>
+        <source>There is not enough free memory to read the file. Close other programs, choose another folder, then choose this one again.</source>
+        <translation>Der freie Speicher reicht nicht, um die Datei zu lesen. Schließen Sie andere Programme, wählen Sie einen anderen Ordner und dann wieder diesen.</translation>
     </message>
 </context>
 <context>
     <name>underact::gui::SessionList</name>
     <message>
-        <source>Search the sessions</source>
+        <source>Search sessions</source>
         <translation>Sitzungen durchsuchen</translation>
     </message>
     <message>
@@ -13566,23 +13566,23 @@ und %2 weitere</translation>
         <translation>Suchen</translation>
     </message>
     <message>
-        <source>Words of the name, notes, tags, subject, scene, markers or date; all of them must be there.</source>
-        <translation>Wörter aus Name, Notizen, Tags, Person, Szene, Marken oder Datum; alle müssen vorkommen.</translation>
+        <source>Words from the name, notes, tags, subject, consent, scene, arm, markers or date. Each word must occur.</source>
+        <translation>Wörter aus Name, Notizen, Tags, Person, Einwilligung, Szene, Arm, Marken oder Datum. Jedes Wort muss vorkommen.</translation>
     </message>
     <message>
         <source>Recent sessions</source>
         <translation>Letzte Sitzungen</translation>
     </message>
     <message>
-        <source>About the chosen session</source>
-        <translation>Über die gewählte Sitzung</translation>
+        <source>Details of the selected session</source>
+        <translation>Einzelheiten zur gewählten Sitzung</translation>
     </message>
     <message>
         <source>Reading the folder</source>
         <translation>Der Ordner wird gelesen</translation>
     </message>
     <message>
-        <source>No sessions yet. Record makes one.</source>
+        <source>No sessions yet. Press Record to make one.</source>
         <translation>Noch keine Sitzungen. „Aufzeichnen“ legt eine an.</translation>
     </message>
     <message>
@@ -13601,12 +13601,12 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::SessionPanel</name>
     <message>
-        <source>What is plotted</source>
-        <translation>Was aufgetragen ist</translation>
+        <source>Plot of the session</source>
+        <translation>Diagramm der Sitzung</translation>
     </message>
     <message>
-        <source>Which plot of the whole session is shown. A click into a plot against time goes there.</source>
-        <translation>Welches Diagramm der ganzen Sitzung gezeigt wird. Ein Klick in ein Diagramm gegen die Zeit springt dorthin.</translation>
+        <source>Selects a plot of the whole session. Click a plot against time to jump to that time.</source>
+        <translation>Wählt ein Diagramm der ganzen Sitzung. Ein Klick in ein Diagramm gegen die Zeit springt zu dieser Zeit.</translation>
     </message>
     <message>
         <source>Error and force</source>
@@ -13617,7 +13617,7 @@ und %2 weitere</translation>
         <translation>Kraft gegen Auslenkung</translation>
     </message>
     <message>
-        <source>Angles of influence</source>
+        <source>Influence angles</source>
         <translation>Einflusswinkel</translation>
     </message>
     <message>
@@ -13629,16 +13629,16 @@ und %2 weitere</translation>
         <translation>Spektrum</translation>
     </message>
     <message>
-        <source>Lateness</source>
-        <translation>Verspätung</translation>
+        <source>Latency</source>
+        <translation>Latenz</translation>
     </message>
     <message>
-        <source>Plots of a recorded session stand here when one is open (Ctrl+Shift+O).</source>
-        <translation>Hier stehen Diagramme einer aufgezeichneten Sitzung, wenn eine geöffnet ist (Strg+Umschalt+O).</translation>
+        <source>Open a recorded session to see its plots here (Ctrl+Shift+O).</source>
+        <translation>Öffnen Sie eine aufgezeichnete Sitzung, um hier ihre Diagramme zu sehen (Strg+Umschalt+O).</translation>
     </message>
     <message>
-        <source>Of the &amp;session</source>
-        <translation>Zur &amp;Sitzung</translation>
+        <source>Plot of the &amp;session</source>
+        <translation>Diagramm der &amp;Sitzung</translation>
     </message>
 </context>
 <context>
@@ -13656,7 +13656,7 @@ und %2 weitere</translation>
         <translation>Kraft [N]</translation>
     </message>
     <message>
-        <source>asked</source>
+        <source>commanded</source>
         <translation>verlangt</translation>
     </message>
     <message>
@@ -13704,24 +13704,24 @@ und %2 weitere</translation>
         <translation>gespeichert</translation>
     </message>
     <message>
-        <source>Force [dB over 1 mN]</source>
-        <translation>Kraft [dB über 1 mN]</translation>
+        <source>Force [dB re 1 mN]</source>
+        <translation>Kraft [dB re 1 mN]</translation>
     </message>
     <message>
         <source>frequency [Hz]</source>
         <translation>Frequenz [Hz]</translation>
     </message>
     <message>
-        <source>Error [dB over 1 µm]</source>
-        <translation>Fehler [dB über 1 µm]</translation>
+        <source>Error [dB re 1 µm]</source>
+        <translation>Fehler [dB re 1 µm]</translation>
     </message>
     <message>
         <source>Plots of the whole session</source>
         <translation>Diagramme der ganzen Sitzung</translation>
     </message>
     <message>
-        <source>Force and error, displacement, angles, energy or spectrum, as chosen above.</source>
-        <translation>Kraft und Fehler, Auslenkung, Winkel, Energie oder Spektrum, wie oben gewählt.</translation>
+        <source>Error and force, force against displacement, angles, energy or spectrum, as selected above.</source>
+        <translation>Fehler und Kraft, Kraft gegen Auslenkung, Winkel, Energie oder Spektrum, wie oben gewählt.</translation>
     </message>
 </context>
 <context>
@@ -13731,8 +13731,8 @@ und %2 weitere</translation>
         <translation>Als &amp;CSV exportieren …</translation>
     </message>
     <message>
-        <source>Writes the chosen session's ticks as a table.</source>
-        <translation>Schreibt die Takte der gewählten Sitzung als Tabelle.</translation>
+        <source>Saves the ticks of the selected session as a table.</source>
+        <translation>Speichert die Takte der gewählten Sitzung als Tabelle.</translation>
     </message>
     <message>
         <source>Export the session as CSV</source>
@@ -13743,8 +13743,8 @@ und %2 weitere</translation>
         <translation>&amp;Diagramme als PDF …</translation>
     </message>
     <message>
-        <source>Draws all plots of the chosen session, a file each.</source>
-        <translation>Zeichnet alle Diagramme der gewählten Sitzung, je eine Datei.</translation>
+        <source>Saves all plots of the selected session, one file each.</source>
+        <translation>Speichert alle Diagramme der gewählten Sitzung, jedes als eigene Datei.</translation>
     </message>
     <message>
         <source>Save the plots</source>
@@ -13755,23 +13755,23 @@ und %2 weitere</translation>
         <translation>&amp;Folgen</translation>
     </message>
     <message>
-        <source>Lets the chosen session's stylus go its way beside yours, as a ghost to follow.</source>
-        <translation>Lässt den Stift der gewählten Sitzung als Geisterhand neben dem eigenen seinen Weg gehen.</translation>
+        <source>Shows the recorded stylus of the selected session as a ghost for a hand to follow.</source>
+        <translation>Zeigt den aufgezeichneten Stift der gewählten Sitzung als Geisterbild, dem eine Hand folgt.</translation>
     </message>
     <message>
         <source>&amp;Show in folder</source>
         <translation>Im &amp;Ordner zeigen</translation>
     </message>
     <message>
-        <source>Opens the folder that holds the chosen session.</source>
-        <translation>Öffnet den Ordner mit der gewählten Sitzung.</translation>
+        <source>Opens the folder of the selected session.</source>
+        <translation>Öffnet den Ordner der gewählten Sitzung.</translation>
     </message>
     <message>
-        <source>&amp;Edit words…</source>
+        <source>&amp;Edit metadata…</source>
         <translation>Anga&amp;ben ändern …</translation>
     </message>
     <message>
-        <source>Changes the chosen session's name, notes, tags, subject and consent.</source>
+        <source>Edits the name, notes, tags, subject and consent of the selected session.</source>
         <translation>Ändert Name, Notizen, Tags, Person und Einwilligung der gewählten Sitzung.</translation>
     </message>
     <message>
@@ -13779,15 +13779,15 @@ und %2 weitere</translation>
         <translation>&amp;Retten</translation>
     </message>
     <message>
-        <source>Makes a session whole that the program could not close, so that every program opens it.</source>
-        <translation>Macht eine Sitzung vollständig, die das Programm nicht schließen konnte, sodass jedes Programm sie öffnet.</translation>
+        <source>Repairs a session that was not closed, so that every program can open it.</source>
+        <translation>Repariert eine Sitzung, die nicht geschlossen wurde, sodass jedes Programm sie öffnen kann.</translation>
     </message>
     <message>
         <source>&amp;Delete…</source>
         <translation>&amp;Löschen …</translation>
     </message>
     <message>
-        <source>Moves the chosen session to the bin, or removes it for good.</source>
+        <source>Moves the selected session to the bin, or removes it for good.</source>
         <translation>Verschiebt die gewählte Sitzung in den Papierkorb oder entfernt sie endgültig.</translation>
     </message>
     <message>
@@ -13799,8 +13799,8 @@ und %2 weitere</translation>
         <translation>Wiedergabe</translation>
     </message>
     <message>
-        <source>Shows the chosen session again.</source>
-        <translation>Zeigt die gewählte Sitzung noch einmal.</translation>
+        <source>Replays the selected session.</source>
+        <translation>Gibt die gewählte Sitzung wieder.</translation>
     </message>
     <message>
         <source>Recover</source>
@@ -13815,28 +13815,28 @@ und %2 weitere</translation>
         <translation>Als CSV exportieren</translation>
     </message>
     <message>
-        <source>What else can be done with the chosen session, and the folder.</source>
-        <translation>Was sonst mit der gewählten Sitzung geht, und der Ordner.</translation>
+        <source>More commands for the selected session and the folder.</source>
+        <translation>Weitere Befehle für die gewählte Sitzung und den Ordner.</translation>
     </message>
     <message>
-        <source>The session is whole up to its last tenth of a second: %1 ticks.</source>
-        <translation>Die Sitzung ist bis auf ihre letzte Zehntelsekunde vollständig: %1 Takte.</translation>
+        <source>The session was recovered up to its last tenth of a second: %1 ticks.</source>
+        <translation>Die Sitzung wurde bis auf ihre letzte Zehntelsekunde gerettet: %1 Takte.</translation>
     </message>
     <message>
-        <source>%1 is in the bin, which keeps it until it is emptied.</source>
-        <translation>%1 liegt im Papierkorb, der die Datei behält, bis er geleert wird.</translation>
+        <source>%1 was moved to the bin and stays there until the bin is emptied.</source>
+        <translation>%1 wurde in den Papierkorb verschoben und bleibt dort, bis er geleert wird.</translation>
     </message>
     <message>
-        <source>The session cannot be moved to the bin: this folder has none, or may not be changed. Remove it for good, or show it in its folder and delete it there.</source>
-        <translation>Die Sitzung lässt sich nicht in den Papierkorb legen: Dieser Ordner hat keinen oder darf nicht verändert werden. Entfernen Sie sie endgültig, oder zeigen Sie sie in ihrem Ordner und löschen Sie sie dort.</translation>
+        <source>The session cannot be moved to the bin: its folder has no bin or is write-protected. Remove the session for good, or choose Show in folder and delete it there.</source>
+        <translation>Die Sitzung lässt sich nicht in den Papierkorb verschieben: Ihr Ordner hat keinen oder ist schreibgeschützt. Entfernen Sie die Sitzung endgültig, oder wählen Sie „Im Ordner zeigen“ und löschen Sie sie dort.</translation>
     </message>
     <message>
         <source>%1 was removed for good.</source>
         <translation>%1 wurde endgültig entfernt.</translation>
     </message>
     <message>
-        <source>The session cannot be removed: its folder may not be changed. Show in folder, and ask whose folder it is.</source>
-        <translation>Die Sitzung lässt sich nicht entfernen: Ihr Ordner darf nicht verändert werden. Zeigen Sie sie im Ordner und fragen Sie, wem er gehört.</translation>
+        <source>The session cannot be removed: its folder is write-protected. Choose Show in folder, and ask the owner of the folder.</source>
+        <translation>Die Sitzung lässt sich nicht entfernen: Ihr Ordner ist schreibgeschützt. Wählen Sie „Im Ordner zeigen“, und fragen Sie, wem der Ordner gehört.</translation>
     </message>
 </context>
 <context>
@@ -13850,8 +13850,8 @@ und %2 weitere</translation>
         <translation>&amp;Aufzeichnen</translation>
     </message>
     <message>
-        <source>Begins a recording at once, or ends it.</source>
-        <translation>Beginnt sofort eine Aufzeichnung oder beendet sie.</translation>
+        <source>Starts recording immediately, or stops it.</source>
+        <translation>Startet die Aufzeichnung sofort oder stoppt sie.</translation>
     </message>
     <message>
         <source>Set a &amp;marker</source>
@@ -13866,7 +13866,7 @@ und %2 weitere</translation>
         <translation>Sitzung &amp;suchen</translation>
     </message>
     <message>
-        <source>Puts the cursor into the search field.</source>
+        <source>Puts the cursor in the search field.</source>
         <translation>Setzt den Cursor in das Suchfeld.</translation>
     </message>
     <message>
@@ -13874,12 +13874,12 @@ und %2 weitere</translation>
         <translation>Ordner &amp;wählen …</translation>
     </message>
     <message>
-        <source>Where recordings go, and which are listed.</source>
-        <translation>Wohin Aufzeichnungen kommen und welche aufgelistet werden.</translation>
+        <source>Sets the folder in which sessions are saved and listed.</source>
+        <translation>Legt den Ordner fest, in dem Sitzungen gespeichert und aufgelistet werden.</translation>
     </message>
     <message>
-        <source>Folder of the recordings</source>
-        <translation>Ordner der Aufzeichnungen</translation>
+        <source>Folder for sessions</source>
+        <translation>Ordner für Sitzungen</translation>
     </message>
     <message>
         <source>A session is being recorded. Stop the recording first.</source>
@@ -13917,11 +13917,11 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::ShapePanel</name>
     <message>
-        <source>Edit its joints</source>
+        <source>Edit joints</source>
         <translation>Gelenke bearbeiten</translation>
     </message>
     <message>
-        <source>Opens the Robot panel: joints, springs, turning stiffness and solver.</source>
+        <source>Opens the Robot panel: joints, springs, rotational stiffness and solver.</source>
         <translation>Öffnet den Bereich Roboter: Gelenke, Federn, Drehsteifigkeit und Löser.</translation>
     </message>
     <message>
@@ -13929,23 +13929,23 @@ und %2 weitere</translation>
         <translation>Bericht …</translation>
     </message>
     <message>
-        <source>What was found in the file of the mesh, what was repaired, and how it can be felt.</source>
-        <translation>Was in der Datei des Dreiecksnetzes gefunden und was repariert wurde, und wie es sich fühlen lässt.</translation>
+        <source>What the mesh file contains, what was repaired, and how the mesh can be felt.</source>
+        <translation>Was die Datei des Dreiecksnetzes enthält, was repariert wurde und wie es sich fühlen lässt.</translation>
     </message>
     <message>
         <source>Stylus</source>
         <translation>Stift</translation>
     </message>
     <message>
-        <source>The distance e between the tip and the nearest point of the shape, or a robot's tip; free: a wall that is not touched.</source>
-        <translation>Der Abstand e zwischen der Spitze und dem nächsten Punkt der Form oder der Spitze eines Roboters; frei: eine Wand, die nicht berührt wird.</translation>
+        <source>Distance e from the tip to the nearest point of the shape, or to the end effector of a robot. Free: the tip does not touch the wall.</source>
+        <translation>Abstand e von der Spitze zum nächsten Punkt der Form oder zum Endeffektor eines Roboters. Frei: Die Spitze berührt die Wand nicht.</translation>
     </message>
 </context>
 <context>
     <name>underact::gui::ShareBar</name>
     <message>
-        <source>%1, when it acted last</source>
-        <translation>%1, als es zuletzt wirkte</translation>
+        <source>%1, last active</source>
+        <translation>%1, zuletzt aktiv</translation>
     </message>
 </context>
 <context>
@@ -13955,15 +13955,15 @@ und %2 weitere</translation>
         <translation>Abstand zu Singularitäten</translation>
     </message>
     <message>
-        <source>Where the arm loses a direction. Amber and "near" under the mark of each bar.</source>
-        <translation>Wo der Arm eine Richtung verliert. Bernsteinfarben und „nah“ unter der Marke jedes Balkens.</translation>
+        <source>At a singularity the arm loses a degree of freedom. Below its mark, a bar turns amber and says "near".</source>
+        <translation>An einer Singularität verliert der Arm einen Freiheitsgrad. Unterhalb seiner Marke wird ein Balken bernsteinfarben und meldet „nah“.</translation>
     </message>
     <message>
         <source>Shoulder</source>
         <translation>Schulter</translation>
     </message>
     <message>
-        <source>Distance of the wrist centre from axis 1: |L1 cos q2 + L2 sin(q2 + q3)|. At 0 joint 1 no longer moves the tip. Near: under %1 mm.</source>
+        <source>Distance of the wrist centre from axis 1: |L1 cos q2 + L2 sin(q2 + q3)|. At 0, joint 1 no longer moves the tip. Near: below %1 mm.</source>
         <translation>Abstand des Handgelenkmittelpunkts von Achse 1: |L1 cos q2 + L2 sin(q2 + q3)|. Bei 0 bewegt Gelenk 1 die Spitze nicht mehr. Nah: unter %1 mm.</translation>
     </message>
     <message>
@@ -13975,7 +13975,7 @@ und %2 weitere</translation>
         <translation>Ellbogen</translation>
     </message>
     <message>
-        <source>Distance of q3 from ±90°, where the arm is stretched or folded: det J_p = L1 L2 cos q3 (L1 cos q2 + L2 sin(q2 + q3)). Near: under %1°.</source>
+        <source>Distance of q3 from ±90°, where the arm is stretched or folded: det J_p = L1 L2 cos q3 (L1 cos q2 + L2 sin(q2 + q3)). Near: below %1°.</source>
         <translation>Abstand von q3 zu ±90°, wo der Arm gestreckt oder gefaltet ist: det J_p = L1 L2 cos q3 (L1 cos q2 + L2 sin(q2 + q3)). Nah: unter %1°.</translation>
     </message>
     <message>
@@ -13983,8 +13983,8 @@ und %2 weitere</translation>
         <translation>Handgelenk</translation>
     </message>
     <message>
-        <source>Distance of q5 from 0° or 180°, where axes 4 and 6 lie in line and only q4 + q6 (or q6 − q4) is defined. Near: under %1°.</source>
-        <translation>Abstand von q5 zu 0° oder 180°, wo die Achsen 4 und 6 in einer Linie liegen und nur q4 + q6 (oder q6 − q4) bestimmt ist. Nah: unter %1°.</translation>
+        <source>Distance of q5 from 0° or 180°, where axes 4 and 6 coincide and only q4 + q6 (or q6 − q4) is defined. Near: below %1°.</source>
+        <translation>Abstand von q5 zu 0° oder 180°, wo die Achsen 4 und 6 zusammenfallen und nur q4 + q6 (oder q6 − q4) bestimmt ist. Nah: unter %1°.</translation>
     </message>
 </context>
 <context>
@@ -13994,8 +13994,8 @@ und %2 weitere</translation>
         <translation>Inverse Lösungen</translation>
     </message>
     <message>
-        <source>All joint angles that put the stylus where it is: eq. 3.11 to 3.20 and figure 3.4 of the thesis, with their errata.</source>
-        <translation>Alle Gelenkwinkel, die den Stift dorthin bringen, wo er ist: Gl. 3.11 bis 3.20 und Abbildung 3.4 der Thesis, mit ihren Errata.</translation>
+        <source>All sets of joint angles that give the current pose of the stylus: thesis eq. 3.11 to 3.20 and figure 3.4, with their errata.</source>
+        <translation>Alle Sätze von Gelenkwinkeln, die die jetzige Lage des Stifts ergeben: Thesis, Gl. 3.11 bis 3.20 und Abbildung 3.4, mit ihren Errata.</translation>
     </message>
     <message>
         <source>&amp;Go there</source>
@@ -14006,20 +14006,20 @@ und %2 weitere</translation>
         <translation>&amp;Keine zeigen</translation>
     </message>
     <message>
-        <source>Let the ghost go to the chosen solution</source>
-        <translation>Das Geisterbild zur gewählten Lösung gehen lassen</translation>
+        <source>Move the ghost to the selected solution</source>
+        <translation>Geisterbild zur gewählten Lösung bewegen</translation>
     </message>
     <message>
-        <source>A ghost of the arm turns evenly from the joints of now to those of the chosen solution.</source>
-        <translation>Ein Geisterbild des Arms dreht sich gleichmäßig von den jetzigen Gelenkwinkeln zu denen der gewählten Lösung.</translation>
+        <source>Moves a ghost of the arm at constant speed from the current joint angles to the selected solution.</source>
+        <translation>Bewegt ein Geisterbild des Arms mit konstantem Tempo von den jetzigen Gelenkwinkeln zur gewählten Lösung.</translation>
     </message>
     <message>
-        <source>Show no chosen solution</source>
-        <translation>Keine gewählte Lösung zeigen</translation>
+        <source>Show none of the solutions</source>
+        <translation>Keine der Lösungen zeigen</translation>
     </message>
     <message>
-        <source>Takes the ghost of the chosen solution away.</source>
-        <translation>Nimmt das Geisterbild der gewählten Lösung weg.</translation>
+        <source>Removes the ghost of the selected solution.</source>
+        <translation>Entfernt das Geisterbild der gewählten Lösung.</translation>
     </message>
     <message>
         <source>no.</source>
@@ -14042,28 +14042,28 @@ und %2 weitere</translation>
         <translation>Grenzen</translation>
     </message>
     <message>
-        <source>The number that the ghosts in the view have.</source>
-        <translation>Die Nummer, die die Geisterbilder in der Ansicht haben.</translation>
+        <source>The number of the solution, as in the view.</source>
+        <translation>Die Nummer der Lösung, wie in der Ansicht.</translation>
     </message>
     <message>
-        <source>+: the turret faces the wrist centre; −: it faces away. In the view the short line at the shoulder.</source>
-        <translation>+: Der Drehturm ist dem Handgelenkmittelpunkt zugewandt; −: abgewandt. In der Ansicht die kurze Linie an der Schulter.</translation>
+        <source>+: the turret faces the wrist centre; −: it faces away. In the view: the short line at the shoulder.</source>
+        <translation>+: Der Drehturm ist dem Handgelenkmittelpunkt zugewandt; −: abgewandt. In der Ansicht: die kurze Linie an der Schulter.</translation>
     </message>
     <message>
-        <source>+: cos q3 ≥ 0, as a real arm's; −: the other elbow.</source>
+        <source>+: cos q3 ≥ 0, as for a real arm; −: the other elbow.</source>
         <translation>+: cos q3 ≥ 0, wie bei einem echten Arm; −: der andere Ellbogen.</translation>
     </message>
     <message>
-        <source>+: sin q5 ≥ 0; −: the wrist is bent the other way. In the view the short line at the tip, axis 5.</source>
-        <translation>+: sin q5 ≥ 0; −: Das Handgelenk ist andersherum gebeugt. In der Ansicht die kurze Linie an der Spitze, Achse 5.</translation>
+        <source>+: sin q5 ≥ 0; −: the wrist is bent the other way. In the view: the short line at the tip, axis 5.</source>
+        <translation>+: sin q5 ≥ 0; −: Das Handgelenk ist andersherum gebeugt. In der Ansicht: die kurze Linie an der Spitze, Achse 5.</translation>
     </message>
     <message>
-        <source>Whether each joint lies inside its limits. Now: the joints of the arm as it stands.</source>
-        <translation>Ob jedes Gelenk innerhalb seiner Grenzen liegt. Jetzt: die Gelenke des Arms, wie er steht.</translation>
+        <source>Whether all joints are within their limits. Now: the current configuration of the arm.</source>
+        <translation>Ob alle Gelenke innerhalb ihrer Grenzen liegen. Jetzt: die jetzige Stellung des Arms.</translation>
     </message>
     <message>
-        <source>Solution %1 does not exist here: at a singularity two become one.</source>
-        <translation>Lösung %1 gibt es hier nicht: An einer Singularität werden zwei zu einer.</translation>
+        <source>Solution %1 does not exist here: at a singularity, two solutions coincide.</source>
+        <translation>Lösung %1 gibt es hier nicht: An einer Singularität fallen zwei Lösungen zusammen.</translation>
     </message>
 </context>
 <context>
@@ -14204,7 +14204,7 @@ und %2 weitere</translation>
         <translation>gemessen</translation>
     </message>
     <message>
-        <source>its fit</source>
+        <source>fit</source>
         <translation>Anpassung</translation>
     </message>
     <message>
@@ -14212,40 +14212,40 @@ und %2 weitere</translation>
         <translation>Endwert</translation>
     </message>
     <message>
-        <source>Where it ends, a share of the step; of an undamped one what it swings about.</source>
-        <translation>Wo sie endet, als Anteil des Sprungs; bei einer ungedämpften, worum sie schwingt.</translation>
+        <source>Where the response ends, as a fraction of the step; without damping, the value about which it oscillates.</source>
+        <translation>Wo die Antwort endet, als Anteil des Sprungs; ohne Dämpfung der Wert, um den sie schwingt.</translation>
     </message>
     <message>
         <source>Rise [s]</source>
         <translation>Anstieg [s]</translation>
     </message>
     <message>
-        <source>From 10 % of the final value to 90 %, each first passed.</source>
-        <translation>Von 10 % des Endwerts bis 90 %, jeweils beim ersten Erreichen.</translation>
+        <source>Rise time: from 10 % to 90 % of the final value, each when first reached.</source>
+        <translation>Anstiegszeit: von 10 % bis 90 % des Endwerts, jeweils beim ersten Erreichen.</translation>
     </message>
     <message>
         <source>Settling [s]</source>
         <translation>Einschwingen [s]</translation>
     </message>
     <message>
-        <source>From then on it stays within 2 % of the final value.</source>
-        <translation>Von da an bleibt sie innerhalb von 2 % um den Endwert.</translation>
+        <source>Settling time: from then on the response stays within 2 % of the final value.</source>
+        <translation>Einschwingzeit: Von da an bleibt die Antwort innerhalb von 2 % um den Endwert.</translation>
     </message>
     <message>
         <source>Peak [s]</source>
         <translation>Maximum [s]</translation>
     </message>
     <message>
-        <source>When it is highest, where it goes beyond the final value.</source>
-        <translation>Wann sie am höchsten ist, falls sie über den Endwert hinausgeht.</translation>
+        <source>Peak time: when the response is highest, if it exceeds the final value.</source>
+        <translation>Zeit des Maximums, falls die Antwort über den Endwert hinausgeht.</translation>
     </message>
     <message>
         <source>Overshoot [%]</source>
         <translation>Überschwingen [%]</translation>
     </message>
     <message>
-        <source>How far it goes beyond: exp(−π ζ / √(1 − ζ²)) of a second order.</source>
-        <translation>Wie weit sie darüber hinausgeht: exp(−π ζ / √(1 − ζ²)) bei zweiter Ordnung.</translation>
+        <source>How far the response exceeds the final value; for a second-order system, exp(−π ζ / √(1 − ζ²)).</source>
+        <translation>Wie weit die Antwort über den Endwert hinausgeht; bei einem System zweiter Ordnung exp(−π ζ / √(1 − ζ²)).</translation>
     </message>
     <message>
         <source>ωₙ [rad/s]</source>
@@ -14268,16 +14268,16 @@ und %2 weitere</translation>
         <translation>Fehler [mm]</translation>
     </message>
     <message>
-        <source>Steady error: from the target to where the tip stands at the end. Friction can hold it up to friction / kp away.</source>
-        <translation>Bleibender Fehler: vom Ziel bis dahin, wo die Spitze am Ende steht. Reibung kann sie bis zu Reibung / kp entfernt halten.</translation>
+        <source>Steady-state error: distance from the tip to the target at the end. Friction can hold the tip up to friction / kp away.</source>
+        <translation>Bleibender Fehler: Abstand der Spitze vom Ziel am Ende. Reibung kann die Spitze bis zu Reibung / kp entfernt halten.</translation>
     </message>
     <message>
-        <source>Left [mm]</source>
-        <translation>Rest [mm]</translation>
+        <source>Residual [mm]</source>
+        <translation>Residuum [mm]</translation>
     </message>
     <message>
-        <source>What the fit leaves of the measured curve, root of the mean square.</source>
-        <translation>Was die Anpassung von der gemessenen Kurve übrig lässt, Wurzel aus dem mittleren Quadrat.</translation>
+        <source>Root mean square difference between the fit and the measured curve.</source>
+        <translation>Quadratisches Mittel der Differenz zwischen Anpassung und gemessener Kurve.</translation>
     </message>
     <message>
         <source>never</source>
@@ -14287,31 +14287,31 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::StepFoot</name>
     <message>
-        <source>With the &amp;limits of the gate</source>
-        <translation>Mi&amp;t den Grenzen der Kraftschleuse</translation>
+        <source>&amp;Limits of the safety gate</source>
+        <translation>Grenzen der Kraf&amp;tschleuse</translation>
     </message>
     <message>
-        <source>&amp;Take gains</source>
+        <source>Ge&amp;t gains</source>
         <translation>Verst. h&amp;olen</translation>
     </message>
     <message>
-        <source>Law and gains of the scene, those along x, into this panel.</source>
-        <translation>Regelgesetz und Verstärkungen der Szene, die entlang x, in diesen Bereich.</translation>
+        <source>Copies the control law and the gains along x from the scene to this panel.</source>
+        <translation>Kopiert das Regelgesetz und die Verstärkungen entlang x aus der Szene in diesen Bereich.</translation>
     </message>
     <message>
-        <source>Take gains from the scene</source>
+        <source>Get gains from the scene</source>
         <translation>Verstärkungen aus der Szene holen</translation>
     </message>
     <message>
-        <source>&amp;Give gains</source>
+        <source>Apply &amp;gains</source>
         <translation>Verst. &amp;geben</translation>
     </message>
     <message>
-        <source>Law and gains of this panel into the scene, along x, y and z; one step back undoes it.</source>
-        <translation>Regelgesetz und Verstärkungen dieses Bereichs in die Szene, entlang x, y und z; ein Schritt zurück macht es rückgängig.</translation>
+        <source>Copies the control law and the gains of this panel to the scene, for x, y and z; one undo step.</source>
+        <translation>Kopiert das Regelgesetz und die Verstärkungen dieses Bereichs in die Szene, für x, y und z; ein Schritt beim Rückgängigmachen.</translation>
     </message>
     <message>
-        <source>Give gains to the scene</source>
+        <source>Apply gains to the scene</source>
         <translation>Verstärkungen an die Szene geben</translation>
     </message>
     <message>
@@ -14319,58 +14319,58 @@ und %2 weitere</translation>
         <translation>Arm &amp;messen</translation>
     </message>
     <message>
-        <source>Moves the target of the scene's constraint by a step, on a simulated arm of its own with these gains, and lays the tip's way over the model's. Nobody holds the stylus.</source>
-        <translation>Bewegt das Ziel der Bindung der Szene um einen Sprung, an einem eigenen simulierten Arm mit diesen Verstärkungen, und legt den Weg der Spitze über den des Modells. Niemand hält den Stift.</translation>
+        <source>Moves the target of the constraint by a step, on a simulated arm of its own with these gains and no hand, and plots the path of the tip over the model's response.</source>
+        <translation>Verschiebt das Ziel der Bindung um einen Sprung, an einem eigenen simulierten Arm mit diesen Verstärkungen und ohne Hand, und zeichnet den Weg der Spitze über die Antwort des Modells.</translation>
     </message>
     <message>
         <source>Measure the simulated arm</source>
         <translation>Simulierten Arm messen</translation>
     </message>
     <message>
-        <source>Length of the step, mm</source>
-        <translation>Länge des Sprungs, mm</translation>
+        <source>Size of the step, mm</source>
+        <translation>Höhe des Sprungs, mm</translation>
     </message>
     <message>
-        <source>How far the target is moved for the measurement.</source>
-        <translation>Wie weit das Ziel für die Messung bewegt wird.</translation>
+        <source>How far the target jumps in the measurement.</source>
+        <translation>Wie weit das Ziel bei der Messung springt.</translation>
     </message>
     <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
     <message>
-        <source>With the limits of the gate</source>
-        <translation>Mit den Grenzen der Kraftschleuse</translation>
+        <source>Limits of the safety gate</source>
+        <translation>Grenzen der Kraftschleuse</translation>
     </message>
     <message>
-        <source>The force is cut to what the arm bears, and to a speed. Off: the law alone, as the model has it.</source>
-        <translation>Die Kraft wird auf das gekürzt, was der Arm verträgt, und auf ein Tempo. Aus: das Regelgesetz allein, wie es das Modell hat.</translation>
+        <source>Measures with the limits of the safety gate on force and speed. Off: the control law alone, as in the model.</source>
+        <translation>Misst mit den Grenzen der Kraftschleuse für Kraft und Tempo. Aus: das Regelgesetz allein, wie im Modell.</translation>
     </message>
 </context>
 <context>
     <name>underact::gui::StepPanel</name>
     <message>
-        <source>It grows without end: a pole lies right of the imaginary axis, or twice on it.</source>
-        <translation>Sie wächst ohne Ende: Ein Pol liegt rechts der imaginären Achse oder doppelt auf ihr.</translation>
+        <source>The response grows without bound: a pole lies to the right of the imaginary axis, or a double pole on it.</source>
+        <translation>Die Antwort wächst unbegrenzt: Ein Pol liegt rechts der imaginären Achse oder ein doppelter auf ihr.</translation>
     </message>
     <message>
-        <source>It goes on for ever: a pole lies at 0.</source>
-        <translation>Sie läuft immer weiter: Ein Pol liegt bei 0.</translation>
+        <source>The response drifts for ever: a pole lies at 0.</source>
+        <translation>Die Antwort driftet ohne Ende: Ein Pol liegt bei 0.</translation>
     </message>
     <message>
-        <source>It swings for ever: nothing damps it.</source>
-        <translation>Sie schwingt für immer: Nichts dämpft sie.</translation>
+        <source>The response oscillates for ever: there is no damping.</source>
+        <translation>Die Antwort schwingt ohne Ende: Es gibt keine Dämpfung.</translation>
     </message>
     <message>
-        <source>What is shown</source>
-        <translation>Was gezeigt wird</translation>
+        <source>Response shown</source>
+        <translation>Gezeigte Antwort</translation>
     </message>
     <message>
-        <source>The arm under a law, or one of the figures of the thesis's appendix B.</source>
+        <source>The arm under a control law, or one of the figures in appendix B of the thesis.</source>
         <translation>Der Arm unter einem Regelgesetz oder eine der Abbildungen aus Anhang B der Thesis.</translation>
     </message>
     <message>
-        <source>The arm under a law</source>
+        <source>The arm under a control law</source>
         <translation>Der Arm unter einem Regelgesetz</translation>
     </message>
     <message>
@@ -14378,8 +14378,8 @@ und %2 weitere</translation>
         <translation>%1  %2</translation>
     </message>
     <message>
-        <source>What there is to know of this response</source>
-        <translation>Was es zu dieser Antwort zu wissen gibt</translation>
+        <source>Notes on this response</source>
+        <translation>Hinweise zu dieser Antwort</translation>
     </message>
     <message>
         <source>gains of the step response</source>
@@ -14390,20 +14390,20 @@ und %2 weitere</translation>
         <translation>Modell</translation>
     </message>
     <message>
-        <source>The tip did not move: %1 N do not overcome the arm's friction of %2 N. Make the step larger.</source>
+        <source>The tip did not move: %1 N does not overcome the arm's friction of %2 N. Make the step larger.</source>
         <translation>Die Spitze hat sich nicht bewegt: %1 N überwinden die Reibung des Arms von %2 N nicht. Machen Sie den Sprung größer.</translation>
     </message>
     <message>
-        <source>The gate cut the force in %1 ticks, so this is no linear response. Make the step smaller, or measure without the limits.</source>
-        <translation>Die Kraftschleuse hat die Kraft in %1 Takten gekürzt, dies ist also keine lineare Antwort. Machen Sie den Sprung kleiner oder messen Sie ohne die Grenzen.</translation>
+        <source>The safety gate cut the force in %1 ticks, so the response is not linear. Make the step smaller, or measure without the limits.</source>
+        <translation>Die Kraftschleuse hat die Kraft in %1 Takten gekürzt, die Antwort ist daher nicht linear. Machen Sie den Sprung kleiner oder messen Sie ohne die Grenzen.</translation>
     </message>
     <message>
         <source>Measured along %1%3. The model has no friction; the arm has %2 N.</source>
         <translation>Gemessen entlang %1%3. Das Modell hat keine Reibung; der Arm hat %2 N.</translation>
     </message>
     <message>
-        <source>the direction in which it holds</source>
-        <translation>der Richtung, in der sie hält</translation>
+        <source>the direction in which the constraint pulls</source>
+        <translation>der Richtung, in der die Bindung zieht</translation>
     </message>
     <message>
         <source> on “%1”</source>
@@ -14421,12 +14421,12 @@ und %2 weitere</translation>
         <translation>gemessen</translation>
     </message>
     <message>
-        <source>its fit</source>
+        <source>fit</source>
         <translation>Anpassung</translation>
     </message>
     <message>
-        <source>Response to a step of 1</source>
-        <translation>Antwort auf einen Sprung von 1</translation>
+        <source>Response to a unit step</source>
+        <translation>Antwort auf einen Einheitssprung</translation>
     </message>
     <message>
         <source>time [s]</source>
@@ -14453,42 +14453,42 @@ und %2 weitere</translation>
         <translation>Sprungantwort und Pole</translation>
     </message>
     <message>
-        <source>Above: the response to a step of 1. Below: poles and zeros in the s-plane; what lies left of the upright axis dies out, the faster the farther.</source>
-        <translation>Oben: die Antwort auf einen Sprung von 1. Unten: Pole und Nullstellen in der s-Ebene; was links der senkrechten Achse liegt, klingt ab, je weiter, desto schneller.</translation>
+        <source>Above: the response to a unit step. Below: poles and zeros in the s-plane; poles to the left of the imaginary axis decay, the faster the farther away.</source>
+        <translation>Oben: die Antwort auf einen Einheitssprung. Unten: Pole und Nullstellen in der s-Ebene; Pole links der imaginären Achse klingen ab, je weiter entfernt, desto schneller.</translation>
     </message>
     <message>
         <source>Overshoot %1 %</source>
         <translation>Überschwingen %1 %</translation>
     </message>
     <message>
-        <source>Nothing settles</source>
-        <translation>Nichts schwingt ein</translation>
+        <source>No final value</source>
+        <translation>Kein Endwert</translation>
     </message>
 </context>
 <context>
     <name>underact::gui::StepRows</name>
     <message>
-        <source>What moves at the tip: the arm's apparent mass, and a hand's: m x'' + b x' + kp x = kp r.</source>
-        <translation>Was sich an der Spitze bewegt: die scheinbare Masse des Arms und die einer Hand: m x'' + b x' + kp x = kp r.</translation>
+        <source>Mass at the tip: the apparent mass of the arm, plus that of a hand: m x'' + b x' + kp x = kp r.</source>
+        <translation>Masse an der Spitze: die scheinbare Masse des Arms und die einer Hand: m x&apos;&apos; + b x&apos; + kp x = kp r.</translation>
     </message>
     <message>
-        <source>What slows the tip besides the law, the arm's own damping and a hand's: m x'' + b x' + kp x = kp r.</source>
-        <translation>Was die Spitze außer dem Regelgesetz bremst, die eigene Dämpfung des Arms und die einer Hand: m x'' + b x' + kp x = kp r.</translation>
+        <source>Damping at the tip besides that of the control law: the arm's own, plus that of a hand: m x'' + b x' + kp x = kp r.</source>
+        <translation>Dämpfung an der Spitze außer der des Regelgesetzes: die des Arms und die einer Hand: m x&apos;&apos; + b x&apos; + kp x = kp r.</translation>
     </message>
     <message>
-        <source>Constraint that is measured</source>
-        <translation>Bindung, die gemessen wird</translation>
+        <source>Measured constraint</source>
+        <translation>Gemessene Bindung</translation>
     </message>
     <message>
-        <source>Which constraint of the scene is measured, and whose gains are taken and given.</source>
-        <translation>Welche Bindung der Szene gemessen wird und wessen Verstärkungen geholt und gegeben werden.</translation>
+        <source>The constraint of the scene that is measured and whose gains are copied.</source>
+        <translation>Die Bindung der Szene, die gemessen wird und deren Verstärkungen kopiert werden.</translation>
     </message>
     <message>
-        <source>Law of the response</source>
+        <source>Control law of the response</source>
         <translation>Regelgesetz der Antwort</translation>
     </message>
     <message>
-        <source>P: kp e (B.13).  PD: and kd de/dt (B.14).  PID: and the integral of ki e (B.15).</source>
+        <source>P: kp e (B.13).  PD: plus kd de/dt (B.14).  PID: plus the integral of ki e (B.15).</source>
         <translation>P: kp e (B.13).  PD: dazu kd de/dt (B.14).  PID: dazu das Integral von ki e (B.15).</translation>
     </message>
     <message>
@@ -14551,7 +14551,7 @@ und %2 weitere</translation>
         <translation>gemessen</translation>
     </message>
     <message>
-        <source>fitted body</source>
+        <source>fitted model</source>
         <translation>Anpassung</translation>
     </message>
     <message>
@@ -14559,8 +14559,8 @@ und %2 weitere</translation>
         <translation>Schwingungen der Spitze</translation>
     </message>
     <message>
-        <source>The tip is drawn to the target, and swings. The dashed line is how a mass with friction and damping moves under the force that was sent.</source>
-        <translation>Die Spitze wird zum Ziel gezogen und schwingt. Die gestrichelte Linie zeigt, wie sich eine Masse mit Reibung und Dämpfung unter der gesendeten Kraft bewegt.</translation>
+        <source>The tip is pulled towards the target and swings. The dashed line is the fitted model: a mass with friction and damping under the force that was sent.</source>
+        <translation>Die Spitze wird zum Ziel gezogen und schwingt. Die gestrichelte Linie ist die Anpassung: eine Masse mit Reibung und Dämpfung unter der gesendeten Kraft.</translation>
     </message>
     <message>
         <source>%1 points along %2</source>
@@ -14574,76 +14574,76 @@ und %2 weitere</translation>
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>How evenly the servo ticks.</source>
-        <translation>Wie gleichmäßig der Servo taktet.</translation>
+        <source>How evenly the servo loop runs.</source>
+        <translation>Wie gleichmäßig die Servoschleife läuft.</translation>
     </message>
     <message>
         <source>max</source>
         <translation>max</translation>
     </message>
     <message>
-        <source>Rate asked</source>
+        <source>Nominal rate</source>
         <translation>Soll-Taktrate</translation>
     </message>
     <message>
-        <source>Ticks a second, as chosen above or told to the program (--rate).</source>
-        <translation>Takte je Sekunde, wie oben gewählt oder dem Programm mitgegeben (--rate).</translation>
+        <source>Ticks per second, as set above or on the command line (--rate).</source>
+        <translation>Takte je Sekunde, wie oben oder auf der Befehlszeile eingestellt (--rate).</translation>
     </message>
     <message>
         <source>measured</source>
         <translation>gemessen</translation>
     </message>
     <message>
-        <source>Ticks a second by the clock on the wall.</source>
-        <translation>Takte je Sekunde nach der Uhr an der Wand.</translation>
+        <source>Ticks per second, measured by the computer's clock.</source>
+        <translation>Takte je Sekunde, gemessen mit der Uhr des Rechners.</translation>
     </message>
     <message>
-        <source>late</source>
-        <translation>Verspätung</translation>
+        <source>latency</source>
+        <translation>Latenz</translation>
     </message>
     <message>
-        <source>How late ticks started since the servo was begun at this rate, µs. p99: 99 of 100 no later than this.</source>
-        <translation>Wie verspätet Takte begannen, seit der Servo mit dieser Taktrate läuft, µs. p99: 99 von 100 nicht später als dies.</translation>
+        <source>Latency of the ticks since the servo was started at this rate, in µs. p99: 99 of 100 ticks start no later than this.</source>
+        <translation>Latenz der Takte, seit der Servo mit dieser Taktrate läuft, in µs. p99: 99 von 100 Takten beginnen nicht später als dies.</translation>
     </message>
     <message>
         <source>last 10 s</source>
         <translation>letzte 10 s</translation>
     </message>
     <message>
-        <source>How late the ticks of the last 10 s started, µs.</source>
-        <translation>Wie verspätet die Takte der letzten 10 s begannen, µs.</translation>
+        <source>Latency of the ticks of the last 10 s, in µs.</source>
+        <translation>Latenz der Takte der letzten 10 s, in µs.</translation>
     </message>
     <message>
-        <source>tick</source>
-        <translation>Takt</translation>
+        <source>tick time</source>
+        <translation>Taktdauer</translation>
     </message>
     <message>
-        <source>How long ticks took, from the sample to the force, µs.</source>
-        <translation>Wie lange Takte dauerten, vom Messwert bis zur Kraft, µs.</translation>
+        <source>How long a tick takes from the sample to the force, in µs.</source>
+        <translation>Wie lange ein Takt vom Messwert bis zur Kraft dauert, in µs.</translation>
     </message>
     <message>
         <source>Late ticks</source>
         <translation>Verspätet</translation>
     </message>
     <message>
-        <source>Ticks that started a whole period late or more. They are not caught up.</source>
-        <translation>Takte, die um eine ganze Periode oder mehr verspätet begannen. Sie werden nicht nachgeholt.</translation>
+        <source>Ticks that started late by a period or more. The lost time is not made up for.</source>
+        <translation>Takte, die um eine Periode oder mehr verspätet begannen. Die verlorene Zeit wird nicht aufgeholt.</translation>
     </message>
     <message>
-        <source>Left out</source>
+        <source>Skipped</source>
         <translation>Ausgelassen</translation>
     </message>
     <message>
-        <source>Deadlines that had passed when a late tick came: they are left out, not made up for in a burst.</source>
-        <translation>Termine, die vorbei waren, als ein verspäteter Takt kam: Sie werden ausgelassen, nicht in einem Schub nachgeholt.</translation>
+        <source>Deadlines that had passed when a late tick started. They are skipped, not made up for in a burst.</source>
+        <translation>Termine, die schon vorbei waren, als ein verspäteter Takt begann. Sie werden ausgelassen, nicht in einem Schub nachgeholt.</translation>
     </message>
     <message>
         <source>Lost rows</source>
         <translation>Verloren</translation>
     </message>
     <message>
-        <source>Ticks that plots and recordings did not get, because the window was busy. The servo was not.</source>
-        <translation>Takte, die Diagramme und Aufzeichnungen nicht bekamen, weil das Fenster beschäftigt war. Der Servo war es nicht.</translation>
+        <source>Ticks missing from plots and recordings because the window was busy. The servo was not affected.</source>
+        <translation>Takte, die in Diagrammen und Aufzeichnungen fehlen, weil das Fenster beschäftigt war. Der Servo war nicht betroffen.</translation>
     </message>
     <message>
         <source>Microseconds:</source>
@@ -14704,35 +14704,35 @@ und %2 weitere</translation>
         <translation>Was jetzt zu tun ist</translation>
     </message>
     <message>
-        <source>What became of the last press</source>
-        <translation>Was aus dem letzten Druck wurde</translation>
+        <source>Result of the last press</source>
+        <translation>Ergebnis des letzten Drucks</translation>
     </message>
     <message>
-        <source>Where the tip is</source>
-        <translation>Wo die Spitze ist</translation>
+        <source>Position of the tip</source>
+        <translation>Ort der Spitze</translation>
     </message>
     <message>
         <source>&amp;Hold (Space)</source>
         <translation>&amp;Halten (Leertaste)</translation>
     </message>
     <message>
-        <source>Takes the tip's place over half a second.</source>
+        <source>Records the position of the tip for half a second.</source>
         <translation>Erfasst eine halbe Sekunde lang den Ort der Spitze.</translation>
     </message>
     <message>
-        <source>&amp;Touch this mark again</source>
+        <source>&amp;Touch this point again</source>
         <translation>Messpunkt erneut &amp;berühren</translation>
     </message>
     <message>
-        <source>The mark that is chosen in the table is due next.</source>
+        <source>The reference point selected in the table is touched next.</source>
         <translation>Der in der Tabelle gewählte Messpunkt ist als Nächstes an der Reihe.</translation>
     </message>
     <message>
-        <source>Marks, and where the tip was</source>
-        <translation>Messpunkte, und wo die Spitze war</translation>
+        <source>Reference points and positions of the tip</source>
+        <translation>Messpunkte und Orte der Spitze</translation>
     </message>
     <message>
-        <source>Mark</source>
+        <source>Point</source>
         <translation>Messpunkt</translation>
     </message>
     <message>
@@ -14744,15 +14744,15 @@ und %2 weitere</translation>
         <translation>Streuung, mm</translation>
     </message>
     <message>
-        <source>Touch the marks</source>
+        <source>Touch the reference points</source>
         <translation>Messpunkte berühren</translation>
     </message>
     <message>
-        <source>How long it was held</source>
-        <translation>Wie lange gehalten wurde</translation>
+        <source>Progress of the hold</source>
+        <translation>Fortschritt des Haltens</translation>
     </message>
     <message>
-        <source>The arm says: %1</source>
+        <source>The arm reports: %1</source>
         <translation>Der Arm meldet: %1</translation>
     </message>
     <message>
@@ -14760,16 +14760,16 @@ und %2 weitere</translation>
         <translation>Spitze: %1</translation>
     </message>
     <message>
-        <source>No sample came from the arm yet.</source>
+        <source>The arm has not sent a sample yet.</source>
         <translation>Vom Arm kam noch kein Messwert.</translation>
     </message>
     <message>
-        <source>All marks are touched.</source>
+        <source>All reference points have been touched.</source>
         <translation>Alle Messpunkte sind berührt.</translation>
     </message>
     <message>
-        <source>Rest the tip in mark %1 and press the stylus's button, or Space. The force is off.</source>
-        <translation>Legen Sie die Spitze in Messpunkt %1 und drücken Sie die Stifttaste oder die Leertaste. Die Kraft ist aus.</translation>
+        <source>Rest the tip on reference point %1 and press the stylus button, or Space. The force is off.</source>
+        <translation>Setzen Sie die Spitze auf Messpunkt %1 und drücken Sie die Stifttaste oder die Leertaste. Die Kraft ist aus.</translation>
     </message>
 </context>
 <context>
@@ -14834,16 +14834,16 @@ und %2 weitere</translation>
         <translation>p [mm]</translation>
     </message>
     <message>
-        <source>Parts along %1 of W of the frame's axes, and of its place.</source>
-        <translation>Anteile der Achsen des Koordinatensystems und seines Orts entlang %1 von W.</translation>
+        <source>Components along %1 of W of the frame's axes and of its position.</source>
+        <translation>Komponenten der Achsen des Koordinatensystems und seines Orts entlang %1 von W.</translation>
     </message>
     <message>
-        <source>Axes that the steps are about</source>
+        <source>Axes that the steps refer to</source>
         <translation>Bezugsachsen der Schritte</translation>
     </message>
     <message>
-        <source>Moving: each step is about the frame that the steps before it made, X = S1 S2 S3. Fixed: about the axes of W, X = S3 S2 S1. Craig, section 2.8.</source>
-        <translation>Bewegt: Jeder Schritt bezieht sich auf das Koordinatensystem, das die Schritte davor ergaben, X = S1 S2 S3. Fest: auf die Achsen von W, X = S3 S2 S1. Craig, Abschnitt 2.8.</translation>
+        <source>Moving: each step refers to the frame that results from the steps before it, X = S1 S2 S3. Fixed: to the axes of W, X = S3 S2 S1. Craig, section 2.8.</source>
+        <translation>Bewegt: Jeder Schritt bezieht sich auf das Koordinatensystem, das die Schritte davor ergeben, X = S1 S2 S3. Fest: auf die Achsen von W, X = S3 S2 S1. Craig, Abschnitt 2.8.</translation>
     </message>
     <message>
         <source>About moving axes: X = S1 S2 …</source>
@@ -14862,40 +14862,40 @@ und %2 weitere</translation>
         <translation>Schritt</translation>
     </message>
     <message>
-        <source>R: a turn about an axis. D: a shift along it.</source>
-        <translation>R: eine Drehung um eine Achse. D: eine Verschiebung entlang der Achse.</translation>
+        <source>R: rotation about an axis. D: translation along an axis.</source>
+        <translation>R: Drehung um eine Achse. D: Verschiebung entlang einer Achse.</translation>
     </message>
     <message>
-        <source>by [° mm]</source>
-        <translation>um [° mm]</translation>
+        <source>value [° mm]</source>
+        <translation>Wert [° mm]</translation>
     </message>
     <message>
-        <source>How far: degrees of a turn, mm of a shift.</source>
-        <translation>Wie weit: Grad bei einer Drehung, mm bei einer Verschiebung.</translation>
+        <source>Angle in degrees, or distance in mm.</source>
+        <translation>Winkel in Grad oder Strecke in mm.</translation>
     </message>
     <message>
-        <source>What was refused</source>
-        <translation>Was abgelehnt wurde</translation>
+        <source>Why the input was refused</source>
+        <translation>Warum die Eingabe abgelehnt wurde</translation>
     </message>
     <message>
         <source>As listed</source>
         <translation>Wie gelistet</translation>
     </message>
     <message>
-        <source>In the other order</source>
+        <source>In reverse order</source>
         <translation>Umgekehrte Reihenfolge</translation>
     </message>
     <message>
-        <source>How far apart both ends are</source>
-        <translation>Abstand der beiden Enden</translation>
+        <source>Distance between the two results</source>
+        <translation>Abstand der beiden Ergebnisse</translation>
     </message>
     <message>
         <source>Add</source>
         <translation>Neu</translation>
     </message>
     <message>
-        <source>A step after the selected one, 6 at most.</source>
-        <translation>Ein Schritt nach dem gewählten, höchstens 6.</translation>
+        <source>Adds a step after the selected one; 6 at most.</source>
+        <translation>Fügt nach dem gewählten einen Schritt hinzu; höchstens 6.</translation>
     </message>
     <message>
         <source>Add a step</source>
@@ -14906,8 +14906,8 @@ und %2 weitere</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Takes the selected step away; one stays.</source>
-        <translation>Nimmt den gewählten Schritt weg; einer bleibt.</translation>
+        <source>Removes the selected step; at least one remains.</source>
+        <translation>Entfernt den gewählten Schritt; mindestens einer bleibt.</translation>
     </message>
     <message>
         <source>Remove the selected step</source>
@@ -14918,11 +14918,11 @@ und %2 weitere</translation>
         <translation>Rückgängig</translation>
     </message>
     <message>
-        <source>The steps as they were before the last change.</source>
-        <translation>Die Schritte, wie sie vor der letzten Änderung waren.</translation>
+        <source>Undoes the last change to the steps.</source>
+        <translation>Macht die letzte Änderung der Schritte rückgängig.</translation>
     </message>
     <message>
-        <source>Undo the last change of the steps</source>
+        <source>Undo the last change to the steps</source>
         <translation>Letzte Änderung der Schritte rückgängig machen</translation>
     </message>
     <message>
@@ -14930,28 +14930,28 @@ und %2 weitere</translation>
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>The change that was taken back, again.</source>
-        <translation>Die zurückgenommene Änderung noch einmal.</translation>
+        <source>Redoes the change that was undone.</source>
+        <translation>Führt die rückgängig gemachte Änderung wieder aus.</translation>
     </message>
     <message>
-        <source>Redo the change of the steps</source>
+        <source>Redo the change to the steps</source>
         <translation>Änderung der Schritte wiederholen</translation>
     </message>
     <message>
-        <source>A turn is from −360 to 360 degrees.</source>
-        <translation>Eine Drehung geht von −360 bis 360 Grad.</translation>
+        <source>A rotation must be from −360 to 360 degrees.</source>
+        <translation>Eine Drehung muss von −360 bis 360 Grad gehen.</translation>
     </message>
     <message>
-        <source>A shift is from −200 to 200 mm: the picture is as wide.</source>
-        <translation>Eine Verschiebung geht von −200 bis 200 mm: So breit ist das Bild.</translation>
+        <source>A translation must be from −200 to 200 mm, the range of the view.</source>
+        <translation>Eine Verschiebung muss von −200 bis 200 mm gehen, so weit reicht die Ansicht.</translation>
     </message>
     <message>
         <source>step %1, kind</source>
         <translation>Schritt %1, Art</translation>
     </message>
     <message>
-        <source>step %1, how far</source>
-        <translation>Schritt %1, wie weit</translation>
+        <source>step %1, value</source>
+        <translation>Schritt %1, Wert</translation>
     </message>
     <message>
         <source>Degrees.</source>
@@ -14962,31 +14962,31 @@ und %2 weitere</translation>
         <translation>Millimeter.</translation>
     </message>
     <message>
-        <source>Both orders end in the same place: here order does not matter.</source>
-        <translation>Beide Reihenfolgen enden am selben Ort: Hier kommt es auf die Reihenfolge nicht an.</translation>
+        <source>Both orders end in the same pose: here, the order does not matter.</source>
+        <translation>Beide Reihenfolgen enden in derselben Lage: Hier kommt es auf die Reihenfolge nicht an.</translation>
     </message>
     <message>
-        <source>The two ends are %1 and %2° apart: order matters.</source>
-        <translation>Die beiden Enden liegen %1 und %2° auseinander: Es kommt auf die Reihenfolge an.</translation>
+        <source>The results are %1 and %2° apart: the order matters.</source>
+        <translation>Die Ergebnisse liegen %1 und %2° auseinander: Es kommt auf die Reihenfolge an.</translation>
     </message>
 </context>
 <context>
     <name>underact::gui::TwoViews</name>
     <message>
-        <source>What is felt</source>
-        <translation>Was gefühlt wird</translation>
+        <source>Felt scene</source>
+        <translation>Gefühlte Szene</translation>
     </message>
     <message>
-        <source>What it is compared with</source>
-        <translation>Womit verglichen wird</translation>
+        <source>Other scene</source>
+        <translation>Andere Szene</translation>
     </message>
     <message>
-        <source>3D view of what is not felt</source>
-        <translation>3D-Ansicht des nicht Gefühlten</translation>
+        <source>3D view of the other scene</source>
+        <translation>3D-Ansicht der anderen Szene</translation>
     </message>
     <message>
-        <source>The scene that is compared, with the same hand. Arrow keys turn both views.</source>
-        <translation>Die verglichene Szene mit derselben Hand. Die Pfeiltasten drehen beide Ansichten.</translation>
+        <source>The scene that is not felt, with the same motion of the hand. The arrow keys rotate both views.</source>
+        <translation>Die Szene, die nicht gefühlt wird, mit derselben Bewegung der Hand. Die Pfeiltasten drehen beide Ansichten.</translation>
     </message>
 </context>
 <context>
@@ -15066,8 +15066,8 @@ und %2 weitere</translation>
         <translation>Von Tempo zu Genauigkeit</translation>
     </message>
     <message>
-        <source>Along the front: from the cheapest way to run this scene to the most exact. The mark is how it was; a double click goes back there.</source>
-        <translation>Entlang der Front: von der billigsten Art, diese Szene auszuführen, zur genauesten. Die Marke zeigt, wie es war; ein Doppelklick geht dorthin zurück.</translation>
+        <source>Moves along the front, from the fastest combination to the most accurate. The mark shows how the scene was; a double click goes back to it.</source>
+        <translation>Geht entlang der Front, von der schnellsten Kombination zur genauesten. Die Marke zeigt, wie die Szene war; ein Doppelklick geht dorthin zurück.</translation>
     </message>
     <message>
         <source>S&amp;peed</source>
@@ -15078,20 +15078,20 @@ und %2 weitere</translation>
         <translation>Genauigkeit</translation>
     </message>
     <message>
-        <source>What is chosen</source>
-        <translation>Was gewählt ist</translation>
+        <source>Chosen combination</source>
+        <translation>Gewählte Kombination</translation>
     </message>
     <message>
-        <source>What differs from how the scene was</source>
-        <translation>Was von der vorigen Szene abweicht</translation>
+        <source>Differences from the scene as it was</source>
+        <translation>Unterschiede zur vorigen Szene</translation>
     </message>
     <message>
         <source>As it &amp;was</source>
         <translation>Wie &amp;vorher</translation>
     </message>
     <message>
-        <source>Puts scene and servo rate back to how they were when they were measured.</source>
-        <translation>Setzt Szene und Servo-Taktrate auf den Stand der Messung zurück.</translation>
+        <source>Restores scene and servo rate as they were when they were measured.</source>
+        <translation>Stellt Szene und Servo-Taktrate so wieder her, wie sie bei der Messung waren.</translation>
     </message>
     <message>
         <source>As it was when it was measured</source>
@@ -15180,15 +15180,15 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::WordsDialog</name>
     <message>
-        <source>What went wrong</source>
-        <translation>Was nicht gelang</translation>
+        <source>Error message</source>
+        <translation>Fehlermeldung</translation>
     </message>
     <message>
-        <source>Words of %1</source>
+        <source>Metadata of %1</source>
         <translation>Angaben zu %1</translation>
     </message>
     <message>
-        <source>Save the words</source>
+        <source>Save the metadata</source>
         <translation>Angaben speichern</translation>
     </message>
     <message>
@@ -15203,32 +15203,32 @@ und %2 weitere</translation>
         <translation>&amp;Name</translation>
     </message>
     <message>
-        <source>What the session is called in the list.</source>
-        <translation>Wie die Sitzung in der Liste heißt.</translation>
+        <source>Name of the session in the list.</source>
+        <translation>Name der Sitzung in der Liste.</translation>
     </message>
     <message>
         <source>No&amp;tes</source>
         <translation>No&amp;tizen</translation>
     </message>
     <message>
-        <source>Anything worth knowing when it is read again.</source>
-        <translation>Alles, was beim späteren Lesen wissenswert ist.</translation>
+        <source>Notes for whoever opens the session later.</source>
+        <translation>Hinweise für alle, die die Sitzung später öffnen.</translation>
     </message>
     <message>
         <source>Ta&amp;gs</source>
         <translation>Ta&amp;gs</translation>
     </message>
     <message>
-        <source>Words to find it by, with commas between.</source>
-        <translation>Wörter, mit denen sie zu finden ist, durch Kommas getrennt.</translation>
+        <source>Keywords for the search, separated by commas.</source>
+        <translation>Stichwörter für die Suche, durch Kommas getrennt.</translation>
     </message>
     <message>
         <source>Su&amp;bject</source>
         <translation>&amp;Person</translation>
     </message>
     <message>
-        <source>Whose hand it is, as a code that only your own list resolves.</source>
-        <translation>Wessen Hand es ist, als Code, den nur Ihre eigene Liste auflöst.</translation>
+        <source>The person whose hand it is, as a code. Keep the list of codes and names somewhere else.</source>
+        <translation>Die Person, deren Hand es ist, als Code. Bewahren Sie die Liste der Codes und Namen woanders auf.</translation>
     </message>
     <message>
         <source>A code, not a name: whoever reads the file can see it.</source>
@@ -15239,8 +15239,8 @@ und %2 weitere</translation>
         <translation>&amp;Einwilligung</translation>
     </message>
     <message>
-        <source>What that person agreed to, and how: the consent form's version and date. Empty: not recorded.</source>
-        <translation>Worin diese Person eingewilligt hat und wie: Fassung und Datum der Einwilligungserklärung. Leer: nicht festgehalten.</translation>
+        <source>What the subject agreed to, and how: version and date of the consent form. Empty: not recorded.</source>
+        <translation>Worin die Person eingewilligt hat und wie: Fassung und Datum der Einwilligungserklärung. Leer: nicht festgehalten.</translation>
     </message>
     <message>
         <source>pilot, left hand</source>
