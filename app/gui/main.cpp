@@ -56,8 +56,8 @@ struct Began {
 
 void printFirstPicture(const Began& began, double frame_ms) {
   const double processor_ms = 1e3 * static_cast<double>(std::clock() - began.processor) / CLOCKS_PER_SEC;
-  std::fprintf(stderr, "first picture after %lld ms (%.0f ms of the processor), drawn in %.1f ms\n",
-               began.clock.elapsed(), processor_ms, frame_ms);
+  std::fprintf(stderr, "first picture after %lld ms (%.0f ms of CPU time), drawn in %.1f ms\n", began.clock.elapsed(),
+               processor_ms, frame_ms);
 }
 
 int runWindow(const options::WindowOptions& options, const Began& began) {
@@ -108,7 +108,9 @@ int run(int argc, char** argv) {
     return options.exit;
   }
   if (!hasScreen()) {
-    std::fprintf(stderr, "There is no screen (DISPLAY is not set). underact-cli does without one; Xvfb makes one.\n");
+    std::fprintf(
+        stderr,
+        "No display: neither DISPLAY nor WAYLAND_DISPLAY is set. Use underact-cli, which needs none, or start Xvfb.\n");
     return 2;
   }
   QSurfaceFormat::setDefaultFormat(surfaceFormat());

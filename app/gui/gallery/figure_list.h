@@ -42,7 +42,7 @@ bool markFigures(const QString& folder, const QString& program_version, const QD
 /// "all 7 numbers pass", "2 of 7 numbers fail", "picture of the view", "left out", "not made".
 QString verdictOf(const FigureRow& row);
 
-/// "25 figures, 97 numbers checked, all as they should be."
+/// "25 figures, 97 numbers checked, all pass."
 QString verdictOf(const FigureList& list);
 
 }  // namespace underact::gui

@@ -34,9 +34,9 @@ FigureSheet::FigureSheet(QWidget* parent)
       numbers_(new QTableWidget(0, 6, this)) {
   picture_->setObjectName("dialog.figures.picture");
   numbers_->setObjectName("dialog.figures.numbers");
-  numbers_->setAccessibleName(tr("Numbers that the figure must show"));
+  numbers_->setAccessibleName(tr("Numbers checked in the figure"));
   numbers_->setHorizontalHeaderLabels(
-      {tr("Number"), tr("Measured"), tr("Expected"), tr("Within"), tr("Unit"), tr("Result")});
+      {tr("Number"), tr("Measured"), tr("Expected"), tr("Tolerance"), tr("Unit"), tr("Result")});
   numbers_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   numbers_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   numbers_->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);

@@ -38,9 +38,10 @@ void FiguresRun::begin() {
   QDir().mkpath(QFileInfo(folder_).absolutePath());
   if (!lock_.tryLock()) {
     const bool other = lock_.error() == QLockFile::LockFailedError;
-    emit finished(End::Failed,
-                  other ? tr("Another window is making the figures. Wait until it has them, then open this anew.")
-                        : tr("The folder %1 cannot be written.").arg(QFileInfo(folder_).absolutePath()));
+    emit finished(
+        End::Failed,
+        other ? tr("Another window is making the figures. Wait until it has finished, then open this window again.")
+              : tr("The folder %1 is not writable. Change its permissions.").arg(QFileInfo(folder_).absolutePath()));
     return;
   }
   QDir(fresh_).removeRecursively();
@@ -56,7 +57,7 @@ void FiguresRun::cancel() {
 
 void FiguresRun::end(std::optional<int> code) {
   const bool whole = code && readFigures(fresh_);  // with another code than 0 where a figure shows other numbers
-  const QString why_not = cancelled_ ? tr("Cancelled: the figures are those from before.") : whole ? keep() : whyNot();
+  const QString why_not = cancelled_ ? tr("Cancelled. The earlier figures were kept.") : whole ? keep() : whyNot();
   QDir(fresh_).removeRecursively();
   lock_.unlock();
   emit finished(cancelled_ ? End::Cancelled : why_not.isEmpty() ? End::Made : End::Failed, why_not);
@@ -67,11 +68,12 @@ QString FiguresRun::keep() {
   const bool done = markFigures(fresh_, kVersion, QDateTime::currentDateTime()) && QDir(folder_).removeRecursively() &&
                     QDir().rename(fresh_, folder_);
   return done ? QString()
-              : tr("The figures could not be put into %1. Make room there, or leave to write.").arg(folder_);
+              : tr("The figures could not be saved in %1. Free some space there or change its permissions.")
+                    .arg(folder_);
 }
 
 QString FiguresRun::whyNot() const {
-  return process_.lastWords().isEmpty() ? tr("The figures were not made, and underact-cli did not say why.")
+  return process_.lastWords().isEmpty() ? tr("The figures were not made, and underact-cli gave no reason.")
                                         : tr("The figures were not made. %1").arg(process_.lastWords());
 }
 

@@ -28,8 +28,8 @@ GuideTool::GuideTool(const FeatureParts& parts)
     if (window_ != nullptr && focus != nullptr && focus->window() == window_) return QString("window#this-guide");
     return focus == nullptr ? place_ : helpPlaceOf(focus, pages_);
   };
-  actions_.add({"help.guide", tr("&Guide"), QKeySequence("F1"), tr("The guide, at the page for what has the focus."),
-                "help", tr("Guide")},
+  actions_.add({"help.guide", tr("&Guide"), QKeySequence("F1"),
+                tr("Opens the guide at the page for whatever has the focus."), "help", tr("Guide")},
                [this, wanted](const QVariantList& arguments) { return open(wanted(arguments)); });
   actions_.addCommand("guide.search", [this](const QVariantList& words) {
     if (!open(this->place())) return false;

@@ -62,11 +62,11 @@ QWidget* GuideWindow::buildBar() {
     row->addWidget(button);
     return button;
   };
-  back_ = add("guide.back", tr("Back"), tr("The page before (Alt+Left)"), [this] { go(-1); });
-  forward_ = add("guide.forward", tr("Forward"), tr("The page after (Alt+Right)"), [this] { go(1); });
+  back_ = add("guide.back", tr("Back"), tr("Previous page (Alt+Left)"), [this] { go(-1); });
+  forward_ = add("guide.forward", tr("Forward"), tr("Next page (Alt+Right)"), [this] { go(1); });
   nameWidget(field_, "guide.search", tr("Search the guide"));
   field_->setPlaceholderText(tr("Search the guide (Ctrl+F)"));
-  field_->setToolTip(tr("Enter opens what is chosen in the list, F3 goes to the next place on the page."));
+  field_->setToolTip(tr("Enter opens the selected result; F3 goes to the next match on the page."));
   field_->setClearButtonEnabled(true);
   row->addWidget(field_, 1);
   add("guide.smaller", tr("Smaller"), tr("Smaller text (Ctrl+minus)"),

@@ -26,7 +26,7 @@ CliProcess::CliProcess() {
   });
   connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
     if (error != QProcess::FailedToStart) return;
-    last_words_ = tr("The program %1 could not be started. Install Underact whole.").arg(process_.program());
+    last_words_ = tr("The program %1 could not be started. Reinstall Underact.").arg(process_.program());
     emit ended(std::nullopt);
   });
 }
@@ -42,7 +42,7 @@ void CliProcess::start(const QStringList& words) {
     process_.start(QString::fromStdString(program.value()), words, QIODevice::ReadOnly);
     return;
   }
-  last_words_ = sentencesOf(program.problems()) + " " + tr("Install Underact again.");
+  last_words_ = sentencesOf(program.problems()) + " " + tr("Reinstall Underact.");
   // Later: who starts it is not ready yet for its end.
   QMetaObject::invokeMethod(
       this, [this] { emit ended(std::nullopt); }, Qt::QueuedConnection);

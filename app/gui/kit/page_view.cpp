@@ -205,8 +205,8 @@ void PageView::follow(const QUrl& link) {
 }
 
 void PageView::confirmAddress(const QUrl& address) {
-  auto* box = new QMessageBox(QMessageBox::Question, tr("A page on the net"),
-                              tr("This link leads out of the program, to:"), QMessageBox::Cancel, this);
+  auto* box = new QMessageBox(QMessageBox::Question, tr("Web page"),
+                              tr("This link opens a web page outside the program:"), QMessageBox::Cancel, this);
   box->setObjectName("dialog.address");
   box->setInformativeText(address.toDisplayString());
   box->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);

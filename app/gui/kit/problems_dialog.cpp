@@ -32,7 +32,7 @@ ProblemsDialog::ProblemsDialog(QWidget* parent)
   resize(720, 360);
   nameWidget(heading_, "dialog.problems.heading", tr("What happened"));
   heading_->setWordWrap(true);
-  nameWidget(table_, "dialog.problems.table", tr("Problems of the file"));
+  nameWidget(table_, "dialog.problems.table", tr("Problems in the file"));
   table_->setColumnCount(4);
   table_->setHorizontalHeaderLabels({tr("Line"), tr("Column"), tr("Key"), tr("Problem")});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -72,7 +72,7 @@ ProblemsDialog::ProblemsDialog(QWidget* parent)
 void ProblemsDialog::show(const QString& path, const Problems& problems) {
   problems_ = problems;
   const QString count = problems.size() == 1 ? tr("One problem") : tr("%1 problems").arg(problems.size());
-  heading_->setText(tr("%1 was not opened. The scene before it is still in effect. %2 to put right:")
+  heading_->setText(tr("%1 was not opened. The previous scene is still in effect. %2 to fix:")
                         .arg(QFileInfo(path).fileName(), count));
   table_->setRowCount(static_cast<int>(problems.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {

@@ -65,7 +65,7 @@ ValueRow::ValueRow(const ValueKind& kind, const QString& name, QWidget* parent)
   grid_->addWidget(slider_, 0, 1);
   grid_->addWidget(number_, 0, 2);
 
-  const QString mark = tr("The mark is the scene's own value; a double click goes back to it.");
+  const QString mark = tr("The mark shows the scene's own value; a double click restores it.");
   const QString tip = kind.tip + "\n" + (kind.mark.isEmpty() ? mark : kind.mark);
   slider_->setObjectName(name + ".slider");
   slider_->setFocusPolicy(Qt::StrongFocus);

@@ -42,8 +42,8 @@ LessonPage::LessonPage(LessonRun& run, Actions& actions, QWidget* parent)
   nameWidget(text_, "panel.lessons.text", tr("Text of the step"));
   text_->setFrameShape(QFrame::NoFrame);
   nameWidget(name_, "panel.lessons.name", tr("Name in the report"));
-  name_->setPlaceholderText(tr("Name in the report (may stay empty)"));
-  name_->setToolTip(tr("It is written into the report alone, and kept nowhere else."));
+  name_->setPlaceholderText(tr("Name in the report (optional)"));
+  name_->setToolTip(tr("Written to the report only and saved nowhere else."));
   note_->hide();
   auto* const column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 12, 8);

@@ -16,12 +16,12 @@ LessonRun::LessonRun(const LessonParts& parts, Panel& panel) : QObject(&panel), 
 bool LessonRun::begin(const QString& path, QString& why) {
   Result<lesson::Lesson> read = lesson::readLessonFile(path.toStdString());
   if (!read) {
-    why = tr("“%1” has mistakes, which are listed.").arg(path);
+    why = tr("“%1” contains errors; see the list.").arg(path);
     emit problems(path, read.problems());
     return false;
   }
   if (parts_.player.isOpen()) {
-    why = tr("A recorded session is being replayed. Close it, then begin the lesson.");
+    why = tr("A session is being replayed. Close it, then start the lesson.");
     return false;
   }
   if (!isOn() && !place_.keep()) return false;  // the user thought better of it

@@ -32,17 +32,18 @@ device::SimulatedArm* ArmChoice::simulated() const {
 
 Problems ArmChoice::whyNotNow() const {
   if (chosen_ == nullptr)
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "This window was opened with one arm alone.")), {}}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "This window was opened for one arm only.")), {}}};
   if (host_.records())
-    return Problems{
-        {said(QT_TRANSLATE_NOOP("problem",
-                                "A session is being recorded, and it is of one arm. Stop the recording, then choose.")),
-         {}}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem",
+                                            "A session is being recorded, and a session contains only one arm. Stop "
+                                            "the recording, then choose the arm.")),
+                     {}}};
   if (document_.showsRecorded())
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "A recording is replayed. Close it, then choose.")), {}}};
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem", "A session is being replayed. Close it, then choose the arm.")), {}}};
   if (document_.isTryingOut())
     return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "A measurement is at work on this arm. End it, then choose.")), {}}};
+        {said(QT_TRANSLATE_NOOP("problem", "A measurement is running on this arm. End it, then choose the arm.")), {}}};
   return {};
 }
 

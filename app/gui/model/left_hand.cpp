@@ -14,7 +14,7 @@ void addLeftHandAction(Actions& actions, Document& document) {
       actions.add({"scene.left_handed",
                    tr("&Left-handed"),
                    QKeySequence("Ctrl+Alt+Shift+M"),
-                   tr("Mirrors every scene, for the stylus in the left hand; lessons and recordings stay as they are."),
+                   tr("Mirrors every scene for the left hand; lessons and recordings are not mirrored."),
                    {},
                    {},
                    true},

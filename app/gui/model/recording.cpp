@@ -73,7 +73,7 @@ bool Recording::stop(record::EndReason reason) {
     const Problems unwritten = record::rewriteWords(path_.toStdString(), words_);
     if (!unwritten.empty() && problems.empty())
       problems.push_back({said(QT_TRANSLATE_NOOP(
-          "problem", "What was typed while it recorded is not in the file. Edit the session's words below."))});
+          "problem", "Text typed during the recording is not in the file. Edit the details of the session below."))});
   }
   words_.name.clear();  // they were about this one
   words_.notes.clear();

@@ -46,10 +46,9 @@ QString prepareSessionFolder(const QString& folder) {
   if (there.exists() && !there.isDir())
     return QObject::tr("%1 is a file, not a folder. Choose another folder for the recordings.").arg(folder);
   if (!there.exists() && system::makePrivateFolder(folder.toStdString()) != 0)
-    return QObject::tr("The folder %1 cannot be made. Choose another folder for the recordings.").arg(folder);
+    return QObject::tr("The folder %1 cannot be created. Choose another folder for the recordings.").arg(folder);
   if (!QFileInfo(folder).isWritable())
-    return QObject::tr("Nothing can be written into the folder %1. Choose another folder for the recordings.")
-        .arg(folder);
+    return QObject::tr("The folder %1 is not writable. Choose another folder for the recordings.").arg(folder);
   return {};
 }
 

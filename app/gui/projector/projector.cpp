@@ -15,18 +15,18 @@ constexpr double kType = 1.6, kGauge = 2.0, kTools = 1.3;
 
 Projector::Projector(const FeatureParts& parts)
     : QObject(parts.window), window_(parts.window), view_(parts.view), theme_(parts.theme), dress_(parts.window) {
-  parts.actions.add(
-      {"view.projector",
-       tr("&Projector layout"),
-       QKeySequence("Ctrl+Shift+J"),
-       tr("For a class: the view with a large force gauge and large type, in high contrast, without panels."),
-       {},
-       {},
-       true},
-      [this](const QVariantList& on) {
-        setOn(on.value(0).toBool());
-        return true;
-      });
+  parts.actions.add({"view.projector",
+                     tr("&Projector layout"),
+                     QKeySequence("Ctrl+Shift+J"),
+                     tr("For teaching: hides the panels and shows the view in high contrast with a large force gauge "
+                        "and large text."),
+                     {},
+                     {},
+                     true},
+                    [this](const QVariantList& on) {
+                      setOn(on.value(0).toBool());
+                      return true;
+                    });
 }
 
 void Projector::remember(Settings& settings) {

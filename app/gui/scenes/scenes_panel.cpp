@@ -39,7 +39,7 @@ struct GroupRow {
 constexpr GroupRow kGroups[] = {{scene::Group::Shapes, QT_TRANSLATE_NOOP("scenes", "Shapes")},
                                 {scene::Group::Walls, QT_TRANSLATE_NOOP("scenes", "Walls")},
                                 {scene::Group::Orientation, QT_TRANSLATE_NOOP("scenes", "Orientation")},
-                                {scene::Group::Robots, QT_TRANSLATE_NOOP("scenes", "Robots in software")},
+                                {scene::Group::Robots, QT_TRANSLATE_NOOP("scenes", "Virtual robots")},
                                 {scene::Group::Meshes, QT_TRANSLATE_NOOP("scenes", "Meshes")},
                                 {scene::Group::Curves, QT_TRANSLATE_NOOP("scenes", "Curves")},
                                 {scene::Group::Stability, QT_TRANSLATE_NOOP("scenes", "Stability")}};
@@ -100,7 +100,7 @@ ScenesPanel::ScenesPanel(const Parts& parts, QWidget* parent)
   column->addWidget(open);
 
   parts_.actions.add(
-      {"scenes.find", tr("&Find a scene"), QKeySequence("Ctrl+F"), tr("Puts the cursor into the filter.")},
+      {"scenes.find", tr("&Find a scene"), QKeySequence("Ctrl+F"), tr("Moves the cursor to the filter.")},
       [this](const QVariantList&) {
         if (auto* dock = qobject_cast<QDockWidget*>(parentWidget())) {  // closed, or behind another panel
           dock->show();
@@ -158,7 +158,7 @@ void ScenesPanel::rebuild() {
     }
   }
   QStringList recent = parts_.recent.paths();
-  if (!recent.isEmpty()) addHeading(tr("Opened lately"));
+  if (!recent.isEmpty()) addHeading(tr("Recently opened"));
   for (const QString& path : recent) addScene(sceneEntry(path));
   filter(filter_->text());
   markOpen();

@@ -28,11 +28,11 @@ TitleCard::TitleCard(QWidget* parent)
       title_(toldLabel("visitor.title", tr("Scene"), "", this)),
       feel_(toldLabel("visitor.feel", tr("What to feel"), "", this)),
       try_(toldLabel("visitor.try", tr("What to try"), "", this)),
-      trouble_(toldLabel("visitor.trouble", tr("What is wrong"), "alarm", this)),
-      next_(pushButton("visitor.next", tr("Next"), tr("The next scene."), this)),
-      start_(pushButton("visitor.go", tr("Start"), tr("Lets the arm push. Esc lets go."), this)) {
+      trouble_(toldLabel("visitor.trouble", tr("Problem"), "alarm", this)),
+      next_(pushButton("visitor.next", tr("Next"), tr("Shows the next scene."), this)),
+      start_(pushButton("visitor.go", tr("Start"), tr("Turns the force on. Esc turns it off."), this)) {
   setObjectName("visitor");
-  setAccessibleName(tr("What there is to feel"));
+  setAccessibleName(tr("About the scene"));
   hide();
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(32, 20, 32, 24);

@@ -44,12 +44,13 @@ struct VisitorMode::Before {
 VisitorMode::VisitorMode(const FeatureParts& parts)
     : QObject(parts.window), parts_(parts), card_(new TitleCard(parts.middle.parentWidget())), dress_(parts.window) {
   parts.middle.addWidget(card_);
-  parts_.actions.add({named("start"), tr("&Visitor mode"), QKeySequence("Ctrl+Alt+Shift+S"),
-                      tr("Full screen for visitors: scenes in turn, half of the force, everything else locked.")},
-                     [this](const QVariantList& scenes) { return start(scenes.value(0).toStringList()); });
+  parts_.actions.add(
+      {named("start"), tr("&Visitor mode"), QKeySequence("Ctrl+Alt+Shift+S"),
+       tr("Full screen for visitors: shows scenes in turn with reduced force and locks everything else.")},
+      [this](const QVariantList& scenes) { return start(scenes.value(0).toStringList()); });
   parts_.actions
       .add({named("demonstrator"), tr("&Demonstrator's panel"), QKeySequence("Ctrl+Alt+Shift+U"),
-            tr("In visitor mode: which scenes, how long, how much force, and the way out.")},
+            tr("In visitor mode: choose the scenes, their duration and the force, or leave the mode.")},
            [this](const QVariantList&) {
              showPanel();
              return true;
@@ -70,7 +71,7 @@ VisitorMode::~VisitorMode() = default;
 Problems VisitorMode::whyNotNow() const {
   Problems problems;
   const auto no = [&problems](const QString& sentence) { problems.push_back({sentence.toStdString(), {}}); };
-  if (parts_.document.isTryingOut()) no(tr("A measurement has a scene of its own in effect. End it first."));
+  if (parts_.document.isTryingOut()) no(tr("A measurement is using a scene of its own. End it first."));
   for (const QString& busy : parts_.why_busy()) no(busy);
   return problems;
 }
@@ -158,7 +159,7 @@ void VisitorMode::takeLoaded() {
   if (!loaded) return;
   load_.reset();
   if (panel_ != nullptr) {
-    panel_->tell(loaded->scenes.empty()      ? tr("None of these scenes can be shown; those before stay.")
+    panel_->tell(loaded->scenes.empty()      ? tr("None of these scenes can be shown; the previous ones stay.")
                  : loaded->refused.isEmpty() ? QString()
                                              : tr("Cannot be shown: %1").arg(loaded->refused.join(", ")));
   }
@@ -237,7 +238,7 @@ void VisitorMode::letPush() {
   if (!parts_.servo.trouble().empty()) {
     const Problems problems = parts_.control.restart();
     if (!problems.empty()) {
-      trouble_ = tr("The arm did not open again. %1").arg(sentencesOf(problems));
+      trouble_ = tr("The arm could not be reopened. %1").arg(sentencesOf(problems));
       return;
     }
   }
@@ -264,7 +265,7 @@ void VisitorMode::setWishes(const VisitorWishes& wishes) {
   carousel_.setDwell(wishes_.dwell_s);
   static_cast<void>(parts_.control.setForceShare(0.01 * wishes_.force_percent));
   if (wishes_.scenes.isEmpty())
-    panel_->tell(tr("No scene is chosen; those before stay."));
+    panel_->tell(tr("No scene is selected; the previous ones stay."));
   else if (others)
     load(wishes_.scenes);
 }

@@ -7,7 +7,7 @@ namespace underact::gui {
 struct VisitorWishes {
   QStringList scenes;      // files, in the order of the list
   int dwell_s = 90;        // that each one is shown
-  int force_percent = 50;  // of what the arm bears for good
+  int force_percent = 50;  // of the continuous force of the arm
 };
 
 inline constexpr int kShortestDwell_s = 10, kLongestDwell_s = 3600;

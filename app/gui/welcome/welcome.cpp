@@ -35,17 +35,18 @@ struct PushRow {
 };
 // A wall and a surface can be pushed into, the others not. Whole sentences: other languages have other articles.
 constexpr PushRow kPushRows[] = {
-    {"point", QT_TRANSLATE_NOOP("welcome", "Pull it away from the point: drag the stylus with the mouse.")},
+    {"point", QT_TRANSLATE_NOOP("welcome", "Pull the stylus away from the point: drag it with the mouse.")},
     {"sphere", QT_TRANSLATE_NOOP("welcome", "Push into the sphere: drag the stylus with the mouse.")},
-    {"line", QT_TRANSLATE_NOOP("welcome", "Pull it away from the line: drag the stylus with the mouse.")},
+    {"line", QT_TRANSLATE_NOOP("welcome", "Pull the stylus away from the line: drag it with the mouse.")},
     {"plane", QT_TRANSLATE_NOOP("welcome", "Push into the plane: drag the stylus with the mouse.")},
-    {"circle", QT_TRANSLATE_NOOP("welcome", "Pull it away from the circle: drag the stylus with the mouse.")},
+    {"circle", QT_TRANSLATE_NOOP("welcome", "Pull the stylus away from the circle: drag it with the mouse.")},
     {"cylinder", QT_TRANSLATE_NOOP("welcome", "Push into the cylinder: drag the stylus with the mouse.")},
     {"box", QT_TRANSLATE_NOOP("welcome", "Push into the box: drag the stylus with the mouse.")},
-    {"mesh", QT_TRANSLATE_NOOP("welcome", "Push into the body: drag the stylus with the mouse.")},
-    {"curve", QT_TRANSLATE_NOOP("welcome", "Pull it away from the curve: drag the stylus with the mouse.")},
+    {"mesh", QT_TRANSLATE_NOOP("welcome", "Push into the mesh: drag the stylus with the mouse.")},
+    {"curve", QT_TRANSLATE_NOOP("welcome", "Pull the stylus away from the curve: drag it with the mouse.")},
     {"virtual_manipulator",
-     QT_TRANSLATE_NOOP("welcome", "Pull it away from the robot's tip: drag the stylus with the mouse.")}};
+     QT_TRANSLATE_NOOP("welcome",
+                       "Pull the stylus away from the end effector of the virtual robot: drag it with the mouse.")}};
 
 QString pushWords(const scene::Description& scene) {
   const std::string type = scene.constraints.empty() ? "sphere" : scene::typeName(scene.constraints.front().shape);
@@ -70,7 +71,7 @@ Welcome::Welcome(const FeatureParts& parts)
       actions_(parts.actions),
       rate_(parts.rate),
       slider_(new Spotlight("welcome.frame", parts.window)),
-      confirmed_(toldLabel("welcome.confirmed", tr("What was done"), "", this)),
+      confirmed_(toldLabel("welcome.confirmed", tr("What you just did"), "", this)),
       was_seen_(parts.settings.has_pushed),
       is_asked_(!was_seen_) {
   setObjectName("welcome");
@@ -102,8 +103,9 @@ void Welcome::build(Actions& actions) {
     column->addWidget(row);
   }
   column->addWidget(confirmed_);
-  auto* tour = pushButton("welcome.tour", tr("Tour of the window"), tr("Eight stops; Esc leaves it."), this);
-  auto* leave = pushButton("welcome.close", tr("Close"), tr("It stays in the Help menu."), this);
+  auto* tour = pushButton("welcome.tour", tr("Tour of the window"),
+                          tr("Shows what is where in the window, in eight stops."), this);
+  auto* leave = pushButton("welcome.close", tr("Close"), tr("Closes this card; the Help menu brings it back."), this);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(tour);
   buttons->addStretch();
@@ -136,8 +138,8 @@ void Welcome::close() {
 
 void Welcome::tell() {
   const QString texts[] = {pushWords(document_.scene()),
-                           tr("Move a slider: the one with the frame is the stiffness along x."),
-                           tr("Turn the stylus: drag it with Ctrl held down.")};
+                           tr("Move a slider: the framed one sets the stiffness along x."),
+                           tr("Turn the stylus: hold Ctrl and drag it.")};
   for (std::size_t thing = 0; thing < kThings; ++thing) {
     rows_[thing]->setText((is_done_[thing] ? QString::fromUtf8("✓  ") : QString::fromUtf8("○  ")) + texts[thing]);
     rows_[thing]->setAccessibleDescription(is_done_[thing] ? tr("Done") : tr("Not done yet"));
@@ -159,11 +161,10 @@ void Welcome::watch(const servo::Snapshot& snapshot) {
   const tick::TickReport& report = snapshot.report;
   if (!began_rad_) began_rad_ = report.sample.q_rad;
   const double force_N = report.force.f_T_W().norm();
-  if (hand_.moves() && force_N > kPush_N)
-    done(Push, tr("The force pushes back with %1 N.").arg(numberText(force_N, 2)));
-  if (edited_) done(Slider, tr("The change is felt at once."));
+  if (hand_.moves() && force_N > kPush_N) done(Push, tr("The arm pushes back with %1 N.").arg(numberText(force_N, 2)));
+  if (edited_) done(Slider, tr("You feel the change at once."));
   if (hand_.moves() && wristTurn_rad(*began_rad_, report.sample.q_rad) > kTurn_rad)
-    done(Turn, tr("The stylus has turned; in some scenes that draws you along."));
+    done(Turn, tr("The stylus has turned; in some scenes this moves the target."));
   const bool any = std::any_of(is_done_.begin(), is_done_.end(), [](bool one) { return one; });
   if (any && leaves_at_tick_ < 0) leaves_at_tick_ = snapshot.ticks;
 }

@@ -106,7 +106,7 @@ bool MainWindow::event(QEvent* event) {
   if (event->type() == QEvent::ChildPolished) {  // Qt makes a bar of tabs where panels share a place
     auto* bar = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child());
     if (bar != nullptr) {
-      bar->setAccessibleName(tr("Panels in this place"));
+      bar->setAccessibleName(tr("Panel tabs"));
       bar->setElideMode(Qt::ElideNone);  // many are scrolled: "S…" says nothing
     }
   }

@@ -77,11 +77,10 @@ void MainWindow::buildFeatures() {
 void MainWindow::restore() {
   if (settings_.are_newer) {
     QTimer::singleShot(0, this, [this] {
-      showProblemsBox(
-          "dialog.newer_settings", tr("Settings"),
-          tr("The settings on this computer were written by a newer Underact. This one starts with its own and "
-             "leaves those as they are."),
-          {}, this);
+      showProblemsBox("dialog.newer_settings", tr("Settings"),
+                      tr("The settings on this computer were written by a newer version of Underact. This version "
+                         "starts with its defaults and leaves the saved settings unchanged."),
+                      {}, this);
     });
   }
   if (!settings_.geometry.isEmpty()) restoreGeometry(settings_.geometry);

@@ -11,7 +11,7 @@ TEST(ServoFigures, TheLimitThatCutsMostIsTheOneNamed) {
   EXPECT_EQ(mostLimiting({.clamp_N = 0.4, .speed_N = 0.3}), "greatest force");
   EXPECT_EQ(mostLimiting({.edge_N = 0.1}), "edge");
   EXPECT_EQ(mostLimiting({.heat_N = 0.1}), "heat");
-  EXPECT_EQ(mostLimiting({.slew_N = 0.1}), "change");
+  EXPECT_EQ(mostLimiting({.slew_N = 0.1}), "slew rate");
   EXPECT_EQ(mostLimiting({.clamp_N = 9.0, .frozen = true}), "frozen sample");  // nothing is sent then
 }
 
