@@ -30,7 +30,7 @@
 namespace underact::gui {
 namespace {
 
-// Qt would abort, and leave a core file, where it finds none.
+// Without a display, Qt would abort and leave a core file.
 bool hasScreen() {
 #ifdef Q_OS_LINUX
   const QByteArray platform = qgetenv("QT_QPA_PLATFORM");
@@ -41,14 +41,14 @@ bool hasScreen() {
 #endif
 }
 
-// The scene asked for, else the last one, else the sphere.
+// The scene on the command line, else the last one, else the sphere.
 QString sceneToOpen(const QString& asked, bool is_scene) {
   if (!asked.isEmpty() && is_scene) return asked;
   const QString last = readSettings().last_scene;
   return QFileInfo::exists(last) ? last : firstScene(shippedScenes());
 }
 
-/// When main() began, and what the processor had done by then.
+/// When main() began, by the clock and in CPU time.
 struct Began {
   QElapsedTimer clock;
   std::clock_t processor = std::clock();
@@ -79,9 +79,9 @@ int runWindow(const options::WindowOptions& options, const Began& began) {
   const QString opener = asked.isEmpty() ? QString() : openerOf(asked, window.rows());
   const QString scene = sceneToOpen(asked, opener.isEmpty());
   if (!scene.isEmpty()) window.actions().perform("scene.open", scene);
-  // Nobody holds a simulated arm: it may push at once. A real one waits for Start.
+  // Nobody holds a simulated arm, so it may push at once. A real one waits for Start.
   if (simulated.host->device().simulated && !window.actions().perform("session.start")) {
-    // Its meshes are being loaded.
+    // The scene's meshes are still loading.
     QObject::connect(&window.document(), &Document::opened, &window, [&window, &simulated, first = true]() mutable {
       const bool is_nobodys = simulated.host->device().simulated;
       if (std::exchange(first, false) && is_nobodys) window.actions().perform("session.start");
@@ -120,10 +120,11 @@ int run(int argc, char** argv) {
   QApplication::setApplicationVersion(kVersion);
   QApplication::setDesktopFileName("org.underact.underact");
   Application application(argc, argv);
-  QApplication::setWindowIcon(QIcon::fromTheme("underact"));  // where it is installed
+  QApplication::setWindowIcon(QIcon::fromTheme("underact"));  // if it is installed
   QApplication::setStyle(new FocusStyle);
   speakOwnWidgets();
-  speak(options.picture.empty() && options.small_pictures.empty() ? chosenLanguage() : "en");  // pictures go into pages
+  speak(options.picture.empty() && options.small_pictures.empty() ? chosenLanguage()
+                                                                  : "en");  // pictures are for the guide
   if (!options.picture.empty()) return drawPicture(options.picture, options.out);
   if (!options.small_pictures.empty()) return drawSmallPictures(options.small_pictures);
   return runWindow(options, began);

@@ -12,7 +12,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kDigits = 6;  // as the page has them
+constexpr int kDigits = 6;  // as on the HTML page
 
 QString numberOrNone(const std::optional<double>& value) {
   return value ? localNumber(*value, 'g', kDigits).replace('-', QChar(0x2212)) : QObject::tr("none");
@@ -76,7 +76,7 @@ bool FigureSheet::hasPicture() const {
 
 void FigureSheet::showNumbers(const FigureRow& row) {
   numbers_->setRowCount(0);
-  numbers_->setVisible(!row.numbers.empty());  // a picture of the view has the room to itself
+  numbers_->setVisible(!row.numbers.empty());  // a picture of the view has no numbers and takes their space
   for (const FigureNumber& number : row.numbers) {
     const int at = numbers_->rowCount();
     numbers_->insertRow(at);

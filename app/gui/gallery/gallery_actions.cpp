@@ -9,7 +9,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr const char* kReplay = "replay.open";  // the window that can replay has this action
+constexpr const char* kReplay = "replay.open";  // exists only in a window that can replay
 
 GalleryWays waysOf(Actions& actions, QWidget* window) {
   const auto by = [&actions, window](const QString& action) {

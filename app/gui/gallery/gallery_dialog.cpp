@@ -125,7 +125,7 @@ void GalleryDialog::make() {
     progress_->setValue(number - 1);
     progress_->setFormat(tr("figure %1 (%2 of %3)").arg(figure).arg(number).arg(of));
   });
-  progress_->setRange(0, 0);  // Python has not begun yet
+  progress_->setRange(0, 0);  // Python is still starting
   progress_->show();
   make_->setText(tr("Ca&ncel"));
   make_->setAccessibleName(tr("Cancel"));
@@ -136,7 +136,7 @@ void GalleryDialog::make() {
 }
 
 void GalleryDialog::ended(FiguresRun::End end, const QString& why_not) {
-  run_.release()->deleteLater();  // it is the one that calls
+  run_.release()->deleteLater();  // it is the sender of this signal
   progress_->hide();
   readFolder();
   if (end != FiguresRun::End::Made) say(why_not, end == FiguresRun::End::Failed ? "alarm" : "");
@@ -172,7 +172,7 @@ void GalleryDialog::readFolder() {
 void GalleryDialog::say(const QString& sentence, const char* role) {
   message_->setText(sentence);
   message_->setProperty("role", role);
-  message_->setStyleSheet(message_->styleSheet());  // has the style look at the property again
+  message_->setStyleSheet(message_->styleSheet());  // makes the style read the property again
 }
 
 const FigureRow* GalleryDialog::shown() const {

@@ -21,7 +21,7 @@ GuideTool::GuideTool(const FeatureParts& parts)
       place_(parts.settings.guide_page),
       zoom_(parts.settings.guide_zoom),
       main_(parts.window) {
-  // Where nothing has the focus: where the guide was read last.
+  // If nothing has the focus: the page read last.
   const auto wanted = [this](const QVariantList& arguments) {
     if (!arguments.isEmpty()) return arguments.first().toString();
     const QWidget* focus = QApplication::focusWidget();

@@ -14,7 +14,7 @@ void addLanguageActions(Actions& actions, QWidget* window) {
   struct Row {
     QString key, text, shortcut, tip;
   };
-  // A language has its own name in every language.
+  // Languages are called by their own names.
   const Row rows[] = {
       {"system", tr("Follow the &system"), "Ctrl+Alt+Shift+1", tr("Uses the system's language from the next start.")},
       {"en", "&English", "Ctrl+Alt+Shift+2", tr("Uses English from the next start.")},

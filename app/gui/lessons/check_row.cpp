@@ -89,7 +89,7 @@ void CheckRow::give() {
 void CheckRow::present(const lesson::Check& check, const lesson::CheckState& state) {
   const QString text = checkText(check, state);
   const bool shows_slip = number_ != nullptr && !state.solved && !number_->text().isEmpty() &&
-                          !typed(number_->text());  // what give() has said of it stays
+                          !typed(number_->text());  // the message of give() stays
   if (said_->text() != text && !shows_slip) said_->setText(text);
   const char* const role = state.solved ? "running" : "";
   if (said_->property("role").toString() == role) return;

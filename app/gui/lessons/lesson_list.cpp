@@ -106,7 +106,7 @@ void LessonList::describe() {
   about_->setText(item == nullptr ? QString() : item->data(kAbout).toString());
 }
 
-// Later: the list is made anew by what this does.
+// Queued: opening the lesson rebuilds this list.
 void LessonList::open(QListWidgetItem* item) {
   const QString path = item->data(kPath).toString();
   if (path.isEmpty()) return;

@@ -25,7 +25,7 @@ namespace underact::gui {
 namespace {
 
 constexpr const char* kButtons[] = {"lesson.back", "lesson.hint", "lesson.next", "lesson.leave", "lesson.report"};
-constexpr const char* kSecondRow = "lesson.leave";  // begins with it; the field for a name stands between
+constexpr const char* kSecondRow = "lesson.leave";  // the second row begins with it; the name field is between
 
 }  // namespace
 
@@ -98,7 +98,7 @@ void LessonPage::showStep() {
     row->show();
     rows_.push_back(row);
   }
-  orderTabs({this});  // what was made last would else come last
+  orderTabs({this});  // otherwise Tab follows the order of creation
   showText();
   present();
 }
@@ -120,7 +120,7 @@ void LessonPage::showHead() {
   title_->setText(run_.isSolved(run_.at()) ? tr("✓ %1 (solved)").arg(title) : title);
 }
 
-/// Nothing pushes, and the step is about forces.
+/// Asks for Start when the servo is stopped and the step is about forces.
 QString LessonPage::asksForStart() const {
   if (run_.isServoRunning() || run_.isSolved(run_.at())) return {};
   for (const lesson::Check& check : run_.step().checks) {

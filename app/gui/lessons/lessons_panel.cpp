@@ -99,13 +99,13 @@ void LessonsPanel::addStepActions() {
 bool LessonsPanel::start(const QString& path) {
   QString why;
   const bool begun = run_->begin(path, why);
-  if (!begun) bringForward();  // with what is wrong
+  if (!begun) bringForward();  // to show the error
   list_->setNote(begun ? QString() : why);
   if (begun && QFileInfo(path).absolutePath() != lessonFolder()) recent_->add(QFileInfo(path).absoluteFilePath());
   return begun;
 }
 
-/// Made where it is needed: the window has one of its own for scenes, whose parts have the same names.
+/// Made on demand: the window has its own for scenes, and its parts have the same object names.
 void LessonsPanel::showProblems(const QString& path, const Problems& problems) {
   if (problems_ == nullptr) {
     problems_ = new ProblemsDialog(this);
@@ -155,7 +155,7 @@ void LessonsPanel::present(const servo::Snapshot& snapshot) {
   run_->look(snapshot);
 }
 
-/// To a screen reader, at once, wherever it is.
+/// Announces it to a screen reader at once.
 void LessonsPanel::saySolved() {
   QAccessibleEvent alert(this, QAccessible::Alert);
   QAccessible::updateAccessibility(&alert);
@@ -173,7 +173,7 @@ void LessonsPanel::follow(const QUrl& link) {
 bool LessonsPanel::saveReport(const QString& path) {
   if (!run_->isOn() || path.isEmpty()) return false;
   const QByteArray page = lessonReport(*run_, page_->typedName(), QDateTime::currentDateTime()).toUtf8();
-  QSaveFile file(path);  // whole or not at all
+  QSaveFile file(path);  // the whole file or nothing
   const bool saved = file.open(QIODevice::WriteOnly) && file.write(page) == page.size() && file.commit();
   page_->setNote(saved ? tr("Saved as %1.").arg(QDir::toNativeSeparators(path))
                        : tr("Not saved: %1. Choose another folder.").arg(file.errorString()));

@@ -10,7 +10,7 @@
 
 namespace underact::gui {
 
-// As large as the view of a window of 1280 x 800 takes without the gauge reaching into the scene.
+// The largest sizes at which the gauge does not reach into the scene in a window of 1280 x 800.
 constexpr double kType = 1.6, kGauge = 2.0, kTools = 1.3;
 
 Projector::Projector(const FeatureParts& parts)
@@ -31,7 +31,7 @@ Projector::Projector(const FeatureParts& parts)
 
 void Projector::remember(Settings& settings) {
   settings.projector = isOn();
-  setOn(false);  // what is remembered is the window's own layout
+  setOn(false);  // the normal layout is saved
 }
 
 void Projector::setOn(bool on) {

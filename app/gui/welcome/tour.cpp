@@ -25,7 +25,7 @@ struct Stop {
   const char *widget, *title, *text;
 };
 
-constexpr const char* kStylus = "stylus";  // no widget: a part of the view
+constexpr const char* kStylus = "stylus";  // not a widget but a part of the view
 
 constexpr std::array kStops{
     Stop{"view.scene", QT_TRANSLATE_NOOP("tour", "The view"),
@@ -84,7 +84,7 @@ Tour::Tour(const FeatureParts& parts)
   setAttribute(Qt::WA_NoMousePropagation);
   hide();
   build();
-  new StopKey([this] { end(); }, this);  // wherever the focus has gone meanwhile
+  new StopKey([this] { end(); }, this);  // wherever the focus is
   actions_.add({"help.tour", tr("&Tour of the window"), QKeySequence("Ctrl+Shift+T"),
                 tr("Shows what is where in the window, in eight stops; Esc leaves the tour at any stop.")},
                [this](const QVariantList&) {
@@ -143,7 +143,7 @@ void Tour::go(int stop) {
   spotlight_->pointAt([this] { return where(); });
   follow();
   next_->setFocus(Qt::OtherFocusReason);
-  QAccessibleEvent said(this, QAccessible::Alert);  // a screen reader says the stop, not the button alone
+  QAccessibleEvent said(this, QAccessible::Alert);  // a screen reader reads the stop, not only the button
   QAccessible::updateAccessibility(&said);
 }
 
@@ -173,8 +173,7 @@ void Tour::follow() {
   place(where());
 }
 
-// Beside what is meant where there is room, else in the middle of the window; then it stays while it is in nobody's
-// way.
+// Beside the target if there is room, else in the middle of the window; it then stays as long as it covers nothing.
 void Tour::place(const QRect& target) {
   resize(width(), heightForWidth(width()));
   const int gap = 16;

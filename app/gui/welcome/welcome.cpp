@@ -25,15 +25,15 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kPush_N = 0.05;  // five times the last digit of the force shown: the hand has felt something
+constexpr double kPush_N = 0.05;  // five times the last digit of the force shown: enough to be felt
 constexpr double kTurn_rad = 15.0 * kRadPerDegree;
 constexpr int kConfirmed_s = 4;
-constexpr int kMargin_px = 16, kAway_px = 12, kTriad_px = 88;  // the view's triad stands at the bottom left
+constexpr int kMargin_px = 16, kAway_px = 12, kTriad_px = 88;  // the view's triad is at the bottom left
 
 struct PushRow {
   const char *type, *words;
 };
-// A wall and a surface can be pushed into, the others not. Whole sentences: other languages have other articles.
+// Walls and surfaces can be pushed into, the others not. Whole sentences, because articles differ between languages.
 constexpr PushRow kPushRows[] = {
     {"point", QT_TRANSLATE_NOOP("welcome", "Pull the stylus away from the point: drag it with the mouse.")},
     {"sphere", QT_TRANSLATE_NOOP("welcome", "Push into the sphere: drag the stylus with the mouse.")},
@@ -77,7 +77,7 @@ Welcome::Welcome(const FeatureParts& parts)
   setObjectName("welcome");
   setAccessibleName(tr("Welcome: three things to try"));
   setProperty("role", "card");
-  setAttribute(Qt::WA_NoMousePropagation);  // what is meant for the card does not turn the view behind it
+  setAttribute(Qt::WA_NoMousePropagation);  // a drag on the card must not rotate the view behind it
   hide();
   build(parts.actions);
   parts.actions.add({"help.welcome", tr("&Welcome"), QKeySequence("Ctrl+Alt+Shift+W"),
@@ -175,7 +175,7 @@ void Welcome::remember(Settings& settings) {
 
 void Welcome::present(const servo::Snapshot& snapshot) {
   const bool may_show = !actions_.isLocked();
-  // A card about the mouse says nothing to whom holds an arm.
+  // The card is about the mouse, so it is of no use to someone who holds a real arm.
   const bool is_seen = may_show && is_asked_ && hand_.arm() != nullptr && snapshot.ticks > 0 && document_.isOpen();
   if (is_seen) {
     watch(snapshot);
@@ -199,7 +199,7 @@ void Welcome::present(const servo::Snapshot& snapshot) {
   slider_->follow();
 }
 
-// It moves only where the stylus, or a smaller window, asks for it.
+// It moves only to make way for the stylus or to fit a smaller window.
 void Welcome::place() {
   resize(width(), heightForWidth(width()));
   const QRect stylus = view_.stylusOnScreen().toAlignedRect().adjusted(-kAway_px, -kAway_px, kAway_px, kAway_px);

@@ -1,4 +1,4 @@
-// How the window is put together; what it does is in main_window.cpp.
+// Builds the window; its behaviour is in main_window.cpp.
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -20,7 +20,7 @@
 
 namespace underact::gui {
 
-constexpr int kLayoutVersion = 9;  // up by one where a dock is added: an old layout would hide it
+constexpr int kLayoutVersion = 9;  // count up when a dock is added: an old layout would hide it
 
 MainWindow::MainWindow(const WindowParts& given, std::vector<FeatureRow> rows)
     : given_(given),

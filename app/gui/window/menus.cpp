@@ -20,7 +20,7 @@
 namespace underact::gui {
 namespace {
 
-// names: of actions; "-": a separator. Those that no feature of this window brings are left out.
+// names: of actions; "-": a separator. Actions that no feature of this window adds are skipped.
 void fillMenu(QMenu* menu, const Actions& actions, const QStringList& names) {
   for (const QString& name : names) {
     QAction* const action = actions.find(name);
@@ -46,7 +46,7 @@ void fillRecent(QMenu* menu, Actions& actions, const RecentFiles& recent) {
   }
 }
 
-// A clock that runs moves nothing beside it.
+// A fixed width, so that a running clock does not move its neighbours.
 void keepWidth(QToolBar* bar, QAction* action) {
   QWidget* button = bar->widgetForAction(action);
   QFont bold = button->font();
@@ -120,7 +120,7 @@ void buildToolBar(QMainWindow* window, Actions& actions) {
   nameWidget(bar, "toolbar", tr("Tool bar"));
   bar->setMovable(false);
   bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  const int icon = qRound(1.2 * window->fontMetrics().height());  // icons grow with the words beside them
+  const int icon = qRound(1.2 * window->fontMetrics().height());  // icons scale with the text beside them
   bar->setIconSize({icon, icon});
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   window->addToolBar(bar);

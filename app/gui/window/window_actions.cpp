@@ -58,7 +58,7 @@ void addFiles(const FeatureParts& parts, const std::vector<FeatureRow>& rows) {
               [window = parts.window](const QVariantList&) { return window->close(); });
 }
 
-/// text: of the menu while there is nothing; with: beside what would be taken back.
+/// text: of the menu entry when there is nothing to undo; with: the pattern with what would be undone.
 void follow(QAction* action, const QString& text, const QString& with, const QString& what) {
   action->setText(what.isEmpty() ? text : with.arg(what));
   action->setIconText(QString(text).remove('&'));
