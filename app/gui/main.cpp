@@ -123,8 +123,8 @@ int run(int argc, char** argv) {
   QApplication::setWindowIcon(QIcon::fromTheme("underact"));  // if it is installed
   QApplication::setStyle(new FocusStyle);
   speakOwnWidgets();
-  speak(options.picture.empty() && options.small_pictures.empty() ? chosenLanguage()
-                                                                  : "en");  // pictures are for the guide
+  // Pictures are for the guide.
+  speak(options.picture.empty() && options.small_pictures.empty() ? chosenLanguage() : "en");
   if (!options.picture.empty()) return drawPicture(options.picture, options.out);
   if (!options.small_pictures.empty()) return drawSmallPictures(options.small_pictures);
   return runWindow(options, began);

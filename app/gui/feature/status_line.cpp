@@ -13,7 +13,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kRateIsTrue = 0.02;  // a measured rate this near to the one asked for is that one
+constexpr double kRateIsTrue = 0.02;  // a measured rate this close to the requested one is shown as that one
 
 QString modeText(const servo::Snapshot& snapshot) {
   if (snapshot.waits_for_button) return QObject::tr("Hold the button");
@@ -66,7 +66,7 @@ StatusLine::StatusLine(ServoFacts servo, double force_limit_N, QWidget* parent)
 QLabel* StatusLine::field(const char* name, const QString& spoken, const QString& tip, const QString& widest) {
   auto* label = new QLabel(this);
   nameWidget(label, name, spoken, tip);
-  label->setMinimumWidth(fontMetrics().horizontalAdvance(widest));  // so that numbers move nothing
+  label->setMinimumWidth(fontMetrics().horizontalAdvance(widest));  // so that changing numbers do not move the layout
   layout()->addWidget(label);
   return label;
 }
@@ -114,11 +114,11 @@ void StatusLine::presentMode(const servo::Snapshot& snapshot) {
                                                              : "";
   if (mode_->property("role").toString() != role) {
     mode_->setProperty("role", role);
-    mode_->setStyleSheet(mode_->styleSheet());  // has the style look at the property again
+    mode_->setStyleSheet(mode_->styleSheet());  // makes the style read the property again
   }
 }
 
-/// It changes when the servo is begun anew.
+/// It changes when the servo restarts.
 void StatusLine::presentScheduling() {
   const system::Scheduling scheduling = servo_.scheduling();
   putText(scheduling_, schedulingText(scheduling));
@@ -127,7 +127,7 @@ void StatusLine::presentScheduling() {
   scheduling_->setToolTip(lines.join("\n"));
 }
 
-/// Said only where something is wrong: an arm that can be guarded and is not.
+/// Shown only for an arm that can be guarded and is not.
 void StatusLine::presentGuard() {
   const Sentence unguarded = servo_.unguarded();
   const bool was_hidden = guard_->isHidden();

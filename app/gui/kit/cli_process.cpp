@@ -15,7 +15,7 @@ constexpr int kBehindTheWindow = 10;  // nice
 CliProcess::CliProcess() {
   process_.setStandardOutputFile(QProcess::nullDevice());
 #ifdef Q_OS_UNIX
-  // A group of its own: the program starts others, which end with it.
+  // Its own process group: the program starts others, which are to end with it.
   process_.setChildProcessModifier([] { system::leadGroup(kBehindTheWindow); });
 #endif
   connect(&process_, &QProcess::readyReadStandardError, this, &CliProcess::read);
@@ -43,7 +43,7 @@ void CliProcess::start(const QStringList& words) {
     return;
   }
   last_words_ = sentencesOf(program.problems()) + " " + tr("Reinstall Underact.");
-  // Later: who starts it is not ready yet for its end.
+  // Queued: the caller of start() is not ready for the end yet.
   QMetaObject::invokeMethod(
       this, [this] { emit ended(std::nullopt); }, Qt::QueuedConnection);
 }

@@ -12,7 +12,7 @@ namespace underact::gui {
 namespace {
 
 constexpr int kSmallest_px = 15;
-constexpr double kShare = 0.27;  // of the screen: the title, and two lines each of what to feel and what to try
+constexpr double kShare = 0.27;  // of the screen: the title, two lines of what to feel, two of what to try
 
 void setType(QWidget* widget, double px, bool bold = false) {
   QFont font = widget->font();
@@ -62,7 +62,7 @@ void TitleCard::setScene(const QString& title, const QString& feel, const QStrin
 void TitleCard::setState(bool can_start, const QString& trouble) {
   start_->setVisible(can_start);
   tellIn(trouble_, trouble);
-  try_->setVisible(trouble.isEmpty());  // in its place: what is wrong goes first
+  try_->setVisible(trouble.isEmpty());  // the problem is shown instead
 }
 
 void TitleCard::fitInto(int height_px) {
@@ -71,7 +71,7 @@ void TitleCard::fitInto(int height_px) {
     setType(words, height_px / 38.0);
   setType(next_, height_px / 30.0);
   setType(start_, height_px / 20.0, true);
-  // Whatever it says: the view above keeps its size, so nothing jumps, and no picture is made anew for it.
+  // Independent of its text, so that the view above keeps its size and does not jump or render again.
   setFixedHeight(qRound(kShare * height_px));
 }
 

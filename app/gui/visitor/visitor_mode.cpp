@@ -19,9 +19,9 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kType = 1.4;        // of the view's words
-constexpr double kMoved_m = 0.002;   // more than an arm that lies on its rest trembles
-constexpr double kSettling_s = 3.0;  // a scene that comes draws the tip to it: nobody's hand
+constexpr double kType = 1.4;        // font scale of the view
+constexpr double kMoved_m = 0.002;   // more than the noise of an arm at rest
+constexpr double kSettling_s = 3.0;  // a new scene moves the tip by itself
 
 QString named(const QString& key) {
   return QStringLiteral("visitor.") + key;
@@ -29,7 +29,7 @@ QString named(const QString& key) {
 
 }  // namespace
 
-/// What is put back.
+/// What is restored at the end.
 struct VisitorMode::Before {
   Qt::WindowStates state;
   QRect geometry;
@@ -104,7 +104,7 @@ bool VisitorMode::start(const QStringList& scenes) {
   return true;
 }
 
-/// Only the view and the card are left, as large as the screen.
+/// Leaves only the view and the card, full screen.
 void VisitorMode::undress() {
   for (QWidget* other : QApplication::topLevelWidgets()) {
     const bool is_docked = other == parts_.window || qobject_cast<QDockWidget*>(other) != nullptr;
@@ -134,7 +134,7 @@ void VisitorMode::leave() {
   parts_.actions.allowAll();
   parts_.actions.find(named("demonstrator"))->setEnabled(false);
   if (!before_->was_running) parts_.control.stop();
-  static_cast<void>(parts_.control.setForceShare(1.0));  // nothing is recorded: that was locked
+  static_cast<void>(parts_.control.setForceShare(1.0));  // cannot fail: recording is locked
   parts_.document.putBackOwn();
   scenes_.clear();
   parts_.view.setLayers(before_->layers);
@@ -175,14 +175,14 @@ void VisitorMode::show(std::size_t index) {
   if (scenes_.empty()) return;
   index_ = index % scenes_.size();
   const ShownScene& shown = scenes_[index_];
-  // It compiled when it was loaded. A scene of the same kind glides into the other; others come by their ramps.
+  // It compiled when it was loaded. A scene of the same kind replaces the other smoothly; others are ramped.
   static_cast<void>(parts_.document.showRecorded(shown.scene));
   card_->setScene(shown.title, shown.feel, shown.try_this);
   carousel_.showed(time_s_);
   shown_s_ = time_s_;
 }
 
-/// As the next visitor should find it.
+/// Restores everything for the next visitor.
 void VisitorMode::reset() {
   parts_.view.setViewpoint({before_->viewpoint.camera, true});
   if (before_->hand) {
@@ -192,7 +192,7 @@ void VisitorMode::reset() {
   show(0);
 }
 
-/// A simulated arm moves by a hand alone, so the hand is asked; any other arm's tip tells.
+/// A simulated arm moves only by its hand, so the hand is checked; for other arms, the tip.
 bool VisitorMode::isTouched(const servo::Snapshot& snapshot, double time_s) {
   if (std::exchange(pressed_, false)) return true;
   if (parts_.hand.arm() != nullptr) return parts_.hand.moves();
@@ -201,14 +201,14 @@ bool VisitorMode::isTouched(const servo::Snapshot& snapshot, double time_s) {
   return moved && time_s - shown_s_ > kSettling_s;
 }
 
-/// The demonstrator's panel has the way out; but the desktop's own end of a session is never held up.
+/// Only the demonstrator's panel ends visitor mode, but the end of the desktop session is never blocked.
 bool VisitorMode::mayClose() const {
   return !isOn() || qApp->isSavingSession();
 }
 
 void VisitorMode::look(const servo::Snapshot&) {
   if (!isOn()) return;
-  const servo::Snapshot snapshot = parts_.servo.snapshot();  // others may have put a scene into effect since
+  const servo::Snapshot snapshot = parts_.servo.snapshot();  // another scene may have taken effect since
   takeLoaded();
   time_s_ = static_cast<double>(snapshot.ticks) / parts_.servo.rateHz();
   tellState(snapshot);
@@ -232,7 +232,7 @@ void VisitorMode::tellState(const servo::Snapshot& snapshot) {
   card_->setState(!parts_.servo.running(), trouble);
 }
 
-/// The force comes back on somebody's word alone. An arm whose driver has lost it is opened anew first.
+/// The force returns only on request. An arm that its driver has lost is reopened first.
 void VisitorMode::letPush() {
   trouble_.clear();
   if (!parts_.servo.trouble().empty()) {

@@ -43,8 +43,7 @@ void Spotlight::follow() {
   const QRect wanted = target.adjusted(-out, -out, out, out) & parentWidget()->rect();
   if (wanted == geometry() && !mask().isEmpty()) return;
   setGeometry(wanted);
-  setMask(QRegion(rect()) -
-          QRegion(rect().adjusted(kLine_px, kLine_px, -kLine_px, -kLine_px)));  // a frame that covers nothing
+  setMask(QRegion(rect()) - QRegion(rect().adjusted(kLine_px, kLine_px, -kLine_px, -kLine_px)));  // only the frame
   raise();
 }
 
