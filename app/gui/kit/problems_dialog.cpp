@@ -27,7 +27,7 @@ QString placeNumber(int number) {
 ProblemsDialog::ProblemsDialog(QWidget* parent)
     : QDialog(parent), heading_(new QLabel(this)), table_(new QTableWidget(this)) {
   setObjectName("dialog.problems");
-  setModal(false);  // a broken file must not keep anybody from the arm
+  setModal(false);  // a broken file must not block access to the arm
   setWindowTitle(tr("Scene not opened"));
   resize(720, 360);
   nameWidget(heading_, "dialog.problems.heading", tr("What happened"));
@@ -43,12 +43,12 @@ ProblemsDialog::ProblemsDialog(QWidget* parent)
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setTabKeyNavigation(false);
-  // In a row, not in a QDialogButtonBox: in that of Qt 6.8 Tab went past the first two.
+  // Not in a QDialogButtonBox: with that of Qt 6.8, Tab skips the first two.
   QPushButton* copy = pushButton("dialog.problems.copy", tr("&Copy"), {}, this, tr("Copy the problems"));
   QPushButton* another =
       pushButton("dialog.problems.another", tr("&Open another…"), {}, this, tr("Open another scene file"));
   QPushButton* close = pushButton("dialog.problems.close", tr("Close"), {}, this);
-  for (QPushButton* button : {copy, another, close}) button->setAutoDefault(true);  // Enter presses the one in focus
+  for (QPushButton* button : {copy, another, close}) button->setAutoDefault(true);  // Enter presses the focused one
   close->setDefault(true);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 16, 16, 16);
