@@ -19,7 +19,7 @@ void addLeftHandAction(Actions& actions, Document& document) {
                    {},
                    true},
                   [&document](const QVariantList& on) { return document.setLeftHanded(on.value(0).toBool()).empty(); });
-  QObject::connect(&document, &Document::leftHandedChanged, action, &QAction::setChecked);  // an undo turns it, too
+  QObject::connect(&document, &Document::leftHandedChanged, action, &QAction::setChecked);  // undo changes it, too
 }
 
 }  // namespace underact::gui

@@ -10,9 +10,9 @@
 namespace underact::gui {
 namespace {
 
-constexpr qsizetype kLongestName = 40;  // of a scene, in a file's name
+constexpr qsizetype kLongestName = 40;  // of a scene, in a file name
 
-/// Letters and digits, with single hyphens between: a name that every file system and shell takes.
+/// Letters and digits separated by single hyphens: a name that every file system and shell accepts.
 QString plainName(const QString& title) {
   QString name;
   for (const QChar letter : title.toLower()) {
@@ -35,7 +35,7 @@ QString usualSessionFolder() {
 
 QString newSessionFile(const QString& folder, const QDateTime& when, const QString& scene_title) {
   const QString stem = QDir(folder).filePath(when.toString("yyyy-MM-dd_HH-mm-ss_") + plainName(scene_title));
-  QString path = stem + ".underact.h5";  // by which the desktop knows it for a session
+  QString path = stem + ".underact.h5";  // by which the desktop recognises a session
   const auto taken = [&path] { return QFileInfo::exists(path) || QFileInfo(path).isSymLink(); };
   for (int another = 2; taken(); ++another) path = QString("%1_%2.underact.h5").arg(stem).arg(another);
   return path;
