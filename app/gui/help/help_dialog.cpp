@@ -29,7 +29,8 @@ QString handTable() {
          row(QObject::tr("Page Up, Page Down"), QObject::tr("move the hand in depth")) +
          row(QObject::tr("Ctrl and arrow keys"), QObject::tr("turn the stylus")) +
          row(QObject::tr("Game controller, 3D mouse"),
-             QObject::tr("move and turn the simulated hand; the Hands panel shows and edits which axis does what")) +
+             QObject::tr(
+                 "move and rotate the simulated hand; the panel Input devices shows and edits their mappings")) +
          row(QObject::tr("Space"), QObject::tr("holds the stylus button down (press F2 first, or click the view)")) +
          row(QObject::tr("Rings o and p"), QObject::tr("in a scene with an influence factor: the point that the stylus "
                                                        "points at, and the point nearest to the tip")) +

@@ -8,7 +8,7 @@ using safety::Cuts;
 
 std::span<const LimitName> limitNames() {
   static constexpr LimitName kNames[] = {
-      {"clamp", QT_TRANSLATE_NOOP("limit", "Greatest force"), QT_TRANSLATE_NOOP("limit", "greatest force"),
+      {"clamp", QT_TRANSLATE_NOOP("limit", "Maximum force"), QT_TRANSLATE_NOOP("limit", "maximum force"),
        QT_TRANSLATE_NOOP("limit", "Limits the force to the arm's continuous force; its direction is kept."),
        safety::kClampBit, &Cuts::clamp_N},
       {"speed", QT_TRANSLATE_NOOP("limit", "Speed"), QT_TRANSLATE_NOOP("limit", "speed"),

@@ -33,7 +33,7 @@ DemonstratorPanel::DemonstratorPanel(const VisitorWishes& wishes, QWidget* windo
       scenes_(new QListWidget(this)),
       dwell_(number("demonstrator.dwell", tr("Seconds per scene"), kShortestDwell_s, kLongestDwell_s, wishes.dwell_s,
                     this)),
-      force_(number("demonstrator.force", tr("Greatest force, percent of the arm's continuous force"),
+      force_(number("demonstrator.force", tr("Maximum force, percent of the arm's continuous force"),
                     kLeastForce_percent, kMostForce_percent, wishes.force_percent, this)),
       told_(toldLabel("demonstrator.told", tr("Note"), "amber", this)) {
   setObjectName("demonstrator");
@@ -52,7 +52,7 @@ DemonstratorPanel::DemonstratorPanel(const VisitorWishes& wishes, QWidget* windo
   told_->hide();
   auto* form = new QFormLayout;
   form->addRow(tr("Each scene for"), dwell_);
-  form->addRow(tr("Greatest force"), force_);
+  form->addRow(tr("Maximum force"), force_);
   auto* stop = pushButton("demonstrator.stop", tr("Stop"), tr("Stops the servo: the force goes to zero."), this);
   auto* leave =
       pushButton("demonstrator.leave", tr("Leave visitor mode"), tr("Restores the window as it was before."), this);

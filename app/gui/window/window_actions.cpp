@@ -66,13 +66,13 @@ void follow(QAction* action, const QString& text, const QString& with, const QSt
 
 void addUndo(Actions& actions, QUndoStack& undo) {
   QAction* back = actions.add(
-      {"edit.undo", tr("&Undo"), QKeySequence::Undo, tr("Undoes the last change of the scene."), "undo", tr("Undo")},
+      {"edit.undo", tr("&Undo"), QKeySequence::Undo, tr("Undoes the last change to the scene."), "undo", tr("Undo")},
       [&undo](const QVariantList&) {
         undo.undo();
         return true;
       });
   QAction* forth = actions.add({"edit.redo", tr("&Redo"), QKeySequence("Ctrl+Shift+Z"),
-                                tr("Redoes the change last undone."), "redo", tr("Redo")},
+                                tr("Redoes the change that was undone."), "redo", tr("Redo")},
                                [&undo](const QVariantList&) {
                                  undo.redo();
                                  return true;
