@@ -92,8 +92,7 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   fillMenu(replay, actions,
            {"replay.open", "-", "replay.play", "replay.back", "replay.forward", "-", "replay.loop", "replay.loop_in",
             "replay.loop_out", "-", "replay.what_if", "-", "replay.files", "replay.close", "-", "ghost.open"});
-  fillMenu(named(replay->addMenu(tr("&Ghost hand")), "menu.ghost"), actions,
-           {"ghost.play", "ghost.restart", "ghost.close"});
+  fillMenu(named(replay->addMenu(tr("&Ghost")), "menu.ghost"), actions, {"ghost.play", "ghost.restart", "ghost.close"});
   fillMenu(named(bar->addMenu(tr("Less&ons")), "menu.lessons"), actions,
            {"lesson.open", "-", "lesson.back", "lesson.next", "lesson.hint", "-", "lesson.report", "lesson.leave"});
   QMenu* view = named(bar->addMenu(tr("&View")), "menu.view");
