@@ -30,7 +30,7 @@
 namespace underact::gui {
 namespace {
 
-// Qt would abort, and leave a core file, where it finds none.
+// Without a display, Qt would abort and leave a core file.
 bool hasScreen() {
 #ifdef Q_OS_LINUX
   const QByteArray platform = qgetenv("QT_QPA_PLATFORM");
@@ -41,14 +41,14 @@ bool hasScreen() {
 #endif
 }
 
-// The scene asked for, else the last one, else the sphere.
+// The scene on the command line, else the last one, else the sphere.
 QString sceneToOpen(const QString& asked, bool is_scene) {
   if (!asked.isEmpty() && is_scene) return asked;
   const QString last = readSettings().last_scene;
   return QFileInfo::exists(last) ? last : firstScene(shippedScenes());
 }
 
-/// When main() began, and what the processor had done by then.
+/// When main() began, by the clock and in CPU time.
 struct Began {
   QElapsedTimer clock;
   std::clock_t processor = std::clock();
@@ -56,8 +56,8 @@ struct Began {
 
 void printFirstPicture(const Began& began, double frame_ms) {
   const double processor_ms = 1e3 * static_cast<double>(std::clock() - began.processor) / CLOCKS_PER_SEC;
-  std::fprintf(stderr, "first picture after %lld ms (%.0f ms of the processor), drawn in %.1f ms\n",
-               began.clock.elapsed(), processor_ms, frame_ms);
+  std::fprintf(stderr, "first picture after %lld ms (%.0f ms of CPU time), drawn in %.1f ms\n", began.clock.elapsed(),
+               processor_ms, frame_ms);
 }
 
 int runWindow(const options::WindowOptions& options, const Began& began) {
@@ -79,9 +79,9 @@ int runWindow(const options::WindowOptions& options, const Began& began) {
   const QString opener = asked.isEmpty() ? QString() : openerOf(asked, window.rows());
   const QString scene = sceneToOpen(asked, opener.isEmpty());
   if (!scene.isEmpty()) window.actions().perform("scene.open", scene);
-  // Nobody holds a simulated arm: it may push at once. A real one waits for Start.
+  // Nobody holds a simulated arm, so it may push at once. A real one waits for Start.
   if (simulated.host->device().simulated && !window.actions().perform("session.start")) {
-    // Its meshes are being loaded.
+    // The scene's meshes are still loading.
     QObject::connect(&window.document(), &Document::opened, &window, [&window, &simulated, first = true]() mutable {
       const bool is_nobodys = simulated.host->device().simulated;
       if (std::exchange(first, false) && is_nobodys) window.actions().perform("session.start");
@@ -108,7 +108,9 @@ int run(int argc, char** argv) {
     return options.exit;
   }
   if (!hasScreen()) {
-    std::fprintf(stderr, "There is no screen (DISPLAY is not set). underact-cli does without one; Xvfb makes one.\n");
+    std::fprintf(
+        stderr,
+        "No display: neither DISPLAY nor WAYLAND_DISPLAY is set. Use underact-cli, which needs none, or start Xvfb.\n");
     return 2;
   }
   QSurfaceFormat::setDefaultFormat(surfaceFormat());
@@ -118,10 +120,11 @@ int run(int argc, char** argv) {
   QApplication::setApplicationVersion(kVersion);
   QApplication::setDesktopFileName("org.underact.underact");
   Application application(argc, argv);
-  QApplication::setWindowIcon(QIcon::fromTheme("underact"));  // where it is installed
+  QApplication::setWindowIcon(QIcon::fromTheme("underact"));  // if it is installed
   QApplication::setStyle(new FocusStyle);
   speakOwnWidgets();
-  speak(options.picture.empty() && options.small_pictures.empty() ? chosenLanguage() : "en");  // pictures go into pages
+  // Pictures are for the guide.
+  speak(options.picture.empty() && options.small_pictures.empty() ? chosenLanguage() : "en");
   if (!options.picture.empty()) return drawPicture(options.picture, options.out);
   if (!options.small_pictures.empty()) return drawSmallPictures(options.small_pictures);
   return runWindow(options, began);

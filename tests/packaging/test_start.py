@@ -125,7 +125,7 @@ class Missing(Moved):
     def test_without_a_screen_the_window_says_so(self):
         answer = call(self.app_run)
         self.assertEqual(answer.returncode, 2)
-        self.assertIn("no screen", answer.stderr)
+        self.assertIn("No display", answer.stderr)
 
 
 class Window(Moved):

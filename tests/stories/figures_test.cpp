@@ -88,12 +88,12 @@ TEST(FiguresStory, AreMadeSeenCheckedFeltAndKept) {
   Gallery gallery("4.5,B.1");
   GalleryDialog& dialog = *gallery.dialog;
   EXPECT_FALSE(dialog.isModal()) << "Esc must stop the arm, whatever is open";
-  EXPECT_TRUE(dialog.message().startsWith("The figures are not made yet."));
+  EXPECT_TRUE(dialog.message().startsWith("The figures have not been made yet."));
   EXPECT_FALSE(gallery.story.find("dialog.figures.page")->isEnabled());
   EXPECT_TRUE(dialog.grab().toImage().save(QString(UNDERACT_BINARY) + "/pictures/dialog_figures_none.png"));
   ASSERT_TRUE(gallery.make());
   EXPECT_TRUE(dialog.message().startsWith("2 figures, ")) << dialog.message().toStdString();
-  EXPECT_TRUE(dialog.message().contains("all as they should be."));
+  EXPECT_TRUE(dialog.message().contains("all pass."));
   ASSERT_EQ(gallery.list->count(), 2);
   EXPECT_TRUE(gallery.list->item(0)->text().startsWith("4.5  Results of the sphere constraint"));
   EXPECT_TRUE(gallery.list->item(0)->text().contains("numbers pass"));
@@ -142,8 +142,8 @@ TEST(FiguresStory, AFigureThatShowsSomethingElseIsSaidInWords) {
   EXPECT_EQ(numbers->item(0, 1)->text(), "−0.4");
   EXPECT_EQ(numbers->item(1, 1)->text(), "none");
   EXPECT_EQ(numbers->item(2, 5)->text(), "✓ pass");
-  EXPECT_TRUE(gallery.dialog->message().contains("2 not as they should be."));
-  EXPECT_TRUE(gallery.dialog->message().contains("make them again")) << "nobody knows which version made them";
+  EXPECT_TRUE(gallery.dialog->message().contains("2 failed."));
+  EXPECT_TRUE(gallery.dialog->message().contains("make the figures again")) << "nobody knows which version made them";
   EXPECT_FALSE(gallery.story.find("dialog.figures.pdf")->isEnabled());
 }
 
@@ -165,7 +165,7 @@ TEST(FiguresStory, AMissingProgramIsTold) {
   const Surroundings cli("UNDERACT_CLI", "/dev/null/nowhere/underact-cli");
   ASSERT_TRUE(gallery.make());
   EXPECT_TRUE(gallery.dialog->message().contains(
-      "underact-cli was not found (it was looked for at /dev/null/nowhere/underact-cli). Install Underact again."))
+      "underact-cli was not found (it was looked for at /dev/null/nowhere/underact-cli). Reinstall Underact."))
       << gallery.dialog->message().toStdString();
 }
 
@@ -211,7 +211,7 @@ TEST(FiguresStory, ClosingTheGalleryEndsTheMaking) {
   gallery.close();
   EXPECT_FALSE(QDir(figureFolder() + ".making").exists());
   gallery.open({});
-  EXPECT_TRUE(gallery.dialog->message().startsWith("The figures are not made yet."));
+  EXPECT_TRUE(gallery.dialog->message().startsWith("The figures have not been made yet."));
 }
 
 TEST(FiguresStory, TheSessionOpensWhereTheWindowCanReplayOne) {

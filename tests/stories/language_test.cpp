@@ -144,7 +144,7 @@ TEST(LanguageStory, TheChoiceIsKeptAndTheNextWindowSpeaksIt) {
     story.settle();
     auto* box = story.find<QMessageBox>("dialog.language");
     ASSERT_NE(box, nullptr);
-    EXPECT_EQ(box->text(), "The window speaks it from the next start on.");
+    EXPECT_EQ(box->text(), "The language changes when you next start Underact.");
     box->accept();
     EXPECT_EQ(story.window().menuBar()->actions().front()->text(), "&File") << "not before";
   }

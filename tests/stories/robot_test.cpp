@@ -326,7 +326,7 @@ TEST(RobotStory, RobotsHaveAHeadingOfTheirOwnInTheListOfScenes) {
   int shapes = -1, robots = -1;
   for (int row = 0; row < list->count(); ++row) {
     if (list->item(row)->text() == "Shapes") shapes = row;
-    if (list->item(row)->text() == "Robots in software") robots = row;
+    if (list->item(row)->text() == "Virtual robots") robots = row;
   }
   EXPECT_EQ(shapes, 0);
   ASSERT_GT(robots, 10);

@@ -120,10 +120,10 @@ TEST(ScenesStory, TheGroupsStandInTeachingOrderEachWithItsScenes) {
       ++scenes[headings.last()];
   }
   EXPECT_EQ(headings,
-            (QStringList{"Shapes", "Walls", "Orientation", "Robots in software", "Meshes", "Curves", "Stability"}));
+            (QStringList{"Shapes", "Walls", "Orientation", "Virtual robots", "Meshes", "Curves", "Stability"}));
   EXPECT_EQ(scenes["Walls"], 3);
   EXPECT_EQ(scenes["Orientation"], 2);
-  EXPECT_EQ(scenes["Robots in software"], 8);
+  EXPECT_EQ(scenes["Virtual robots"], 8);
   EXPECT_EQ(scenes["Meshes"], 3);
 }
 

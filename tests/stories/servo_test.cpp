@@ -45,7 +45,7 @@ TEST(ServoStory, ALimitIsSeenWhileItActsAndRememberedAfterwards) {
   EXPECT_EQ(text(story, "panel.servo.limit.clamp.note"), "not active yet");
   handTo(story, {0.0, 0.0, 0.030}, 1500);  // 20 mm deep: some 10 N asked, 0.88 N sent
   EXPECT_TRUE(clamp->acts());
-  EXPECT_TRUE(text(story, "status.force").endsWith("limited: greatest force"));
+  EXPECT_TRUE(text(story, "status.force").endsWith("limited: maximum force"));
   EXPECT_TRUE(text(story, "panel.servo.limit.clamp.value").startsWith(QChar(0x2212)));
   handTo(story, {0.0, 0.0, 0.050}, 8000);
   EXPECT_FALSE(clamp->acts());

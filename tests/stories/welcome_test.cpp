@@ -122,9 +122,9 @@ TEST(WelcomeStory, ItSaysWhatThereIsToFeelInEachScene) {
   Story& story = *first.story;
   EXPECT_TRUE(first.row("push").contains("Push into the sphere"));
   story.perform("scene.open", shippedScene("03_line"));
-  EXPECT_TRUE(first.row("push").contains("Pull it away from the line"));
+  EXPECT_TRUE(first.row("push").contains("Pull the stylus away from the line"));
   story.perform("scene.open", shippedScene("16_one_joint_robot"));
-  EXPECT_TRUE(first.row("push").contains("robot's tip"));
+  EXPECT_TRUE(first.row("push").contains("end effector of the virtual robot"));
 }
 
 TEST(TourStory, EachStopFramesItsPartAndEscLeavesAtEachWithThePanelsAsTheyWere) {

@@ -9,7 +9,7 @@
 
 namespace underact::gui {
 
-/// A dock of the window: its menu entry and its shortcut follow.
+/// A panel of the window; its menu entry and shortcut are made from this row.
 struct PanelRow {
   const char* key;  // "feel": the dock is named dock.feel, its action dock.feel
   const char* title;
@@ -17,24 +17,24 @@ struct PanelRow {
   const char* shortcut;
   const char* tip;
   Panel* (*make)(const FeatureParts& parts, QWidget* parent);
-  const char* behind = nullptr;  // the key of the panel whose place it takes when it is opened; closed at first
+  const char* behind = nullptr;  // key of the panel it shares a place with; initially closed
 };
 
 using Followers = std::vector<Follower*>;
 
-/// What the window can do, one thing of it: a room with a feature.cpp that gives this row, and a line in the top
-/// CMakeLists.txt. Without either of them the window does without.
+/// One feature of the window: a room whose feature.cpp returns this row, and a line in the top CMakeLists.txt. Without
+/// the line, the window does not have the feature.
 struct FeatureRow {
   std::vector<PanelRow> panels = {};
   std::vector<HelpPage> pages = {};
-  /// Before any panel is there: its actions, and what follows the servo beside panels. None: panels are all of it.
+  /// Called before any panel exists: adds its actions and its followers besides panels. Null: it has only panels.
   void (*make)(const FeatureParts& parts, Followers& followers) = nullptr;
-  /// A file of that name is its own, and which action opens it; null: it has none.
+  /// Whether a file of that name belongs to it, and the action that opens it; null: it opens no files.
   bool (*opens)(const QString& path) = nullptr;
   const char* open_action = nullptr;
 };
 
-/// The action that opens a file with that name; empty: it is a scene.
+/// The action that opens a file of that name; empty: it is a scene.
 QString openerOf(const QString& path, const std::vector<FeatureRow>& rows);
 
 }  // namespace underact::gui

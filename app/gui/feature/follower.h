@@ -8,21 +8,21 @@ namespace underact::gui {
 
 struct Settings;
 
-/// What follows the servo and the window: the panels, and what else a feature brings. Each gets what it overrides.
+/// Whatever follows the servo and the window: panels and other objects of a feature. Each overrides what it needs.
 class Follower {
  public:
   virtual ~Follower() = default;
-  virtual void before() {}                         // each frame, before its ticks come
+  virtual void before() {}                         // each frame, before its ticks
   virtual void add(const servo::TickRecord&) {}    // every tick, in order
-  virtual void present(const servo::Snapshot&) {}  // each frame that somebody sees
-  virtual void look(const servo::Snapshot&) {}     // each frame, after it was shown: a scene may be put into effect
+  virtual void present(const servo::Snapshot&) {}  // each visible frame
+  virtual void look(const servo::Snapshot&) {}     // each frame, after it was shown; may put a scene into effect
   virtual void setTheme(const Theme&) {}
-  /// Why the arm cannot be given to somebody else now, in a sentence with the way out; empty: it can.
+  /// Why the arm is in use by this object, in a sentence with the way out; empty: it is free.
   virtual QString whyBusy() const { return {}; }
   virtual bool mayClose() const { return true; }
-  /// The window is about to close: what a person is asked about and what is remembered is the person's own.
+  /// The window is about to close: restores the user's own state, which is then saved or asked about.
   virtual void leave() {}
-  /// The window closes: what runs ends in order.
+  /// The window closes: ends what is running, in order.
   virtual void finish() {}
   virtual void remember(Settings&) {}
 };

@@ -3,13 +3,13 @@
 
 namespace underact::gui {
 
-/// One of the three gains of a law, as the window shows it.
+/// One of the three gains of a control law, as the window shows it.
 struct GainKind {
   const char* key;     // "kp"
   const char* name;    // "Stiffness"
-  const char* path;    // of the table of settings: "/control/kp_N_per_mm"
+  const char* path;    // in the table of settings: "/control/kp_N_per_mm"
   int steps_per_unit;  // of the slider and the arrows
-  int slider_steps;    // from 0 to the slider's end; typing goes beyond
+  int slider_steps;    // from 0 to the slider's end; larger values can be typed
   int decimals;
 };
 
@@ -22,7 +22,7 @@ class GainRow : public ValueRow {
   Q_OBJECT
  public:
   GainRow(int gain, int axis, QWidget* parent = nullptr);
-  /// What the row is called: "x", or "q1".
+  /// The row's label: "x" or "q1".
   void setAxisName(const QString& axis);
 
  private:

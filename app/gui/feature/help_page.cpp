@@ -5,7 +5,7 @@
 namespace underact::gui {
 namespace {
 
-/// The row with the longest part that the name is, or goes on from with a dot; null: none.
+/// The row with the longest part that equals the name or is its prefix before a dot; null: none.
 const HelpPage* rowOf(const QString& name, const std::vector<HelpPage>& pages) {
   const HelpPage* best = nullptr;
   qsizetype length = 0;

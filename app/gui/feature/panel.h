@@ -11,24 +11,24 @@ class QMainWindow;
 
 namespace underact::gui {
 
-/// By the arm's clock, between two times that a panel writes numbers which change with every tick.
+/// Interval, by the arm's clock, at which panels update numbers that change with every tick.
 inline constexpr std::int64_t kBetweenNumbers_ns = 100'000'000;
 
-/// A widget in a dock that shows what the servo does, or lets it be changed.
+/// A widget in a dock that shows or changes what the servo does.
 class Panel : public QWidget, public Follower {
   Q_OBJECT
  public:
   using QWidget::QWidget;
-  /// Its dock is opened, and stands before those that share its place.
+  /// Opens its dock, in front of those that share its place.
   void bringForward();
-  /// Not hidden, nor behind another tab (where Qt leaves it visible, outside the window). visibleRegion() would not do:
-  /// it is empty wherever opaque children cover all of a widget.
+  /// Neither hidden nor behind another tab (where Qt leaves it visible, outside the window). visibleRegion() does not
+  /// tell: it is empty where opaque children cover the whole widget.
   bool isSeen() const;
 };
 
-/// A dock for the panel with that key, in the area where it stands at first.
+/// A dock for the panel with that key, in its initial area.
 QDockWidget* makeDock(const QString& key, const QString& title, Qt::DockWidgetArea home, QMainWindow* window);
-/// Of the window, in the order in which they were made.
+/// The window's docks, in the order in which they were made.
 QList<QDockWidget*> docksOf(const QMainWindow* window);
 QString keyOf(const QDockWidget* dock);
 Qt::DockWidgetArea homeOf(const QDockWidget* dock);

@@ -36,10 +36,10 @@ class ServoRate;
 class StatusLine;
 struct Settings;
 
-/// What the window gives its features; it outlives them.
+/// What the window gives its features. It outlives them.
 struct FeatureParts {
   QMainWindow* window;
-  QBoxLayout& middle;  // the view is in it; strips are added below
+  QBoxLayout& middle;  // contains the view; strips are added below
   ServoFacts servo;
   ServoControl control;
   Document& document;
@@ -53,14 +53,14 @@ struct FeatureParts {
   Player& player;
   Recording& recording;
   ServoRate& rate;
-  ArmInUse& arm_in_use;                     // what a simulated arm is made of
-  ArmChoice& arms;                          // which arm it is
-  SecondArm& second;                        // beside it
-  Remark& where_it_stands;                  // the arm on the desk, in a sentence
-  device::ChosenArm* chosen;                // behind the host, where arms can be exchanged; else null
+  ArmInUse& arm_in_use;                     // model of the simulated arm
+  ArmChoice& arms;                          // the arm that the servo drives
+  SecondArm& second;                        // the second arm
+  Remark& where_it_stands;                  // where the arm is on the desk, in a sentence
+  device::ChosenArm* chosen;                // behind the host if arms can be exchanged, else null
   std::vector<device::hands::Port*> hands;  // controllers and 3D mice
   ThemeWatcher& theme;
-  const Settings& settings;               // from the window's last life
+  const Settings& settings;               // saved when a window was last closed
   const std::vector<HelpPage>& pages;     // of the guide, for each part of the window
   std::function<QStringList()> why_busy;  // of all features, see Follower::whyBusy()
 };

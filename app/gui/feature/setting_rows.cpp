@@ -40,7 +40,7 @@ ValueRow* SettingRows::makeNumber(const SettingLook& look, QWidget* parent) {
   connect(row, &ValueRow::changed, this,
           [this, at = std::string(look.path)](double value, bool fresh) { emit asked(at, value, fresh); });
   const auto show = [row](const SettingValue& now, const SettingValue& own) {
-    // By its size; where it may be below 0 there is something beside the row that says so.
+    // Its magnitude; where it may be negative, something beside the row says so.
     const double* const marked = std::get_if<double>(&own);
     row->present(std::abs(std::get<double>(now)), marked ? std::optional(std::abs(*marked)) : std::nullopt);
   };
@@ -71,7 +71,7 @@ QComboBox* SettingRows::addChoice(const SettingLook& look, QFormLayout* into, QW
     emit asked(at, box->itemData(row).toString().toStdString(), true);
   });
   const auto show = [box](const SettingValue& now, const SettingValue&) {
-    const QSignalBlocker silent(box);  // to show a value is not to ask for it
+    const QSignalBlocker silent(box);  // showing a value must not emit a change
     box->setCurrentIndex(box->findData(QString::fromStdString(std::get<std::string>(now))));
   };
   into->addRow(look.label, box);

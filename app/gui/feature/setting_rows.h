@@ -18,46 +18,46 @@ namespace underact::gui {
 class Document;
 class ValueRow;
 
-/// Where a panel shows a setting. What it is, its unit, range, tip and words are those of the table of settings.
+/// How a panel shows a setting. Kind, unit, range, tip and words come from the table of settings.
 struct SettingLook {
-  const char* path;  // from the constraint on: "/influence/t"
-  const char* name;  // of the widget
-  QString label;     // before it
-  QString spoken;    // to a screen reader
-  // Of a number in a row with a slider.
-  QString widest = {};                                       // the longest label of it and its neighbours
-  int steps_per_unit = 1, slider_steps = 100, decimals = 0;  // from 0 to the slider's end; typing goes beyond
-  double most = 0.0;                                         // of what is typed, where it is not the table's
-  // Of a choice.
-  std::vector<std::string> order = {};  // of its words, where it is not the table's
+  const char* path;  // relative to the constraint: "/influence/t"
+  const char* name;  // object name of the widget
+  QString label;     // text in front of it
+  QString spoken;    // for a screen reader
+  // For a number in a row with a slider.
+  QString widest = {};                                       // the longest label among it and its neighbours
+  int steps_per_unit = 1, slider_steps = 100, decimals = 0;  // from 0 to the slider's end; larger values can be typed
+  double most = 0.0;                                         // maximum for typing, if it differs from the table's
+  // For a choice.
+  std::vector<std::string> order = {};  // of its words, if it differs from the table's
 };
 
-/// The rows of a panel that show settings of a constraint and ask for other values of them. What a setting is shown by
-/// is hidden where the constraint has none of it.
+/// The rows of a panel that show and edit the settings of a constraint. The row of a setting that the constraint does
+/// not have is hidden.
 class SettingRows : public QObject {
   Q_OBJECT
  public:
   explicit SettingRows(QObject* parent) : QObject(parent) {}
 
-  // Each makes a widget at the layout's end.
+  // Each appends a widget to the layout.
   ValueRow* addNumber(const SettingLook& look, QBoxLayout* into, QWidget* parent);
   ValueRow* addNumber(const SettingLook& look, QFormLayout* into, QWidget* parent);
   QComboBox* addChoice(const SettingLook& look, QFormLayout* into, QWidget* parent);
   QSpinBox* addWhole(const SettingLook& look, QFormLayout* into, QWidget* parent);
-  /// With all its digits, to be typed.
+  /// A number to type, shown with all its digits.
   QLineEdit* addText(const SettingLook& look, QFormLayout* into, QWidget* parent);
 
-  /// Shows what holds, and marks what the file has. is_idle: whether a setting does nothing there, so that it is
+  /// Shows the current values and marks those of the file. is_idle: whether a setting has no effect there and is
   /// hidden.
   void present(const Document& document, std::size_t index,
                const std::function<bool(const std::string&)>& is_idle = {});
-  /// A slider is; the hand wins over what holds.
+  /// Whether a slider is being dragged: the drag wins over the current value.
   bool isHeld() const;
 
  signals:
-  /// path: from the constraint on. fresh: a step of its own for undo.
+  /// path: relative to the constraint. fresh: starts a new step of undo.
   void asked(const std::string& path, const underact::scene::SettingValue& value, bool fresh);
-  /// What was typed is no number.
+  /// The text typed is not a number.
   void refused(const underact::Problems& problems);
 
  private:

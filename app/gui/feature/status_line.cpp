@@ -13,7 +13,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kRateIsTrue = 0.02;  // a measured rate this near to the one asked for is that one
+constexpr double kRateIsTrue = 0.02;  // a measured rate this close to the requested one is shown as that one
 
 QString modeText(const servo::Snapshot& snapshot) {
   if (snapshot.waits_for_button) return QObject::tr("Hold the button");
@@ -37,19 +37,20 @@ StatusLine::StatusLine(ServoFacts servo, double force_limit_N, QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 2, 12, 2);
   row->setSpacing(20);
-  mode_ = field("status.mode", tr("Servo"), tr("What the servo does."), tr("Stopping"));
+  mode_ = field("status.mode", tr("Servo"), tr("The state of the servo."), tr("Stopping"));
   device_ = field("status.device", tr("Arm"), {}, {});
   presentDevice();
   rate_ = field("status.rate", tr("Servo rate"), tr("Ticks a second."), tr("4000 Hz"));
-  late_ = field("status.late", tr("Lateness"), tr("99 of 100 ticks in the last 10 s started no later than this."),
-                tr("late p99 9999 µs"));
+  late_ = field("status.late", tr("Latency"),
+                tr("99 % of the ticks in the last 10 s began no later than this after their deadline."),
+                tr("latency p99 9999 µs"));
   scheduling_ = field("status.scheduling", tr("Scheduling"), {}, {});
   guard_ = field("status.guard", tr("Guard"), {}, {});
   guard_->setProperty("role", "amber-text");
   presentScheduling();
   presentGuard();
-  force_ = field("status.force", tr("Force"), tr("The force sent to the arm, and the most that it is ever sent."),
-                 tr("force 0.00 / 0.00 N"));
+  force_ =
+      field("status.force", tr("Force"), tr("The force sent to the arm, and its limit."), tr("force 0.00 / 0.00 N"));
   recording_ = field("status.recording", tr("Recording"), {}, {});
   recording_->hide();
   live_ = field("status.live", tr("Live data"), {}, {});
@@ -65,7 +66,7 @@ StatusLine::StatusLine(ServoFacts servo, double force_limit_N, QWidget* parent)
 QLabel* StatusLine::field(const char* name, const QString& spoken, const QString& tip, const QString& widest) {
   auto* label = new QLabel(this);
   nameWidget(label, name, spoken, tip);
-  label->setMinimumWidth(fontMetrics().horizontalAdvance(widest));  // so that numbers move nothing
+  label->setMinimumWidth(fontMetrics().horizontalAdvance(widest));  // so that changing numbers do not move the layout
   layout()->addWidget(label);
   return label;
 }
@@ -85,8 +86,8 @@ void StatusLine::presentDevice(bool is_recorded) {
   if (info.untested) kind += tr(" (untested)");
   if (!is_recorded && info.simulated && !arm_model_.isEmpty()) kind += tr(": %1").arg(arm_model_);
   device_->setText(title + kind);
-  device_->setToolTip(is_recorded      ? tr("A recording moves the stylus: forces go to no arm.")
-                      : info.simulated ? tr("A simulation in software: no arm is moved. %1").arg(provenance_).trimmed()
+  device_->setToolTip(is_recorded      ? tr("A recording moves the stylus; no force is sent to an arm.")
+                      : info.simulated ? tr("Simulated; no real arm moves. %1").arg(provenance_).trimmed()
                                        : QString());
 }
 
@@ -113,11 +114,11 @@ void StatusLine::presentMode(const servo::Snapshot& snapshot) {
                                                              : "";
   if (mode_->property("role").toString() != role) {
     mode_->setProperty("role", role);
-    mode_->setStyleSheet(mode_->styleSheet());  // has the style look at the property again
+    mode_->setStyleSheet(mode_->styleSheet());  // makes the style read the property again
   }
 }
 
-/// It changes when the servo is begun anew.
+/// It changes when the servo restarts.
 void StatusLine::presentScheduling() {
   const system::Scheduling scheduling = servo_.scheduling();
   putText(scheduling_, schedulingText(scheduling));
@@ -126,7 +127,7 @@ void StatusLine::presentScheduling() {
   scheduling_->setToolTip(lines.join("\n"));
 }
 
-/// Said only where something is wrong: an arm that can be guarded and is not.
+/// Shown only for an arm that can be guarded and is not.
 void StatusLine::presentGuard() {
   const Sentence unguarded = servo_.unguarded();
   const bool was_hidden = guard_->isHidden();
@@ -150,11 +151,11 @@ void StatusLine::presentRate(const servo::Snapshot& snapshot) {
   const bool as_asked = by_hand || std::abs(measured_hz - servo_.rateHz()) <= kRateIsTrue * servo_.rateHz();
   putText(rate_, as_asked ? tr("%1 Hz").arg(servo_.rateHz())
                           : tr("%1 Hz of %2").arg(numberText(measured_hz, 0)).arg(servo_.rateHz()));
-  putText(late_, tr("late p99 %1 µs").arg(numberText(servo_.timing().lateLately().p99_us, 0)));
+  putText(late_, tr("latency p99 %1 µs").arg(numberText(servo_.timing().lateLately().p99_us, 0)));
 }
 
 void StatusLine::setFault(const QString& sentence) {
-  mode_->setToolTip(sentence.isEmpty() ? tr("What the servo does.") : sentence);
+  mode_->setToolTip(sentence.isEmpty() ? tr("The state of the servo.") : sentence);
   setAccessibleDescription(sentence);
 }
 

@@ -8,25 +8,24 @@ class QLabel;
 
 namespace underact::gui {
 
-/// The line at the bottom, always true: what the servo does, which arm, how fast, how late, how it is scheduled, which
-/// force.
+/// The line at the bottom, always up to date: state of the servo, arm, rate, latency, scheduling, force.
 class StatusLine : public QWidget {
   Q_OBJECT
  public:
   StatusLine(ServoFacts servo, double force_limit_N, QWidget* parent = nullptr);
   void present(const servo::Snapshot& snapshot);
-  /// What the thing under the pointer does; empty: nothing.
+  /// The tip of the action under the pointer; empty: none.
   void setTip(const QString& tip);
   /// The sentence of the fault that stopped the servo; empty: none.
   void setFault(const QString& sentence);
-  /// What is being recorded; empty: nothing is. needs_a_look: it should be seen to; tip: why.
+  /// What is being recorded; empty: nothing. needs_a_look: it needs attention; tip: why.
   void setRecording(const QString& words, const QString& tip, bool needs_a_look);
-  /// The rate is another one: what was measured of the one before says nothing of it.
+  /// Discards what was measured at the previous rate.
   void measureAnew() { since_measured_.invalidate(); }
-  /// Another arm, or none: after a replay has begun or ended.
+  /// Shows the arm, or none, after a replay has begun or ended.
   void presentDevice(bool is_recorded = false);
-  /// What the simulated arm is made of: its name beside the arm's (empty: nothing is said), and where its figures come
-  /// from.
+  /// The model of the simulated arm: its name, shown beside the arm's (empty: not shown), and the source of its
+  /// figures.
   void setArmModel(const QString& name, const QString& provenance);
   void setForceLimit(double limit_N) { force_limit_N_ = limit_N; }
   /// Where live data goes ("live data to 127.0.0.1:9870"), and more of it for a tool tip; empty: nowhere.

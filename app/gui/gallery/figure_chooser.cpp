@@ -11,7 +11,7 @@ namespace {
 
 constexpr QSize kThumbnail(112, 80);
 
-/// As high as all thumbnails are, on white, so that the words beside them stand in one line.
+/// On white, all of the same height, so that the texts beside them line up.
 QIcon thumbnailOf(const QString& path, const QSize& room, qreal ratio) {
   QPixmap thumbnail(room * ratio);
   thumbnail.fill(Qt::transparent);
@@ -25,7 +25,7 @@ QIcon thumbnailOf(const QString& path, const QSize& room, qreal ratio) {
   }
   thumbnail.setDevicePixelRatio(ratio);
   QIcon icon(thumbnail);
-  icon.addPixmap(thumbnail, QIcon::Selected);  // else the style tints it
+  icon.addPixmap(thumbnail, QIcon::Selected);  // otherwise the style tints it
   return icon;
 }
 
@@ -39,7 +39,7 @@ FigureChooser::FigureChooser(QWidget* parent) : QListWidget(parent) {
   setResizeMode(QListView::Adjust);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setSpacing(2);
-  setStyleSheet("QListWidget { show-decoration-selected: 1; }");  // the whole row, with its picture
+  setStyleSheet("QListWidget { show-decoration-selected: 1; }");  // select the whole row with its picture
   setMinimumWidth(kThumbnail.width() + 12 * fontMetrics().averageCharWidth());
   connect(&thumbnails_, &QTimer::timeout, this, &FigureChooser::addNextThumbnail);
 }
@@ -60,7 +60,7 @@ void FigureChooser::present(const std::vector<FigureRow>& rows) {
   thumbnails_.start(0);
 }
 
-// One at a time: 25 pictures at once would hold the window up for half a second.
+// One at a time: 25 pictures at once would block the window for half a second.
 void FigureChooser::addNextThumbnail() {
   if (next_thumbnail_ >= count()) {
     thumbnails_.stop();

@@ -7,12 +7,12 @@
 
 namespace underact::gui {
 
-/// The figures to choose from, each with a small picture and what came of it.
+/// The list of figures, each with a thumbnail and its result.
 class FigureChooser : public QListWidget {
   Q_OBJECT
  public:
   explicit FigureChooser(QWidget* parent);
-  /// The one that was chosen stays so, silently.
+  /// Keeps the selection, without a signal.
   void present(const std::vector<FigureRow>& rows);
 
  private:

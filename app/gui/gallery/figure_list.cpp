@@ -60,11 +60,11 @@ Result<FigureList> readFigures(const QString& folder) {
   const QString path = dir.filePath("figures.json");
   const Place place{path.toStdString()};
   if (!QFile::exists(path))
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "The figures are not made yet.")), place}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "The figures have not been made yet.")), place}};
   const QJsonDocument document = documentOf(path);
   if (!document.isArray() || document.array().isEmpty())
     return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "The list of the figures cannot be read. Make them again.")), place}};
+        {said(QT_TRANSLATE_NOOP("problem", "The list of figures cannot be read. Make the figures again.")), place}};
   FigureList list;
   for (const QJsonValue& value : document.array()) list.rows.push_back(rowOf(value.toObject(), dir));
   const QJsonObject mark = documentOf(dir.filePath(kMark)).object();
@@ -98,9 +98,8 @@ QString verdictOf(const FigureList& list) {
   QString verdict = QObject::tr("%1 figures, %2 numbers checked, %3.")
                         .arg(list.rows.size())
                         .arg(numbers)
-                        .arg(failed == 0 ? QObject::tr("all as they should be")
-                                         : QObject::tr("%1 not as they should be").arg(failed));
-  if (left_out > 0) verdict += ' ' + QObject::tr("%1 pictures left out.").arg(left_out);
+                        .arg(failed == 0 ? QObject::tr("all pass") : QObject::tr("%1 failed").arg(failed));
+  if (left_out > 0) verdict += ' ' + QObject::tr("Figures left out: %1.").arg(left_out);
   return verdict;
 }
 

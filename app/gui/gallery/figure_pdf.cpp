@@ -30,7 +30,7 @@ bool writePicture(const QImage& image, const QString& title, const QString& path
 QString saveFigurePdf(const FigureRow& row, const QString& path) {
   bool written = false;
   if (!row.pdf.isEmpty()) {
-    QFile from(row.pdf), to(path);  // over what is there: the file dialog has asked
+    QFile from(row.pdf), to(path);  // overwrites: the file dialog has asked
     written = from.open(QIODevice::ReadOnly) && to.open(QIODevice::WriteOnly) && to.write(from.readAll()) > 0;
   } else {
     const QImage image(row.picture);

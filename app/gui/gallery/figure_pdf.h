@@ -3,8 +3,8 @@
 
 namespace underact::gui {
 
-/// Writes a figure as a PDF file: as it was drawn for print, or, where there is only a picture, that on a page of its
-/// size, 7 inches wide. Gives why it could not; empty: it is there.
+/// Writes a figure as a PDF file: the print version or, if there is only a picture, the picture on a page of its size,
+/// 7 inches wide. Returns the error; empty: written.
 QString saveFigurePdf(const FigureRow& row, const QString& path);
 
 }  // namespace underact::gui

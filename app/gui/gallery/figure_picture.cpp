@@ -29,7 +29,7 @@ void FigurePicture::paintEvent(QPaintEvent*) {
   const QSize room = size() * ratio;
   const QSize fits = image_.size().scaled(room, Qt::KeepAspectRatio).boundedTo(image_.size());
   if (scaled_.size() != fits) {
-    // Qt's smooth scaling takes the mean of what falls together: thin lines stay.
+    // Qt's smooth scaling averages pixels, so thin lines stay visible.
     scaled_ = QPixmap::fromImage(image_.scaled(fits, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
     scaled_.setDevicePixelRatio(ratio);
   }

@@ -5,12 +5,12 @@
 
 namespace underact::gui {
 
-/// A picture as large as there is room for it, on white as in print.
+/// A picture scaled to the room available, on white as in print.
 class FigurePicture : public QWidget {
   Q_OBJECT
  public:
   explicit FigurePicture(QWidget* parent);
-  /// An image file; empty, or one that cannot be read: words stand in its place.
+  /// Shows an image file; if it is empty or cannot be read, shows the words instead.
   void setPicture(const QString& path, const QString& words);
   bool hasPicture() const { return !image_.isNull(); }
   QSize sizeHint() const override { return {640, 420}; }
@@ -21,7 +21,7 @@ class FigurePicture : public QWidget {
  private:
   QImage image_;
   QString words_;
-  QPixmap scaled_;  // of image_, for the size that the widget has
+  QPixmap scaled_;  // image_ at the widget's size
 };
 
 }  // namespace underact::gui

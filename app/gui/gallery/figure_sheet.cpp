@@ -12,7 +12,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kDigits = 6;  // as the page has them
+constexpr int kDigits = 6;  // as on the HTML page
 
 QString numberOrNone(const std::optional<double>& value) {
   return value ? localNumber(*value, 'g', kDigits).replace('-', QChar(0x2212)) : QObject::tr("none");
@@ -34,9 +34,9 @@ FigureSheet::FigureSheet(QWidget* parent)
       numbers_(new QTableWidget(0, 6, this)) {
   picture_->setObjectName("dialog.figures.picture");
   numbers_->setObjectName("dialog.figures.numbers");
-  numbers_->setAccessibleName(tr("Numbers that the figure must show"));
+  numbers_->setAccessibleName(tr("Numbers checked in the figure"));
   numbers_->setHorizontalHeaderLabels(
-      {tr("Number"), tr("Measured"), tr("Expected"), tr("Within"), tr("Unit"), tr("Result")});
+      {tr("Number"), tr("Measured"), tr("Expected"), tr("Tolerance"), tr("Unit"), tr("Result")});
   numbers_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   numbers_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   numbers_->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -76,7 +76,7 @@ bool FigureSheet::hasPicture() const {
 
 void FigureSheet::showNumbers(const FigureRow& row) {
   numbers_->setRowCount(0);
-  numbers_->setVisible(!row.numbers.empty());  // a picture of the view has the room to itself
+  numbers_->setVisible(!row.numbers.empty());  // a picture of the view has no numbers and takes their space
   for (const FigureNumber& number : row.numbers) {
     const int at = numbers_->rowCount();
     numbers_->insertRow(at);

@@ -10,14 +10,14 @@ namespace underact::gui {
 
 class FigurePicture;
 
-/// One figure: its title, picture and caption, and the numbers that it must show.
+/// One figure: its title, picture and caption, and the numbers checked in it.
 class FigureSheet : public QWidget {
   Q_OBJECT
  public:
   explicit FigureSheet(QWidget* parent);
-  /// A row without a key: there is no figure.
+  /// A row without a key means no figure.
   void present(const FigureRow& row);
-  /// In place of a picture.
+  /// Shows words in place of the picture.
   void say(const QString& words);
   bool hasPicture() const;
 

@@ -18,7 +18,7 @@ QString figureFolder() {
 
 FiguresRun::FiguresRun(const QString& folder, const QString& only, QObject* parent)
     : QObject(parent), folder_(folder), fresh_(folder + ".making"), only_(only), lock_(folder + ".lock") {
-  lock_.setStaleLockTime(0);  // a run takes as long as it takes; what died left no process
+  lock_.setStaleLockTime(0);  // never stale by age: a run may take long, and a dead one has no process
   process_.setReader([this](const QByteArray& line) {
     const QJsonObject progress = QJsonDocument::fromJson(line).object();
     if (!progress.contains("of")) return false;
@@ -38,9 +38,10 @@ void FiguresRun::begin() {
   QDir().mkpath(QFileInfo(folder_).absolutePath());
   if (!lock_.tryLock()) {
     const bool other = lock_.error() == QLockFile::LockFailedError;
-    emit finished(End::Failed,
-                  other ? tr("Another window is making the figures. Wait until it has them, then open this anew.")
-                        : tr("The folder %1 cannot be written.").arg(QFileInfo(folder_).absolutePath()));
+    emit finished(
+        End::Failed,
+        other ? tr("Another window is making the figures. Wait until it has finished, then open this window again.")
+              : tr("The folder %1 is not writable. Change its permissions.").arg(QFileInfo(folder_).absolutePath()));
     return;
   }
   QDir(fresh_).removeRecursively();
@@ -55,23 +56,24 @@ void FiguresRun::cancel() {
 }
 
 void FiguresRun::end(std::optional<int> code) {
-  const bool whole = code && readFigures(fresh_);  // with another code than 0 where a figure shows other numbers
-  const QString why_not = cancelled_ ? tr("Cancelled: the figures are those from before.") : whole ? keep() : whyNot();
+  const bool whole = code && readFigures(fresh_);  // the code is not 0 when a number fails
+  const QString why_not = cancelled_ ? tr("Cancelled. The earlier figures were kept.") : whole ? keep() : whyNot();
   QDir(fresh_).removeRecursively();
   lock_.unlock();
   emit finished(cancelled_ ? End::Cancelled : why_not.isEmpty() ? End::Made : End::Failed, why_not);
 }
 
-/// The new figures take the place of the old ones. Gives why not; empty: they do.
+/// Replaces the old figures by the new ones. Returns the error; empty: done.
 QString FiguresRun::keep() {
   const bool done = markFigures(fresh_, kVersion, QDateTime::currentDateTime()) && QDir(folder_).removeRecursively() &&
                     QDir().rename(fresh_, folder_);
   return done ? QString()
-              : tr("The figures could not be put into %1. Make room there, or leave to write.").arg(folder_);
+              : tr("The figures could not be saved in %1. Free some space there or change its permissions.")
+                    .arg(folder_);
 }
 
 QString FiguresRun::whyNot() const {
-  return process_.lastWords().isEmpty() ? tr("The figures were not made, and underact-cli did not say why.")
+  return process_.lastWords().isEmpty() ? tr("The figures were not made, and underact-cli gave no reason.")
                                         : tr("The figures were not made. %1").arg(process_.lastWords());
 }
 

@@ -7,26 +7,26 @@
 
 namespace underact::gui {
 
-/// Where the figures are kept between two starts.
+/// Where the figures are kept between runs of the program.
 QString figureFolder();
 
-/// Has `underact-cli figures` remake the figures of a folder, in a process of its own. What the folder held stays until
-/// the new figures are whole.
+/// Runs `underact-cli figures` in its own process to make the figures of a folder. The old ones stay until the new ones
+/// are complete.
 class FiguresRun : public QObject {
   Q_OBJECT
  public:
   enum class End { Made, Cancelled, Failed };
 
-  /// only: numbers of figures with commas between; empty: all.
+  /// only: figure numbers separated by commas; empty: all.
   FiguresRun(const QString& folder, const QString& only, QObject* parent);
-  ~FiguresRun() override;  // ends it early
+  ~FiguresRun() override;  // cancels the run
   void begin();
   void cancel();
 
  signals:
-  /// Which figure is made now: number from 1 to of.
+  /// The figure being made: number from 1 to of.
   void progressed(int number, int of, const QString& figure);
-  /// Made: the folder holds the new figures (which may show other numbers than they should). sentence: why not.
+  /// Made: the folder holds the new figures (whose numbers may fail). sentence: why not.
   void finished(underact::gui::FiguresRun::End end, const QString& sentence);
 
  private:

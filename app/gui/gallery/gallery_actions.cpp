@@ -9,7 +9,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr const char* kReplay = "replay.open";  // the window that can replay has this action
+constexpr const char* kReplay = "replay.open";  // exists only in a window that can replay
 
 GalleryWays waysOf(Actions& actions, QWidget* window) {
   const auto by = [&actions, window](const QString& action) {
@@ -29,7 +29,7 @@ GalleryWays waysOf(Actions& actions, QWidget* window) {
 void addGalleryActions(Actions& actions, QWidget* window) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("underact::gui", text); };
   actions.add({"help.figures", tr("&Figures of the thesis"), QKeySequence("Ctrl+Alt+G"),
-               tr("The thesis's figures, remade by this program, with the numbers that they should show.")},
+               tr("Shows the figures of the thesis as this program makes them, with their numbers checked.")},
               [&actions, window](const QVariantList& only) {
                 auto* dialog = window->findChild<GalleryDialog*>();
                 if (dialog == nullptr) {

@@ -6,7 +6,7 @@ namespace underact::gui {
 
 class Actions;
 
-/// help.figures: the figures of the thesis, remade. With an argument ("4.5,B.1") only those are made.
+/// help.figures: the figures of the thesis. With an argument ("4.5,B.1") only those are made.
 void addGalleryActions(Actions& actions, QWidget* window);
 
 }  // namespace underact::gui

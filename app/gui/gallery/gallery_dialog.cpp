@@ -65,9 +65,10 @@ GalleryDialog::GalleryDialog(GalleryWays ways, const QString& only, QWidget* par
 QWidget* GalleryDialog::buildActions() {
   auto* strip = new QWidget(this);
   auto* row = tight<QHBoxLayout>(strip, 8);
-  scene_ = button("scene", tr("&Open the scene"), tr("Opens the figure's scene in the window, to be felt."), strip);
+  scene_ = button("scene", tr("&Open the scene"),
+                  tr("Opens the figure's scene in the main window so that you can feel it."), strip);
   session_ = button("session", tr("Open the s&ession"), tr("Replays the run that the figure was drawn from."), strip);
-  pdf_ = button("pdf", tr("Save as &PDF…"), tr("Keeps the figure as it was drawn for print."), strip);
+  pdf_ = button("pdf", tr("Save as &PDF…"), tr("Saves the figure in print quality."), strip);
   for (QPushButton* one : {scene_, session_, pdf_}) row->addWidget(one);
   row->addStretch(1);
   connect(scene_, &QPushButton::clicked, this, [this] { ways_.open_scene(shown()->scene); });
@@ -83,9 +84,11 @@ QWidget* GalleryDialog::buildMaking() {
   progress_->hide();
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
-  make_ = button("make", tr("&Make the figures"), tr("Runs every scene of the thesis anew, draws and checks."), strip);
-  page_ = button("page", tr("Show the pa&ge"), tr("Opens all figures as one page in the browser."), strip);
-  QPushButton* close = button("close", tr("&Close"), tr("Closes this. A making that goes on is ended."), strip);
+  make_ = button("make", tr("&Make the figures"),
+                 tr("Runs every scene of the thesis again, draws the figures and checks their numbers."), strip);
+  page_ = button("page", tr("Show the pa&ge"), tr("Opens a page with all figures in the browser."), strip);
+  QPushButton* close =
+      button("close", tr("&Close"), tr("Closes this window and cancels any figures still being made."), strip);
   row->addWidget(make_);
   row->addWidget(page_);
   row->addWidget(progress_, 1);
@@ -98,7 +101,7 @@ QWidget* GalleryDialog::buildMaking() {
   connect(page_, &QPushButton::clicked, this, [this] {
     const QString page = QDir(folder_).filePath("index.html");
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(page)))
-      say(tr("No program opens the page here. It is %1").arg(page), "alarm");
+      say(tr("The page could not be opened. Open it in a browser: %1").arg(page), "alarm");
   });
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
   return strip;
@@ -122,16 +125,18 @@ void GalleryDialog::make() {
     progress_->setValue(number - 1);
     progress_->setFormat(tr("figure %1 (%2 of %3)").arg(figure).arg(number).arg(of));
   });
-  progress_->setRange(0, 0);  // Python has not begun yet
+  progress_->setRange(0, 0);  // Python is still starting
   progress_->show();
   make_->setText(tr("Ca&ncel"));
   make_->setAccessibleName(tr("Cancel"));
-  say(tr("The figures are made in the background; the arm and the window go on. It takes about a minute."));
+  say(
+      tr("The figures are being made in the background, which takes about a minute. You can keep using the arm and the "
+         "window."));
   run_->begin();
 }
 
 void GalleryDialog::ended(FiguresRun::End end, const QString& why_not) {
-  run_.release()->deleteLater();  // it is the one that calls
+  run_.release()->deleteLater();  // it is the sender of this signal
   progress_->hide();
   readFolder();
   if (end != FiguresRun::End::Made) say(why_not, end == FiguresRun::End::Failed ? "alarm" : "");
@@ -149,8 +154,8 @@ void GalleryDialog::readFolder() {
   if (!read) {
     say(sentencesOf(read.problems()));
     sheet_->say(
-        tr("Each scene of the thesis is run with a scripted hand, drawn, and checked in numbers. "
-           "Press “Make the figures”; it takes about a minute."));
+        tr("Underact runs each scene of the thesis with a scripted hand, draws the figures and checks their numbers. "
+           "Press “Make the figures”; this takes about a minute."));
     return;
   }
   QString sentence = verdictOf(list_);
@@ -158,7 +163,7 @@ void GalleryDialog::readFolder() {
   if (!list_.program_version.isEmpty())
     sentence +=
         ' ' + tr("Made by Underact %1 on %2.").arg(list_.program_version, list_.made.toString("yyyy-MM-dd hh:mm"));
-  if (old) sentence += ' ' + tr("This is Underact %1: make them again to see what it does.").arg(kVersion);
+  if (old) sentence += ' ' + tr("This is Underact %1; make the figures again to see its results.").arg(kVersion);
   const bool passed =
       std::all_of(list_.rows.begin(), list_.rows.end(), [](const FigureRow& row) { return row.passed; });
   say(sentence, !passed ? "alarm" : old ? "amber" : "");
@@ -167,7 +172,7 @@ void GalleryDialog::readFolder() {
 void GalleryDialog::say(const QString& sentence, const char* role) {
   message_->setText(sentence);
   message_->setProperty("role", role);
-  message_->setStyleSheet(message_->styleSheet());  // has the style look at the property again
+  message_->setStyleSheet(message_->styleSheet());  // makes the style read the property again
 }
 
 const FigureRow* GalleryDialog::shown() const {
@@ -195,7 +200,8 @@ void GalleryDialog::savePdf(const QString& path) {
   const FigureRow* row = shown();
   if (row == nullptr) return;
   const QString why_not = saveFigurePdf(*row, path);
-  say(why_not.isEmpty() ? tr("Figure %1 is in %2").arg(row->key, path) : why_not, why_not.isEmpty() ? "" : "alarm");
+  say(why_not.isEmpty() ? tr("Figure %1 was saved as %2").arg(row->key, path) : why_not,
+      why_not.isEmpty() ? "" : "alarm");
 }
 
 }  // namespace underact::gui

@@ -15,24 +15,24 @@ namespace underact::gui {
 class FigureChooser;
 class FigureSheet;
 
-/// What the gallery asks of the window.
+/// What the gallery asks the window to do.
 struct GalleryWays {
   std::function<void(const QString& path)> open_scene;
-  std::function<void(const QString& path)> open_session;  // empty: there is no way to
+  std::function<void(const QString& path)> open_session;  // empty: not possible
 };
 
-/// The figures of the thesis, remade by the program: made on demand, kept between two starts, each with the numbers
-/// that it should show. Not modal; closing it ends the making.
+/// The figures of the thesis as this program makes them: made on demand, kept between runs, each with the numbers
+/// checked in it. Not modal; closing it cancels a run.
 class GalleryDialog : public QDialog {
   Q_OBJECT
  public:
-  /// only: numbers of figures with commas between; empty: all.
+  /// only: figure numbers separated by commas; empty: all.
   GalleryDialog(GalleryWays ways, const QString& only, QWidget* parent);
   ~GalleryDialog() override;
   bool isMaking() const { return run_ != nullptr; }
-  /// What came of it, or what there is: what a screen reader says.
+  /// The state of the figures, or the result of a run; read by screen readers.
   QString message() const;
-  /// Writes the figure that is shown as a PDF, and says where.
+  /// Saves the figure shown as a PDF and says where.
   void savePdf(const QString& path);
 
  private:

@@ -31,7 +31,7 @@ GuideList::GuideList(const guide::Guide& guide, QWidget* parent)
     }
     heading->setExpanded(true);
   }
-  nameWidget(hits_, "guide.hits", tr("What was found"));
+  nameWidget(hits_, "guide.hits", tr("Search results"));
   hits_->setWordWrap(true);
   hits_->setResizeMode(QListView::Adjust);
   hits_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

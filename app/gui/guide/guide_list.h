@@ -9,7 +9,7 @@ class QTreeWidget;
 
 namespace underact::gui {
 
-/// What stands beside a page of the guide: the contents, or what a search has found.
+/// The list beside a page of the guide: the contents, or the search results.
 class GuideList : public QStackedWidget {
   Q_OBJECT
  public:
@@ -17,11 +17,11 @@ class GuideList : public QStackedWidget {
 
   /// Marks the page in the contents.
   void showPage(const QString& name);
-  /// What was found, the first of it chosen; nothing searched for: the contents.
+  /// Shows search results, the first one selected, or the contents if nothing was searched for.
   void showHits(const std::vector<guide::Hit>& hits, bool is_search);
-  /// Opens the chosen hit. false: there is none.
+  /// Opens the selected hit. false: there is none.
   bool openHit();
-  /// Chooses another hit, by that many rows.
+  /// Moves the selection by that many hits.
   void moveHit(int rows);
 
  signals:

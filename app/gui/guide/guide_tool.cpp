@@ -21,15 +21,15 @@ GuideTool::GuideTool(const FeatureParts& parts)
       place_(parts.settings.guide_page),
       zoom_(parts.settings.guide_zoom),
       main_(parts.window) {
-  // Where nothing has the focus: where the guide was read last.
+  // If nothing has the focus: the page read last.
   const auto wanted = [this](const QVariantList& arguments) {
     if (!arguments.isEmpty()) return arguments.first().toString();
     const QWidget* focus = QApplication::focusWidget();
     if (window_ != nullptr && focus != nullptr && focus->window() == window_) return QString("window#this-guide");
     return focus == nullptr ? place_ : helpPlaceOf(focus, pages_);
   };
-  actions_.add({"help.guide", tr("&Guide"), QKeySequence("F1"), tr("The guide, at the page for what has the focus."),
-                "help", tr("Guide")},
+  actions_.add({"help.guide", tr("&Guide"), QKeySequence("F1"),
+                tr("Opens the guide at the page for whatever has the focus."), "help", tr("Guide")},
                [this, wanted](const QVariantList& arguments) { return open(wanted(arguments)); });
   actions_.addCommand("guide.search", [this](const QVariantList& words) {
     if (!open(this->place())) return false;

@@ -11,7 +11,7 @@ namespace underact::gui {
 
 class GuideWindow;
 
-/// Opens the guide: with F1 at the page for what has the focus. Remembers where it was read last.
+/// Opens the guide, with F1 at the page for what has the focus. Remembers the page read last.
 class GuideTool : public QObject, public Follower {
   Q_OBJECT
  public:

@@ -39,7 +39,7 @@ GuideWindow::GuideWindow(guide::Guide guide, int zoom, QWidget* parent)
   halves->addWidget(page_);
   halves->setStretchFactor(1, 1);
   const int beside = std::min(46 * fontMetrics().averageCharWidth(), width() / 3);
-  halves->resize(size());  // what is given out is what there is
+  halves->resize(size());  // the splitter divides its current size
   halves->setSizes({beside, width() - beside});
   halves->setChildrenCollapsible(false);
   auto* column = new QVBoxLayout(this);
@@ -62,11 +62,11 @@ QWidget* GuideWindow::buildBar() {
     row->addWidget(button);
     return button;
   };
-  back_ = add("guide.back", tr("Back"), tr("The page before (Alt+Left)"), [this] { go(-1); });
-  forward_ = add("guide.forward", tr("Forward"), tr("The page after (Alt+Right)"), [this] { go(1); });
+  back_ = add("guide.back", tr("Back"), tr("Previous page (Alt+Left)"), [this] { go(-1); });
+  forward_ = add("guide.forward", tr("Forward"), tr("Next page (Alt+Right)"), [this] { go(1); });
   nameWidget(field_, "guide.search", tr("Search the guide"));
   field_->setPlaceholderText(tr("Search the guide (Ctrl+F)"));
-  field_->setToolTip(tr("Enter opens what is chosen in the list, F3 goes to the next place on the page."));
+  field_->setToolTip(tr("Enter opens the selected result; F3 goes to the next match on the page."));
   field_->setClearButtonEnabled(true);
   row->addWidget(field_, 1);
   add("guide.smaller", tr("Smaller"), tr("Smaller text (Ctrl+minus)"),
@@ -96,7 +96,7 @@ void GuideWindow::find(const QString& typed) {
 bool GuideWindow::open(const QString& place) {
   if (place == this->place()) return present(place);
   if (!present(place)) return false;
-  places_.resize(at_ + 1);  // what was gone back from is forgotten
+  places_.resize(at_ + 1);  // drop the pages ahead
   places_ << place;
   go(1);
   return true;
@@ -128,8 +128,8 @@ void GuideWindow::follow(const QUrl& link) {
   open(link.path() + (link.hasFragment() ? "#" + link.fragment() : QString()));
 }
 
-/// Whether the key is one of this window's; really: and does it. The main window has some of these keys for shortcuts
-/// of its own, which work in every window of the program; here they are the guide's.
+/// Whether the key is one of this window's; really: and acts on it. The main window uses some of these keys as
+/// shortcuts, which work in every window of the program; in this window they belong to the guide.
 bool GuideWindow::doKey(int key, Qt::KeyboardModifiers modifiers, bool really) {
   const auto is = [&](int wanted, Qt::KeyboardModifiers with) {
     return key == wanted && (modifiers & ~Qt::KeypadModifier) == with;

@@ -12,24 +12,24 @@ namespace underact::gui {
 class GuideList;
 class PageView;
 
-/// The user's guide: contents and search on the left, a page on the right. A window of its own beside the main one, so
-/// that a page can be read while the servo runs.
+/// The user's guide: contents and search on the left, a page on the right. It is a separate window, so that a page can
+/// be read while the servo runs.
 class GuideWindow : public QWidget {
   Q_OBJECT
  public:
-  /// zoom: of the pages, percent.
+  /// zoom: of the pages, in percent.
   GuideWindow(guide::Guide guide, int zoom, QWidget* parent);
 
-  /// place: "PAGE" or "PAGE#heading". false: there is no such page, and the one before it stays.
+  /// place: "PAGE" or "PAGE#heading". false: there is no such page, and the current one stays.
   bool open(const QString& place);
-  /// What is shown now; empty: nothing yet.
+  /// The current place; empty: nothing shown yet.
   QString place() const { return at_ < 0 ? QString() : places_[at_]; }
   int zoom() const;
-  /// Types it into the search field.
+  /// Puts the text into the search field.
   void search(const QString& words);
 
  signals:
-  /// A link that is no page: "scene:02_sphere", "lesson:...", "action:...".
+  /// A link to something other than a page: "scene:02_sphere", "lesson:...", "action:...".
   void asked(const QUrl& link);
 
  protected:

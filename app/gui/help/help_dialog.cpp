@@ -31,16 +31,15 @@ QString handTable() {
          row(QObject::tr("Game controller, 3D mouse"),
              QObject::tr(
                  "move and rotate the simulated hand; the panel Input devices shows and edits their mappings")) +
-         row(QObject::tr("Space"),
-             QObject::tr("is the stylus button, for as long as it is held (press F2 first, or click the view)")) +
-         row(QObject::tr("Rings o and p"),
-             QObject::tr("of a scene with influence: where the stylus points, and what is nearest to its tip")) +
-         row(QObject::tr("Drag beside the stylus"), QObject::tr("turns the view; with the middle button it is moved")) +
-         row(QObject::tr("Wheel"), QObject::tr("brings the view nearer")) +
-         row(QObject::tr("Sliders"), QObject::tr("take the mouse, arrow keys and, once clicked, the wheel; a double "
-                                                 "click goes back to the scene's value")) +
+         row(QObject::tr("Space"), QObject::tr("holds the stylus button down (press F2 first, or click the view)")) +
+         row(QObject::tr("Rings o and p"), QObject::tr("in a scene with an influence factor: the point that the stylus "
+                                                       "points at, and the point nearest to the tip")) +
+         row(QObject::tr("Drag beside the stylus"), QObject::tr("rotates the view; with the middle button, pans it")) +
+         row(QObject::tr("Wheel"), QObject::tr("zooms the view")) +
+         row(QObject::tr("Sliders"), QObject::tr("respond to the mouse, the arrow keys and, once clicked, the wheel; a "
+                                                 "double click restores the scene's value")) +
          row(QObject::tr("Table of joints"),
-             QObject::tr("F2, a double click or just typing changes a number; Enter takes it")) +
+             QObject::tr("F2, a double click or typing edits a number; Enter applies it")) +
          "</table>";
 }
 
@@ -71,11 +70,10 @@ HelpDialog::HelpDialog(const Actions& actions, QWidget* parent) : QDialog(parent
   resize(640, 560);
   auto* page = new QTextBrowser(this);
   nameWidget(page, "dialog.help.page", tr("What the mouse and the keys do"));
-  page->setHtml(
-      QString("<p>%1</p><h3>%2</h3>%3<h3>%4</h3>%5")
-          .arg(tr("What you see is the hand's world: the constraint in blue, the stylus, the point it is drawn to "
-                  "in green, the force in orange. Start lets the servo push, Stop and Esc let go."),
-               tr("The hand and the view"), handTable(), tr("Keys"), keyTable(actions)));
+  page->setHtml(QString("<p>%1</p><h3>%2</h3>%3<h3>%4</h3>%5")
+                    .arg(tr("The view shows what the hand feels: the constraint in blue, the stylus, the target in "
+                            "green and the force in orange. Start turns the force on; Stop and Esc turn it off."),
+                         tr("The hand and the view"), handTable(), tr("Keys"), keyTable(actions)));
   auto* column = new QVBoxLayout(this);
   column->addWidget(page);
   addCloseButton(this, column);
@@ -87,7 +85,7 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
   auto* text = new QLabel(tr("<h3>Underact %1</h3>"
                              "<p>Feel geometry through a small haptic arm, and see what you feel.</p>"
                              "<p>Licence: BSD-3-Clause. Uses Qt %2 (LGPL) and VTK (BSD).</p>"
-                             "<p>No part of it was tried on a real arm yet: what is shown is simulated.</p>")
+                             "<p>Tested in simulation only; no part of it has been tested on a real arm yet.</p>")
                               .arg(kVersion, qVersion()),
                           this);
   nameWidget(text, "dialog.about.text", tr("About Underact"));
@@ -106,11 +104,12 @@ void addHelpActions(Actions& actions, QWidget* window) {
     dialog->show();
     return true;
   };
-  actions.add({"help.keys", tr("&Mouse and keys"), QKeySequence("Shift+F1"), tr("What the mouse and the keys do.")},
-              [&actions, window, show](const QVariantList&) { return show(new HelpDialog(actions, window)); });
   actions.add(
-      {"help.about", tr("&About Underact"), QKeySequence("Ctrl+F1"), tr("Version, licence, and what was never tried.")},
-      [window, show](const QVariantList&) { return show(new AboutDialog(window)); });
+      {"help.keys", tr("&Mouse and keys"), QKeySequence("Shift+F1"), tr("Shows what the mouse and the keys do.")},
+      [&actions, window, show](const QVariantList&) { return show(new HelpDialog(actions, window)); });
+  actions.add({"help.about", tr("&About Underact"), QKeySequence("Ctrl+F1"),
+               tr("Shows the version, the licence, and what has not been tested.")},
+              [window, show](const QVariantList&) { return show(new AboutDialog(window)); });
 }
 
 }  // namespace underact::gui

@@ -5,14 +5,14 @@ namespace underact::gui {
 
 class Actions;
 
-/// What the mouse and the keys do. The keys are read from the actions, so that this page is never old.
+/// What the mouse and the keys do. The keys are read from the actions, so the page is never out of date.
 class HelpDialog : public QDialog {
   Q_OBJECT
  public:
   HelpDialog(const Actions& actions, QWidget* parent);
 };
 
-/// Version, licence, and what was never tried.
+/// Version, licence, and what has not been tested.
 class AboutDialog : public QDialog {
   Q_OBJECT
  public:

@@ -21,9 +21,9 @@ QAction* Actions::add(const ActionInfo& info, Run run) {
   action->setCheckable(info.checkable);
   connect(action, &QAction::triggered, this, [this, name = info.name, run, action](bool on) {
     const bool done = allows(name) && run(action->isCheckable() ? QVariantList{on} : QVariantList{});
-    if (!done && action->isCheckable()) action->setChecked(!on);  // refused: the mark says what holds
+    if (!done && action->isCheckable()) action->setChecked(!on);  // refused: restore the check mark
   });
-  window_->addAction(action);  // so that its shortcut works wherever the focus is
+  window_->addAction(action);  // so that its shortcut works everywhere
   actions_.insert(info.name, action);
   icons_.insert(info.name, info.icon);
   addCommand(info.name, std::move(run));
@@ -62,7 +62,7 @@ void Actions::allowAll() {
   enableGroups(true);
 }
 
-/// One of many takes the mark from another before anybody can refuse it.
+/// In an exclusive group, the check mark moves before the action can be refused.
 void Actions::enableGroups(bool on) {
   for (QAction* action : std::as_const(actions_)) {
     if (action->actionGroup() != nullptr) action->actionGroup()->setEnabled(on);

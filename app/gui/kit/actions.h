@@ -13,9 +13,9 @@ class QWidget;
 
 namespace underact::gui {
 
-/// What an action is called and looks like, everywhere it appears.
+/// Name and appearance of an action, wherever it appears.
 struct ActionInfo {
-  QString name;  // "session.start": what stories and shortcuts know it by
+  QString name;  // "session.start": its key for stories and shortcuts
   QString text;  // in menus, with its mnemonic
   QKeySequence shortcut;
   QString tip;          // one sentence
@@ -24,33 +24,33 @@ struct ActionInfo {
   bool checkable = false;
 };
 
-/// Everything the window can be asked to do, under one name each: the menus, the tool bar, the shortcuts and the
-/// stories all go through here, so that none of them can do what the others cannot.
+/// Everything the window can be asked to do, by name. Menus, tool bar, shortcuts and stories all go through here, so
+/// that all of them can do the same.
 class Actions : public QObject {
   Q_OBJECT
  public:
-  /// arguments: none where a menu, button or shortcut asked; a checkable action gets its new state. false: not done.
+  /// arguments: none from a menu, button or shortcut; a checkable action gets its new state. false: not done.
   using Run = std::function<bool(const QVariantList& arguments)>;
 
   explicit Actions(QWidget* window);
 
   QAction* add(const ActionInfo& info, Run run);
-  /// Something that takes an argument, and so stands in no menu ("gains.set").
+  /// An action that needs an argument and is therefore in no menu ("gains.set").
   void addCommand(const QString& name, Run run);
 
   /// The action of that name, or null.
   QAction* find(const QString& name) const;
-  /// In the order in which they were added.
+  /// All names, in the order in which they were added.
   QStringList names() const { return names_; }
 
-  /// Does it. false: no such name, not possible now, or it was refused.
+  /// Performs the action. false: no such name, not possible now, or refused.
   bool perform(const QString& name, const QVariantList& arguments);
   template <class... Argument>
   bool perform(const QString& name, const Argument&... arguments) {
     return perform(name, QVariantList{QVariant(arguments)...});
   }
 
-  /// Only these do anything from now on, by whatever way they are asked for: menu, shortcut, button or name.
+  /// From now on only these have an effect, whether asked for by menu, shortcut, button or name.
   void allowOnly(const QSet<QString>& names);
   void allowAll();
   bool isLocked() const { return allowed_.has_value(); }
@@ -59,7 +59,7 @@ class Actions : public QObject {
   void setIcons(const std::function<QIcon(const QString& icon)>& painted);
 
  signals:
-  void locked();  // only some are allowed from now on
+  void locked();  // from now on only some are allowed
 
  private:
   void enableGroups(bool on);

@@ -27,7 +27,7 @@ void Application::tell(const std::string& what) noexcept {
   telling_ = true;
   try {
     tell_(what);
-  } catch (...) {  // the first thing told is to stop; there is nobody else to turn to
+  } catch (...) {  // the listener stops the servo first; nothing else can be done
   }
   telling_ = false;
 }

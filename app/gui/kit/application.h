@@ -5,7 +5,7 @@
 
 namespace underact::gui {
 
-/// The program, which an exception in the window's own code does not end: it is told, and the window goes on.
+/// The application. An exception in the window's own code does not end it: it is reported, and the window continues.
 class Application : public QApplication {
  public:
   /// what: the exception's own message.
@@ -13,14 +13,14 @@ class Application : public QApplication {
 
   using QApplication::QApplication;
   bool notify(QObject* receiver, QEvent* event) override;
-  /// Whom to tell; empty: nobody. The one there is, if the program runs as an Application.
+  /// Who is told; empty: nobody. Applies to the running Application, if there is one.
   static void onException(Tell tell);
 
  private:
   void tell(const std::string& what) noexcept;
 
   Tell tell_;
-  bool telling_ = false;  // an exception from telling of one is not told
+  bool telling_ = false;  // an exception thrown while reporting is not reported
 };
 
 }  // namespace underact::gui

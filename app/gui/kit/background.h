@@ -7,19 +7,19 @@
 
 namespace underact::gui {
 
-/// What work in another thread and the window say to each other.
+/// Shared state of work in another thread and the window.
 struct WorkState {
   std::atomic<bool> cancelled{false};
   std::atomic<double> share{0.0};  // that is done, 0 to 1
 };
 
-/// Work in a thread of its own, so that the window goes on. The work looks at state.cancelled now and then.
+/// Runs work in its own thread, so that the window stays responsive. The work checks state.cancelled now and then.
 template <class Outcome>
 class Background {
  public:
   explicit Background(std::function<Outcome(WorkState& state)> work)
       : outcome_(std::async(std::launch::async, [this, work = std::move(work)] { return work(state_); })) {}
-  ~Background() {  // ends it early
+  ~Background() {  // cancels it
     cancel();
     if (outcome_.valid()) outcome_.wait();
   }
@@ -28,7 +28,7 @@ class Background {
   void cancel() { state_.cancelled = true; }
   bool isCancelled() const { return state_.cancelled; }
   double share() const { return state_.share; }
-  /// What came of it, once; empty while it goes on, and ever after.
+  /// The result, once; empty while it is running, and afterwards.
   std::optional<Outcome> take() {
     if (!outcome_.valid() || outcome_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return {};
     return outcome_.get();

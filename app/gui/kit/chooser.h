@@ -4,10 +4,10 @@
 
 namespace underact::gui {
 
-/// On Linux Qt tells a screen reader what is chosen in place of the name: the description has to say the name too.
+/// On Linux Qt reports the selection to a screen reader instead of the name, so the description includes the name.
 void nameChooser(QComboBox* box, const QString& spoken, const QString& tip);
 
-/// As narrow as a panel needs it.
+/// Narrow enough for a panel.
 QComboBox* chooser(const char* name, const QString& spoken, const QString& tip, QWidget* parent);
 
 }  // namespace underact::gui

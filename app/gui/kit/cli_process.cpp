@@ -15,7 +15,7 @@ constexpr int kBehindTheWindow = 10;  // nice
 CliProcess::CliProcess() {
   process_.setStandardOutputFile(QProcess::nullDevice());
 #ifdef Q_OS_UNIX
-  // A group of its own: the program starts others, which end with it.
+  // Its own process group: the program starts others, which are to end with it.
   process_.setChildProcessModifier([] { system::leadGroup(kBehindTheWindow); });
 #endif
   connect(&process_, &QProcess::readyReadStandardError, this, &CliProcess::read);
@@ -26,7 +26,7 @@ CliProcess::CliProcess() {
   });
   connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
     if (error != QProcess::FailedToStart) return;
-    last_words_ = tr("The program %1 could not be started. Install Underact whole.").arg(process_.program());
+    last_words_ = tr("The program %1 could not be started. Reinstall Underact.").arg(process_.program());
     emit ended(std::nullopt);
   });
 }
@@ -42,8 +42,8 @@ void CliProcess::start(const QStringList& words) {
     process_.start(QString::fromStdString(program.value()), words, QIODevice::ReadOnly);
     return;
   }
-  last_words_ = sentencesOf(program.problems()) + " " + tr("Install Underact again.");
-  // Later: who starts it is not ready yet for its end.
+  last_words_ = sentencesOf(program.problems()) + " " + tr("Reinstall Underact.");
+  // Queued: the caller of start() is not ready for the end yet.
   QMetaObject::invokeMethod(
       this, [this] { emit ended(std::nullopt); }, Qt::QueuedConnection);
 }

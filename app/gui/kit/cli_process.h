@@ -8,19 +8,19 @@
 
 namespace underact::gui {
 
-/// underact-cli (beside this program; $UNDERACT_CLI where that is set) at a work that takes long, behind the window:
-/// the hand and its picture come first. What it starts itself (Python) ends with it.
+/// Runs underact-cli (beside this program, or $UNDERACT_CLI if set) on a long task at low priority, since the servo and
+/// the view come first. Processes that it starts (Python) end with it.
 class CliProcess : public QObject {
   Q_OBJECT
  public:
   CliProcess();
-  ~CliProcess() override;  // ends it early, without a signal
+  ~CliProcess() override;  // kills it, without a signal
   void start(const QStringList& words);
-  /// Ends it early; ended() comes before this returns.
+  /// Kills it; emits ended() before returning.
   void kill();
-  /// The last line that it said: above it stands where it happened, which is for its makers. Empty: it said nothing.
+  /// The last line of its output; the lines above are for developers. Empty: no output.
   const QString& lastWords() const { return last_words_; }
-  /// Takes a line that is no word for the reader, such as progress; gives whether it is one.
+  /// Handles lines that are not for the user, such as progress; returns whether a line was one.
   void setReader(std::function<bool(const QByteArray& line)> reader) { reader_ = std::move(reader); }
 
  signals:
@@ -31,7 +31,7 @@ class CliProcess : public QObject {
   void read();
 
   QProcess process_;
-  QByteArray unread_;  // the beginning of a line
+  QByteArray unread_;  // an incomplete line
   QString last_words_;
   std::function<bool(const QByteArray&)> reader_;
 };

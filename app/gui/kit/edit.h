@@ -6,8 +6,8 @@
 
 namespace underact::gui {
 
-/// A change of a state, which is in effect already when it is pushed. Those with the same gesture, a drag of a slider
-/// for one, are one change; -1: each by itself. One that leads back to where it began is none.
+/// A change of a state, already in effect when pushed. Changes with the same gesture, such as the drag of a slider, are
+/// merged into one; -1: never. A change that ends where it began is dropped.
 template <class State>
 class Edit : public QUndoCommand {
  public:
@@ -39,7 +39,7 @@ class Edit : public QUndoCommand {
   bool done_ = false;
 };
 
-/// A state whose last 200 changes can be taken back; the first one taken is where it begins.
+/// A state whose last 200 changes can be undone, starting from the first state set.
 template <class State>
 class Undoable {
  public:

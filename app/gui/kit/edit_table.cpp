@@ -16,7 +16,7 @@ namespace {
 constexpr int kExact = Qt::UserRole;
 constexpr int kChoices = Qt::UserRole + 1;
 
-/// Starts from all digits of a number, and hands on what was typed in place of writing it down.
+/// Starts from all digits of a number and emits what was typed instead of storing it.
 class Typing : public QStyledItemDelegate {
  public:
   explicit Typing(EditTable* table) : QStyledItemDelegate(table), table_(table) {}
@@ -32,8 +32,8 @@ class Typing : public QStyledItemDelegate {
     } else {
       auto* box = new QComboBox(parent);
       box->addItems(choices);
-      box->setAccessibleDescription(spoken);  // what Qt tells as its name is what is chosen
-      // A choice is meant at once: nobody presses Enter after it.
+      box->setAccessibleDescription(spoken);  // Qt reports the selection as its name
+      // A choice takes effect at once, without Enter.
       connect(box, &QComboBox::activated, this, [this, box] {
         auto* self = const_cast<Typing*>(this);
         emit self->commitData(box);
@@ -94,7 +94,7 @@ EditTable::EditTable(const QString& object_name, const QString& name, QWidget* p
 }
 
 bool EditTable::event(QEvent* event) {
-  // F2 is a shortcut of the window, too; in a table it edits, as in every table.
+  // F2 is also a shortcut of the window; in a table it edits, as in every table.
   if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_F2) {
     event->accept();
     return true;

@@ -3,8 +3,8 @@
 
 namespace underact::gui {
 
-/// A table of numbers that are typed. It never changes by itself: what was typed is emitted, and whoever owns the
-/// numbers fills in what they became, so that a refused one is back at once.
+/// A table of numbers to edit. It never changes by itself: it emits what was typed, and the owner of the numbers fills
+/// in the result, so that a refused entry is reset at once.
 class EditTable : public QTableWidget {
   Q_OBJECT
  public:
@@ -13,14 +13,14 @@ class EditTable : public QTableWidget {
   struct Cell {
     QString shown;
     QString exact;   // what an editor starts from
-    QString spoken;  // for screen readers: what the number is
+    QString spoken;  // for screen readers: what the number means
     QString tip;
-    QStringList choices = {};  // typed by choosing; empty: a number
+    QStringList choices = {};  // to choose from; empty: a number
     bool editable = true;
   };
   void setCell(int row, int column, const Cell& cell);
   void setColumnHead(int column, const QString& head, const QString& tip, const QString& widest);
-  /// As high as its rows are, so that nothing scrolls but what is too wide.
+  /// As tall as its rows, so that it scrolls only sideways.
   void fitHeight();
 
  signals:

@@ -19,7 +19,7 @@ void drawRing(const QStyleOption& option, const QRectF& place, QPainter& painter
   painter.restore();
 }
 
-/// A click shows by itself where it went.
+/// A click needs no ring to show where the focus is.
 bool hasKeys(const QStyleOption& option) {
   return option.state.testFlag(QStyle::State_HasFocus) && option.state.testFlag(QStyle::State_KeyboardFocusChange);
 }
@@ -58,7 +58,7 @@ void FocusStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
 void FocusStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                              const QWidget* widget) const {
   if (element == CE_FocusFrame) {
-    // On the edge of what it stands around, not beyond: the panel's own would cut it there.
+    // On the edge of the widget, not beyond, where the panel's edge would clip it.
     const int across = pixelMetric(PM_FocusFrameHMargin, option, widget);
     const int down = pixelMetric(PM_FocusFrameVMargin, option, widget);
     return drawRing(*option, option->rect.adjusted(across, down, -across, -down), *painter);
@@ -77,7 +77,7 @@ void FocusStyle::drawComplexControl(ComplexControl control, const QStyleOptionCo
 int FocusStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                           QStyleHintReturn* more) const {
   if (hint == SH_FocusFrame_AboveWidget) return 1;
-  if (hint == SH_FocusFrame_Mask) return 0;  // a mask would leave what is beyond the edge alone
+  if (hint == SH_FocusFrame_Mask) return 0;  // a mask would leave only the part beyond the edge
   return QProxyStyle::styleHint(hint, option, widget, more);
 }
 

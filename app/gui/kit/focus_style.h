@@ -5,9 +5,9 @@
 
 namespace underact::gui {
 
-/// Qt's Fusion, the one style that takes light and dark from a palette everywhere, with a ring around what has the
-/// focus by the keyboard that stands out from the ground at 3:1 or more: Fusion's own is nearly transparent, too dark
-/// on a dark ground, and lists and texts have none. Between docks stands a thin line.
+/// Qt's Fusion, the one style that takes light and dark from a palette everywhere, with a ring around the keyboard
+/// focus that has a contrast of 3:1 or more: Fusion's own is nearly transparent, too dark on a dark background, and
+/// missing on lists and texts. Docks are separated by a thin line.
 class FocusStyle : public QProxyStyle {
   Q_OBJECT
  public:
@@ -27,7 +27,7 @@ class FocusStyle : public QProxyStyle {
 
  private:
   void frame(QWidget* focused);
-  QPointer<QFocusFrame> frame_;  // around a list or a text; it goes with what it stands in
+  QPointer<QFocusFrame> frame_;  // around a list or a text; deleted with its parent
 };
 
 }  // namespace underact::gui

@@ -3,7 +3,7 @@
 
 namespace underact::gui {
 
-/// A slider, number or chooser whose wheel scrolls the panel until it has the focus: who scrolls past it must not
+/// A slider, number or chooser on which the wheel scrolls the panel until it has the focus: scrolling past it must not
 /// change what a hand feels.
 template <class Widget>
 class FocusWheel : public Widget {

@@ -9,15 +9,14 @@ constexpr int kFastest_ms = 16;
 constexpr int kSlowest_ms = 100;
 constexpr int kUnseen_ms = 33;
 constexpr double kShareOfTheThread = 0.6;
-constexpr double kSmoothing = 0.2;  // of a new frame's time in the average: about five frames
+constexpr double kSmoothing = 0.2;  // weight of a new frame in the average: about five frames
 
 FramePacer::FramePacer(QObject* parent) : QObject(parent), interval_ms_(kFastest_ms) {
   timer_.setSingleShot(true);
   timer_.setTimerType(Qt::PreciseTimer);
   clock_.start();
   connect(&timer_, &QTimer::timeout, this, &FramePacer::next);
-  // The time between waking up and waiting again is what events, panels, view and plots took together, whoever they
-  // are.
+  // The time between waking up and waiting again covers all events, panels, view and plots.
   QAbstractEventDispatcher* dispatcher = QAbstractEventDispatcher::instance();
   connect(dispatcher, &QAbstractEventDispatcher::awake, this, [this] { woke_ns_ = clock_.nsecsElapsed(); });
   connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, this, [this] {

@@ -31,7 +31,7 @@ const QPolygonF kFront{{{4, 9}, {15, 9}, {15, 20}, {4, 20}}};
 const QPolygonF kTop{{{4, 9}, {9, 4}, {20, 4}, {15, 9}}};
 const QPolygonF kSide{{{15, 9}, {20, 4}, {20, 15}, {15, 20}}};
 
-// A cube with one face marked: the one that the view will look at.
+// A cube with one face marked: the one that the view will face.
 void cube(QPainter& painter, const Theme& theme, const QPolygonF* marked) {
   painter.setPen(ink(theme));
   for (const QPolygonF* face : {&kFront, &kTop, &kSide}) {
@@ -50,7 +50,7 @@ void drawStop(QPainter& painter, const Theme& theme) {
   painter.setBrush(alarm(theme));
   painter.drawRoundedRect(QRectF(5, 5, 14, 14), 2, 2);
 }
-// A ring in the ink and a red dot: told from Stop by its shape.
+// A ring and a red dot: differs from Stop in shape.
 void drawRecord(QPainter& painter, const Theme& theme) {
   painter.setPen(ink(theme));
   painter.drawEllipse(QPointF(12, 12), 8.5, 8.5);
@@ -58,7 +58,7 @@ void drawRecord(QPainter& painter, const Theme& theme) {
   painter.setBrush(alarm(theme));
   painter.drawEllipse(QPointF(12, 12), 5, 5);
 }
-// Of a recording: in ink, so that nobody takes it for the servo's Start.
+// Of a recording: in the ink colour, so that it is not mistaken for the servo's Start.
 void drawPlay(QPainter& painter, const Theme& theme) {
   painter.setPen(ink(theme));
   painter.setBrush(theme.ink);
@@ -210,7 +210,7 @@ void drawBox(QPainter& painter, const Theme& theme) {
   painter.setBrush(constraintFill(theme));
   for (const QPolygonF* face : {&kFront, &kTop, &kSide}) painter.drawPolygon(*face);
 }
-// Two links and two hollow joints, in the virtual robot's own colour.
+// Two links and two hollow joints, in the colour of virtual robots.
 void drawRobot(QPainter& painter, const Theme& theme) {
   painter.setPen(QPen(theme.virtual_robot, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawLine(QPointF(3, 20.5), QPointF(11, 20.5));
@@ -254,7 +254,7 @@ const QHash<QString, Draw>& drawings() {
   return kAll;
 }
 
-// Drawn when asked for, at the size and the screen's density asked for: no bitmap to be scaled on a 4K screen.
+// Drawn on demand at the requested size and density, so that no bitmap is scaled on a 4K screen.
 class Engine : public QIconEngine {
  public:
   Engine(Draw draw, const Theme& theme) : draw_(draw), theme_(theme) {}

@@ -11,13 +11,13 @@ namespace underact::gui {
 /// "reset", a shape's type ("sphere"), "file", "underact". An unknown name gives an empty icon.
 QIcon icon(const QString& name, const Theme& theme);
 
-/// Of a picture file, which is read when the icon is painted for the first time. It says it has the size asked for.
+/// An icon of a picture file, read when first painted. It reports whatever size is requested.
 QIcon fileIcon(const QString& path);
 
-/// The colour of Stop and of a fault: not one of the meanings in the view, so it stands out there.
+/// The colour of Stop and of a fault: it has no other meaning in the view, so it stands out.
 QColor alarm(const Theme& theme);
 
-/// Beyond a limit, but allowed.
+/// The colour of a value beyond a limit, but allowed.
 QColor amber(const Theme& theme);
 
 }  // namespace underact::gui

@@ -4,7 +4,7 @@
 
 namespace underact::gui {
 
-/// The font at so many times its size, whether that was given in points or in pixels.
+/// The font scaled by a factor, whether its size is in points or pixels.
 inline QFont larger(QFont font, double times) {
   if (font.pointSizeF() > 0.0)
     font.setPointSizeF(times * font.pointSizeF());

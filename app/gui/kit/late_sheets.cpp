@@ -25,7 +25,7 @@ void LateSheets::set(const QString& sheet) {
 
 bool LateSheets::eventFilter(QObject* watched, QEvent* event) {
   if (watched == window_ && event->type() == QEvent::ChildPolished) {
-    QObject* child = static_cast<QChildEvent*>(event)->child();  // made since, as dialogs are
+    QObject* child = static_cast<QChildEvent*>(event)->child();  // created later, as dialogs are
     if (child->isWidgetType() && qobject_cast<QDockWidget*>(child) == nullptr) give(*static_cast<QWidget*>(child));
   }
   if (watched != window_ && event->type() == QEvent::Show) give(*static_cast<QWidget*>(watched));

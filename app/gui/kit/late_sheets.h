@@ -6,9 +6,9 @@ class QWidget;
 
 namespace underact::gui {
 
-/// The style sheet of a window, given to its children one by one: to a dock when it is shown for the first time, to
-/// the others at once. Qt keeps 8 KB or more of each widget below a sheet, seen or not, and most docks are hidden.
-/// The window itself has none.
+/// The style sheet of a window, set on its children one by one: on a dock when it is first shown, on the others at
+/// once. Qt needs 8 KB or more for each widget below a sheet, visible or not, and most docks are hidden. The window
+/// itself has none.
 class LateSheets : public QObject {
   Q_OBJECT
  public:

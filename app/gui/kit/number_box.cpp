@@ -5,7 +5,7 @@
 namespace underact::gui {
 namespace {
 
-/// Every sign as long as the one before: the cursor stays where it is.
+/// Replaces character by character, so the cursor stays in place.
 QString with(QString text, const QString& decimal_point) {
   text.replace(QChar(0x2212), QLatin1Char('-'));
   text.replace(QLatin1Char('.'), decimal_point).replace(QLatin1Char(','), decimal_point);

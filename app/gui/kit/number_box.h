@@ -5,13 +5,13 @@
 
 namespace underact::gui {
 
-/// A number as someone types it: with a point or a comma, with the keyboard's minus or a real one. None: no number.
+/// A number as typed: with a point or a comma, a hyphen or a minus sign. None: not a number.
 std::optional<double> typed(const QString& text);
 
-/// As the user's system writes numbers: 1,5 or 1.5. format and precision as QString::number() has them.
+/// A number in the user's locale: 1,5 or 1.5. format and precision as in QString::number().
 QString localNumber(double value, char format, int precision);
 
-/// A field for a number, which takes a point and a comma alike: Qt's own reads 1.5 as 15 where a comma parts decimals.
+/// A number field that accepts a point or a comma. Qt's own reads 1.5 as 15 in locales with a decimal comma.
 class NumberBox : public QDoubleSpinBox {
  public:
   using QDoubleSpinBox::QDoubleSpinBox;

@@ -8,18 +8,18 @@ class QGridLayout;
 
 namespace underact::gui {
 
-/// Rows and columns of numbers that change without moving anything: every cell is as wide as the widest number that its
-/// column can show, so a new number lays nothing out anew.
+/// Rows and columns of numbers that change without moving: every cell is as wide as the widest number of its column, so
+/// a new number does not change the layout.
 class NumberTable : public QWidget {
   Q_OBJECT
  public:
   struct Column {
     QString head;
     QString widest;      // "−360.0"
-    bool words = false;  // to the left
+    bool words = false;  // left-aligned text
   };
   NumberTable(const QString& object_name, std::vector<Column> columns, QWidget* parent = nullptr);
-  /// A new row; its cells are called OBJECT_NAME.ROW.COLUMN, from 1.
+  /// Adds a row; its cells are named OBJECT_NAME.ROW.COLUMN, from 1.
   void addRow(const QString& head, const QString& tip = {});
   /// row, column: from 0.
   void set(int row, int column, const QString& text);
@@ -31,7 +31,7 @@ class NumberTable : public QWidget {
   std::vector<std::vector<QLabel*>> cells_;
 };
 
-/// A label in the panel's quiet voice that wraps.
+/// A label in the quiet style that wraps.
 QLabel* quietLabel(const QString& object_name, const QString& text, QWidget* parent);
 
 }  // namespace underact::gui

@@ -23,7 +23,7 @@ namespace underact::gui {
 namespace {
 
 constexpr int kPageMargin = 16;
-constexpr qsizetype kShort = 3;  // letters of a word
+constexpr qsizetype kShort = 3;  // letters; shorter words must match whole
 constexpr int kSmallestZoom = 50, kLargestZoom = 300, kZoomStep = 10;
 
 page::Colours coloursOf(const QPalette& palette) {
@@ -38,14 +38,14 @@ page::Colours coloursOf(const QPalette& palette) {
           .wrong = mixed(Theme().force_limited, ink, 0.25).name().toStdString()};
 }
 
-/// One thread, so that a page full of pictures leaves a core to the servo and the window.
+/// One thread, so that a page full of pictures leaves a core for the servo and the window.
 QThreadPool& pictureThread() {
   static QThreadPool kPool;
   kPool.setMaxThreadCount(1);
   return kPool;
 }
 
-/// Where a link of a page leads to, as asked() has it.
+/// The target of a link, in the form that asked() emits.
 QUrl askedFor(const QUrl& link) {
   if (!link.isRelative()) return link;
   const QFileInfo file(link.path());
@@ -60,10 +60,10 @@ QUrl askedFor(const QUrl& link) {
 
 PageView::PageView(QWidget* parent) : QTextBrowser(parent) {
   setOpenLinks(false);
-  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // so that pictures are fitted to the width that stays
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // so that pictures are fitted to a constant width
   document()->setDocumentMargin(kPageMargin);
-  // A table comes out some pixels too wide by rounding, with some fonts; while only the empty margin is beyond the edge
-  // there is nothing to scroll for.
+  // With some fonts, rounding makes a table a few pixels too wide; as long as only the empty margin is cut off, there
+  // is nothing to scroll to.
   connect(horizontalScrollBar(), &QScrollBar::rangeChanged, this, [this](int, int most) {
     setHorizontalScrollBarPolicy(most > kPageMargin ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
   });
@@ -83,7 +83,7 @@ void PageView::render() {
   const int at = verticalScrollBar()->value();
   width_ = viewport()->width();
   for (const QUrl& name : pictures_.keys()) document()->addResource(QTextDocument::ImageResource, name, {});
-  pictures_.clear();  // and the document asks for them again
+  pictures_.clear();  // the document requests them again
   pictures_awaited_ = 0;
   page_number_++;
   document()->setDefaultStyleSheet(QString::fromStdString(page::pageStyle(coloursOf(palette()))));
@@ -98,7 +98,7 @@ void PageView::mark(const QStringList& words) {
   QTextEdit::ExtraSelection one;
   one.format.setBackground(mixed(palette().color(QPalette::Base), Theme().force, 0.45));
   for (const QString& word : words) {
-    const QString end = word.size() < kShort ? "\\b" : "";  // "to" is not meant to be in "told"
+    const QString end = word.size() < kShort ? "\\b" : "";  // "to" should not match "told"
     const QRegularExpression start(
         "\\b" + QRegularExpression::escape(word) + end,
         QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
@@ -140,10 +140,10 @@ void PageView::setZoom(int percent) {
 
 QVariant PageView::loadResource(int type, const QUrl& name) {
   if (type != QTextDocument::ImageResource) return {};
-  if (!name.isRelative() || QDir::isAbsolutePath(name.path())) return {};  // nothing is fetched
+  if (!name.isRelative() || QDir::isAbsolutePath(name.path())) return {};  // never fetch anything
   if (const auto known = pictures_.constFind(name); known != pictures_.constEnd()) return *known;
   const QString path = QDir(folder_).filePath(name.path());
-  QSize size = QImageReader(path).size();  // of its first bytes
+  QSize size = QImageReader(path).size();  // reads only the header
   if (!size.isValid()) return {};
   const int room = qRound(std::max(1, width_ - 2 * kPageMargin) * devicePixelRatioF());
   if (size.width() > room) size = {room, std::max(1, size.height() * room / size.width())};
@@ -205,8 +205,8 @@ void PageView::follow(const QUrl& link) {
 }
 
 void PageView::confirmAddress(const QUrl& address) {
-  auto* box = new QMessageBox(QMessageBox::Question, tr("A page on the net"),
-                              tr("This link leads out of the program, to:"), QMessageBox::Cancel, this);
+  auto* box = new QMessageBox(QMessageBox::Question, tr("Web page"),
+                              tr("This link opens a web page outside the program:"), QMessageBox::Cancel, this);
   box->setObjectName("dialog.address");
   box->setInformativeText(address.toDisplayString());
   box->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);

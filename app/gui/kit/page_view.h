@@ -7,26 +7,25 @@
 
 namespace underact::gui {
 
-/// A page of Markdown with formulas and pictures, in the colours of the palette. What a link leads to is asked for, but
-/// for addresses on the net: they are shown, and a browser opens them where that is wanted.
+/// A page of Markdown with formulas and pictures, in the colours of the palette. Links are emitted by asked(), except
+/// web addresses: these are shown, and opened in a browser if the user agrees.
 class PageView : public QTextBrowser {
   Q_OBJECT
  public:
   explicit PageView(QWidget* parent = nullptr);
 
-  /// folder: what pictures and links to other pages are relative to.
+  /// folder: base of relative paths to pictures and other pages.
   void showPage(const QString& markdown, const QString& folder);
-  /// What was shown last: its headings, and what is wrong with it.
+  /// The page shown last: its headings and its errors.
   const page::Page& page() const { return page_; }
   /// In percent of the program's own font; 50 to 300.
   void setZoom(int percent);
   int zoom() const { return zoom_; }
-  /// Marks every word that begins with one of these, small and capital letters being the same.
+  /// Marks every word that begins with one of these, ignoring case.
   void mark(const QStringList& words);
-  /// Goes to the next mark from here, or the one before; behind the last comes the first. false: there is none.
+  /// Goes to the next or previous mark, wrapping around. false: there is none.
   bool toMark(bool next);
-  /// Pictures that were asked for and have not come: they are read in another thread, and their place is free until
-  /// then.
+  /// Number of pictures still loading: they are read in another thread, and space is reserved for them.
   int picturesAwaited() const { return pictures_awaited_; }
 
  signals:
@@ -53,10 +52,10 @@ class PageView : public QTextBrowser {
   QString folder_;
   QStringList marked_;
   int zoom_ = 100;
-  int width_ = 0;                 // that pictures were fitted to
-  QHash<QUrl, QImage> pictures_;  // of this page, as large as they are shown
+  int width_ = 0;                 // the width that pictures were fitted to
+  QHash<QUrl, QImage> pictures_;  // of this page, at the size shown
   int pictures_awaited_ = 0;
-  int page_number_ = 0;  // counts what was shown, so that a picture that comes late is not put into another page
+  int page_number_ = 0;  // counts pages shown, so that a late picture is not put into another page
 };
 
 }  // namespace underact::gui

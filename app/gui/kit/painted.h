@@ -5,7 +5,7 @@
 
 namespace underact::gui {
 
-/// A widget that paints itself in the theme's colours, on the ground of its panel.
+/// A widget that paints itself in the theme's colours, on the background of its panel.
 class Painted : public QWidget {
   Q_OBJECT
  public:
@@ -13,7 +13,7 @@ class Painted : public QWidget {
 
  protected:
   Painted(const QString& name, const QString& spoken, const QString& tip, QWidget* parent);
-  /// That share of it on the ground.
+  /// The colour blended with the background by that share.
   QColor ink(double share) const { return mixed(palette().color(QPalette::Window), theme_.ink, share); }
   QColor quiet(double share) const { return mixed(palette().color(QPalette::Window), theme_.quiet, share); }
 

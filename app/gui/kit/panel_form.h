@@ -4,7 +4,7 @@ class QFormLayout;
 
 namespace underact::gui {
 
-/// Labels and choosers of a panel, one line each.
+/// A form layout for labels and choosers of a panel, one line each.
 QFormLayout* panelForm();
 
 }  // namespace underact::gui

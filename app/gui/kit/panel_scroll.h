@@ -5,10 +5,10 @@ class QWidget;
 
 namespace underact::gui {
 
-/// What a panel's content scrolls in: up and down alone, without a frame, no stop of the Tab key.
+/// The scroll area of a panel: vertical only, without a frame, not in the Tab order.
 QScrollArea* panelScroll(QWidget* content, QWidget* parent);
 
-/// Fills a panel with content that scrolls, as wide at least as its words.
+/// Fills a panel with content that scrolls; the content is at least as wide as its texts.
 void fillWithScroll(QWidget* panel, QWidget* content);
 
 }  // namespace underact::gui

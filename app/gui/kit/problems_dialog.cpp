@@ -27,12 +27,12 @@ QString placeNumber(int number) {
 ProblemsDialog::ProblemsDialog(QWidget* parent)
     : QDialog(parent), heading_(new QLabel(this)), table_(new QTableWidget(this)) {
   setObjectName("dialog.problems");
-  setModal(false);  // a broken file must not keep anybody from the arm
+  setModal(false);  // a broken file must not block access to the arm
   setWindowTitle(tr("Scene not opened"));
   resize(720, 360);
   nameWidget(heading_, "dialog.problems.heading", tr("What happened"));
   heading_->setWordWrap(true);
-  nameWidget(table_, "dialog.problems.table", tr("Problems of the file"));
+  nameWidget(table_, "dialog.problems.table", tr("Problems in the file"));
   table_->setColumnCount(4);
   table_->setHorizontalHeaderLabels({tr("Line"), tr("Column"), tr("Key"), tr("Problem")});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -43,12 +43,12 @@ ProblemsDialog::ProblemsDialog(QWidget* parent)
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setTabKeyNavigation(false);
-  // In a row, not in a QDialogButtonBox: in that of Qt 6.8 Tab went past the first two.
+  // Not in a QDialogButtonBox: with that of Qt 6.8, Tab skips the first two.
   QPushButton* copy = pushButton("dialog.problems.copy", tr("&Copy"), {}, this, tr("Copy the problems"));
   QPushButton* another =
       pushButton("dialog.problems.another", tr("&Open another…"), {}, this, tr("Open another scene file"));
   QPushButton* close = pushButton("dialog.problems.close", tr("Close"), {}, this);
-  for (QPushButton* button : {copy, another, close}) button->setAutoDefault(true);  // Enter presses the one in focus
+  for (QPushButton* button : {copy, another, close}) button->setAutoDefault(true);  // Enter presses the focused one
   close->setDefault(true);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 16, 16, 16);
@@ -72,7 +72,7 @@ ProblemsDialog::ProblemsDialog(QWidget* parent)
 void ProblemsDialog::show(const QString& path, const Problems& problems) {
   problems_ = problems;
   const QString count = problems.size() == 1 ? tr("One problem") : tr("%1 problems").arg(problems.size());
-  heading_->setText(tr("%1 was not opened. The scene before it is still in effect. %2 to put right:")
+  heading_->setText(tr("%1 was not opened. The previous scene is still in effect. %2 to fix:")
                         .arg(QFileInfo(path).fileName(), count));
   table_->setRowCount(static_cast<int>(problems.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {

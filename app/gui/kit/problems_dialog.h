@@ -10,14 +10,13 @@ class QWidget;
 
 namespace underact::gui {
 
-/// Every problem of a scene file that was not opened, with its place. The window behind stays as it was and can be
-/// used.
+/// Lists every problem of a scene file that could not be opened, with its place. Not modal; the window is unchanged.
 class ProblemsDialog : public QDialog {
   Q_OBJECT
  public:
   explicit ProblemsDialog(QWidget* parent);
   void show(const QString& path, const Problems& problems);
-  QString text() const;  // a line for each, as the command line prints them
+  QString text() const;  // one line each, as printed by the command line
 
  signals:
   void openAnother();
@@ -28,8 +27,8 @@ class ProblemsDialog : public QDialog {
   QTableWidget* table_;
 };
 
-/// A box that says what was not done, and why; nothing keeps anybody from the arm meanwhile. name: of the object.
-/// Problems of a file that is read line by line stand with their lines.
+/// A non-modal box that says what was not done and why. name: of the object. Problems of a text file are listed with
+/// their lines.
 void showProblemsBox(const QString& name, const QString& title, const QString& what, const Problems& problems,
                      QWidget* window);
 

@@ -39,7 +39,7 @@ int Readout::addRow(const QString& label, const QString& tip) {
 
 void Readout::set(int row, const QString& value) {
   QLabel* label = values_[static_cast<std::size_t>(row)];
-  if (label->text() != value) label->setText(value);  // an equal text would still lay everything out anew
+  if (label->text() != value) label->setText(value);  // even an equal text would trigger a new layout
 }
 
 QString Readout::value(int row) const {

@@ -8,12 +8,12 @@ class QLabel;
 
 namespace underact::gui {
 
-/// Rows of a label and a value, values right-aligned in one column, which change without moving anything.
+/// Rows of a label and a value, right-aligned in one column, whose changes do not move the layout.
 class Readout : public QWidget {
   Q_OBJECT
  public:
   explicit Readout(const QString& object_name, QWidget* parent = nullptr);
-  /// A new row; tip: one sentence. Gives its number.
+  /// Adds a row and returns its number. tip: one sentence.
   int addRow(const QString& label, const QString& tip = {});
   void addHeading(const QString& text);
   void set(int row, const QString& value);

@@ -5,7 +5,7 @@
 
 namespace underact::gui {
 
-/// A sentence that one part of the window says and another shows.
+/// A sentence set by one part of the window and shown by another.
 class Remark : public QObject {
   Q_OBJECT
  public:

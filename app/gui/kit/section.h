@@ -6,11 +6,11 @@ class QVBoxLayout;
 
 namespace underact::gui {
 
-/// A heading that folds what stands below it.
+/// A heading that folds the content below it.
 class Section : public QWidget {
   Q_OBJECT
  public:
-  /// key: "joints"; the heading is called panel.kinematics.joints.fold, or of another panel.
+  /// key: "joints"; the heading is then named panel.kinematics.joints.fold, for the panel "kinematics".
   Section(const QString& key, const QString& title, const QString& tip, QWidget* parent = nullptr,
           const QString& panel = QStringLiteral("kinematics"));
   QVBoxLayout& column() { return *column_; }

@@ -8,14 +8,14 @@ class QWidget;
 
 namespace underact::gui {
 
-/// The folder of what comes with the program. Where that was not found: the first place where it was looked for, so
-/// that a file named in it is told of as missing there, and is never one of the folder that one stands in.
+/// The folder of files that come with the program. If it was not found: the first place searched, so that its files are
+/// reported as missing there and never taken from the current folder.
 QString shippedFolder(system::Resource resource);
 
-/// Why it was not found, and where it was looked for, in the window's language; empty: it is there.
+/// Why it was not found and where it was searched for, in the window's language; empty: it was found.
 QString whyNotFound(system::Resource resource);
 
-/// Says that, where it was not found; else it takes no room.
+/// A label that says so; hidden if the folder was found.
 QLabel* notFoundLabel(system::Resource resource, const char* name, const QString& spoken, QWidget* parent);
 
 }  // namespace underact::gui

@@ -10,8 +10,8 @@
 namespace underact::gui {
 namespace {
 
-constexpr const char* kRole = "spoken.role";  // of a widget that paints itself
-constexpr int kPause_ms = 500;  // between two tellings of one label: a number that runs would drown all else
+constexpr const char* kRole = "spoken.role";  // property of a widget that paints itself
+constexpr int kPause_ms = 500;  // between two announcements of one label: a changing number would drown everything else
 
 QString wordsOf(const QLabel& label) {
   const bool is_rich =
@@ -20,7 +20,7 @@ QString wordsOf(const QLabel& label) {
   return label.buddy() == nullptr ? words : QString(words).remove('&');
 }
 
-/// Tells that a label says something else now. Qt does so for labels without a name of their own alone.
+/// Announces that a label's text has changed. Qt does so only for labels without an accessible name.
 class LabelWatch : public QObject {
  public:
   explicit LabelWatch(QLabel* label) : QObject(label), label_(label), told_(label->text()) {
@@ -49,7 +49,7 @@ class LabelWatch : public QObject {
 
 using Link = QPair<QAccessibleInterface*, QAccessible::Relation>;
 
-/// As Qt's own for a label, but that a name of its own stands before the words in place of them.
+/// As Qt's own for a label, except that an accessible name is put before the text instead of replacing it.
 class SpokenLabel : public QAccessibleWidget {
  public:
   explicit SpokenLabel(QLabel* label) : QAccessibleWidget(label, QAccessible::StaticText) { new LabelWatch(label); }
@@ -84,7 +84,7 @@ QAccessibleInterface* makeSpoken(const QString&, QObject* object) {
   if (auto* label = qobject_cast<QLabel*>(widget)) return new SpokenLabel(label);
   const QVariant role = widget->property(kRole);
   if (role.isValid()) return new QAccessibleWidget(widget, static_cast<QAccessible::Role>(role.toInt()));
-  return nullptr;  // Qt's own answer
+  return nullptr;  // use Qt's own
 }
 
 }  // namespace

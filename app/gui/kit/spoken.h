@@ -5,12 +5,12 @@ class QWidget;
 
 namespace underact::gui {
 
-/// Has screen readers told what Qt's own answers leave out: the words of a label that has a name of its own ("Force:
-/// force 0.31 / 0.88 N"), also when they change, at most twice a second; and that the charts, bars and the view are
-/// pictures, no empty panes. Once for the program; asks nothing of the widgets. Costs nothing where nobody reads.
+/// Tells screen readers what Qt leaves out: the text of a label that has an accessible name ("Force: force 0.31 / 0.88
+/// N"), also when it changes, at most twice a second; and that charts, bars and the view are graphics, not empty panes.
+/// Called once; widgets need no changes. Costs nothing without a screen reader.
 void speakOwnWidgets();
 
-/// That a widget which paints itself is a chart, a graphic or a canvas. To be called before anybody reads it.
+/// Declares that a widget which paints itself is a chart, a graphic or a canvas. Call it before the widget is read.
 void speakAs(QWidget* widget, QAccessible::Role role);
 
 }  // namespace underact::gui

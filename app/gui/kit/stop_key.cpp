@@ -14,8 +14,7 @@ StopKey::~StopKey() {
 }
 
 bool StopKey::eventFilter(QObject*, QEvent* event) {
-  // ShortcutOverride comes first and to whatever has the focus, before any shortcut or widget can take the key for
-  // itself.
+  // ShortcutOverride arrives first, at whatever has the focus, before any shortcut or widget can take the key.
   const bool key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
   if (key && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) stop_();
   return false;

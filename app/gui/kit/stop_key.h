@@ -4,7 +4,7 @@
 
 namespace underact::gui {
 
-/// Esc stops, wherever the focus is: in a number, with a menu open, in a dialog. It still closes menu and dialog, too.
+/// Esc stops the servo wherever the focus is: in a number, an open menu or a dialog. It also closes the menu or dialog.
 class StopKey : public QObject {
   Q_OBJECT
  public:

@@ -13,11 +13,11 @@ QString between(const QColor& a, const QColor& b, double share_of_a) {
 
 QString styleSheet(const Theme& theme) {
   const QString ink = theme.ink.name(), ground = theme.background.name();
-  const QString quiet = between(theme.ink, theme.background, 0.68);  // contrast above 4.5 on both grounds
+  const QString quiet = between(theme.ink, theme.background, 0.68);  // contrast above 4.5 on both backgrounds
   const QString line = between(theme.ink, theme.background, 0.16);
   const QString hover = between(theme.ink, theme.background, 0.09);
   const QString red = alarm(theme).name();
-  // Amber and vermillion, as far towards the ink as a small word needs.
+  // Amber and vermillion, shifted towards the ink as far as small text needs.
   const QString warm = between(theme.ink, amber(theme), theme.dark ? 0.0 : 0.2);
   const QString limited = between(theme.ink, theme.force_limited, theme.dark ? 0.25 : 0.2);
   const QString red_ground = between(alarm(theme), theme.background, 0.10);

@@ -5,7 +5,7 @@
 
 namespace underact::gui {
 
-/// What the palette cannot say: quiet and loud labels, the titles of docks, the border of Stop. Sizes follow the font.
+/// What the palette cannot express: quiet and loud labels, dock titles, the border of Stop. Sizes follow the font.
 QString styleSheet(const Theme& theme);
 
 }  // namespace underact::gui

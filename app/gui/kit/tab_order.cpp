@@ -12,7 +12,7 @@ namespace {
 
 void collect(QWidget* widget, QList<QWidget*>& found);
 
-/// Where the item stands: row, then column.
+/// The item's position: row, then column.
 std::pair<int, int> placeOf(QLayout& layout, int index) {
   int row = 0, column = 0, rows = 0, columns = 0;
   if (auto* grid = qobject_cast<QGridLayout*>(&layout)) grid->getItemPosition(index, &row, &column, &rows, &columns);

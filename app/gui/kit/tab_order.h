@@ -5,11 +5,11 @@ class QWidget;
 
 namespace underact::gui {
 
-/// A widget and all in it that its layouts hold, as the eye reads them: each layout by rows and from left to right.
-/// What stands in no layout comes last; another window not at all.
+/// A widget and everything in its layouts in reading order: each layout by rows, from left to right. Widgets in no
+/// layout come last; other windows are excluded.
 QList<QWidget*> readingOrder(QWidget* widget);
 
-/// The Tab key goes through these, one after the other, and through each in reading order.
+/// Sets the Tab order: these widgets one after the other, each in reading order.
 void orderTabs(const QList<QWidget*>& groups);
 
 }  // namespace underact::gui

@@ -26,7 +26,7 @@ bool isDark(const QPalette& palette) {
   return palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
 }
 
-/// Whether there is a bus to talk to: asking for one that is not there may try to start it, and wait.
+/// Whether there is a bus: connecting to a missing one may try to start it, and wait.
 bool hasSessionBus() {
   if (!qEnvironmentVariableIsEmpty("DBUS_SESSION_BUS_ADDRESS")) return true;
   const QString folder = qEnvironmentVariable("XDG_RUNTIME_DIR");
@@ -59,7 +59,7 @@ Theme Theme::light() {
   theme.background = QColor(0xF7, 0xF7, 0xF5);
   theme.ink = QColor(0x1B, 0x1C, 0x1E);
   theme.quiet = QColor(0xB4, 0xB5, 0xB2);
-  // The same hues, dark enough to stand out from the light ground, and from that of the panels, at 3:1 (WCAG 2.1).
+  // The same hues, dark enough for 3:1 against the light background and that of the panels (WCAG 2.1).
   theme.target = QColor(0x00, 0x9B, 0x71);
   theme.orientation = QColor(0x00, 0x92, 0xCC);
   theme.position = QColor(0xBD, 0x70, 0x9B);
@@ -78,7 +78,7 @@ Theme Theme::dark_theme() {
   theme.background = QColor(0x1E, 0x1F, 0x22);
   theme.ink = QColor(0xF2, 0xF2, 0xEE);
   theme.quiet = QColor(0x5C, 0x5F, 0x66);
-  theme.constraint = QColor(0x00, 0x79, 0xBD);  // 3:1 on the panels' ground, and white words on it still readable
+  theme.constraint = QColor(0x00, 0x79, 0xBD);  // 3:1 on the panels' background, and white text on it is still readable
   theme.x_axis = QColor(0xDB, 0x83, 0x7B);
   theme.y_axis = QColor(0x8C, 0xC0, 0x80);
   theme.z_axis = QColor(0x8C, 0xAB, 0xE6);
@@ -119,7 +119,7 @@ QPalette paletteOf(const Theme& theme) {
   const QColor button = theme.dark ? QColor(0x36, 0x38, 0x3D) : QColor(0xF7, 0xF7, 0xF5);
   const QColor text = theme.ink;
   const QColor disabled = mixed(window, text, 0.45);
-  QPalette palette(button, window);  // shades of the frames follow from it
+  QPalette palette(button, window);  // the shades of frames derive from it
   for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
     palette.setColor(QPalette::All, role, text);
     palette.setColor(QPalette::Disabled, role, disabled);
@@ -133,7 +133,7 @@ QPalette paletteOf(const Theme& theme) {
   palette.setColor(QPalette::ToolTipText, text);
   palette.setColor(QPalette::PlaceholderText, mixed(base, text, 0.65));
   palette.setColor(QPalette::Highlight, theme.constraint);
-  const bool is_pale = theme.dark && theme.high_contrast;  // what is chosen, there
+  const bool is_pale = theme.dark && theme.high_contrast;  // the selection colour
   palette.setColor(QPalette::HighlightedText, is_pale ? theme.background : QColor(Qt::white));
   palette.setColor(QPalette::Disabled, QPalette::Highlight, mixed(window, text, 0.25));
   palette.setColor(QPalette::Link, theme.dark ? QColor(0x56, 0xB4, 0xE9) : theme.constraint);
@@ -191,7 +191,7 @@ Theme ThemeWatcher::theme() const {
 void ThemeWatcher::apply() {
   const QScopedValueRollback<bool> applying(applying_, true);
   if (own_palette_ && choice_ == ThemeChoice::System) {
-    QApplication::setPalette(QPalette());  // the system's again
+    QApplication::setPalette(QPalette());  // back to the system's
     own_palette_ = false;
   }
   if (!own_palette_) system_dark_ = isDark(QApplication::palette());
@@ -201,7 +201,7 @@ void ThemeWatcher::apply() {
   dark_ = dark;
   said_contrast_ = contrast_;
   if (choice_ != ThemeChoice::System || dark != system_dark_ || contrast_) {
-    // The styles that draw with the system's own pieces know one lightness only.
+    // Styles that draw with native elements support only one lightness.
     const QString style = QApplication::style()->name();
     if (style.startsWith(QLatin1String("windows"), Qt::CaseInsensitive))
       QApplication::setStyle(QStringLiteral("Fusion"));

@@ -21,40 +21,40 @@ struct Theme {
   QColor force{0xE6, 0x9F, 0x00};
   QColor force_limited{0xD5, 0x5E, 0x00};
   QColor virtual_robot{0xCC, 0x79, 0xA7};  // ghosts of the arm among them
-  QColor motion{0x56, 0xB4, 0xE9};         // how far the tip goes
+  QColor motion{0x56, 0xB4, 0xE9};         // how far the tip can move
   QColor x_axis, y_axis, z_axis;           // muted red, green, blue
 
   static Theme light();
   static Theme dark_theme();
-  /// Black on white or white on black; colours keep their meaning, and stand out at 3:1 or more.
+  /// Black on white or white on black; colours keep their meaning, with a contrast of 3:1 or more.
   static Theme contrasting(bool dark);
   bool operator==(const Theme&) const = default;
 };
 
-/// share of b in a: 0 gives a, 1 gives b.
+/// Blends a and b: share 0 gives a, 1 gives b.
 QColor mixed(const QColor& a, const QColor& b, double share);
-/// The colour, so far opaque: 1 hides what is behind it.
+/// The colour with that opacity: 1 hides what is behind it.
 QColor faint(QColor colour, double share);
 
-/// A whole palette for the theme, for where the system's own does not fit it.
+/// A whole palette for the theme, used where the system's does not fit.
 QPalette paletteOf(const Theme& theme);
 
 enum class ThemeChoice { System, Light, Dark };
 
 /// Follows the system's light or dark, also while running: the desktop portal over D-Bus (org.freedesktop.appearance
-/// color-scheme), else the lightness of the palette's window colour. One for the program. The portal is asked without
-/// waiting: until it answers, and where there is no bus, the palette decides.
+/// color-scheme), else the lightness of the palette's window colour. One per program. The portal is asked without
+/// blocking: until it answers, or without a bus, the palette decides.
 class ThemeWatcher : public QObject {
   Q_OBJECT
  public:
   explicit ThemeWatcher(QObject* parent = nullptr);
   void choose(ThemeChoice choice);  // System follows; Light and Dark hold; also gives QApplication the palette
   ThemeChoice choice() const { return choice_; }
-  /// Light and dark go on as they were chosen, with the contrasting colours.
+  /// Uses high-contrast colours; the choice of light or dark stays.
   void setHighContrast(bool on);
   Theme theme() const;
  signals:
-  void changed(const underact::gui::Theme& theme);  // once for each real change
+  void changed(const underact::gui::Theme& theme);  // once per actual change
 
  protected:
   bool eventFilter(QObject* object, QEvent* event) override;
@@ -69,17 +69,16 @@ class ThemeWatcher : public QObject {
   ThemeChoice choice_ = ThemeChoice::System;
   uint portal_scheme_ = 0;  // 0 no preference (or no portal), 1 dark, 2 light
   bool system_dark_ = false;
-  bool dark_ = false;         // what was said last
-  bool own_palette_ = false;  // QApplication holds one of ours
+  bool dark_ = false;         // as last emitted
+  bool own_palette_ = false;  // QApplication has one of ours
   bool applying_ = false;
   bool contrast_ = false, said_contrast_ = false;
 };
 
-/// The colour, as far towards the ink as small words over the view need to be read: 4.5:1 (WCAG 2.1, 1.4.3).
+/// The colour, shifted towards the ink as far as small text over the view needs: 4.5:1 (WCAG 2.1, 1.4.3).
 QColor readable(const QColor& colour, const Theme& theme);
 
-/// The ring around what has the focus: the colour of what is chosen, paler on a dark ground, where it stands on that
-/// colour too.
+/// The focus ring: the selection colour, paler on a dark background, where the ring may lie on that colour.
 QColor focusColour(const QPalette& palette);
 
 }  // namespace underact::gui

@@ -6,20 +6,20 @@ class QWidget;
 
 namespace underact::gui {
 
-/// name: of the object, for stories and style sheets; spoken: what a screen reader calls it; tip: empty: it has none.
+/// name: of the object, for stories and style sheets; spoken: its name for screen readers; tip: empty: none.
 void nameWidget(QWidget* widget, const QString& name, const QString& spoken, const QString& tip = {});
 
-/// A label for sentences that come later: they wrap, stand as they are (no markup) and can be selected.
-/// spoken: what a screen reader calls it; role: of the style sheet, "" for plain words.
+/// A label for sentences set later: wrapped, plain text (no markup) and selectable.
+/// spoken: its name for screen readers; role: of the style sheet, "" for plain text.
 QLabel* toldLabel(const char* name, const QString& spoken, const char* role, QWidget* parent);
 
-/// The text, where it is another one: a label that is told the same draws itself all the same.
+/// Sets the text if it differs: setting an equal text would still repaint the label.
 void putText(QLabel* label, const QString& text);
 
-/// The same, and the label is there only while there is a text.
+/// The same, and hides the label if the text is empty.
 void tellIn(QLabel* label, const QString& text);
 
-/// What stands above the rows of a part of a panel.
+/// The title above the rows of a part of a panel.
 QLabel* sectionTitle(const QString& text, QWidget* parent);
 
 }  // namespace underact::gui

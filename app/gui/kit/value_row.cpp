@@ -17,7 +17,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kPauseBetweenSteps_ms = 1000;  // a run of keys or wheel steps is over after so long
+constexpr int kPauseBetweenSteps_ms = 1000;  // a series of keys or wheel steps ends after this pause
 
 }  // namespace
 
@@ -65,7 +65,7 @@ ValueRow::ValueRow(const ValueKind& kind, const QString& name, QWidget* parent)
   grid_->addWidget(slider_, 0, 1);
   grid_->addWidget(number_, 0, 2);
 
-  const QString mark = tr("The mark is the scene's own value; a double click goes back to it.");
+  const QString mark = tr("The mark shows the scene's own value; a double click restores it.");
   const QString tip = kind.tip + "\n" + (kind.mark.isEmpty() ? mark : kind.mark);
   slider_->setObjectName(name + ".slider");
   slider_->setFocusPolicy(Qt::StrongFocus);
@@ -78,11 +78,11 @@ ValueRow::ValueRow(const ValueKind& kind, const QString& name, QWidget* parent)
   number_->setRange(0.0, kind.most);
   number_->setSingleStep(1.0 / kind.steps_per_unit);
   if (!kind.unit.isEmpty()) number_->setSuffix(" " + kind.unit);
-  number_->setKeyboardTracking(false);  // 0.5 is not first 0, then 0.5: a zero may be refused
+  number_->setKeyboardTracking(false);  // typing 0.5 must not first set 0, which may be refused
   number_->setFocusPolicy(Qt::StrongFocus);
   number_->setAlignment(Qt::AlignRight);
-  number_->setButtonSymbols(QAbstractSpinBox::NoButtons);  // the slider and the arrow keys do that
-  // Not as wide as the most would need: the same for all rows, so that their sliders end in one line.
+  number_->setButtonSymbols(QAbstractSpinBox::NoButtons);  // the slider and the arrow keys replace them
+  // The same width for all rows rather than that of the maximum, so that their sliders line up.
   number_->setFixedWidth(fontMetrics().horizontalAdvance("00.000 N/(mm s)") + 16);
   for (QWidget* widget :
        {static_cast<QWidget*>(label_), static_cast<QWidget*>(slider_), static_cast<QWidget*>(number_)}) {
@@ -104,11 +104,11 @@ ValueRow::ValueRow(const ValueKind& kind, const QString& name, QWidget* parent)
 
 void ValueRow::present(double value, const std::optional<double>& own) {
   own_ = own;
-  const QSignalBlocker silent_slider(slider_), silent_number(number_);  // to show a value is not to ask for it
+  const QSignalBlocker silent_slider(slider_), silent_number(number_);  // showing a value must not emit a change
   slider_->setMark(own ? *own * kind_.steps_per_unit : -1.0);
   if (!slider_->isSliderDown())
     slider_->setValue(static_cast<int>(std::min(std::round(value * kind_.steps_per_unit), 1e9)));
-  // The same value once more would wipe out what is being typed over it.
+  // Setting the same value again would erase what is being typed.
   if (number_->value() != value) number_->setValue(value);
 }
 

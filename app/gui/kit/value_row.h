@@ -12,18 +12,18 @@ class QLabel;
 
 namespace underact::gui {
 
-/// What a row shows: a number from 0 on, in its unit.
+/// What a row shows: a number from 0 up, in its unit.
 struct ValueKind {
-  QString tip;   // one sentence and the equation it stands for
+  QString tip;   // one sentence and its equation
   QString unit;  // empty: a plain number
   int steps_per_unit = 1;
-  int slider_steps = 100;  // from 0 to the slider's end; typing goes on to most
+  int slider_steps = 100;  // from 0 to the slider's end; up to most can be typed
   int decimals = 0;
   double most = 1.0;
-  QString mark = {};  // what the mark on the slider is, in a sentence; empty: the scene's own value
+  QString mark = {};  // the meaning of the mark on the slider, in a sentence; empty: the scene's own value
 };
 
-/// A slider that marks the scene's own value; a double click asks for it back.
+/// A slider that marks the scene's own value; a double click requests it.
 class MarkedSlider : public FocusWheel<QSlider> {
   Q_OBJECT
  public:
@@ -40,25 +40,25 @@ class MarkedSlider : public FocusWheel<QSlider> {
   double mark_ = -1.0;
 };
 
-/// One number that is changed while the hand is on the stylus: its name, a slider, a field with its unit.
+/// A number that is changed while the hand is on the stylus: its name, a slider, and a field with its unit.
 class ValueRow : public QWidget {
   Q_OBJECT
  public:
-  /// name: of the object; its parts are NAME.slider and NAME.number.
+  /// name: of the object; its parts are named NAME.slider and NAME.number.
   ValueRow(const ValueKind& kind, const QString& name, QWidget* parent = nullptr);
-  /// own: the scene's value; none: nothing is marked, nothing to go back to. The hand on the slider wins over the echo
-  /// of its own command.
+  /// own: the scene's value; none: no mark and nothing to restore. A drag of the slider wins over the echo of its own
+  /// command.
   void present(double value, const std::optional<double>& own);
-  /// widest: the longest label that ever stands here, or in a row above or below, so that the sliders stay in line.
+  /// widest: the longest label used here or in a row above or below, so that the sliders line up.
   void setLabel(const QString& label, const QString& spoken, const QString& widest);
-  /// Words below the slider's two ends.
+  /// Captions below the slider's two ends.
   void setEnds(const QString& least, const QString& most);
-  /// Amber, with the reason; empty: calm.
+  /// Shows the row in amber, with the reason; empty: normal.
   void setWarning(const QString& reason);
   bool isHeld() const { return slider_->isSliderDown(); }
 
  signals:
-  /// fresh: the first change of a drag, or of a run of keys or wheel steps.
+  /// fresh: the first change of a drag, or of a series of keys or wheel steps.
   void changed(double value, bool fresh);
 
  protected:

@@ -4,7 +4,7 @@
 
 namespace underact::gui {
 
-/// What stands around the view: docks, bars, menus. Taken off for a while, and put on again as it was.
+/// Everything around the view: docks, bars, menus. It can be hidden for a while and restored.
 class WindowDress {
  public:
   enum class Keep { MenusAndTools, Nothing };

@@ -19,12 +19,12 @@ QString tr(const char* text) {
 QString sentenceText(const Sentence& sentence) {
   if (sentence.isNumber())
     return QString::fromStdString(sentence).replace('.', QLocale().decimalPoint()).replace('-', QChar(0x2212));
-  // Changed as a string since it was put together: its pattern does not say it any more.
+  // Edited as a string after it was built: its pattern no longer matches.
   const bool is_whole = filled(sentence.pattern(), {sentence.places().begin(), sentence.places().end()}) == sentence;
   if (!is_whole) return QString::fromStdString(sentence);
   std::vector<std::string> words;
   for (const Sentence& place : sentence.places()) words.push_back(sentenceText(place).toStdString());
-  // Without a letter it is the same in every language.
+  // Without letters it is the same in every language.
   const auto isLetter = [](char one) { return std::isalpha(static_cast<unsigned char>(one)) != 0; };
   const bool has_words = std::any_of(sentence.pattern().begin(), sentence.pattern().end(), isLetter);
   const std::string pattern =

@@ -9,13 +9,13 @@
 
 namespace underact::gui {
 
-/// In the window's language, for functions that are no members.
+/// Translates to the window's language, for functions that are not members.
 QString tr(const char* text);
 
-/// What the parts below the window say, in its language; English where that has no words for it.
+/// A message of the parts below the window in its language, or in English if it has no translation.
 QString sentenceText(const Sentence& sentence);
 
-/// The sentences alone, one a line: for a panel that the reader is already looking at.
+/// Only the sentences, one per line, for a panel that the user is already looking at.
 QString sentencesOf(const Problems& problems);
 
 /// A length on the screen, 0.1 mm.
@@ -24,10 +24,10 @@ QString millimetres(double length_mm);
 /// "10.0, 20.0, 30.0 mm"
 QString placeText(const Vec3& p_mm);
 
-/// "-0.577, 0.577, -0.577": a direction, made unit length.
+/// "-0.577, 0.577, -0.577": a direction, normalised.
 QString directionText(const Vec3& direction);
 
-/// A number with a real minus sign, so that columns line up; -0.0 is 0.0.
+/// A number with a true minus sign, so that columns line up; -0.0 becomes 0.0.
 QString numberText(double value, int decimals);
 
 /// "memory locked, all cores"

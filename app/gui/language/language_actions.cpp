@@ -14,21 +14,22 @@ void addLanguageActions(Actions& actions, QWidget* window) {
   struct Row {
     QString key, text, shortcut, tip;
   };
-  // A language has its own name in every language.
+  // Languages are called by their own names.
   const Row rows[] = {
-      {"system", tr("As the &system"), "Ctrl+Alt+Shift+1", tr("The system's language, from the next start on.")},
-      {"en", "&English", "Ctrl+Alt+Shift+2", tr("English, from the next start on.")},
-      {"de", "&Deutsch", "Ctrl+Alt+Shift+3", tr("German, from the next start on.")}};
+      {"system", tr("Follow the &system"), "Ctrl+Alt+Shift+1", tr("Uses the system's language from the next start.")},
+      {"en", "&English", "Ctrl+Alt+Shift+2", tr("Uses English from the next start.")},
+      {"de", "&Deutsch", "Ctrl+Alt+Shift+3", tr("Uses German from the next start.")}};
   auto* group = new QActionGroup(&actions);
   for (const Row& row : rows) {
-    QAction* action = actions.add({"language." + row.key, row.text, QKeySequence(row.shortcut), row.tip, {}, {}, true},
-                                  [window, key = row.key](const QVariantList&) {
-                                    if (key == chosenLanguage()) return true;
-                                    chooseLanguage(key);
-                                    showProblemsBox("dialog.language", tr("Language"),
-                                                    tr("The window speaks it from the next start on."), {}, window);
-                                    return true;
-                                  });
+    QAction* action =
+        actions.add({"language." + row.key, row.text, QKeySequence(row.shortcut), row.tip, {}, {}, true},
+                    [window, key = row.key](const QVariantList&) {
+                      if (key == chosenLanguage()) return true;
+                      chooseLanguage(key);
+                      showProblemsBox("dialog.language", tr("Language"),
+                                      tr("The language changes when you next start Underact."), {}, window);
+                      return true;
+                    });
     group->addAction(action);
     action->setChecked(chosenLanguage() == row.key);
   }

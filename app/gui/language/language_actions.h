@@ -6,7 +6,7 @@ namespace underact::gui {
 
 class Actions;
 
-/// language.system, language.en, language.de: which language the next window speaks; window is told of it.
+/// language.system, language.en, language.de: the language from the next start on. window: parent of the message.
 void addLanguageActions(Actions& actions, QWidget* window);
 
 }  // namespace underact::gui

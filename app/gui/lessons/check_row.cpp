@@ -43,13 +43,13 @@ void CheckRow::addNumber(const lesson::AskNumber& ask) {
   const QString unit = QString::fromStdString(ask.unit);
   number_ = new QLineEdit(this);
   nameWidget(number_, name_ + ".number", tr("Answer to: %1").arg(QString::fromStdString(ask.question)),
-             tr("A number; Enter gives it."));
+             tr("Type a number and press Enter."));
   number_->setMaximumWidth(kLettersOfNumber * fontMetrics().averageCharWidth() + 24);
   auto* const line = new QHBoxLayout;
   line->setSpacing(8);
   line->addWidget(number_);
   line->addWidget(new QLabel(unit, this));
-  QPushButton* const give = pushButton(name_ + ".give", tr("Check"), tr("Looks whether the answer is right."), this);
+  QPushButton* const give = pushButton(name_ + ".give", tr("Check"), tr("Checks the answer."), this);
   line->addWidget(give);
   line->addStretch(1);
   static_cast<QVBoxLayout*>(layout())->addLayout(line);
@@ -68,7 +68,7 @@ void CheckRow::addChoices(const lesson::AskChoice& ask) {
     choices_->addButton(button, static_cast<int>(index) + 1);
     column->addWidget(button);
   }
-  QPushButton* const give = pushButton(name_ + ".give", tr("Check"), tr("Looks whether the answer is right."), this);
+  QPushButton* const give = pushButton(name_ + ".give", tr("Check"), tr("Checks the answer."), this);
   give->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
   column->addWidget(give);
   connect(give, &QPushButton::clicked, this, &CheckRow::give);
@@ -82,14 +82,14 @@ void CheckRow::give() {
   if (const std::optional<double> number = typed(number_->text())) {
     emit answered(*number);
   } else {
-    said_->setText(tr("“%1” is no number.").arg(number_->text()));
+    said_->setText(tr("“%1” is not a number.").arg(number_->text()));
   }
 }
 
 void CheckRow::present(const lesson::Check& check, const lesson::CheckState& state) {
   const QString text = checkText(check, state);
   const bool shows_slip = number_ != nullptr && !state.solved && !number_->text().isEmpty() &&
-                          !typed(number_->text());  // what give() has said of it stays
+                          !typed(number_->text());  // the message of give() stays
   if (said_->text() != text && !shows_slip) said_->setText(text);
   const char* const role = state.solved ? "running" : "";
   if (said_->property("role").toString() == role) return;

@@ -9,8 +9,8 @@ class QLineEdit;
 
 namespace underact::gui {
 
-/// One check of a step: its question with what answers it, where it has one, and a line of what was done and what is
-/// missing.
+/// One check of a step: its question, if it has one, with the fields that answer it, and a line that says what was done
+/// and what is missing.
 class CheckRow : public QWidget {
   Q_OBJECT
  public:
@@ -26,7 +26,7 @@ class CheckRow : public QWidget {
   void addChoices(const lesson::AskChoice& ask);
   void give();
 
-  QString name_;  // of the objects in it begins so
+  QString name_;  // prefix of the object names in it
   QLabel* said_;
   QLineEdit* number_ = nullptr;
   QButtonGroup* choices_ = nullptr;

@@ -14,9 +14,10 @@
 namespace underact::gui {
 namespace {
 
-constexpr std::size_t kLargestLesson = std::size_t{1} << 20;  // bytes; a longer file is none
+constexpr std::size_t kLargestLesson = std::size_t{1} << 20;  // bytes; a longer file is refused
 
-/// A key of the settings: a path has slashes, which part groups there. A lesson that ships counts wherever it lies.
+/// A settings key. Paths are encoded, since slashes separate groups there; a shipped lesson goes by its name, wherever
+/// it is installed.
 QString keyOf(const QString& path) {
   const QFileInfo file(path);
   const bool ships = file.absolutePath() == lessonFolder();

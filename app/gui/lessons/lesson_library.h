@@ -10,16 +10,16 @@ namespace underact::gui {
 /// The folder of the lessons that come with the program, as shippedFolder().
 QString lessonFolder();
 
-/// The lessons of that folder that can be read, by their order.
+/// The lessons of that folder that can be read, sorted by `order`.
 std::vector<lesson::Lesson> shippedLessons();
 
-/// Whether a file is meant as a lesson, right or wrong.
+/// Whether a file is meant as a lesson, even if it has errors.
 bool isLessonFile(const QString& path);
 
-/// The path of a lesson: a file as it stands, or the one of that name that ships.
+/// The path of a lesson: the file itself, or the shipped lesson of that name.
 QString lessonPath(const QString& name);
 
-/// Which steps of a lesson (from 0) were solved, now or on another day; kept in the user's settings.
+/// Which steps of a lesson (from 0) were solved, now or earlier; kept in the user's settings.
 QSet<std::size_t> solvedSteps(const QString& path);
 void rememberSolved(const QString& path, std::size_t step);
 

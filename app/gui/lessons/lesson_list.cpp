@@ -29,9 +29,9 @@ LessonList::LessonList(RecentFiles& recent, Actions& actions, QWidget* parent)
       shipped_(shippedLessons()),
       list_(new QListWidget(this)),
       about_(toldLabel("panel.lessons.about", tr("About the selected lesson"), "quiet", this)),
-      note_(toldLabel("panel.lessons.why", tr("Why the lesson was not begun"), "amber", this)) {
+      note_(toldLabel("panel.lessons.why", tr("Why the lesson did not start"), "amber", this)) {
   nameWidget(list_, "panel.lessons.list", tr("Lessons"),
-             tr("Enter or a click begins a lesson; the scene and panels of now come back after it."));
+             tr("Enter or a click starts a lesson. Your scene and panels come back when you leave it."));
   list_->setFrameShape(QFrame::NoFrame);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setWordWrap(true);
@@ -91,7 +91,7 @@ void LessonList::rebuild() {
     addLesson(lesson);
   }
   const QStringList recent = recent_.paths();
-  if (!recent.isEmpty()) addHeading(tr("Opened lately"));
+  if (!recent.isEmpty()) addHeading(tr("Recently opened"));
   for (const QString& path : recent) {
     const Result<lesson::Lesson> read = lesson::readLessonFile(path.toStdString());
     if (read) addLesson(translated(read.value()));
@@ -106,7 +106,7 @@ void LessonList::describe() {
   about_->setText(item == nullptr ? QString() : item->data(kAbout).toString());
 }
 
-// Later: the list is made anew by what this does.
+// Queued: opening the lesson rebuilds this list.
 void LessonList::open(QListWidgetItem* item) {
   const QString path = item->data(kPath).toString();
   if (path.isEmpty()) return;

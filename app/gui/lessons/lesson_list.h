@@ -13,14 +13,14 @@ namespace underact::gui {
 class Actions;
 class RecentFiles;
 
-/// The lessons to choose from: those that come with the program, in their groups, and files opened lately; each with
-/// what of it was solved.
+/// The lessons to choose from: those that come with the program, in their groups, and recently opened files; each with
+/// its progress.
 class LessonList : public QWidget {
   Q_OBJECT
  public:
   LessonList(RecentFiles& recent, Actions& actions, QWidget* parent);
   void rebuild();
-  /// Why a lesson was not begun; empty: nothing.
+  /// Shows why a lesson did not start; empty: nothing.
   void setNote(const QString& text);
 
  private:

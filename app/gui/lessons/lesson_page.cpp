@@ -25,7 +25,7 @@ namespace underact::gui {
 namespace {
 
 constexpr const char* kButtons[] = {"lesson.back", "lesson.hint", "lesson.next", "lesson.leave", "lesson.report"};
-constexpr const char* kSecondRow = "lesson.leave";  // begins with it; the field for a name stands between
+constexpr const char* kSecondRow = "lesson.leave";  // the second row begins with it; the name field is between
 
 }  // namespace
 
@@ -42,8 +42,8 @@ LessonPage::LessonPage(LessonRun& run, Actions& actions, QWidget* parent)
   nameWidget(text_, "panel.lessons.text", tr("Text of the step"));
   text_->setFrameShape(QFrame::NoFrame);
   nameWidget(name_, "panel.lessons.name", tr("Name in the report"));
-  name_->setPlaceholderText(tr("Name in the report (may stay empty)"));
-  name_->setToolTip(tr("It is written into the report alone, and kept nowhere else."));
+  name_->setPlaceholderText(tr("Name in the report (optional)"));
+  name_->setToolTip(tr("Written to the report only and saved nowhere else."));
   note_->hide();
   auto* const column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 12, 8);
@@ -98,7 +98,7 @@ void LessonPage::showStep() {
     row->show();
     rows_.push_back(row);
   }
-  orderTabs({this});  // what was made last would else come last
+  orderTabs({this});  // otherwise Tab follows the order of creation
   showText();
   present();
 }
@@ -120,7 +120,7 @@ void LessonPage::showHead() {
   title_->setText(run_.isSolved(run_.at()) ? tr("✓ %1 (solved)").arg(title) : title);
 }
 
-/// Nothing pushes, and the step is about forces.
+/// Asks for Start when the servo is stopped and the step is about forces.
 QString LessonPage::asksForStart() const {
   if (run_.isServoRunning() || run_.isSolved(run_.at())) return {};
   for (const lesson::Check& check : run_.step().checks) {

@@ -13,20 +13,20 @@ class CheckRow;
 class LessonRun;
 class PageView;
 
-/// The step of a lesson that is on: what to read, what to do, how far it is done, and the way on.
+/// The current step of a lesson: what to read, what to do, the progress, and the buttons.
 class LessonPage : public QWidget {
   Q_OBJECT
  public:
   LessonPage(LessonRun& run, Actions& actions, QWidget* parent);
 
-  /// Another step.
+  /// Shows another step.
   void showStep();
-  /// The checks anew.
+  /// Updates the checks.
   void present();
-  /// The step's hint below its text. false: it has none, or shows it.
+  /// Shows the step's hint below its text. false: it has none, or it is shown already.
   bool showHint();
   bool hasHint() const;
-  /// As typed for the report.
+  /// The name typed for the report.
   QString typedName() const;
   void setNote(const QString& text);
   PageView& text() { return *text_; }

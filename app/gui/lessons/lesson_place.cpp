@@ -14,8 +14,8 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kTextLines = 24;   // of the font's height: how wide a lesson's text is at first
-constexpr int kPanelLines = 20;  // and the panels at the other side
+constexpr int kTextLines = 24;   // initial width of a lesson's text, in line heights
+constexpr int kPanelLines = 20;  // and of the panels on the other side
 
 QString layerAction(const char* name) {
   return QString("layer.%1").arg(name);
@@ -37,7 +37,7 @@ bool LessonPlace::keep() {
   }
   viewpoint_ = parts_.view.viewpoint();
   docks_ = window()->saveState();
-  parts_.document.undoStack().setClean();  // it is settled
+  parts_.document.undoStack().setClean();  // the user has been asked already
   parts_.document.keepAsWritten(true);
   return true;
 }
@@ -73,7 +73,7 @@ void LessonPlace::showLayers(const std::vector<std::string>& layers) {
   }
 }
 
-/// The lesson alone at the left, the panels of the step at the right, so that both can be seen beside the view.
+/// The lesson alone on the left, the panels of the step on the right, so that both are visible beside the view.
 void LessonPlace::showPanels(const std::vector<std::string>& panels) {
   QMainWindow* const main = window();
   auto* const own = qobject_cast<QDockWidget*>(panel_.parentWidget());

@@ -18,18 +18,17 @@ struct LessonParts {
   Player& player;
 };
 
-/// What the window was like before a lesson, what a lesson makes of it, and the way back: scene, layers,
-/// camera, docks.
+/// Saves scene, layers, camera and docks before a lesson, arranges them for its steps, and restores them afterwards.
 class LessonPlace {
  public:
-  /// panel: the one that lessons are shown in.
+  /// panel: shows the lessons.
   LessonPlace(const LessonParts& parts, Panel& panel) : parts_(parts), panel_(panel) {}
 
-  /// Keeps scene, layers, camera and docks. Asks what becomes of edits of the scene. false: everything stays as it is.
+  /// Saves scene, layers, camera and docks. Asks what to do with unsaved edits. false: nothing has changed.
   bool keep();
-  /// Opens the scene of a step, where it names one or another one is open, and shows what it asks for.
+  /// Opens the scene of a step if it names one or another one is open, and shows the layers and panels it asks for.
   bool arrange(const lesson::Lesson& lesson, std::size_t step);
-  /// The window is as it was when it was kept. A scene that was opened meanwhile by hand stays.
+  /// Restores the window as saved by keep(). A scene that the user has opened meanwhile stays.
   void putBack();
 
  private:
@@ -37,14 +36,14 @@ class LessonPlace {
   void showLayers(const std::vector<std::string>& layers);
   void showPanels(const std::vector<std::string>& panels);
   QMainWindow* window() const;
-  /// The lesson's own scene is open: what was changed in it was an exercise, and nobody is asked about it.
+  /// Discards edits of the lesson's own scene without asking: they were part of the exercise.
   void letGoOfExercise();
 
   LessonParts parts_;
   Panel& panel_;
-  scene::Description scene_;  // of before; no constraint: there was none
+  scene::Description scene_;  // from before; without constraints: none was open
   QString path_;              // its file; empty: it has none
-  QString shown_;             // the lesson's scene that was opened last
+  QString shown_;             // the scene that the lesson opened last
   QHash<QString, bool> layers_;
   Viewpoint viewpoint_;
   QByteArray docks_;

@@ -16,22 +16,22 @@ LessonRun::LessonRun(const LessonParts& parts, Panel& panel) : QObject(&panel), 
 bool LessonRun::begin(const QString& path, QString& why) {
   Result<lesson::Lesson> read = lesson::readLessonFile(path.toStdString());
   if (!read) {
-    why = tr("“%1” has mistakes, which are listed.").arg(path);
+    why = tr("“%1” contains errors; see the list.").arg(path);
     emit problems(path, read.problems());
     return false;
   }
   if (parts_.player.isOpen()) {
-    why = tr("A recorded session is being replayed. Close it, then begin the lesson.");
+    why = tr("A session is being replayed. Close it, then start the lesson.");
     return false;
   }
-  if (!isOn() && !place_.keep()) return false;  // the user thought better of it
+  if (!isOn() && !place_.keep()) return false;  // the user cancelled
   lesson_ = translated(std::move(read).value());
   path_ = path;
   states_.assign(lesson_->steps.size(), {});
   solved_ = solvedSteps(path);
   std::size_t first = 0;
   while (first + 1 < lesson_->steps.size() && isSolved(first)) ++first;
-  if (isAllSolved()) first = 0;  // once more, from the beginning
+  if (isAllSolved()) first = 0;  // start again from the first step
   if (go(first)) return true;
   leave();
   return false;
@@ -87,7 +87,7 @@ void LessonRun::look(const servo::Snapshot& snapshot) {
   emit progressed();
 }
 
-/// The step that is on counts as solved where its checks are.
+/// Marks the current step as solved if all of its checks are.
 void LessonRun::settle() {
   if (isSolved(at_) || !lesson::isSolved(states_[at_])) return;
   solved_.insert(at_);

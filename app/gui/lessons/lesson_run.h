@@ -9,16 +9,16 @@
 
 namespace underact::gui {
 
-/// A lesson that is being done: where in it, what its checks have seen, and what is solved.
+/// A lesson in progress: the current step, what its checks have seen, and which steps are solved.
 class LessonRun : public QObject {
   Q_OBJECT
  public:
   LessonRun(const LessonParts& parts, Panel& panel);
 
-  /// Begins a lesson at its first step that is not solved, in place of one that is on. why: where it is not begun.
+  /// Starts a lesson at its first unsolved step, replacing the current one. why: set when it does not start.
   bool begin(const QString& path, QString& why);
   bool go(std::size_t step);
-  /// An answer to the question of a check: a number, or the number of a choice. false: there is no such question.
+  /// Answers the question of a check with a number, or the number of a choice. false: there is no such question.
   bool answer(std::size_t check, double number);
   void leave();
 
@@ -30,17 +30,17 @@ class LessonRun : public QObject {
   const QString& path() const { return path_; }
   std::size_t at() const { return at_; }
   const lesson::Step& step() const { return lesson_->steps[at_]; }
-  /// What the checks of a step have seen in this sitting.
+  /// What the checks of a step have seen since the lesson started.
   const std::vector<lesson::CheckState>& states(std::size_t step) const { return states_[step]; }
-  /// Of a step, in this sitting or another one. One without checks is at once.
+  /// Whether a step was solved, now or earlier. A step without checks is solved at once.
   bool isSolved(std::size_t step) const { return solved_.contains(step); }
   bool isAllSolved() const { return static_cast<std::size_t>(solved_.size()) == lesson_->steps.size(); }
   bool isServoRunning() const { return servo_runs_; }
 
  signals:
   void changed();     // another step, another lesson, or none
-  void progressed();  // a frame has gone by, or an answer was given
-  void solved();      // the step just was
+  void progressed();  // after each frame and each answer
+  void solved();      // the current step has just been solved
   void problems(const QString& path, const underact::Problems& problems);
 
  private:

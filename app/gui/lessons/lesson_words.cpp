@@ -23,7 +23,7 @@ QString stepText(const LessonRun& run, std::size_t step) {
                           run.isSolved(step) ? tr("✓ Solved") : tr("○ Not solved"));
   const std::vector<lesson::CheckState>& states = run.states(step);
   if (states.empty() && run.isSolved(step) && !its.checks.empty())
-    return text + "<p>" + tr("On another day.").toHtmlEscaped() + "</p>\n";
+    return text + "<p>" + tr("Solved earlier; no details were kept.").toHtmlEscaped() + "</p>\n";
   text += "<ul>\n";
   for (std::size_t index = 0; index < states.size(); ++index) {
     const std::string* const question = lesson::questionOf(its.checks[index]);

@@ -5,10 +5,10 @@
 
 namespace underact::gui {
 
-/// "Solved: ...", "To do: ...": a check as the panel, the report and a screen reader have it.
+/// "Solved: ...", "To do: ...": a check as shown in the panel and the report, and read by a screen reader.
 QString checkText(const lesson::Check& check, const lesson::CheckState& state);
 
-/// What was done in a lesson, as a page of HTML that stands by itself. name: of whoever did it, as typed; empty: none.
+/// The results of a lesson as a self-contained HTML page. name: of the person, as typed; empty: none.
 QString lessonReport(const LessonRun& run, const QString& name, const QDateTime& when);
 
 }  // namespace underact::gui

@@ -53,22 +53,22 @@ LessonsPanel::LessonsPanel(const LessonParts& parts, QWidget* parent)
 }
 
 void LessonsPanel::addActions() {
-  parts_.actions.add({"lesson.open", tr("&Open a lesson…"), QKeySequence("Ctrl+Shift+Y"),
-                      tr("Opens a lesson file, as a teacher writes it.")},
-                     [this](const QVariantList& path) {
-                       if (!path.isEmpty()) return start(path.first().toString());
-                       chooseLesson();
-                       return true;
-                     });
+  parts_.actions.add(
+      {"lesson.open", tr("&Open a lesson…"), QKeySequence("Ctrl+Shift+Y"), tr("Opens a lesson from a file.")},
+      [this](const QVariantList& path) {
+        if (!path.isEmpty()) return start(path.first().toString());
+        chooseLesson();
+        return true;
+      });
   parts_.actions.add({"lesson.leave", tr("&Leave the lesson"), QKeySequence("Ctrl+Shift+L"),
-                      tr("Back to the scene and the panels of before.")},
+                      tr("Restores the scene and the panels from before the lesson.")},
                      [this](const QVariantList&) {
                        const bool was_on = run_->isOn();
                        run_->leave();
                        return was_on;
                      });
   parts_.actions.add({"lesson.report", tr("Save &report…"), QKeySequence("Ctrl+Shift+S"),
-                      tr("Saves what was done in the lesson, and what was measured, as a page.")},
+                      tr("Saves what you did and measured in the lesson as a web page.")},
                      [this](const QVariantList& path) {
                        if (!path.isEmpty()) return saveReport(path.first().toString());
                        chooseReport();
@@ -83,9 +83,9 @@ void LessonsPanel::addActions() {
 }
 
 void LessonsPanel::addStepActions() {
-  parts_.actions.add({"lesson.next", tr("&Next"), QKeySequence("F8"), tr("The next step of the lesson.")},
+  parts_.actions.add({"lesson.next", tr("&Next"), QKeySequence("F8"), tr("Goes to the next step of the lesson.")},
                      [this](const QVariantList&) { return step(1); });
-  parts_.actions.add({"lesson.back", tr("&Back"), QKeySequence("F7"), tr("The step of the lesson before this one.")},
+  parts_.actions.add({"lesson.back", tr("&Back"), QKeySequence("F7"), tr("Goes to the previous step of the lesson.")},
                      [this](const QVariantList&) { return step(-1); });
   parts_.actions.add(
       {"lesson.hint", tr("&Show me"), QKeySequence("Ctrl+Shift+U"), tr("Shows a hint for this step, below its text.")},
@@ -99,13 +99,13 @@ void LessonsPanel::addStepActions() {
 bool LessonsPanel::start(const QString& path) {
   QString why;
   const bool begun = run_->begin(path, why);
-  if (!begun) bringForward();  // with what is wrong
+  if (!begun) bringForward();  // to show the error
   list_->setNote(begun ? QString() : why);
   if (begun && QFileInfo(path).absolutePath() != lessonFolder()) recent_->add(QFileInfo(path).absoluteFilePath());
   return begun;
 }
 
-/// Made where it is needed: the window has one of its own for scenes, whose parts have the same names.
+/// Made on demand: the window has its own for scenes, and its parts have the same object names.
 void LessonsPanel::showProblems(const QString& path, const Problems& problems) {
   if (problems_ == nullptr) {
     problems_ = new ProblemsDialog(this);
@@ -155,7 +155,7 @@ void LessonsPanel::present(const servo::Snapshot& snapshot) {
   run_->look(snapshot);
 }
 
-/// To a screen reader, at once, wherever it is.
+/// Announces it to a screen reader at once.
 void LessonsPanel::saySolved() {
   QAccessibleEvent alert(this, QAccessible::Alert);
   QAccessible::updateAccessibility(&alert);
@@ -173,10 +173,10 @@ void LessonsPanel::follow(const QUrl& link) {
 bool LessonsPanel::saveReport(const QString& path) {
   if (!run_->isOn() || path.isEmpty()) return false;
   const QByteArray page = lessonReport(*run_, page_->typedName(), QDateTime::currentDateTime()).toUtf8();
-  QSaveFile file(path);  // whole or not at all
+  QSaveFile file(path);  // the whole file or nothing
   const bool saved = file.open(QIODevice::WriteOnly) && file.write(page) == page.size() && file.commit();
   page_->setNote(saved ? tr("Saved as %1.").arg(QDir::toNativeSeparators(path))
-                       : tr("Not saved: %1. Choose another place.").arg(file.errorString()));
+                       : tr("Not saved: %1. Choose another folder.").arg(file.errorString()));
   return saved;
 }
 

@@ -14,7 +14,7 @@ class LessonPage;
 class LessonRun;
 class ProblemsDialog;
 
-/// Lessons to choose from and, once one is begun, its steps.
+/// The list of lessons and, once one has started, its steps.
 class LessonsPanel : public Panel {
   Q_OBJECT
  public:
@@ -38,9 +38,9 @@ class LessonsPanel : public Panel {
   void saySolved();
 
   LessonParts parts_;
-  RecentFiles* recent_;  // lesson files; those of scenes are another list
+  RecentFiles* recent_;  // lesson files; scene files have their own list
   LessonRun* run_;
-  QPointer<ProblemsDialog> problems_;  // of a lesson that was not opened
+  QPointer<ProblemsDialog> problems_;  // for a lesson that could not be opened
   QStackedWidget* pages_;
   LessonList* list_ = nullptr;
   LessonPage* page_ = nullptr;

@@ -32,17 +32,18 @@ device::SimulatedArm* ArmChoice::simulated() const {
 
 Problems ArmChoice::whyNotNow() const {
   if (chosen_ == nullptr)
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "This window was opened with one arm alone.")), {}}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem", "This window was opened for one arm only.")), {}}};
   if (host_.records())
-    return Problems{
-        {said(QT_TRANSLATE_NOOP("problem",
-                                "A session is being recorded, and it is of one arm. Stop the recording, then choose.")),
-         {}}};
+    return Problems{{said(QT_TRANSLATE_NOOP("problem",
+                                            "A session is being recorded, and a session contains only one arm. Stop "
+                                            "the recording, then choose the arm.")),
+                     {}}};
   if (document_.showsRecorded())
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "A recording is replayed. Close it, then choose.")), {}}};
+    return Problems{
+        {said(QT_TRANSLATE_NOOP("problem", "A session is being replayed. Close it, then choose the arm.")), {}}};
   if (document_.isTryingOut())
     return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "A measurement is at work on this arm. End it, then choose.")), {}}};
+        {said(QT_TRANSLATE_NOOP("problem", "A measurement is running on this arm. End it, then choose the arm.")), {}}};
   return {};
 }
 
@@ -69,7 +70,7 @@ Problems ArmChoice::choose(const QString& name) {
   return {};
 }
 
-/// The arm that was in place is closed: it may be the one that is opened next.
+/// Closes the current arm, which may be the one to be opened next, and puts the simulated one in its place.
 void ArmChoice::putFirst() {
   name_ = kSimulated;
   if (chosen_->isFirst()) return;
@@ -92,7 +93,7 @@ void ArmChoice::look() {
   if (std::optional<Opened> opened = work_ ? work_->take() : std::nullopt) {
     work_.reset();
     const QString name = std::exchange(opening_, QString());
-    Problems problems = *opened ? whyNotNow() : opened->problems();  // a recording may have begun since
+    Problems problems = *opened ? whyNotNow() : opened->problems();  // a recording may have started meanwhile
     if (problems.empty()) {
       chosen_->choose(std::move(*opened).value());
       problems = host_.restart();
@@ -106,14 +107,14 @@ void ArmChoice::look() {
   if (work_ == nullptr && leaving_.empty()) looks_.stop();
 }
 
-/// An arm is opened for the kinematics of a scene's arm.
+/// An arm is opened with the kinematics of the scene's arm.
 void ArmChoice::sceneOpened() {
   if (document_.showsRecorded() || document_.scene().arm == arm_) return;
   const QString wanted = opening_.isEmpty() ? name_ : opening_;
   if (wanted == kSimulated) return;
   const Problems problems = choose(wanted);
   if (problems.empty()) return;
-  host_.stop();  // it would be pushed as an arm that it is not
+  host_.stop();  // otherwise it would be driven with the kinematics of another arm
   emit failed(wanted, problems);
 }
 

@@ -17,28 +17,28 @@ namespace underact::gui {
 
 class Document;
 
-/// Which arm the servo drives. Another one is opened in a thread of its own, with the simulated arm in its place
-/// meanwhile; the servo is stopped then, and Start goes on: nobody is pushed by an arm that has just been opened.
+/// Which arm the servo drives. Another one is opened in its own thread while the simulated arm takes its place. The
+/// servo is stopped until Start is pressed: an arm that has just been opened must not push anybody.
 class ArmChoice : public QObject {
   Q_OBJECT
  public:
-  /// chosen: where arms can be exchanged, else null. simulated: the first arm where it is the simulated one, else null.
+  /// chosen: null if arms cannot be exchanged. simulated: the first arm if it is the simulated one, else null.
   ArmChoice(servo::Host& host, Document& document, device::ChosenArm* chosen, device::SimulatedArm* simulated,
             QObject* parent);
   ~ArmChoice() override;
 
-  /// Null while another arm is in place.
+  /// Null while another arm is in use.
   device::SimulatedArm* simulated() const;
-  /// As device::openDevice() takes it: "simulated", "wooden:0042".
+  /// The name, as for device::openDevice(): "simulated", "wooden:0042".
   const QString& name() const { return name_; }
-  /// That was asked for last, open or not: for the next life of the window.
+  /// The arm requested last, open or not; saved for the next start.
   const QString& wanted() const { return wanted_; }
-  /// That is being opened; empty: none.
+  /// The arm being opened; empty: none.
   const QString& opening() const { return opening_; }
 
-  /// Opens that arm, in a while: changed() or failed() comes. Problems: why it cannot be now; then nothing changes.
+  /// Starts to open that arm; changed() or failed() follows. Problems: why it is not possible now; nothing changes.
   Problems choose(const QString& name);
-  /// The simulated arm stays.
+  /// Cancels; the simulated arm stays.
   void cancel();
 
  signals:
@@ -58,9 +58,9 @@ class ArmChoice : public QObject {
   device::ChosenArm* chosen_;
   device::SimulatedArm* simulated_;
   QString name_ = "simulated", wanted_ = name_, opening_;
-  std::string arm_;  // of the scene that the arm in place was opened for
+  std::string arm_;  // the scene's arm for which the current arm was opened
   std::unique_ptr<Background<Opened>> work_;
-  std::vector<std::unique_ptr<Background<Opened>>> leaving_;  // nobody waits for them
+  std::vector<std::unique_ptr<Background<Opened>>> leaving_;  // left to finish by themselves
   QTimer looks_;
 };
 

@@ -17,7 +17,7 @@ ArmInUse::ArmInUse(device::SimulatedArm* arm, const QString& remembered, QObject
     : QObject(parent), arm_(arm), file_(vendors()) {
   if (remembered.isEmpty()) return;
   Result<sim::ArmModelFile> read = sim::readArmModel(remembered.toStdString(), "settings");
-  if (read) use(read.value());  // else it was written by another version: the vendor's figures
+  if (read) use(read.value());  // else it is of another version: use the vendor's figures
 }
 
 Problems ArmInUse::open(const QString& path) {

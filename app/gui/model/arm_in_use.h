@@ -10,21 +10,21 @@ class SimulatedArm;
 
 namespace underact::gui {
 
-/// What the simulated arm of the window is made of: the vendor's figures, or an arm that was measured.
+/// The model of the window's simulated arm: the vendor's figures, or those of a measured arm.
 class ArmInUse : public QObject {
   Q_OBJECT
  public:
-  /// arm: null where a real one is there; then nothing is changed by a model. remembered: as text() gave it.
+  /// arm: null if a real one is in use; the model then has no effect. remembered: as returned by text().
   ArmInUse(device::SimulatedArm* arm, const QString& remembered, QObject* parent);
 
   const sim::ArmModel& model() const { return file_.arm; }
   bool isMeasured() const { return is_measured_; }
   bool hasSimulatedArm() const { return arm_ != nullptr; }
-  /// From a file. Problems: what is wrong with it; then the arm stays as it is.
+  /// Loads a model from a file. Problems: of the file; the arm stays as it is.
   Problems open(const QString& path);
   void use(const sim::ArmModelFile& file);
   void useVendors();
-  /// For the next life of the window; empty: the vendor's figures.
+  /// To be saved for the next start; empty: the vendor's figures.
   QString text() const;
 
  signals:

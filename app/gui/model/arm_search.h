@@ -10,25 +10,25 @@
 
 namespace underact::gui {
 
-/// An arm in the list of what there is.
+/// An entry in the list of arms.
 struct ArmEntry {
   QString kind;   // "wooden"
   QString title;  // "WoodenHaptics, serial 0042"
-  QString name;   // "wooden:0042", as device::openDevice() takes it; empty: nothing of this kind is there
+  QString name;   // "wooden:0042", as for device::openDevice(); empty: none of this kind is connected
   std::vector<device::Missing> missing;
   bool isUsable() const { return !name.isEmpty() && missing.empty(); }
   friend bool operator==(const ArmEntry& one, const ArmEntry& other);
 };
 
-/// What is plugged in, of every kind that there is; a kind of which nothing is there has an entry that says so.
+/// The connected arms of every kind; a kind without any has an entry that says so.
 std::vector<ArmEntry> lookForArms();
 
-/// Looks for arms in a thread of its own, since USB may take its time.
+/// Searches for arms in its own thread, since USB may be slow.
 class ArmSearch : public QObject {
   Q_OBJECT
  public:
   explicit ArmSearch(QObject* parent);
-  /// Now, if it is not at it. found() comes where something has changed.
+  /// Starts a search unless one is running. Emits found() if something has changed.
   void look();
   const std::vector<ArmEntry>& entries() const { return entries_; }
 

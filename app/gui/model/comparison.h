@@ -7,8 +7,8 @@
 
 namespace underact::gui {
 
-/// The same ticks as they were recorded and as they are now. Only those count in which both times the ramps let the
-/// whole force through: a start is no gain.
+/// The same ticks as recorded and as they are now. Only ticks with the full force in both are counted: a ramp is not a
+/// difference between scenes.
 class Comparison {
  public:
   void clear() { *this = Comparison{}; }

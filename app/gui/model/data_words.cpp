@@ -5,7 +5,7 @@
 namespace underact::gui {
 namespace {
 
-/// A text of several lines ends with an empty one, which no translation has.
+/// A multi-line text ends with an empty line, which translations do not have.
 void translate(const char* context, std::string& text) {
   while (text.ends_with('\n')) text.pop_back();
   if (!text.empty()) text = QCoreApplication::translate(context, text.c_str()).toStdString();

@@ -7,11 +7,11 @@
 
 namespace underact::gui {
 
-/// A text of a scene's file in the window's language; of a scene that nobody translated: as it stands. What is shown,
-/// never what is saved. Any thread.
+/// A text of a scene file in the window's language, or unchanged without a translation. For display only, never to be
+/// saved. Any thread.
 QString sceneText(const std::string& text);
 
-/// The same of all that is shown of it.
+/// Translates all texts that are shown.
 scene::Teaching translated(scene::Teaching teaching);
 lesson::Lesson translated(lesson::Lesson lesson);
 

@@ -35,21 +35,21 @@ Problems Document::open(scene::Description opened) {
   path_ = QString::fromStdString(original_.file);
   is_open_ = true;
   undo_.clear();
-  if (path_.isEmpty()) undo_.resetClean();  // nobody loses what was never saved
+  if (path_.isEmpty()) undo_.resetClean();  // a scene that was never saved counts as unsaved
   emit this->opened();
   return {};
 }
 
 Problems Document::saveAs(const QString& path) {
   const QString file = QFileInfo(path).absoluteFilePath();
-  const std::optional<scene::Teaching> teaching = scene::teachingOf(path_.toStdString());  // goes along, as it was
+  const std::optional<scene::Teaching> teaching = scene::teachingOf(path_.toStdString());  // kept from the old file
   Problems problems =
       scene::writeSceneFile(scene::namedFrom(asWritten(), file.toStdString()), file.toStdString(), teaching);
   if (!problems.empty()) return problems;
   path_ = file;
   original_ = scene();
   undo_.setClean();
-  emit edited();  // the marks of the scene's own values have moved
+  emit edited();  // the marks of the scene's own values change
   return {};
 }
 
@@ -70,7 +70,7 @@ void Document::pushEdit(scene::Description before, scene::Description after, con
 }
 
 void Document::put(const scene::Description& written) {
-  // It was in effect before, so it cannot be refused; the panels show what holds in any case.
+  // It was in effect before, so it cannot be refused; in any case the panels show what is in effect.
   static_cast<void>(host_.edit(throughMirror(written)));
   kept_.reset();
   emit edited();
@@ -97,7 +97,7 @@ Problems Document::showRecorded(const scene::Description& shown) {
   if (!own_) own_ = std::move(own);
   const bool is_another = change == scene::Change::Scene || !path_.isEmpty();
   kept_.reset();
-  is_mirrored_ = false;  // the arm was where it was
+  is_mirrored_ = false;  // a recording is shown as it was made
   original_ = shown;
   path_.clear();
   undo_.clear();
@@ -111,7 +111,7 @@ void Document::putBackOwn() {
   own_.reset();
   kept_.reset();
   undo_.clear();
-  if (own.scene.constraints.empty()) return;  // there was none: the last one of the recording stays
+  if (own.scene.constraints.empty()) return;  // no scene was open: the recording's last one stays
   is_mirrored_ = opensMirrored();
   static_cast<void>(host_.load(throughMirror(own.scene)));  // it was in effect before
   original_ = throughMirror(own.original);

@@ -8,72 +8,70 @@
 
 namespace underact::gui {
 
-/// The scene in the window: the file it came from, as the file has it and as it is now, and the way back. The servo's
-/// host keeps the scene in effect; this is the editor's side of it. Files are for the right hand. For the left one what
-/// is in effect is their mirror image, and all that says "in effect" here is that.
+/// The scene in the window: its file, the scene as saved there and as edited, and the undo stack. The servo's host owns
+/// the scene in effect; this is the editor's side. Files are for the right hand. For the left hand the scene in effect
+/// is their mirror image; "in effect" below refers to that.
 class Document : public QObject {
   Q_OBJECT
  public:
   explicit Document(servo::Host& host, QObject* parent = nullptr);
 
-  /// Opens a scene as its file has it, with its meshes loaded, in place of the one there is. Its file: where it was
-  /// read from; none: it is new, and was never saved. Problems: what is wrong with it; then the old scene stays in
-  /// effect.
+  /// Opens a scene as in its file, with its meshes loaded, replacing the current one. Its file: where it was read from;
+  /// none: it is new and was never saved. Problems: what is wrong with it; the old scene then stays in effect.
   Problems open(scene::Description opened);
-  /// Writes the scene as it is now, for the right hand; from then on that is its file, and its gains are the scene's
-  /// own. Meshes are named as seen from there.
+  /// Saves the current scene, for the right hand; that becomes its file, and its values become the scene's own. Mesh
+  /// paths are relative to it.
   Problems saveAs(const QString& path);
 
-  /// Puts after, an edit of scene(), in its place. what: "stiffness x", for the undo menu. gesture: edits in a row with
+  /// Replaces scene() by after, an edited copy. what: "stiffness x", for the undo menu. gesture: successive edits with
   /// the same number (one drag) become one step. Problems: the old scene stays.
   Problems edit(const scene::Description& after, const QString& what, int gesture);
-  /// A number that no edit has had yet.
+  /// A number not used by any edit yet.
   int newGesture() { return ++gestures_; }
 
-  /// Puts a scene into effect for a while, as a measurement does: scene() and the undo stack stay what they are. An
-  /// edit, an undo, another scene or putBack() ends it. Problems: what is in effect stays.
+  /// Puts a scene into effect temporarily, as a measurement does: scene() and the undo stack are unchanged. An edit, an
+  /// undo, another scene or putBack() ends it. Problems: the scene in effect stays.
   Problems tryOut(const scene::Description& tried);
-  /// scene() is in effect again.
+  /// Puts scene() into effect again.
   void putBack();
   bool isTryingOut() const { return kept_.has_value(); }
 
-  /// A recording's scene, in place of the one there is, which is kept until putBackOwn(); it has no file, and what was
-  /// edited since the last one is gone. Problems: what is in effect stays.
+  /// Shows a recording's scene instead of the user's own, which is kept until putBackOwn(). It has no file; edits of
+  /// the previous recorded scene are lost. Problems: the scene in effect stays.
   Problems showRecorded(const scene::Description& scene);
-  /// The scene from before showRecorded() is there again, with its file and its edits (as one step to undo).
+  /// Restores the scene from before showRecorded(), with its file and its edits (as one undo step).
   void putBackOwn();
   bool showsRecorded() const { return own_.has_value(); }
 
-  /// From now on scenes are there for the left hand: the one in effect goes over as a step that can be undone, the
-  /// others as they are opened; a recording's, and one that is kept as written, stays. Problems: the old scene stays,
-  /// and so does the hand.
+  /// From now on scenes are for the left hand: the one in effect is mirrored as a step that can be undone, others when
+  /// they are opened; a recording's scene, and one kept as written, is not mirrored. Problems: scene and hand stay.
   Problems setLeftHanded(bool on);
   bool isLeftHanded() const { return left_handed_; }
-  /// Scenes are as their files have them for a while, whichever hand: a lesson speaks of left and right.
+  /// Keeps scenes as in their files for a while, whichever the hand: lessons refer to left and right.
   void keepAsWritten(bool on);
-  /// The scene in effect is the mirror image of its file's.
+  /// Whether the scene in effect is the mirror image of its file's.
   bool isMirrored() const { return is_mirrored_; }
-  /// The next one that is opened will be.
+  /// Whether the next scene opened will be mirrored.
   bool opensMirrored() const { return left_handed_ && !keeps_as_written_ && !own_; }
-  /// The scene as a file would have it.
+  /// The scene as it would be saved.
   scene::Description asWritten() const { return throughMirror(scene()); }
-  /// From how a file has it to how it is in effect, or back: both are the same.
+  /// Converts between the scene as in a file and as in effect; the same in both directions.
   scene::Description throughMirror(scene::Description scene) const;
   scene::Constraint throughMirror(scene::Constraint constraint) const;
 
   const scene::Description& scene() const { return kept_ ? *kept_ : host_.scene(); }
-  // As the file has it, by the name of the constraint that is at index now: others may have been added or taken away.
-  /// The control at index as the file has it; of a constraint the file does not have, the scene's.
+  // As in the file, found by the name of the constraint now at index, since others may have been added or removed.
+  /// The control at index as in the file; for a constraint that the file does not have, the scene's.
   const scene::Control& own(std::size_t index) const;
-  /// The constraint at index as the file has it; a point with nothing to it: the file does not have it.
+  /// The constraint at index as in the file; an empty point if the file does not have it.
   const scene::Constraint& written(std::size_t index) const;
-  /// A setting of it, by its path from there on, "/influence/t"; none: it has none.
+  /// A setting of it, by its path relative to the constraint, "/influence/t"; none: it has no such setting.
   scene::SettingValue own(std::size_t index, const std::string& path) const;
-  /// As it holds.
+  /// The current value.
   scene::SettingValue value(std::size_t index, const std::string& path) const;
   bool isOpen() const { return is_open_ || own_; }
   bool modified() const;
-  QString path() const { return path_; }  // empty: it has no file
+  QString path() const { return path_; }  // empty: no file
   QUndoStack& undoStack() { return undo_; }
 
  signals:
@@ -83,9 +81,9 @@ class Document : public QObject {
   void leftHandedChanged(bool on);
 
  private:
-  /// Both as written: whichever hand it is when they are put into effect again.
+  /// Both as written, since the hand may be another one when they take effect again.
   void pushEdit(scene::Description before, scene::Description after, const QString& what, int gesture);
-  void put(const scene::Description& written);  // one that was in effect before
+  void put(const scene::Description& written);  // a scene that was in effect before
   Problems takeHand(bool left);
   Problems followHand();
 
@@ -95,8 +93,8 @@ class Document : public QObject {
   };
 
   servo::Host& host_;
-  scene::Description original_;             // as its file has it, through the mirror where the one in effect is
-  std::optional<scene::Description> kept_;  // while another scene is tried out in its place
+  scene::Description original_;             // as in its file, mirrored if the scene in effect is
+  std::optional<scene::Description> kept_;  // while another scene is tried out
   std::optional<Own> own_;                  // while a recording's is shown
   QString path_;
   bool is_open_ = false;

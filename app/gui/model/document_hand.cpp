@@ -7,7 +7,7 @@
 
 namespace underact::gui {
 
-// Which hand the document's scene is for.
+// Selects the hand that the document's scene is for.
 
 Problems Document::setLeftHanded(bool on) {
   const bool was_mirrored = is_mirrored_;
@@ -30,10 +30,10 @@ Problems Document::takeHand(bool left) {
 
 void Document::keepAsWritten(bool on) {
   keeps_as_written_ = on;
-  static_cast<void>(followHand());  // it was in effect before, or compiles as its mirror image did
+  static_cast<void>(followHand());  // it was in effect before, or compiles like its mirror image
 }
 
-/// As another scene: what a law, a robot or a search remembers of this one says nothing of the other.
+/// Loads it like another scene: the memory of control laws, robots and searches does not apply to the mirror image.
 Problems Document::followHand() {
   if (!is_open_ || opensMirrored() == is_mirrored_) return {};
   const scene::Description turned = scene::mirrored(scene());
@@ -54,7 +54,7 @@ scene::Constraint Document::throughMirror(scene::Constraint constraint) const {
   return is_mirrored_ ? scene::mirrored(std::move(constraint)) : constraint;
 }
 
-/// The hand is no edit: a file that is written has none.
+/// The hand is not an edit: it is not saved in files.
 bool Document::modified() const {
   return !undo_.isClean() && (path_.isEmpty() || !scene::isSame(original_, scene()));
 }

@@ -3,7 +3,7 @@
 
 namespace underact::gui {
 
-/// Where faults are kept: one file each, the newest 20.
+/// Where faults are saved: one file each, the newest 20.
 QString faultFolder();
 
 }  // namespace underact::gui

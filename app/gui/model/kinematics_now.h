@@ -4,7 +4,7 @@
 
 namespace underact::gui {
 
-/// All that the kinematics panel shows of one moment.
+/// Everything that the kinematics panel shows for one instant.
 struct KinematicsNow {
   arm::JointAngles q_rad{};
   arm::JointAngles device_rad{};
@@ -18,14 +18,14 @@ struct KinematicsNow {
 KinematicsNow kinematicsNow(const arm::Geometry& geometry, const arm::JointLimits& limits,
                             const arm::JointAngles& q_rad);
 
-/// 1 to 8, as the panel's rows and the view's ghosts are called: in the order shoulder, elbow, wrist, + before -.
+/// 1 to 8, the number of a solution in the panel and in the view: ordered by shoulder, elbow, wrist, + before -.
 int numberOf(const arm::Branch& branch);
 /// number: 1 to 8.
 arm::Branch branchOf(int number);
 
-// Under these a singularity counts as near. Shoulder: the tip then goes less than 20 mm for each rad of joint 1, where
-// statics.h begins to damp. Elbow and wrist: one over the sine of 15 degrees is four; so many times faster than in the
-// middle a joint turns for the same motion. They are chosen, not measured.
+// Below these limits a singularity counts as near. Shoulder: the tip then moves less than 20 mm per rad of joint 1,
+// where statics.h begins to damp. Elbow and wrist: 1 / sin(15 degrees) is about four, so a joint turns about four times
+// as fast as in the middle for the same motion. The limits are chosen, not measured.
 inline constexpr double kNearShoulder_m = 0.020;
 inline constexpr double kNearElbow_deg = 15.0;
 inline constexpr double kNearWrist_deg = 15.0;

@@ -16,7 +16,7 @@ constexpr const char* kLanguageKey = "window/language";
 constexpr const char* kSystem = "system";
 constexpr const char* kOwn = "underact.translator";
 
-/// The translator joins the program where the file is there.
+/// Installs the translator if its file exists.
 void install(const QLocale& locale, const QString& name, const QString& folder) {
   auto* translator = new QTranslator(QCoreApplication::instance());
   translator->setObjectName(kOwn);
@@ -42,19 +42,19 @@ void chooseLanguage(const QString& language) {
 }
 
 void speak(const QString& language) {
-  qDeleteAll(QCoreApplication::instance()->findChildren<QTranslator*>(kOwn));  // each takes itself out
+  qDeleteAll(QCoreApplication::instance()->findChildren<QTranslator*>(kOwn));  // each removes itself
   QLocale locale = language == kSystem ? QLocale::system() : QLocale(language);
-  const QString first = locale.uiLanguages().value(0);  // words and numbers may be of two countries
-  if (QLocale(first).language() != QLocale::English) {  // which the sources speak
-    // Qt's own words first: what is installed later is asked before.
+  const QString first = locale.uiLanguages().value(0);  // texts and numbers may follow two countries
+  if (QLocale(first).language() != QLocale::English) {  // the language of the sources
+    // Qt's own texts first: translators installed later are asked first.
     install(locale, QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     install(locale, QStringLiteral("underact"), QStringLiteral(":/languages"));
   }
   if (language == "en") locale = QLocale::c();
   locale.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
-  QLocale{};  // only once there is a default does the next line take over the options
+  QLocale{};  // the next line takes over the options only once there is a default
   QLocale::setDefault(locale);
-  std::setlocale(LC_NUMERIC, "C");  // Qt has taken the user's; scene files and VTK read points
+  std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's; scene files and VTK need decimal points
 }
 
 }  // namespace underact::gui

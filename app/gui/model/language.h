@@ -4,17 +4,16 @@
 
 namespace underact::gui {
 
-/// What the languages are known by in the settings: "system" first, then those that the window speaks.
+/// The keys of the languages in the settings: "system" first, then those of the window.
 QStringList languages();
 
-/// The one that was chosen; "system" where none was, or one that is not among them.
+/// The chosen one; "system" if none was chosen or it is unknown.
 QString chosenLanguage();
-/// Kept in the user's settings; a window takes it up when it is made.
+/// Saved in the user's settings; takes effect when a window is made.
 void chooseLanguage(const QString& language);
 
-/// From now on texts are in that language, and numbers as it writes them; "system": as the system says, in English
-/// where the window does not speak its language. Files, sessions and what commands print are always as they are in
-/// English.
+/// From now on texts and numbers are in that language; "system": the system's, or English if the window does not speak
+/// it. Files, sessions and the output of commands are always in English.
 void speak(const QString& language);
 
 }  // namespace underact::gui

@@ -14,12 +14,12 @@ void addLeftHandAction(Actions& actions, Document& document) {
       actions.add({"scene.left_handed",
                    tr("&Left-handed"),
                    QKeySequence("Ctrl+Alt+Shift+M"),
-                   tr("Mirrors every scene, for the stylus in the left hand; lessons and recordings stay as they are."),
+                   tr("Mirrors every scene for the left hand; lessons and recordings are not mirrored."),
                    {},
                    {},
                    true},
                   [&document](const QVariantList& on) { return document.setLeftHanded(on.value(0).toBool()).empty(); });
-  QObject::connect(&document, &Document::leftHandedChanged, action, &QAction::setChecked);  // an undo turns it, too
+  QObject::connect(&document, &Document::leftHandedChanged, action, &QAction::setChecked);  // undo changes it, too
 }
 
 }  // namespace underact::gui

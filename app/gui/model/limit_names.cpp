@@ -8,29 +8,29 @@ using safety::Cuts;
 
 std::span<const LimitName> limitNames() {
   static constexpr LimitName kNames[] = {
-      {"clamp", QT_TRANSLATE_NOOP("limit", "Greatest force"), QT_TRANSLATE_NOOP("limit", "greatest force"),
-       QT_TRANSLATE_NOOP("limit", "No force is greater than what the arm bears for good; its direction is kept."),
+      {"clamp", QT_TRANSLATE_NOOP("limit", "Maximum force"), QT_TRANSLATE_NOOP("limit", "maximum force"),
+       QT_TRANSLATE_NOOP("limit", "Limits the force to the arm's continuous force; its direction is kept."),
        safety::kClampBit, &Cuts::clamp_N},
       {"speed", QT_TRANSLATE_NOOP("limit", "Speed"), QT_TRANSLATE_NOOP("limit", "speed"),
        QT_TRANSLATE_NOOP("limit",
-                         "From 1 m/s on less and from 2 m/s on none of the force may drive the stylus along; a force "
-                         "that brakes it is not touched."),
+                         "Above 1 m/s, force in the direction of motion is reduced; from 2 m/s it is zero. Force "
+                         "against the motion is not limited."),
        safety::kSpeedBit, &Cuts::speed_N},
       {"edge", QT_TRANSLATE_NOOP("limit", "Workspace edge"), QT_TRANSLATE_NOOP("limit", "edge"),
-       QT_TRANSLATE_NOOP("limit", "In the last 3° before a joint's stop a force that presses towards it fades."),
+       QT_TRANSLATE_NOOP("limit", "Within 3° of a joint's stop, a force that presses towards it fades out."),
        safety::kEdgeBit, &Cuts::edge_N},
       {"heat", QT_TRANSLATE_NOOP("limit", "Motor heat"), QT_TRANSLATE_NOOP("limit", "heat"),
-       QT_TRANSLATE_NOOP("limit",
-                         "From 90 % of the heat that a motor bears for good the force goes down to what it "
-                         "can give for good."),
+       QT_TRANSLATE_NOOP(
+           "limit",
+           "Between 90 % and 100 % of a motor's permissible heat, the force is reduced to its continuous force."),
        safety::kHeatBit, &Cuts::heat_N},
-      {"slew", QT_TRANSLATE_NOOP("limit", "Change of force"), QT_TRANSLATE_NOOP("limit", "change"),
-       QT_TRANSLATE_NOOP("limit", "The force changes by 1 N in a millisecond at most."), safety::kSlewBit,
+      {"slew", QT_TRANSLATE_NOOP("limit", "Slew rate"), QT_TRANSLATE_NOOP("limit", "slew rate"),
+       QT_TRANSLATE_NOOP("limit", "The force changes by at most 1 N per millisecond."), safety::kSlewBit,
        &Cuts::slew_N},
       {"frozen", QT_TRANSLATE_NOOP("limit", "Frozen sample"), QT_TRANSLATE_NOOP("limit", "frozen sample"),
        QT_TRANSLATE_NOOP("limit",
-                         "An arm whose joints stay the same to the last bit says nothing of the hand: the "
-                         "force is let go until they move."),
+                         "If the joint angles stay identical to the last bit for some time, the arm no longer measures "
+                         "the hand: the force fades out until they change."),
        safety::kFrozenBit, nullptr},
   };
   return kNames;

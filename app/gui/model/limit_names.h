@@ -6,20 +6,20 @@
 
 namespace underact::gui {
 
-/// A limit of the gate as a person is told of it.
+/// A limit of the safety gate as shown to the user.
 struct LimitName {
-  const char* key;    // "speed": of objects
+  const char* key;    // "speed": for object names
   const char* title;  // in the panel
   const char* word;   // "limited: speed"
   const char* tip;
   safety::CutBit bit;
-  double safety::Cuts::*cut_N;  // null: it lets go as a whole
+  double safety::Cuts::*cut_N;  // null: it releases the whole force
 };
 
 /// In the order in which they act.
 std::span<const LimitName> limitNames();
 
-/// The word of the limit that takes the most off the force now; empty: none acts.
+/// The word for the limit that reduces the force most now; empty: none acts.
 QString mostLimiting(const safety::Cuts& cuts);
 
 }  // namespace underact::gui

@@ -53,7 +53,7 @@ void Player::begin(LoadedSession session) {
     was_running_ = host_.running();
     is_held_ = !host_.device().simulated;
   }
-  arm_->replay(session.recorded);  // before the scene: how long an arm may stand still is asked of it
+  arm_->replay(session.recorded);  // before the scene, which needs to know how long the arm may stand still
   session_ = std::move(session);
   scene_ = nullptr;
   tried_.reset();
@@ -72,7 +72,7 @@ void Player::begin(LoadedSession session) {
 void Player::close() {
   cancelLoading();
   if (!isOpen()) return;
-  if (!was_running_ || is_held_) host_.stop();  // an arm in somebody's hand pushes only when it is told to
+  if (!was_running_ || is_held_) host_.stop();  // a real arm pushes only on request
   arm_->replay(nullptr);
   session_ = {};
   scene_ = nullptr;
@@ -94,7 +94,7 @@ void Player::followScene() {
   if (!problems.empty()) emit failed(QString::fromStdString(session_.recorded->path), problems);
 }
 
-/// Whoever changes the scene asks what if.
+/// A change of the scene switches what-if on.
 void Player::windowEdited() {
   if (!isOpen() || is_putting_) return;
   comparison_.clear();

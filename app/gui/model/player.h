@@ -13,30 +13,30 @@ namespace underact::gui {
 
 class Document;
 
-/// A recorded session in the window: reads it, has the replayed arm play it, and keeps the scene in the window that of
-/// the recording, unless somebody asks what would be with another one.
+/// A recorded session in the window: reads it, plays it on the replayed arm, and shows the recording's scene in the
+/// window, unless the user tries another one (what-if).
 class Player : public QObject {
   Q_OBJECT
  public:
-  /// arm: the host's device, or null: then nothing can be replayed.
+  /// arm: the host's device; null: nothing can be replayed.
   Player(servo::Host& host, Document& document, device::ReplayedArm* arm, PrepareScene prepare, QObject* parent);
   ~Player() override;
 
-  /// Begins to read a session; opened() or failed() tells how it went. false: the arm cannot replay.
+  /// Starts to read a session; opened() or failed() follows. false: the arm cannot replay.
   bool open(const QString& path);
-  /// The session that was opened, or tried, last; empty: none.
+  /// The session opened last, successfully or not; empty: none.
   QString path() const { return path_; }
   bool isLoading() const { return load_ != nullptr; }
   double share() const { return load_ ? load_->share() : 1.0; }
   void cancelLoading();
-  /// The scene that was there before, and the arm.
+  /// Restores the previous scene and arm.
   void close();
   bool isOpen() const { return session_.recorded != nullptr; }
-  const device::Recorded& recorded() const { return *session_.recorded; }  // where one is open
+  const device::Recorded& recorded() const { return *session_.recorded; }  // only while one is open
   const SessionData& data() const { return *session_.data; }
   std::shared_ptr<const SessionData> sharedData() const { return session_.data; }
 
-  // Where one is open.
+  // Only while one is open.
   void play();
   void pause();
   bool isPlaying() const { return arm_ != nullptr && arm_->isPlaying(); }
@@ -49,30 +49,30 @@ class Player : public QObject {
   double speed() const { return arm_ != nullptr ? arm_->speed() : 1.0; }
   void setLoop(bool on);
   bool loops() const { return loops_; }
-  /// in: where a loop begins, out: where it ends; the other one gives way.
+  /// in: where a loop begins, out: where it ends; each moves the other if necessary.
   void setLoopIn(std::int64_t row);
   void setLoopOut(std::int64_t row);
   std::int64_t loopIn() const { return loop_in_; }
   std::int64_t loopOut() const { return loop_out_; }
-  /// On: the window's own scene and gains act. Off: those that were recorded; what was tried is there when it is on
+  /// On: the window's own scene and gains act. Off: the recorded ones; what was tried returns when it is switched on
   /// again.
   void setWhatIf(bool on);
   bool whatIf() const { return what_if_; }
-  /// Since the last jump, and since the last edit.
+  /// Compares the ticks since the last jump or edit.
   const Comparison& comparison() const { return comparison_; }
 
   /// Each frame, before the ticks are drained.
   void look();
   /// Every tick, in order.
   void add(const servo::TickRecord& record);
-  /// What was recorded where the tick that was added last comes from.
+  /// What was recorded at the tick added last.
   const RecordedBeside& beside() const { return beside_; }
 
  signals:
   void loading();
   void opened();
   void closed();
-  void cancelled();  // nobody wants it read any more
+  void cancelled();  // reading was cancelled
   void failed(const QString& path, const underact::Problems& problems);
   void whatIfChanged(bool on);
   void changed();  // play, pause, speed, loop
@@ -87,16 +87,16 @@ class Player : public QObject {
   Document& document_;
   device::ReplayedArm* arm_;
   PrepareScene prepare_;
-  QString path_;  // that is read
+  QString path_;  // being read
   std::unique_ptr<Background<Result<LoadedSession>>> load_;
   LoadedSession session_;
-  const device::RecordedScene* scene_ = nullptr;  // in the window
+  const device::RecordedScene* scene_ = nullptr;  // shown in the window
   std::optional<scene::Description> tried_;       // while what if is off
   bool what_if_ = false, loops_ = false;
-  bool is_putting_ = false;                     // it is the player that changes the scene
-  bool was_running_ = false, is_held_ = false;  // before: the servo; and the arm is a real one
+  bool is_putting_ = false;                     // the player itself is changing the scene
+  bool was_running_ = false, is_held_ = false;  // before the replay: the servo ran; the arm is a real one
   std::int64_t loop_in_ = 0, loop_out_ = 0;
-  std::optional<device::ReplayedArm::Place> next_;  // of a tick that was not drained yet
+  std::optional<device::ReplayedArm::Place> next_;  // of a tick not drained yet
   RecordedBeside beside_;
   Comparison comparison_;
 };

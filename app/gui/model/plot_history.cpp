@@ -15,13 +15,13 @@ float onScreen(double value, double factor) {
   return static_cast<float>(factor * value);
 }
 
-/// largest_step: of a line that is drawn; one that is larger breaks it.
+/// largest_step: a larger step breaks the line.
 std::size_t thin(const PlotHistory& history, float PlotRow::*value, std::size_t columns, std::span<PlotPoint> points,
                  float largest_step) {
   const double now_s = history.newest_s(),
                column_s = PlotHistory::kSpan_s / static_cast<double>(std::max<std::size_t>(columns, 1));
   std::size_t used = 0;
-  double column_end_s = -1.0;  // none begun
+  double column_end_s = -1.0;  // no column started
   PlotPoint least, greatest;
   const auto put = [&](const PlotPoint& point) {
     const bool broken = used > 0 && std::abs(point.y - points[used - 1].y) > largest_step;

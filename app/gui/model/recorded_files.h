@@ -5,11 +5,11 @@
 
 namespace underact::gui {
 
-/// Where the meshes and curves of a recording are looked for besides the folder of the session: where the person said,
-/// the latest first, beside the scenes opened lately, and where scenes ship. Any thread.
+/// Where meshes and curves of a recording are searched for besides the session's folder: the folders that the user has
+/// named, the latest first, those of recently opened scenes, and that of the shipped scenes. Any thread.
 std::vector<std::string> recordedFilesFolders();
 
-/// Remembers that they are in folder, too.
+/// Remembers folder as another place to search.
 void rememberRecordedFiles(const QString& folder);
 
 }  // namespace underact::gui

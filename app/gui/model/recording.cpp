@@ -15,7 +15,7 @@ constexpr qint64 kMegabyte = 1'000'000;
 constexpr const char* kFolder = "recording/folder";
 constexpr const char* kTags = "recording/tags";
 constexpr const char* kSubject = "recording/subject";
-constexpr const char* kKeepFree = "recording/keep_free_MB";  // on the disk; with less left a recording ends in order
+constexpr const char* kKeepFree = "recording/keep_free_MB";  // on the disk; below this a recording ends in order
 
 bool areSame(const record::SessionWords& a, const record::SessionWords& b) {
   return std::tie(a.name, a.notes, a.tags, a.subject, a.consent) ==
@@ -36,7 +36,7 @@ Recording::Recording(servo::Host& host, QObject* parent) : QObject(parent), host
 }
 
 Recording::~Recording() {
-  const QSignalBlocker silent(this);  // who listens may be gone
+  const QSignalBlocker silent(this);  // listeners may be destroyed already
   stop(record::EndReason::ProgramEnded);
 }
 
@@ -73,9 +73,9 @@ bool Recording::stop(record::EndReason reason) {
     const Problems unwritten = record::rewriteWords(path_.toStdString(), words_);
     if (!unwritten.empty() && problems.empty())
       problems.push_back({said(QT_TRANSLATE_NOOP(
-          "problem", "What was typed while it recorded is not in the file. Edit the session's words below."))});
+          "problem", "Text typed during the recording is not in the file. Edit the details of the session below."))});
   }
-  words_.name.clear();  // they were about this one
+  words_.name.clear();  // they belonged to this recording
   words_.notes.clear();
   recorded_subject_ = words_.subject;
   remember();
@@ -107,7 +107,7 @@ void Recording::setWords(const record::SessionWords& words) {
   words_ = words;
   if (is_another) {
     recorded_subject_.reset();
-    if (is_carried) words_.consent.clear();  // what one person agreed to is nothing that the next one did
+    if (is_carried) words_.consent.clear();  // one person's consent is not the next one's
   }
   remember();
 }

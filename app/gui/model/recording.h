@@ -9,37 +9,37 @@
 
 namespace underact::gui {
 
-/// The window's one recording: where it goes, what is said of it, how it is. All on the window's thread.
+/// The window's recording: its folder, its description and its state. All on the window's thread.
 class Recording : public QObject {
   Q_OBJECT
  public:
   Recording(servo::Host& host, QObject* parent);
   ~Recording() override;
 
-  /// Begins at once, into a new file of folder(). false: notice() says why.
+  /// Starts at once, into a new file in folder(). false: notice() says why not.
   bool start();
-  /// Ends it in order, and writes the words as they are now. false: none was running.
+  /// Ends it in order and writes the current description. false: none was running.
   bool stop(record::EndReason reason = record::EndReason::Stopped);
-  /// false: nothing is recorded.
+  /// false: nothing is being recorded.
   bool mark(const QString& label);
 
   bool isRunning() const { return recorder_ != nullptr; }
-  /// Of the one that runs, else of the last one.
+  /// Of the running recording, else of the last one.
   const record::RecorderStatus& status() const { return status_; }
   QString path() const { return path_; }
   int marks() const { return marks_; }
-  /// Why it did not begin, ended by itself, or is not whole; empty: all is well.
+  /// Why it did not start, ended by itself, or is incomplete; empty: no problem.
   QString notice() const { return notice_; }
 
-  /// Of the recording that runs, or of the next one. Its end forgets name and notes; tags and subject are
-  /// remembered. Consent stays until the subject of the last recording is changed, and is not kept for another day.
+  /// The description of the running or the next recording. When a recording ends, name and notes are cleared; tags and
+  /// subject are saved. Consent stays until the subject of the last recording changes, and is never saved in settings.
   const record::SessionWords& words() const { return words_; }
   void setWords(const record::SessionWords& words);
   QString folder() const { return folder_; }
   void setFolder(const QString& folder);
 
  signals:
-  /// It began or ended, was marked, or there is news of it (four times a second).
+  /// It started or ended, was marked, or its state was updated (four times a second).
   void changed();
   void ended(const QString& path);
 
@@ -52,8 +52,8 @@ class Recording : public QObject {
   std::unique_ptr<record::Recorder> recorder_;
   record::RecorderOptions options_;
   record::RecorderStatus status_;
-  record::SessionWords words_, written_;         // as they are now; as they stand in the file
-  std::optional<std::string> recorded_subject_;  // whose consent words_ still hold
+  record::SessionWords words_, written_;         // the current ones; those in the file
+  std::optional<std::string> recorded_subject_;  // the subject whose consent is still in words_
   QString folder_, path_, notice_;
   int marks_ = 0;
 };

@@ -8,7 +8,7 @@
 
 namespace underact::gui {
 
-/// A scene file as the list shows it.
+/// A scene file as shown in the list.
 struct SceneEntry {
   QString path;
   QString title;
@@ -17,22 +17,22 @@ struct SceneEntry {
   std::optional<scene::Teaching> teaching = {};
 };
 
-/// What a file says of itself. One that cannot be read has its file name for a title: opening it tells why.
+/// The entry of a file. If it cannot be read, its title is the file name; opening it says why.
 SceneEntry sceneEntry(const QString& path);
 
 /// The folder of the scenes that come with the program, as shippedFolder().
 QString sceneFolder();
 
-/// The small picture of a scene that comes with the program; empty: it has none.
+/// The thumbnail of a shipped scene; empty: none.
 QString scenePicture(const QString& path, bool dark);
 
-/// The scenes that come with the program, in teaching order (that of their file names).
+/// The scenes that come with the program, in teaching order (the order of their file names).
 std::vector<SceneEntry> shippedScenes();
 
-/// The first scene a new user sees: the sphere. Empty: there are none.
+/// The first scene that a new user sees: the sphere. Empty: there are no scenes.
 QString firstScene(const std::vector<SceneEntry>& scenes);
 
-/// Files opened lately, the latest first, eight at most; files that are gone are left out.
+/// Recently opened files, the latest first, at most eight; missing files are left out.
 class RecentFiles : public QObject {
   Q_OBJECT
  public:

@@ -41,7 +41,7 @@ std::vector<target::CurvePath> madeCurves(const scene::Description& scene, const
     if (curve == nullptr || curve->points == nullptr || watch.isCancelled()) continue;
     watch.tell(QT_TRANSLATE_NOOP("step of work", "Joining the points"), 1.0);
     auto path = scene::makeCurvePath(*curve, constraint.place);
-    if (path) made.push_back(std::move(path).value());  // else compile() says what is wrong with it
+    if (path) made.push_back(std::move(path).value());  // otherwise compile() reports the problem
   }
   return made;
 }

@@ -12,29 +12,29 @@
 
 namespace underact::gui {
 
-/// Scene files read for somebody beside the document, with their meshes in another thread. The last one that was asked
-/// for is meant.
+/// Reads scene files for others than the document and loads their meshes in another thread. Only the last request
+/// counts.
 class SceneLoading {
  public:
   struct Loaded {
     scene::Description scene;
-    Problems problems;  // of its meshes; empty: it can be used
+    Problems problems;  // with its meshes; empty: usable
   };
 
-  /// Problems: the file is no scene; then what is on its way goes on.
+  /// Problems: the file is not a valid scene; the current request continues.
   Problems begin(const QString& path);
   bool isLoading() const { return load_ != nullptr; }
-  /// What was loaded, once. Call it each frame.
+  /// The result, once. Call it each frame.
   std::optional<Loaded> take();
   void cancel();
 
  private:
   std::unique_ptr<Background<Loaded>> load_;
-  std::vector<std::unique_ptr<Background<Loaded>>> leaving_;  // nobody waits for them
+  std::vector<std::unique_ptr<Background<Loaded>>> leaving_;  // left to finish by themselves
 };
 
-/// All curves of a scene that are loaded, so that whoever compiles it finds them made as long as they are held. A
-/// spline of a million points takes a second. Any thread.
+/// All loaded curves of a scene, built in advance: as long as they are held, compiling the scene reuses them. A spline
+/// of a million points takes a second. Any thread.
 std::vector<target::CurvePath> madeCurves(const scene::Description& scene, const Watch& watch);
 
 }  // namespace underact::gui

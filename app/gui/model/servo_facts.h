@@ -5,8 +5,8 @@
 
 namespace underact::gui {
 
-/// What may be asked of a servo, by whoever shows something; nothing of it can be changed. For the window's thread, as
-/// long as the host lives. Each is as servo::Host has it.
+/// Read-only access to a servo, for displays. For the window's thread, as long as the host lives. The functions are
+/// those of servo::Host.
 class ServoFacts {
  public:
   ServoFacts(servo::Host& host) : host_(&host) {}
@@ -30,7 +30,7 @@ class ServoFacts {
   servo::Host* host_;
 };
 
-/// How a servo is steered, but for its scene (Document), its arm (ArmChoice) and its rate (ServoRate).
+/// Control of a servo, except for its scene (Document), its arm (ArmChoice) and its rate (ServoRate).
 class ServoControl {
  public:
   explicit ServoControl(servo::Host& host) : host_(&host) {}

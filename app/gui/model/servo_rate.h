@@ -7,20 +7,20 @@
 
 namespace underact::gui {
 
-/// Between two looks at how many ticks a second there are, by the clock on the wall.
+/// Interval between two measurements of the tick rate, in wall-clock time.
 inline constexpr qint64 kMeasureEvery_ms = 500;
 
-/// The servo's rate while the window is open: whoever changes it does so here, and whoever shows or uses it listens.
+/// The servo rate of the window: all changes are made here, and whatever shows or uses the rate listens here.
 class ServoRate : public QObject {
   Q_OBJECT
  public:
   explicit ServoRate(servo::Host& host, QObject* parent) : QObject(parent), host_(host) {}
   int hz() const { return host_.rateHz(); }
-  /// For now alone, as a measurement or a comparison does. Problems: see servo::Host::setRate().
+  /// Sets the rate temporarily, as for a measurement or a comparison. Problems: see servo::Host::setRate().
   Problems tryOut(int rate_hz);
-  /// To stay: the next start of the window begins with it.
+  /// Sets the rate permanently: the next start uses it.
   Problems choose(int rate_hz);
-  /// What was chosen since the window was opened.
+  /// The rate chosen since the window was opened.
   std::optional<int> chosen() const { return chosen_; }
 
  signals:

@@ -10,31 +10,31 @@
 
 namespace underact::gui {
 
-/// A place of a recorded tip and the force sent there.
+/// A recorded tip position and the force sent there.
 struct PathPoint {
   Vec3 p_mm = Vec3::Zero();
   double force_N = 0.0;
 };
 
-/// What the charts keep of a recorded tick.
+/// What the charts store of a recorded tick.
 struct SessionRow {
   PlotRow plot;  // time_s: since the first tick
   std::array<float, 3> p_mm{};
 };
 
-/// A session for charts. Of a long one a row stands for a group of ticks: the one with the greatest force.
+/// A session for charts. In a long one, a row represents a group of ticks by the one with the greatest force.
 class SessionData {
  public:
   static constexpr std::size_t kMostRows = 2'000'000;
 
-  /// most_rows: beyond it the rows are halved; even.
+  /// most_rows: above it the rows are halved; must be even.
   explicit SessionData(std::size_t most_rows = kMostRows) : most_rows_(most_rows) {}
-  /// row: of the recording; in order.
+  /// Adds a row of the recording, in order.
   void add(std::int64_t row, double rate_hz, const servo::TickRecord& record);
-  /// Once all are there: what takes its time, so not in the window's thread.
+  /// Call it after the last row. It is slow, so not in the window's thread.
   void finish(double rate_hz);
   const std::vector<SessionRow>& rows() const { return rows_; }
-  /// Ticks that a row stands for.
+  /// Number of ticks that a row represents.
   std::int64_t ticksPerRow() const { return ticks_per_row_; }
   const servo::Histogram& lateness() const { return lateness_; }  // of all ticks
 
@@ -54,7 +54,8 @@ class SessionData {
   std::vector<PathPoint> path_;
 };
 
-/// The way of the tip in at most so many points: one where it has moved on, with the greatest force since the last one.
+/// The path of the tip in at most that many points: one each time it has moved far enough, with the greatest force
+/// since the last one.
 std::vector<PathPoint> pathOf(const std::vector<SessionRow>& rows, std::size_t most);
 
 }  // namespace underact::gui

@@ -10,16 +10,16 @@
 
 namespace underact::gui {
 
-/// A session as the window has it: for the replayed arm and for the charts.
+/// A session as the window needs it: for the replayed arm and for the charts.
 struct LoadedSession {
   std::shared_ptr<const device::Recorded> recorded;
   std::shared_ptr<const SessionData> data;
 };
 
-/// What is made of each scene of a recording in the thread that reads it, so that the view finds it made.
+/// Prepares each scene of a recording for the view, in the thread that reads the recording.
 using PrepareScene = std::function<void(const scene::Description& scene, const Watch& watch)>;
 
-/// Reads a session whole, in one pass. Problems: as device::loadRecorded().
+/// Reads a whole session in one pass. Problems: as for device::loadRecorded().
 Result<LoadedSession> loadSession(const std::string& path, const PrepareScene& prepare, WorkState& state);
 
 }  // namespace underact::gui

@@ -10,9 +10,9 @@
 namespace underact::gui {
 namespace {
 
-constexpr qsizetype kLongestName = 40;  // of a scene, in a file's name
+constexpr qsizetype kLongestName = 40;  // of a scene, in a file name
 
-/// Letters and digits, with single hyphens between: a name that every file system and shell takes.
+/// Letters and digits separated by single hyphens: a name that every file system and shell accepts.
 QString plainName(const QString& title) {
   QString name;
   for (const QChar letter : title.toLower()) {
@@ -35,7 +35,7 @@ QString usualSessionFolder() {
 
 QString newSessionFile(const QString& folder, const QDateTime& when, const QString& scene_title) {
   const QString stem = QDir(folder).filePath(when.toString("yyyy-MM-dd_HH-mm-ss_") + plainName(scene_title));
-  QString path = stem + ".underact.h5";  // by which the desktop knows it for a session
+  QString path = stem + ".underact.h5";  // by which the desktop recognises a session
   const auto taken = [&path] { return QFileInfo::exists(path) || QFileInfo(path).isSymLink(); };
   for (int another = 2; taken(); ++another) path = QString("%1_%2.underact.h5").arg(stem).arg(another);
   return path;
@@ -46,10 +46,9 @@ QString prepareSessionFolder(const QString& folder) {
   if (there.exists() && !there.isDir())
     return QObject::tr("%1 is a file, not a folder. Choose another folder for the recordings.").arg(folder);
   if (!there.exists() && system::makePrivateFolder(folder.toStdString()) != 0)
-    return QObject::tr("The folder %1 cannot be made. Choose another folder for the recordings.").arg(folder);
+    return QObject::tr("The folder %1 cannot be created. Choose another folder for the recordings.").arg(folder);
   if (!QFileInfo(folder).isWritable())
-    return QObject::tr("Nothing can be written into the folder %1. Choose another folder for the recordings.")
-        .arg(folder);
+    return QObject::tr("The folder %1 is not writable. Choose another folder for the recordings.").arg(folder);
   return {};
 }
 

@@ -4,15 +4,15 @@
 
 namespace underact::gui {
 
-/// Where recordings go unless another folder is chosen: Underact/sessions among the user's documents.
+/// Where recordings go unless another folder is chosen: Underact/sessions in the user's documents folder.
 QString usualSessionFolder();
 
-/// The file of a recording that begins at a time: "FOLDER/2026-11-21_19-56-47_sphere.h5"; of a name that nothing in the
-/// folder has yet.
+/// The file of a recording that starts at a time: "FOLDER/2026-11-21_19-56-47_sphere.h5"; a name not yet used in the
+/// folder.
 QString newSessionFile(const QString& folder, const QDateTime& when, const QString& scene_title);
 
-/// Makes the folder where it is missing, for its owner alone. Gives a sentence with the way out where nothing can be
-/// written there; empty: all is well.
+/// Creates the folder if it is missing, for its owner only. Returns a sentence with the way out if it is not writable;
+/// empty: it is.
 QString prepareSessionFolder(const QString& folder);
 
 }  // namespace underact::gui

@@ -40,7 +40,7 @@ QString bytesText(std::int64_t bytes) {
 }
 
 bool isDiskLow(const record::RecorderStatus& status) {
-  if (status.disk_left_bytes <= 0) return false;  // nobody has looked yet
+  if (status.disk_left_bytes <= 0) return false;  // not measured yet
   const bool soon = status.disk_left_s > 0.0 && status.disk_left_s < kLow_s;
   return soon || status.disk_left_bytes < kLow_bytes;
 }

@@ -7,11 +7,11 @@
 
 namespace underact::gui {
 
-/// What the window remembers between two runs.
+/// What the window saves between runs.
 struct Settings {
-  bool are_newer = false;  // what is stored is of a newer Underact: nothing of it is read, and it stays as it is
+  bool are_newer = false;  // the stored settings are of a newer version: they are neither read nor changed
   QByteArray geometry;
-  QByteArray layout;  // of tool bar and docks
+  QByteArray layout;  // of the tool bar and docks
   ThemeChoice theme = ThemeChoice::System;
   Layers layers;
   QStringList recent;
@@ -19,20 +19,20 @@ struct Settings {
   int plot_axis = 0;
   bool energy_plot = true;
   bool hold_to_run = false;
-  QString arm_model;         // that is simulated, as its file says it; empty: the vendor's figures
+  QString arm_model;         // model of the simulated arm, as in its file; empty: the vendor's figures
   QString device;            // the arm that was in use; empty: the simulated one
-  int servo_rate_hz = 1000;  // that was chosen last; the command line's goes first
-  QString guide_page;        // where the guide was read last: "PAGE#heading"; empty: never
+  int servo_rate_hz = 1000;  // chosen last; the command line overrides it
+  QString guide_page;        // place in the guide read last: "PAGE#heading"; empty: none
   int guide_zoom = 100;      // percent
-  bool has_pushed = false;   // the welcome has done its work: a hand has pushed, say
+  bool has_pushed = false;   // the welcome card has been used, for example by pushing
   bool projector = false;    // the layout for a projector is on
   bool left_handed = false;  // scenes are mirrored
 };
 
-/// The layout of what is stored. A key that is new, and may be missing, is no other layout.
+/// The version of the stored format. A new key that may be missing does not need a new version.
 constexpr int kSettingsVersion = 1;
 
-/// From the user's settings; what is missing there, in those of an older Underact, is as above.
+/// Reads the user's settings; keys missing from those of an older version keep the defaults above.
 Settings readSettings();
 /// Does nothing where are_newer.
 void writeSettings(const Settings& settings);

@@ -10,7 +10,7 @@ device::SimulatedArm::Options simulatedArmOptions(int rate_hz) {
   options.arm = *arm::findPreset(arm::kDefaultArm);
   options.model = *sim::findArmModel(sim::kDefaultArmModel);
   options.rate_hz = rate_hz;
-  options.start_p_WT = {0.0, 0.0, 0.05};  // on the first start's sphere: it is there, and does not push yet
+  options.start_p_WT = {0.0, 0.0, 0.05};  // on the sphere of the first start, where there is no force yet
   return options;
 }
 

@@ -8,8 +8,8 @@
 
 namespace underact::gui {
 
-/// A servo on the simulated arm, begun, with the chosen arm and the replayed arm in front of it. All are the host's
-/// own: the hand can be moved, other arms chosen, and recordings replayed, for as long as the host lives.
+/// A running servo on the simulated arm, with the chosen arm and the replayed arm in front of it. The host owns them
+/// all: the hand can be moved, other arms chosen and recordings replayed as long as the host lives.
 struct SimulatedHost {
   std::unique_ptr<servo::Host> host;
   device::SimulatedArm* arm = nullptr;

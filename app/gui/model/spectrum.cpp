@@ -48,7 +48,7 @@ std::vector<SpectrumLine> spectrumOf(std::span<const float> values, double rate_
     for (std::size_t line = 0; line < power.size(); ++line) power[line] += std::norm(lines[line]);
   }
   std::vector<SpectrumLine> spectrum(power.size());
-  const double to_amplitude = 4.0 / static_cast<double>(size);  // both sides, and a Hann window's mean of a half
+  const double to_amplitude = 4.0 / static_cast<double>(size);  // two sides, and the mean of 1/2 of a Hann window
   for (std::size_t line = 0; line < spectrum.size(); ++line) {
     spectrum[line].frequency_hz = rate_hz * static_cast<double>(line) / static_cast<double>(size);
     spectrum[line].amplitude = to_amplitude * std::sqrt(power[line] / static_cast<double>(windows));

@@ -11,8 +11,8 @@
 
 namespace underact::gui {
 
-// Gains of joints are as felt in the middle of the workspace along each joint's own way; the stiffest way of the tip in
-// the workspace is 7.5 times as stiff (guide, "Control in joint space": 3.74 N/mm of 0.5).
+// Joint gains are as felt in the middle of the workspace along each joint's own direction; the stiffest direction of
+// the tip in the workspace is 7.5 times as stiff (guide, "Control in joint space": 3.74 N/mm for 0.5).
 constexpr double kStiffestByJoints = 7.5;
 
 double calmStiffness(double kd_N_s_per_m, double hand_damping_N_s_per_m, int rate_hz) {
@@ -21,7 +21,7 @@ double calmStiffness(double kd_N_s_per_m, double hand_damping_N_s_per_m, int rat
   wall.kd_N_s_per_m = kd_N_s_per_m;
   wall.period_ns = 1'000'000'000 / rate_hz;
   const double passive = stability::colgateSchenkel(wall);
-  // The arm itself has none of that delay in the simulation, so this errs on the calm side by a factor of three.
+  // The simulated arm has none of that delay, so this errs on the safe side by a factor of three.
   wall.delay_ticks = 1;
   return std::min(stability::gilHulin(wall), passive);
 }

@@ -10,28 +10,28 @@
 
 namespace underact::gui {
 
-// As large as the view of a window of 1280 x 800 takes without the gauge reaching into the scene.
+// The largest sizes at which the gauge does not reach into the scene in a window of 1280 x 800.
 constexpr double kType = 1.6, kGauge = 2.0, kTools = 1.3;
 
 Projector::Projector(const FeatureParts& parts)
     : QObject(parts.window), window_(parts.window), view_(parts.view), theme_(parts.theme), dress_(parts.window) {
-  parts.actions.add(
-      {"view.projector",
-       tr("&Projector layout"),
-       QKeySequence("Ctrl+Shift+J"),
-       tr("For a class: the view with a large force gauge and large type, in high contrast, without panels."),
-       {},
-       {},
-       true},
-      [this](const QVariantList& on) {
-        setOn(on.value(0).toBool());
-        return true;
-      });
+  parts.actions.add({"view.projector",
+                     tr("&Projector layout"),
+                     QKeySequence("Ctrl+Shift+J"),
+                     tr("For teaching: hides the panels and shows the view in high contrast with a large force gauge "
+                        "and large text."),
+                     {},
+                     {},
+                     true},
+                    [this](const QVariantList& on) {
+                      setOn(on.value(0).toBool());
+                      return true;
+                    });
 }
 
 void Projector::remember(Settings& settings) {
   settings.projector = isOn();
-  setOn(false);  // what is remembered is the window's own layout
+  setOn(false);  // the normal layout is saved
 }
 
 void Projector::setOn(bool on) {

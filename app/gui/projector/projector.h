@@ -12,8 +12,8 @@ namespace underact::gui {
 
 class SceneView;
 
-/// The window for a class at the other end of the room: the view with a large gauge, large type, black on white or
-/// white on black; panels folded away. Put back as it was where it ends.
+/// The window for a class that watches from a distance: the view with a large gauge, large text, black on white or
+/// white on black, panels hidden. Switching it off restores the window.
 class Projector : public QObject, public Follower {
   Q_OBJECT
  public:

@@ -26,7 +26,7 @@ namespace {
 constexpr int kPathRole = Qt::UserRole;
 constexpr int kAbout = Qt::UserRole + 1;
 constexpr int kType = Qt::UserRole + 2;
-constexpr int kPicture_px = 40;  // high, at least
+constexpr int kPicture_px = 40;  // minimum height
 
 bool isHeading(const QListWidgetItem& item) {
   return item.data(kPathRole).isNull();
@@ -39,12 +39,12 @@ struct GroupRow {
 constexpr GroupRow kGroups[] = {{scene::Group::Shapes, QT_TRANSLATE_NOOP("scenes", "Shapes")},
                                 {scene::Group::Walls, QT_TRANSLATE_NOOP("scenes", "Walls")},
                                 {scene::Group::Orientation, QT_TRANSLATE_NOOP("scenes", "Orientation")},
-                                {scene::Group::Robots, QT_TRANSLATE_NOOP("scenes", "Robots in software")},
+                                {scene::Group::Robots, QT_TRANSLATE_NOOP("scenes", "Virtual robots")},
                                 {scene::Group::Meshes, QT_TRANSLATE_NOOP("scenes", "Meshes")},
                                 {scene::Group::Curves, QT_TRANSLATE_NOOP("scenes", "Curves")},
                                 {scene::Group::Stability, QT_TRANSLATE_NOOP("scenes", "Stability")}};
 
-/// What is said of a scene, as a page.
+/// The description of a scene as a page.
 QString pageOf(const SceneEntry& entry) {
   QStringList parts;
   const scene::Teaching teaching = entry.teaching.value_or(scene::Teaching{});
@@ -79,7 +79,7 @@ ScenesPanel::ScenesPanel(const Parts& parts, QWidget* parent)
   nameWidget(about_, "panel.scenes.about", tr("About the selected scene"));
   about_->setFrameShape(QFrame::NoFrame);
   about_->document()->setDocumentMargin(0);
-  about_->viewport()->setBackgroundRole(QPalette::Window);  // a part of the panel, no sheet of paper
+  about_->viewport()->setBackgroundRole(QPalette::Window);  // looks like a part of the panel, not like a sheet of paper
   about_->setMinimumHeight(6 * fontMetrics().lineSpacing());
   auto* open = new QToolButton(this);
   open->setDefaultAction(parts_.actions.find("scene.open"));
@@ -100,7 +100,7 @@ ScenesPanel::ScenesPanel(const Parts& parts, QWidget* parent)
   column->addWidget(open);
 
   parts_.actions.add(
-      {"scenes.find", tr("&Find a scene"), QKeySequence("Ctrl+F"), tr("Puts the cursor into the filter.")},
+      {"scenes.find", tr("&Find a scene"), QKeySequence("Ctrl+F"), tr("Moves the cursor to the filter.")},
       [this](const QVariantList&) {
         if (auto* dock = qobject_cast<QDockWidget*>(parentWidget())) {  // closed, or behind another panel
           dock->show();
@@ -141,7 +141,7 @@ void ScenesPanel::addScene(const SceneEntry& entry) {
   item->setIcon(iconOf(*item));
 }
 
-/// Its picture; a scene of one's own has that of its type.
+/// The scene's picture; for a user's own scene, the icon of its type.
 QIcon ScenesPanel::iconOf(const QListWidgetItem& item) const {
   const QString picture = scenePicture(item.data(kPathRole).toString(), theme_.dark);
   return picture.isEmpty() ? icon(item.data(kType).toString(), theme_) : fileIcon(picture);
@@ -158,7 +158,7 @@ void ScenesPanel::rebuild() {
     }
   }
   QStringList recent = parts_.recent.paths();
-  if (!recent.isEmpty()) addHeading(tr("Opened lately"));
+  if (!recent.isEmpty()) addHeading(tr("Recently opened"));
   for (const QString& path : recent) addScene(sceneEntry(path));
   filter(filter_->text());
   markOpen();
@@ -177,20 +177,20 @@ void ScenesPanel::filter(const QString& text) {
                       item->data(kAbout).toString().contains(text, Qt::CaseInsensitive) ||
                       item->data(kType).toString().contains(text, Qt::CaseInsensitive);
     item->setHidden(!fits);
-    if (fits && heading != nullptr) heading->setHidden(false);  // a heading with nothing below it says nothing
+    if (fits && heading != nullptr) heading->setHidden(false);  // headings without scenes stay hidden
   }
 }
 
 void ScenesPanel::openItem(QListWidgetItem* item) {
   const QString path = item->data(kPathRole).toString();
-  // A double click asks twice; the scene that is open already is not loaded (and ramped) anew.
+  // A double click comes twice; an open scene is not loaded (and ramped) again.
   if (path.isEmpty() || path == parts_.document.path()) return;
   parts_.actions.perform("scene.open", path);
-  markOpen();  // refused, or changed one's mind? The list says what is in effect.
+  markOpen();  // opening may have failed or been cancelled; the list shows what is in effect
 }
 
 void ScenesPanel::markOpen() {
-  list_->setCurrentItem(nullptr);  // a scene without a file is none of these
+  list_->setCurrentItem(nullptr);  // a scene without a file is not in the list
   for (int row = 0; row < list_->count(); ++row) {
     QListWidgetItem* item = list_->item(row);
     if (isHeading(*item)) continue;
@@ -206,11 +206,11 @@ void ScenesPanel::markOpen() {
 
 void ScenesPanel::keepInSight() {
   if (!follows_ || list_->currentItem() == nullptr) return;
-  layout()->activate();  // what is said of it may have taken room from the list
+  layout()->activate();  // its description may have taken space from the list
   list_->scrollToItem(list_->currentItem());
 }
 
-// A scene may be opened before the list has its size, as from the command line.
+// A scene may be opened before the list has its size, for example from the command line.
 void ScenesPanel::resizeEvent(QResizeEvent* event) {
   Panel::resizeEvent(event);
   keepInSight();

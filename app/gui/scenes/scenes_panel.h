@@ -13,8 +13,8 @@ namespace underact::gui {
 
 class PageView;
 
-/// The scenes to choose from: those that come with the program, in teaching order, and files opened lately; and below
-/// the list what to feel, what to try, and the equation.
+/// The scenes to choose from: those that come with the program, in teaching order, and recently opened files. Below the
+/// list: what to feel, what to try, and the equation.
 class ScenesPanel : public Panel {
   Q_OBJECT
  public:
@@ -46,7 +46,7 @@ class ScenesPanel : public Panel {
   QLineEdit* filter_;
   QListWidget* list_;
   PageView* about_;
-  bool follows_ = true;  // the selected scene is kept in sight, until somebody scrolls
+  bool follows_ = true;  // keep the selected scene in sight until the user scrolls
 };
 
 }  // namespace underact::gui

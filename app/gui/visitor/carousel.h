@@ -2,14 +2,14 @@
 
 namespace underact::gui {
 
-/// When the next scene comes, and when a visitor has gone. Pure: time comes in, by the servo's ticks.
+/// Decides when the next scene is due and when a visitor has left. Pure: time is passed in, from the servo's ticks.
 class Carousel {
  public:
   enum class Step { Stay, Next, Reset };
 
-  /// Another scene is shown from now on.
+  /// Another scene is now shown.
   void showed(double time_s) { scene_s_ = time_s; }
-  /// touched: somebody moves the hand, or has pressed a button. Reset: once for each visitor that has gone.
+  /// touched: somebody moves the hand or has pressed a button. Reset: once for each visitor who has left.
   Step at(double time_s, bool touched);
   void setDwell(double dwell_s) { dwell_s_ = dwell_s; }
   double dwell_s() const { return dwell_s_; }

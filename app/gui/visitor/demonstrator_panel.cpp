@@ -31,11 +31,11 @@ QSpinBox* number(const char* name, const QString& spoken, int least, int most, i
 DemonstratorPanel::DemonstratorPanel(const VisitorWishes& wishes, QWidget* window)
     : QDialog(window),
       scenes_(new QListWidget(this)),
-      dwell_(number("demonstrator.dwell", tr("Seconds for each scene"), kShortestDwell_s, kLongestDwell_s,
-                    wishes.dwell_s, this)),
-      force_(number("demonstrator.force", tr("Greatest force, percent of what the arm bears for good"),
+      dwell_(number("demonstrator.dwell", tr("Seconds per scene"), kShortestDwell_s, kLongestDwell_s, wishes.dwell_s,
+                    this)),
+      force_(number("demonstrator.force", tr("Maximum force, percent of the arm's continuous force"),
                     kLeastForce_percent, kMostForce_percent, wishes.force_percent, this)),
-      told_(toldLabel("demonstrator.told", tr("What to know"), "amber", this)) {
+      told_(toldLabel("demonstrator.told", tr("Note"), "amber", this)) {
   setObjectName("demonstrator");
   setWindowTitle(tr("Demonstrator"));
   setAttribute(Qt::WA_DeleteOnClose);
@@ -52,10 +52,11 @@ DemonstratorPanel::DemonstratorPanel(const VisitorWishes& wishes, QWidget* windo
   told_->hide();
   auto* form = new QFormLayout;
   form->addRow(tr("Each scene for"), dwell_);
-  form->addRow(tr("Greatest force"), force_);
-  auto* stop = pushButton("demonstrator.stop", tr("Stop"), tr("Lets go: the force goes to zero."), this);
-  auto* leave = pushButton("demonstrator.leave", tr("Leave visitor mode"), tr("The window is as it was before."), this);
-  auto* close = pushButton("demonstrator.close", tr("Close"), tr("Visitors go on."), this);
+  form->addRow(tr("Maximum force"), force_);
+  auto* stop = pushButton("demonstrator.stop", tr("Stop"), tr("Stops the servo: the force goes to zero."), this);
+  auto* leave =
+      pushButton("demonstrator.leave", tr("Leave visitor mode"), tr("Restores the window as it was before."), this);
+  auto* close = pushButton("demonstrator.close", tr("Close"), tr("Closes this panel; visitor mode continues."), this);
   auto* buttons = new QHBoxLayout;
   for (QPushButton* button : {stop, leave, close}) buttons->addWidget(button);
   auto* column = new QVBoxLayout(this);

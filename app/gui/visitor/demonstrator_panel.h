@@ -9,14 +9,13 @@ class QSpinBox;
 
 namespace underact::gui {
 
-/// What the demonstrator changes while visitors are there: which scenes, how long each, how much force; and the way
-/// out.
+/// What the demonstrator can change in visitor mode: scenes, their duration and the force; and the way out.
 class DemonstratorPanel : public QDialog {
   Q_OBJECT
  public:
   DemonstratorPanel(const VisitorWishes& wishes, QWidget* window);
   VisitorWishes wishes() const;
-  /// What the demonstrator should know: files that cannot be shown.
+  /// Tells the demonstrator, for example, which files cannot be shown.
   void tell(const QString& sentence);
 
  signals:

@@ -10,11 +10,11 @@
 
 namespace underact::gui {
 
-/// A scene ready to be felt, with its meshes, and what is said of it.
+/// A scene ready to be felt, with its meshes and its description.
 struct ShownScene {
   scene::Description scene;
   QString title, feel, try_this;
-  std::vector<target::CurvePath> curves = {};  // kept, so that nobody makes them again
+  std::vector<target::CurvePath> curves = {};  // kept so that they are not made again
 };
 
 struct ShownScenes {
@@ -22,7 +22,7 @@ struct ShownScenes {
   QStringList refused;  // file names of those that cannot be shown
 };
 
-/// Reads and loads them all; takes a while, so not in the window's thread. left_handed: as in a mirror.
+/// Reads and loads all of them. Takes a while, so do not call it in the window's thread. left_handed: mirrored.
 ShownScenes loadShownScenes(const QStringList& paths, bool left_handed, const Watch& watch);
 
 }  // namespace underact::gui

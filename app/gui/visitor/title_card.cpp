@@ -12,7 +12,7 @@ namespace underact::gui {
 namespace {
 
 constexpr int kSmallest_px = 15;
-constexpr double kShare = 0.27;  // of the screen: the title, and two lines each of what to feel and what to try
+constexpr double kShare = 0.27;  // of the screen: the title, two lines of what to feel, two of what to try
 
 void setType(QWidget* widget, double px, bool bold = false) {
   QFont font = widget->font();
@@ -28,11 +28,11 @@ TitleCard::TitleCard(QWidget* parent)
       title_(toldLabel("visitor.title", tr("Scene"), "", this)),
       feel_(toldLabel("visitor.feel", tr("What to feel"), "", this)),
       try_(toldLabel("visitor.try", tr("What to try"), "", this)),
-      trouble_(toldLabel("visitor.trouble", tr("What is wrong"), "alarm", this)),
-      next_(pushButton("visitor.next", tr("Next"), tr("The next scene."), this)),
-      start_(pushButton("visitor.go", tr("Start"), tr("Lets the arm push. Esc lets go."), this)) {
+      trouble_(toldLabel("visitor.trouble", tr("Problem"), "alarm", this)),
+      next_(pushButton("visitor.next", tr("Next"), tr("Shows the next scene."), this)),
+      start_(pushButton("visitor.go", tr("Start"), tr("Turns the force on. Esc turns it off."), this)) {
   setObjectName("visitor");
-  setAccessibleName(tr("What there is to feel"));
+  setAccessibleName(tr("About the scene"));
   hide();
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(32, 20, 32, 24);
@@ -62,7 +62,7 @@ void TitleCard::setScene(const QString& title, const QString& feel, const QStrin
 void TitleCard::setState(bool can_start, const QString& trouble) {
   start_->setVisible(can_start);
   tellIn(trouble_, trouble);
-  try_->setVisible(trouble.isEmpty());  // in its place: what is wrong goes first
+  try_->setVisible(trouble.isEmpty());  // the problem is shown instead
 }
 
 void TitleCard::fitInto(int height_px) {
@@ -71,7 +71,7 @@ void TitleCard::fitInto(int height_px) {
     setType(words, height_px / 38.0);
   setType(next_, height_px / 30.0);
   setType(start_, height_px / 20.0, true);
-  // Whatever it says: the view above keeps its size, so nothing jumps, and no picture is made anew for it.
+  // Independent of its text, so that the view above keeps its size and does not jump or render again.
   setFixedHeight(qRound(kShare * height_px));
 }
 

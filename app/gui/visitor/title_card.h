@@ -12,9 +12,9 @@ class TitleCard : public QFrame {
  public:
   explicit TitleCard(QWidget* parent);
   void setScene(const QString& title, const QString& feel, const QString& try_this);
-  /// can_start: nothing pushes; trouble: why, in a sentence, or empty.
+  /// can_start: the force is off; trouble: why, in a sentence, or empty.
   void setState(bool can_start, const QString& trouble);
-  /// Type goes with the height of the screen that it stands on.
+  /// The font scales with the height of the screen.
   void fitInto(int height_px);
 
  signals:

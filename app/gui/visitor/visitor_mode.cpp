@@ -19,9 +19,9 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kType = 1.4;        // of the view's words
-constexpr double kMoved_m = 0.002;   // more than an arm that lies on its rest trembles
-constexpr double kSettling_s = 3.0;  // a scene that comes draws the tip to it: nobody's hand
+constexpr double kType = 1.4;        // font scale of the view
+constexpr double kMoved_m = 0.002;   // more than the noise of an arm at rest
+constexpr double kSettling_s = 3.0;  // a new scene moves the tip by itself
 
 QString named(const QString& key) {
   return QStringLiteral("visitor.") + key;
@@ -29,7 +29,7 @@ QString named(const QString& key) {
 
 }  // namespace
 
-/// What is put back.
+/// What is restored at the end.
 struct VisitorMode::Before {
   Qt::WindowStates state;
   QRect geometry;
@@ -44,12 +44,13 @@ struct VisitorMode::Before {
 VisitorMode::VisitorMode(const FeatureParts& parts)
     : QObject(parts.window), parts_(parts), card_(new TitleCard(parts.middle.parentWidget())), dress_(parts.window) {
   parts.middle.addWidget(card_);
-  parts_.actions.add({named("start"), tr("&Visitor mode"), QKeySequence("Ctrl+Alt+Shift+S"),
-                      tr("Full screen for visitors: scenes in turn, half of the force, everything else locked.")},
-                     [this](const QVariantList& scenes) { return start(scenes.value(0).toStringList()); });
+  parts_.actions.add(
+      {named("start"), tr("&Visitor mode"), QKeySequence("Ctrl+Alt+Shift+S"),
+       tr("Full screen for visitors: shows scenes in turn with reduced force and locks everything else.")},
+      [this](const QVariantList& scenes) { return start(scenes.value(0).toStringList()); });
   parts_.actions
       .add({named("demonstrator"), tr("&Demonstrator's panel"), QKeySequence("Ctrl+Alt+Shift+U"),
-            tr("In visitor mode: which scenes, how long, how much force, and the way out.")},
+            tr("In visitor mode: choose the scenes, their duration and the force, or leave the mode.")},
            [this](const QVariantList&) {
              showPanel();
              return true;
@@ -70,7 +71,7 @@ VisitorMode::~VisitorMode() = default;
 Problems VisitorMode::whyNotNow() const {
   Problems problems;
   const auto no = [&problems](const QString& sentence) { problems.push_back({sentence.toStdString(), {}}); };
-  if (parts_.document.isTryingOut()) no(tr("A measurement has a scene of its own in effect. End it first."));
+  if (parts_.document.isTryingOut()) no(tr("A measurement is using a scene of its own. End it first."));
   for (const QString& busy : parts_.why_busy()) no(busy);
   return problems;
 }
@@ -103,7 +104,7 @@ bool VisitorMode::start(const QStringList& scenes) {
   return true;
 }
 
-/// Only the view and the card are left, as large as the screen.
+/// Leaves only the view and the card, full screen.
 void VisitorMode::undress() {
   for (QWidget* other : QApplication::topLevelWidgets()) {
     const bool is_docked = other == parts_.window || qobject_cast<QDockWidget*>(other) != nullptr;
@@ -133,7 +134,7 @@ void VisitorMode::leave() {
   parts_.actions.allowAll();
   parts_.actions.find(named("demonstrator"))->setEnabled(false);
   if (!before_->was_running) parts_.control.stop();
-  static_cast<void>(parts_.control.setForceShare(1.0));  // nothing is recorded: that was locked
+  static_cast<void>(parts_.control.setForceShare(1.0));  // cannot fail: recording is locked
   parts_.document.putBackOwn();
   scenes_.clear();
   parts_.view.setLayers(before_->layers);
@@ -158,7 +159,7 @@ void VisitorMode::takeLoaded() {
   if (!loaded) return;
   load_.reset();
   if (panel_ != nullptr) {
-    panel_->tell(loaded->scenes.empty()      ? tr("None of these scenes can be shown; those before stay.")
+    panel_->tell(loaded->scenes.empty()      ? tr("None of these scenes can be shown; the previous ones stay.")
                  : loaded->refused.isEmpty() ? QString()
                                              : tr("Cannot be shown: %1").arg(loaded->refused.join(", ")));
   }
@@ -174,14 +175,14 @@ void VisitorMode::show(std::size_t index) {
   if (scenes_.empty()) return;
   index_ = index % scenes_.size();
   const ShownScene& shown = scenes_[index_];
-  // It compiled when it was loaded. A scene of the same kind glides into the other; others come by their ramps.
+  // It compiled when it was loaded. A scene of the same kind replaces the other smoothly; others are ramped.
   static_cast<void>(parts_.document.showRecorded(shown.scene));
   card_->setScene(shown.title, shown.feel, shown.try_this);
   carousel_.showed(time_s_);
   shown_s_ = time_s_;
 }
 
-/// As the next visitor should find it.
+/// Restores everything for the next visitor.
 void VisitorMode::reset() {
   parts_.view.setViewpoint({before_->viewpoint.camera, true});
   if (before_->hand) {
@@ -191,7 +192,7 @@ void VisitorMode::reset() {
   show(0);
 }
 
-/// A simulated arm moves by a hand alone, so the hand is asked; any other arm's tip tells.
+/// A simulated arm moves only by its hand, so the hand is checked; for other arms, the tip.
 bool VisitorMode::isTouched(const servo::Snapshot& snapshot, double time_s) {
   if (std::exchange(pressed_, false)) return true;
   if (parts_.hand.arm() != nullptr) return parts_.hand.moves();
@@ -200,14 +201,14 @@ bool VisitorMode::isTouched(const servo::Snapshot& snapshot, double time_s) {
   return moved && time_s - shown_s_ > kSettling_s;
 }
 
-/// The demonstrator's panel has the way out; but the desktop's own end of a session is never held up.
+/// Only the demonstrator's panel ends visitor mode, but the end of the desktop session is never blocked.
 bool VisitorMode::mayClose() const {
   return !isOn() || qApp->isSavingSession();
 }
 
 void VisitorMode::look(const servo::Snapshot&) {
   if (!isOn()) return;
-  const servo::Snapshot snapshot = parts_.servo.snapshot();  // others may have put a scene into effect since
+  const servo::Snapshot snapshot = parts_.servo.snapshot();  // another scene may have taken effect since
   takeLoaded();
   time_s_ = static_cast<double>(snapshot.ticks) / parts_.servo.rateHz();
   tellState(snapshot);
@@ -231,13 +232,13 @@ void VisitorMode::tellState(const servo::Snapshot& snapshot) {
   card_->setState(!parts_.servo.running(), trouble);
 }
 
-/// The force comes back on somebody's word alone. An arm whose driver has lost it is opened anew first.
+/// The force returns only on request. An arm that its driver has lost is reopened first.
 void VisitorMode::letPush() {
   trouble_.clear();
   if (!parts_.servo.trouble().empty()) {
     const Problems problems = parts_.control.restart();
     if (!problems.empty()) {
-      trouble_ = tr("The arm did not open again. %1").arg(sentencesOf(problems));
+      trouble_ = tr("The arm could not be reopened. %1").arg(sentencesOf(problems));
       return;
     }
   }
@@ -264,7 +265,7 @@ void VisitorMode::setWishes(const VisitorWishes& wishes) {
   carousel_.setDwell(wishes_.dwell_s);
   static_cast<void>(parts_.control.setForceShare(0.01 * wishes_.force_percent));
   if (wishes_.scenes.isEmpty())
-    panel_->tell(tr("No scene is chosen; those before stay."));
+    panel_->tell(tr("No scene is selected; the previous ones stay."));
   else if (others)
     load(wishes_.scenes);
 }

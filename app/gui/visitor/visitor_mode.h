@@ -22,9 +22,9 @@ namespace underact::gui {
 class DemonstratorPanel;
 class TitleCard;
 
-/// The window for visitors who are alone with the arm: the view, a title card, scenes in turn, half of the force, and
-/// nothing else that can be reached but by the demonstrator's key. A fault is said on the card; the force comes back
-/// where somebody presses Start. Everything is as before when it ends.
+/// The window for visitors who are alone with the arm: the view, a title card, scenes in turn and reduced force. All
+/// else can be reached only by the demonstrator's key. The card reports a fault; Start turns the force on again. At the
+/// end everything is restored.
 class VisitorMode : public QObject, public Follower {
   Q_OBJECT
  public:
@@ -35,7 +35,7 @@ class VisitorMode : public QObject, public Follower {
   void look(const servo::Snapshot& snapshot) override;
   bool mayClose() const override;
   void leave() override;
-  /// Which of its scenes is shown, from 0; those that it has.
+  /// The index of the scene shown, from 0, and the scenes.
   std::size_t shown() const { return index_; }
   std::size_t count() const { return scenes_.size(); }
 
@@ -65,10 +65,10 @@ class VisitorMode : public QObject, public Follower {
   std::vector<ShownScene> scenes_;
   std::size_t index_ = 0;
   Carousel carousel_;
-  QString trouble_;  // why Start did not start
+  QString trouble_;  // why Start failed
   double time_s_ = 0.0, shown_s_ = 0.0;
   Vec3 rest_p_WT_ = Vec3::Zero();
-  bool pressed_ = false;  // a button of the card, since the last frame
+  bool pressed_ = false;  // whether a button of the card was pressed since the last frame
 };
 
 }  // namespace underact::gui

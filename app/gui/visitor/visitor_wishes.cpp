@@ -11,7 +11,7 @@
 namespace underact::gui {
 namespace {
 
-// Each says something else to the hand, and none needs words first.
+// Each feels different, and none needs an explanation first.
 constexpr const char* kUsual[] = {"02_sphere.json",           "07_box_outside.json",         "05_circle.json",
                                   "14_circle_influence.json", "10_two_spheres_nearest.json", "25_torus_knot.json",
                                   "26_bumpy_sphere.json",     "28_trefoil_path.json"};

@@ -3,17 +3,17 @@
 
 namespace underact::gui {
 
-/// What the demonstrator wants visitors to have; remembered.
+/// The demonstrator's choices for visitor mode; saved in the settings.
 struct VisitorWishes {
-  QStringList scenes;      // files, in the order of the list
-  int dwell_s = 90;        // that each one is shown
-  int force_percent = 50;  // of what the arm bears for good
+  QStringList scenes;      // file paths, in the order of the list
+  int dwell_s = 90;        // how long each one is shown
+  int force_percent = 50;  // of the continuous force of the arm
 };
 
 inline constexpr int kShortestDwell_s = 10, kLongestDwell_s = 3600;
 inline constexpr int kLeastForce_percent = 10, kMostForce_percent = 100;
 
-/// Scenes that are gone are left out; where none is left, some of those that come with the program.
+/// Missing scenes are left out; if none remains, some of those that come with the program are used.
 VisitorWishes readVisitorWishes();
 void writeVisitorWishes(const VisitorWishes& wishes);
 

@@ -19,7 +19,7 @@ void Spotlight::pointAt(Where where) {
   follow();
 }
 
-// Of what scrolls in a panel only a part is seen; a panel behind another tab lies outside of the window.
+// Only a part of a scrolled panel is visible; a panel behind another tab lies outside the window.
 QRect Spotlight::seenRect(const QWidget& target) {
   if (!target.isVisible()) return {};
   QRect seen(target.mapTo(target.window(), QPoint()), target.size());
@@ -43,7 +43,7 @@ void Spotlight::follow() {
   const QRect wanted = target.adjusted(-out, -out, out, out) & parentWidget()->rect();
   if (wanted == geometry() && !mask().isEmpty()) return;
   setGeometry(wanted);
-  setMask(QRegion(rect()) - QRegion(rect().adjusted(kLine_px, kLine_px, -kLine_px, -kLine_px)));  // no veil: a frame
+  setMask(QRegion(rect()) - QRegion(rect().adjusted(kLine_px, kLine_px, -kLine_px, -kLine_px)));  // only the frame
   raise();
 }
 
@@ -56,7 +56,7 @@ void Spotlight::setTheme(const Theme& theme) {
 void Spotlight::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), line_);
-  painter.setPen(edge_);  // seen on any ground, and without its colour
+  painter.setPen(edge_);  // visible on any background, also without colour vision
   painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 

@@ -6,19 +6,19 @@
 
 namespace underact::gui {
 
-/// A frame around a part of the window, to point at it. Takes no mouse and no keys; nothing moves but with its target.
+/// A frame that points at a part of the window. It ignores mouse and keys and moves only with its target.
 class Spotlight : public QWidget {
   Q_OBJECT
  public:
-  /// Where the target is, in the window's coordinates; empty: nowhere to be seen.
+  /// Where the target is, in window coordinates; empty: not visible.
   using Where = std::function<QRect()>;
 
   Spotlight(const QString& name, QWidget* window);
-  /// The part of a widget that is seen, in its window's coordinates.
+  /// The visible part of a widget, in window coordinates.
   static QRect seenRect(const QWidget& target);
   void pointAt(Where where);
   void pointNowhere();
-  /// Each frame: the target may have moved.
+  /// Called each frame, since the target may have moved.
   void follow();
   void setTheme(const Theme& theme);
 

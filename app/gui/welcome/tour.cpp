@@ -25,41 +25,41 @@ struct Stop {
   const char *widget, *title, *text;
 };
 
-constexpr const char* kStylus = "stylus";  // no widget: a part of the view
+constexpr const char* kStylus = "stylus";  // not a widget but a part of the view
 
 constexpr std::array kStops{
     Stop{"view.scene", QT_TRANSLATE_NOOP("tour", "The view"),
          QT_TRANSLATE_NOOP("tour",
-                           "The hand's world, in the arm's own frame: what is felt is what is drawn. Drag beside "
-                           "the stylus to turn it, use the wheel to come nearer.")},
+                           "What you see here is what you feel, in the arm's own frame. Drag beside the stylus to "
+                           "rotate the view; use the wheel to zoom.")},
     Stop{kStylus, QT_TRANSLATE_NOOP("tour", "The stylus"),
          QT_TRANSLATE_NOOP("tour",
-                           "Drag it with the mouse: that is the hand on the simulated arm. With Ctrl the stylus "
-                           "turns. The arrow is the force that is sent.")},
+                           "Drag it with the mouse to move the hand on the simulated arm; hold Ctrl to turn the "
+                           "stylus. The arrow is the force sent to the arm.")},
     Stop{"dock.scenes", QT_TRANSLATE_NOOP("tour", "Scenes"),
          QT_TRANSLATE_NOOP("tour",
-                           "What the stylus can be held to, in teaching order. Below the list stands what to feel, "
-                           "what to try, and the equation.")},
+                           "The constraints to feel, in teaching order. Below the list you read what to feel, what to "
+                           "try, and the equation.")},
     Stop{"dock.feel", QT_TRANSLATE_NOOP("tour", "Feel"),
          QT_TRANSLATE_NOOP("tour",
-                           "How hard it pulls: stiffness, damping and more, felt while you drag a slider. A double "
-                           "click goes back to the scene's own value.")},
+                           "Stiffness, damping and more. You feel each change while you drag a slider; a double click "
+                           "restores the scene's own value.")},
     Stop{"status", QT_TRANSLATE_NOOP("tour", "The status line"),
          QT_TRANSLATE_NOOP("tour",
-                           "Always true: what the servo does, which arm, how fast, how late, and the force beside "
-                           "its limit, as the gauge in the view has it.")},
+                           "Always up to date: the state of the servo, the arm, the servo rate, the latency, and the "
+                           "force with its limit, as on the gauge in the view.")},
     Stop{"button.session.record", QT_TRANSLATE_NOOP("tour", "Record"),
          QT_TRANSLATE_NOOP("tour",
-                           "One press writes every tick into a session. The Sessions panel lists them, replays "
-                           "them and exports them.")},
+                           "Press it to record every tick in a session; press it again to stop. The Sessions panel "
+                           "lists, replays and exports sessions.")},
     Stop{"dock.devices", QT_TRANSLATE_NOOP("tour", "Devices"),
          QT_TRANSLATE_NOOP("tour",
-                           "Which arms are plugged in, what is missing to use one, and which one is in use. A real "
-                           "arm pushes only after you have pressed Start.")},
+                           "Which arms are plugged in, what is missing to use one, and which one is in use. A real arm "
+                           "exerts no force until you press Start.")},
     Stop{"button.help.guide", QT_TRANSLATE_NOOP("tour", "Help"),
          QT_TRANSLATE_NOOP("tour",
-                           "The guide: F1 opens the page for what has the keyboard. The menu beside it has the keys, "
-                           "lessons, and this tour once more. Esc stops the force, from anywhere.")}};
+                           "Opens the guide; F1 does so at the page for whatever has the focus. The Help menu also has "
+                           "the list of keys and this tour. Esc stops the force from anywhere.")}};
 
 QString words(const char* text) {
   return QCoreApplication::translate("tour", text);
@@ -84,9 +84,9 @@ Tour::Tour(const FeatureParts& parts)
   setAttribute(Qt::WA_NoMousePropagation);
   hide();
   build();
-  new StopKey([this] { end(); }, this);  // wherever the focus has gone meanwhile
+  new StopKey([this] { end(); }, this);  // wherever the focus is
   actions_.add({"help.tour", tr("&Tour of the window"), QKeySequence("Ctrl+Shift+T"),
-                tr("What is where, in eight stops; Esc leaves it at any stop.")},
+                tr("Shows what is where in the window, in eight stops; Esc leaves the tour at any stop.")},
                [this](const QVariantList&) {
                  begin();
                  return true;
@@ -97,12 +97,12 @@ void Tour::build() {
   title_ = sectionTitle({}, this);
   title_->setObjectName("tour.title");
   text_ = toldLabel("tour.text", tr("What it is for"), "", this);
-  count_ = toldLabel("tour.count", tr("Which stop"), "quiet", this);
+  count_ = toldLabel("tour.count", tr("Stop of the tour"), "quiet", this);
   count_->setWordWrap(false);
-  back_ = pushButton("tour.back", tr("Back"), tr("The stop before."), this);
-  next_ = pushButton("tour.next", tr("Next"), tr("The next stop; Enter does it, too."), this);
+  back_ = pushButton("tour.back", tr("Back"), tr("Goes to the previous stop."), this);
+  next_ = pushButton("tour.next", tr("Next"), tr("Goes to the next stop, as does Enter."), this);
   auto* leaves =
-      pushButton("tour.close", tr("Close"), tr("Leaves the tour; Esc does it, too, and stops the servo."), this);
+      pushButton("tour.close", tr("Close"), tr("Leaves the tour. Esc does too, and also stops the servo."), this);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(count_, 1);
   for (QPushButton* button : {back_, next_, leaves}) buttons->addWidget(button);
@@ -143,7 +143,7 @@ void Tour::go(int stop) {
   spotlight_->pointAt([this] { return where(); });
   follow();
   next_->setFocus(Qt::OtherFocusReason);
-  QAccessibleEvent said(this, QAccessible::Alert);  // a screen reader says the stop, not the button alone
+  QAccessibleEvent said(this, QAccessible::Alert);  // a screen reader reads the stop, not only the button
   QAccessible::updateAccessibility(&said);
 }
 
@@ -173,8 +173,7 @@ void Tour::follow() {
   place(where());
 }
 
-// Beside what is meant where there is room, else in the middle of the window; then it stays while it is in nobody's
-// way.
+// Beside the target if there is room, else in the middle of the window; it then stays as long as it covers nothing.
 void Tour::place(const QRect& target) {
   resize(width(), heightForWidth(width()));
   const int gap = 16;

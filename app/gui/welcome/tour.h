@@ -13,16 +13,16 @@ namespace underact::gui {
 
 class Spotlight;
 
-/// A walk through the window: at each stop a frame around what is meant, and a card that says what it is for. Enter
-/// goes on, Esc (which stops the servo, as always) and Close leave it, at any stop; the panels are then as they were.
+/// A tour of the window: at each stop a frame marks a part of the window, and a card explains it. Enter continues; Esc
+/// (which stops the servo, as always) and Close leave the tour at any stop and restore the panels.
 class Tour : public QFrame, public Follower {
   Q_OBJECT
  public:
   explicit Tour(const FeatureParts& parts);
-  void present(const servo::Snapshot&) override { follow(); }  // what is framed may move
+  void present(const servo::Snapshot&) override { follow(); }  // the target may move
   void end();
   void setTheme(const Theme& theme) override;
-  int stop() const { return stop_; }  // from 0; -1: nobody is on a tour
+  int stop() const { return stop_; }  // from 0; -1: no tour
   static int stops();
 
  protected:
@@ -42,7 +42,7 @@ class Tour : public QFrame, public Follower {
   Spotlight* spotlight_;
   QLabel *title_, *text_, *count_;
   QPushButton *back_, *next_;
-  QByteArray layout_;  // before it began
+  QByteArray layout_;  // from before the tour
   int stop_ = -1;
   bool is_placed_ = false;  // for this stop
 };

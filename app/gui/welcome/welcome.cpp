@@ -25,27 +25,28 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kPush_N = 0.05;  // five times the last digit of the force shown: the hand has felt something
+constexpr double kPush_N = 0.05;  // five times the last digit of the force shown: enough to be felt
 constexpr double kTurn_rad = 15.0 * kRadPerDegree;
 constexpr int kConfirmed_s = 4;
-constexpr int kMargin_px = 16, kAway_px = 12, kTriad_px = 88;  // the view's triad stands at the bottom left
+constexpr int kMargin_px = 16, kAway_px = 12, kTriad_px = 88;  // the view's triad is at the bottom left
 
 struct PushRow {
   const char *type, *words;
 };
-// A wall and a surface can be pushed into, the others not. Whole sentences: other languages have other articles.
+// Walls and surfaces can be pushed into, the others not. Whole sentences, because articles differ between languages.
 constexpr PushRow kPushRows[] = {
-    {"point", QT_TRANSLATE_NOOP("welcome", "Pull it away from the point: drag the stylus with the mouse.")},
+    {"point", QT_TRANSLATE_NOOP("welcome", "Pull the stylus away from the point: drag it with the mouse.")},
     {"sphere", QT_TRANSLATE_NOOP("welcome", "Push into the sphere: drag the stylus with the mouse.")},
-    {"line", QT_TRANSLATE_NOOP("welcome", "Pull it away from the line: drag the stylus with the mouse.")},
+    {"line", QT_TRANSLATE_NOOP("welcome", "Pull the stylus away from the line: drag it with the mouse.")},
     {"plane", QT_TRANSLATE_NOOP("welcome", "Push into the plane: drag the stylus with the mouse.")},
-    {"circle", QT_TRANSLATE_NOOP("welcome", "Pull it away from the circle: drag the stylus with the mouse.")},
+    {"circle", QT_TRANSLATE_NOOP("welcome", "Pull the stylus away from the circle: drag it with the mouse.")},
     {"cylinder", QT_TRANSLATE_NOOP("welcome", "Push into the cylinder: drag the stylus with the mouse.")},
     {"box", QT_TRANSLATE_NOOP("welcome", "Push into the box: drag the stylus with the mouse.")},
-    {"mesh", QT_TRANSLATE_NOOP("welcome", "Push into the body: drag the stylus with the mouse.")},
-    {"curve", QT_TRANSLATE_NOOP("welcome", "Pull it away from the curve: drag the stylus with the mouse.")},
+    {"mesh", QT_TRANSLATE_NOOP("welcome", "Push into the mesh: drag the stylus with the mouse.")},
+    {"curve", QT_TRANSLATE_NOOP("welcome", "Pull the stylus away from the curve: drag it with the mouse.")},
     {"virtual_manipulator",
-     QT_TRANSLATE_NOOP("welcome", "Pull it away from the robot's tip: drag the stylus with the mouse.")}};
+     QT_TRANSLATE_NOOP("welcome",
+                       "Pull the stylus away from the end effector of the virtual robot: drag it with the mouse.")}};
 
 QString pushWords(const scene::Description& scene) {
   const std::string type = scene.constraints.empty() ? "sphere" : scene::typeName(scene.constraints.front().shape);
@@ -70,13 +71,13 @@ Welcome::Welcome(const FeatureParts& parts)
       actions_(parts.actions),
       rate_(parts.rate),
       slider_(new Spotlight("welcome.frame", parts.window)),
-      confirmed_(toldLabel("welcome.confirmed", tr("What was done"), "", this)),
+      confirmed_(toldLabel("welcome.confirmed", tr("What you just did"), "", this)),
       was_seen_(parts.settings.has_pushed),
       is_asked_(!was_seen_) {
   setObjectName("welcome");
   setAccessibleName(tr("Welcome: three things to try"));
   setProperty("role", "card");
-  setAttribute(Qt::WA_NoMousePropagation);  // what is meant for the card does not turn the view behind it
+  setAttribute(Qt::WA_NoMousePropagation);  // a drag on the card must not rotate the view behind it
   hide();
   build(parts.actions);
   parts.actions.add({"help.welcome", tr("&Welcome"), QKeySequence("Ctrl+Alt+Shift+W"),
@@ -102,8 +103,9 @@ void Welcome::build(Actions& actions) {
     column->addWidget(row);
   }
   column->addWidget(confirmed_);
-  auto* tour = pushButton("welcome.tour", tr("Tour of the window"), tr("Eight stops; Esc leaves it."), this);
-  auto* leave = pushButton("welcome.close", tr("Close"), tr("It stays in the Help menu."), this);
+  auto* tour = pushButton("welcome.tour", tr("Tour of the window"),
+                          tr("Shows what is where in the window, in eight stops."), this);
+  auto* leave = pushButton("welcome.close", tr("Close"), tr("Closes this card; the Help menu brings it back."), this);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(tour);
   buttons->addStretch();
@@ -136,8 +138,8 @@ void Welcome::close() {
 
 void Welcome::tell() {
   const QString texts[] = {pushWords(document_.scene()),
-                           tr("Move a slider: the one with the frame is the stiffness along x."),
-                           tr("Turn the stylus: drag it with Ctrl held down.")};
+                           tr("Move a slider: the framed one sets the stiffness along x."),
+                           tr("Turn the stylus: hold Ctrl and drag it.")};
   for (std::size_t thing = 0; thing < kThings; ++thing) {
     rows_[thing]->setText((is_done_[thing] ? QString::fromUtf8("✓  ") : QString::fromUtf8("○  ")) + texts[thing]);
     rows_[thing]->setAccessibleDescription(is_done_[thing] ? tr("Done") : tr("Not done yet"));
@@ -159,11 +161,10 @@ void Welcome::watch(const servo::Snapshot& snapshot) {
   const tick::TickReport& report = snapshot.report;
   if (!began_rad_) began_rad_ = report.sample.q_rad;
   const double force_N = report.force.f_T_W().norm();
-  if (hand_.moves() && force_N > kPush_N)
-    done(Push, tr("The force pushes back with %1 N.").arg(numberText(force_N, 2)));
-  if (edited_) done(Slider, tr("The change is felt at once."));
+  if (hand_.moves() && force_N > kPush_N) done(Push, tr("The arm pushes back with %1 N.").arg(numberText(force_N, 2)));
+  if (edited_) done(Slider, tr("You feel the change at once."));
   if (hand_.moves() && wristTurn_rad(*began_rad_, report.sample.q_rad) > kTurn_rad)
-    done(Turn, tr("The stylus has turned; in some scenes that draws you along."));
+    done(Turn, tr("The stylus has turned; in some scenes this moves the target."));
   const bool any = std::any_of(is_done_.begin(), is_done_.end(), [](bool one) { return one; });
   if (any && leaves_at_tick_ < 0) leaves_at_tick_ = snapshot.ticks;
 }
@@ -174,7 +175,7 @@ void Welcome::remember(Settings& settings) {
 
 void Welcome::present(const servo::Snapshot& snapshot) {
   const bool may_show = !actions_.isLocked();
-  // A card about the mouse says nothing to whom holds an arm.
+  // The card is about the mouse, so it is of no use to someone who holds a real arm.
   const bool is_seen = may_show && is_asked_ && hand_.arm() != nullptr && snapshot.ticks > 0 && document_.isOpen();
   if (is_seen) {
     watch(snapshot);
@@ -198,7 +199,7 @@ void Welcome::present(const servo::Snapshot& snapshot) {
   slider_->follow();
 }
 
-// It moves only where the stylus, or a smaller window, asks for it.
+// It moves only to make way for the stylus or to fit a smaller window.
 void Welcome::place() {
   resize(width(), heightForWidth(width()));
   const QRect stylus = view_.stylusOnScreen().toAlignedRect().adjusted(-kAway_px, -kAway_px, kAway_px, kAway_px);

@@ -15,15 +15,15 @@ namespace underact::gui {
 
 class Spotlight;
 
-/// The first minute: a card over the view with three things to try. Each is ticked off when it was done; the card
-/// leaves a little later, and comes back only when it is asked for. It stands where the stylus is not.
+/// The first minute: a card over the view with three things to try. Each is ticked off when done; the card disappears a
+/// little later and comes back only on request. It keeps clear of the stylus.
 class Welcome : public QFrame, public Follower {
   Q_OBJECT
  public:
   explicit Welcome(const FeatureParts& parts);
   void present(const servo::Snapshot& snapshot) override;
   void setTheme(const Theme& theme) override;
-  /// Once something was done, or it was closed, it does not come back unasked.
+  /// Once something has been done, or the card was closed, it does not come back by itself.
   void remember(Settings& settings) override;
 
  private:
@@ -46,7 +46,7 @@ class Welcome : public QFrame, public Follower {
   std::array<bool, kThings> is_done_{};
   QLabel* confirmed_;
   bool was_seen_, is_asked_, is_shown_ = false;
-  bool edited_ = false;  // since it was asked
+  bool edited_ = false;  // since the card was shown
   std::optional<arm::JointAngles> began_rad_;
   std::int64_t leaves_at_tick_ = -1;
 };

@@ -22,7 +22,7 @@ QAction* addDockAction(Actions& actions, const PanelRow& row, QDockWidget* dock)
                                  true},
                                 [dock](const QVariantList& on) {
                                   dock->setVisible(on.value(0).toBool());
-                                  dock->raise();  // to the front, where others stand in its place
+                                  dock->raise();  // in front of the panels it shares its tabs with
                                   return true;
                                 });
   QObject::connect(dock, &QDockWidget::visibilityChanged, action,
@@ -30,7 +30,7 @@ QAction* addDockAction(Actions& actions, const PanelRow& row, QDockWidget* dock)
   return action;
 }
 
-/// Of those docks that are there.
+/// Sizes of the docks that exist.
 void resize(QMainWindow* window, const QList<QPair<QDockWidget*, int>>& sizes, Qt::Orientation orientation) {
   QList<QDockWidget*> docks;
   QList<int> lengths;
@@ -66,7 +66,7 @@ Docks::Docks(const std::vector<FeatureRow>& rows, const FeatureParts& parts)
     made->hide();
   }
   for (QLineEdit* line : window_->findChildren<QLineEdit*>())
-    line->setAcceptDrops(false);  // a scene is dropped on the window
+    line->setAcceptDrops(false);  // scenes are dropped on the window
 }
 
 void Docks::arrange() {

@@ -12,7 +12,7 @@ class Docks {
   Docks(const std::vector<FeatureRow>& rows, const FeatureParts& parts);
 
   const std::vector<Panel*>& panels() const { return panels_; }
-  /// Every panel back to where it was at first.
+  /// Restores the default layout.
   void arrange();
 
  private:

@@ -5,14 +5,14 @@
 
 namespace underact::gui {
 
-/// All that the window can do, in the order of its panels. Made of the lines underact_feature() of the top
+/// All features of the window, in the order of its panels. Generated from the lines underact_feature() in the top
 /// CMakeLists.txt.
 std::vector<FeatureRow> features();
 
-/// Of all of them.
+/// The panels of all features.
 std::vector<PanelRow> panelsOf(const std::vector<FeatureRow>& rows);
 
-/// The guide's pages for all parts of a window with these features.
+/// The guide's pages for every part of a window with these features.
 std::vector<HelpPage> helpPages(const std::vector<FeatureRow>& rows);
 
 }  // namespace underact::gui

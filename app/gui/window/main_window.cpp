@@ -26,7 +26,7 @@
 
 namespace underact::gui {
 
-/// Also of a window that was never closed: what runs ends while what it puts back is still there.
+/// Also for a window that was never closed: features end while everything they restore still exists.
 MainWindow::~MainWindow() {
   for (Follower* follower : followers_) follower->finish();
 }
@@ -41,8 +41,7 @@ void MainWindow::frame() {
   });
   services_.second->look();
   if (pacer_->isSeen()) {
-    if (snapshot.ticks > 0)
-      services_.view->present(snapshot);  // before the first tick nobody knows where the stylus is
+    if (snapshot.ticks > 0) services_.view->present(snapshot);  // before the first tick the stylus position is unknown
     services_.hand->present(snapshot);
     services_.status->present(snapshot);
     for (Follower* follower : followers_) follower->present(snapshot);
@@ -55,13 +54,13 @@ void MainWindow::frame() {
 void MainWindow::presentMode(const servo::Snapshot& snapshot) {
   const bool faulted = snapshot.mode == servo::Mode::Faulted;
   const QString sentence = faulted ? sentenceText(describe(snapshot.report.fault)) : QString();
-  if (fault_ != sentence) {  // the view shows it; a screen reader says it at once, wherever it is
+  if (fault_ != sentence) {  // the view shows it; a screen reader announces it at once
     fault_ = sentence;
     services_.status->setFault(sentence);
     QAccessibleEvent alert(services_.status, QAccessible::Alert);
     if (faulted) QAccessible::updateAccessibility(&alert);
   }
-  // Stop stays there always: a button that a hand in trouble finds grey is one too few.
+  // Stop is always enabled: nobody in trouble should find it grey.
   const bool all_run =
       snapshot.mode == servo::Mode::Running && (!services_.second->isOn() || services_.second->servo().running());
   services_.actions->find("session.start")->setEnabled(services_.document->isOpen() && !all_run);
@@ -100,14 +99,14 @@ QStringList MainWindow::whyBusy() const {
 
 bool MainWindow::event(QEvent* event) {
   if (event->type() == QEvent::StatusTip && docks_ != nullptr) {
-    services_.status->setTip(static_cast<QStatusTipEvent*>(event)->tip());  // beside what is always true, not over it
+    services_.status->setTip(static_cast<QStatusTipEvent*>(event)->tip());  // beside the status, not over it
     return true;
   }
-  if (event->type() == QEvent::ChildPolished) {  // Qt makes a bar of tabs where panels share a place
+  if (event->type() == QEvent::ChildPolished) {  // Qt makes a tab bar for panels that share a place
     auto* bar = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child());
     if (bar != nullptr) {
-      bar->setAccessibleName(tr("Panels in this place"));
-      bar->setElideMode(Qt::ElideNone);  // many are scrolled: "S…" says nothing
+      bar->setAccessibleName(tr("Panel tabs"));
+      bar->setElideMode(Qt::ElideNone);  // scroll many tabs rather than shorten them to "S…"
     }
   }
   if (event->type() == QEvent::WindowStateChange || event->type() == QEvent::Hide) {
@@ -119,7 +118,7 @@ bool MainWindow::event(QEvent* event) {
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   pacer_->setSeen(true);
-  if (!arranged_ && settings_.layout.isEmpty()) docks_->arrange();  // sizes are known only now
+  if (!arranged_ && settings_.layout.isEmpty()) docks_->arrange();  // sizes are not known earlier
   if (!std::exchange(arranged_, true)) services_.actions->perform("view.projector", settings_.projector);
 }
 
@@ -131,7 +130,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (!services_.files->settleEdits()) return event->ignore();
   for (Follower* follower : followers_) follower->finish();
   services_.player->close();
-  if (!services_.files->settleEdits()) return event->ignore();  // those from before the replay
+  if (!services_.files->settleEdits()) return event->ignore();  // edits from before the replay
   given_.host.stop();
   services_.second->setOn(false);
   remember();

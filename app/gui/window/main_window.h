@@ -12,8 +12,8 @@ class Docks;
 class FramePacer;
 class LateSheets;
 
-/// The window: the view in the middle, what its features bring around it, and each frame what the servo last said
-/// handed to all of them.
+/// The window: the view in the middle and the features around it. Each frame it hands the servo's newest snapshot to
+/// all of them.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -25,7 +25,7 @@ class MainWindow : public QMainWindow {
   SceneView& view() { return *services_.view; }
   Player& player() { return *services_.player; }
   const std::vector<FeatureRow>& rows() const { return rows_; }
-  /// One frame: shows the newest snapshot and fetches every tick since the last frame. The pacer calls it.
+  /// One frame: fetches every tick since the last frame and shows the newest snapshot. Called by the pacer.
   void frame();
 
  protected:
@@ -55,7 +55,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<Docks> docks_;
   Followers followers_;
   bool arranged_ = false;
-  QString fault_;  // the sentence that was last said
+  QString fault_;  // the sentence announced last
 };
 
 }  // namespace underact::gui

@@ -1,4 +1,4 @@
-// How the window is put together; what it does is in main_window.cpp.
+// Builds the window; its behaviour is in main_window.cpp.
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -20,7 +20,7 @@
 
 namespace underact::gui {
 
-constexpr int kLayoutVersion = 9;  // up by one where a dock is added: an old layout would hide it
+constexpr int kLayoutVersion = 9;  // count up when a dock is added: an old layout would hide it
 
 MainWindow::MainWindow(const WindowParts& given, std::vector<FeatureRow> rows)
     : given_(given),
@@ -77,11 +77,10 @@ void MainWindow::buildFeatures() {
 void MainWindow::restore() {
   if (settings_.are_newer) {
     QTimer::singleShot(0, this, [this] {
-      showProblemsBox(
-          "dialog.newer_settings", tr("Settings"),
-          tr("The settings on this computer were written by a newer Underact. This one starts with its own and "
-             "leaves those as they are."),
-          {}, this);
+      showProblemsBox("dialog.newer_settings", tr("Settings"),
+                      tr("The settings on this computer were written by a newer version of Underact. This version "
+                         "starts with its defaults and leaves the saved settings unchanged."),
+                      {}, this);
     });
   }
   if (!settings_.geometry.isEmpty()) restoreGeometry(settings_.geometry);

@@ -20,7 +20,7 @@
 namespace underact::gui {
 namespace {
 
-// names: of actions; "-": a separator. Those that no feature of this window brings are left out.
+// names: of actions; "-": a separator. Actions that no feature of this window adds are skipped.
 void fillMenu(QMenu* menu, const Actions& actions, const QStringList& names) {
   for (const QString& name : names) {
     QAction* const action = actions.find(name);
@@ -46,7 +46,7 @@ void fillRecent(QMenu* menu, Actions& actions, const RecentFiles& recent) {
   }
 }
 
-// A clock that runs moves nothing beside it.
+// A fixed width, so that a running clock does not move its neighbours.
 void keepWidth(QToolBar* bar, QAction* action) {
   QWidget* button = bar->widgetForAction(action);
   QFont bold = button->font();
@@ -92,8 +92,7 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   fillMenu(replay, actions,
            {"replay.open", "-", "replay.play", "replay.back", "replay.forward", "-", "replay.loop", "replay.loop_in",
             "replay.loop_out", "-", "replay.what_if", "-", "replay.files", "replay.close", "-", "ghost.open"});
-  fillMenu(named(replay->addMenu(tr("&Ghost hand")), "menu.ghost"), actions,
-           {"ghost.play", "ghost.restart", "ghost.close"});
+  fillMenu(named(replay->addMenu(tr("&Ghost")), "menu.ghost"), actions, {"ghost.play", "ghost.restart", "ghost.close"});
   fillMenu(named(bar->addMenu(tr("Less&ons")), "menu.lessons"), actions,
            {"lesson.open", "-", "lesson.back", "lesson.next", "lesson.hint", "-", "lesson.report", "lesson.leave"});
   QMenu* view = named(bar->addMenu(tr("&View")), "menu.view");
@@ -120,7 +119,7 @@ void buildToolBar(QMainWindow* window, Actions& actions) {
   nameWidget(bar, "toolbar", tr("Tool bar"));
   bar->setMovable(false);
   bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  const int icon = qRound(1.2 * window->fontMetrics().height());  // icons grow with the words beside them
+  const int icon = qRound(1.2 * window->fontMetrics().height());  // icons scale with the text beside them
   bar->setIconSize({icon, icon});
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   window->addToolBar(bar);

@@ -6,10 +6,10 @@ namespace underact::gui {
 class Actions;
 class RecentFiles;
 
-/// The menu bar: every action is in it once.
+/// The menu bar, which contains every action once.
 void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent);
 
-/// The one tool bar: icons with words, Start and the big Stop first.
+/// The tool bar: icons with text, Start and the large Stop first.
 void buildToolBar(QMainWindow* window, Actions& actions);
 
 }  // namespace underact::gui

@@ -55,7 +55,7 @@ Services::Services(const WindowParts& given, const Settings& settings, QMainWind
   if (given.arm != nullptr) new StylusKey(*given.arm, owner, view);
 }
 
-/// The view, and below it the strips of what goes on.
+/// The view, and the progress strips below it.
 void Services::buildMiddle() {
   view->setMinimumSize(320, 240);
   middle = new QVBoxLayout(new QWidget(window));
@@ -82,7 +82,7 @@ void Services::buildStatus(const WindowParts& given) {
 }
 
 void Services::connectThem(const WindowParts& given) {
-  // At once: a replay looks for its files beside the scenes opened lately.
+  // Saved at once: a replay looks for its files beside the recently opened scenes.
   QObject::connect(recent, &RecentFiles::changed, window,
                    [files = recent] { QSettings().setValue("files/recent", files->paths()); });
   const auto integrate = [arm = given.arm, scenes = document] {

@@ -11,24 +11,24 @@ class ReplayedArm;
 
 namespace underact::gui {
 
-/// What a window works with; made by main(), and by the stories.
+/// What a window needs; made by main() and by the stories.
 struct WindowParts {
   servo::Host& host;
-  device::SimulatedArm* arm;  // the arm behind the host at first, where it is the simulated one; else null
+  device::SimulatedArm* arm;  // the host's first arm if it is the simulated one, else null
   ThemeWatcher& theme;
-  device::ReplayedArm* replay = nullptr;         // the host's device, where it can replay; else null
-  device::ChosenArm* chosen = nullptr;           // behind the host, where arms can be exchanged; else null
+  device::ReplayedArm* replay = nullptr;         // the host's device if it can replay, else null
+  device::ChosenArm* chosen = nullptr;           // behind the host if arms can be exchanged, else null
   std::vector<device::hands::Port*> hands = {};  // controllers and 3D mice; they outlive the window
 };
 
-/// What all features of a window share, made once and told of one another. The window owns every one of them.
+/// What all features of a window share, made and connected once. The window owns it all.
 struct Services {
   Services(const WindowParts& given, const Settings& settings, QMainWindow* window);
   /// For the features.
   FeatureParts parts(const WindowParts& given, const Settings& settings, const std::vector<HelpPage>& pages,
                      std::function<QStringList()> why_busy) const;
   void remember(Settings& settings) const;
-  /// Of the arm that the scene is for, and what of its force is let through now.
+  /// Shows the force limit: that of the scene's arm times the share that is let through now.
   void presentForceLimit() const;
 
   QMainWindow* window;

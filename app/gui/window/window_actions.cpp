@@ -16,14 +16,14 @@ namespace {
 void addServo(const FeatureParts& parts) {
   SecondArm& second = parts.second;
   parts.actions.add(
-      {"session.start", tr("&Start"), QKeySequence("F5"), tr("Lets the servo push; also after a fault."), "start"},
+      {"session.start", tr("&Start"), QKeySequence("F5"), tr("Starts the servo, also after a fault."), "start"},
       [control = parts.control, &second](const QVariantList&) {
         control.start();
         second.start();
         return true;
       });
   parts.actions.add({"session.stop", tr("S&top"), QKeySequence("Esc"),
-                     tr("Lets go: the force goes to zero. Esc does it from anywhere."), "stop"},
+                     tr("Stops the servo: the force goes to zero. Esc does the same from anywhere."), "stop"},
                     [control = parts.control, &second](const QVariantList&) {
                       control.stop();
                       second.stop();
@@ -47,7 +47,7 @@ void addFiles(const FeatureParts& parts, const std::vector<FeatureRow>& rows) {
   addLeftHandAction(actions, parts.document);
   actions
       .add({"scene.save_as", tr("&Save tuned scene as…"), QKeySequence::Save,
-            tr("Saves the scene with its gains as they are now."), "save", tr("Save as…")},
+            tr("Saves the scene with its current settings."), "save", tr("Save as…")},
            [&files](const QVariantList& path) {
              if (!path.isEmpty()) return files.saveAs(path.first().toString());
              files.chooseAndSave();
@@ -58,7 +58,7 @@ void addFiles(const FeatureParts& parts, const std::vector<FeatureRow>& rows) {
               [window = parts.window](const QVariantList&) { return window->close(); });
 }
 
-/// text: of the menu while there is nothing; with: beside what would be taken back.
+/// text: of the menu entry when there is nothing to undo; with: the pattern with what would be undone.
 void follow(QAction* action, const QString& text, const QString& with, const QString& what) {
   action->setText(what.isEmpty() ? text : with.arg(what));
   action->setIconText(QString(text).remove('&'));
@@ -66,17 +66,17 @@ void follow(QAction* action, const QString& text, const QString& with, const QSt
 
 void addUndo(Actions& actions, QUndoStack& undo) {
   QAction* back = actions.add(
-      {"edit.undo", tr("&Undo"), QKeySequence::Undo, tr("Takes the last change of a gain back."), "undo", tr("Undo")},
+      {"edit.undo", tr("&Undo"), QKeySequence::Undo, tr("Undoes the last change to the scene."), "undo", tr("Undo")},
       [&undo](const QVariantList&) {
         undo.undo();
         return true;
       });
-  QAction* forth = actions.add(
-      {"edit.redo", tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), tr("Makes the change again."), "redo", tr("Redo")},
-      [&undo](const QVariantList&) {
-        undo.redo();
-        return true;
-      });
+  QAction* forth = actions.add({"edit.redo", tr("&Redo"), QKeySequence("Ctrl+Shift+Z"),
+                                tr("Redoes the change that was undone."), "redo", tr("Redo")},
+                               [&undo](const QVariantList&) {
+                                 undo.redo();
+                                 return true;
+                               });
   back->setEnabled(false);
   forth->setEnabled(false);
   QObject::connect(&undo, &QUndoStack::canUndoChanged, back, &QAction::setEnabled);
@@ -94,11 +94,11 @@ void addWindowActions(const FeatureParts& parts, const std::vector<FeatureRow>& 
   addServo(parts);
   addFiles(parts, rows);
   addUndo(parts.actions, parts.document.undoStack());
+  parts.actions.add({"menu.layers", tr("La&yers"), QKeySequence("Ctrl+Alt+Y"), tr("Shows or hides parts of the view."),
+                     "layers", tr("Layers")},
+                    [](const QVariantList&) { return true; });
   parts.actions.add(
-      {"menu.layers", tr("La&yers"), QKeySequence("Ctrl+Alt+Y"), tr("What the view shows."), "layers", tr("Layers")},
-      [](const QVariantList&) { return true; });
-  parts.actions.add(
-      {"layout.reset", tr("&Reset"), QKeySequence("Ctrl+Alt+0"), tr("Puts every panel back to where it was at first.")},
+      {"layout.reset", tr("&Reset"), QKeySequence("Ctrl+Alt+0"), tr("Restores the default layout of the panels.")},
       [arrange](const QVariantList&) {
         arrange();
         return true;

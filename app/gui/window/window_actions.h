@@ -6,7 +6,7 @@
 
 namespace underact::gui {
 
-/// What the window itself does, by name: start and stop, files, undo, the layout.
+/// The window's own actions: start and stop, files, undo, the layout.
 void addWindowActions(const FeatureParts& parts, const std::vector<FeatureRow>& rows,
                       const std::function<void()>& arrange);
 

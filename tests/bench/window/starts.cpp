@@ -35,7 +35,7 @@ void measureStarts() {
     QString said;
     QRegularExpressionMatch first;
     for (int waited = 0; waited < 300 && !first.hasMatch(); ++waited) {
-      static const QRegularExpression kFirst("first picture after (\\d+) ms \\((\\d+) ms of the processor\\)");
+      static const QRegularExpression kFirst("first picture after (\\d+) ms \\((\\d+) ms of CPU time\\)");
       program.waitForReadyRead(100);
       said += QString::fromLocal8Bit(program.readAllStandardError());  // Qt may have something to say before
       first = kFirst.match(said);
@@ -51,7 +51,7 @@ void measureStarts() {
     program.waitForFinished();
   }
   printRange("first picture after main", first_ms, "ms");
-  printRange("of the processor", processor_ms, "ms");
+  printRange("of CPU time", processor_ms, "ms");
   printRange("resident, one scene, after 5 s", resident, "MB");
 }
 

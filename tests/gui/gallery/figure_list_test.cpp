@@ -41,19 +41,18 @@ TEST(FigureList, EachFigureSaysWhatCameOfIt) {
   EXPECT_EQ(verdictOf(rows[1]), QString("left out"));
   EXPECT_EQ(verdictOf(rows[2]), QString("not made"));
   EXPECT_EQ(verdictOf(rows[3]), QString("picture of the view"));
-  EXPECT_EQ(verdictOf(read.value()),
-            QString("4 figures, 2 numbers checked, 2 not as they should be. 1 pictures left out."));
+  EXPECT_EQ(verdictOf(read.value()), QString("4 figures, 2 numbers checked, 2 failed. Figures left out: 1."));
 }
 
 TEST(FigureList, WhatIsNotThereOrNoListIsSaid) {
   const QTemporaryDir folder;
   const Result<FigureList> none = readFigures(folder.path());
   ASSERT_FALSE(none);
-  EXPECT_EQ(none.problems().front().sentence, "The figures are not made yet.");
+  EXPECT_EQ(none.problems().front().sentence, "The figures have not been made yet.");
   writeFile(folder.filePath("figures.json"), "[]");
   const Result<FigureList> empty = readFigures(folder.path());
   ASSERT_FALSE(empty);
-  EXPECT_NE(empty.problems().front().sentence.find("Make them again"), std::string::npos);
+  EXPECT_NE(empty.problems().front().sentence.find("Make the figures again"), std::string::npos);
 }
 
 TEST(FigureList, WhoMadeThemAndWhenIsReadBack) {

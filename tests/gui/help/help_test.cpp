@@ -21,14 +21,14 @@ TEST(HelpDialog, ListsEveryShortcutWithWhatItDoesAlsoOfAnActionThatCameLater) {
   const QString text = dialog.findChild<QTextBrowser*>("dialog.help.page")->toPlainText();
   EXPECT_TRUE(text.contains("Ctrl+Alt+F12") && text.contains("Barks <once>."));
   EXPECT_FALSE(text.contains("Is silent.")) << "it has no key";
-  EXPECT_TRUE(text.contains("Lets the servo") || text.contains("F5"));
+  EXPECT_TRUE(text.contains("Starts the servo") || text.contains("F5"));
 }
 
 TEST(AboutDialog, SaysTheVersionAndThatNoRealArmWasTried) {
   const AboutDialog dialog(nullptr);
   const QString text = dialog.findChild<QLabel*>("dialog.about.text")->text();
   EXPECT_TRUE(text.contains(QString("Underact %1").arg(kVersion)));
-  EXPECT_TRUE(text.contains("No part of it was tried on a real arm"));
+  EXPECT_TRUE(text.contains("no part of it has been tested on a real arm"));
 }
 
 TEST(HelpActions, EachOpensItsDialog) {

@@ -8,10 +8,10 @@ namespace underact::gui::test {
 TEST(ServoFigures, TheLimitThatCutsMostIsTheOneNamed) {
   EXPECT_EQ(mostLimiting({}), "");
   EXPECT_EQ(mostLimiting({.clamp_N = 0.2, .speed_N = 0.3, .slew_N = 0.1}), "speed");
-  EXPECT_EQ(mostLimiting({.clamp_N = 0.4, .speed_N = 0.3}), "greatest force");
+  EXPECT_EQ(mostLimiting({.clamp_N = 0.4, .speed_N = 0.3}), "maximum force");
   EXPECT_EQ(mostLimiting({.edge_N = 0.1}), "edge");
   EXPECT_EQ(mostLimiting({.heat_N = 0.1}), "heat");
-  EXPECT_EQ(mostLimiting({.slew_N = 0.1}), "change");
+  EXPECT_EQ(mostLimiting({.slew_N = 0.1}), "slew rate");
   EXPECT_EQ(mostLimiting({.clamp_N = 9.0, .frozen = true}), "frozen sample");  // nothing is sent then
 }
 

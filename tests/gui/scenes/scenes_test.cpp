@@ -44,7 +44,7 @@ TEST(ScenesPanel, TheFilterLeavesWhatFitsUnderItsHeadingAndNoOtherHeading) {
   EXPECT_TRUE(all.contains("Walls") && all.contains("Sphere"));
   filter->setText("SCARA");
   EXPECT_LT(rowsShown(desk).size(), all.size());
-  EXPECT_TRUE(rowsShown(desk).contains("Robots in software"));
+  EXPECT_TRUE(rowsShown(desk).contains("Virtual robots"));
   EXPECT_FALSE(rowsShown(desk).contains("Walls"));
   filter->setText("there is none of this");
   EXPECT_EQ(rowsShown(desk), QStringList());
@@ -56,11 +56,11 @@ TEST(ScenesPanel, TheOpenSceneIsTheChosenOneWithItsWordsAndAFileOfOnesOwnStandsB
   ASSERT_NE(list->currentItem(), nullptr);
   EXPECT_EQ(list->currentItem()->text(), QString::fromStdString(desk.scene().title));
   EXPECT_TRUE(desk.find<PageView>("panel.scenes.about")->toPlainText().contains("Feel:"));
-  EXPECT_FALSE(rowsShown(desk).contains("Opened lately"));
+  EXPECT_FALSE(rowsShown(desk).contains("Recently opened"));
   const QString own = desk.fileOf("own.json", R"({"underact_scene": 1, "title": "My own ball", "constraints": [
     {"type": "sphere", "center_mm": [0, 0, 0], "radius_mm": 25}]})");
   ASSERT_TRUE(desk.perform("scene.open", own));
-  EXPECT_TRUE(rowsShown(desk).contains("Opened lately"));
+  EXPECT_TRUE(rowsShown(desk).contains("Recently opened"));
   EXPECT_EQ(list->currentItem()->text(), QString("My own ball"));
 }
 

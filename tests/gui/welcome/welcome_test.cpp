@@ -40,7 +40,7 @@ TEST(Welcome, SaysWhatCanBeDoneWithTheShapeThatIsThere) {
   EXPECT_TRUE(desk.label("welcome.push").contains("Push into the sphere"));
   desk.open("05_circle");
   desk.frame();
-  EXPECT_TRUE(desk.label("welcome.push").contains("Pull it away from the circle"));
+  EXPECT_TRUE(desk.label("welcome.push").contains("Pull the stylus away from the circle"));
 }
 
 TEST(Tour, GoesFromStopToStopAndBackAndLeavesNothingBehind) {

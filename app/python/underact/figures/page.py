@@ -61,7 +61,7 @@ def page(rows: list[dict]) -> str:
         bool(row["problem"]) for row in rows
     )
     count = f"{len(rows)} figures, {len(numbers)} numbers checked, "
-    verdict = "all as they should be." if failed == 0 else f"{failed} not as they should be."
+    verdict = "all pass." if failed == 0 else f"{failed} failed."
     links = "".join(
         f'<a href="#f{escape(row["figure"])}">{escape(row["figure"])}</a>' for row in rows
     )
