@@ -231,16 +231,16 @@ z [mm]</translation>
         <translation>%1 Abbildungen, %2 Zahlen geprüft, %3.</translation>
     </message>
     <message>
-        <source>all as they should be</source>
-        <translation>alle wie erwartet</translation>
+        <source>all pass</source>
+        <translation>alle erfüllt</translation>
     </message>
     <message>
-        <source>%1 not as they should be</source>
-        <translation>%1 nicht wie erwartet</translation>
+        <source>%1 failed</source>
+        <translation>%1 verfehlt</translation>
     </message>
     <message>
-        <source>%1 pictures left out.</source>
-        <translation>%1 Bilder ausgelassen.</translation>
+        <source>Figures left out: %1.</source>
+        <translation>Ausgelassene Abbildungen: %1.</translation>
     </message>
     <message>
         <source>Figure %1 has no picture.</source>
@@ -319,23 +319,23 @@ z [mm]</translation>
         <translation>Leertaste</translation>
     </message>
     <message>
-        <source>is the stylus button, for as long as it is held (press F2 first, or click the view)</source>
-        <translation>ist die Stifttaste, solange sie gehalten wird (zuerst F2 drücken oder die Ansicht anklicken)</translation>
+        <source>holds the stylus button down (press F2 first, or click the view)</source>
+        <translation>hält die Stifttaste gedrückt (zuerst F2 drücken oder die Ansicht anklicken)</translation>
     </message>
     <message>
         <source>Rings o and p</source>
         <translation>Ringe o und p</translation>
     </message>
     <message>
-        <source>of a scene with influence: where the stylus points, and what is nearest to its tip</source>
-        <translation>einer Szene mit Einfluss: wohin der Stift zeigt, und was seiner Spitze am nächsten ist</translation>
+        <source>in a scene with an influence factor: the point that the stylus points at, and the point nearest to the tip</source>
+        <translation>in einer Szene mit Einflussfaktor: der Punkt, auf den der Stift zeigt, und der Punkt, der der Spitze am nächsten ist</translation>
     </message>
     <message>
         <source>Drag beside the stylus</source>
         <translation>Neben dem Stift ziehen</translation>
     </message>
     <message>
-        <source>turns the view; with the middle button it is moved</source>
+        <source>rotates the view; with the middle button, pans it</source>
         <translation>dreht die Ansicht; mit der mittleren Taste wird sie verschoben</translation>
     </message>
     <message>
@@ -343,24 +343,24 @@ z [mm]</translation>
         <translation>Rad</translation>
     </message>
     <message>
-        <source>brings the view nearer</source>
-        <translation>bringt die Ansicht näher</translation>
+        <source>zooms the view</source>
+        <translation>zoomt die Ansicht</translation>
     </message>
     <message>
         <source>Sliders</source>
         <translation>Schieberegler</translation>
     </message>
     <message>
-        <source>take the mouse, arrow keys and, once clicked, the wheel; a double click goes back to the scene's value</source>
-        <translation>nehmen Maus, Pfeiltasten und, einmal angeklickt, das Rad an; ein Doppelklick geht zum Wert der Szene zurück</translation>
+        <source>respond to the mouse, the arrow keys and, once clicked, the wheel; a double click restores the scene's value</source>
+        <translation>reagieren auf Maus, Pfeiltasten und, einmal angeklickt, das Rad; ein Doppelklick stellt den Wert der Szene wieder her</translation>
     </message>
     <message>
         <source>Table of joints</source>
         <translation>Tabelle der Gelenke</translation>
     </message>
     <message>
-        <source>F2, a double click or just typing changes a number; Enter takes it</source>
-        <translation>F2, ein Doppelklick oder einfach Tippen ändert eine Zahl; Eingabe übernimmt sie</translation>
+        <source>F2, a double click or typing edits a number; Enter applies it</source>
+        <translation>F2, ein Doppelklick oder Tippen ändert eine Zahl; die Eingabetaste übernimmt sie</translation>
     </message>
     <message>
         <source>Close</source>
@@ -507,12 +507,12 @@ Grenze: %4 (%5).</translation>
         <translation>%1 ist eine Datei, kein Ordner. Wählen Sie einen anderen Ordner für die Aufzeichnungen.</translation>
     </message>
     <message>
-        <source>The folder %1 cannot be made. Choose another folder for the recordings.</source>
+        <source>The folder %1 cannot be created. Choose another folder for the recordings.</source>
         <translation>Der Ordner %1 lässt sich nicht anlegen. Wählen Sie einen anderen Ordner für die Aufzeichnungen.</translation>
     </message>
     <message>
-        <source>Nothing can be written into the folder %1. Choose another folder for the recordings.</source>
-        <translation>In den Ordner %1 lässt sich nichts schreiben. Wählen Sie einen anderen Ordner für die Aufzeichnungen.</translation>
+        <source>The folder %1 is not writable. Choose another folder for the recordings.</source>
+        <translation>Der Ordner %1 ist nicht beschreibbar. Wählen Sie einen anderen Ordner für die Aufzeichnungen.</translation>
     </message>
     <message>
         <source>%1 min %2 s</source>
@@ -2314,7 +2314,7 @@ $$K &lt; \frac{2 b}{T}$$</translation>
         <translation>Bindungen als Roboter</translation>
     </message>
     <message>
-        <source>Robots in software</source>
+        <source>Virtual robots</source>
         <translation>Virtuelle Roboter</translation>
     </message>
     <message>
@@ -2569,16 +2569,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
 <context>
     <name>limit</name>
     <message>
-        <source>Greatest force</source>
+        <source>Maximum force</source>
         <translation>Größte Kraft</translation>
     </message>
     <message>
-        <source>greatest force</source>
+        <source>maximum force</source>
         <translation>größte Kraft</translation>
     </message>
     <message>
-        <source>No force is greater than what the arm bears for good; its direction is kept.</source>
-        <translation>Keine Kraft ist größer, als der Arm auf Dauer verträgt; ihre Richtung bleibt erhalten.</translation>
+        <source>Limits the force to the arm's continuous force; its direction is kept.</source>
+        <translation>Begrenzt die Kraft auf die Dauerkraft des Arms; ihre Richtung bleibt erhalten.</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -2589,8 +2589,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>From 1 m/s on less and from 2 m/s on none of the force may drive the stylus along; a force that brakes it is not touched.</source>
-        <translation>Ab 1 m/s darf weniger und ab 2 m/s nichts von der Kraft den Stift weitertreiben; eine Kraft, die ihn bremst, bleibt unberührt.</translation>
+        <source>Above 1 m/s, force in the direction of motion is reduced; from 2 m/s it is zero. Force against the motion is not limited.</source>
+        <translation>Über 1 m/s wird Kraft in Bewegungsrichtung verringert; ab 2 m/s ist sie null. Kraft gegen die Bewegung wird nicht begrenzt.</translation>
     </message>
     <message>
         <source>Workspace edge</source>
@@ -2601,8 +2601,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Rand</translation>
     </message>
     <message>
-        <source>In the last 3° before a joint's stop a force that presses towards it fades.</source>
-        <translation>Auf den letzten 3° vor dem Anschlag eines Gelenks lässt eine Kraft nach, die dorthin drückt.</translation>
+        <source>Within 3° of a joint's stop, a force that presses towards it fades out.</source>
+        <translation>Auf den letzten 3° vor dem Anschlag eines Gelenks klingt eine Kraft ab, die dorthin drückt.</translation>
     </message>
     <message>
         <source>Motor heat</source>
@@ -2613,20 +2613,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Wärme</translation>
     </message>
     <message>
-        <source>From 90 % of the heat that a motor bears for good the force goes down to what it can give for good.</source>
-        <translation>Ab 90 % der Wärme, die ein Motor auf Dauer verträgt, geht die Kraft auf das zurück, was er auf Dauer geben kann.</translation>
+        <source>Between 90 % and 100 % of a motor's permissible heat, the force is reduced to its continuous force.</source>
+        <translation>Zwischen 90 % und 100 % der zulässigen Wärme eines Motors wird die Kraft auf seine Dauerkraft verringert.</translation>
     </message>
     <message>
-        <source>Change of force</source>
-        <translation>Kraftänderung</translation>
+        <source>Slew rate</source>
+        <translation>Änderungsrate</translation>
     </message>
     <message>
-        <source>change</source>
-        <translation>Änderung</translation>
+        <source>slew rate</source>
+        <translation>Änderungsrate</translation>
     </message>
     <message>
-        <source>The force changes by 1 N in a millisecond at most.</source>
-        <translation>Die Kraft ändert sich um höchstens 1 N in einer Millisekunde.</translation>
+        <source>The force changes by at most 1 N per millisecond.</source>
+        <translation>Die Kraft ändert sich um höchstens 1 N je Millisekunde.</translation>
     </message>
     <message>
         <source>Frozen sample</source>
@@ -2637,8 +2637,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>starrer Messwert</translation>
     </message>
     <message>
-        <source>An arm whose joints stay the same to the last bit says nothing of the hand: the force is let go until they move.</source>
-        <translation>Ein Arm, dessen Gelenke bis aufs letzte Bit gleich bleiben, sagt nichts über die Hand: Die Kraft wird losgelassen, bis sich die Gelenke bewegen.</translation>
+        <source>If the joint angles stay identical to the last bit for some time, the arm no longer measures the hand: the force fades out until they change.</source>
+        <translation>Bleiben die Gelenkwinkel eine Zeit lang bis aufs letzte Bit gleich, misst der Arm die Hand nicht mehr: Die Kraft klingt ab, bis sie sich ändern.</translation>
     </message>
 </context>
 <context>
@@ -2720,8 +2720,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Lektionen</translation>
     </message>
     <message>
-        <source>Exercises in robot kinematics and forces, checked by what the hand does.</source>
-        <translation>Übungen zu Roboterkinematik und Kräften, geprüft an dem, was die Hand tut.</translation>
+        <source>Exercises in robot kinematics and forces that check what your hand does.</source>
+        <translation>Übungen zu Roboterkinematik und Kräften, die prüfen, was Ihre Hand tut.</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -2823,12 +2823,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Speichern Sie die Szene unter einem anderen Namen und drücken Sie dann Start. Tritt der Fehler wieder auf, beenden Sie das Programm und senden Sie die Datei der Störung an die Entwickler.</translation>
     </message>
     <message>
-        <source>The figures are not made yet.</source>
-        <translation>Die Abbildungen sind noch nicht gemacht.</translation>
+        <source>The figures have not been made yet.</source>
+        <translation>Die Abbildungen wurden noch nicht erstellt.</translation>
     </message>
     <message>
-        <source>The list of the figures cannot be read. Make them again.</source>
-        <translation>Die Liste der Abbildungen kann nicht gelesen werden. Machen Sie sie neu.</translation>
+        <source>The list of figures cannot be read. Make the figures again.</source>
+        <translation>Die Liste der Abbildungen kann nicht gelesen werden. Erstellen Sie die Abbildungen neu.</translation>
     </message>
     <message>
         <source>The mapping could not be saved in %1: %2. It stays in effect until you close the window.</source>
@@ -2847,23 +2847,23 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>„Nur mit Taste“ ist an, aber für diese Messung muss die Hand den Stift loslassen. Schalten Sie es zuerst aus.</translation>
     </message>
     <message>
-        <source>This window was opened with one arm alone.</source>
-        <translation>Dieses Fenster wurde mit nur einem Arm geöffnet.</translation>
+        <source>This window was opened for one arm only.</source>
+        <translation>Dieses Fenster wurde nur für einen Arm geöffnet.</translation>
     </message>
     <message>
-        <source>A session is being recorded, and it is of one arm. Stop the recording, then choose.</source>
-        <translation>Eine Sitzung wird aufgezeichnet, und sie gehört zu einem Arm. Stoppen Sie die Aufzeichnung und wählen Sie dann.</translation>
+        <source>A session is being recorded, and a session contains only one arm. Stop the recording, then choose the arm.</source>
+        <translation>Eine Sitzung wird aufgezeichnet, und eine Sitzung enthält nur einen Arm. Stoppen Sie die Aufzeichnung und wählen Sie dann den Arm.</translation>
     </message>
     <message>
-        <source>A recording is replayed. Close it, then choose.</source>
-        <translation>Eine Aufzeichnung wird wiedergegeben. Schließen Sie sie und wählen Sie dann.</translation>
+        <source>A session is being replayed. Close it, then choose the arm.</source>
+        <translation>Eine Sitzung wird wiedergegeben. Schließen Sie sie und wählen Sie dann den Arm.</translation>
     </message>
     <message>
-        <source>A measurement is at work on this arm. End it, then choose.</source>
-        <translation>Auf diesem Arm läuft eine Messung. Beenden Sie sie und wählen Sie dann.</translation>
+        <source>A measurement is running on this arm. End it, then choose the arm.</source>
+        <translation>Auf diesem Arm läuft eine Messung. Beenden Sie sie und wählen Sie dann den Arm.</translation>
     </message>
     <message>
-        <source>What was typed while it recorded is not in the file. Edit the session's words below.</source>
+        <source>Text typed during the recording is not in the file. Edit the details of the session below.</source>
         <translation>Was während der Aufzeichnung eingegeben wurde, steht nicht in der Datei. Ändern Sie die Angaben zur Sitzung unten.</translation>
     </message>
     <message>
@@ -6677,7 +6677,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Orientierung</translation>
     </message>
     <message>
-        <source>Robots in software</source>
+        <source>Virtual robots</source>
         <translation>Virtuelle Roboter</translation>
     </message>
     <message>
@@ -7296,64 +7296,64 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Ansicht</translation>
     </message>
     <message>
-        <source>The hand's world, in the arm's own frame: what is felt is what is drawn. Drag beside the stylus to turn it, use the wheel to come nearer.</source>
-        <translation>Die Welt der Hand, im eigenen Koordinatensystem des Arms: Was zu fühlen ist, ist auch gezeichnet. Ziehen Sie neben dem Stift, um sie zu drehen; mit dem Rad kommen Sie näher.</translation>
+        <source>What you see here is what you feel, in the arm's own frame. Drag beside the stylus to rotate the view; use the wheel to zoom.</source>
+        <translation>Was Sie hier sehen, ist das, was Sie fühlen, im eigenen Koordinatensystem des Arms. Ziehen Sie neben dem Stift, um die Ansicht zu drehen; zoomen Sie mit dem Rad.</translation>
     </message>
     <message>
         <source>The stylus</source>
         <translation>Der Stift</translation>
     </message>
     <message>
-        <source>Drag it with the mouse: that is the hand on the simulated arm. With Ctrl the stylus turns. The arrow is the force that is sent.</source>
-        <translation>Ziehen Sie ihn mit der Maus: Das ist die Hand am simulierten Arm. Mit Strg dreht sich der Stift. Der Pfeil ist die gesendete Kraft.</translation>
+        <source>Drag it with the mouse to move the hand on the simulated arm; hold Ctrl to turn the stylus. The arrow is the force sent to the arm.</source>
+        <translation>Ziehen Sie ihn mit der Maus, um die Hand am simulierten Arm zu bewegen; halten Sie Strg, um den Stift zu drehen. Der Pfeil ist die an den Arm gesendete Kraft.</translation>
     </message>
     <message>
         <source>Scenes</source>
         <translation>Szenen</translation>
     </message>
     <message>
-        <source>What the stylus can be held to, in teaching order. Below the list stands what to feel, what to try, and the equation.</source>
-        <translation>Woran der Stift gehalten werden kann, in Lehrreihenfolge. Unter der Liste steht, was zu fühlen ist, was Sie probieren können und die Gleichung.</translation>
+        <source>The constraints to feel, in teaching order. Below the list you read what to feel, what to try, and the equation.</source>
+        <translation>Die Bindungen zum Fühlen, in Lehrreihenfolge. Unter der Liste lesen Sie, was zu fühlen ist, was Sie probieren können und die Gleichung.</translation>
     </message>
     <message>
         <source>Feel</source>
         <translation>Fühlen</translation>
     </message>
     <message>
-        <source>How hard it pulls: stiffness, damping and more, felt while you drag a slider. A double click goes back to the scene's own value.</source>
-        <translation>Wie stark es zieht: Steifigkeit, Dämpfung und mehr, zu fühlen, während Sie einen Schieberegler ziehen. Ein Doppelklick führt zum eigenen Wert der Szene zurück.</translation>
+        <source>Stiffness, damping and more. You feel each change while you drag a slider; a double click restores the scene's own value.</source>
+        <translation>Steifigkeit, Dämpfung und mehr. Sie fühlen jede Änderung, während Sie einen Schieberegler ziehen; ein Doppelklick stellt den eigenen Wert der Szene wieder her.</translation>
     </message>
     <message>
         <source>The status line</source>
         <translation>Die Statuszeile</translation>
     </message>
     <message>
-        <source>Always true: what the servo does, which arm, how fast, how late, and the force beside its limit, as the gauge in the view has it.</source>
-        <translation>Stimmt immer: was der Servo tut, welcher Arm, wie schnell, wie verspätet, und die Kraft neben ihrer Grenze, wie sie die Anzeige in der Ansicht zeigt.</translation>
+        <source>Always up to date: the state of the servo, the arm, the servo rate, the latency, and the force with its limit, as on the gauge in the view.</source>
+        <translation>Immer aktuell: der Zustand des Servos, der Arm, die Servo-Taktrate, die Latenz und die Kraft mit ihrer Grenze, wie auf der Anzeige in der Ansicht.</translation>
     </message>
     <message>
         <source>Record</source>
         <translation>Aufzeichnen</translation>
     </message>
     <message>
-        <source>One press writes every tick into a session. The Sessions panel lists them, replays them and exports them.</source>
-        <translation>Ein Druck schreibt jeden Takt in eine Sitzung. Der Bereich Sitzungen listet sie auf, gibt sie wieder und exportiert sie.</translation>
+        <source>Press it to record every tick in a session; press it again to stop. The Sessions panel lists, replays and exports sessions.</source>
+        <translation>Drücken Sie die Schaltfläche, um jeden Takt in einer Sitzung aufzuzeichnen, und noch einmal, um zu stoppen. Der Bereich Sitzungen listet Sitzungen auf, gibt sie wieder und exportiert sie.</translation>
     </message>
     <message>
         <source>Devices</source>
         <translation>Geräte</translation>
     </message>
     <message>
-        <source>Which arms are plugged in, what is missing to use one, and which one is in use. A real arm pushes only after you have pressed Start.</source>
-        <translation>Welche Arme angeschlossen sind, was für ihre Nutzung fehlt und welcher in Gebrauch ist. Ein echter Arm drückt erst, nachdem Sie Start gedrückt haben.</translation>
+        <source>Which arms are plugged in, what is missing to use one, and which one is in use. A real arm exerts no force until you press Start.</source>
+        <translation>Welche Arme angeschlossen sind, was für ihre Nutzung fehlt und welcher in Gebrauch ist. Ein echter Arm übt keine Kraft aus, bis Sie Start drücken.</translation>
     </message>
     <message>
         <source>Help</source>
         <translation>Hilfe</translation>
     </message>
     <message>
-        <source>The guide: F1 opens the page for what has the keyboard. The menu beside it has the keys, lessons, and this tour once more. Esc stops the force, from anywhere.</source>
-        <translation>Das Handbuch: F1 öffnet die Seite zu dem, was den Tastaturfokus hat. Das Menü daneben enthält die Tasten, die Lektionen und noch einmal diesen Rundgang. Esc stoppt die Kraft, von überall.</translation>
+        <source>Opens the guide; F1 does so at the page for whatever has the focus. The Help menu also has the list of keys and this tour. Esc stops the force from anywhere.</source>
+        <translation>Öffnet das Handbuch; F1 öffnet es auf der Seite zu dem, was den Fokus hat. Das Menü „Hilfe“ enthält auch die Liste der Tasten und diesen Rundgang. Esc stoppt die Kraft von überall.</translation>
     </message>
 </context>
 <context>
@@ -7419,8 +7419,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Abbildungen der Thesis</translation>
     </message>
     <message>
-        <source>The thesis's figures, remade by this program, with the numbers that they should show.</source>
-        <translation>Die Abbildungen der Thesis, von diesem Programm neu erstellt, mit den Zahlen, die sie zeigen sollen.</translation>
+        <source>Shows the figures of the thesis as this program makes them, with their numbers checked.</source>
+        <translation>Zeigt die Abbildungen der Thesis, wie dieses Programm sie erstellt, mit geprüften Zahlen.</translation>
     </message>
     <message>
         <source>Follow a recorded hand</source>
@@ -7607,16 +7607,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Maus und Tasten</translation>
     </message>
     <message>
-        <source>What the mouse and the keys do.</source>
-        <translation>Was Maus und Tasten tun.</translation>
+        <source>Shows what the mouse and the keys do.</source>
+        <translation>Zeigt, was Maus und Tasten tun.</translation>
     </message>
     <message>
         <source>&amp;About Underact</source>
         <translation>Ü&amp;ber Underact</translation>
     </message>
     <message>
-        <source>Version, licence, and what was never tried.</source>
-        <translation>Version, Lizenz und was nie erprobt wurde.</translation>
+        <source>Shows the version, the licence, and what has not been tested.</source>
+        <translation>Zeigt Version, Lizenz und was nicht erprobt ist.</translation>
     </message>
     <message>
         <source>Nothing has been measured.</source>
@@ -7655,28 +7655,28 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>○ Kombination  ● auf der Front  ■ wie es war  ◎ gewählt</translation>
     </message>
     <message>
-        <source>As the &amp;system</source>
+        <source>Follow the &amp;system</source>
         <translation>Wie das &amp;System</translation>
     </message>
     <message>
-        <source>The system's language, from the next start on.</source>
-        <translation>Die Sprache des Systems, ab dem nächsten Start.</translation>
+        <source>Uses the system's language from the next start.</source>
+        <translation>Verwendet ab dem nächsten Start die Sprache des Systems.</translation>
     </message>
     <message>
-        <source>English, from the next start on.</source>
-        <translation>Englisch, ab dem nächsten Start.</translation>
+        <source>Uses English from the next start.</source>
+        <translation>Verwendet ab dem nächsten Start Englisch.</translation>
     </message>
     <message>
-        <source>German, from the next start on.</source>
-        <translation>Deutsch, ab dem nächsten Start.</translation>
+        <source>Uses German from the next start.</source>
+        <translation>Verwendet ab dem nächsten Start Deutsch.</translation>
     </message>
     <message>
         <source>Language</source>
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>The window speaks it from the next start on.</source>
-        <translation>Das Fenster spricht sie ab dem nächsten Start.</translation>
+        <source>The language changes when you next start Underact.</source>
+        <translation>Die Sprache wechselt, wenn Sie Underact das nächste Mal starten.</translation>
     </message>
     <message>
         <source>✓ Solved</source>
@@ -7687,8 +7687,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>○ Nicht gelöst</translation>
     </message>
     <message>
-        <source>On another day.</source>
-        <translation>An einem anderen Tag.</translation>
+        <source>Solved earlier; no details were kept.</source>
+        <translation>Früher gelöst; Einzelheiten wurden nicht gespeichert.</translation>
     </message>
     <message>
         <source>✓ Solved: %1</source>
@@ -7759,8 +7759,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Linkshändig</translation>
     </message>
     <message>
-        <source>Mirrors every scene, for the stylus in the left hand; lessons and recordings stay as they are.</source>
-        <translation>Spiegelt jede Szene, für den Stift in der linken Hand; Lektionen und Aufzeichnungen bleiben, wie sie sind.</translation>
+        <source>Mirrors every scene for the left hand; lessons and recordings are not mirrored.</source>
+        <translation>Spiegelt jede Szene für die linke Hand; Lektionen und Aufzeichnungen werden nicht gespiegelt.</translation>
     </message>
     <message>
         <source>Underact: reference points for registering an arm. Print at 100 % and tape to the desk, the arm behind or beside it. This edge faces away from you.</source>
@@ -7987,10 +7987,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Schneidet Dreiecksnetze im rechten Winkel zu z; am besten von vorn zu sehen.</translation>
     </message>
     <message>
-        <source>Follow the &amp;system</source>
-        <translation>Wie das &amp;System</translation>
-    </message>
-    <message>
         <source>Follows the light or dark theme of the desktop, also while the program runs.</source>
         <translation>Folgt dem hellen oder dunklen Thema der Arbeitsumgebung, auch während des Betriebs.</translation>
     </message>
@@ -8039,8 +8035,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Wiedergabe</translation>
     </message>
     <message>
-        <source>&amp;Ghost hand</source>
-        <translation>&amp;Geisterhand</translation>
+        <source>&amp;Ghost</source>
+        <translation>&amp;Geisterbild</translation>
     </message>
     <message>
         <source>Less&amp;ons</source>
@@ -8083,16 +8079,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Start</translation>
     </message>
     <message>
-        <source>Lets the servo push; also after a fault.</source>
-        <translation>Lässt den Servo drücken; auch nach einer Störung.</translation>
+        <source>Starts the servo, also after a fault.</source>
+        <translation>Startet den Servo, auch nach einer Störung.</translation>
     </message>
     <message>
         <source>S&amp;top</source>
         <translation>S&amp;topp</translation>
     </message>
     <message>
-        <source>Lets go: the force goes to zero. Esc does it from anywhere.</source>
-        <translation>Lässt los: Die Kraft geht auf null. Esc tut es von überall.</translation>
+        <source>Stops the servo: the force goes to zero. Esc does the same from anywhere.</source>
+        <translation>Stoppt den Servo: Die Kraft geht auf null. Esc bewirkt von überall dasselbe.</translation>
     </message>
     <message>
         <source>&amp;Open file…</source>
@@ -8107,8 +8103,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Abgestimmte Szene &amp;speichern unter …</translation>
     </message>
     <message>
-        <source>Saves the scene with its gains as they are now.</source>
-        <translation>Speichert die Szene mit ihren jetzigen Verstärkungen.</translation>
+        <source>Saves the scene with its current settings.</source>
+        <translation>Speichert die Szene mit ihren aktuellen Einstellungen.</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -8127,8 +8123,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Rückgängig</translation>
     </message>
     <message>
-        <source>Takes the last change of a gain back.</source>
-        <translation>Nimmt die letzte Änderung einer Verstärkung zurück.</translation>
+        <source>Undoes the last change to the scene.</source>
+        <translation>Macht die letzte Änderung der Szene rückgängig.</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -8139,8 +8135,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Wiederholen</translation>
     </message>
     <message>
-        <source>Makes the change again.</source>
-        <translation>Führt die Änderung noch einmal aus.</translation>
+        <source>Redoes the change that was undone.</source>
+        <translation>Führt die rückgängig gemachte Änderung wieder aus.</translation>
     </message>
     <message>
         <source>Redo</source>
@@ -8159,8 +8155,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Ebenen</translation>
     </message>
     <message>
-        <source>What the view shows.</source>
-        <translation>Was die Ansicht zeigt.</translation>
+        <source>Shows or hides parts of the view.</source>
+        <translation>Blendet Teile der Ansicht ein oder aus.</translation>
     </message>
     <message>
         <source>Layers</source>
@@ -8171,8 +8167,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>&amp;Zurücksetzen</translation>
     </message>
     <message>
-        <source>Puts every panel back to where it was at first.</source>
-        <translation>Setzt jeden Bereich dorthin zurück, wo er anfangs war.</translation>
+        <source>Restores the default layout of the panels.</source>
+        <translation>Stellt die anfängliche Anordnung der Bereiche wieder her.</translation>
     </message>
 </context>
 <context>
@@ -8182,8 +8178,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Über Underact</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Underact %1&lt;/h3&gt;&lt;p&gt;Feel geometry through a small haptic arm, and see what you feel.&lt;/p&gt;&lt;p&gt;Licence: BSD-3-Clause. Uses Qt %2 (LGPL) and VTK (BSD).&lt;/p&gt;&lt;p&gt;No part of it was tried on a real arm yet: what is shown is simulated.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Underact %1&lt;/h3&gt;&lt;p&gt;Mit einem kleinen haptischen Arm Geometrie fühlen und sehen, was man fühlt.&lt;/p&gt;&lt;p&gt;Lizenz: BSD-3-Clause. Verwendet Qt %2 (LGPL) und VTK (BSD).&lt;/p&gt;&lt;p&gt;Noch nichts davon wurde an einem echten Arm erprobt: Was gezeigt wird, ist simuliert.&lt;/p&gt;</translation>
+        <source>&lt;h3&gt;Underact %1&lt;/h3&gt;&lt;p&gt;Feel geometry through a small haptic arm, and see what you feel.&lt;/p&gt;&lt;p&gt;Licence: BSD-3-Clause. Uses Qt %2 (LGPL) and VTK (BSD).&lt;/p&gt;&lt;p&gt;Tested in simulation only; no part of it has been tested on a real arm yet.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Underact %1&lt;/h3&gt;&lt;p&gt;Mit einem kleinen haptischen Arm Geometrie fühlen und sehen, was man fühlt.&lt;/p&gt;&lt;p&gt;Lizenz: BSD-3-Clause. Verwendet Qt %2 (LGPL) und VTK (BSD).&lt;/p&gt;&lt;p&gt;Nur in der Simulation erprobt, noch in keinem Teil an einem echten Arm.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -8748,23 +8744,23 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Antwort auf: %1</translation>
     </message>
     <message>
-        <source>A number; Enter gives it.</source>
-        <translation>Eine Zahl; Eingabe übernimmt sie.</translation>
+        <source>Type a number and press Enter.</source>
+        <translation>Geben Sie eine Zahl ein und drücken Sie die Eingabetaste.</translation>
     </message>
     <message>
         <source>Check</source>
         <translation>Prüfen</translation>
     </message>
     <message>
-        <source>Looks whether the answer is right.</source>
-        <translation>Sieht nach, ob die Antwort richtig ist.</translation>
+        <source>Checks the answer.</source>
+        <translation>Prüft die Antwort.</translation>
     </message>
     <message>
         <source>An answer to: %1</source>
         <translation>Eine Antwort auf: %1</translation>
     </message>
     <message>
-        <source>“%1” is no number.</source>
+        <source>“%1” is not a number.</source>
         <translation>„%1“ ist keine Zahl.</translation>
     </message>
 </context>
@@ -8786,11 +8782,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
 <context>
     <name>underact::gui::CliProcess</name>
     <message>
-        <source>The program %1 could not be started. Install Underact whole.</source>
-        <translation>Das Programm %1 ließ sich nicht starten. Installieren Sie Underact vollständig.</translation>
+        <source>The program %1 could not be started. Reinstall Underact.</source>
+        <translation>Das Programm %1 ließ sich nicht starten. Installieren Sie Underact neu.</translation>
     </message>
     <message>
-        <source>Install Underact again.</source>
+        <source>Reinstall Underact.</source>
         <translation>Installieren Sie Underact neu.</translation>
     </message>
 </context>
@@ -9129,16 +9125,16 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::DemonstratorPanel</name>
     <message>
-        <source>Seconds for each scene</source>
-        <translation>Sekunden für jede Szene</translation>
+        <source>Seconds per scene</source>
+        <translation>Sekunden je Szene</translation>
     </message>
     <message>
-        <source>Greatest force, percent of what the arm bears for good</source>
-        <translation>Größte Kraft, in Prozent dessen, was der Arm auf Dauer verträgt</translation>
+        <source>Maximum force, percent of the arm's continuous force</source>
+        <translation>Größte Kraft, in Prozent der Dauerkraft des Arms</translation>
     </message>
     <message>
-        <source>What to know</source>
-        <translation>Was zu wissen ist</translation>
+        <source>Note</source>
+        <translation>Hinweis</translation>
     </message>
     <message>
         <source>Demonstrator</source>
@@ -9161,7 +9157,7 @@ und %2 weitere</translation>
         <translation>Jede Szene für</translation>
     </message>
     <message>
-        <source>Greatest force</source>
+        <source>Maximum force</source>
         <translation>Größte Kraft</translation>
     </message>
     <message>
@@ -9169,24 +9165,24 @@ und %2 weitere</translation>
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>Lets go: the force goes to zero.</source>
-        <translation>Lässt los: Die Kraft geht auf null.</translation>
+        <source>Stops the servo: the force goes to zero.</source>
+        <translation>Stoppt den Servo: Die Kraft geht auf null.</translation>
     </message>
     <message>
         <source>Leave visitor mode</source>
         <translation>Besuchermodus verlassen</translation>
     </message>
     <message>
-        <source>The window is as it was before.</source>
-        <translation>Das Fenster ist wieder wie zuvor.</translation>
+        <source>Restores the window as it was before.</source>
+        <translation>Stellt das Fenster wieder her, wie es zuvor war.</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Visitors go on.</source>
-        <translation>Der Besuchermodus läuft weiter.</translation>
+        <source>Closes this panel; visitor mode continues.</source>
+        <translation>Schließt diesen Bereich; der Besuchermodus läuft weiter.</translation>
     </message>
 </context>
 <context>
@@ -9955,8 +9951,8 @@ und %2 weitere</translation>
         <translation>Bildtext</translation>
     </message>
     <message>
-        <source>Numbers that the figure must show</source>
-        <translation>Zahlen, die die Abbildung zeigen muss</translation>
+        <source>Numbers checked in the figure</source>
+        <translation>Geprüfte Zahlen der Abbildung</translation>
     </message>
     <message>
         <source>Number</source>
@@ -9971,7 +9967,7 @@ und %2 weitere</translation>
         <translation>Erwartet</translation>
     </message>
     <message>
-        <source>Within</source>
+        <source>Tolerance</source>
         <translation>Toleranz</translation>
     </message>
     <message>
@@ -10006,24 +10002,24 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::FiguresRun</name>
     <message>
-        <source>Another window is making the figures. Wait until it has them, then open this anew.</source>
-        <translation>Ein anderes Fenster erstellt gerade die Abbildungen. Warten Sie, bis es sie hat, und öffnen Sie dies dann erneut.</translation>
+        <source>Another window is making the figures. Wait until it has finished, then open this window again.</source>
+        <translation>Ein anderes Fenster erstellt gerade die Abbildungen. Warten Sie, bis es fertig ist, und öffnen Sie dieses Fenster dann erneut.</translation>
     </message>
     <message>
-        <source>The folder %1 cannot be written.</source>
-        <translation>Der Ordner %1 ist nicht beschreibbar.</translation>
+        <source>The folder %1 is not writable. Change its permissions.</source>
+        <translation>Der Ordner %1 ist nicht beschreibbar. Ändern Sie seine Zugriffsrechte.</translation>
     </message>
     <message>
-        <source>Cancelled: the figures are those from before.</source>
-        <translation>Abgebrochen: Die Abbildungen sind die von zuvor.</translation>
+        <source>Cancelled. The earlier figures were kept.</source>
+        <translation>Abgebrochen. Die früheren Abbildungen blieben erhalten.</translation>
     </message>
     <message>
-        <source>The figures could not be put into %1. Make room there, or leave to write.</source>
-        <translation>Die Abbildungen ließen sich nicht in %1 ablegen. Schaffen Sie dort Platz oder das Recht zu schreiben.</translation>
+        <source>The figures could not be saved in %1. Free some space there or change its permissions.</source>
+        <translation>Die Abbildungen konnten nicht in %1 gespeichert werden. Schaffen Sie dort Platz oder ändern Sie die Zugriffsrechte.</translation>
     </message>
     <message>
-        <source>The figures were not made, and underact-cli did not say why.</source>
-        <translation>Die Abbildungen wurden nicht erstellt, und underact-cli hat nicht gesagt, warum.</translation>
+        <source>The figures were not made, and underact-cli gave no reason.</source>
+        <translation>Die Abbildungen wurden nicht erstellt, und underact-cli nannte keinen Grund.</translation>
     </message>
     <message>
         <source>The figures were not made. %1</source>
@@ -10189,8 +10185,8 @@ und %2 weitere</translation>
         <translation>S&amp;zene öffnen</translation>
     </message>
     <message>
-        <source>Opens the figure's scene in the window, to be felt.</source>
-        <translation>Öffnet die Szene der Abbildung im Fenster, zum Fühlen.</translation>
+        <source>Opens the figure's scene in the main window so that you can feel it.</source>
+        <translation>Öffnet die Szene der Abbildung im Hauptfenster, sodass Sie sie fühlen können.</translation>
     </message>
     <message>
         <source>Open the s&amp;ession</source>
@@ -10205,8 +10201,8 @@ und %2 weitere</translation>
         <translation>Als &amp;PDF speichern …</translation>
     </message>
     <message>
-        <source>Keeps the figure as it was drawn for print.</source>
-        <translation>Speichert die Abbildung, wie sie für den Druck gezeichnet wurde.</translation>
+        <source>Saves the figure in print quality.</source>
+        <translation>Speichert die Abbildung in Druckqualität.</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -10217,28 +10213,28 @@ und %2 weitere</translation>
         <translation>Abbildu&amp;ngen erstellen</translation>
     </message>
     <message>
-        <source>Runs every scene of the thesis anew, draws and checks.</source>
-        <translation>Führt jede Szene der Thesis neu aus, zeichnet und prüft.</translation>
+        <source>Runs every scene of the thesis again, draws the figures and checks their numbers.</source>
+        <translation>Führt jede Szene der Thesis erneut aus, zeichnet die Abbildungen und prüft ihre Zahlen.</translation>
     </message>
     <message>
         <source>Show the pa&amp;ge</source>
         <translation>Sei&amp;te zeigen</translation>
     </message>
     <message>
-        <source>Opens all figures as one page in the browser.</source>
-        <translation>Öffnet alle Abbildungen als eine Seite im Browser.</translation>
+        <source>Opens a page with all figures in the browser.</source>
+        <translation>Öffnet eine Seite mit allen Abbildungen im Browser.</translation>
     </message>
     <message>
         <source>&amp;Close</source>
         <translation>S&amp;chließen</translation>
     </message>
     <message>
-        <source>Closes this. A making that goes on is ended.</source>
-        <translation>Schließt dies. Ein laufendes Erstellen wird beendet.</translation>
+        <source>Closes this window and cancels any figures still being made.</source>
+        <translation>Schließt dieses Fenster und bricht ein laufendes Erstellen ab.</translation>
     </message>
     <message>
-        <source>No program opens the page here. It is %1</source>
-        <translation>Kein Programm öffnet hier die Seite. Sie ist %1</translation>
+        <source>The page could not be opened. Open it in a browser: %1</source>
+        <translation>Die Seite ließ sich nicht öffnen. Öffnen Sie sie in einem Browser: %1</translation>
     </message>
     <message>
         <source>figure %1 (%2 of %3)</source>
@@ -10253,24 +10249,24 @@ und %2 weitere</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>The figures are made in the background; the arm and the window go on. It takes about a minute.</source>
-        <translation>Die Abbildungen werden im Hintergrund erstellt; der Arm und das Fenster laufen weiter. Es dauert etwa eine Minute.</translation>
+        <source>The figures are being made in the background, which takes about a minute. You can keep using the arm and the window.</source>
+        <translation>Die Abbildungen werden im Hintergrund erstellt; das dauert etwa eine Minute. Sie können Arm und Fenster weiter benutzen.</translation>
     </message>
     <message>
         <source>&amp;Make the figures again</source>
         <translation>Abbildungen &amp;neu erstellen</translation>
     </message>
     <message>
-        <source>Each scene of the thesis is run with a scripted hand, drawn, and checked in numbers. Press “Make the figures”; it takes about a minute.</source>
-        <translation>Jede Szene der Thesis wird mit einer Hand nach Skript ausgeführt, gezeichnet und in Zahlen geprüft. Drücken Sie „Abbildungen erstellen“; es dauert etwa eine Minute.</translation>
+        <source>Underact runs each scene of the thesis with a scripted hand, draws the figures and checks their numbers. Press “Make the figures”; this takes about a minute.</source>
+        <translation>Underact führt jede Szene der Thesis mit einer Hand nach Skript aus, zeichnet die Abbildungen und prüft ihre Zahlen. Drücken Sie „Abbildungen erstellen“; das dauert etwa eine Minute.</translation>
     </message>
     <message>
         <source>Made by Underact %1 on %2.</source>
         <translation>Erstellt von Underact %1 am %2.</translation>
     </message>
     <message>
-        <source>This is Underact %1: make them again to see what it does.</source>
-        <translation>Dies ist Underact %1: Erstellen Sie sie neu, um zu sehen, was es tut.</translation>
+        <source>This is Underact %1; make the figures again to see its results.</source>
+        <translation>Dies ist Underact %1; erstellen Sie die Abbildungen neu, um seine Ergebnisse zu sehen.</translation>
     </message>
     <message>
         <source>Save the figure</source>
@@ -10281,8 +10277,8 @@ und %2 weitere</translation>
         <translation>PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>Figure %1 is in %2</source>
-        <translation>Abbildung %1 ist in %2</translation>
+        <source>Figure %1 was saved as %2</source>
+        <translation>Abbildung %1 wurde gespeichert als %2</translation>
     </message>
 </context>
 <context>
@@ -10426,8 +10422,8 @@ und %2 weitere</translation>
         <translation>Inhalt des Handbuchs</translation>
     </message>
     <message>
-        <source>What was found</source>
-        <translation>Was gefunden wurde</translation>
+        <source>Search results</source>
+        <translation>Suchergebnisse</translation>
     </message>
     <message>
         <source>%1 – %2</source>
@@ -10445,8 +10441,8 @@ und %2 weitere</translation>
         <translation>&amp;Handbuch</translation>
     </message>
     <message>
-        <source>The guide, at the page for what has the focus.</source>
-        <translation>Das Handbuch, auf der Seite zu dem, was den Fokus hat.</translation>
+        <source>Opens the guide at the page for whatever has the focus.</source>
+        <translation>Öffnet das Handbuch auf der Seite zu dem, was den Fokus hat.</translation>
     </message>
     <message>
         <source>Guide</source>
@@ -10472,16 +10468,16 @@ und %2 weitere</translation>
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>The page before (Alt+Left)</source>
-        <translation>Die Seite davor (Alt+Links)</translation>
+        <source>Previous page (Alt+Left)</source>
+        <translation>Vorige Seite (Alt+Links)</translation>
     </message>
     <message>
         <source>Forward</source>
         <translation>Vor</translation>
     </message>
     <message>
-        <source>The page after (Alt+Right)</source>
-        <translation>Die Seite danach (Alt+Rechts)</translation>
+        <source>Next page (Alt+Right)</source>
+        <translation>Nächste Seite (Alt+Rechts)</translation>
     </message>
     <message>
         <source>Search the guide</source>
@@ -10492,8 +10488,8 @@ und %2 weitere</translation>
         <translation>Handbuch durchsuchen (Strg+F)</translation>
     </message>
     <message>
-        <source>Enter opens what is chosen in the list, F3 goes to the next place on the page.</source>
-        <translation>Eingabe öffnet, was in der Liste gewählt ist, F3 geht zur nächsten Stelle auf der Seite.</translation>
+        <source>Enter opens the selected result; F3 goes to the next match on the page.</source>
+        <translation>Die Eingabetaste öffnet das gewählte Ergebnis; F3 geht zum nächsten Treffer auf der Seite.</translation>
     </message>
     <message>
         <source>Smaller</source>
@@ -10597,8 +10593,8 @@ und %2 weitere</translation>
         <translation>Was die Maus und die Tasten tun</translation>
     </message>
     <message>
-        <source>What you see is the hand's world: the constraint in blue, the stylus, the point it is drawn to in green, the force in orange. Start lets the servo push, Stop and Esc let go.</source>
-        <translation>Was Sie sehen, ist die Welt der Hand: die Bindung in Blau, der Stift, der Punkt, zu dem er gezogen wird, in Grün, die Kraft in Orange. Start lässt den Servo drücken, Stopp und Esc lassen los.</translation>
+        <source>The view shows what the hand feels: the constraint in blue, the stylus, the target in green and the force in orange. Start turns the force on; Stop and Esc turn it off.</source>
+        <translation>Die Ansicht zeigt, was die Hand fühlt: die Bindung in Blau, den Stift, das Ziel in Grün und die Kraft in Orange. Start schaltet die Kraft ein; Stopp und Esc schalten sie aus.</translation>
     </message>
     <message>
         <source>The hand and the view</source>
@@ -10796,7 +10792,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Joints 4 to 6 rotate the stylus about its tip without moving it: v = J_p (q1, q2, q3)'.</source>
-        <translation>Die Gelenke 4 bis 6 drehen den Stift um seine Spitze, ohne sie zu bewegen: v = J_p (q1, q2, q3)&apos;.</translation>
+        <translation>Die Gelenke 4 bis 6 drehen den Stift um seine Spitze, ohne sie zu bewegen: v = J_p (q1, q2, q3)'.</translation>
     </message>
     <message>
         <source>det J_p</source>
@@ -11218,7 +11214,7 @@ und %2 weitere</translation>
         <translation>Über die gewählte Lektion</translation>
     </message>
     <message>
-        <source>Why the lesson was not begun</source>
+        <source>Why the lesson did not start</source>
         <translation>Warum die Lektion nicht begonnen wurde</translation>
     </message>
     <message>
@@ -11226,8 +11222,8 @@ und %2 weitere</translation>
         <translation>Lektionen</translation>
     </message>
     <message>
-        <source>Enter or a click begins a lesson; the scene and panels of now come back after it.</source>
-        <translation>Eingabe oder ein Klick beginnt eine Lektion; Szene und Bereiche von jetzt kommen danach zurück.</translation>
+        <source>Enter or a click starts a lesson. Your scene and panels come back when you leave it.</source>
+        <translation>Die Eingabetaste oder ein Klick beginnt eine Lektion. Ihre Szene und Bereiche kommen zurück, wenn Sie sie verlassen.</translation>
     </message>
     <message>
         <source>Open a lesson file</source>
@@ -11250,7 +11246,7 @@ und %2 weitere</translation>
         <translation>%1, %2 von %3 Schritten gelöst</translation>
     </message>
     <message>
-        <source>Opened lately</source>
+        <source>Recently opened</source>
         <translation>Zuletzt geöffnet</translation>
     </message>
 </context>
@@ -11281,12 +11277,12 @@ und %2 weitere</translation>
         <translation>Name im Bericht</translation>
     </message>
     <message>
-        <source>Name in the report (may stay empty)</source>
-        <translation>Name im Bericht (darf leer bleiben)</translation>
+        <source>Name in the report (optional)</source>
+        <translation>Name im Bericht (optional)</translation>
     </message>
     <message>
-        <source>It is written into the report alone, and kept nowhere else.</source>
-        <translation>Er wird nur in den Bericht geschrieben und nirgends sonst gespeichert.</translation>
+        <source>Written to the report only and saved nowhere else.</source>
+        <translation>Wird nur in den Bericht geschrieben und nirgends sonst gespeichert.</translation>
     </message>
     <message>
         <source>**Hint:**</source>
@@ -11308,12 +11304,12 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::LessonRun</name>
     <message>
-        <source>“%1” has mistakes, which are listed.</source>
-        <translation>„%1“ enthält Fehler, die aufgelistet sind.</translation>
+        <source>“%1” contains errors; see the list.</source>
+        <translation>„%1“ enthält Fehler; siehe die Liste.</translation>
     </message>
     <message>
-        <source>A recorded session is being replayed. Close it, then begin the lesson.</source>
-        <translation>Eine aufgezeichnete Sitzung wird wiedergegeben. Schließen Sie sie und beginnen Sie dann die Lektion.</translation>
+        <source>A session is being replayed. Close it, then start the lesson.</source>
+        <translation>Eine Sitzung wird wiedergegeben. Schließen Sie sie und beginnen Sie dann die Lektion.</translation>
     </message>
 </context>
 <context>
@@ -11323,40 +11319,40 @@ und %2 weitere</translation>
         <translation>Le&amp;ktion öffnen …</translation>
     </message>
     <message>
-        <source>Opens a lesson file, as a teacher writes it.</source>
-        <translation>Öffnet eine Lektionsdatei, wie eine Lehrkraft sie schreibt.</translation>
+        <source>Opens a lesson from a file.</source>
+        <translation>Öffnet eine Lektion aus einer Datei.</translation>
     </message>
     <message>
         <source>&amp;Leave the lesson</source>
         <translation>Lektion &amp;verlassen</translation>
     </message>
     <message>
-        <source>Back to the scene and the panels of before.</source>
-        <translation>Zurück zur Szene und zu den Bereichen von vorher.</translation>
+        <source>Restores the scene and the panels from before the lesson.</source>
+        <translation>Stellt Szene und Bereiche von vor der Lektion wieder her.</translation>
     </message>
     <message>
         <source>Save &amp;report…</source>
         <translation>&amp;Bericht speichern …</translation>
     </message>
     <message>
-        <source>Saves what was done in the lesson, and what was measured, as a page.</source>
-        <translation>Speichert als Seite, was in der Lektion getan und gemessen wurde.</translation>
+        <source>Saves what you did and measured in the lesson as a web page.</source>
+        <translation>Speichert als Webseite, was Sie in der Lektion getan und gemessen haben.</translation>
     </message>
     <message>
         <source>&amp;Next</source>
         <translation>&amp;Weiter</translation>
     </message>
     <message>
-        <source>The next step of the lesson.</source>
-        <translation>Der nächste Schritt der Lektion.</translation>
+        <source>Goes to the next step of the lesson.</source>
+        <translation>Geht zum nächsten Schritt der Lektion.</translation>
     </message>
     <message>
         <source>&amp;Back</source>
         <translation>&amp;Zurück</translation>
     </message>
     <message>
-        <source>The step of the lesson before this one.</source>
-        <translation>Der vorige Schritt der Lektion.</translation>
+        <source>Goes to the previous step of the lesson.</source>
+        <translation>Geht zum vorigen Schritt der Lektion.</translation>
     </message>
     <message>
         <source>&amp;Show me</source>
@@ -11379,8 +11375,8 @@ und %2 weitere</translation>
         <translation>Gespeichert als %1.</translation>
     </message>
     <message>
-        <source>Not saved: %1. Choose another place.</source>
-        <translation>Nicht gespeichert: %1. Wählen Sie einen anderen Ort.</translation>
+        <source>Not saved: %1. Choose another folder.</source>
+        <translation>Nicht gespeichert: %1. Wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
         <source>Save the report</source>
@@ -11614,16 +11610,16 @@ und %2 weitere</translation>
         <translation>Underact</translation>
     </message>
     <message>
-        <source>Panels in this place</source>
-        <translation>Bereiche an dieser Stelle</translation>
+        <source>Panel tabs</source>
+        <translation>Reiter der Bereiche</translation>
     </message>
     <message>
         <source>Settings</source>
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>The settings on this computer were written by a newer Underact. This one starts with its own and leaves those as they are.</source>
-        <translation>Die Einstellungen auf diesem Rechner stammen von einem neueren Underact. Dieses startet mit eigenen und lässt jene, wie sie sind.</translation>
+        <source>The settings on this computer were written by a newer version of Underact. This version starts with its defaults and leaves the saved settings unchanged.</source>
+        <translation>Die Einstellungen auf diesem Rechner stammen von einer neueren Version von Underact. Diese Version startet mit ihren Vorgaben und lässt die gespeicherten Einstellungen unverändert.</translation>
     </message>
 </context>
 <context>
@@ -11979,12 +11975,12 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::PageView</name>
     <message>
-        <source>A page on the net</source>
-        <translation>Eine Seite im Netz</translation>
+        <source>Web page</source>
+        <translation>Webseite</translation>
     </message>
     <message>
-        <source>This link leads out of the program, to:</source>
-        <translation>Dieser Link führt aus dem Programm heraus, zu:</translation>
+        <source>This link opens a web page outside the program:</source>
+        <translation>Dieser Link öffnet eine Webseite außerhalb des Programms:</translation>
     </message>
     <message>
         <source>Open in browser</source>
@@ -12300,8 +12296,8 @@ und %2 weitere</translation>
         <translation>Was geschehen ist</translation>
     </message>
     <message>
-        <source>Problems of the file</source>
-        <translation>Probleme der Datei</translation>
+        <source>Problems in the file</source>
+        <translation>Probleme in der Datei</translation>
     </message>
     <message>
         <source>Line</source>
@@ -12348,7 +12344,7 @@ und %2 weitere</translation>
         <translation>%1 Probleme</translation>
     </message>
     <message>
-        <source>%1 was not opened. The scene before it is still in effect. %2 to put right:</source>
+        <source>%1 was not opened. The previous scene is still in effect. %2 to fix:</source>
         <translation>%1 wurde nicht geöffnet. Die vorige Szene gilt weiter. Zu beheben – %2:</translation>
     </message>
 </context>
@@ -12359,8 +12355,8 @@ und %2 weitere</translation>
         <translation>&amp;Projektor-Layout</translation>
     </message>
     <message>
-        <source>For a class: the view with a large force gauge and large type, in high contrast, without panels.</source>
-        <translation>Für den Unterricht: die Ansicht mit großer Kraftanzeige und großer Schrift, in hohem Kontrast, ohne Bereiche.</translation>
+        <source>For teaching: hides the panels and shows the view in high contrast with a large force gauge and large text.</source>
+        <translation>Für den Unterricht: blendet die Bereiche aus und zeigt die Ansicht in hohem Kontrast, mit großer Kraftanzeige und großer Schrift.</translation>
     </message>
 </context>
 <context>
@@ -13214,11 +13210,11 @@ und %2 weitere</translation>
         <translation>Szene s&amp;uchen</translation>
     </message>
     <message>
-        <source>Puts the cursor into the filter.</source>
+        <source>Moves the cursor to the filter.</source>
         <translation>Setzt den Cursor in den Filter.</translation>
     </message>
     <message>
-        <source>Opened lately</source>
+        <source>Recently opened</source>
         <translation>Zuletzt geöffnet</translation>
     </message>
 </context>
@@ -14073,8 +14069,8 @@ und %2 weitere</translation>
         <translation>Servo</translation>
     </message>
     <message>
-        <source>What the servo does.</source>
-        <translation>Was der Servo tut.</translation>
+        <source>The state of the servo.</source>
+        <translation>Der Zustand des Servos.</translation>
     </message>
     <message>
         <source>Stopping</source>
@@ -14097,16 +14093,16 @@ und %2 weitere</translation>
         <translation>4000 Hz</translation>
     </message>
     <message>
-        <source>Lateness</source>
-        <translation>Verspätung</translation>
+        <source>Latency</source>
+        <translation>Latenz</translation>
     </message>
     <message>
-        <source>99 of 100 ticks in the last 10 s started no later than this.</source>
-        <translation>99 von 100 Takten der letzten 10 s begannen höchstens so spät.</translation>
+        <source>99 % of the ticks in the last 10 s began no later than this after their deadline.</source>
+        <translation>99 % der Takte der letzten 10 s begannen höchstens so lange nach ihrem Termin.</translation>
     </message>
     <message>
-        <source>late p99 9999 µs</source>
-        <translation>verspätet p99 9999 µs</translation>
+        <source>latency p99 9999 µs</source>
+        <translation>Latenz p99 9999 µs</translation>
     </message>
     <message>
         <source>Scheduling</source>
@@ -14121,8 +14117,8 @@ und %2 weitere</translation>
         <translation>Kraft</translation>
     </message>
     <message>
-        <source>The force sent to the arm, and the most that it is ever sent.</source>
-        <translation>Die an den Arm gesendete Kraft und die größte, die ihm je gesendet wird.</translation>
+        <source>The force sent to the arm, and its limit.</source>
+        <translation>Die an den Arm gesendete Kraft und ihre Grenze.</translation>
     </message>
     <message>
         <source>force 0.00 / 0.00 N</source>
@@ -14153,12 +14149,12 @@ und %2 weitere</translation>
         <translation>: %1</translation>
     </message>
     <message>
-        <source>A recording moves the stylus: forces go to no arm.</source>
-        <translation>Eine Aufzeichnung bewegt den Stift: Kräfte gehen an keinen Arm.</translation>
+        <source>A recording moves the stylus; no force is sent to an arm.</source>
+        <translation>Eine Aufzeichnung bewegt den Stift; an keinen Arm wird Kraft gesendet.</translation>
     </message>
     <message>
-        <source>A simulation in software: no arm is moved. %1</source>
-        <translation>Eine Simulation in Software: Kein Arm wird bewegt. %1</translation>
+        <source>Simulated; no real arm moves. %1</source>
+        <translation>Simuliert; kein echter Arm bewegt sich. %1</translation>
     </message>
     <message>
         <source>force %1 / %2 N%3</source>
@@ -14181,8 +14177,8 @@ und %2 weitere</translation>
         <translation>%1 Hz von %2</translation>
     </message>
     <message>
-        <source>late p99 %1 µs</source>
-        <translation>verspätet p99 %1 µs</translation>
+        <source>latency p99 %1 µs</source>
+        <translation>Latenz p99 %1 µs</translation>
     </message>
 </context>
 <context>
@@ -14469,11 +14465,11 @@ und %2 weitere</translation>
     <name>underact::gui::StepRows</name>
     <message>
         <source>Mass at the tip: the apparent mass of the arm, plus that of a hand: m x'' + b x' + kp x = kp r.</source>
-        <translation>Masse an der Spitze: die scheinbare Masse des Arms und die einer Hand: m x&apos;&apos; + b x&apos; + kp x = kp r.</translation>
+        <translation>Masse an der Spitze: die scheinbare Masse des Arms und die einer Hand: m x'' + b x' + kp x = kp r.</translation>
     </message>
     <message>
         <source>Damping at the tip besides that of the control law: the arm's own, plus that of a hand: m x'' + b x' + kp x = kp r.</source>
-        <translation>Dämpfung an der Spitze außer der des Regelgesetzes: die des Arms und die einer Hand: m x&apos;&apos; + b x&apos; + kp x = kp r.</translation>
+        <translation>Dämpfung an der Spitze außer der des Regelgesetzes: die des Arms und die einer Hand: m x'' + b x' + kp x = kp r.</translation>
     </message>
     <message>
         <source>Measured constraint</source>
@@ -14673,28 +14669,28 @@ und %2 weitere</translation>
         <translation>Zum Probieren</translation>
     </message>
     <message>
-        <source>What is wrong</source>
-        <translation>Was nicht stimmt</translation>
+        <source>Problem</source>
+        <translation>Problem</translation>
     </message>
     <message>
         <source>Next</source>
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>The next scene.</source>
-        <translation>Die nächste Szene.</translation>
+        <source>Shows the next scene.</source>
+        <translation>Zeigt die nächste Szene.</translation>
     </message>
     <message>
         <source>Start</source>
         <translation>Start</translation>
     </message>
     <message>
-        <source>Lets the arm push. Esc lets go.</source>
-        <translation>Lässt den Arm drücken. Esc lässt los.</translation>
+        <source>Turns the force on. Esc turns it off.</source>
+        <translation>Schaltet die Kraft ein. Esc schaltet sie aus.</translation>
     </message>
     <message>
-        <source>What there is to feel</source>
-        <translation>Was es zu fühlen gibt</translation>
+        <source>About the scene</source>
+        <translation>Über die Szene</translation>
     </message>
 </context>
 <context>
@@ -14783,40 +14779,40 @@ und %2 weitere</translation>
         <translation>&amp;Rundgang durchs Fenster</translation>
     </message>
     <message>
-        <source>What is where, in eight stops; Esc leaves it at any stop.</source>
-        <translation>Was wo ist, in acht Stationen; Esc beendet ihn an jeder Station.</translation>
+        <source>Shows what is where in the window, in eight stops; Esc leaves the tour at any stop.</source>
+        <translation>Zeigt in acht Stationen, was wo im Fenster ist; Esc beendet den Rundgang an jeder Station.</translation>
     </message>
     <message>
         <source>What it is for</source>
         <translation>Wozu es dient</translation>
     </message>
     <message>
-        <source>Which stop</source>
-        <translation>Welche Station</translation>
+        <source>Stop of the tour</source>
+        <translation>Station des Rundgangs</translation>
     </message>
     <message>
         <source>Back</source>
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>The stop before.</source>
-        <translation>Die Station davor.</translation>
+        <source>Goes to the previous stop.</source>
+        <translation>Geht eine Station zurück.</translation>
     </message>
     <message>
         <source>Next</source>
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>The next stop; Enter does it, too.</source>
-        <translation>Die nächste Station; auch mit Eingabe.</translation>
+        <source>Goes to the next stop, as does Enter.</source>
+        <translation>Geht zur nächsten Station; auch mit der Eingabetaste.</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Leaves the tour; Esc does it, too, and stops the servo.</source>
-        <translation>Beendet den Rundgang; auch mit Esc, das zudem den Servo stoppt.</translation>
+        <source>Leaves the tour. Esc does too, and also stops the servo.</source>
+        <translation>Beendet den Rundgang. Esc beendet ihn ebenfalls und stoppt zudem den Servo.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -14992,8 +14988,8 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::ValueRow</name>
     <message>
-        <source>The mark is the scene's own value; a double click goes back to it.</source>
-        <translation>Die Marke ist der eigene Wert der Szene; ein Doppelklick führt zu ihm zurück.</translation>
+        <source>The mark shows the scene's own value; a double click restores it.</source>
+        <translation>Die Marke zeigt den eigenen Wert der Szene; ein Doppelklick stellt ihn wieder her.</translation>
     </message>
     <message>
         <source>%1, slider</source>
@@ -15011,19 +15007,19 @@ und %2 weitere</translation>
         <translation>&amp;Besuchermodus</translation>
     </message>
     <message>
-        <source>Full screen for visitors: scenes in turn, half of the force, everything else locked.</source>
-        <translation>Vollbild für Besucher: Szenen im Wechsel, die halbe Kraft, alles andere gesperrt.</translation>
+        <source>Full screen for visitors: shows scenes in turn with reduced force and locks everything else.</source>
+        <translation>Vollbild für Besucher: zeigt Szenen im Wechsel mit verringerter Kraft und sperrt alles andere.</translation>
     </message>
     <message>
         <source>&amp;Demonstrator's panel</source>
         <translation>Bereich für Vorführen&amp;de</translation>
     </message>
     <message>
-        <source>In visitor mode: which scenes, how long, how much force, and the way out.</source>
-        <translation>Im Besuchermodus: welche Szenen, wie lange, wie viel Kraft und wie man ihn beendet.</translation>
+        <source>In visitor mode: choose the scenes, their duration and the force, or leave the mode.</source>
+        <translation>Im Besuchermodus: Szenen, ihre Dauer und die Kraft wählen oder den Modus verlassen.</translation>
     </message>
     <message>
-        <source>A measurement has a scene of its own in effect. End it first.</source>
+        <source>A measurement is using a scene of its own. End it first.</source>
         <translation>Eine Messung verwendet gerade eine eigene Szene. Beenden Sie sie zuerst.</translation>
     </message>
     <message>
@@ -15039,7 +15035,7 @@ und %2 weitere</translation>
         <translation>Lädt</translation>
     </message>
     <message>
-        <source>None of these scenes can be shown; those before stay.</source>
+        <source>None of these scenes can be shown; the previous ones stay.</source>
         <translation>Keine dieser Szenen kann gezeigt werden; die vorherigen bleiben.</translation>
     </message>
     <message>
@@ -15051,11 +15047,11 @@ und %2 weitere</translation>
         <translation>Keine Szene darstellbar</translation>
     </message>
     <message>
-        <source>The arm did not open again. %1</source>
+        <source>The arm could not be reopened. %1</source>
         <translation>Der Arm ließ sich nicht wieder öffnen. %1</translation>
     </message>
     <message>
-        <source>No scene is chosen; those before stay.</source>
+        <source>No scene is selected; the previous ones stay.</source>
         <translation>Keine Szene ist gewählt; die vorherigen bleiben.</translation>
     </message>
 </context>
@@ -15105,8 +15101,8 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::Welcome</name>
     <message>
-        <source>What was done</source>
-        <translation>Was getan wurde</translation>
+        <source>What you just did</source>
+        <translation>Was Sie gerade getan haben</translation>
     </message>
     <message>
         <source>Welcome: three things to try</source>
@@ -15133,24 +15129,24 @@ und %2 weitere</translation>
         <translation>Rundgang durchs Fenster</translation>
     </message>
     <message>
-        <source>Eight stops; Esc leaves it.</source>
-        <translation>Acht Stationen; Esc beendet ihn.</translation>
+        <source>Shows what is where in the window, in eight stops.</source>
+        <translation>Zeigt in acht Stationen, was wo im Fenster ist.</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>It stays in the Help menu.</source>
-        <translation>Es bleibt im Menü „Hilfe“.</translation>
+        <source>Closes this card; the Help menu brings it back.</source>
+        <translation>Schließt diese Karte; das Menü „Hilfe“ bringt sie zurück.</translation>
     </message>
     <message>
-        <source>Move a slider: the one with the frame is the stiffness along x.</source>
-        <translation>Bewegen Sie einen Schieberegler: Der mit dem Rahmen ist die Steifigkeit entlang x.</translation>
+        <source>Move a slider: the framed one sets the stiffness along x.</source>
+        <translation>Bewegen Sie einen Schieberegler: Der umrahmte stellt die Steifigkeit entlang x ein.</translation>
     </message>
     <message>
-        <source>Turn the stylus: drag it with Ctrl held down.</source>
-        <translation>Drehen Sie den Stift: Ziehen Sie ihn bei gedrückter Strg-Taste.</translation>
+        <source>Turn the stylus: hold Ctrl and drag it.</source>
+        <translation>Drehen Sie den Stift: Halten Sie Strg und ziehen Sie ihn.</translation>
     </message>
     <message>
         <source>Done</source>
@@ -15165,16 +15161,16 @@ und %2 weitere</translation>
         <translation>Das Menü „Hilfe“ bringt diese Karte zurück.</translation>
     </message>
     <message>
-        <source>The force pushes back with %1 N.</source>
-        <translation>Die Kraft drückt mit %1 N zurück.</translation>
+        <source>The arm pushes back with %1 N.</source>
+        <translation>Der Arm drückt mit %1 N zurück.</translation>
     </message>
     <message>
-        <source>The change is felt at once.</source>
-        <translation>Die Änderung ist sofort zu fühlen.</translation>
+        <source>You feel the change at once.</source>
+        <translation>Sie fühlen die Änderung sofort.</translation>
     </message>
     <message>
-        <source>The stylus has turned; in some scenes that draws you along.</source>
-        <translation>Der Stift hat sich gedreht; in manchen Szenen zieht Sie das mit.</translation>
+        <source>The stylus has turned; in some scenes this moves the target.</source>
+        <translation>Der Stift hat sich gedreht; in manchen Szenen bewegt das das Ziel.</translation>
     </message>
 </context>
 <context>
@@ -15254,7 +15250,7 @@ und %2 weitere</translation>
 <context>
     <name>welcome</name>
     <message>
-        <source>Pull it away from the point: drag the stylus with the mouse.</source>
+        <source>Pull the stylus away from the point: drag it with the mouse.</source>
         <translation>Ziehen Sie den Stift mit der Maus vom Punkt weg.</translation>
     </message>
     <message>
@@ -15262,7 +15258,7 @@ und %2 weitere</translation>
         <translation>Drücken Sie den Stift mit der Maus in die Kugel.</translation>
     </message>
     <message>
-        <source>Pull it away from the line: drag the stylus with the mouse.</source>
+        <source>Pull the stylus away from the line: drag it with the mouse.</source>
         <translation>Ziehen Sie den Stift mit der Maus von der Geraden weg.</translation>
     </message>
     <message>
@@ -15270,7 +15266,7 @@ und %2 weitere</translation>
         <translation>Drücken Sie den Stift mit der Maus in die Ebene.</translation>
     </message>
     <message>
-        <source>Pull it away from the circle: drag the stylus with the mouse.</source>
+        <source>Pull the stylus away from the circle: drag it with the mouse.</source>
         <translation>Ziehen Sie den Stift mit der Maus vom Kreis weg.</translation>
     </message>
     <message>
@@ -15282,16 +15278,16 @@ und %2 weitere</translation>
         <translation>Drücken Sie den Stift mit der Maus in den Quader.</translation>
     </message>
     <message>
-        <source>Push into the body: drag the stylus with the mouse.</source>
-        <translation>Drücken Sie den Stift mit der Maus in den Körper.</translation>
+        <source>Push into the mesh: drag the stylus with the mouse.</source>
+        <translation>Drücken Sie den Stift mit der Maus in das Dreiecksnetz.</translation>
     </message>
     <message>
-        <source>Pull it away from the curve: drag the stylus with the mouse.</source>
+        <source>Pull the stylus away from the curve: drag it with the mouse.</source>
         <translation>Ziehen Sie den Stift mit der Maus von der Kurve weg.</translation>
     </message>
     <message>
-        <source>Pull it away from the robot's tip: drag the stylus with the mouse.</source>
-        <translation>Ziehen Sie den Stift mit der Maus von der Spitze des Roboters weg.</translation>
+        <source>Pull the stylus away from the end effector of the virtual robot: drag it with the mouse.</source>
+        <translation>Ziehen Sie den Stift mit der Maus vom Endeffektor des virtuellen Roboters weg.</translation>
     </message>
 </context>
 </TS>
