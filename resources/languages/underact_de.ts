@@ -9082,7 +9082,7 @@ und %2 weitere</translation>
         <translation>„%1“ in den Papierkorb verschieben?</translation>
     </message>
     <message>
-        <source>The file is %1. It stays in the bin until the bin is emptied: until then, anyone with access to the bin can read and restore it. If a person asks for their data to be erased, remove it for good.</source>
+        <source>The file is %1. It stays in the bin until the bin is emptied: until then, anyone with access to the bin can read and restore it. If a person asks for their data to be erased, delete it permanently.</source>
         <translation>Die Datei heißt %1. Sie bleibt im Papierkorb, bis er geleert wird: Bis dahin kann sie lesen und wiederherstellen, wer Zugriff auf den Papierkorb hat. Verlangt eine Person, dass ihre Daten gelöscht werden, so entfernen Sie die Datei endgültig.</translation>
     </message>
     <message>
@@ -9094,19 +9094,19 @@ und %2 weitere</translation>
         <translation>In den Papierkorb</translation>
     </message>
     <message>
-        <source>&amp;Remove for good…</source>
+        <source>&amp;Delete permanently…</source>
         <translation>&amp;Endgültig entfernen…</translation>
     </message>
     <message>
-        <source>Remove for good, after confirmation</source>
+        <source>Delete permanently, after confirmation</source>
         <translation>Endgültig entfernen, nach Rückfrage</translation>
     </message>
     <message>
-        <source>Remove a session for good</source>
+        <source>Delete a session permanently</source>
         <translation>Sitzung endgültig entfernen</translation>
     </message>
     <message>
-        <source>Remove “%1” for good?</source>
+        <source>Delete “%1” permanently?</source>
         <translation>„%1“ endgültig entfernen?</translation>
     </message>
     <message>
@@ -9114,11 +9114,11 @@ und %2 weitere</translation>
         <translation>Das lässt sich nicht rückgängig machen: Die Datei %1 kommt nicht in den Papierkorb. Exporte, Diagramme und Sicherungskopien davon werden nicht entfernt.</translation>
     </message>
     <message>
-        <source>&amp;Remove for good</source>
+        <source>&amp;Delete permanently</source>
         <translation>&amp;Endgültig entfernen</translation>
     </message>
     <message>
-        <source>Remove for good</source>
+        <source>Delete permanently</source>
         <translation>Endgültig entfernen</translation>
     </message>
 </context>
@@ -13783,7 +13783,7 @@ und %2 weitere</translation>
         <translation>&amp;Löschen …</translation>
     </message>
     <message>
-        <source>Moves the selected session to the bin, or removes it for good.</source>
+        <source>Moves the selected session to the bin, or deletes it permanently.</source>
         <translation>Verschiebt die gewählte Sitzung in den Papierkorb oder entfernt sie endgültig.</translation>
     </message>
     <message>
@@ -13823,11 +13823,11 @@ und %2 weitere</translation>
         <translation>%1 wurde in den Papierkorb verschoben und bleibt dort, bis er geleert wird.</translation>
     </message>
     <message>
-        <source>The session cannot be moved to the bin: its folder has no bin or is write-protected. Remove the session for good, or choose Show in folder and delete it there.</source>
+        <source>The session cannot be moved to the bin: its folder has no bin or is write-protected. Delete the session permanently, or choose Show in folder and delete it there.</source>
         <translation>Die Sitzung lässt sich nicht in den Papierkorb verschieben: Ihr Ordner hat keinen oder ist schreibgeschützt. Entfernen Sie die Sitzung endgültig, oder wählen Sie „Im Ordner zeigen“ und löschen Sie sie dort.</translation>
     </message>
     <message>
-        <source>%1 was removed for good.</source>
+        <source>%1 was deleted permanently.</source>
         <translation>%1 wurde endgültig entfernt.</translation>
     </message>
     <message>

@@ -54,7 +54,7 @@ def found_in(text):
         f"{line.split(':')[0].strip()}: {phrase} -> {advice}"
         for line in re.split(r"\n(?=\S*\d+: )", said.stdout)
         for phrase, advice in PHRASE.findall(line)
-        if not (advice == "Double word." and (len(phrase) == 1 or phrase[0].isupper()))  # letters of formulas, keys
+        if advice != "Double word." or re.search(rf"\b{phrase}\s+{phrase}\b", text)  # "to 5 mm, 25 mm" is none
     ]
 
 

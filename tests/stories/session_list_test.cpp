@@ -126,7 +126,7 @@ TEST(SessionListStory, DeletingSaysThatTheBinKeepsItAndOffersToRemoveForGoodWhic
   auto* second = desk.story->find<QMessageBox>("dialog.remove_session");
   EXPECT_TRUE(second->informativeText().startsWith("This cannot be undone"));
   EXPECT_EQ(second->defaultButton()->objectName(), "dialog.remove_session.cancel");
-  EXPECT_EQ(desk.story->find("dialog.remove_session.remove")->accessibleName(), "Remove for good");
+  EXPECT_EQ(desk.story->find("dialog.remove_session.remove")->accessibleName(), "Delete permanently");
   desk.story->click(desk.story->find("dialog.remove_session.cancel"));
   desk.story->settle();
   EXPECT_TRUE(QFile::exists(path));

@@ -34,14 +34,14 @@ DeleteQuestion* askToDelete(const QString& title, const QString& path, QWidget* 
       DeleteQuestion::tr("Move “%1” to the bin?").arg(title),
       DeleteQuestion::tr(
           "The file is %1. It stays in the bin until the bin is emptied: until then, anyone with access to the bin can "
-          "read and restore it. If a person asks for their data to be erased, remove it for good.")
+          "read and restore it. If a person asks for their data to be erased, delete it permanently.")
           .arg(QFileInfo(path).fileName()),
       window);
   QPushButton* move = addAnswer(box, "move", DeleteQuestion::tr("&Move to the bin"),
                                 DeleteQuestion::tr("Move to the bin"), QMessageBox::AcceptRole);
   QPushButton* remove =
-      addAnswer(box, "remove", DeleteQuestion::tr("&Remove for good…"),
-                DeleteQuestion::tr("Remove for good, after confirmation"), QMessageBox::DestructiveRole);
+      addAnswer(box, "remove", DeleteQuestion::tr("&Delete permanently…"),
+                DeleteQuestion::tr("Delete permanently, after confirmation"), QMessageBox::DestructiveRole);
   QObject::connect(move, &QPushButton::clicked, box, &DeleteQuestion::binWanted);
   QObject::connect(remove, &QPushButton::clicked, box, &DeleteQuestion::removalWanted);
   box->open();
@@ -49,14 +49,14 @@ DeleteQuestion* askToDelete(const QString& title, const QString& path, QWidget* 
 }
 
 DeleteQuestion* askToRemove(const QString& title, const QString& path, QWidget* window) {
-  DeleteQuestion* box = makeQuestion("dialog.remove_session", DeleteQuestion::tr("Remove a session for good"),
-                                     DeleteQuestion::tr("Remove “%1” for good?").arg(title),
+  DeleteQuestion* box = makeQuestion("dialog.remove_session", DeleteQuestion::tr("Delete a session permanently"),
+                                     DeleteQuestion::tr("Delete “%1” permanently?").arg(title),
                                      DeleteQuestion::tr("This cannot be undone: the file %1 does not go to the bin. "
                                                         "Exports, plots and backups of it are not removed.")
                                          .arg(QFileInfo(path).fileName()),
                                      window);
-  QPushButton* remove = addAnswer(box, "remove", DeleteQuestion::tr("&Remove for good"),
-                                  DeleteQuestion::tr("Remove for good"), QMessageBox::DestructiveRole);
+  QPushButton* remove = addAnswer(box, "remove", DeleteQuestion::tr("&Delete permanently"),
+                                  DeleteQuestion::tr("Delete permanently"), QMessageBox::DestructiveRole);
   QObject::connect(remove, &QPushButton::clicked, box, &DeleteQuestion::removalWanted);
   box->open();
   return box;

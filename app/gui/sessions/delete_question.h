@@ -14,10 +14,10 @@ class DeleteQuestion : public QMessageBox {
   void removalWanted();
 };
 
-/// Offers to move the session to the bin, or to remove it for good.
+/// Offers to move the session to the bin, or to delete it permanently.
 DeleteQuestion* askToDelete(const QString& title, const QString& path, QWidget* window);
 
-/// Confirms the removal for good, which cannot be undone.
+/// Confirms the permanent deletion, which cannot be undone.
 DeleteQuestion* askToRemove(const QString& title, const QString& path, QWidget* window);
 
 }  // namespace underact::gui

@@ -74,7 +74,7 @@ void SessionTools::addActions() {
       tr("Repairs a session that was not closed, so that every program can open it."),
       [this](const QVariantList&) { return recover(); });
   add("sessions.delete", tr("&Delete…"), "Ctrl+Shift+Del",
-      tr("Moves the selected session to the bin, or removes it for good."),
+      tr("Moves the selected session to the bin, or deletes it permanently."),
       [this](const QVariantList& asked) { return moveToBin(asked.value(0).toBool()); });
   actions_.addCommand("sessions.remove", [this](const QVariantList& asked) {
     return list_.chosen() != nullptr && remove(asked.value(0).toBool());
@@ -176,8 +176,8 @@ bool SessionTools::moveToBin(bool asked) {
   return tellGone(
       QFile::moveToTrash(path),
       tr("%1 was moved to the bin and stays there until the bin is emptied.").arg(QFileInfo(path).fileName()),
-      tr("The session cannot be moved to the bin: its folder has no bin or is write-protected. Remove the session for "
-         "good, or choose Show in folder and delete it there."));
+      tr("The session cannot be moved to the bin: its folder has no bin or is write-protected. Delete the session "
+         "permanently, or choose Show in folder and delete it there."));
 }
 
 bool SessionTools::remove(bool asked) {
@@ -189,7 +189,7 @@ bool SessionTools::remove(bool asked) {
     });
     return true;
   }
-  return tellGone(QFile::remove(path), tr("%1 was removed for good.").arg(QFileInfo(path).fileName()),
+  return tellGone(QFile::remove(path), tr("%1 was deleted permanently.").arg(QFileInfo(path).fileName()),
                   tr("The session cannot be removed: its folder is write-protected. Choose Show in folder, and ask the "
                      "owner of the folder."));
 }
