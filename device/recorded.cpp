@@ -166,10 +166,11 @@ Result<std::shared_ptr<const Recorded>> loadRecorded(record::Session& session, c
       watch.progress);
   if (!problems.empty()) return problems;
   if (is_cancelled)
-    return Problems{{said(TRANSLATE_NOOP("problem", "Opening was ended before the whole session was read.")), {path}}};
+    return Problems{
+        {said(TRANSLATE_NOOP("problem", "Opening was cancelled before the whole session was read.")), {path}}};
   if (recorded->rows.empty())
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "There are no ticks in this session: nothing can be replayed.")), {path}}};
+        {said(TRANSLATE_NOOP("problem", "This session contains no ticks, so there is nothing to replay.")), {path}}};
   recorded->marks = marksOf(session, rows.firstTick(), static_cast<std::int64_t>(recorded->rows.size()));
   readScenes(session, rows.firstTick(), watch, *recorded);
   return std::shared_ptr<const Recorded>(std::move(recorded));

@@ -29,14 +29,14 @@ const char* addFacet(Scan& words, std::string& to) {
   const auto is = [&words](const char* word) { return mesh_file::lowered(words.word()) == word; };
   to += "facet normal ";
   if (!is("normal") || !addPoint(words, to))
-    return TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no normal of a face.");
+    return TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not the normal of a face.");
   if (!is("outer") || !is("loop"))
     return TRANSLATE_NOOP("problem", "The file is damaged: line %1 does not begin the corners of a face (outer loop).");
   to += "outer loop\n";
   for (int corner = 0; corner < 3; ++corner) {
     to += "vertex ";
     if (!is("vertex") || !addPoint(words, to))
-      return TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no corner of a face (vertex x y z).");
+      return TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a corner of a face (vertex x y z).");
   }
   if (!is("endloop"))
     return TRANSLATE_NOOP("problem",
@@ -106,7 +106,7 @@ Prepared prepareObj(const std::string& bytes) {
       prepared.bytes += "v ";
       if (!addPoint(words, prepared.bytes))
         return damagedAt(lines.lineNumber() - 1,
-                         TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no corner (v x y z)."));
+                         TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a corner (v x y z)."));
       ++prepared.corners;
     } else if (key == "f") {
       prepared.bytes += "f ";
@@ -116,7 +116,7 @@ Prepared prepareObj(const std::string& bytes) {
         const bool is_number = mesh_file::readInteger(word.substr(0, word.find('/')), index);
         if (!is_number || ++count > kMostCornersOfAFace)
           return damagedAt(lines.lineNumber() - 1,
-                           TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no face."));
+                           TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a face."));
         prepared.bytes += std::to_string(index) + ' ';
       }
       prepared.bytes.back() = '\n';
@@ -147,24 +147,24 @@ Prepared prepareOff(const std::string& bytes) {
       if (lines.atEnd())
         return damagedAt(
             number + 1,
-            TRANSLATE_NOOP("problem", "The file is damaged: line %1 is the last, and corners or faces are missing."));
+            TRANSLATE_NOOP("problem", "The file is damaged: it ends at line %1, and corners or faces are missing."));
       continue;
     }
     if (row++ < prepared.corners) {
       Scan again(line);
       if (!addPoint(again, prepared.bytes))
-        return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no corner (x y z)."));
+        return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a corner (x y z)."));
       continue;
     }
     int count = 0;
     if (!mesh_file::readInteger(first, count) || count < 0 || count > kMostCornersOfAFace) {
-      return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no face."));
+      return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a face."));
     }
     prepared.bytes += std::to_string(count) + ' ';
     for (int corner = 0; corner < count; ++corner) {
       std::int32_t index = 0;
       if (!mesh_file::readInteger(words.word(), index))
-        return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no face."));
+        return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a face."));
       prepared.bytes += std::to_string(index < 0 ? INT32_MAX : index) + ' ';
     }
     prepared.bytes.back() = '\n';

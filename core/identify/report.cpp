@@ -51,8 +51,8 @@ void addStiffness(std::vector<ReportRow>& rows, const Identified& found) {
     rows.push_back({said(TRANSLATE_NOOP("problem", "Hysteresis of the press")),
                     "N",
                     {std::abs(press.hysteresis_N), std::max(press.residual_N, spread)}});
-    rows.push_back({said(press.clamped_at_m ? TRANSLATE_NOOP("problem", "Linear until the clamp, at")
-                                            : TRANSLATE_NOOP("problem", "Linear at least to")),
+    rows.push_back({said(press.clamped_at_m ? TRANSLATE_NOOP("problem", "Linear up to the clamp, at")
+                                            : TRANSLATE_NOOP("problem", "Linear at least up to")),
                     "mm",
                     {kMillimetrePerMetre * press.clamped_at_m.value_or(press.linear_m), 0.0}});
   }
@@ -85,7 +85,7 @@ std::vector<ReportRow> rowsOf(const Identified& found, const Given* given) {
           found.damping_N_s_per_m, of(&sim::ArmModel::damping_N_s_per_m));
   for (std::size_t joint = 0; joint < 6; ++joint) {
     if (!found.counts_per_turn[joint]) continue;
-    rows.push_back({said(TRANSLATE_NOOP("problem", "Counts a turn, %1"), {said(kJoints[joint])}), "",
+    rows.push_back({said(TRANSLATE_NOOP("problem", "Counts per turn, %1"), {said(kJoints[joint])}), "",
                     *found.counts_per_turn[joint], given ? std::optional(given->counts_per_turn[joint]) : std::nullopt,
                     1});
   }

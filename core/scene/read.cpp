@@ -20,11 +20,12 @@ void readVersion(ObjectReader& object) {
   if (!isKind(*value, json::Kind::Number, "underact_scene", said(TRANSLATE_NOOP("problem", "the number 1")), findings))
     return;
   if (value->number > kVersion && std::floor(value->number) == value->number && std::isfinite(value->number)) {
-    findings.add(*value, "underact_scene",
-                 said(TRANSLATE_NOOP("problem",
-                                     "The scene is of version %1, and this program, older than the scene, reads "
-                                     "version 1. Use a newer Underact."),
-                      {json::numberText(value->number)}));
+    findings.add(
+        *value, "underact_scene",
+        said(TRANSLATE_NOOP(
+                 "problem",
+                 "The scene has version %1, but this program only reads version 1. Use a newer version of Underact."),
+             {json::numberText(value->number)}));
   } else if (value->number != kVersion) {
     findings.add(*value, "underact_scene",
                  said(TRANSLATE_NOOP("problem", "This must be the number 1, the version of scene files.")));

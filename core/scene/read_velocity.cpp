@@ -22,9 +22,9 @@ void refuseOthers(ObjectReader& object, const Velocity& chosen) {
   }
   for (const auto& [key, filters] : users) {
     object.refuse(
-        key, said(TRANSLATE_NOOP("problem",
-                                 "The filter \"%1\" does not use this; %2 would. Change the filter or take it away."),
-                  {filterName(chosen), listed(filters, "and")}));
+        key,
+        said(TRANSLATE_NOOP("problem", "This is for %2, not for the filter \"%1\". Change the filter, or remove this."),
+             {filterName(chosen), listed(filters, "and")}));
   }
 }
 

@@ -64,11 +64,10 @@ bool Controllers::begin() {
   if (works_) return true;
   const char* why = nullptr;
   ::glfwGetError(&why);
-  trouble_ =
-      said(TRANSLATE_NOOP("problem",
-                          "Game controllers cannot be read here (%1). Mouse, keyboard and 3D mice work all the same. "
-                          "Controllers need a screen with X11, or a Wayland desktop with Xwayland."),
-           {why == nullptr ? said(TRANSLATE_NOOP("problem", "no reason given")) : Sentence(why)});
+  trouble_ = said(TRANSLATE_NOOP("problem",
+                                 "Game controllers cannot be read here (%1). Mouse, keyboard and 3D mice still work. "
+                                 "Controllers need an X11 display, or a Wayland desktop with Xwayland."),
+                  {why == nullptr ? said(TRANSLATE_NOOP("problem", "no reason given")) : Sentence(why)});
   return false;
 }
 

@@ -101,8 +101,8 @@ void SpaceMice::open(Mouse& mouse) {
   mouse.readings.buttons =
       mouse.model->buttons.empty() ? kMostButtons / 4 : static_cast<int>(mouse.model->buttons.size());
   if (!bus_.mayOpen(mouse.node)) {
-    mouse.missing = {
-        {said(TRANSLATE_NOOP("problem", "You may not read %1."), {mouse.node.path}), udevCommand(mouse.node)}};
+    mouse.missing = {{said(TRANSLATE_NOOP("problem", "You do not have permission to read %1."), {mouse.node.path}),
+                      udevCommand(mouse.node)}};
     return;
   }
   Result<std::unique_ptr<HidPipe>> pipe = bus_.open(mouse.node);

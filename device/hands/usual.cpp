@@ -51,10 +51,10 @@ void describeController(Seen& seen) {
                        "Guide",
                        said(TRANSLATE_NOOP("problem", "left stick")),
                        said(TRANSLATE_NOOP("problem", "right stick")),
-                       said(TRANSLATE_NOOP("problem", "pad up")),
-                       said(TRANSLATE_NOOP("problem", "pad right")),
-                       said(TRANSLATE_NOOP("problem", "pad down")),
-                       said(TRANSLATE_NOOP("problem", "pad left"))};
+                       said(TRANSLATE_NOOP("problem", "D-pad up")),
+                       said(TRANSLATE_NOOP("problem", "D-pad right")),
+                       said(TRANSLATE_NOOP("problem", "D-pad down")),
+                       said(TRANSLATE_NOOP("problem", "D-pad left"))};
   const Source triggers{SourceKind::Triggers, 5, 4}, bumpers{SourceKind::Buttons, 4, 5};
   seen.pairs = {triggers, bumpers, {SourceKind::Buttons, 11, 13}, {SourceKind::Buttons, 12, 14}};
   seen.usual = nothing(kStickZone);

@@ -40,11 +40,11 @@ Problems notOursAlone(const system::Status& status, const Sentence& may, const S
                       const fs::path& file) {
   if (!status.is_trusted)
     return problemAt(said(TRANSLATE_NOOP("problem",
-                                         "This file of keys belongs to another user of this computer, so it is not "
-                                         "used. Delete it, and find out who put it there.")),
+                                         "This key file belongs to another user of this computer, so it is not used. "
+                                         "Delete it, and find out who put it there.")),
                      file);
   if ((status.rights & 077U) == 0) return {};
-  return problemAt(said(TRANSLATE_NOOP("problem", "%1 Say chmod 600 '%2' and, if somebody may have done so, %3."),
+  return problemAt(said(TRANSLATE_NOOP("problem", "%1 Run chmod 600 '%2' and, if somebody may have done so, %3."),
                         {may, file.string(), what_to_do}),
                    file);
 }
@@ -69,7 +69,7 @@ Result<std::optional<std::vector<std::string>>> linesOf(const fs::path& folder, 
       system::NamedFile::open(path.string(), said(TRANSLATE_NOOP("problem", "keys of arms")));
   if (!file) return file.problems();
   const std::optional<system::Status> status = system::statusOf(file.value().descriptor());
-  if (!status) return problemAt(said(TRANSLATE_NOOP("problem", "The file of keys cannot be read.")), path);
+  if (!status) return problemAt(said(TRANSLATE_NOOP("problem", "The key file cannot be read.")), path);
   Problems problems = notOursAlone(*status, said(which.may), said(which.what_to_do), path);
   if (!problems.empty()) return problems;
   const Result<std::string> text = file.value().readAll(kMostBytes);
@@ -90,7 +90,7 @@ Problems writeFile(const fs::path& file, const std::string& text) {
   const int reason = system::putInPlace(system::makeNew(part.string(), system::Existing::Replace), part.string(),
                                         file.string(), text, system::Lasting::Written);
   if (reason == 0) return {};
-  return problemAt(said(TRANSLATE_NOOP("problem", "The file of keys cannot be written: %1."), {std::strerror(reason)}),
+  return problemAt(said(TRANSLATE_NOOP("problem", "The key file cannot be written: %1."), {std::strerror(reason)}),
                    file);
 }
 
@@ -103,11 +103,12 @@ std::pair<std::string, std::string> wordsOf(const std::string& line) {
 }
 
 Problems noKey(const std::string& text) {
-  return {{said(TRANSLATE_NOOP("problem",
-                               "\"%1\" is no key. A key has 40 characters; \"underact-cli share-arm --show-key\" "
-                               "prints it. Put it in single quotes, since some of them mean something to a shell."),
-                {text.substr(0, kKeyCharacters + 1)}),
-           {}}};
+  return {
+      {said(TRANSLATE_NOOP("problem",
+                           "\"%1\" is not a key. A key has 40 characters; \"underact-cli share-arm --show-key\" prints "
+                           "it. Put it in single quotes, since some of its characters have a meaning in a shell."),
+            {text.substr(0, kKeyCharacters + 1)}),
+       {}}};
 }
 
 }  // namespace
@@ -148,8 +149,8 @@ Result<KeyPair> KeyFolder::own() const {
   const std::vector<std::string>& text = *lines.value();
   if (text.size() < 2 || !isKey(text[0]) || !isKey(text[1]))
     return problemAt(
-        said(TRANSLATE_NOOP("problem",
-                            "This is no pair of keys. \"underact-cli share-arm --new-key\" makes one in its place.")),
+        said(TRANSLATE_NOOP(
+            "problem", "This is not a key pair. \"underact-cli share-arm --new-key\" makes a new one in its place.")),
         file);
   return KeyPair{text[0], text[1]};
 }
@@ -169,7 +170,7 @@ Result<std::vector<std::string>> KeyFolder::clients() const {
       keys.push_back(key);
     } else {
       problems.push_back(
-          {said(TRANSLATE_NOOP("problem", "A line begins with a key of 40 characters.")), {file.string(), number}});
+          {said(TRANSLATE_NOOP("problem", "A line must begin with a key of 40 characters.")), {file.string(), number}});
     }
   }
   if (!problems.empty()) return problems;
@@ -197,7 +198,7 @@ Result<std::string> KeyFolder::keyOf(const Address& address) const {
     const auto [host, key] = wordsOf(line);
     if (host != address.text()) continue;
     if (!isKey(key))
-      return problemAt(said(TRANSLATE_NOOP("problem", "The key of %1 in this file is none."), {host}), file);
+      return problemAt(said(TRANSLATE_NOOP("problem", "The key of %1 in this file is not valid."), {host}), file);
     return key;
   }
   if (!address.isThisMachine()) return std::string();

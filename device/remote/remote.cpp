@@ -29,8 +29,8 @@ std::vector<Found> lookRow() {
   const Result<Welcome> welcome = askWhat(reach.value(), kLook_ms);
   if (!welcome) return {};
   const char* const title = welcome.value().allows_force
-                                ? TRANSLATE_NOOP("problem", "%1, shared at this computer")
-                                : TRANSLATE_NOOP("problem", "%1, shared at this computer, without force");
+                                ? TRANSLATE_NOOP("problem", "%1, shared on this computer")
+                                : TRANSLATE_NOOP("problem", "%1, shared on this computer, without force");
   return {{said(title, {welcome.value().title}), here.text(), {}}};
 }
 

@@ -40,7 +40,7 @@ Problems RemoteArm::connect() {
   Result<Welcome> welcome = ask(*wire.value());
   if (!welcome) return welcome.problems();
   if (welcome.value().rate_hz != rate_hz_)
-    return {{said(TRANSLATE_NOOP("problem", "The arm at %1 ticks at %2 Hz and not at %3 Hz."),
+    return {{said(TRANSLATE_NOOP("problem", "The arm at %1 ticks at %2 Hz, not at %3 Hz."),
                   {reach_.address.text(), std::to_string(welcome.value().rate_hz), std::to_string(rate_hz_)}),
              {}}};
   wire_ = std::move(wire).value();
@@ -116,13 +116,13 @@ void RemoteArm::run() {
     if (is_broken) hear();  // why, if it was said
     if (is_broken)
       lose(said(TRANSLATE_NOOP("problem",
-                               "The line to the arm at %1 broke. Look after the network and the sharing program at "
+                               "The connection to the arm at %1 was lost. Check the network and the sharing program on "
                                "its computer, then press Restart."),
                 {reach_.address.text()}));
     else if (now_ns - came_ns_ > kLost_ns)
       lose(said(TRANSLATE_NOOP("problem",
-                               "Nothing comes from the arm at %1 any more. Look after the network and the sharing "
-                               "program at its computer, then press Restart."),
+                               "The arm at %1 no longer sends anything. Check the network and the sharing program on "
+                               "its computer, then press Restart."),
                 {reach_.address.text()}));
   }
   if (is_lost_) wire_.reset();  // whatever comes late is nobody's
@@ -236,9 +236,8 @@ Sentence RemoteArm::trouble() const {
   if (!trouble_.empty()) return ofArmAt(reach_.address, trouble_);
   if (missed_ >= kSilentReads)
     return said(
-        TRANSLATE_NOOP(
-            "problem",
-            "Nothing comes from the arm at %1. Look after the network and the sharing program at its computer."),
+        TRANSLATE_NOOP("problem",
+                       "The arm at %1 sends nothing. Check the network and the sharing program on its computer."),
         {reach_.address.text()});
   return {};
 }

@@ -108,7 +108,7 @@ Result<std::unique_ptr<Wire>> Wire::open(const Address& address, const std::stri
     socket.connect("tcp://" + address.text());
     return std::unique_ptr<Wire>(new Wire(std::move(impl)));
   } catch (const zmq::error_t& error) {
-    return Problems{{said(TRANSLATE_NOOP("problem", "No line to %1: %2."), {address.text(), error.what()}), {}}};
+    return Problems{{said(TRANSLATE_NOOP("problem", "No connection to %1: %2."), {address.text(), error.what()}), {}}};
   }
 }
 
@@ -199,8 +199,8 @@ Result<std::unique_ptr<Hub>> Hub::open(const Address& address, const KeyPair& ow
     return std::unique_ptr<Hub>(new Hub(std::move(impl)));
   } catch (const zmq::error_t& error) {
     return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "Nobody can listen at %1: %2. Is an arm shared there already? Another port "
-                                         "is chosen with --listen HOST:PORT."),
+                                         "Connections cannot be accepted at %1: %2. Is an arm already shared there? "
+                                         "Choose another port with --listen HOST:PORT."),
                           {address.text(), error.what()}),
                      {}}};
   }

@@ -73,7 +73,7 @@ Problems WoodenArm::connect() {
                                           "straight ahead), plug it in and press Restart."))
                     : said(TRANSLATE_NOOP("problem",
                                           "Put it in its home posture (upper arm upright, forearm level, straight "
-                                          "ahead) and press the calibration button of its board."));
+                                          "ahead) and press the calibration button on its board."));
   }
   ends_ = false;
   calibrates_ = false;
@@ -236,15 +236,15 @@ servo::LastWord WoodenArm::lastWord() const {
 Sentence WoodenArm::trouble() const {
   if (loss_ != Loss::None)
     return said(TRANSLATE_NOOP(
-        "problem", "The WoodenHaptics arm was unplugged, or its line broke. Plug it in and press Restart."));
+        "problem", "The WoodenHaptics arm was unplugged, or its connection was lost. Plug it in and press Restart."));
   if (isSilent())
     return said(TRANSLATE_NOOP("problem",
-                               "The WoodenHaptics arm is plugged in, but sends nothing. Press the reset button of "
-                               "its board, or plug it in anew, and press Restart."));
+                               "The WoodenHaptics arm is plugged in, but sends nothing. Press the reset button on its "
+                               "board, or plug it in again, and press Restart."));
   const std::scoped_lock lock(words_mutex_);
   if (is_lost_)
     return oneAfterAnother(
-        {said(TRANSLATE_NOOP("problem", "The WoodenHaptics arm does not know its posture, so it does not push.")),
+        {said(TRANSLATE_NOOP("problem", "The WoodenHaptics arm does not know its posture, so it gives no force.")),
          way_home_});
   return {};
 }

@@ -62,7 +62,7 @@ TEST_F(ShareArm, TakesEveryKeyThatCanBe) {
       EXPECT_EQ(noted, key);
       EXPECT_TRUE(says(outcome.out, "--device remote:arm-pc:7878"));
     } else {
-      EXPECT_TRUE(says(outcome.err, "is no key")) << outcome.err;  // 5 characters beyond 32 bits
+      EXPECT_TRUE(says(outcome.err, "is not a key")) << outcome.err;  // 5 characters beyond 32 bits
     }
   }
 }
@@ -135,7 +135,7 @@ TEST_F(ShareArm, WhenItIsKilledTheOtherProgramSaysWhy) {
   ASSERT_TRUE(shared.says("It pushes."));
   shared.kill(SIGKILL);
   EXPECT_EQ(client.end(), 3);
-  EXPECT_TRUE(client.says("The line to the arm at 127.0.0.1:"));
+  EXPECT_TRUE(client.says("The connection to the arm at 127.0.0.1:"));
   EXPECT_TRUE(client.says("then press Restart."));
   EXPECT_TRUE(client.says("\"kind\": \"no_sample\""));
 }

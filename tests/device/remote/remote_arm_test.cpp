@@ -148,7 +148,7 @@ TEST(RemoteArm, ALineThatIsHeldUpHasNoSampleAndTheArmNoForce) {
   far.cable().hold(true);
   EXPECT_TRUE(comes([&] { return !client.tick() && client.rests(); }));
   EXPECT_TRUE(comes([&] { return !client.tick() && !client.arm->trouble().empty(); }));
-  EXPECT_TRUE(says(client.arm->trouble(), "Nothing comes from the arm")) << client.arm->trouble();
+  EXPECT_TRUE(says(client.arm->trouble(), "no longer sends anything")) << client.arm->trouble();
 }
 
 TEST(RemoteArm, ALineThatIsHeldUpForAMomentComesBack) {
@@ -171,7 +171,7 @@ TEST(RemoteArm, ALostLineStaysLostUntilItIsOpenedAgain) {
   ASSERT_TRUE(client.push());
   far.cable().cut();
   EXPECT_TRUE(comes([&] { return !client.tick() && client.rests(); }));
-  EXPECT_TRUE(comes([&] { return says(client.arm->trouble(), "broke"); })) << client.arm->trouble();
+  EXPECT_TRUE(comes([&] { return says(client.arm->trouble(), "was lost"); })) << client.arm->trouble();
   const std::int64_t pushes = far.arm.pushes();
   for (int tick = 0; tick < 200; ++tick) EXPECT_FALSE(client.tick());
   EXPECT_EQ(far.arm.pushes(), pushes);
