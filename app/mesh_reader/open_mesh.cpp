@@ -146,7 +146,7 @@ OpenMeshResult readWithOpenMesh(Format format, const Prepared& prepared,
     const bool shares = prepared.corners > 0 && corners != prepared.corners;
     if (!is_read || taking.hasBroken() || shares || faces > prepared.faces) {
       result.problem =
-          said(TRANSLATE_NOOP("problem", "The file is damaged: reading stopped after %1 corners and %2 faces."),
+          said(TRANSLATE_NOOP("problem", "The file is damaged: reading stopped after %1 vertices and %2 faces."),
                {std::to_string(corners), std::to_string(faces)});
     }
   } catch (const std::bad_alloc&) {

@@ -31,16 +31,17 @@ const char* addFacet(Scan& words, std::string& to) {
   if (!is("normal") || !addPoint(words, to))
     return TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not the normal of a face.");
   if (!is("outer") || !is("loop"))
-    return TRANSLATE_NOOP("problem", "The file is damaged: line %1 does not begin the corners of a face (outer loop).");
+    return TRANSLATE_NOOP("problem",
+                          "The file is damaged: line %1 does not begin the vertices of a face (outer loop).");
   to += "outer loop\n";
   for (int corner = 0; corner < 3; ++corner) {
     to += "vertex ";
     if (!is("vertex") || !addPoint(words, to))
-      return TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a corner of a face (vertex x y z).");
+      return TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a vertex of a face (vertex x y z).");
   }
   if (!is("endloop"))
     return TRANSLATE_NOOP("problem",
-                          "The file is damaged: line %1 does not end the three corners of a face (endloop).");
+                          "The file is damaged: line %1 does not end the three vertices of a face (endloop).");
   if (!is("endfacet")) return TRANSLATE_NOOP("problem", "The file is damaged: line %1 does not end a face (endfacet).");
   to += "endloop\nendfacet\n";
   return nullptr;
@@ -52,7 +53,7 @@ Prepared prepareStlBinary(std::string bytes) {
   Prepared prepared;
   prepared.faces = mesh_file::stlBinaryCount(bytes);
   if (bytes.size() < mesh_file::kStlHeadBytes + prepared.faces * mesh_file::kStlFaceBytes) {
-    prepared.problem = said(TRANSLATE_NOOP("problem", "The file is damaged: it is shorter than its faces."));
+    prepared.problem = said(TRANSLATE_NOOP("problem", "The file is damaged: it is too short for its faces."));
     return prepared;
   }
   for (std::uint64_t face = 0; face < prepared.faces; ++face) {
@@ -106,7 +107,7 @@ Prepared prepareObj(const std::string& bytes) {
       prepared.bytes += "v ";
       if (!addPoint(words, prepared.bytes))
         return damagedAt(lines.lineNumber() - 1,
-                         TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a corner (v x y z)."));
+                         TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a vertex (v x y z)."));
       ++prepared.corners;
     } else if (key == "f") {
       prepared.bytes += "f ";
@@ -147,13 +148,13 @@ Prepared prepareOff(const std::string& bytes) {
       if (lines.atEnd())
         return damagedAt(
             number + 1,
-            TRANSLATE_NOOP("problem", "The file is damaged: it ends at line %1, and corners or faces are missing."));
+            TRANSLATE_NOOP("problem", "The file is damaged: it ends at line %1, and vertices or faces are missing."));
       continue;
     }
     if (row++ < prepared.corners) {
       Scan again(line);
       if (!addPoint(again, prepared.bytes))
-        return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a corner (x y z)."));
+        return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a vertex (x y z)."));
       continue;
     }
     int count = 0;

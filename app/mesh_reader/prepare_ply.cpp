@@ -125,7 +125,7 @@ void copyBody(const PlyHeader& header, Body body, Prepared& prepared) {
     const std::int64_t row = copyRows(element, body, prepared.bytes);
     if (row >= 0) {
       const char* pattern =
-          element.name == "vertex" ? TRANSLATE_NOOP("problem", "The file is damaged: corner %1 of %2 cannot be read.")
+          element.name == "vertex" ? TRANSLATE_NOOP("problem", "The file is damaged: vertex %1 of %2 cannot be read.")
           : element.name == "face" ? TRANSLATE_NOOP("problem", "The file is damaged: face %1 of %2 cannot be read.")
                                    : TRANSLATE_NOOP("problem", "The file is damaged: row %1 of %2 cannot be read.");
       prepared.problem = said(pattern, {std::to_string(row + 1), std::to_string(element.count)});

@@ -156,8 +156,7 @@ Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& 
 }
 
 Result<std::vector<Vec3>> readPoints(const std::string& path, const Watch& watch) {
-  const Result<std::string> text =
-      json::readTextFile(path, said(TRANSLATE_NOOP("problem", "a file of points")), kLargestFile);
+  const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "a curve")), kLargestFile);
   if (!text) return text.problems();
   return parsePoints(text.value(), path, watch);
 }

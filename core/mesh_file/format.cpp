@@ -46,7 +46,7 @@ Problem tooShort(const Sentence& states, const std::string& path) {
 }
 
 Sentence cornersText(std::uint64_t count) {
-  return said(TRANSLATE_NOOP("problem", "%1 corners"), {std::to_string(count)});
+  return said(TRANSLATE_NOOP("problem", "%1 vertices"), {std::to_string(count)});
 }
 
 Sentence facesText(std::uint64_t count) {

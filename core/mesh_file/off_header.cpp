@@ -54,7 +54,7 @@ Result<OffHeader> readOffHeader(std::string_view head) {
     return header;
   }
   return Problems{
-      {said(TRANSLATE_NOOP("problem", "The OFF header is damaged: the numbers of corners and faces cannot be read.")),
+      {said(TRANSLATE_NOOP("problem", "The OFF header is damaged: the numbers of vertices and faces cannot be read.")),
        {}}};
 }
 

@@ -40,11 +40,11 @@ void addLeftOut(const Facts& facts, std::vector<Sentence>& report) {
     if (count > 0) report.push_back(counted(count, one, more));
   };
   leftOut(facts.not_finite,
-          TRANSLATE_NOOP("problem", "%1 face was left out: one of its corners is not a finite point."),
-          TRANSLATE_NOOP("problem", "%1 faces were left out: they have corners that are not finite points."));
+          TRANSLATE_NOOP("problem", "%1 face was left out: one of its vertices is not a finite point."),
+          TRANSLATE_NOOP("problem", "%1 faces were left out: they have vertices that are not finite points."));
   leftOut(facts.out_of_range,
-          TRANSLATE_NOOP("problem", "%1 face was left out: it refers to a corner that is not in the file."),
-          TRANSLATE_NOOP("problem", "%1 faces were left out: they refer to corners that are not in the file."));
+          TRANSLATE_NOOP("problem", "%1 face was left out: it refers to a vertex that is not in the file."),
+          TRANSLATE_NOOP("problem", "%1 faces were left out: they refer to vertices that are not in the file."));
   leftOut(facts.without_extent, TRANSLATE_NOOP("problem", "%1 face was left out: it has no extent."),
           TRANSLATE_NOOP("problem", "%1 faces were left out: they have no extent."));
   leftOut(facts.duplicates, TRANSLATE_NOOP("problem", "%1 face was left out: it is a duplicate."),
@@ -55,8 +55,8 @@ void addRepaired(const Facts& facts, double mm_per_unit, std::vector<Sentence>& 
   if (facts.welded > 0) {
     report.push_back(counted(
         facts.welded,
-        TRANSLATE_NOOP("problem", "%1 corner was merged with others at the same position, or nearer than %2."),
-        TRANSLATE_NOOP("problem", "%1 corners were merged with others at the same position, or nearer than %2."),
+        TRANSLATE_NOOP("problem", "%1 vertex was merged with others at the same position, or nearer than %2."),
+        TRANSLATE_NOOP("problem", "%1 vertices were merged with others at the same position, or nearer than %2."),
         lengthText(facts.weld_tolerance, mm_per_unit)));
   }
   if (facts.turned > 0) {
@@ -68,7 +68,7 @@ void addRepaired(const Facts& facts, double mm_per_unit, std::vector<Sentence>& 
   if (2 * facts.normals_against > facts.normals) {
     report.push_back(
         said(TRANSLATE_NOOP("problem",
-                            "Most normals in the file point against the order of the corners. Only the order counts "
+                            "Most normals in the file point against the order of the vertices. Only the order counts "
                             "here: if outside and inside feel swapped, save the mesh with its faces turned over.")));
   }
 }
@@ -109,10 +109,9 @@ void addWhatIsLeft(const Facts& facts, double mm_per_unit, std::vector<Sentence>
   if (facts.borders > 0) {
     report.push_back(counted(
         facts.borders,
+        TRANSLATE_NOOP("problem", "The surface is open: %1 border, %2 long. The stylus can pass through the hole."),
         TRANSLATE_NOOP("problem",
-                       "The surface is open: %1 border, the longest %2 around. The stylus can go through a hole."),
-        TRANSLATE_NOOP("problem",
-                       "The surface is open: %1 borders, the longest %2 around. The stylus can go through a hole."),
+                       "The surface is open: %1 borders, the longest %2 long. The stylus can pass through a hole."),
         lengthText(facts.longest_border, mm_per_unit)));
   }
   if (facts.crowded_edges > 0) {

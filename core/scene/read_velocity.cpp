@@ -35,7 +35,7 @@ Velocity readVelocity(const json::Value& value, const std::string& path, Finding
   if (!isKind(value, json::Kind::Object, path,
               said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"filter\": \"kalman\"}"}), findings))
     return velocity;
-  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a velocity")), findings);
+  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a velocity filter")), findings);
   const std::span<const SettingOf<Velocity>> rows = rowsOf<Velocity>();
   const bool is_known = readSetting(object, rows.front(), velocity);  // the filter, which says what others there are
   if (is_known) {

@@ -66,7 +66,7 @@ Result<std::optional<std::vector<std::string>>> linesOf(const fs::path& folder, 
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::optional<std::vector<std::string>>{};
   const Result<system::NamedFile> file =
-      system::NamedFile::open(path.string(), said(TRANSLATE_NOOP("problem", "keys of arms")));
+      system::NamedFile::open(path.string(), said(TRANSLATE_NOOP("problem", "a key")));
   if (!file) return file.problems();
   const std::optional<system::Status> status = system::statusOf(file.value().descriptor());
   if (!status) return problemAt(said(TRANSLATE_NOOP("problem", "The key file cannot be read.")), path);

@@ -85,8 +85,9 @@ std::vector<HidNode> woodenNodes(HidBus& bus) {
 Result<WoodenLine> shakeHands(HidBus& bus, const WoodenChoice& choice) {
   if (choice.model != nullptr && !choice.model->is_open)
     return problem(
-        said(TRANSLATE_NOOP("problem",
-                            "How the arm \"%1\" moves is not published, so it cannot be used. WoodenHaptics arms can."),
+        said(TRANSLATE_NOOP(
+                 "problem",
+                 "The kinematics of the arm \"%1\" are not published, so it cannot be used. WoodenHaptics arms can."),
              {choice.model->title}));
   const Result<HidNode> node = find(woodenNodes(bus), choice.which);
   if (!node) return node.problems();

@@ -81,7 +81,7 @@ TEST(LoadMesh, WithoutAFaceIsAProblemThatSaysWhy) {
   const Result<Loaded> loaded = loadMesh(folder.write("m.obj", "v 0 0 0\nv 1 0 nan\nv 1 1 0\nf 1 2 3\nf 1 1 1\n"));
   ASSERT_FALSE(loaded);
   EXPECT_EQ(loaded.problems()[0].sentence,
-            "The file contains nothing to feel. 1 face was left out: one of its corners is not a finite point. 1 face "
+            "The file contains nothing to feel. 1 face was left out: one of its vertices is not a finite point. 1 face "
             "was left out: it has no extent. No face is left, so there is nothing to feel.");
 }
 

@@ -32,8 +32,8 @@ TEST(MeshReport, SaysWhatWasLeftOut) {
   facts.out_of_range = 2;
   facts.without_extent = 1;
   facts.duplicates = 3;
-  EXPECT_EQ(reportOf(facts, 1.0), (Sentences{"1 face was left out: one of its corners is not a finite point.",
-                                             "2 faces were left out: they refer to corners that are not in the file.",
+  EXPECT_EQ(reportOf(facts, 1.0), (Sentences{"1 face was left out: one of its vertices is not a finite point.",
+                                             "2 faces were left out: they refer to vertices that are not in the file.",
                                              "1 face was left out: it has no extent.",
                                              "3 faces were left out: they are duplicates.", kClosed}));
 }
@@ -46,9 +46,9 @@ TEST(MeshReport, SaysWhatWasRepairedInMillimetres) {
   facts.normals = 12;
   facts.normals_against = 7;
   EXPECT_EQ(reportOf(facts, 1000.0),
-            (Sentences{"28 corners were merged with others at the same position, or nearer than 0.0173 mm.",
+            (Sentences{"28 vertices were merged with others at the same position, or nearer than 0.0173 mm.",
                        "1 face was turned over so that neighbours agree on which side is outside.",
-                       "Most normals in the file point against the order of the corners. Only the order counts here: "
+                       "Most normals in the file point against the order of the vertices. Only the order counts here: "
                        "if outside and inside feel swapped, save the mesh with its faces turned over.",
                        kClosed}));
   facts.normals_against = 6;  // half is not most
@@ -70,7 +70,7 @@ TEST(MeshReport, SaysWhatIsLeftAndWhatItMeans) {
   EXPECT_EQ(
       reportOf(facts, 1.0),
       (Sentences{"The mesh consists of 3 separate parts, 1 of them inside others: a hollow is felt from inside.",
-                 "The surface is open: 1 border, the longest 40 mm around. The stylus can go through a hole.",
+                 "The surface is open: 1 border, 40 mm long. The stylus can pass through the hole.",
                  "1 edge has more than two faces.",
                  "The surface has no outside: at 2 edges its faces cannot agree, as on a Möbius strip.",
                  "The surface intersects itself, at 9 pairs of faces. Near there, outside and inside may be wrong.",

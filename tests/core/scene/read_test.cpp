@@ -275,7 +275,8 @@ TEST(ReadScene, AVelocityFilterHasItsOwnSettingsAndNoOthers) {
   const auto problem = [](const std::string& velocity) {
     return problemWith(R"("control": {"velocity": )" + velocity + "},");
   };
-  EXPECT_EQ(problem(R"({})"), "1:26: control.velocity.filter: The key \"filter\" is missing; a velocity needs it.\n");
+  EXPECT_EQ(problem(R"({})"),
+            "1:26: control.velocity.filter: The key \"filter\" is missing; a velocity filter needs it.\n");
   EXPECT_EQ(problem(R"("kalman")"),
             "1:26: control.velocity: This must be an object, as in {\"filter\": \"kalman\"}; here it is text.\n");
   EXPECT_EQ(

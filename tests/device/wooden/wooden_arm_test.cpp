@@ -109,7 +109,8 @@ TEST(WoodenArm, TheAddressNamesModelAndSerialNumber) {
   EXPECT_EQ(rig.whyNot("woody//dev/hidraw7"), "");
   EXPECT_EQ(rig.arm->info().title, "WoodenHaptics, 2015, serial 0042");
   EXPECT_EQ(rig.whyNot("polhem-v3"),
-            "How the arm \"Polhem, version 3\" moves is not published, so it cannot be used. WoodenHaptics arms can.");
+            "The kinematics of the arm \"Polhem, version 3\" are not published, so it cannot be used. WoodenHaptics "
+            "arms can.");
   rig.bus.unplug();
   EXPECT_EQ(rig.whyNot(), "No WoodenHaptics arm is plugged in.");
 }
