@@ -123,12 +123,13 @@ Problems notFound(const std::string& name, const Description& scene, const std::
   for (const std::string& folder : folders) {
     if (!folder.empty() && std::find(looked.begin(), looked.end(), folder) == looked.end()) looked.push_back(folder);
   }
-  return {{said(TRANSLATE_NOOP("problem",
-                               "The file %1 was not found in %2. A recording stores the names of its meshes and "
-                               "curves, not their folders. Put the file beside the session, or choose its folder: in "
-                               "the window with Replay, Folder of its files; on the command line with --files FOLDER."),
-                {json::shown(name), json::listed(looked, "and")}),
-           {scene.file}}};
+  return {
+      {said(TRANSLATE_NOOP("problem",
+                           "The file %1 was not found in %2. A recording stores the names of its meshes and curves, "
+                           "not their folders. Put the file beside the session, or choose its folder: in the window "
+                           "with Replay, Folder with meshes and curves; on the command line with --files FOLDER."),
+            {json::shown(name), json::listed(looked, "and")}),
+       {scene.file}}};
 }
 
 template <class FromFile>
