@@ -16,11 +16,10 @@ struct Seen {
   Sentence name;   // "Xbox Controller"
   Kind kind = Kind::Joystick;
   Readings readings;
-  std::vector<Sentence> axis_names,
-      button_names;              // "left stick, right"; may be shorter than the inputs: the others have numbers
-  std::vector<Source> pairs;     // of buttons and triggers that belong together
-  Map usual;                     // the default mapping
-  std::vector<Missing> missing;  // empty: it can be read
+  std::vector<Sentence> axis_names, button_names;  // "left stick, right"; may be shorter: the others have numbers
+  std::vector<Source> pairs;                       // of buttons and triggers that belong together
+  Map usual;                                       // the default mapping
+  std::vector<Missing> missing;                    // empty: it can be read
 };
 
 /// All input devices of one kind on a computer.
