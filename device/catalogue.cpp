@@ -26,7 +26,7 @@ std::vector<Found> lookForSimulated() {
   return {{said(kSimulated), "", {}}};
 }
 
-// A kind of arm a line.
+// One kind of arm per line.
 constexpr std::array kRows{
     Row{"simulated", kSimulated, openSimulated, lookForSimulated},
     Row{"openhaptics", TRANSLATE_NOOP("problem", "Touch, Omni (vendor's driver)"), openhaptics::openRow,

@@ -13,8 +13,8 @@ namespace {
 
 using identify::Measurement;
 
-constexpr int kLooksASecond = 100;   // for the next scene: a window's frames come no more often
-constexpr double kScatter_m = 3e-3;  // of where the tip rests first, per axis
+constexpr int kLooksASecond = 100;   // polls for the next scene: the window's frames are no faster
+constexpr double kScatter_m = 3e-3;  // of the tip's first rest position, per axis
 
 Vec3 scattered(const Vec3& p_WT, std::uint64_t seed) {
   std::mt19937_64 random(seed);

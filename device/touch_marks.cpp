@@ -13,14 +13,14 @@ namespace {
 
 using registration::Touching;
 
-constexpr auto kBetweenLooks = std::chrono::milliseconds(20);  // between two looks
+constexpr auto kBetweenLooks = std::chrono::milliseconds(20);  // between two polls
 
 std::string asked(const Touching& touching) {
   return "Rest the tip in mark " + std::to_string(touching.due() + 1) + " of " +
          std::to_string(touching.marks_D().size()) + ", press the stylus's button nearer to the tip, and hold still.";
 }
 
-/// What became of a tick, in words; empty: nothing.
+/// The outcome of a tick as a sentence; empty: nothing.
 std::string wordsOf(Touching::Event event, const Touching& touching) {
   if (event == Touching::Event::Moved) return "The tip moved by more than 1 mm while it was held. " + asked(touching);
   if (event != Touching::Event::Touched) return {};

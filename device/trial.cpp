@@ -12,7 +12,7 @@
 namespace underact::device {
 namespace {
 
-constexpr auto kBetweenTicks = std::chrono::milliseconds(20);  // between two looks
+constexpr auto kBetweenTicks = std::chrono::milliseconds(20);  // between two polls
 
 class Watch {
  public:

@@ -14,17 +14,17 @@ namespace {
 
 using mesh_file::Scan;
 
-// OpenMesh looks for equal corners in a face by comparing each with each.
+// OpenMesh finds equal vertices of a face by comparing every pair.
 constexpr int kMostCornersOfAFace = 5000;
 
-/// pattern: with a place for the line.
+/// pattern: with a placeholder for the line.
 Prepared damagedAt(int line, const char* pattern) {
   Prepared none;
   none.problem = said(pattern, {std::to_string(line)});
   return none;
 }
 
-/// One facet of an STL text, from after its word "facet" on; the problem as a pattern with its line, or null.
+/// One facet of an STL text, from after its word "facet" on; the problem as a pattern for its line, or null.
 const char* addFacet(Scan& words, std::string& to) {
   const auto is = [&words](const char* word) { return mesh_file::lowered(words.word()) == word; };
   to += "facet normal ";
@@ -77,7 +77,7 @@ Prepared prepareStlText(const std::string& bytes) {
     const std::string word = mesh_file::lowered(words.word());
     if (word.empty()) break;
     if (word == "solid" || word == "endsolid") {
-      words.line();  // a name, which OpenMesh would take for anything
+      words.line();  // a name, which OpenMesh would misread
     } else if (word == "facet") {
       const char* problem = addFacet(words, prepared.bytes);
       if (problem != nullptr) return damagedAt(words.lineNumber(), problem);
@@ -97,7 +97,7 @@ Prepared prepareObj(const std::string& bytes) {
   std::string joined;
   for (Scan lines(bytes); !lines.atEnd();) {
     std::string_view line = lines.line();
-    // A line that ends in \ goes on in the next one.
+    // A line that ends in \ continues on the next one.
     for (joined.clear(); line.ends_with('\\') && !lines.atEnd(); line = joined) {
       joined = std::string(line.substr(0, line.size() - 1)) + ' ' + std::string(lines.line());
     }
@@ -113,7 +113,7 @@ Prepared prepareObj(const std::string& bytes) {
       prepared.bytes += "f ";
       int count = 0;
       for (std::string_view word = words.word(); !word.empty() && !word.starts_with('#'); word = words.word()) {
-        std::int32_t index = 0;  // of the corner; what follows a / is of its texture and normal
+        std::int32_t index = 0;  // of the vertex; after a / come those of its texture and normal
         const bool is_number = mesh_file::readInteger(word.substr(0, word.find('/')), index);
         if (!is_number || ++count > kMostCornersOfAFace)
           return damagedAt(lines.lineNumber() - 1,

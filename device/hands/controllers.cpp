@@ -29,7 +29,7 @@ std::string textOf(const char* text) {
   return text == nullptr ? std::string() : text;
 }
 
-/// Null where it was unplugged this moment: then there are no axes.
+/// Null if it was unplugged this moment: then there are no axes.
 void describeAny(int joystick, Seen& seen) {
   GLFWgamepadstate pad{};
   if (::glfwGetGamepadState(joystick, &pad) == GLFW_TRUE) {
@@ -74,14 +74,14 @@ bool Controllers::begin() {
 std::vector<Seen> Controllers::look() {
   std::vector<Seen> all;
   if (!begin()) return all;
-  ::glfwPollEvents();  // takes up what was plugged in and out
+  ::glfwPollEvents();  // notices what was plugged in or out
   for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
     if (::glfwJoystickPresent(joystick) != GLFW_TRUE) continue;
     Seen seen;
     seen.id = textOf(::glfwGetJoystickGUID(joystick));
     if (isSpaceMouseGuid(seen.id)) continue;
     describeAny(joystick, seen);
-    if (seen.id.empty() || seen.readings.axes + seen.readings.buttons == 0) continue;  // it went this moment
+    if (seen.id.empty() || seen.readings.axes + seen.readings.buttons == 0) continue;  // unplugged this moment
     all.push_back(std::move(seen));
   }
   tellApart(all);

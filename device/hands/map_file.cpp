@@ -27,7 +27,7 @@ bool isTurn(std::size_t way) {
   return way >= kMoves;
 }
 
-/// The unit of a way's top speed in the file.
+/// The unit of a direction's top speed in the file.
 double unitOf(std::size_t way) {
   return isTurn(way) ? kRadPerDegree : kMetrePerMillimetre;
 }
@@ -37,7 +37,7 @@ void readWithin(ObjectReader& object, const char* key, double least, double most
   if (value == nullptr) return;
   double number = into;
   json::readNumber(*value, object.pathOf(key), number, object.findings());
-  if (std::isnan(number)) return;  // not a number at all, and said
+  if (std::isnan(number)) return;  // not a number at all, and reported
   if (number >= least && number <= most) {
     into = number;
     return;
@@ -47,7 +47,7 @@ void readWithin(ObjectReader& object, const char* key, double least, double most
                              {json::numberText(least), json::numberText(most)}));
 }
 
-/// false, and a problem: it is none, 0 to most - 1.
+/// false, and a problem: it is not a number from 0 to most - 1.
 bool readIndex(const Value& value, const std::string& path, int most, int& into, Findings& findings) {
   if (!json::isKind(value, json::Kind::Number, path, said(TRANSLATE_NOOP("problem", "a number, as in 0")), findings))
     return false;
@@ -61,7 +61,7 @@ bool readIndex(const Value& value, const std::string& path, int most, int& into,
   return is_one;
 }
 
-/// [there, back], each a number or null.
+/// [positive, negative], each a number or null.
 void readPair(const Value& value, const std::string& path, int most, Source& source, Findings& findings) {
   if (!json::isKind(value, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of two, as in [4, 5]")),
                     findings))

@@ -36,7 +36,7 @@ std::vector<std::string> candidates() {
   return {kNames.begin(), kNames.end()};
 }
 
-/// The first that loads. Where none does: what the system said of the first that is there and lacks something, or of
+/// The first that loads. If none does: the system's message about the first that exists but lacks something, or about
 /// the first.
 void* open(std::string& why) {
   for (const std::string& name : candidates()) {

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The maker's identity on USB, now and formerly; the product says how it speaks.
+/// The vendor's USB identity, now and formerly; the product says which interface it uses.
 bool isTheMakers(const std::string& vendor, const std::string& product) {
   return vendor == "2988" || (vendor == "0301" && product == "2988");
 }
@@ -31,7 +31,7 @@ bool startsWith(const std::string& text, const char* beginning) {
   return text.rfind(beginning, 0) == 0;
 }
 
-/// The names of its nodes: ttyACM0, hidraw3.
+/// The names of its device nodes: ttyACM0, hidraw3.
 std::vector<std::string> nodesOf(const fs::path& device) {
   constexpr int kDeepest = 4;  // 1-1/1-1:1.0/0003:2988:0304.0001/hidraw/hidraw0
   std::vector<std::string> nodes;

@@ -7,9 +7,9 @@
 namespace underact::device::openhaptics {
 namespace {
 
-constexpr std::int64_t kShown_ns = 2'000'000'000;  // long enough to be read
-constexpr int kManyPeriods = 20;                   // as many as the gate bears
-constexpr double kWorthAWord_m = 5e-3;             // a calibrated arm is some 0.1 mm off its own model
+constexpr std::int64_t kShown_ns = 2'000'000'000;  // long enough to read
+constexpr int kManyPeriods = 20;                   // as many as the gate tolerates
+constexpr double kWorthAWord_m = 5e-3;             // a calibrated arm deviates some 0.1 mm from its own model
 
 Sentence millimetres(double length_m) {
   return shownNumber(1e3 * length_m, 0);

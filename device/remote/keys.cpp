@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kKeyCharacters = 40, kKeyBytes = 32;
-constexpr std::size_t kMostBytes = std::size_t{1} << 20;  // of a file of keys
+constexpr std::size_t kMostBytes = std::size_t{1} << 20;  // of a key file
 
 Problems problemAt(Sentence sentence, const fs::path& file) {
   return {{std::move(sentence), {file.string()}}};
@@ -35,7 +35,8 @@ fs::path usersFolder() {
   return fs::path(home != nullptr ? home : "/") / ".config" / "Underact";
 }
 
-/// Why a file of keys is not to be trusted: others may read or write it, or it is theirs. what_to_do: beside chmod.
+/// Why a key file is not to be trusted: others may read or write it, or it belongs to another user. what_to_do: besides
+/// chmod.
 Problems notOursAlone(const system::Status& status, const Sentence& may, const Sentence& what_to_do,
                       const fs::path& file) {
   if (!status.is_trusted)
@@ -49,7 +50,7 @@ Problems notOursAlone(const system::Status& status, const Sentence& may, const S
                    file);
 }
 
-/// A file of keys: its name, what others could do with it, and what then is to be done.
+/// A key file: its name, what others could do with it, and what to do about it.
 struct KeyFile {
   const char *name, *may, *what_to_do;
 };
@@ -60,7 +61,7 @@ constexpr KeyFile kClients{"arm_clients", TRANSLATE_NOOP("problem", "Others may 
 constexpr KeyFile kHosts{"arm_hosts", TRANSLATE_NOOP("problem", "Others may read or change which arms you trust."),
                          TRANSLATE_NOOP("problem", "delete each line in it that you do not know")};
 
-/// Its lines; none: there is no such file. Problems: it cannot be read, or is not this user's alone.
+/// Its lines; none: there is no such file. Problems: it cannot be read, or others may read it.
 Result<std::optional<std::vector<std::string>>> linesOf(const fs::path& folder, const KeyFile& which) {
   const fs::path path = folder / which.name;
   std::error_code ignored;
@@ -83,7 +84,7 @@ Result<std::optional<std::vector<std::string>>> linesOf(const fs::path& folder, 
   return std::optional(std::move(lines));
 }
 
-/// The whole file or, where that fails, the one that was; nobody else may read it.
+/// Writes the whole file or, if that fails, leaves the old one; nobody else may read it.
 Problems writeFile(const fs::path& file, const std::string& text) {
   system::makePrivateFolder(file.parent_path().string());
   const fs::path part = file.string() + ".part";
@@ -94,7 +95,7 @@ Problems writeFile(const fs::path& file, const std::string& text) {
                    file);
 }
 
-/// The words of a line: first and second; the rest is for people.
+/// The first two words of a line; the rest is for people.
 std::pair<std::string, std::string> wordsOf(const std::string& line) {
   std::istringstream stream(line);
   std::pair<std::string, std::string> words;

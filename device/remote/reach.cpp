@@ -38,7 +38,7 @@ Problems whyNot(LineState state, const Address& address) {
   }
 }
 
-/// What comes next; none: nothing came in time, or nothing that is known.
+/// The next message; none: nothing arrived in time, or nothing known.
 std::optional<Message> nextOf(Wire& wire, int time_ms) {
   const std::int64_t end_ns = system::monotonicNow_ns() + time_ms * kMillisecond_ns;
   for (Bytes bytes; system::monotonicNow_ns() < end_ns && wire.state() == LineState::Connected; wire.wait(-1, 1)) {

@@ -10,10 +10,10 @@ namespace {
 
 constexpr int kWait_ms = 5;
 constexpr std::int64_t kSilent_ns = 200'000'000;       // then the arm is free for others
-constexpr std::int64_t kLookEvery_ns = 50'000'000;     // at what the arm says is wrong
+constexpr std::int64_t kLookEvery_ns = 50'000'000;     // at the trouble that the arm reports
 constexpr std::int64_t kStandsStill_ns = 100'000'000;  // as the servo's watchdog
-constexpr std::int64_t kFarewell_ns = 50'000'000;      // in which the last words get through
-constexpr std::int64_t kTellEvery_ns = 1'000'000'000;  // how many were turned away
+constexpr std::int64_t kFarewell_ns = 50'000'000;      // time for the last messages to get through
+constexpr std::int64_t kTellEvery_ns = 1'000'000'000;  // how many were refused
 constexpr double kAlike_m = 1e-9;                      // one was read from mm
 
 }  // namespace
@@ -59,7 +59,7 @@ Share::~Share() {
   refuse(seat_, About::Ended,
          "It is no longer shared, because the sharing program at its computer has ended. Start it anew and press "
          "Restart.");
-  // A socket that is closed with something unread tears the line, and what was said last with it.
+  // A socket that is closed with unread messages drops the connection, and the last message with it.
   std::string from;
   Bytes bytes;
   for (const std::int64_t end_ns = system::monotonicNow_ns() + kFarewell_ns; system::monotonicNow_ns() < end_ns;) {
@@ -68,7 +68,7 @@ Share::~Share() {
   }
 }
 
-/// The arm ticks anew; nobody has it meanwhile.
+/// The arm ticks again; no program has it meanwhile.
 Problems Share::tickAt(int rate_hz) {
   Result<ArmSide::Options> options = optionsOf(options_.arm, port_->info(), rate_hz);
   if (!options) return options.problems();
@@ -89,13 +89,13 @@ Problems Share::tickAt(int rate_hz) {
   return {};
 }
 
-/// As it was before somebody asked for another; nobody has the arm.
+/// As it was before a program asked for another rate; no program has the arm.
 void Share::putBackRate() {
   if (rate_hz_ == options_.rate_hz) return;
   clock_.reset();
   port_->setRate(options_.rate_hz);
   const Problems problems = tickAt(options_.rate_hz);
-  if (!problems.empty()) tell_(problems.front().sentence);  // cannot be: it has ticked so
+  if (!problems.empty()) tell_(problems.front().sentence);  // impossible: it has ticked at this rate
 }
 
 void Share::tellOfGuard() {
@@ -208,7 +208,7 @@ void Share::welcome(const std::string& from, const Hello& hello) {
   trouble_.clear();
 }
 
-/// An arm that was lost is opened anew, since this is what Restart asks for there.
+/// A lost arm is reopened, since that is what Restart at the other end asks for.
 Problems Share::makeReady(const Hello& hello) {
   const bool is_lost = !port_->trouble().empty();
   if (hello.rate_hz < servo::kSlowest_hz || hello.rate_hz > servo::kFastest_hz)
@@ -239,7 +239,7 @@ void Share::leave(const std::string& sentence) {
   tell_(sentence + " Zero force, free for the next.");
 }
 
-/// The newest sample to whoever has the arm; and to people what changes rarely.
+/// The newest sample to the program that has the arm; and rare changes to people.
 void Share::show() {
   const ArmSide::Shown& shown = side_->shown();
   if (seat_.empty() || shown.sample.sequence == shown_) return;
@@ -260,7 +260,7 @@ std::string Share::troubleNow() {
   return describe(side_->shown().fault);
 }
 
-/// What is wrong at the arm; and a watchdog's look at its ticks.
+/// The arm's trouble; and a watchdog for its ticks.
 void Share::look() {
   const std::int64_t now_ns = system::monotonicNow_ns();
   const std::int64_t beats = side_->beats();
@@ -273,7 +273,7 @@ void Share::look() {
   if (!seat_.empty()) refuse(seat_, About::Trouble, trouble_);
 }
 
-/// While too many come, turning them away is no urgent work either. A line a second at most tells of them.
+/// While there are too many, refusing them is not urgent work either. Reported at most once a second.
 void Share::lookAfterStrangers(std::int64_t now_ns) {
   knocks_.count(hub_->connections(), now_ns);
   const bool is_storm = knocks_.areTooMany();
@@ -282,7 +282,7 @@ void Share::lookAfterStrangers(std::int64_t now_ns) {
       before_storm_ = system::ownUrgency();
       system::setOwnUrgency({});
     } else if (!system::setOwnUrgency(before_storm_)) {
-      system::askForRealTime({}, rate_hz_);  // it was another program's to grant
+      system::askForRealTime({}, rate_hz_);  // the other program could take it away
     }
   }
   turned_away_ += hub_->turnedAway();

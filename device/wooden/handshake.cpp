@@ -32,8 +32,8 @@ Result<HidNode> find(const std::vector<HidNode>& nodes, const std::string& which
       {none, said(TRANSLATE_NOOP("problem", "Devices that may be one, and can be chosen by name: %1."), {others})}));
 }
 
-/// The first report that comes, and the format that its length tells. Zero is said in the shortest form first: it is
-/// too short for the others to heed, and yet makes them talk.
+/// The first report that arrives, and the format that its length implies. Zero is sent in the shortest form first: too
+/// short for the others to obey, but enough to make them report.
 Result<WoodenLine> listen(HidNode node, std::unique_ptr<HidPipe> pipe) {
   std::array<std::uint8_t, 2 * kLongestWoodenReport> bytes{};
   int last_size = 0;

@@ -23,7 +23,7 @@ std::vector<Found> lookForWooden(HidBus& bus) {
   std::vector<Found> found;
   for (const HidNode& node : nodes) {
     const WoodenId& id = *findWoodenId(node.vendor, node.product);
-    // Boards that were given no serial number of their own all have the same.
+    // Boards that were given no serial number of their own all have the same one.
     const auto alike =
         std::count_if(nodes.begin(), nodes.end(), [&](const HidNode& other) { return other.serial == node.serial; });
     const bool has_serial = !node.serial.empty() && alike == 1;
