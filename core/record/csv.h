@@ -46,10 +46,11 @@ class CsvWriter {
 /// The outcome of an export.
 struct CsvExport {
   std::int64_t rows = 0;     // written
-  std::int64_t missing = 0;  // damaged in the session
-  bool is_stopped = false;   // before the end, on request
-  Problems unread;           // why reading ended early
-  Problems unwritten;        // why writing failed; the file is complete up to a line
+  std::int64_t missing = 0;  // that are damaged in the session
+  bool is_stopped = false;   // before its end, as was asked
+  Problems unread;           // why no more was read
+  Problems unwritten;        // what is there is whole up to a line
+  /// Whether every tick of the session was written.
   bool isWhole() const { return missing == 0 && !is_stopped && unread.empty() && unwritten.empty(); }
 };
 

@@ -11,13 +11,14 @@
 
 namespace underact::scene {
 
-// All settings of a scene that can change while it runs: a row of settings.cpp each. Reading, checking and writing
-// scenes goes by the rows, and so does changing a setting by name.
+// What a person can change of a scene while it runs, a row of settings.cpp for each. Reading, checking and writing of
+// scenes go by these rows, and so do edits by path.
 
 /// The value of a setting. None: the key is left out and there is no default (a joint without that limit; no
 /// influence).
 using SettingValue = std::variant<std::monostate, bool, double, Vec3, std::string>;
 
+/// Whether it stands for a key that is left out.
 inline bool isNone(const SettingValue& value) {
   return std::holds_alternative<std::monostate>(value);
 }
@@ -28,6 +29,7 @@ enum class SettingKind : std::uint8_t { Number, Whole, Gain, Choice, Flag };
 /// When its key is in a file. Always: where its object is; Required: its object must have it.
 enum class Said : std::uint8_t { IfUnusual, Always, Required };
 
+/// A row of the table: one setting, and all that texts, checks and panels need to know of it.
 struct Setting {
   const char* key;
   const char* label;  // in the middle of a sentence, such as what is undone: "blend width"
