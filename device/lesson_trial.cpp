@@ -46,7 +46,7 @@ class Watching {
       states_[index] = lesson::afterAnswer(step_.checks[index], std::move(states_[index]), answers[next++]);
     }
     if (next == answers.size()) return {};
-    return {{"There are more answers than the step has questions.", {"the answers", 1, 0, ""}}};
+    return {{"There are more answers than questions in the step.", {"the answers", 1, 0, ""}}};
   }
 
   std::vector<lesson::CheckState> take() { return std::move(states_); }

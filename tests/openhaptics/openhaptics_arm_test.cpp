@@ -31,13 +31,13 @@ TEST_F(OpenHapticsArmTest, TellsWhatItsDriverKnowsInOurUnits) {
   EXPECT_EQ(lineOf(lines, "Continuous force: "), "0.88 N");
   EXPECT_EQ(lineOf(lines, "Largest stiffness: "), "0.5 N/mm");
   EXPECT_EQ(lineOf(lines, "Largest damping: "), "3 N s/m");
-  EXPECT_EQ(lineOf(lines, "Limit of speed: "), "1 m/s");
-  EXPECT_EQ(lineOf(lines, "Limit of the force's rise: "), "400 N/s");
+  EXPECT_EQ(lineOf(lines, "Speed limit: "), "1 m/s");
+  EXPECT_EQ(lineOf(lines, "Limit of the rate of force: "), "400 N/s");
   EXPECT_EQ(lineOf(lines, "Workspace: "), "-210 -110 -85 210 205 130 mm, corner to corner");
   EXPECT_EQ(lineOf(lines, "Table below the origin: "), "110 mm");
   EXPECT_EQ(lineOf(lines, "Driven joints: "), "3");
   EXPECT_EQ(lineOf(lines, "Rate: "), "1000 Hz");
-  EXPECT_EQ(lineOf(lines, "Warmth of the motors, 0 to 1: "), "0.25 0.25 0.25");
+  EXPECT_EQ(lineOf(lines, "Motor temperatures, 0 to 1: "), "0.25 0.25 0.25");
   EXPECT_EQ(lineOf(lines, "Safety switch: "), "(no such line)") << "the stand-in has none";
   EXPECT_EQ(arm->info().title, "Touch (vendor's driver)");
   EXPECT_EQ(arm->info().serial, "0042");
