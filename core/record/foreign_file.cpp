@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kSessionReader = "underact-session-reader";
 constexpr std::size_t kLongestAttribute = (std::size_t{1} << 20) + 1;
 
-/// An attribute's name in a question; an empty one is of no attribute.
+/// An attribute's name in a question; an empty one is not an attribute.
 Question questionOf(Asks what, std::string_view name) {
   Question question;
   question.what = what;
@@ -33,7 +33,7 @@ std::optional<Number> numberIn(std::span<const std::byte> bytes) {
   return number;
 }
 
-/// A helper is believed as little as the file that it reads.
+/// A helper is trusted as little as the file that it reads.
 bool fits(const Shape& shape, std::span<const Table> tables, std::int64_t bytes) {
   for (std::size_t index = 0; index < tables.size(); ++index) {
     const Table& table = tables[index];
@@ -126,7 +126,7 @@ Result<ForeignFile> ForeignFile::open(std::shared_ptr<const ForeignInput> input,
   const Problems problems = impl->look(Asks::Open);
   if (!problems.empty()) return problems;
   ForeignFile file(std::move(impl));
-  if (file.isOpenElsewhere()) file.impl_->input->unlock();  // its writer may go on
+  if (file.isOpenElsewhere()) file.impl_->input->unlock();  // its writer may continue
   return file;
 }
 
@@ -171,7 +171,7 @@ Result<std::vector<Block>> ForeignFile::read(std::size_t table, std::int64_t fir
 }
 
 void ForeignFile::refresh() {
-  (void)impl_->look(Asks::Refresh);  // where that fails, what was there stays, and reading it says why
+  (void)impl_->look(Asks::Refresh);  // if that fails, the old state stays, and reading reports why
 }
 
 std::string ForeignFile::text(std::string_view attribute) {

@@ -18,7 +18,7 @@
 namespace underact::scene {
 namespace {
 
-// Half axes of the shape in the gains' own metric go with the root of the ratio.
+// In the gains' own metric the half axes of a shape scale with the square root of the ratio of the gains.
 constexpr double kSmallestGainRatio = 1e-12;
 
 using json::numberText;
@@ -27,7 +27,7 @@ bool allSame(const Vec3& v) {
   return v.x() == v.y() && v.y() == v.z();
 }
 
-/// Walks over a scene with the place and the key of what it looks at.
+/// Walks over a scene, keeping the place and the key of what it examines.
 class Checker {
  public:
   explicit Checker(const Description& scene) : scene_(scene) {}
@@ -41,7 +41,7 @@ class Checker {
   void checkField(const std::string& key, Meaning meaning, const Vec3& numbers);
   void checkField(const std::string& key, Meaning meaning, const Mat3& numbers);
   void checkControl(const std::string& key, const Control& control);
-  /// The numbers of all its settings.
+  /// Checks the numbers of all its settings.
   template <class Object>
   void checkAll(const std::string& key, const Object& object) {
     checkSettings(object, [&](const std::string& its, Sentence wrong) { add(key + "." + its, std::move(wrong)); });
@@ -96,11 +96,10 @@ void Checker::checkControl(const std::string& key, const Control& control) {
   checkAll(key + ".velocity", control.velocity);
 }
 
-/// The metric that unequal gains make: zero gains flatten the shape to nothing. Source: target/target.h,
-/// makeConstraint().
+/// The metric of unequal gains: a zero gain flattens the shape to nothing. Source: target/target.h, makeConstraint().
 void Checker::checkMetric(const std::string& key, const Control& control, const Shape& shape) {
   const Vec3& kp = control.gains.kp_N_per_mm;
-  if (control.space == tick::Space::Joint) return;  // gains of joints make no metric of the workspace
+  if (control.space == tick::Space::Joint) return;  // gains of joints define no metric of the workspace
   if (control.anisotropy == Anisotropy::Euclidean || allSame(kp) || std::holds_alternative<Point>(shape) ||
       std::holds_alternative<Mesh>(shape) || std::holds_alternative<Curve>(shape)) {
     return;

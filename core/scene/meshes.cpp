@@ -12,7 +12,7 @@ namespace {
 
 using json::numberText;
 
-constexpr double kSmallestScale = 1e-9, kLargestScale = 1e9;  // mm a unit
+constexpr double kSmallestScale = 1e-9, kLargestScale = 1e9;  // mm per unit
 
 }  // namespace
 

@@ -32,7 +32,7 @@ void readVersion(ObjectReader& object) {
   }
 }
 
-/// Gives a name to each constraint that has none, and none twice.
+/// Names each constraint that has no name, without duplicates.
 void makeUpNames(std::vector<Constraint>& constraints) {
   std::set<std::string> taken;
   for (const Constraint& constraint : constraints) taken.insert(constraint.name);
@@ -61,7 +61,7 @@ void readConstraints(ObjectReader& object, std::vector<Constraint>& into) {
 
 void readTexts(ObjectReader& object, Description& into) {
   Findings& findings = object.findings();
-  into.title = "untitled";  // harmless
+  into.title = "untitled";  // a valid placeholder
   if (const json::Value* title = object.find("title", true)) readText(*title, "title", into.title, findings);
   if (const json::Value* about = object.find("about")) readText(*about, "about", into.about, findings);
   if (const json::Value* arm = object.find("arm")) readText(*arm, "arm", into.arm, findings);
@@ -80,7 +80,7 @@ Description readWhole(const json::Value& root, const std::string& file_name, Fin
                scene.simulation, findings);
   if (const json::Value* teach = object.find("teach")) readTeaching(*teach, findings);  // see teachingOf()
   readConstraints(object, scene.constraints);
-  if (const json::Value* schema = object.find("$schema")) {  // for editors; says nothing about the scene
+  if (const json::Value* schema = object.find("$schema")) {  // for editors; not part of the scene
     isKind(*schema, json::Kind::String, "$schema", said(TRANSLATE_NOOP("problem", "text in double quotes")), findings);
   }
   object.refuse("velocity", belongsToControl());

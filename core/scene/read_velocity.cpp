@@ -37,7 +37,7 @@ Velocity readVelocity(const json::Value& value, const std::string& path, Finding
     return velocity;
   ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a velocity filter")), findings);
   const std::span<const SettingOf<Velocity>> rows = rowsOf<Velocity>();
-  const bool is_known = readSetting(object, rows.front(), velocity);  // the filter, which says what others there are
+  const bool is_known = readSetting(object, rows.front(), velocity);  // the filter decides which others exist
   if (is_known) {
     refuseOthers(object, velocity);
     for (const SettingOf<Velocity>& row : rows.subspan(1)) {
