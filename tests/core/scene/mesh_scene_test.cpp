@@ -100,7 +100,7 @@ TEST(MeshScene, WhatCannotBeIsSaidWithItsPlace) {
   EXPECT_NE(
       firstProblemOf(
           R"({"type": "line", "point_mm": [0, 0, 0], "direction": [0, 0, 1], "friction": {"static": 0.1, "dynamic": 0.2}})")
-          .find("from 0 to the static share, 0.1"),
+          .find("from 0 to the static friction, 0.1"),
       std::string::npos);
   EXPECT_NE(firstProblemOf(R"({"type": "plane", "point_mm": [0, 0, 0], "normal": [0, 0, 1], "search": "local"})")
                 .find("computed by a formula"),

@@ -446,7 +446,7 @@ TEST(ReadScene, WhatIsWrongWithAVirtualManipulatorIsSaid) {
        "joints[0].axis: A direction must not be [0, 0, 0]");
   said(robotWith(R"({"type": "revolute", "axis": [0, 0, 1]})"), "joints[0].point_mm: The key \"point_mm\" is missing");
   said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "min": 3, "max": 2})"),
-       "joints[0].min: The lower limit 3 is above the upper one, 2");
+       "joints[0].min: The lower limit 3 is above the upper limit 2");
   said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "stiffness_N_mm_per_rad": 2})"),
        "The spring of a prismatic joint is called \"stiffness_N_per_mm\".");
   said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "rest": 2})"), "Without a spring the joint has no rest");

@@ -40,7 +40,7 @@ struct Client {
     while (std::chrono::steady_clock::now() < end) {
       tick(f_T_W);
       if ((far.arm.force_N() - f_T_W).norm() < 0.01) return true;
-      if (arm->trouble().find("taken away") != std::string::npos) return false;
+      if (arm->trouble().find("was released") != std::string::npos) return false;
     }
     return false;
   }
