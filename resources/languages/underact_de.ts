@@ -2891,7 +2891,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die vorhandene Datei kann nicht ersetzt werden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
-        <source>The file is damaged: reading broke off after %1 corners and %2 faces.</source>
+        <source>The file is damaged: reading stopped after %1 vertices and %2 faces.</source>
         <translation>Die Datei ist beschädigt: Nach %1 Ecken und %2 Flächen ging es beim Lesen nicht weiter.</translation>
     </message>
     <message>
@@ -2903,19 +2903,19 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Datei ist beschädigt: OpenMesh konnte sie nicht lesen.</translation>
     </message>
     <message>
-        <source>The file is damaged: line %1 is no normal of a face.</source>
+        <source>The file is damaged: line %1 is not the normal of a face.</source>
         <translation>Die Datei ist beschädigt: Zeile %1 ist keine Normale einer Fläche.</translation>
     </message>
     <message>
-        <source>The file is damaged: line %1 does not begin the corners of a face (outer loop).</source>
+        <source>The file is damaged: line %1 does not begin the vertices of a face (outer loop).</source>
         <translation>Die Datei ist beschädigt: Zeile %1 beginnt nicht die Ecken einer Fläche (outer loop).</translation>
     </message>
     <message>
-        <source>The file is damaged: line %1 is no corner of a face (vertex x y z).</source>
+        <source>The file is damaged: line %1 is not a vertex of a face (vertex x y z).</source>
         <translation>Die Datei ist beschädigt: Zeile %1 ist keine Ecke einer Fläche (vertex x y z).</translation>
     </message>
     <message>
-        <source>The file is damaged: line %1 does not end the three corners of a face (endloop).</source>
+        <source>The file is damaged: line %1 does not end the three vertices of a face (endloop).</source>
         <translation>Die Datei ist beschädigt: Zeile %1 beendet nicht die drei Ecken einer Fläche (endloop).</translation>
     </message>
     <message>
@@ -2923,31 +2923,31 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Datei ist beschädigt: Zeile %1 beendet keine Fläche (endfacet).</translation>
     </message>
     <message>
-        <source>The file is damaged: it is shorter than its faces.</source>
-        <translation>Die Datei ist beschädigt: Sie ist kürzer als ihre Flächen.</translation>
+        <source>The file is damaged: it is too short for its faces.</source>
+        <translation>Die Datei ist beschädigt: Sie ist zu kurz für ihre Flächen.</translation>
     </message>
     <message>
         <source>The file is damaged: line %1 does not begin a face (facet).</source>
         <translation>Die Datei ist beschädigt: Zeile %1 beginnt keine Fläche (facet).</translation>
     </message>
     <message>
-        <source>The file is damaged: line %1 is no corner (v x y z).</source>
+        <source>The file is damaged: line %1 is not a vertex (v x y z).</source>
         <translation>Die Datei ist beschädigt: Zeile %1 ist keine Ecke (v x y z).</translation>
     </message>
     <message>
-        <source>The file is damaged: line %1 is no face.</source>
+        <source>The file is damaged: line %1 is not a face.</source>
         <translation>Die Datei ist beschädigt: Zeile %1 ist keine Fläche.</translation>
     </message>
     <message>
-        <source>The file is damaged: line %1 is the last, and corners or faces are missing.</source>
-        <translation>Die Datei ist beschädigt: Zeile %1 ist die letzte, und Ecken oder Flächen fehlen.</translation>
+        <source>The file is damaged: it ends at line %1, and vertices or faces are missing.</source>
+        <translation>Die Datei ist beschädigt: Sie endet mit Zeile %1, und Ecken oder Flächen fehlen.</translation>
     </message>
     <message>
-        <source>The file is damaged: line %1 is no corner (x y z).</source>
+        <source>The file is damaged: line %1 is not a vertex (x y z).</source>
         <translation>Die Datei ist beschädigt: Zeile %1 ist keine Ecke (x y z).</translation>
     </message>
     <message>
-        <source>The file is damaged: corner %1 of %2 cannot be read.</source>
+        <source>The file is damaged: vertex %1 of %2 cannot be read.</source>
         <translation>Die Datei ist beschädigt: Ecke %1 von %2 ist nicht lesbar.</translation>
     </message>
     <message>
@@ -2963,7 +2963,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Datei ist beschädigt oder braucht mehr Speicher als bei einer Datei ihrer Größe zu erwarten.</translation>
     </message>
     <message>
-        <source>This is no finite number.</source>
+        <source>This is not a finite number.</source>
         <translation>Dies ist keine endliche Zahl.</translation>
     </message>
     <message>
@@ -2979,23 +2979,23 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Zeile der DH-Tabelle</translation>
     </message>
     <message>
-        <source>The joint's least angle must be below its greatest.</source>
-        <translation>Der kleinste Winkel des Gelenks muss unter dem größten liegen.</translation>
+        <source>The joint's lower limit must be below its upper limit.</source>
+        <translation>Die untere Grenze des Gelenks muss unter der oberen liegen.</translation>
     </message>
     <message>
         <source>true or false</source>
         <translation>true oder false</translation>
     </message>
     <message>
-        <source>Only joint 5 can be limited by its size.</source>
-        <translation>Nur Gelenk 5 kann nach dem Betrag begrenzt werden.</translation>
+        <source>Only joint 5 can have limits on the magnitude of its angle.</source>
+        <translation>Nur bei Gelenk 5 lässt sich der Betrag des Winkels begrenzen.</translation>
     </message>
     <message>
         <source>a list of six rows</source>
         <translation>eine Liste von sechs Zeilen</translation>
     </message>
     <message>
-        <source>An arm has six rows; here there are %1.</source>
+        <source>An arm has six rows; this one has %1.</source>
         <translation>Ein Arm hat sechs Zeilen; hier sind es %1.</translation>
     </message>
     <message>
@@ -3011,8 +3011,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Jeder Eintrag muss eine Zahl sein.</translation>
     </message>
     <message>
-        <source>This is no rotation.</source>
-        <translation>Dies ist keine Rotationsmatrix.</translation>
+        <source>The upper left 3 x 3 numbers are not a rotation matrix.</source>
+        <translation>Die 3 x 3 Zahlen oben links sind keine Rotationsmatrix.</translation>
     </message>
     <message>
         <source>The last row must be 0, 0, 0, 1.</source>
@@ -3023,8 +3023,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>ein Objekt in { }</translation>
     </message>
     <message>
-        <source>what makes an arm a device</source>
-        <translation>was einen Arm zum Gerät macht</translation>
+        <source>a device description</source>
+        <translation>eine Gerätebeschreibung</translation>
     </message>
     <message>
         <source>This must be above 0.</source>
@@ -3055,8 +3055,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>ein Objekt wie %1</translation>
     </message>
     <message>
-        <source>Only an arm shaped as table 3.1 of the thesis can be a device here; without "device" the arm can be used for kinematics.</source>
-        <translation>Nur ein Arm von der Form der Tabelle 3.1 der Thesis kann hier ein Gerät sein; ohne „device“ lässt sich der Arm für die Kinematik benutzen.</translation>
+        <source>Only an arm with the geometry of table 3.1 of the thesis can be a device; without "device" it can still be used for kinematics.</source>
+        <translation>Nur ein Arm mit der Geometrie von Tabelle 3.1 der Thesis kann ein Gerät sein; ohne „device“ lässt er sich weiterhin für die Kinematik benutzen.</translation>
     </message>
     <message>
         <source>an arm</source>
@@ -3075,15 +3075,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Arm hat eine Lage geschickt, die keine Zahl ist.</translation>
     </message>
     <message>
-        <source>The arm's position jumped by %1 m/s, where a hand reaches %2 m/s at most.</source>
+        <source>The arm's position jumped at %1 m/s; a hand reaches at most %2 m/s.</source>
         <translation>Die Lage des Arms sprang mit %1 m/s; eine Hand erreicht höchstens %2 m/s.</translation>
     </message>
     <message>
-        <source>%1 ticks in a row came a whole period late.</source>
-        <translation>%1 Takte nacheinander kamen um eine ganze Periode zu spät.</translation>
+        <source>%1 ticks in a row were late by a whole period.</source>
+        <translation>%1 Takte nacheinander waren um eine ganze Periode zu spät.</translation>
     </message>
     <message>
-        <source>The servo stood still for %1 s.</source>
+        <source>The servo stalled for %1 s.</source>
         <translation>Der Servo stand %1 s lang still.</translation>
     </message>
     <message>
@@ -3103,16 +3103,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Start drücken, um es wieder zu versuchen.</translation>
     </message>
     <message>
-        <source>Close what keeps the machine busy or choose a lower rate, then press Start.</source>
-        <translation>Schließen, was den Rechner auslastet, oder eine kleinere Rate wählen, dann Start drücken.</translation>
+        <source>Close programs that keep the computer busy or choose a lower rate, then press Start.</source>
+        <translation>Programme schließen, die den Rechner auslasten, oder eine kleinere Taktrate wählen, dann Start drücken.</translation>
     </message>
     <message>
-        <source>Press Start to go on.</source>
+        <source>Press Start to continue.</source>
         <translation>Start drücken, um weiterzumachen.</translation>
     </message>
     <message>
-        <source>Restart the servo, which opens the arm again, then press Start.</source>
-        <translation>Den Servo neu starten, was auch den Arm neu öffnet, dann Start drücken.</translation>
+        <source>Restart the servo to reopen the arm, then press Start.</source>
+        <translation>Den Servo neu starten, um den Arm neu zu öffnen, dann Start drücken.</translation>
     </message>
     <message>
         <source>Force is off.</source>
@@ -3123,8 +3123,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>A calibration needs a scene of two beams: two virtual manipulators, each of one revolute joint with a spring. The scene "Two beams, one softer" is one.</source>
-        <translation>Eine Kalibrierung braucht eine Szene mit zwei Balken: zwei virtuelle Manipulatoren, jeder mit einem Drehgelenk mit Feder. Die Szene „Zwei Balken, einer weicher“ ist eine solche.</translation>
+        <source>A calibration needs a scene with two beams: two virtual robots, each with one revolute joint and a spring. Open the scene "Two beams, one softer".</source>
+        <translation>Eine Kalibrierung braucht eine Szene mit zwei Balken: zwei virtuelle Roboter, jeder mit einem Drehgelenk und einer Feder. Öffnen Sie die Szene „Zwei Balken, einer weicher“.</translation>
     </message>
     <message>
         <source>Joint %1: the axis has no direction.</source>
@@ -3147,28 +3147,28 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Eine Kette hat höchstens %1 Gelenke, nicht %2.</translation>
     </message>
     <message>
-        <source>The home pose's upper left 3 x 3 numbers are no rotation.</source>
+        <source>The upper left 3 x 3 numbers of the home pose are not a rotation matrix.</source>
         <translation>Die 3 x 3 Zahlen oben links in der Lage der Grundstellung sind keine Rotationsmatrix.</translation>
     </message>
     <message>
-        <source>The home pose's place is not a finite point.</source>
+        <source>The position of the home pose is not a finite point.</source>
         <translation>Der Ort in der Lage der Grundstellung ist kein endlicher Punkt.</translation>
     </message>
     <message>
-        <source>A table has a row at least: a chain without a joint moves nothing.</source>
-        <translation>Eine Tabelle hat mindestens eine Zeile: Eine Kette ohne Gelenk bewegt nichts.</translation>
+        <source>A table needs at least one row: a chain without joints cannot move.</source>
+        <translation>Eine Tabelle braucht mindestens eine Zeile: Eine Kette ohne Gelenke kann sich nicht bewegen.</translation>
     </message>
     <message>
-        <source>A table has %1 rows at most.</source>
+        <source>A table has at most %1 rows.</source>
         <translation>Eine Tabelle hat höchstens %1 Zeilen.</translation>
     </message>
     <message>
-        <source>%1 of row %2 is an angle from -360 to 360 degrees.</source>
-        <translation>%1 in Zeile %2 ist ein Winkel von -360 bis 360 Grad.</translation>
+        <source>%1 of row %2 must be from -360 to 360 degrees.</source>
+        <translation>%1 in Zeile %2 muss zwischen -360 und 360 Grad liegen.</translation>
     </message>
     <message>
-        <source>%1 of row %2 is a length from -1000 to 1000 mm: a longer one is beyond the picture.</source>
-        <translation>%1 in Zeile %2 ist eine Länge von -1000 bis 1000 mm: Eine größere reicht aus dem Bild hinaus.</translation>
+        <source>%1 of row %2 must be from -1000 to 1000 mm: a longer one does not fit into the picture.</source>
+        <translation>%1 in Zeile %2 muss zwischen -1000 und 1000 mm liegen: Eine größere Länge passt nicht ins Bild.</translation>
     </message>
     <message>
         <source>The twist alpha</source>
@@ -3187,24 +3187,24 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Versatz d</translation>
     </message>
     <message>
-        <source>The limits of row %1 leave no room: the least is above the most.</source>
-        <translation>Die Grenzen in Zeile %1 lassen keinen Raum: Die untere liegt über der oberen.</translation>
+        <source>In row %1 the lower limit is above the upper limit.</source>
+        <translation>In Zeile %1 liegt die untere Grenze über der oberen.</translation>
     </message>
     <message>
-        <source>a of row %1 is below 0. It is a distance, measured along x: with x the other way round (180 degrees more in the theta before it and in its own, alpha with the other sign) the same arm has it above 0.</source>
-        <translation>a in Zeile %1 liegt unter 0. Es ist ein Abstand, entlang x gemessen: Mit x andersherum (180 Grad mehr im theta davor und im eigenen, alpha mit dem anderen Vorzeichen) liegt es beim selben Arm über 0.</translation>
+        <source>a of row %1 is below 0, but it is a distance along x. Reverse x to describe the same arm: add 180 degrees to theta in this row and in the row before it, and change the signs of a and alpha.</source>
+        <translation>a in Zeile %1 liegt unter 0, ist aber ein Abstand entlang x. Kehren Sie x um, um denselben Arm zu beschreiben: Addieren Sie 180 Grad zu theta in dieser und in der vorigen Zeile, und wechseln Sie die Vorzeichen von a und alpha.</translation>
     </message>
     <message>
-        <source>Joints %1 and %2 slide along the same direction: one of them adds nothing.</source>
-        <translation>Die Gelenke %1 und %2 gleiten in derselben Richtung: Eines davon trägt nichts bei.</translation>
+        <source>Joints %1 and %2 slide in the same direction: one of them is redundant.</source>
+        <translation>Die Gelenke %1 und %2 gleiten in derselben Richtung: Eines davon ist überflüssig.</translation>
     </message>
     <message>
-        <source>Joints %1 and %2 turn about the same axis: one of them adds nothing. A twist or a length is missing between them.</source>
-        <translation>Die Gelenke %1 und %2 drehen sich um dieselbe Achse: Eines davon trägt nichts bei. Zwischen ihnen fehlt eine Verwindung oder eine Länge.</translation>
+        <source>Joints %1 and %2 turn about the same axis: one of them is redundant. Add a twist or a length between them.</source>
+        <translation>Die Gelenke %1 und %2 drehen sich um dieselbe Achse: Eines davon ist überflüssig. Geben Sie zwischen ihnen eine Verwindung oder eine Länge an.</translation>
     </message>
     <message>
-        <source>No joint moves the tip: it stands on every axis. A length a, or an offset d beyond a twist, is missing.</source>
-        <translation>Kein Gelenk bewegt die Spitze: Sie liegt auf jeder Achse. Es fehlt eine Länge a oder ein Versatz d nach einer Verwindung.</translation>
+        <source>No joint moves the tip: it lies on every axis. Add a length a, or an offset d after a twist.</source>
+        <translation>Kein Gelenk bewegt die Spitze: Sie liegt auf jeder Achse. Geben Sie eine Länge a an, oder einen Versatz d nach einer Verwindung.</translation>
     </message>
     <message>
         <source>A curve has at most 1000000 points.</source>
@@ -3215,8 +3215,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Punkt %1 der Kurve ist kein endlicher Punkt.</translation>
     </message>
     <message>
-        <source>Point %1 of the curve is farther out than 1e6 mm; is the scale right?</source>
-        <translation>Punkt %1 der Kurve liegt weiter draußen als 1e6 mm; stimmt der Maßstab?</translation>
+        <source>Point %1 of the curve is farther than 1e6 mm from the origin; check the scale.</source>
+        <translation>Punkt %1 der Kurve ist weiter als 1e6 mm vom Ursprung entfernt; prüfen Sie den Maßstab.</translation>
     </message>
     <message>
         <source>A closed curve needs at least 3 different points.</source>
@@ -3227,27 +3227,27 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Eine Kurve braucht mindestens 2 verschiedene Punkte.</translation>
     </message>
     <message>
-        <source>The file has more than 1000000 points; leave out every second one.</source>
-        <translation>Die Datei hat mehr als 1000000 Punkte; lassen Sie jeden zweiten weg.</translation>
+        <source>The file has more than 1000000 points; remove every second one.</source>
+        <translation>Die Datei hat mehr als 1000000 Punkte; entfernen Sie jeden zweiten.</translation>
     </message>
     <message>
         <source>The file has no points.</source>
         <translation>Die Datei hat keine Punkte.</translation>
     </message>
     <message>
-        <source>Nothing stands between two separators; a point is three numbers.</source>
+        <source>There is nothing between two separators; a point is three numbers.</source>
         <translation>Zwischen zwei Trennzeichen steht nichts; ein Punkt besteht aus drei Zahlen.</translation>
     </message>
     <message>
-        <source>A point is three numbers, not %1; decimals are written with a point.</source>
-        <translation>Ein Punkt besteht aus drei Zahlen, nicht %1; Dezimalzahlen werden mit einem Punkt geschrieben.</translation>
+        <source>A point is three numbers, not %1; use a point for decimals.</source>
+        <translation>Ein Punkt besteht aus drei Zahlen, nicht %1; schreiben Sie Dezimalzahlen mit einem Punkt.</translation>
     </message>
     <message>
         <source>%1 is not a number.</source>
         <translation>%1 ist keine Zahl.</translation>
     </message>
     <message>
-        <source>%1 is no finite number.</source>
+        <source>%1 is not a finite number.</source>
         <translation>%1 ist keine endliche Zahl.</translation>
     </message>
     <message>
@@ -3255,60 +3255,60 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Das Lesen wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>a file of points</source>
-        <translation>eine Datei mit Punkten</translation>
+        <source>a curve</source>
+        <translation>eine Kurve</translation>
     </message>
     <message>
-        <source>The file could not be read within %1, though its reader had little to do: its disk or the network may be slow. Copy it to this computer, and open the copy.</source>
-        <translation>Die Datei konnte in %1 nicht gelesen werden, obwohl dabei wenig zu rechnen war: Der Datenträger oder das Netz ist vielleicht langsam. Kopieren Sie sie auf diesen Rechner und öffnen Sie die Kopie.</translation>
+        <source>Reading the file took longer than %1, although there was little to compute: the disk or the network may be slow. Copy the file to this computer, and open the copy.</source>
+        <translation>Das Lesen der Datei dauerte länger als %1, obwohl dabei wenig zu rechnen war: Der Datenträger oder das Netz ist vielleicht langsam. Kopieren Sie die Datei auf diesen Rechner und öffnen Sie die Kopie.</translation>
     </message>
     <message>
         <source>%1 cannot be started: %2.</source>
         <translation>%1 kann nicht gestartet werden: %2.</translation>
     </message>
     <message>
-        <source>The file was not opened: %1 could not be shut off from the rest of this computer, which protects you from what a damaged or malicious file may do. Run the program where system calls may be filtered (seccomp).</source>
-        <translation>Die Datei wurde nicht geöffnet: %1 ließ sich nicht vom Rest dieses Rechners abschotten, was vor dem schützt, was eine beschädigte oder bösartige Datei anrichten kann. Starten Sie das Programm dort, wo Systemaufrufe gefiltert werden dürfen (seccomp).</translation>
+        <source>The file was not opened: %1 could not be isolated from the rest of this computer, which protects you from damaged or malicious files. Run the program on a system that lets it filter system calls (seccomp).</source>
+        <translation>Die Datei wurde nicht geöffnet: %1 ließ sich nicht vom Rest dieses Rechners abschotten, was vor beschädigten oder bösartigen Dateien schützt. Starten Sie das Programm auf einem System, auf dem es Systemaufrufe filtern darf (seccomp).</translation>
     </message>
     <message>
-        <source>The tip hardly moved, so that nothing can be told of it. Look that the hand has let go, that nothing stands in the way, and that the arm has mass.</source>
-        <translation>Die Spitze hat sich kaum bewegt, sodass sich nichts über sie sagen lässt. Prüfen Sie, dass die Hand losgelassen hat, dass nichts im Weg steht und dass der Arm Masse hat.</translation>
+        <source>The tip hardly moved, so nothing can be measured. Check that the hand has let go, that nothing is in the way, and that the arm has mass.</source>
+        <translation>Die Spitze hat sich kaum bewegt, sodass sich nichts messen lässt. Prüfen Sie, dass die Hand losgelassen hat, dass nichts im Weg steht und dass der Arm Masse hat.</translation>
     </message>
     <message>
-        <source>The fit was ended.</source>
+        <source>The fit was cancelled.</source>
         <translation>Die Anpassung wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>No mass with friction and damping moves as the tip did. Look that the hand has let go, and measure again.</source>
+        <source>No mass with friction and damping moves as the tip did. Check that the hand has let go, and measure again.</source>
         <translation>Keine Masse mit Reibung und Dämpfung bewegt sich so wie die Spitze. Prüfen Sie, dass die Hand losgelassen hat, und messen Sie noch einmal.</translation>
     </message>
     <message>
-        <source>The evaluation was ended.</source>
+        <source>The evaluation was cancelled.</source>
         <translation>Die Auswertung wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>Along %1 at place %2: %3</source>
+        <source>Along %1 at position %2: %3</source>
         <translation>Entlang %1 am Ort %2: %3</translation>
     </message>
     <message>
-        <source>Take the stylus. Press it slowly 3 mm down and let it come back as slowly, four times, two seconds each.</source>
-        <translation>Nehmen Sie den Stift. Drücken Sie ihn langsam 3 mm nach unten und lassen Sie ihn ebenso langsam zurückkommen, viermal, je zwei Sekunden.</translation>
+        <source>Hold the stylus. Press it down slowly by 3 mm and let it come back just as slowly, four times, two seconds each.</source>
+        <translation>Halten Sie den Stift. Drücken Sie ihn langsam 3 mm nach unten und lassen Sie ihn ebenso langsam zurückkommen, viermal, je zwei Sekunden.</translation>
     </message>
     <message>
-        <source>Turn the stylus slowly in your fingers: about its own axis, and tilt it both ways.</source>
-        <translation>Drehen Sie den Stift langsam in den Fingern: um die eigene Achse, und neigen Sie ihn nach beiden Seiten.</translation>
+        <source>Slowly turn the stylus about its own axis in your fingers, and tilt it both ways.</source>
+        <translation>Drehen Sie den Stift langsam in den Fingern um seine eigene Achse, und neigen Sie ihn nach beiden Seiten.</translation>
     </message>
     <message>
         <source>Let go of the stylus and keep your hand away. The arm moves by itself, 20 mm to each side.</source>
         <translation>Lassen Sie den Stift los und halten Sie die Hand fern. Der Arm bewegt sich von selbst, 20 mm nach jeder Seite.</translation>
     </message>
     <message>
-        <source>The tip goes to its place</source>
+        <source>The tip moves to its position</source>
         <translation>Die Spitze fährt an ihren Ort</translation>
     </message>
     <message>
-        <source>The hand takes hold</source>
-        <translation>Die Hand greift zu</translation>
+        <source>The hand grips the stylus</source>
+        <translation>Die Hand greift den Stift</translation>
     </message>
     <message>
         <source>Swings along %1</source>
@@ -3323,7 +3323,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Langsamer Druck</translation>
     </message>
     <message>
-        <source>Turns of the stylus</source>
+        <source>Rotations of the stylus</source>
         <translation>Drehungen des Stifts</translation>
     </message>
     <message>
@@ -3331,16 +3331,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Einen Arm %1 gibt es nicht.</translation>
     </message>
     <message>
-        <source>Say one to three places.</source>
-        <translation>Nennen Sie ein bis drei Orte.</translation>
+        <source>State one to three positions.</source>
+        <translation>Geben Sie ein bis drei Orte an.</translation>
     </message>
     <message>
-        <source>About (%1, %2, %3) mm the arm does not reach 20 mm in every direction. Choose a place nearer to the middle.</source>
-        <translation>Um (%1, %2, %3) mm herum reicht der Arm nicht in jede Richtung 20 mm weit. Wählen Sie einen Ort näher an der Mitte.</translation>
+        <source>Around (%1, %2, %3) mm the arm cannot move 20 mm in every direction. Choose a position nearer to the middle of the workspace.</source>
+        <translation>Um (%1, %2, %3) mm herum kann sich der Arm nicht in jede Richtung 20 mm weit bewegen. Wählen Sie einen Ort näher an der Mitte des Arbeitsraums.</translation>
     </message>
     <message>
-        <source>The stylus was not pressed down and let back slowly. Press some 3 mm in about two seconds, and come back as slowly.</source>
-        <translation>Der Stift wurde nicht langsam nach unten gedrückt und zurückgelassen. Drücken Sie etwa 3 mm weit in rund zwei Sekunden, und kommen Sie ebenso langsam zurück.</translation>
+        <source>The stylus was not pressed down and let back slowly. Press it down by about 3 mm in two seconds, and let it come back just as slowly.</source>
+        <translation>Der Stift wurde nicht langsam nach unten gedrückt und zurückgelassen. Drücken Sie ihn in zwei Sekunden etwa 3 mm weit, und lassen Sie ihn ebenso langsam zurückkommen.</translation>
     </message>
     <message>
         <source>turret</source>
@@ -3379,11 +3379,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Hysterese des Drucks</translation>
     </message>
     <message>
-        <source>Linear until the clamp, at</source>
+        <source>Linear up to the clamp, at</source>
         <translation>Linear bis zur Begrenzung, bei</translation>
     </message>
     <message>
-        <source>Linear at least to</source>
+        <source>Linear at least up to</source>
         <translation>Linear mindestens bis</translation>
     </message>
     <message>
@@ -3403,7 +3403,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dämpfung</translation>
     </message>
     <message>
-        <source>Counts a turn, %1</source>
+        <source>Counts per turn, %1</source>
         <translation>Schritte je Umdrehung, %1</translation>
     </message>
     <message>
@@ -3427,20 +3427,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Text endet zu früh: Hier wurde ein Wert erwartet.</translation>
     </message>
     <message>
-        <source>A comma stands before this bracket; take it away, or write another value after it.</source>
+        <source>There is a comma before this bracket; remove it, or write another value after it.</source>
         <translation>Vor dieser Klammer steht ein Komma; entfernen Sie es, oder schreiben Sie noch einen Wert dahinter.</translation>
     </message>
     <message>
-        <source>Text stands in double quotes, not in single ones.</source>
-        <translation>Text steht in doppelten Anführungszeichen, nicht in einfachen.</translation>
+        <source>Text must be in double quotes, not in single ones.</source>
+        <translation>Text muss in doppelten Anführungszeichen stehen, nicht in einfachen.</translation>
     </message>
     <message>
-        <source>Comments are not possible in JSON; take this away.</source>
+        <source>JSON has no comments; remove this.</source>
         <translation>In JSON gibt es keine Kommentare; entfernen Sie dies.</translation>
     </message>
     <message>
-        <source>A value was expected; %1 is none. Numbers look like 0.5, -3 or 1e-3, text stands in double quotes.</source>
-        <translation>Hier wurde ein Wert erwartet; %1 ist keiner. Zahlen sehen aus wie 0.5, -3 oder 1e-3, Text steht in doppelten Anführungszeichen.</translation>
+        <source>A value was expected; %1 is not one. Numbers look like 0.5, -3 or 1e-3; text is in double quotes.</source>
+        <translation>Hier wurde ein Wert erwartet; %1 ist keiner. Zahlen sehen aus wie 0.5, -3 oder 1e-3; Text steht in doppelten Anführungszeichen.</translation>
     </message>
     <message>
         <source>A value was expected: a number, text in double quotes, a list in [ ] or an object in { }.</source>
@@ -3451,7 +3451,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Text endet zu früh: Hier wurde ein Schlüssel in doppelten Anführungszeichen oder eine } erwartet.</translation>
     </message>
     <message>
-        <source>A comma stands before this }; take it away, or write another key after it.</source>
+        <source>There is a comma before this }; remove it, or write another key after it.</source>
         <translation>Vor dieser } steht ein Komma; entfernen Sie es, oder schreiben Sie noch einen Schlüssel dahinter.</translation>
     </message>
     <message>
@@ -3475,11 +3475,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dieser Text endet nicht in seiner Zeile: Sein zweites Anführungszeichen fehlt.</translation>
     </message>
     <message>
-        <source>This is no escape that JSON knows; a backslash itself is written \\, a new line \n.</source>
+        <source>JSON does not know this escape; a backslash itself is written \\, a new line \n.</source>
         <translation>Diese Escape-Folge kennt JSON nicht; ein Backslash selbst wird als \\ geschrieben, eine neue Zeile als \n.</translation>
     </message>
     <message>
-        <source>A control character stands in this text; a tab is written \t.</source>
+        <source>There is a control character in this text; a tab is written \t.</source>
         <translation>In diesem Text steht ein Steuerzeichen; ein Tabulator wird als \t geschrieben.</translation>
     </message>
     <message>
@@ -3495,7 +3495,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Nach dem Schlüssel wurde ein Doppelpunkt erwartet.</translation>
     </message>
     <message>
-        <source>After \u four digits of 0-9 and a-f are expected.</source>
+        <source>Four digits of 0-9 and a-f are expected after \u.</source>
         <translation>Nach \u werden vier Zeichen aus 0-9 und a-f erwartet.</translation>
     </message>
     <message>
@@ -3507,11 +3507,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dies ist kein Text in UTF-8; speichern Sie die Datei als UTF-8.</translation>
     </message>
     <message>
-        <source>The file holds more than a million values; a scene is far smaller.</source>
+        <source>The file contains more than a million values; a scene is far smaller.</source>
         <translation>Die Datei enthält mehr als eine Million Werte; eine Szene ist weit kleiner.</translation>
     </message>
     <message>
-        <source>Lists and objects are nested more than 64 deep here.</source>
+        <source>Lists and objects are nested more than 64 levels deep here.</source>
         <translation>Listen und Objekte sind hier mehr als 64-fach verschachtelt.</translation>
     </message>
     <message>
@@ -3523,7 +3523,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dies muss %1 sein; hier steht %2.</translation>
     </message>
     <message>
-        <source>The file holds %1 more problems.</source>
+        <source>The file has %1 more problems.</source>
         <translation>Weitere Probleme in der Datei: %1.</translation>
     </message>
     <message>
@@ -3531,12 +3531,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Schlüssel „%1“ fehlt; er ist hier nötig (%2).</translation>
     </message>
     <message>
-        <source>The key %1 stands here a second time; the first is on line %2. Take one away.</source>
-        <translation>Der Schlüssel %1 steht hier zum zweiten Mal; der erste steht in Zeile %2. Entfernen Sie einen davon.</translation>
+        <source>The key %1 appears a second time; the first is on line %2. Remove one of them.</source>
+        <translation>Der Schlüssel %1 kommt hier zum zweiten Mal vor; der erste steht in Zeile %2. Entfernen Sie einen davon.</translation>
     </message>
     <message>
-        <source>The key %1 is not known in %2. Known are %3.</source>
-        <translation>Der Schlüssel %1 ist hier nicht bekannt (%2). Bekannt sind %3.</translation>
+        <source>The key %1 is not known in %2. Known keys: %3.</source>
+        <translation>Der Schlüssel %1 ist hier nicht bekannt (%2). Bekannte Schlüssel: %3.</translation>
     </message>
     <message>
         <source>The key %1 is not known in %2. Did you mean "%3"?</source>
@@ -3587,44 +3587,44 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>%1 und %2</translation>
     </message>
     <message>
-        <source>Mass, damping and gains must be numbers from 0 on.</source>
-        <translation>Masse, Dämpfung und Verstärkungen müssen Zahlen ab 0 sein.</translation>
+        <source>Mass, damping and gains must be 0 or above.</source>
+        <translation>Masse, Dämpfung und Verstärkungen müssen 0 oder größer sein.</translation>
     </message>
     <message>
-        <source>What is held has neither mass nor damping, so it would be at the target at once. Give it some.</source>
-        <translation>Was gehalten wird, hat weder Masse noch Dämpfung, also wäre es sofort am Ziel. Geben Sie ihm etwas davon.</translation>
+        <source>What is held has neither mass nor damping, so it would reach the target at once. Give it mass or damping.</source>
+        <translation>Was gehalten wird, hat weder Masse noch Dämpfung, also wäre es sofort am Ziel. Geben Sie ihm Masse oder Dämpfung.</translation>
     </message>
     <message>
-        <source>From there no single target is nearest, so nothing says where to begin. Begin elsewhere.</source>
-        <translation>Von dort aus ist kein einzelnes Ziel das nächste, also sagt nichts, wo zu beginnen ist. Beginnen Sie woanders.</translation>
+        <source>From there no single target is nearest. Start from another position.</source>
+        <translation>Von dort aus ist kein einzelnes Ziel das nächste. Beginnen Sie an einem anderen Ort.</translation>
     </message>
     <message>
-        <source>The arm does not reach the target there. Begin elsewhere.</source>
-        <translation>Dort erreicht der Arm das Ziel nicht. Beginnen Sie woanders.</translation>
+        <source>The arm does not reach the target there. Start from another position.</source>
+        <translation>Dort erreicht der Arm das Ziel nicht. Beginnen Sie an einem anderen Ort.</translation>
     </message>
     <message>
-        <source>The target does not stay while the tip goes to it. Begin elsewhere.</source>
-        <translation>Das Ziel bleibt nicht stehen, während die Spitze zu ihm geht. Beginnen Sie woanders.</translation>
+        <source>The target moves while the tip approaches it. Start from another position.</source>
+        <translation>Das Ziel bewegt sich, während sich die Spitze ihm nähert. Beginnen Sie an einem anderen Ort.</translation>
     </message>
     <message>
         <source>The scene has no constraint "%1"; choose one of its names.</source>
         <translation>Die Szene hat keine Bindung „%1“; wählen Sie einen ihrer Namen.</translation>
     </message>
     <message>
-        <source>The scene has %1 constraints; say the name of the one to measure, as "%2".</source>
+        <source>The scene has %1 constraints; name the one to measure, such as "%2".</source>
         <translation>Die Szene hat %1 Bindungen; nennen Sie die zu messende, etwa „%2“.</translation>
     </message>
     <message>
-        <source>"%1" is a wall: it pushes and never pulls, so it holds nothing at a target. Measure one whose side is both.</source>
-        <translation>„%1“ ist eine Wand: Sie drückt und zieht nie, hält also nichts an einem Ziel. Messen Sie eine, deren Seite both ist.</translation>
+        <source>"%1" is a wall: it pushes but never pulls, so it does not hold the tip at a target. Measure one whose side is "both".</source>
+        <translation>„%1“ ist eine Wand: Sie drückt, zieht aber nie, hält die Spitze also nicht an einem Ziel. Messen Sie eine, deren Seite „both“ ist.</translation>
     </message>
     <message>
-        <source>The arm does not reach the target after this step (%1). Make the step smaller, or the other way.</source>
-        <translation>Nach diesem Sprung erreicht der Arm das Ziel nicht (%1). Machen Sie den Sprung kleiner, oder gehen Sie in die andere Richtung.</translation>
+        <source>The arm does not reach the target after this step (%1). Make the step smaller, or step in the other direction.</source>
+        <translation>Nach diesem Sprung erreicht der Arm das Ziel nicht (%1). Machen Sie den Sprung kleiner, oder springen Sie in die andere Richtung.</translation>
     </message>
     <message>
-        <source>The constraint does not hold the tip along a straight step there%1: its target does not go along as a whole. Choose another axis, or begin elsewhere.</source>
-        <translation>Die Bindung hält die Spitze dort nicht entlang eines geraden Sprungs%1: Ihr Ziel geht nicht als Ganzes mit. Wählen Sie eine andere Achse, oder beginnen Sie woanders.</translation>
+        <source>The constraint does not hold the tip along a straight step there%1: its target does not follow the whole step. Choose another axis, or start from another position.</source>
+        <translation>Die Bindung hält die Spitze dort nicht entlang eines geraden Sprungs%1: Ihr Ziel folgt nicht dem ganzen Sprung. Wählen Sie eine andere Achse, oder beginnen Sie an einem anderen Ort.</translation>
     </message>
     <message>
         <source>The numerator has no coefficients; for the number 1, write 1.</source>
@@ -3639,16 +3639,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Ein Koeffizient des Nenners ist keine endliche Zahl.</translation>
     </message>
     <message>
-        <source>The denominator has no s in it; give two coefficients at least, as 1,1 for s + 1.</source>
+        <source>The denominator has no s; give at least two coefficients, such as 1,1 for s + 1.</source>
         <translation>Der Nenner enthält kein s; geben Sie mindestens zwei Koeffizienten an, etwa 1,1 für s + 1.</translation>
     </message>
     <message>
-        <source>The denominator is of order %1; up to %2 is possible.</source>
+        <source>The denominator is of order %1; at most %2 is possible.</source>
         <translation>Der Nenner hat die Ordnung %1; möglich ist höchstens %2.</translation>
     </message>
     <message>
-        <source>The numerator is of a higher order than the denominator (%1 against %2): a step would make an impulse. Give it an order no higher.</source>
-        <translation>Der Zähler hat eine höhere Ordnung als der Nenner (%1 gegen %2): Ein Sprung ergäbe einen Impuls. Geben Sie ihm höchstens dessen Ordnung.</translation>
+        <source>The numerator is of a higher order than the denominator (%1 against %2), so a step would give an impulse. Lower its order.</source>
+        <translation>Der Zähler hat eine höhere Ordnung als der Nenner (%1 gegen %2), sodass ein Sprung einen Impuls ergäbe. Verringern Sie seine Ordnung.</translation>
     </message>
     <message>
         <source>The tip</source>
@@ -3855,6 +3855,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Lektion</translation>
     </message>
     <message>
+        <source>This is no finite number.</source>
+        <translation>Dies ist keine endliche Zahl.</translation>
+    </message>
+    <message>
         <source>This must be at least %1.</source>
         <translation>Dies muss mindestens %1 sein.</translation>
     </message>
@@ -4027,15 +4031,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>zwischen %1 und %2</translation>
     </message>
     <message>
-        <source>A virtual manipulator has at most %1 joints, not %2.</source>
-        <translation>Ein virtueller Manipulator hat höchstens %1 Gelenke, nicht %2.</translation>
+        <source>A virtual robot has at most %1 joints, not %2.</source>
+        <translation>Ein virtueller Roboter hat höchstens %1 Gelenke, nicht %2.</translation>
     </message>
     <message>
         <source>A stiffness must be 0 or above.</source>
         <translation>Eine Steifigkeit muss 0 oder größer sein.</translation>
     </message>
     <message>
-        <source>The rest of a joint's spring is not a finite number.</source>
+        <source>The rest position of a joint's spring is not a finite number.</source>
         <translation>Die Ruhelage der Feder eines Gelenks ist keine endliche Zahl.</translation>
     </message>
     <message>
@@ -4047,20 +4051,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Toleranz des Lösers muss über 0 liegen und darf höchstens 0,01 sein.</translation>
     </message>
     <message>
-        <source>The thesis's force law is that of one revolute joint alone.</source>
-        <translation>Das Kraftgesetz der Thesis gilt nur für ein einzelnes Drehgelenk.</translation>
+        <source>The thesis's force law needs a chain with just one joint, a revolute one.</source>
+        <translation>Das Kraftgesetz der Thesis braucht eine Kette mit nur einem Gelenk, einem Drehgelenk.</translation>
     </message>
     <message>
-        <source>The orientation "angle" takes a chain with just one revolute joint.</source>
+        <source>The orientation "angle" needs a chain with just one revolute joint.</source>
         <translation>Die Orientierung „angle“ braucht eine Kette mit genau einem Drehgelenk.</translation>
     </message>
     <message>
-        <source>The tip's z axis at home lies along the joint's axis, so that it has no angle about it.</source>
-        <translation>Die z-Achse der Spitze liegt in Grundstellung entlang der Achse des Gelenks und hat daher keinen Winkel um sie.</translation>
+        <source>In the home pose the tip's z axis lies along the joint's axis, so it has no angle about that axis.</source>
+        <translation>In der Grundstellung liegt die z-Achse der Spitze entlang der Achse des Gelenks und hat daher keinen Winkel um sie.</translation>
     </message>
     <message>
-        <source>There is no closed form for this chain with these gains and this orientation; take the method "auto" or "iterative".</source>
-        <translation>Für diese Kette gibt es mit diesen Verstärkungen und dieser Orientierung keine geschlossene Form; nehmen Sie die Methode „auto“ oder „iterative“.</translation>
+        <source>There is no closed form for this chain with these gains and this orientation; use the method "auto" or "iterative".</source>
+        <translation>Für diese Kette gibt es mit diesen Verstärkungen und dieser Orientierung keine geschlossene Form; benutzen Sie die Methode „auto“ oder „iterative“.</translation>
     </message>
     <message>
         <source>The mesh has no triangles.</source>
@@ -4071,15 +4075,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Das Dreiecksnetz hat mehr als 134 Millionen Dreiecke.</translation>
     </message>
     <message>
-        <source>The mesh has a corner that is not at a finite place.</source>
-        <translation>Das Dreiecksnetz hat eine Ecke, die an keinem endlichen Ort liegt.</translation>
+        <source>A vertex of the mesh is not a finite point.</source>
+        <translation>Eine Ecke des Dreiecksnetzes ist kein endlicher Punkt.</translation>
     </message>
     <message>
-        <source>A triangle names a corner that is not there.</source>
-        <translation>Ein Dreieck nennt eine Ecke, die es nicht gibt.</translation>
+        <source>A triangle refers to a vertex that does not exist.</source>
+        <translation>Ein Dreieck verweist auf eine Ecke, die es nicht gibt.</translation>
     </message>
     <message>
-        <source>A triangle has the same corner twice.</source>
+        <source>A triangle has the same vertex twice.</source>
         <translation>Ein Dreieck hat dieselbe Ecke zweimal.</translation>
     </message>
     <message>
@@ -4087,11 +4091,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Abgebrochen.</translation>
     </message>
     <message>
-        <source>The file is cut short or damaged: it says that it holds %1, and is too short for them.</source>
+        <source>The file is truncated or damaged: it declares %1, but is too short for that.</source>
         <translation>Die Datei ist abgeschnitten oder beschädigt: Sie gibt %1 an und ist dafür zu kurz.</translation>
     </message>
     <message>
-        <source>%1 corners</source>
+        <source>%1 vertices</source>
         <translation>%1 Ecken</translation>
     </message>
     <message>
@@ -4103,23 +4107,23 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Datei ist leer.</translation>
     </message>
     <message>
-        <source>This is no PLY file: it does not begin with "ply".</source>
+        <source>This is not a PLY file: it does not begin with "ply".</source>
         <translation>Dies ist keine PLY-Datei: Sie beginnt nicht mit „ply“.</translation>
     </message>
     <message>
-        <source>This is no OFF file: it does not begin with "OFF".</source>
+        <source>This is not an OFF file: it does not begin with "OFF".</source>
         <translation>Dies ist keine OFF-Datei: Sie beginnt nicht mit „OFF“.</translation>
     </message>
     <message>
-        <source>This is no mesh that can be read. Meshes are read from STL, OBJ, PLY and OFF files.</source>
-        <translation>Dies ist kein lesbares Dreiecksnetz. Dreiecksnetze werden aus STL-, OBJ-, PLY- und OFF-Dateien gelesen.</translation>
+        <source>This is not a mesh that can be read. Use an STL, OBJ, PLY or OFF file.</source>
+        <translation>Dies ist kein lesbares Dreiecksnetz. Verwenden Sie eine STL-, OBJ-, PLY- oder OFF-Datei.</translation>
     </message>
     <message>
         <source>a binary STL mesh</source>
         <translation>ein binäres STL-Dreiecksnetz</translation>
     </message>
     <message>
-        <source>The file holds no faces.</source>
+        <source>The file contains no faces.</source>
         <translation>Die Datei enthält keine Flächen.</translation>
     </message>
     <message>
@@ -4131,7 +4135,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Datei ist größer als 4 GiB. Machen Sie das Dreiecksnetz gröber, oder speichern Sie es in Teilen.</translation>
     </message>
     <message>
-        <source>There is nothing to feel in the file.</source>
+        <source>The file contains nothing to feel.</source>
         <translation>In der Datei gibt es nichts zu fühlen.</translation>
     </message>
     <message>
@@ -4139,47 +4143,47 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der OFF-Kopf ist beschädigt: Er beginnt nicht mit „OFF“.</translation>
     </message>
     <message>
-        <source>The OFF file holds a mesh that is not in three dimensions.</source>
-        <translation>Die OFF-Datei enthält ein Dreiecksnetz, das nicht dreidimensional ist.</translation>
+        <source>The mesh in the OFF file is not three-dimensional.</source>
+        <translation>Das Dreiecksnetz in der OFF-Datei ist nicht dreidimensional.</translation>
     </message>
     <message>
         <source>This is a binary OFF file, which cannot be read. Save it as text, or as STL or PLY.</source>
         <translation>Dies ist eine binäre OFF-Datei, die nicht gelesen werden kann. Speichern Sie sie als Text, oder als STL oder PLY.</translation>
     </message>
     <message>
-        <source>The OFF file holds points and no faces. A surface needs faces.</source>
-        <translation>Die OFF-Datei enthält Punkte und keine Flächen. Eine Oberfläche braucht Flächen.</translation>
+        <source>The OFF file contains points but no faces. A surface needs faces.</source>
+        <translation>Die OFF-Datei enthält Punkte, aber keine Flächen. Eine Oberfläche braucht Flächen.</translation>
     </message>
     <message>
-        <source>The OFF header is damaged: the numbers of corners and faces cannot be read.</source>
+        <source>The OFF header is damaged: the numbers of vertices and faces cannot be read.</source>
         <translation>Der OFF-Kopf ist beschädigt: Die Anzahlen der Ecken und Flächen sind nicht lesbar.</translation>
     </message>
     <message>
-        <source>The PLY file holds no corners (vertex).</source>
+        <source>The PLY file contains no vertices (element vertex).</source>
         <translation>Die PLY-Datei enthält keine Ecken (vertex).</translation>
     </message>
     <message>
-        <source>The PLY file holds strips of triangles, which cannot be read. Save it with single faces.</source>
+        <source>The PLY file contains triangle strips, which cannot be read. Save it with single faces.</source>
         <translation>Die PLY-Datei enthält Dreiecksstreifen, die nicht gelesen werden können. Speichern Sie sie mit einzelnen Flächen.</translation>
     </message>
     <message>
-        <source>The PLY file holds points and no faces. A surface needs faces: make them in the program that made the points.</source>
-        <translation>Die PLY-Datei enthält Punkte und keine Flächen. Eine Oberfläche braucht Flächen: Erzeugen Sie sie in dem Programm, aus dem die Punkte kommen.</translation>
+        <source>The PLY file contains points but no faces. A surface needs faces: create them in the program that made the points.</source>
+        <translation>Die PLY-Datei enthält Punkte, aber keine Flächen. Eine Oberfläche braucht Flächen: Erzeugen Sie sie in dem Programm, aus dem die Punkte kommen.</translation>
     </message>
     <message>
-        <source>The PLY header is damaged: it names corners or faces twice.</source>
+        <source>The PLY header is damaged: it declares vertices or faces twice.</source>
         <translation>Der PLY-Kopf ist beschädigt: Er nennt Ecken oder Flächen zweimal.</translation>
     </message>
     <message>
-        <source>The PLY header is damaged: the corners have not one %1.</source>
+        <source>The PLY header is damaged: the vertices do not have exactly one %1.</source>
         <translation>Der PLY-Kopf ist beschädigt: Die Ecken haben nicht genau ein %1.</translation>
     </message>
     <message>
-        <source>The PLY file holds %1 of its corners as whole numbers. Save it with float or double coordinates.</source>
+        <source>The PLY file contains %1 of its vertices as integers. Save it with float or double coordinates.</source>
         <translation>Die PLY-Datei enthält %1 ihrer Ecken als ganze Zahlen. Speichern Sie sie mit Koordinaten in float oder double.</translation>
     </message>
     <message>
-        <source>The PLY header is damaged: the faces have not one list of corners (vertex_indices).</source>
+        <source>The PLY header is damaged: the faces do not have exactly one list of vertices (vertex_indices).</source>
         <translation>Der PLY-Kopf ist beschädigt: Die Flächen haben nicht genau eine Liste von Ecken (vertex_indices).</translation>
     </message>
     <message>
@@ -4191,60 +4195,60 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der PLY-Kopf ist beschädigt: Er hat keine Zeile „format“.</translation>
     </message>
     <message>
-        <source>The PLY header is damaged: line %1 makes no sense.</source>
-        <translation>Der PLY-Kopf ist beschädigt: Zeile %1 ergibt keinen Sinn.</translation>
+        <source>The PLY header is damaged: line %1 is not valid.</source>
+        <translation>Der PLY-Kopf ist beschädigt: Zeile %1 ist ungültig.</translation>
     </message>
     <message>
         <source>The PLY header is damaged: it has no end.</source>
         <translation>Der PLY-Kopf ist beschädigt: Er hat kein Ende.</translation>
     </message>
     <message>
-        <source>The file cannot be read: its reader ended with %1.</source>
+        <source>The file cannot be read: the reader program exited with %1.</source>
         <translation>Die Datei kann nicht gelesen werden: Das Leseprogramm endete mit %1.</translation>
     </message>
     <message>
-        <source>The file is damaged: its reader broke off (signal %1).</source>
-        <translation>Die Datei ist beschädigt: Das Leseprogramm brach ab (Signal %1).</translation>
+        <source>The file is damaged: the reader program crashed (signal %1).</source>
+        <translation>Die Datei ist beschädigt: Das Leseprogramm ist abgestürzt (Signal %1).</translation>
     </message>
     <message>
         <source>The file is damaged, or has very large faces: reading it took longer than %1, which is enough for a file of its size.</source>
         <translation>Die Datei ist beschädigt oder hat sehr große Flächen: Das Lesen dauerte länger als %1, was für eine Datei ihrer Größe genügt.</translation>
     </message>
     <message>
-        <source>The file is damaged: it gives more faces than a file of its size can hold.</source>
+        <source>The file is damaged: it declares more faces than a file of its size can hold.</source>
         <translation>Die Datei ist beschädigt: Sie gibt mehr Flächen an, als eine Datei ihrer Größe fassen kann.</translation>
     </message>
     <message>
-        <source>It reads meshes: install Underact again.</source>
+        <source>It reads meshes: reinstall Underact.</source>
         <translation>Es liest Netze: Installieren Sie Underact neu.</translation>
     </message>
     <message>
-        <source>The file is damaged: what its reader made of it is no mesh.</source>
-        <translation>Die Datei ist beschädigt: Was das Leseprogramm daraus machte, ist kein Dreiecksnetz.</translation>
+        <source>The file is damaged: the reader program could not make a mesh of it.</source>
+        <translation>Die Datei ist beschädigt: Das Leseprogramm konnte kein Dreiecksnetz daraus machen.</translation>
     </message>
     <message>
-        <source>The file was written while it was read. Open it again.</source>
-        <translation>Die Datei wurde beschrieben, während sie gelesen wurde. Öffnen Sie sie noch einmal.</translation>
+        <source>The file changed while it was being read. Open it again.</source>
+        <translation>Die Datei wurde geändert, während sie gelesen wurde. Öffnen Sie sie noch einmal.</translation>
     </message>
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>%1 face was left out: a corner of it is not a finite point.</source>
+        <source>%1 face was left out: one of its vertices is not a finite point.</source>
         <translation>%1 Fläche wurde weggelassen: Eine ihrer Ecken ist kein endlicher Punkt.</translation>
     </message>
     <message>
-        <source>%1 faces were left out: they have corners that are not finite points.</source>
+        <source>%1 faces were left out: they have vertices that are not finite points.</source>
         <translation>%1 Flächen wurden weggelassen: Sie haben Ecken, die keine endlichen Punkte sind.</translation>
     </message>
     <message>
-        <source>%1 face was left out: it names a corner that the file does not hold.</source>
-        <translation>%1 Fläche wurde weggelassen: Sie nennt eine Ecke, die nicht in der Datei steht.</translation>
+        <source>%1 face was left out: it refers to a vertex that is not in the file.</source>
+        <translation>%1 Fläche wurde weggelassen: Sie verweist auf eine Ecke, die nicht in der Datei steht.</translation>
     </message>
     <message>
-        <source>%1 faces were left out: they name corners that the file does not hold.</source>
-        <translation>%1 Flächen wurden weggelassen: Sie nennen Ecken, die nicht in der Datei stehen.</translation>
+        <source>%1 faces were left out: they refer to vertices that are not in the file.</source>
+        <translation>%1 Flächen wurden weggelassen: Sie verweisen auf Ecken, die nicht in der Datei stehen.</translation>
     </message>
     <message>
         <source>%1 face was left out: it has no extent.</source>
@@ -4255,64 +4259,64 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>%1 Flächen wurden weggelassen: Sie haben keine Ausdehnung.</translation>
     </message>
     <message>
-        <source>%1 face was left out: it is there twice.</source>
-        <translation>%1 Fläche wurde weggelassen: Sie ist zweimal da.</translation>
+        <source>%1 face was left out: it is a duplicate.</source>
+        <translation>%1 Fläche wurde weggelassen: Sie kommt doppelt vor.</translation>
     </message>
     <message>
-        <source>%1 faces were left out: they are there more than once.</source>
-        <translation>%1 Flächen wurden weggelassen: Sie sind mehr als einmal da.</translation>
+        <source>%1 faces were left out: they are duplicates.</source>
+        <translation>%1 Flächen wurden weggelassen: Sie kommen mehrfach vor.</translation>
     </message>
     <message>
-        <source>%1 corner was joined to others at the same place, or nearer than %2.</source>
-        <translation>%1 Ecke wurde mit anderen am selben Ort oder näher als %2 verbunden.</translation>
+        <source>%1 vertex was merged with others at the same position, or nearer than %2.</source>
+        <translation>%1 Ecke wurde mit anderen am selben Ort oder näher als %2 vereinigt.</translation>
     </message>
     <message>
-        <source>%1 corners were joined to others at the same place, or nearer than %2.</source>
-        <translation>%1 Ecken wurden mit anderen am selben Ort oder näher als %2 verbunden.</translation>
+        <source>%1 vertices were merged with others at the same position, or nearer than %2.</source>
+        <translation>%1 Ecken wurden mit anderen am selben Ort oder näher als %2 vereinigt.</translation>
     </message>
     <message>
-        <source>%1 face was turned over, so that neighbours agree on which side is outside.</source>
+        <source>%1 face was turned over so that neighbours agree on which side is outside.</source>
         <translation>%1 Fläche wurde umgedreht, damit Nachbarn sich einig sind, welche Seite außen ist.</translation>
     </message>
     <message>
-        <source>%1 faces were turned over, so that neighbours agree on which side is outside.</source>
+        <source>%1 faces were turned over so that neighbours agree on which side is outside.</source>
         <translation>%1 Flächen wurden umgedreht, damit Nachbarn sich einig sind, welche Seite außen ist.</translation>
     </message>
     <message>
-        <source>Most normals in the file point against the order of the corners. The order counts here, and the normals do not: if outside and inside feel exchanged, save the mesh with its faces turned over.</source>
-        <translation>Die meisten Normalen in der Datei zeigen gegen die Reihenfolge der Ecken. Hier gilt die Reihenfolge, nicht die Normalen: Fühlen sich außen und innen vertauscht an, so speichern Sie das Dreiecksnetz mit umgedrehten Flächen.</translation>
+        <source>Most normals in the file point against the order of the vertices. Only the order counts here: if outside and inside feel swapped, save the mesh with its faces turned over.</source>
+        <translation>Die meisten Normalen in der Datei zeigen gegen die Reihenfolge der Ecken. Hier gilt nur die Reihenfolge: Fühlen sich außen und innen vertauscht an, so speichern Sie das Dreiecksnetz mit umgedrehten Flächen.</translation>
     </message>
     <message>
-        <source>The mesh is in %1 parts that do not hang together.</source>
+        <source>The mesh consists of %1 separate parts.</source>
         <translation>Das Dreiecksnetz besteht aus %1 Teilen, die nicht zusammenhängen.</translation>
     </message>
     <message>
-        <source>The mesh is in %1 parts that do not hang together, %2 of them within others: a hollow is felt from within.</source>
+        <source>The mesh consists of %1 separate parts, %2 of them inside others: a hollow is felt from inside.</source>
         <translation>Das Dreiecksnetz besteht aus %1 Teilen, die nicht zusammenhängen, %2 davon in anderen: Ein Hohlraum wird von innen gefühlt.</translation>
     </message>
     <message>
-        <source>The surface goes through itself, at least %1 pair of faces. Near there, outside and inside may be wrong.</source>
+        <source>The surface intersects itself, at %1 pair of faces or more. Near there, outside and inside may be wrong.</source>
         <translation>Die Oberfläche durchdringt sich selbst, bei mindestens %1 Flächenpaar. In der Nähe können außen und innen falsch sein.</translation>
     </message>
     <message>
-        <source>The surface goes through itself, at least %1 pairs of faces. Near there, outside and inside may be wrong.</source>
+        <source>The surface intersects itself, at %1 pairs of faces or more. Near there, outside and inside may be wrong.</source>
         <translation>Die Oberfläche durchdringt sich selbst, bei mindestens %1 Flächenpaaren. In der Nähe können außen und innen falsch sein.</translation>
     </message>
     <message>
-        <source>The surface goes through itself, at %1 pair of faces. Near there, outside and inside may be wrong.</source>
+        <source>The surface intersects itself, at %1 pair of faces. Near there, outside and inside may be wrong.</source>
         <translation>Die Oberfläche durchdringt sich selbst, bei %1 Flächenpaar. In der Nähe können außen und innen falsch sein.</translation>
     </message>
     <message>
-        <source>The surface goes through itself, at %1 pairs of faces. Near there, outside and inside may be wrong.</source>
+        <source>The surface intersects itself, at %1 pairs of faces. Near there, outside and inside may be wrong.</source>
         <translation>Die Oberfläche durchdringt sich selbst, bei %1 Flächenpaaren. In der Nähe können außen und innen falsch sein.</translation>
     </message>
     <message>
-        <source>The surface is open: %1 border, the longest %2 around. The stylus can go through a hole.</source>
-        <translation>Die Oberfläche ist offen: %1 Rand, der längste hat den Umfang %2. Der Stift kann durch ein Loch gehen.</translation>
+        <source>The surface is open: %1 border, %2 long. The stylus can pass through the hole.</source>
+        <translation>Die Oberfläche ist offen: %1 Rand, %2 lang. Der Stift kann durch das Loch gehen.</translation>
     </message>
     <message>
-        <source>The surface is open: %1 borders, the longest %2 around. The stylus can go through a hole.</source>
-        <translation>Die Oberfläche ist offen: %1 Ränder, der längste hat den Umfang %2. Der Stift kann durch ein Loch gehen.</translation>
+        <source>The surface is open: %1 borders, the longest %2 long. The stylus can pass through a hole.</source>
+        <translation>Die Oberfläche ist offen: %1 Ränder, der längste %2 lang. Der Stift kann durch ein Loch gehen.</translation>
     </message>
     <message>
         <source>%1 edge has more than two faces.</source>
@@ -4323,27 +4327,27 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>%1 Kanten haben mehr als zwei Flächen.</translation>
     </message>
     <message>
-        <source>The surface has no outside: at %1 edge its faces cannot agree, as on a strip that is twisted once.</source>
-        <translation>Die Oberfläche hat kein Außen: An %1 Kante können sich ihre Flächen nicht einigen, wie auf einem Band, das einmal verdreht ist.</translation>
+        <source>The surface has no outside: at %1 edge its faces cannot agree, as on a Möbius strip.</source>
+        <translation>Die Oberfläche hat kein Außen: An %1 Kante können sich ihre Flächen nicht einigen, wie auf einem Möbiusband.</translation>
     </message>
     <message>
-        <source>The surface has no outside: at %1 edges its faces cannot agree, as on a strip that is twisted once.</source>
-        <translation>Die Oberfläche hat kein Außen: An %1 Kanten können sich ihre Flächen nicht einigen, wie auf einem Band, das einmal verdreht ist.</translation>
+        <source>The surface has no outside: at %1 edges its faces cannot agree, as on a Möbius strip.</source>
+        <translation>Die Oberfläche hat kein Außen: An %1 Kanten können sich ihre Flächen nicht einigen, wie auf einem Möbiusband.</translation>
     </message>
     <message>
-        <source>Whether the surface goes through itself was not looked for, or not to the end: it has too many faces, or too many near each other.</source>
-        <translation>Ob die Oberfläche sich selbst durchdringt, wurde nicht oder nicht zu Ende gesucht: Sie hat zu viele Flächen, oder zu viele nahe beieinander.</translation>
+        <source>The check for self-intersection was left out or not completed: there are too many faces, or too many near each other.</source>
+        <translation>Ob die Oberfläche sich selbst durchdringt, wurde nicht oder nicht vollständig geprüft: Sie hat zu viele Flächen, oder zu viele nahe beieinander.</translation>
     </message>
     <message>
-        <source>%1 face is as narrow as a line. They stay, since they close seams.</source>
-        <translation>%1 Fläche ist so schmal wie eine Linie. Solche bleiben, weil sie Nähte schließen.</translation>
+        <source>%1 face is as narrow as a line. It is kept because such faces close seams.</source>
+        <translation>%1 Fläche ist so schmal wie eine Linie. Sie bleibt erhalten, weil solche Flächen Nähte schließen.</translation>
     </message>
     <message>
-        <source>%1 faces are as narrow as a line. They stay, since they close seams.</source>
-        <translation>%1 Flächen sind so schmal wie eine Linie. Sie bleiben, weil sie Nähte schließen.</translation>
+        <source>%1 faces are as narrow as a line. They are kept because such faces close seams.</source>
+        <translation>%1 Flächen sind so schmal wie eine Linie. Sie bleiben erhalten, weil solche Flächen Nähte schließen.</translation>
     </message>
     <message>
-        <source>A part of it is thin, %1 in the mean: the stylus may be pushed through it.</source>
+        <source>Part of it is thin, %1 on average: you may be able to push the stylus through.</source>
         <translation>Ein Teil davon ist dünn, im Mittel %1: Der Stift lässt sich vielleicht hindurchdrücken.</translation>
     </message>
     <message>
@@ -4359,7 +4363,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Es hat keine Flächen</translation>
     </message>
     <message>
-        <source>it is open, so that it has no inside</source>
+        <source>it is open, so it has no inside</source>
         <translation>Es ist offen, hat also kein Inneres</translation>
     </message>
     <message>
@@ -4367,16 +4371,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Seine Flächen können sich nicht auf ein Außen einigen</translation>
     </message>
     <message>
-        <source>edges with more than two faces leave open what is inside</source>
+        <source>edges with more than two faces leave the inside undefined</source>
         <translation>Kanten mit mehr als zwei Flächen lassen offen, was innen ist</translation>
     </message>
     <message>
-        <source>No face is left: there is nothing to feel.</source>
+        <source>No face is left, so there is nothing to feel.</source>
         <translation>Es bleibt keine Fläche übrig: Es gibt nichts zu fühlen.</translation>
     </message>
     <message>
-        <source>The mesh would be %1 mm long as millimetres.</source>
-        <translation>Als Millimeter gelesen wäre das Dreiecksnetz %1 mm lang.</translation>
+        <source>Read as millimetres, the mesh is %1 mm long.</source>
+        <translation>Als Millimeter gelesen ist das Dreiecksnetz %1 mm lang.</translation>
     </message>
     <message>
         <source>metres</source>
@@ -4399,7 +4403,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>In %1 wären es %2 mm.</translation>
     </message>
     <message>
-        <source>That is too small to be felt: state a larger scale.</source>
+        <source>That is too small to feel: state a larger scale.</source>
         <translation>Das ist zu klein, um es zu fühlen: Geben Sie einen größeren Maßstab an.</translation>
     </message>
     <message>
@@ -4407,27 +4411,27 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Das ist weit jenseits der Reichweite des Arms: Geben Sie einen kleineren Maßstab an.</translation>
     </message>
     <message>
-        <source>The recording cannot be made: %1.</source>
-        <translation>Die Aufzeichnung ist nicht möglich: %1.</translation>
+        <source>The recording cannot be started: %1.</source>
+        <translation>Die Aufzeichnung kann nicht gestartet werden: %1.</translation>
     </message>
     <message>
-        <source>The recording is not whole: %1.</source>
-        <translation>Die Aufzeichnung ist nicht vollständig: %1.</translation>
+        <source>The recording is incomplete: %1.</source>
+        <translation>Die Aufzeichnung ist unvollständig: %1.</translation>
     </message>
     <message>
         <source>The fault cannot be written to a file: %1.</source>
         <translation>Die Störung kann nicht in eine Datei geschrieben werden: %1.</translation>
     </message>
     <message>
-        <source>The file is damaged and cannot be read on.</source>
-        <translation>Die Datei ist beschädigt und kann nicht weiter gelesen werden.</translation>
+        <source>The file is damaged, and the rest cannot be read.</source>
+        <translation>Die Datei ist beschädigt, und der Rest ist nicht lesbar.</translation>
     </message>
     <message>
         <source>The file is damaged: reading a part of it took longer than %1, which is enough for any session.</source>
         <translation>Die Datei ist beschädigt: Einen Teil davon zu lesen dauerte länger als %1, was für jede Sitzung genügt.</translation>
     </message>
     <message>
-        <source>It reads sessions: install Underact again.</source>
+        <source>It reads sessions: reinstall Underact.</source>
         <translation>Es liest Sitzungen: Installieren Sie Underact neu.</translation>
     </message>
     <message>
@@ -4435,8 +4439,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Diese Datei gibt es nicht.</translation>
     </message>
     <message>
-        <source>This is a link to another file, which would be changed in its place. Give that file's own name.</source>
-        <translation>Dies ist eine Verknüpfung mit einer anderen Datei, die an ihrer Stelle geändert würde. Geben Sie den Namen jener Datei selbst an.</translation>
+        <source>This is a link to another file, which would be changed instead. Give the name of that file.</source>
+        <translation>Dies ist eine Verknüpfung mit einer anderen Datei, die stattdessen geändert würde. Geben Sie den Namen jener Datei an.</translation>
     </message>
     <message>
         <source>The file cannot be opened: %1.</source>
@@ -4447,8 +4451,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dies ist ein Ordner, keine Sitzung.</translation>
     </message>
     <message>
-        <source>This is no file that holds a session.</source>
-        <translation>Dies ist keine Datei, die eine Sitzung enthält.</translation>
+        <source>This is not a session file.</source>
+        <translation>Dies ist keine Sitzungsdatei.</translation>
     </message>
     <message>
         <source>Another program has this file open. Close it there first.</source>
@@ -4463,20 +4467,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Sitzung</translation>
     </message>
     <message>
-        <source>This is no whole session: there is no table "%1" in it.</source>
-        <translation>Dies ist keine vollständige Sitzung: Es ist keine Tabelle „%1“ darin.</translation>
+        <source>This session is incomplete: it has no table "%1".</source>
+        <translation>Diese Sitzung ist unvollständig: Ihr fehlt die Tabelle „%1“.</translation>
     </message>
     <message>
-        <source>This is no whole session: the table "%1" is damaged.</source>
-        <translation>Dies ist keine vollständige Sitzung: Die Tabelle „%1“ ist beschädigt.</translation>
+        <source>This session is incomplete: the table "%1" is damaged.</source>
+        <translation>Diese Sitzung ist unvollständig: Die Tabelle „%1“ ist beschädigt.</translation>
     </message>
     <message>
-        <source>This file is cut off: %1 of %2 bytes are there. Copy it again from where it came.</source>
-        <translation>Diese Datei ist abgeschnitten: %1 von %2 Bytes sind da. Kopieren Sie sie noch einmal von dort, wo sie herkam.</translation>
+        <source>This file is truncated: it has %1 of %2 bytes. Copy it again from where it came.</source>
+        <translation>Diese Datei ist abgeschnitten: Sie hat %1 von %2 Bytes. Kopieren Sie sie noch einmal von dort, wo sie herkam.</translation>
     </message>
     <message>
-        <source>This is no session, or one that is damaged at its beginning.</source>
-        <translation>Dies ist keine Sitzung, oder eine, die am Anfang beschädigt ist.</translation>
+        <source>This is not a session, or its beginning is damaged.</source>
+        <translation>Dies ist keine Sitzung, oder ihr Anfang ist beschädigt.</translation>
     </message>
     <message>
         <source>Another program is recording into this file. Give another name.</source>
@@ -4487,163 +4491,163 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Datei kann nicht zum Schreiben geöffnet werden: %1.</translation>
     </message>
     <message>
-        <source>Another file was put in this one's place meanwhile: nothing was changed. Try again.</source>
-        <translation>Inzwischen wurde eine andere Datei an die Stelle dieser gesetzt: Nichts wurde geändert. Versuchen Sie es noch einmal.</translation>
+        <source>Another file has taken this one's place in the meantime, so nothing was changed. Try again.</source>
+        <translation>Inzwischen ist eine andere Datei an die Stelle dieser getreten; deshalb wurde nichts geändert. Versuchen Sie es noch einmal.</translation>
     </message>
     <message>
-        <source>The disk is full: the recording was stopped and is whole. Free some space, or record into another folder.</source>
-        <translation>Der Datenträger ist voll: Die Aufzeichnung wurde gestoppt und ist vollständig. Schaffen Sie Platz, oder zeichnen Sie in einen anderen Ordner auf.</translation>
+        <source>The disk is full: the recording was stopped, and everything up to then was saved. Free some space, or record into another folder.</source>
+        <translation>Der Datenträger ist voll: Die Aufzeichnung wurde gestoppt, und alles bis dahin wurde gespeichert. Schaffen Sie Platz, oder zeichnen Sie in einen anderen Ordner auf.</translation>
     </message>
     <message>
         <source>The recording stopped: %1.</source>
         <translation>Die Aufzeichnung wurde gestoppt: %1.</translation>
     </message>
     <message>
-        <source>The file could not be cut to what is whole: %1.</source>
-        <translation>Die Datei konnte nicht auf das gekürzt werden, was vollständig ist: %1.</translation>
+        <source>The file could not be trimmed to its intact part: %1.</source>
+        <translation>Die Datei konnte nicht auf ihren unversehrten Teil gekürzt werden: %1.</translation>
     </message>
     <message>
-        <source>The file takes no change: %1.</source>
-        <translation>Die Datei nimmt keine Änderung an: %1.</translation>
+        <source>The file cannot be changed: %1.</source>
+        <translation>Die Datei lässt sich nicht ändern: %1.</translation>
     </message>
     <message>
-        <source>The recording's file is gone: somebody moved or deleted it. The recording stopped.</source>
-        <translation>Die Datei der Aufzeichnung ist weg: Jemand hat sie verschoben oder gelöscht. Die Aufzeichnung wurde gestoppt.</translation>
+        <source>The recording stopped: its file was moved or deleted.</source>
+        <translation>Die Aufzeichnung wurde gestoppt: Ihre Datei wurde verschoben oder gelöscht.</translation>
     </message>
     <message>
-        <source>The disk is nearly full: the recording was stopped and is whole. Free some space, or record into another folder.</source>
-        <translation>Der Datenträger ist fast voll: Die Aufzeichnung wurde gestoppt und ist vollständig. Schaffen Sie Platz, oder zeichnen Sie in einen anderen Ordner auf.</translation>
+        <source>The disk is nearly full: the recording was stopped, and everything up to then was saved. Free some space, or record into another folder.</source>
+        <translation>Der Datenträger ist fast voll: Die Aufzeichnung wurde gestoppt, und alles bis dahin wurde gespeichert. Schaffen Sie Platz, oder zeichnen Sie in einen anderen Ordner auf.</translation>
     </message>
     <message>
-        <source>The servo did not tick: there is nothing in the recording.</source>
-        <translation>Der Servo machte keinen Takt: In der Aufzeichnung ist nichts.</translation>
+        <source>The servo did not tick, so the recording is empty.</source>
+        <translation>Der Servo machte keinen Takt; deshalb ist die Aufzeichnung leer.</translation>
     </message>
     <message>
-        <source>What was written until then is whole.</source>
-        <translation>Was bis dahin geschrieben wurde, ist vollständig.</translation>
+        <source>Everything up to then was saved.</source>
+        <translation>Alles bis dahin wurde gespeichert.</translation>
     </message>
     <message>
-        <source>The file is damaged from row %1 on, for %2 ticks; what comes after them cannot be replayed.</source>
-        <translation>Die Datei ist ab Zeile %1 beschädigt, %2 Takte lang; was danach kommt, kann nicht wiedergegeben werden.</translation>
+        <source>The file is damaged from row %1 on, for %2 ticks; what follows cannot be replayed.</source>
+        <translation>Die Datei ist ab Zeile %1 beschädigt, %2 Takte lang; was danach kommt, lässt sich nicht wiedergeben.</translation>
     </message>
     <message>
-        <source>%1 ticks are missing after tick %2; what comes after them cannot be replayed.</source>
-        <translation>%1 Takte fehlen nach Takt %2; was danach kommt, kann nicht wiedergegeben werden.</translation>
+        <source>%1 ticks are missing after tick %2; what follows cannot be replayed.</source>
+        <translation>%1 Takte fehlen nach Takt %2; was danach kommt, lässt sich nicht wiedergeben.</translation>
     </message>
     <message>
         <source>This session does not say which scene it began with.</source>
         <translation>Diese Sitzung sagt nicht, mit welcher Szene sie begann.</translation>
     </message>
     <message>
-        <source>It was stopped.</source>
+        <source>It was cancelled.</source>
         <translation>Es wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>This is an HDF5 file, and no session of Underact.</source>
+        <source>This is an HDF5 file, but not a session of Underact.</source>
         <translation>Dies ist eine HDF5-Datei, aber keine Sitzung von Underact.</translation>
     </message>
     <message>
-        <source>This session was recorded by a newer version of Underact. This one reads layout 1.</source>
+        <source>This session was recorded by a newer version of Underact. This version reads layout 1.</source>
         <translation>Diese Sitzung wurde mit einer neueren Version von Underact aufgezeichnet. Diese hier liest Aufbau 1.</translation>
     </message>
     <message>
-        <source>This session does not say how fast the servo was: the file is damaged.</source>
-        <translation>Diese Sitzung sagt nicht, wie schnell der Servo war: Die Datei ist beschädigt.</translation>
+        <source>This session does not state the rate of the servo: the file is damaged.</source>
+        <translation>Diese Sitzung nennt die Taktrate des Servos nicht: Die Datei ist beschädigt.</translation>
     </message>
     <message>
         <source>The table "%1" of this session cannot be read: the file is damaged there.</source>
         <translation>Die Tabelle „%1“ dieser Sitzung kann nicht gelesen werden: Die Datei ist dort beschädigt.</translation>
     </message>
     <message>
-        <source>The words of this session cannot be read: the file is damaged there.</source>
-        <translation>Die Wörter dieser Sitzung können nicht gelesen werden: Die Datei ist dort beschädigt.</translation>
+        <source>The texts of this session cannot be read: the file is damaged there.</source>
+        <translation>Die Texte dieser Sitzung können nicht gelesen werden: Die Datei ist dort beschädigt.</translation>
     </message>
     <message>
-        <source>The servo's memory at the beginning was recorded by a version that lays it out in another way.</source>
-        <translation>Der Speicher des Servos am Anfang wurde von einer Version aufgezeichnet, die ihn anders anordnet.</translation>
+        <source>The servo's state at the beginning was recorded by a version with a different layout.</source>
+        <translation>Der Zustand des Servos am Anfang wurde von einer Version mit einem anderen Aufbau aufgezeichnet.</translation>
     </message>
     <message>
-        <source>The servo's memory at the beginning of this session cannot be read: the file is damaged there.</source>
-        <translation>Der Speicher des Servos am Anfang dieser Sitzung kann nicht gelesen werden: Die Datei ist dort beschädigt.</translation>
+        <source>The servo's state at the beginning of this session cannot be read: the file is damaged there.</source>
+        <translation>Der Zustand des Servos am Anfang dieser Sitzung kann nicht gelesen werden: Die Datei ist dort beschädigt.</translation>
     </message>
     <message>
-        <source>The servo's memory at the beginning was not recorded whole.</source>
-        <translation>Der Speicher des Servos am Anfang wurde nicht vollständig aufgezeichnet.</translation>
+        <source>The servo's state at the beginning was not recorded completely.</source>
+        <translation>Der Zustand des Servos am Anfang wurde nicht vollständig aufgezeichnet.</translation>
     </message>
     <message>
-        <source>The servo's memory at the beginning of this session is none that a servo can have: the file is damaged, or was changed.</source>
-        <translation>Das Gedächtnis des Servos am Anfang dieser Sitzung ist keines, das ein Servo haben kann: Die Datei ist beschädigt oder wurde verändert.</translation>
+        <source>The servo's state at the beginning of this session is not valid: the file is damaged, or was changed.</source>
+        <translation>Der Zustand des Servos am Anfang dieser Sitzung ist ungültig: Die Datei ist beschädigt oder wurde verändert.</translation>
     </message>
     <message>
-        <source>The marks lie nearly on one line, %1 beside it: small errors turn the arm about it. Choose a mark farther beside the line.</source>
-        <translation>Die Messpunkte liegen fast auf einer Geraden, nur %1 daneben: Kleine Fehler drehen den Arm um sie. Wählen Sie einen Messpunkt, der weiter neben der Geraden liegt.</translation>
+        <source>The reference points lie nearly on one line, at most %1 beside it: small errors turn the arm about it. Choose a reference point farther from the line.</source>
+        <translation>Die Messpunkte liegen fast auf einer Geraden, höchstens %1 daneben: Kleine Fehler drehen den Arm um sie. Wählen Sie einen Messpunkt, der weiter neben der Geraden liegt.</translation>
     </message>
     <message>
-        <source>The marks %1 are only %2 apart: small errors there turn everything. Choose marks that are farther apart.</source>
+        <source>The reference points %1 are only %2 apart: small errors there turn everything. Choose reference points that are farther apart.</source>
         <translation>Die Messpunkte %1 sind nur %2 voneinander entfernt: Kleine Fehler dort drehen alles. Wählen Sie Messpunkte, die weiter auseinanderliegen.</translation>
     </message>
     <message>
-        <source>The marks %1 were probably touched in exchange for each other. Touch them again in the order of their numbers.</source>
+        <source>The reference points %1 were probably swapped. Touch them again in the order of their numbers.</source>
         <translation>Die Messpunkte %1 wurden wahrscheinlich beim Berühren vertauscht. Berühren Sie sie noch einmal in der Reihenfolge ihrer Nummern.</translation>
     </message>
     <message>
-        <source>The marks were probably touched in another order: %1. Touch them again in the order of their numbers.</source>
+        <source>The reference points were probably touched in another order: %1. Touch them again in the order of their numbers.</source>
         <translation>Die Messpunkte wurden wahrscheinlich in einer anderen Reihenfolge berührt: %1. Berühren Sie sie noch einmal in der Reihenfolge ihrer Nummern.</translation>
     </message>
     <message>
-        <source>By these marks the arm hangs upside down below the desk. If it does not, the marks were touched in the order of a mirror: touch them again in the order of their numbers.</source>
-        <translation>Nach diesen Messpunkten hängt der Arm kopfüber unter dem Tisch. Tut er das nicht, so wurden die Messpunkte in gespiegelter Reihenfolge berührt: Berühren Sie sie noch einmal in der Reihenfolge ihrer Nummern.</translation>
+        <source>According to these reference points the arm hangs upside down below the desk. If it does not, they were touched in mirrored order: touch them again in the order of their numbers.</source>
+        <translation>Nach diesen Messpunkten hängt der Arm kopfüber unter dem Tisch. Tut er das nicht, so wurden sie in gespiegelter Reihenfolge berührt: Berühren Sie sie noch einmal in der Reihenfolge ihrer Nummern.</translation>
     </message>
     <message>
-        <source>The points miss their marks by %1, which is much. Mark %2 fits worst: touch it again, and see that the sheet was printed at 100 % and the arm is calibrated.</source>
-        <translation>Die Punkte verfehlen ihre Messpunkte um %1, und das ist viel. Messpunkt %2 passt am schlechtesten: Berühren Sie ihn noch einmal, und prüfen Sie, ob das Blatt mit 100 % gedruckt wurde und der Arm kalibriert ist.</translation>
+        <source>The touched points miss the reference points by %1, which is a lot. Reference point %2 fits worst: touch it again, and check that the sheet was printed at 100 % and that the arm is calibrated.</source>
+        <translation>Die berührten Punkte verfehlen die Messpunkte um %1, und das ist viel. Messpunkt %2 passt am schlechtesten: Berühren Sie ihn noch einmal, und prüfen Sie, ob das Blatt mit 100 % gedruckt wurde und der Arm kalibriert ist.</translation>
     </message>
     <message>
-        <source>At mark %1 the tip moved by %2 while it was held. Touch it again, with the hand rested.</source>
+        <source>At reference point %1 the tip moved by %2 while it was held. Touch it again, with your hand resting on the desk.</source>
         <translation>Bei Messpunkt %1 bewegte sich die Spitze um %2, während sie gehalten wurde. Berühren Sie ihn noch einmal, mit aufgelegter Hand.</translation>
     </message>
     <message>
-        <source>Not all of the marks are finite points within 1 km.</source>
+        <source>Not all of the reference points are finite points within 1 km.</source>
         <translation>Nicht alle Messpunkte sind endliche Punkte innerhalb von 1 km.</translation>
     </message>
     <message>
-        <source>The marks %1 and %2 are one and the same place. Touch them again, or choose marks that are apart.</source>
-        <translation>Die Messpunkte %1 und %2 sind ein und derselbe Ort. Berühren Sie sie noch einmal, oder wählen Sie Messpunkte, die auseinanderliegen.</translation>
+        <source>The reference points %1 and %2 are at the same position. Touch them again, or choose reference points that are apart.</source>
+        <translation>Die Messpunkte %1 und %2 liegen am selben Ort. Berühren Sie sie noch einmal, oder wählen Sie Messpunkte, die auseinanderliegen.</translation>
     </message>
     <message>
-        <source>The marks lie on one line, so nothing says how the arm is turned about it. Choose a mark beside the line.</source>
-        <translation>Die Messpunkte liegen auf einer Geraden; nichts sagt daher, wie der Arm um sie gedreht ist. Wählen Sie einen Messpunkt neben der Geraden.</translation>
+        <source>The reference points lie on one line, so how the arm is turned about it is unknown. Choose a reference point beside the line.</source>
+        <translation>Die Messpunkte liegen auf einer Geraden; wie der Arm um sie gedreht ist, bleibt daher unbekannt. Wählen Sie einen Messpunkt neben der Geraden.</translation>
     </message>
     <message>
         <source>Not all of the touched points are finite points within 1 km.</source>
         <translation>Nicht alle berührten Punkte sind endliche Punkte innerhalb von 1 km.</translation>
     </message>
     <message>
-        <source>The touched points %1 and %2 are one and the same place. Touch them again, or choose marks that are apart.</source>
-        <translation>Die berührten Punkte %1 und %2 sind ein und derselbe Ort. Berühren Sie sie noch einmal, oder wählen Sie Messpunkte, die auseinanderliegen.</translation>
+        <source>The touched points %1 and %2 are at the same position. Touch them again, or choose reference points that are apart.</source>
+        <translation>Die berührten Punkte %1 und %2 liegen am selben Ort. Berühren Sie sie noch einmal, oder wählen Sie Messpunkte, die auseinanderliegen.</translation>
     </message>
     <message>
-        <source>The touched points lie on one line, so nothing says how the arm is turned about it. Choose a mark beside the line.</source>
-        <translation>Die berührten Punkte liegen auf einer Geraden; nichts sagt daher, wie der Arm um sie gedreht ist. Wählen Sie einen Messpunkt neben der Geraden.</translation>
+        <source>The touched points lie on one line, so how the arm is turned about it is unknown. Choose a reference point beside the line.</source>
+        <translation>Die berührten Punkte liegen auf einer Geraden; wie der Arm um sie gedreht ist, bleibt daher unbekannt. Wählen Sie einen Messpunkt neben der Geraden.</translation>
     </message>
     <message>
-        <source>A registration takes 3 to 8 marks; here there are %1.</source>
+        <source>A registration needs 3 to 8 reference points; this one has %1.</source>
         <translation>Eine Registrierung braucht 3 bis 8 Messpunkte; hier sind es %1.</translation>
     </message>
     <message>
-        <source>a mark</source>
+        <source>a reference point</source>
         <translation>ein Messpunkt</translation>
     </message>
     <message>
-        <source>This must lie within 0 and 1000 mm.</source>
+        <source>This must be from 0 to 1000 mm.</source>
         <translation>Dies muss zwischen 0 und 1000 mm liegen.</translation>
     </message>
     <message>
-        <source>a list of 3 to 8 marks</source>
+        <source>a list of 3 to 8 reference points</source>
         <translation>eine Liste von 3 bis 8 Messpunkten</translation>
     </message>
     <message>
-        <source>This must be a list of 3 to 8 marks; here there are %1.</source>
+        <source>This must be a list of 3 to 8 reference points; this one has %1.</source>
         <translation>Dies muss eine Liste von 3 bis 8 Messpunkten sein; hier sind es %1.</translation>
     </message>
     <message>
@@ -4655,7 +4659,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Liste von vier Zeilen</translation>
     </message>
     <message>
-        <source>This is not what the marks give, %1. Leave X_DW out: it is made of them.</source>
+        <source>This is not what the reference points give, %1. Leave X_DW out: it is computed from them.</source>
         <translation>Dies ist nicht, was die Messpunkte ergeben, nämlich %1. Lassen Sie X_DW weg: Es wird aus ihnen berechnet.</translation>
     </message>
     <message>
@@ -4667,39 +4671,39 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dieses Programm liest Version 1 von Registrierungen.</translation>
     </message>
     <message>
-        <source>The registration cannot be kept. See that the folder is there and yours, and that the disk is not full.</source>
+        <source>The registration cannot be saved. Check that the folder exists and is yours, and that the disk is not full.</source>
         <translation>Die Registrierung lässt sich nicht speichern. Prüfen Sie, ob der Ordner da ist und Ihnen gehört und ob der Datenträger nicht voll ist.</translation>
     </message>
     <message>
-        <source>The registration cannot be kept: %1. See that the folder is there and yours, and that the disk is not full.</source>
+        <source>The registration cannot be saved: %1. Check that the folder exists and is yours, and that the disk is not full.</source>
         <translation>Die Registrierung lässt sich nicht speichern: %1. Prüfen Sie, ob der Ordner da ist und Ihnen gehört und ob der Datenträger nicht voll ist.</translation>
     </message>
     <message>
-        <source>This is the registration of another arm, "%1". Register this one anew.</source>
-        <translation>Dies ist die Registrierung eines anderen Arms, „%1“. Registrieren Sie diesen neu.</translation>
+        <source>This is the registration of another arm, "%1". Register this arm again.</source>
+        <translation>Dies ist die Registrierung eines anderen Arms, „%1“. Registrieren Sie diesen Arm noch einmal.</translation>
     </message>
     <message>
-        <source>The registration cannot be forgotten: %1. See that the folder is there and yours, and that the disk is not full.</source>
+        <source>The registration cannot be deleted: %1. Check that the folder exists and is yours, and that the disk is not full.</source>
         <translation>Die Registrierung lässt sich nicht löschen: %1. Prüfen Sie, ob der Ordner da ist und Ihnen gehört und ob der Datenträger nicht voll ist.</translation>
     </message>
     <message>
-        <source>This is no rotation: its rows must have length 1, be at right angles, and form a right-handed frame.</source>
+        <source>This is not a rotation matrix: its rows must have length 1, be at right angles, and form a right-handed frame.</source>
         <translation>Dies ist keine Rotationsmatrix: Ihre Zeilen müssen die Länge 1 haben, rechtwinklig zueinander stehen und ein rechtshändiges Koordinatensystem bilden.</translation>
     </message>
     <message>
-        <source>The law %1 does not use this gain; the law %2 does. Change the law or take it away.</source>
-        <translation>Das Regelgesetz %1 benutzt diese Verstärkung nicht, wohl aber %2. Ändern Sie das Regelgesetz, oder entfernen Sie sie.</translation>
+        <source>The control law %1 does not use this gain; %2 does. Change the control law, or remove the gain.</source>
+        <translation>Das Regelgesetz %1 benutzt diese Verstärkung nicht, wohl aber %2. Ändern Sie das Regelgesetz, oder entfernen Sie die Verstärkung.</translation>
     </message>
     <message>
         <source>PD (or PID)</source>
         <translation>PD (oder PID)</translation>
     </message>
     <message>
-        <source>The gain along %1 is %2 beside gains above it, so no point of the %3 is nearest in the gains' own metric. Set "anisotropy" to "euclidean" in the control, or give every axis a gain.</source>
-        <translation>Die Verstärkung entlang %1 ist %2 neben größeren, also ist bei dieser Bindung (Typ „%3“) kein Punkt der nächste in der eigenen Metrik der Verstärkungen. Setzen Sie „anisotropy“ in der Regelung auf „euclidean“, oder geben Sie jeder Achse eine Verstärkung.</translation>
+        <source>The gain along %1 is %2 while the others are larger, so no point of the %3 is nearest in the gains' own metric. Set "anisotropy" to "euclidean" in the control, or give every axis a gain.</source>
+        <translation>Die Verstärkung entlang %1 ist %2, während die anderen größer sind, also ist bei dieser Bindung (Typ „%3“) kein Punkt der nächste in der eigenen Metrik der Verstärkungen. Setzen Sie „anisotropy“ in der Regelung auf „euclidean“, oder geben Sie jeder Achse eine Verstärkung.</translation>
     </message>
     <message>
-        <source>%1, next to nothing,</source>
+        <source>%1, almost nothing,</source>
         <translation>%1, also fast nichts,</translation>
     </message>
     <message>
@@ -4715,11 +4719,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Eine Bindung vom Typ „%1“ hat keinen Einfluss.</translation>
     </message>
     <message>
-        <source>A wall has no influence: where the stylus is free nothing draws it. Take "side" or "influence" away.</source>
+        <source>A wall has no influence: where the stylus is free, nothing pulls it. Remove "side" or "influence".</source>
         <translation>Eine Wand hat keinen Einfluss: Wo der Stift frei ist, zieht ihn nichts. Entfernen Sie „side“ oder „influence“.</translation>
     </message>
     <message>
-        <source>With influence the target is not the nearest point of the gains' own metric. Set "anisotropy" to "euclidean" in the control, or give every axis the same kp.</source>
+        <source>With influence, the target is not the nearest point in the gains' own metric. Set "anisotropy" to "euclidean" in the control, or give every axis the same kp.</source>
         <translation>Mit Einfluss ist das Ziel nicht der nächste Punkt in der eigenen Metrik der Verstärkungen. Setzen Sie „anisotropy“ in der Regelung auf „euclidean“, oder geben Sie jeder Achse dasselbe kp.</translation>
     </message>
     <message>
@@ -4731,15 +4735,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Hier gibt es nichts, woran man entlanggleiten kann.</translation>
     </message>
     <message>
-        <source>The title is empty; a few words tell people what they will feel.</source>
-        <translation>Der Titel ist leer; ein paar Worte sagen, was man fühlen wird.</translation>
+        <source>The title is empty; say in a few words what the scene lets you feel.</source>
+        <translation>Der Titel ist leer; sagen Sie in ein paar Worten, was in der Szene zu fühlen ist.</translation>
     </message>
     <message>
-        <source>The arm %1 is not known. There are %2.</source>
-        <translation>Der Arm %1 ist nicht bekannt. Es gibt %2.</translation>
+        <source>The arm %1 is not known. Known arms: %2.</source>
+        <translation>Der Arm %1 ist nicht bekannt. Bekannte Arme: %2.</translation>
     </message>
     <message>
-        <source>A scene has 1 to %1 constraints; here are %2.</source>
+        <source>A scene has 1 to %1 constraints; this one has %2.</source>
         <translation>Eine Szene hat 1 bis %1 Bindungen; hier sind es %2.</translation>
     </message>
     <message>
@@ -4751,67 +4755,67 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Kurve %1 ist nicht geladen.</translation>
     </message>
     <message>
-        <source>The mesh %1 is not the one that the scene was made with: its content has another checksum. Bring that file back, or take "checksum" away to go on with this one.</source>
-        <translation>Das Dreiecksnetz %1 ist nicht das, mit dem die Szene gemacht wurde: Sein Inhalt hat eine andere Prüfsumme. Holen Sie jene Datei zurück, oder entfernen Sie „checksum“, um mit dieser weiterzumachen.</translation>
+        <source>The mesh %1 is not the one that the scene was made with: its checksum differs. Restore that file, or remove "checksum" to use this one.</source>
+        <translation>Das Dreiecksnetz %1 ist nicht das, mit dem die Szene gemacht wurde: Seine Prüfsumme ist eine andere. Stellen Sie jene Datei wieder her, oder entfernen Sie „checksum“, um diese zu verwenden.</translation>
     </message>
     <message>
         <source>The mesh %1: %2</source>
         <translation>Das Dreiecksnetz %1: %2</translation>
     </message>
     <message>
-        <source>The file %1 was not found. A recording keeps the names of its meshes and curves and not their folders; it was looked for in %2. Put it beside the session, or name its folder: in the window with Replay, Folder with meshes and curves; on the command line with --files FOLDER.</source>
-        <translation>Die Datei %1 wurde nicht gefunden. Eine Aufzeichnung behält die Namen ihrer Dreiecksnetze und Kurven, nicht deren Ordner; gesucht wurde in %2. Legen Sie die Datei neben die Sitzung, oder nennen Sie ihren Ordner: im Fenster mit Wiedergabe, Ordner mit Dreiecksnetzen und Kurven; auf der Befehlszeile mit --files ORDNER.</translation>
+        <source>The file %1 was not found in %2. A recording stores the names of its meshes and curves, not their folders. Put the file beside the session, or choose its folder: in the window with Replay, Folder with meshes and curves; on the command line with --files FOLDER.</source>
+        <translation>Die Datei %1 wurde in %2 nicht gefunden. Eine Aufzeichnung speichert die Namen ihrer Dreiecksnetze und Kurven, nicht deren Ordner. Legen Sie die Datei neben die Sitzung, oder wählen Sie ihren Ordner: im Fenster mit Wiedergabe, Ordner mit Dreiecksnetzen und Kurven; auf der Befehlszeile mit --files ORDNER.</translation>
     </message>
     <message>
-        <source>This is no finite direction; a double holds at most about 1.8e308.</source>
-        <translation>Dies ist keine endliche Richtung; ein double fasst höchstens etwa 1.8e308.</translation>
+        <source>This is not a finite direction; the largest number is about 1.8e308.</source>
+        <translation>Dies ist keine endliche Richtung; die größte Zahl ist etwa 1.8e308.</translation>
     </message>
     <message>
-        <source>The lower limit %1 is above the upper one, %2; no value of the joint is left.</source>
-        <translation>Die untere Grenze %1 liegt über der oberen, %2; dem Gelenk bleibt kein Wert.</translation>
+        <source>The lower limit %1 is above the upper limit %2.</source>
+        <translation>Die untere Grenze %1 liegt über der oberen Grenze %2.</translation>
     </message>
     <message>
-        <source>Without a spring the joint has no rest; give it "%1", or take this away.</source>
+        <source>Without a spring the joint has no rest position; give it "%1", or remove this.</source>
         <translation>Ohne Feder hat das Gelenk keine Ruhelage; geben Sie ihm „%1“, oder entfernen Sie dies.</translation>
     </message>
     <message>
-        <source>A virtual manipulator has 1 to %1 joints; here are %2.</source>
-        <translation>Ein virtueller Manipulator hat 1 bis %1 Gelenke; hier sind es %2.</translation>
+        <source>A virtual robot has 1 to %1 joints; this one has %2.</source>
+        <translation>Ein virtueller Roboter hat 1 bis %1 Gelenke; hier sind es %2.</translation>
     </message>
     <message>
-        <source>With the orientation "none" nothing uses this; set "orientation" to "axis", "angle" or "full", or take it away.</source>
-        <translation>Bei der Orientierung „none“ benutzt dies niemand; setzen Sie „orientation“ auf „axis“, „angle“ oder „full“, oder entfernen Sie dies.</translation>
+        <source>The orientation "none" does not use this; set "orientation" to "axis", "angle" or "full", or remove this.</source>
+        <translation>Die Orientierung „none“ benutzt dies nicht; setzen Sie „orientation“ auf „axis“, „angle“ oder „full“, oder entfernen Sie dies.</translation>
     </message>
     <message>
-        <source>A virtual manipulator draws the tip; a control that works on the arm's joints cannot hold it. Set "space" to "cartesian".</source>
-        <translation>Ein virtueller Manipulator zieht die Spitze; eine Regelung, die auf die Gelenke des Arms wirkt, kann sie nicht halten. Setzen Sie „space“ auf „cartesian“.</translation>
+        <source>A virtual robot pulls the tip, which control in joint space cannot do. Set "space" to "cartesian".</source>
+        <translation>Ein virtueller Roboter zieht die Spitze, was eine Regelung im Gelenkraum nicht kann. Setzen Sie „space“ auf „cartesian“.</translation>
     </message>
     <message>
-        <source>A virtual manipulator is held in the gains' own metric. Take "anisotropy" away, or give every axis the same kp.</source>
-        <translation>Ein virtueller Manipulator wird in der eigenen Metrik der Verstärkungen gehalten. Entfernen Sie „anisotropy“, oder geben Sie jeder Achse dasselbe kp.</translation>
+        <source>A virtual robot is held in the gains' own metric. Remove "anisotropy", or give every axis the same kp.</source>
+        <translation>Ein virtueller Roboter wird in der eigenen Metrik der Verstärkungen gehalten. Entfernen Sie „anisotropy“, oder geben Sie jeder Achse dasselbe kp.</translation>
     </message>
     <message>
         <source>A %1 needs the name of its file.</source>
         <translation>Eine Bindung vom Typ „%1“ braucht den Namen ihrer Datei.</translation>
     </message>
     <message>
-        <source>This must be from 1e-9 to 1e9 mm (1: the file is in mm; 1000: in m; 25.4: in inches), or as much below 0, which mirrors at the file's origin; here it is %1.</source>
-        <translation>Dies muss zwischen 1e-9 und 1e9 mm liegen (1: Die Datei ist in mm; 1000: in m; 25.4: in Zoll), oder ebenso weit unter 0: Das spiegelt am Ursprung der Datei; hier steht %1.</translation>
+        <source>This must be from 1e-9 to 1e9 mm (1: the file is in mm; 1000: in m; 25.4: in inches), or negative to mirror at the file's origin; here it is %1.</source>
+        <translation>Dies muss zwischen 1e-9 und 1e9 mm liegen (1: Die Datei ist in mm; 1000: in m; 25.4: in Zoll), oder negativ sein, um am Ursprung der Datei zu spiegeln; hier steht %1.</translation>
     </message>
     <message>
-        <source>The nearest point of a %1 is not sought in the gains' own metric. Set "anisotropy" to "euclidean" in the control, or give every axis the same kp.</source>
+        <source>The nearest point of a %1 is not searched in the gains' own metric. Set "anisotropy" to "euclidean" in the control, or give every axis the same kp.</source>
         <translation>Bei einer Bindung vom Typ „%1“ wird der nächste Punkt nicht in der eigenen Metrik der Verstärkungen gesucht. Setzen Sie „anisotropy“ in der Regelung auf „euclidean“, oder geben Sie jeder Achse dasselbe kp.</translation>
     </message>
     <message>
-        <source>A wall's proxy follows the surface; it is not sought. Take "search" away.</source>
-        <translation>Der Proxy einer Wand folgt der Oberfläche; er wird nicht gesucht. Entfernen Sie „search“.</translation>
+        <source>A wall's proxy follows the surface and needs no search. Remove "search".</source>
+        <translation>Der Proxy einer Wand folgt der Oberfläche und braucht keine Suche. Entfernen Sie „search“.</translation>
     </message>
     <message>
         <source>The mesh %1 is not loaded.</source>
         <translation>Das Dreiecksnetz %1 ist nicht geladen.</translation>
     </message>
     <message>
-        <source>The mesh %1 has holes or edges that do not fit together, so it has no inside and no outside. Take "side" away: the stylus is then held to its surface.</source>
+        <source>The mesh %1 has holes or edges that do not fit together, so it has no inside and no outside. Remove "side": the stylus is then held to its surface.</source>
         <translation>Das Dreiecksnetz %1 hat Löcher oder Kanten, die nicht zusammenpassen, und damit kein Innen und kein Außen. Entfernen Sie „side“: Der Stift wird dann auf seiner Oberfläche gehalten.</translation>
     </message>
     <message>
@@ -4819,8 +4823,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>die Zahl 1</translation>
     </message>
     <message>
-        <source>The scene is of version %1, and this program, older than the scene, reads version 1. Use a newer Underact.</source>
-        <translation>Die Szene hat Version %1, und dieses Programm, älter als die Szene, liest Version 1. Benutzen Sie ein neueres Underact.</translation>
+        <source>The scene has version %1, but this program only reads version 1. Use a newer version of Underact.</source>
+        <translation>Die Szene hat Version %1, aber dieses Programm liest nur Version 1. Benutzen Sie eine neuere Version von Underact.</translation>
     </message>
     <message>
         <source>This must be the number 1, the version of scene files.</source>
@@ -4839,40 +4843,40 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Simulation</translation>
     </message>
     <message>
-        <source>The type %1 is not known. There are %2.</source>
-        <translation>Der Typ %1 ist nicht bekannt. Es gibt %2.</translation>
+        <source>The type %1 is not known. Known types: %2.</source>
+        <translation>Der Typ %1 ist nicht bekannt. Bekannte Typen: %2.</translation>
     </message>
     <message>
-        <source>The type %1 is not known. Did you mean "%2"? There are %3.</source>
-        <translation>Der Typ %1 ist nicht bekannt. Meinten Sie „%2“? Es gibt %3.</translation>
+        <source>The type %1 is not known. Did you mean "%2"? Known types: %3.</source>
+        <translation>Der Typ %1 ist nicht bekannt. Meinten Sie „%2“? Bekannte Typen: %3.</translation>
     </message>
     <message>
-        <source>The name is empty; write one, or take the key away and one is made up.</source>
-        <translation>Der Name ist leer; schreiben Sie einen, oder entfernen Sie den Schlüssel, dann wird einer gebildet.</translation>
+        <source>The name is empty; write one, or remove the key to get a default name.</source>
+        <translation>Der Name ist leer; schreiben Sie einen, oder entfernen Sie den Schlüssel, dann wird ein Name vergeben.</translation>
     </message>
     <message>
-        <source>A %1 has no inside and no outside; take "side" away.</source>
+        <source>A %1 has no inside and no outside; remove "side".</source>
         <translation>Eine Bindung vom Typ „%1“ hat kein Innen und kein Außen; entfernen Sie „side“.</translation>
     </message>
     <message>
-        <source>A %1 has no influence; a circle, a cylinder and a sphere have. Take it away.</source>
-        <translation>Eine Bindung vom Typ „%1“ hat keinen Einfluss; Kreis, Zylinder und Kugel haben einen. Entfernen Sie ihn.</translation>
+        <source>A %1 has no influence; only a circle, a cylinder and a sphere have. Remove it.</source>
+        <translation>Eine Bindung vom Typ „%1“ hat keinen Einfluss; nur Kreis, Zylinder und Kugel haben einen. Entfernen Sie ihn.</translation>
     </message>
     <message>
         <source>an influence</source>
         <translation>ein Einfluss</translation>
     </message>
     <message>
-        <source>A %1 is nothing to slide along, so it has no friction. Take it away.</source>
-        <translation>An einer Bindung vom Typ „%1“ kann man nicht entlanggleiten, sie hat also keine Reibung. Entfernen Sie sie.</translation>
+        <source>Nothing can slide along a %1, so it has no friction. Remove it.</source>
+        <translation>An einer Bindung vom Typ „%1“ kann nichts entlanggleiten, also hat sie keine Reibung. Entfernen Sie sie.</translation>
     </message>
     <message>
         <source>a friction</source>
         <translation>eine Reibung</translation>
     </message>
     <message>
-        <source>This is a part of a constraint, as in %1.</source>
-        <translation>Dies gehört zu einer Bindung, wie in %1.</translation>
+        <source>This belongs in a constraint, as in %1.</source>
+        <translation>Dies gehört in eine Bindung, wie in %1.</translation>
     </message>
     <message>
         <source>a constraint</source>
@@ -4883,12 +4887,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Bindung vom Typ „%1“</translation>
     </message>
     <message>
-        <source>A %1 is found by a formula, not by a search; a mesh and a curve have one. Take it away.</source>
-        <translation>Bei einer Bindung vom Typ „%1“ wird der nächste Punkt durch eine Formel gefunden, nicht durch eine Suche; Dreiecksnetz und Kurve haben eine. Entfernen Sie sie.</translation>
+        <source>The nearest point of a %1 is computed by a formula; only a mesh and a curve have a search. Remove it.</source>
+        <translation>Der nächste Punkt einer Bindung vom Typ „%1“ wird mit einer Formel berechnet; nur Dreiecksnetz und Kurve haben eine Suche. Entfernen Sie sie.</translation>
     </message>
     <message>
-        <source>This is a part of the control, as in %1.</source>
-        <translation>Dies gehört zur Regelung, wie in %1.</translation>
+        <source>This belongs in the control, as in %1.</source>
+        <translation>Dies gehört in die Regelung, wie in %1.</translation>
     </message>
     <message>
         <source>a control</source>
@@ -4899,11 +4903,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>ein Gelenk</translation>
     </message>
     <message>
-        <source>A prismatic joint has a direction and no point; take it away.</source>
-        <translation>Ein Schubgelenk hat eine Richtung und keinen Punkt; entfernen Sie ihn.</translation>
+        <source>A prismatic joint has a direction but no point; remove the point.</source>
+        <translation>Ein Schubgelenk hat eine Richtung, aber keinen Punkt; entfernen Sie den Punkt.</translation>
     </message>
     <message>
-        <source>The spring of a %1 joint is "%2".</source>
+        <source>The spring of a %1 joint is called "%2".</source>
         <translation>Die Feder eines Gelenks vom Typ „%1“ heißt „%2“.</translation>
     </message>
     <message>
@@ -4911,7 +4915,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Liste von 4 Zeilen mit je 4 Zahlen</translation>
     </message>
     <message>
-        <source>A pose has 4 rows of 4 numbers; here are %1.</source>
+        <source>A pose has 4 rows of 4 numbers; this one has %1.</source>
         <translation>Eine Lage hat 4 Zeilen mit je 4 Zahlen; hier sind es %1.</translation>
     </message>
     <message>
@@ -4919,7 +4923,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Zeile von 4 Zahlen</translation>
     </message>
     <message>
-        <source>A row has 4 numbers; here are %1.</source>
+        <source>A row has 4 numbers; this one has %1.</source>
         <translation>Eine Zeile hat 4 Zahlen; hier sind es %1.</translation>
     </message>
     <message>
@@ -4931,35 +4935,35 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>ein Löser</translation>
     </message>
     <message>
-        <source>The filter "%1" does not use this; %2 would. Change the filter or take it away.</source>
+        <source>This is for %2, not for the filter "%1". Change the filter, or remove this.</source>
         <translation>Der Filter „%1“ benutzt dies nicht, wohl aber %2. Ändern Sie den Filter, oder entfernen Sie dies.</translation>
     </message>
     <message>
-        <source>a velocity</source>
-        <translation>eine Geschwindigkeit</translation>
+        <source>a velocity filter</source>
+        <translation>ein Geschwindigkeitsfilter</translation>
     </message>
     <message>
-        <source>This is no finite number; a double holds at most about 1.8e308.</source>
-        <translation>Dies ist keine endliche Zahl; ein double fasst höchstens etwa 1.8e308.</translation>
+        <source>This is not a finite number; the largest is about 1.8e308.</source>
+        <translation>Dies ist keine endliche Zahl; die größte ist etwa 1.8e308.</translation>
     </message>
     <message>
-        <source>A direction must not be [0, 0, 0], which points nowhere; any length but zero will do.</source>
-        <translation>Eine Richtung darf nicht [0, 0, 0] sein, denn das zeigt nirgendwohin; jede Länge außer null ist recht.</translation>
+        <source>A direction must not be [0, 0, 0]; any other length will do.</source>
+        <translation>Eine Richtung darf nicht [0, 0, 0] sein; jede andere Länge ist recht.</translation>
     </message>
     <message>
         <source>This must be above 0 mm; here it is %1.</source>
         <translation>Dies muss über 0 mm liegen; hier steht %1.</translation>
     </message>
     <message>
-        <source>This is too close to 0 mm; the least is 1e-100 mm.</source>
-        <translation>Dies ist zu nahe an 0 mm; das Kleinste ist 1e-100 mm.</translation>
+        <source>This is too close to 0 mm; the smallest value is 1e-100 mm.</source>
+        <translation>Dies ist zu nahe an 0 mm; der kleinste Wert ist 1e-100 mm.</translation>
     </message>
     <message>
         <source>This must lie within 1e6 mm (1 km); here it is %1.</source>
         <translation>Dies darf höchstens 1e6 mm (1 km) betragen; hier steht %1.</translation>
     </message>
     <message>
-        <source>A gain must be 0 or above, or the arm pushes away; here it is %1.</source>
+        <source>A gain must be 0 or above, otherwise the arm pushes away; here it is %1.</source>
         <translation>Eine Verstärkung muss 0 oder größer sein, sonst drückt der Arm weg; hier steht %1.</translation>
     </message>
     <message>
@@ -4971,19 +4975,19 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dies darf höchstens %1 betragen; hier steht %2.</translation>
     </message>
     <message>
-        <source>This is no finite pose; a double holds at most about 1.8e308.</source>
-        <translation>Dies ist keine endliche Lage; ein double fasst höchstens etwa 1.8e308.</translation>
+        <source>This is not a finite pose; the largest number is about 1.8e308.</source>
+        <translation>Dies ist keine endliche Lage; die größte Zahl ist etwa 1.8e308.</translation>
     </message>
     <message>
-        <source>The last row of a pose is [0, 0, 0, 1].</source>
-        <translation>Die letzte Zeile einer Lage ist [0, 0, 0, 1].</translation>
+        <source>The last row of a pose must be [0, 0, 0, 1].</source>
+        <translation>Die letzte Zeile einer Lage muss [0, 0, 0, 1] sein.</translation>
     </message>
     <message>
-        <source>The upper left 3 x 3 numbers are no rotation: its rows must have length 1, be at right angles, and form a right-handed frame.</source>
+        <source>The upper left 3 x 3 numbers are not a rotation matrix: its rows must have length 1, be at right angles, and form a right-handed frame.</source>
         <translation>Die 3 x 3 Zahlen oben links sind keine Rotationsmatrix: Ihre Zeilen müssen die Länge 1 haben, rechtwinklig zueinander stehen und ein rechtshändiges Koordinatensystem bilden.</translation>
     </message>
     <message>
-        <source>The place must lie within 1e6 mm (1 km).</source>
+        <source>The position must lie within 1e6 mm (1 km).</source>
         <translation>Der Ort muss innerhalb von 1e6 mm (1 km) liegen.</translation>
     </message>
     <message>
@@ -4995,8 +4999,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Szene lässt sich nicht speichern: %1.</translation>
     </message>
     <message>
-        <source>The scene cannot be saved, what was there is untouched: %1.</source>
-        <translation>Die Szene lässt sich nicht speichern, was dort stand, ist unberührt: %1.</translation>
+        <source>The scene cannot be saved: %1. The existing file is unchanged.</source>
+        <translation>Die Szene lässt sich nicht speichern: %1. Die vorhandene Datei ist unverändert.</translation>
     </message>
     <message>
         <source>There is no setting %1.</source>
@@ -5011,8 +5015,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Szene hat %1 Bindungen, gezählt ab 0.</translation>
     </message>
     <message>
-        <source>The scene has nothing there that "%1" is a setting of.</source>
-        <translation>Die Szene hat dort nichts, dessen Einstellung „%1“ wäre.</translation>
+        <source>The scene has nothing there with a setting "%1".</source>
+        <translation>Die Szene hat dort nichts mit einer Einstellung „%1“.</translation>
     </message>
     <message>
         <source>This must be from %1 to %2; here it is %3.</source>
@@ -5027,8 +5031,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Zahl oder eine Liste von 3 Zahlen für x, y und z</translation>
     </message>
     <message>
-        <source>This must be from 0 to the static share, %1; here it is %2.</source>
-        <translation>Dies muss zwischen 0 und dem Anteil der Haftreibung, %1, liegen; hier steht %2.</translation>
+        <source>This must be from 0 to the static friction, %1; here it is %2.</source>
+        <translation>Dies muss zwischen 0 und der Haftreibung, %1, liegen; hier steht %2.</translation>
     </message>
     <message>
         <source>This must be from %1 to %2 us; here it is %3.</source>
@@ -5047,15 +5051,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dies muss zwischen 0 (glatt) und %1 liegen; hier steht %2.</translation>
     </message>
     <message>
-        <source>This must be from 0 (faces as they are) to %1 degrees that the force may lean, so that bends feel round; here it is %2.</source>
-        <translation>Dies muss zwischen 0 (Flächen, wie sie sind) und %1 Grad liegen, um die sich die Kraft neigen darf, damit sich Knicke rund anfühlen; hier steht %2.</translation>
+        <source>This must be from 0 (faces as they are) to %1 degrees; here it is %2.</source>
+        <translation>Dies muss zwischen 0 (Flächen, wie sie sind) und %1 Grad liegen; hier steht %2.</translation>
     </message>
     <message>
         <source>This must be from -2000 to 2000 mm/s; here it is %1.</source>
         <translation>Dies muss zwischen -2000 und 2000 mm/s liegen; hier steht %1.</translation>
     </message>
     <message>
-        <source>This must be from 0 (to the guide alone) to 1 (to the nearest point alone); here it is %1.</source>
+        <source>This must be from 0 (guide only) to 1 (nearest point only); here it is %1.</source>
         <translation>Dies muss zwischen 0 (nur zur Führung) und 1 (nur zum nächsten Punkt) liegen; hier steht %1.</translation>
     </message>
     <message>
@@ -5063,8 +5067,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dies muss über 0 liegen und höchstens 1000 mm sein; hier steht %1.</translation>
     </message>
     <message>
-        <source>This must be above 0 and at most 0.01 (rad, and of the reach); here it is %1.</source>
-        <translation>Dies muss über 0 liegen und höchstens 0.01 sein (rad, und Anteil an der Reichweite); hier steht %1.</translation>
+        <source>This must be above 0 and at most 0.01 (rad, or a fraction of the reach); here it is %1.</source>
+        <translation>Dies muss über 0 liegen und höchstens 0.01 sein (rad, oder Anteil der Reichweite); hier steht %1.</translation>
     </message>
     <message>
         <source>what a scene teaches</source>
@@ -5079,27 +5083,27 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>kein Wächter: %1</translation>
     </message>
     <message>
-        <source>guarded by a process of its own</source>
+        <source>guarded by a separate process</source>
         <translation>von einem eigenen Prozess bewacht</translation>
     </message>
     <message>
-        <source>guarded by a process of its own (replaced so far: %1)</source>
+        <source>guarded by a separate process (replaced so far: %1)</source>
         <translation>von einem eigenen Prozess bewacht (bisher ersetzt: %1)</translation>
     </message>
     <message>
-        <source>Nothing guards the arm: %1. If this program died now, the arm could keep its last force. Until the guard is back, keep a hand on the arm's plug or switch, or stop the force.</source>
-        <translation>Nichts bewacht den Arm: %1. Stürbe dieses Programm jetzt, könnte der Arm seine letzte Kraft behalten. Halten Sie eine Hand an seinem Stecker oder Schalter, bis der Wächter wieder da ist, oder schalten Sie die Kraft ab.</translation>
+        <source>Nothing guards the arm: %1. If this program crashed now, the arm could hold its last force. Until the guard is back, keep a hand on the arm's plug or switch, or switch the force off.</source>
+        <translation>Nichts bewacht den Arm: %1. Stürzte dieses Programm jetzt ab, könnte der Arm seine letzte Kraft behalten. Halten Sie eine Hand an seinem Stecker oder Schalter, bis der Wächter wieder da ist, oder schalten Sie die Kraft ab.</translation>
     </message>
     <message>
         <source>this arm cannot be reached from outside the program</source>
         <translation>Dieser Arm ist von außerhalb des Programms nicht zu erreichen</translation>
     </message>
     <message>
-        <source>the guard has ended, and is started again</source>
+        <source>the guard has ended and is being restarted</source>
         <translation>der Wächter ist beendet und wird neu gestartet</translation>
     </message>
     <message>
-        <source>the guard has ended, and does not start again (%1)</source>
+        <source>the guard has ended and does not restart (%1)</source>
         <translation>der Wächter ist beendet und startet nicht wieder (%1)</translation>
     </message>
     <message>
@@ -5107,19 +5111,19 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>die Überwachung der Takte ist abgeschaltet</translation>
     </message>
     <message>
-        <source>The servo ticks 100 to 10000 times a second, not %1.</source>
-        <translation>Der Servo macht 100 bis 10000 Takte je Sekunde, nicht %1.</translation>
+        <source>The servo rate must be from 100 to 10000 Hz, not %1.</source>
+        <translation>Die Taktrate des Servos muss zwischen 100 und 10000 Hz liegen, nicht %1.</translation>
     </message>
     <message>
-        <source>A session is recorded at one rate. Stop the recording, then change the rate.</source>
+        <source>A session is recorded at a single rate. Stop the recording, then change the rate.</source>
         <translation>Eine Sitzung wird mit einer einzigen Taktrate aufgezeichnet. Stoppen Sie die Aufzeichnung, dann ändern Sie die Taktrate.</translation>
     </message>
     <message>
-        <source>The share of the force is from 0 to 1.</source>
-        <translation>Der Anteil der Kraft liegt zwischen 0 und 1.</translation>
+        <source>The share of the force must be from 0 to 1.</source>
+        <translation>Der Anteil der Kraft muss zwischen 0 und 1 liegen.</translation>
     </message>
     <message>
-        <source>A session is recorded at one limit of the force. Stop the recording first.</source>
+        <source>A session is recorded with a single force limit. Stop the recording first.</source>
         <translation>Eine Sitzung wird mit einer einzigen Kraftgrenze aufgezeichnet. Stoppen Sie zuerst die Aufzeichnung.</translation>
     </message>
     <message>
@@ -5131,7 +5135,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>von Hand</translation>
     </message>
     <message>
-        <source>not begun</source>
+        <source>not started</source>
         <translation>nicht begonnen</translation>
     </message>
     <message>
@@ -5187,7 +5191,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dies muss zwischen 0 und %1 liegen; hier steht %2.</translation>
     </message>
     <message>
-        <source>no finite number</source>
+        <source>not a finite number</source>
         <translation>keine endliche Zahl</translation>
     </message>
     <message>
@@ -5199,15 +5203,19 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dies muss eine Zahl von mindestens 1 sein, oder null, wo nicht gemessen wurde.</translation>
     </message>
     <message>
+        <source>a list of positions</source>
+        <translation>eine Liste von Orten</translation>
+    </message>
+    <message>
         <source>Each coordinate must lie within 1e6 mm (1 km).</source>
         <translation>Jede Koordinate darf höchstens 1e6 mm (1 km) betragen.</translation>
     </message>
     <message>
-        <source>where a model comes from</source>
-        <translation>woher ein Modell kommt</translation>
+        <source>the origin of a model</source>
+        <translation>die Herkunft eines Modells</translation>
     </message>
     <message>
-        <source>This must be a whole number of ticks a second, at least 1.</source>
+        <source>This must be a whole number of ticks per second, at least 1.</source>
         <translation>Dies muss eine ganze Zahl von Takten je Sekunde sein, mindestens 1.</translation>
     </message>
     <message>
@@ -5223,8 +5231,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>ein Armmodell</translation>
     </message>
     <message>
-        <source>There is no arm model %1; it must be %2, or a file of one (a name with a dot or a slash).</source>
-        <translation>Ein Armmodell %1 gibt es nicht; es muss %2 sein, oder eine Datei mit einem (ein Name mit einem Punkt oder Schrägstrich).</translation>
+        <source>There is no arm model %1; use %2, or a file (a name with a dot or a slash).</source>
+        <translation>Ein Armmodell %1 gibt es nicht; verwenden Sie %2, oder eine Datei (ein Name mit einem Punkt oder Schrägstrich).</translation>
     </message>
     <message>
         <source>There is no hand "%1". Hands: %2.</source>
@@ -5267,16 +5275,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dieses Programm liest nur Version 1.</translation>
     </message>
     <message>
-        <source>Nothing holds the tip there: the target goes wherever the tip goes, so no stiffness is felt.</source>
-        <translation>Dort hält nichts die Spitze: Das Ziel geht überallhin, wohin die Spitze geht, also ist keine Steifigkeit zu fühlen.</translation>
+        <source>Nothing holds the tip there: the target follows the tip everywhere, so no stiffness is felt.</source>
+        <translation>Dort hält nichts die Spitze: Das Ziel folgt der Spitze überallhin, also ist keine Steifigkeit zu fühlen.</translation>
     </message>
     <message>
         <source>This is a folder, not %1 file.</source>
         <translation>Dies ist ein Ordner; hier wird eine Datei erwartet (%1).</translation>
     </message>
     <message>
-        <source>This is a pipe, a device or a socket, not a regular file, so %1 is not read from it. Save what it gives as a file, and name that.</source>
-        <translation>Dies ist eine Pipe, ein Gerät oder ein Socket und keine gewöhnliche Datei; %1 wird daraus nicht gelesen. Speichern Sie den Inhalt als Datei und geben Sie diese an.</translation>
+        <source>This is a pipe, a device or a socket, not a regular file, so %1 is not read from it. Save its output to a file, and give that file.</source>
+        <translation>Dies ist eine Pipe, ein Gerät oder ein Socket und keine gewöhnliche Datei; %1 wird daraus nicht gelesen. Speichern Sie die Ausgabe in einer Datei, und geben Sie diese an.</translation>
     </message>
     <message>
         <source>The file cannot be read: %1.</source>
@@ -5287,36 +5295,36 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Datei ist größer als %1 MiB; so groß wird keine Datei dieser Art (%2).</translation>
     </message>
     <message>
-        <source>Another program wrote into the file while it was read. Open it again once that program has saved it.</source>
+        <source>Another program wrote to the file while it was being read. Open it again once that program has saved it.</source>
         <translation>Ein anderes Programm hat in die Datei geschrieben, während sie gelesen wurde. Öffnen Sie sie noch einmal, sobald jenes Programm sie gespeichert hat.</translation>
     </message>
     <message>
-        <source>The scenes that come with Underact were not found. They were looked for in: %1. Install Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.</source>
-        <translation>Die Szenen, die zu Underact gehören, wurden nicht gefunden. Gesucht wurde in: %1. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder auf seine Quellen.</translation>
+        <source>The scenes that come with Underact were not found in %1. Reinstall Underact, or set UNDERACT_DATA_DIR to its data folder (share/underact) or its source folder.</source>
+        <translation>Die Szenen, die zu Underact gehören, wurden in %1 nicht gefunden. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder seinen Quellordner.</translation>
     </message>
     <message>
-        <source>The lessons that come with Underact were not found. They were looked for in: %1. Install Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.</source>
-        <translation>Die Lektionen, die zu Underact gehören, wurden nicht gefunden. Gesucht wurde in: %1. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder auf seine Quellen.</translation>
+        <source>The lessons that come with Underact were not found in %1. Reinstall Underact, or set UNDERACT_DATA_DIR to its data folder (share/underact) or its source folder.</source>
+        <translation>Die Lektionen, die zu Underact gehören, wurden in %1 nicht gefunden. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder seinen Quellordner.</translation>
     </message>
     <message>
-        <source>The guide's pages were not found. They were looked for in: %1. Install Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.</source>
-        <translation>Die Seiten des Handbuchs wurden nicht gefunden. Gesucht wurde in: %1. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder auf seine Quellen.</translation>
+        <source>The guide's pages were not found in %1. Reinstall Underact, or set UNDERACT_DATA_DIR to its data folder (share/underact) or its source folder.</source>
+        <translation>Die Seiten des Handbuchs wurden in %1 nicht gefunden. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder seinen Quellordner.</translation>
     </message>
     <message>
-        <source>The Python package that comes with Underact was not found. It was looked for in: %1. Install Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.</source>
-        <translation>Das Python-Paket, das zu Underact gehört, wurde nicht gefunden. Gesucht wurde in: %1. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder auf seine Quellen.</translation>
+        <source>The Python package that comes with Underact was not found in %1. Reinstall Underact, or set UNDERACT_DATA_DIR to its data folder (share/underact) or its source folder.</source>
+        <translation>Das Python-Paket, das zu Underact gehört, wurde in %1 nicht gefunden. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder seinen Quellordner.</translation>
     </message>
     <message>
-        <source>%1 was not found (it was looked for at %2).</source>
-        <translation>%1 wurde nicht gefunden (gesucht wurde %2).</translation>
+        <source>%1 was not found. Searched: %2.</source>
+        <translation>%1 wurde nicht gefunden. Gesucht wurde: %2.</translation>
     </message>
     <message>
         <source>A folder, a pipe or a device has this name and is not replaced. Give another name.</source>
         <translation>Ein Ordner, eine Pipe oder ein Gerät heißt schon so und wird nicht ersetzt. Geben Sie einen anderen Namen an.</translation>
     </message>
     <message>
-        <source>There is a file or a link of this name already; it was left as it is. Give another name.</source>
-        <translation>Eine Datei oder eine Verknüpfung dieses Namens gibt es schon; sie wurde gelassen, wie sie ist. Geben Sie einen anderen Namen an.</translation>
+        <source>A file or a link of this name already exists; it was left unchanged. Give another name.</source>
+        <translation>Eine Datei oder eine Verknüpfung dieses Namens gibt es schon; sie wurde nicht geändert. Geben Sie einen anderen Namen an.</translation>
     </message>
     <message>
         <source>all cores</source>
@@ -5343,28 +5351,28 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>normal</translation>
     </message>
     <message>
-        <source>The core that was asked for is not there, or not for this program.</source>
-        <translation>Den verlangten Kern gibt es nicht, oder nicht für dieses Programm.</translation>
+        <source>The requested core does not exist, or is not available to this program.</source>
+        <translation>Den verlangten Kern gibt es nicht, oder er steht diesem Programm nicht zur Verfügung.</translation>
     </message>
     <message>
-        <source>Real time was not asked for, so ticks can come late when the machine is busy.</source>
+        <source>Real time was not requested, so ticks can be late when the computer is busy.</source>
         <translation>Echtzeit wurde nicht verlangt, also können Takte spät kommen, wenn der Rechner beschäftigt ist.</translation>
     </message>
     <message>
-        <source>The system did not grant real-time scheduling, so ticks can come late when the machine is busy. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again, or install rtkit; the guide's page real_time.md tells how.</source>
-        <translation>Das System gewährte keine Echtzeit, also können Takte spät kommen, wenn der Rechner beschäftigt ist. Schreiben Sie "@users - rtprio 90" und "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an, oder installieren Sie rtkit; die Seite real_time.md des Handbuchs sagt, wie.</translation>
+        <source>The system did not grant real-time scheduling, so ticks can be late when the computer is busy. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again, or install rtkit; the guide's page real_time.md explains how.</source>
+        <translation>Das System gewährte keine Echtzeit, also können Takte spät kommen, wenn der Rechner beschäftigt ist. Schreiben Sie &quot;@users - rtprio 90&quot; und &quot;@users - memlock unlimited&quot; in eine Datei in /etc/security/limits.d und melden Sie sich neu an, oder installieren Sie rtkit; die Seite real_time.md des Handbuchs erklärt, wie.</translation>
     </message>
     <message>
-        <source>A higher priority would be better still. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again; the guide's page real_time.md tells how.</source>
-        <translation>Eine höhere Priorität wäre noch besser. Schreiben Sie "@users - rtprio 90" und "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an; die Seite real_time.md des Handbuchs sagt, wie.</translation>
+        <source>A higher priority would be better still. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again; the guide's page real_time.md explains how.</source>
+        <translation>Eine höhere Priorität wäre noch besser. Schreiben Sie &quot;@users - rtprio 90&quot; und &quot;@users - memlock unlimited&quot; in eine Datei in /etc/security/limits.d und melden Sie sich neu an; die Seite real_time.md des Handbuchs erklärt, wie.</translation>
     </message>
     <message>
-        <source>Parts of the program may leave the memory, and a tick then waits for them. Put "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again; the guide's page real_time.md tells how.</source>
-        <translation>Teile des Programms können aus dem Speicher ausgelagert werden, und ein Takt wartet dann auf sie. Schreiben Sie "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an; die Seite real_time.md des Handbuchs sagt, wie.</translation>
+        <source>Parts of the program may be swapped out, and a tick then waits for them. Put "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again; the guide's page real_time.md explains how.</source>
+        <translation>Teile des Programms können aus dem Speicher ausgelagert werden, und ein Takt wartet dann auf sie. Schreiben Sie &quot;@users - memlock unlimited&quot; in eine Datei in /etc/security/limits.d und melden Sie sich neu an; die Seite real_time.md des Handbuchs erklärt, wie.</translation>
     </message>
     <message>
-        <source>On a machine that is always busy, a core for the servo alone (isolcpus) is better still; the guide's page real_time.md tells how.</source>
-        <translation>Auf einem Rechner, der immer beschäftigt ist, ist ein Kern allein für den Servo (isolcpus) noch besser; die Seite real_time.md des Handbuchs sagt, wie.</translation>
+        <source>On a computer that is always busy, a core for the servo alone (isolcpus) is better still; the guide's page real_time.md explains how.</source>
+        <translation>Auf einem Rechner, der immer beschäftigt ist, ist ein Kern allein für den Servo (isolcpus) noch besser; die Seite real_time.md des Handbuchs erklärt, wie.</translation>
     </message>
     <message>
         <source>memory locked</source>
@@ -5379,8 +5387,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Spielraum des Zeitgebers 1 ns</translation>
     </message>
     <message>
-        <source>timer slack as it was</source>
-        <translation>Spielraum des Zeitgebers wie zuvor</translation>
+        <source>timer slack unchanged</source>
+        <translation>Spielraum des Zeitgebers unverändert</translation>
     </message>
     <message>
         <source>stack in memory</source>
@@ -5403,12 +5411,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>RLIMIT_RTTIME lässt sich nicht setzen</translation>
     </message>
     <message>
-        <source>it agreed, and nothing changed</source>
-        <translation>Es stimmte zu, und nichts änderte sich</translation>
+        <source>it agreed, but nothing changed</source>
+        <translation>Es stimmte zu, aber nichts änderte sich</translation>
     </message>
     <message>
-        <source>On macOS the servo has never been tried: what it reports of lateness is all that is known.</source>
-        <translation>Unter macOS wurde der Servo nie erprobt: Was er über Verspätungen meldet, ist alles, was bekannt ist.</translation>
+        <source>The servo has never been tested on macOS: the latency that it reports is all that is known.</source>
+        <translation>Unter macOS wurde der Servo nie erprobt: Die Latenz, die er meldet, ist alles, was bekannt ist.</translation>
     </message>
     <message>
         <source>time constraint</source>
@@ -5419,20 +5427,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>nicht erprobt</translation>
     </message>
     <message>
-        <source>On Windows the servo has never been tried: what it reports of lateness is all that is known.</source>
-        <translation>Unter Windows wurde der Servo nie erprobt: Was er über Verspätungen meldet, ist alles, was bekannt ist.</translation>
+        <source>The servo has never been tested on Windows: the latency that it reports is all that is known.</source>
+        <translation>Unter Windows wurde der Servo nie erprobt: Die Latenz, die er meldet, ist alles, was bekannt ist.</translation>
     </message>
     <message>
         <source>time critical</source>
         <translation>zeitkritisch</translation>
     </message>
     <message>
-        <source>The hand never touches what this is about.</source>
-        <translation>Die Hand berührt nie, worum es hier geht.</translation>
+        <source>The hand never touches the constraint.</source>
+        <translation>Die Hand berührt die Bindung nie.</translation>
     </message>
     <message>
-        <source>The run ended in a fault, and what it did before says nothing.</source>
-        <translation>Der Lauf endete in einer Störung, und was davor geschah, sagt nichts.</translation>
+        <source>The run ended in a fault, so what it measured means nothing.</source>
+        <translation>Der Lauf endete in einer Störung, also besagt nichts, was er maß.</translation>
     </message>
     <message>
         <source>Simulated arm</source>
@@ -5451,11 +5459,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Arm über das Netz</translation>
     </message>
     <message>
-        <source>There is no arm of the kind "%1". There are: %2.</source>
-        <translation>Arme der Art „%1“ gibt es nicht. Es gibt: %2.</translation>
+        <source>There is no arm of the kind "%1". Known kinds: %2.</source>
+        <translation>Arme der Art „%1“ gibt es nicht. Bekannte Arten: %2.</translation>
     </message>
     <message>
-        <source>Game controllers cannot be read here (%1). Mouse, keyboard and 3D mice work all the same. Controllers need a screen with X11, or a Wayland desktop with Xwayland.</source>
+        <source>Game controllers cannot be read here (%1). Mouse, keyboard and 3D mice still work. Controllers need an X11 display, or a Wayland desktop with Xwayland.</source>
         <translation>Gamepads können hier nicht gelesen werden (%1). Maus, Tastatur und 3D-Mäuse funktionieren trotzdem. Gamepads brauchen einen Bildschirm mit X11 oder eine Wayland-Umgebung mit Xwayland.</translation>
     </message>
     <message>
@@ -5463,8 +5471,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>ohne Angabe eines Grundes</translation>
     </message>
     <message>
-        <source>a hand's map</source>
-        <translation>die Belegung einer Hand</translation>
+        <source>a mapping</source>
+        <translation>eine Belegung</translation>
     </message>
     <message>
         <source>This must lie between %1 and %2.</source>
@@ -5483,28 +5491,24 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Liste von zweien wie [4, 5]</translation>
     </message>
     <message>
-        <source>This must be a list of two: the one that goes there, the one that goes back.</source>
-        <translation>Dies muss eine Liste von zweien sein: was hin bewegt und was zurück bewegt.</translation>
+        <source>This must be a list of two: one for the positive direction, one for the negative.</source>
+        <translation>Dies muss eine Liste von zweien sein: eines für die positive, eines für die negative Richtung.</translation>
     </message>
     <message>
-        <source>Only one of "axis", "buttons" and "triggers" may stand.</source>
-        <translation>Von „axis“, „buttons“ und „triggers“ darf nur eines stehen.</translation>
+        <source>Give only one of "axis", "buttons" and "triggers".</source>
+        <translation>Geben Sie nur eines von „axis“, „buttons“ und „triggers“ an.</translation>
     </message>
     <message>
-        <source>a way</source>
+        <source>a direction</source>
         <translation>eine Richtung</translation>
     </message>
     <message>
-        <source>a map</source>
-        <translation>eine Belegung</translation>
-    </message>
-    <message>
-        <source>the buttons of a map</source>
+        <source>the buttons of a mapping</source>
         <translation>die Tasten einer Belegung</translation>
     </message>
     <message>
-        <source>You may not read %1.</source>
-        <translation>Sie dürfen %1 nicht lesen.</translation>
+        <source>You do not have permission to read %1.</source>
+        <translation>Sie haben keine Berechtigung, %1 zu lesen.</translation>
     </message>
     <message>
         <source>left</source>
@@ -5571,19 +5575,19 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>rechter Stick</translation>
     </message>
     <message>
-        <source>pad up</source>
+        <source>D-pad up</source>
         <translation>Steuerkreuz oben</translation>
     </message>
     <message>
-        <source>pad right</source>
+        <source>D-pad right</source>
         <translation>Steuerkreuz rechts</translation>
     </message>
     <message>
-        <source>pad down</source>
+        <source>D-pad down</source>
         <translation>Steuerkreuz unten</translation>
     </message>
     <message>
-        <source>pad left</source>
+        <source>D-pad left</source>
         <translation>Steuerkreuz links</translation>
     </message>
     <message>
@@ -5607,8 +5611,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>nach rechts drehen</translation>
     </message>
     <message>
-        <source>The measurement was ended.</source>
-        <translation>Die Messung wurde beendet.</translation>
+        <source>The measurement was cancelled.</source>
+        <translation>Die Messung wurde abgebrochen.</translation>
     </message>
     <message>
         <source>The arm is not calibrated, so it gives no force. Put the stylus into the inkwell.</source>
@@ -5619,7 +5623,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Arm ist nicht kalibriert und gibt deshalb keine Kraft. Halten Sie ihn in seiner Nullstellung, wie es das Handbuch des Herstellers zeigt, und drücken Sie die Stifttaste, die näher an der Spitze ist.</translation>
     </message>
     <message>
-        <source>The arm is not calibrated, so it gives no force. Move the stylus about slowly until it is.</source>
+        <source>The arm is not calibrated, so it gives no force. Move the stylus around slowly until it is.</source>
         <translation>Der Arm ist nicht kalibriert und gibt deshalb keine Kraft. Bewegen Sie den Stift langsam umher, bis er es ist.</translation>
     </message>
     <message>
@@ -5627,27 +5631,27 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Arm sagt nicht, ob er kalibriert ist, und gibt deshalb keine Kraft. Führen Sie das Einrichtungsprogramm des Herstellers aus.</translation>
     </message>
     <message>
-        <source>The arm's driver refused a question that it should know. Report the arm's model.</source>
-        <translation>Der Treiber des Arms hat eine Anfrage abgelehnt, die er kennen sollte. Melden Sie das Modell des Arms.</translation>
+        <source>The arm's driver refused a query that it should support. Report the arm's model.</source>
+        <translation>Der Treiber des Arms hat eine Anfrage abgelehnt, die er unterstützen sollte. Melden Sie das Modell des Arms.</translation>
     </message>
     <message>
-        <source>The arm's driver lost its place in a frame. Restart the servo.</source>
+        <source>The arm's driver got out of step within a frame. Restart the servo.</source>
         <translation>Der Treiber des Arms ist in einem Frame aus dem Tritt gekommen. Starten Sie den Servo neu.</translation>
     </message>
     <message>
-        <source>The arm's driver does not know the arm any more. Restart the servo.</source>
+        <source>The arm's driver no longer knows the arm. Restart the servo.</source>
         <translation>Der Treiber des Arms kennt den Arm nicht mehr. Starten Sie den Servo neu.</translation>
     </message>
     <message>
-        <source>The arm's motors are warm, so its driver cuts the force. Let the arm rest.</source>
-        <translation>Die Motoren des Arms sind warm; deshalb nimmt sein Treiber die Kraft weg. Lassen Sie den Arm ruhen.</translation>
+        <source>The arm's motors are too warm, so its driver cuts the force. Let the arm cool down.</source>
+        <translation>Die Motoren des Arms sind zu warm; deshalb nimmt sein Treiber die Kraft weg. Lassen Sie den Arm abkühlen.</translation>
     </message>
     <message>
-        <source>The force was more than the arm gives, so its driver cut it. Make the scene softer.</source>
+        <source>The force exceeded what the arm can give, so its driver cut it. Make the scene softer.</source>
         <translation>Die Kraft war größer, als der Arm sie geben kann; deshalb hat sein Treiber sie weggenommen. Machen Sie die Szene weicher.</translation>
     </message>
     <message>
-        <source>The force rose faster than the arm allows, so its driver cut it. Make it softer.</source>
+        <source>The force rose faster than the arm allows, so its driver cut it. Make the scene softer.</source>
         <translation>Die Kraft stieg schneller an, als der Arm es zulässt; deshalb hat sein Treiber sie weggenommen. Machen Sie die Szene weicher.</translation>
     </message>
     <message>
@@ -5655,15 +5659,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Stift bewegte sich schneller, als der Arm es zulässt; deshalb hat sein Treiber die Kraft weggenommen.</translation>
     </message>
     <message>
-        <source>The arm's driver cut the force. Start again; if that lasts, restart the servo.</source>
-        <translation>Der Treiber des Arms hat die Kraft weggenommen. Drücken Sie noch einmal Start; bleibt es dabei, starten Sie den Servo neu.</translation>
+        <source>The arm's driver cut the force. Start again; if that does not help, restart the servo.</source>
+        <translation>Der Treiber des Arms hat die Kraft weggenommen. Drücken Sie noch einmal Start; hilft das nicht, starten Sie den Servo neu.</translation>
     </message>
     <message>
         <source>The arm reports a fault of its own. Switch it off and on, then restart the servo.</source>
         <translation>Der Arm meldet eine eigene Störung. Schalten Sie ihn aus und wieder ein und starten Sie dann den Servo neu.</translation>
     </message>
     <message>
-        <source>The arm is open already, here or in another program. Close that first.</source>
+        <source>The arm is already open, here or in another program. Close that first.</source>
         <translation>Der Arm ist schon geöffnet, hier oder in einem anderen Programm. Schließen Sie ihn dort zuerst.</translation>
     </message>
     <message>
@@ -5671,11 +5675,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Arm antwortet nicht. Prüfen Sie Kabel und Stromversorgung und starten Sie dann den Servo neu.</translation>
     </message>
     <message>
-        <source>The arm cannot be reached the way its driver is set up. Run the vendor's setup, then restart the servo.</source>
-        <translation>So, wie der Treiber eingerichtet ist, ist der Arm nicht zu erreichen. Führen Sie das Einrichtungsprogramm des Herstellers aus und starten Sie dann den Servo neu.</translation>
+        <source>The arm cannot be reached with its driver's present settings. Run the vendor's setup, then restart the servo.</source>
+        <translation>Mit den jetzigen Einstellungen seines Treibers ist der Arm nicht zu erreichen. Führen Sie das Einrichtungsprogramm des Herstellers aus und starten Sie dann den Servo neu.</translation>
     </message>
     <message>
-        <source>The clock of the arm's driver failed. Restart the servo.</source>
+        <source>The scheduler of the arm's driver failed. Restart the servo.</source>
         <translation>Der Taktgeber des Treibers ist ausgefallen. Starten Sie den Servo neu.</translation>
     </message>
     <message>
@@ -5683,23 +5687,23 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Treiber des Arms konnte einen Frame nicht beenden. Starten Sie den Servo neu.</translation>
     </message>
     <message>
-        <source>The arm's driver refused its clock to us. Restart the servo.</source>
-        <translation>Der Treiber des Arms hat uns seinen Taktgeber verweigert. Starten Sie den Servo neu.</translation>
+        <source>The arm's driver refused access to its scheduler. Restart the servo.</source>
+        <translation>Der Treiber des Arms hat den Zugriff auf seinen Taktgeber verweigert. Starten Sie den Servo neu.</translation>
     </message>
     <message>
-        <source>The clock of the arm's driver is full. Close other programs of it, restart the servo.</source>
-        <translation>Der Taktgeber des Treibers ist voll belegt. Schließen Sie andere Programme, die den Treiber nutzen, und starten Sie den Servo neu.</translation>
+        <source>The scheduler of the arm's driver is full. Close other programs that use it, then restart the servo.</source>
+        <translation>Der Taktgeber des Treibers ist voll belegt. Schließen Sie andere Programme, die ihn nutzen, und starten Sie dann den Servo neu.</translation>
     </message>
     <message>
-        <source>The arm's driver has no licence that is valid. Run the vendor's setup.</source>
+        <source>The arm's driver has no valid licence. Run the vendor's setup.</source>
         <translation>Der Treiber des Arms hat keine gültige Lizenz. Führen Sie das Einrichtungsprogramm des Herstellers aus.</translation>
     </message>
     <message>
-        <source>The arm's driver reports errors without end. End the program and start again.</source>
-        <translation>Der Treiber des Arms meldet Fehler ohne Ende. Beenden Sie das Programm und starten Sie es neu.</translation>
+        <source>The arm's driver keeps reporting errors. Quit the program and start it again.</source>
+        <translation>Der Treiber des Arms meldet fortwährend Fehler. Beenden Sie das Programm und starten Sie es neu.</translation>
     </message>
     <message>
-        <source>The arm sends angles that are no numbers. Restart the servo.</source>
+        <source>The arm sends angles that are not numbers. Restart the servo.</source>
         <translation>Der Arm sendet Winkel, die keine Zahlen sind. Starten Sie den Servo neu.</translation>
     </message>
     <message>
@@ -5723,7 +5727,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Treiber des Herstellers, OpenHaptics, ist nicht installiert (%1 wurde nicht gefunden). Beziehen Sie ihn für Linux vom Hersteller des Arms, entpacken Sie ihn und führen Sie in seinem Ordner das Installationsprogramm aus; verfahren Sie dann ebenso mit dem Gerätetreiber des Arms.</translation>
     </message>
     <message>
-        <source>The vendor's driver needs %1, of the old packages libncurses5 and libtinfo5, which are not installed.</source>
+        <source>The vendor's driver needs %1 from the old packages libncurses5 and libtinfo5, which are not installed.</source>
         <translation>Der Treiber des Herstellers braucht %1 aus den alten Paketen libncurses5 und libtinfo5, die nicht installiert sind.</translation>
     </message>
     <message>
@@ -5731,24 +5735,24 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Treiber des Herstellers braucht libusb, das nicht installiert ist.</translation>
     </message>
     <message>
-        <source>OpenHaptics is there, but %1 of the arm's device driver is not, or the system has not noted it yet. Install the device driver.</source>
-        <translation>OpenHaptics ist da, aber %1 vom Gerätetreiber des Arms fehlt, oder das System hat es noch nicht bemerkt. Installieren Sie den Gerätetreiber.</translation>
+        <source>OpenHaptics is installed, but %1 of the arm's device driver is not, or the system has not registered it yet. Install the device driver.</source>
+        <translation>OpenHaptics ist installiert, aber %1 vom Gerätetreiber des Arms fehlt, oder das System hat es noch nicht registriert. Installieren Sie den Gerätetreiber.</translation>
     </message>
     <message>
-        <source>The vendor's driver needs %1, which is not there.</source>
-        <translation>Der Treiber des Herstellers braucht %1, und das ist nicht da.</translation>
+        <source>The vendor's driver needs %1, which is missing.</source>
+        <translation>Der Treiber des Herstellers braucht %1, das fehlt.</translation>
     </message>
     <message>
-        <source>The system has not made %1 for the arm. Plug it in again.</source>
+        <source>The system has not created %1 for the arm. Plug it in again.</source>
         <translation>Das System hat %1 für den Arm nicht angelegt. Stecken Sie ihn neu an.</translation>
     </message>
     <message>
-        <source>You may not use %1, the arm's. This rule lets whoever sits at the machine do so; plug the arm in again after it.</source>
-        <translation>Sie dürfen %1, das zum Arm gehört, nicht benutzen. Diese Regel erlaubt es dem, der am Rechner sitzt; stecken Sie den Arm danach neu an.</translation>
+        <source>You do not have permission to use %1 of the arm. This rule gives it to whoever is logged in at the computer; plug the arm in again afterwards.</source>
+        <translation>Sie haben keine Berechtigung, %1 des Arms zu benutzen. Diese Regel erteilt sie dem, der am Rechner angemeldet ist; stecken Sie den Arm danach neu an.</translation>
     </message>
     <message>
-        <source>The vendor's driver has no settings: there is no folder config in %1 nor in %2, and GTDD_HOME does not name another. Run the vendor's Touch_Setup, or name the folder.</source>
-        <translation>Der Treiber des Herstellers hat keine Einstellungen: Weder in %1 noch in %2 gibt es einen Ordner config, und GTDD_HOME nennt keinen anderen. Führen Sie Touch_Setup des Herstellers aus, oder geben Sie den Ordner an.</translation>
+        <source>The vendor's driver has no settings: there is no folder config in %1 or %2, and GTDD_HOME names no other. Run the vendor's Touch_Setup, or set GTDD_HOME to the folder.</source>
+        <translation>Der Treiber des Herstellers hat keine Einstellungen: Weder in %1 noch in %2 gibt es einen Ordner config, und GTDD_HOME nennt keinen anderen. Führen Sie Touch_Setup des Herstellers aus, oder setzen Sie GTDD_HOME auf den Ordner.</translation>
     </message>
     <message>
         <source>Touch or Omni on USB</source>
@@ -5759,15 +5763,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Touch oder Omni an USB, Seriennummer %1</translation>
     </message>
     <message>
-        <source>No Touch or Omni is on USB. Plug it in and switch it on; one on FireWire or Ethernet is not seen from here, and may be opened all the same.</source>
-        <translation>An USB ist kein Touch oder Omni. Stecken Sie ihn an und schalten Sie ihn ein; einer an FireWire oder Ethernet ist von hier aus nicht zu sehen und lässt sich vielleicht trotzdem öffnen.</translation>
+        <source>No Touch or Omni was found on USB. Plug it in and switch it on. An arm on FireWire or Ethernet is not detected here, but may still open.</source>
+        <translation>An USB wurde kein Touch oder Omni gefunden. Stecken Sie ihn an und schalten Sie ihn ein. Ein Arm an FireWire oder Ethernet wird hier nicht erkannt, lässt sich aber vielleicht trotzdem öffnen.</translation>
     </message>
     <message>
-        <source>The clock of the arm's driver stands still: it has not called for half a second. Restart the servo; if that does not help, end the program.</source>
+        <source>The scheduler of the arm's driver has stopped: it has made no call for half a second. Restart the servo; if that does not help, quit the program.</source>
         <translation>Der Taktgeber des Treibers steht still: Er hat sich seit einer halben Sekunde nicht gemeldet. Starten Sie den Servo neu; hilft das nicht, beenden Sie das Programm.</translation>
     </message>
     <message>
-        <source>A call of the arm's driver has not come back, and the force may still be on. Switch the arm off, end the program and start it again.</source>
+        <source>A call to the arm's driver has not returned, and the force may still be on. Switch the arm off, quit the program and start it again.</source>
         <translation>Ein Aufruf des Treibers ist nicht zurückgekehrt, und die Kraft kann noch an sein. Schalten Sie den Arm aus, beenden Sie das Programm und starten Sie es neu.</translation>
     </message>
     <message>
@@ -5791,68 +5795,68 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Kraft des Arms lässt sich nicht einschalten.</translation>
     </message>
     <message>
-        <source>The arm's driver has one rate alone, %1 Hz.</source>
-        <translation>Der Treiber des Arms kennt nur eine Taktrate, %1 Hz.</translation>
+        <source>The arm's driver supports only one rate, %1 Hz.</source>
+        <translation>Der Treiber des Arms unterstützt nur eine Taktrate, %1 Hz.</translation>
     </message>
     <message>
         <source>%1 (vendor's driver)</source>
         <translation>%1 (Treiber des Herstellers)</translation>
     </message>
     <message>
-        <source>The arm's driver did not take the rate %1 Hz.</source>
+        <source>The arm's driver did not accept the rate %1 Hz.</source>
         <translation>Der Treiber des Arms hat die Taktrate %1 Hz nicht angenommen.</translation>
     </message>
     <message>
-        <source>The arm's driver takes no rate at all. Restart the servo.</source>
+        <source>The arm's driver accepts no rate at all. Restart the servo.</source>
         <translation>Der Treiber des Arms nimmt gar keine Taktrate an. Starten Sie den Servo neu.</translation>
     </message>
     <message>
-        <source>The arm's driver ticks at %1 Hz, not at %2. Choose one of these.</source>
-        <translation>Der Treiber des Arms taktet mit %1 Hz, nicht mit %2. Wählen Sie eine dieser Taktraten.</translation>
+        <source>The arm's driver supports %1 Hz, not %2. Choose one of these rates.</source>
+        <translation>Der Treiber des Arms unterstützt %1 Hz, nicht %2. Wählen Sie eine dieser Taktraten.</translation>
     </message>
     <message>
-        <source>Another arm ticks by the same driver at %1 Hz, and there is one clock for both. Close one of them first.</source>
-        <translation>Ein anderer Arm taktet über denselben Treiber mit %1 Hz, und beide haben einen gemeinsamen Taktgeber. Schließen Sie zuerst einen von ihnen.</translation>
+        <source>Another arm uses the same driver at %1 Hz, and both share one scheduler. Close one of them first.</source>
+        <translation>Ein anderer Arm nutzt denselben Treiber mit %1 Hz, und beide haben einen gemeinsamen Taktgeber. Schließen Sie zuerst einen von ihnen.</translation>
     </message>
     <message>
         <source>The stylus is in the inkwell, so the arm gives no force. Take it out.</source>
         <translation>Der Stift steckt im Tintenfass; deshalb gibt der Arm keine Kraft. Nehmen Sie ihn heraus.</translation>
     </message>
     <message>
-        <source>The arm says that its tip is %1 mm from where the arm "%2" of the scene has it, so it gets no force: the force would point elsewhere. Choose the arm that it is.</source>
-        <translation>Nach eigener Angabe hat der Arm seine Spitze %1 mm neben dem Ort, an dem der Arm „%2“ der Szene sie hat; deshalb bekommt er keine Kraft: Sie würde woandershin zeigen. Wählen Sie den Arm, der es wirklich ist.</translation>
+        <source>The arm reports its tip %1 mm from where the scene's arm "%2" has it, so it gets no force: the force would point elsewhere. Choose the arm that is connected.</source>
+        <translation>Der Arm meldet seine Spitze %1 mm neben dem Ort, an dem der Arm „%2“ der Szene sie hat; deshalb bekommt er keine Kraft: Sie würde woandershin zeigen. Wählen Sie den Arm, der angeschlossen ist.</translation>
     </message>
     <message>
         <source>%1 times so far.</source>
         <translation>Bisher %1-mal.</translation>
     </message>
     <message>
-        <source>The arm says that its tip is %1 mm from where the arm "%2" of the scene has it. Choose the arm that it is, or shapes are felt elsewhere than they are shown.</source>
-        <translation>Nach eigener Angabe hat der Arm seine Spitze %1 mm neben dem Ort, an dem der Arm „%2“ der Szene sie hat. Wählen Sie den Arm, der es wirklich ist; sonst fühlt man Formen woanders, als sie gezeigt werden.</translation>
+        <source>The arm reports its tip %1 mm from where the scene's arm "%2" has it. Choose the arm that is connected, otherwise shapes are felt elsewhere than they are shown.</source>
+        <translation>Der Arm meldet seine Spitze %1 mm neben dem Ort, an dem der Arm „%2“ der Szene sie hat. Wählen Sie den Arm, der angeschlossen ist; sonst fühlt man Formen woanders, als sie gezeigt werden.</translation>
     </message>
     <message>
         <source>Ticks %1 to %2 of this session are damaged; the arm stands still there.</source>
         <translation>Die Takte %1 bis %2 dieser Sitzung sind beschädigt; dort steht der Arm still.</translation>
     </message>
     <message>
-        <source>Opening was ended before the whole session was read.</source>
-        <translation>Das Öffnen wurde beendet, bevor die ganze Sitzung gelesen war.</translation>
+        <source>Opening was cancelled before the whole session was read.</source>
+        <translation>Das Öffnen wurde abgebrochen, bevor die ganze Sitzung gelesen war.</translation>
     </message>
     <message>
-        <source>There are no ticks in this session: nothing can be replayed.</source>
-        <translation>In dieser Sitzung sind keine Takte: Es gibt nichts wiederzugeben.</translation>
+        <source>This session contains no ticks, so there is nothing to replay.</source>
+        <translation>Diese Sitzung enthält keine Takte: Es gibt nichts wiederzugeben.</translation>
     </message>
     <message>
-        <source>"%1" is no address of a shared arm. It is HOST:PORT or HOST, as in 192.168.1.20:7878, arm-pc or [fe80::1]:7878.</source>
-        <translation>„%1“ ist keine Adresse eines freigegebenen Arms. Eine solche ist HOST:PORT oder HOST, wie 192.168.1.20:7878, arm-pc oder [fe80::1]:7878.</translation>
+        <source>"%1" is not an address of a shared arm. Give HOST:PORT or HOST, as in 192.168.1.20:7878, arm-pc or [fe80::1]:7878.</source>
+        <translation>„%1“ ist keine Adresse eines freigegebenen Arms. Geben Sie HOST:PORT oder HOST an, wie 192.168.1.20:7878, arm-pc oder [fe80::1]:7878.</translation>
     </message>
     <message>
-        <source>This file of keys belongs to another user of this computer, so it is not used. Delete it, and find out who put it there.</source>
+        <source>This key file belongs to another user of this computer, so it is not used. Delete it, and find out who put it there.</source>
         <translation>Diese Schlüsseldatei gehört einem anderen Benutzer dieses Rechners und wird deshalb nicht benutzt. Löschen Sie sie, und stellen Sie fest, wer sie dort abgelegt hat.</translation>
     </message>
     <message>
-        <source>%1 Say chmod 600 '%2' and, if somebody may have done so, %3.</source>
-        <translation>%1 Geben Sie chmod 600 '%2' ein und, falls es jemand getan haben könnte: %3.</translation>
+        <source>%1 Run chmod 600 '%2' and, if somebody may have done so, %3.</source>
+        <translation>%1 Führen Sie chmod 600 &apos;%2&apos; aus und, falls es jemand getan haben könnte: %3.</translation>
     </message>
     <message>
         <source>Others may read your secret key.</source>
@@ -5875,19 +5879,19 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Andere können lesen oder ändern, welchen Armen Sie vertrauen.</translation>
     </message>
     <message>
-        <source>keys of arms</source>
-        <translation>Schlüssel von Armen</translation>
+        <source>a key</source>
+        <translation>ein Schlüssel</translation>
     </message>
     <message>
-        <source>The file of keys cannot be read.</source>
+        <source>The key file cannot be read.</source>
         <translation>Die Schlüsseldatei kann nicht gelesen werden.</translation>
     </message>
     <message>
-        <source>The file of keys cannot be written: %1.</source>
+        <source>The key file cannot be written: %1.</source>
         <translation>Die Schlüsseldatei kann nicht geschrieben werden: %1.</translation>
     </message>
     <message>
-        <source>"%1" is no key. A key has 40 characters; "underact-cli share-arm --show-key" prints it. Put it in single quotes, since some of them mean something to a shell.</source>
+        <source>"%1" is not a key. A key has 40 characters; "underact-cli share-arm --show-key" prints it. Put it in single quotes, since some of its characters have a meaning in a shell.</source>
         <translation>„%1“ ist kein Schlüssel. Ein Schlüssel hat 40 Zeichen; „underact-cli share-arm --show-key“ gibt ihn aus. Setzen Sie ihn in einfache Anführungszeichen, denn manche der Zeichen haben für eine Shell eine Bedeutung.</translation>
     </message>
     <message>
@@ -5895,23 +5899,23 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die ZeroMQ-Bibliothek dieses Rechners wurde ohne CURVE gebaut; deshalb kann kein Arm freigegeben werden.</translation>
     </message>
     <message>
-        <source>This is no pair of keys. "underact-cli share-arm --new-key" makes one in its place.</source>
-        <translation>Dies ist kein Schlüsselpaar. „underact-cli share-arm --new-key“ erzeugt eines an seiner Stelle.</translation>
+        <source>This is not a key pair. "underact-cli share-arm --new-key" makes a new one in its place.</source>
+        <translation>Dies ist kein Schlüsselpaar. „underact-cli share-arm --new-key“ erzeugt ein neues an seiner Stelle.</translation>
     </message>
     <message>
-        <source>A line begins with a key of 40 characters.</source>
-        <translation>Eine Zeile beginnt mit einem Schlüssel aus 40 Zeichen.</translation>
+        <source>A line must begin with a key of 40 characters.</source>
+        <translation>Eine Zeile muss mit einem Schlüssel aus 40 Zeichen beginnen.</translation>
     </message>
     <message>
-        <source>The key of %1 in this file is none.</source>
-        <translation>Der Schlüssel von %1 in dieser Datei ist keiner.</translation>
+        <source>The key of %1 in this file is not valid.</source>
+        <translation>Der Schlüssel von %1 in dieser Datei ist ungültig.</translation>
     </message>
     <message>
         <source>The arm at %1 is not shared with you: your key is not known there. Here, "underact-cli share-arm --show-key" prints the line to run there.</source>
         <translation>Der Arm bei %1 ist nicht für Sie freigegeben: Ihr Schlüssel ist dort nicht bekannt. „underact-cli share-arm --show-key“ gibt hier die Zeile aus, die dort auszuführen ist.</translation>
     </message>
     <message>
-        <source>What answers at %1 is not the arm whose key is known here. If it was given a new key, run the line that "underact-cli share-arm" prints there; if it was not, somebody else answers in its place.</source>
+        <source>What answers at %1 is not the arm whose key is known here. If it was given a new key, run the line that "underact-cli share-arm" prints there; if not, somebody else is answering in its place.</source>
         <translation>Was bei %1 antwortet, ist nicht der Arm, dessen Schlüssel hier bekannt ist. Hat er einen neuen Schlüssel bekommen, führen Sie die Zeile aus, die „underact-cli share-arm“ dort ausgibt; wenn nicht, antwortet jemand anders an seiner Stelle.</translation>
     </message>
     <message>
@@ -5927,7 +5931,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Arm bei %1: %2</translation>
     </message>
     <message>
-        <source>The arm at %1 does not answer, although its computer does. Start "underact-cli share-arm" anew there.</source>
+        <source>The arm at %1 does not answer, although its computer does. Restart "underact-cli share-arm" there.</source>
         <translation>Der Arm bei %1 antwortet nicht, obwohl sein Rechner antwortet. Starten Sie „underact-cli share-arm“ dort neu.</translation>
     </message>
     <message>
@@ -5935,32 +5939,32 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Schlüssel des Arms bei %1 ist hier nicht bekannt. „underact-cli share-arm“ gibt am Rechner des Arms die Zeile aus, die hier einmal auszuführen ist.</translation>
     </message>
     <message>
-        <source>%1, shared at this computer</source>
+        <source>%1, shared on this computer</source>
         <translation>%1, an diesem Rechner freigegeben</translation>
     </message>
     <message>
-        <source>%1, shared at this computer, without force</source>
+        <source>%1, shared on this computer, without force</source>
         <translation>%1, an diesem Rechner freigegeben, ohne Kraft</translation>
     </message>
     <message>
-        <source>The arm at %1 ticks at %2 Hz and not at %3 Hz.</source>
+        <source>The arm at %1 ticks at %2 Hz, not at %3 Hz.</source>
         <translation>Der Arm bei %1 taktet mit %2 Hz und nicht mit %3 Hz.</translation>
     </message>
     <message>
-        <source>The line to the arm at %1 broke. Look after the network and the sharing program at its computer, then press Restart.</source>
-        <translation>Die Verbindung zum Arm bei %1 ist abgebrochen. Sehen Sie nach dem Netz und nach dem Programm, das ihn an seinem Rechner freigibt, und drücken Sie dann „Servo neu starten“.</translation>
+        <source>The connection to the arm at %1 was lost. Check the network and the sharing program on its computer, then press Restart.</source>
+        <translation>Die Verbindung zum Arm bei %1 ist abgebrochen. Prüfen Sie das Netz und das Programm, das ihn an seinem Rechner freigibt, und drücken Sie dann „Servo neu starten“.</translation>
     </message>
     <message>
-        <source>Nothing comes from the arm at %1 any more. Look after the network and the sharing program at its computer, then press Restart.</source>
-        <translation>Vom Arm bei %1 kommt nichts mehr. Sehen Sie nach dem Netz und nach dem Programm, das ihn an seinem Rechner freigibt, und drücken Sie dann „Servo neu starten“.</translation>
+        <source>The arm at %1 no longer sends anything. Check the network and the sharing program on its computer, then press Restart.</source>
+        <translation>Vom Arm bei %1 kommt nichts mehr. Prüfen Sie das Netz und das Programm, das ihn an seinem Rechner freigibt, und drücken Sie dann „Servo neu starten“.</translation>
     </message>
     <message>
         <source>The arm at %1 keeps the rate that it was opened with. Choose the simulated arm, then the rate, and open it again.</source>
         <translation>Der Arm bei %1 behält die Taktrate, mit der er geöffnet wurde. Wählen Sie den simulierten Arm, dann die Taktrate, und öffnen Sie ihn wieder.</translation>
     </message>
     <message>
-        <source>Nothing comes from the arm at %1. Look after the network and the sharing program at its computer.</source>
-        <translation>Vom Arm bei %1 kommt nichts. Sehen Sie nach dem Netz und nach dem Programm, das ihn an seinem Rechner freigibt.</translation>
+        <source>The arm at %1 sends nothing. Check the network and the sharing program on its computer.</source>
+        <translation>Vom Arm bei %1 kommt nichts. Prüfen Sie das Netz und das Programm, das ihn an seinem Rechner freigibt.</translation>
     </message>
     <message>
         <source>%1 at %2</source>
@@ -5971,12 +5975,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>%1 bei %2, ohne Kraft</translation>
     </message>
     <message>
-        <source>No line to %1: %2.</source>
+        <source>No connection to %1: %2.</source>
         <translation>Keine Verbindung zu %1: %2.</translation>
     </message>
     <message>
-        <source>Nobody can listen at %1: %2. Is an arm shared there already? Another port is chosen with --listen HOST:PORT.</source>
-        <translation>An %1 können keine Verbindungen angenommen werden: %2. Ist dort schon ein Arm freigegeben? Ein anderer Port wird mit --listen HOST:PORT gewählt.</translation>
+        <source>Connections cannot be accepted at %1: %2. Is an arm already shared there? Choose another port with --listen HOST:PORT.</source>
+        <translation>An %1 können keine Verbindungen angenommen werden: %2. Ist dort schon ein Arm freigegeben? Wählen Sie mit --listen HOST:PORT einen anderen Port.</translation>
     </message>
     <message>
         <source>Recorded arm: %1</source>
@@ -5999,11 +6003,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Es ist kein WoodenHaptics-Arm mit der Seriennummer oder dem Pfad „%1“ angeschlossen.</translation>
     </message>
     <message>
-        <source>What may be one, and is taken by name: %1.</source>
-        <translation>Was einer sein kann und über seinen Namen gewählt wird: %1.</translation>
+        <source>Devices that may be one, and can be chosen by name: %1.</source>
+        <translation>Geräte, die einer sein können und sich über ihren Namen wählen lassen: %1.</translation>
     </message>
     <message>
-        <source>The WoodenHaptics arm was unplugged while it was opened. Plug it in again.</source>
+        <source>The WoodenHaptics arm was unplugged while it was being opened. Plug it in again.</source>
         <translation>Der WoodenHaptics-Arm wurde abgezogen, während er geöffnet wurde. Stecken Sie ihn wieder an.</translation>
     </message>
     <message>
@@ -6011,23 +6015,23 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>%1 sendet Berichte von %2 Bytes; die eines WoodenHaptics-Arms haben 8, 14 oder 64.</translation>
     </message>
     <message>
-        <source>The WoodenHaptics arm at %1 says nothing. Press the reset button of its board, or plug it in anew.</source>
-        <translation>Der WoodenHaptics-Arm an %1 sagt nichts. Drücken Sie die Reset-Taste seiner Platine, oder stecken Sie ihn neu an.</translation>
+        <source>The WoodenHaptics arm at %1 sends nothing. Press the reset button on its board, or plug it in again.</source>
+        <translation>Der WoodenHaptics-Arm an %1 sendet nichts. Drücken Sie die Reset-Taste seiner Platine, oder stecken Sie ihn neu an.</translation>
     </message>
     <message>
-        <source>How the arm "%1" moves is not published, so it cannot be used. WoodenHaptics arms can.</source>
-        <translation>Wie sich der Arm „%1“ bewegt, ist nicht veröffentlicht; deshalb kann er nicht verwendet werden. WoodenHaptics-Arme können es.</translation>
+        <source>The kinematics of the arm "%1" are not published, so it cannot be used. WoodenHaptics arms can.</source>
+        <translation>Die Kinematik des Arms „%1“ ist nicht veröffentlicht; deshalb kann er nicht verwendet werden. WoodenHaptics-Arme können es.</translation>
     </message>
     <message>
-        <source>%1 is in use already, here or by another program of this kind.</source>
+        <source>%1 is already in use, here or by another program of this kind.</source>
         <translation>%1 ist schon in Gebrauch, hier oder durch ein anderes Programm dieser Art.</translation>
     </message>
     <message>
-        <source>You may not open %1. This, in a terminal, allows it: %2</source>
-        <translation>Sie dürfen %1 nicht öffnen. Dies, in einem Terminal, erlaubt es: %2</translation>
+        <source>You do not have permission to open %1. This command, in a terminal, grants it: %2</source>
+        <translation>Sie haben keine Berechtigung, %1 zu öffnen. Dieser Befehl, in einem Terminal, erteilt sie: %2</translation>
     </message>
     <message>
-        <source>%1 cannot be opened. Unplug it and plug it in anew.</source>
+        <source>%1 cannot be opened. Unplug it and plug it in again.</source>
         <translation>%1 kann nicht geöffnet werden. Ziehen Sie das Gerät ab und stecken Sie es neu an.</translation>
     </message>
     <message>
@@ -6039,28 +6043,28 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>%1: vielleicht ein WoodenHaptics-Arm</translation>
     </message>
     <message>
-        <source>You may not open %1: the system's rules give it to nobody.</source>
-        <translation>Sie dürfen %1 nicht öffnen: Die Regeln des Systems geben es niemandem frei.</translation>
+        <source>You do not have permission to open %1: the system's rules give it to nobody.</source>
+        <translation>Sie haben keine Berechtigung, %1 zu öffnen: Die Regeln des Systems erteilen sie niemandem.</translation>
     </message>
     <message>
         <source>Unplug it, put it in its home posture (upper arm upright, forearm level, straight ahead), plug it in and press Restart.</source>
         <translation>Ziehen Sie ihn ab, bringen Sie ihn in seine Grundstellung (Oberarm senkrecht, Unterarm waagerecht, geradeaus), stecken Sie ihn an und drücken Sie „Servo neu starten“.</translation>
     </message>
     <message>
-        <source>Put it in its home posture (upper arm upright, forearm level, straight ahead) and press the calibration button of its board.</source>
+        <source>Put it in its home posture (upper arm upright, forearm level, straight ahead) and press the calibration button on its board.</source>
         <translation>Bringen Sie ihn in seine Grundstellung (Oberarm senkrecht, Unterarm waagerecht, geradeaus) und drücken Sie die Kalibriertaste seiner Platine.</translation>
     </message>
     <message>
-        <source>The WoodenHaptics arm was unplugged, or its line broke. Plug it in and press Restart.</source>
+        <source>The WoodenHaptics arm was unplugged, or its connection was lost. Plug it in and press Restart.</source>
         <translation>Der WoodenHaptics-Arm wurde abgezogen, oder seine Verbindung ist abgebrochen. Stecken Sie ihn an und drücken Sie „Servo neu starten“.</translation>
     </message>
     <message>
-        <source>The WoodenHaptics arm is plugged in, but sends nothing. Press the reset button of its board, or plug it in anew, and press Restart.</source>
+        <source>The WoodenHaptics arm is plugged in, but sends nothing. Press the reset button on its board, or plug it in again, and press Restart.</source>
         <translation>Der WoodenHaptics-Arm ist angeschlossen, sendet aber nichts. Drücken Sie die Reset-Taste seiner Platine, oder stecken Sie ihn neu an, und drücken Sie „Servo neu starten“.</translation>
     </message>
     <message>
-        <source>The WoodenHaptics arm does not know its posture, so it does not push.</source>
-        <translation>Der WoodenHaptics-Arm kennt seine Stellung nicht und drückt deshalb nicht.</translation>
+        <source>The WoodenHaptics arm does not know its posture, so it gives no force.</source>
+        <translation>Der WoodenHaptics-Arm kennt seine Stellung nicht und gibt deshalb keine Kraft.</translation>
     </message>
 </context>
 <context>
@@ -6708,12 +6712,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>PID, mit Integral</translation>
     </message>
     <message>
-        <source>by effort (weighted)</source>
-        <translation>nach Aufwand (gewichtet)</translation>
+        <source>least effort (weighted)</source>
+        <translation>kleinster Aufwand (gewichtet)</translation>
     </message>
     <message>
-        <source>by distance (euclidean)</source>
-        <translation>nach Abstand (euklidisch)</translation>
+        <source>least distance (euclidean)</source>
+        <translation>kleinster Abstand (euklidisch)</translation>
     </message>
     <message>
         <source>observe</source>
@@ -6728,12 +6732,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>regeln</translation>
     </message>
     <message>
-        <source>the tip (Cartesian)</source>
-        <translation>die Spitze (kartesisch)</translation>
+        <source>Cartesian (tip)</source>
+        <translation>kartesisch (Spitze)</translation>
     </message>
     <message>
-        <source>the joints</source>
-        <translation>die Gelenke</translation>
+        <source>joints</source>
+        <translation>Gelenke</translation>
     </message>
     <message>
         <source>Kalman</source>
@@ -6760,11 +6764,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>−z, von der Hand zur Spitze</translation>
     </message>
     <message>
-        <source>nearest of all</source>
+        <source>nearest overall</source>
         <translation>allernächster Punkt</translation>
     </message>
     <message>
-        <source>nearest of all, in the tree</source>
+        <source>nearest overall, by tree</source>
         <translation>allernächster Punkt, im Baum</translation>
     </message>
     <message>
@@ -6772,16 +6776,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>entlang der Oberfläche</translation>
     </message>
     <message>
-        <source>nothing of the turn</source>
-        <translation>nichts von der Drehung</translation>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
     <message>
         <source>direction of z (axis)</source>
         <translation>Richtung von z (Achse)</translation>
     </message>
     <message>
-        <source>angle about the joint</source>
-        <translation>Winkel um das Gelenk</translation>
+        <source>full orientation</source>
+        <translation>volle Orientierung</translation>
     </message>
     <message>
         <source>the whole turn</source>
@@ -6796,8 +6800,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Thesis 5.2</translation>
     </message>
     <message>
-        <source>by itself (auto)</source>
-        <translation>von selbst (auto)</translation>
+        <source>automatic</source>
+        <translation>automatisch</translation>
     </message>
     <message>
         <source>closed form</source>
@@ -6808,35 +6812,35 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>iterativ</translation>
     </message>
     <message>
-        <source>how forces are combined</source>
-        <translation>wie Kräfte zusammenwirken</translation>
+        <source>combination of forces</source>
+        <translation>Zusammenwirken der Kräfte</translation>
     </message>
     <message>
-        <source>Every constraint's own force is added, or the nearest to the stylus holds alone.</source>
-        <translation>Die Kräfte aller Bindungen werden addiert, oder die dem Stift nächste wirkt allein.</translation>
+        <source>The forces of all constraints are added, or only the constraint nearest to the stylus acts.</source>
+        <translation>Die Kräfte aller Bindungen werden addiert, oder nur die dem Stift nächste Bindung wirkt.</translation>
     </message>
     <message>
         <source>integrator</source>
         <translation>Integrator</translation>
     </message>
     <message>
-        <source>How a substep of the simulated arm goes from one state to the next.</source>
-        <translation>Wie ein Teilschritt des simulierten Arms von einem Zustand zum nächsten führt.</translation>
+        <source>The integration method for a substep of the simulated arm.</source>
+        <translation>Das Integrationsverfahren für einen Teilschritt des simulierten Arms.</translation>
     </message>
     <message>
         <source>substep</source>
         <translation>Teilschritt</translation>
     </message>
     <message>
-        <source>The longest substep of the simulated arm, microseconds.</source>
-        <translation>Der längste Teilschritt des simulierten Arms, Mikrosekunden.</translation>
+        <source>The longest substep of the simulated arm, in microseconds.</source>
+        <translation>Der längste Teilschritt des simulierten Arms, in Mikrosekunden.</translation>
     </message>
     <message>
         <source>us</source>
         <translation>µs</translation>
     </message>
     <message>
-        <source>law</source>
+        <source>control law</source>
         <translation>Regelgesetz</translation>
     </message>
     <message>
@@ -6848,8 +6852,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Steifigkeit</translation>
     </message>
     <message>
-        <source>How hard the stylus is pulled back for each millimetre: f = kp e (proportional gain).</source>
-        <translation>Wie stark der Stift je Millimeter zurückgezogen wird: f = kp e (Proportionalverstärkung).</translation>
+        <source>Pulls the stylus back with this force for each millimetre of error: f = kp e (proportional gain).</source>
+        <translation>Zieht den Stift je Millimeter Fehler mit dieser Kraft zurück: f = kp e (Proportionalverstärkung).</translation>
     </message>
     <message>
         <source>N/mm</source>
@@ -6860,20 +6864,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dämpfung</translation>
     </message>
     <message>
-        <source>How hard a change of the error is resisted: f = kd de/dt (derivative gain).</source>
-        <translation>Wie stark einer Änderung des Fehlers widerstanden wird: f = kd de/dt (Differentialverstärkung).</translation>
+        <source>Resists a change of the error: f = kd de/dt (derivative gain).</source>
+        <translation>Widersteht einer Änderung des Fehlers: f = kd de/dt (Differentialverstärkung).</translation>
     </message>
     <message>
         <source>N s/mm</source>
         <translation>N s/mm</translation>
     </message>
     <message>
-        <source>integral</source>
-        <translation>Integral</translation>
+        <source>integral gain</source>
+        <translation>Integralverstärkung</translation>
     </message>
     <message>
-        <source>How fast an error that stays is worked off: df/dt = ki e (integral gain).</source>
-        <translation>Wie schnell ein bleibender Fehler abgebaut wird: df/dt = ki e (Integralverstärkung).</translation>
+        <source>Removes an error that stays, over time: df/dt = ki e (integral gain).</source>
+        <translation>Baut einen bleibenden Fehler mit der Zeit ab: df/dt = ki e (Integralverstärkung).</translation>
     </message>
     <message>
         <source>N/(mm s)</source>
@@ -6884,40 +6888,40 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>nächster Punkt</translation>
     </message>
     <message>
-        <source>With unequal gains the point of least effort is not the point of least distance. By effort the stylus stays where it is put; by distance, as in the thesis, it may creep.</source>
-        <translation>Bei ungleichen Verstärkungen ist der Punkt des kleinsten Aufwands nicht der Punkt des kleinsten Abstands. Nach Aufwand bleibt der Stift, wo er hingesetzt wird; nach Abstand, wie in der Thesis, kann er kriechen.</translation>
+        <source>With unequal gains the point of least effort is not the point of least distance. With least effort the stylus stays where it is put; with least distance, as in the thesis, it may creep.</source>
+        <translation>Bei ungleichen Verstärkungen ist der Punkt des kleinsten Aufwands nicht der Punkt des kleinsten Abstands. Bei kleinstem Aufwand bleibt der Stift, wo er hingesetzt wird; bei kleinstem Abstand, wie in der Thesis, kann er kriechen.</translation>
     </message>
     <message>
         <source>passivity</source>
         <translation>Passivität</translation>
     </message>
     <message>
-        <source>Observe counts the energy that the stylus puts into the constraint and gets back, E = sum of f dx; below 0 the wall is active. Control adds the damping that is missing.</source>
-        <translation>„Beobachten“ zählt die Energie, die der Stift in die Bindung steckt und zurückbekommt, E = Summe von f dx; unter 0 ist die Wand aktiv. „Regeln“ fügt die fehlende Dämpfung hinzu.</translation>
+        <source>Observe: adds up the energy that the stylus puts into the constraint and gets back, E = sum of f dx; below 0 the wall is active. Control: also adds the missing damping.</source>
+        <translation>Beobachten: summiert die Energie, die der Stift in die Bindung steckt und zurückbekommt, E = Summe von f dx; unter 0 ist die Wand aktiv. Regeln: fügt zudem die fehlende Dämpfung hinzu.</translation>
     </message>
     <message>
-        <source>where the control works</source>
-        <translation>wo die Regelung wirkt</translation>
+        <source>control space</source>
+        <translation>Raum der Regelung</translation>
     </message>
     <message>
-        <source>On the tip: f = kp e, axis by axis. On the joints: torques draw joints 1 to 3 to those of the target, tau = K (q* - q), f = J^-T tau; the gains are as felt in the middle of the workspace.</source>
-        <translation>An der Spitze: f = kp e, Achse für Achse. An den Gelenken: Drehmomente ziehen die Gelenke 1 bis 3 zu denen des Ziels, tau = K (q* - q), f = J^-T tau; die Verstärkungen gelten, wie sie in der Mitte des Arbeitsraums zu fühlen sind.</translation>
+        <source>Cartesian: f = kp e at the tip, axis by axis. Joints: torques pull joints 1 to 3 to those of the target, tau = K (q* - q), f = J^-T tau; the gains are as felt in the middle of the workspace.</source>
+        <translation>Kartesisch: f = kp e an der Spitze, Achse für Achse. Gelenke: Drehmomente ziehen die Gelenke 1 bis 3 zu denen des Ziels, tau = K (q* - q), f = J^-T tau; die Verstärkungen gelten, wie sie in der Mitte des Arbeitsraums zu fühlen sind.</translation>
     </message>
     <message>
         <source>velocity filter</source>
         <translation>Geschwindigkeitsfilter</translation>
     </message>
     <message>
-        <source>How the rate de/dt is found from places that come in encoder steps: each filter is another trade of delay for noise.</source>
-        <translation>Wie die Rate de/dt aus Orten bestimmt wird, die in Encoderschritten kommen: Jeder Filter wägt Verzögerung und Rauschen anders ab.</translation>
+        <source>How the rate de/dt is estimated from positions in encoder steps: each filter trades delay for noise in another way.</source>
+        <translation>Wie die Rate de/dt aus Orten in Encoderschritten geschätzt wird: Jeder Filter wägt Verzögerung und Rauschen anders ab.</translation>
     </message>
     <message>
         <source>noise</source>
         <translation>Rauschen</translation>
     </message>
     <message>
-        <source>How far a sample is off, standard deviation.</source>
-        <translation>Wie weit ein Messwert danebenliegt, Standardabweichung.</translation>
+        <source>The standard deviation of a sample.</source>
+        <translation>Die Standardabweichung eines Messwerts.</translation>
     </message>
     <message>
         <source>mm</source>
@@ -6928,8 +6932,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Beschleunigung</translation>
     </message>
     <message>
-        <source>How hard the hand may speed up: more, and the filter follows sooner and is noisier.</source>
-        <translation>Wie stark die Hand beschleunigen darf: Bei mehr folgt der Filter eher und rauscht stärker.</translation>
+        <source>The acceleration expected of the hand: with more, the filter follows faster and is noisier.</source>
+        <translation>Die von der Hand erwartete Beschleunigung: Bei mehr folgt der Filter schneller und rauscht stärker.</translation>
     </message>
     <message>
         <source>mm/s²</source>
@@ -6952,24 +6956,24 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>längstes Fenster</translation>
     </message>
     <message>
-        <source>The longest window, in ticks: longer is calmer and later.</source>
-        <translation>Das längste Fenster, in Takten: Ein längeres ist ruhiger und später.</translation>
+        <source>The longest window, in ticks: a longer one is smoother but adds delay.</source>
+        <translation>Das längste Fenster, in Takten: Ein längeres glättet stärker, verzögert aber mehr.</translation>
     </message>
     <message>
         <source>ticks</source>
         <translation>Takte</translation>
     </message>
     <message>
-        <source>As far as a sample may lie off the line through the ends of the window.</source>
-        <translation>So weit darf ein Messwert neben der Geraden durch die Enden des Fensters liegen.</translation>
+        <source>How far a sample may lie off the line through the ends of the window.</source>
+        <translation>Wie weit ein Messwert neben der Geraden durch die Enden des Fensters liegen darf.</translation>
     </message>
     <message>
         <source>side</source>
         <translation>Seite</translation>
     </message>
     <message>
-        <source>Both: the stylus is held to the surface. Outside, inside: where it is free to be; a wall that pushes it back there.</source>
-        <translation>Beide: Der Stift wird an der Oberfläche gehalten. Außen, innen: wo er frei ist; eine Wand, die ihn dorthin zurückdrückt.</translation>
+        <source>Both: the stylus is held to the surface. Outside, inside: the stylus is free on that side, and a wall pushes it back from the other.</source>
+        <translation>Beide: Der Stift wird an der Oberfläche gehalten. Außen, innen: Der Stift ist auf dieser Seite frei, und eine Wand drückt ihn von der anderen zurück.</translation>
     </message>
     <message>
         <source>influence t</source>
@@ -6984,16 +6988,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Stiftachse</translation>
     </message>
     <message>
-        <source>Which way along the stylus points at the shape: z of frame 6 runs from the tip into the hand.</source>
-        <translation>Mit welcher Richtung der Stift auf die Form zeigt: z von Koordinatensystem 6 läuft von der Spitze in die Hand.</translation>
+        <source>Which end of the stylus points at the shape: z of frame 6 points from the tip into the hand.</source>
+        <translation>Mit welchem Ende der Stift auf die Form zeigt: z von Koordinatensystem 6 zeigt von der Spitze in die Hand.</translation>
     </message>
     <message>
         <source>blend width</source>
         <translation>Übergangsbreite</translation>
     </message>
     <message>
-        <source>Within this angle of the shape's axis the stylus's direction says less and less, and the target goes over to position smoothly.</source>
-        <translation>Innerhalb dieses Winkels zur Achse der Form sagt die Richtung des Stifts immer weniger, und das Ziel geht glatt zur Position über.</translation>
+        <source>Within this angle of the shape's axis the stylus's direction counts less and less, and the target changes smoothly to position only.</source>
+        <translation>Innerhalb dieses Winkels zur Achse der Form zählt die Richtung des Stifts immer weniger, und das Ziel geht glatt dazu über, nur der Position zu folgen.</translation>
     </message>
     <message>
         <source>°</source>
@@ -7004,19 +7008,19 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Haftreibung</translation>
     </message>
     <message>
-        <source>How hard it sticks: the share of the force across the surface that does not move it.</source>
-        <translation>Wie stark er haftet: der Anteil der Kraft quer zur Oberfläche, der ihn noch nicht bewegt.</translation>
+        <source>How firmly the target sticks: coefficient of static friction. It moves when the force along the surface exceeds this share of the force across it.</source>
+        <translation>Wie fest das Ziel haftet: Haftreibungszahl. Es bewegt sich, wenn die Kraft entlang der Oberfläche diesen Anteil der Kraft senkrecht zu ihr übersteigt.</translation>
     </message>
     <message>
         <source>dynamic friction</source>
         <translation>Gleitreibung</translation>
     </message>
     <message>
-        <source>How hard it drags while it slides; at most the static share.</source>
-        <translation>Wie stark er beim Gleiten gebremst wird; höchstens der Haftanteil.</translation>
+        <source>How strongly the target drags while it slides: coefficient of dynamic friction, at most the static one.</source>
+        <translation>Wie stark das Ziel beim Gleiten gebremst wird: Gleitreibungszahl, höchstens die Haftreibungszahl.</translation>
     </message>
     <message>
-        <source>Nearest of all: the target may change over to another part of the mesh. Along the surface: it stays on the sheet it is on.</source>
+        <source>Nearest overall: the target may change to another part of the mesh. Along the surface: it stays on the sheet it is on.</source>
         <translation>Allernächster Punkt: Das Ziel kann auf einen anderen Teil des Dreiecksnetzes wechseln. Entlang der Oberfläche: Es bleibt auf dem Flächenstück, auf dem es ist.</translation>
     </message>
     <message>
@@ -7028,11 +7032,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Glättung</translation>
     </message>
     <message>
-        <source>Bends between faces feel round: the force leans by up to this angle from the face's own normal. Edges that turn by more stay sharp. 0: faces as they are.</source>
+        <source>Bends between faces feel round: the force tilts by up to this angle from the face's own normal. Edges that bend by more stay sharp. 0: faces as they are.</source>
         <translation>Knicke zwischen Flächen fühlen sich rund an: Die Kraft neigt sich um bis zu diesen Winkel gegen die eigene Normale der Fläche. Kanten, die stärker knicken, bleiben scharf. 0: Flächen, wie sie sind.</translation>
     </message>
     <message>
-        <source>kind of the curve</source>
+        <source>kind of curve</source>
         <translation>Art der Kurve</translation>
     </message>
     <message>
@@ -7044,16 +7048,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>geschlossene Kurve</translation>
     </message>
     <message>
-        <source>It goes back to its first point.</source>
-        <translation>Sie kehrt zu ihrem ersten Punkt zurück.</translation>
+        <source>The curve returns to its first point.</source>
+        <translation>Die Kurve kehrt zu ihrem ersten Punkt zurück.</translation>
     </message>
     <message>
         <source>speed of the guide</source>
         <translation>Tempo der Führung</translation>
     </message>
     <message>
-        <source>How fast the guide runs.</source>
-        <translation>Wie schnell die Führung läuft.</translation>
+        <source>How fast the guide moves along the curve.</source>
+        <translation>Wie schnell sich die Führung entlang der Kurve bewegt.</translation>
     </message>
     <message>
         <source>mm/s</source>
@@ -7072,24 +7076,24 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Vorlauf der Führung</translation>
     </message>
     <message>
-        <source>How far ahead of the hand the guide goes at most. There it waits.</source>
-        <translation>Wie weit die Führung der Hand höchstens vorausgeht. Dort wartet sie.</translation>
+        <source>How far ahead of the hand the guide may go before it waits.</source>
+        <translation>Wie weit die Führung der Hand vorausgehen darf, bevor sie wartet.</translation>
     </message>
     <message>
-        <source>what the tip follows</source>
-        <translation>wem die Spitze folgt</translation>
+        <source>orientation</source>
+        <translation>Orientierung</translation>
     </message>
     <message>
-        <source>Nothing: e = (p, 0). The direction of z: e_o = z_V − z_T. The angle about the one joint that turns, as in the thesis. The whole turn: e_o is its rotation vector.</source>
-        <translation>Nichts: e = (p, 0). Die Richtung von z: e_o = z_V − z_T. Der Winkel um das eine Gelenk, das sich dreht, wie in der Thesis. Die ganze Drehung: e_o ist ihr Rotationsvektor.</translation>
+        <source>None: e = (p, 0). Direction of z: e_o = z_V − z_T. Angle about the one revolute joint, as in the thesis. Full orientation: e_o is the rotation vector.</source>
+        <translation>Keine: e = (p, 0). Richtung von z: e_o = z_V − z_T. Winkel um das eine Drehgelenk, wie in der Thesis. Volle Orientierung: e_o ist der Rotationsvektor.</translation>
     </message>
     <message>
-        <source>turning stiffness</source>
+        <source>rotational stiffness</source>
         <translation>Drehsteifigkeit</translation>
     </message>
     <message>
-        <source>How hard the tip's turn follows the stylus's: it adds Kθ e_o² / 2 to the energy, so that the joints, and with them the tip, go where the stylus points.</source>
-        <translation>Wie stark die Drehung der Spitze der des Stifts folgt: addiert Kθ e_o² / 2 zur Energie, sodass die Gelenke und mit ihnen die Spitze dorthin gehen, wohin der Stift zeigt.</translation>
+        <source>How firmly the end effector's orientation follows the stylus's: it adds Kθ e_o² / 2 to the energy, so that the joints, and with them the end effector, go where the stylus points.</source>
+        <translation>Wie fest die Orientierung des Endeffektors der des Stifts folgt: addiert Kθ e_o² / 2 zur Energie, sodass die Gelenke und mit ihnen der Endeffektor dorthin gehen, wohin der Stift zeigt.</translation>
     </message>
     <message>
         <source>N mm/rad</source>
@@ -7100,47 +7104,47 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Kraftgesetz</translation>
     </message>
     <message>
-        <source>Energy: F = K e at the joints of least energy; no work is done on a loop. Thesis 5.2, for one joint: F = kp e − (ko e_θ / L) t; it does work on a loop.</source>
-        <translation>Energie: F = K e bei den Gelenken kleinster Energie; auf einer geschlossenen Schleife wird keine Arbeit verrichtet. Thesis 5.2, für ein Gelenk: F = kp e − (ko e_θ / L) t; auf einer Schleife verrichtet es Arbeit.</translation>
+        <source>Energy: F = K e at the joints of least energy; no work is done around a closed path. Thesis 5.2, for one joint: F = kp e − (ko e_θ / L) t; it does work around a closed path.</source>
+        <translation>Energie: F = K e bei den Gelenken kleinster Energie; auf einem geschlossenen Weg wird keine Arbeit verrichtet. Thesis 5.2, für ein Gelenk: F = kp e − (ko e_θ / L) t; auf einem geschlossenen Weg verrichtet es Arbeit.</translation>
     </message>
     <message>
-        <source>solver's method</source>
+        <source>solver method</source>
         <translation>Methode des Lösers</translation>
     </message>
     <message>
-        <source>By itself: a closed form where the chain has one (a circle, sphere, cylinder, line or plane), else the iteration (Levenberg and Marquardt, from the last tick's joints).</source>
-        <translation>Von selbst: eine geschlossene Form, wo die Kette eine hat (Kreis, Kugel, Zylinder, Gerade oder Ebene), sonst die Iteration (Levenberg und Marquardt, ab den Gelenken des letzten Takts).</translation>
+        <source>Automatic: a closed form where the chain has one (a circle, sphere, cylinder, line or plane), otherwise iteration (Levenberg and Marquardt, from the last tick's joints).</source>
+        <translation>Automatisch: eine geschlossene Form, wo die Kette eine hat (Kreis, Kugel, Zylinder, Gerade oder Ebene), sonst Iteration (Levenberg und Marquardt, ab den Gelenken des letzten Takts).</translation>
     </message>
     <message>
-        <source>solver's steps</source>
+        <source>solver steps</source>
         <translation>Schritte des Lösers</translation>
     </message>
     <message>
-        <source>The iteration's steps in one tick, 1 to 100; what is left goes on in the next.</source>
-        <translation>Die Schritte der Iteration in einem Takt, 1 bis 100; was übrig bleibt, geht im nächsten weiter.</translation>
+        <source>The most iterations in one tick, 1 to 100; the next tick goes on from there.</source>
+        <translation>Die größte Zahl der Iterationen in einem Takt, 1 bis 100; der nächste Takt macht dort weiter.</translation>
     </message>
     <message>
-        <source>solver's tolerance</source>
+        <source>solver tolerance</source>
         <translation>Toleranz des Lösers</translation>
     </message>
     <message>
-        <source>The iteration ends where no joint would move by more: rad, and shares of the reach.</source>
-        <translation>Die Iteration endet, wo sich kein Gelenk um mehr bewegen würde: rad und Anteile der Reichweite.</translation>
+        <source>The iteration ends when no joint would move by more than this: in rad, or as a fraction of the reach.</source>
+        <translation>Die Iteration endet, wenn sich kein Gelenk um mehr als dies bewegen würde: in rad, oder als Anteil der Reichweite.</translation>
     </message>
     <message>
         <source>spring of the joint</source>
         <translation>Feder des Gelenks</translation>
     </message>
     <message>
-        <source>The joint's own spring adds k (q - rest)^2 / 2 to the energy; 0: it moves freely.</source>
-        <translation>Die eigene Feder des Gelenks trägt k (q - Ruhe)^2 / 2 zur Energie bei; 0: Es bewegt sich frei.</translation>
+        <source>The joint's own spring adds k (q - rest)^2 / 2 to the energy; 0: the joint moves freely.</source>
+        <translation>Die eigene Feder des Gelenks trägt k (q - Ruhe)^2 / 2 zur Energie bei; 0: Das Gelenk bewegt sich frei.</translation>
     </message>
     <message>
         <source>lower limit of the joint</source>
         <translation>untere Grenze des Gelenks</translation>
     </message>
     <message>
-        <source>The least value; none: no limit.</source>
+        <source>The smallest value; none: no limit.</source>
         <translation>Der kleinste Wert; keiner: keine Grenze.</translation>
     </message>
     <message>
@@ -7152,12 +7156,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der größte Wert; keiner: keine Grenze.</translation>
     </message>
     <message>
-        <source>rest of the joint</source>
+        <source>rest position of the joint</source>
         <translation>Ruhelage des Gelenks</translation>
     </message>
     <message>
-        <source>Where the joint's spring pulls nowhere.</source>
-        <translation>Wo die Feder des Gelenks nirgendwohin zieht.</translation>
+        <source>Where the joint's spring exerts no force.</source>
+        <translation>Wo die Feder des Gelenks keine Kraft ausübt.</translation>
     </message>
 </context>
 <context>
@@ -7230,7 +7234,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>dritte Ordnung</translation>
     </message>
     <message>
-        <source>fast part left out</source>
+        <source>without the fast part</source>
         <translation>ohne schnellen Teil</translation>
     </message>
     <message>
@@ -7277,7 +7281,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>liest die Datei</translation>
     </message>
     <message>
-        <source>Keeping</source>
+        <source>Storing</source>
         <translation>legt ab</translation>
     </message>
     <message>
