@@ -20,7 +20,7 @@ std::optional<double> readAmount(ObjectReader& object, const char* key, bool req
   readNumber(*value, path, number, object.findings());
   if (value->kind != json::Kind::Number) return {};
   if (!std::isfinite(number)) {
-    object.findings().add(*value, path, said(TRANSLATE_NOOP("problem", "This is no finite number.")));
+    object.findings().add(*value, path, said(TRANSLATE_NOOP("problem", "This is not a finite number.")));
   } else if (number < least) {
     object.findings().add(*value, path,
                           said(TRANSLATE_NOOP("problem", "This must be at least %1."), {json::numberText(least)}));
@@ -65,7 +65,7 @@ std::vector<double> readPlace(const Value& value, const std::string& path, const
   if (isOneNumber(measure)) {
     if (!isKind(value, json::Kind::Number, path, "a number", findings)) return {0.0};
     if (!std::isfinite(value.number))
-      findings.add(value, path, said(TRANSLATE_NOOP("problem", "This is no finite number.")));
+      findings.add(value, path, said(TRANSLATE_NOOP("problem", "This is not a finite number.")));
     return {value.number};
   }
   const std::size_t parts = measure.quantity->parts;
@@ -83,7 +83,7 @@ std::vector<double> readPlace(const Value& value, const std::string& path, const
       isKind(item, json::Kind::Number, path, said(TRANSLATE_NOOP("problem", "a number, or null for whichever")),
              findings);
     if (item.kind == json::Kind::Number && !std::isfinite(item.number))
-      findings.add(item, path, said(TRANSLATE_NOOP("problem", "This is no finite number.")));
+      findings.add(item, path, said(TRANSLATE_NOOP("problem", "This is not a finite number.")));
     place.push_back(item.kind == json::Kind::Number ? item.number : kNotANumber);
   }
   place.resize(parts, kNotANumber);

@@ -23,7 +23,7 @@ constexpr std::array kTickColumns{
     Column{"gate_level", "", "share of the force that the ramps let through", Kind::Real},
     Column{"cut_N", "N", "what the limits took away", Kind::Real},
     Column{"limits", "", "which limits acted, a bit each", Kind::Unsigned},
-    Column{"heat", "", "of motors 1 to 3; 1: what they bear for good", Kind::Real, 3},
+    Column{"heat", "", "of motors 1 to 3; 1: their continuous torque", Kind::Real, 3},
     Column{"fault", "",
            "why the force is zero: 0 none, 1 no_sample, 2 stale_sample, 3 not_finite, 4 too_fast, "
            "5 too_late, 6 stood_still, 7 odd_clock, 8 asleep",

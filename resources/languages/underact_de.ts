@@ -3855,10 +3855,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Lektion</translation>
     </message>
     <message>
-        <source>This is no finite number.</source>
-        <translation>Dies ist keine endliche Zahl.</translation>
-    </message>
-    <message>
         <source>This must be at least %1.</source>
         <translation>Dies muss mindestens %1 sein.</translation>
     </message>
@@ -5360,15 +5356,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The system did not grant real-time scheduling, so ticks can be late when the computer is busy. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again, or install rtkit; the guide's page real_time.md explains how.</source>
-        <translation>Das System gewährte keine Echtzeit, also können Takte spät kommen, wenn der Rechner beschäftigt ist. Schreiben Sie &quot;@users - rtprio 90&quot; und &quot;@users - memlock unlimited&quot; in eine Datei in /etc/security/limits.d und melden Sie sich neu an, oder installieren Sie rtkit; die Seite real_time.md des Handbuchs erklärt, wie.</translation>
+        <translation>Das System gewährte keine Echtzeit, also können Takte spät kommen, wenn der Rechner beschäftigt ist. Schreiben Sie "@users - rtprio 90" und "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an, oder installieren Sie rtkit; die Seite real_time.md des Handbuchs erklärt, wie.</translation>
     </message>
     <message>
         <source>A higher priority would be better still. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again; the guide's page real_time.md explains how.</source>
-        <translation>Eine höhere Priorität wäre noch besser. Schreiben Sie &quot;@users - rtprio 90&quot; und &quot;@users - memlock unlimited&quot; in eine Datei in /etc/security/limits.d und melden Sie sich neu an; die Seite real_time.md des Handbuchs erklärt, wie.</translation>
+        <translation>Eine höhere Priorität wäre noch besser. Schreiben Sie "@users - rtprio 90" und "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an; die Seite real_time.md des Handbuchs erklärt, wie.</translation>
     </message>
     <message>
         <source>Parts of the program may be swapped out, and a tick then waits for them. Put "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again; the guide's page real_time.md explains how.</source>
-        <translation>Teile des Programms können aus dem Speicher ausgelagert werden, und ein Takt wartet dann auf sie. Schreiben Sie &quot;@users - memlock unlimited&quot; in eine Datei in /etc/security/limits.d und melden Sie sich neu an; die Seite real_time.md des Handbuchs erklärt, wie.</translation>
+        <translation>Teile des Programms können aus dem Speicher ausgelagert werden, und ein Takt wartet dann auf sie. Schreiben Sie "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an; die Seite real_time.md des Handbuchs erklärt, wie.</translation>
     </message>
     <message>
         <source>On a computer that is always busy, a core for the servo alone (isolcpus) is better still; the guide's page real_time.md explains how.</source>
@@ -5856,7 +5852,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>%1 Run chmod 600 '%2' and, if somebody may have done so, %3.</source>
-        <translation>%1 Führen Sie chmod 600 &apos;%2&apos; aus und, falls es jemand getan haben könnte: %3.</translation>
+        <translation>%1 Führen Sie chmod 600 '%2' aus und, falls es jemand getan haben könnte: %3.</translation>
     </message>
     <message>
         <source>Others may read your secret key.</source>
@@ -11961,7 +11957,7 @@ und %2 weitere</translation>
         <translation>Öffnet eine neue Szene, die nur dieses Dreiecksnetz enthält.</translation>
     </message>
     <message>
-        <source>%1: %2 triangles, %3 corners, %4.</source>
+        <source>%1: %2 triangles, %3 vertices, %4.</source>
         <translation>%1: %2 Dreiecke, %3 Ecken, %4.</translation>
     </message>
 </context>

@@ -148,7 +148,7 @@ void MeshDialog::refresh() {
   Vec3 size_mm;
   for (std::size_t axis = 0; axis < 3; ++axis)
     size_mm[static_cast<Eigen::Index>(axis)] = scale * (facts.high[axis] - facts.low[axis]);
-  counts()->setText(tr("%1: %2 triangles, %3 corners, %4.")
+  counts()->setText(tr("%1: %2 triangles, %3 vertices, %4.")
                         .arg(formatText(loaded_.format))
                         .arg(facts.faces)
                         .arg(facts.corners)
