@@ -46,9 +46,8 @@ Result<std::string> sceneList(const std::string& folder) {
   if (error || files.empty()) return Problems{{"There are no scenes in this folder.", {folder}}};
   std::sort(files.begin(), files.end());
   std::ostringstream out;
-  out << "# The scenes\n\nWhat comes with the program, in the order in which it teaches. In the window each name below "
-         "opens "
-         "its scene; this page is made from the scene files.\n";
+  out << "# The scenes\n\nThe scenes that come with the program, in teaching order. In the window, each title below "
+         "opens its scene. This page is generated from the scene files.\n";
   Problems problems;
   for (const fs::path& file : files) {
     const Result<std::string> text = json::readTextFile(file.string(), "a scene");
