@@ -42,16 +42,17 @@ class ScenePage {
 
   Result<std::string> make() {
     const Value* types = member(member(member(member(&schema_, "properties"), "constraints"), "items"), "oneOf");
-    if (types == nullptr || !hasParts()) return Problems{{"This is no schema of scenes.", {file_}}};
-    out_ << "# Scene reference\n\nEvery key of a scene file, made from `scenes/scene.schema.json`, which editors read, "
-            "too. [Scene files](scenes.md) tells how they work together. "
+    if (types == nullptr || !hasParts()) return Problems{{"This is not a scene schema.", {file_}}};
+    out_ << "# Scene reference\n\nEvery key of a scene file. This page is generated from `scenes/scene.schema.json`, "
+            "which "
+            "editors also use. [Scene files](scenes.md) explains how the keys work together. "
          << plainText(textOf(schema_, "description", "the scene")) << "\n\n## The scene\n\n";
     writeTable(schema_);
     const Value* keys = schema_.find("properties");
     for (std::size_t i = 0; i < keys->keys.size(); ++i) {
       if (isObject(keys->items[i])) writeObject(keys->items[i], keys->keys[i]);
     }
-    for (const Value& type : types->items) writeSection(nameOfRef(type), "A constraint of the type ");
+    for (const Value& type : types->items) writeSection(nameOfRef(type), "Constraint of type ");
     for (const char* part : kParts) writeSection(part, "");
     if (!problems_.empty()) return problems_;
     return out_.str() + settingTable();
@@ -116,7 +117,7 @@ class ScenePage {
   void writeTable(const Value& object) {
     const Value* properties = object.find("properties");
     const Value* required = object.find("required");
-    out_ << "| key | value | by itself | meaning |\n|---|---|---|---|\n";
+    out_ << "| key | value | default | meaning |\n|---|---|---|---|\n";
     for (std::size_t i = 0; i < properties->keys.size(); ++i) {
       const std::string& key = properties->keys[i];
       const Value& value = properties->items[i];

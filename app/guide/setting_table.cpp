@@ -108,11 +108,10 @@ std::string rowOf(const Setting& setting) {
 std::string settingTable() {
   std::ostringstream out;
   out << "## Settings by path\n\n"
-         "All that can be changed while the scene runs, as `--set` takes it. A star stands for each constraint, or "
-         "joint, "
-         "or for the number of one, counted from 0; what `/control` has a constraint's own control has, too, as "
-         "`/constraints/0/control/law`.\n\n"
-         "| path | value | by itself | of | meaning |\n|---|---|---|---|---|\n";
+         "All settings that can be changed while the scene runs, by the path that `--set` takes. A star stands for all "
+         "constraints or joints; a number, counted from 0, stands for one of them. A constraint's own control has the "
+         "same settings as `/control`, as in `/constraints/0/control/law`.\n\n"
+         "| path | value | default | applies to | meaning |\n|---|---|---|---|---|\n";
   std::vector<std::string> rows;
   for (const Setting& setting : scene::settings()) {
     // Those of meshes and of curves may be one and the same.
