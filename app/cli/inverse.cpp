@@ -123,8 +123,8 @@ Result<std::string> methodFor(const ArmChoice& arm, const std::string& asked) {
   if (arm.closed) return std::string("closed_form");
   if (asked == "auto") return std::string("iterative");
   return Problems{
-      {"The arm has no closed form: its last three axes do not meet in a point, or axes 2 and 3 are not "
-       "parallel. Use --method iterative.",
+      {"The arm has no closed form: its last three axes do not intersect in a point, or axes 2 and 3 are not parallel. "
+       "Use --method iterative.",
        {}}};
 }
 
@@ -155,18 +155,20 @@ Exit solvePoses(const InverseOptions& options, const Streams& streams) {
 }  // namespace
 
 void addInverse(Command program, const Streams& streams, Exit& exit) {
-  const Command command = program.add("ik", "The joint angles that bring the stylus to a pose, line by line");
+  const Command command =
+      program.add("ik", "Inverse kinematics: the joint angles for a pose of the stylus, line by line");
   const auto options = std::make_shared<InverseOptions>();
   addArmOption(command, options->arm);
-  command.option("--method", options->method, "auto: in closed form where the arm has one; iterative: one solution")
+  command.option("--method", options->method, "auto: in closed form if the arm has one; iterative: one solution")
       .showUsual()
       .oneOf({"auto", "closed_form", "iterative"});
-  command.option("--seed", options->seed, "Of the iteration's restarts").showUsual();
+  command.option("--seed", options->seed, "Seed of the iteration's restarts").showUsual();
   command.footer(
       "Each line in is {\"X_WT\": 4x4 in mm}; each line out is {\"reachable\", \"singular\", \"solutions\": "
       "[{\"q_rad\",\n"
       "\"branch\": {\"shoulder\", \"elbow\", \"wrist\"}, \"within_limits\", \"family\"}]}, or {\"error\", \"line\"}.\n"
-      "family: null, or \"q1 free\", \"q4+q6\", \"q6-q4\" for a representative of infinitely many.\n\n" +
+      "family: null, or \"q1 free\", \"q4+q6\", \"q6-q4\" for one of infinitely many solutions.\n"
+      "\n" +
       listOfArms());
   command.whenChosen([options, &streams, &exit] { exit = solvePoses(*options, streams); });
 }

@@ -93,12 +93,12 @@ void addCommand(Command program, const Streams& streams, Exit& exit, const char*
 }  // namespace
 
 void addForward(Command program, const Streams& streams, Exit& exit) {
-  addCommand(program, streams, exit, "fk", "Where joint angles bring the stylus, line by line", "{\"X_WT\": 4x4 in mm}",
-             poseAnswer);
+  addCommand(program, streams, exit, "fk", "Forward kinematics: the pose of the stylus for joint angles, line by line",
+             "{\"X_WT\": 4x4 in mm}", poseAnswer);
 }
 
 void addJacobian(Command program, const Streams& streams, Exit& exit) {
-  addCommand(program, streams, exit, "jacobian", "How joint rates move the stylus, line by line",
+  addCommand(program, streams, exit, "jacobian", "The Jacobian for joint angles, line by line",
              "{\"J\": 6x6 (v in mm/rad, then w; in W, at the origin of frame 6), \"det_Jp\" in mm^3, \n"
              "\"manipulability_Jp\", \"condition_Jp\" (null: singular), \"singular\": names}",
              jacobianAnswer);

@@ -159,14 +159,14 @@ Exit showMeshes(const MeshOptions& options, const Streams& streams) {
 }  // namespace
 
 void addMesh(Command program, const Streams& streams, Exit& exit) {
-  const Command command = program.add("mesh", "Mesh files: what they hold, what is repaired, how they can be felt");
+  const Command command = program.add("mesh", "Mesh files: their contents, repairs, and how they can be felt");
   command.mustChoose();
   const Command showing = command.add(
-      "info", "Load meshes (STL, OBJ, PLY, OFF) as a scene would, and say what was found and what was repaired");
+      "info", "Load meshes (STL, OBJ, PLY, OFF) as a scene would, and report what was found and what was repaired");
   const auto options = std::make_shared<MeshOptions>();
   showing.option("files", options->files, "Mesh files").required();
-  showing.flag("--json", options->json, "One JSON object a file in place of a table");
-  showing.option("--scale_mm_per_unit", options->scale_mm_per_unit, "How long a unit of the file is, mm").positive();
+  showing.flag("--json", options->json, "One JSON object per file instead of a table");
+  showing.option("--scale_mm_per_unit", options->scale_mm_per_unit, "Length of the file's unit, mm").positive();
   showing.whenChosen([options, &streams, &exit] { exit = showMeshes(*options, streams); });
 }
 

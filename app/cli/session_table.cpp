@@ -88,7 +88,8 @@ void printAsTable(record::Session& session, std::ostream& out) {
   row("started") << startedAt(info) << '\n';
   row("ticks") << info.ticks << " at " << info.header.rate_hz << " Hz\n";
   row("duration") << info.duration_s << " s\n";
-  row("closed") << (info.isComplete() ? record::name(info.end->reason) : "no: recording, or killed; see log recover")
+  row("closed") << (info.isComplete() ? record::name(info.end->reason)
+                                      : "no: being recorded, or killed; see log recover")
                 << '\n';
   if (info.dropped > 0) row("dropped") << info.dropped << " ticks\n";
   row("scene") << info.header.scene_title << ", "

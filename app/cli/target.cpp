@@ -80,7 +80,7 @@ Exit answerPoses(const std::string& path, const Streams& streams) {
     if (!pose) return pose.problems();
     const tick::TickProgram& program = loaded.value().program;
     if (program.needs.joints && !arm::reach(program.geometry, pose.value().p_WT).reachable) {
-      return Problems{{"The arm cannot reach this place, and the scene's control works on its joints.", {}}};
+      return Problems{{"The arm cannot reach this position, and the scene controls it in joint space.", {}}};
     }
     return answer(loaded.value(), pose.value());
   });
@@ -90,12 +90,11 @@ Exit answerPoses(const std::string& path, const Streams& streams) {
 
 void addTarget(Command program, const Streams& streams, Exit& exit) {
   const Command command =
-      program.add("target", "Where a scene draws the stylus, and how strongly, for poses read from standard input");
+      program.add("target", "Where a scene pulls the stylus, and with what force, for poses read from standard input");
   command.footer(
       "Each line in is {\"p_mm\": [x, y, z], \"R_WT\": 3x3 (optional)}; each line out is {\"q_mm\", \"force_N\", "
-      "\"safe_force_N\",\n\"status\", \"constraints\"}, or {\"error\", \"line\"}. The stylus rests; nothing is "
-      "remembered "
-      "between lines.");
+      "\"safe_force_N\",\n"
+      "\"status\", \"constraints\"}, or {\"error\", \"line\"}. The stylus is at rest; no state is kept between lines.");
   const auto path = std::make_shared<std::string>();
   command.option("scene", *path, "Scene file").required();
   command.whenChosen([path, &streams, &exit] { exit = answerPoses(*path, streams); });

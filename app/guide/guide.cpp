@@ -71,7 +71,7 @@ Result<Guide> readGuide(const std::string& folder) {
   for (const Chapter& chapter : guide.chapters) {
     for (const std::string& name : chapter.pages) {
       if (!isName(name) || guide.find(name) != nullptr) {
-        problems.push_back({"“" + name + "” is no page, or stands here twice.", {file}});
+        problems.push_back({"“" + name + "” is not a page, or appears twice.", {file}});
         continue;
       }
       const std::string page_file = folder + "/" + name + ".md";

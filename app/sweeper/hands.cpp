@@ -240,14 +240,14 @@ Kind handsKind() {
   return {"hands",
           "What does the arm do in hands that differ in mass, damping, stiffness and tremor?",
           {{"scene", "Scene files", {}, true},
-           {"hand", "Built-in hands or hand files; of a file its path alone", {"tremor"}, true},
-           {"rate_hz", "Ticks a second", {"1000"}, true},
-           {"draws", "Hands drawn for each scene, hand and rate", {"10"}},
-           {"seconds", "How long each run is, by the arm's clock", {"2"}},
-           {"mass_kg", "Of the hand: a number, or LOW:HIGH to draw from evenly", {"0.05:0.2"}},
-           {"damping_N_s_per_m", "Of the hand, likewise", {"2:8"}},
-           {"stiffness_N_per_m", "Of the hand, likewise", {"150:600"}},
-           {"arm-model", "What the simulated arm is made of", {std::string(sim::kDefaultArmModel)}}},
+           {"hand", "Built-in hands or hand files; of a file only its path", {"tremor"}, true},
+           {"rate_hz", "Ticks per second", {"1000"}, true},
+           {"draws", "Hands drawn at random for each scene, hand and rate", {"10"}},
+           {"seconds", "Duration of each run by the arm's clock, s", {"2"}},
+           {"mass_kg", "Mass of the hand, kg: a number, or LOW:HIGH for a uniform draw", {"0.05:0.2"}},
+           {"damping_N_s_per_m", "Damping of the hand, N s/m, likewise", {"2:8"}},
+           {"stiffness_N_per_m", "Stiffness of the hand, N/m, likewise", {"150:600"}},
+           {"arm-model", "Model of the simulated arm", {std::string(sim::kDefaultArmModel)}}},
           hands_kind::make};
 }
 

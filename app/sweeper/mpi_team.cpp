@@ -89,7 +89,7 @@ Result<std::unique_ptr<Team>> joinTeam() {
   int granted = MPI_THREAD_SINGLE;
   // Cells run on threads that know nothing of MPI. An error in MPI ends all ranks, which is its usual way.
   if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &granted) != MPI_SUCCESS || granted < MPI_THREAD_FUNNELED)
-    return Problems{{"MPI does not begin as it should beside threads; see what it printed above."}};
+    return Problems{{"MPI could not be started with threads; see its messages above."}};
   return std::unique_ptr<Team>(std::make_unique<MpiTeam>());
 }
 
@@ -108,8 +108,8 @@ const char* mpiVersion() {
 
 Result<std::unique_ptr<Team>> joinTeam() {
   return Problems{
-      {"mpirun has started this program, which was built without MPI: start it by itself, with --threads, or "
-       "build it where libopenmpi-dev is installed."}};
+      {"mpirun has started this program, which was built without MPI: start it without mpirun, with --threads, or "
+       "build it with libopenmpi-dev installed."}};
 }
 
 const char* mpiVersion() {

@@ -83,7 +83,7 @@ Exit tellCost(const Sweep& sweep, int threads, const cli::Streams& streams) {
   const double all_s = each_s * static_cast<double>(sweep.cells.count) / threads;
   streams.out << sweep.cells.count << " cells. " << measured << " of them, measured one by one, took "
               << twoDigits(each_s) << " s each: on " << threads << (threads == 1 ? " thread" : " threads")
-              << " all take about " << inWords(all_s) << ", where each thread has a core.\n";
+              << " all take about " << inWords(all_s) << ", if each thread has a core.\n";
   return Exit::Well;
 }
 
@@ -97,7 +97,7 @@ Outcome runCells(const Sweep& sweep, Journal& journal, const Request& request, c
   watcher.interrupted = [&] {
     if (!patience.cameOnce()) return false;
     progress.end();
-    streams.err << "Ending: the cells that run are waited for. A second signal ends at once.\n" << std::flush;
+    streams.err << "Ending after the running cells. A second signal ends at once.\n" << std::flush;
     return true;
   };
   Outcome outcome = lead(sweep, journal, team, threadsOf(request, team), watcher);
@@ -132,8 +132,8 @@ Exit leadToResult(const Sweep& sweep, const Request& request, const cli::Streams
     return Exit::Well;
   }
   const Exit exit = outcome.problems.empty() ? Exit::File : failAtWork(outcome.problems, streams);
-  streams.err << journal.rows().size() << " of " << sweep.cells.count << " cells are done and kept in "
-              << journal.path() << ". The same command goes on from there.\n";
+  streams.err << journal.rows().size() << " of " << sweep.cells.count << " cells are done and saved in "
+              << journal.path() << ". The same command continues from there.\n";
   return exit;
 }
 

@@ -132,15 +132,15 @@ Result<Cells> make(Options& options) {
 Kind stabilityKind() {
   return {
       "stability",
-      "How stiff may a wall be before it buzzes: by halving in the simulated loop, by eigenvalues, and by formulas?",
+      "How stiff can a wall be before it buzzes: by bisection in the simulated loop, by eigenvalues, and by formulas?",
       {{"map", "Maps of the lab: rate, delay, hand, filter, quantization, friction; all; none", {"all"}, true},
-       {"draws", "Further walls, drawn from the ranges below", {"0"}},
-       {"rate_hz", "Of walls that are drawn, one of these", {"1000"}, true},
-       {"mass_kg", "Of arm and hand; LOW:HIGH is drawn from", {"0.045"}},
-       {"damping_N_s_per_m", "Of arm and hand", {"0.1"}},
-       {"hand_stiffness_N_per_m", "Of the hand's spring", {"0"}},
-       {"friction_N", "Coulomb's, of the arm", {"0"}},
-       {"kd_N_s_per_m", "Damping of the wall", {"0"}},
+       {"draws", "Further walls, drawn at random from the ranges below", {"0"}},
+       {"rate_hz", "Samples per second of the drawn walls: one of these", {"1000"}, true},
+       {"mass_kg", "Mass of arm and hand, kg: a number, or LOW:HIGH for a uniform draw", {"0.045"}},
+       {"damping_N_s_per_m", "Damping of arm and hand, N s/m", {"0.1"}},
+       {"hand_stiffness_N_per_m", "Stiffness of the hand, N/m", {"0"}},
+       {"friction_N", "Coulomb friction of the arm, N", {"0"}},
+       {"kd_N_s_per_m", "Damping of the wall, N s/m", {"0"}},
        {"delay_ticks", "Whole periods between a sample and its force", {"0"}}},
       stability_kind::make};
 }

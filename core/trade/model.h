@@ -16,7 +16,7 @@ struct Quantity {
 
 /// What a scene's tick computes, and what it would cost to compute all there is: medians along the hand's way, ns.
 struct Model {
-  double bare_ns = 0.0;        // place, targets and P laws alone, in the scene's own space and metric
+  double bare_ns = 0.0;        // position, targets and P laws alone, in the scene's own space and metric
   double as_it_is_ns = 0.0;    // what the scene requires
   double everything_ns = 0.0;  // all quantities that add something
   std::vector<Quantity> quantities;
