@@ -7,7 +7,7 @@
 int main(int argc, char** argv) {
   const auto duty = underact::guard::readDuty(argc, argv);
   if (!duty) {
-    std::fprintf(stderr, "underact-guard is started by underact; started by hand, it does nothing.\n");
+    std::fprintf(stderr, "underact-guard is started by underact; by hand it does nothing.\n");
     return 2;
   }
   underact::system::outliveStarter();

@@ -28,7 +28,8 @@ class Errors {
   }
   /// Problems: nothing was added, so that nothing can be said.
   Result<Figures> figures(const lab::Cost& cost, int rate_hz) const {
-    if (count_ == 0) return Problems{{said(TRANSLATE_NOOP("problem", "The hand never touches what this is about."))}};
+    if (count_ == 0)
+      return Problems{{said(TRANSLATE_NOOP("problem", "The hand never touches what this choice affects."))}};
     const double rms = std::sqrt(sum_ / static_cast<double>(count_));
     return Figures{cost, 1e-3 * cost.p50_ns * rate_hz, rms, worst_};
   }
@@ -38,8 +39,7 @@ class Errors {
   std::size_t count_ = 0;
 };
 
-const Problems kEndedEarly{
-    {said(TRANSLATE_NOOP("problem", "The run ended in a fault, and what it did before says nothing."))}};
+const Problems kEndedEarly{{said(TRANSLATE_NOOP("problem", "The run ended in a fault, so its figures mean nothing."))}};
 
 /// The tip's way against that of the finest run. cost: what of an option's own run is timed.
 Measure againstRun(const Bench& bench, const Settings& finest, lab::Cost Run::*cost) {
