@@ -6,15 +6,15 @@
 
 namespace underact::trade {
 
-/// One thing that a tick can compute, and what it adds to the barest tick of a scene.
+/// A quantity that a tick can compute, and what it adds to the minimal tick of a scene.
 struct Quantity {
   const char* key;   // "error_rate"
-  const char* what;  // "how fast the error changes (PD)"
+  const char* what;  // "the rate of the error (PD)"
   bool required = false;
-  std::optional<double> adds_ns;  // none: this scene has no use for it, whatever one asks
+  std::optional<double> adds_ns;  // none: this scene can never use it
 };
 
-/// What a scene's tick computes, and what it would cost to compute all there is: medians along the hand's way, ns.
+/// What a scene's tick computes, and what it would cost to compute everything: medians along the path of the hand, ns.
 struct Model {
   double bare_ns = 0.0;        // position, targets and P laws alone, in the scene's own space and metric
   double as_it_is_ns = 0.0;    // what the scene requires
@@ -22,8 +22,8 @@ struct Model {
   std::vector<Quantity> quantities;
 };
 
-/// Each program is measured in several rounds in turn with the others, so that a machine that gets slower meanwhile
-/// does so for all. Problems: those of the scene.
+/// The programs are measured in turn, in several rounds, so that a machine that becomes slower meanwhile affects all
+/// alike. Problems: those of the scene.
 Result<Model> modelOf(const Bench& bench);
 
 }  // namespace underact::trade
