@@ -81,7 +81,7 @@ void printEstimates(const identify::Identified& found, const identify::Given& gi
   }
 }
 
-/// Writes what was asked for. Exit: Well, or File.
+/// Writes the requested output. Exit: Well, or File.
 Exit writeFiles(const IdentifyOptions& options, const identify::Identified& found, const identify::Given& given,
                 const Streams& streams) {
   sim::Provenance provenance;

@@ -45,7 +45,7 @@ Answer byStraightLine(const ArmChoice& arm, const Pose& X_WT) {
   return answer;
 }
 
-/// The names of the free families, of an arm whose wrist is in line where |sin| of its bend is small.
+/// The names of the free families of an arm whose wrist axes are aligned, |sin| of its bend being small.
 const char* wristFamily(const ArmChoice& arm, const arm::JointAngles& q_rad) {
   const chain::Jacobian J = chain::jacobian(arm.flange, q_rad);
   const Vec3 four_W = J.col(3).tail<3>(), six_W = J.col(5).tail<3>();
@@ -86,7 +86,7 @@ Answer byIteration(const ArmChoice& arm, const Pose& X_WT, std::uint64_t seed) {
 bool isWithin(const arm::Model& model, const arm::JointAngles& q_rad) {
   if (model.limits_wrist_size) return arm::isWithin(model.limits, q_rad);
   for (std::size_t joint = 0; joint < q_rad.size(); ++joint) {
-    // A joint that turns more than once may be a turn away.
+    // A joint with a range of more than one turn may be a turn away.
     const double low = model.limits.min_rad[joint], high = model.limits.max_rad[joint];
     const double turns = std::ceil((low - q_rad[joint]) / (2.0 * kPi));
     const double angle_rad = std::isfinite(turns) ? q_rad[joint] + 2.0 * kPi * turns : q_rad[joint];
@@ -116,7 +116,7 @@ JsonObject solutionObject(const ArmChoice& arm, const Found& found) {
   return object;
 }
 
-/// The way to solve; or, where the arm does not allow the one asked for, a sentence.
+/// The method; or a sentence, if the arm does not allow the requested one.
 Result<std::string> methodFor(const ArmChoice& arm, const std::string& asked) {
   if (asked == "iterative") return asked;
   if (arm.omni && asked == "auto") return std::string("straight_line");

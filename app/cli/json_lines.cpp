@@ -16,7 +16,7 @@ using json::Value;
 
 constexpr double kLargestAngle_rad = 1e6;
 constexpr double kFarthest_mm = 1e9;
-constexpr double kRounding = 1e-14;  // of doubles: left as it is
+constexpr double kRounding = 1e-14;  // of doubles: not corrected
 
 JsonObject refusal(const Problems& problems, std::int64_t line) {
   std::string sentences;

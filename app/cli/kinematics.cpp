@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kJoints = "{\"q_rad\": [q1, q2, q3, q4, q5, q6]}";
 constexpr double kNoVolume_mm3 = 1e-6;  // a determinant under it is the rounding of the angles
 
-/// Answers lines of joints with one arm.
+/// Answers lines of joint angles with one arm.
 Exit answerJoints(const std::string& arm, const Streams& streams,
                   JsonObject (*answer)(const ArmChoice& arm, const arm::JointAngles& q_rad)) {
   const Result<ArmChoice> choice = chooseArm(arm);
@@ -75,7 +75,7 @@ JsonObject jacobianAnswer(const ArmChoice& arm, const arm::JointAngles& q_rad) {
   object.addMatrix("J", J_mm);
   object.addNumber("det_Jp", det_mm3);
   object.addNumber("manipulability_Jp", std::abs(det_mm3));
-  object.addNumber("condition_Jp", condition);  // null: there is none
+  object.addNumber("condition_Jp", condition);  // null: not defined
   object.addTexts("singular", singularities(arm, q_rad, J, det_m3));
   return object;
 }

@@ -31,7 +31,7 @@ struct ExtremesOptions {
   std::string keep;
 };
 
-/// A row, the worst of it, and how long that took.
+/// A row, its worst case, and the time that it took.
 struct Measured {
   const Row* row;
   Worst worst;
@@ -39,7 +39,7 @@ struct Measured {
   bool isBroken() const { return !(worst.error_ulp <= row->promised_ulp); }
 };
 
-/// The rows asked for, in the order of the catalogue; none and a sentence where a key is none.
+/// The requested rows, in the order of the catalogue; none, and a sentence, if a key is unknown.
 std::vector<const Row*> rowsOf(const ExtremesOptions& options, const Streams& streams) {
   std::vector<std::string> known;
   for (const Row& row : extremes::catalogue()) known.emplace_back(row.key);
@@ -60,7 +60,7 @@ std::vector<const Row*> rowsOf(const ExtremesOptions& options, const Streams& st
   return rows;
 }
 
-/// Three digits are enough to read; the file has them all.
+/// Three digits are enough to read; the file has all of them.
 std::string shortly(double number) {
   std::ostringstream text;
   text.imbue(std::locale::classic());

@@ -23,7 +23,7 @@ Table::Field fieldOf(const std::optional<double>& number) {
   return number ? Table::Field(*number) : Table::Field();
 }
 
-/// A row a quantity, and one for each of the three whole ticks.
+/// One row per quantity, and one for each of the three whole ticks.
 void addModel(const std::string& scene, const trade::Model& model, Table& table) {
   const auto add = [&](const char* key, const char* what, bool required, const std::optional<double>& ns) {
     table.add({scene, std::string(key), std::string(what), required, fieldOf(ns)});

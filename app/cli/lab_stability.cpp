@@ -23,7 +23,7 @@ using stability::SampledWall;
 
 const std::vector<std::string> kFilters{"raw", "low_pass", "kalman", "adaptive_window"};
 
-constexpr double kSoft_N_per_m = 20.0;  // of a trial that shows whether anything holds
+constexpr double kSoft_N_per_m = 20.0;  // of a trial that shows whether anything holds the tip
 
 struct StabilityOptions {
   SampledWall wall;  // of one cell
@@ -98,7 +98,7 @@ void addLabel(const std::string& map, const std::string& variant, const SampledW
                      kMillimetrePerMetre * label.trial.amplitude_m, label.is_passive});
 }
 
-/// The steps of the work: what is left is known from the beginning.
+/// The steps of the work, so that the remaining time is known from the start.
 using Step = std::function<Problems(StabilityTables&)>;
 
 void addWallSteps(const stability::WallMap& map, bool labels, std::vector<Step>& steps) {
@@ -117,7 +117,7 @@ void addWallSteps(const stability::WallMap& map, bool labels, std::vector<Step>&
   }
 }
 
-/// A file's problems as the command line tells them.
+/// A file's problems as the command line prints them.
 Problems from(const std::string& file, Problems problems) {
   for (Problem& problem : problems) problem.place.file = file;
   return problems;
@@ -151,7 +151,7 @@ Problems addScene(const std::string& file, const stability::SceneWall& wall, boo
   return labels ? addSceneLabels(file, wall, nominal, tables) : Problems{};
 }
 
-/// Of a scene's first constraint. What cannot be asked is told, and left out.
+/// Of a scene's first constraint. Scenes that cannot be measured are reported and left out.
 void addSceneSteps(const std::string& file, scene::Description scene, bool labels, const Streams& streams,
                    std::vector<Step>& steps) {
   stability::SceneWall wall;
@@ -179,7 +179,7 @@ bool isAsked(const StabilityOptions& options, const std::string& key) {
   return options.maps.empty() || std::find(options.maps.begin(), options.maps.end(), key) != options.maps.end();
 }
 
-/// Scenes whose limit no formula gives: a robot's, or one held by its joints.
+/// Scenes without a formula for their limit: with a robot, or controlled in joint space.
 bool hasNoFormula(const scene::Description& scene) {
   return scene::controlOf(scene, 0).space == tick::Space::Joint ||
          std::holds_alternative<scene::VirtualManipulator>(scene.constraints.front().shape);

@@ -16,7 +16,7 @@
 namespace underact::cli {
 namespace {
 
-constexpr double kLongestStep_s = 100.0;  // of the arm: a tick is a row of the table, and the fit looks at each
+constexpr double kLongestStep_s = 100.0;  // of the arm: each tick is a row of the table, and a sample of the fit
 
 struct StepOptions {
   std::vector<double> num{1.0}, den;
@@ -24,13 +24,13 @@ struct StepOptions {
   std::vector<double> from_mm;
   double step_mm = 10.0, seconds = 0.0;
   double kp_N_per_mm = -1.0, kd_N_s_per_mm = -1.0, ki_N_per_mm_s = -1.0;  // below 0: the scene's
-  double mass_kg = 0.0, damping_N_s_per_m = 0.0;                          // that stay on the stylus
+  double mass_kg = 0.0, damping_N_s_per_m = 0.0;                          // that remain on the stylus
   int rate_hz = 1000;
   bool no_limits = false, json = false;
   std::string arm_model{sim::kDefaultArmModel};
 };
 
-/// Writes the table of a curve where one is asked for. Exit: Well, or File.
+/// Writes the table of a curve if requested. Exit: Well, or File.
 Exit writeTable(const std::string& path, const std::string& text, const Streams& streams) {
   if (path.empty()) return Exit::Well;
   const Problems problems = writeText(path, text);
@@ -51,7 +51,7 @@ Exit stepFunction(const StepOptions& options, const Streams& streams) {
   return writeTable(options.csv, csvOf(transfer.value(), options.seconds), streams);
 }
 
-/// The scene with the law and the gains of the command line in place of its own.
+/// The scene with the control law and the gains of the command line instead of its own.
 Result<scene::Description> retuned(const scene::Description& scene, const StepOptions& options) {
   std::vector<std::string> wishes;
   const auto add = [&wishes](const char* key, double number) {
@@ -102,7 +102,7 @@ Exit stepArm(const StepOptions& options, const Streams& streams) {
   return step.value().fault.empty() ? written : Exit::Fault;
 }
 
-/// --scene and what goes with it.
+/// --scene and the options that belong to it.
 Option addArmOptions(Command command, StepOptions& options) {
   const char* const kGroup = "The simulated arm";
   const Option scene = command.option("--scene", options.scene, "Measure the simulated arm in this scene");

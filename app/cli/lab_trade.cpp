@@ -70,7 +70,7 @@ void addFront(const trade::NamedScene& scene, const std::vector<trade::Point>& p
   }
 }
 
-/// Empty: something could not be read, which was told, and exit says how it was wrong.
+/// Empty: something could not be read; the problem has been printed, and exit is its status.
 std::optional<trade::Plan> planOf(const TradeOptions& options, const Streams& streams, Exit& exit) {
   auto hands = labHands(options.hands, options.seed, streams, exit);
   if (!hands) return {};
@@ -79,7 +79,7 @@ std::optional<trade::Plan> planOf(const TradeOptions& options, const Streams& st
   return trade::Plan{std::move(*scenes), std::move(*hands), options.choices, options.seconds};
 }
 
-/// What is left of the work, told as it is done; each part has its share.
+/// The progress of the work; each part has its share.
 class Work {
  public:
   Work(double parts, const system::Interrupt& interrupt, const Streams& streams)
@@ -99,7 +99,7 @@ class Work {
   Progress progress_;
 };
 
-/// What is to be told.
+/// The results to print.
 struct Asked {
   bool rows, fronts;
   explicit Asked(const TradeOptions& options)
@@ -123,7 +123,7 @@ TradeTables measure(const trade::Plan& plan, const Asked& asked, const system::I
   return tables;
 }
 
-/// Why there is nothing to tell; empty: there is.
+/// Why there is no result; empty: there is one.
 std::string whatIsMissing(const TradeTables& tables, const Asked& asked) {
   if (asked.rows && tables.rows.isEmpty())
     return "Nothing could be measured: the scenes have none of these choices, the hands never touch what the choices "

@@ -30,7 +30,7 @@ struct TryOptions {
   bool json = false;
 };
 
-/// A file, or the one of that name that ships.
+/// A file, or the lesson of that name that ships.
 Result<std::string> lessonFile(const std::string& lesson) {
   if (std::filesystem::path(lesson).extension() == ".json" || std::filesystem::path(lesson).has_parent_path())
     return lesson;

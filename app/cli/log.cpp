@@ -16,7 +16,7 @@
 namespace underact::cli {
 namespace {
 
-/// A file that is not there or that cannot be opened is no input at all; one that is no session is bad input.
+/// A file that does not exist or cannot be opened is a file error; one that is not a session is bad input.
 Exit showSession(const std::string& path, bool json, const Streams& streams) {
   Result<record::Session> session = record::Session::open(path);
   if (!session) return fail(session.problems(), streams);

@@ -22,7 +22,7 @@ namespace {
 struct MeshOptions {
   std::vector<std::string> files;
   bool json = false;
-  double scale_mm_per_unit = 0.0;  // 0: not stated, so 1, and it is asked where that is implausible
+  double scale_mm_per_unit = 0.0;  // 0: not given, so 1, with a question if that is implausible
 };
 
 struct Timed {
@@ -123,7 +123,7 @@ void printAsTable(const std::string& path, const Timed& timed, const MeshOptions
   }
 }
 
-/// A file that cannot be opened is no input at all; one that is no mesh is bad input.
+/// A file that cannot be opened is a file error; one that is not a mesh is bad input.
 Exit exitOfMesh(const std::string& path) {
   return system::NamedFile::open(path, "a mesh") ? Exit::BadInput : Exit::File;
 }

@@ -71,7 +71,7 @@ Result<Registration> fromFile(const RegisterOptions& options) {
   return registration;
 }
 
-/// From an arm, with a person at it.
+/// From an arm that a person moves.
 Result<Registration> fromArm(const RegisterOptions& options, const Streams& streams, Exit& wrong) {
   constexpr int kRate_hz = 1000;
   const Result<std::vector<Vec3>> marks_D = marksOf(options.marks);
@@ -94,7 +94,7 @@ Result<Registration> fromArm(const RegisterOptions& options, const Streams& stre
   return registration;
 }
 
-/// Whether it would mislead: it is not kept then.
+/// Whether it would mislead: then it is not saved.
 bool isWrong(const std::vector<registration::Warning>& warnings) {
   return std::any_of(warnings.begin(), warnings.end(), [](const registration::Warning& one) {
     return one.kind == registration::Warning::Kind::Order || one.kind == registration::Warning::Kind::Residual;

@@ -31,10 +31,10 @@ struct ReplayOptions {
   std::vector<std::string> files_in, settings;
   bool verify = false, overwrite = false;
   std::optional<double> kp_N_per_mm, kd_N_s_per_mm, ki_N_per_mm_s, t;
-  std::optional<std::size_t> law;  // by its place among the words
+  std::optional<std::size_t> law;  // index among the words
   system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
   bool isWhatIf() const { return !scene.empty() || !wishesFor({}).empty() || t; }
-  /// Each option that stands for a setting, then those of --set. An influence is wished for where the scene has one.
+  /// Each option that stands for a setting, then those of --set. An influence is set only if the scene has one.
   std::vector<std::string> wishesFor(const scene::Description& scene) const;
 };
 
@@ -98,7 +98,7 @@ class Comparison {
   double square_apart_N2_ = 0.0, most_apart_N_ = 0.0;
 };
 
-/// Where the meshes and curves of a recording are looked for: where the person says, then in the scenes that ship.
+/// Where the meshes and curves of a recording are searched: in the given folders, then in the scenes that ship.
 std::vector<std::string> foldersOf(const ReplayOptions& options) {
   std::vector<std::string> folders = options.files_in;
   const Result<std::string> shipped = system::findResource(system::Resource::Scenes);
@@ -131,7 +131,7 @@ Exit verifyTicks(record::Session& session, const ReplayOptions& options, const S
   return same ? Exit::Well : Exit::BadInput;
 }
 
-/// The recorded scene, or another, with the gains that were asked for.
+/// The recorded scene, or another, with the requested gains.
 Result<scene::Description> wantedScene(const ReplayOptions& options, record::Session& session, const Streams& streams) {
   scene::Description scene;
   if (!options.scene.empty()) {

@@ -60,7 +60,7 @@ struct RunOptions {
   system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
 };
 
-/// "name: sentence" a line, for --help.
+/// "name: sentence" per line, for --help.
 template <class Named, class Words>
 std::string namedList(const char* title, std::span<const Named> named, Words Named::*what) {
   std::string list = title;
@@ -68,7 +68,7 @@ std::string namedList(const char* title, std::span<const Named> named, Words Nam
   return list;
 }
 
-/// A run in progress: takes the ticks as they come, up to the number asked for.
+/// A run in progress: takes the ticks as they come, up to the requested number.
 class Run {
  public:
   Run(std::int64_t wanted, std::optional<Recording> recording, std::optional<stream::LiveStream> live,
@@ -121,10 +121,10 @@ void runInRealTime(servo::Host& host, Run& run, const system::Interrupt& interru
   }
 }
 
-/// Has the summary tell of every fault, and keeps the first in a file where one was asked for.
+/// Adds every fault to the summary, and writes the first to a file if requested.
 Problems tellFaults(servo::Host& host, Run& run, const std::string& file, const Streams& streams) {
   Problems problems;
-  bool first = run.summary().faulted();  // one that came after the last tick asked for is none of this run
+  bool first = run.summary().faulted();  // one after the last requested tick does not belong to this run
   while (const std::optional<servo::FaultReport> report = host.takeFault()) {
     run.tell(*report);
     if (!report->trouble.empty()) streams.err << report->trouble << '\n';
@@ -141,7 +141,7 @@ struct Prepared {
   sim::ArmModel model;
 };
 
-/// Empty: the options go together.
+/// Empty: the options are compatible.
 std::string wrongIn(const RunOptions& options) {
   if (options.isSimulated())
     return options.hand.empty() ? "--hand: somebody has to hold the simulated arm. Give a built-in hand, or a file."
@@ -168,7 +168,7 @@ Result<LoadedScene> asAsked(LoadedScene loaded, const RunOptions& options) {
   return loaded;
 }
 
-/// Empty: something was wrong, has been told, and exit says what.
+/// Empty: something was wrong; it has been printed, and exit is its status.
 std::optional<Prepared> prepare(const RunOptions& options, const Streams& streams, Exit& exit) {
   Result<LoadedScene> scene = loadScene(options.scene, streams);
   if (!scene) {
@@ -210,19 +210,19 @@ Result<std::unique_ptr<servo::DevicePort>> makeArm(const RunOptions& options, co
   return std::unique_ptr<servo::DevicePort>(std::move(simulated));
 }
 
-/// A session that nobody named says what was run.
+/// The name of an unnamed session: what was run.
 record::SessionWords wordsOf(const RunOptions& options) {
   record::SessionWords words = options.words;
   if (words.name.empty()) words.name = std::filesystem::path(options.scene).stem().string();
   if (words.notes.empty() && options.isSimulated()) {
     const auto named = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
     words.notes = "Hand " + named(options.hand) + ", seed " + std::to_string(options.seed) + ", arm model " +
-                  named(options.arm_model) + ".";  // files by their names: nobody's folders are in a session
+                  named(options.arm_model) + ".";  // files by their names: no folders of a person are in a session
   }
   return words;
 }
 
-/// Opens what the ticks go to besides the summary, as far as it was asked for.
+/// Opens the requested destinations of the ticks besides the summary.
 Exit startListeners(const RunOptions& options, std::int64_t ticks, servo::Host& host,
                     std::optional<Recording>& recording, std::optional<stream::LiveStream>& live,
                     const Streams& streams) {

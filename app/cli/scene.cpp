@@ -54,7 +54,7 @@ const char* lawName(const scene::Control& control) {
   return "P";
 }
 
-/// How a virtual manipulator's joints are found; null for others.
+/// How a virtual robot's joints are found; null for other constraints.
 const char* solverOf(const tick::Entry& entry) {
   const auto* robot = std::get_if<manipulator::Manipulator>(&entry.constraint.goal);
   if (robot == nullptr) return nullptr;

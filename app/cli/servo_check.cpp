@@ -121,7 +121,7 @@ void printCheck(std::ostream& out, const servo::CheckResult& result, const Servo
   out << (result.late.total > 0 ? ")" : "") << "; left out: " << result.late.left_out << '\n';
 }
 
-/// progress for checkServo(): tells how far it is, and ends it on Ctrl+C.
+/// progress for checkServo(): prints it, and ends the check on Ctrl+C.
 std::function<bool(double)> reporter(const Streams& streams, const system::Interrupt& interrupt) {
   return [&streams, &interrupt, shown_percent = -1](double share) mutable {
     const int percent = static_cast<int>(100.0 * share);

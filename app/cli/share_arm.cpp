@@ -32,7 +32,7 @@ struct ShareArmOptions {
   bool force = false, no_passivity = false, new_key = false, show_key = false;
 };
 
-/// What the other computer has to be told to reach an arm that is shared at address here.
+/// The command for the other computer, with which it can reach an arm that is shared here at address.
 std::string trustLine(Address address, const std::string& key) {
   if (address.host == "0.0.0.0" || address.host == "::") address.host = system::computerName();
   return "underact-cli share-arm --trust='" + address.text() + " " + key + "'";

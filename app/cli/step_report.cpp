@@ -26,7 +26,7 @@ void addNumber(JsonObject& object, const char* key, const std::optional<double>&
   value ? object.addNumber(key, *value) : object.addNull(key);
 }
 
-/// A number as people read it, or what it means that there is none.
+/// A number as people read it, or the meaning of its absence.
 std::string shown(const std::optional<double>& value, const std::string& unit, const char* none) {
   if (!value) return none;
   char text[32];
@@ -51,7 +51,7 @@ std::string percent(const std::optional<double>& share) {
 
 void printPoles(const lab::TransferFunction& transfer, std::ostream& out) {
   for (const std::complex<double>& pole : lab::poles(transfer)) {
-    if (pole.imag() < 0.0) continue;  // told with its partner
+    if (pole.imag() < 0.0) continue;  // printed with its partner
     row(out, "pole") << shown(pole.real(), "", "");
     if (pole.imag() > 0.0) out << " +- " << shown(pole.imag(), "", "") << "i";
     out << " rad/s\n";

@@ -15,7 +15,7 @@ namespace {
 
 using target::Status;
 
-/// Where and how strongly, with the ramps of the gate complete.
+/// Target and force, with the ramps of the safety gate complete.
 void addAnswer(JsonObject& object, Status status, const Vec3* p_WP, const Vec3& f_T_W, double max_force_N) {
   if (p_WP != nullptr && status == Status::Unique) {
     object.addVector("q_mm", kMillimetrePerMetre * *p_WP);
@@ -27,7 +27,8 @@ void addAnswer(JsonObject& object, Status status, const Vec3* p_WP, const Vec3& 
   object.addText("status", name(status));
 }
 
-/// What a virtual manipulator adds: the tip's z, the moment that nobody sends, the solver's steps, the joints.
+/// The keys of a virtual robot: the z axis of its end effector, the moment, which is never sent, the solver's steps,
+/// the joints.
 void addRobot(JsonObject& object, const target::Robot& robot, const chain::Chain& chain) {
   object.addVector("n", robot.n_W);
   object.addVector("moment_N_mm", kMillimetrePerMetre * robot.moment_W);
@@ -40,7 +41,7 @@ void addRobot(JsonObject& object, const target::Robot& robot, const chain::Chain
   object.addList("theta", theta);
 }
 
-/// Of all constraints together: unique where one acts and draws the stylus somewhere, free where none is touched.
+/// The status of all constraints together: unique if one acts and pulls the stylus, free if none is touched.
 Status statusOf(const tick::HeldList& held) {
   Status status = Status::Free;
   for (const tick::Held& one : held) {

@@ -13,7 +13,7 @@ using guide::listedInCode;
 using guide::plainText;
 using guide::sentence;
 
-/// "`--rate N`", or what stands in its place.
+/// "`--rate N`", or the name of a positional argument.
 std::string tagInCode(const Option& option) {
   std::string made;
   for (const std::string& name : option.names) made += (made.empty() ? "" : ", ") + name;

@@ -14,7 +14,7 @@ namespace {
 
 using guide::sentence;
 
-/// What troff would take for its own: a dash is a hyphen, a backslash its escape, and a line's first dot a request.
+/// Escapes what troff would interpret: a dash is a hyphen, a backslash its escape, and a line's first dot a request.
 std::string escaped(const std::string& text) {
   std::string made;
   bool starts_line = true;
@@ -38,7 +38,7 @@ std::string slanted(const std::string& text) {
   return "\\fI" + escaped(text) + "\\fR";
 }
 
-/// "--rate N", or what stands in its place.
+/// "--rate N", or the name of a positional argument.
 std::string tagInBold(const Option& option) {
   std::string made;
   for (const std::string& name : option.names) made += (made.empty() ? "" : ", ") + bold(name);
@@ -63,7 +63,7 @@ void writeLines(const std::string& text, std::ostream& out) {
   if (!text.empty()) out << ".PP\n.nf\n" << escaped(text) << "\n.fi\n";
 }
 
-/// A command, and below it its own: "lab trade".
+/// A command, and its subcommands: "lab trade".
 void writeSubsection(const Command& command, const std::string& before, std::ostream& out) {
   const std::string name = before.empty() ? command.name : before + " " + command.name;
   out << ".SS " << escaped(name) << '\n' << escaped(sentence(command.what)) << '\n';

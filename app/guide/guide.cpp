@@ -50,7 +50,7 @@ Result<std::vector<Chapter>> readContents(const std::string& file) {
   return chapters;
 }
 
-/// A name that leaves the folder is none.
+/// A name that leaves the folder is invalid.
 bool isName(const std::string& name) {
   return !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
 }

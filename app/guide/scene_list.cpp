@@ -22,7 +22,7 @@ std::string textAt(const json::Value& scene, const char* key) {
   return value == nullptr ? std::string() : value->text;
 }
 
-/// What a class reads of the scene; Markdown with formulas as it stands in the file.
+/// The teaching notes of the scene; Markdown with formulas, as in the file.
 void writeTeaching(const json::Value& scene, std::ostream& out) {
   const json::Value* teach = scene.find("teach");
   if (teach == nullptr) return;

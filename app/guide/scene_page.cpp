@@ -35,7 +35,7 @@ bool isPart(const std::string& name) {
   return std::find(kParts.begin(), kParts.end(), name) != kParts.end();
 }
 
-/// Writes the page; what the schema leaves out is a problem.
+/// Writes the page; a missing description in the schema is a problem.
 class ScenePage {
  public:
   ScenePage(const Value& schema, std::string file) : schema_(schema), file_(std::move(file)) {}
@@ -62,7 +62,7 @@ class ScenePage {
   static const Value* member(const Value* object, const char* key) {
     return object == nullptr ? nullptr : object->find(key);
   }
-  /// Whether everything that is referred to is there.
+  /// Whether everything that is referred to exists.
   bool hasParts() const {
     const Value* parts = schema_.find("$defs");
     return parts != nullptr && hasParts(schema_, *parts) &&
@@ -107,7 +107,7 @@ class ScenePage {
     }
   }
 
-  /// An object that stands in one place alone, and so in none of $defs.
+  /// An object that is used in one place only, and so is not in $defs.
   static bool isObject(const Value& value) { return value.find("properties") != nullptr; }
   void writeObject(const Value& object, const std::string& name) {
     out_ << "## " << name << "\n\n" << plainText(textOf(object, "description", name)) << "\n\n";

@@ -24,7 +24,7 @@ bool startsWith(const std::string& text, std::string_view start) {
 std::string contents(const Guide& guide, const std::string& here) {
   std::string made =
       "<nav aria-label=\"Contents\">\n<p class=\"name\"><a href=\"index.html\">Underact</a></p>\n"
-      // Without the script it would do nothing: the script shows it.
+      // Useless without the script, which shows it.
       "<input id=\"search\" type=\"search\" placeholder=\"Search\" aria-label=\"Search the guide\" hidden>\n"
       "<ol id=\"hits\" hidden></ol>\n<div id=\"contents\">\n";
   for (const Chapter& chapter : guide.chapters) {

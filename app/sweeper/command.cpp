@@ -32,7 +32,7 @@ void addCommon(options::Command command, Request& request) {
   command.flag("--quiet", request.quiet, "Report errors only");
 }
 
-/// Runs what was asked for, where there is a place for the result.
+/// Runs the request, if the result has a file.
 void run(const Request& request, const Setting& setting) {
   if (request.out.empty() && !request.dry_run) {
     setting.streams.err << "Name the file of the result: --out FILE. (--dry-run only measures.)\n";
@@ -53,7 +53,7 @@ void addKind(options::Command program, const Kind& kind, const Setting& setting)
   request->kind = &kind;
   const options::Command command = program.add(kind.key, kind.question);
   for (const Option& option : kind.options) {
-    // The parser leaves in a list what was said; what was not stays away, so that what is usual holds.
+    // The parser leaves the given values in a list; without them, the default applies.
     command
         .option(
             "--" + option.name,

@@ -27,7 +27,7 @@ namespace hands_kind {
 constexpr std::int64_t kTicksAtOnce = 1000;  // far fewer than the servo keeps for us
 constexpr double kLongest_s = 1e5;
 constexpr std::int64_t kMostDraws = 10'000'000;
-constexpr std::size_t kLargestFile = std::size_t{1} << 30U;  // as no scene, hand or curve is
+constexpr std::size_t kLargestFile = std::size_t{1} << 30U;  // larger than any scene, hand or curve
 
 /// All that the cells share. A hand is made with the cell's seed, so only its name, or its file's content, is kept.
 struct Plan {
@@ -41,7 +41,7 @@ struct Plan {
   sim::ArmModel arm_model;
 };
 
-/// Which of each a cell has; draws are next to each other.
+/// The indices of a cell; draws are adjacent.
 struct Where {
   std::size_t scene, hand, rate, draw;
 };
@@ -52,7 +52,7 @@ Where whereIs(const Plan& plan, std::size_t index) {
   return {scene, hand % plan.hands.size(), rate % plan.rates_hz.size(), draw};
 }
 
-/// What a run on the simulated arm was like.
+/// The results of a run on the simulated arm.
 struct Figures {
   record::TickFigures ticks;
   record::Work work;
@@ -159,7 +159,7 @@ void append(Problems& problems, const Problems& more) {
   problems.insert(problems.end(), more.begin(), more.end());
 }
 
-/// Remembers what was in a file. A file that cannot be read is a problem of whoever needs it.
+/// Remembers the contents of a file. A file that cannot be read is reported where it is needed.
 void remember(const std::string& path, Cells& cells) {
   const Result<std::string> text = json::readTextFile(path, "an input", kLargestFile);
   if (text) cells.files.emplace_back(path, checksumOf(text.value()));

@@ -14,7 +14,7 @@ using json::Value;
 
 constexpr double kLargestSeed = 0x1p53;  // beyond it a double skips whole numbers
 
-/// A value as the command line would have it; none, and a problem, where it is neither text nor a number.
+/// A value as on the command line; none, and a problem, if it is neither text nor a number.
 std::optional<std::string> wordOf(const Value& value, const std::string& path, Findings& findings) {
   if (value.kind == json::Kind::String) return value.text;
   if (value.kind == json::Kind::Number) return json::numberText(value.number);

@@ -14,7 +14,7 @@ namespace stability_kind {
 constexpr std::int64_t kMostDraws = 10'000'000;
 constexpr const char* kDrawn = "drawn";
 
-/// The walls of the maps, and from where to where others are drawn.
+/// The walls of the maps, and the ranges from which others are drawn.
 struct Plan {
   std::vector<std::pair<const char*, stability::Variant>> walls;
   std::size_t draws = 0;
@@ -31,7 +31,7 @@ stability::Variant drawnWall(const Plan& plan, std::uint64_t seed) {
   wall.hand_stiffness_N_per_m = plan.hand_stiffness_N_per_m.at(nextShare(state));
   wall.friction_N = plan.friction_N.at(nextShare(state));
   wall.kd_N_s_per_m = plan.kd_N_s_per_m.at(nextShare(state));
-  const Range ticks{plan.delay_ticks.low, plan.delay_ticks.high + 1.0};  // whole ones, each as likely
+  const Range ticks{plan.delay_ticks.low, plan.delay_ticks.high + 1.0};  // integers, equally likely
   wall.delay_ticks = static_cast<int>(std::min(ticks.at(nextShare(state)), plan.delay_ticks.high));
   const auto rates = static_cast<double>(plan.rates_hz.size());
   wall.period_ns = 1'000'000'000 / plan.rates_hz[static_cast<std::size_t>(rates * nextShare(state))];
