@@ -57,7 +57,7 @@ class TexParser {
     return true;
   }
 
-  /// Up to what ends a row: a brace, the next cell or row, \right, \end.
+  /// Up to the end of a row: a brace, the next cell or row, \right, \end.
   TexNode readRow() {
     TexNode row;
     for (skipBlanks(); at_ < tex_.size(); skipBlanks()) {
@@ -72,7 +72,7 @@ class TexParser {
   }
 
   void readScript(TexNode& row) {
-    if (row.parts.empty()) row.parts.push_back({});  // of nothing, as TeX has it
+    if (row.parts.empty()) row.parts.push_back({});  // empty, as in TeX
     if (row.parts.back().kind != TexKind::Script)
       row.parts.back() = {TexKind::Script, {}, {}, {std::move(row.parts.back()), {}, {}}};
     TexNode& script = row.parts.back();
@@ -87,7 +87,7 @@ class TexParser {
     place.parts.push_back(readArgument());
   }
 
-  /// What stands in braces, or one atom.
+  /// The contents of braces, or one atom.
   TexNode readArgument() {
     skipBlanks();
     if (at_ >= tex_.size() || tex_[at_] == '}' || tex_[at_] == '&' || isAt("\\\\")) {
@@ -155,7 +155,7 @@ class TexParser {
     return {};
   }
 
-  /// Text in braces as it stands there.
+  /// Text in braces, unchanged.
   std::string readWords() {
     skipBlanks();
     const std::size_t end = tex_.find('}', at_);

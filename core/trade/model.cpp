@@ -92,7 +92,7 @@ const std::array<Need, 7> kNeeds{{
      }},
 }};
 
-/// Place, targets and P laws in the space and the metric of the scene: nothing that another quantity adds.
+/// Position, targets and P laws in the space and the metric of the scene: nothing that another quantity adds.
 scene::Description bareOf(scene::Description scene) {
   anyControl(scene, [](scene::Control& control) {
     control.law = scene::LawType::P;
@@ -114,7 +114,7 @@ Result<tick::TickProgram> bareProgram(const scene::Description& scene) {
   return program;
 }
 
-/// The bare scene with the rows that `wanted` picks; none: one of them cannot be.
+/// The minimal scene with the rows that `wanted` selects; none: one of them is not possible.
 template <class Wanted>
 std::optional<tick::TickProgram> programWith(const scene::Description& bare, const Wanted& wanted) {
   scene::Description scene = bare;
