@@ -10,16 +10,16 @@ namespace underact::lab {
 /// numbers every time.
 class Loop {
  public:
-  /// The tip rests at p_WT, and the hand holds it there. rate_hz: 1 to 1e6.
+  /// The tip rests at p_WT, and the hand wants it there. rate_hz: 1 to 1e6.
   Loop(const sim::Plant& plant, const Vec3& p_WT, int rate_hz);
-  /// Advances by one period under the force of the last tick: the arm moves, then the servo ticks.
+  /// A period later, under the force of the last tick: the arm moves, and then the servo's tick.
   const tick::TickReport& tick(const tick::TickProgram& program, tick::TickState& state);
   // Its two halves, to be timed apart.
   void move();
   const tick::TickReport& think(const tick::TickProgram& program, tick::TickState& state);
-  /// The position to which the hand moves the tip by the end of the next period.
+  /// Where the hand wants the tip at the end of the next period.
   void wish(const sim::HandWish& wish) { wish_ = wish; }
-  /// Sets the velocity of the tip.
+  /// The tip is given this velocity.
   void nudge(const Vec3& v_WT) { arm_.v_WT = v_WT; }
 
   const sim::PlantState& arm() const { return arm_; }
@@ -35,13 +35,13 @@ class Loop {
   tick::TickReport report_;
 };
 
-/// A safety gate that lets everything through, to see the control law alone.
+/// The gate that lets everything through: what a law does by itself.
 safety::Limits withoutLimits(safety::Limits limits);
 
 /// The first tick of a program with the tip in p_WT, by exact joints.
 tick::TickReport firstTick(const tick::TickProgram& program, const sim::Plant& plant, const Vec3& p_WT);
 
-/// Whether the arm reaches p_WT, to a micrometre.
+/// Whether the arm comes to p_WT, to a micrometre.
 bool isWithinReach(const sim::Plant& plant, const Vec3& p_WT);
 
 /// Where the tip rests on its target: the target nearest to p_WT, and so on until it stays (a turned stylus moves it).

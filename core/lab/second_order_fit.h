@@ -18,8 +18,8 @@ struct SecondOrderFit {
 };
 
 /// Least squares over all samples, from the best of a grid of frequencies and dampings on. None: fewer than ten
-/// samples, or the curve does not leave its first value. Frequencies from a quarter period in the whole curve to half a
-/// period per sample are searched, damping ratios from 1e-4 to 50.
+/// samples, or the curve does not leave its first value. A frequency is looked for from a quarter turn in the whole
+/// curve to half a turn in a sample, a damping from 1e-4 to 50.
 std::optional<SecondOrderFit> fitSecondOrder(const Curve& curve);
 
 }  // namespace underact::lab

@@ -7,11 +7,11 @@ namespace underact::lab {
 
 inline constexpr double kSettlingBand = 0.02, kRiseFrom = 0.1, kRiseTo = 0.9;  // shares of the final value
 
-/// The metrics of a step response. Rise: from 10 % of the final value, first passed, to 90 %, first passed. Settling:
+/// What a step response is like. Rise: from 10 % of the final value, first passed, to 90 %, first passed. Settling:
 /// from then on within 2 % of the final value. Peak: the time of the greatest value, where one is above the final
-/// value; the overshoot is the excess, as a fraction of the final value. Source: Beckman 2007, section B.4.
+/// value; the overshoot is what it is above, a share of the final value. Source: Beckman 2007, section B.4.
 struct StepMetrics {
-  std::optional<double> final_value;         // none: not defined
+  std::optional<double> final_value;         // none: there is none
   std::optional<double> rise_10_90_s;        // none: no final value, or one of 0
   std::optional<double> settling_2pct_s;     // none: never
   std::optional<double> peak_time_s;         // none: nothing is above the final value
@@ -19,15 +19,15 @@ struct StepMetrics {
 };
 
 /// Of the response to a unit step, each time to some 1e-12 of itself, as far as the poles determine it: found between
-/// samples by the zeros of the response and of its rate. The final value of an undamped response is the one about which
-/// it oscillates; a growing or drifting one, and one with a final value of 0, has no other metrics. Of peaks that are
+/// samples by the zeros of the response and of its rate. An undamped response has the value about which it swings for
+/// its final value; a growing or drifting one, and one with a final value of 0, has no other metrics. Of peaks that are
 /// equally high the first counts. Overshoot below 1e-14 is none. Cost: some ms; more the less it is damped. It looks
 /// at 640,000 samples at most (some seconds), which only modes with hardly any damping beside far slower ones can ask
 /// for; then a rise or peak beyond them is not found, and the settling time may be too late.
 StepMetrics metricsOf(const TransferFunction& transfer);
 
-/// How long a picture of the response should be: 1.5 times the settling time, six periods of an oscillation, or long
-/// enough to show a drift or growth. Above 0, s.
+/// How long a picture of the response should be: half as long again as it takes to settle, six turns of what swings,
+/// what a drift or growth needs to be seen. Above 0, s.
 double secondsToSee(const TransferFunction& transfer);
 
 }  // namespace underact::lab

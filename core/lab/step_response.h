@@ -24,14 +24,14 @@ struct StepSetup {
   std::optional<Axis> axis = {};          // none: the first of them along which the constraint holds
   std::string constraint = {};            // by name; empty: the only one there is
   Vec3 from_W = Vec3(0.0, 0.0, 0.06);     // the target nearest to here is where the tip rests before the step
-  sim::ArmModel arm = {};                 // the model of the arm
-  sim::HandModel hand = {0.0, 0.0, 0.0};  // what remains on the stylus; usually the hand has released it
+  sim::ArmModel arm = {};                 // what the arm is made of
+  sim::HandModel hand = {0.0, 0.0, 0.0};  // what stays on the stylus; usually the hand has let go
   int rate_hz = 1000;
   double seconds = 0.0;  // after the step; 0: as long as the model asks for, 0.5 to 10, 20,000 ticks
-  bool limits = true;    // of the safety gate; false: the control law alone
+  bool limits = true;    // the gate's; false: the law alone
 };
 
-/// A step of the simulated arm, and the response of a mass held by the same control law.
+/// A step of the simulated arm, beside what a mass held by the law would do.
 struct ArmStep {
   std::string constraint;
   scene::LawType law = scene::LawType::P;
@@ -44,10 +44,10 @@ struct ArmStep {
   StepMetrics measured;               // final value in m
   double steady_error_m = 0.0;        // from the target to where the tip ended, along it
   std::optional<SecondOrderFit> fit;  // gain and residual in m; none: the tip did not move
-  HeldMass model;                     // the arm along it, by the figures of the simulation
-  TransferFunction analytic;          // from the position of the target to that of the tip
+  HeldMass model;                     // what the arm is along it, by the simulation's own figures
+  TransferFunction analytic;          // from the target's place to the tip's
   double friction_N = 0.0;
-  std::int64_t limited_ticks = 0;  // in which the safety gate reduced the force: the response is not linear
+  std::int64_t limited_ticks = 0;  // in which the gate cut the force: the response is not a linear one
   double peak_force_N = 0.0;       // as sent
   std::string fault;               // that ended it early; empty: none
 };
@@ -57,7 +57,7 @@ struct ArmStep {
 /// B.14), and records the tip. The same tick, gate and plant as a run, so the same numbers every time. Problems: those
 /// of the scene; no such constraint, or several and none named; a wall; a target that is not unique, or that the arm
 /// does not reach; a constraint that does not hold along the axis; nothing that has mass or damping. Cost: some 25 us
-/// per tick with the fit, so half a second for 20,000.
+/// a tick with its fit, so half a second for 20,000.
 Result<ArmStep> measureStep(const scene::Description& scene, const StepSetup& setup);
 
 /// The scene with all that it holds the stylus to moved by by_mm, in W; what robots turn about and slide along, too.

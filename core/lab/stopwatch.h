@@ -5,12 +5,12 @@
 
 namespace underact::lab {
 
-/// Times of one piece of work on this machine, ns. No samples: 0.
+/// Times of one and the same piece of work, ns, by this machine, now. None at all: 0.
 struct Cost {
   double p50_ns = 0.0, p99_ns = 0.0, max_ns = 0.0;
 };
 
-/// Single times by the steady clock, less the time to read it.
+/// Single times by the steady clock, what reading it takes off.
 class Stopwatch {
  public:
   explicit Stopwatch(std::size_t times);
@@ -30,8 +30,8 @@ class Stopwatch {
   std::vector<double> times_ns_;
 };
 
-/// A quantile of the values; share above 0, up to 1; 0.5: the median, of an even number the smaller of the two in the
-/// middle. values: at least one.
+/// The least of the values that a share of them, above 0 up to 1, keep within; 0.5: the median, of an even number the
+/// smaller one of both in the middle. values: at least one.
 double quantile(std::vector<double> values, double share);
 
 }  // namespace underact::lab

@@ -37,8 +37,8 @@ double gainAtRest(const TransferFunction& transfer);
 /// determine; of m equal ones each is off by about the m-th root of that.
 std::vector<Complex> poles(const TransferFunction& transfer);
 
-/// The behaviour of the step response. Settles: all poles in the left half plane. Swings: simple poles on the imaginary
-/// axis (undamped). Drifts: a pole at 0, so that it goes on for ever. Grows: one in the right half plane, or
+/// What becomes of the response to a step. Settles: all poles in the left half plane. Swings: some on the imaginary
+/// axis, each once (undamped). Drifts: a pole at 0, so that it goes on for ever. Grows: one in the right half plane, or
 /// twice on the imaginary axis.
 enum class Behaviour { Settles, Swings, Drifts, Grows };
 

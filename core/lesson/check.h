@@ -8,7 +8,7 @@
 
 namespace underact::lesson {
 
-/// What is known of a check so far; initially nothing.
+/// What is known of a check so far. A new one knows nothing.
 struct CheckState {
   bool solved = false;
   Values now{};                         // what was measured last, or when it was solved; of a place, how far it is
@@ -27,7 +27,7 @@ struct CheckState {
 };
 
 /// The state after a tick. A solved one stays as it is. seen.tick.time_ns must not fall; where it jumps by more than
-/// kLongestGap_s (a pause, another session), what has to last starts over.
+/// kLongestGap_s (a pause, another session), what has to last begins anew.
 CheckState afterTick(const Check& check, CheckState state, const Seen& seen);
 
 /// The state after an answer to the check's question: a number, or the number of a choice from 1. Where the answer is
@@ -36,10 +36,10 @@ CheckState afterAnswer(const Check& check, CheckState state, double answer);
 
 inline constexpr double kLongestGap_s = 0.5;
 
-/// The quantity as a number: its only value, the selected part, or the magnitude of all.
+/// The quantity as a number: its one value, the part that is meant, or the size of a whole.
 double numberOf(const Measure& measure, const Values& values);
 
-/// The distance of values from a place, by the measure's definition of distance.
+/// How far values are from a place in the measure's own way.
 double distanceTo(const Measure& measure, const Values& values, const std::vector<double>& place);
 
 /// Whether a step is done: each of its checks is.

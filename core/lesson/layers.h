@@ -14,9 +14,9 @@ struct Layers {
   bool target = true;     // the target point and the error line
   bool force = true;      // the force arrow
   bool influence = true;  // see InfluencePicture; where the scene has one
-  bool robot = true;      // virtual robots
+  bool robot = true;      // virtual manipulators
   bool path = true;       // of a recording that is replayed
-  bool desk = true;       // the reference points with which the arm was registered, if it is
+  bool desk = true;       // the marks by which the arm was registered, where it is
   bool from_desk = true;  // front, right and up are those of the desk, not of the arm, where it is registered
   // Of meshes, see MeshPicture.
   bool wires = false;              // the edges of all triangles

@@ -10,43 +10,43 @@
 
 namespace underact::lesson {
 
-// A lesson as a teacher writes it. A check is a measured quantity and a condition on it.
+// A lesson as a teacher writes it. What a student's hand has to show is a measured quantity and what it has to do.
 
 /// What is measured: a quantity, or one value of it.
 struct Measure {
   const Quantity* quantity = nullptr;  // of quantities()
-  std::size_t part = 0;                // 1 to quantity->parts; 0: all of it
+  std::size_t part = 0;                // 1 to quantity->parts; 0: as a whole
 };
 
-/// The required range of a measure: between two numbers, or near a value.
+/// Where a measure should be: between two numbers, or near a place.
 struct Wanted {
   Measure measure;
   double above = -kInfinity;
   double below = kInfinity;
-  std::vector<double> near;  // one for each value of the measure, NaN: any; empty: above and below count
+  std::vector<double> near;  // one for each value of the measure, NaN: whichever; empty: above and below count
   double within = 0.0;       // of near
 };
 
-/// The measure is in the range, and stays there for a time.
+/// It is there, and stays there for so long.
 struct Hold {
   Wanted wanted;
   double for_s = 0.0;
 };
 
-/// Each of several values is reached, in any order.
+/// Each of some places is visited, in any order.
 struct Visit {
   Measure measure;
   std::vector<std::vector<double>> places;
   double within = 0.0;
 };
 
-/// The minimum and the maximum of the measure are that far apart.
+/// Its least and its most value are so far apart.
 struct Span {
   Measure measure;
   double by = 0.0;
 };
 
-/// The measure crosses a value a number of times within a time, by more than `by` to either side.
+/// It swings through a value so many times within a while, further than `by` to either side.
 struct Cross {
   Measure measure;
   double value = 0.0;
@@ -55,7 +55,7 @@ struct Cross {
   double in_s = 1.0;
 };
 
-/// A question whose answer is a number: one that the lesson gives, or one that is measured at that moment.
+/// A question that a number answers: one that the lesson knows, or one that is measured at that moment.
 struct AskNumber {
   std::string question;
   std::string unit;
@@ -64,7 +64,7 @@ struct AskNumber {
   double within = 0.0;
 };
 
-/// A multiple-choice question.
+/// A question with answers to choose from.
 struct AskChoice {
   std::string question;
   std::vector<std::string> choices;
@@ -73,7 +73,7 @@ struct AskChoice {
 
 using Task = std::variant<Hold, Visit, Span, Cross, AskNumber, AskChoice>;
 
-/// A task, which stays solved once it is, and the conditions that have to hold meanwhile.
+/// A task that counts as solved once it was, and what has to hold meanwhile.
 struct Check {
   Task task;
   std::vector<Wanted> meanwhile;
@@ -84,12 +84,12 @@ struct Check {
 struct Step {
   std::string title;
   std::string text;    // Markdown with $formulas$
-  std::string hint;    // likewise; empty: none
-  std::string scene;   // a shipped scene's name, or a file relative to the lesson's; empty: as in the previous step
+  std::string hint;    // the same; empty: none
+  std::string scene;   // a shipped scene's name, or a file seen from the lesson's; empty: that of the step before
   std::string camera;  // empty: as it is
-  std::vector<std::string> layers;  // that are also shown
+  std::vector<std::string> layers;  // that are shown besides
   std::vector<std::string> panels;  // that are brought forward
-  std::vector<Check> checks;        // none: the step is only read
+  std::vector<Check> checks;        // none: it is read only
   Place place;
 };
 
@@ -102,11 +102,11 @@ struct Lesson {
   std::string file;
 };
 
-/// The file of the step's scene: its own, or that of the last step before it that has one. scene_folder: that of the
+/// Where the scene of the step is: its own, or that of the nearest step before it that has one. scene_folder: of the
 /// scenes that ship.
 std::string sceneFileOf(const Lesson& lesson, std::size_t step, const std::string& scene_folder);
 
-/// Whether one of its scenes ships with the program, so that their folder has to be found.
+/// Whether one of its scenes is one that ships, so that their folder has to be found.
 bool namesShippedScene(const Lesson& lesson);
 
 /// A question of either kind; null: the check asks nothing.

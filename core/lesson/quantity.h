@@ -15,30 +15,30 @@
 namespace underact::lesson {
 
 inline constexpr std::size_t kMostParts = 8;
-/// The values of a quantity. Those beyond its parts are NaN; all are NaN while it is not defined.
+/// The values of a quantity, those it has not are not a number; all of them are not where it cannot be told now.
 using Values = std::array<double, kMostParts>;
 
-/// What is measured in a tick.
+/// What there is to be measured in a tick.
 struct Seen {
   const servo::TickRecord& tick;
   const scene::Description& scene;  // in effect
   const arm::Preset& arm;           // that it names
-  const target::Robot& robot;       // the scene's first virtual robot, of this tick or shortly before
+  const target::Robot& robot;       // the scene's first virtual manipulator, of this tick or shortly before
 };
 
-/// The distance between two values. Way: the root of the sum of squares. Largest: the largest difference, of angles
+/// How far two values of it are apart. Way: the root of the sum of squares. Largest: the largest difference, of angles
 /// in degrees. Turn: the angle between two directions, degrees.
 enum class Apart : std::uint8_t { Way, Largest, Turn };
 
-/// What a scene has to have for the quantity to be defined.
+/// What a scene has to have for the quantity to be there.
 enum class Needs : std::uint8_t { Nothing, Influence, Robot, Energy };
 
-/// A measured quantity, in the units of scene files and of the screen.
+/// Something that is measured, in the units of scene files and of the screen.
 struct Quantity {
   const char* key;   // of lesson files: "force_N"
-  const char* name;  // as the subject of a sentence: "The force"
+  const char* name;  // in sentences, their first word: "The force"
   const char* unit;  // "N"; empty: it has none
-  int decimals;      // that are significant
+  int decimals;      // that are true
   std::size_t parts;
   Apart apart;
   Needs needs;
@@ -52,10 +52,10 @@ std::span<const Quantity> quantities();
 /// Null: there is none of that key.
 const Quantity* findQuantity(std::string_view key);
 
-/// The unit of the distance between two of its values.
+/// The unit of how far two of its values are apart.
 const char* unitOfDistance(const Quantity& quantity);
 
-/// Why the quantity is not defined in the scene, in a sentence; empty: it is.
+/// Why the scene cannot have it, in a sentence; empty: it can.
 Sentence whyMissing(const Quantity& quantity, const scene::Description& scene);
 
 }  // namespace underact::lesson

@@ -18,7 +18,7 @@ Result<Lesson> readLessonFile(const std::string& path);
 /// Whether the text of a JSON file is meant as a lesson, right or wrong.
 bool looksLikeLesson(std::string_view text);
 
-/// Checks the scenes that the steps name: they exist, are valid, and have what the checks measure; each problem with
+/// The scenes that the steps name: that they are there, are right, and have what the checks measure; each problem at
 /// its place in the lesson. scene_folder: of the scenes that ship. Empty: all is well.
 Problems checkScenes(const Lesson& lesson, const std::string& scene_folder);
 

@@ -12,7 +12,7 @@ Measure velocityOn(const Bench& bench, const Settings& base);
 Measure inverseOn(const Bench& bench, const Settings& base);
 Measure blocksOn(const Bench& bench, const Settings& base);
 
-// The reference for all others: so fine that its own error is negligible.
+// What others are held against: so fine that what is left of its own error does not show.
 inline constexpr int kOracleRate_hz = 16'000;  // a multiple of every rate that is an option
 inline constexpr double kOracleSubstep_us = 5.0;
 inline const scene::Solver kOracleSolver{scene::SolverMethod::Iterative, 100, 1e-14};
@@ -25,8 +25,8 @@ struct Entry {
   Settings settings;
 };
 
-/// Measures each entry on one bench, in order, and hands on those that can be run. goes_on() is called before each;
-/// false: it was ended.
+/// Measures each entry on one bench, in order, and hands on those that there is a way to. goes_on() is asked before
+/// each; false: it ended it.
 bool measureEach(const Choice& choice, const Bench& bench, const Settings& base, const std::vector<Entry>& entries,
                  const std::function<bool()>& goes_on,
                  const std::function<void(const Entry& entry, const Figures& figures)>& add);

@@ -6,7 +6,7 @@
 
 namespace underact::trade {
 
-/// All choices between speed and accuracy. Initially, each has the program's default.
+/// All that the program lets one choose between speed and accuracy. Each is the program's own default at first.
 struct Settings {
   int rate_hz = 1000;
   Search search = Search::Hybrid;  // of meshes and curves
@@ -18,7 +18,7 @@ struct Settings {
   bool operator==(const Settings&) const = default;
 };
 
-/// The settings of a scene, at the rate of the servo; of several meshes, robots or laws those of the first.
+/// What a scene says, at the rate of the servo; of several meshes, robots or laws the first that there is.
 Settings settingsOf(const scene::Description& scene, int rate_hz);
 
 /// The scene with these, for all its constraints alike.
@@ -34,7 +34,7 @@ struct Difference {
   std::string what, before, after;
 };
 
-/// What differs between two settings; what the scene does not use is left out.
+/// What differs for the scene between two settings; what it has no use for is left out.
 std::vector<Difference> differences(const scene::Description& scene, const Settings& before, const Settings& after);
 
 }  // namespace underact::trade
