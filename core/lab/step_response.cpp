@@ -128,11 +128,10 @@ Result<std::optional<Programs>> steppedAlong(const scene::Description& held, con
     return std::optional<Programs>();
   const Vec3 p_WAfter = step.p_WBefore + step_W;
   if (!isWithinReach(plant, p_WAfter))
-    return Problems{
-        {said(TRANSLATE_NOOP(
-                  "problem",
-                  "The arm cannot reach the target after this step (%1). Make the step smaller, or change its sign."),
-              {name(step.axis)})}};
+    return Problems{{said(TRANSLATE_NOOP("problem",
+                                         "The arm does not reach the target after this step (%1). Make the step "
+                                         "smaller, or step in the other direction."),
+                          {name(step.axis)})}};
   return std::optional<Programs>({before, std::move(after).value()});
 }
 
@@ -147,11 +146,11 @@ Result<Programs> stepped(const scene::Description& held, const tick::TickProgram
     if (found.value()) return std::move(*std::move(found).value());
   }
   const std::string where = setup.axis ? std::string(" (") + name(*setup.axis) + ")" : "";
-  return Problems{{said(
-      TRANSLATE_NOOP("problem",
-                     "The constraint does not hold the tip there along a straight line%1: its target cannot follow a "
-                     "step in this direction. Choose another axis, or start from another position."),
-      {where})}};
+  return Problems{
+      {said(TRANSLATE_NOOP("problem",
+                           "The constraint does not hold the tip along a straight step there%1: its target does not "
+                           "follow the whole step. Choose another axis, or start from another position."),
+            {where})}};
 }
 
 struct MoveBy {

@@ -16,14 +16,14 @@
 namespace underact::record {
 namespace {
 
-/// What an access list says to the driver; the library copies it byte by byte.
+/// The settings of an access list for the driver; the library copies them byte by byte.
 struct Given {
   int fd = -1;
   std::int64_t at_least = 0;
 };
 
 struct GivenFile {
-  H5FD_t library{};  // what the library keeps of each file comes first
+  H5FD_t library{};  // the library's part of each file comes first
   Given given;
   haddr_t allocated = 0;
 };
@@ -45,7 +45,7 @@ H5FD_t* openGiven(const char* name, unsigned flags, hid_t access, haddr_t /*most
 }
 
 herr_t closeGiven(H5FD_t* file) {
-  const std::unique_ptr<GivenFile> gone(fileOf(file));  // the descriptor stays the giver's
+  const std::unique_ptr<GivenFile> gone(fileOf(file));  // the descriptor stays with its owner
   return 0;
 }
 
@@ -77,7 +77,7 @@ herr_t handleOfGiven(H5FD_t* file, hid_t /*access*/, void** descriptor) {
   return 0;
 }
 
-/// Zeros beyond the end, as the library's own drivers give.
+/// Zeros beyond the end, as the library's own drivers return.
 herr_t readGiven(H5FD_t* file, H5FD_mem_t /*kind*/, hid_t /*transfer*/, haddr_t from, size_t size, void* to) {
   if (from > static_cast<haddr_t>(INT64_MAX) || size > static_cast<haddr_t>(INT64_MAX) - from) return -1;
   const std::span into(static_cast<std::byte*>(to), size);
@@ -92,7 +92,7 @@ herr_t writeToGiven(H5FD_t* /*file*/, H5FD_mem_t /*kind*/, hid_t /*transfer*/, h
   return -1;
 }
 
-// Who opened the descriptor has locked it.
+// Whoever opened the descriptor has locked it.
 herr_t lockGiven(H5FD_t* /*file*/, hbool_t /*writes*/) {
   return 0;
 }

@@ -59,7 +59,7 @@ std::int64_t sizeOf(const std::string& path) {
 }
 
 std::int64_t lengthToGrowTo(std::int64_t size, std::int64_t stated) {
-  // A beginning without the rest is worth no more, and what a file says of itself must not fill a disk.
+  // A beginning without the rest is of no use, and what a file states must not fill a disk.
   constexpr std::int64_t kTimes = 16, kAtLeast = std::int64_t{1} << 26;
   return stated > size && stated / kTimes <= std::max(size, kAtLeast / kTimes) ? stated : size;
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kSessionReader = "underact-session-reader";
 constexpr std::size_t kLongestAttribute = (std::size_t{1} << 20) + 1;
 
-/// An attribute's name in a question; an empty one is of no attribute.
+/// An attribute's name in a question; an empty one is not an attribute.
 Question questionOf(Asks what, std::string_view name) {
   Question question;
   question.what = what;
@@ -33,7 +33,7 @@ std::optional<Number> numberIn(std::span<const std::byte> bytes) {
   return number;
 }
 
-/// A helper is believed as little as the file that it reads.
+/// A helper is trusted as little as the file that it reads.
 bool fits(const Shape& shape, std::span<const Table> tables, std::int64_t bytes) {
   for (std::size_t index = 0; index < tables.size(); ++index) {
     const Table& table = tables[index];
@@ -57,14 +57,14 @@ struct ForeignFile::Impl {
 
   Problems problem(Sentence sentence) const { return {{std::move(sentence), {input->path()}}}; }
   Problems unreadable() const {
-    return problem(said(TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
+    return problem(said(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
   }
   /// Why there was no answer.
   Problems whySilent(const helper::Bounds& bounds) const {
     using helper::Ending;
     switch (talk.ending()) {
       case Ending::Crashed:
-        return problem(said(TRANSLATE_NOOP("problem", "The file is damaged: its reader broke off (signal %1)."),
+        return problem(said(TRANSLATE_NOOP("problem", "The file is damaged: the reader program crashed (signal %1)."),
                             {std::to_string(talk.code())}));
       case Ending::TookTooLong:
         return problem(said(TRANSLATE_NOOP("problem",
@@ -120,14 +120,13 @@ Result<ForeignFile> ForeignFile::open(std::shared_ptr<const ForeignInput> input,
   impl->at_least = at_least;
   const Result<std::string> program = system::findProgram(kSessionReader, "UNDERACT_SESSION_READER");
   if (!program)
-    return impl->problem(
-        oneAfterAnother({program.problems().front().sentence,
-                         said(TRANSLATE_NOOP("problem", "It reads sessions: install Underact again."))}));
+    return impl->problem(oneAfterAnother({program.problems().front().sentence,
+                                          said(TRANSLATE_NOOP("problem", "It reads sessions: reinstall Underact."))}));
   impl->talk = helper::Talk(program.value(), impl->input->fd());
   const Problems problems = impl->look(Asks::Open);
   if (!problems.empty()) return problems;
   ForeignFile file(std::move(impl));
-  if (file.isOpenElsewhere()) file.impl_->input->unlock();  // its writer may go on
+  if (file.isOpenElsewhere()) file.impl_->input->unlock();  // its writer may continue
   return file;
 }
 
@@ -172,7 +171,7 @@ Result<std::vector<Block>> ForeignFile::read(std::size_t table, std::int64_t fir
 }
 
 void ForeignFile::refresh() {
-  (void)impl_->look(Asks::Refresh);  // where that fails, what was there stays, and reading it says why
+  (void)impl_->look(Asks::Refresh);  // if that fails, the old state stays, and reading reports why
 }
 
 std::string ForeignFile::text(std::string_view attribute) {

@@ -18,21 +18,21 @@
 namespace underact::record {
 namespace {
 
-// What a writer is just changing is read again, each time after twice the pause: 24 times take 20 ms. The library's own
-// 100 would be for ever where the file is damaged.
+// What a writer is just changing is read again, each time after twice the pause: 24 times take 20 ms. The library's
+// default of 100 would take forever on a damaged file.
 constexpr unsigned kAttempts = 24;
 
 Problems problemAt(const std::string& path, Sentence sentence) {
   return {{std::move(sentence), {path}}};
 }
 
-/// The system's reason for the last failure, where it gave one.
+/// The system's reason for the last failure, if it gave one.
 Sentence reason() {
   if (errno != 0) return std::strerror(errno);
   return said(TRANSLATE_NOOP("problem", "the HDF5 library gives no reason"));
 }
 
-/// None: there is a file of that name. The library would wait for whoever writes into a pipe.
+/// None: a file of that name exists. The library would wait for the writer of a pipe.
 Problems notThere(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error))
@@ -43,8 +43,8 @@ Problems notThere(const std::string& path) {
 
 Id accessList(bool locks = true) {
   Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);  // what SWMR takes
-  H5Pset_file_locking(access, locks, true);                        // not where the file system knows no locks
+  H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);  // required by SWMR
+  H5Pset_file_locking(access, locks, true);                        // not if the file system has no locks
   return access;
 }
 
@@ -60,10 +60,10 @@ struct Hdf5File::Impl {
   std::vector<OpenTable> tables;
   bool writes = false, failed = false, full = false, elsewhere = false;
   SetAside set_aside;
-  std::int64_t unflushed_bytes = 0;  // the library holds them in memory, and the file's size does not show them yet
+  std::int64_t unflushed_bytes = 0;  // in the library's memory, not yet in the size of the file
   Problems failure;                  // the first
 
-  /// pattern: with a place for the reason.
+  /// pattern: with a placeholder for the reason.
   Problems fail(const char* pattern) {
     failed = true;
     failure = problemAt(path, said(pattern, {reason()}));
@@ -75,12 +75,12 @@ struct Hdf5File::Impl {
     void* handle = nullptr;
     return file.isGood() && H5Fget_vfd_handle(file, H5P_DEFAULT, &handle) >= 0 ? *static_cast<int*>(handle) : -1;
   }
-  /// From here on the library writes into nothing: what it has in memory is ahead of the disk, and half of it there
-  /// would spoil what is whole.
+  /// From here on the library writes nothing: its memory is ahead of the disk, and half of it there would damage what
+  /// is intact.
   void letBe() const {
     if (writes && descriptor() >= 0) system::leadNowhere(descriptor());
   }
-  /// Of the file, now.
+  /// The present size of the file.
   std::int64_t bytes() const {
     return by_descriptor ? std::max(system::lengthOf(descriptor()), at_least) : sizeOf(opened);
   }
@@ -90,11 +90,11 @@ struct Hdf5File::Impl {
       const Id group(isOwn(file, name) ? H5Gopen2(file, name.c_str(), H5P_DEFAULT) : -1, H5Gclose);
       if (!group.isGood())
         return problemAt(
-            path, said(TRANSLATE_NOOP("problem", "This is no whole session: there is no table \"%1\" in it."), {name}));
+            path, said(TRANSLATE_NOOP("problem", "This session is incomplete: it has no table \"%1\"."), {name}));
       std::optional<OpenTable> table = openTable(group, wanted, writes, bytes());
       if (!table)
         return problemAt(
-            path, said(TRANSLATE_NOOP("problem", "This is no whole session: the table \"%1\" is damaged."), {name}));
+            path, said(TRANSLATE_NOOP("problem", "This session is incomplete: the table \"%1\" is damaged."), {name}));
       tables.push_back(std::move(*table));
     }
     return {};
@@ -112,12 +112,10 @@ struct Hdf5File::Impl {
   Problems whyNoSession(std::int64_t there, std::int64_t stated) const {
     if (there < stated)
       return problemAt(
-          path,
-          said(TRANSLATE_NOOP("problem",
-                              "This file is cut off: %1 of %2 bytes are there. Copy it again from where it came."),
-               {std::to_string(there), std::to_string(stated)}));
-    return problemAt(path,
-                     said(TRANSLATE_NOOP("problem", "This is no session, or one that is damaged at its beginning.")));
+          path, said(TRANSLATE_NOOP("problem",
+                                    "This file is truncated: it has %1 of %2 bytes. Copy it again from where it came."),
+                     {std::to_string(there), std::to_string(stated)}));
+    return problemAt(path, said(TRANSLATE_NOOP("problem", "This is not a session, or its beginning is damaged.")));
   }
 };
 
@@ -140,9 +138,9 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
     return problemAt(
         path, said(TRANSLATE_NOOP("problem", "Another program is recording into this file. Give another name.")));
   const system::Descriptor made = system::makeNew(path, existing);  // the library would let others read it
-  if (!made.isOpen()) return impl->fail(TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
-  // The library holds a lock until readers may follow, takes it once more just then, and cannot close the file where
-  // somebody else, as a list of the folder, got it in between. Others are told by our own.
+  if (!made.isOpen()) return impl->fail(TRANSLATE_NOOP("problem", "The recording cannot be started: %1."));
+  // The library holds a lock until readers may follow, takes it once more just then, and cannot close the file if
+  // another program, such as a file manager, got it in between. Our own lock informs the others.
   const Id access = accessList(false);
   impl->file = Id(H5Fcreate(system::nameOf(made.number(), path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
   bool good = impl->file.isGood();
@@ -154,9 +152,9 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
   }
   good = good && H5Fstart_swmr_write(impl->file) >= 0;
   if (!good) {
-    Problems problems = impl->fail(TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
+    Problems problems = impl->fail(TRANSLATE_NOOP("problem", "The recording cannot be started: %1."));
     std::error_code ignored;
-    std::filesystem::remove(path, ignored);  // nothing is in it, and it would be in the next one's way
+    std::filesystem::remove(path, ignored);  // nothing is in it, and it would be in the way of the next one
     return problems;
   }
   impl->presence = Presence(path);
@@ -208,10 +206,11 @@ Result<Hdf5File> Hdf5File::reopen(const std::string& path, std::span<const Table
     return impl->fail(TRANSLATE_NOOP("problem", "The file cannot be opened for writing: %1."));
   }
   if (fd >= 0 && !system::areTheSame(system::statusOf(fd), system::statusOf(impl->descriptor())))
-    return problemAt(path, said(TRANSLATE_NOOP("problem",
-                                               "Another file was put in this one's place meanwhile: nothing was "
-                                               "changed. Try again.")));
-  // A killed writer's file is longer than it says; what comes now must not be written over its end.
+    return problemAt(
+        path,
+        said(TRANSLATE_NOOP(
+            "problem", "Another file has taken this one's place in the meantime, so nothing was changed. Try again.")));
+  // A killed writer's file is longer than it states; new data must not be written over its end.
   if (killed && H5Fincrement_filesize(impl->file, 0) < 0)
     return impl->fail(TRANSLATE_NOOP("problem", "The file cannot be opened for writing: %1."));
   Problems problems = impl->openTables(tables);
@@ -225,9 +224,10 @@ Problems Hdf5File::append(std::size_t table, const Block& block) {
   impl_->unflushed_bytes += static_cast<std::int64_t>(block.bytes.size());
   impl_->full = impl_->full || !impl_->set_aside.forMore(impl_->unflushed_bytes, impl_->descriptor());
   if (impl_->full)
-    return problemAt(impl_->path, said(TRANSLATE_NOOP("problem",
-                                                      "The disk is full: the recording was stopped and is whole. "
-                                                      "Free some space, or record into another folder.")));
+    return problemAt(impl_->path,
+                     said(TRANSLATE_NOOP("problem",
+                                         "The disk is full: the recording was stopped, and everything up to then was "
+                                         "saved. Free some space, or record into another folder.")));
   return appendLast(table, block);
 }
 
@@ -259,7 +259,7 @@ Problems Hdf5File::cut(std::size_t table, std::int64_t rows) {
   errno = 0;
   return cutTo(impl_->tables[table], rows)
              ? Problems{}
-             : impl_->fail(TRANSLATE_NOOP("problem", "The file could not be cut to what is whole: %1."));
+             : impl_->fail(TRANSLATE_NOOP("problem", "The file could not be trimmed to its intact part: %1."));
 }
 
 Problems Hdf5File::set(const Attribute& attribute) {
@@ -268,7 +268,7 @@ Problems Hdf5File::set(const Attribute& attribute) {
   if (H5Aexists(impl_->file, attribute.name.c_str()) > 0) H5Adelete(impl_->file, attribute.name.c_str());
   return writeAttribute(impl_->file, attribute)
              ? Problems{}
-             : impl_->fail(TRANSLATE_NOOP("problem", "The file takes no change: %1."));
+             : impl_->fail(TRANSLATE_NOOP("problem", "The file cannot be changed: %1."));
 }
 
 Problems Hdf5File::close() {
@@ -280,7 +280,7 @@ Problems Hdf5File::close() {
   good = impl_->file.close() && good;
   impl_->set_aside.giveBack(impl_->opened);
   if (good || !impl_->writes || impl_->failed) return {};
-  return impl_->fail(TRANSLATE_NOOP("problem", "The recording is not whole: %1."));
+  return impl_->fail(TRANSLATE_NOOP("problem", "The recording is incomplete: %1."));
 }
 
 std::int64_t Hdf5File::rows(std::size_t table) {
@@ -299,7 +299,7 @@ Result<std::vector<Block>> Hdf5File::read(std::size_t table, std::int64_t first,
   if (end <= begin) return std::vector<Block>{};
   std::optional<std::vector<Block>> blocks = readBlocks(open, begin, end);
   if (!blocks)
-    return problemAt(impl_->path, said(TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
+    return problemAt(impl_->path, said(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
   return std::move(*blocks);
 }
 

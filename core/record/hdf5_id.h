@@ -8,14 +8,14 @@
 
 namespace underact::record {
 
-// What the sources that speak with HDF5 share. The library's own header is in none of ours: its hid_t is this.
+// What the sources that use HDF5 share. None of our headers includes the library's: its hid_t is this.
 using Handle = std::int64_t;
 
-/// Makes the library ready, which it does by itself when it is first used: for a process that may do less later on. It
-/// loads no plugins then. false: it is not to be had.
+/// Initializes the library, which otherwise happens on first use: for a process that loses rights later. It then loads
+/// no plugins. false: the library is not available.
 bool startHdf5();
 
-/// One identifier of the library's, closed at the end.
+/// An identifier of the library, closed at the end.
 class Id {
  public:
   using Close = int (*)(Handle);
@@ -40,21 +40,21 @@ class Id {
   Close close_ = nullptr;
 };
 
-/// The library's own account of errors goes to nobody: sentences are ours. Kept by thread, so each way in calls it.
+/// Switches the library's own error output off: sentences are ours. It is per thread, so every entry point calls it.
 void quiet();
 
-/// An attribute of a file: words or a number.
+/// An attribute of a file: text or a number.
 struct Attribute {
   std::string name;
   std::variant<std::string, std::int64_t, double> value;
 };
 
-/// Whether a name in a group is the object itself, and no link to one that may be in another file.
+/// Whether a name in a group is the object itself, not a link to one that may be in another file.
 bool isOwn(Handle group, std::string_view name);
 
 bool writeAttribute(Handle object, const Attribute& attribute);
 
-// None where it is not there, of another kind, or a text of more than a mebibyte.
+// None if it is missing, of another kind, or a text of more than a mebibyte.
 std::optional<std::string> textAttribute(Handle object, std::string_view name);
 std::optional<std::int64_t> integerAttribute(Handle object, std::string_view name);
 std::optional<double> realAttribute(Handle object, std::string_view name);

@@ -9,7 +9,7 @@ namespace underact::record {
 
 /// A dataset that grows by rows of `width` numbers: a column of a table.
 struct Store {
-  Id id;  // not good: it is not there, or of another kind
+  Id id;  // not good: it is missing, or of another kind
   Kind kind = Kind::Real;
   std::uint64_t width = 1;
   bool is_packed = false;  // shuffled or compressed by zlib, as h5repack makes copies; never by this program
@@ -17,10 +17,10 @@ struct Store {
 };
 
 Store createStore(Handle group, const Column& column, std::uint64_t chunk_rows);
-/// As createStore() makes it, with chunks of so many rows; not good where it is otherwise in any way: another type, a
-/// link, packed by another filter, laid out by another program, its numbers in another file.
+/// As createStore() makes it, with chunks of that many rows; not good if it differs in any way: another type, a link,
+/// another filter, another layout, numbers stored in another file.
 Store openStore(Handle group, const Column& column, std::uint64_t chunk_rows);
-std::uint64_t rowsOf(const Store& store);  // 0 where it does not say
+std::uint64_t rowsOf(const Store& store);  // 0 if it does not say
 
 // false: the library refused, for a full disk or a damaged file.
 bool resize(const Store& store, std::uint64_t rows);

@@ -17,14 +17,14 @@ struct OpenTable {
   bool is_packed = false;  // see Store
 };
 
-/// A new one; none: the library refused.
+/// A new table; none: the library refused.
 std::optional<OpenTable> createTable(Handle file, const Table& wanted);
-/// As createTable() makes it; none: it is otherwise, says more rows than file_bytes bytes can hold, or is packed and to
-/// be written.
+/// As createTable() makes it; none: it differs, states more rows than file_bytes bytes can hold, or is packed and to be
+/// written.
 std::optional<OpenTable> openTable(Handle group, const Table& wanted, bool writes, std::int64_t file_bytes);
 
-/// Rows that a file of so many bytes can hold: each takes its own. What a writer is just adding counts before it is
-/// there.
+/// Rows that a file of that many bytes can hold: each takes its own. What a writer is just adding counts before it is
+/// in the file.
 std::int64_t mostRows(const OpenTable& table, std::int64_t file_bytes);
 /// Rows that all columns have, with a checksum for each of their blocks.
 std::int64_t rowsOf(const OpenTable& table);
@@ -33,7 +33,7 @@ std::int64_t rowsOf(const OpenTable& table);
 bool appendBlock(const OpenTable& table, const Block& block);
 bool cutTo(const OpenTable& table, std::int64_t rows);
 
-/// The rows from begin to before end, which begin with a block; a damaged block has no bytes. None: the library
+/// The rows from begin, which is the start of a block, to before end; a damaged block has no bytes. None: the library
 /// refused.
 std::optional<std::vector<Block>> readBlocks(const OpenTable& table, std::int64_t begin, std::int64_t end);
 

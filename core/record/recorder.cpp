@@ -58,7 +58,7 @@ struct Recorder::Impl {
 
   void run() {
     while (!failed() && !tap->ended() && !ends.load()) {
-      const bool busy = room() < 0.5;  // a run as fast as it can is not kept waiting
+      const bool busy = room() < 0.5;  // a run at full speed is not slowed down
       takeAll();
       if (!failed()) lookAtDisk();
       if (!busy) std::this_thread::sleep_for(kPause);
@@ -70,7 +70,7 @@ struct Recorder::Impl {
   double room() const { return static_cast<double>(tap->room()) / static_cast<double>(capacity); }
   bool failed() const { return !problems.empty(); }
 
-  /// What belongs to a tick is written before it, so that a file that ends anywhere can be replayed to there.
+  /// What belongs to a tick is written before it, so that a truncated file can be replayed to its end.
   void takeAll() {
     if (!tap->begun()) return;
     if (!begun) {
@@ -106,10 +106,7 @@ struct Recorder::Impl {
     std::error_code error;
     const auto size = static_cast<double>(std::filesystem::file_size(path, error));
     if (error)
-      return note(
-          {{said(TRANSLATE_NOOP("problem",
-                                "The recording's file is gone: somebody moved or deleted it. The recording stopped.")),
-            {path}}});
+      return note({{said(TRANSLATE_NOOP("problem", "The recording stopped: its file was moved or deleted.")), {path}}});
     const std::filesystem::path folder = std::filesystem::absolute(path, error).parent_path();
     const std::filesystem::space_info space = std::filesystem::space(folder, error);
     if (error) return;
@@ -123,8 +120,8 @@ struct Recorder::Impl {
     if (left > 0.0) return;
     disk_full = true;
     note({{said(TRANSLATE_NOOP("problem",
-                               "The disk is nearly full: the recording was stopped and is whole. Free some space, "
-                               "or record into another folder.")),
+                               "The disk is nearly full: the recording was stopped, and everything up to then was "
+                               "saved. Free some space, or record into another folder.")),
            {path}}});
   }
 
@@ -132,10 +129,10 @@ struct Recorder::Impl {
     bool in_order = problems.empty() || disk_full;
     const EndReason reason = disk_full ? EndReason::DiskFull : wished_reason.load();
     if (in_order && !begun)
-      note({{said(TRANSLATE_NOOP("problem", "The servo did not tick: there is nothing in the recording.")), {path}}});
+      note({{said(TRANSLATE_NOOP("problem", "The servo did not tick, so the recording is empty.")), {path}}});
     if (in_order) {
       const Problems at_end = writer.end({0, tap->dropped(), unixNow_ns(), reason});
-      if (!at_end.empty()) problems = at_end;  // whatever was said before, the end is not there
+      if (!at_end.empty()) problems = at_end;  // whatever was reported before, the end is missing
       in_order = at_end.empty();
     }
     if (!in_order) {
@@ -143,8 +140,7 @@ struct Recorder::Impl {
       const Result<std::int64_t> whole = makeWhole(path);
       Sentence& sentence = problems.front().sentence;
       if (whole)
-        sentence =
-            oneAfterAnother({sentence, said(TRANSLATE_NOOP("problem", "What was written until then is whole."))});
+        sentence = oneAfterAnother({sentence, said(TRANSLATE_NOOP("problem", "Everything up to then was saved."))});
     }
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);
@@ -207,7 +203,7 @@ Problems Recorder::stop(EndReason reason) {
     impl_->host.endRecord();
     const auto limit = steady_clock::now() + kWaitForEnd;
     while (!impl_->tap->ended() && steady_clock::now() < limit) {
-      impl_->host.snapshot();  // hands on what waits to be told
+      impl_->host.snapshot();  // passes on what is waiting
       std::this_thread::sleep_for(milliseconds(1));
     }
     impl_->ends = true;

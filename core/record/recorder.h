@@ -10,29 +10,29 @@
 namespace underact::record {
 
 struct RecorderOptions {
-  std::int64_t most_ticks = 0;                           // no more than these; 0: until stop()
+  std::int64_t most_ticks = 0;                           // at most; 0: until stop()
   std::int64_t reserve_bytes = 64LL << 20;               // with less left on the disk the recording ends in order
   double block_s = kBlock_s;                             // kShortestBlock_s to kLongestBlock_s
-  system::Existing existing = system::Existing::Refuse;  // a file of that name
+  system::Existing existing = system::Existing::Refuse;  // what to do if a file of that name exists
 };
 
-/// How a recording goes.
+/// The state of a recording.
 struct RecorderStatus {
   bool recording = true;  // false: it ended, by itself or by stop()
   std::int64_t ticks = 0;
   double duration_s = 0.0;
   std::int64_t bytes = 0;    // of the file
-  std::int64_t dropped = 0;  // ticks that found no room
+  std::int64_t dropped = 0;  // ticks for which there was no space
   std::int64_t disk_left_bytes = 0;
-  double disk_left_s = 0.0;  // at the pace of this recording, until it ends by itself; 0: not known yet
+  double disk_left_s = 0.0;  // at the present rate, until it ends by itself; 0: not known yet
   Problems problems;         // why it ended by itself
 };
 
-/// Records what a servo does into a session file, in a thread of its own. The servo never waits for it. Its file can
-/// be read while it grows; after a kill at most the last 0.25 s are missing.
+/// Records a servo into a session file, in a thread of its own. The servo never waits for it. The file can be read
+/// while it grows; after a kill at most the last 0.25 s are missing.
 class Recorder {
  public:
-  /// Begins with the next tick. The host must outlive the recorder. Problems: the file cannot be made.
+  /// Begins with the next tick. The host must outlive the recorder. Problems: the file cannot be created.
   static Result<std::unique_ptr<Recorder>> start(servo::Host& host, const std::string& path, const SessionWords& words,
                                                  const RecorderOptions& options = {});
   ~Recorder();  // as stop(), if that was not called
@@ -40,9 +40,9 @@ class Recorder {
   Recorder& operator=(const Recorder&) = delete;
 
   // The thread that calls the host.
-  /// Sets a mark at the tick that is the newest now.
+  /// Sets a marker at the newest tick.
   void mark(const std::string& label);
-  /// Ends the recording and closes the file; waits for that, some milliseconds. Problems: what is missing, and why.
+  /// Ends the recording and closes the file; takes some milliseconds. Problems: what is missing, and why.
   Problems stop(EndReason reason = EndReason::Stopped);
   /// Any thread.
   RecorderStatus status() const;
@@ -54,13 +54,13 @@ class Recorder {
   std::unique_ptr<Impl> impl_;
 };
 
-/// A file of this program's own that could not be ended in order: as recover(), without looking at it first.
+/// For a file of this program that could not be closed in order: as recover(), without examining it first.
 Result<std::int64_t> makeWhole(const std::string& path);
 
-/// A file that a killed program left: made whole up to the last block that all tables have, marked as recovered, so
-/// that every program opens it. In place. A session that ended in order stays as it is. Gives how many ticks it holds.
-/// Problems: no session, or one that no recording could be, see ForeignFile; a link; being recorded; it cannot be
-/// written.
+/// Repairs, in place, a file that a killed program left: cuts it after the last block that all tables have and marks it
+/// as recovered, so that every program can open it. A session that ended in order stays as it is. Returns the number of
+/// ticks. Problems: not a session, or not one that a recording can be, see ForeignFile; a link; being recorded; it
+/// cannot be written.
 Result<std::int64_t> recover(const std::string& path);
 
 }  // namespace underact::record

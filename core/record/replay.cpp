@@ -14,7 +14,7 @@ namespace {
 
 Result<tick::TickProgram> programOf(scene::Description scene, const SessionHeader& header,
                                     const std::vector<std::string>& files_in) {
-  tick::TickProgram bare;  // of a servo that was given no scene yet
+  tick::TickProgram bare;  // of a servo without a scene
   bare.geometry = arm::findPreset(arm::kDefaultArm)->geometry;
   if (scene.constraints.empty()) return bare;
   Problems problems = scene::loadRecordedMeshes(scene, files_in);
@@ -26,7 +26,7 @@ Result<tick::TickProgram> programOf(scene::Description scene, const SessionHeade
   return program;
 }
 
-/// 0: its gate went by the arm's clock.
+/// 0: its gate used the arm's clock.
 std::int64_t periodOf(const SessionHeader& header) {
   return header.gate_time == GateTime::Servo ? 1'000'000'000 / header.rate_hz : 0;
 }
@@ -35,7 +35,7 @@ bool isMeasured(const Column& column) {
   return column.name == "lateness_us" || column.name == "tick_us";
 }
 
-/// The first row, and in it the first column, whose bytes are not the same.
+/// The first row, and in it the first column, whose bytes differ.
 std::optional<std::pair<std::int64_t, std::string>> firstDifference(const Block& a, const Block& b) {
   std::optional<std::pair<std::int64_t, std::string>> first;
   std::size_t at = 0;
@@ -53,7 +53,7 @@ std::optional<std::pair<std::int64_t, std::string>> firstDifference(const Block&
   return first;
 }
 
-/// Faults that ticks were told of, tick by tick.
+/// The faults reported to ticks, tick by tick.
 class ToldFaults {
  public:
   explicit ToldFaults(const std::vector<servo::FaultMark>& faults) {
@@ -79,7 +79,7 @@ class Verification {
         packer_(tickColumns()),
         files_in_(files_in) {}
 
-  /// false: it is decided.
+  /// false: the result is known.
   bool compare(const Block& recorded) {
     packer_.begin(session_.blockRows());
     std::int64_t rows = 0;
@@ -100,8 +100,7 @@ class Verification {
   void stopAt(const Gap& gap) {
     if (!result_.unknown.empty()) return;
     result_.unknown = said(
-        TRANSLATE_NOOP("problem",
-                       "The file is damaged from row %1 on, for %2 ticks; what comes after them cannot be replayed."),
+        TRANSLATE_NOOP("problem", "The file is damaged from row %1 on, for %2 ticks; what follows cannot be replayed."),
         {std::to_string(gap.first_row + 1), std::to_string(gap.rows)});
   }
   bool isDecided() const { return !result_.unknown.empty() || result_.differs || !problems_.empty(); }
@@ -112,12 +111,12 @@ class Verification {
   bool isNext(const servo::TickRecord& record) {
     const bool next = !last_tick_ || (record.tick > *last_tick_ && record.tick - 1 == *last_tick_);
     if (!next) {
-      // A file may give any two numbers: their difference is taken where it cannot overflow.
+      // A file may contain any two numbers: their difference is computed so that it cannot overflow.
       const auto missing = static_cast<std::int64_t>(static_cast<std::uint64_t>(record.tick) -
                                                      static_cast<std::uint64_t>(*last_tick_) - 1);
-      result_.unknown = said(
-          TRANSLATE_NOOP("problem", "%1 ticks are missing after tick %2; what comes after them cannot be replayed."),
-          {std::to_string(missing), std::to_string(*last_tick_)});
+      result_.unknown =
+          said(TRANSLATE_NOOP("problem", "%1 ticks are missing after tick %2; what follows cannot be replayed."),
+               {std::to_string(missing), std::to_string(*last_tick_)});
     }
     last_tick_ = record.tick;
     return next;
@@ -155,7 +154,7 @@ class Verification {
   ToldFaults faults_;
   Packer packer_;
   const std::vector<std::string>& files_in_;
-  std::size_t next_change_ = 1;  // the first is what the rerun began with
+  std::size_t next_change_ = 1;  // the rerun began with the first
   std::optional<std::int64_t> last_tick_;
   Verified result_;
   Problems problems_;
@@ -194,7 +193,7 @@ Result<Verified> verifyReplay(Session& session, const std::function<bool(double)
   if (!verification.problems().empty()) return verification.problems();
   Verified result = verification.result();
   if (!goes_on && result.unknown.empty() && !result.differs)
-    result.unknown = said(TRANSLATE_NOOP("problem", "It was stopped."));
+    result.unknown = said(TRANSLATE_NOOP("problem", "It was cancelled."));
   return result;
 }
 

@@ -14,14 +14,14 @@
 
 namespace underact::record {
 
-/// What a session says of itself.
+/// What a session states about itself.
 struct SessionInfo {
   std::string path;
   std::string program_version;
   SessionHeader header;
   std::int64_t ticks = 0;     // rows that can be read
   double duration_s = 0.0;    // from the first sample to the last
-  std::int64_t dropped = 0;   // ticks that the recorder missed; known when the session ended in order
+  std::int64_t dropped = 0;   // ticks that the recorder missed; known if the session ended in order
   std::optional<EndRow> end;  // none: it is being recorded, or was when the program died
   std::int64_t bytes = 0;     // of the file
   Problems damage;            // what could not be read of the small tables
@@ -39,14 +39,13 @@ struct Gap {
   std::int64_t rows = 0;
 };
 
-/// A recorded session, for reading; also one that is still growing, and one whose writer was killed. It may come from
-/// anybody: see ForeignFile, and whatever numbers it holds are only those that a recording can have.
+/// A recorded session, for reading; even one that is still growing, and one whose writer was killed. It is untrusted:
+/// see ForeignFile; its numbers are checked to be ones that a recording can have.
 class Session {
  public:
-  /// Problems: no such file; no session; another version of the layout; damaged at its beginning; as
-  /// ForeignFile::open().
+  /// Problems: no such file; not a session; another version of the layout; a damaged beginning; as ForeignFile::open().
   static Result<Session> open(const std::string& path);
-  /// The same of a file that is open already. at_least: see accessThrough().
+  /// The same for an open file. at_least: see accessThrough().
   static Result<Session> open(std::shared_ptr<const ForeignInput> input, std::int64_t at_least = 0);
 
   const SessionInfo& info() const { return info_; }
@@ -54,22 +53,22 @@ class Session {
   const std::vector<Marker>& markers() const { return markers_; }
   const std::vector<servo::FaultMark>& faults() const { return faults_; }
 
-  /// The scene of a change, as JSON; empty: the servo had none. Problems: those words are damaged.
+  /// The scene of a change, as JSON; empty: the servo had none. Problems: that text is damaged.
   Result<std::string> sceneText(const ChangeRow& change);
   Result<scene::Description> scene(const ChangeRow& change);
-  /// The servo's memory at the first row. Problems: damaged, or another layout.
+  /// The servo's state at the first row. Problems: damaged, or another layout.
   Result<tick::TickState> start(const tick::TickProgram& program);
 
   std::int64_t blockRows() const { return file_.blockRows(kTicks); }
   std::int64_t blocks() const { return (info_.ticks + blockRows() - 1) / blockRows(); }
   /// Whole blocks of ticks; a damaged one has no bytes.
   Result<std::vector<Block>> readTicks(std::int64_t first_block, std::int64_t count);
-  /// Every block in order, a damaged one as what it lacks, until visit() gives false. progress: 0 to 1; may be empty.
+  /// Every block in order, a damaged one as a gap, until visit() returns false. progress: 0 to 1; may be empty.
   Problems eachBlock(const std::function<bool(const Block&, std::int64_t first_row)>& visit,
                      const std::function<void(const Gap&)>& damaged, const std::function<void(double)>& progress = {});
-  /// Sees what was written since.
+  /// Takes in what was written since.
   void refresh();
-  /// It was opened as one that its writer has not closed: it is being recorded, or its program was killed.
+  /// Its writer had not closed it when it was opened: it is being recorded, or its program was killed.
   bool isOpenElsewhere() const { return file_.isOpenElsewhere(); }
 
  private:

@@ -15,16 +15,16 @@ enum TableIndex : std::size_t { kTicks, kChanges, kMarkers, kFaults, kEnd, kText
 
 inline constexpr std::int64_t kSessionVersion = 1;
 inline constexpr const char *kServosTime = "servo", *kArmsTime = "arm";  // the attribute gate_time; absent: the arm's
-inline constexpr std::int64_t kTextBlock = 64;     // bytes; words are filled up to whole blocks with zeros
+inline constexpr std::int64_t kTextBlock = 64;     // bytes; texts are padded to whole blocks with zeros
 inline constexpr std::int64_t kStartBlock = 4096;  // bytes
-// Of markers, bytes; a reader keeps them all. One label, and all of a session.
+// Of markers, in bytes; a reader keeps them all. One label, and all labels of a session.
 inline constexpr std::int64_t kLongestLabel = 64LL << 10, kAllLabels = 16LL << 20;
 
-// A block of ticks: what a kill loses at most, but for the time between two looks of the recorder. The lab's page has
-// what each length costs.
+// A block of ticks: the most that a kill loses, apart from the time between two polls of the recorder. The lab's page
+// has the cost of each length.
 inline constexpr double kBlock_s = 0.1, kShortestBlock_s = 0.01, kLongestBlock_s = 0.2;
 
-/// A block of ticks is block_s long, and one row at least.
+/// A block of ticks is block_s long, at least one row.
 std::array<Table, kTables> sessionTables(std::int64_t rate_hz, double block_s = kBlock_s);
 
 /// Why a recording ended.
@@ -58,10 +58,10 @@ Block blockOf(const ChangeRow& row);
 Block blockOf(const MarkerRow& row);
 Block blockOf(const servo::FaultMark& row);
 Block blockOf(const EndRow& row);
-/// Filled up to whole blocks of kTextBlock.
+/// Padded to whole blocks of kTextBlock.
 Block textBlock(std::string_view text);
 
-// Of a block that is whole; what a row says beyond the enumerations is taken for their first.
+// Of an intact block; a value beyond the enumerations is taken as the first.
 std::vector<ChangeRow> unpackChanges(const Block& block);
 std::vector<MarkerRow> unpackMarkers(const Block& block);
 std::vector<servo::FaultMark> unpackFaults(const Block& block);

@@ -8,7 +8,7 @@
 namespace underact::record {
 namespace {
 
-/// The memory of each target of a kind. An entry of another kind has none; the bytes are of one that has not begun.
+/// The memory of each target of a kind. An entry of another kind has none; its bytes are those of a fresh one.
 template <class Memory, class Entries, class Part>
 void eachMemory(Entries& entries, Part&& part) {
   for (auto& entry : entries) {
@@ -18,7 +18,7 @@ void eachMemory(Entries& entries, Part&& part) {
   }
 }
 
-/// Every part of a state, in one place for both ways. What carryOver() hands on between two ticks is all in here.
+/// Every part of a state, in one place for both directions, including all that carryOver() passes between two ticks.
 template <class State, class Part>
 void eachPart(State& state, Part&& part) {
   part(state.time_ns);
@@ -43,7 +43,7 @@ void eachPart(State& state, Part&& part) {
   each(state.needs.joints, [&](auto& entry) { part(entry.follower); });
 }
 
-/// Eigen's fixed sizes have no pointers in them, though the standard does not call them trivial.
+/// Eigen's fixed sizes contain no pointers, although the standard does not call them trivial.
 template <class T>
 constexpr bool kIsPlain = std::is_trivially_destructible_v<T>&& std::is_standard_layout_v<T>;
 
@@ -60,7 +60,7 @@ std::vector<std::byte> bytesOfState(const tick::TickState& state) {
 }
 
 std::string stateLayout() {
-  // Files say 488 for a state without entries, which was its size in memory when the first ones were written.
+  // Files state 488 for a state without entries, its size in memory when the first files were written.
   std::size_t bytes = 488 - 275;
   const tick::TickState none;
   eachPart(none, [&bytes](const auto& part) { bytes += sizeof part; });
@@ -79,17 +79,18 @@ Result<tick::TickState> stateOfBytes(const std::vector<std::byte>& bytes, const 
   std::size_t wanted = 0;
   eachPart(state, [&wanted](const auto& part) { wanted += sizeof part; });
   if (wanted != bytes.size())
-    return Problems{{said(TRANSLATE_NOOP("problem", "The servo's memory at the beginning was not recorded whole."))}};
+    return Problems{
+        {said(TRANSLATE_NOOP("problem", "The servo's state at the beginning was not recorded completely."))}};
   const std::byte* next = bytes.data();
   eachPart(state, [&next](auto& part) {
     std::memcpy(static_cast<void*>(&part), next, sizeof part);
     next += sizeof part;
   });
-  // A changed byte may say anything, and its checksum may have been put right.
+  // A changed byte may mean anything, and its checksum may have been adjusted.
   if (!isSound(state, program))
-    return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "The servo's memory at the beginning of this session is none that a servo "
-                                         "can have: the file is damaged, or was changed."))}};
+    return Problems{{said(TRANSLATE_NOOP(
+        "problem",
+        "The servo's state at the beginning of this session is not valid: the file is damaged, or was changed."))}};
   return state;
 }
 

@@ -7,15 +7,15 @@
 
 namespace underact::record {
 
-/// What the numbers of a column are; little-endian in the file.
+/// The type of a column's numbers; little-endian in the file.
 enum class Kind : std::uint8_t { Byte, Unsigned, Integer, Real };  // 1, 4, 8, 8 bytes
 
 struct Column {
   std::string_view name;
-  std::string_view unit;  // empty: a plain number
+  std::string_view unit;  // empty: a number without unit
   std::string_view meaning;
   Kind kind = Kind::Real;
-  int width = 1;  // numbers a row
+  int width = 1;  // numbers per row
 };
 
 std::size_t bytesOf(const Column& column);  // of one row
@@ -26,12 +26,12 @@ struct Table {
   std::span<const Column> columns;
   std::int64_t block_rows = 1;
   std::int64_t chunk_rows = 64;
-  std::int64_t most_block_rows = 0;  // that a file may have, each block a chunk; 0: block_rows and chunk_rows alone
+  std::int64_t most_block_rows = 0;  // that a file may have, each block a chunk; 0: only block_rows and chunk_rows
 };
 
 std::size_t rowBytes(const Table& table);
 
-/// Rows, column after column, as they stand in the file; its CRC-32 is the block's.
+/// Rows, column after column, as in the file; its CRC-32 is the block's.
 struct Block {
   std::int64_t rows = 0;
   std::vector<std::byte> bytes;
@@ -40,23 +40,24 @@ struct Block {
 /// As zlib and PNG compute it.
 std::uint32_t crcOf(std::span<const std::byte> bytes);
 
-/// How many times more rows than its bytes hold a file may have that others have packed: of an arm that stands still,
-/// in the longest blocks.
+/// How many more rows than its bytes hold a repacked file may have: the worst case is an arm at rest, in the longest
+/// blocks.
 inline constexpr std::int64_t kMostPacked = 256;
 
-/// How long a file is taken to be at most, bytes: one may have a length that nothing on the disk stands behind.
+/// The length that a file is taken to have at most, bytes: a file may state a length far beyond what is on the disk.
 inline constexpr std::int64_t kLongestFile = std::int64_t{1} << 44;
 
-/// Rows of a table from one on, up to another.
+/// Rows of a table, from one up to another.
 struct RowRange {
   std::int64_t begin = 0, end = 0;
   std::int64_t blocks(std::int64_t block_rows) const { return (end - begin + block_rows - 1) / block_rows; }
 };
-/// Of blocks from first on, at most count; of a table that has so many rows in all. None where first is beyond them.
+/// Rows of the blocks from first on, at most count; of a table with that many rows in all. None if first is beyond
+/// them.
 RowRange rangeOf(std::int64_t first, std::int64_t count, std::int64_t block_rows, std::int64_t all);
 
-/// Writes rows into a block, number by number: row by row, each row column by column. For at most as many rows as
-/// begin() was told.
+/// Writes rows into a block, number by number: row by row, each row column by column. At most as many rows as begin()
+/// was told.
 class Packer {
  public:
   explicit Packer(std::span<const Column> columns);
@@ -76,7 +77,7 @@ class Packer {
   std::vector<std::size_t> offsets_;  // of the columns, for most_rows_
   std::vector<std::byte> bytes_;
   std::int64_t rows_ = 0, most_rows_ = 0;
-  std::size_t column_ = 0, in_row_ = 0;  // where the next number goes
+  std::size_t column_ = 0, in_row_ = 0;  // the next number
 };
 
 /// Reads them back the same way.

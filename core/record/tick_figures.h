@@ -7,10 +7,10 @@
 
 namespace underact::record {
 
-/// Error and force over a stretch of ticks. Without a tick they are no numbers.
+/// Error and force over a stretch of ticks. Not a number without ticks.
 class TickFigures {
  public:
-  /// error_m: between tip and target; force_N: the length of the force that was sent.
+  /// error_m: between tip and target; force_N: magnitude of the force that was sent.
   void add(double error_m, double force_N) {
     ++ticks_;
     sum_square_error_m2_ += error_m * error_m;
@@ -27,8 +27,8 @@ class TickFigures {
   double sum_square_error_m2_ = 0.0, sum_force_N_ = 0.0, peak_force_N_ = 0.0;
 };
 
-/// What the force has done on the hand. A step of the tip goes with the force that was in effect during it: the one
-/// that was sent a tick before.
+/// The work of the force on the hand. A step of the tip is paired with the force in effect during it: the one sent a
+/// tick before.
 class Work {
  public:
   void add(const Vec3& f_T_W, const Vec3& p_WT) {
@@ -39,7 +39,7 @@ class Work {
     p_WT_ = p_WT;
   }
   double all_J() const { return all_J_; }
-  double most_J() const { return most_J_; }   // at any tick so far
+  double most_J() const { return most_J_; }   // the largest so far
   const Vec3& p_WT() const { return p_WT_; }  // of the last tick
 
  private:

@@ -14,39 +14,46 @@
 namespace underact::scene {
 
 // A scene as people write it: the numbers of the file, in the file's units (mm, N/mm), so that saving writes back what
-// was read. contracts: the scene reference in resources/guide. compile() turns it into SI and into a tick program.
+// was read. Format: the scene reference in resources/guide. compile() turns it into SI and into a tick program.
 
+/// A point; every direction is held.
 struct Point {
   Vec3 position_mm = Vec3::Zero();
   bool operator==(const Point&) const = default;
 };
+/// A sphere; radius_mm above 0.
 struct Sphere {
   Vec3 center_mm = Vec3::Zero();
   double radius_mm = 0.0;
   bool operator==(const Sphere&) const = default;
 };
+/// An infinite line. direction: any length but zero.
 struct Line {
   Vec3 point_mm = Vec3::Zero();
   Vec3 direction = Vec3::UnitX();
   bool operator==(const Line&) const = default;
 };
+/// An infinite plane; its normal, of any length but zero, points outside.
 struct Plane {
   Vec3 point_mm = Vec3::Zero();
   Vec3 normal = Vec3::UnitY();
   bool operator==(const Plane&) const = default;
 };
+/// A circle about its centre, at right angles to the normal. radius_mm above 0.
 struct Circle {
   Vec3 center_mm = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();
   double radius_mm = 0.0;
   bool operator==(const Circle&) const = default;
 };
+/// An infinite cylinder. axis: any length but zero; radius_mm above 0.
 struct Cylinder {
   Vec3 point_mm = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();
   double radius_mm = 0.0;
   bool operator==(const Cylinder&) const = default;
 };
+/// A box; size_mm: its full edges, along the columns of the rotation R_WB.
 struct Box {
   Vec3 center_mm = Vec3::Zero();
   Vec3 size_mm = Vec3::Zero();
@@ -54,7 +61,7 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
-/// A joint at home. Values of revolute joints in rad, of prismatic ones in mm.
+/// A joint in the home pose. Values of revolute joints in rad, of prismatic ones in mm.
 struct Joint {
   chain::JointType type = chain::JointType::Revolute;
   Vec3 axis = Vec3::UnitZ();
@@ -62,12 +69,13 @@ struct Joint {
   std::optional<double> min = {};
   std::optional<double> max = {};
   double stiffness = 0.0;  // of the joint's own spring, N mm/rad or N/mm; 0: it moves freely
-  double rest = 0.0;       // where that spring pulls nowhere
+  double rest = 0.0;       // where that spring exerts no force
   bool operator==(const Joint&) const = default;
 };
 
-/// Which way the joints are found.
+/// How the joint values are found.
 enum class SolverMethod : std::uint8_t { Auto, ClosedForm, Iterative };
+/// How a virtual robot's joints of least energy are found.
 struct Solver {
   SolverMethod method = SolverMethod::Auto;
   int max_steps = 20;
@@ -75,7 +83,7 @@ struct Solver {
   bool operator==(const Solver&) const = default;
 };
 
-/// A robot that exists only in software; the stylus is held to its tip.
+/// A virtual robot; the stylus is held to its end effector.
 struct VirtualManipulator {
   std::vector<Joint> joints;
   Eigen::Matrix4d X_WV_home = Eigen::Matrix4d::Identity();  // translation in mm
@@ -88,23 +96,23 @@ struct VirtualManipulator {
 
 inline constexpr double kMostSmooth_deg = 45.0;  // sharper bends are edges that one wants to feel
 
-/// A mesh from a file, that stands in the workspace.
+/// A mesh from a file, placed in the workspace.
 struct Mesh {
-  std::string file;  // as the scene says it: relative to the scene's own folder, or absolute
+  std::string file;  // as written in the scene: relative to the scene's folder, or absolute
   double scale_mm_per_unit = 1.0;
   Eigen::Matrix4d X_WM = Eigen::Matrix4d::Identity();  // translation in mm
   mesh::Search search = mesh::Search::Hybrid;
-  double smooth_deg = 0.0;    // how far the force may lean from the faces' own normals, so that bends feel round
-  std::string checksum = {};  // of the file's content, where the scene says it (recorded ones do)
-  std::shared_ptr<const mesh::Surface> surface = {};  // what loadMeshes() found in the file; null before
-  std::string loaded_checksum = {};                   // of what was found there
-  /// What the scene says; what was found in the file does not count.
+  double smooth_deg = 0.0;    // how far the force may tilt from the faces' own normals, so that bends feel round
+  std::string checksum = {};  // of the file's content, where the scene states it (recorded ones do)
+  std::shared_ptr<const mesh::Surface> surface = {};  // loaded from the file by loadMeshes(); null before
+  std::string loaded_checksum = {};                   // of the loaded file
+  /// Compares what the scene states; what was loaded from the file does not count.
   bool operator==(const Mesh& other) const;
 };
 
 /// How a curve leads the hand along it.
 struct CurveGuide {
-  double t = 0.0;               // 0: to the guide alone, 1: to the nearest point alone
+  double t = 0.0;               // 0: guide only, 1: nearest point only
   double speed_mm_per_s = 0.0;  // of the guide; below 0: backwards
   double lead_mm = 10.0;        // how far ahead of the hand it goes at most
   bool operator==(const CurveGuide&) const = default;
@@ -112,25 +120,27 @@ struct CurveGuide {
 
 /// A path through the points of a file.
 struct Curve {
-  std::string file;  // as of a mesh
+  std::string file;  // as in Mesh
   double scale_mm_per_unit = 1.0;
   Eigen::Matrix4d X_WM = Eigen::Matrix4d::Identity();  // translation in mm
   curve::Kind kind = curve::Kind::Spline;
   bool closed = false;
   Search search = Search::Hybrid;
-  std::optional<CurveGuide> guide = {};                  // none: to the nearest point
+  std::optional<CurveGuide> guide = {};                  // none: the target is the nearest point
   std::shared_ptr<const std::vector<Vec3>> points = {};  // of the file, in its units; null before loadMeshes()
-  /// As of a mesh.
+  /// As in Mesh.
   bool operator==(const Curve& other) const;
 };
 
+/// What a constraint can be.
 using Shape = std::variant<Point, Sphere, Line, Plane, Circle, Cylinder, Box, VirtualManipulator, Mesh, Curve>;
 
-/// The word of a scene file for the shape's type: "point", "sphere", ...
+/// The word for the shape's type in a scene file: "point", "sphere", ...
 const char* typeName(const Shape& shape);
 
+/// The control law; each uses the gains of the one before it, too.
 enum class LawType : std::uint8_t { P, PD, PID };
-/// Which nearest point unequal gains mean.
+/// Which point is nearest when the gains are unequal.
 enum class Anisotropy : std::uint8_t { Weighted, Euclidean };
 
 /// Per axis of W: x, y, z.
@@ -141,27 +151,32 @@ struct Gains {
   bool operator==(const Gains&) const = default;
 };
 
-// How the rate of the error is found, with the settings of each filter. The usual one is the first; the guide's page
-// velocity.md has the measurements that chose it and its numbers.
+// How the rate of the error is estimated, with the settings of each filter. The first is the default; the guide's page
+// velocity.md has the measurements behind that choice and its numbers.
 struct KalmanFilter {
   double noise_mm = 0.016;
   double acceleration_mm_per_s2 = 8000.0;
   bool operator==(const KalmanFilter&) const = default;
 };
+/// A first-order filter.
 struct LowPassFilter {
   double time_constant_ms = 1.6;
   bool operator==(const LowPassFilter&) const = default;
 };
+/// The slope over a window that adapts to the motion.
 struct AdaptiveWindowFilter {
   double window = 8.0;  // ticks, a whole number
   double noise_mm = 0.11;
   bool operator==(const AdaptiveWindowFilter&) const = default;
 };
+/// The last difference, unfiltered.
 struct RawFilter {
   bool operator==(const RawFilter&) const = default;
 };
+/// The filter of the error's rate; the first is the default.
 using Velocity = std::variant<KalmanFilter, LowPassFilter, AdaptiveWindowFilter, RawFilter>;
 
+/// How an error becomes a force.
 struct Control {
   LawType law = LawType::P;
   Gains gains;
@@ -172,8 +187,9 @@ struct Control {
   bool operator==(const Control&) const = default;
 };
 
-/// How much of the stylus's turn goes into the target; circle, cylinder and sphere.
+/// The direction along the stylus's z axis that counts. PlusZ: from the tip to the hand.
 enum class StylusAxis : std::uint8_t { PlusZ, MinusZ };
+/// How position and orientation of the stylus are weighed in the target; of a circle, a cylinder or a sphere.
 struct Influence {
   double t = 0.5;  // 0: orientation only, 1: position only
   StylusAxis stylus_axis = StylusAxis::PlusZ;
@@ -181,14 +197,15 @@ struct Influence {
   bool operator==(const Influence&) const = default;
 };
 
-/// Shares of the force across the surface: of a shape or a mesh.
+/// Coefficients of friction: force along the surface over force across it.
 struct Friction {
   double static_share = 0.0, dynamic_share = 0.0;
   bool operator==(const Friction&) const = default;
 };
 
+/// One thing that the stylus is held to, or kept out of.
 struct Constraint {
-  std::string name;  // unique in the scene; made up from type and number where the file gives none
+  std::string name;  // unique in the scene; formed from type and number where the file gives none
   Shape shape;
   target::Side side = target::Side::Both;
   std::optional<Control> control;           // its own; else the scene's
@@ -197,7 +214,7 @@ struct Constraint {
   std::optional<Friction> friction = {};    // none: smooth
 };
 
-/// How the simulated arm, where there is no other, is integrated.
+/// How the simulated arm is integrated; without effect on other arms.
 struct Simulation {
   Integrator integrator = Integrator::Trapezoidal;
   double substep_us = 1e-3 * kSubstep_ns;
@@ -205,8 +222,10 @@ struct Simulation {
 };
 inline constexpr double kShortestSubstep_us = 5.0, kLongestSubstep_us = 10'000.0;
 
+/// In core's unit, rounded to whole nanoseconds.
 Integration integrationOf(const Simulation& simulation);
 
+/// A whole scene.
 struct Description {
   std::string title;
   std::string about;
@@ -215,10 +234,10 @@ struct Description {
   tick::Combine combine = tick::Combine::Sum;
   Simulation simulation;
   std::vector<Constraint> constraints;
-  std::string file;  // where it was read from; empty: nowhere
+  std::string file;  // where it was read from; empty: not from a file
 };
 
-/// The control that holds for the constraint at index: its own or the scene's.
+/// The control in effect for the constraint at index: its own or the scene's.
 const Control& controlOf(const Description& scene, std::size_t index);
 
 }  // namespace underact::scene

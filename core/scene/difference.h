@@ -6,14 +6,14 @@
 
 namespace underact::scene {
 
-/// A value that two scenes do not share, as their files would say it.
+/// A value in which two scenes differ, as their files would write it.
 struct Difference {
-  std::string key;         // "control.kp_N_per_mm"; of a constraint its name goes first: "ball.radius_mm"
+  std::string key;         // "control.kp_N_per_mm"; for a constraint its name comes first: "ball.radius_mm"
   std::string one, other;  // as in a file; empty: the key is left out there
   bool operator==(const Difference&) const = default;
 };
 
-/// What the files of the two would say otherwise, in the order of the first; titles and what is said about them do not
+/// What the files of the two scenes would state differently, in the order of the first; titles and descriptions do not
 /// count. Empty: they feel the same.
 std::vector<Difference> differencesBetween(const Description& one, const Description& other);
 

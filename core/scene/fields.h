@@ -6,10 +6,10 @@
 
 namespace underact::scene {
 
-// What a scene file says of each type: one list that the reader, the checks and the writer all go by. A new type
-// without its Fields does not compile.
+// What a scene file states for each type: one list for the reader, the checks and the writer. A new type without its
+// Fields does not compile.
 
-/// What a number of a shape means, and so which numbers are allowed.
+/// What a number of a shape means, and therefore which values are allowed.
 enum class Meaning : std::uint8_t { Position, Direction, Length, Rotation };
 
 template <class Shape, class Number>
@@ -83,7 +83,7 @@ struct Fields<Box> {
                                    Field{"R_WB", &Box::R_WB, Meaning::Rotation, false}};
 };
 
-/// Its joints, home and solver are no numbers in a row: manipulators.cpp reads, checks and writes them.
+/// Joints, home pose and solver are not plain numbers: manipulators.cpp reads, checks and writes them.
 template <>
 struct Fields<VirtualManipulator> {
   static constexpr const char* kType = "virtual_manipulator";
@@ -91,7 +91,7 @@ struct Fields<VirtualManipulator> {
   static constexpr std::tuple<> kAll{};
 };
 
-/// Its file and its pose: meshes.cpp.
+/// For its file and pose see meshes.cpp.
 template <>
 struct Fields<Mesh> {
   static constexpr const char* kType = "mesh";
@@ -99,7 +99,7 @@ struct Fields<Mesh> {
   static constexpr std::tuple<> kAll{};
 };
 
-/// As of a mesh, and how it leads: curves.cpp.
+/// As for a mesh; for guidance along it see curves.cpp.
 template <>
 struct Fields<Curve> {
   static constexpr const char* kType = "curve";
@@ -114,7 +114,7 @@ void eachField(Shape& shape, Visit&& visit) {
              Fields<std::remove_const_t<Shape>>::kAll);
 }
 
-/// The word of a scene file for the filter: "kalman", ...
+/// The word for the filter in a scene file: "kalman", ...
 const char* filterName(const Velocity& velocity);
 
 using json::Word;
@@ -155,19 +155,19 @@ inline constexpr Word<curve::Kind> kCurveWords[] = {{"spline", curve::Kind::Spli
 inline constexpr Word<mesh::Search> kSearchWords[] = {
     {"hybrid", mesh::Search::Hybrid}, {"global", mesh::Search::Global}, {"local", mesh::Search::Local}};
 
-/// Of a joint's spring: "stiffness_N_mm_per_rad" or "stiffness_N_per_mm".
+/// The key of a joint's spring: "stiffness_N_mm_per_rad" or "stiffness_N_per_mm".
 const char* stiffnessKey(chain::JointType type);
 
-/// Whether the type takes an influence: a circle, a cylinder, a sphere.
+/// Whether the type can have an influence: a circle, a cylinder, a sphere.
 bool takesInfluence(const Shape& shape);
 
-/// Whether the type takes friction: all that the stylus can slide along.
+/// Whether the type can have friction: everything that the stylus can slide along.
 bool takesFriction(const Shape& shape);
 
-/// Whether the type parts the workspace into an inside and an outside.
+/// Whether the type divides the workspace into an inside and an outside.
 bool hasSides(const Shape& shape);
 
-/// The name of the constraint at index where the file gives none: type and number, "sphere 2".
+/// The default name of the constraint at index: type and number, "sphere 2".
 std::string madeUpName(const Constraint& constraint, std::size_t index);
 
 }  // namespace underact::scene

@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a surface in use was made of. A replay compiles the same mesh anew for every edit; a scene may hold it twice.
+/// What a surface in use was made of. A replay compiles the same mesh again for every edit; a scene may contain it
+/// twice.
 struct InUse {
   std::uintmax_t bytes = 0;
   fs::file_time_type written;
@@ -27,7 +28,7 @@ struct InUse {
 
 class SurfacesInUse {
  public:
-  /// Empty where the file is another by now, or nobody holds its surface.
+  /// Empty if the file has changed, or nobody holds its surface.
   bool find(const std::string& path, Mesh& mesh) {
     const std::scoped_lock lock(mutex_);
     const auto found = by_path_.find(path);
@@ -62,23 +63,21 @@ SurfacesInUse& surfacesInUse() {
   return surfaces;
 }
 
-/// That the mesh is the one that the scene means; else it has no surface again.
+/// Checks that the mesh is the one that the scene means; if not, its surface is removed again.
 Problems checked(Mesh& mesh, const Place& place) {
   if (mesh.checksum.empty() || mesh.checksum == mesh.loaded_checksum) return {};
   mesh.surface.reset();
-  return {
-      {said(TRANSLATE_NOOP(
-                "problem",
-                "The mesh %1 is not the one that the scene was made with: its content has another checksum. Bring that "
-                "file back, or take \"checksum\" away to go on with this one."),
-            {json::shown(mesh.file)}),
-       place}};
+  return {{said(TRANSLATE_NOOP("problem",
+                               "The mesh %1 is not the one that the scene was made with: its checksum differs. Restore "
+                               "that file, or remove \"checksum\" to use this one."),
+                {json::shown(mesh.file)}),
+           place}};
 }
 
 Problems load(Mesh& mesh, const Description& scene, const Place& place, const Watch& watch) {
   const std::string path = pathOf(mesh.file, scene);
   if (surfacesInUse().find(path, mesh)) return checked(mesh, place);
-  InUse stamp = SurfacesInUse::stampOf(path);  // before: a file that changes meanwhile is read again next time
+  InUse stamp = SurfacesInUse::stampOf(path);  // before reading: a file that changes meanwhile is read again next time
   Result<mesh_file::Loaded> loaded = mesh_file::loadMesh(path, watch);
   if (!loaded) {
     Problems problems = loaded.problems();
@@ -125,13 +124,13 @@ Problems notFound(const std::string& name, const Description& scene, const std::
   for (const std::string& folder : folders) {
     if (!folder.empty() && std::find(looked.begin(), looked.end(), folder) == looked.end()) looked.push_back(folder);
   }
-  return {{said(TRANSLATE_NOOP("problem",
-                               "The file %1 was not found. A recording keeps the names of its meshes and curves and "
-                               "not their folders; it was looked for in %2. Put it beside the session, or name its "
-                               "folder: in the window with Replay, Folder of its files; on the command line with "
-                               "--files FOLDER."),
-                {json::shown(name), json::listed(looked, "and")}),
-           {scene.file}}};
+  return {
+      {said(TRANSLATE_NOOP("problem",
+                           "The file %1 was not found in %2. A recording stores the names of its meshes and curves, "
+                           "not their folders. Put the file beside the session, or choose its folder: in the window "
+                           "with Replay, Folder with meshes and curves; on the command line with --files FOLDER."),
+            {json::shown(name), json::listed(looked, "and")}),
+       {scene.file}}};
 }
 
 template <class FromFile>
@@ -156,7 +155,7 @@ bool lacksFile(const Shape& shape) {
   return (mesh != nullptr && mesh->surface == nullptr) || (curve != nullptr && curve->points == nullptr);
 }
 
-/// load(shape, place, watch) of each mesh and each curve that lacks its file, with its share of the whole.
+/// Calls load(shape, place, watch) for each mesh and curve that is not loaded, with its share of the progress.
 template <class Load>
 Problems loadEach(Description& scene, const Watch& watch, const Load& load_one) {
   Problems problems;

@@ -7,19 +7,19 @@
 
 namespace underact::scene {
 
-// Inside the room: what is particular to virtual manipulators.
+// Internal to the room: what is particular to virtual robots.
 
 /// Four rows of four numbers.
 void readPose(const json::Value& value, const std::string& path, Eigen::Matrix4d& into, Findings& findings);
 
-/// Joints, home, orientation, solver and force law of an object of the file.
+/// Joints, home pose, orientation, solver and force law of an object of the file.
 void readManipulator(ObjectReader& object, VirtualManipulator& into);
 
-/// add(key within the constraint, sentence) for each number that no rule allows. True where there was none.
+/// Calls add(key within the constraint, sentence) for each number that breaks a rule. True: there was none.
 bool checkManipulator(const VirtualManipulator& robot, const Control& control,
                       const std::function<void(const std::string&, Sentence)>& add);
 
-/// What it compiles to, in SI. Problems: those that lie between its parts (an angle without a joint for it, ...).
+/// What it compiles to, in SI. Problems: those between its parts (an angle without a joint for it, ...).
 Result<manipulator::Manipulator> makeManipulator(const VirtualManipulator& robot, const Control& control,
                                                  const Place& place);
 

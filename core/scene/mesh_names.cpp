@@ -10,13 +10,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Steps up that a name may take. More of them say nothing but where on this disk the mesh happens to be.
+/// The most "../" in a name. More would only tell where on this disk the mesh happens to be.
 constexpr std::ptrdiff_t kMostStepsUp = 2;
 
 }  // namespace
 
 Description namedFrom(Description scene, const std::string& file) {
-  const Description before = scene;  // pathOf() asks where it was read from
+  const Description before = scene;  // pathOf() needs to know where it was read from
   for (Constraint& constraint : scene.constraints) {
     auto* const mesh = std::get_if<Mesh>(&constraint.shape);
     auto* const curve = std::get_if<Curve>(&constraint.shape);

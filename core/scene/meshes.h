@@ -7,19 +7,19 @@
 
 namespace underact::scene {
 
-// Inside the room: what is particular to meshes and curves.
+// Internal to the room: what is particular to meshes and curves.
 
 /// file, checksum, scale_mm_per_unit, X_WM, search and smooth_deg of an object of the file.
 void readMesh(ObjectReader& object, Mesh& into);
 
-/// file, scale_mm_per_unit and X_WM: where what a file holds is in the workspace; and the settings.
+/// file, scale_mm_per_unit and X_WM: the placement of the file's content in the workspace; and the settings.
 template <class FromFile>
 void readPlacement(ObjectReader& object, FromFile& into) {
   Findings& findings = object.findings();
   if (const json::Value* file = object.find("file", true)) {
     readText(*file, object.pathOf("file"), into.file, findings);
   } else {
-    into.file = "missing";  // said already
+    into.file = "missing";  // reported already
   }
   if (const json::Value* scale = object.find("scale_mm_per_unit")) {
     readNumber(*scale, object.pathOf("scale_mm_per_unit"), into.scale_mm_per_unit, findings);
@@ -30,7 +30,7 @@ void readPlacement(ObjectReader& object, FromFile& into) {
 
 using Say = std::function<void(const std::string& key, Sentence sentence)>;
 
-/// The same, checked: of what the file holds, "a mesh".
+/// The same, checked. what: the content of the file, "a mesh".
 void checkPlacement(const std::string& what, const std::string& file, double scale_mm_per_unit,
                     const Eigen::Matrix4d& X_WM, const Control& control, const Say& say);
 
@@ -38,10 +38,10 @@ void checkPlacement(const std::string& what, const std::string& file, double sca
 void readCurve(ObjectReader& object, Curve& into);
 void checkCurve(const Curve& curve, const Control& control, const Say& say);
 
-/// add(key within the constraint, sentence) for each number that no rule allows.
+/// Calls add(key within the constraint, sentence) for each number that breaks a rule.
 void checkMesh(const Mesh& mesh, target::Side side, const Control& control, const Say& say);
 
-/// What it compiles to, in SI. Problems: its file was not loaded; a wall of a mesh that is not closed.
+/// What it compiles to, in SI. Problems: its file was not loaded; it is a wall, and its mesh is not closed.
 Result<target::MeshPlace> makeMeshPlace(const Mesh& mesh, target::Side side, const Place& place);
 
 }  // namespace underact::scene

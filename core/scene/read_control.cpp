@@ -4,7 +4,7 @@
 namespace underact::scene {
 
 Sentence belongsToControl() {
-  return said(TRANSLATE_NOOP("problem", "This is a part of the control, as in %1."),
+  return said(TRANSLATE_NOOP("problem", "This belongs in the control, as in %1."),
               {"\"control\": {\"law\": \"PD\", \"velocity\": {\"filter\": \"kalman\"}}"});
 }
 
@@ -16,7 +16,7 @@ Control readControl(const json::Value& value, const std::string& path, Findings&
     return control;
   }
   ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a control")), findings);
-  // PID uses every gain: where the law cannot be read, nothing is said of gains that it would not use.
+  // PID uses every gain: if the law cannot be read, no gain is reported as unused.
   if (value.find("law") != nullptr) control.law = LawType::PID;
   readSettings(object, control);
   if (const json::Value* velocity = object.find("velocity")) {

@@ -9,7 +9,7 @@
 
 namespace underact::scene {
 
-// Inside the room: what the readers of a scene's parts share.
+// Internal to the room: what the readers of a scene's parts share.
 using json::Findings;
 using json::listed;
 using json::nearestWord;
@@ -17,25 +17,25 @@ using json::notYet;
 using json::ObjectReader;
 using json::shown;
 
-/// Of a scene, a constraint or a control: of the format, but not of this version.
+/// Keys of a scene, a constraint or a control that the format has, but not this version.
 inline const std::vector<std::string> kLaterKeys{"damping"};
 
-/// Where "velocity" stands in the wrong object.
+/// For "velocity" in the wrong object.
 Sentence belongsToControl();
 
-/// "friction" and "search", too.
+/// For "friction" and "search" in the wrong object.
 Sentence belongsToConstraint();
 
 /// A constraint; its name stays empty where the file gives none.
 void readConstraint(const json::Value& value, const std::string& path, Constraint& into, Findings& findings);
 
-/// velocity of a control.
+/// "velocity" of a control.
 Velocity readVelocity(const json::Value& value, const std::string& path, Findings& findings);
 
-/// teach of the scene.
+/// "teach" of the scene.
 Teaching readTeaching(const json::Value& value, Findings& findings);
 
-/// control of the scene or of one constraint.
+/// "control" of the scene or of one constraint.
 Control readControl(const json::Value& value, const std::string& path, Findings& findings);
 
 }  // namespace underact::scene

@@ -21,7 +21,7 @@ Problems problem(const std::string& path, Sentence sentence) {
   return {{std::move(sentence), {path, 0, 0, ""}}};
 }
 
-/// The file itself where path is a link to it, so that the link stays a link.
+/// The target of a link, so that the link stays a link.
 std::string withoutLinks(const std::string& path) {
   std::error_code error;
   const std::filesystem::path real = std::filesystem::canonical(path, error);
@@ -49,8 +49,9 @@ Problems writeSceneFile(const Description& scene, const std::string& path, const
   const int reason =
       system::putInPlace(std::move(file), part, target, writeScene(scene, teaching), system::Lasting::OnDisk);
   if (reason != 0)
-    return problem(path, said(TRANSLATE_NOOP("problem", "The scene cannot be saved, what was there is untouched: %1."),
-                              {wordsOf(reason)}));
+    return problem(path,
+                   said(TRANSLATE_NOOP("problem", "The scene cannot be saved: %1. The existing file is unchanged."),
+                        {wordsOf(reason)}));
   return {};
 }
 

@@ -10,7 +10,7 @@
 
 namespace underact::scene::row {
 
-// Inside the room: how a row of the table is made from a member of an object of the description.
+// Internal to the room: makes a row of the table from a member of an object of the description.
 
 template <class Member>
 struct MemberOf;
@@ -22,7 +22,7 @@ template <auto kMember>
 using ObjectOf = typename MemberOf<decltype(kMember)>::Object;
 
 template <class Object>
-constexpr const char* kObject = "/constraints/*";  // a shape's own keys stand among the constraint's
+constexpr const char* kObject = "/constraints/*";  // a shape's own keys are among the constraint's
 template <>
 constexpr const char* kObject<Description> = "";
 template <>
@@ -116,7 +116,7 @@ void putWord(const SettingValue& value, Enum& into) {
   }
 }
 
-/// A member that is one of the words. kShown: what panels say for each; left out, the words.
+/// A member that is one of the words. kShown: what panels show for each; without it, the words.
 template <auto kMember, const auto& kWords, const auto&... kShown>
 constexpr SettingOf<ObjectOf<kMember>> oneOf(Setting setting) {
   static_assert(((std::size(kShown) == std::size(kWords)) && ...));
@@ -174,7 +174,7 @@ Sentence judgeAsGain(const Object&, double number) {
   return judgeGain(number);
 }
 
-/// A gain. from: the first law that uses it; those after it do, too.
+/// A gain. from: the first control law that uses it; the later ones do, too.
 template <auto kMember, LawType kFrom>
 constexpr SettingOf<Control> gain(Setting setting) {
   setting.least = 0.0;

@@ -1,4 +1,4 @@
-// What a path leads to.
+// Finds what a path leads to.
 #include <algorithm>
 #include <charconv>
 #include <optional>
@@ -20,7 +20,7 @@ std::vector<std::string> stepsOf(std::string_view path) {
     steps.emplace_back(path.substr(0, length));
     path.remove_prefix(length);
   }
-  if (!path.empty()) steps.clear();  // what does not begin with / is no path
+  if (!path.empty()) steps.clear();  // a path begins with /
   return steps;
 }
 
@@ -37,8 +37,8 @@ std::optional<std::size_t> numberOfStep(const std::string& step) {
   return number;
 }
 
-// Each calls visit(row, object) for the setting that the steps lead to; false: they lead nowhere. What may be missing
-// comes as an optional.
+// Each calls visit(row, object) for the setting that the steps lead to; false: they lead nowhere. Optional parts come
+// as std::optional.
 
 template <class Object, class Visit>
 bool atKey(Object& object, const std::string& key, const Visit& visit) {
@@ -131,8 +131,8 @@ Problems nowhere(const Description& scene, const std::string& path) {
   if (index && *index >= scene.constraints.size())
     return problemAt(path, said(TRANSLATE_NOOP("problem", "The scene has %1 constraints, counted from 0."),
                                 {std::to_string(scene.constraints.size())}));
-  return problemAt(path, said(TRANSLATE_NOOP("problem", "The scene has nothing there that \"%1\" is a setting of."),
-                              {setting->key}));
+  return problemAt(
+      path, said(TRANSLATE_NOOP("problem", "The scene has nothing there with a setting \"%1\"."), {setting->key}));
 }
 
 json::Value jsonOf(const SettingValue& value) {
@@ -153,7 +153,7 @@ json::Value jsonOf(const SettingValue& value) {
   return made;
 }
 
-/// Puts what a file would have there.
+/// Sets what a file would have there.
 class Putting {
  public:
   Putting(const json::Value& value, const std::string& path, Findings& findings)
@@ -204,7 +204,7 @@ Result<Description> withJson(const Description& scene, const std::string& path, 
   return edited;
 }
 
-/// Each place of the scene that the path stands for and that has a value.
+/// Every place that the path stands for and that has a value.
 void addPlaces(const Description& scene, const std::vector<std::string>& steps, std::vector<std::string>& places) {
   const auto star = std::find(steps.begin(), steps.end(), "*");
   if (star == steps.end()) {

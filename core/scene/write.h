@@ -7,11 +7,11 @@
 
 namespace underact::scene {
 
-/// The scene as a file that readScene() reads back to the same description, to the last bit; keys at their defaults
-/// left out. teaching: what a class reads of it.
+/// The scene as a file that readScene() reads back to the same description, to the last bit; keys at their defaults are
+/// left out. teaching: what a class reads about it.
 std::string writeScene(const Description& scene, const std::optional<Teaching>& teaching = {});
 
-/// Writes it beside path and renames it over path, so that a full disk loses nothing. Empty: done.
+/// Writes beside path, then renames over path, so that a full disk loses nothing. Empty: done.
 Problems writeSceneFile(const Description& scene, const std::string& path,
                         const std::optional<Teaching>& teaching = {});
 

@@ -28,8 +28,7 @@ class Errors {
   }
   /// Problems: nothing was added, so there is no result.
   Result<Figures> figures(const lab::Cost& cost, int rate_hz) const {
-    if (count_ == 0)
-      return Problems{{said(TRANSLATE_NOOP("problem", "The hand never touches what this choice affects."))}};
+    if (count_ == 0) return Problems{{said(TRANSLATE_NOOP("problem", "The hand never touches the constraint."))}};
     const double rms = std::sqrt(sum_ / static_cast<double>(count_));
     return Figures{cost, 1e-3 * cost.p50_ns * rate_hz, rms, worst_};
   }
@@ -39,7 +38,8 @@ class Errors {
   std::size_t count_ = 0;
 };
 
-const Problems kEndedEarly{{said(TRANSLATE_NOOP("problem", "The run ended in a fault, so its figures mean nothing."))}};
+const Problems kEndedEarly{
+    {said(TRANSLATE_NOOP("problem", "The run ended in a fault, so what it measured means nothing."))}};
 
 /// The path of the tip, compared with that of the finest run. cost: the part of an option's run that is timed.
 Measure againstRun(const Bench& bench, const Settings& finest, lab::Cost Run::*cost) {

@@ -73,7 +73,7 @@ TEST(LabStep, WrongUsageIsToldInWords) {
   const Outcome improper = step({"--num", "1,0,0", "--den", "1,1"});
   EXPECT_EQ(improper.exit, Exit::Usage);
   EXPECT_TRUE(improper.out.empty());
-  EXPECT_NE(improper.err.find("order of the numerator is higher"), std::string::npos);
+  EXPECT_NE(improper.err.find("higher order"), std::string::npos);
   EXPECT_EQ(step({"--den", "1,1", "--scene", shipped("01_point.json")}).exit, Exit::Usage);
   EXPECT_EQ(step({"--den", "1,1", "--axis", "x"}).exit, Exit::Usage);
   EXPECT_EQ(runCli({"lab"}).exit, Exit::Usage);
