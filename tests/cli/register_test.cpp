@@ -44,7 +44,7 @@ TEST(Register, ResidualsAndTheExpectedErrorAreATable) {
   const Outcome outcome = registerIt("-60,-50,31\n60,-50,30\n-60,-50,-50\n");
   ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
   EXPECT_NE(outcome.out.find("residual_mm"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("Points beside their marks: 0."), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("Distance of the points from their reference points: 0."), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("Expected error in the middle of the workspace: "), std::string::npos);
 }
 
