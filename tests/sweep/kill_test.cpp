@@ -87,7 +87,7 @@ TEST_F(SweepProcess, AskedToEndEndsInOrderAndSaysHowToGoOn) {
     EXPECT_FALSE(process.hasEnded());
     letIn(kCells);
     EXPECT_EQ(process.wait(), 4) << said();
-    EXPECT_NE(said().find("of 200 cells are done and kept in"), std::string::npos) << said();
+    EXPECT_NE(said().find("of 200 cells are done and saved in"), std::string::npos) << said();
     EXPECT_NE(said().find("The same command continues"), std::string::npos) << said();
     expectToGoOn(sweepTo(out_), 4, 2);
     std::filesystem::remove(out_);
