@@ -36,7 +36,7 @@ Exit refuseArm(const Problems& problems, std::ostream& err) {
 
 void addArmOption(Command command, std::string& name) {
   name = std::string(arm::kDefaultArm);
-  command.option("--arm", name, "An arm of the list below, or an arm file").showUsual();
+  command.option("--arm", name, "An arm from the list below, or an arm file").showUsual();
 }
 
 std::string listOfArms() {
@@ -46,7 +46,7 @@ std::string listOfArms() {
 }
 
 void addArmModelOption(Command command, std::string& name) {
-  command.option("--arm-model", name, "What the simulated arm is made of: a name, or a file of a measured arm")
+  command.option("--arm-model", name, "Model of the simulated arm: a name, or the file of a measured arm")
       .showUsual()
       .check([](const std::string& text) {
         if (text.find_first_of("./\\") != std::string::npos) return std::string();  // a file: read later

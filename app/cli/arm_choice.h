@@ -9,7 +9,7 @@
 
 namespace underact::cli {
 
-/// An arm, and what there is to compute it with.
+/// An arm, and its solvers.
 struct ArmChoice {
   arm::Model model;
   std::optional<arm::Geometry> omni;               // the Omni's straight-line code fits
@@ -21,7 +21,7 @@ struct ArmChoice {
 /// name: that of a shipped arm, or a file (a name with a dot or a slash).
 Result<ArmChoice> chooseArm(const std::string& name);
 
-/// Tells why there is no such arm. Usage for a name that no arm has; else as exitOf().
+/// Prints why there is no such arm. Usage if no arm has the name; else as exitOf().
 Exit refuseArm(const Problems& problems, std::ostream& err);
 
 /// --arm, with its default.

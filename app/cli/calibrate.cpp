@@ -66,14 +66,18 @@ Exit calibrate(const CalibrateOptions& options, const Streams& streams) {
 
 void addCalibrate(Command program, const Streams& streams, Exit& exit) {
   const Command command = program.add(
-      "calibrate", "How small a difference of stiffness a simulated hand can tell, by a two-alternative staircase");
+      "calibrate",
+      "Measure the just-noticeable difference of stiffness of a simulated hand, by a two-alternative staircase");
   const auto options = std::make_shared<CalibrateOptions>();
-  command.option("scene", options->scene, "A scene of two beams").required();
-  command.option("--weber", options->weber, "What the hand feels scatters by this share").showUsual().range(0.0, 1.0);
-  command.option("--seed", options->seed, "Of all that is random").showUsual().nonNegative();
+  command.option("scene", options->scene, "A scene with two beams").required();
+  command.option("--weber", options->weber, "Scatter of what the hand feels, as a fraction")
+      .showUsual()
+      .range(0.0, 1.0);
+  command.option("--seed", options->seed, "Seed of everything that is random").showUsual().nonNegative();
   command.footer(
-      "One JSON object out: \"threshold\", the just-noticeable difference as a share (2 right in a row make it harder: "
-      "70.7 % right),\n\"low\" and \"high\" of one standard deviation, \"reversals\" and \"trials\".");
+      "One JSON object out: \"threshold\", the just-noticeable difference as a fraction (2 right in a row make it "
+      "harder: 70.7 % right),\n"
+      "\"low\" and \"high\", one standard deviation to either side, \"reversals\" and \"trials\".");
   command.whenChosen([options, &streams, &exit] { exit = calibrate(*options, streams); });
 }
 

@@ -20,7 +20,7 @@ struct Streams {
   std::ostream& out;
   std::ostream& err;
   bool progress = false;  // err is a terminal that a line of progress may move on
-  int out_fd = -1;        // behind out, for those who must not wait for its reader; below 0: there is none
+  int out_fd = -1;        // behind out, for those who must not wait for its reader; below 0: none
 };
 
 /// Adds a command to the grammar of the command line; when it is chosen, it does its work and leaves its exit status.
@@ -51,8 +51,8 @@ std::span<const AddCommand> commands();
 /// The grammar of the whole program; help, man pages and completion are made from it. streams, exit: outlive it.
 options::Program makeGrammar(const Streams& streams, Exit& exit);
 
-/// Runs a grammar's commands: help, version and wrong usage are answered, and the results are out at the end, or it is
-/// said that they are not. arguments: without the program's name; exit: where the commands leave their exit status.
+/// Runs a grammar's commands: answers help, version and wrong usage, and flushes the results at the end or reports that
+/// they could not be written. arguments: without the program's name; exit: where the commands leave their exit status.
 Exit perform(const options::Program& program, std::vector<std::string> arguments, const Streams& streams, Exit& exit);
 
 /// The whole program. arguments: without the program's name.

@@ -13,7 +13,7 @@ namespace {
 
 void printWords(const device::Row& row, const std::vector<device::Found>& all, std::ostream& out) {
   out << row.name << '\n';
-  if (all.empty()) out << "  none is plugged in\n";
+  if (all.empty()) out << "  none is connected\n";
   for (const device::Found& found : all) {
     out << "  " << found.title;
     out << (found.missing.empty() ? "  (--device " + device::nameOf(row, found) + ")\n" : "\n");
@@ -54,7 +54,7 @@ Exit writeReport(const DevicesOptions& options, const Streams& streams) {
   Result<std::unique_ptr<servo::DevicePort>> arm = device::openDevice(options.report, {preset, {}, kRate_hz, {}});
   if (!arm) return fail(arm.problems(), Exit::Fault, streams);
   const system::Interrupt interrupt;
-  streams.err << "Move the stylus about and press its buttons. No force is sent.\n";
+  streams.err << "Move the stylus around and press its buttons. No force is sent.\n";
   const device::Trial trial = device::tryOut(std::move(arm).value(), preset, kRate_hz, options.seconds,
                                              [&interrupt] { return !interrupt.came(); });
   const std::string text = device::reportText(trial, options.report, options.words);
@@ -66,24 +66,23 @@ Exit writeReport(const DevicesOptions& options, const Streams& streams) {
   file << text;
   file.close();
   if (file) return Exit::Well;
-  print(Problems{{"The report cannot be written.", {options.out}}}, streams.err);
+  print(Problems{{"The report could not be written.", {options.out}}}, streams.err);
   return Exit::File;
 }
 
 }  // namespace
 
 void addDevices(Command program, const Streams& streams, Exit& exit) {
-  const Command command = program.add("devices", "What arms are plugged in, and what is missing to use them");
+  const Command command = program.add("devices", "List the connected arms, and what is missing to use them");
   const auto options = std::make_shared<DevicesOptions>();
-  const Option json = command.flag("--json", options->json, "A JSON object an arm");
-  const Option report =
-      command.option("--report", options->report,
-                     "Tries the arm KIND or KIND:ADDRESS without force, and writes what was seen, to be sent to "
-                     "the program's makers: so an arm stops being untested");
+  const Option json = command.flag("--json", options->json, "One JSON object per arm");
+  const Option report = command.option("--report", options->report,
+                                       "Test the arm KIND or KIND:ADDRESS without force, and write a report for the "
+                                       "program's makers, so that the arm no longer counts as untested");
   report.excludes(json);
-  command.option("--out", options->out, "Where the report goes (the screen)").needs(report);
-  command.option("--words", options->words, "What you felt and saw, for the report").needs(report);
-  command.option("--seconds", options->seconds, "How long it is tried").needs(report).range(0.1, 600.0).showUsual();
+  command.option("--out", options->out, "File for the report; by default the screen").needs(report);
+  command.option("--words", options->words, "What you felt and saw, in your own words, for the report").needs(report);
+  command.option("--seconds", options->seconds, "Duration of the test, s").needs(report).range(0.1, 600.0).showUsual();
   command.whenChosen([options, &streams, &exit] {
     if (!options->report.empty()) {
       exit = writeReport(*options, streams);

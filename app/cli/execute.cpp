@@ -25,8 +25,7 @@ Exit perform(const options::Program& program, std::vector<std::string> arguments
 }
 
 options::Program makeGrammar(const Streams& streams, Exit& exit) {
-  options::Program program("underact-cli",
-                           "Underact without a window: kinematics of arms, and what a scene does to the stylus.");
+  options::Program program("underact-cli", "Underact without a window, for scripts, servers and other programs.");
   program.version(std::string("underact-cli ") + kVersion);
   program.mustChoose();
   for (const AddCommand add : commands()) add(program, streams, exit);

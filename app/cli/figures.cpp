@@ -9,15 +9,15 @@ namespace underact::cli {
 
 void addFigures(Command program, const Streams& streams, Exit& exit) {
   const Command command =
-      program.add("figures", "Remake the figures of the thesis, with what they should show in numbers");
+      program.add("figures", "Remake the figures of the thesis, with the numbers that they should show");
   const auto out = std::make_shared<std::string>();
   const auto only = std::make_shared<std::string>();
-  command.option("--out", *out, "Folder to write into; its page is index.html").required();
-  command.option("--only", *only, "Numbers of figures with commas between, as in 4.5,B.1");
+  command.option("--out", *out, "Folder for the results; index.html shows them").required();
+  command.option("--only", *only, "Numbers of the figures to make, separated by commas, as in 4.5,B.1");
   const auto progress_lines = std::make_shared<bool>(false);
   command.flag("--progress-lines", *progress_lines,
-               "Say on stderr which figure is made, as one JSON object a line: {\"number\": 3, \"of\": 27, "
-               "\"figure\": \"4.2\"}");
+               "Report on standard error which figure is being made, one JSON object per line: {\"number\": 3, \"of\": "
+               "27, \"figure\": \"4.2\"}");
   command.whenChosen([out, only, progress_lines, &streams, &exit] {
     const std::filesystem::path folder = system::standpoint().here;
     std::vector<std::string> arguments{

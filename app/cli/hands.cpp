@@ -14,7 +14,7 @@ bool isBuiltIn(const std::string& hand) {
   return std::any_of(hands.begin(), hands.end(), [&](const sim::BuiltInHand& one) { return hand == one.name; });
 }
 
-/// What looks like no file is meant as a name, so that the answer to a typo lists the names.
+/// Text that does not look like a file is taken as a name, so that the answer to a typo lists the names.
 bool looksLikeFile(const std::string& hand) {
   return hand.find_first_of("./\\") != std::string::npos || std::filesystem::exists(hand);
 }

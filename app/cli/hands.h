@@ -11,7 +11,7 @@ namespace underact::cli {
 /// the file.
 Result<sim::HandScript> findHand(const std::string& hand, std::uint64_t seed);
 
-/// Usage where a name was meant, else as exitOf().
+/// Usage if a name was meant, else as exitOf().
 Exit exitOfHand(const std::string& hand, const Problems& problems);
 
 }  // namespace underact::cli

@@ -81,7 +81,7 @@ void printEstimates(const identify::Identified& found, const identify::Given& gi
   }
 }
 
-/// Writes what was asked for. Exit: Well, or File.
+/// Writes the requested output. Exit: Well, or File.
 Exit writeFiles(const IdentifyOptions& options, const identify::Identified& found, const identify::Given& given,
                 const Streams& streams) {
   sim::Provenance provenance;
@@ -122,7 +122,7 @@ Exit identifyIt(const IdentifyOptions& options, const Streams& streams) {
   });
   if (!measured) return fail(measured.problems(), Exit::BadInput, streams);
   if (const Fault& fault = measured.value().fault; fault.kind != FaultKind::None) {
-    print({{whatHappened(fault) + " The servo let go, and the measurement ended. A higher rate may help."}},
+    print({{whatHappened(fault) + " The servo released the force, and the measurement ended. A higher rate may help."}},
           streams.err);
     return Exit::Fault;
   }
@@ -144,25 +144,27 @@ Exit identifyIt(const IdentifyOptions& options, const Streams& streams) {
 
 void addIdentify(Command program, const Streams& streams, Exit& exit) {
   const Command command =
-      program.add("identify", "Measure the simulated arm: mass, friction, damping, encoders, stiffness as rendered");
+      program.add("identify", "Measure the simulated arm: mass, friction, damping, encoders, rendered stiffness");
   const auto options = std::make_shared<IdentifyOptions>();
   std::vector<std::string> arms;
   for (const arm::Preset& preset : arm::presets()) arms.push_back(preset.name);
-  command.option("--arm", options->arm, "Its geometry").showUsual().oneOf(arms);
+  command.option("--arm", options->arm, "Geometry of the arm").showUsual().oneOf(arms);
   addArmModelOption(command, options->arm_model);
-  command.option("--at_mm", options->at_mm, "Where it swings: three numbers, or six, or nine for three places")
+  command
+      .option("--at_mm", options->at_mm,
+              "Position at which the tip oscillates, mm: three numbers; six or nine for two or three positions")
       .withCommas()
       .expected(3, 9)
       .range(-1e6, 1e6);
-  command.option("--rate", options->rate_hz, "Ticks a second").showUsual().range(100, 10000);
-  command.option("--seed", options->seed, "Of where the tip rests first").showUsual().nonNegative();
-  command.option("--name", options->name, "Of the model that is written").showUsual();
+  command.option("--rate", options->rate_hz, "Ticks per second").showUsual().range(100, 10000);
+  command.option("--seed", options->seed, "Seed of the first rest position of the tip").showUsual().nonNegative();
+  command.option("--name", options->name, "Name of the model that is written").showUsual();
   command.option("--out", options->out, "Write the model to this file, for --arm-model and for the window");
   command.option("--report", options->report, "Write a report (Markdown) to this file");
-  command.flag("--json", options->json, "One JSON object in place of the table");
+  command.flag("--json", options->json, "One JSON object instead of the table");
   command.footer(
-      "Given: what the simulation was made of, or what stiffness was asked for. Uncertainty: one standard deviation. "
-      "Below: not told from zero.");
+      "Given: the value set in the simulation, or the commanded stiffness. Uncertainty: one standard deviation. Below: "
+      "not distinguishable from zero.");
   command.whenChosen([options, &streams, &exit] {
     if (options->at_mm.size() % 3 != 0) options::refuse("--at_mm: takes 3, 6 or 9 numbers");
     exit = identifyIt(*options, streams);

@@ -45,7 +45,7 @@ Answer byStraightLine(const ArmChoice& arm, const Pose& X_WT) {
   return answer;
 }
 
-/// The names of the free families, of an arm whose wrist is in line where |sin| of its bend is small.
+/// The names of the free families of an arm whose wrist axes are aligned, |sin| of its bend being small.
 const char* wristFamily(const ArmChoice& arm, const arm::JointAngles& q_rad) {
   const chain::Jacobian J = chain::jacobian(arm.flange, q_rad);
   const Vec3 four_W = J.col(3).tail<3>(), six_W = J.col(5).tail<3>();
@@ -86,7 +86,7 @@ Answer byIteration(const ArmChoice& arm, const Pose& X_WT, std::uint64_t seed) {
 bool isWithin(const arm::Model& model, const arm::JointAngles& q_rad) {
   if (model.limits_wrist_size) return arm::isWithin(model.limits, q_rad);
   for (std::size_t joint = 0; joint < q_rad.size(); ++joint) {
-    // A joint that turns more than once may be a turn away.
+    // A joint with a range of more than one turn may be a turn away.
     const double low = model.limits.min_rad[joint], high = model.limits.max_rad[joint];
     const double turns = std::ceil((low - q_rad[joint]) / (2.0 * kPi));
     const double angle_rad = std::isfinite(turns) ? q_rad[joint] + 2.0 * kPi * turns : q_rad[joint];
@@ -116,15 +116,15 @@ JsonObject solutionObject(const ArmChoice& arm, const Found& found) {
   return object;
 }
 
-/// The way to solve; or, where the arm does not allow the one asked for, a sentence.
+/// The method; or a sentence, if the arm does not allow the requested one.
 Result<std::string> methodFor(const ArmChoice& arm, const std::string& asked) {
   if (asked == "iterative") return asked;
   if (arm.omni && asked == "auto") return std::string("straight_line");
   if (arm.closed) return std::string("closed_form");
   if (asked == "auto") return std::string("iterative");
   return Problems{
-      {"The arm has no closed form: its last three axes do not meet in a point, or axes 2 and 3 are not "
-       "parallel. Use --method iterative.",
+      {"The arm has no closed form: its last three axes do not intersect in a point, or axes 2 and 3 are not parallel. "
+       "Use --method iterative.",
        {}}};
 }
 
@@ -155,18 +155,20 @@ Exit solvePoses(const InverseOptions& options, const Streams& streams) {
 }  // namespace
 
 void addInverse(Command program, const Streams& streams, Exit& exit) {
-  const Command command = program.add("ik", "The joint angles that bring the stylus to a pose, line by line");
+  const Command command =
+      program.add("ik", "Inverse kinematics: the joint angles for a pose of the stylus, line by line");
   const auto options = std::make_shared<InverseOptions>();
   addArmOption(command, options->arm);
-  command.option("--method", options->method, "auto: in closed form where the arm has one; iterative: one solution")
+  command.option("--method", options->method, "auto: in closed form if the arm has one; iterative: one solution")
       .showUsual()
       .oneOf({"auto", "closed_form", "iterative"});
-  command.option("--seed", options->seed, "Of the iteration's restarts").showUsual();
+  command.option("--seed", options->seed, "Seed of the iteration's restarts").showUsual();
   command.footer(
       "Each line in is {\"X_WT\": 4x4 in mm}; each line out is {\"reachable\", \"singular\", \"solutions\": "
       "[{\"q_rad\",\n"
       "\"branch\": {\"shoulder\", \"elbow\", \"wrist\"}, \"within_limits\", \"family\"}]}, or {\"error\", \"line\"}.\n"
-      "family: null, or \"q1 free\", \"q4+q6\", \"q6-q4\" for a representative of infinitely many.\n\n" +
+      "family: null, or \"q1 free\", \"q4+q6\", \"q6-q4\" for one of infinitely many solutions.\n"
+      "\n" +
       listOfArms());
   command.whenChosen([options, &streams, &exit] { exit = solvePoses(*options, streams); });
 }

@@ -16,7 +16,7 @@ using json::Value;
 
 constexpr double kLargestAngle_rad = 1e6;
 constexpr double kFarthest_mm = 1e9;
-constexpr double kRounding = 1e-14;  // of doubles: left as it is
+constexpr double kRounding = 1e-14;  // of doubles: not corrected
 
 JsonObject refusal(const Problems& problems, std::int64_t line) {
   std::string sentences;
@@ -59,7 +59,7 @@ Result<Value> readLine(std::string_view text, std::initializer_list<std::string_
     if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
       problems.push_back({"Unknown key \"" + key + "\"; a line is " + example + ".", {}});
     } else if (std::count(object.keys.begin(), object.keys.end(), key) > 1) {
-      problems.push_back({"The key \"" + key + "\" stands there twice.", {}});
+      problems.push_back({"The key \"" + key + "\" appears twice.", {}});
     }
   }
   for (const std::string_view key : keys) {
@@ -74,7 +74,7 @@ Result<arm::JointAngles> readJoints(const Value& line, const char* key) {
   const Value& list = *line.find(key);
   const auto fits = [](const Value& angle) { return isNumberUpTo(angle, kLargestAngle_rad); };
   if (list.kind != Kind::Array || list.items.size() != 6 || !std::all_of(list.items.begin(), list.items.end(), fits)) {
-    return problem(key, "must be six angles in rad, of at most 1e6 in size.");
+    return problem(key, "must be six angles in rad, of magnitude 1e6 or less.");
   }
   arm::JointAngles q_rad{};
   std::transform(list.items.begin(), list.items.end(), q_rad.begin(), [](const Value& angle) { return angle.number; });
@@ -99,7 +99,7 @@ Result<Pose> readPose(const Value& line, const char* key) {
   const Mat3 R = X.topLeftCorner<3, 3>();
   const double error = (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff();
   if (error > kRotationTolerance || R.determinant() < 0.0)
-    return problem(key, "is no rotation: its rows must be orthonormal, determinant +1.");
+    return problem(key, "is not a rotation: its rows must be orthonormal, with determinant +1.");
   if (X.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) return problem(key, "must end with the row 0, 0, 0, 1.");
   Pose pose = Pose::Identity();
   pose.linear() = error > kRounding ? Eigen::Quaterniond(R).normalized().toRotationMatrix() : R;

@@ -14,14 +14,14 @@ namespace underact::cli {
 /// How far an entry of R R^T may be off for R to be a rotation: 2 sqrt(3) times half of the sixth decimal.
 inline constexpr double kRotationTolerance = 2e-6;
 
-/// Answers each line of the input in order, flushed one by one; a bad one is answered {"error", "line"} and the others
-/// all the same. Keeps nothing of a line that is answered.
+/// Answers each line of the input in order, flushed one by one; an invalid one is answered {"error", "line"}, the
+/// others are still answered. Keeps no state between lines.
 Exit answerLines(const Streams& streams, const std::function<Result<JsonObject>(std::string_view line)>& answer);
 
 /// A line that is an object with these keys and no others, each once; all are required. example: for the sentence.
 Result<json::Value> readLine(std::string_view text, std::initializer_list<std::string_view> keys, const char* example);
 
-/// Six finite numbers of at most 1e6 in size, or a problem.
+/// Six finite numbers of magnitude 1e6 or less, or a problem.
 Result<arm::JointAngles> readJoints(const json::Value& line, const char* key);
 
 /// Four rows of four; a rotation to 1e-6 (brought to the nearest one), lengths in mm of at most 1e9, last row 0 0 0 1.

@@ -13,7 +13,7 @@ namespace underact::cli {
 class JsonObject {
  public:
   void addText(std::string_view key, std::string_view value);
-  void addNumber(std::string_view key, double value);  // null where it is not finite
+  void addNumber(std::string_view key, double value);  // null if it is not finite
   void addInteger(std::string_view key, std::integral auto value) { addRaw(key, std::to_string(value)); }
   void addBool(std::string_view key, bool value) { addRaw(key, value ? "true" : "false"); }
   void addNull(std::string_view key) { addRaw(key, "null"); }

@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kJoints = "{\"q_rad\": [q1, q2, q3, q4, q5, q6]}";
 constexpr double kNoVolume_mm3 = 1e-6;  // a determinant under it is the rounding of the angles
 
-/// Answers lines of joints with one arm.
+/// Answers lines of joint angles with one arm.
 Exit answerJoints(const std::string& arm, const Streams& streams,
                   JsonObject (*answer)(const ArmChoice& arm, const arm::JointAngles& q_rad)) {
   const Result<ArmChoice> choice = chooseArm(arm);
@@ -75,7 +75,7 @@ JsonObject jacobianAnswer(const ArmChoice& arm, const arm::JointAngles& q_rad) {
   object.addMatrix("J", J_mm);
   object.addNumber("det_Jp", det_mm3);
   object.addNumber("manipulability_Jp", std::abs(det_mm3));
-  object.addNumber("condition_Jp", condition);  // null: there is none
+  object.addNumber("condition_Jp", condition);  // null: not defined
   object.addTexts("singular", singularities(arm, q_rad, J, det_m3));
   return object;
 }
@@ -93,12 +93,12 @@ void addCommand(Command program, const Streams& streams, Exit& exit, const char*
 }  // namespace
 
 void addForward(Command program, const Streams& streams, Exit& exit) {
-  addCommand(program, streams, exit, "fk", "Where joint angles bring the stylus, line by line", "{\"X_WT\": 4x4 in mm}",
-             poseAnswer);
+  addCommand(program, streams, exit, "fk", "Forward kinematics: the pose of the stylus for joint angles, line by line",
+             "{\"X_WT\": 4x4 in mm}", poseAnswer);
 }
 
 void addJacobian(Command program, const Streams& streams, Exit& exit) {
-  addCommand(program, streams, exit, "jacobian", "How joint rates move the stylus, line by line",
+  addCommand(program, streams, exit, "jacobian", "The Jacobian for joint angles, line by line",
              "{\"J\": 6x6 (v in mm/rad, then w; in W, at the origin of frame 6), \"det_Jp\" in mm^3, \n"
              "\"manipulability_Jp\", \"condition_Jp\" (null: singular), \"singular\": names}",
              jacobianAnswer);

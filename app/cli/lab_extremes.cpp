@@ -31,7 +31,7 @@ struct ExtremesOptions {
   std::string keep;
 };
 
-/// A row, the worst of it, and how long that took.
+/// A row, its worst case, and the time that it took.
 struct Measured {
   const Row* row;
   Worst worst;
@@ -39,7 +39,7 @@ struct Measured {
   bool isBroken() const { return !(worst.error_ulp <= row->promised_ulp); }
 };
 
-/// The rows asked for, in the order of the catalogue; none and a sentence where a key is none.
+/// The requested rows, in the order of the catalogue; none, and a sentence, if a key is unknown.
 std::vector<const Row*> rowsOf(const ExtremesOptions& options, const Streams& streams) {
   std::vector<std::string> known;
   for (const Row& row : extremes::catalogue()) known.emplace_back(row.key);
@@ -60,7 +60,7 @@ std::vector<const Row*> rowsOf(const ExtremesOptions& options, const Streams& st
   return rows;
 }
 
-/// Three digits are enough to read; the file has them all.
+/// Three digits are enough to read; the file has all of them.
 std::string shortly(double number) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
@@ -140,8 +140,9 @@ Exit measureAll(const ExtremesOptions& options, const Streams& streams) {
   }
   progress.show(1.0);
   if (interrupt.came()) {
-    streams.err << "Ended early; what is printed was measured"
-                << (options.keep.empty() ? ".\n" : ", and nothing was kept: a part would look like the whole.\n");
+    streams.err << "Ended early; only measured rows are printed"
+                << (options.keep.empty() ? ".\n"
+                                         : ", and nothing was saved, because a part would look like the whole.\n");
     if (!options.keep.empty()) return Exit::BadInput;
   }
   if (!options.keep.empty()) {
@@ -159,17 +160,20 @@ Exit measureAll(const ExtremesOptions& options, const Streams& streams) {
 void addLabExtremes(Command lab, const Streams& streams, Exit& exit) {
   const auto options = std::make_shared<ExtremesOptions>();
   const Command command = lab.add(
-      "extremes", "Every shape, arm, chain, solver, law and limit where numbers break, against a hundred digits");
-  command.option("--only", options->only, "These rows alone, as in --only shape_circle,law_pid").withCommas();
-  command.option("--count", options->count, "Cases of a cheap row for each seed; a dear one makes a share of them")
+      "extremes", "Test every shape, arm, chain, solver, law and limit where numbers break, against a hundred digits");
+  command.option("--only", options->only, "Only these rows, separated by commas, as in --only shape_circle,law_pid")
+      .withCommas();
+  command
+      .option("--count", options->count, "Cases of a cheap row for each seed; an expensive row runs a fraction of them")
       .range(1, 1'000'000'000)
       .showUsual();
-  command.option("--seeds", options->seeds, "How many seeds").range(1, 1'000'000).showUsual();
-  command.option("--seed", options->seed, "The first of them").showUsual();
+  command.option("--seeds", options->seeds, "Number of seeds").range(1, 1'000'000).showUsual();
+  command.option("--seed", options->seed, "The first seed").showUsual();
   command.option("--keep", options->keep, "Write the worst case of each row to this file, for the tests");
-  const Option json = command.flag("--json", options->json, "A JSON object a row in place of the table");
+  const Option json = command.flag("--json", options->json, "One JSON object per row instead of the table");
   command.flag("--csv", options->csv, "The table as CSV").excludes(json);
-  command.footer("Exit status 1 where a promise is not kept. The guide, \"Where the numbers break\", has the table.");
+  command.footer(
+      "Exit status 1 if a promise is not kept. The page \"Measured: numerical extremes\" of the guide has the table.");
   command.whenChosen([options, &streams, &exit] { exit = measureAll(*options, streams); });
 }
 

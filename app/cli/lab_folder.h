@@ -9,7 +9,7 @@
 namespace underact::cli {
 
 /// The tables by the names of their files, as CSV into the folder, and the pictures of `underact-cli lab KIND` beside
-/// them. A table without rows has no file. What could not be written or drawn is told.
+/// them. A table without rows has no file. Failures are printed.
 Exit fillFolder(const std::string& folder, const std::string& kind,
                 const std::vector<std::pair<std::string, const Table*>>& tables, const Streams& streams);
 

@@ -9,7 +9,7 @@
 
 namespace underact::cli {
 
-// What a lab runs. Empty: one of them could not be read, which was told, and exit says how it was wrong.
+// The inputs of a lab. Empty: one of them could not be read; the problem has been printed, and exit is its status.
 
 /// Scene files with their meshes; no file: those that ship.
 std::optional<std::vector<trade::NamedScene>> labScenes(const std::vector<std::string>& files, const Streams& streams,

@@ -23,12 +23,12 @@ Table::Field fieldOf(const std::optional<double>& number) {
   return number ? Table::Field(*number) : Table::Field();
 }
 
-/// A row a quantity, and one for each of the three whole ticks.
+/// One row per quantity, and one for each of the three whole ticks.
 void addModel(const std::string& scene, const trade::Model& model, Table& table) {
   const auto add = [&](const char* key, const char* what, bool required, const std::optional<double>& ns) {
     table.add({scene, std::string(key), std::string(what), required, fieldOf(ns)});
   };
-  add("bare", "place, targets and P laws alone", true, model.bare_ns);
+  add("bare", "position, targets and P laws alone", true, model.bare_ns);
   for (const trade::Quantity& one : model.quantities) add(one.key, one.what, one.required, one.adds_ns);
   add("as_it_is", "the tick that the scene compiles to", true, model.as_it_is_ns);
   add("everything", "a tick that computes all of it", false, model.everything_ns);
@@ -62,11 +62,13 @@ void addLabModel(Command lab, const Streams& streams, Exit& exit) {
   const Command command = lab.add(
       "model",
       "What each scene requires of a tick, what each quantity costs, and what computing all of them would cost");
-  command.option("SCENES", options->scenes, "Scene files; those that ship by themselves");
-  command.option("--hand", options->hand, "Along whose way it is measured").showUsual();
-  command.option("--seconds", options->seconds, "Of that way").range(0.1, 60.0).showUsual();
-  command.flag("--json", options->json, "A JSON object a row in place of CSV");
-  command.footer("ns are medians of single ticks on this machine, now; a quantity's is what it adds to the bare tick.");
+  command.option("SCENES", options->scenes, "Scene files; by default those that ship");
+  command.option("--hand", options->hand, "The hand along whose path it is measured").showUsual();
+  command.option("--seconds", options->seconds, "Duration of that path, s").range(0.1, 60.0).showUsual();
+  command.flag("--json", options->json, "One JSON object per row instead of CSV");
+  command.footer(
+      "Times in ns are medians of single ticks on this machine; the time of a quantity is what it adds to the minimal "
+      "tick.");
   command.whenChosen([options, &streams, &exit] { exit = models(*options, streams); });
 }
 

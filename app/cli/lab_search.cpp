@@ -56,7 +56,7 @@ Exit searches(const SearchOptions& options, const Streams& streams) {
   const std::vector<lab::SearchTrade> trades =
       lab::searchTrade(loaded.value().program, hand.value(), options.rate_hz, ticks);
   if (trades.empty()) {
-    streams.err << options.scene << ": This scene has no mesh and no curve, so nothing is sought in it.\n";
+    streams.err << options.scene << ": This scene has no mesh and no curve, so there is nothing to search.\n";
     return Exit::BadInput;
   }
   for (const lab::SearchTrade& trade : trades) {
@@ -81,15 +81,15 @@ Exit searches(const SearchOptions& options, const Streams& streams) {
 
 void addLabSearch(Command lab, const Streams& streams, Exit& exit) {
   auto options = std::make_shared<SearchOptions>();
-  const Command command = lab.add(
-      "search",
-      "Time and error of each way to seek the nearest point of a scene's meshes and curves, along a hand's way");
+  const Command command = lab.add("search",
+                                  "Time and error of each method of finding the nearest point on a scene's meshes and "
+                                  "curves, along the path of a hand");
   command.option("SCENE", options->scene, "A scene with a mesh or a curve").required();
-  command.option("--hand", options->hand, "still, sweep, probe, tremor, stab, or a file with a path").showUsual();
-  command.option("--seconds", options->seconds, "How long the hand moves").range(0.001, kLongestSearch_s).showUsual();
-  command.option("--rate", options->rate_hz, "Ticks a second").range(1, 100000).showUsual();
-  command.option("--seed", options->seed, "Of the hand").showUsual();
-  command.flag("--json", options->json, "A JSON object a constraint in place of a table");
+  command.option("--hand", options->hand, "still, sweep, probe, tremor, stab, or a hand file").showUsual();
+  command.option("--seconds", options->seconds, "Duration of the motion, s").range(0.001, kLongestSearch_s).showUsual();
+  command.option("--rate", options->rate_hz, "Ticks per second").range(1, 100000).showUsual();
+  command.option("--seed", options->seed, "Seed of the hand").showUsual();
+  command.flag("--json", options->json, "One JSON object per constraint instead of a table");
   command.whenChosen([options, &streams, &exit] { exit = searches(*options, streams); });
 }
 

@@ -23,7 +23,7 @@ using stability::SampledWall;
 
 const std::vector<std::string> kFilters{"raw", "low_pass", "kalman", "adaptive_window"};
 
-constexpr double kSoft_N_per_m = 20.0;  // of a trial that shows whether anything holds
+constexpr double kSoft_N_per_m = 20.0;  // of a trial that shows whether anything holds the tip
 
 struct StabilityOptions {
   SampledWall wall;  // of one cell
@@ -98,7 +98,7 @@ void addLabel(const std::string& map, const std::string& variant, const SampledW
                      kMillimetrePerMetre * label.trial.amplitude_m, label.is_passive});
 }
 
-/// The steps of the work: what is left is known from the beginning.
+/// The steps of the work, so that the remaining time is known from the start.
 using Step = std::function<Problems(StabilityTables&)>;
 
 void addWallSteps(const stability::WallMap& map, bool labels, std::vector<Step>& steps) {
@@ -117,7 +117,7 @@ void addWallSteps(const stability::WallMap& map, bool labels, std::vector<Step>&
   }
 }
 
-/// A file's problems as the command line tells them.
+/// A file's problems as the command line prints them.
 Problems from(const std::string& file, Problems problems) {
   for (Problem& problem : problems) problem.place.file = file;
   return problems;
@@ -151,7 +151,7 @@ Problems addScene(const std::string& file, const stability::SceneWall& wall, boo
   return labels ? addSceneLabels(file, wall, nominal, tables) : Problems{};
 }
 
-/// Of a scene's first constraint. What cannot be asked is told, and left out.
+/// Of a scene's first constraint. Scenes that cannot be measured are reported and left out.
 void addSceneSteps(const std::string& file, scene::Description scene, bool labels, const Streams& streams,
                    std::vector<Step>& steps) {
   stability::SceneWall wall;
@@ -179,7 +179,7 @@ bool isAsked(const StabilityOptions& options, const std::string& key) {
   return options.maps.empty() || std::find(options.maps.begin(), options.maps.end(), key) != options.maps.end();
 }
 
-/// Scenes whose limit no formula gives: a robot's, or one held by its joints.
+/// Scenes without a formula for their limit: with a robot, or controlled in joint space.
 bool hasNoFormula(const scene::Description& scene) {
   return scene::controlOf(scene, 0).space == tick::Space::Joint ||
          std::holds_alternative<scene::VirtualManipulator>(scene.constraints.front().shape);
@@ -215,7 +215,7 @@ Exit maps(const StabilityOptions& options, const Streams& streams) {
   StabilityTables tables;
   for (std::size_t done = 0; done < steps.value().size(); ++done) {
     if (interrupt.came()) {
-      streams.err << "Stopped before the end; nothing is told, since a part would look like the whole.\n";
+      streams.err << "Stopped before the end. Nothing is printed, because a part would look like the whole.\n";
       return Exit::BadInput;
     }
     const Problems problems = steps.value()[done](tables);
@@ -245,16 +245,18 @@ void addCellOptions(Command command, StabilityOptions& options) {
     option.whenSaid([&options] { options.one_cell = true; });
     return option.showUsual();
   };
-  cell("--mass_kg", wall.mass_kg, "Of arm and hand", 1e-6, 1e3);
-  cell("--damping_N_s_per_m", wall.damping_N_s_per_m, "Of arm and hand", 0.0, 1e4);
-  cell("--kd_N_s_per_m", wall.kd_N_s_per_m, "Damping of the wall", 0.0, 1e4);
-  cell("--rate_hz", options.rate_hz, "Samples a second", 1, 100'000);
+  cell("--mass_kg", wall.mass_kg, "Mass of arm and hand, kg", 1e-6, 1e3);
+  cell("--damping_N_s_per_m", wall.damping_N_s_per_m, "Damping of arm and hand, N s/m", 0.0, 1e4);
+  cell("--kd_N_s_per_m", wall.kd_N_s_per_m, "Damping of the wall, N s/m", 0.0, 1e4);
+  cell("--rate_hz", options.rate_hz, "Samples per second", 1, 100'000);
   cell("--delay_ticks", wall.delay_ticks, "Periods between a sample and its force", 0, stability::kMostDelay);
-  cell("--hand_stiffness_N_per_m", wall.hand_stiffness_N_per_m, "Of the hand's spring", 0.0, 1e6);
-  cell("--friction_N", wall.friction_N, "Coulomb's, of the arm", 0.0, 1e3);
-  cell("--encoder_steps", wall.coarseness, "1: angles in the arm's own steps, 2: twice as coarse; 0: exact", 0.0, 1e3);
-  cell("--stiffness_N_per_m", options.stiffness_N_per_m, "Say what a wall of this stiffness does, too", 0.0, 1e7);
-  command.option("--filter", options.filter, "How the wall finds the velocity")
+  cell("--hand_stiffness_N_per_m", wall.hand_stiffness_N_per_m, "Stiffness of the hand, N/m", 0.0, 1e6);
+  cell("--friction_N", wall.friction_N, "Coulomb friction of the arm, N", 0.0, 1e3);
+  cell("--encoder_steps", wall.coarseness, "1: angles in the arm's own encoder steps, 2: twice as coarse, 0: exact",
+       0.0, 1e3);
+  cell("--stiffness_N_per_m", options.stiffness_N_per_m, "Also report how a wall of this stiffness behaves, N/m", 0.0,
+       1e7);
+  command.option("--filter", options.filter, "Velocity filter of the wall")
       .group("One wall")
       .whenSaid([&options] { options.one_cell = true; })
       .oneOf(kFilters)
@@ -265,22 +267,23 @@ void addCellOptions(Command command, StabilityOptions& options) {
 
 void addLabStability(Command lab, const Streams& streams, Exit& exit) {
   auto options = std::make_shared<StabilityOptions>();
-  const Command command = lab.add(
-      "stability",
-      "How stiff a wall may be before it buzzes: one wall, or maps over rate, delay, hand, filter, encoders, friction "
-      "and the scenes for which there is no formula");
+  const Command command = lab.add("stability",
+                                  "How stiff a wall can be before it buzzes: one wall, or maps over rate, delay, hand, "
+                                  "filter, encoders, friction and the scenes for which there is no formula");
   addCellOptions(command, *options);
   std::vector<std::string> keys{"scenes"};
   for (const stability::WallMap& map : stability::wallMaps()) keys.emplace_back(map.key);
-  command.option("--map", options->maps, "Which maps, with commas between; all by itself").withCommas().oneOf(keys);
-  command.option("--scenes", options->scenes, "Scene files to ask, in place of those that ship");
-  command.flag("--labels", options->labels, "Say of each cell what a push becomes, and whether it is passive");
-  command.option("--out", options->out, "A folder for the tables as CSV, labels too, and their pictures");
-  command.flag("--json", options->json, "A JSON object a row in place of CSV");
+  command.option("--map", options->maps, "Maps, separated by commas; by default all").withCommas().oneOf(keys);
+  command.option("--scenes", options->scenes, "Scene files, instead of those that ship");
+  command.flag("--labels", options->labels,
+               "Also report for each cell how a push develops, and whether the cell is passive");
+  command.option("--out", options->out, "Folder for the tables as CSV, including the labels, and their pictures");
+  command.flag("--json", options->json, "One JSON object per row instead of CSV");
   command.footer(
-      "One wall: a JSON object. \"simulated_limit_N_per_m\" by doubling and halving in the simulated loop, "
-      "\"exact_limit_N_per_m\" by the\neigenvalues of the loop (null: friction, steps or a filter that is not linear), "
-      "then what is passive for any hand, and the two formulas.");
+      "One wall: a JSON object. \"simulated_limit_N_per_m\" is found by bisection in the simulated loop, "
+      "\"exact_limit_N_per_m\" by the\n"
+      "eigenvalues of the loop (null: friction, encoder steps or a nonlinear filter); then the limit that is passive "
+      "for any hand, and two formulas.");
   command.whenChosen(
       [options, &streams, &exit] { exit = options->one_cell ? oneCell(*options, streams) : maps(*options, streams); });
 }

@@ -16,7 +16,7 @@
 namespace underact::cli {
 namespace {
 
-constexpr double kLongestStep_s = 100.0;  // of the arm: a tick is a row of the table, and the fit looks at each
+constexpr double kLongestStep_s = 100.0;  // of the arm: each tick is a row of the table, and a sample of the fit
 
 struct StepOptions {
   std::vector<double> num{1.0}, den;
@@ -24,13 +24,13 @@ struct StepOptions {
   std::vector<double> from_mm;
   double step_mm = 10.0, seconds = 0.0;
   double kp_N_per_mm = -1.0, kd_N_s_per_mm = -1.0, ki_N_per_mm_s = -1.0;  // below 0: the scene's
-  double mass_kg = 0.0, damping_N_s_per_m = 0.0;                          // that stay on the stylus
+  double mass_kg = 0.0, damping_N_s_per_m = 0.0;                          // that remain on the stylus
   int rate_hz = 1000;
   bool no_limits = false, json = false;
   std::string arm_model{sim::kDefaultArmModel};
 };
 
-/// Writes the table of a curve where one is asked for. Exit: Well, or File.
+/// Writes the table of a curve if requested. Exit: Well, or File.
 Exit writeTable(const std::string& path, const std::string& text, const Streams& streams) {
   if (path.empty()) return Exit::Well;
   const Problems problems = writeText(path, text);
@@ -51,7 +51,7 @@ Exit stepFunction(const StepOptions& options, const Streams& streams) {
   return writeTable(options.csv, csvOf(transfer.value(), options.seconds), streams);
 }
 
-/// The scene with the law and the gains of the command line in place of its own.
+/// The scene with the control law and the gains of the command line instead of its own.
 Result<scene::Description> retuned(const scene::Description& scene, const StepOptions& options) {
   std::vector<std::string> wishes;
   const auto add = [&wishes](const char* key, double number) {
@@ -82,7 +82,7 @@ lab::StepSetup setupOf(const StepOptions& options, const sim::ArmModel& model) {
 
 Exit stepArm(const StepOptions& options, const Streams& streams) {
   if (options.seconds > kLongestStep_s) {
-    streams.err << "--seconds: of the simulated arm at most 100 s are measured.\n";
+    streams.err << "--seconds: at most 100 s of the simulated arm are measured.\n";
     return Exit::Usage;
   }
   const Result<LoadedScene> loaded = loadScene(options.scene, streams);
@@ -102,37 +102,41 @@ Exit stepArm(const StepOptions& options, const Streams& streams) {
   return step.value().fault.empty() ? written : Exit::Fault;
 }
 
-/// --scene and what goes with it.
+/// --scene and the options that belong to it.
 Option addArmOptions(Command command, StepOptions& options) {
   const char* const kGroup = "The simulated arm";
-  const Option scene = command.option("--scene", options.scene, "Measure the simulated arm under this scene");
+  const Option scene = command.option("--scene", options.scene, "Measure the simulated arm in this scene");
   const auto add = [&](const char* name, auto& value, const char* what) {
     return command.option(name, value, what).needs(scene).group(kGroup);
   };
   scene.group(kGroup);
-  add("--step_mm", options.step_mm, "How far the target is moved; below 0: the other way")
+  add("--step_mm", options.step_mm, "Size of the step, mm, of either sign")
       .showUsual()
       .check([](const std::string& text) {
         const std::optional<double> step_mm = options::numberOf(text);
         const bool good = step_mm && std::abs(*step_mm) >= 0.01 && std::abs(*step_mm) <= 500.0;
-        return std::string(good ? "" : "must be a length of 0.01 to 500 mm, either way");
+        return std::string(good ? "" : "must be a length of 0.01 to 500 mm, of either sign");
       });
   add("--axis", options.axis,
-      "Along which axis, or the direction in which the constraint pulls; by itself the first that holds")
+      "Axis of the step, or the direction in which the constraint pulls; by default the first that holds")
       .oneOf({"x", "y", "z", "held"});
-  add("--constraint", options.constraint, "Which constraint, by its name, where there are several");
-  add("--from_mm", options.from_mm, "The target nearest to here is where the tip rests first (0,0,60)")
+  add("--constraint", options.constraint, "Name of the constraint, if there are several");
+  add("--from_mm", options.from_mm, "The tip first rests at the target nearest to this position (0,0,60)")
       .withCommas()
       .expected(3, 3)
       .range(-1e6, 1e6);
-  add("--law", options.law, "In place of the scene's").oneOf(scene::findSetting("/control/law")->words());
-  add("--kp_N_per_mm", options.kp_N_per_mm, "In place of the scene's").range(0.0, 1e9);
-  add("--kd_N_s_per_mm", options.kd_N_s_per_mm, "In place of the scene's").range(0.0, 1e9);
-  add("--ki_N_per_mm_s", options.ki_N_per_mm_s, "In place of the scene's").range(0.0, 1e9);
-  add("--mass_kg", options.mass_kg, "What stays on the stylus when the hand has let go").showUsual().range(0.0, 100.0);
-  add("--damping_N_s_per_m", options.damping_N_s_per_m, "The same, damping").showUsual().range(0.0, 1e4);
-  add("--rate", options.rate_hz, "Ticks a second").showUsual().range(100, 10000);
-  command.flag("--no-limits", options.no_limits, "Measure the law alone, without the limits of the gate")
+  add("--law", options.law, "Instead of the scene's").oneOf(scene::findSetting("/control/law")->words());
+  add("--kp_N_per_mm", options.kp_N_per_mm, "Instead of the scene's").range(0.0, 1e9);
+  add("--kd_N_s_per_mm", options.kd_N_s_per_mm, "Instead of the scene's").range(0.0, 1e9);
+  add("--ki_N_per_mm_s", options.ki_N_per_mm_s, "Instead of the scene's").range(0.0, 1e9);
+  add("--mass_kg", options.mass_kg, "Mass that remains on the stylus after the hand has released it, kg")
+      .showUsual()
+      .range(0.0, 100.0);
+  add("--damping_N_s_per_m", options.damping_N_s_per_m, "Damping that remains on the stylus, N s/m")
+      .showUsual()
+      .range(0.0, 1e4);
+  add("--rate", options.rate_hz, "Ticks per second").showUsual().range(100, 10000);
+  command.flag("--no-limits", options.no_limits, "Measure the control law alone, without the limits of the safety gate")
       .needs(scene)
       .group(kGroup);
   addArmModelOption(command, options.arm_model);
@@ -145,24 +149,21 @@ void addLabStep(Command lab, const Streams& streams, Exit& exit) {
   const Command command = lab.add("step", "Step response of a transfer function, or of the simulated arm");
   const auto options = std::make_shared<StepOptions>();
   const Option num =
-      command.option("--num", options->num, "Numerator, coefficients of descending powers of s").withCommas();
-  const Option den = command.option("--den", options->den, "Denominator, the same; order 1 to 8").withCommas();
+      command.option("--num", options->num, "Numerator: coefficients of descending powers of s").withCommas();
+  const Option den = command.option("--den", options->den, "Denominator, likewise; order 1 to 8").withCommas();
   num.needs(den);
   const Option scene = addArmOptions(command, *options);
   scene.excludes(den);
-  command.option("--seconds", options->seconds, "How long; by itself as long as it takes to come to rest")
+  command.option("--seconds", options->seconds, "Duration, s; by default until the response has settled")
       .range(1e-6, 1e6);
   command.option("--csv", options->csv,
-                 "Write the curve to this file: t_s, y; of the arm t_s, measured_mm, fit_mm, "
-                 "analytic_mm");
-  command.flag("--json", options->json, "One JSON object in place of a table");
+                 "Write the curve to this file: t_s, y; for the arm t_s, measured_mm, fit_mm, analytic_mm");
+  command.flag("--json", options->json, "One JSON object instead of a table");
   command.footer(
-      "One of --den and --scene is needed.\n"
-      "--json of a function: {\"final_value\", \"rise_10_90_s\", \"settling_2pct_s\" (null: never), \"peak_time_s\" "
-      "(null: "
-      "no overshoot),\n\"overshoot_fraction\"}; null where there is none. In an empty place of a list write 0: s^2 + 1 "
-      "is "
-      "1,0,1.");
+      "One of --den and --scene is required.\n"
+      "--json, for a function: {\"final_value\", \"rise_10_90_s\", \"settling_2pct_s\" (null: never), \"peak_time_s\" "
+      "(null: no overshoot),\n"
+      "\"overshoot_fraction\"}; null if there is none. Write 0 for a missing power of s: s^2 + 1 is 1,0,1.");
   command.whenChosen([den, scene, options, &streams, &exit] {
     if (!den.isSaid() && !scene.isSaid()) options::refuse("--den (as in --num 1 --den 1,0.8,1) or --scene is required");
     exit = den.isSaid() ? stepFunction(*options, streams) : stepArm(*options, streams);

@@ -70,7 +70,7 @@ void addFront(const trade::NamedScene& scene, const std::vector<trade::Point>& p
   }
 }
 
-/// Empty: something could not be read, which was told, and exit says how it was wrong.
+/// Empty: something could not be read; the problem has been printed, and exit is its status.
 std::optional<trade::Plan> planOf(const TradeOptions& options, const Streams& streams, Exit& exit) {
   auto hands = labHands(options.hands, options.seed, streams, exit);
   if (!hands) return {};
@@ -79,7 +79,7 @@ std::optional<trade::Plan> planOf(const TradeOptions& options, const Streams& st
   return trade::Plan{std::move(*scenes), std::move(*hands), options.choices, options.seconds};
 }
 
-/// What is left of the work, told as it is done; each part has its share.
+/// The progress of the work; each part has its share.
 class Work {
  public:
   Work(double parts, const system::Interrupt& interrupt, const Streams& streams)
@@ -99,7 +99,7 @@ class Work {
   Progress progress_;
 };
 
-/// What is to be told.
+/// The results to print.
 struct Asked {
   bool rows, fronts;
   explicit Asked(const TradeOptions& options)
@@ -123,14 +123,14 @@ TradeTables measure(const trade::Plan& plan, const Asked& asked, const system::I
   return tables;
 }
 
-/// Why there is nothing to tell; empty: there is.
+/// Why there is no result; empty: there is one.
 std::string whatIsMissing(const TradeTables& tables, const Asked& asked) {
   if (asked.rows && tables.rows.isEmpty())
-    return "Nothing could be measured: the scenes have none of these choices, the hands never touch what they are "
-           "about, or every run ended in a fault.\n";
+    return "Nothing could be measured: the scenes have none of these choices, the hands never touch what the choices "
+           "affect, or every run ended in a fault.\n";
   if (asked.fronts && tables.fronts.isEmpty())
-    return "No scene has a front: in one of the hands its finest run, or every other one, ended in a fault. "
-           "--table choices tells what can be measured nonetheless.\n";
+    return "No scene has a front: with one of the hands the finest run, or every other run, ended in a fault. --table "
+           "choices shows what can be measured nonetheless.\n";
   return {};
 }
 
@@ -142,7 +142,7 @@ Exit tradeOf(const TradeOptions& options, const Streams& streams) {
   const Asked asked(options);
   const TradeTables tables = measure(*plan, asked, interrupt, streams);
   const std::string sentence =
-      interrupt.came() ? "Stopped before the end; nothing is told, since a part would look like the whole.\n"
+      interrupt.came() ? "Stopped before the end. Nothing is printed, because a part would look like the whole.\n"
                        : whatIsMissing(tables, asked);
   if (!sentence.empty()) {
     streams.err << sentence;
@@ -166,29 +166,29 @@ Exit tradeOf(const TradeOptions& options, const Streams& streams) {
 
 void addLabTrade(Command lab, const Streams& streams, Exit& exit) {
   auto options = std::make_shared<TradeOptions>();
-  const Command command = lab.add(
-      "trade", "What each choice between speed and accuracy costs and how exact it is, on each scene and in each hand");
+  const Command command =
+      lab.add("trade", "Cost and accuracy of each choice between speed and accuracy, for each scene and each hand");
   std::vector<std::string> keys;
   for (const trade::Choice& choice : trade::choices()) keys.emplace_back(choice.key);
-  command.option("--scenes", options->scenes, "Scene files, in place of those that ship");
-  command.option("--hands", options->hands, "Hands, with commas between; all that are built in by themselves")
-      .withCommas();
-  command.option("--choices", options->choices, "Which choices, with commas between; all by themselves")
+  command.option("--scenes", options->scenes, "Scene files, instead of those that ship");
+  command.option("--hands", options->hands, "Hands, separated by commas; by default all built-in hands").withCommas();
+  command.option("--choices", options->choices, "Choices, separated by commas; by default all")
       .withCommas()
       .oneOf(keys);
-  command.option("--seconds", options->seconds, "Of each run").range(0.1, kLongestTrade_s).showUsual();
-  command.option("--seed", options->seed, "Of the hands").showUsual();
+  command.option("--seconds", options->seconds, "Duration of each run, s").range(0.1, kLongestTrade_s).showUsual();
+  command.option("--seed", options->seed, "Seed of the hands").showUsual();
   command
       .option("--table", options->table,
-              "choices: over all runs, with what is recommended; rows: each run; "
-              "fronts: whole ways to run each scene")
+              "choices: over all runs, with the recommendation; rows: each run; fronts: complete configurations for "
+              "each scene")
       .oneOf({"choices", "rows", "fronts"})
       .showUsual();
-  command.option("--out", options->out, "A folder for all three tables as CSV, and their pictures");
-  command.flag("--json", options->json, "A JSON object a row in place of CSV");
+  command.option("--out", options->out, "Folder for all three tables as CSV, and their pictures");
+  command.flag("--json", options->json, "One JSON object per row instead of CSV");
   command.footer(
-      "Times are this machine's, now; errors are the same each time. Nothing else should be running. Recommended is, "
-      "of what keeps\nwithin the bound and costs no more than a tenth above the cheapest of these, the most exact.");
+      "Times are those of this machine; errors are the same each time. Run nothing else at the same time. Of the "
+      "choices within the\n"
+      "error bound that cost at most a tenth more than the cheapest of these, the most accurate is recommended.");
   command.whenChosen([options, &streams, &exit] { exit = tradeOf(*options, streams); });
 }
 

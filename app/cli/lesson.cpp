@@ -80,21 +80,20 @@ void addLesson(Command program, const Streams& streams, Exit& exit) {
   const Command command = program.add("lesson", "Check lesson files, list the lessons, or try a step");
   command.mustChoose();
 
-  const Command checking = command.add("check",
-                                       "Print every problem of lesson files and of the scenes they "
-                                       "name; nothing when all is well");
+  const Command checking =
+      command.add("check", "Print all problems in lesson files and in the scenes they name; nothing if there are none");
   const auto paths = std::make_shared<std::vector<std::string>>();
   checking.option("files", *paths, "Lesson files").required();
   checking.whenChosen([paths, &streams, &exit] { exit = checkLessonFiles(*paths, streams); });
 
-  const Command listing = command.add("list", "The lessons that ship, in teaching order");
+  const Command listing = command.add("list", "List the lessons that ship, in teaching order");
   const auto json = std::make_shared<bool>(false);
-  listing.flag("--json", *json, "A JSON object a line in place of a table");
+  listing.flag("--json", *json, "One JSON object per line instead of a table");
   listing.whenChosen([json, &streams, &exit] { exit = list(*json, streams); });
 
-  const Command telling = command.add("quantities", "What a lesson can measure: key, unit, what it is");
+  const Command telling = command.add("quantities", "List what a lesson can measure: key, unit, meaning");
   const auto json_too = std::make_shared<bool>(false);
-  telling.flag("--json", *json_too, "A JSON object a line in place of a table");
+  telling.flag("--json", *json_too, "One JSON object per line instead of a table");
   telling.whenChosen([json_too, &streams, &exit] { exit = tellQuantities(*json_too, streams); });
 
   addLessonTry(command, streams, exit);

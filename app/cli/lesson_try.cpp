@@ -30,7 +30,7 @@ struct TryOptions {
   bool json = false;
 };
 
-/// A file, or the one of that name that ships.
+/// A file, or the lesson of that name that ships.
 Result<std::string> lessonFile(const std::string& lesson) {
   if (std::filesystem::path(lesson).extension() == ".json" || std::filesystem::path(lesson).has_parent_path())
     return lesson;
@@ -97,23 +97,23 @@ Exit tryStep(const TryOptions& options, const Streams& streams) {
 
 void addLessonTry(Command command, const Streams& streams, Exit& exit) {
   const Command trying =
-      command.add("try", "Let a scripted hand do a step of a lesson, and say what of it is solved and what is missing");
+      command.add("try", "Let a scripted hand do a step of a lesson, and report what is solved and what is missing");
   const auto options = std::make_shared<TryOptions>();
-  trying.option("lesson", options->lesson, "Lesson file, or the name of one that ships").required();
-  trying.option("--step", options->step, "Which step, from 1").showUsual();
+  trying.option("lesson", options->lesson, "Lesson file, or the name of a lesson that ships").required();
+  trying.option("--step", options->step, "Number of the step, from 1").showUsual();
   trying.option("--hand", options->hand, "A built-in hand, or a hand file").required();
-  trying.option("--seconds", options->seconds, "How long; by itself to the end of the hand's path and 1 s more")
+  trying.option("--seconds", options->seconds, "Duration, s; by default 1 s more than the hand's path")
       .range(0.001, 3600.0);
-  trying.flag("--stopped", options->stopped, "The servo stays stopped: the hand moves the arm, nothing pushes");
+  trying.flag("--stopped", options->stopped, "Keep the servo stopped: the hand moves the arm without force");
   trying
       .option("--answer", options->answers,
-              "To a question of the step, in their order: a number, or the "
-              "number of a choice")
+              "Answer to a question of the step, in order: a number, or the number of a choice")
       .oneEachTime();
   addSet(trying, options->settings,
-         "What the student changes: a setting of the scene by its key, as kp_N_per_mm=0.8, or by its path in the file");
-  trying.option("--seed", options->seed, "Of a built-in hand").showUsual().nonNegative();
-  trying.flag("--json", options->json, "One JSON object in place of lines");
+         "Change a setting of the scene as a student would: by its key, as in kp_N_per_mm=0.8, or by its path in the "
+         "file");
+  trying.option("--seed", options->seed, "Seed of a built-in hand").showUsual().nonNegative();
+  trying.flag("--json", options->json, "One JSON object instead of lines");
   trying.whenChosen([options, &streams, &exit] { exit = tryStep(*options, streams); });
 }
 

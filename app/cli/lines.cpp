@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kFarewell{1000};
 constexpr int kLook_ms = 50;
-// A pipe that has room at all takes so many bytes without a wait.
+// A pipe with any room accepts this many bytes without blocking.
 constexpr std::size_t kAtOnce = 512;
 
 }  // namespace
@@ -36,13 +36,13 @@ struct Lines::State {
   bool write(std::string_view text);
 };
 
-/// Nobody is to be waited for any longer.
+/// The reader is not waited for any longer.
 bool Lines::State::isOver() {
   const std::scoped_lock lock(mutex);
   return ends && std::chrono::steady_clock::now() >= give_up;
 }
 
-/// false: nobody reads it any more, or in time.
+/// false: it is not read any more, or not in time.
 bool Lines::State::write(std::string_view text) {
   if (fd < 0) {
     *out << text << std::flush;
@@ -91,7 +91,7 @@ Lines::~Lines() {
     state_->ends = true;
     state_->give_up = std::chrono::steady_clock::now() + kFarewell;
     state_->changed.notify_all();
-    // A terminal may take part of a line and then stand: that write never returns, and is left to the program's end.
+    // A terminal may accept part of a line and then block: that write never returns, and ends with the program.
     has_ended = state_->changed.wait_for(lock, 2 * kFarewell, [this] { return state_->ended; });
   }
   has_ended ? thread_.join() : thread_.detach();

@@ -8,20 +8,20 @@
 namespace underact::cli {
 
 /// Lines for people, from threads that must never wait for whoever reads them: a terminal that was paused, a pipe that
-/// nobody empties. A thread of its own writes them, in order, whole and at once. What finds no room among kMost that
-/// wait is left out, and how many were is said once they are read again.
+/// nobody empties. A thread of its own writes them, in order, whole and at once. Lines beyond kMost that wait are
+/// dropped, and their number is printed once lines are read again.
 class Lines {
  public:
   static constexpr std::size_t kMost = 64;
 
   /// fd: behind out, see Streams::out_fd. out outlives it.
   Lines(std::ostream& out, int fd);
-  /// What waits is written, as far as it is read within a second.
+  /// Writes what is waiting, as far as it is read within a second.
   ~Lines();
   Lines(const Lines&) = delete;
   Lines& operator=(const Lines&) = delete;
 
-  /// Any thread. Waits for no one.
+  /// Any thread. Never waits.
   void operator()(std::string line);
 
  private:

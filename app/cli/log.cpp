@@ -16,7 +16,7 @@
 namespace underact::cli {
 namespace {
 
-/// A file that is not there or that cannot be opened is no input at all; one that is no session is bad input.
+/// A file that does not exist or cannot be opened is a file error; one that is not a session is bad input.
 Exit showSession(const std::string& path, bool json, const Streams& streams) {
   Result<record::Session> session = record::Session::open(path);
   if (!session) return fail(session.problems(), streams);
@@ -77,7 +77,7 @@ Exit verifyBlocks(const std::string& path, const Streams& streams) {
   }
   print(problems, streams.err);
   if (!problems.empty()) return Exit::BadInput;
-  streams.out << session.value().info().ticks << " ticks, all of them whole"
+  streams.out << session.value().info().ticks << " ticks, all of them intact"
               << (session.value().info().isComplete() ? "." : "; the session was not closed.") << '\n';
   return Exit::Well;
 }
@@ -90,22 +90,24 @@ Exit recover(const std::string& path, const Streams& streams) {
 }
 
 void addInfo(Command log, const Streams& streams, Exit& exit) {
-  const Command command = log.add("info", "What a session holds");
+  const Command command = log.add("info", "Show what a session contains");
   const auto path = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
   command.option("file", *path, "Session file").required();
-  command.flag("--json", *json, "One JSON object in place of a table");
+  command.flag("--json", *json, "One JSON object instead of a table");
   command.whenChosen([path, json, &streams, &exit] { exit = showSession(*path, *json, streams); });
 }
 
 void addExport(Command log, const Streams& streams, Exit& exit) {
-  const Command command = log.add("export", "A session as CSV, Parquet or MCAP");
+  const Command command = log.add("export", "Export a session as CSV, Parquet or MCAP");
   const auto options = std::make_shared<ExportOptions>();
   command.option("file", options->file, "Session file").required();
-  command.option("--format", options->format, "Parquet and MCAP take the Python libraries pyarrow and mcap")
+  command
+      .option("--format", options->format,
+              "Format of the file; Parquet and MCAP require the Python libraries pyarrow and mcap")
       .showUsual()
       .oneOf({"csv", "parquet", "mcap"});
-  command.option("--out", options->out, "File to write; CSV goes to the standard output by itself");
+  command.option("--out", options->out, "File to write; by default CSV goes to standard output");
   command.whenChosen([options, &streams, &exit] { exit = exportSession(*options, streams); });
 }
 
@@ -115,21 +117,23 @@ struct PlotOptions {
 };
 
 void addPlot(Command log, const Streams& streams, Exit& exit) {
-  const Command command = log.add("plot", "Plots of a session as PNG, SVG or PDF, by matplotlib");
+  const Command command = log.add("plot", "Plot a session as PNG, SVG or PDF, with matplotlib");
   const auto options = std::make_shared<PlotOptions>();
   command.option("file", options->file, "Session file").required();
-  command.option("--kind", options->kind, "What is drawn")
+  command.option("--kind", options->kind, "What to draw")
       .showUsual()
       .oneOf({"error", "force", "displacement-force", "path", "angles", "joints", "energy", "spectrum", "lateness",
               "all"});
-  command.option("--out", options->out, "File to write, .png, .svg or .pdf").required();
+  command.option("--out", options->out, "File to write: .png, .svg or .pdf").required();
   for (const char* name : {"--width", "--from", "--to"}) {
     command.option(
         name,
         [options, name](const std::string& value) {
           options->more.insert(options->more.end(), {name, value});
         },
-        std::string(name) == "--width" ? "Of the figure, inches: 3.5 or 7" : "Of the time that is drawn, s");
+        std::string(name) == "--width"  ? "Width of the figure, inches: 3.5 or 7"
+        : std::string(name) == "--from" ? "Start of the time that is drawn, s"
+                                        : "End of the time that is drawn, s");
   }
   command.whenChosen([options, &streams, &exit] {
     std::vector<std::string> arguments{"plot", options->file, "--kind", options->kind, "--out", options->out};
@@ -141,7 +145,7 @@ void addPlot(Command log, const Streams& streams, Exit& exit) {
 }  // namespace
 
 void addLog(Command program, const Streams& streams, Exit& exit) {
-  const Command log = program.add("log", "Recorded sessions: look at them, export, plot, check, recover");
+  const Command log = program.add("log", "Recorded sessions: inspect, export, plot, verify, recover");
   log.mustChoose();
   addInfo(log, streams, exit);
   addExport(log, streams, exit);
@@ -150,8 +154,8 @@ void addLog(Command program, const Streams& streams, Exit& exit) {
   const auto verified = std::make_shared<std::string>();
   verifying.option("file", *verified, "Session file").required();
   verifying.whenChosen([verified, &streams, &exit] { exit = verifyBlocks(*verified, streams); });
-  const Command recovering =
-      log.add("recover", "Close a session that a killed program left, in place, so that all programs open it");
+  const Command recovering = log.add(
+      "recover", "Close, in place, a session that a killed program left open, so that all programs can open it");
   const auto recovered = std::make_shared<std::string>();
   recovering.option("file", *recovered, "Session file").required();
   recovering.whenChosen([recovered, &streams, &exit] { exit = recover(*recovered, streams); });

@@ -22,7 +22,7 @@ namespace {
 struct MeshOptions {
   std::vector<std::string> files;
   bool json = false;
-  double scale_mm_per_unit = 0.0;  // 0: not stated, so 1, and it is asked where that is implausible
+  double scale_mm_per_unit = 0.0;  // 0: not given, so 1, with a question if that is implausible
 };
 
 struct Timed {
@@ -123,7 +123,7 @@ void printAsTable(const std::string& path, const Timed& timed, const MeshOptions
   }
 }
 
-/// A file that cannot be opened is no input at all; one that is no mesh is bad input.
+/// A file that cannot be opened is a file error; one that is not a mesh is bad input.
 Exit exitOfMesh(const std::string& path) {
   return system::NamedFile::open(path, "a mesh") ? Exit::BadInput : Exit::File;
 }
@@ -159,14 +159,14 @@ Exit showMeshes(const MeshOptions& options, const Streams& streams) {
 }  // namespace
 
 void addMesh(Command program, const Streams& streams, Exit& exit) {
-  const Command command = program.add("mesh", "Mesh files: what they hold, what is repaired, how they can be felt");
+  const Command command = program.add("mesh", "Mesh files: their contents, repairs, and how they can be felt");
   command.mustChoose();
   const Command showing = command.add(
-      "info", "Load meshes (STL, OBJ, PLY, OFF) as a scene would, and say what was found and what was repaired");
+      "info", "Load meshes (STL, OBJ, PLY, OFF) as a scene would, and report what was found and what was repaired");
   const auto options = std::make_shared<MeshOptions>();
   showing.option("files", options->files, "Mesh files").required();
-  showing.flag("--json", options->json, "One JSON object a file in place of a table");
-  showing.option("--scale_mm_per_unit", options->scale_mm_per_unit, "How long a unit of the file is, mm").positive();
+  showing.flag("--json", options->json, "One JSON object per file instead of a table");
+  showing.option("--scale_mm_per_unit", options->scale_mm_per_unit, "Length of the file's unit, mm").positive();
   showing.whenChosen([options, &streams, &exit] { exit = showMeshes(*options, streams); });
 }
 

@@ -49,7 +49,7 @@ void checkKeys(const Value& object, Problems& problems) {
       problems.push_back({"Unknown key \"" + key + "\"; the keys of a line are \"p_mm\" and \"R_WT\"."});
     } else if (std::find(object.keys.begin(), object.keys.begin() + static_cast<std::ptrdiff_t>(index), key) !=
                object.keys.begin() + static_cast<std::ptrdiff_t>(index)) {
-      problems.push_back({"The key \"" + key + "\" stands there twice."});
+      problems.push_back({"The key \"" + key + "\" appears twice."});
     }
   }
 }
@@ -67,11 +67,11 @@ Result<PoseLine> readPoseLine(std::string_view text) {
   PoseLine line;
   const Value* p_mm = object.find("p_mm");
   if (p_mm == nullptr) {
-    problems.push_back({"\"p_mm\" is missing: the stylus's place, three numbers."});
+    problems.push_back({"\"p_mm\" is missing: the position of the tip, three numbers."});
   } else if (!readVector(*p_mm, p_WT_mm)) {
     problems.push_back({"\"p_mm\" must be three finite numbers."});
   } else if (p_WT_mm.cwiseAbs().maxCoeff() > kFarthestTip_mm) {
-    problems.push_back({"\"p_mm\" lies beyond 1e100 mm."});
+    problems.push_back({"\"p_mm\" is beyond 1e100 mm."});
   }
   const Value* R_WT = object.find("R_WT");
   if (R_WT != nullptr && !(readMatrix(*R_WT, line.R_WT) && isRotation(line.R_WT))) {

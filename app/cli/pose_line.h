@@ -6,7 +6,7 @@
 
 namespace underact::cli {
 
-/// A stylus as a line of a stream tells it, in SI.
+/// The pose of a stylus from a line of a stream, in SI.
 struct PoseLine {
   Vec3 p_WT = Vec3::Zero();
   Mat3 R_WT = Mat3::Identity();

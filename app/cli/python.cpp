@@ -33,7 +33,7 @@ sys.modules['underact'] = package = importlib.util.module_from_spec(spec)
 if spec.loader: spec.loader.exec_module(package)
 runpy.run_module('underact', run_name='__main__', alter_sys=True))";
 
-/// Debian's, where there is one: it is the one that has Debian's libraries.
+/// Debian's, if it exists: it has Debian's libraries.
 std::string interpreter() {
   const char* const chosen = std::getenv("UNDERACT_PYTHON");
   if (chosen != nullptr && *chosen != '\0') return chosen;

@@ -8,8 +8,8 @@ Problems Recording::check(const std::string& path, system::Existing existing) {
   if (path.empty()) return {};
   Problems problems = system::checkNew(path, existing);
   if (!problems.empty() && system::checkNew(path, system::Existing::Replace).empty())
-    problems.front().sentence =
-        oneAfterAnother({problems.front().sentence, "With --overwrite it is replaced; what a link leads to stays."});
+    problems.front().sentence = oneAfterAnother(
+        {problems.front().sentence, "With --overwrite it is replaced; the target of a link is not changed."});
   return problems;
 }
 

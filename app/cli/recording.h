@@ -13,14 +13,14 @@ class Recording {
  public:
   /// Whether a file may be made at path, before anything runs. Problems: those of checkNew(), with the way out.
   static Problems check(const std::string& path, system::Existing existing);
-  /// Before the first tick. options: of a session; existing of both. Problems: the file cannot be made.
+  /// Before the first tick. options: of a session; existing of both. Problems: the file could not be created.
   static Result<Recording> start(servo::Host& host, const std::string& path, const record::SessionWords& words,
                                  const record::RecorderOptions& options);
-  /// Of a CSV file; a session has its own way to the ticks.
+  /// For a CSV file; a session gets the ticks from the servo itself.
   void add(const servo::TickRecord& record) {
     if (csv_) csv_->add(record);
   }
-  /// It takes no more; close() says why.
+  /// It cannot be written further; close() gives the reason.
   bool hasFailed() const;
   Problems close();
 

@@ -60,8 +60,9 @@ Result<Registration> fromFile(const RegisterOptions& options) {
   if (!points_mm) problems.insert(problems.end(), points_mm.problems().begin(), points_mm.problems().end());
   if (!problems.empty()) return problems;
   if (marks_D.value().size() != points_mm.value().size()) {
-    return Problems{{"There are " + std::to_string(marks_D.value().size()) + " marks and " +
-                         std::to_string(points_mm.value().size()) + " points. Give a line for each mark, in its order.",
+    return Problems{{"There are " + std::to_string(marks_D.value().size()) + " reference points and " +
+                         std::to_string(points_mm.value().size()) +
+                         " touched points. Give one line per reference point, in order.",
                      {options.points, 1, 1}}};
   }
   Registration registration;
@@ -70,7 +71,7 @@ Result<Registration> fromFile(const RegisterOptions& options) {
   return registration;
 }
 
-/// From an arm, with a person at it.
+/// From an arm that a person moves.
 Result<Registration> fromArm(const RegisterOptions& options, const Streams& streams, Exit& wrong) {
   constexpr int kRate_hz = 1000;
   const Result<std::vector<Vec3>> marks_D = marksOf(options.marks);
@@ -82,7 +83,7 @@ Result<Registration> fromArm(const RegisterOptions& options, const Streams& stre
   Registration registration;
   registration.arm = device::armKey(options.device, arm.value()->info());
   const system::Interrupt interrupt(system::Reader::MayGo);
-  streams.err << "No force is sent. Marks are touched in the order of their numbers.\n";
+  streams.err << "No force is sent. Touch the reference points in the order of their numbers.\n";
   Result<std::vector<Touch>> touches =
       device::touchMarks(std::move(arm).value(), preset, kRate_hz, marks_D.value(),
                          {[&streams](const std::string& sentence) { streams.err << sentence << std::endl; },
@@ -93,7 +94,7 @@ Result<Registration> fromArm(const RegisterOptions& options, const Streams& stre
   return registration;
 }
 
-/// Whether it would mislead: it is not kept then.
+/// Whether it would mislead: then it is not saved.
 bool isWrong(const std::vector<registration::Warning>& warnings) {
   return std::any_of(warnings.begin(), warnings.end(), [](const registration::Warning& one) {
     return one.kind == registration::Warning::Kind::Order || one.kind == registration::Warning::Kind::Residual;
@@ -132,11 +133,11 @@ Exit registerIt(const RegisterOptions& options, const Streams& streams) {
     printRegistration(registration, streams.out);
   for (const registration::Warning& warning : warnings) streams.err << warning.sentence << '\n';
   if (isWrong(warnings)) {
-    if (options.keep || !options.out.empty()) streams.err << "It was not kept.\n";
+    if (options.keep || !options.out.empty()) streams.err << "It was not saved.\n";
     return Exit::BadInput;
   }
   if (options.keep && registration.arm.empty()) {
-    streams.err << "--keep: say with --of which arm this is of, as in --of wooden:0042.\n";
+    streams.err << "--keep: name the arm with --of, as in --of wooden:0042.\n";
     return Exit::Usage;
   }
   return keepIt(options, registration, streams);
@@ -146,47 +147,49 @@ Exit registerIt(const RegisterOptions& options, const Streams& streams) {
 
 void addRegister(Command program, const Streams& streams, Exit& exit) {
   const Command command = program.add(
-      "register", "Where an arm stands on the desk, from marks that its tip has touched; how exact that is");
+      "register", "The pose of an arm on the desk, from reference points that its tip touches, and its accuracy");
   const auto options = std::make_shared<RegisterOptions>();
   command
       .option("--marks", options->marks,
-              "3 to 8 marks of the program's sheet, or a file: a line a mark, mm to the right, away, up")
+              "3 to 8 reference points of the printed sheet, or a file: one line per reference point, mm to the right, "
+              "away from you, up")
       .showUsual();
-  const Option points =
-      command.option("--points", options->points,
-                     "A file of the touched points: a line a mark, x, y and z of W in mm; or a registration (.json)");
+  const Option points = command.option(
+      "--points", options->points,
+      "A file of the touched points: one line per reference point, x, y and z in W, mm; or a registration (.json)");
   const Option device =
       command.option("--device", options->device, "Touch them now with the arm KIND or KIND:ADDRESS, without force");
-  const Option accuracy = command.flag("--accuracy", options->accuracy,
-                                       "What errors of the touches come to in the workspace, drawn by seed");
+  const Option accuracy =
+      command.flag("--accuracy", options->accuracy, "The registration error that results from errors of touching");
   points.excludes(device).excludes(accuracy);
   device.excludes(accuracy);
-  command.option("--of", options->of, "Of which arm it is, where it is not --device that says so");
+  command.option("--of", options->of, "The arm it belongs to, if --device does not say so");
   std::vector<std::string> arms;
   for (const arm::Preset& preset : arm::presets()) arms.push_back(preset.name);
-  command.option("--arm", options->arm, "The geometry of the arm that touches").needs(device).showUsual().oneOf(arms);
+  command.option("--arm", options->arm, "Geometry of the arm that touches them").needs(device).showUsual().oneOf(arms);
   command.option("--out", options->out, "Write the registration to this file");
-  command.flag("--keep", options->keep, "Keep it as that of its arm, for the window");
-  command.option("--wait_s", options->wait_s, "How long a press is waited for, s")
+  command.flag("--keep", options->keep, "Save it for its arm, where the window finds it");
+  command.option("--wait_s", options->wait_s, "Time to wait for each press, s")
       .needs(device)
       .range(0.1, 3600.0)
       .showUsual();
-  command.option("--draws", options->draws, "Registrations for a row")
+  command.option("--draws", options->draws, "Number of simulated registrations per row")
       .needs(accuracy)
       .range(10, 10'000'000)
       .showUsual();
-  command.option("--seed", options->seed, "Of the draws").needs(accuracy).showUsual();
-  command.flag("--json", options->json, "JSON in place of the table");
+  command.option("--seed", options->seed, "Seed of the simulated registrations").needs(accuracy).showUsual();
+  command.flag("--json", options->json, "JSON instead of the table");
   command.footer(
-      "Touch the marks in the order of their numbers. Exit status 1 where they were touched in another order, or one "
-      "of\nthem far beside its place: nothing is kept then.");
+      "Touch the reference points in the order of their numbers. Exit status 1 if they were touched in another order, "
+      "or one\n"
+      "of them far from its position: nothing is saved then.");
   command.whenChosen([options, &streams, &exit] {
     if (options->accuracy) {
       printAccuracy(options->draws, options->seed, options->json, streams.out);
       return;
     }
     if (options->points.empty() && options->device.empty())
-      options::refuse("register: takes --points, --device or --accuracy");
+      options::refuse("register: give --points, --device or --accuracy");
     exit = registerIt(*options, streams);
   });
 }

@@ -81,7 +81,8 @@ void printRegistration(const Registration& registration, std::ostream& out) {
   }
   table.printText(out);
   const registration::ErrorInTheMiddle middle = errorInTheMiddle(registration.touches, registration.fit);
-  out << line("Points beside their marks: %.2f mm (root mean square)\n", mm(registration.fit.rms_m))
+  out << line("Distance of the points from their reference points: %.2f mm (root mean square)\n",
+              mm(registration.fit.rms_m))
       << line("Expected error in the middle of the workspace: %.2f mm", mm(middle.expected_m))
       << line(", in 19 of 20 registrations at most %.2f mm\n", mm(middle.likely_most_m));
 }

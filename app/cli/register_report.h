@@ -9,13 +9,13 @@
 
 namespace underact::cli {
 
-// What `register` says of a registration: for programs and for people.
+// The output of `register`, for programs and for people.
 
 JsonObject registrationObject(const registration::Registration& registration,
                               const std::vector<registration::Warning>& warnings);
 void printRegistration(const registration::Registration& registration, std::ostream& out);
 
-/// The error in the middle of the workspace for each number of marks and errors of the touches of 0.1 to 1 mm.
+/// The error in the middle of the workspace for each number of reference points and errors of touching of 0.1 to 1 mm.
 void printAccuracy(int draws, std::uint64_t seed, bool json, std::ostream& out);
 
 }  // namespace underact::cli

@@ -31,10 +31,10 @@ struct ReplayOptions {
   std::vector<std::string> files_in, settings;
   bool verify = false, overwrite = false;
   std::optional<double> kp_N_per_mm, kd_N_s_per_mm, ki_N_per_mm_s, t;
-  std::optional<std::size_t> law;  // by its place among the words
+  std::optional<std::size_t> law;  // index among the words
   system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
   bool isWhatIf() const { return !scene.empty() || !wishesFor({}).empty() || t; }
-  /// Each option that stands for a setting, then those of --set. An influence is wished for where the scene has one.
+  /// Each option that stands for a setting, then those of --set. An influence is set only if the scene has one.
   std::vector<std::string> wishesFor(const scene::Description& scene) const;
 };
 
@@ -98,7 +98,7 @@ class Comparison {
   double square_apart_N2_ = 0.0, most_apart_N_ = 0.0;
 };
 
-/// Where the meshes and curves of a recording are looked for: where the person says, then in the scenes that ship.
+/// Where the meshes and curves of a recording are searched: in the given folders, then in the scenes that ship.
 std::vector<std::string> foldersOf(const ReplayOptions& options) {
   std::vector<std::string> folders = options.files_in;
   const Result<std::string> shipped = system::findResource(system::Resource::Scenes);
@@ -123,15 +123,15 @@ Exit verifyTicks(record::Session& session, const ReplayOptions& options, const S
   if (verified.value().differs) {
     object.addInteger("first_difference_tick", verified.value().differs->tick);
     object.addText("first_difference_column", verified.value().differs->column);
-    streams.err << "Tick " << verified.value().differs->tick
-                << " comes out otherwise: " << verified.value().differs->column << ".\n";
+    streams.err << "Tick " << verified.value().differs->tick << " differs: " << verified.value().differs->column
+                << ".\n";
   }
   if (!verified.value().unknown.empty()) streams.err << verified.value().unknown << '\n';
   streams.out << object.text() << '\n';
   return same ? Exit::Well : Exit::BadInput;
 }
 
-/// The recorded scene, or another, with the gains that were asked for.
+/// The recorded scene, or another, with the requested gains.
 Result<scene::Description> wantedScene(const ReplayOptions& options, record::Session& session, const Streams& streams) {
   scene::Description scene;
   if (!options.scene.empty()) {
@@ -185,7 +185,7 @@ Exit compare(record::Session& session, const ReplayOptions& options, const Strea
 
 Exit replay(const ReplayOptions& options, const Streams& streams) {
   if (options.verify && options.isWhatIf()) {
-    streams.err << "--verify compares with the scene as it was recorded; leave --scene and the gains out.\n";
+    streams.err << "--verify compares with the recorded scene; omit --scene and the gains.\n";
     return Exit::Usage;
   }
   if (const Problems problems = Recording::check(options.record, options.existing()); !problems.empty())
@@ -193,7 +193,7 @@ Exit replay(const ReplayOptions& options, const Streams& streams) {
   Result<record::Session> session = record::Session::open(options.file);
   if (!session) return fail(session.problems(), streams);
   if (session.value().info().ticks == 0) {
-    streams.err << "There is no tick in this session.\n";
+    streams.err << "This session contains no ticks.\n";
     return Exit::BadInput;
   }
   return options.verify ? verifyTicks(session.value(), options, streams) : compare(session.value(), options, streams);
@@ -203,28 +203,27 @@ Exit replay(const ReplayOptions& options, const Streams& streams) {
 
 void addReplay(Command program, const Streams& streams, Exit& exit) {
   const Command command = program.add(
-      "replay", "Run a recorded hand through the tick again: to the bit, or with other gains or another scene");
+      "replay", "Run a recorded hand through the tick again: bit-identical, or with other gains or another scene");
   const auto options = std::make_shared<ReplayOptions>();
   command.option("file", options->file, "Session file").required();
   command.flag("--verify", options->verify, "Compare every tick with the recording to the last bit");
   command.option("--scene", options->scene, "Another scene for the recorded hand");
   command
       .option("--files", options->files_in,
-              "Folders of the recorded scene's meshes and curves, where they are not beside the session")
+              "Folders of the recorded scene's meshes and curves, if they are not beside the session")
       .expected(1, -1)
       .word("FOLDER");
   command.option("--kp", options->kp_N_per_mm, "Another stiffness, N/mm").nonNegative();
   command.option("--kd", options->kd_N_s_per_mm, "Another damping, N s/mm").nonNegative();
   command.option("--ki", options->ki_N_per_mm_s, "Another integral gain, N/(mm s)").nonNegative();
-  command.option("--t", options->t, "Another influence, 0 to 1").range(0.0, 1.0);
-  command.choice("--law", scene::findSetting("/control/law")->words(), options->law, "Another law");
-  addSet(
-      command, options->settings,
-      "Another value of a setting, by its path in the scene file, as /constraints/0/friction/static=0.4, or its key, "
-      "as kp_N_per_mm=0.1, of all constraints that have it");
+  command.option("--t", options->t, "Another influence factor").range(0.0, 1.0);
+  command.choice("--law", scene::findSetting("/control/law")->words(), options->law, "Another control law");
+  addSet(command, options->settings,
+         "Another value of a setting: by its path in the scene file, as in /constraints/0/friction/static=0.4, or by "
+         "its key, as in kp_N_per_mm=0.1, for all constraints that have it");
   const Option recording =
-      command.option("--record", options->record, "Write the ticks as they are now to this new CSV file");
-  command.flag("--overwrite", options->overwrite, "Replace the file of --record where there is one").needs(recording);
+      command.option("--record", options->record, "Write the ticks of the new run to this new CSV file");
+  command.flag("--overwrite", options->overwrite, "Replace the file of --record if it exists").needs(recording);
   command.whenChosen([options, &streams, &exit] { exit = replay(*options, streams); });
 }
 

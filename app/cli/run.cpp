@@ -60,7 +60,7 @@ struct RunOptions {
   system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
 };
 
-/// "name: sentence" a line, for --help.
+/// "name: sentence" per line, for --help.
 template <class Named, class Words>
 std::string namedList(const char* title, std::span<const Named> named, Words Named::*what) {
   std::string list = title;
@@ -68,7 +68,7 @@ std::string namedList(const char* title, std::span<const Named> named, Words Nam
   return list;
 }
 
-/// A run in progress: takes the ticks as they come, up to the number asked for.
+/// A run in progress: takes the ticks as they come, up to the requested number.
 class Run {
  public:
   Run(std::int64_t wanted, std::optional<Recording> recording, std::optional<stream::LiveStream> live,
@@ -84,7 +84,7 @@ class Run {
     });
     if (recording_ && recording_->hasFailed() && !told_) {
       told_ = true;
-      streams_.err << "The recording stopped: its file takes no more. The run goes on.\n";
+      streams_.err << "The recording stopped: its file could not be written further. The run goes on.\n";
     }
     progress_.show(static_cast<double>(summary_.ticks()) / static_cast<double>(wanted_));
   }
@@ -121,10 +121,10 @@ void runInRealTime(servo::Host& host, Run& run, const system::Interrupt& interru
   }
 }
 
-/// Has the summary tell of every fault, and keeps the first in a file where one was asked for.
+/// Adds every fault to the summary, and writes the first to a file if requested.
 Problems tellFaults(servo::Host& host, Run& run, const std::string& file, const Streams& streams) {
   Problems problems;
-  bool first = run.summary().faulted();  // one that came after the last tick asked for is none of this run
+  bool first = run.summary().faulted();  // one after the last requested tick does not belong to this run
   while (const std::optional<servo::FaultReport> report = host.takeFault()) {
     run.tell(*report);
     if (!report->trouble.empty()) streams.err << report->trouble << '\n';
@@ -141,13 +141,14 @@ struct Prepared {
   sim::ArmModel model;
 };
 
-/// Empty: the options go together.
+/// Empty: the options are compatible.
 std::string wrongIn(const RunOptions& options) {
   if (options.isSimulated())
     return options.hand.empty() ? "--hand: somebody has to hold the simulated arm. Give a built-in hand, or a file."
                                 : "";
-  if (!options.hand.empty()) return "--hand: an arm that is none of the simulation's is held by you. Leave it out.";
-  return options.fast ? "--fast: an arm that is none of the simulation's has its own time. Leave it out." : "";
+  if (!options.hand.empty())
+    return "--hand: only the simulated arm has a scripted hand; you hold this arm yourself. Omit --hand.";
+  return options.fast ? "--fast: only the simulated arm can run faster than real time. Omit --fast." : "";
 }
 
 /// The scene with every control in that space (empty: as it is), and in the mirror where it is for the left hand.
@@ -167,7 +168,7 @@ Result<LoadedScene> asAsked(LoadedScene loaded, const RunOptions& options) {
   return loaded;
 }
 
-/// Empty: something was wrong, has been told, and exit says what.
+/// Empty: something was wrong; it has been printed, and exit is its status.
 std::optional<Prepared> prepare(const RunOptions& options, const Streams& streams, Exit& exit) {
   Result<LoadedScene> scene = loadScene(options.scene, streams);
   if (!scene) {
@@ -209,19 +210,19 @@ Result<std::unique_ptr<servo::DevicePort>> makeArm(const RunOptions& options, co
   return std::unique_ptr<servo::DevicePort>(std::move(simulated));
 }
 
-/// A session that nobody named says what was run.
+/// The name of an unnamed session: what was run.
 record::SessionWords wordsOf(const RunOptions& options) {
   record::SessionWords words = options.words;
   if (words.name.empty()) words.name = std::filesystem::path(options.scene).stem().string();
   if (words.notes.empty() && options.isSimulated()) {
     const auto named = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
     words.notes = "Hand " + named(options.hand) + ", seed " + std::to_string(options.seed) + ", arm model " +
-                  named(options.arm_model) + ".";  // files by their names: nobody's folders are in a session
+                  named(options.arm_model) + ".";  // files by their names: no folders of a person are in a session
   }
   return words;
 }
 
-/// Opens what the ticks go to besides the summary, as far as it was asked for.
+/// Opens the requested destinations of the ticks besides the summary.
 Exit startListeners(const RunOptions& options, std::int64_t ticks, servo::Host& host,
                     std::optional<Recording>& recording, std::optional<stream::LiveStream>& live,
                     const Streams& streams) {
@@ -271,7 +272,7 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   Run run(ticks, std::move(recording), std::move(live), streams);
   options.fast ? runFast(host, run, interrupt) : runInRealTime(host, run, interrupt, streams);
   if (const std::int64_t dropped = host.snapshot().dropped; dropped > 0) {
-    streams.err << dropped << " ticks were lost on their way here, because the machine was too busy.\n";
+    streams.err << dropped << " ticks were not received, because the machine was too busy.\n";
   }
   const Problems unkept = tellFaults(host, run, options.fault_file, streams);
   const std::string scheduling = options.fast ? "as fast as possible" : host.scheduling().name;
@@ -294,43 +295,46 @@ std::string checkSeconds(const std::string& text) {
 
 void addRun(Command program, const Streams& streams, Exit& exit) {
   const Command command =
-      program.add("run", "Run a scene on the simulated arm, held by a scripted hand, or on another arm");
+      program.add("run", "Run a scene on the simulated arm, held by a scripted hand, or on another arm, held by you");
   const auto options = std::make_shared<RunOptions>();
   command.option("scene", options->scene, "Scene file").required();
-  command.option("--hand", options->hand, "A built-in hand, or a hand file: who holds the simulated arm");
-  command.option("--seconds", options->seconds, "How long, by the arm's clock").required().check(checkSeconds);
-  command.option("--max-late", options->max_late, "Ticks in a row a whole period late that are borne")
+  command.option("--hand", options->hand, "The hand that holds the simulated arm: a built-in hand, or a hand file");
+  command.option("--seconds", options->seconds, "Duration by the arm's clock, s").required().check(checkSeconds);
+  command
+      .option("--max-late", options->max_late,
+              "Permitted number of consecutive ticks that are a whole period late; more are a fault")
       .showUsual()
       .range(1, 1'000'000);
-  command.option("--rate", options->rate_hz, "Ticks a second").showUsual().range(100, 10000);
-  command.flag("--fast", options->fast, "As fast as the machine allows; the same numbers as in real time");
-  command.option("--seed", options->seed, "Of all that is random").showUsual().nonNegative();
+  command.option("--rate", options->rate_hz, "Ticks per second").showUsual().range(100, 10000);
+  command.flag("--fast", options->fast, "Run as fast as the machine allows, with the same numbers as in real time");
+  command.option("--seed", options->seed, "Seed of everything that is random").showUsual().nonNegative();
   const Option recording =
       command.option("--record", options->record,
-                     "Write every tick to this new file: CSV where its name ends in .csv, else a session");
-  command.flag("--overwrite", options->overwrite, "Replace the file of --record where there is one").needs(recording);
-  command.option("--record-block_s", options->block_s, "How much of a session is written at a time")
+                     "Write every tick to this new file: as CSV if its name ends in .csv, else as a session");
+  command.flag("--overwrite", options->overwrite, "Replace the file of --record if it exists").needs(recording);
+  command.option("--record-block_s", options->block_s, "Interval at which a session is written, s")
       .showUsual()
       .range(record::kShortestBlock_s, record::kLongestBlock_s);
-  command.option("--name", options->words.name, "Of the session; by itself the scene file's");
-  command.option("--notes", options->words.notes, "On the session");
-  command.option("--tags", options->words.tags, "Of the session: words with commas between");
-  command.option("--subject", options->words.subject, "Whose hand it is: a code, and nothing personal");
+  command.option("--name", options->words.name, "Name of the session; by default that of the scene file");
+  command.option("--notes", options->words.notes, "Notes on the session");
+  command.option("--tags", options->words.tags, "Tags of the session, separated by commas");
+  command.option("--subject", options->words.subject, "Code for the person whose hand it is; nothing personal");
   command.option("--consent", options->words.consent,
                  "What that person agreed to, and how: the consent form's version and date");
   command
       .option("--stream", options->stream,
-              "Send ticks as JSON over UDP (PlotJuggler): PORT, HOST or HOST:PORT; this machine's 9870 by itself")
+              "Send ticks as JSON over UDP (PlotJuggler) to PORT, HOST or HOST:PORT; by default to port 9870 of this "
+              "machine")
       .expected(0, 1)
       .usual(std::to_string(stream::kPort));
   command.option("--fault-file", options->fault_file,
-                 "Where the servo stops by a fault, write it here, with its last second of ticks");
-  command.option("--space", options->space, "Where the control works, in place of what the scene says")
+                 "If a fault stops the servo, write it to this file, with the last second of ticks");
+  command.option("--space", options->space, "Space of the control, instead of the scene's")
       .oneOf({"cartesian", "joint"});
-  command.flag("--left-handed", options->left_handed, "The scene's mirror image, for the stylus in the left hand");
+  command.flag("--left-handed", options->left_handed, "Mirror the scene, for the stylus in the left hand");
   command
       .option("--device", options->device,
-              "The arm, KIND or KIND:ADDRESS, as underact-cli devices lists it; it pushes at once")
+              "The arm, KIND or KIND:ADDRESS, as underact-cli devices lists it; it exerts force at once")
       .showUsual();
   addArmModelOption(command, options->arm_model);
   options::addSchedulingOptions(command, options->scheduling);

@@ -11,11 +11,11 @@
 
 namespace underact::cli {
 
-/// What a run was like: figures over its ticks.
+/// The statistics of a run over its ticks.
 class RunSummary {
  public:
   void add(const servo::TickRecord& record);
-  /// What the servo says of a fault, with the numbers that a row has no room for. tick: that found it.
+  /// The servo's report of a fault, with the numbers that a row does not hold. tick: the one that found it.
   void tell(std::int64_t tick, const Fault& fault);
   std::int64_t ticks() const { return figures_.ticks(); }
   bool faulted() const { return !faults_.empty(); }
@@ -46,7 +46,7 @@ class RunSummary {
   servo::Histogram tick_time_;
 };
 
-/// {"p50", "p99", "p99.9", "max"}, us; null where a number is not finite.
+/// {"p50", "p99", "p99.9", "max"}, us; null if a number is not finite.
 JsonObject percentilesObject(const servo::Percentiles& values);
 
 }  // namespace underact::cli

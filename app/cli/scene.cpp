@@ -54,7 +54,7 @@ const char* lawName(const scene::Control& control) {
   return "P";
 }
 
-/// How a virtual manipulator's joints are found; null for others.
+/// How a virtual robot's joints are found; null for other constraints.
 const char* solverOf(const tick::Entry& entry) {
   const auto* robot = std::get_if<manipulator::Manipulator>(&entry.constraint.goal);
   if (robot == nullptr) return nullptr;
@@ -101,7 +101,7 @@ void describeAsTable(const LoadedScene& loaded, std::ostream& out) {
     row(std::string("needs ") + word) << (needed ? "yes" : "no") << '\n';
   }
   row("state") << tick::bytesOf(tick::makeState(loaded.program)) << " bytes\n";
-  row("predicted") << std::llround(tick::predictedCost_ns(loaded.program)) << " ns a tick\n";
+  row("predicted") << std::llround(tick::predictedCost_ns(loaded.program)) << " ns per tick\n";
 }
 
 Exit showScene(const std::string& path, bool json, const Streams& streams) {
@@ -121,17 +121,17 @@ void addScene(Command program, const Streams& streams, Exit& exit) {
   const Command command = program.add("scene", "Check scene files, or show what one compiles to");
   command.mustChoose();
 
-  const Command checking = command.add("check", "Print every problem of scene files; nothing when all is well");
+  const Command checking = command.add("check", "Print all problems in scene files; nothing if there are none");
   const auto paths = std::make_shared<std::vector<std::string>>();
   checking.option("files", *paths, "Scene files").required();
   checking.whenChosen([paths, &streams, &exit] { exit = checkSceneFiles(*paths, streams); });
 
-  const Command showing =
-      command.add("show", "What a scene compiles to: the quantities its tick needs, bytes of state, predicted ns");
+  const Command showing = command.add(
+      "show", "Show what a scene compiles to: the quantities that its tick needs, bytes of state, predicted ns");
   const auto path = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
   showing.option("file", *path, "Scene file").required();
-  showing.flag("--json", *json, "One JSON object in place of a table");
+  showing.flag("--json", *json, "One JSON object instead of a table");
   showing.whenChosen([path, json, &streams, &exit] { exit = showScene(*path, *json, streams); });
 }
 

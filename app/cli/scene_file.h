@@ -9,7 +9,7 @@
 
 namespace underact::cli {
 
-/// A scene as its file says it and as the tick runs it.
+/// A scene as described in its file and as the tick runs it.
 struct LoadedScene {
   scene::Description description;
   tick::TickProgram program;
@@ -18,13 +18,13 @@ struct LoadedScene {
 /// With its meshes; their progress on streams.err.
 Result<LoadedScene> loadScene(const std::string& path, const Streams& streams);
 
-/// One line a problem.
+/// One line per problem.
 void print(const Problems& problems, std::ostream& stream);
 
-/// File where something could not be read at all; else BadInput.
+/// File if something could not be read at all; else BadInput.
 Exit exitOf(const Problems& problems);
 
-/// Tells them and ends with `exit`, or as exitOf() says.
+/// Prints them and returns `exit`, or exitOf().
 Exit fail(const Problems& problems, Exit exit, const Streams& streams);
 Exit fail(const Problems& problems, const Streams& streams);
 

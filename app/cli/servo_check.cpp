@@ -102,15 +102,15 @@ void printCheck(std::ostream& out, const servo::CheckResult& result, const Servo
   for (const std::string& phrase : result.scheduling.also) out << ", " << phrase;
   out << '\n'
       << result.ticks << " ticks at " << options.check.rate_hz << " Hz, in " << std::fixed << std::setprecision(1)
-      << result.seconds << " s shared with a bare loop" << (options.check.load ? ", each core kept busy" : "")
+      << result.seconds << " s shared with a bare loop" << (options.check.load ? ", every core kept busy" : "")
       << "\n\n";
   out << std::left << std::setw(26) << "us" << std::right;
   for (const char* column : {"p50", "p99", "p99.9", "max"}) out << std::setw(11) << column;
   out << '\n';
-  printPercentiles(out, "lateness of a bare loop", result.floor);
-  printPercentiles(out, "lateness of the servo", result.servo);
+  printPercentiles(out, "latency of a bare loop", result.floor);
+  printPercentiles(out, "latency of the servo", result.servo);
   printRatios(out, result);
-  printPercentiles(out, "time that a tick takes", result.tick_time);
+  printPercentiles(out, "duration of a tick", result.tick_time);
   out << "\nA period or more late: " << result.late.total;
   const char* separator = " (";
   for (std::size_t cause = 0; cause < servo::kLateCauses; ++cause) {
@@ -121,7 +121,7 @@ void printCheck(std::ostream& out, const servo::CheckResult& result, const Servo
   out << (result.late.total > 0 ? ")" : "") << "; left out: " << result.late.left_out << '\n';
 }
 
-/// progress for checkServo(): tells how far it is, and ends it on Ctrl+C.
+/// progress for checkServo(): prints it, and ends the check on Ctrl+C.
 std::function<bool(double)> reporter(const Streams& streams, const system::Interrupt& interrupt) {
   return [&streams, &interrupt, shown_percent = -1](double share) mutable {
     const int percent = static_cast<int>(100.0 * share);
@@ -156,18 +156,18 @@ Exit checkIt(const ServoCheckOptions& options, const Streams& streams) {
 }  // namespace
 
 void addServoCheck(Command program, const Streams& streams, Exit& exit) {
-  const Command command =
-      program.add("servo-check", "Measure how late the servo's ticks are, beside the least this machine can do");
+  const Command command = program.add(
+      "servo-check", "Measure the latency of the servo, compared with the least that this machine can achieve");
   const auto options = std::make_shared<ServoCheckOptions>();
-  command.option("--seconds", options->check.seconds, "How long in all; half of it is the bare loop's")
+  command.option("--seconds", options->check.seconds, "Total duration, s; half of it for a bare loop")
       .showUsual()
       .range(1, kLongestCheck_s);
-  command.option("--rate", options->check.rate_hz, "Ticks a second").showUsual().range(100, 10000);
-  command.flag("--load", options->check.load, "Keep each core busy meanwhile");
-  command.option("--scene", options->scene, "Scene file; without it a sphere");
+  command.option("--rate", options->check.rate_hz, "Ticks per second").showUsual().range(100, 10000);
+  command.flag("--load", options->check.load, "Keep every core busy meanwhile");
+  command.option("--scene", options->scene, "Scene file; by default a sphere");
   addArmModelOption(command, options->arm_model);
   options::addSchedulingOptions(command, options->check.scheduling);
-  command.flag("--json", options->json, "One JSON object in place of the table");
+  command.flag("--json", options->json, "One JSON object instead of the table");
   command.whenChosen([options, &streams, &exit] { exit = checkIt(*options, streams); });
 }
 

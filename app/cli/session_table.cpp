@@ -14,7 +14,7 @@ std::string startedAt(const record::SessionInfo& info) {
   return record::isoTime(info.header.started_unix_ns / 1'000'000'000);
 }
 
-/// Those that the servo stopped by; what ticks were told of leads to one of them.
+/// The faults that stopped the servo; those reported in ticks lead to one of them.
 std::vector<servo::FaultMark> stops(const record::Session& session) {
   std::vector<servo::FaultMark> found;
   std::copy_if(session.faults().begin(), session.faults().end(), std::back_inserter(found),
@@ -88,7 +88,8 @@ void printAsTable(record::Session& session, std::ostream& out) {
   row("started") << startedAt(info) << '\n';
   row("ticks") << info.ticks << " at " << info.header.rate_hz << " Hz\n";
   row("duration") << info.duration_s << " s\n";
-  row("closed") << (info.isComplete() ? record::name(info.end->reason) : "no: recording, or killed; see log recover")
+  row("closed") << (info.isComplete() ? record::name(info.end->reason)
+                                      : "no: being recorded, or killed; see log recover")
                 << '\n';
   if (info.dropped > 0) row("dropped") << info.dropped << " ticks\n";
   row("scene") << info.header.scene_title << ", "

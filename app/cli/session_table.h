@@ -5,7 +5,7 @@
 
 namespace underact::cli {
 
-/// What a session says of itself: one JSON object on one line, or lines for a person.
+/// The metadata of a session: one JSON object on one line, or lines for a person.
 void printAsJson(record::Session& session, std::ostream& out);
 void printAsTable(record::Session& session, std::ostream& out);
 

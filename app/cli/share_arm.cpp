@@ -32,7 +32,7 @@ struct ShareArmOptions {
   bool force = false, no_passivity = false, new_key = false, show_key = false;
 };
 
-/// What the other computer has to be told to reach an arm that is shared at address here.
+/// The command for the other computer, with which it can reach an arm that is shared here at address.
 std::string trustLine(Address address, const std::string& key) {
   if (address.host == "0.0.0.0" || address.host == "::") address.host = system::computerName();
   return "underact-cli share-arm --trust='" + address.text() + " " + key + "'";
@@ -57,7 +57,7 @@ Exit allow(const KeyFolder& folder, const std::string& words, const Streams& str
   const bool is_key = device::remote::isKey(key);
   const Problems problems = folder.allow(key, key.size() < words.size() ? words.substr(key.size() + 1) : "");
   if (!problems.empty()) return fail(problems, is_key ? Exit::File : Exit::Usage, streams);
-  streams.out << "Allowed from now on, wherever an arm of yours is shared with others: share-arm --listen 0.0.0.0\n";
+  streams.out << "Permitted from now on, for every arm that you share with others: share-arm --listen 0.0.0.0\n";
   return Exit::Well;
 }
 
@@ -65,12 +65,11 @@ void sayWhatIsShared(const device::remote::ShareOptions& options, const Address&
                      Lines& say) {
   say(title + " is shared at " + address.text() + ", " + std::to_string(options.rate_hz) + " Hz, joints of " +
       options.arm.name + (options.allows_force ? ", with force" : ", without force (--force allows it)") +
-      (options.is_passive ? ", kept passive." : ", not kept passive."));
+      (options.is_passive ? ", with passivity control." : ", without passivity control."));
   if (address.isThisMachine()) {
-    say("Your own programs at this computer open it: --device remote:" + address.text());
+    say("Your own programs on this computer open it with --device remote:" + address.text());
   } else {
-    say("Keys that are allowed: " + std::to_string(options.clients.size()) +
-        ". What each of those computers has to be told once:");
+    say("Permitted keys: " + std::to_string(options.clients.size()) + ". Run this once on each of those computers:");
     say("  " + trustLine(address, options.keys.public_key));
   }
 }
@@ -79,8 +78,8 @@ Exit share(const ShareArmOptions& asked, const KeyFolder& folder, const KeyPair&
   const arm::Preset* const preset = arm::findPreset(asked.arm);
   if (preset == nullptr) return fail({{"There is no arm \"" + asked.arm + "\".", {}}}, Exit::Usage, streams);
   if (asked.device == kRemote || asked.device.starts_with(std::string(kRemote) + ":"))
-    return fail({{"An arm that is shared by another program is not shared on. Share it where it is.", {}}}, Exit::Usage,
-                streams);
+    return fail({{"An arm that is shared over the network cannot be shared again. Share it on its own computer.", {}}},
+                Exit::Usage, streams);
   const Result<Address> listen = device::remote::readAddress(asked.listen);
   if (!listen) return fail(listen.problems(), Exit::Usage, streams);
   const Result<std::vector<std::string>> clients = folder.clients();
@@ -101,7 +100,7 @@ Exit share(const ShareArmOptions& asked, const KeyFolder& folder, const KeyPair&
   while (!interrupt.came() && (asked.seconds == 0.0 || std::chrono::steady_clock::now() < end))
     std::this_thread::sleep_for(kBetweenLooks);
   std::move(shared).value().reset();
-  say("Zero force, and no longer shared.");
+  say("Zero force. The arm is no longer shared.");
   return Exit::Well;
 }
 
@@ -112,7 +111,9 @@ Exit perform(const ShareArmOptions& asked, const Streams& streams) {
   const Result<KeyPair> keys = asked.new_key ? folder.makeNew() : folder.own();
   if (!keys) return fail(keys.problems(), Exit::File, streams);
   if (!asked.new_key && !asked.show_key) return share(asked, folder, keys.value(), streams);
-  streams.out << "Your key is " << keys.value().public_key << "\nAt the computer of the arm, once:\n"
+  streams.out << "Your key is " << keys.value().public_key
+              << "\n"
+                 "Run this once on the computer of the arm:\n"
               << "  underact-cli share-arm --allow='" << keys.value().public_key << " " << system::computerName()
               << "'\n";
   return Exit::Well;
@@ -121,33 +122,30 @@ Exit perform(const ShareArmOptions& asked, const Streams& streams) {
 }  // namespace
 
 void addShareArm(Command program, const Streams& streams, Exit& exit) {
-  const Command command = program.add(
-      "share-arm", "Lets one program at a time, here or at another computer, drive an arm of this computer");
+  const Command command =
+      program.add("share-arm", "Let one program at a time, on this computer or another, drive an arm of this computer");
   const auto options = std::make_shared<ShareArmOptions>();
   command.option("--device", options->device, "The arm, KIND or KIND:ADDRESS, as underact-cli devices lists it")
       .showUsual();
-  command.option("--arm", options->arm, "Whose joints the samples are: the arm that scenes name").showUsual();
+  command.option("--arm", options->arm, "The arm that the joint samples belong to, as scenes name it").showUsual();
   command
       .option("--listen", options->listen,
-              "HOST or HOST:PORT of this computer's own; 0.0.0.0 for all of its networks, where only who was "
-              "allowed is let in")
+              "HOST or HOST:PORT of this computer; 0.0.0.0 for all of its networks, for permitted users only")
       .usual(Address{}.text());
-  command.option("--rate", options->rate_hz, "Ticks a second, until a program asks for another rate")
+  command.option("--rate", options->rate_hz, "Ticks per second, until a program requests another rate")
       .showUsual()
       .range(servo::kSlowest_hz, servo::kFastest_hz);
-  command.flag("--force", options->force, "Lets it push; without, it is read alone");
+  command.flag("--force", options->force, "Permit force; without it, the arm is only read");
   command.flag("--no-passivity", options->no_passivity,
-               "Does not damp what the delay of the network makes a wall give away");
+               "Do not damp the energy that a wall generates because of the network's delay");
   command.option(
       "--allow", options->allow,
-      "\"KEY NAME\", as share-arm --show-key prints it there: who may use an arm that is shared with others. "
-      "Shares nothing");
+      "Permit a user: \"KEY NAME\", as share-arm --show-key prints it on that user's computer. Shares nothing");
   command.option("--trust", options->trust,
-                 "\"HOST:PORT KEY\", as share-arm prints it there: an arm that is to be driven from here. Shares "
-                 "nothing");
-  const Option show = command.flag("--show-key", options->show_key, "Prints your key, and shares nothing");
-  command.flag("--new-key", options->new_key, "Makes you another key, prints it, and shares nothing").excludes(show);
-  command.option("--seconds", options->seconds, "How long; 0: until Ctrl+C").range(0.0, 1e9).showUsual();
+                 "Trust an arm: \"HOST:PORT KEY\", as share-arm prints it on the arm's computer. Shares nothing");
+  const Option show = command.flag("--show-key", options->show_key, "Print your key; shares nothing");
+  command.flag("--new-key", options->new_key, "Make a new key and print it; shares nothing").excludes(show);
+  command.option("--seconds", options->seconds, "Duration, s; 0: until Ctrl+C").range(0.0, 1e9).showUsual();
   command.whenChosen([options, &streams, &exit] { exit = perform(*options, streams); });
 }
 

@@ -6,11 +6,11 @@
 
 namespace underact::cli {
 
-/// The files of the scenes that ship with the program, in teaching order. Problem: none were found, and where they were
-/// looked for.
+/// The files of the scenes that ship with the program, in teaching order. Problem: none were found, with the places
+/// that were searched.
 Result<std::vector<std::string>> shippedScenes();
 
-/// The same of the lessons.
+/// Likewise, of the lessons.
 Result<std::vector<std::string>> shippedLessons();
 
 }  // namespace underact::cli

@@ -26,7 +26,7 @@ void addNumber(JsonObject& object, const char* key, const std::optional<double>&
   value ? object.addNumber(key, *value) : object.addNull(key);
 }
 
-/// A number as people read it, or what it means that there is none.
+/// A number as people read it, or the meaning of its absence.
 std::string shown(const std::optional<double>& value, const std::string& unit, const char* none) {
   if (!value) return none;
   char text[32];
@@ -51,7 +51,7 @@ std::string percent(const std::optional<double>& share) {
 
 void printPoles(const lab::TransferFunction& transfer, std::ostream& out) {
   for (const std::complex<double>& pole : lab::poles(transfer)) {
-    if (pole.imag() < 0.0) continue;  // told with its partner
+    if (pole.imag() < 0.0) continue;  // printed with its partner
     row(out, "pole") << shown(pole.real(), "", "");
     if (pole.imag() > 0.0) out << " +- " << shown(pole.imag(), "", "") << "i";
     out << " rad/s\n";
@@ -166,7 +166,7 @@ void printStep(const lab::ArmStep& step, std::ostream& out) {
   line("omega_n", "", shown(fit_omega, "rad/s", "none"), shown(motion.omega_n_rad_per_s, "rad/s", "none"));
   line("zeta", "", shown(fit_zeta, "", "none"), shown(motion.zeta, "", "none"));
   row(out, "steady error") << mm(step.steady_error_m) << '\n';
-  if (step.fit) row(out, "left by the fit") << mm(step.fit->residual) << " (root mean square)\n";
+  if (step.fit) row(out, "residual of the fit") << mm(step.fit->residual) << " (root mean square)\n";
   row(out, "model") << shown(step.model.mass_kg, "kg", "") << ", " << shown(step.model.damping_N_s_per_m, "N s/m", "")
                     << ", no friction (the arm: " << shown(step.friction_N, "N", "") << ")\n";
   printPoles(step.analytic, out);
@@ -175,29 +175,27 @@ void printStep(const lab::ArmStep& step, std::ostream& out) {
 std::string noteOn(const lab::TransferFunction& transfer) {
   switch (lab::behaviourOf(transfer)) {
     case lab::Behaviour::Grows:
-      return "The response grows without end: a pole lies right of the imaginary axis, or twice on it. Nothing can be "
-             "measured of it.";
+      return "The response grows without bound: a pole is to the right of the imaginary axis, or a double pole on it. "
+             "Nothing can be measured.";
     case lab::Behaviour::Drifts:
-      return "The response goes on for ever: a pole lies at 0 (an integrator). It has no final value.";
+      return "The response drifts for ever: a pole is at 0 (an integrator). It has no final value.";
     case lab::Behaviour::Swings:
-      return "The response swings for ever (undamped): the final value is the one about which it swings.";
+      return "The response oscillates for ever (undamped): the final value is the one about which it oscillates.";
     case lab::Behaviour::Settles:
       break;
   }
-  return lab::gainAtRest(transfer) == 0.0 ? "The response ends at 0, so there is nothing that rise and overshoot could "
-                                            "be a share of."
-                                          : "";
+  return lab::gainAtRest(transfer) == 0.0 ? "The response ends at 0, so rise time and overshoot are not defined." : "";
 }
 
 std::vector<std::string> notesOn(const lab::ArmStep& step) {
   std::vector<std::string> notes;
   if (!step.fault.empty()) notes.push_back(step.fault);
   if (step.limited_ticks > 0)
-    notes.push_back("The gate cut the force in " + std::to_string(step.limited_ticks) +
-                    " ticks, so this is no linear response. Make the step smaller, or measure with --no-limits.");
+    notes.push_back("The safety gate reduced the force in " + std::to_string(step.limited_ticks) +
+                    " ticks, so the response is not linear. Make the step smaller, or measure with --no-limits.");
   const double pull_N = step.model.kp_N_per_m * std::abs(step.step_m);
   if (!step.fit && pull_N <= step.friction_N)
-    notes.push_back("The tip did not move: " + shown(pull_N, "N", "") + " do not overcome the arm's friction of " +
+    notes.push_back("The tip did not move: " + shown(pull_N, "N", "") + " does not overcome the arm's friction of " +
                     shown(step.friction_N, "N", "") + ". Make the step larger.");
   return notes;
 }
@@ -232,7 +230,7 @@ Problems writeText(const std::string& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
   file << text << std::flush;
   if (file) return {};
-  return {{"The file could not be written. Check that the folder is there and that the disk has room.", {path}}};
+  return {{"The file could not be written. Check that the folder exists and that the disk has room.", {path}}};
 }
 
 }  // namespace underact::cli

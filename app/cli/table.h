@@ -7,7 +7,7 @@
 
 namespace underact::cli {
 
-/// A table of results: named columns, and rows whose fields are texts, numbers, truths, or empty. As CSV numbers read
+/// A table of results: named columns, and rows whose fields are texts, numbers, booleans, or empty. As CSV numbers read
 /// back to the same double.
 class Table {
  public:
@@ -19,7 +19,7 @@ class Table {
   const std::vector<std::vector<Field>>& rows() const { return rows_; }
 
   void printCsv(std::ostream& out) const;
-  void printJson(std::ostream& out) const;  // one object a line
+  void printJson(std::ostream& out) const;  // one object per line
   void printText(std::ostream& out) const;  // in columns, numbers to four digits
 
  private:

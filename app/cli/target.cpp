@@ -15,7 +15,7 @@ namespace {
 
 using target::Status;
 
-/// Where and how strongly, with the ramps of the gate complete.
+/// Target and force, with the ramps of the safety gate complete.
 void addAnswer(JsonObject& object, Status status, const Vec3* p_WP, const Vec3& f_T_W, double max_force_N) {
   if (p_WP != nullptr && status == Status::Unique) {
     object.addVector("q_mm", kMillimetrePerMetre * *p_WP);
@@ -27,7 +27,8 @@ void addAnswer(JsonObject& object, Status status, const Vec3* p_WP, const Vec3& 
   object.addText("status", name(status));
 }
 
-/// What a virtual manipulator adds: the tip's z, the moment that nobody sends, the solver's steps, the joints.
+/// The keys of a virtual robot: the z axis of its end effector, the moment, which is never sent, the solver's steps,
+/// the joints.
 void addRobot(JsonObject& object, const target::Robot& robot, const chain::Chain& chain) {
   object.addVector("n", robot.n_W);
   object.addVector("moment_N_mm", kMillimetrePerMetre * robot.moment_W);
@@ -40,7 +41,7 @@ void addRobot(JsonObject& object, const target::Robot& robot, const chain::Chain
   object.addList("theta", theta);
 }
 
-/// Of all constraints together: unique where one acts and draws the stylus somewhere, free where none is touched.
+/// The status of all constraints together: unique if one acts and pulls the stylus, free if none is touched.
 Status statusOf(const tick::HeldList& held) {
   Status status = Status::Free;
   for (const tick::Held& one : held) {
@@ -80,7 +81,7 @@ Exit answerPoses(const std::string& path, const Streams& streams) {
     if (!pose) return pose.problems();
     const tick::TickProgram& program = loaded.value().program;
     if (program.needs.joints && !arm::reach(program.geometry, pose.value().p_WT).reachable) {
-      return Problems{{"The arm cannot reach this place, and the scene's control works on its joints.", {}}};
+      return Problems{{"The arm cannot reach this position, and the scene controls it in joint space.", {}}};
     }
     return answer(loaded.value(), pose.value());
   });
@@ -90,12 +91,11 @@ Exit answerPoses(const std::string& path, const Streams& streams) {
 
 void addTarget(Command program, const Streams& streams, Exit& exit) {
   const Command command =
-      program.add("target", "Where a scene draws the stylus, and how strongly, for poses read from standard input");
+      program.add("target", "Where a scene pulls the stylus, and with what force, for poses read from standard input");
   command.footer(
       "Each line in is {\"p_mm\": [x, y, z], \"R_WT\": 3x3 (optional)}; each line out is {\"q_mm\", \"force_N\", "
-      "\"safe_force_N\",\n\"status\", \"constraints\"}, or {\"error\", \"line\"}. The stylus rests; nothing is "
-      "remembered "
-      "between lines.");
+      "\"safe_force_N\",\n"
+      "\"status\", \"constraints\"}, or {\"error\", \"line\"}. The stylus is at rest; no state is kept between lines.");
   const auto path = std::make_shared<std::string>();
   command.option("scene", *path, "Scene file").required();
   command.whenChosen([path, &streams, &exit] { exit = answerPoses(*path, streams); });

@@ -13,7 +13,7 @@ using guide::listedInCode;
 using guide::plainText;
 using guide::sentence;
 
-/// "`--rate N`", or what stands in its place.
+/// "`--rate N`", or the name of a positional argument.
 std::string tagInCode(const Option& option) {
   std::string made;
   for (const std::string& name : option.names) made += (made.empty() ? "" : ", ") + name;
@@ -39,7 +39,7 @@ void writeOptions(const Command& command, std::ostream& out) {
          << " |\n";
   }
   if (rows.str().empty()) return;
-  out << "| option | meaning | by itself |\n|---|---|---|\n" << rows.str() << '\n';
+  out << "| option | meaning | default |\n|---|---|---|\n" << rows.str() << '\n';
 }
 
 void writeSection(const Command& command, const std::string& before, std::ostream& out) {
@@ -56,9 +56,8 @@ void writeSection(const Command& command, const std::string& before, std::ostrea
 std::string commandPage(const std::vector<Command>& programs) {
   std::ostringstream out;
   out << "# Command reference\n\n"
-         "Every command and option, as `--help` tells them: this page is made from what the programs themselves read. "
-         "What "
-         "goes in and comes out is on the page [Command line](command_line.md). Each command has `--help`, too.\n\n";
+         "Every command and option, as `--help` prints them. This page is generated from the programs themselves. "
+         "[Command line](command_line.md) explains their input and output.\n\n";
   for (const Command& program : programs) writeSection(program, {}, out);
   std::string text = out.str();
   text.pop_back();  // the empty line at the end

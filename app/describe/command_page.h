@@ -6,7 +6,7 @@
 
 namespace underact::describe {
 
-/// The guide's page of every command and option, as Markdown.
+/// The page of the guide with every command and option, as Markdown.
 std::string commandPage(const std::vector<Command>& programs);
 
 }  // namespace underact::describe

@@ -5,8 +5,8 @@
 
 namespace underact::describe {
 
-/// What makes a shell complete the program's commands, options, and the values that are words to choose from. Where
-/// anything can stand, files are offered.
+/// The script with which a shell completes the program's commands, options, and values that are a choice of words. For
+/// other values, files are offered.
 std::string bashCompletion(const Command& program);
 std::string zshCompletion(const Command& program);
 std::string fishCompletion(const Command& program);

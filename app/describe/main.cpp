@@ -1,4 +1,4 @@
-// Makes what a package carries besides the programs, from their own grammars, when it is built: man pages, and
+// Generates the other files of a package from the grammars of the programs when it is built: man pages, and
 // completion for shells; the guide's pages of commands, scene keys and scenes; and the guide as static pages. It is not
 // installed.
 #include <array>

@@ -14,7 +14,7 @@ namespace {
 
 using guide::sentence;
 
-/// What troff would take for its own: a dash is a hyphen, a backslash its escape, and a line's first dot a request.
+/// Escapes what troff would interpret: a dash is a hyphen, a backslash its escape, and a line's first dot a request.
 std::string escaped(const std::string& text) {
   std::string made;
   bool starts_line = true;
@@ -38,7 +38,7 @@ std::string slanted(const std::string& text) {
   return "\\fI" + escaped(text) + "\\fR";
 }
 
-/// "--rate N", or what stands in its place.
+/// "--rate N", or the name of a positional argument.
 std::string tagInBold(const Option& option) {
   std::string made;
   for (const std::string& name : option.names) made += (made.empty() ? "" : ", ") + bold(name);
@@ -54,7 +54,7 @@ void writeOption(const Option& option, std::ostream& out) {
     out << "\nOne of: " << all << '.';
   }
   if (!option.range.empty()) out << "\nFrom " << escaped(option.range) << '.';
-  if (!option.usual.empty()) out << "\nBy itself " << bold(option.usual) << '.';
+  if (!option.usual.empty()) out << "\nDefault: " << bold(option.usual) << '.';
   if (option.required) out << "\nRequired.";
   out << '\n';
 }
@@ -63,7 +63,7 @@ void writeLines(const std::string& text, std::ostream& out) {
   if (!text.empty()) out << ".PP\n.nf\n" << escaped(text) << "\n.fi\n";
 }
 
-/// A command, and below it its own: "lab trade".
+/// A command, and its subcommands: "lab trade".
 void writeSubsection(const Command& command, const std::string& before, std::ostream& out) {
   const std::string name = before.empty() ? command.name : before + " " + command.name;
   out << ".SS " << escaped(name) << '\n' << escaped(sentence(command.what)) << '\n';
@@ -79,7 +79,7 @@ std::string upper(std::string text) {
   return text;
 }
 
-/// The first sentence, without its end, as the line NAME has it.
+/// The first sentence without its full stop, for the line NAME.
 std::string brief(const std::string& what) {
   return what.substr(0, std::min(what.find(':'), what.find('.')));
 }
@@ -107,9 +107,8 @@ std::string manPage(const Command& program) {
     const char* what;
   };
   for (const Row& row :
-       std::array{Row{0, "All is well."}, Row{1, "What was given does not hold: a scene, numbers, a session."},
-                  Row{2, "The command line is not understood."}, Row{3, "A fault of an arm or of the servo."},
-                  Row{4, "A file could not be read or written."}})
+       std::array{Row{0, "Success."}, Row{1, "Invalid input: a scene, numbers, a session."}, Row{2, "Wrong usage."},
+                  Row{3, "A fault of the arm or the servo."}, Row{4, "A file could not be read or written."}})
     out << ".TP\n" << bold(std::to_string(row.status)) << '\n' << row.what << '\n';
   out << ".SH SEE ALSO\n";
   std::string others;

@@ -22,7 +22,7 @@ std::string functionName(const std::string& program) {
 std::string inApostrophes(const std::string& text) {
   std::string made = "'";
   for (const char letter : text) {
-    // Ends the quotes, an apostrophe, and on: the one way that bash, zsh and fish all read.
+    // Ends the quotes, adds an apostrophe, and opens them again: understood by bash, zsh and fish.
     if (letter == '\'')
       made += "'\\''";
     else

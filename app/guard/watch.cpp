@@ -15,8 +15,8 @@ namespace underact::guard {
 namespace {
 
 constexpr int kLooksInLimit = 5;
-// The last word is said more than once: a report can be lost on its way, and a tick that was at work when the program
-// died may still come after the first.
+// The last report is sent more than once: a report can be lost, and a tick in progress when the program died may still
+// come after the first.
 constexpr int kTimes = 5;
 constexpr std::chrono::milliseconds kBetween{2};
 
@@ -24,7 +24,7 @@ void say(int device_fd, const std::string& word) {
   system::writeSome(device_fd, word);
 }
 
-/// The program is gone.
+/// The program has ended.
 int sayLast(int device_fd, const std::string& word) {
   for (int time = 0; time < kTimes; ++time) {
     say(device_fd, word);

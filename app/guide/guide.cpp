@@ -50,7 +50,7 @@ Result<std::vector<Chapter>> readContents(const std::string& file) {
   return chapters;
 }
 
-/// A name that leaves the folder is none.
+/// A name that leaves the folder is invalid.
 bool isName(const std::string& name) {
   return !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
 }
@@ -71,7 +71,7 @@ Result<Guide> readGuide(const std::string& folder) {
   for (const Chapter& chapter : guide.chapters) {
     for (const std::string& name : chapter.pages) {
       if (!isName(name) || guide.find(name) != nullptr) {
-        problems.push_back({"“" + name + "” is no page, or stands here twice.", {file}});
+        problems.push_back({"“" + name + "” is not a page, or appears twice.", {file}});
         continue;
       }
       const std::string page_file = folder + "/" + name + ".md";

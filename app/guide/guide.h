@@ -20,7 +20,7 @@ struct Chapter {
   std::vector<std::string> pages;  // names, in the order of reading
 };
 
-/// The user's guide, as the window shows it and as static pages are made of it.
+/// The user's guide, as the window shows it and as static pages are generated from it.
 struct Guide {
   std::string folder;
   std::vector<Chapter> chapters;

@@ -4,8 +4,8 @@
 
 namespace underact::guide {
 
-// What underact-describe does: exit status 0; 1, and problems on `errors`, where something is wrong with what it reads;
-// 4 where the output could not be written.
+// What underact-describe does: exit status 0; 1, and problems on `errors`, if its input is invalid;
+// 4 if the output could not be written.
 
 int printSceneSchema(const std::string& schema_file, std::ostream& out, std::ostream& errors);
 int printSceneKeys(const std::string& schema_file, std::ostream& out, std::ostream& errors);

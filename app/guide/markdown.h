@@ -6,7 +6,7 @@ namespace underact::guide {
 
 // Pieces of a page of Markdown.
 
-/// The text with what Markdown would take for its own escaped.
+/// The text with the characters that Markdown interprets escaped.
 std::string plainText(const std::string& text);
 
 /// The same, for a cell of a table.
@@ -21,7 +21,7 @@ std::string listedInCode(const std::vector<std::string>& words);
 /// Lines as a block of code.
 std::string asBlock(const std::string& lines);
 
-/// With a full stop, where it has no end of its own.
+/// With a full stop, unless it ends with a mark of its own.
 std::string sentence(std::string text);
 
 }  // namespace underact::guide

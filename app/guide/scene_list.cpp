@@ -22,7 +22,7 @@ std::string textAt(const json::Value& scene, const char* key) {
   return value == nullptr ? std::string() : value->text;
 }
 
-/// What a class reads of the scene; Markdown with formulas as it stands in the file.
+/// The teaching notes of the scene; Markdown with formulas, as in the file.
 void writeTeaching(const json::Value& scene, std::ostream& out) {
   const json::Value* teach = scene.find("teach");
   if (teach == nullptr) return;
@@ -46,9 +46,8 @@ Result<std::string> sceneList(const std::string& folder) {
   if (error || files.empty()) return Problems{{"There are no scenes in this folder.", {folder}}};
   std::sort(files.begin(), files.end());
   std::ostringstream out;
-  out << "# The scenes\n\nWhat comes with the program, in the order in which it teaches. In the window each name below "
-         "opens "
-         "its scene; this page is made from the scene files.\n";
+  out << "# The scenes\n\nThe scenes that come with the program, in teaching order. In the window, each title below "
+         "opens its scene. This page is generated from the scene files.\n";
   Problems problems;
   for (const fs::path& file : files) {
     const Result<std::string> text = json::readTextFile(file.string(), "a scene");

@@ -35,23 +35,24 @@ bool isPart(const std::string& name) {
   return std::find(kParts.begin(), kParts.end(), name) != kParts.end();
 }
 
-/// Writes the page; what the schema leaves out is a problem.
+/// Writes the page; a missing description in the schema is a problem.
 class ScenePage {
  public:
   ScenePage(const Value& schema, std::string file) : schema_(schema), file_(std::move(file)) {}
 
   Result<std::string> make() {
     const Value* types = member(member(member(member(&schema_, "properties"), "constraints"), "items"), "oneOf");
-    if (types == nullptr || !hasParts()) return Problems{{"This is no schema of scenes.", {file_}}};
-    out_ << "# Scene reference\n\nEvery key of a scene file, made from `scenes/scene.schema.json`, which editors read, "
-            "too. [Scene files](scenes.md) tells how they work together. "
+    if (types == nullptr || !hasParts()) return Problems{{"This is not a scene schema.", {file_}}};
+    out_ << "# Scene reference\n\nEvery key of a scene file. This page is generated from `scenes/scene.schema.json`, "
+            "which "
+            "editors also use. [Scene files](scenes.md) explains how the keys work together. "
          << plainText(textOf(schema_, "description", "the scene")) << "\n\n## The scene\n\n";
     writeTable(schema_);
     const Value* keys = schema_.find("properties");
     for (std::size_t i = 0; i < keys->keys.size(); ++i) {
       if (isObject(keys->items[i])) writeObject(keys->items[i], keys->keys[i]);
     }
-    for (const Value& type : types->items) writeSection(nameOfRef(type), "A constraint of the type ");
+    for (const Value& type : types->items) writeSection(nameOfRef(type), "Constraint of type ");
     for (const char* part : kParts) writeSection(part, "");
     if (!problems_.empty()) return problems_;
     return out_.str() + settingTable();
@@ -61,7 +62,7 @@ class ScenePage {
   static const Value* member(const Value* object, const char* key) {
     return object == nullptr ? nullptr : object->find(key);
   }
-  /// Whether everything that is referred to is there.
+  /// Whether everything that is referred to exists.
   bool hasParts() const {
     const Value* parts = schema_.find("$defs");
     return parts != nullptr && hasParts(schema_, *parts) &&
@@ -106,7 +107,7 @@ class ScenePage {
     }
   }
 
-  /// An object that stands in one place alone, and so in none of $defs.
+  /// An object that is used in one place only, and so is not in $defs.
   static bool isObject(const Value& value) { return value.find("properties") != nullptr; }
   void writeObject(const Value& object, const std::string& name) {
     out_ << "## " << name << "\n\n" << plainText(textOf(object, "description", name)) << "\n\n";
@@ -116,7 +117,7 @@ class ScenePage {
   void writeTable(const Value& object) {
     const Value* properties = object.find("properties");
     const Value* required = object.find("required");
-    out_ << "| key | value | by itself | meaning |\n|---|---|---|---|\n";
+    out_ << "| key | value | default | meaning |\n|---|---|---|---|\n";
     for (std::size_t i = 0; i < properties->keys.size(); ++i) {
       const std::string& key = properties->keys[i];
       const Value& value = properties->items[i];

@@ -33,7 +33,7 @@ std::vector<std::string> sortedWords(std::string_view text) {
   return words;
 }
 
-/// How much of a word is among others: each that begins with it, a whole one kWhole times.
+/// How often a word is among others: each that begins with it, a whole one kWhole times.
 int countOf(const std::string& word, const std::vector<std::string>& words, int most) {
   int count = 0;
   for (auto at = std::lower_bound(words.begin(), words.end(), word); at != words.end() && count < most; ++at) {
@@ -43,7 +43,7 @@ int countOf(const std::string& word, const std::vector<std::string>& words, int 
   return std::min(count, most);
 }
 
-/// Where the word begins in the text, at the start of a word.
+/// The position of the word in the text, at the start of a word.
 std::size_t placeOf(const std::string& word, const std::string& lower) {
   for (std::size_t at = lower.find(word); at != std::string::npos; at = lower.find(word, at + 1)) {
     if (at == 0 || !isInWord(lower[at - 1])) return at;
@@ -59,7 +59,7 @@ std::size_t atLetter(const std::string& text, std::size_t at) {
 
 std::string excerptOf(const std::string& text, const std::vector<std::string>& words) {
   const std::string lower = lowered(text);
-  std::size_t at = 0, size = kAround;  // a section that is found by its title alone: how it begins
+  std::size_t at = 0, size = kAround;  // a section that is found by its title alone: its beginning
   for (const std::string& word : words) {
     const std::size_t place = placeOf(word, lower);
     if (place == std::string::npos) continue;

@@ -16,7 +16,7 @@ namespace {
 using scene::Setting;
 using scene::SettingKind;
 
-/// A scene that has what its name says.
+/// A scene with what its name says.
 struct Sample {
   std::string name;
   scene::Description scene;
@@ -30,7 +30,7 @@ std::vector<Sample> samplesFor(const std::string& path) {
     sample.scene.control.velocity = std::move(velocity);
     scene::Constraint& constraint = sample.scene.constraints.emplace_back();
     constraint.shape = std::move(shape);
-    // No two alike, so that what follows from it is seen to have no usual value.
+    // All different, so that a setting that depends on it is seen to have no default.
     if (takesFriction(constraint.shape)) constraint.friction = {{0.1 * static_cast<double>(all.size()), 0.0}};
     all.push_back(std::move(sample));
   };
@@ -116,14 +116,13 @@ SettingUse useOf(const Setting& setting) {
 std::string settingTable() {
   std::ostringstream out;
   out << "## Settings by path\n\n"
-         "All that can be changed while the scene runs, as `--set` takes it. A star stands for each constraint, or "
-         "joint, "
-         "or for the number of one, counted from 0; what `/control` has a constraint's own control has, too, as "
-         "`/constraints/0/control/law`.\n\n"
-         "| path | value | by itself | of | meaning |\n|---|---|---|---|---|\n";
+         "All settings that can be changed while the scene runs, by the path that `--set` takes. A star stands for all "
+         "constraints or joints; a number, counted from 0, stands for one of them. A constraint's own control has the "
+         "same settings as `/control`, as in `/constraints/0/control/law`.\n\n"
+         "| path | value | default | applies to | meaning |\n|---|---|---|---|---|\n";
   std::vector<std::string> rows;
   for (const Setting& setting : scene::settings()) {
-    // Those of meshes and of curves may be one and the same.
+    // Those of meshes and of curves may be the same.
     if (const std::string row = rowOf(setting); std::find(rows.begin(), rows.end(), row) == rows.end())
       rows.push_back(row);
   }

@@ -24,7 +24,7 @@ bool startsWith(const std::string& text, std::string_view start) {
 std::string contents(const Guide& guide, const std::string& here) {
   std::string made =
       "<nav aria-label=\"Contents\">\n<p class=\"name\"><a href=\"index.html\">Underact</a></p>\n"
-      // Without the script it would do nothing: the script shows it.
+      // Useless without the script, which shows it.
       "<input id=\"search\" type=\"search\" placeholder=\"Search\" aria-label=\"Search the guide\" hidden>\n"
       "<ol id=\"hits\" hidden></ol>\n<div id=\"contents\">\n";
   for (const Chapter& chapter : guide.chapters) {
@@ -71,20 +71,20 @@ class Writer {
   explicit Writer(std::string out) : out_(std::move(out)) {
     std::error_code error;
     fs::create_directories(out_, error);
-    if (error) refuse("This folder cannot be made: " + error.message() + ".", out_);
+    if (error) refuse("This folder could not be created: " + error.message() + ".", out_);
   }
   void write(const std::string& name, const std::string& text) {
     const fs::path path = fs::path(out_) / name;
     std::ofstream file(path, std::ios::binary);
     file << text << std::flush;
-    if (!file) refuse("This file cannot be written.", path.string());
+    if (!file) refuse("This file could not be written.", path.string());
   }
   void copy(const fs::path& from, const std::string& to) {
     std::error_code error;
     const fs::path path = fs::path(out_) / to;
     fs::create_directories(path.parent_path(), error);
     fs::copy_file(from, path, fs::copy_options::overwrite_existing, error);
-    if (error) refuse("This picture cannot be copied: " + error.message() + ".", from.string());
+    if (error) refuse("This picture could not be copied: " + error.message() + ".", from.string());
   }
   void refuse(std::string sentence, std::string file) { problems_.push_back({std::move(sentence), {std::move(file)}}); }
   Problems take() { return std::move(problems_); }

@@ -5,8 +5,8 @@
 
 namespace underact::guide {
 
-/// The guide as pages for a browser: HTML, a style sheet, a search, and the pictures that the pages show; no net is
-/// needed. out: a folder, made where it is missing. Problems: what could not be written, formulas that cannot be read,
+/// The guide as pages for a browser: HTML, a style sheet, a search, and the pictures that the pages show; no network is
+/// needed. out: a folder, created if it is missing. Problems: what could not be written, formulas that cannot be read,
 /// pictures that are missing.
 Problems writeSite(const Guide& guide, const std::string& out);
 

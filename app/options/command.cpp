@@ -194,7 +194,7 @@ Parsed Program::parse(std::vector<std::string> arguments, std::ostream& out, std
   try {
     app_->parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
-    // Help and version come this way, too, with 0.
+    // Help and version also come this way, with 0.
     return app_->exit(error, out, err) == 0 ? Parsed::Told : Parsed::Wrong;
   }
   return Parsed::Done;

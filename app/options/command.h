@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-// The parser of command lines is dear to compile, and its templates are made anew in every file that has its header:
-// here is what our grammars ask of it, and command.cpp alone has it.
+// The parser of command lines is slow to compile, and its templates are instantiated in every file that includes it:
+// this is what our grammars need of it, and only command.cpp includes it.
 namespace CLI {
 class App;
 class Option;
@@ -19,14 +19,14 @@ namespace underact::options {
 
 struct DescribedCommand;
 
-/// An option of a command, or what stands without a name. Copies are the same option; each call gives it back.
+/// An option of a command, or a positional argument. Copies are the same option; each call returns it.
 class Option {
  public:
   Option required() const;
-  /// Words after it, at least and at most; most below 0: any number.
+  /// Number of values, at least and at most; most below 0: any number.
   Option expected(int least, int most) const;
-  Option oneEachTime() const;  // of a list: one value each time that it is said
-  Option withCommas() const;   // of a list: commas may stand between the values
+  Option oneEachTime() const;  // of a list: one value each time that it is given
+  Option withCommas() const;   // of a list: the values may be separated by commas
   Option needs(Option other) const;
   Option excludes(Option other) const;
 
@@ -35,13 +35,13 @@ class Option {
   Option nonNegative() const;
   Option positive() const;
   Option oneOf(std::vector<std::string> words) const;
-  /// wrong: of a value, what is wrong with it; empty: nothing.
+  /// wrong: what is wrong with a value; empty: nothing.
   Option check(std::function<std::string(const std::string& value)> wrong) const;
 
-  Option word(const std::string& word) const;    // that help has in place of a value
+  Option word(const std::string& word) const;    // the placeholder of the value in help
   Option group(const std::string& title) const;  // in help
-  Option usual(const std::string& text) const;   // what help says that it is by itself
-  Option showUsual() const;                      // that is what stands there now
+  Option usual(const std::string& text) const;   // the default as help shows it
+  Option showUsual() const;                      // the default is the present value
   Option whenSaid(std::function<void()> then) const;
   bool isSaid() const;
 
@@ -51,17 +51,17 @@ class Option {
   CLI::Option* option_;
 };
 
-/// A command of a grammar, or the whole of it. Copies are the same command. Where values are put outlives the parsing.
+/// A command of a grammar, or the whole grammar. Copies are the same command. The values have to outlive the parsing.
 class Command {
  public:
-  /// A command below this one.
+  /// A subcommand of this one.
   Command add(const std::string& name, const std::string& what) const;
-  void mustChoose() const;  // one of the commands below; said before they are added
+  void mustChoose() const;  // one of the subcommands; call it before they are added
   void footer(const std::string& text) const;
   /// do_it: called once all is parsed.
   void whenChosen(std::function<void()> do_it) const;
 
-  /// names: "--rate", or, of what goes by its place, "file".
+  /// names: "--rate", or "file" for a positional argument.
   Option option(const std::string& names, std::string& value, const std::string& what) const;
   Option option(const std::string& names, double& value, const std::string& what) const;
   Option option(const std::string& names, int& value, const std::string& what) const;
@@ -70,11 +70,11 @@ class Command {
   Option option(const std::string& names, std::optional<double>& value, const std::string& what) const;
   Option option(const std::string& names, std::vector<double>& values, const std::string& what) const;
   Option option(const std::string& names, std::vector<std::string>& values, const std::string& what) const;
-  /// take: called with what was said.
+  /// take: called with the given value.
   Option option(const std::string& names, std::function<void(const std::string&)> take, const std::string& what) const;
   Option option(const std::string& names, std::function<void(const std::vector<std::string>&)> take,
                 const std::string& what) const;
-  /// value: the place among words of the one that was said.
+  /// value: the index among words of the given one.
   Option choice(const std::string& names, const std::vector<std::string>& words, std::optional<std::size_t>& value,
                 const std::string& what) const;
   Option flag(const std::string& names, bool& value, const std::string& what) const;
@@ -97,8 +97,8 @@ class Program : public Command {
 
   std::string name() const;
   void version(const std::string& text) const;  // --version
-  /// arguments: without the program's name. Done: the commands that were chosen have done their work. Told: help or the
-  /// version, on out. Wrong: what is, on err.
+  /// arguments: without the program's name. Done: the chosen commands have done their work. Told: help or the version
+  /// was printed on out. Wrong: the error was printed on err.
   Parsed parse(std::vector<std::string> arguments, std::ostream& out, std::ostream& err) const;
 
  private:
@@ -106,11 +106,10 @@ class Program : public Command {
   std::unique_ptr<CLI::App> owned_;
 };
 
-/// For what a command is called to do, where the options that were said do not go together: parse() gives Wrong, and
-/// says this.
+/// For use in a command, if the given options cannot be combined: parse() returns Wrong and prints this.
 [[noreturn]] void refuse(const std::string& sentence);
 
-/// A number as options read it; none: it is none.
+/// A number as options read it; none: the text is not a number.
 std::optional<double> numberOf(const std::string& text);
 
 }  // namespace underact::options

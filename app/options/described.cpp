@@ -29,7 +29,7 @@ std::vector<std::string> choicesOf(const std::string& text) {
 std::string wordOf(const std::string& type) {
   if (type.rfind("INT", 0) == 0 || type.rfind("UINT", 0) == 0) return "N";
   if (type.rfind("FLOAT", 0) == 0) return "NUMBER";
-  // A check stands behind a colon; in "KIND[:ADDRESS]" it is a part of the word.
+  // A check follows a colon; in "KIND[:ADDRESS]" it is a part of the word.
   const std::size_t inside = type.find('['), end = type.find(':');
   return inside < end ? type : type.substr(0, end);
 }

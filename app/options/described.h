@@ -6,18 +6,18 @@
 
 namespace underact::options {
 
-/// An option, or what stands without a name.
+/// An option, or a positional argument.
 struct DescribedOption {
-  std::vector<std::string> names;    // "-h", "--help"; none: it goes by its place
-  std::string word;                  // what is put after it, or in its place: "FILE"; empty: a flag
+  std::vector<std::string> names;    // "-h", "--help"; none: a positional argument
+  std::string word;                  // its argument, or the positional argument: "FILE"; empty: a flag
   std::vector<std::string> choices;  // all that it can be; empty: anything
-  std::string usual;                 // what it is by itself
+  std::string usual;                 // its default
   std::string range;                 // "100 to 10000"
   std::string what;
   bool required = false, many = false;
 };
 
-/// A program, or one of its commands, as its grammar says.
+/// A program, or one of its commands, as its grammar defines it.
 struct DescribedCommand {
   std::string name, what, footer;
   std::vector<DescribedOption> options;

@@ -14,10 +14,10 @@ void addSchedulingOptions(Command command, system::SchedulingWanted& wanted) {
   command
       .option(
           "--scheduling", [&wanted](const std::string& name) { wanted.way = kWays.at(name); },
-          "Which way to real time is tried; auto: fifo, then rtkit, then normal")
+          "The way to real time; auto tries fifo, then rtkit, then normal")
       .oneOf(names)
       .usual("auto");
-  command.option("--core", wanted.core, "The one core the servo runs on; without it an isolated one, or all")
+  command.option("--core", wanted.core, "The core on which the servo runs; by default an isolated one, or all")
       .range(0, 1023);
 }
 

@@ -13,17 +13,17 @@ namespace underact::options {
 Program windowGrammar(WindowOptions& options) {
   constexpr int kMostLate = 1'000'000;
   Program program("underact", "Feel geometry through a small haptic arm, and see what you feel.");
-  program.footer("Without an arm it runs on a simulated one. underact-cli is everything without a window.");
+  program.footer("Without an arm it simulates one. underact-cli is the program without a window.");
   program.version(std::string("underact ") + kVersion);
   program
       .option("file", options.scene,
               "A scene (.json); a mesh (.stl, .obj, .ply, .off) or the points of a curve (.txt, .csv, .xyz), which is "
-              "put into one; or a recorded session (.h5), which is replayed")
+              "put into a scene; or a recorded session (.h5), which is replayed")
       .word("FILE");
   const Option picture =
       program.option("--picture", options.picture, "Draw the 3D view of this scene, without a window, and quit")
           .word("SCENE");
-  const Option out = program.option("--out", options.out, "The picture's file (PNG)").word("FILE");
+  const Option out = program.option("--out", options.out, "File of the picture (PNG)").word("FILE");
   picture.needs(out);
   out.needs(picture);
   program
@@ -37,18 +37,19 @@ Program windowGrammar(WindowOptions& options) {
             options.visitors = true;
             options.visitor_scenes = scenes;
           },
-          "Visitor mode with these scenes in turn; without any, those chosen last. Ctrl+Alt+Shift+U has the way out")
+          "Visitor mode with these scenes in turn; without any, with those chosen last. Ctrl+Alt+Shift+U opens the way "
+          "out")
       .expected(0, -1)
       .word("SCENE");
-  program.option("--device", options.device, "The arm, as underact-cli devices lists it; without it the one used last")
+  program.option("--device", options.device, "The arm, as underact-cli devices lists it; by default the one used last")
       .word("KIND[:ADDRESS]");
-  program.option("--rate", options.rate_hz, "Ticks a second; without it the Servo panel's")
+  program.option("--rate", options.rate_hz, "Ticks per second; by default the rate of the Servo panel")
       .word("HZ")
       .range(servo::kSlowest_hz, servo::kFastest_hz);
   addSchedulingOptions(program, options.scheduling);
   program
       .option("--max-late", options.max_late,
-              "Ticks in a row a whole period late that are borne before the force is let go")
+              "Permitted number of consecutive ticks that are a whole period late; more release the force")
       .showUsual()
       .range(1, kMostLate);
   return program;

@@ -4,7 +4,7 @@
 
 namespace underact::page {
 
-/// Text as it stands in HTML, in an attribute, too.
+/// Text escaped for HTML, also in an attribute.
 std::string escaped(std::string_view text);
 
 /// The name that a heading is linked by, as GitHub makes it: "Loop rate, in Hz" is "loop-rate-in-hz".

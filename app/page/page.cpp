@@ -18,7 +18,7 @@ std::string textOf(const MD_ATTRIBUTE& attribute) {
   return {attribute.text, attribute.size};
 }
 
-/// What stands around a block; where begin is not at its end, what is told of the block follows.
+/// The tags around a block; if begin is not at its end, the attributes of the block follow.
 struct Tags {
   const char *begin = "", *end = "";
 };
@@ -53,7 +53,7 @@ Tags tagsOf(MD_BLOCKTYPE type) {
   }
 }
 
-/// Null: it is no plain pair of tags.
+/// Null: it is not a plain pair of tags.
 const char* tagOf(MD_SPANTYPE type) {
   switch (type) {
     case MD_SPAN_EM:
@@ -75,7 +75,7 @@ bool isFormula(MD_SPANTYPE type) {
   return type == MD_SPAN_LATEXMATH || type == MD_SPAN_LATEXMATH_DISPLAY;
 }
 
-/// Makes the page as md4c tells of its parts.
+/// Builds the page from the parts that md4c reports.
 class Writer {
  public:
   Writer(std::string_view markdown, const std::string& file, const LinkTo& link_to)
@@ -116,7 +116,7 @@ class Writer {
     put("</" + tag + ">");
     return tag;
   }
-  /// No span goes on behind its block.
+  /// No span continues after its block.
   void endSpans() {
     if (in_picture_ > 0) put(picture_ + "\">");
     in_picture_ = 0;
@@ -143,7 +143,7 @@ class Writer {
   const LinkTo& link_to_;
   Page page_;
   std::string heading_, formula_, picture_;
-  std::vector<std::string> spans_;  // that are open, the innermost last
+  std::vector<std::string> spans_;  // open ones, the innermost last
   std::size_t heading_at_ = 0, paragraph_at_ = 0;
   std::map<std::string, int> anchors_;  // how often each was met
   int depth_ = 0, in_picture_ = 0, line_ = 0;
@@ -239,7 +239,7 @@ void Writer::formula(bool display) {
     put(escaped("$" + formula_ + "$"));
     return say("$" + formula_ + "$");
   }
-  // A table stands in no paragraph and in nothing bold.
+  // A table must not be in a paragraph or in bold text.
   const bool is_own_block = display && in_paragraph_ && spans_.empty();
   Result<std::string> made = texToHtml(formula_, display && spans_.empty() && !in_heading_, {file_, line_});
   if (is_own_block) closeParagraph();

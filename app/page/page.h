@@ -8,7 +8,7 @@
 
 namespace underact::page {
 
-/// What a page of Markdown is, for a window and for a browser.
+/// A page of Markdown, for a window and for a browser.
 struct Page {
   struct Heading {
     int level = 1;
@@ -29,10 +29,10 @@ struct Page {
   std::vector<Heading> headings;
   std::vector<Link> links;
   std::vector<Section> sections;
-  Problems problems;  // formulas that cannot be read; they stand there as they were written
+  Problems problems;  // formulas that cannot be read; they are shown as written
 };
 
-/// What a link leads to in what is made: the same, where it is empty.
+/// The target of a link in the output; empty: unchanged.
 using LinkTo = std::function<std::string(const std::string& to)>;
 
 /// GitHub's Markdown, with $formulas$ and $$formulas$$ of texToHtml() and without HTML of its own.

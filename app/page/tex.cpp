@@ -15,7 +15,7 @@ bool isTall(const TexNode& node) {
   return std::any_of(node.parts.begin(), node.parts.end(), isTall);
 }
 
-/// One letter, number or word, which needs no brackets of its own where it stands beside a slash.
+/// One letter, number or word, which needs no brackets beside a slash.
 bool isSingle(const TexNode& node) {
   switch (node.kind) {
     case TexKind::Row:
@@ -98,7 +98,7 @@ class Line {
 
   std::string beside(const TexNode& node) const { return isSingle(node) ? of(node) : "(" + of(node) + ")"; }
 
-  /// The mark goes behind the last letter that it is over, before what ends its slant.
+  /// The mark follows the last letter that it is over, before the end of the italics.
   std::string accent(const TexNode& node) const {
     std::string made = of(node.parts[0]);
     std::size_t end = made.size();
@@ -118,7 +118,7 @@ class Line {
   std::string space_;
 };
 
-/// On a line of its own: cells beside each other, and in them tables of what stands above each other.
+/// On a line of its own: cells side by side, with tables for stacked parts.
 class Display {
  public:
   /// Cells of a table's row.
@@ -156,14 +156,14 @@ class Display {
 
   std::string row(const TexNode& node) const {
     std::string made;
-    TexNode flat;  // what of the row stands on one line, since the last tall part
+    TexNode flat;  // the parts of the row on one line, since the last tall part
     const auto end = [&] {
       if (!flat.parts.empty()) made += cell(line_.of(flat));
       flat.parts.clear();
     };
     for (const TexNode& part : node.parts) {
       if (!isTall(part)) {
-        // An operator after something tall is none of a sign.
+        // An operator after a tall part is not a sign.
         if (flat.parts.empty() && !made.empty()) flat.parts.push_back({TexKind::Space, ""});
         flat.parts.push_back(part);
         continue;
@@ -190,7 +190,7 @@ class Display {
     return made;
   }
 
-  /// A bracket as high as what it holds: square ones and bars are borders of a cell, others large letters.
+  /// A bracket as high as its contents: square ones and bars are borders of a cell, others large letters.
   static std::string bracket(const std::string& text, bool opens) {
     if (text.empty()) return {};
     if (text == "[" || text == "]") return opens ? edge("open") : edge("close");

@@ -6,9 +6,9 @@
 
 namespace underact::page {
 
-/// A formula as HTML that a browser and Qt's rich text both show: Qt knows no MathML, so what stands above each other
-/// is a table. The classes it names are those of pageStyle(). tex: what stands between dollars. display: a formula on a
-/// line of its own, a block; else one inside a sentence, where a fraction is a/b and a matrix [a, b; c, d]. Problems:
+/// A formula as HTML that a browser and Qt's rich text both show: Qt does not support MathML, so stacked parts are a
+/// table. The classes it names are those of pageStyle(). tex: the text between the dollar signs. display: a formula on
+/// a line of its own, a block; else one inside a sentence, where a fraction is a/b and a matrix [a, b; c, d]. Problems:
 /// as parseTex().
 Result<std::string> texToHtml(std::string_view tex, bool display, const Place& place);
 

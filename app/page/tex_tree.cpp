@@ -57,7 +57,7 @@ class TexParser {
     return true;
   }
 
-  /// Up to what ends a row: a brace, the next cell or row, \right, \end.
+  /// Up to the end of a row: a brace, the next cell or row, \right, \end.
   TexNode readRow() {
     TexNode row;
     for (skipBlanks(); at_ < tex_.size(); skipBlanks()) {
@@ -72,7 +72,7 @@ class TexParser {
   }
 
   void readScript(TexNode& row) {
-    if (row.parts.empty()) row.parts.push_back({});  // of nothing, as TeX has it
+    if (row.parts.empty()) row.parts.push_back({});  // empty, as in TeX
     if (row.parts.back().kind != TexKind::Script)
       row.parts.back() = {TexKind::Script, {}, {}, {std::move(row.parts.back()), {}, {}}};
     TexNode& script = row.parts.back();
@@ -83,11 +83,11 @@ class TexParser {
     }
     TexNode& place = script.parts[mark == '_' ? 1 : 2];
     if (!place.parts.empty() && place.parts.front().text != "′")
-      return stop(std::string("A formula has two ") + mark + " at one place; braces tell which one belongs to what.");
+      return stop(std::string("A formula has two ") + mark + " in one place; use braces to show what each belongs to.");
     place.parts.push_back(readArgument());
   }
 
-  /// What stands in braces, or one atom.
+  /// The contents of braces, or one atom.
   TexNode readArgument() {
     skipBlanks();
     if (at_ >= tex_.size() || tex_[at_] == '}' || tex_[at_] == '&' || isAt("\\\\")) {
@@ -150,17 +150,17 @@ class TexParser {
     if (const TexWord* word = findTexWord(name)) return {word->kind, std::string(word->text)};
     const std::string near = json::nearestWord(name, texCommands());
     problems_.push_back(
-        {"\\" + name + " is no command that formulas here have." + (near.empty() ? "" : " Is \\" + near + " meant?"),
+        {"\\" + name + " is not a command that formulas support." + (near.empty() ? "" : " Is \\" + near + " meant?"),
          place_});
     return {};
   }
 
-  /// Text in braces as it stands there.
+  /// Text in braces, unchanged.
   std::string readWords() {
     skipBlanks();
     const std::size_t end = tex_.find('}', at_);
     if (at_ >= tex_.size() || tex_[at_] != '{' || end == std::string_view::npos) {
-      stop("Words in a formula stand in braces: \\text{if}.");
+      stop("Words in a formula need braces: \\text{if}.");
       return {};
     }
     const std::string words(tex_.substr(at_ + 1, end - at_ - 1));
@@ -172,7 +172,7 @@ class TexParser {
   std::string readBracket() {
     skipBlanks();
     if (at_ >= tex_.size()) {
-      stop("After \\left and \\right stands a bracket, or a dot for none.");
+      stop("After \\left and \\right there must be a bracket, or a dot for none.");
       return {};
     }
     const TexNode bracket = readAtom();

@@ -80,7 +80,7 @@ bool Address::isThisMachine() const {
 Result<Address> readAddress(const std::string& text) {
   const auto wrong = [&] {
     return Problems{{"\"" + text +
-                     "\" is no address. Give a port (9870), a host by its number (192.168.1.20), or both "
+                     "\" is not an address. Give a port (9870), a host by its number (192.168.1.20), or both "
                      "(192.168.1.20:9870, [::1]:9870)."}};
   };
   Address address;

@@ -9,10 +9,10 @@
 namespace underact::stream {
 
 inline constexpr const char* kThisMachine = "127.0.0.1";
-inline constexpr int kPort = 9870;             // where PlotJuggler's UDP server listens by itself
-inline constexpr int kMostMessages_hz = 1000;  // of a faster servo every second, third ... tick is sent
+inline constexpr int kPort = 9870;             // the default port of PlotJuggler's UDP server
+inline constexpr int kMostMessages_hz = 1000;  // with a faster servo, every second, third ... tick is sent
 
-/// Where a stream goes.
+/// The destination of a stream.
 struct Address {
   std::string host = kThisMachine;  // a number, as in 192.168.1.20 or ::1
   int port = kPort;
@@ -22,19 +22,19 @@ struct Address {
 /// "PORT", "HOST" or "HOST:PORT" (a host of IPv6 in brackets). Problems: it is none of these.
 Result<Address> readAddress(const std::string& text);
 
-/// Ticks as JSON over UDP, a message each, for PlotJuggler and whoever else listens: {"timestamp": s, "tick": n,
-/// "q1_rad": ...} with the numbers of a CSV recording; what is not finite is left out. Nobody waits: what the network
-/// does not take at once is lost, and counted. Any one thread, not the servo's.
+/// Ticks as JSON over UDP, one message per tick, for PlotJuggler and other listeners: {"timestamp": s, "tick": n,
+/// "q1_rad": ...} with the numbers of a CSV recording; values that are not finite are omitted. Never waits: what the
+/// network does not accept at once is lost, and counted. Any one thread, not the servo's.
 class LiveStream {
  public:
-  /// Problems: no such address here.
+  /// Problems: the address is not available here.
   static Result<LiveStream> open(const Address& address, int rate_hz);
   ~LiveStream();
   LiveStream(LiveStream&&) noexcept;
   LiveStream& operator=(LiveStream&&) noexcept;
 
   void send(const servo::TickRecord& record);
-  /// The servo ticks so many times a second from now on.
+  /// Sets the rate of the servo from now on.
   void setRate(int rate_hz);
   std::int64_t sent() const;
   std::int64_t lost() const;

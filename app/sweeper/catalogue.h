@@ -6,20 +6,20 @@
 
 namespace underact::sweep {
 
-/// Every kind of sweep there is, in the order of `underact-sweep list`.
+/// All kinds of sweeps, in the order of `underact-sweep list`.
 std::span<const Kind> kinds();
 
 /// The kind of that key, or null.
 const Kind* findKind(std::string_view key);
 
-/// The rows of `lab extremes`, each with as many seeds as one likes.
+/// The rows of `lab extremes`, each with any number of seeds.
 Kind extremesKind();
 
 /// Scenes on the simulated arm, in hands that differ in mass, damping, stiffness and tremor. Each cell is what
 /// `underact-cli run --fast` does with the same scene, hand, rate and seed, to the bit.
 Kind handsKind();
 
-/// How stiff walls may be against their damping: the cells of the lab's maps, and of walls that are drawn.
+/// The stiffness limits of walls against their damping: the cells of the lab's maps, and randomly drawn walls.
 Kind stabilityKind();
 
 }  // namespace underact::sweep

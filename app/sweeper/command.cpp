@@ -23,19 +23,19 @@ struct Setting {
 };
 
 void addCommon(options::Command command, Request& request) {
-  const options::Option out = command.option("--out", request.out, "The result's file (CSV)");
+  const options::Option out = command.option("--out", request.out, "File of the result (CSV)");
   const options::Option dry =
-      command.flag("--dry-run", request.dry_run, "Say how many cells there are and how long they take");
+      command.flag("--dry-run", request.dry_run, "Report the number of cells and how long they take");
   out.excludes(dry);
-  command.option("--threads", request.threads, "Cells at a time; all cores by itself, under mpirun one a rank")
+  command.option("--threads", request.threads, "Cells at a time; by default one per core, under mpirun one per rank")
       .range(1, 4096);
-  command.flag("--quiet", request.quiet, "Say nothing but what is wrong");
+  command.flag("--quiet", request.quiet, "Report errors only");
 }
 
-/// Runs what was asked for, where there is a place for the result.
+/// Runs the request, if the result has a file.
 void run(const Request& request, const Setting& setting) {
   if (request.out.empty() && !request.dry_run) {
-    setting.streams.err << "Say where the result goes: --out FILE. (--dry-run only measures.)\n";
+    setting.streams.err << "Name the file of the result: --out FILE. (--dry-run only measures.)\n";
     setting.exit = Exit::Usage;
     return;
   }
@@ -53,7 +53,7 @@ void addKind(options::Command program, const Kind& kind, const Setting& setting)
   request->kind = &kind;
   const options::Command command = program.add(kind.key, kind.question);
   for (const Option& option : kind.options) {
-    // The parser leaves in a list what was said; what was not stays away, so that what is usual holds.
+    // The parser leaves the given values in a list; without them, the default applies.
     command
         .option(
             "--" + option.name,
@@ -61,7 +61,7 @@ void addKind(options::Command program, const Kind& kind, const Setting& setting)
             option.what + usualOf(option))
         .expected(1, option.many ? -1 : 1);
   }
-  command.option("--seed", request->seed, "Of all that is random").showUsual().nonNegative();
+  command.option("--seed", request->seed, "Seed of everything that is random").showUsual().nonNegative();
   addCommon(command, *request);
   command.whenChosen([request, setting] { run(*request, setting); });
 }
@@ -69,7 +69,7 @@ void addKind(options::Command program, const Kind& kind, const Setting& setting)
 void addFrom(options::Command program, const Setting& setting) {
   const auto request = std::make_shared<Request>();
   const auto file = std::make_shared<std::string>();
-  const options::Command command = program.add("from", "Run a sweep whose kind, seed and options stand in a file");
+  const options::Command command = program.add("from", "Run a sweep whose kind, seed and options are in a file");
   command.option("FILE", *file, "The sweep (JSON)").required();
   addCommon(command, *request);
   command.whenChosen([request, file, setting] {
@@ -79,9 +79,9 @@ void addFrom(options::Command program, const Setting& setting) {
 }
 
 void addList(options::Command program, const Setting& setting) {
-  const options::Command command = program.add("list", "The kinds of sweeps there are");
+  const options::Command command = program.add("list", "List the kinds of sweeps");
   const auto json = std::make_shared<bool>(false);
-  command.flag("--json", *json, "A JSON object a kind");
+  command.flag("--json", *json, "One JSON object per kind");
   command.whenChosen([json, setting] {
     for (const Kind& kind : kinds()) {
       cli::JsonObject object;
@@ -95,8 +95,9 @@ void addList(options::Command program, const Setting& setting) {
 }  // namespace
 
 options::Program makeGrammar(const cli::Streams& streams, Team* team, Exit& exit) {
-  options::Program program("underact-sweep",
-                           "Sweeps: many independent runs, on all cores of this machine, or of many by mpirun.");
+  options::Program program(
+      "underact-sweep",
+      "Sweeps: many independent runs, on all cores of this machine, or of many machines with mpirun.");
   program.version(std::string("underact-sweep ") + kVersion + " (MPI: " + mpiVersion() + ")");
   program.mustChoose();
   const Setting setting{streams, team, exit};

@@ -10,8 +10,8 @@ namespace underact::sweep {
 /// The grammar of the whole program. streams, team, exit: outlive it.
 options::Program makeGrammar(const cli::Streams& streams, Team* team, cli::Exit& exit);
 
-/// The whole program. arguments: without the program's name. team: the ranks it runs in; null: it is alone. The leader
-/// speaks for all; the other ranks say nothing and end with 0.
+/// The whole program. arguments: without the program's name. team: the ranks it runs in; null: it is alone. Only the
+/// leader prints; the other ranks are silent and end with 0.
 cli::Exit execute(std::vector<std::string> arguments, const cli::Streams& streams, Team* team);
 
 }  // namespace underact::sweep

@@ -43,7 +43,7 @@ void readRows(Options& options, Plan& plan) {
     const std::string near = json::nearestWord(wanted, known);
     options.note("only",
                  "There is no row " + json::shown(wanted) + "." +
-                     (near.empty() ? " `underact-cli lab extremes` tells them." : " Did you mean \"" + near + "\"?"));
+                     (near.empty() ? " `underact-cli lab extremes` lists them." : " Did you mean \"" + near + "\"?"));
   }
 }
 
@@ -64,10 +64,10 @@ Result<Cells> make(Options& options) {
 
 Kind extremesKind() {
   return {"extremes",
-          "Does every number keep its promise at the ends: scales, degenerate places, strange samples, hours?",
+          "Does every number keep its promise at the extremes: scales, degenerate cases, strange samples, hours?",
           {{"only", "Rows of `lab extremes`; all", {"all"}, true},
-           {"seeds", "Cells for each row, each with a seed of its own", {"8"}},
-           {"count", "Cases of a cheap row in a cell; a dear one makes a share of them", {"20000"}}},
+           {"seeds", "Cells per row, each with its own seed", {"8"}},
+           {"count", "Cases of a cheap row in a cell; an expensive row runs a fraction of them", {"20000"}}},
           extremes_kind::make};
 }
 

@@ -27,7 +27,7 @@ namespace hands_kind {
 constexpr std::int64_t kTicksAtOnce = 1000;  // far fewer than the servo keeps for us
 constexpr double kLongest_s = 1e5;
 constexpr std::int64_t kMostDraws = 10'000'000;
-constexpr std::size_t kLargestFile = std::size_t{1} << 30U;  // as no scene, hand or curve is
+constexpr std::size_t kLargestFile = std::size_t{1} << 30U;  // larger than any scene, hand or curve
 
 /// All that the cells share. A hand is made with the cell's seed, so only its name, or its file's content, is kept.
 struct Plan {
@@ -41,7 +41,7 @@ struct Plan {
   sim::ArmModel arm_model;
 };
 
-/// Which of each a cell has; draws are next to each other.
+/// The indices of a cell; draws are adjacent.
 struct Where {
   std::size_t scene, hand, rate, draw;
 };
@@ -52,7 +52,7 @@ Where whereIs(const Plan& plan, std::size_t index) {
   return {scene, hand % plan.hands.size(), rate % plan.rates_hz.size(), draw};
 }
 
-/// What a run on the simulated arm was like.
+/// The results of a run on the simulated arm.
 struct Figures {
   record::TickFigures ticks;
   record::Work work;
@@ -159,7 +159,7 @@ void append(Problems& problems, const Problems& more) {
   problems.insert(problems.end(), more.begin(), more.end());
 }
 
-/// Remembers what was in a file. A file that cannot be read is a problem of whoever needs it.
+/// Remembers the contents of a file. A file that cannot be read is reported where it is needed.
 void remember(const std::string& path, Cells& cells) {
   const Result<std::string> text = json::readTextFile(path, "an input", kLargestFile);
   if (text) cells.files.emplace_back(path, checksumOf(text.value()));
@@ -240,14 +240,14 @@ Kind handsKind() {
   return {"hands",
           "What does the arm do in hands that differ in mass, damping, stiffness and tremor?",
           {{"scene", "Scene files", {}, true},
-           {"hand", "Built-in hands or hand files; of a file its path alone", {"tremor"}, true},
-           {"rate_hz", "Ticks a second", {"1000"}, true},
-           {"draws", "Hands drawn for each scene, hand and rate", {"10"}},
-           {"seconds", "How long each run is, by the arm's clock", {"2"}},
-           {"mass_kg", "Of the hand: a number, or LOW:HIGH to draw from evenly", {"0.05:0.2"}},
-           {"damping_N_s_per_m", "Of the hand, likewise", {"2:8"}},
-           {"stiffness_N_per_m", "Of the hand, likewise", {"150:600"}},
-           {"arm-model", "What the simulated arm is made of", {std::string(sim::kDefaultArmModel)}}},
+           {"hand", "Built-in hands or hand files; of a file only its path", {"tremor"}, true},
+           {"rate_hz", "Ticks per second", {"1000"}, true},
+           {"draws", "Hands drawn at random for each scene, hand and rate", {"10"}},
+           {"seconds", "Duration of each run by the arm's clock, s", {"2"}},
+           {"mass_kg", "Mass of the hand, kg: a number, or LOW:HIGH for a uniform draw", {"0.05:0.2"}},
+           {"damping_N_s_per_m", "Damping of the hand, N s/m, likewise", {"2:8"}},
+           {"stiffness_N_per_m", "Stiffness of the hand, N/m, likewise", {"150:600"}},
+           {"arm-model", "Model of the simulated arm", {std::string(sim::kDefaultArmModel)}}},
           hands_kind::make};
 }
 

@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Takes all and keeps nothing.
+/// Accepts everything and stores nothing.
 class Nothing : public std::streambuf {
   int overflow(int letter) override { return traits_type::not_eof(letter); }
 };

@@ -43,7 +43,7 @@ class MpiTeam final : public Team {
   int rank() const override { return rank_; }
   int size() const override { return size_; }
 
-  // Two ranks that write long letters to each other must not wait for each other to read.
+  // Two ranks that send long messages to each other must not wait for each other to read.
   void send(int to, const std::string& text) override {
     forgetArrived();
     Sent& sent = sent_.emplace_back(text);
@@ -64,7 +64,7 @@ class MpiTeam final : public Team {
   }
 
  private:
-  /// A letter on its way: MPI reads it until its request is done, so it stays where it is.
+  /// A message being sent: MPI reads it until its request is done, so it must not move.
   struct Sent {
     explicit Sent(std::string words) : text(std::move(words)) {}
     std::string text;
@@ -87,9 +87,9 @@ class MpiTeam final : public Team {
 
 Result<std::unique_ptr<Team>> joinTeam() {
   int granted = MPI_THREAD_SINGLE;
-  // Cells run on threads that know nothing of MPI. An error in MPI ends all ranks, which is its usual way.
+  // Cells run on threads that do not use MPI. An error in MPI ends all ranks, which is its default.
   if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &granted) != MPI_SUCCESS || granted < MPI_THREAD_FUNNELED)
-    return Problems{{"MPI does not begin as it should beside threads; see what it printed above."}};
+    return Problems{{"MPI could not be started with threads; see its messages above."}};
   return std::unique_ptr<Team>(std::make_unique<MpiTeam>());
 }
 
@@ -108,8 +108,8 @@ const char* mpiVersion() {
 
 Result<std::unique_ptr<Team>> joinTeam() {
   return Problems{
-      {"mpirun has started this program, which was built without MPI: start it by itself, with --threads, or "
-       "build it where libopenmpi-dev is installed."}};
+      {"mpirun has started this program, which was built without MPI: start it without mpirun, with --threads, or "
+       "build it with libopenmpi-dev installed."}};
 }
 
 const char* mpiVersion() {

@@ -14,7 +14,7 @@ using json::Value;
 
 constexpr double kLargestSeed = 0x1p53;  // beyond it a double skips whole numbers
 
-/// A value as the command line would have it; none, and a problem, where it is neither text nor a number.
+/// A value as on the command line; none, and a problem, if it is neither text nor a number.
 std::optional<std::string> wordOf(const Value& value, const std::string& path, Findings& findings) {
   if (value.kind == json::Kind::String) return value.text;
   if (value.kind == json::Kind::Number) return json::numberText(value.number);
@@ -29,7 +29,7 @@ void readOptions(const Value& object, Options::Values& values, Findings& finding
     const Value& value = object.items[member];
     const bool is_list = value.kind == json::Kind::Array;
     const auto [at, is_first] = values.try_emplace(object.keys[member]);
-    if (!is_first) findings.add(object.key_places[member], path, "This key stands here twice.");
+    if (!is_first) findings.add(object.key_places[member], path, "This key appears twice.");
     for (const Value& item : is_list ? value.items : std::vector{value}) {
       if (std::optional<std::string> word = wordOf(item, path, findings)) at->second.push_back(std::move(*word));
     }
@@ -40,7 +40,7 @@ void readRoot(const Value& root, Request& request, Findings& findings) {
   if (!isKind(root, json::Kind::Object, "", "an object, as in {\"underact_sweep\": 1, ...}", findings)) return;
   json::ObjectReader object(root, "", "a sweep", findings);
   if (const Value* version = object.find("underact_sweep", true); version != nullptr && version->number != 1.0)
-    findings.add(*version, "underact_sweep", "This must be 1, the only version there is.");
+    findings.add(*version, "underact_sweep", "This must be 1, the only version.");
   if (const Value* kind = object.find("kind", true)) {
     std::string key;
     readText(*kind, "kind", key, findings);

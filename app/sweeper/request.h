@@ -8,7 +8,7 @@
 
 namespace underact::sweep {
 
-/// What the command line asks for.
+/// The request on the command line.
 struct Request {
   const Kind* kind = nullptr;
   Options::Values values;
@@ -21,10 +21,10 @@ struct Request {
 };
 
 /// {"underact_sweep": 1, "kind": "hands", "seed": 1, "options": {"scene": ["a.json"], "draws": 10}}: sets kind, seed
-/// and values; or problems, every one at once, with places.
+/// and values; or all problems at once, with their places.
 void readRequest(const std::string& path, Request& request);
 
-/// Runs the sweep, or measures what it would take.
+/// Runs the sweep, or measures how long it would take.
 cli::Exit runSweep(const Request& request, const cli::Streams& streams, Team* team);
 
 }  // namespace underact::sweep

@@ -28,7 +28,7 @@ int threadsOf(const Request& request, const Team* team) {
   return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-/// Why a sweep ended early: File where a file is at fault, else what was put in.
+/// The exit status of a sweep that ended early: File if a file is the reason, else bad input.
 Exit failAtWork(const Problems& problems, const cli::Streams& streams) {
   cli::print(problems, streams.err);
   return problems.front().place.file.empty() ? Exit::BadInput : Exit::File;
@@ -42,7 +42,7 @@ Exit refuse(const Problems& problems, const cli::Streams& streams) {
   return usage ? Exit::Usage : cli::exitOf(problems);
 }
 
-/// After the first signal the next one ends the program as ever, for whoever does not want to wait.
+/// After the first signal, the next one ends the program at once.
 class Patience {
  public:
   bool cameOnce() {
@@ -58,14 +58,14 @@ class Patience {
   bool came_ = false;
 };
 
-/// As many digits as a measurement is worth.
+/// As many digits as a measurement has.
 std::string twoDigits(double value) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 2);
   return {text.data(), end.ptr};
 }
 
-/// Runs a few cells, spread over all, one after the other, and says how long all of them would take.
+/// Runs a few cells, spread over all, one after the other, and predicts the time for all of them.
 Exit tellCost(const Sweep& sweep, int threads, const cli::Streams& streams) {
   constexpr std::size_t kMostMeasured = 8;
   constexpr std::chrono::seconds kEnough{5};
@@ -83,11 +83,11 @@ Exit tellCost(const Sweep& sweep, int threads, const cli::Streams& streams) {
   const double all_s = each_s * static_cast<double>(sweep.cells.count) / threads;
   streams.out << sweep.cells.count << " cells. " << measured << " of them, measured one by one, took "
               << twoDigits(each_s) << " s each: on " << threads << (threads == 1 ? " thread" : " threads")
-              << " all take about " << inWords(all_s) << ", where each thread has a core.\n";
+              << " all take about " << inWords(all_s) << ", if each thread has a core.\n";
   return Exit::Well;
 }
 
-/// Runs what is missing, with progress on the way.
+/// Runs the missing cells, and shows the progress.
 Outcome runCells(const Sweep& sweep, Journal& journal, const Request& request, const cli::Streams& streams,
                  Team* team) {
   Patience patience;
@@ -97,7 +97,7 @@ Outcome runCells(const Sweep& sweep, Journal& journal, const Request& request, c
   watcher.interrupted = [&] {
     if (!patience.cameOnce()) return false;
     progress.end();
-    streams.err << "Ending: the cells that run are waited for. A second signal ends at once.\n" << std::flush;
+    streams.err << "Ending after the running cells. A second signal ends at once.\n" << std::flush;
     return true;
   };
   Outcome outcome = lead(sweep, journal, team, threadsOf(request, team), watcher);
@@ -132,8 +132,8 @@ Exit leadToResult(const Sweep& sweep, const Request& request, const cli::Streams
     return Exit::Well;
   }
   const Exit exit = outcome.problems.empty() ? Exit::File : failAtWork(outcome.problems, streams);
-  streams.err << journal.rows().size() << " of " << sweep.cells.count << " cells are done and kept in "
-              << journal.path() << ". The same command goes on from there.\n";
+  streams.err << journal.rows().size() << " of " << sweep.cells.count << " cells are done and saved in "
+              << journal.path() << ". The same command continues from there.\n";
   return exit;
 }
 
@@ -142,7 +142,7 @@ Exit leadToResult(const Sweep& sweep, const Request& request, const cli::Streams
 Exit runSweep(const Request& request, const cli::Streams& streams, Team* team) {
   const bool leads = team == nullptr || team->rank() == 0;
   if (request.dry_run && !leads) return Exit::Well;
-  // A rank that has no sweep tells the leader, so that nobody waits for it.
+  // A rank without a sweep tells the leader, so that it is not waited for.
   const Result<Sweep> sweep = request.problems.empty() ? makeSweep(*request.kind, request.values, request.seed)
                                                        : Result<Sweep>(request.problems);
   if (!leads) {

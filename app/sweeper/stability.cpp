@@ -14,7 +14,7 @@ namespace stability_kind {
 constexpr std::int64_t kMostDraws = 10'000'000;
 constexpr const char* kDrawn = "drawn";
 
-/// The walls of the maps, and from where to where others are drawn.
+/// The walls of the maps, and the ranges from which others are drawn.
 struct Plan {
   std::vector<std::pair<const char*, stability::Variant>> walls;
   std::size_t draws = 0;
@@ -31,7 +31,7 @@ stability::Variant drawnWall(const Plan& plan, std::uint64_t seed) {
   wall.hand_stiffness_N_per_m = plan.hand_stiffness_N_per_m.at(nextShare(state));
   wall.friction_N = plan.friction_N.at(nextShare(state));
   wall.kd_N_s_per_m = plan.kd_N_s_per_m.at(nextShare(state));
-  const Range ticks{plan.delay_ticks.low, plan.delay_ticks.high + 1.0};  // whole ones, each as likely
+  const Range ticks{plan.delay_ticks.low, plan.delay_ticks.high + 1.0};  // integers, equally likely
   wall.delay_ticks = static_cast<int>(std::min(ticks.at(nextShare(state)), plan.delay_ticks.high));
   const auto rates = static_cast<double>(plan.rates_hz.size());
   wall.period_ns = 1'000'000'000 / plan.rates_hz[static_cast<std::size_t>(rates * nextShare(state))];
@@ -132,15 +132,15 @@ Result<Cells> make(Options& options) {
 Kind stabilityKind() {
   return {
       "stability",
-      "How stiff may a wall be before it buzzes: by halving in the simulated loop, by eigenvalues, and by formulas?",
+      "How stiff can a wall be before it buzzes: by bisection in the simulated loop, by eigenvalues, and by formulas?",
       {{"map", "Maps of the lab: rate, delay, hand, filter, quantization, friction; all; none", {"all"}, true},
-       {"draws", "Further walls, drawn from the ranges below", {"0"}},
-       {"rate_hz", "Of walls that are drawn, one of these", {"1000"}, true},
-       {"mass_kg", "Of arm and hand; LOW:HIGH is drawn from", {"0.045"}},
-       {"damping_N_s_per_m", "Of arm and hand", {"0.1"}},
-       {"hand_stiffness_N_per_m", "Of the hand's spring", {"0"}},
-       {"friction_N", "Coulomb's, of the arm", {"0"}},
-       {"kd_N_s_per_m", "Damping of the wall", {"0"}},
+       {"draws", "Further walls, drawn at random from the ranges below", {"0"}},
+       {"rate_hz", "Samples per second of the drawn walls: one of these", {"1000"}, true},
+       {"mass_kg", "Mass of arm and hand, kg: a number, or LOW:HIGH for a uniform draw", {"0.045"}},
+       {"damping_N_s_per_m", "Damping of arm and hand, N s/m", {"0.1"}},
+       {"hand_stiffness_N_per_m", "Stiffness of the hand, N/m", {"0"}},
+       {"friction_N", "Coulomb friction of the arm, N", {"0"}},
+       {"kd_N_s_per_m", "Damping of the wall, N s/m", {"0"}},
        {"delay_ticks", "Whole periods between a sample and its force", {"0"}}},
       stability_kind::make};
 }

@@ -8,9 +8,9 @@
 
 namespace underact::extremes {
 
-/// Draws what hurts: scales of all sizes, directions on and beside the axes, places beside what is degenerate. The same
-/// numbers on every machine and by every compiler: no library's own logarithm has a part in them, and no two of them
-/// are drawn for the arguments of one call, whose order is the compiler's own.
+/// Draws difficult cases: scales of all sizes, directions on and near the axes, positions near degenerate ones. The
+/// same numbers on every machine and by every compiler: no library's logarithm is involved, and no two are drawn for
+/// the arguments of one call, whose order of evaluation is up to the compiler.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : state_(seed) {}
@@ -40,9 +40,10 @@ class Dice {
   Vec3 direction();
   /// A rotation to a few ulp.
   Mat3 turn();
-  /// A place about a middle with an axis: in a box of its size, on the axis but for 2^-k, at any scale, or the middle.
+  /// A position near a centre with an axis: in a box of its size, on the axis except for 2^-k, at any scale, or the
+  /// centre.
   Vec3 placeAbout(const Vec3& middle_W, const Vec3& axis_W, double size);
-  /// The same with now and then a coordinate that is zero of either sign, or denormal.
+  /// Likewise, but sometimes a coordinate is zero of either sign, or denormal.
   Vec3 oddPlaceAbout(const Vec3& middle_W, const Vec3& axis_W, double size);
   /// An angle, rad: within a turn, a quarter turn but for 2^-k, or of 1e6.
   double angle();
@@ -51,7 +52,7 @@ class Dice {
   std::uint64_t state_;
 };
 
-/// The seed of a case: the same for a seed and an index whoever draws it.
+/// The seed of a case: determined by a seed and an index alone.
 std::uint64_t caseSeed(std::uint64_t seed, std::uint64_t index);
 
 }  // namespace underact::extremes

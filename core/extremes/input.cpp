@@ -7,7 +7,7 @@
 namespace underact::extremes {
 
 std::string textOf(double number) {
-  if (number != number) return "nan";  // whatever its sign and payload
+  if (number != number) return "nan";  // regardless of its sign and payload
   std::array<char, 40> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), number);
   return {text.data(), end.ptr};

@@ -10,8 +10,8 @@
 
 namespace underact::extremes {
 
-/// The numbers of one case, each with its name: drawn, or given again. Whatever the code under test is fed goes through
-/// here, so that a kept case is these numbers and no seed, and stays the same case however the draws change.
+/// The numbers of one case, each with its name: drawn, or given again. Every input of the code under test goes through
+/// here, so that a saved case consists of these numbers and no seed, and stays the same however the draws change.
 class Input {
  public:
   explicit Input(std::uint64_t seed) : dice_(seed) {}
@@ -50,7 +50,7 @@ class Input {
   bool flag(std::string_view name) { return choice(name, 2) == 1; }
 
   const std::vector<double>& numbers() const { return numbers_; }
-  /// More were asked for than given, or fewer.
+  /// More numbers were requested than given, or fewer.
   bool isShort() const { return is_given_ && at_ != numbers_.size(); }
   /// "radius_m 0.5 p_WT.x 1e-300 ...", with as many digits as it takes.
   std::string words() const;

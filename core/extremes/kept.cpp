@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view kHeader = "key,error_ulp,input";
 
-/// What comes before the next separator; the text goes on behind it.
+/// The part before the next separator; the text continues after it.
 std::string_view upTo(char separator, std::string_view& text) {
   const std::size_t end = text.find(separator);
   const std::string_view part = text.substr(0, end);

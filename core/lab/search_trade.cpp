@@ -8,7 +8,7 @@
 namespace underact::lab {
 namespace {
 
-/// An answer of a search, of whichever kind.
+/// A result of a search of any kind.
 struct Answer {
   double distance_m = 0.0;
   bool is_proved = false;
@@ -38,7 +38,7 @@ SearchFigures figuresOf(Search search, const std::vector<Vec3>& way, const std::
   return figures;
 }
 
-/// asker(search) gives a search with a memory of its own.
+/// asker(search) returns a search with its own memory.
 template <class MakeAsker>
 std::vector<SearchFigures> eachSearch(const std::vector<Vec3>& way, const MakeAsker& asker) {
   std::vector<Answer> nearest;

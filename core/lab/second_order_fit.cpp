@@ -12,7 +12,7 @@ namespace underact::lab {
 namespace {
 
 constexpr std::size_t kFewestToFit = 10;
-constexpr std::size_t kCoarse = 600;  // samples that the grid looks at
+constexpr std::size_t kCoarse = 600;  // samples that the grid uses
 constexpr int kFrequencies = 80, kDampings = 24;
 constexpr int kSteps = 100;
 constexpr double kLeastZeta = 1e-4, kMostZeta = 50.0;
@@ -22,7 +22,7 @@ double sinc(double x) {
   return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : sinCos(x).sin / x;
 }
 
-/// A curve less its first value, every stride-th sample of it, and what a pair of parameters makes of it.
+/// A curve relative to its first value, every stride-th sample of it, and the response for a pair of parameters.
 class Distance {
  public:
   using Parameters = Eigen::Vector2d;  // logarithms of omega_n and zeta

@@ -11,13 +11,13 @@
 namespace underact::lab {
 namespace {
 
-constexpr double kGone = 1e-14;      // a share of the final value; a mode below it is not looked for
-constexpr double kTold = 1e-9;       // a share of what is looked for; a mode below it makes no other peak or passing
-constexpr double kLargest = 1e18;    // of a mode's share; of equal poles it would be infinite, and they cancel
-constexpr double kPerTurn = 32.0;    // samples in a turn of the fastest mode alive
+constexpr double kGone = 1e-14;      // a fraction of the final value; a mode below it is ignored
+constexpr double kTold = 1e-9;       // a fraction of the sought value; a mode below it causes no other peak or crossing
+constexpr double kLargest = 1e18;    // of a mode's fraction; of equal poles it would be infinite, and they cancel
+constexpr double kPerTurn = 32.0;    // samples per period of the fastest active mode
 constexpr int kBlock = 64;           // steps from one exact state to the next
 constexpr int kMostBlocks = 10'000;  // 640,000 samples
-constexpr int kSwings = 200;         // of the slowest undamped mode, where several beat against each other
+constexpr int kSwings = 200;         // of the slowest undamped mode, if several beat against each other
 
 /// A mode of the response: at most share e^(-decay t) of the final value.
 struct Mode {
@@ -41,31 +41,31 @@ std::vector<Mode> modesOf(const TransferFunction& transfer) {
   return modes;
 }
 
-/// Where the response rises or falls all the way. z: its value, a share of the final one, less 1.
+/// A piece in which the response is monotonic. z: its value as a fraction of the final one, less 1.
 struct Piece {
   double from_s, to_s, z_from, z_to;
 };
 
-/// Looks through a response piece by piece.
+/// Searches a response piece by piece.
 class Search {
  public:
   explicit Search(const TransferFunction& transfer)
       : step_(transfer), modes_(modesOf(transfer)), final_(gainAtRest(transfer)) {}
 
-  /// Nothing is farther from the final value at t or later; a share of it.
+  /// A bound of the distance from the final value at t or later, as a fraction of it.
   double mostFrom(double t_s) const {
     double sum = 0.0;
     for (const Mode& mode : modes_) sum += mode.share * std::exp(-mode.decay_per_s * t_s);
     return sum;
   }
-  /// The same for ever: what is undamped.
+  /// The same for all time: the undamped modes.
   double mostForEver() const {
     double sum = 0.0;
     for (const Mode& mode : modes_) sum += mode.decay_per_s > 0.0 ? 0.0 : mode.share;
     return sum;
   }
   double z(double t_s) const { return zOf(step_.stagesAt(t_s)); }
-  /// The time in a piece at which z passes level.
+  /// The time in a piece at which z crosses level.
   double passing(const Piece& piece, double level) const {
     const bool above = piece.z_from > level;
     return boundary(piece.from_s, piece.to_s, [&](double t_s) { return (z(t_s) > level) == above; });
@@ -82,7 +82,7 @@ class Search {
       const double rate = rateOf(stages), next_rate = rateOf(next), here = zOf(stages), there = zOf(next);
       double turn_s = t_s;
       if (rate * next_rate < 0.0) {
-        // The rate falls to 0 on at most the way that a straight line would: twice what it can add.
+        // The rate falls to 0 within at most the distance of a straight line: twice what it can add.
         const double beyond = std::abs(rate) * step_s * rate / (rate - next_rate);
         const double farthest = rate > 0.0 ? std::max(here, there) + beyond : std::min(here, there) - std::abs(beyond);
         if (matters(farthest))
@@ -105,7 +105,8 @@ class Search {
     }
     return fastest > 0.0 ? 2.0 * kPi / (kPerTurn * fastest) : 0.0;
   }
-  /// From when on the undamped modes are alone and have shown all they do; infinite where there are none.
+  /// The time from which only the undamped modes are left and have shown their whole pattern; infinite if there are
+  /// none.
   double seenAll() const {
     double alone_s = 0.0, slowest = kInfinity;
     int undamped = 0;
@@ -124,7 +125,7 @@ class Search {
  private:
   double zOf(const UnitStep::Vector& stages) const { return step_.deviation(stages) / final_; }
   double rateOf(const UnitStep::Vector& stages) const { return step_.rate(stages) / final_; }
-  /// Where holds, true at low, no longer does: to the last bit of the time, by halving.
+  /// The time at which holds, true at low, becomes false: to the last bit, by bisection.
   static double boundary(double low_s, double high_s, const std::function<bool(double)>& holds) {
     for (;;) {
       const double middle_s = 0.5 * (low_s + high_s);
@@ -167,7 +168,7 @@ void findRiseAndPeak(const Search& search, StepMetrics& metrics) {
   metrics.overshoot_fraction = metrics.peak_time_s ? most : 0.0;
 }
 
-/// Settling, backwards from when it is certain.
+/// Settling, backwards from the time at which it is certain.
 void findSettling(const Search& search, StepMetrics& metrics) {
   double within_s = 0.0;
   if (search.mostFrom(0.0) >= kSettlingBand) {
@@ -185,7 +186,7 @@ void findSettling(const Search& search, StepMetrics& metrics) {
   }
   for (int block = 0; block < kMostBlocks && within_s > 0.0; ++block) {
     double begin_s = std::max(0.0, within_s - kBlock * search.stepAt(within_s, kTold * kSettlingBand));
-    // A faster mode may have been alive at the block's beginning: then a shorter one.
+    // A faster mode may have been active at the start of the block: then a shorter one.
     while (within_s - begin_s > 1.0001 * kBlock * search.stepAt(begin_s, kTold * kSettlingBand))
       begin_s = 0.5 * (begin_s + within_s);
     const std::vector<Piece> pieces =
@@ -197,7 +198,7 @@ void findSettling(const Search& search, StepMetrics& metrics) {
     }
     within_s = begin_s;
   }
-  metrics.settling_2pct_s = within_s;  // from the beginning, or as far back as it was looked at
+  metrics.settling_2pct_s = within_s;  // from the start, or as far back as was searched
 }
 
 }  // namespace

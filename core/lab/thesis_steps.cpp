@@ -15,7 +15,7 @@ std::span<const ThesisStep> thesisSteps() {
        {{"a/(s+a)", {{2.0}, {1.0, 2.0}}}, {"1/(s+a)", {{1.0}, {1.0, 2.0}}}, {"3a/(s+a)", {{6.0}, {1.0, 2.0}}}}},
       {"B.2",
        TRANSLATE_NOOP("step", "Generic second order responses"),
-       TRANSLATE_NOOP("step", "The damping ratio from none to twice critical, with a natural frequency of 1 rad/s."),
+       TRANSLATE_NOOP("step", "Damping ratios from 0 to 2 (twice critical), natural frequency 1 rad/s."),
        15.0,
        {{"ζ 0.4", secondOrder(1.0, 0.4)},
         {"ζ 0", secondOrder(1.0, 0.0)},
@@ -25,10 +25,9 @@ std::span<const ThesisStep> thesisSteps() {
         {"ζ 2", secondOrder(1.0, 2.0)}}},
       {"B.3",
        TRANSLATE_NOOP("step", "Comparing third and second order responses"),
-       TRANSLATE_NOOP(
-           "step",
-           "5/((s + 1)(s + 2)(s + 30)), the same without the fast pole's part, and a second order of its gain: at most "
-           "0.0014 apart."),
+       TRANSLATE_NOOP("step",
+                      "5/((s + 1)(s + 2)(s + 30)), the same without the fast part, and a second-order system with the "
+                      "same gain: at most 0.0014 apart."),
        6.0,
        {{TRANSLATE_NOOP("step", "third order"), {{5.0}, {1.0, 33.0, 92.0, 60.0}}},
         {TRANSLATE_NOOP("step", "without the fast part"), {{-5.0 / 812.0, 135.0 / 812.0}, {1.0, 3.0, 2.0}}},

@@ -11,7 +11,7 @@ namespace underact::lab {
 namespace {
 
 constexpr double kOnTheAxis = 1e-12;      // relative, of the coefficients; typed ones have about as many digits
-constexpr double kTwiceOnTheAxis = 1e-6;  // its square root: so far apart are two roots that are one
+constexpr double kTwiceOnTheAxis = 1e-6;  // its square root: the distance between two computed roots of a double one
 constexpr int kPolishes = 12;
 
 void dropLeadingZeros(std::vector<double>& coefficients) {
@@ -29,7 +29,7 @@ bool allFinite(const std::vector<double>& coefficients) {
   return std::all_of(coefficients.begin(), coefficients.end(), [](double one) { return std::isfinite(one); });
 }
 
-/// The sum of |a_i| |s|^i: what the rounding of valueAt() is a share of.
+/// The sum of |a_i| |s|^i, to which the rounding of valueAt() is relative.
 double sizeAt(const std::vector<double>& coefficients, double size) {
   double sum = 0.0;
   for (const double one : coefficients) sum = sum * size + std::abs(one);
@@ -43,8 +43,8 @@ std::vector<double> derivative(const std::vector<double>& coefficients) {
   return result;
 }
 
-/// Steps of Ehrlich and Aberth, all roots at a time, so that none is found twice; it ends where the value at a root is
-/// its rounding.
+/// Steps of Ehrlich and Aberth, all roots at once, so that none is found twice; it ends when the value at a root is its
+/// rounding.
 void polish(const std::vector<double>& monic, std::vector<Complex>& roots) {
   const std::vector<double> slope = derivative(monic);
   for (int step = 0; step < kPolishes; ++step) {

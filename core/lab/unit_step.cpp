@@ -11,7 +11,7 @@ namespace {
 using Matrix = UnitStep::Matrix;
 using Vector = UnitStep::Vector;
 
-constexpr double kSmall = 0.5;  // up to here the series below is right to the last bit
+constexpr double kSmall = 0.5;  // up to here the series below is exact to the last bit
 constexpr int kTerms = 16;      // 0.5^17 / 17! is 2e-20
 
 Complex exponential(const Complex& z) {
@@ -75,7 +75,7 @@ Complex divide(std::vector<Complex>& coefficients, const Complex& root) {
 
 UnitStep::UnitStep(const TransferFunction& transfer) {
   std::vector<Complex> roots = poles(transfer);
-  // Slow ones last, so that no stage behind a slow one works on what that one has nearly forgotten; pairs stay
+  // Slow ones last, so that no stage after a slow one works on values that have nearly decayed; pairs stay
   // together.
   std::stable_sort(roots.begin(), roots.end(),
                    [](const Complex& a, const Complex& b) { return std::abs(a) > std::abs(b); });
@@ -96,7 +96,7 @@ UnitStep::UnitStep(const TransferFunction& transfer) {
 
 double UnitStep::at(double t_s) const {
   const Eigen::Index size = poles_.size();
-  Vector diagonal = Vector::Zero(size + 1);  // the step itself stands in front, as a stage that keeps its 1
+  Vector diagonal = Vector::Zero(size + 1);  // the step itself comes first, as a stage that keeps its 1
   diagonal.tail(size) = poles_;
   return direct_ + output_.transpose().cwiseProduct(exponential(diagonal, gains_, t_s).col(0).tail(size)).sum().real();
 }

@@ -37,7 +37,7 @@ void forget(CheckState& state) {
   state.crossed_ns.clear();
 }
 
-/// Which of what has to hold meanwhile does not: see CheckState::missed.
+/// Finds the first condition that fails meanwhile: see CheckState::missed.
 void lookAside(const Check& check, CheckState& state, const Seen& seen) {
   state.missed = 0;
   for (std::size_t index = 0; index < check.meanwhile.size() && state.missed == 0; ++index) {
@@ -118,7 +118,7 @@ double distanceTo(const Measure& measure, const Values& values, const std::vecto
   }
   double sum = 0.0, largest = 0.0;
   for (std::size_t part = 0; part < place.size() && part < values.size(); ++part) {
-    if (std::isnan(place[part])) continue;  // whichever
+    if (std::isnan(place[part])) continue;  // any value
     const double way = values[part] - place[part];
     sum += way * way;
     if (std::isnan(way)) return kNotANumber;

@@ -33,16 +33,16 @@ Sentence whyMissing(const Quantity& quantity, const scene::Description& scene) {
   };
   const auto missing = [&](const char* pattern) { return said(pattern, {scene.title, quantity.key}); };
   if (quantity.needs == Needs::Influence && !has(isInfluenced))
-    return missing(TRANSLATE_NOOP("problem", "The scene \"%1\" has no %2: no constraint of it has an influence."));
+    return missing(TRANSLATE_NOOP("problem", "The scene \"%1\" has no %2: none of its constraints has an influence."));
   if (quantity.needs == Needs::Robot && !has(isRobot))
     return missing(
-        TRANSLATE_NOOP("problem", "The scene \"%1\" has no %2: no constraint of it is a virtual manipulator."));
+        TRANSLATE_NOOP("problem", "The scene \"%1\" has no %2: none of its constraints is a virtual robot."));
   if (quantity.needs != Needs::Energy) return {};
   for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
     if (scene::controlOf(scene, index).passivity != control::Passivity::Off) return {};
   }
-  return missing(
-      TRANSLATE_NOOP("problem", "The scene \"%1\" has no %2: nobody counts its energy, since passivity is \"off\"."));
+  return missing(TRANSLATE_NOOP(
+      "problem", "The scene \"%1\" has no %2: its passivity is \"off\", so its energy is not observed."));
 }
 
 }  // namespace underact::lesson

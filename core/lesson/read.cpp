@@ -22,7 +22,7 @@ void readVersion(ObjectReader& object) {
                           said(TRANSLATE_NOOP("problem", "This must be the number 1, the version of lesson files.")));
 }
 
-/// Words that each have to be one of known; what: "layer".
+/// Words, each of which has to be one of known; what: "layer".
 std::vector<std::string> readNames(ObjectReader& object, const char* key, std::span<const char* const> known,
                                    const Sentence& what) {
   std::vector<std::string> names;

@@ -59,7 +59,7 @@ bool isOneNumber(const Measure& measure) {
   return measure.quantity == nullptr || measure.part > 0 || measure.quantity->parts == 1;
 }
 
-/// A number, or a list of as many as the measure has values; null in it: whichever.
+/// A number, or a list of as many as the measure has values; null in it: any value.
 std::vector<double> readPlace(const Value& value, const std::string& path, const Measure& measure, Findings& findings) {
   if (measure.quantity == nullptr) return {0.0};  // said already
   if (isOneNumber(measure)) {
@@ -80,7 +80,7 @@ std::vector<double> readPlace(const Value& value, const std::string& path, const
   for (const Value& item : value.items) {
     const bool is_whichever = item.kind == json::Kind::Null && measure.quantity->apart != Apart::Turn;
     if (!is_whichever)
-      isKind(item, json::Kind::Number, path, said(TRANSLATE_NOOP("problem", "a number, or null for whichever")),
+      isKind(item, json::Kind::Number, path, said(TRANSLATE_NOOP("problem", "a number, or null for any value")),
              findings);
     if (item.kind == json::Kind::Number && !std::isfinite(item.number))
       findings.add(item, path, said(TRANSLATE_NOOP("problem", "This is not a finite number.")));
@@ -104,9 +104,8 @@ Wanted readWanted(ObjectReader& object, const Value& whole) {
   if (is_band == (near != nullptr)) {
     object.findings().add(
         whole, object.pathOf("measure"),
-        said(TRANSLATE_NOOP(
-            "problem",
-            "Say where it should be: either \"above\" and \"below\", or one of them, or \"near\" and \"within\".")));
+        said(TRANSLATE_NOOP("problem",
+                            "Give a range (\"above\", \"below\" or both), or a value (\"near\" with \"within\").")));
   } else if (wanted.above >= wanted.below) {
     object.findings().add(whole, object.pathOf("above"),
                           said(TRANSLATE_NOOP("problem", "\"above\" must be less than \"below\".")));
@@ -137,11 +136,11 @@ Visit readVisit(ObjectReader& object) {
   Visit visit{readMeasure(object, true), {}, readAmount(object, "within", true, 0.0).value_or(0.0)};
   const Value& list = *object.find("visit");
   const std::string path = object.pathOf("visit");
-  if (!isKind(list, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of places")), object.findings()))
+  if (!isKind(list, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of values")), object.findings()))
     return visit;
   if (list.items.empty() || list.items.size() > kMostPlaces)
     object.findings().add(list, path,
-                          said(TRANSLATE_NOOP("problem", "Name 1 to %1 places."), {std::to_string(kMostPlaces)}));
+                          said(TRANSLATE_NOOP("problem", "Give 1 to %1 values."), {std::to_string(kMostPlaces)}));
   for (std::size_t index = 0; index < std::min(list.items.size(), kMostPlaces); ++index) {
     const std::string at = path + "[" + std::to_string(index) + "]";
     visit.places.push_back(readPlace(list.items[index], at, visit.measure, object.findings()));
@@ -149,13 +148,14 @@ Visit readVisit(ObjectReader& object) {
   return visit;
 }
 
-/// A measure that is a number, for what compares by more and less.
+/// A measure that is a single number, for comparisons.
 Measure readOneNumber(ObjectReader& object, const Value& whole) {
   Measure measure = readMeasure(object, true);
   if (!isOneNumber(measure)) {
-    object.findings().add(whole, object.pathOf("part"),
-                          said(TRANSLATE_NOOP("problem", "The quantity %1 has %2 values here; choose one by \"part\"."),
-                               {std::string(measure.quantity->key), std::to_string(measure.quantity->parts)}));
+    object.findings().add(
+        whole, object.pathOf("part"),
+        said(TRANSLATE_NOOP("problem", "The quantity %1 has %2 values here; choose one with \"part\"."),
+             {std::string(measure.quantity->key), std::to_string(measure.quantity->parts)}));
     measure.part = 1;
   }
   return measure;
@@ -181,8 +181,7 @@ AskNumber readNumberQuestion(ObjectReader& object, const Value& whole) {
   if (is_measured && object.find("answer") != nullptr)
     object.findings().add(
         whole, object.pathOf("answer"),
-        said(
-            TRANSLATE_NOOP("problem", "The answer is either measured or given: take \"measure\" or \"answer\" away.")));
+        said(TRANSLATE_NOOP("problem", "The answer is either measured or given: remove \"measure\" or \"answer\".")));
   if (const Value* const unit = object.find("unit"))
     readText(*unit, object.pathOf("unit"), ask.unit, object.findings());
   if (ask.unit.empty() && ask.measure.quantity != nullptr) ask.unit = ask.measure.quantity->unit;
@@ -207,7 +206,7 @@ AskChoice readChoiceQuestion(ObjectReader& object) {
   if (!read) return ask;  // said already
   if (right > static_cast<double>(ask.choices.size()) || right != std::floor(right)) {
     object.findings().add(*object.find("right"), object.pathOf("right"),
-                          said(TRANSLATE_NOOP("problem", "This is the number of the right answer, 1 to %1."),
+                          said(TRANSLATE_NOOP("problem", "This must be the number of the right answer, 1 to %1."),
                                {std::to_string(ask.choices.size())}));
   } else {
     ask.right = static_cast<std::size_t>(right);
@@ -215,7 +214,7 @@ AskChoice readChoiceQuestion(ObjectReader& object) {
   return ask;
 }
 
-/// What a check is shows by the key that only its kind has.
+/// The kind of a check is determined by the key that only this kind has.
 Task readTask(ObjectReader& object, const Value& value) {
   if (value.find("choices") != nullptr) return readChoiceQuestion(object);
   if (value.find("question") != nullptr) return readNumberQuestion(object, value);

@@ -30,7 +30,7 @@ std::string readLine(ObjectReader& object, const char* key, bool required) {
   const bool is_blank = line.find_first_not_of(" \t\r\n") == std::string::npos;
   if (value->kind == json::Kind::String && (is_blank || line.find('\n') != std::string::npos))
     object.findings().add(*value, object.pathOf(key),
-                          said(TRANSLATE_NOOP("problem", "This must be one line of text, and not an empty one.")));
+                          said(TRANSLATE_NOOP("problem", "This must be one line of text, not empty.")));
   return line;
 }
 
@@ -42,7 +42,7 @@ std::string readProse(ObjectReader& object, const char* key, bool required) {
   Findings& findings = object.findings();
   if (value->kind != json::Kind::Array) {
     if (isKind(*value, json::Kind::String, path,
-               said(TRANSLATE_NOOP("problem", "text in double quotes, or a list of lines of it")), findings))
+               said(TRANSLATE_NOOP("problem", "text in double quotes, or a list of its lines")), findings))
       prose = value->text;
   } else {
     for (std::size_t index = 0; index < value->items.size(); ++index) {
@@ -52,7 +52,7 @@ std::string readProse(ObjectReader& object, const char* key, bool required) {
     }
   }
   if (required && prose.find_first_not_of(" \t\r\n") == std::string::npos && value->kind != json::Kind::Null)
-    findings.add(*value, path, said(TRANSLATE_NOOP("problem", "There is nothing to read here.")));
+    findings.add(*value, path, said(TRANSLATE_NOOP("problem", "The text is empty.")));
   return prose;
 }
 

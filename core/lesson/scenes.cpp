@@ -33,7 +33,7 @@ Problems toldAt(const Place& place, const std::string& scene_key, const Problems
   for (const Problem& problem : problems) {
     Place at = place;
     at.key += "." + scene_key;
-    told.push_back({said(TRANSLATE_NOOP("problem", "The scene is not right: %1"), {describe(problem)}), at});
+    told.push_back({said(TRANSLATE_NOOP("problem", "The scene has an error: %1"), {describe(problem)}), at});
   }
   return told;
 }

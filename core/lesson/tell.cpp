@@ -7,7 +7,7 @@
 namespace underact::lesson {
 namespace {
 
-/// Says one check; holds what each sentence needs.
+/// Describes the state of one check in a sentence.
 class Teller {
  public:
   explicit Teller(const CheckState& state) : state_(state) {}
@@ -37,18 +37,18 @@ class Teller {
     const Sentence reached = said(TRANSLATE_NOOP("problem", "%1 of %2 reached."),
                                   {std::to_string(count), std::to_string(visit.places.size())});
     if (left.empty()) return reached;
-    return oneAfterAnother({reached, said(TRANSLATE_NOOP("problem", "Still to go: %1, to %2. %3."),
+    return oneAfterAnother({reached, said(TRANSLATE_NOOP("problem", "Still to reach: %1, to within %2. %3."),
                                           {left, distance(visit.measure, visit.within), is(visit.measure)})});
   }
 
   Sentence operator()(const Span& span) const {
     const double by = state_.spanning ? state_.most - state_.least : 0.0;
-    return said(TRANSLATE_NOOP("problem", "%1 went over %2 of %3."),
+    return said(TRANSLATE_NOOP("problem", "%1 covered %2 of %3."),
                 {name(span.measure), amount(span.measure, by), amount(span.measure, span.by)});
   }
 
   Sentence operator()(const Cross& cross) const {
-    return said(TRANSLATE_NOOP("problem", "%1 swung through %2 %3 of %4 times within %5 s."),
+    return said(TRANSLATE_NOOP("problem", "%1 crossed %2 %3 of %4 times within %5 s."),
                 {name(cross.measure), amount(cross.measure, cross.value), std::to_string(state_.crossed_ns.size()),
                  std::to_string(cross.times), shownNumber(cross.in_s, 1)});
   }
@@ -67,12 +67,12 @@ class Teller {
   Sentence meanwhile(const Wanted& wanted) const {
     const Sentence now = wanted.near.empty() ? amount(wanted.measure, state_.meanwhile_now)
                                              : distance(wanted.measure, state_.meanwhile_now);
-    return said(TRANSLATE_NOOP("problem", "At the same time it should be: %1 %2; now %3."),
+    return said(TRANSLATE_NOOP("problem", "Required at the same time: %1 %2; now %3."),
                 {name(wanted.measure), should(wanted), now});
   }
 
  private:
-  /// As many as it was probably typed with.
+  /// As many decimals as it was probably typed with.
   static int decimalsOf(double number) {
     int decimals = 0;
     for (double scaled = number; decimals < 4 && std::abs(scaled - std::round(scaled)) > 1e-9 * std::abs(scaled);) {
@@ -84,7 +84,7 @@ class Teller {
 
   Sentence answered(const Sentence& answer) const {
     return said(state_.solved ? TRANSLATE_NOOP("problem", "%1 is right.")
-                              : TRANSLATE_NOOP("problem", "%1 is not right. Look again."),
+                              : TRANSLATE_NOOP("problem", "%1 is not right. Try again."),
                 {answer});
   }
 

@@ -12,7 +12,7 @@ bool always(const scene::Description&) {
   return true;
 }
 
-/// A law in the joints' space has rates of joints, which are compared with nothing here.
+/// A control law in joint space has joint rates, which are not compared here.
 bool dampsInPlace(const scene::Description& scene) {
   for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
     const scene::Control& control = controlOf(scene, index);
@@ -100,7 +100,7 @@ std::vector<Option> blocks() {
   return options;
 }
 
-/// Whether two settings are alike in one field.
+/// Whether two settings are equal in one field.
 template <auto kField>
 bool alike(const Settings& a, const Settings& b) {
   return a.*kField == b.*kField;
@@ -108,7 +108,7 @@ bool alike(const Settings& a, const Settings& b) {
 
 bool sameMethod(const Settings& a, const Settings& b) {
   const auto iterates = [](const Settings& s) { return s.solver.method == scene::SolverMethod::Iterative; };
-  return iterates(a) == iterates(b);  // auto is the closed form, where there is one
+  return iterates(a) == iterates(b);  // auto is the closed form if there is one
 }
 
 bool sameSteps(const Settings& a, const Settings& b) {
@@ -119,30 +119,30 @@ bool sameSteps(const Settings& a, const Settings& b) {
 
 std::span<const Choice> choices() {
   static const std::array<Choice, 8> kChoices{{
-      {"rate", "How often does the servo tick?", "the servo's tick", "the tip's way in the loop, from a run at 16 kHz",
-       "mm", 0.11, "two steps of the encoders", rates(), always, alike<&Settings::rate_hz>, rateOn},
+      {"rate", "How often does the servo tick?", "the servo's tick",
+       "the path of the tip, compared with a run at 16 kHz", "mm", 0.11, "two encoder steps", rates(), always,
+       alike<&Settings::rate_hz>, rateOn},
       {"simulation", "How is the simulated arm integrated?", "the arm's period",
-       "the tip's way in the loop, from the trapezoidal rule in steps of 5 us", "mm", 0.00275,
-       "a twentieth of a step of the encoders", simulations(), always, alike<&Settings::simulation>, simulationOn},
-      {"search", "How is the nearest point of a mesh or a curve sought?", "the servo's tick",
-       "farther off than the nearest of all", "mm", 1e-9, "the nearest is what a scene promises", searches(), hasSearch,
-       alike<&Settings::search>, searchOn},
+       "the path of the tip, compared with the trapezoidal rule in steps of 5 us", "mm", 0.00275,
+       "a twentieth of an encoder step", simulations(), always, alike<&Settings::simulation>, simulationOn},
+      {"search", "How is the nearest point of a mesh or a curve found?", "the servo's tick",
+       "how much farther away than the nearest point of all", "mm", 1e-9, "the nearest is what a scene promises",
+       searches(), hasSearch, alike<&Settings::search>, searchOn},
       {"solver", "Are a robot's joints found in closed form?", "the servo's tick",
-       "the target, from 100 steps to 1e-14", "mm", 1e-3, "a fiftieth of a step of the encoders", solvers(), hasSolver,
-       sameMethod, solverOn},
-      {"steps", "How many steps may finding a robot's joints take in a tick?", "the servo's tick",
-       "the target, from 100 steps to 1e-14", "mm", 1e-3, "a fiftieth of a step of the encoders", steps(), hasSolver,
+       "the target, compared with 100 steps to 1e-14", "mm", 1e-3, "a fiftieth of an encoder step", solvers(),
+       hasSolver, sameMethod, solverOn},
+      {"steps", "How many steps may the solver take in a tick?", "the servo's tick",
+       "the target, compared with 100 steps to 1e-14", "mm", 1e-3, "a fiftieth of an encoder step", steps(), hasSolver,
        sameSteps, solverOn},
       {"velocity", "How is the rate of the error found?", "the servo's tick",
-       "the rate, from exact angles 10 us before and after", "mm/s", 25.0,
-       "unfiltered, one step of the encoders is 55 mm/s", filters(), dampsInPlace, alike<&Settings::velocity>,
-       velocityOn},
-      {"inverse", "How are the arm's own joints found for a pose?", "one pose, from the last one's joints",
-       "the tip's place", "mm", 1e-9, "rounding of the closed form, a thousand times", inverses(), always,
-       alike<&Settings::inverse_steps>, inverseOn},
+       "the rate, compared with exact angles 10 us before and after", "mm/s", 25.0,
+       "unfiltered, one encoder step is 55 mm/s", filters(), dampsInPlace, alike<&Settings::velocity>, velocityOn},
+      {"inverse", "How are the arm's own joints found for a pose?", "one pose, starting from the last joint angles",
+       "the position of the tip", "mm", 1e-9, "a thousand times the rounding error of the closed form", inverses(),
+       always, alike<&Settings::inverse_steps>, inverseOn},
       {"blocks", "How much of a recording is written at a time?", "a row of the recording",
-       "what a kill loses at most, but for the 0.02 s between two looks of the recorder", "s", 0.125,
-       "0.25 s are promised, and a busy machine may keep the writer as long again", blocks(), always,
+       "what is lost at most if the process is killed, apart from the 0.02 s between two reads of the recorder", "s",
+       0.125, "0.25 s is promised, and a busy machine may delay the writer by as much again", blocks(), always,
        alike<&Settings::block_s>, blocksOn},
   }};
   return kChoices;

@@ -27,7 +27,7 @@ double blocksOf_ns(const Settings& settings, double seconds) {
   return blocks * (kBlock_ns + kRow_ns * settings.block_s * settings.rate_hz);
 }
 
-/// What all options are held against, for a second.
+/// The reference for all options, for a second.
 double oracleOf_ns(const Choice& choice, Settings base, double tick_ns) {
   if (choice.measureOn == inverseOn) return base.rate_hz * kJoints_ns;
   if (choice.measureOn == blocksOn) return 0.0;

@@ -10,7 +10,7 @@ namespace {
 
 using Ways = std::vector<Settings>;
 
-/// Each of the ways with each of the choices.
+/// Each configuration with each of the choices.
 template <class Value>
 Ways times(const Ways& ways, std::initializer_list<Value> values, Value Settings::*field) {
   Ways all;
@@ -33,7 +33,7 @@ Settings oracleOf(Settings own) {
   return own;
 }
 
-/// One way in all the hands; empty: a run ended early, or there is no such way.
+/// One configuration with all the hands; empty: a run ended early, or it is not possible.
 std::optional<Point> measured(const std::vector<Bench>& benches, const std::vector<Run>& oracles, const Settings& way) {
   Point point;
   point.settings = way;

@@ -66,25 +66,25 @@ bool nothing(scene::Description&) {
 }
 
 const std::array<Need, 7> kNeeds{{
-    {"orientation", "how the stylus is turned", nothing, [](tick::Needs& needs) { needs.orientation = true; },
+    {"orientation", "the orientation of the stylus", nothing, [](tick::Needs& needs) { needs.orientation = true; },
      [](const tick::TickProgram& program) { return program.needs.orientation; }},
-    {"motor_torques", "what the motors bear: the Jacobian, their heat, the joints' stops", nothing,
+    {"motor_torques", "the load of the motors: the Jacobian, their heat, the joint limits", nothing,
      [](tick::Needs& needs) { needs.motors = true; },
      [](const tick::TickProgram& program) { return program.needs.motors; }},
-    {"error_rate", "how fast the error changes (PD)",
+    {"error_rate", "the rate of the error (PD)",
      [](scene::Description& scene) { return giveLaw(scene, scene::LawType::PD); }, nullptr,
      [](const tick::TickProgram& program) { return program.needs.rate; }},
-    {"error_integral", "the error's rate and integral (PID)",
+    {"error_integral", "the rate and the integral of the error (PID)",
      [](scene::Description& scene) { return giveLaw(scene, scene::LawType::PID); }, nullptr,
      [](const tick::TickProgram& program) { return program.needs.integral; }},
-    {"energy", "what each constraint was given, and a damper for what it owes",
+    {"energy", "the energy of each constraint, and the damper of the passivity controller",
      [](scene::Description& scene) {
        return anyControl(scene, [](scene::Control& control) { control.passivity = control::Passivity::Control; });
      },
      nullptr, [](const tick::TickProgram& program) { return program.needs.energy; }},
-    {"friction", "where the target holds on to the shape", giveFriction, nullptr,
+    {"friction", "the point at which friction holds the target", giveFriction, nullptr,
      [](const tick::TickProgram& program) { return program.needs.friction; }},
-    {"influence", "the target between the stylus's place and its turn", giveInfluence, nullptr,
+    {"influence", "the target between the position and the orientation of the stylus", giveInfluence, nullptr,
      [](const tick::TickProgram& program) {
        return std::any_of(program.entries.begin(), program.entries.end(), [](const tick::Entry& entry) {
          return std::holds_alternative<target::InfluencedShape>(entry.constraint.goal);
@@ -92,7 +92,7 @@ const std::array<Need, 7> kNeeds{{
      }},
 }};
 
-/// Place, targets and P laws in the space and the metric of the scene: nothing that another quantity adds.
+/// Position, targets and P laws in the space and the metric of the scene: nothing that another quantity adds.
 scene::Description bareOf(scene::Description scene) {
   anyControl(scene, [](scene::Control& control) {
     control.law = scene::LawType::P;
@@ -114,7 +114,7 @@ Result<tick::TickProgram> bareProgram(const scene::Description& scene) {
   return program;
 }
 
-/// The bare scene with the rows that `wanted` picks; none: one of them cannot be.
+/// The minimal scene with the rows that `wanted` selects; none: one of them is not possible.
 template <class Wanted>
 std::optional<tick::TickProgram> programWith(const scene::Description& bare, const Wanted& wanted) {
   scene::Description scene = bare;

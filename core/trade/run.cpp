@@ -23,7 +23,7 @@ std::int64_t nanosecondsAt(double time_s) {
   return std::llround(1e9 * time_s);
 }
 
-/// The joints where the hand wants the tip, as far as the arm follows.
+/// The joints at the position to which the hand moves the tip, as far as the arm follows.
 arm::JointAngles jointsAt(const sim::Plant& plant, const sim::HandWish& wish) {
   sim::PlantState state = restAt(plant, wish.p_WT);
   if (wish.turns) state.q_rad = arm::withinLimits(plant.arm.limits, arm::withWrist(state.q_rad, wish.R_WT));
@@ -85,7 +85,7 @@ Way wayOf(const Bench& bench, const std::vector<double>& at_s, bool encoders) {
   const sim::Plant plant = plantOf(bench, bench.scene, !encoders);
   Way way(at_s.size());
   for (std::size_t tick = 0; tick < at_s.size(); ++tick) {
-    way[tick].time_ns = nanosecondsAt(at_s[tick]) + 1;  // a first one at 0 would be no time
+    way[tick].time_ns = nanosecondsAt(at_s[tick]) + 1;  // a first one at 0 would have no duration
     way[tick].q_rad = jointsAt(plant, wishAt(bench.hand, nanosecondsAt(at_s[tick])));
   }
   return way;
@@ -120,7 +120,7 @@ Result<Walk> walk(const Bench& bench, const Settings& settings, const Way& way) 
 
 namespace {
 
-/// At a place between two ticks; on one of them its own value, to the bit.
+/// At a time between two ticks; on one of them its own value, to the bit.
 Vec3 between(const std::vector<Vec3>& values, std::size_t tick, double share) {
   if (share == 0.0) return values[tick];
   return values[tick] + share * (values[tick + 1] - values[tick]);

@@ -30,7 +30,7 @@ const scene::Control* firstControl(const scene::Description& scene, const IsMean
   return nullptr;
 }
 
-/// A wall's proxy follows the surface of a mesh; nothing is sought there.
+/// A wall's proxy follows the surface of a mesh; nothing is searched there.
 bool isSought(const scene::Constraint& one) {
   return std::holds_alternative<scene::Curve>(one.shape) ||
          (std::holds_alternative<scene::Mesh>(one.shape) && one.side == target::Side::Both);

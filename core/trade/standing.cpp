@@ -7,7 +7,7 @@
 namespace underact::trade {
 namespace {
 
-/// The scene's own way is run as the scene has it: "auto" is more than the closed form that it is like.
+/// The scene's own configuration is run as it is: "auto" is more than the closed form that it is like.
 std::vector<Entry> entriesWithOwn(const Choice& choice, const Settings& base) {
   std::vector<Entry> entries;
   bool has_own = false;

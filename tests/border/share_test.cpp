@@ -24,7 +24,7 @@ using device::remote::KeyFolder;
 using device::remote::RemoteArm;
 using test::comes;
 
-constexpr const char* kEnd = "Zero force, and no longer shared.";
+constexpr const char* kEnd = "Zero force. The arm is no longer shared.";
 
 /// A program that has the arm and pushes, tick after tick, until it goes.
 class Seat {

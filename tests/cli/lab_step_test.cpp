@@ -121,7 +121,7 @@ TEST(LabStep, TheArmUnderASceneIsMeasuredBesideItsFitAndItsModel) {
 
 TEST(LabStep, WhatTheArmCannotShowIsSaid) {
   const std::string point = shipped("01_point.json");
-  EXPECT_NE(step({"--scene", point}).err.find("cut the force"), std::string::npos);
+  EXPECT_NE(step({"--scene", point}).err.find("reduced the force"), std::string::npos);
   const Outcome stuck = step({"--scene", point, "--step_mm", "0.4", "--json"});
   EXPECT_EQ(stuck.exit, Exit::Well);
   EXPECT_TRUE(isNullAt(lines(stuck.out).at(0), "fit"));

@@ -58,7 +58,7 @@ TEST_F(LessonCheck, PrintsALineAProblemOfTheLessonAndOfItsScenes) {
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 3) << outcome.out;
   EXPECT_NE(outcome.out.find(bad.path() + ":2:62: error: steps[0].cheks: "), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("Did you mean \"checks\"?"), std::string::npos);
-  EXPECT_NE(outcome.out.find("no constraint of it is a virtual manipulator"), std::string::npos);
+  EXPECT_NE(outcome.out.find("none of its constraints is a virtual robot"), std::string::npos);
   EXPECT_NE(outcome.out.find("nowhere.json"), std::string::npos);
 }
 

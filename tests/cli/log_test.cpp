@@ -79,7 +79,7 @@ TEST(Log, VerifyFindsDamageAndSaysWhere) {
   record(session.path(), "02_sphere.json");
   const Outcome whole = runCli({"log", "verify", session.path()});
   EXPECT_EQ(whole.exit, Exit::Well) << whole.err;
-  EXPECT_EQ(whole.out, "2000 ticks, all of them whole.\n");
+  EXPECT_EQ(whole.out, "2000 ticks, all of them intact.\n");
   std::string bytes = fileContent(session.path());
   bytes[bytes.size() * 2 / 3] = static_cast<char>(bytes[bytes.size() * 2 / 3] ^ 4);
   std::ofstream(session.path(), std::ios::binary) << bytes;

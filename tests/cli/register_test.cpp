@@ -44,7 +44,7 @@ TEST(Register, ResidualsAndTheExpectedErrorAreATable) {
   const Outcome outcome = registerIt("-60,-50,31\n60,-50,30\n-60,-50,-50\n");
   ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
   EXPECT_NE(outcome.out.find("residual_mm"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("Points beside their marks: 0."), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("Distance of the points from their reference points: 0."), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("Expected error in the middle of the workspace: "), std::string::npos);
 }
 
@@ -53,7 +53,7 @@ TEST(Register, MarksInExchangeAreNamedAndNothingIsKept) {
   const Outcome outcome = registerIt(kExchanged, {"--json", "--out", scratch.file("r.json")});
   EXPECT_EQ(outcome.exit, Exit::BadInput);
   EXPECT_NE(outcome.err.find("The reference points 1 and 2 were probably swapped"), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("It was not kept."), std::string::npos);
+  EXPECT_NE(outcome.err.find("It was not saved."), std::string::npos);
   const Value warning = lines(outcome.out).at(0).find("warnings")->items.at(0);
   EXPECT_EQ(textAt(warning, "kind"), "order");
   EXPECT_EQ(warning.find("marks")->items.at(1).number, 2.0);
@@ -89,7 +89,7 @@ TEST(Register, WhatIsWrongIsSaidWithItsStatus) {
   EXPECT_EQ(runCli({"register", "--points", "/nowhere/a.json"}).exit, Exit::File);
   const Outcome few = registerIt("0 0 0\n1 2 3\n");
   EXPECT_EQ(few.exit, Exit::BadInput);
-  EXPECT_NE(few.err.find("3 marks and 2 points"), std::string::npos) << few.err;
+  EXPECT_NE(few.err.find("3 reference points and 2 touched points"), std::string::npos) << few.err;
   const Outcome line = registerIt("0 0 0\n100 0 0\n200 0 0\n");
   EXPECT_EQ(line.exit, Exit::BadInput);
   EXPECT_NE(line.err.find("one line"), std::string::npos) << line.err;

@@ -78,7 +78,7 @@ TEST(SceneShow, PrintsATableForPeople) {
   const Outcome outcome = runCli({"scene", "show", shipped("02_sphere.json")});
   EXPECT_EQ(outcome.exit, Exit::Well);
   EXPECT_NE(outcome.out.find("needs position          yes"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("ns a tick"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("ns per tick"), std::string::npos) << outcome.out;
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ TEST(ServoCheck, PrintsATableForPeople) {
   const Outcome outcome = runCli({"servo-check", "--seconds", "1", "--scheduling", "normal"});
   EXPECT_EQ(outcome.exit, Exit::Well);
   for (const char* word :
-       {"Scheduling: normal", "p99.9", "lateness of a bare loop", "lateness of the servo", "A period or more late"}) {
+       {"Scheduling: normal", "p99.9", "latency of a bare loop", "latency of the servo", "A period or more late"}) {
     EXPECT_NE(outcome.out.find(word), std::string::npos) << word << " in\n" << outcome.out;
   }
   EXPECT_NE(outcome.err, "");  // the hint

@@ -89,7 +89,7 @@ TEST_F(ShareArm, LetsAnotherProgramPush) {
   Process shared(scratch, "shared", {"share-arm", "--force", "--listen", "127.0.0.1:0"});
   const std::string device = deviceOf(shared);
   EXPECT_TRUE(shared.says("Simulated arm is shared at 127.0.0.1:"));
-  EXPECT_TRUE(says(shared.said(), ", with force, kept passive."));
+  EXPECT_TRUE(says(shared.said(), ", with force, with passivity control."));
   Outcome outcome = runCli(runOf(device, "1"));
   for (int again = 0; again < 2 && outcome.exit == Exit::Fault; ++again) outcome = runCli(runOf(device, "1"));
   EXPECT_EQ(outcome.exit, Exit::Well) << outcome.err;
@@ -99,7 +99,7 @@ TEST_F(ShareArm, LetsAnotherProgramPush) {
   EXPECT_TRUE(shared.says("has released it. Zero force"));
   shared.kill(SIGINT);
   EXPECT_EQ(shared.end(), 0);
-  EXPECT_TRUE(shared.says("Zero force, and no longer shared."));
+  EXPECT_TRUE(shared.says("Zero force. The arm is no longer shared."));
 }
 
 TEST_F(ShareArm, WithoutForceItOnlyShows) {

@@ -98,7 +98,7 @@ TEST(TexDisplay, TagsMatch) {
 }
 
 TEST(TexProblems, AnUnknownCommandIsNamedWithTheOneMeant) {
-  EXPECT_EQ(line("\\thetta"), "! \\thetta is no command that formulas here have. Is \\theta meant?");
+  EXPECT_EQ(line("\\thetta"), "! \\thetta is not a command that formulas support. Is \\theta meant?");
   const Result<std::string> two = texToHtml("\\foo + \\bar{x} + \\baz", false, {"page", 7, 0, {}});
   ASSERT_FALSE(two);
   EXPECT_EQ(two.problems().size(), 2u) << "both, and not \\bar";

@@ -117,7 +117,7 @@ TEST(LessonsStory, TheFirstLessonIsSolvedByTheKeyboardAlone) {
   steps(story, Qt::Key_PageUp, 4);
   EXPECT_TRUE(title(story).contains("✓")) << saidOf(story, 1).toStdString();
   story.key(Qt::Key_F8);  // next
-  ASSERT_EQ(title(story), "The same place from B");
+  ASSERT_EQ(title(story), "The same position in B");
   story.run(500);
   const Vec3 p_mm = 1e3 * story.snapshot().report.p_WT;
   typeAnswer(story, 1, QString::number(p_mm.z() + 176.0));
@@ -324,7 +324,7 @@ TEST(LessonsStory, WhatWasSolvedIsRememberedAndGoesOnThere) {
   EXPECT_EQ(list->findItems("○ Denavit-Hartenberg parameters (1 of 5)", Qt::MatchExactly).size(), 1);
   EXPECT_EQ(story.host().scene().title, "Sphere");  // the lesson was left with the window
   ASSERT_TRUE(story.perform("lesson.start", "02_dh"));
-  EXPECT_EQ(title(story), "One of them moves");
+  EXPECT_EQ(title(story), "One of them changes");
 }
 
 TEST(LessonsStory, TheNamesThatALessonMayUseAreTheWindowsOwn) {

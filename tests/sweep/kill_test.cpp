@@ -83,12 +83,12 @@ TEST_F(SweepProcess, AskedToEndEndsInOrderAndSaysHowToGoOn) {
     Process process(gated(4, sweepTo(out_) + " --threads 2"), said_);
     ASSERT_TRUE(waitForCells(out_, 4)) << said();
     kill(process.pid(), signal);
-    ASSERT_TRUE(comes([&] { return said().find("the cells that run are waited for") != std::string::npos; }));
+    ASSERT_TRUE(comes([&] { return said().find("Ending after the running cells") != std::string::npos; }));
     EXPECT_FALSE(process.hasEnded());
     letIn(kCells);
     EXPECT_EQ(process.wait(), 4) << said();
-    EXPECT_NE(said().find("of 200 cells are done and kept in"), std::string::npos) << said();
-    EXPECT_NE(said().find("The same command goes on"), std::string::npos) << said();
+    EXPECT_NE(said().find("of 200 cells are done and saved in"), std::string::npos) << said();
+    EXPECT_NE(said().find("The same command continues"), std::string::npos) << said();
     expectToGoOn(sweepTo(out_), 4, 2);
     std::filesystem::remove(out_);
   }
@@ -241,7 +241,7 @@ TEST_F(SweepRanks, OneOfThemAskedToEndEndsAllInOrder) {
   ASSERT_GT(pid, 0);
   kill(pid, SIGTERM);
   EXPECT_EQ(letInUntilTheEnd(process, 4), 4) << said();
-  EXPECT_NE(said().find("The same command goes on"), std::string::npos) << said();
+  EXPECT_NE(said().find("The same command continues"), std::string::npos) << said();
   expectToGoOn(mpirun(2) + sweepTo(out_), 4, kCells);
 }
 

@@ -160,13 +160,13 @@ Outcome judgeThesis(Input& input) {
 
 constexpr std::array<Row, 2> kRows{{
     {"robot_angle", Kind::Solver,
-     "Energy of a virtual robot drawn to the stylus's angle about its joint, and its slopes",
+     "Energy of a virtual robot that follows the stylus's angle about its joint, and its gradient",
      "ulp of kp times all lengths squared, times the angle; of ko times (weight times all angles and one over what is "
      "across the axis, and 54)",
      16, 30, judgeAngle},
-    {"robot_thesis", Kind::Solver, "Force law of the thesis's code 5.2: place, angle, pull along, moment",
-     "ulp of places, of L and the angles times (largest coordinate / off the axis); of the force the same over L", 16,
-     2, judgeThesis},
+    {"robot_thesis", Kind::Solver, "Force law of the thesis's code 5.2: position, angle, tangential pull, moment",
+     "ulp of positions, of L and the angles times (largest coordinate / off the axis); of the force the same over L",
+     16, 2, judgeThesis},
 }};
 
 }  // namespace angles_rows

@@ -123,12 +123,12 @@ Outcome judgeForce(Input& input) {
 }
 
 constexpr std::array<Row, 4> kRows{{
-    {"arm_tip", Kind::Arm, "Place of the tip from the joints",
-     "ulp of the reach times the largest angle (1 rad at least), and of the base's place", 8, 4, judgeTip},
-    {"arm_pose", Kind::Arm, "Pose of the stylus from the joints", "the same; of the turn, ulp of the largest angle", 8,
-     4, judgePose},
+    {"arm_tip", Kind::Arm, "Position of the tip from the joints",
+     "ulp of the reach times the largest angle (1 rad at least), and of the base's position", 8, 4, judgeTip},
+    {"arm_pose", Kind::Arm, "Pose of the stylus from the joints",
+     "the same; of the orientation, ulp of the largest angle", 8, 4, judgePose},
     {"arm_jacobian", Kind::Arm, "Jacobian of all six joints", "the same, without the base", 8, 60, judgeJacobian},
-    {"arm_force", Kind::Arm, "Force of joint torques, through the damping at singular poses",
+    {"arm_force", Kind::Arm, "Force from joint torques, with the damping near singularities",
      "ulp of |torque| times gain^3 / (smallest gain^2 + damping^2)^2", 16, 25, judgeForce},
 }};
 

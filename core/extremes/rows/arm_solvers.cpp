@@ -172,13 +172,13 @@ Outcome judgeFollower(Input& input) {
 }
 
 constexpr std::array<Row, 3> kRows{{
-    {"arm_reach", Kind::Solver, "Joints 1 to 3 for a place, there and back",
-     "ulp of the reach, the places, and reach^2 / distance from the shoulder", 16, 1, judgeReach},
+    {"arm_reach", Kind::Solver, "Joints 1 to 3 for a position, there and back",
+     "ulp of the reach, the positions, and reach^2 / distance from the shoulder", 16, 1, judgeReach},
     {"arm_inverse", Kind::Solver,
-     "All joints of arms of 1 cm to 100 m for a pose, there and back, beside every singularity",
+     "All joints of arms of 1 cm to 100 m for a pose, there and back, near every singularity",
      "ulp of the same, and of 1 rad; 2e-12 m and rad beside that, where a direction counts for none", 32, 20,
      judgeSolveAll},
-    {"arm_follower", Kind::Solver, "Joints along a way through singularities, there and back",
+    {"arm_follower", Kind::Solver, "Joints along a path through singularities, there and back",
      "ulp of the same; 2e-6 m beside that within 1e-6 m of axis 1, where joint 1 stays", 32, 80, judgeFollower},
 }};
 

@@ -84,7 +84,7 @@ constexpr std::array<Row, 3> kRows{{
     {"chain_forward", Kind::Chain, "Pose of any chain of 1 to 16 joints", kPromise, 64, 3, judgeForward},
     {"chain_jacobian", Kind::Chain, "Jacobian of any chain of 1 to 16 joints", kPromise, 64, 4, judgeJacobian},
     {"chain_dh", Kind::Chain, "A row of a Denavit-Hartenberg table",
-     "ulp of its lengths times its angles (1 rad at least); of its angles for the turn", 8, 1, judgeDhRow},
+     "ulp of its lengths times its angles (1 rad at least); of its angles for the orientation", 8, 1, judgeDhRow},
 }};
 
 }  // namespace chains_rows

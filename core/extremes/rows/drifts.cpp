@@ -196,7 +196,7 @@ constexpr std::array<Row, 6> kRows{{
      "half ulp of the fastest difference for each tick of memory", 4, kOnce, judgeRate},
     {"drift_heat", Kind::Drift, "An hour at 1 kHz: heat of a motor", "half ulp of the heat for each tick of memory", 4,
      kOnce, judgeHeat},
-    {"drift_grip", Kind::Drift, "An hour at 1 kHz: the place where friction holds on",
+    {"drift_grip", Kind::Drift, "An hour at 1 kHz: the point at which friction holds",
      "half ulp of the motion for each tick", 1, kOnce, judgeGrip},
 }};
 

@@ -120,10 +120,10 @@ Outcome judgeAny(Input& input) {
 }
 
 constexpr std::array<Row, 4> kRows{{
-    {"gate_clamp", Kind::Gate, "Clamp, forces 1e-320 to 1e308: size, and direction kept",
+    {"gate_clamp", Kind::Gate, "Clamp, forces 1e-320 to 1e308: magnitude, and direction kept",
      "ulp of the force that is left, and of the greatest one", 4, 1, judgeClamp},
-    {"gate_slew", Kind::Gate, "Slew limit: as far on the straight way as time allows",
-     "ulp of the last force and of the way", 4, 1, judgeSlew},
+    {"gate_slew", Kind::Gate, "Slew limit: as far along the straight line as time allows",
+     "ulp of the last force and of the change", 4, 1, judgeSlew},
     {"gate_heat", Kind::Gate, "Heat of a motor a tick later", "ulp of the heat and of what a tick can add", 8, 1,
      judgeHeat},
     {"gate_any", Kind::Gate, "Gate: NaN, infinities, denormals and 1e308 in every field for 12 ticks, then Start",

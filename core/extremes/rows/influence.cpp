@@ -155,12 +155,12 @@ constexpr const char* kRing =
     "ulp of the largest coordinate, and of R times (|CT| / off the axis + 1 / stylus off the axis + 2 |alpha| / blend)";
 
 constexpr std::array<Row, 4> kRows{{
-    {"influence_circle", Kind::Target, "Circle with the stylus's turn: target", kRing, 64, 4, judgeCircle},
-    {"influence_cylinder", Kind::Target, "Cylinder with the stylus's turn: target", kRing, 64, 4, judgeCylinder},
-    {"influence_sphere", Kind::Target, "Sphere with the stylus's turn: target",
+    {"influence_circle", Kind::Target, "Circle with the stylus's orientation: target", kRing, 64, 4, judgeCircle},
+    {"influence_cylinder", Kind::Target, "Cylinder with the stylus's orientation: target", kRing, 64, 4, judgeCylinder},
+    {"influence_sphere", Kind::Target, "Sphere with the stylus's orientation: target",
      "ulp of the largest coordinate, and of R (past a quarter turn R / sine of the angle between)", 64, 4, judgeSphere},
     {"friction_grip", Kind::Target, "Friction: whether the target slides, and where to",
-     "ulp of the target's largest coordinate and the way that is left", 16, 1, judgeGrip},
+     "ulp of the target's largest coordinate and the remaining distance", 16, 1, judgeGrip},
 }};
 
 }  // namespace influence_rows

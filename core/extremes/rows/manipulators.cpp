@@ -171,13 +171,13 @@ Outcome judgeDescent(Input& input) {
 }
 
 constexpr std::array<Row, 3> kRows{{
-    {"robot_energy", Kind::Solver, "Energy of a virtual robot of 1 to 8 joints, and its slopes",
+    {"robot_energy", Kind::Solver, "Energy of a virtual robot of 1 to 8 joints, and its gradient",
      "ulp of kp times all lengths squared + ko + springs, times the sum of the angles (1 rad at least)", 64, 40,
      judgeEnergy},
     {"robot_closed_form", Kind::Solver, "Least energy of one and two joints in closed form",
-     "ulp of the same: energy above the least of all, and slopes left", 64, 2, judgeClosedForm},
+     "ulp of the same: energy above the least of all, and gradient left", 64, 2, judgeClosedForm},
     {"robot_descent", Kind::Solver,
-     "Descent of 1 to 8 joints to a minimum: never up, slopes left where it says it is there",
+     "Descent of 1 to 8 joints to a minimum: never uphill, gradient left at the reported minimum",
      "ulp of the same and of the springs' stiffness: four times a tolerance of 1e-10 of the joints", 1801600, 50,
      judgeDescent},
 }};

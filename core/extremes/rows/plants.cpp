@@ -98,7 +98,7 @@ Outcome judgeSubstep(Input& input) {
 
 constexpr std::array<Row, 2> kRows{{
     {"plant_flight", Kind::Plant, "Simulated arm in free flight under a held force, 1 to 400 substeps",
-     "ulp of way and speed for each substep", 4, 1, judgeFlight},
+     "ulp of distance and speed for each substep", 4, 1, judgeFlight},
     {"plant_substep", Kind::Plant, "Simulated arm, one substep of any integrator, dampers, spring, friction",
      "ulp of all impulses: what is left of the momentum equation", 64, 2, judgeSubstep},
 }};

@@ -37,7 +37,7 @@ TEST(Hold, IsSolvedWhereTheBandIsHeldForSoLong) {
   EXPECT_FALSE(after(check, 0.19, strong).solved);
   const CheckState done = after(check, 0.25, strong);
   EXPECT_TRUE(done.solved);
-  EXPECT_EQ(said(check, done), "Held for 0.2 of 0.2 s. The force asked for is 0.40 N.");
+  EXPECT_EQ(said(check, done), "Held for 0.2 of 0.2 s. The commanded force is 0.40 N.");
   for (const double force_N : {0.2, 0.6, kNotANumber}) {
     EXPECT_FALSE(after(check, 1.0, [force_N](Moment& moment, double) { push(moment, force_N); }).solved) << force_N;
   }
@@ -66,13 +66,13 @@ TEST(Hold, APauseOfTheClockCountsAsNoTime) {
 TEST(Hold, SaysWhatIsAndWhatShouldBe) {
   const Check check = checkOf(R"({"measure": "asked_N", "above": 0.3, "for_s": 2, "say": "Pull harder."})");
   EXPECT_EQ(said(check, {}),
-            "Pull harder. Held for 0.0 of 2.0 s. The force asked for is not measured yet; it should be "
+            "Pull harder. Held for 0.0 of 2.0 s. The commanded force is not measured yet; it should be "
             "above 0.30 N.");
   const CheckState state = after(check, 0.01, [](Moment& moment, double) { push(moment, 0.12); });
   EXPECT_EQ(said(check, state),
-            "Pull harder. Held for 0.0 of 2.0 s. The force asked for is 0.12 N; it should be above 0.30 N.");
+            "Pull harder. Held for 0.0 of 2.0 s. The commanded force is 0.12 N; it should be above 0.30 N.");
   const Check band = checkOf(R"({"measure": "asked_N", "above": 0.3, "below": 0.5})");
-  EXPECT_EQ(said(band, {}), "The force asked for is not measured yet; it should be between 0.30 N and 0.50 N.");
+  EXPECT_EQ(said(band, {}), "The commanded force is not measured yet; it should be between 0.30 N and 0.50 N.");
 }
 
 TEST(Near, CountsTheWayOfPlacesAndTheLargestOfAngles) {
@@ -95,9 +95,9 @@ TEST(Near, CountsTheWayOfPlacesAndTheLargestOfAngles) {
   EXPECT_FALSE(stands(2.1, 40, 180));
   const Check turn = checkOf(R"({"measure": "stylus", "near": [0, 0, 2], "within": 10})");
   EXPECT_EQ(said(turn, {}),
-            "The stylus' direction is not measured yet; it should be within 10.00° of (0.00, 0.00, 2.00).");
+            "The direction of the stylus is not measured yet; it should be within 10.00° of (0.00, 0.00, 2.00).");
   const Check count = checkOf(R"({"measure": "solutions_within", "near": 2, "within": 0})");
-  EXPECT_EQ(said(count, {}), "The number of solutions within limits is not measured yet; it should be 2.");
+  EXPECT_EQ(said(count, {}), "The number of solutions within the limits is not measured yet; it should be 2.");
 }
 
 TEST(Visit, RemembersEachPlaceAndNamesThoseThatAreLeft) {
@@ -110,7 +110,7 @@ TEST(Visit, RemembersEachPlaceAndNamesThoseThatAreLeft) {
   };
   goTo(0, 0.0);
   goTo(38, 0.1);
-  EXPECT_EQ(said(check, state), "2 of 3 reached. Still to go: -40.0 mm, to 3.0 mm. The tip x is 38.0 mm.");
+  EXPECT_EQ(said(check, state), "2 of 3 reached. Still to reach: -40.0 mm, to within 3.0 mm. The tip x is 38.0 mm.");
   goTo(-36, 9.0);  // visits outlast a pause
   EXPECT_FALSE(state.solved);
   goTo(-37, 9.1);
@@ -130,11 +130,10 @@ TEST(Span, BeginsAnewWhereWhatHoldsMeanwhileBreaks) {
   EXPECT_TRUE(slide(1.0).solved);
   const CheckState broken = slide(5.0);
   EXPECT_FALSE(broken.solved);
-  EXPECT_EQ(said(check, broken), "The tip y went over 24.0 mm of 30.0 mm.");
+  EXPECT_EQ(said(check, broken), "The tip y covered 24.0 mm of 30.0 mm.");
   const CheckState outside = after(check, 0.5, [](Moment& moment, double) { moment.tick.error_m = 5.1e-3; });
-  EXPECT_EQ(
-      said(check, outside),
-      "The tip y went over 0.0 mm of 30.0 mm. At the same time it should be: The error below 2.0 mm; now 5.1 mm.");
+  EXPECT_EQ(said(check, outside),
+            "The tip y covered 0.0 mm of 30.0 mm. Required at the same time: The error below 2.0 mm; now 5.1 mm.");
 }
 
 TEST(Cross, CountsSwingsOfSoMuchWithinSoLong) {
@@ -158,7 +157,7 @@ TEST(AskNumber, TakesWhatIsWithinTheTolerance) {
   const CheckState wrong = afterAnswer(check, {}, 128.1);
   EXPECT_FALSE(wrong.solved);
   EXPECT_EQ(said(check, {}), "Type your answer.");
-  EXPECT_EQ(said(check, wrong), "128.1 mm is not right. Look again.");
+  EXPECT_EQ(said(check, wrong), "128.1 mm is not right. Try again.");
   EXPECT_TRUE(afterAnswer(check, wrong, 127.5).solved);  // another go
   EXPECT_FALSE(afterAnswer(check, {}, kNotANumber).solved);
 }
@@ -175,7 +174,7 @@ TEST(AskChoice, TakesTheRightOneAlone) {
   const Check check = checkOf(R"({"question": "Which?", "choices": ["this", "that"], "right": 2})");
   EXPECT_TRUE(afterAnswer(check, {}, 2).solved);
   EXPECT_EQ(said(check, afterAnswer(check, {}, 2)), "“that” is right.");
-  EXPECT_EQ(said(check, afterAnswer(check, {}, 1)), "“this” is not right. Look again.");
+  EXPECT_EQ(said(check, afterAnswer(check, {}, 1)), "“this” is not right. Try again.");
   EXPECT_FALSE(afterAnswer(check, {}, 0).solved);
   EXPECT_EQ(said(check, {}), "Choose an answer.");
 }
@@ -186,7 +185,7 @@ TEST(ASolvedCheck, StaysSolvedAndKeepsWhatWasMeasured) {
   ASSERT_TRUE(state.solved);
   state = after(check, std::move(state), 1.0, 1.1, [](Moment& moment, double) { push(moment, 0.0); });
   EXPECT_TRUE(state.solved);
-  EXPECT_EQ(said(check, state), "The force asked for is 0.40 N.");
+  EXPECT_EQ(said(check, state), "The commanded force is 0.40 N.");
   EXPECT_TRUE(isSolved({state}));
   EXPECT_FALSE(isSolved({state, CheckState{}}));
 }
@@ -198,7 +197,7 @@ TEST(WhatIsTold, CanBeSaidInAnotherLanguage) {
   ASSERT_EQ(whole.places().size(), 1U);
   const Sentence& is = whole.places()[0];
   EXPECT_EQ(is.pattern(), "%1 is %2");
-  EXPECT_EQ(is.places().at(0).pattern(), "The force asked for");
+  EXPECT_EQ(is.places().at(0).pattern(), "The commanded force");
   EXPECT_TRUE(is.places().at(1).places().at(0).isNumber());
 }
 

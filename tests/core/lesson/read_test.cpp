@@ -69,16 +69,16 @@ TEST(ReadLesson, EveryProblemIsToldAtOnceWithItsPlace) {
   EXPECT_TRUE(has("titel: The key \"titel\" is not known in a lesson. Did you mean \"title\"?"));
   EXPECT_TRUE(has("The key \"title\" is missing; a lesson needs it."));
   EXPECT_TRUE(has("steps[0].title: This must be one line of text"));
-  EXPECT_TRUE(has("steps[0].text: There is nothing to read here."));
+  EXPECT_TRUE(has("steps[0].text: The text is empty."));
   EXPECT_TRUE(has("The key \"scene\" is missing; a step needs it."));
   EXPECT_TRUE(has("There is no layer \"gosts\". Did you mean \"ghosts\"?"));
   EXPECT_TRUE(has("There is no camera \"fornt\". Did you mean \"front\"?"));
   EXPECT_TRUE(has("lesson.json:3:27: error: steps[0].checks[0].measure: There is no quantity \"force\". Did you mean"));
-  EXPECT_TRUE(has("checks[1].measure: Say where it should be"));
+  EXPECT_TRUE(has("checks[1].measure: Give a range"));
   EXPECT_TRUE(has("The quantity q_deg has the parts 1 to 6."));
   EXPECT_TRUE(has("steps[0].checks[3].near: This must be a list of 6 numbers; here it has 2."));
   EXPECT_TRUE(has("Give 2 to 9 answers to choose from."));
-  EXPECT_TRUE(has("This is the number of the right answer, 1 to 1."));
+  EXPECT_TRUE(has("This must be the number of the right answer, 1 to 1."));
 }
 
 TEST(ReadLesson, EachCheckIsTheKindThatItsKeysSay) {
@@ -125,7 +125,7 @@ TEST(CheckScenes, SaysWhatAStepsSceneCannotHave) {
   EXPECT_NE(told("nowhere", robot).find("nowhere.json"), std::string::npos);
   const std::string t = R"({"measure": "force_N", "above": 1, "while": [{"measure": "influence_t", "below": 1}]})";
   EXPECT_EQ(told("14_circle_influence", t), "");
-  EXPECT_NE(told("02_sphere", t).find("no constraint of it has an influence"), std::string::npos);
+  EXPECT_NE(told("02_sphere", t).find("none of its constraints has an influence"), std::string::npos);
   EXPECT_EQ(told("02_sphere", R"({"question": "Q", "measure": "energy_mJ", "within": 1})"), "");
 }
 
