@@ -1095,47 +1095,47 @@ Grenze: %4 (%5).</translation>
         <translation>&amp;Ziel und Fehler</translation>
     </message>
     <message>
-        <source>The point the stylus is drawn to, and the line to it.</source>
-        <translation>Der Punkt, zu dem der Stift gezogen wird, und die Linie dorthin.</translation>
+        <source>The point to which the tip is pulled, and the line to it.</source>
+        <translation>Der Punkt, zu dem die Spitze gezogen wird, und die Linie dorthin.</translation>
     </message>
     <message>
         <source>&amp;Force</source>
         <translation>&amp;Kraft</translation>
     </message>
     <message>
-        <source>The arrow of the force sent.</source>
-        <translation>Der Pfeil der gesendeten Kraft.</translation>
+        <source>The force that is sent, as an arrow.</source>
+        <translation>Die gesendete Kraft als Pfeil.</translation>
     </message>
     <message>
         <source>&amp;Influence</source>
         <translation>&amp;Einfluss</translation>
     </message>
     <message>
-        <source>Where the stylus points (o), the point nearest to its tip (p), and the target's arc between them.</source>
-        <translation>Wohin der Stift zeigt (o), der Punkt, der seiner Spitze am nächsten liegt (p), und der Bogen des Ziels dazwischen.</translation>
+        <source>The point that the stylus points at (o), the point nearest to the tip (p), and the arc of the target between them.</source>
+        <translation>Der Punkt, auf den der Stift zeigt (o), der Punkt, der der Spitze am nächsten liegt (p), und der Bogen des Ziels dazwischen.</translation>
     </message>
     <message>
         <source>&amp;Virtual robot</source>
         <translation>&amp;Virtueller Roboter</translation>
     </message>
     <message>
-        <source>The robots that exist only in software, where their joints are, and which ways their tips can go.</source>
-        <translation>Die Roboter, die es nur in Software gibt, wo ihre Gelenke sind und wohin ihre Spitzen können.</translation>
+        <source>The virtual robots with their joints, and the directions in which their end effectors can move.</source>
+        <translation>Die virtuellen Roboter mit ihren Gelenken und den Richtungen, in die sich ihre Endeffektoren bewegen können.</translation>
     </message>
     <message>
         <source>Recorded &amp;path</source>
         <translation>Aufgezeichneter &amp;Pfad</translation>
     </message>
     <message>
-        <source>Where the tip went in the session that is replayed; the more force, the more vermillion.</source>
-        <translation>Wo die Spitze in der wiedergegebenen Sitzung war; je mehr Kraft, desto zinnoberroter.</translation>
+        <source>The path of the tip in the replayed session; the more force, the more vermillion.</source>
+        <translation>Der Weg der Spitze in der wiedergegebenen Sitzung; je mehr Kraft, desto zinnoberroter.</translation>
     </message>
     <message>
         <source>&amp;Desk</source>
         <translation>&amp;Tisch</translation>
     </message>
     <message>
-        <source>The marks on the desk by which the arm was registered.</source>
+        <source>The reference points on the desk with which the arm was registered.</source>
         <translation>Die Messpunkte auf dem Tisch, mit denen der Arm registriert wurde.</translation>
     </message>
     <message>
@@ -1143,64 +1143,64 @@ Grenze: %4 (%5).</translation>
         <translation>Vom Tisch aus &amp;gesehen</translation>
     </message>
     <message>
-        <source>Left, right and up are those of the desk, however a registered arm is turned; off: those of the arm.</source>
-        <translation>Links, rechts und oben sind die des Tischs, wie auch ein registrierter Arm gedreht ist; aus: die des Arms.</translation>
+        <source>Left, right and up are those of the desk, however a registered arm is turned. Off: those of the arm.</source>
+        <translation>Links, rechts und oben sind die des Tischs, wie auch ein registrierter Arm gedreht ist. Aus: die des Arms.</translation>
     </message>
     <message>
         <source>&amp;Link frames</source>
         <translation>Glie&amp;dkoordinaten</translation>
     </message>
     <message>
-        <source>The frames 1 to 6 of the DH table along the arm; each number stands at the end of a joint's axis z.</source>
-        <translation>Die Koordinatensysteme 1 bis 6 der DH-Tabelle entlang des Arms; jede Zahl steht am Ende der z-Achse eines Gelenks.</translation>
+        <source>The frames 1 to 6 of the DH table along the arm; each number is at the end of the z axis of its joint.</source>
+        <translation>Die Koordinatensysteme 1 bis 6 der DH-Tabelle entlang des Arms; jede Zahl steht am Ende der z-Achse ihres Gelenks.</translation>
     </message>
     <message>
         <source>Inver&amp;se solutions</source>
         <translation>&amp;Inverse Lösungen</translation>
     </message>
     <message>
-        <source>All ways the arm can reach the stylus, as ghosts; dashed: outside the joint limits.</source>
-        <translation>Alle Stellungen, in denen der Arm den Stift erreicht, als Geisterbilder; gestrichelt: außerhalb der Gelenkgrenzen.</translation>
+        <source>All configurations in which the arm reaches the pose of the stylus, as ghosts; dashed: outside the joint limits.</source>
+        <translation>Alle Stellungen, in denen der Arm die Lage des Stifts erreicht, als Geisterbilder; gestrichelt: außerhalb der Gelenkgrenzen.</translation>
     </message>
     <message>
         <source>&amp;Motion ellipsoid (v)</source>
         <translation>&amp;Bewegungsellipsoid (v)</translation>
     </message>
     <message>
-        <source>Where the tip gets to by a joint turn of 0.25 rad in all (manipulability ellipsoid).</source>
-        <translation>Wohin die Spitze mit insgesamt 0,25 rad Gelenkdrehung kommt (Manipulierbarkeitsellipsoid).</translation>
+        <source>The motions of the tip for joint rotations of magnitude 0.25 rad (manipulability ellipsoid).</source>
+        <translation>Die Bewegungen der Spitze bei Gelenkdrehungen vom Betrag 0,25 rad (Manipulierbarkeitsellipsoid).</translation>
     </message>
     <message>
         <source>F&amp;orce ellipsoid (f)</source>
         <translation>Kra&amp;ftellipsoid (f)</translation>
     </message>
     <message>
-        <source>The forces of 0.05 N m of joint torque in all, drawn to the scale of the force arrow.</source>
-        <translation>Die Kräfte bei insgesamt 0,05 N m Gelenkdrehmoment, im Maßstab des Kraftpfeils.</translation>
+        <source>The forces for joint torques of magnitude 0.05 N m, to the scale of the force arrow.</source>
+        <translation>Die Kräfte bei Gelenkdrehmomenten vom Betrag 0,05 N m, im Maßstab des Kraftpfeils.</translation>
     </message>
     <message>
         <source>Mes&amp;h: triangles</source>
         <translation>&amp;Netz: Dreiecke</translation>
     </message>
     <message>
-        <source>The edges of all triangles of a mesh, as it is drawn.</source>
-        <translation>Die Kanten aller Dreiecke eines Dreiecksnetzes, wie es gezeichnet wird.</translation>
+        <source>The edges of all triangles of a mesh as drawn.</source>
+        <translation>Die Kanten aller gezeichneten Dreiecke eines Dreiecksnetzes.</translation>
     </message>
     <message>
         <source>Mesh: &amp;cut open</source>
         <translation>Netz: auf&amp;schneiden</translation>
     </message>
     <message>
-        <source>Cuts meshes open across an axis; the side nearer to the eye is hidden. What is felt stays whole.</source>
-        <translation>Schneidet Dreiecksnetze quer zu einer Achse auf; die Seite näher am Auge wird verborgen. Was man fühlt, bleibt ganz.</translation>
+        <source>Cuts meshes open perpendicular to an axis and hides the side nearer to you. What you feel is not cut.</source>
+        <translation>Schneidet Dreiecksnetze senkrecht zu einer Achse auf und verbirgt die Seite, die Ihnen näher ist. Was Sie fühlen, bleibt ganz.</translation>
     </message>
     <message>
         <source>C&amp;ut follows the stylus</source>
         <translation>S&amp;chnitt folgt dem Stift</translation>
     </message>
     <message>
-        <source>The cut goes through the stylus's tip; off, it stays where it is.</source>
-        <translation>Der Schnitt geht durch die Spitze des Stifts; aus: er bleibt, wo er ist.</translation>
+        <source>The cut passes through the tip. Off: it stays where it is.</source>
+        <translation>Der Schnitt geht durch die Spitze. Aus: Er bleibt, wo er ist.</translation>
     </message>
     <message>
         <source>Follow</source>
@@ -1218,36 +1218,36 @@ Grenze: %4 (%5).</translation>
         <translation>Kinematik</translation>
     </message>
     <message>
-        <source>Where is the tip, seen from where? Two frames, one place.</source>
-        <translation>Wo ist die Spitze, von wo aus gesehen? Zwei Koordinatensysteme, ein Ort.</translation>
+        <source>One position of the tip, seen from two frames.</source>
+        <translation>Ein Ort der Spitze, aus zwei Koordinatensystemen gesehen.</translation>
     </message>
     <message>
         <source>The frame W</source>
         <translation>Koordinatensystem W</translation>
     </message>
     <message>
-        <source>A **frame** is three axes at right angles and a point where they meet. The workspace frame **W** stands in the
-middle of the box: $x$ to the right, $y$ up, $z$ towards you.
+        <source>A **frame** is three axes at right angles and the point in which they meet, its origin. The origin of the
+workspace frame **W** is in the middle of the box; $x$ points to the right, $y$ up, $z$ towards you.
 
-Move the stylus to each of three places: $(40, 0, 50)$, $(0, 40, 50)$ and $(0, 0, 10)$ mm.
-Drag it with the mouse, or press F2 and use the arrow keys (Page Up and Page Down go away and near).</source>
-        <translation>Ein **Koordinatensystem** besteht aus drei Achsen im rechten Winkel und dem Punkt, in dem sie sich treffen. Das Koordinatensystem **W** des Arbeitsraums steht in der
-Mitte des Quaders: $x$ nach rechts, $y$ nach oben, $z$ auf Sie zu.
+Move the tip to each of these positions: $(40, 0, 50)$, $(0, 40, 50)$ and $(0, 0, 10)$ mm. Drag the stylus with
+the mouse, or press F2 and use the arrow keys (Page Up moves it away from you, Page Down towards you).</source>
+        <translation>Ein **Koordinatensystem** besteht aus drei Achsen im rechten Winkel und dem Punkt, in dem sie sich treffen, seinem Ursprung. Der Ursprung des Koordinatensystems **W** des Arbeitsraums liegt in der
+Mitte des Quaders; $x$ zeigt nach rechts, $y$ nach oben, $z$ auf Sie zu.
 
-Führen Sie den Stift nacheinander an drei Orte: $(40, 0, 50)$, $(0, 40, 50)$ und $(0, 0, 10)$ mm.
-Ziehen Sie ihn mit der Maus, oder drücken Sie F2 und benutzen Sie die Pfeiltasten (Bild auf und Bild ab führen ihn weg und heran).</translation>
+Führen Sie die Spitze nacheinander an diese Orte: $(40, 0, 50)$, $(0, 40, 50)$ und $(0, 0, 10)$ mm.
+Ziehen Sie den Stift mit der Maus, oder drücken Sie F2 und benutzen Sie die Pfeiltasten (Bild auf führt ihn von Ihnen weg, Bild ab zu Ihnen hin).</translation>
     </message>
     <message>
-        <source>The panel *Arm* shows the place of the tip. Shift with an arrow key takes steps of 10 mm.</source>
-        <translation>Der Bereich *Arm* zeigt den Ort der Spitze. Umschalt mit einer Pfeiltaste macht Schritte von 10 mm.</translation>
+        <source>The panel *Arm* shows the position of the tip. With Shift, an arrow key moves it by 10 mm.</source>
+        <translation>Der Bereich *Arm* zeigt den Ort der Spitze. Mit Umschalt bewegt eine Pfeiltaste sie um 10 mm.</translation>
     </message>
     <message>
-        <source>The same place from B</source>
-        <translation>Derselbe Ort von B aus</translation>
+        <source>The same position in B</source>
+        <translation>Derselbe Ort in B</translation>
     </message>
     <message>
-        <source>The arm has a frame of its own: **B**, frame 0 of its table. It is turned and moved against W. A point with the
-coordinates $(x_W, y_W, z_W)$ in W has in B the coordinates (thesis eq. 3.1, in mm)
+        <source>The arm has its own base frame **B**, frame 0 of its DH table. It is rotated and translated with respect to W. A
+point with the coordinates $(x_W, y_W, z_W)$ in W has these coordinates in B (thesis eq. 3.1, in mm):
 
 $$x_B = z_W + 176$$
 
@@ -1255,9 +1255,9 @@ $$y_B = x_W$$
 
 $$z_B = y_W - 30$$
 
-Hold the stylus anywhere and work out its place in B.</source>
-        <translation>Der Arm hat ein eigenes Koordinatensystem: **B**, das Koordinatensystem 0 seiner Tabelle. Es ist gegenüber W gedreht und verschoben. Ein Punkt mit den
-Koordinaten $(x_W, y_W, z_W)$ in W hat in B die Koordinaten (Thesis, Gl. 3.1, in mm)
+Hold the stylus anywhere and calculate the position of the tip in B.</source>
+        <translation>Der Arm hat ein eigenes Koordinatensystem an seiner Basis: **B**, das Koordinatensystem 0 seiner DH-Tabelle. Es ist gegenüber W gedreht und verschoben. Ein Punkt mit den
+Koordinaten $(x_W, y_W, z_W)$ in W hat in B diese Koordinaten (Thesis, Gl. 3.1, in mm):
 
 $$x_B = z_W + 176$$
 
@@ -1265,10 +1265,10 @@ $$y_B = x_W$$
 
 $$z_B = y_W - 30$$
 
-Halten Sie den Stift an einem beliebigen Ort und rechnen Sie aus, wo er in B ist.</translation>
+Halten Sie den Stift an einem beliebigen Ort und berechnen Sie den Ort der Spitze in B.</translation>
     </message>
     <message>
-        <source>Read $x_W$, $y_W$ and $z_W$ in the panel *Arm* and put them into the three equations.</source>
+        <source>Read $x_W$, $y_W$ and $z_W$ in the panel *Arm* and insert them into the three equations.</source>
         <translation>Lesen Sie $x_W$, $y_W$ und $z_W$ im Bereich *Arm* ab und setzen Sie sie in die drei Gleichungen ein.</translation>
     </message>
     <message>
@@ -1288,7 +1288,7 @@ Halten Sie den Stift an einem beliebigen Ort und rechnen Sie aus, wo er in B ist
         <translation>Zurück zu W</translation>
     </message>
     <message>
-        <source>A transform can be turned round: from B to W it is
+        <source>A transform can be inverted. From B to W it is
 
 $$x_W = y_B$$
 
@@ -1296,8 +1296,8 @@ $$y_W = z_B + 30$$
 
 $$z_W = x_B - 176$$
 
-Bring the tip to the place that has the coordinates $(216, 0, 10)$ mm **in B**, and hold it there for a second.</source>
-        <translation>Eine Transformation lässt sich umkehren: Von B nach W lautet sie
+Move the tip to the point with the coordinates $(216, 0, 10)$ mm **in B**, and hold it there for one second.</source>
+        <translation>Eine Transformation lässt sich invertieren. Von B nach W lautet sie
 
 $$x_W = y_B$$
 
@@ -1305,28 +1305,28 @@ $$y_W = z_B + 30$$
 
 $$z_W = x_B - 176$$
 
-Bringen Sie die Spitze an den Ort, der **in B** die Koordinaten $(216, 0, 10)$ mm hat, und halten Sie sie dort eine Sekunde lang.</translation>
+Führen Sie die Spitze an den Ort, der **in B** die Koordinaten $(216, 0, 10)$ mm hat, und halten Sie sie dort eine Sekunde lang.</translation>
     </message>
     <message>
-        <source>In W that place is $(0, 40, 40)$ mm.</source>
+        <source>In W that point is $(0, 40, 40)$ mm.</source>
         <translation>In W ist dieser Ort $(0, 40, 40)$ mm.</translation>
     </message>
     <message>
-        <source>A turned frame</source>
+        <source>A rotated frame</source>
         <translation>Gedrehtes Koordinatensystem</translation>
     </message>
     <message>
-        <source>A **rotation matrix** has the axes of one frame as its columns, as seen from the other. The third column of
-the stylus' matrix is where the stylus points.
+        <source>The columns of a **rotation matrix** are the axes of one frame, expressed in the other. The third column of the
+matrix of the stylus is the direction in which the stylus points.
 
-Turn the stylus until it points up, along $y$ of W: third column $(0, 1, 0)$. Ctrl with the arrow keys turns it (press F2 first).</source>
-        <translation>Eine **Rotationsmatrix** hat als Spalten die Achsen des einen Koordinatensystems, vom anderen aus gesehen. Die dritte Spalte der
-Matrix des Stifts gibt an, wohin der Stift zeigt.
+Turn the stylus until it points up, along $y$ of W; its third column is then $(0, 1, 0)$. Press F2, then turn it
+with Ctrl and the arrow keys.</source>
+        <translation>Die Spalten einer **Rotationsmatrix** sind die Achsen des einen Koordinatensystems, im anderen ausgedrückt. Die dritte Spalte der Matrix des Stifts ist die Richtung, in die der Stift zeigt.
 
-Drehen Sie den Stift, bis er nach oben zeigt, entlang $y$ von W: dritte Spalte $(0, 1, 0)$. Strg mit den Pfeiltasten dreht ihn (drücken Sie zuerst F2).</translation>
+Drehen Sie den Stift, bis er nach oben zeigt, entlang $y$ von W; seine dritte Spalte ist dann $(0, 1, 0)$. Drücken Sie F2 und drehen Sie ihn mit Strg und den Pfeiltasten.</translation>
     </message>
     <message>
-        <source>Seen from the front, hold Ctrl and press the up arrow.</source>
+        <source>In the view from the front, hold Ctrl and press the up arrow key.</source>
         <translation>In der Ansicht von vorn: Halten Sie Strg und drücken Sie die Pfeiltaste nach oben.</translation>
     </message>
     <message>
@@ -1334,23 +1334,22 @@ Drehen Sie den Stift, bis er nach oben zeigt, entlang $y$ von W: dritte Spalte $
         <translation>Reihenfolge zählt</translation>
     </message>
     <message>
-        <source>Two turns one after the other are a product of matrices, and matrices do not commute. Turning about the
-**fixed** axes of W multiplies from the left: first about $x$, then about $y$ is $R = R_y R_x$.
+        <source>Two rotations, one after the other, are a product of matrices, and matrices do not commute. A rotation about a
+**fixed** axis of W multiplies from the left: first about $x$, then about $y$ is $R = R_y R_x$.
 
-Take a book and try: turn it by 90° about $x$, then by 90° about $y$. Then the other way round. The panel
+Try it with a book: rotate it by 90° about $x$, then by 90° about $y$. Then reverse the order. The panel
 *Transforms* does the same: choose fixed axes, $R_x$ 90 and $R_y$ 90; it draws both orders.
 
-$R_x(90°)$ takes $z$ to $-y$. $R_y(90°)$ takes $z$ to $x$ and leaves $y$ where it is.</source>
-        <translation>Zwei Drehungen nacheinander sind ein Produkt von Matrizen, und Matrizen sind nicht vertauschbar. Eine Drehung um die
-**festen** Achsen von W multipliziert von links: zuerst um $x$, dann um $y$ ist $R = R_y R_x$.
+$R_x(90°)$ rotates $z$ to $-y$. $R_y(90°)$ rotates $z$ to $x$ and leaves $y$ unchanged.</source>
+        <translation>Zwei Drehungen nacheinander sind ein Produkt von Matrizen, und Matrizen sind nicht vertauschbar. Eine Drehung um eine **feste** Achse von W multipliziert von links: zuerst um $x$, dann um $y$ ist $R = R_y R_x$.
 
-Versuchen Sie es mit einem Buch: Drehen Sie es um 90° um $x$, dann um 90° um $y$. Danach umgekehrt. Der Bereich
+Versuchen Sie es mit einem Buch: Drehen Sie es um 90° um $x$, dann um 90° um $y$. Danach in umgekehrter Reihenfolge. Der Bereich
 *Transformationen* macht dasselbe: Wählen Sie feste Achsen, $R_x$ 90 und $R_y$ 90; er zeichnet beide Reihenfolgen.
 
-$R_x(90°)$ führt $z$ nach $-y$. $R_y(90°)$ führt $z$ nach $x$ und lässt $y$, wo es ist.</translation>
+$R_x(90°)$ führt $z$ nach $-y$. $R_y(90°)$ führt $z$ nach $x$ und lässt $y$ unverändert.</translation>
     </message>
     <message>
-        <source>First about $x$: $z$ becomes $-y$; turning about $y$ leaves that. First about $y$: $z$ becomes $x$; turning about $x$ leaves that.</source>
+        <source>First about $x$: $z$ becomes $-y$; the rotation about $y$ does not change that. First about $y$: $z$ becomes $x$; the rotation about $x$ does not change that.</source>
         <translation>Zuerst um $x$: $z$ wird zu $-y$; die Drehung um $y$ ändert daran nichts. Zuerst um $y$: $z$ wird zu $x$; die Drehung um $x$ ändert daran nichts.</translation>
     </message>
     <message>
@@ -1382,26 +1381,26 @@ $R_x(90°)$ führt $z$ nach $-y$. $R_y(90°)$ führt $z$ nach $x$ und lässt $y$
         <translation>Denavit-Hartenberg-Parameter</translation>
     </message>
     <message>
-        <source>Four numbers for each joint say what an arm is.</source>
+        <source>Four numbers per joint describe an arm.</source>
         <translation>Vier Zahlen je Gelenk beschreiben einen Arm.</translation>
     </message>
     <message>
-        <source>Four numbers a joint</source>
+        <source>Four numbers per joint</source>
         <translation>Vier Zahlen je Gelenk</translation>
     </message>
     <message>
-        <source>From one joint's frame to the next it takes four numbers (modified convention of Craig): a turn $\alpha$ about
-$x$, a way $a$ along $x$, a turn $\theta$ about $z$, and a way $d$ along $z$:
+        <source>Four numbers lead from the frame of one joint to the next (Craig's modified convention): a rotation $\alpha$ about
+$x$, a translation $a$ along $x$, a rotation $\theta$ about $z$ and a translation $d$ along $z$:
 
 $$T = R_x(\alpha) \cdot D_x(a) \cdot R_z(\theta) \cdot D_z(d)$$
 
-The panel *Kinematics* has the arm's table, and the view shows the frames 1 to 6. Each $z$ is the axis that its joint turns about.</source>
-        <translation>Vom Koordinatensystem eines Gelenks zum nächsten braucht es vier Zahlen (modifizierte Konvention nach Craig): eine Drehung $\alpha$ um
-$x$, einen Weg $a$ entlang $x$, eine Drehung $\theta$ um $z$ und einen Weg $d$ entlang $z$:
+The panel *Kinematics* shows the table of the arm, the view the frames 1 to 6. Each $z$ is the axis of its joint.</source>
+        <translation>Vom Koordinatensystem eines Gelenks zum nächsten führen vier Zahlen (modifizierte Konvention nach Craig): eine Drehung $\alpha$ um
+$x$, eine Verschiebung $a$ entlang $x$, eine Drehung $\theta$ um $z$ und eine Verschiebung $d$ entlang $z$:
 
 $$T = R_x(\alpha) \cdot D_x(a) \cdot R_z(\theta) \cdot D_z(d)$$
 
-Der Bereich *Kinematik* enthält die Tabelle des Arms, und die Ansicht zeigt die Koordinatensysteme 1 bis 6. Jedes $z$ ist die Achse, um die sich sein Gelenk dreht.</translation>
+Der Bereich *Kinematik* zeigt die Tabelle des Arms, die Ansicht die Koordinatensysteme 1 bis 6. Jedes $z$ ist die Achse seines Gelenks.</translation>
     </message>
     <message>
         <source>Open *DH table* in the panel *Kinematics*. The upper arm is $a$ of row 3, the forearm $d$ of row 4.</source>
@@ -1416,42 +1415,42 @@ Der Bereich *Kinematik* enthält die Tabelle des Arms, und die Ansicht zeigt die
         <translation>Wie lang ist der Unterarm, d in Zeile 4, in mm?</translation>
     </message>
     <message>
-        <source>One of them moves</source>
-        <translation>Eine davon bewegt sich</translation>
+        <source>One of them changes</source>
+        <translation>Eine davon ändert sich</translation>
     </message>
     <message>
-        <source>Three of the four numbers are how the arm was built. Only $\theta$ changes when a joint turns.
+        <source>Three of the four numbers are fixed by the design of the arm. Only $\theta$ changes when a joint turns.
 
-Turn joint 1, the turret, from one side to the other, over 40° in all, and leave the others nearly as they are.
-While the servo is stopped (Esc) the sliders of the panel *Kinematics* move the joints; dragging the stylus in the view does, too.</source>
-        <translation>Drei der vier Zahlen stehen durch den Bau des Arms fest. Nur $\theta$ ändert sich, wenn sich ein Gelenk dreht.
+Turn joint 1, the turret, from one side to the other, through 40° in total, and leave the other joints nearly as
+they are. While the servo is stopped (Esc), move the joints with the sliders of the panel *Kinematics*, or drag
+the stylus in the view.</source>
+        <translation>Drei der vier Zahlen sind durch die Konstruktion des Arms festgelegt. Nur $\theta$ ändert sich, wenn sich ein Gelenk dreht.
 
 Drehen Sie Gelenk 1, den Drehturm, von einer Seite zur anderen, über einen Bereich von insgesamt 40°, und lassen Sie die übrigen fast so, wie sie sind.
-Solange der Servo gestoppt ist (Esc), bewegen die Schieberegler im Bereich *Kinematik* die Gelenke; das Ziehen des Stifts in der Ansicht bewegt sie auch.</translation>
+Bewegen Sie die Gelenke bei gestopptem Servo (Esc) mit den Schiebereglern im Bereich *Kinematik*, oder ziehen Sie den Stift in der Ansicht.</translation>
     </message>
     <message>
-        <source>Use the slider of joint 1. In the view from the top the tip goes round axis 1 on a circle.</source>
+        <source>Use the slider of joint 1. In the view from the top, the tip moves on a circle about axis 1.</source>
         <translation>Benutzen Sie den Schieberegler von Gelenk 1. In der Ansicht von oben läuft die Spitze auf einem Kreis um Achse 1.</translation>
     </message>
     <message>
-        <source>What the twist says</source>
-        <translation>Was die Verwindung sagt</translation>
+        <source>What the twist means</source>
+        <translation>Was die Verwindung bedeutet</translation>
     </message>
     <message>
-        <source>The twist $\alpha$ is the angle from one joint's axis to the next one's, about $x$. 0° means that the two axes are
-parallel, 90° that they stand across each other.
+        <source>The twist $\alpha$ is the angle from the axis of one joint to that of the next, about $x$. At 0° the two axes are
+parallel, at 90° perpendicular.
 
-Look at the column $\alpha$ in the panel *DH table*, and at the frames in the view. The table is drawn over the arm: type
-90 into $\alpha$ of row 3, and see where the forearm would go. *Undo* brings it back.</source>
-        <translation>Die Verwindung $\alpha$ ist der Winkel von der Achse eines Gelenks zur Achse des nächsten, um $x$. 0° bedeutet, dass die beiden Achsen
-parallel sind, 90°, dass sie quer zueinander stehen.
+Look at the column $\alpha$ in the panel *DH table*, and at the frames in the view. The view also draws the arm
+that the table describes: type 90 for $\alpha$ in row 3, and see where the forearm would be. *Undo* restores the
+value.</source>
+        <translation>Die Verwindung $\alpha$ ist der Winkel von der Achse eines Gelenks zur Achse des nächsten, um $x$. Bei 0° sind die beiden Achsen parallel, bei 90° stehen sie senkrecht aufeinander.
 
-Betrachten Sie die Spalte $\alpha$ im Bereich *DH-Tabelle* und die Koordinatensysteme in der Ansicht. Die Tabelle wird über den Arm gezeichnet: Geben Sie
-bei $\alpha$ in Zeile 3 den Wert 90 ein und sehen Sie, wohin der Unterarm käme. *Rückgängig* stellt den alten Wert wieder her.</translation>
+Betrachten Sie die Spalte $\alpha$ im Bereich *DH-Tabelle* und die Koordinatensysteme in der Ansicht. Die Ansicht zeichnet auch den Arm, den die Tabelle beschreibt: Geben Sie bei $\alpha$ in Zeile 3 den Wert 90 ein und sehen Sie, wo der Unterarm wäre. *Rückgängig* stellt den alten Wert wieder her.</translation>
     </message>
     <message>
-        <source>Row 3 has $\alpha = 0$: the way from axis 2 to axis 3.</source>
-        <translation>Zeile 3 hat $\alpha = 0$: der Weg von Achse 2 zu Achse 3.</translation>
+        <source>Row 3 has $\alpha = 0$; it leads from axis 2 to axis 3.</source>
+        <translation>Zeile 3 hat $\alpha = 0$; sie führt von Achse 2 zu Achse 3.</translation>
     </message>
     <message>
         <source>Which two axes are parallel?</source>
@@ -1478,25 +1477,25 @@ bei $\alpha$ in Zeile 3 den Wert 90 ein und sehen Sie, wohin der Unterarm käme.
         <translation>Gelenke einstellen</translation>
     </message>
     <message>
-        <source>Now the other way round: put $\theta_1 = 0°$, $\theta_2 = 45°$ and $\theta_3 = 15°$ into the table, with the sliders of
-joints 1 to 3, and hold them for a second. Stop the servo first (Esc).
+        <source>Now the other way round: set $\theta_1 = 0°$, $\theta_2 = 45°$ and $\theta_3 = 15°$ with the sliders of joints 1
+to 3, and hold them for one second. Stop the servo first (Esc).
 
-Watch frame 3 at the elbow: $\theta_3$ is measured from the upper arm, not from the table.</source>
-        <translation>Nun umgekehrt: Bringen Sie $\theta_1 = 0°$, $\theta_2 = 45°$ und $\theta_3 = 15°$ in die Tabelle, mit den Schiebereglern der
-Gelenke 1 bis 3, und halten Sie sie eine Sekunde lang. Stoppen Sie zuerst den Servo (Esc).
+Watch frame 3 at the elbow: $\theta_3$ is measured from the upper arm, not from the desk.</source>
+        <translation>Nun umgekehrt: Stellen Sie $\theta_1 = 0°$, $\theta_2 = 45°$ und $\theta_3 = 15°$ mit den Schiebereglern der
+Gelenke 1 bis 3 ein, und halten Sie sie eine Sekunde lang. Stoppen Sie zuerst den Servo (Esc).
 
 Beobachten Sie Koordinatensystem 3 am Ellbogen: $\theta_3$ wird vom Oberarm aus gemessen, nicht vom Tisch aus.</translation>
     </message>
     <message>
-        <source>Type a number beside the slider. Friction stops the arm a few tenths of a degree short; that is near enough.</source>
-        <translation>Geben Sie neben dem Schieberegler eine Zahl ein. Durch Reibung bleibt der Arm einige Zehntelgrad vorher stehen; das ist nahe genug.</translation>
+        <source>You can also type a number in the field beside the slider. Friction stops the arm a few tenths of a degree short; that is close enough.</source>
+        <translation>Sie können auch im Feld neben dem Schieberegler eine Zahl eingeben. Durch Reibung bleibt der Arm einige Zehntelgrad vorher stehen; das ist nahe genug.</translation>
     </message>
     <message>
-        <source>The device counts otherwise</source>
-        <translation>Das Gerät zählt anders</translation>
+        <source>The device's own angles</source>
+        <translation>Die eigenen Winkel des Geräts</translation>
     </message>
     <message>
-        <source>The device itself measures the shin from its base, because both motors sit there (thesis figure 3.5):
+        <source>The device measures the angle of the shin with respect to its base, where both motors are (thesis figure 3.5):
 
 $$\theta_1 = -\theta_{1p}$$
 
@@ -1504,8 +1503,9 @@ $$\theta_2 = \theta_{2p}$$
 
 $$\theta_3 = \theta_{3p} - \theta_{2p}$$
 
-Hold the arm anywhere. Work out the device's own angle $\theta_{3p}$ of the shin from $\theta_2$ and $\theta_3$ of the table.</source>
-        <translation>Das Gerät selbst misst den Unterschenkel von seiner Basis aus, weil beide Motoren dort sitzen (Thesis, Abbildung 3.5):
+Hold the arm in any configuration. From $\theta_2$ and $\theta_3$ of the table, calculate $\theta_{3p}$, the
+device's own angle of the shin.</source>
+        <translation>Das Gerät misst den Winkel des Unterschenkels gegenüber seiner Basis, in der beide Motoren sitzen (Thesis, Abbildung 3.5):
 
 $$\theta_1 = -\theta_{1p}$$
 
@@ -1528,7 +1528,7 @@ Halten Sie den Arm in einer beliebigen Stellung. Berechnen Sie aus $\theta_2$ un
         <translation>Vorwärtskinematik</translation>
     </message>
     <message>
-        <source>From joint angles to the place of the tip.</source>
+        <source>From joint angles to the position of the tip.</source>
         <translation>Von den Gelenkwinkeln zum Ort der Spitze.</translation>
     </message>
     <message>
@@ -1536,28 +1536,29 @@ Halten Sie den Arm in einer beliebigen Stellung. Berechnen Sie aus $\theta_2$ un
         <translation>Der Arm in seiner Ebene</translation>
     </message>
     <message>
-        <source>With the turret straight ahead ($\theta_1 = 0$) the arm lies in a plane. Seen from its shoulder the tip is
+        <source>When the turret points straight ahead ($\theta_1 = 0$), the arm lies in a plane. The distance and the height of
+the tip with respect to the shoulder are
 
 $$r = L_1 \cos\theta_2 + L_2 \sin(\theta_2 + \theta_3)$$
 
 $$z_B = L_1 \sin\theta_2 - L_2 \cos(\theta_2 + \theta_3)$$
 
-away and up, with $L_1 = 127.508$ and $L_2 = 149.352$ mm (thesis eq. 3.5).
+with $L_1 = 127.508$ and $L_2 = 149.352$ mm (thesis eq. 3.5).
 
 Stop the servo (Esc) and set $\theta_1 = 0°$, $\theta_2 = 30°$, $\theta_3 = 30°$.</source>
-        <translation>Steht der Drehturm geradeaus ($\theta_1 = 0$), liegt der Arm in einer Ebene. Von der Schulter aus gesehen ist die Spitze
+        <translation>Steht der Drehturm geradeaus ($\theta_1 = 0$), liegt der Arm in einer Ebene. Abstand und Höhe der Spitze gegenüber der Schulter sind
 
 $$r = L_1 \cos\theta_2 + L_2 \sin(\theta_2 + \theta_3)$$
 
 $$z_B = L_1 \sin\theta_2 - L_2 \cos(\theta_2 + \theta_3)$$
 
-entfernt und darüber, mit $L_1 = 127.508$ und $L_2 = 149.352$ mm (Thesis, Gl. 3.5).
+mit $L_1 = 127.508$ und $L_2 = 149.352$ mm (Thesis, Gl. 3.5).
 
 Stoppen Sie den Servo (Esc) und stellen Sie $\theta_1 = 0°$, $\theta_2 = 30°$, $\theta_3 = 30°$ ein.</translation>
     </message>
     <message>
-        <source>Use the sliders of the panel *Kinematics*, or type beside them.</source>
-        <translation>Benutzen Sie die Schieberegler im Bereich *Kinematik*, oder geben Sie die Werte daneben ein.</translation>
+        <source>Use the sliders of the panel *Kinematics*, or type the angles beside them.</source>
+        <translation>Benutzen Sie die Schieberegler im Bereich *Kinematik*, oder geben Sie die Winkel daneben ein.</translation>
     </message>
     <message>
         <source>Predict it</source>
@@ -1576,15 +1577,15 @@ In W ist das $z_W = r - 176$ mm. Rechnen Sie es aus, bevor Sie in den Bereich *A
         <translation>$r = 239.8$ mm.</translation>
     </message>
     <message>
-        <source>How far towards you is the tip, z in W, in mm?</source>
-        <translation>Wie weit zu Ihnen hin liegt die Spitze, z in W, in mm?</translation>
+        <source>What is z of the tip in W, in mm?</source>
+        <translation>Wie groß ist z der Spitze in W, in mm?</translation>
     </message>
     <message>
         <source>Out of the plane</source>
         <translation>Aus der Ebene heraus</translation>
     </message>
     <message>
-        <source>The turret turns the whole plane about the upright axis:
+        <source>The turret turns the whole plane about the vertical axis:
 
 $$x_B = \cos\theta_1 \cdot r$$
 
@@ -1608,21 +1609,21 @@ Rechnen Sie aus, wo die Spitze für $\theta_1 = 20°$, $\theta_2 = 40°$, $\thet
         <translation>Wie groß ist x in W (also y in B), in mm?</translation>
     </message>
     <message>
-        <source>The wrist moves nothing</source>
-        <translation>Das Handgelenk bewegt nichts</translation>
+        <source>The wrist does not move the tip</source>
+        <translation>Das Handgelenk bewegt die Spitze nicht</translation>
     </message>
     <message>
-        <source>The axes of joints 4, 5 and 6 meet in the tip. So they turn the stylus and leave the tip where it is: place and
-turn can be worked out one after the other.
+        <source>The axes of joints 4, 5 and 6 intersect at the tip. These joints turn the stylus and leave the tip where it is:
+position and orientation can be calculated one after the other.
 
-Turn joint 4 over 40° and keep the tip within 6 mm of $(0, 0, 50)$.</source>
-        <translation>Die Achsen der Gelenke 4, 5 und 6 treffen sich in der Spitze. Sie drehen daher den Stift und lassen die Spitze, wo sie ist: Ort und
+Turn joint 4 through 40° and keep the tip within 6 mm of $(0, 0, 50)$.</source>
+        <translation>Die Achsen der Gelenke 4, 5 und 6 schneiden sich in der Spitze. Diese Gelenke drehen den Stift und lassen die Spitze, wo sie ist: Ort und
 Orientierung lassen sich nacheinander berechnen.
 
 Drehen Sie Gelenk 4 über einen Bereich von 40° und halten Sie die Spitze höchstens 6 mm von $(0, 0, 50)$ entfernt.</translation>
     </message>
     <message>
-        <source>Stop the servo and use the slider of joint 4, or turn the stylus by Ctrl with the arrow keys.</source>
+        <source>Stop the servo and use the slider of joint 4, or turn the stylus with Ctrl and the arrow keys.</source>
         <translation>Stoppen Sie den Servo und benutzen Sie den Schieberegler von Gelenk 4, oder drehen Sie den Stift mit Strg und den Pfeiltasten.</translation>
     </message>
     <message>
@@ -1630,28 +1631,29 @@ Drehen Sie Gelenk 4 über einen Bereich von 40° und halten Sie die Spitze höch
         <translation>Acht inverse Lösungen</translation>
     </message>
     <message>
-        <source>One pose of the stylus, eight ways for the arm to stand.</source>
-        <translation>Eine Lage des Stifts, acht mögliche Stellungen des Arms.</translation>
+        <source>One pose of the stylus, eight configurations of the arm.</source>
+        <translation>Eine Lage des Stifts, acht Stellungen des Arms.</translation>
     </message>
     <message>
         <source>How many?</source>
         <translation>Wie viele?</translation>
     </message>
     <message>
-        <source>Forward, joint angles give one pose. Backward, one pose has several answers. The turret may face the stylus or turn
-its back on it, the elbow may be up or down, the wrist may be bent to one side or the other: $2 \cdot 2 \cdot 2$ ways.
+        <source>Forward kinematics gives one pose for a set of joint angles. Inverse kinematics gives several sets of joint angles
+for one pose: the turret can face the stylus or turn its back on it, the elbow can be up or down, the wrist can be
+bent to one side or the other: $2 \cdot 2 \cdot 2$ solutions.
 
-The view draws them all as ghosts: whole lines keep the joint limits, dashed ones do not. Move the stylus and count
-the rows of *Inverse solutions* in the panel *Kinematics*.</source>
-        <translation>Vorwärts ergeben Gelenkwinkel eine einzige Lage. Rückwärts hat eine Lage mehrere Antworten. Der Drehturm kann dem Stift zugewandt oder von ihm
-abgewandt sein, der Ellbogen oben oder unten, das Handgelenk zur einen oder zur anderen Seite gebeugt: $2 \cdot 2 \cdot 2$ Möglichkeiten.
+The view draws all of them as ghosts: those with solid lines are within the joint limits, those with dashed lines
+are not. Move the stylus and count the rows of *Inverse solutions* in the panel *Kinematics*.</source>
+        <translation>Die Vorwärtskinematik ergibt aus Gelenkwinkeln eine einzige Lage. Die Rückwärtskinematik hat für eine Lage mehrere Lösungen: Der Drehturm kann dem Stift zugewandt oder von ihm
+abgewandt sein, der Ellbogen oben oder unten, das Handgelenk zur einen oder zur anderen Seite gebeugt: $2 \cdot 2 \cdot 2$ Lösungen.
 
-Die Ansicht zeichnet sie alle als Geisterbilder: Durchgezogene Linien halten die Gelenkgrenzen ein, gestrichelte nicht. Bewegen Sie den Stift und zählen Sie
+Die Ansicht zeichnet sie alle als Geisterbilder: Die durchgezogenen halten die Gelenkgrenzen ein, die gestrichelten nicht. Bewegen Sie den Stift und zählen Sie
 die Zeilen von *Inverse Lösungen* im Bereich *Kinematik*.</translation>
     </message>
     <message>
-        <source>Choose a row: a ghost of the arm goes there.</source>
-        <translation>Wählen Sie eine Zeile: Ein Geisterbild des Arms geht dorthin.</translation>
+        <source>Select a row: a ghost of the arm moves to that solution.</source>
+        <translation>Wählen Sie eine Zeile: Ein Geisterbild des Arms geht zu dieser Lösung.</translation>
     </message>
     <message>
         <source>How many solutions does this pose have?</source>
@@ -1662,15 +1664,15 @@ die Zeilen von *Inverse Lösungen* im Bereich *Kinematik*.</translation>
         <translation>Nur einige sind möglich</translation>
     </message>
     <message>
-        <source>A real arm has limits: its turret turns by 56° to either side, its elbow bends from $\theta_3 = -46°$ to 78°, its wrist
-from $\theta_5 = 36°$ to 149°. So in the workspace your hand always holds the arm in solution 1, the row that says *now*:
-before each other one there is a stop. The turret cannot look back, the elbow stops before it is straight (90°), the wrist
-before axes 4 and 6 are in line (0°).
+        <source>A real arm has limits: its turret turns by 56° to either side, its elbow bends from $\theta_3 = -46°$ to 78°, its
+wrist from $\theta_5 = 36°$ to 149°. In the workspace the arm is therefore always in solution 1, the row that says
+*now*: a stop is in the way of every other solution. The turret cannot face backwards, the elbow stops before it
+is straight (90°), the wrist stops before axes 4 and 6 are aligned (0°).
 
 The last column of the table says which of the eight keep every joint within its limits.</source>
         <translation>Ein echter Arm hat Grenzen: Sein Drehturm dreht sich um 56° nach jeder Seite, sein Ellbogen beugt sich von $\theta_3 = -46°$ bis 78°, sein Handgelenk
-von $\theta_5 = 36°$ bis 149°. Im Arbeitsraum hält Ihre Hand den Arm deshalb immer in Lösung 1, der Zeile, in der *jetzt* steht:
-Vor jeder anderen ist ein Anschlag. Der Drehturm kann nicht nach hinten sehen, der Ellbogen hält an, bevor er gestreckt ist (90°), das Handgelenk,
+von $\theta_5 = 36°$ bis 149°. Im Arbeitsraum ist der Arm deshalb immer in Lösung 1, der Zeile, in der *jetzt* steht:
+Vor jeder anderen Lösung ist ein Anschlag. Der Drehturm kann sich nicht nach hinten drehen, der Ellbogen hält an, bevor er gestreckt ist (90°), das Handgelenk,
 bevor die Achsen 4 und 6 auf einer Geraden liegen (0°).
 
 Die letzte Spalte der Tabelle sagt, welche der acht jedes Gelenk innerhalb seiner Grenzen lassen.</translation>
@@ -1680,7 +1682,7 @@ Die letzte Spalte der Tabelle sagt, welche der acht jedes Gelenk innerhalb seine
         <translation>Zählen Sie die Zeilen, in deren letzter Spalte nicht *außerhalb* steht.</translation>
     </message>
     <message>
-        <source>How many of them keep the limits here?</source>
+        <source>How many of them are within the limits here?</source>
         <translation>Wie viele davon halten hier die Grenzen ein?</translation>
     </message>
     <message>
@@ -1688,31 +1690,31 @@ Die letzte Spalte der Tabelle sagt, welche der acht jedes Gelenk innerhalb seine
         <translation>Eine zweite innerhalb der Grenzen</translation>
     </message>
     <message>
-        <source>The other wrist has $\theta_4$ and $\theta_6$ half a turn further and $\theta_5$ with the other sign; the limits of joint 5 are
-counted for either sign. With joint 4 near its middle half a turn more is beyond its limits; with joint 4 turned to
-a side it is not.
+        <source>In the other wrist solution $\theta_4$ and $\theta_6$ are half a turn further and $\theta_5$ has the opposite
+sign; the limits of joint 5 hold for either sign. With joint 4 near the middle of its range, another half turn is
+beyond its limits; with joint 4 turned to one side it is not.
 
-Turn the stylus until two of the eight keep the limits, and hold it for half a second.</source>
-        <translation>Beim anderen Handgelenk sind $\theta_4$ und $\theta_6$ eine halbe Drehung weiter, und $\theta_5$ hat das andere Vorzeichen; die Grenzen von Gelenk 5
+Turn the stylus until two of the eight are within the limits, and hold it for half a second.</source>
+        <translation>In der anderen Lösung des Handgelenks sind $\theta_4$ und $\theta_6$ eine halbe Drehung weiter, und $\theta_5$ hat das andere Vorzeichen; die Grenzen von Gelenk 5
 zählen für beide Vorzeichen. Steht Gelenk 4 nahe seiner Mitte, so führt eine halbe Drehung über seine Grenzen hinaus; ist es zu
 einer Seite gedreht, so nicht.
 
 Drehen Sie den Stift, bis zwei der acht die Grenzen einhalten, und halten Sie ihn eine halbe Sekunde lang.</translation>
     </message>
     <message>
-        <source>Stop the servo (Esc) and move joint 4 to more than 35° by its slider in the panel *Kinematics*, or turn the stylus by Ctrl with the arrow keys.</source>
+        <source>Stop the servo (Esc) and move joint 4 to more than 35° with its slider in the panel *Kinematics*, or turn the stylus with Ctrl and the arrow keys.</source>
         <translation>Stoppen Sie den Servo (Esc) und stellen Sie Gelenk 4 mit seinem Schieberegler im Bereich *Kinematik* auf mehr als 35°, oder drehen Sie den Stift mit Strg und den Pfeiltasten.</translation>
     </message>
     <message>
-        <source>Can your hand take the arm from one of the two to the other?</source>
+        <source>Can your hand move the arm from one of the two to the other?</source>
         <translation>Kann Ihre Hand den Arm von der einen der beiden zur anderen führen?</translation>
     </message>
     <message>
-        <source>yes, straight</source>
-        <translation>ja, geradewegs</translation>
+        <source>yes, directly</source>
+        <translation>ja, direkt</translation>
     </message>
     <message>
-        <source>yes, by way of another pose</source>
+        <source>yes, through another pose</source>
         <translation>ja, über eine andere Lage</translation>
     </message>
     <message>
@@ -1724,33 +1726,34 @@ Drehen Sie den Stift, bis zwei der acht die Grenzen einhalten, und halten Sie ih
         <translation>Zwei Ellbogen</translation>
     </message>
     <message>
-        <source>How far the tip is from the shoulder decides the elbow: with $x$, $y$ and $z$ of the tip in B,
+        <source>The distance of the tip from the shoulder determines the angle of the elbow: with $x$, $y$ and $z$ of the tip in
+B,
 
 $$S = \sin\theta_3 = \frac{x^2 + y^2 + z^2 - L_1^2 - L_2^2}{2 L_1 L_2}$$
 
 $$\theta_3 = \mathrm{atan2}(S, \pm\sqrt{1 - S^2})$$
 
-A sine belongs to two angles: $\theta_3$ and $180° - \theta_3$. These are the two elbows.
+Two angles have the same sine: $\theta_3$ and $180° - \theta_3$. These are the two elbow solutions.
 
-Move the stylus to where $S = 0.5$, so that your elbow has $\theta_3 = 30°$, and hold it for half a second. The ghosts with
-the other elbow show the second angle.</source>
-        <translation>Wie weit die Spitze von der Schulter entfernt ist, bestimmt den Ellbogen: Mit $x$, $y$ und $z$ der Spitze in B gilt
+Move the stylus to where $S = 0.5$, so that the elbow is at $\theta_3 = 30°$, and hold it for half a second. The
+ghosts with the other elbow show the second angle.</source>
+        <translation>Der Abstand der Spitze von der Schulter bestimmt den Winkel des Ellbogens: Mit $x$, $y$ und $z$ der Spitze in B gilt
 
 $$S = \sin\theta_3 = \frac{x^2 + y^2 + z^2 - L_1^2 - L_2^2}{2 L_1 L_2}$$
 
 $$\theta_3 = \mathrm{atan2}(S, \pm\sqrt{1 - S^2})$$
 
-Zu einem Sinus gehören zwei Winkel: $\theta_3$ und $180° - \theta_3$. Das sind die beiden Ellbogen.
+Zu einem Sinus gehören zwei Winkel: $\theta_3$ und $180° - \theta_3$. Das sind die beiden Lösungen des Ellbogens.
 
-Führen Sie den Stift dorthin, wo $S = 0.5$ ist, sodass Ihr Ellbogen $\theta_3 = 30°$ hat, und halten Sie ihn eine halbe Sekunde lang. Die Geisterbilder mit
+Führen Sie den Stift dorthin, wo $S = 0.5$ ist, sodass der Ellbogen bei $\theta_3 = 30°$ steht, und halten Sie ihn eine halbe Sekunde lang. Die Geisterbilder mit
 dem anderen Ellbogen zeigen den zweiten Winkel.</translation>
     </message>
     <message>
-        <source>About $(0, 0, 62)$ mm. The other elbow has $180° - 30°$.</source>
-        <translation>Etwa $(0, 0, 62)$ mm. Der andere Ellbogen hat $180° - 30°$.</translation>
+        <source>Move to about $(0, 0, 62)$ mm. The other elbow is at $180° - 30°$.</source>
+        <translation>Gehen Sie etwa nach $(0, 0, 62)$ mm. Der andere Ellbogen steht bei $180° - 30°$.</translation>
     </message>
     <message>
-        <source>Which angle has the other elbow, in degrees?</source>
+        <source>What is the angle of the other elbow, in degrees?</source>
         <translation>Welchen Winkel hat der andere Ellbogen, in Grad?</translation>
     </message>
     <message>
@@ -1758,17 +1761,17 @@ dem anderen Ellbogen zeigen den zweiten Winkel.</translation>
         <translation>Wo zwei zu einem werden</translation>
     </message>
     <message>
-        <source>The farther out the tip, the nearer the two elbows. Where $S = 1$ the arm is stretched and they are one; where $S &gt; 1$
-nothing reaches.
+        <source>The farther out the tip, the closer the two elbows are. At $S = 1$ the arm is stretched and they coincide; at
+$S &gt; 1$ the tip is out of reach.
 
-Pull the stylus towards you until the elbow is less than 20° from stretched, and hold it for half a second. Watch the two ghosts' elbows meet.</source>
-        <translation>Je weiter außen die Spitze ist, desto näher rücken die beiden Ellbogen zusammen. Bei $S = 1$ ist der Arm gestreckt, und sie sind eins; bei $S &gt; 1$
-ist der Ort nicht mehr erreichbar.
+Pull the stylus towards you until the elbow is less than 20° from straight, and hold it for half a second. Watch
+the elbows of the two ghosts meet.</source>
+        <translation>Je weiter außen die Spitze ist, desto näher rücken die beiden Ellbogen zusammen. Bei $S = 1$ ist der Arm gestreckt, und sie fallen zusammen; bei $S &gt; 1$ ist die Spitze außer Reichweite.
 
 Ziehen Sie den Stift zu sich, bis am Ellbogen weniger als 20° bis zur Streckung fehlen, und halten Sie ihn eine halbe Sekunde lang. Beobachten Sie, wie die Ellbogen der beiden Geisterbilder zusammenkommen.</translation>
     </message>
     <message>
-        <source>Page Down brings the stylus nearer in the view from the front. Go to about $z = 98$ mm, 25 mm above the middle.</source>
+        <source>In the view from the front, Page Down moves the stylus towards you. Move to about $z = 98$ mm, 25 mm above the middle.</source>
         <translation>Bild ab bringt den Stift in der Ansicht von vorn näher. Gehen Sie bis etwa $z = 98$ mm, 25 mm über der Mitte.</translation>
     </message>
     <message>
@@ -1776,16 +1779,16 @@ Ziehen Sie den Stift zu sich, bis am Ellbogen weniger als 20° bis zur Streckung
         <translation>Zwei Handgelenke</translation>
     </message>
     <message>
-        <source>The wrist's two ways bring the stylus to the same turn:
+        <source>Two sets of wrist angles give the stylus the same orientation:
 
 $$(\theta_4, \theta_5, \theta_6)$$
 
 $$(\theta_4 + 180°, -\theta_5, \theta_6 + 180°)$$
 
-In between, at $\theta_5 = 0$, axes 4 and 6 lie in line and only the sum of their angles counts.
+In between, at $\theta_5 = 0$, axes 4 and 6 are aligned and only the sum of their angles counts.
 
-Bring joint 5 to 60° and hold it for half a second; choose the row of the other wrist and watch its ghost turn.</source>
-        <translation>Die beiden Stellungen des Handgelenks geben dem Stift dieselbe Orientierung:
+Move joint 5 to 60° and hold it for half a second; select the row of the other wrist and watch its ghost turn.</source>
+        <translation>Zwei Stellungen des Handgelenks geben dem Stift dieselbe Orientierung:
 
 $$(\theta_4, \theta_5, \theta_6)$$
 
@@ -1796,15 +1799,15 @@ Dazwischen, bei $\theta_5 = 0$, liegen die Achsen 4 und 6 auf einer Geraden, und
 Bringen Sie Gelenk 5 auf 60° und halten Sie es eine halbe Sekunde lang; wählen Sie die Zeile des anderen Handgelenks und sehen Sie zu, wie sich dessen Geisterbild dreht.</translation>
     </message>
     <message>
-        <source>Joint 5 has a slider in the panel *Kinematics* (stop the servo first). Each ± stands for two: the turret, the elbow, the wrist.</source>
-        <translation>Gelenk 5 hat einen Schieberegler im Bereich *Kinematik* (stoppen Sie zuerst den Servo). Jedes ± steht für zwei: Drehturm, Ellbogen, Handgelenk.</translation>
+        <source>Joint 5 has a slider in the panel *Kinematics* (stop the servo first). The signs ± in a row stand for turret, elbow and wrist.</source>
+        <translation>Gelenk 5 hat einen Schieberegler im Bereich *Kinematik* (stoppen Sie zuerst den Servo). Die Vorzeichen ± einer Zeile stehen für Drehturm, Ellbogen und Handgelenk.</translation>
     </message>
     <message>
-        <source>Which θ₅ has the other wrist, in degrees?</source>
-        <translation>Welches θ₅ hat das andere Handgelenk, in Grad?</translation>
+        <source>What is θ₅ of the other wrist, in degrees?</source>
+        <translation>Wie groß ist θ₅ beim anderen Handgelenk, in Grad?</translation>
     </message>
     <message>
-        <source>At θ₅ = 0, how many choices of θ₄ and θ₆ give the same turn?</source>
+        <source>At θ₅ = 0, how many combinations of θ₄ and θ₆ give the same orientation?</source>
         <translation>Wie viele Kombinationen von θ₄ und θ₆ ergeben bei θ₅ = 0 dieselbe Orientierung?</translation>
     </message>
     <message>
@@ -1820,28 +1823,29 @@ Bringen Sie Gelenk 5 auf 60° und halten Sie es eine halbe Sekunde lang; wählen
         <translation>acht</translation>
     </message>
     <message>
-        <source>as many as you like</source>
-        <translation>beliebig viele</translation>
+        <source>infinitely many</source>
+        <translation>unendlich viele</translation>
     </message>
     <message>
         <source>Jacobian and singularities</source>
         <translation>Jacobi-Matrix und Singularitäten</translation>
     </message>
     <message>
-        <source>How fast the tip goes for how fast the joints turn, and where that fails.</source>
-        <translation>Wie schnell die Spitze wird, wenn sich die Gelenke drehen, und wo das versagt.</translation>
+        <source>From joint rates to the velocity of the tip, and where the arm loses a direction.</source>
+        <translation>Von den Drehgeschwindigkeiten der Gelenke zur Geschwindigkeit der Spitze, und wo dem Arm eine Richtung fehlt.</translation>
     </message>
     <message>
-        <source>A matrix for speeds</source>
+        <source>A matrix for velocities</source>
         <translation>Matrix der Geschwindigkeiten</translation>
     </message>
     <message>
-        <source>The **Jacobian** $J_p$ turns the rates of joints 1 to 3 into the tip's velocity: $v = J_p \cdot \omega$. Turn the joints at rates
-of size 1 in every direction, and the tip's velocities fill an ellipsoid. The blue one is it. Where it is long, a small turn goes far.
+        <source>The **Jacobian** $J_p$ maps the rates of joints 1 to 3 to the velocity of the tip: $v = J_p \cdot \omega$. All
+joint rates of magnitude 1 together give an ellipsoid of velocities of the tip, drawn in blue. Where it is long, a
+small rotation of the joints moves the tip far.
 
-Drag the stylus about, at 60 mm/s or more for half a second, and watch the ellipsoid change.</source>
-        <translation>Die **Jacobi-Matrix** $J_p$ macht aus den Drehgeschwindigkeiten der Gelenke 1 bis 3 die Geschwindigkeit der Spitze: $v = J_p \cdot \omega$. Drehen sich die Gelenke mit Geschwindigkeiten
-vom Betrag 1 in allen Richtungen, so füllen die Geschwindigkeiten der Spitze ein Ellipsoid. Es ist das blaue. Wo es lang ist, führt eine kleine Drehung weit.
+Drag the stylus around at 60 mm/s or more for half a second, and watch the ellipsoid change.</source>
+        <translation>Die **Jacobi-Matrix** $J_p$ bildet die Drehgeschwindigkeiten der Gelenke 1 bis 3 auf die Geschwindigkeit der Spitze ab: $v = J_p \cdot \omega$. Alle Drehgeschwindigkeiten
+vom Betrag 1 zusammen ergeben ein Ellipsoid der Geschwindigkeiten der Spitze, blau gezeichnet. Wo es lang ist, bewegt eine kleine Drehung der Gelenke die Spitze weit.
 
 Ziehen Sie den Stift eine halbe Sekunde lang mit 60 mm/s oder mehr umher und beobachten Sie, wie sich das Ellipsoid ändert.</translation>
     </message>
@@ -1854,54 +1858,57 @@ Ziehen Sie den Stift eine halbe Sekunde lang mit 60 mm/s oder mehr umher und beo
         <translation>Das Ellipsoid lesen</translation>
     </message>
     <message>
-        <source>The half axes are the singular values of $J_p$: how far the tip goes for a radian, in the best direction and in the worst.
+        <source>The semi-axes are the singular values of $J_p$: how far the tip moves per radian, from the best direction to the
+worst.
 
 Hold still and read the *Singular values* under *Jacobian* in the panel *Kinematics*.</source>
-        <translation>Die Halbachsen sind die Singulärwerte von $J_p$: wie weit die Spitze je Radiant kommt, in der besten Richtung und in der schlechtesten.
+        <translation>Die Halbachsen sind die Singulärwerte von $J_p$: wie weit sich die Spitze je Radiant bewegt, von der besten Richtung bis zur schlechtesten.
 
 Halten Sie still und lesen Sie die *Singulärwerte* unter *Jacobi-Matrix* im Bereich *Kinematik* ab.</translation>
     </message>
     <message>
-        <source>It is the first of the three, the largest. The panel counts in metres: 0.25 m are 250 mm.</source>
-        <translation>Es ist der erste der drei, der größte. Der Bereich zählt in Metern: 0,25 m sind 250 mm.</translation>
+        <source>It is the first of the three, the largest. The panel shows metres: 0.25 m is 250 mm.</source>
+        <translation>Es ist der erste der drei, der größte. Der Bereich zeigt Meter: 0,25 m sind 250 mm.</translation>
     </message>
     <message>
-        <source>How far does the tip go for a radian in the best direction, in mm?</source>
-        <translation>Wie weit kommt die Spitze je Radiant in der besten Richtung, in mm?</translation>
+        <source>How far does the tip move per radian in the best direction, in mm?</source>
+        <translation>Wie weit bewegt sich die Spitze je Radiant in der besten Richtung, in mm?</translation>
     </message>
     <message>
         <source>Its volume</source>
         <translation>Sein Volumen</translation>
     </message>
     <message>
-        <source>The determinant is the ellipsoid's volume but for a factor, and tells how well the arm can move at all (Yoshikawa's manipulability):
+        <source>The determinant is the volume of the ellipsoid up to a constant factor. Its absolute value is Yoshikawa's
+manipulability:
 
 $$\det J_p = L_1 L_2 \cos\theta_3 \cdot (L_1 \cos\theta_2 + L_2 \sin(\theta_2 + \theta_3))$$
 
 Find a pose where it is above 4000 cm³ (0.004 m³), and one where it is below 2500 cm³.</source>
-        <translation>Die Determinante ist bis auf einen Faktor das Volumen des Ellipsoids und sagt, wie gut sich der Arm überhaupt bewegen kann (Manipulierbarkeit nach Yoshikawa):
+        <translation>Die Determinante ist bis auf einen konstanten Faktor das Volumen des Ellipsoids. Ihr Betrag ist die Manipulierbarkeit nach Yoshikawa:
 
 $$\det J_p = L_1 L_2 \cos\theta_3 \cdot (L_1 \cos\theta_2 + L_2 \sin(\theta_2 + \theta_3))$$
 
 Finden Sie eine Lage, in der sie über 4000 cm³ (0,004 m³) liegt, und eine, in der sie unter 2500 cm³ liegt.</translation>
     </message>
     <message>
-        <source>A cosine is largest for $\theta_3 = 0$, a bracket far from axis 1. About $(0, 30, 45)$ mm is good; near the stretched arm it is small.</source>
-        <translation>Der Kosinus ist bei $\theta_3 = 0$ am größten, die Klammer weit weg von Achse 1. Etwa bei $(0, 30, 45)$ mm ist es gut; nahe am gestreckten Arm ist die Determinante klein.</translation>
+        <source>The cosine is largest at $\theta_3 = 0$, the bracket far from axis 1. Manipulability is high at about $(0, 30, 45)$ mm and low where the arm is nearly stretched.</source>
+        <translation>Der Kosinus ist bei $\theta_3 = 0$ am größten, die Klammer weit weg von Achse 1. Etwa bei $(0, 30, 45)$ mm ist die Manipulierbarkeit groß, am fast gestreckten Arm klein.</translation>
     </message>
     <message>
         <source>The elbow</source>
         <translation>Der Ellbogen</translation>
     </message>
     <message>
-        <source>At $\theta_3 = ±90°$ the arm is stretched or folded. Then $\cos\theta_3 = 0$: the joints can no longer move the tip outwards.
-Seen from the side the ellipsoid has gone flat.
+        <source>At $\theta_3 = ±90°$ the arm is stretched or folded. Then $\cos\theta_3 = 0$: the joints can no longer move the
+tip outwards. Seen from the side, the ellipsoid is flat.
 
-Stretch the arm until it goes less than 35 mm for a radian in the worst direction, and hold for half a second.</source>
+Stretch the arm until the tip moves less than 35 mm per radian in the worst direction, and hold it for half a
+second.</source>
         <translation>Bei $\theta_3 = ±90°$ ist der Arm gestreckt oder gefaltet. Dann ist $\cos\theta_3 = 0$: Die Gelenke können die Spitze nicht mehr nach außen bewegen.
-Von der Seite gesehen ist das Ellipsoid flach geworden.
+Von der Seite gesehen ist das Ellipsoid flach.
 
-Strecken Sie den Arm, bis die Spitze in der schlechtesten Richtung weniger als 35 mm je Radiant kommt, und halten Sie ihn eine halbe Sekunde lang.</translation>
+Strecken Sie den Arm, bis sich die Spitze in der schlechtesten Richtung weniger als 35 mm je Radiant bewegt, und halten Sie ihn eine halbe Sekunde lang.</translation>
     </message>
     <message>
         <source>Pull the stylus towards you, to $z = 98$ mm, 25 mm above the middle.</source>
@@ -1912,16 +1919,17 @@ Strecken Sie den Arm, bis die Spitze in der schlechtesten Richtung weniger als 3
         <translation>Die Schulter</translation>
     </message>
     <message>
-        <source>The bracket of the determinant is $r$, the tip's distance from axis 1. At $r = 0$ the tip stands on that axis, and turning the turret moves nothing.
+        <source>The bracket in the determinant is $r$, the distance of the tip from axis 1. At $r = 0$ the tip is on that axis,
+and turning the turret does not move it.
 
-Push the stylus away from you until $r$ is below 100 mm. The ellipsoid gets narrow to the sides.</source>
-        <translation>Die Klammer der Determinante ist $r$, der Abstand der Spitze von Achse 1. Bei $r = 0$ steht die Spitze auf dieser Achse, und eine Drehung des Drehturms bewegt nichts.
+Push the stylus away from you until $r$ is below 100 mm. The ellipsoid becomes narrow from side to side.</source>
+        <translation>Die Klammer der Determinante ist $r$, der Abstand der Spitze von Achse 1. Bei $r = 0$ liegt die Spitze auf dieser Achse, und eine Drehung des Drehturms bewegt sie nicht.
 
-Schieben Sie den Stift von sich weg, bis $r$ unter 100 mm liegt. Das Ellipsoid wird zu den Seiten hin schmal.</translation>
+Schieben Sie den Stift von sich weg, bis $r$ unter 100 mm liegt. Das Ellipsoid wird von Seite zu Seite schmal.</translation>
     </message>
     <message>
-        <source>Away and down: about $(0, -60, -90)$ mm. In the view from the top that is upwards, and Page Up goes down.</source>
-        <translation>Weg und nach unten: etwa $(0, -60, -90)$ mm. In der Ansicht von oben ist das aufwärts, und Bild auf führt nach unten.</translation>
+        <source>Move it away from you and down, to about $(0, -60, -90)$ mm. In the view from the top, away is up on the screen, and Page Up moves the stylus down.</source>
+        <translation>Führen Sie ihn von sich weg und nach unten, etwa nach $(0, -60, -90)$ mm. In der Ansicht von oben geht es auf dem Bildschirm aufwärts von Ihnen weg, und Bild auf führt nach unten.</translation>
     </message>
     <message>
         <source>All six joints</source>
@@ -1952,11 +1960,11 @@ $$\det J = \pm \det J_p \cdot \sin\theta_5$$</translation>
         <translation>die Spitze nach außen bewegen</translation>
     </message>
     <message>
-        <source>turn about one of the axes</source>
+        <source>rotate about one of the axes</source>
         <translation>sich um eine der Achsen drehen</translation>
     </message>
     <message>
-        <source>anything at all</source>
+        <source>move at all</source>
         <translation>sich überhaupt bewegen</translation>
     </message>
     <message>
@@ -1968,64 +1976,66 @@ $$\det J = \pm \det J_p \cdot \sin\theta_5$$</translation>
         <translation>Kräfte</translation>
     </message>
     <message>
-        <source>Which torques hold a force, and where an arm is strong.</source>
-        <translation>Welche Drehmomente eine Kraft halten und wo ein Arm stark ist.</translation>
+        <source>Which joint torques produce a force, and where the arm is strong.</source>
+        <translation>Welche Drehmomente eine Kraft erzeugen und wo der Arm stark ist.</translation>
     </message>
     <message>
         <source>A force at the tip</source>
         <translation>Eine Kraft an der Spitze</translation>
     </message>
     <message>
-        <source>Press Start (F5): a spring now draws the stylus to the middle. Start from there, and pull it to the right until the arm pulls back with 0.4 N, for a second.
-The orange arrow is the force; the gauge says how large it is.</source>
+        <source>Press Start (F5): a spring pulls the stylus to the middle. From there, pull it to the right until the arm pulls
+back with 0.4 N, and hold it for one second. The orange arrow is the force; the gauge shows its magnitude.</source>
         <translation>Drücken Sie Start (F5): Eine Feder zieht den Stift nun zur Mitte. Beginnen Sie dort und ziehen Sie ihn nach rechts, bis der Arm eine Sekunde lang mit 0,4 N zurückzieht.
-Der orange Pfeil ist die Kraft; die Kraftanzeige sagt, wie groß sie ist.</translation>
+Der orange Pfeil ist die Kraft; die Kraftanzeige zeigt ihren Betrag.</translation>
     </message>
     <message>
         <source>The stylus starts in front of the middle. Push it back to $(0, 0, 0)$ first, then 2 mm to the right.</source>
         <translation>Der Stift beginnt vor der Mitte. Schieben Sie ihn zuerst zurück nach $(0, 0, 0)$, dann 2 mm nach rechts.</translation>
     </message>
     <message>
-        <source>Which motor bears it?</source>
+        <source>Which motor carries it?</source>
         <translation>Welcher Motor trägt sie?</translation>
     </message>
     <message>
-        <source>Torques follow from the force by the same Jacobian, turned over:
+        <source>The torques follow from the force through the same Jacobian, transposed:
 
 $$\tau = J_p^T f$$
 
-A force to the side is borne by the turret alone. A force up or down is none of the turret's business.
-Pull the stylus **up**, so that the force is above 0.4 N, while the turret's torque stays within 15 N mm of zero. Hold for a second.</source>
+A sideways force is carried by the turret alone. A force up or down requires no torque from the turret. Pull the
+stylus **up** until the force is above 0.4 N, while the torque of the turret stays within 15 N mm of zero. Hold it
+for one second.</source>
         <translation>Die Drehmomente folgen aus der Kraft durch dieselbe Jacobi-Matrix, transponiert:
 
 $$\tau = J_p^T f$$
 
-Eine Kraft zur Seite trägt allein der Drehturm. Eine Kraft nach oben oder unten betrifft ihn nicht.
-Ziehen Sie den Stift **nach oben**, sodass die Kraft über 0,4 N liegt, während das Drehmoment des Drehturms höchstens 15 N mm von null abweicht. Halten Sie ihn eine Sekunde lang.</translation>
+Eine Kraft zur Seite trägt allein der Drehturm. Eine Kraft nach oben oder unten braucht kein Drehmoment des Drehturms.
+Ziehen Sie den Stift **nach oben**, bis die Kraft über 0,4 N liegt, während das Drehmoment des Drehturms höchstens 15 N mm von null abweicht. Halten Sie ihn eine Sekunde lang.</translation>
     </message>
     <message>
-        <source>From the middle go 2 mm up and not to the side.</source>
-        <translation>Gehen Sie von der Mitte 2 mm nach oben und nicht zur Seite.</translation>
+        <source>From the middle, move 2 mm straight up.</source>
+        <translation>Gehen Sie von der Mitte 2 mm gerade nach oben.</translation>
     </message>
     <message>
-        <source>Lever times force</source>
-        <translation>Hebel mal Kraft</translation>
+        <source>Lever arm times force</source>
+        <translation>Hebelarm mal Kraft</translation>
     </message>
     <message>
-        <source>For a force $f_x$ to the side the turret's torque is lever times force:
+        <source>For a sideways force $f_x$ the torque of the turret is the lever arm times the force:
 
 $$\tau_1 = r \cdot f_x$$
 
-with $r$ the tip's distance from axis 1. In the middle of the workspace it is $r = 176$ mm.
+where $r$ is the distance of the tip from axis 1. In the middle of the workspace, $r = 176$ mm.
 
-Work out the torque for $f_x = 0.5$ N there. Then pull to the right until the turret bears 70 N mm or more, for a second.</source>
-        <translation>Bei einer Kraft $f_x$ zur Seite ist das Drehmoment des Drehturms Hebel mal Kraft:
+Calculate the torque for $f_x = 0.5$ N there. Then pull to the right until the torque of the turret is 70 N mm or
+more, and hold it for one second.</source>
+        <translation>Bei einer Kraft $f_x$ zur Seite ist das Drehmoment des Drehturms Hebelarm mal Kraft:
 
 $$\tau_1 = r \cdot f_x$$
 
 mit $r$ als Abstand der Spitze von Achse 1. In der Mitte des Arbeitsraums ist $r = 176$ mm.
 
-Rechnen Sie das Drehmoment für $f_x = 0.5$ N dort aus. Ziehen Sie dann nach rechts, bis der Drehturm eine Sekunde lang 70 N mm oder mehr trägt.</translation>
+Berechnen Sie das Drehmoment für $f_x = 0.5$ N dort. Ziehen Sie dann nach rechts, bis das Drehmoment des Drehturms 70 N mm oder mehr beträgt, und halten Sie es eine Sekunde lang.</translation>
     </message>
     <message>
         <source>$176 \cdot 0.5$.</source>
@@ -2036,29 +2046,30 @@ Rechnen Sie das Drehmoment für $f_x = 0.5$ N dort aus. Ziehen Sie dann nach rec
         <translation>Wie groß ist das Drehmoment, in N mm?</translation>
     </message>
     <message>
-        <source>Pull to the right; the spring pulls to the left, so its torque has a minus.</source>
-        <translation>Ziehen Sie nach rechts; die Feder zieht nach links, daher hat ihr Drehmoment ein Minus.</translation>
+        <source>Pull to the right: the spring pulls to the left, so its torque is negative.</source>
+        <translation>Ziehen Sie nach rechts: Die Feder zieht nach links, daher ist ihr Drehmoment negativ.</translation>
     </message>
     <message>
         <source>Two ellipsoids</source>
         <translation>Zwei Ellipsoide</translation>
     </message>
     <message>
-        <source>Torques of size 1 in all mixtures make an ellipsoid of forces (orange), as rates made one of velocities (blue). Both have the same axes;
-along each of them force is 1 / gain. Power in is power out: $\tau^T \omega = f^T v$.
+        <source>All joint torques of magnitude 1 together give an ellipsoid of forces (orange), as all joint rates of magnitude 1
+give one of velocities (blue). Both have the same axes; the semi-axes of one are the reciprocals of those of the
+other. Power in equals power out: $\tau^T \omega = f^T v$.
 
-Stretch the arm, as near as 20° to the end, and look at both.</source>
-        <translation>Drehmomente vom Betrag 1 in allen Mischungen bilden ein Ellipsoid der Kräfte (orange), wie Drehgeschwindigkeiten eines der Geschwindigkeiten (blau) bildeten. Beide haben dieselben Achsen;
-entlang jeder Achse ist die Kraft 1 / Verstärkung. Leistung hinein ist Leistung heraus: $\tau^T \omega = f^T v$.
+Stretch the arm to less than 20° from straight, and look at both.</source>
+        <translation>Alle Drehmomente vom Betrag 1 zusammen ergeben ein Ellipsoid der Kräfte (orange), wie alle Drehgeschwindigkeiten vom Betrag 1 eines der Geschwindigkeiten (blau). Beide haben dieselben Achsen;
+die Halbachsen des einen sind die Kehrwerte derer des anderen. Die hineingesteckte Leistung ist gleich der abgegebenen: $\tau^T \omega = f^T v$.
 
-Strecken Sie den Arm bis auf 20° vor der Streckung und sehen Sie sich beide an.</translation>
+Strecken Sie den Arm, bis weniger als 20° bis zur Streckung fehlen, und sehen Sie sich beide an.</translation>
     </message>
     <message>
         <source>Where the motion ellipsoid is thin, the force ellipsoid is …</source>
         <translation>Wo das Bewegungsellipsoid dünn ist, ist das Kraftellipsoid …</translation>
     </message>
     <message>
-        <source>thin, too</source>
+        <source>thin as well</source>
         <translation>auch dünn</translation>
     </message>
     <message>
@@ -2082,10 +2093,12 @@ Strecken Sie den Arm bis auf 20° vor der Streckung und sehen Sie sich beide an.
         <translation>Hookesches Gesetz</translation>
     </message>
     <message>
-        <source>The control law P is a spring: $F = k_p \cdot e$, with $e$ the way from the stylus to its target. Here $k_p = 0.05$ N/mm.
+        <source>The control law P is a spring: $F = k_p \cdot e$, where $e$ is the displacement from the tip to its target. Here
+$k_p = 0.05$ N/mm.
 
-Press Start (F5), go to the middle, and pull away until the force is between 0.35 and 0.45 N. Hold it for a second.</source>
-        <translation>Das Regelgesetz P ist eine Feder: $F = k_p \cdot e$, mit $e$ als Weg vom Stift zu seinem Ziel. Hier ist $k_p = 0.05$ N/mm.
+Press Start (F5), move to the middle, and pull away from it until the force is between 0.35 and 0.45 N. Hold it
+for a second.</source>
+        <translation>Das Regelgesetz P ist eine Feder: $F = k_p \cdot e$, wobei $e$ der Weg von der Spitze zu ihrem Ziel ist. Hier ist $k_p = 0.05$ N/mm.
 
 Drücken Sie Start (F5), gehen Sie zur Mitte und ziehen Sie weg, bis die Kraft zwischen 0,35 und 0,45 N liegt. Halten Sie sie eine Sekunde lang.</translation>
     </message>
@@ -2098,23 +2111,23 @@ Drücken Sie Start (F5), gehen Sie zur Mitte und ziehen Sie weg, bis die Kraft z
         <translation>Wie weit ist das?</translation>
     </message>
     <message>
-        <source>Read the force at the gauge, and work out from it how far the stylus is from its target.</source>
-        <translation>Lesen Sie die Kraft an der Kraftanzeige ab und rechnen Sie daraus aus, wie weit der Stift von seinem Ziel entfernt ist.</translation>
+        <source>Read the force from the gauge, and calculate from it how far the tip is from its target.</source>
+        <translation>Lesen Sie die Kraft an der Kraftanzeige ab und berechnen Sie daraus, wie weit die Spitze von ihrem Ziel entfernt ist.</translation>
     </message>
     <message>
-        <source>$e = F / k_p$: 0.5 N are 10 mm.</source>
+        <source>$e = F / k_p$: 0.5 N is 10 mm.</source>
         <translation>$e = F / k_p$: 0,5 N sind 10 mm.</translation>
     </message>
     <message>
-        <source>How far is the stylus from the target now, in mm?</source>
-        <translation>Wie weit ist der Stift jetzt vom Ziel entfernt, in mm?</translation>
+        <source>How far is the tip from the target now, in mm?</source>
+        <translation>Wie weit ist die Spitze jetzt vom Ziel entfernt, in mm?</translation>
     </message>
     <message>
         <source>Make it stiffer</source>
         <translation>Steifer machen</translation>
     </message>
     <message>
-        <source>Set the stiffness to 0.1 N/mm in the panel *Feel* (type it, or use the slider), and pull again until the force is above 0.5 N. The same way now gives twice the force.</source>
+        <source>Set the stiffness to 0.1 N/mm in the panel *Feel* (type it, or use the slider), and pull again until the force is above 0.5 N. The same displacement now gives twice the force.</source>
         <translation>Stellen Sie im Bereich *Fühlen* die Steifigkeit auf 0,1 N/mm (durch Eingabe oder mit dem Schieberegler) und ziehen Sie noch einmal, bis die Kraft über 0,5 N liegt. Derselbe Weg ergibt nun die doppelte Kraft.</translation>
     </message>
     <message>
@@ -2126,20 +2139,22 @@ Drücken Sie Start (F5), gehen Sie zur Mitte und ziehen Sie weg, bis die Kraft z
         <translation>Masse an einer Feder</translation>
     </message>
     <message>
-        <source>A mass $m$ with the damping $b$ on that spring swings at $\omega_n$, and $\zeta$ says how soon that dies out (thesis appendix B; $k_d$ is the damping of the law):
+        <source>On this spring, a mass $m$ with the damping $b$ has the natural frequency $\omega_n$, and the damping ratio
+$\zeta$ determines how fast an oscillation decays (thesis appendix B; $k_d$ is the damping of the control law):
 
 $$\omega_n = \sqrt{\frac{k_p}{m}}$$
 
 $$\zeta = \frac{b + k_d}{2 \sqrt{k_p m}}$$
 
-Take $m = 0.1$ kg, $b = 4$ N s/m, $k_d = 0$ and $k_p = 0.1$ N/mm, that is 100 N/m. The panel *Step response* draws what follows from it.</source>
-        <translation>Eine Masse $m$ mit der Dämpfung $b$ an dieser Feder schwingt mit $\omega_n$, und $\zeta$ sagt, wie bald das abklingt (Thesis, Anhang B; $k_d$ ist die Dämpfung des Regelgesetzes):
+Take $m = 0.1$ kg, $b = 4$ N s/m, $k_d = 0$ and $k_p = 0.1$ N/mm, that is 100 N/m. The panel *Step response* shows
+the response.</source>
+        <translation>An dieser Feder hat eine Masse $m$ mit der Dämpfung $b$ die Eigenfrequenz $\omega_n$, und der Dämpfungsgrad $\zeta$ bestimmt, wie schnell eine Schwingung abklingt (Thesis, Anhang B; $k_d$ ist die Dämpfung des Regelgesetzes):
 
 $$\omega_n = \sqrt{\frac{k_p}{m}}$$
 
 $$\zeta = \frac{b + k_d}{2 \sqrt{k_p m}}$$
 
-Nehmen Sie $m = 0.1$ kg, $b = 4$ N s/m, $k_d = 0$ und $k_p = 0.1$ N/mm, das sind 100 N/m. Der Bereich *Sprungantwort* zeichnet, was daraus folgt.</translation>
+Nehmen Sie $m = 0.1$ kg, $b = 4$ N s/m, $k_d = 0$ und $k_p = 0.1$ N/mm, das sind 100 N/m. Der Bereich *Sprungantwort* zeigt die Antwort.</translation>
     </message>
     <message>
         <source>$\sqrt{100 / 0.1} = 31.6$, and $4 / (2 \cdot \sqrt{10}) = 0.63$.</source>
@@ -2158,9 +2173,10 @@ Nehmen Sie $m = 0.1$ kg, $b = 4$ N s/m, $k_d = 0$ und $k_p = 0.1$ N/mm, das sind
         <translation>Kritisch gedämpft</translation>
     </message>
     <message>
-        <source>At $\zeta = 1$ nothing swings any more, and nothing is slower than it must be. Solve $\zeta = 1$ for $k_d$, with the numbers of the last step,
-and set it: $k_p = 0.1$ N/mm and your $k_d$ in N s/mm (1 N s/m is 0.001 N s/mm). The law must be PD.</source>
-        <translation>Bei $\zeta = 1$ schwingt nichts mehr, und nichts ist langsamer als nötig. Lösen Sie $\zeta = 1$ nach $k_d$ auf, mit den Zahlen des letzten Schritts,
+        <source>At $\zeta = 1$ the mass returns as fast as it can without oscillating. Solve $\zeta = 1$ for $k_d$, with the
+numbers of the previous step, and set $k_p = 0.1$ N/mm and your $k_d$ in N s/mm (1 N s/m is 0.001 N s/mm). The
+control law must be PD.</source>
+        <translation>Bei $\zeta = 1$ kehrt die Masse so schnell zurück, wie es ohne Schwingung möglich ist. Lösen Sie $\zeta = 1$ nach $k_d$ auf, mit den Zahlen des vorigen Schritts,
 und stellen Sie ein: $k_p = 0.1$ N/mm und Ihr $k_d$ in N s/mm (1 N s/m ist 0,001 N s/mm). Das Regelgesetz muss PD sein.</translation>
     </message>
     <message>
@@ -2172,11 +2188,12 @@ und stellen Sie ein: $k_p = 0.1$ N/mm und Ihr $k_d$ in N s/mm (1 N s/m ist 0,001
         <translation>Aus einer Abbildung ablesen</translation>
     </message>
     <message>
-        <source>Below $\zeta = 1$ a step overshoots, by the share
+        <source>Below $\zeta = 1$ the step response overshoots, by the fraction
 
 $$\exp\left(\frac{-\pi \zeta}{\sqrt{1 - \zeta^2}}\right)$$
 
-Figure B.5 of the thesis shows 38 % of overshoot. Find its $\zeta$: try values, or move the sliders of the panel *Step response*.</source>
+Figure B.5 of the thesis shows an overshoot of 38 %. Find its $\zeta$: try values, or move the sliders of the
+panel *Step response*.</source>
         <translation>Unter $\zeta = 1$ schwingt die Sprungantwort über, und zwar um den Anteil
 
 $$\exp\left(\frac{-\pi \zeta}{\sqrt{1 - \zeta^2}}\right)$$
@@ -2188,59 +2205,60 @@ Abbildung B.5 der Thesis zeigt 38 % Überschwingen. Finden Sie das zugehörige $
         <translation>Mit $\zeta = 0.3$ sind es 37 %.</translation>
     </message>
     <message>
-        <source>Which ζ overshoots by 38 %?</source>
-        <translation>Welches ζ schwingt um 38 % über?</translation>
+        <source>At which ζ is the overshoot 38 %?</source>
+        <translation>Bei welchem ζ beträgt das Überschwingen 38 %?</translation>
     </message>
     <message>
         <source>Sampled walls, and why they buzz</source>
         <translation>Abgetastete Wände und warum sie brummen</translation>
     </message>
     <message>
-        <source>A spring that a computer feels gives back a little more than it got.</source>
-        <translation>Eine Feder, die ein Rechner fühlbar macht, gibt etwas mehr zurück, als sie bekommen hat.</translation>
+        <source>A spring that a computer renders gives back a little more energy than it received.</source>
+        <translation>Eine Feder, die ein Rechner fühlbar macht, gibt etwas mehr Energie zurück, als sie bekommen hat.</translation>
     </message>
     <message>
         <source>A spring gives back</source>
         <translation>Eine Feder gibt zurück</translation>
     </message>
     <message>
-        <source>Press Start (F5). Push the stylus into the ball, more than 6 mm deep, and let it come out again. The spring stores what you put in and gives it back: the energy
-rises, and falls to about 0. Let it go up and down twice.</source>
-        <translation>Drücken Sie Start (F5). Schieben Sie den Stift mehr als 6 mm tief in die Kugel und lassen Sie ihn wieder herauskommen. Die Feder speichert, was Sie hineinstecken, und gibt es zurück: Die Energie
+        <source>Press Start (F5). Push the stylus into the ball, more than 6 mm deep, and let it come out again. The spring stores
+the energy that you put in and gives it back: the energy rises, and falls to about 0. Let it rise and fall twice.</source>
+        <translation>Drücken Sie Start (F5). Schieben Sie den Stift mehr als 6 mm tief in die Kugel und lassen Sie ihn wieder herauskommen. Die Feder speichert die Energie, die Sie hineinstecken, und gibt sie zurück: Die Energie
 steigt und fällt auf etwa 0. Lassen Sie sie zweimal steigen und fallen.</translation>
     </message>
     <message>
-        <source>The ball's surface is 50 mm from the middle. Go in to about 40 mm and out to the surface, twice. The plot *Energy* shows the account.</source>
+        <source>The ball's surface is 50 mm from the middle. Move in to about 40 mm and back out to the surface, twice. The plot *Energy* shows the balance.</source>
         <translation>Die Oberfläche der Kugel ist 50 mm von der Mitte entfernt. Gehen Sie zweimal hinein bis etwa 40 mm und heraus bis zur Oberfläche. Das Diagramm *Energie* zeigt die Bilanz.</translation>
     </message>
     <message>
-        <source>What a tick leaks</source>
-        <translation>Was ein Takt abgibt</translation>
+        <source>The energy leak of a tick</source>
+        <translation>Das Energieleck eines Takts</translation>
     </message>
     <message>
-        <source>Between two ticks the force stands still while the hand moves on: going in it pushes too little, going out too much. Each tick that moves by $dx$ gives away $K \cdot dx^2 / 2$,
-as a damper of the wrong sign would:
+        <source>Between two ticks the force is held constant while the hand moves on: on the way in it is too small, on the way
+out too large. In each tick in which the hand moves by $dx$, the wall generates the energy $K \cdot dx^2 / 2$, as
+a damper with the wrong sign would:
 
 $$b_{leak} = \frac{K T}{2}$$
 
-A hand and an arm that damp more than that take it up. A wall that leaks more is **active**: it buzzes.</source>
-        <translation>Zwischen zwei Takten steht die Kraft still, während sich die Hand weiterbewegt: Auf dem Weg hinein drückt sie zu wenig, auf dem Weg heraus zu viel. Jeder Takt mit der Bewegung $dx$ verschenkt $K \cdot dx^2 / 2$,
+A hand and an arm with more damping than that dissipate it. A wall that leaks more is **active**: it buzzes.</source>
+        <translation>Zwischen zwei Takten bleibt die Kraft gleich, während sich die Hand weiterbewegt: Auf dem Weg hinein ist sie zu klein, auf dem Weg heraus zu groß. In jedem Takt, in dem sich die Hand um $dx$ bewegt, erzeugt die Wand die Energie $K \cdot dx^2 / 2$,
 wie es ein Dämpfer mit falschem Vorzeichen täte:
 
 $$b_{leak} = \frac{K T}{2}$$
 
-Eine Hand und ein Arm, die stärker dämpfen, nehmen das auf. Eine Wand, die mehr abgibt, ist **aktiv**: Sie brummt.</translation>
+Eine Hand und ein Arm mit mehr Dämpfung nehmen sie auf. Eine Wand, die mehr abgibt, ist **aktiv**: Sie brummt.</translation>
     </message>
     <message>
         <source>12 N/mm are 12000 N/m, and a tick is 0.001 s.</source>
         <translation>12 N/mm sind 12000 N/m, und ein Takt dauert 0,001 s.</translation>
     </message>
     <message>
-        <source>How much does a wall of 12 N/mm leak at 1000 ticks a second, in N s/m?</source>
-        <translation>Wie viel gibt eine Wand mit 12 N/mm bei 1000 Takten je Sekunde ab, in N s/m?</translation>
+        <source>How large is the leak of a wall of 12 N/mm at 1000 ticks per second, in N s/m?</source>
+        <translation>Wie groß ist das Leck einer Wand mit 12 N/mm bei 1000 Takten je Sekunde, in N s/m?</translation>
     </message>
     <message>
-        <source>And at 2000 ticks a second?</source>
+        <source>And at 2000 ticks per second?</source>
         <translation>Und bei 2000 Takten je Sekunde?</translation>
     </message>
     <message>
@@ -2248,36 +2266,38 @@ Eine Hand und ein Arm, die stärker dämpfen, nehmen das auf. Eine Wand, die meh
         <translation>Eine aktive Wand</translation>
     </message>
     <message>
-        <source>This ball has 12 N/mm. Press Start and move through its surface, in and out, and along it. Watch the energy: below 0 the ball has given away more than it ever got. Your hand has it.</source>
-        <translation>Diese Kugel hat 12 N/mm. Drücken Sie Start und bewegen Sie sich durch ihre Oberfläche, hinein und heraus, und an ihr entlang. Beobachten Sie die Energie: Unter 0 hat die Kugel mehr abgegeben, als sie je bekommen hat. Ihre Hand hat es.</translation>
+        <source>This ball has a stiffness of 12 N/mm. Press Start and move through its surface, in and out, and along it. Watch the energy: below 0, the ball has given out more than it received. Your hand has received the difference.</source>
+        <translation>Diese Kugel hat eine Steifigkeit von 12 N/mm. Drücken Sie Start und bewegen Sie sich durch ihre Oberfläche, hinein und heraus, und an ihr entlang. Beobachten Sie die Energie: Unter 0 hat die Kugel mehr abgegeben, als sie bekommen hat. Die Differenz hat Ihre Hand bekommen.</translation>
     </message>
     <message>
-        <source>The surface is 40 mm from the middle. Go through it quickly, to and fro.</source>
+        <source>The surface is 40 mm from the middle. Move through it quickly, back and forth.</source>
         <translation>Die Oberfläche ist 40 mm von der Mitte entfernt. Gehen Sie schnell hindurch, hin und her.</translation>
     </message>
     <message>
-        <source>Hold it in</source>
-        <translation>Im Zaum halten</translation>
+        <source>Make it passive</source>
+        <translation>Passiv machen</translation>
     </message>
     <message>
-        <source>A **passivity controller** watches the account and adds damping as soon as the wall would give more than it got. Set *Passivity* to *Control* (*Velocity and energy* in the panel *Feel*),
-press Start, and go through the surface as before, until the controller has added more than 0.05 N.</source>
-        <translation>Ein **Passivitätsregler** überwacht die Bilanz und fügt Dämpfung hinzu, sobald die Wand mehr geben würde, als sie bekommen hat. Stellen Sie *Passivität* auf *Regeln* (*Geschwindigkeit und Energie* im Bereich *Fühlen*),
-drücken Sie Start und gehen Sie wie zuvor durch die Oberfläche, bis der Regler mehr als 0,05 N hinzugefügt hat.</translation>
+        <source>A **passivity controller** monitors this energy and adds damping as soon as the wall would give out more than it
+received. Set *Passivity* to *Control* (*Velocity and energy* in the panel *Feel*), press Start, and move through the
+surface as before, until the controller adds more than 0.05 N.</source>
+        <translation>Ein **Passivitätsregler** überwacht diese Energie und fügt Dämpfung hinzu, sobald die Wand mehr abgeben würde, als sie bekommen hat. Stellen Sie *Passivität* auf *Regeln* (*Geschwindigkeit und Energie* im Bereich *Fühlen*),
+drücken Sie Start und gehen Sie wie zuvor durch die Oberfläche, bis der Regler mehr als 0,05 N hinzufügt.</translation>
     </message>
     <message>
-        <source>The choice is in the section *Velocity and energy* of the panel *Feel*.</source>
-        <translation>Die Auswahl steht im Abschnitt *Geschwindigkeit und Energie* des Bereichs *Fühlen*.</translation>
+        <source>The setting is in the section *Velocity and energy* of the panel *Feel*.</source>
+        <translation>Die Einstellung steht im Abschnitt *Geschwindigkeit und Energie* des Bereichs *Fühlen*.</translation>
     </message>
     <message>
         <source>How stiff may a wall be?</source>
         <translation>Wie steif darf eine Wand sein?</translation>
     </message>
     <message>
-        <source>Turn $b_{leak} = K T / 2$ round: with a damping of $b$ in all, a wall leaks less than is damped as long as
+        <source>Solve $b_{leak} = K T / 2$ for the stiffness: with a total damping of $b$, the wall leaks less than the damping
+dissipates as long as
 
 $$K &lt; \frac{2 b}{T}$$</source>
-        <translation>Kehren Sie $b_{leak} = K T / 2$ um: Mit einer Dämpfung von insgesamt $b$ gibt eine Wand weniger ab, als gedämpft wird, solange
+        <translation>Lösen Sie $b_{leak} = K T / 2$ nach der Steifigkeit auf: Mit einer Dämpfung von insgesamt $b$ gibt die Wand weniger ab, als die Dämpfung aufnimmt, solange
 
 $$K &lt; \frac{2 b}{T}$$</translation>
     </message>
@@ -2286,8 +2306,8 @@ $$K &lt; \frac{2 b}{T}$$</translation>
         <translation>$2 \cdot 4 / 0.001$ N/m.</translation>
     </message>
     <message>
-        <source>A hand damps with 4 N s/m, a tick is 1 ms. How stiff may the wall be, in N/mm?</source>
-        <translation>Eine Hand dämpft mit 4 N s/m, ein Takt dauert 1 ms. Wie steif darf die Wand sein, in N/mm?</translation>
+        <source>The damping is 4 N s/m and a tick takes 1 ms. How stiff may the wall be, in N/mm?</source>
+        <translation>Die Dämpfung beträgt 4 N s/m, ein Takt dauert 1 ms. Wie steif darf die Wand sein, in N/mm?</translation>
     </message>
     <message>
         <source>Your wall buzzes. What does NOT help?</source>
@@ -2318,31 +2338,32 @@ $$K &lt; \frac{2 b}{T}$$</translation>
         <translation>Virtuelle Roboter</translation>
     </message>
     <message>
-        <source>A line is a robot of one joint, a plane one of two: what they let you do, and what they hold.</source>
-        <translation>Eine Gerade ist ein Roboter mit einem Gelenk, eine Ebene einer mit zweien: was sie Ihnen erlauben und was sie festhalten.</translation>
+        <source>A line is a robot with one joint, a plane a robot with two: which motions they leave free, and which they constrain.</source>
+        <translation>Eine Gerade ist ein Roboter mit einem Gelenk, eine Ebene einer mit zweien: welche Bewegungen sie frei lassen und welche sie festhalten.</translation>
     </message>
     <message>
-        <source>A line: one joint that slides</source>
-        <translation>Eine Gerade: ein Gelenk, das gleitet</translation>
+        <source>A line: one prismatic joint</source>
+        <translation>Eine Gerade: ein Schubgelenk</translation>
     </message>
     <message>
-        <source>Think of a wire as the tip of a robot with one sliding joint. Along it you are free, across it you are held, by $F = k_p (Q - P)$ with $Q$ the nearest point.
+        <source>Think of the wire as the path of the end effector of a robot with one prismatic joint. Along it you are free;
+across it you are held by $F = k_p (Q - P)$, where $Q$ is the point of the wire nearest to your tip, $P$.
 
 Press Start (F5) and slide along the wire until your height has changed by 50 mm, while you stay within 3 mm of it.</source>
-        <translation>Denken Sie sich einen Draht als Spitze eines Roboters mit einem Schubgelenk. Entlang des Drahts sind Sie frei, quer dazu werden Sie gehalten, durch $F = k_p (Q - P)$ mit $Q$ als nächstem Punkt.
+        <translation>Denken Sie sich den Draht als Bahn des Endeffektors eines Roboters mit einem Schubgelenk. Entlang des Drahts sind Sie frei, quer dazu werden Sie gehalten, durch $F = k_p (Q - P)$, wobei $Q$ der Punkt des Drahts ist, der Ihrer Spitze $P$ am nächsten liegt.
 
 Drücken Sie Start (F5) und gleiten Sie am Draht entlang, bis sich Ihre Höhe um 50 mm geändert hat, und bleiben Sie dabei höchstens 3 mm von ihm entfernt.</translation>
     </message>
     <message>
-        <source>The wire runs along $(-1, -2, 1)$. Follow where it does not resist.</source>
-        <translation>Der Draht verläuft entlang $(-1, -2, 1)$. Folgen Sie ihm dorthin, wo er keinen Widerstand leistet.</translation>
+        <source>The wire runs along $(-1, -2, 1)$. Move in the direction in which it does not resist.</source>
+        <translation>Der Draht verläuft entlang $(-1, -2, 1)$. Bewegen Sie sich in der Richtung, in der er keinen Widerstand leistet.</translation>
     </message>
     <message>
-        <source>A plane: two that slide</source>
-        <translation>Eine Ebene: zwei, die gleiten</translation>
+        <source>A plane: two prismatic joints</source>
+        <translation>Eine Ebene: zwei Schubgelenke</translation>
     </message>
     <message>
-        <source>Two sliding joints make a plane. Two directions are free and one is held, along the normal $(1, 1, 1)$.
+        <source>Two prismatic joints make a plane: two directions are free, and one is held, along the normal $(1, 1, 1)$.
 
 Press Start and slide on the plane: over 40 mm in $x$ and over 40 mm in $y$, within 3 mm of it.</source>
         <translation>Zwei Schubgelenke bilden eine Ebene. Zwei Richtungen sind frei, und eine wird gehalten, entlang der Normalen $(1, 1, 1)$.
@@ -2350,52 +2371,52 @@ Press Start and slide on the plane: over 40 mm in $x$ and over 40 mm in $y$, wit
 Drücken Sie Start und gleiten Sie auf der Ebene: über 40 mm in $x$ und über 40 mm in $y$, höchstens 3 mm von ihr entfernt.</translation>
     </message>
     <message>
-        <source>From the middle go along $(1, -1, 0)$: to the right and down.</source>
+        <source>From the middle, move along $(1, -1, 0)$: to the right and down.</source>
         <translation>Gehen Sie von der Mitte entlang $(1, -1, 0)$: nach rechts und nach unten.</translation>
     </message>
     <message>
-        <source>A circle: one that turns</source>
-        <translation>Ein Kreis: eines, das sich dreht</translation>
+        <source>A circle: one revolute joint</source>
+        <translation>Ein Kreis: ein Drehgelenk</translation>
     </message>
     <message>
-        <source>One joint that turns makes a circle. Follow it half the way round: visit the four places, within 8 mm, at the rim.</source>
-        <translation>Ein Gelenk, das sich dreht, ergibt einen Kreis. Folgen Sie ihm halb herum: Besuchen Sie die vier Orte am Rand, auf 8 mm genau.</translation>
+        <source>One revolute joint makes a circle. Follow its rim and visit the four points that the check below names, to within 8 mm.</source>
+        <translation>Ein Drehgelenk ergibt einen Kreis. Folgen Sie seinem Rand und besuchen Sie die vier Punkte, die unten genannt werden, auf 8 mm genau.</translation>
     </message>
     <message>
-        <source>The places lie on the rim, 40 mm from $(10, 20, 30)$, in its own tilted plane. Let the rim lead you.</source>
-        <translation>Die Orte liegen auf dem Rand, 40 mm von $(10, 20, 30)$ entfernt, in seiner eigenen, geneigten Ebene. Lassen Sie sich vom Rand führen.</translation>
+        <source>The points lie on the rim, 40 mm from $(10, 20, 30)$, in its tilted plane. Let the rim lead you.</source>
+        <translation>Die Punkte liegen auf dem Rand, 40 mm von $(10, 20, 30)$ entfernt, in seiner geneigten Ebene. Lassen Sie sich vom Rand führen.</translation>
     </message>
     <message>
-        <source>A sphere: two that turn</source>
-        <translation>Eine Kugel: zwei, die sich drehen</translation>
+        <source>A sphere: two revolute joints</source>
+        <translation>Eine Kugel: zwei Drehgelenke</translation>
     </message>
     <message>
-        <source>Two joints whose axes cross at right angles make a sphere. Press Start and slide from the front of the ball, $(0, 0, 50)$, over to its top, $(0, 50, 0)$ mm, and keep within 4 mm of the surface.</source>
-        <translation>Zwei Gelenke, deren Achsen sich im rechten Winkel kreuzen, ergeben eine Kugel. Drücken Sie Start und gleiten Sie von der Vorderseite der Kugel, $(0, 0, 50)$, hinüber zu ihrem obersten Punkt, $(0, 50, 0)$ mm, und bleiben Sie höchstens 4 mm von der Oberfläche entfernt.</translation>
+        <source>Two revolute joints whose axes intersect at right angles make a sphere. Press Start and slide from the front of the ball, $(0, 0, 50)$, over to its top, $(0, 50, 0)$ mm, and stay within 4 mm of the surface.</source>
+        <translation>Zwei Drehgelenke, deren Achsen sich im rechten Winkel schneiden, ergeben eine Kugel. Drücken Sie Start und gleiten Sie von der Vorderseite der Kugel, $(0, 0, 50)$, hinüber zu ihrem obersten Punkt, $(0, 50, 0)$ mm, und bleiben Sie höchstens 4 mm von der Oberfläche entfernt.</translation>
     </message>
     <message>
-        <source>Go up and away from you at the same time: the surface leads you.</source>
+        <source>Move up and away from you at the same time: the surface leads you.</source>
         <translation>Gehen Sie zugleich nach oben und von sich weg: Die Oberfläche führt Sie.</translation>
     </message>
     <message>
-        <source>Count the freedoms</source>
-        <translation>Freiheiten zählen</translation>
+        <source>Count the degrees of freedom</source>
+        <translation>Freiheitsgrade zählen</translation>
     </message>
     <message>
-        <source>The tip has three freedoms of its own. A robot of $n$ joints in different directions lets it keep $n$ of them; the rest, $3 - n$, is held. At a singular pose, joints that move the tip alike count once.</source>
-        <translation>Die Spitze hat von sich aus drei Freiheiten. Ein Roboter mit $n$ Gelenken in verschiedenen Richtungen lässt ihr $n$ davon; der Rest, $3 - n$, wird gehalten. In einer singulären Lage zählen Gelenke, die die Spitze gleich bewegen, nur einmal.</translation>
+        <source>The tip has three degrees of freedom. A robot with $n$ independent joints leaves it $n$ of them; the other $3 - n$ are constrained. In a singular configuration, joints that move the tip in the same direction count once.</source>
+        <translation>Die Spitze hat drei Freiheitsgrade. Ein Roboter mit $n$ unabhängigen Gelenken lässt ihr $n$ davon; die übrigen $3 - n$ sind gebunden. In einer singulären Stellung zählen Gelenke, die die Spitze in derselben Richtung bewegen, nur einmal.</translation>
     </message>
     <message>
-        <source>A cylinder is a joint that slides along an axis and one that turns about it.</source>
-        <translation>Ein Zylinder ist ein Gelenk, das entlang einer Achse gleitet, und eines, das sich um sie dreht.</translation>
+        <source>A cylinder is a prismatic joint along an axis and a revolute joint about it.</source>
+        <translation>Ein Zylinder ist ein Schubgelenk entlang einer Achse und ein Drehgelenk um sie.</translation>
     </message>
     <message>
-        <source>How many joints has the robot that is a cylinder's surface?</source>
-        <translation>Wie viele Gelenke hat der Roboter, der die Oberfläche eines Zylinders ist?</translation>
+        <source>How many joints does a robot need for the surface of a cylinder?</source>
+        <translation>Wie viele Gelenke braucht ein Roboter für die Oberfläche eines Zylinders?</translation>
     </message>
     <message>
-        <source>A robot of three sliding joints across each other holds the tip …</source>
-        <translation>Ein Roboter aus drei Schubgelenken quer zueinander hält die Spitze …</translation>
+        <source>A robot with three perpendicular prismatic joints holds the tip …</source>
+        <translation>Ein Roboter mit drei zueinander senkrechten Schubgelenken hält die Spitze …</translation>
     </message>
     <message>
         <source>not at all</source>
@@ -2410,8 +2431,8 @@ Drücken Sie Start und gleiten Sie auf der Ebene: über 40 mm in $x$ und über 4
         <translation>in einem Punkt</translation>
     </message>
     <message>
-        <source>A robot without any joint is …</source>
-        <translation>Ein Roboter ganz ohne Gelenke ist …</translation>
+        <source>A robot without joints is …</source>
+        <translation>Ein Roboter ohne Gelenke ist …</translation>
     </message>
     <message>
         <source>a point</source>
@@ -2426,62 +2447,64 @@ Drücken Sie Start und gleiten Sie auf der Ebene: über 40 mm in $x$ und über 4
         <translation>freier Raum</translation>
     </message>
     <message>
-        <source>Virtual manipulators</source>
-        <translation>Virtuelle Manipulatoren</translation>
-    </message>
-    <message>
-        <source>Robots that exist only in software draw the stylus to their tip.</source>
-        <translation>Roboter, die es nur in Software gibt, ziehen den Stift zu ihrer Spitze.</translation>
+        <source>Robots that exist only in software pull the stylus to their end effector.</source>
+        <translation>Roboter, die es nur in Software gibt, ziehen den Stift zu ihrem Endeffektor.</translation>
     </message>
     <message>
         <source>One joint</source>
         <translation>Ein Gelenk</translation>
     </message>
     <message>
-        <source>The purple robot has one joint in the middle and an arm of 50 mm. Its tip draws your stylus; the joint turns to where your stylus is.
+        <source>The purple robot has one joint, in the middle, and a link of 50 mm. Its end effector pulls your stylus; the joint
+turns towards your stylus.
 
-Press Start (F5) and lead it round until its joint stands between 60° and 80°, for a second.</source>
-        <translation>Der violette Roboter hat ein Gelenk in der Mitte und einen Arm von 50 mm. Seine Spitze zieht Ihren Stift an; das Gelenk dreht sich dorthin, wo Ihr Stift ist.
+Press Start (F5) and lead the robot round until its joint is between 60° and 80°, and hold it there for one
+second.</source>
+        <translation>Der violette Roboter hat ein Gelenk in der Mitte und ein Glied von 50 mm. Sein Endeffektor zieht Ihren Stift an; das Gelenk dreht sich zu Ihrem Stift hin.
 
 Drücken Sie Start (F5) und führen Sie den Roboter herum, bis sein Gelenk eine Sekunde lang zwischen 60° und 80° steht.</translation>
     </message>
     <message>
-        <source>At 0° its tip is at the right. 70° is nearly the top: about $(17, 47, 0)$ mm. The panel *Robot* shows the angle.</source>
-        <translation>Bei 0° ist seine Spitze rechts. 70° ist fast oben: etwa $(17, 47, 0)$ mm. Der Bereich *Roboter* zeigt den Winkel.</translation>
+        <source>At 0° its end effector is on the right, at 70° nearly at the top: about $(17, 47, 0)$ mm. The panel *Robot* shows the angle.</source>
+        <translation>Bei 0° ist sein Endeffektor rechts, bei 70° fast oben: etwa $(17, 47, 0)$ mm. Der Bereich *Roboter* zeigt den Winkel.</translation>
     </message>
     <message>
-        <source>It follows the turn, too</source>
-        <translation>Er folgt auch der Drehung</translation>
+        <source>It also follows the orientation</source>
+        <translation>Er folgt auch der Orientierung</translation>
     </message>
     <message>
-        <source>The joint minimises an energy of two springs, one of place and one of turn:
+        <source>The joint minimises the energy of two springs, one for position and one for orientation:
 
 $$V = \frac{1}{2} k_p |e_p|^2 + \frac{1}{2} K_\theta e_\theta^2$$
 
-Turn the stylus and the robot is drawn round with it. The moment $K_\theta e_\theta$ that belongs to it is shown and never sent: the arm has no motors in its wrist.
+Turn the stylus, and the robot turns with it. The moment $K_\theta e_\theta$ of the second spring is shown but
+never sent: the arm has no motors in its wrist.
 
-Go to $(50, 0, 0)$: the stylus still points up, and the robot is torn. Turn the stylus to the right until the moment is below 40 N mm, for half a second.</source>
-        <translation>Das Gelenk macht die Energie zweier Federn möglichst klein, einer für den Ort und einer für die Drehung:
+Move to $(50, 0, 0)$: the stylus still points up, and the two springs pull the robot in different directions. Turn
+the stylus to the right until the moment is below 40 N mm, and hold it for half a second.</source>
+        <translation>Das Gelenk macht die Energie zweier Federn möglichst klein, einer für den Ort und einer für die Orientierung:
 
 $$V = \frac{1}{2} k_p |e_p|^2 + \frac{1}{2} K_\theta e_\theta^2$$
 
-Drehen Sie den Stift, und der Roboter wird mit herumgezogen. Das Moment $K_\theta e_\theta$, das dazu gehört, wird angezeigt und nie gesendet: Der Arm hat keine Motoren im Handgelenk.
+Drehen Sie den Stift, und der Roboter dreht sich mit. Das Moment $K_\theta e_\theta$ der zweiten Feder wird angezeigt, aber nie gesendet: Der Arm hat keine Motoren im Handgelenk.
 
-Gehen Sie nach $(50, 0, 0)$: Der Stift zeigt noch nach oben, und der Roboter wird hin und her gezogen. Drehen Sie den Stift nach rechts, bis das Moment eine halbe Sekunde lang unter 40 N mm liegt.</translation>
+Gehen Sie nach $(50, 0, 0)$: Der Stift zeigt noch nach oben, und die beiden Federn ziehen den Roboter in verschiedene Richtungen. Drehen Sie den Stift nach rechts, bis das Moment eine halbe Sekunde lang unter 40 N mm liegt.</translation>
     </message>
     <message>
-        <source>Ctrl with the arrow keys turns the stylus. It should point along the robot's arm.</source>
-        <translation>Strg mit den Pfeiltasten dreht den Stift. Er soll entlang dem Arm des Roboters zeigen.</translation>
+        <source>Ctrl with the arrow keys turns the stylus. It should point along the robot's link.</source>
+        <translation>Strg mit den Pfeiltasten dreht den Stift. Er soll entlang dem Glied des Roboters zeigen.</translation>
     </message>
     <message>
         <source>What is left to feel</source>
         <translation>Was zu fühlen bleibt</translation>
     </message>
     <message>
-        <source>Where the joints have settled, no joint can lessen the energy any more: $J_v^T K e = 0$. The force $F = K e$ is therefore across every way that the robot's tip can go.
+        <source>Once the joints have settled, no joint can reduce the energy any further: $J_v^T K e = 0$. The force $F = K e$ is
+therefore perpendicular to every direction in which the end effector can move.
 
-Press Start and pull off the sphere, 40 mm in radius, until the force asked for is above 1 N, for half a second.</source>
-        <translation>Sind die Gelenke zur Ruhe gekommen, so kann kein Gelenk die Energie weiter verringern: $J_v^T K e = 0$. Die Kraft $F = K e$ steht deshalb quer zu jeder Richtung, in die sich die Spitze des Roboters bewegen kann.
+Press Start and pull away from the sphere, 40 mm in radius, until the commanded force is above 1 N, and hold it
+for half a second.</source>
+        <translation>Sind die Gelenke zur Ruhe gekommen, so kann kein Gelenk die Energie weiter verringern: $J_v^T K e = 0$. Die Kraft $F = K e$ steht deshalb senkrecht auf jeder Richtung, in die sich der Endeffektor bewegen kann.
 
 Drücken Sie Start und ziehen Sie von der Kugel mit 40 mm Radius weg, bis die verlangte Kraft eine halbe Sekunde lang über 1 N liegt.</translation>
     </message>
@@ -2490,7 +2513,7 @@ Drücken Sie Start und ziehen Sie von der Kugel mit 40 mm Radius weg, bis die ve
         <translation>Ziehen Sie gerade von der Mitte weg, um 3 mm oder mehr.</translation>
     </message>
     <message>
-        <source>How much of the force do the robot's joints bear?</source>
+        <source>How much of the force do the robot's joints carry?</source>
         <translation>Wie viel von der Kraft tragen die Gelenke des Roboters?</translation>
     </message>
     <message>
@@ -2510,11 +2533,11 @@ Drücken Sie Start und ziehen Sie von der Kugel mit 40 mm Radius weg, bis die ve
         <translation>Ein Gelenk an seiner Grenze</translation>
     </message>
     <message>
-        <source>A SCARA: inside its reach nothing holds you, since its joints follow wherever you go. Its slide has 25 mm up and down. Press Start, lead it up to that limit, and push on until you feel 0.3 N, for half a second.</source>
-        <translation>Ein SCARA: In seiner Reichweite hält Sie nichts, denn seine Gelenke folgen Ihnen überallhin. Sein Schubgelenk hat 25 mm nach oben und nach unten. Drücken Sie Start, führen Sie es nach oben bis zu dieser Grenze und drücken Sie weiter, bis Sie eine halbe Sekunde lang 0,3 N fühlen.</translation>
+        <source>This robot is a SCARA. Within its reach nothing holds you, because its joints follow you. Its prismatic joint moves 25 mm up and down. Press Start, lead it up to that limit, and keep pushing until you feel 0.3 N for half a second.</source>
+        <translation>Dieser Roboter ist ein SCARA. In seiner Reichweite hält Sie nichts, denn seine Gelenke folgen Ihnen. Sein Schubgelenk fährt 25 mm nach oben und nach unten. Drücken Sie Start, führen Sie es nach oben bis zu dieser Grenze und drücken Sie weiter, bis Sie eine halbe Sekunde lang 0,3 N fühlen.</translation>
     </message>
     <message>
-        <source>In the view from the top, Page Down goes up. The slide is joint 3.</source>
+        <source>In the view from the top, Page Down moves up. The prismatic joint is joint 3.</source>
         <translation>In der Ansicht von oben geht es mit Bild ab nach oben. Das Schubgelenk ist Gelenk 3.</translation>
     </message>
     <message>
@@ -2522,19 +2545,21 @@ Drücken Sie Start und ziehen Sie von der Kugel mit 40 mm Radius weg, bis die ve
         <translation>Sechs Gelenke</translation>
     </message>
     <message>
-        <source>Six joints in different directions follow every place and turn: nothing is left to hold. Beyond its reach the robot stands stretched, at a singular pose, and draws you along the one direction in which it cannot move.
+        <source>Six independent joints follow every pose: nothing is constrained. Beyond its reach the robot is stretched, in a
+singular configuration, and pulls you along the one direction in which it cannot move.
 
-The ball, the wire, the wall: each was a robot, and each force the part of $K e$ that its joints could not take away.</source>
-        <translation>Sechs Gelenke in verschiedenen Richtungen folgen jedem Ort und jeder Drehung: Zu halten bleibt nichts. Außerhalb seiner Reichweite steht der Roboter gestreckt, in einer singulären Lage, und zieht Sie in der einen Richtung, in die er sich nicht bewegen kann.
+The ball, the wire, the wall: each was a robot, and each force the part of $K e$ that its joints could not
+relieve.</source>
+        <translation>Sechs unabhängige Gelenke folgen jeder Lage: Nichts ist gebunden. Außerhalb seiner Reichweite ist der Roboter gestreckt, in einer singulären Stellung, und zieht Sie in der einen Richtung, in die er sich nicht bewegen kann.
 
-Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Teil von $K e$, den seine Gelenke nicht wegnehmen konnten.</translation>
+Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Teil von $K e$, den seine Gelenke nicht abbauen konnten.</translation>
     </message>
     <message>
-        <source>Look at the scene: press Start, and pull away from the robot.</source>
-        <translation>Sehen Sie sich die Szene an: Drücken Sie Start und ziehen Sie vom Roboter weg.</translation>
+        <source>Try it: press Start, and pull away from the robot.</source>
+        <translation>Probieren Sie es aus: Drücken Sie Start und ziehen Sie vom Roboter weg.</translation>
     </message>
     <message>
-        <source>Inside its reach, what force does a robot of six joints put on you?</source>
+        <source>Within its reach, what force does a robot with six joints exert on you?</source>
         <translation>Welche Kraft übt ein Roboter mit sechs Gelenken in seiner Reichweite auf Sie aus?</translation>
     </message>
     <message>
@@ -2546,11 +2571,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>die einer Feder zu seiner Basis</translation>
     </message>
     <message>
-        <source>the force of its weight</source>
-        <translation>die seines Gewichts</translation>
+        <source>its weight</source>
+        <translation>sein Gewicht</translation>
     </message>
     <message>
-        <source>Stretched, in which direction does it hold you?</source>
+        <source>When it is stretched, in which direction does it hold you?</source>
         <translation>In welcher Richtung hält er Sie, wenn er gestreckt ist?</translation>
     </message>
     <message>
@@ -2562,8 +2587,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>quer zum Arm</translation>
     </message>
     <message>
-        <source>in all</source>
-        <translation>in allen</translation>
+        <source>in all directions</source>
+        <translation>in allen Richtungen</translation>
     </message>
 </context>
 <context>
@@ -3667,7 +3692,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Das Tempo</translation>
     </message>
     <message>
-        <source>The stylus' direction</source>
+        <source>The direction of the stylus</source>
         <translation>Die Richtung des Stifts</translation>
     </message>
     <message>
@@ -3687,7 +3712,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Anzahl der inversen Lösungen</translation>
     </message>
     <message>
-        <source>The number of solutions within limits</source>
+        <source>The number of solutions within the limits</source>
         <translation>Die Anzahl der Lösungen innerhalb der Grenzen</translation>
     </message>
     <message>
@@ -3699,8 +3724,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Manipulierbarkeit</translation>
     </message>
     <message>
-        <source>The gain of J_p</source>
-        <translation>Die Verstärkung von J_p</translation>
+        <source>The singular value of J_p</source>
+        <translation>Der Singulärwert von J_p</translation>
     </message>
     <message>
         <source>The distance from axis 1</source>
@@ -3711,8 +3736,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Abstand vom gestreckten oder gefalteten Ellbogen</translation>
     </message>
     <message>
-        <source>The distance from axes 4 and 6 in line</source>
-        <translation>Der Abstand von Achse 4 und 6 in einer Linie</translation>
+        <source>The distance from aligned axes 4 and 6</source>
+        <translation>Der Abstand von der Flucht der Achsen 4 und 6</translation>
     </message>
     <message>
         <source>The distance to the nearest joint limit</source>
@@ -3723,7 +3748,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Kraft</translation>
     </message>
     <message>
-        <source>The force asked for</source>
+        <source>The commanded force</source>
         <translation>Die verlangte Kraft</translation>
     </message>
     <message>
@@ -3735,7 +3760,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Fehler</translation>
     </message>
     <message>
-        <source>The way from target to tip</source>
+        <source>The displacement from target to tip</source>
         <translation>Der Weg vom Ziel zur Spitze</translation>
     </message>
     <message>
@@ -3743,20 +3768,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die gefühlte Steifigkeit</translation>
     </message>
     <message>
-        <source>The angle between force and way to the target</source>
-        <translation>Der Winkel zwischen der Kraft und dem Weg zum Ziel</translation>
+        <source>The angle between the force and the direction to the target</source>
+        <translation>Der Winkel zwischen der Kraft und der Richtung zum Ziel</translation>
     </message>
     <message>
-        <source>What the limits take off</source>
-        <translation>Was die Grenzen wegnehmen</translation>
+        <source>The force that the limits take off</source>
+        <translation>Die Kraft, die die Grenzen wegnehmen</translation>
     </message>
     <message>
         <source>The energy</source>
         <translation>Die Energie</translation>
     </message>
     <message>
-        <source>The controller's damping force</source>
-        <translation>Die Dämpfungskraft des Reglers</translation>
+        <source>The damping force of the passivity controller</source>
+        <translation>Die Dämpfungskraft des Passivitätsreglers</translation>
     </message>
     <message>
         <source>The stiffness kp</source>
@@ -3767,8 +3792,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Dämpfung kd</translation>
     </message>
     <message>
-        <source>The influence t</source>
-        <translation>Der Einfluss t</translation>
+        <source>The influence factor t</source>
+        <translation>Der Einflussfaktor t</translation>
     </message>
     <message>
         <source>The angle about the shape's axis</source>
@@ -3791,16 +3816,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Stifttaste</translation>
     </message>
     <message>
-        <source>The scene "%1" has no %2: no constraint of it has an influence.</source>
+        <source>The scene "%1" has no %2: none of its constraints has an influence.</source>
         <translation>In der Szene „%1“ gibt es %2 nicht: Keine ihrer Bindungen hat einen Einfluss.</translation>
     </message>
     <message>
-        <source>The scene "%1" has no %2: no constraint of it is a virtual manipulator.</source>
-        <translation>In der Szene „%1“ gibt es %2 nicht: Keine ihrer Bindungen ist ein virtueller Manipulator.</translation>
+        <source>The scene "%1" has no %2: none of its constraints is a virtual robot.</source>
+        <translation>In der Szene „%1“ gibt es %2 nicht: Keine ihrer Bindungen ist ein virtueller Roboter.</translation>
     </message>
     <message>
-        <source>The scene "%1" has no %2: nobody counts its energy, since passivity is "off".</source>
-        <translation>In der Szene „%1“ gibt es %2 nicht: Niemand zählt ihre Energie, denn passivity ist „off“.</translation>
+        <source>The scene "%1" has no %2: its passivity is "off", so its energy is not observed.</source>
+        <translation>In der Szene „%1“ gibt es %2 nicht: Ihre Passivität ist „off“, daher wird ihre Energie nicht beobachtet.</translation>
     </message>
     <message>
         <source>This must be the number 1, the version of lesson files.</source>
@@ -3871,12 +3896,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Liste von %1 Zahlen</translation>
     </message>
     <message>
-        <source>a number, or null for whichever</source>
-        <translation>eine Zahl, oder null für eine beliebige</translation>
+        <source>a number, or null for any value</source>
+        <translation>eine Zahl, oder null für einen beliebigen Wert</translation>
     </message>
     <message>
-        <source>Say where it should be: either "above" and "below", or one of them, or "near" and "within".</source>
-        <translation>Sagen Sie, wo der Wert liegen soll: entweder "above" und "below" oder eines davon, oder "near" und "within".</translation>
+        <source>Give a range ("above", "below" or both), or a value ("near" with "within").</source>
+        <translation>Geben Sie einen Bereich an (&quot;above&quot;, &quot;below&quot; oder beide) oder einen Wert (&quot;near&quot; mit &quot;within&quot;).</translation>
     </message>
     <message>
         <source>"above" must be less than "below".</source>
@@ -3895,20 +3920,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Bedingung</translation>
     </message>
     <message>
-        <source>a list of places</source>
-        <translation>eine Liste von Orten</translation>
+        <source>a list of values</source>
+        <translation>eine Liste von Werten</translation>
     </message>
     <message>
-        <source>Name 1 to %1 places.</source>
-        <translation>Nennen Sie 1 bis %1 Orte.</translation>
+        <source>Give 1 to %1 values.</source>
+        <translation>Geben Sie 1 bis %1 Werte an.</translation>
     </message>
     <message>
-        <source>The quantity %1 has %2 values here; choose one by "part".</source>
-        <translation>Die Messgröße %1 hat hier %2 Werte; wählen Sie einen mit "part".</translation>
+        <source>The quantity %1 has %2 values here; choose one with "part".</source>
+        <translation>Die Messgröße %1 hat hier %2 Werte; wählen Sie einen mit &quot;part&quot;.</translation>
     </message>
     <message>
-        <source>The answer is either measured or given: take "measure" or "answer" away.</source>
-        <translation>Die Antwort wird entweder gemessen oder gegeben: Nehmen Sie "measure" oder "answer" weg.</translation>
+        <source>The answer is either measured or given: remove "measure" or "answer".</source>
+        <translation>Die Antwort wird entweder gemessen oder angegeben: Entfernen Sie &quot;measure&quot; oder &quot;answer&quot;.</translation>
     </message>
     <message>
         <source>a list of answers</source>
@@ -3919,8 +3944,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Geben Sie 2 bis 9 Antworten zur Wahl.</translation>
     </message>
     <message>
-        <source>This is the number of the right answer, 1 to %1.</source>
-        <translation>Dies ist die Nummer der richtigen Antwort, 1 bis %1.</translation>
+        <source>This must be the number of the right answer, 1 to %1.</source>
+        <translation>Dies muss die Nummer der richtigen Antwort sein, 1 bis %1.</translation>
     </message>
     <message>
         <source>a check in { }</source>
@@ -3943,20 +3968,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Nicht bekannt: %1 %2. Meinten Sie „%3“?</translation>
     </message>
     <message>
-        <source>This must be one line of text, and not an empty one.</source>
-        <translation>Dies muss eine Zeile Text sein, und keine leere.</translation>
+        <source>This must be one line of text, not empty.</source>
+        <translation>Dies muss eine nicht leere Zeile Text sein.</translation>
     </message>
     <message>
-        <source>text in double quotes, or a list of lines of it</source>
-        <translation>Text in doppelten Anführungszeichen, oder eine Liste von Zeilen davon</translation>
+        <source>text in double quotes, or a list of its lines</source>
+        <translation>Text in doppelten Anführungszeichen, oder eine Liste seiner Zeilen</translation>
     </message>
     <message>
-        <source>There is nothing to read here.</source>
-        <translation>Hier gibt es nichts zu lesen.</translation>
+        <source>The text is empty.</source>
+        <translation>Der Text ist leer.</translation>
     </message>
     <message>
-        <source>The scene is not right: %1</source>
-        <translation>Die Szene stimmt nicht: %1</translation>
+        <source>The scene has an error: %1</source>
+        <translation>Die Szene hat einen Fehler: %1</translation>
     </message>
     <message>
         <source>%1; it should be %2</source>
@@ -3971,16 +3996,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>%1 von %2 erreicht.</translation>
     </message>
     <message>
-        <source>Still to go: %1, to %2. %3.</source>
-        <translation>Noch offen: %1, bis %2. %3.</translation>
+        <source>Still to reach: %1, to within %2. %3.</source>
+        <translation>Noch offen: %1, auf %2 genau. %3.</translation>
     </message>
     <message>
-        <source>%1 went over %2 of %3.</source>
+        <source>%1 covered %2 of %3.</source>
         <translation>%1 durchlief %2 von %3.</translation>
     </message>
     <message>
-        <source>%1 swung through %2 %3 of %4 times within %5 s.</source>
-        <translation>%1 schwang innerhalb von %5 s %3 von %4 Mal durch %2.</translation>
+        <source>%1 crossed %2 %3 of %4 times within %5 s.</source>
+        <translation>%1 ging innerhalb von %5 s %3 von %4 Mal durch %2.</translation>
     </message>
     <message>
         <source>Type your answer.</source>
@@ -3991,16 +4016,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Wählen Sie eine Antwort.</translation>
     </message>
     <message>
-        <source>At the same time it should be: %1 %2; now %3.</source>
-        <translation>Zugleich soll gelten: %1 %2; jetzt %3.</translation>
+        <source>Required at the same time: %1 %2; now %3.</source>
+        <translation>Zugleich verlangt: %1 %2; jetzt %3.</translation>
     </message>
     <message>
         <source>%1 is right.</source>
         <translation>%1 ist richtig.</translation>
     </message>
     <message>
-        <source>%1 is not right. Look again.</source>
-        <translation>%1 ist nicht richtig. Schauen Sie noch einmal hin.</translation>
+        <source>%1 is not right. Try again.</source>
+        <translation>%1 ist nicht richtig. Versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>not known</source>
@@ -6070,23 +6095,23 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Freier Raum</translation>
     </message>
     <message>
-        <source>Nothing holds the stylus here: a floor far below is all there is. For lessons about where the arm is, not about what it feels.</source>
-        <translation>Hier hält nichts den Stift: Es gibt nur einen Boden weit unten. Für Lektionen darüber, wo der Arm ist, nicht darüber, was er fühlt.</translation>
+        <source>Nothing holds the stylus here; there is only a floor far below. For lessons about the motion of the arm, not about forces.</source>
+        <translation>Hier hält nichts den Stift; es gibt nur einen Boden weit unten. Für Lektionen über die Bewegung des Arms, nicht über Kräfte.</translation>
     </message>
     <message>
         <source>Soft spring</source>
         <translation>Weiche Feder</translation>
     </message>
     <message>
-        <source>The stylus hangs on one soft spring whose other end is in the middle of the workspace. Soft enough to see how the force grows with the way, before the arm is at its limit of 0.88 N.</source>
-        <translation>Der Stift hängt an einer weichen Feder, deren anderes Ende in der Mitte des Arbeitsraums ist. Weich genug, um zu sehen, wie die Kraft mit dem Weg wächst, bevor der Arm an seiner Grenze von 0,88 N ist.</translation>
+        <source>A soft spring ties the stylus to the middle of the workspace. It is soft enough for you to see how the force grows with the displacement before the arm reaches its limit of 0.88 N.</source>
+        <translation>Eine weiche Feder verbindet den Stift mit der Mitte des Arbeitsraums. Sie ist so weich, dass Sie sehen, wie die Kraft mit dem Weg wächst, bevor der Arm seine Grenze von 0,88 N erreicht.</translation>
     </message>
     <message>
         <source>Point</source>
         <translation>Punkt</translation>
     </message>
     <message>
-        <source>A spring in space: the stylus is drawn to one point, the harder the farther it is. Pull it away along x, y and z and feel the same spring each way; let go and it returns. Thesis figures 4.2 and 4.3.</source>
+        <source>A spring in space: the stylus is pulled towards one point, harder the farther away it is. Pull it away along x, y and z, and feel the same spring in each direction; let go, and it returns. Thesis figures 4.2 and 4.3.</source>
         <translation>Eine Feder im Raum: Der Stift wird zu einem Punkt gezogen, umso stärker, je weiter er weg ist. Ziehen Sie ihn entlang x, y und z weg und fühlen Sie in jeder Richtung dieselbe Feder; lassen Sie los, und er kehrt zurück. Thesis, Abbildungen 4.2 und 4.3.</translation>
     </message>
     <message>
@@ -6106,16 +6131,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Kugel</translation>
     </message>
     <message>
-        <source>The stylus is held to the surface of a ball of 50 mm radius. Slide over it freely; push in or pull off and it draws you back. In the very middle every direction is equally near, so nothing pulls there. Thesis figures 4.5 and 4.6.</source>
-        <translation>Der Stift wird an der Oberfläche einer Kugel mit 50 mm Radius gehalten. Gleiten Sie frei darüber; drücken Sie hinein oder ziehen Sie weg, und sie holt Sie zurück. Genau in der Mitte ist jede Richtung gleich nah, dort zieht also nichts. Thesis, Abbildungen 4.5 und 4.6.</translation>
+        <source>The stylus is held to the surface of a ball of 50 mm radius. Slide over it freely; push in or pull away, and it pulls you back. At the very centre all points of the surface are equally near, so nothing pulls there. Thesis figures 4.5 and 4.6.</source>
+        <translation>Der Stift wird an der Oberfläche einer Kugel mit 50 mm Radius gehalten. Gleiten Sie frei darüber; drücken Sie hinein oder ziehen Sie weg, und sie holt Sie zurück. Genau in der Mitte sind alle Punkte der Oberfläche gleich nah, dort zieht also nichts. Thesis, Abbildungen 4.5 und 4.6.</translation>
     </message>
     <message>
-        <source>A ball that holds you on its skin, from inside and from outside. Along the skin nothing holds you.</source>
-        <translation>Eine Kugel, die Sie auf ihrer Haut hält, von innen und von außen. Entlang der Haut hält Sie nichts.</translation>
+        <source>A ball that holds you on its surface, from inside and from outside. Along the surface nothing holds you.</source>
+        <translation>Eine Kugel, die Sie auf ihrer Oberfläche hält, von innen und von außen. Entlang der Oberfläche hält Sie nichts.</translation>
     </message>
     <message>
-        <source>Slide once around. Then go to the very middle, where every way out is equally near: the pull is gone.</source>
-        <translation>Gleiten Sie einmal herum. Gehen Sie dann genau in die Mitte, wo jeder Weg hinaus gleich nah ist: Der Zug ist weg.</translation>
+        <source>Slide all the way round. Then move to the very centre, where all points of the surface are equally near: the pull is gone.</source>
+        <translation>Gleiten Sie einmal herum. Gehen Sie dann genau in die Mitte, wo alle Punkte der Oberfläche gleich nah sind: Der Zug ist weg.</translation>
     </message>
     <message>
         <source>$q = c + r \frac{p - c}{|p - c|}$, $f = k_p (q - p)$</source>
@@ -6130,12 +6155,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Ein gerader Draht: Der Stift gleitet mühelos an ihm entlang und wird quer dazu gehalten. Schließen Sie die Augen und finden Sie heraus, wie der Draht verläuft. Thesis, Abbildung 4.8.</translation>
     </message>
     <message>
-        <source>One direction without effort, two that hold.</source>
-        <translation>Eine Richtung ohne Mühe, zwei, die halten.</translation>
+        <source>One free direction, and two that hold.</source>
+        <translation>Eine freie Richtung und zwei, die halten.</translation>
     </message>
     <message>
-        <source>Find out with closed eyes which way the wire runs. Then look at the view.</source>
-        <translation>Finden Sie mit geschlossenen Augen heraus, wie der Draht verläuft. Sehen Sie dann in die Ansicht.</translation>
+        <source>With your eyes closed, find out which way the wire runs. Then check it in the view.</source>
+        <translation>Finden Sie mit geschlossenen Augen heraus, wie der Draht verläuft. Prüfen Sie es dann in der Ansicht.</translation>
     </message>
     <message>
         <source>$q = p_0 + \frac{v \cdot (p - p_0)}{v \cdot v} v$, $f = k_p (q - p)$</source>
@@ -6146,7 +6171,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Geneigte Ebene</translation>
     </message>
     <message>
-        <source>A sheet tilted alike to all three axes: two directions are free, the third is held, from both sides. Draw a circle on it without looking. Thesis figure 4.10.</source>
+        <source>A sheet tilted equally to all three axes: two directions are free, the third is held, from both sides. Draw a circle on it without looking. Thesis figure 4.10.</source>
         <translation>Eine Platte, zu allen drei Achsen gleich geneigt: Zwei Richtungen sind frei, die dritte wird gehalten, von beiden Seiten. Zeichnen Sie ohne hinzusehen einen Kreis darauf. Thesis, Abbildung 4.10.</translation>
     </message>
     <message>
@@ -6154,8 +6179,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Zwei freie Richtungen und eine, die hält, von beiden Seiten.</translation>
     </message>
     <message>
-        <source>Draw a circle on the sheet without looking. The green point shows the foot of your tip on it.</source>
-        <translation>Zeichnen Sie ohne hinzusehen einen Kreis auf die Platte. Der grüne Punkt zeigt den Fußpunkt Ihrer Spitze darauf.</translation>
+        <source>Draw a circle on the sheet without looking. The green point is the point of the sheet nearest to your tip.</source>
+        <translation>Zeichnen Sie ohne hinzusehen einen Kreis auf die Platte. Der grüne Punkt ist der Punkt der Platte, der Ihrer Spitze am nächsten liegt.</translation>
     </message>
     <message>
         <source>$q = p - \frac{n \cdot (p - p_0)}{n \cdot n} n$, $f = k_p (q - p)$</source>
@@ -6170,12 +6195,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Ein Ring in einer geneigten Ebene, Radius 40 mm. Folgen Sie ihm ganz herum: Eine Richtung ist frei, zwei werden gehalten. Auf seiner Achse ist jeder Punkt des Rings gleich nah, und nichts zieht. Thesis, Abbildung 4.12.</translation>
     </message>
     <message>
-        <source>One free direction that bends back to its own beginning.</source>
-        <translation>Eine freie Richtung, die zu ihrem eigenen Anfang zurückführt.</translation>
+        <source>One free direction that closes on itself.</source>
+        <translation>Eine freie Richtung, die sich zum Kreis schließt.</translation>
     </message>
     <message>
-        <source>Follow the ring all the way round, then move to its axis: there no point of the ring is nearer than another, and nothing pulls.</source>
-        <translation>Folgen Sie dem Ring ganz herum und gehen Sie dann zu seiner Achse: Dort ist kein Punkt des Rings näher als ein anderer, und nichts zieht.</translation>
+        <source>Follow the ring all the way round, then move to its axis: there all points of the ring are equally near, and nothing pulls.</source>
+        <translation>Folgen Sie dem Ring ganz herum und gehen Sie dann zu seiner Achse: Dort sind alle Punkte des Rings gleich nah, und nichts zieht.</translation>
     </message>
     <message>
         <source>$d = p - c$, $e = d - (d \cdot a) a$, $q = c + r \frac{e}{|e|}$</source>
@@ -6190,12 +6215,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Ein Rohr mit 30 mm Radius, ohne Enden. Gleiten Sie an ihm entlang und um es herum; vergleichen Sie mit dem Ring aus Szene 05, der nur eines von beiden zulässt. Thesis, Abbildung 4.14.</translation>
     </message>
     <message>
-        <source>Two free directions on a bent surface: along the tube and around it.</source>
+        <source>Two free directions on a curved surface: along the tube and around it.</source>
         <translation>Zwei freie Richtungen auf einer gekrümmten Oberfläche: entlang dem Rohr und um es herum.</translation>
     </message>
     <message>
-        <source>Draw a screw line: slide and turn at the same time. The ring of scene 05 lets you do only one of the two.</source>
-        <translation>Zeichnen Sie eine Schraubenlinie: Gleiten und drehen Sie zugleich. Der Ring aus Szene 05 lässt nur eines von beiden zu.</translation>
+        <source>Draw a helix: slide along the tube and around it at the same time. The ring of scene 05 lets you do only one of the two.</source>
+        <translation>Zeichnen Sie eine Schraubenlinie: Gleiten Sie zugleich am Rohr entlang und um es herum. Der Ring aus Szene 05 lässt nur eines von beiden zu.</translation>
     </message>
     <message>
         <source>$d = p - c$, $e = d - (d \cdot a) a$, $q = c + (d \cdot a) a + r \frac{e}{|e|}$</source>
@@ -6214,8 +6239,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Nichts in der Luft; feste Flächen, Kanten und Ecken, wo Sie hineindrücken.</translation>
     </message>
     <message>
-        <source>Stroke a face until you fall over the edge. Then push in more than half of its thickness: the other face is nearer now, and lets you out there.</source>
-        <translation>Streichen Sie über eine Fläche, bis Sie über die Kante fallen. Drücken Sie dann um mehr als die halbe Dicke hinein: Nun ist die andere Fläche näher und lässt Sie dort hinaus.</translation>
+        <source>Stroke a face until you fall over the edge. Then push in deeper than half the thickness: now the opposite face is nearer, and you come out there.</source>
+        <translation>Streichen Sie über eine Fläche, bis Sie über die Kante fallen. Drücken Sie dann um mehr als die halbe Dicke hinein: Nun ist die gegenüberliegende Fläche näher, und Sie kommen dort heraus.</translation>
     </message>
     <message>
         <source>inside $f = k_p (q - p)$ with $q$ on the nearest face, outside $f = 0$</source>
@@ -6226,7 +6251,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Raum aus sechs Wänden</translation>
     </message>
     <message>
-        <source>The classic haptic cube: the stylus is free inside and stopped by six walls. At the start it is outside and is drawn in. Run along a wall into a corner: there three walls push at once.</source>
+        <source>The classic haptic cube: the stylus is free inside and stopped by six walls. At the start it is outside and is pulled in. Run along a wall into a corner: there three walls push at once.</source>
         <translation>Der klassische haptische Würfel: Der Stift ist innen frei und wird von sechs Wänden aufgehalten. Am Anfang ist er draußen und wird hineingezogen. Fahren Sie an einer Wand entlang in eine Ecke: Dort drücken drei Wände zugleich.</translation>
     </message>
     <message>
@@ -6266,19 +6291,19 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Zwei Kugeln, die nähere zählt</translation>
     </message>
     <message>
-        <source>The stylus is held to the nearer of two balls. Pull from one to the other: halfway between them you are let go and caught. With "combine" at "sum" both would pull at once.</source>
-        <translation>Der Stift wird an der näheren von zwei Kugeln gehalten. Ziehen Sie von der einen zur anderen: Auf halbem Weg werden Sie losgelassen und wieder gefangen. Mit „combine“ auf „sum“ würden beide zugleich ziehen.</translation>
+        <source>The stylus is held to the nearer of two balls. Pull from one to the other: halfway between them, one lets go of you and the other catches you. With "combine" at "sum" both would pull at once.</source>
+        <translation>Der Stift wird an der näheren von zwei Kugeln gehalten. Ziehen Sie von der einen zur anderen: Auf halbem Weg lässt die eine Sie los, und die andere fängt Sie. Mit „combine“ auf „sum“ würden beide zugleich ziehen.</translation>
     </message>
     <message>
         <source>Two balls; only the nearer one holds you.</source>
         <translation>Zwei Kugeln; nur die nähere hält Sie.</translation>
     </message>
     <message>
-        <source>Pull slowly from one ball to the other. In the middle you are let go and caught.</source>
-        <translation>Ziehen Sie langsam von einer Kugel zur anderen. In der Mitte werden Sie losgelassen und wieder gefangen.</translation>
+        <source>Pull slowly from one ball to the other. In the middle, one lets go of you and the other catches you.</source>
+        <translation>Ziehen Sie langsam von einer Kugel zur anderen. In der Mitte lässt die eine Sie los, und die andere fängt Sie.</translation>
     </message>
     <message>
-        <source>$f = k_p (q_j - p)$, where $j$ is the ball with the least $|q_j - p|$</source>
+        <source>$f = k_p (q_j - p)$, where $j$ is the ball with the smallest $|q_j - p|$</source>
         <translation>$f = k_p (q_j - p)$, dabei ist $j$ die Kugel mit dem kleinsten $|q_j - p|$</translation>
     </message>
     <message>
@@ -6286,15 +6311,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Weiche und steife Achsen</translation>
     </message>
     <message>
-        <source>One point, three springs: stiff to the sides, soft up and down, softer still to and fro. Pull the stylus slantwise: the force does not point along your pull. The thesis speaks of this in section 4.1, with the gain as a vector.</source>
-        <translation>Ein Punkt, drei Federn: steif zu den Seiten, weich nach oben und unten, noch weicher vor und zurück. Ziehen Sie den Stift schräg: Die Kraft zeigt nicht entlang Ihrem Zug. Die Thesis spricht davon in Abschnitt 4.1, mit der Verstärkung als Vektor.</translation>
+        <source>One point, three springs: stiff to the sides, soft up and down, softer still back and forth. Pull the stylus diagonally: the force does not point along your pull. Thesis section 4.1, with the gain as a vector.</source>
+        <translation>Ein Punkt, drei Federn: steif zu den Seiten, weich nach oben und unten, noch weicher vor und zurück. Ziehen Sie den Stift schräg: Die Kraft zeigt nicht entlang Ihrem Zug. Thesis, Abschnitt 4.1, mit der Verstärkung als Vektor.</translation>
     </message>
     <message>
-        <source>A spring for each axis: stiff to the sides, soft up and down, softer still to and fro.</source>
+        <source>A spring for each axis: stiff to the sides, soft up and down, softer still back and forth.</source>
         <translation>Eine Feder je Achse: steif zu den Seiten, weich nach oben und unten, noch weicher vor und zurück.</translation>
     </message>
     <message>
-        <source>Pull slantwise and watch the arrow: the force does not point along your pull.</source>
+        <source>Pull diagonally and watch the arrow: the force does not point along your pull.</source>
         <translation>Ziehen Sie schräg und beobachten Sie den Pfeil: Die Kraft zeigt nicht entlang Ihrem Zug.</translation>
     </message>
     <message>
@@ -6306,15 +6331,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Gerade mit PID</translation>
     </message>
     <message>
-        <source>The wire of scene 03 with all three laws at once. Hold the stylus a little off the wire: the force keeps growing, up to what the arm can do, because the integral adds up the error over time. Then let it snap back, and see it overshoot.</source>
-        <translation>Der Draht aus Szene 03 mit allen drei Regelgesetzen zugleich. Halten Sie den Stift ein wenig neben dem Draht: Die Kraft wächst weiter bis zu dem, was der Arm kann, weil das Integral den Fehler über die Zeit aufsummiert. Lassen Sie ihn dann zurückschnellen und sehen Sie ihn überschwingen.</translation>
+        <source>The wire of scene 03 with a PID control law. Hold the stylus a little off the wire: the force keeps growing, up to the limit of the arm, because the integral accumulates the error. Then let it snap back, and see it overshoot.</source>
+        <translation>Der Draht aus Szene 03 mit einem PID-Regelgesetz. Halten Sie den Stift ein wenig neben dem Draht: Die Kraft wächst weiter bis zur Grenze des Arms, weil das Integral den Fehler aufsummiert. Lassen Sie ihn dann zurückschnellen und sehen Sie ihn überschwingen.</translation>
     </message>
     <message>
         <source>A force that keeps growing while you stay beside the wire, and overshoots when you let go.</source>
         <translation>Eine Kraft, die weiter wächst, solange Sie neben dem Draht bleiben, und überschwingt, wenn Sie loslassen.</translation>
     </message>
     <message>
-        <source>Hold the stylus 1 mm off the wire for a few seconds and watch the force. Then set ki to 0 and do it again.</source>
+        <source>Hold the stylus 1 mm off the wire for a few seconds and watch the force. Then set ki to 0 and repeat.</source>
         <translation>Halten Sie den Stift einige Sekunden lang 1 mm neben dem Draht und beobachten Sie die Kraft. Stellen Sie dann ki auf 0 und wiederholen Sie es.</translation>
     </message>
     <message>
@@ -6326,16 +6351,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Kugel, gehalten von den Gelenken</translation>
     </message>
     <message>
-        <source>The same ball as in scene 2, but the arm draws its joints to those of the target. Slide around the ball: the pull leans aside, is soft in one direction and hard in another, and carries you along the surface. Thesis section 4.1 calls this scheme harder; here is why.</source>
-        <translation>Dieselbe Kugel wie in Szene 2, aber der Arm zieht seine Gelenke zu denen des Ziels. Gleiten Sie um die Kugel: Der Zug neigt sich zur Seite, ist in einer Richtung weich und in einer anderen hart, und er trägt Sie die Oberfläche entlang. Abschnitt 4.1 der Thesis nennt dieses Verfahren schwieriger; hier ist der Grund.</translation>
+        <source>The same ball as in scene 02, but the control law acts on the joint angles: it pulls each joint towards its angle at the target. Slide around the ball: the pull is oblique, soft in one direction and stiff in another, and carries you along the surface. Thesis section 4.1 calls this scheme more difficult; this is why.</source>
+        <translation>Dieselbe Kugel wie in Szene 02, aber das Regelgesetz wirkt auf die Gelenkwinkel: Es zieht jedes Gelenk zu seinem Winkel am Ziel. Gleiten Sie um die Kugel: Der Zug ist schräg, in einer Richtung weich und in einer anderen steif, und trägt Sie die Oberfläche entlang. Abschnitt 4.1 der Thesis nennt dieses Verfahren schwieriger; hier ist der Grund.</translation>
     </message>
     <message>
-        <source>The same ball, drawn to by the joints: soft in one direction, hard in another, and never quite straight.</source>
-        <translation>Dieselbe Kugel, angezogen von den Gelenken: weich in einer Richtung, hart in einer anderen und nie ganz gerade.</translation>
+        <source>The same ball, controlled in joint space: soft in one direction, stiff in another, and never quite straight.</source>
+        <translation>Dieselbe Kugel, geregelt im Gelenkraum: weich in einer Richtung, steif in einer anderen und nie ganz gerade.</translation>
     </message>
     <message>
-        <source>Slide around the ball and compare with scene 02. The pull leans aside and carries you along.</source>
-        <translation>Gleiten Sie um die Kugel und vergleichen Sie mit Szene 02. Der Zug neigt sich zur Seite und trägt Sie mit.</translation>
+        <source>Slide around the ball and compare with scene 02. The pull is oblique and carries you along.</source>
+        <translation>Gleiten Sie um die Kugel und vergleichen Sie mit Szene 02. Der Zug ist schräg und trägt Sie mit.</translation>
     </message>
     <message>
         <source>$\tau = K (\theta_q - \theta)$, $f = J_p^{-T} \tau$</source>
@@ -6346,16 +6371,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Kreis mit Einfluss</translation>
     </message>
     <message>
-        <source>Half of the target comes from where the stylus is, half from where it points: turn the stylus, and it is drawn around the rim without being moved. Point it along the circle's axis and only its place counts. Thesis section 5.1, figures 5.6 and 5.7.</source>
-        <translation>Das Ziel kommt zur Hälfte davon, wo der Stift ist, und zur Hälfte davon, wohin er zeigt: Drehen Sie den Stift, und er wird am Rand herumgezogen, ohne dass Sie ihn verschieben. Richten Sie ihn entlang der Achse des Kreises, so zählt nur sein Ort. Thesis, Abschnitt 5.1, Abbildungen 5.6 und 5.7.</translation>
+        <source>The target depends half on the position of the tip, half on where the stylus points: turn the stylus without moving it, and it is pulled around the rim. Point it along the axis of the circle, and only the position counts. Thesis section 5.1, figures 5.6 and 5.7.</source>
+        <translation>Das Ziel hängt zur Hälfte vom Ort der Spitze ab und zur Hälfte davon, wohin der Stift zeigt: Drehen Sie den Stift, ohne ihn zu verschieben, und er wird am Rand herumgezogen. Richten Sie ihn entlang der Achse des Kreises, so zählt nur der Ort. Thesis, Abschnitt 5.1, Abbildungen 5.6 und 5.7.</translation>
     </message>
     <message>
-        <source>Where you point draws you around the ring, half as much as where you are.</source>
-        <translation>Wohin Sie zeigen, zieht Sie um den Ring, halb so stark wie der Ort, an dem Sie sind.</translation>
+        <source>A target halfway between where you point and where you are: turn the stylus, and it pulls you around the ring.</source>
+        <translation>Ein Ziel auf halbem Weg zwischen dem, wohin Sie zeigen, und dem, wo Sie sind: Drehen Sie den Stift, und es zieht Sie um den Ring.</translation>
     </message>
     <message>
-        <source>Keep your hand still and turn the stylus with Ctrl and the mouse. Then set t to 0 and to 1 in the Feel panel.</source>
-        <translation>Halten Sie die Hand still und drehen Sie den Stift mit Strg und der Maus. Stellen Sie dann im Bereich Fühlen t auf 0 und auf 1.</translation>
+        <source>Keep your hand still and turn the stylus with Ctrl and the mouse. Then set t to 0, then to 1, in the Feel panel.</source>
+        <translation>Halten Sie die Hand still und drehen Sie den Stift mit Strg und der Maus. Stellen Sie dann im Bereich Fühlen t auf 0 und dann auf 1.</translation>
     </message>
     <message>
         <source>$\theta = \alpha + t (\beta - \alpha)$, $q = c + r (\cos\theta \, u + \sin\theta \, v)$; $\alpha$: the stylus, $\beta$: the tip, $\beta - \alpha$ by the shorter way</source>
@@ -6366,16 +6391,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Zylinder mit Einfluss</translation>
     </message>
     <message>
-        <source>Slide along the tube freely; around it you are drawn to where the stylus points. Thesis section 5.1, on a tilted cylinder.</source>
+        <source>Slide along the tube freely; around it you are pulled to where the stylus points. Thesis section 5.1, on a tilted cylinder.</source>
         <translation>Gleiten Sie frei das Rohr entlang; um das Rohr herum werden Sie dorthin gezogen, wohin der Stift zeigt. Thesis, Abschnitt 5.1, an einem geneigten Zylinder.</translation>
     </message>
     <message>
-        <source>Free along the tube; around it you are drawn to where you point.</source>
+        <source>Free along the tube; around it you are pulled to where you point.</source>
         <translation>Frei entlang dem Rohr; um es herum werden Sie dorthin gezogen, wohin Sie zeigen.</translation>
     </message>
     <message>
-        <source>Slide along the tube without turning the stylus, then turn it: you go round.</source>
-        <translation>Gleiten Sie das Rohr entlang, ohne den Stift zu drehen, und drehen Sie ihn dann: Sie gehen herum.</translation>
+        <source>Slide along the tube without turning the stylus, then turn it: it pulls you round.</source>
+        <translation>Gleiten Sie das Rohr entlang, ohne den Stift zu drehen, und drehen Sie ihn dann: Es zieht Sie herum.</translation>
     </message>
     <message>
         <source>$\theta = \alpha + t (\beta - \alpha)$, $q = c + k a + r (\cos\theta \, u + \sin\theta \, v)$ with $k = (p - c) \cdot a$</source>
@@ -6386,16 +6411,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Ein Roboter mit einem Gelenk</translation>
     </message>
     <message>
-        <source>The tip of a robot that exists only in software: one joint, 50 mm long. It turns to where the stylus is and to where the stylus points, each with its own stiffness, 0.5 N/mm and 250 N mm/rad as in the thesis (section 5.2). Turn the stylus and you are drawn around the rim; the moment that belongs to it is shown, and never sent.</source>
-        <translation>Die Spitze eines Roboters, den es nur in Software gibt: ein Gelenk, 50 mm lang. Er dreht sich dorthin, wo der Stift ist und wohin der Stift zeigt, jeweils mit eigener Steifigkeit, 0,5 N/mm und 250 N mm/rad wie in der Thesis (Abschnitt 5.2). Drehen Sie den Stift, und Sie werden am Rand herumgezogen; das Moment, das dazu gehört, wird angezeigt und nie gesendet.</translation>
+        <source>The end effector of a virtual robot with one joint and a link of 50 mm. It follows the position and the orientation of the stylus, each with its own stiffness, 0.5 N/mm and 250 N mm/rad as in the thesis (section 5.2). Turn the stylus, and you are pulled around the rim; the corresponding moment is shown but never sent.</source>
+        <translation>Der Endeffektor eines virtuellen Roboters mit einem Gelenk und einem Glied von 50 mm. Er folgt dem Ort und der Orientierung des Stifts, jeweils mit eigener Steifigkeit, 0,5 N/mm und 250 N mm/rad wie in der Thesis (Abschnitt 5.2). Drehen Sie den Stift, und Sie werden am Rand herumgezogen; das zugehörige Moment wird angezeigt, aber nie gesendet.</translation>
     </message>
     <message>
-        <source>The tip of a robot of one joint, which turns to where you are and to where you point.</source>
-        <translation>Die Spitze eines Roboters mit einem Gelenk, der sich dorthin dreht, wo Sie sind und wohin Sie zeigen.</translation>
+        <source>The end effector of a robot with one joint, which turns to where you are and to where you point.</source>
+        <translation>Der Endeffektor eines Roboters mit einem Gelenk, der sich dorthin dreht, wo Sie sind und wohin Sie zeigen.</translation>
     </message>
     <message>
-        <source>Turn the stylus and let yourself be drawn around the rim. The moment that belongs to it is shown in the Robot panel, and never sent.</source>
-        <translation>Drehen Sie den Stift und lassen Sie sich am Rand herumziehen. Das Moment, das dazu gehört, wird im Bereich Roboter angezeigt und nie gesendet.</translation>
+        <source>Turn the stylus and let yourself be pulled around the rim. The corresponding moment is shown in the Robot panel but never sent.</source>
+        <translation>Drehen Sie den Stift und lassen Sie sich am Rand herumziehen. Das zugehörige Moment wird im Bereich Roboter angezeigt, aber nie gesendet.</translation>
     </message>
     <message>
         <source>$V = \min_\theta (\frac{1}{2} k_p |e_p|^2 + \frac{1}{2} k_o e_o^2)$, $f = k_p (p_V - p)$</source>
@@ -6406,15 +6431,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Derselbe Roboter, das Kraftgesetz der Thesis</translation>
     </message>
     <message>
-        <source>As the scene before, with the thesis's own law (code 5.2, its misprints corrected). It takes the joint nearest to the stylus's place and pulls along the rim by the error of the turn; near the rim the two feel alike. Go around a loop inside the circle at a fixed turn: this law does work on your hand, the other does none.</source>
-        <translation>Wie die Szene davor, mit dem eigenen Regelgesetz der Thesis (Code 5.2, ohne dessen Druckfehler). Es nimmt die Gelenkstellung, die dem Ort des Stifts am nächsten ist, und zieht entlang dem Rand im Maß des Drehfehlers; nahe am Rand fühlen sich beide gleich an. Fahren Sie innerhalb des Kreises eine Schleife bei fester Drehung: Dieses Regelgesetz verrichtet Arbeit an Ihrer Hand, das andere nicht.</translation>
+        <source>The robot of scene 16 with the thesis's own force law (code 5.2, misprints corrected). The joint follows the position of the stylus alone, and the orientation error pulls along the rim; near the rim the two laws feel alike. Move around a loop inside the circle without turning the stylus: this law does work on your hand, the other does none.</source>
+        <translation>Der Roboter aus Szene 16 mit dem eigenen Kraftgesetz der Thesis (Code 5.2, ohne dessen Druckfehler). Das Gelenk folgt allein dem Ort des Stifts, und der Orientierungsfehler zieht entlang dem Rand; nahe am Rand fühlen sich beide Gesetze gleich an. Fahren Sie innerhalb des Kreises eine Schleife, ohne den Stift zu drehen: Dieses Gesetz verrichtet Arbeit an Ihrer Hand, das andere nicht.</translation>
     </message>
     <message>
-        <source>Almost the same as the scene before, and yet not the same: this law can give more than it got.</source>
-        <translation>Fast dasselbe wie die Szene davor, und doch nicht dasselbe: Dieses Regelgesetz kann mehr geben, als es bekam.</translation>
+        <source>Almost the same as scene 16, but this law can give out more energy than it received.</source>
+        <translation>Fast dasselbe wie Szene 16, aber dieses Gesetz kann mehr Energie abgeben, als es bekommen hat.</translation>
     </message>
     <message>
-        <source>Go around a small loop inside the circle without turning the stylus, in both scenes, and watch the energy in the plots.</source>
+        <source>In both scenes, move around a small loop inside the circle without turning the stylus, and watch the energy in the plots.</source>
         <translation>Fahren Sie in beiden Szenen innerhalb des Kreises eine kleine Schleife, ohne den Stift zu drehen, und beobachten Sie die Energie in den Diagrammen.</translation>
     </message>
     <message>
@@ -6426,11 +6451,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Eine Kugel aus zwei Gelenken</translation>
     </message>
     <message>
-        <source>Two joints whose axes cross at right angles: their tip is a sphere of 40 mm. Where you point draws you over it, 250 N mm/rad against 0.5 N/mm. The closed form and the iteration give the same; switch the solver and feel that nothing changes.</source>
-        <translation>Zwei Gelenke, deren Achsen sich rechtwinklig kreuzen: Ihre Spitze ist eine Kugel von 40 mm. Wohin Sie zeigen, zieht Sie auf ihr entlang, 250 N mm/rad gegen 0,5 N/mm. Die geschlossene Form und die Iteration ergeben dasselbe; wechseln Sie den Löser und fühlen Sie, dass sich nichts ändert.</translation>
+        <source>Two joints whose axes intersect at right angles: their end effector moves on a sphere of 40 mm radius. Where you point pulls you across it, with 250 N mm/rad against 0.5 N/mm. The closed form and the iteration give the same result; switch the solver and feel that nothing changes.</source>
+        <translation>Zwei Gelenke, deren Achsen sich rechtwinklig schneiden: Ihr Endeffektor bewegt sich auf einer Kugel mit 40 mm Radius. Wohin Sie zeigen, zieht Sie auf ihr entlang, mit 250 N mm/rad gegen 0,5 N/mm. Die geschlossene Form und die Iteration ergeben dasselbe; wechseln Sie den Löser und fühlen Sie, dass sich nichts ändert.</translation>
     </message>
     <message>
-        <source>A sphere that is made of two joints; where you point draws you over it.</source>
+        <source>A sphere made of two joints; where you point pulls you across it.</source>
         <translation>Eine Kugel aus zwei Gelenken; wohin Sie zeigen, zieht Sie auf ihr entlang.</translation>
     </message>
     <message>
@@ -6446,16 +6471,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Viergelenk, von der Hand geschlossen</translation>
     </message>
     <message>
-        <source>A crank of 30 mm and a coupler of 70 mm on one side, a rocker of 50 mm on the other, pivots 60 mm apart: two robots whose tips meet in your stylus, which is the fourth joint of the linkage. You swing on the rocker's circle as far as the crank's chain lets you; at its ends the crank and the coupler lie in line, and you feel the dead centre.</source>
-        <translation>Eine Kurbel von 30 mm und eine Koppel von 70 mm auf der einen Seite, eine Schwinge von 50 mm auf der anderen, die Drehpunkte 60 mm auseinander: zwei Roboter, deren Spitzen sich in Ihrem Stift treffen, dem vierten Gelenk des Getriebes. Sie schwingen auf dem Kreis der Schwinge, so weit die Kette der Kurbel Sie lässt; an seinen Enden liegen Kurbel und Koppel auf einer Linie, und Sie fühlen den Totpunkt.</translation>
+        <source>A crank of 30 mm and a coupler of 70 mm on one side, a rocker of 50 mm on the other, pivots 60 mm apart: two robots whose end effectors meet at your stylus, the fourth joint of the linkage. You swing on the rocker's circle as far as crank and coupler reach; at its ends they are aligned, and you feel the dead centre.</source>
+        <translation>Eine Kurbel von 30 mm und eine Koppel von 70 mm auf der einen Seite, eine Schwinge von 50 mm auf der anderen, die Drehpunkte 60 mm auseinander: zwei Roboter, deren Endeffektoren sich in Ihrem Stift treffen, dem vierten Gelenk des Getriebes. Sie schwingen auf dem Kreis der Schwinge, so weit Kurbel und Koppel reichen; an seinen Enden liegen sie auf einer Geraden, und Sie fühlen den Totpunkt.</translation>
     </message>
     <message>
-        <source>The rocker's circle, as far as the crank's chain lets you.</source>
-        <translation>Der Kreis der Schwinge, so weit die Kette der Kurbel Sie lässt.</translation>
+        <source>The rocker's circle, as far as crank and coupler reach.</source>
+        <translation>Der Kreis der Schwinge, so weit Kurbel und Koppel reichen.</translation>
     </message>
     <message>
-        <source>Swing to both ends. There crank and coupler lie in line, and you feel the dead centre.</source>
-        <translation>Schwingen Sie zu beiden Enden. Dort liegen Kurbel und Koppel auf einer Linie, und Sie fühlen den Totpunkt.</translation>
+        <source>Swing to both ends. There crank and coupler are aligned, and you feel the dead centre.</source>
+        <translation>Schwingen Sie zu beiden Enden. Dort liegen Kurbel und Koppel auf einer Geraden, und Sie fühlen den Totpunkt.</translation>
     </message>
     <message>
         <source>$f = k_p (q_1 - p) + k_p (q_2 - p)$, one part from each chain</source>
@@ -6466,35 +6491,35 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>SCARA</translation>
     </message>
     <message>
-        <source>A robot for assembly: two joints that turn about the vertical, a slide along it, and a turning gripper. Inside its reach nothing holds you; its limits are what you feel: the elbow's ends, the slide's 25 mm up and down, the rim where the arm is stretched.</source>
-        <translation>Ein Roboter für die Montage: zwei Gelenke, die sich um die Senkrechte drehen, ein Schubgelenk an ihr entlang und ein drehbarer Greifer. In seiner Reichweite hält Sie nichts; was Sie fühlen, sind seine Grenzen: die Enden des Ellbogens, die 25 mm des Schubgelenks nach oben und unten, der Rand, an dem der Arm gestreckt ist.</translation>
+        <source>An assembly robot: two revolute joints with vertical axes, a vertical prismatic joint and a rotating gripper. Within its reach nothing holds you; what you feel are its limits: the elbow's, the prismatic joint's at 25 mm up and down, and the rim where the arm is stretched.</source>
+        <translation>Ein Montageroboter: zwei Drehgelenke mit senkrechten Achsen, ein senkrechtes Schubgelenk und ein drehbarer Greifer. In seiner Reichweite hält Sie nichts; was Sie fühlen, sind seine Grenzen: die des Ellbogens, die des Schubgelenks 25 mm weiter oben und unten und der Rand, an dem der Arm gestreckt ist.</translation>
     </message>
     <message>
-        <source>Nothing inside the reach; ends of joints where it stops.</source>
-        <translation>Nichts innerhalb der Reichweite; Enden von Gelenken, wo sie aufhört.</translation>
+        <source>Nothing within the reach; joint limits where it ends.</source>
+        <translation>Nichts innerhalb der Reichweite; Gelenkgrenzen, wo sie aufhört.</translation>
     </message>
     <message>
-        <source>Look for the elbow's ends, for the slide's 25 mm up and down, and for the rim where the arm is stretched.</source>
-        <translation>Suchen Sie die Enden des Ellbogens, die 25 mm des Schubgelenks nach oben und unten und den Rand, an dem der Arm gestreckt ist.</translation>
+        <source>Find the limits of the elbow and of the prismatic joint, 25 mm up and down, and the rim where the arm is stretched.</source>
+        <translation>Suchen Sie die Grenzen des Ellbogens und des Schubgelenks, 25 mm nach oben und unten, und den Rand, an dem der Arm gestreckt ist.</translation>
     </message>
     <message>
-        <source>$J^T K e = 0$: the robot bears no load along its joints; where one is at its limit, the hand does</source>
-        <translation>$J^T K e = 0$: Entlang seiner Gelenke trägt der Roboter keine Last; wo eines an seiner Grenze ist, trägt sie die Hand</translation>
+        <source>$J^T K e = 0$: the robot's joints carry no load; where one is at its limit, the hand does</source>
+        <translation>$J^T K e = 0$: Die Gelenke des Roboters tragen keine Last; wo eines an seiner Grenze ist, trägt sie die Hand</translation>
     </message>
     <message>
         <source>PUMA 560, a quarter of its size</source>
         <translation>PUMA 560, ein Viertel so groß</translation>
     </message>
     <message>
-        <source>The classic of robot courses as the robot that holds you, at a scale of 1:4 (lengths after Armstrong, Khatib and Burdick 1986). Six joints follow six coordinates: inside its reach you are free in place and turn. Go to its edges: a stretched elbow, a joint at its limit. There it cannot follow, and you feel why.</source>
-        <translation>Der Klassiker der Robotikkurse als der Roboter, der Sie hält, im Maßstab 1:4 (Längen nach Armstrong, Khatib und Burdick 1986). Sechs Gelenke folgen sechs Koordinaten: In seiner Reichweite sind Sie in Ort und Drehung frei. Gehen Sie an seine Ränder: ein gestreckter Ellbogen, ein Gelenk an seiner Grenze. Dort kann er nicht folgen, und Sie fühlen, warum.</translation>
+        <source>The classic robot of robotics courses, at a scale of 1:4 (lengths after Armstrong, Khatib and Burdick 1986). Six joints follow six coordinates: within its reach you are free in position and orientation. Move to its limits: a stretched elbow, a joint at its stop. There it cannot follow, and you feel why.</source>
+        <translation>Der Klassiker der Robotikkurse im Maßstab 1:4 (Längen nach Armstrong, Khatib und Burdick 1986). Sechs Gelenke folgen sechs Koordinaten: In seiner Reichweite sind Sie in Ort und Orientierung frei. Gehen Sie an seine Grenzen: ein gestreckter Ellbogen, ein Gelenk am Anschlag. Dort kann er nicht folgen, und Sie fühlen, warum.</translation>
     </message>
     <message>
-        <source>Six joints follow six coordinates: free inside, held at the edge of the reach.</source>
+        <source>Six joints follow six coordinates: free within the reach, held at its edge.</source>
         <translation>Sechs Gelenke folgen sechs Koordinaten: innen frei, am Rand der Reichweite gehalten.</translation>
     </message>
     <message>
-        <source>Stretch the elbow, then turn the stylus as far as the wrist goes.</source>
+        <source>Stretch the elbow, then turn the stylus as far as the wrist allows.</source>
         <translation>Strecken Sie den Ellbogen und drehen Sie dann den Stift, so weit das Handgelenk geht.</translation>
     </message>
     <message>
@@ -6506,16 +6531,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Sechs Gelenke, außer Reichweite</translation>
     </message>
     <message>
-        <source>The arm's own chain at a third of its size, standing at the left: it reaches 92 mm. In most of the workspace your stylus is out of its reach, so it ends stretched, at a singular pose, and points at you with all it has; the force is along it, and the turn is still followed. Move left into its reach and it lets you go.</source>
-        <translation>Die Kette des Arms selbst auf ein Drittel verkleinert, links aufgestellt: Sie reicht 92 mm weit. Im größten Teil des Arbeitsraums ist Ihr Stift außerhalb ihrer Reichweite; sie endet deshalb gestreckt, in einer singulären Lage, und zeigt mit allem, was sie hat, auf Sie; die Kraft liegt entlang der Kette, und sie folgt der Drehung weiter. Gehen Sie nach links in ihre Reichweite, und sie lässt Sie los.</translation>
+        <source>The arm's own kinematic chain at a third of its size, placed on the left: it reaches 92 mm. In most of the workspace your stylus is out of its reach, so it is stretched, in a singular configuration, and points at you; the force acts along it, and it still follows the orientation. Move left into its reach, and it lets you go.</source>
+        <translation>Die kinematische Kette des Arms selbst, auf ein Drittel verkleinert und links aufgestellt: Sie reicht 92 mm weit. Im größten Teil des Arbeitsraums ist Ihr Stift außerhalb ihrer Reichweite; sie ist deshalb gestreckt, in einer singulären Stellung, und zeigt auf Sie; die Kraft wirkt entlang der Kette, und sie folgt weiter der Orientierung. Gehen Sie nach links in ihre Reichweite, und sie lässt Sie los.</translation>
     </message>
     <message>
-        <source>A small arm that cannot reach you, and points at you with all it has.</source>
-        <translation>Ein kleiner Arm, der Sie nicht erreicht und mit allem, was er hat, auf Sie zeigt.</translation>
+        <source>A small arm that cannot reach you and, stretched, points at you.</source>
+        <translation>Ein kleiner Arm, der Sie nicht erreicht und gestreckt auf Sie zeigt.</translation>
     </message>
     <message>
-        <source>Move left into its reach: it lets you go. Outside of it, turn the stylus: the turn is still followed.</source>
-        <translation>Gehen Sie nach links in seine Reichweite: Er lässt Sie los. Drehen Sie außerhalb davon den Stift: Er folgt der Drehung weiter.</translation>
+        <source>Move left into its reach: it lets you go. Outside it, turn the stylus: the arm still follows the orientation.</source>
+        <translation>Gehen Sie nach links in seine Reichweite: Er lässt Sie los. Drehen Sie außerhalb davon den Stift: Er folgt weiter der Orientierung.</translation>
     </message>
     <message>
         <source>$f = k_p (\ell - |p - s|) \frac{p - s}{|p - s|}$ where $|p - s| &gt; \ell$; $s$: its shoulder, $\ell$: its length</source>
@@ -6526,15 +6551,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Zwei Balken, einer weicher</translation>
     </message>
     <message>
-        <source>Two cantilever beams, 70 mm long, clamped at the back. The left one bends by 1 mm for 0.03 N at its tip, the right one for 0.045 N (EI = k L^3 / 3: 3430 and 5145 N mm^2). Press each one down and tell which is stiffer. A beam is a robot of one elastic joint, 0.85 L long (Howell's pseudo-rigid-body model, 2001), whose tip keeps to the beam's deflection curve within half a percent of its length. The panel Calibration measures how small a difference you can feel.</source>
-        <translation>Zwei Kragbalken, 70 mm lang, hinten eingespannt. Der linke biegt sich bei 0,03 N an seiner Spitze um 1 mm durch, der rechte bei 0,045 N (EI = k L^3 / 3: 3430 und 5145 N mm^2). Drücken Sie beide nach unten und sagen Sie, welcher steifer ist. Ein Balken ist ein Roboter mit einem elastischen Gelenk, 0,85 L lang (Pseudo-Starrkörper-Modell von Howell, 2001), dessen Spitze der Durchbiegungskurve des Balkens auf ein halbes Prozent seiner Länge genau folgt. Der Bereich Kalibrierung misst, einen wie kleinen Unterschied Sie fühlen können.</translation>
+        <source>Two cantilever beams, 70 mm long, clamped at the back. The left one bends by 1 mm for 0.03 N at its tip, the right one for 0.045 N (EI = k L^3 / 3: 3430 and 5145 N mm^2). Press each one down, and tell which is stiffer. Each beam is a robot with one elastic joint and a link of 0.85 L (Howell's pseudo-rigid-body model, 2001), whose end effector follows the deflection curve of the beam to within half a percent of its length. The panel Calibration measures how small a difference you can feel.</source>
+        <translation>Zwei Kragbalken, 70 mm lang, hinten eingespannt. Der linke biegt sich bei 0,03 N an seiner Spitze um 1 mm durch, der rechte bei 0,045 N (EI = k L^3 / 3: 3430 und 5145 N mm^2). Drücken Sie beide nach unten und sagen Sie, welcher steifer ist. Jeder Balken ist ein Roboter mit einem elastischen Gelenk und einem Glied von 0,85 L (Pseudo-Starrkörper-Modell von Howell, 2001), dessen Endeffektor der Durchbiegungskurve des Balkens auf ein halbes Prozent seiner Länge genau folgt. Der Bereich Kalibrierung misst, einen wie kleinen Unterschied Sie fühlen können.</translation>
     </message>
     <message>
         <source>Two beams that bend, one softer than the other.</source>
         <translation>Zwei Balken, die sich biegen, einer weicher als der andere.</translation>
     </message>
     <message>
-        <source>Press each one down as far as the other. Which one is stiffer? The left one, at 0.03 N/mm, is the softer.</source>
+        <source>Press both down equally far. Which one is stiffer? The left one, at 0.03 N/mm, is the softer.</source>
         <translation>Drücken Sie beide gleich weit nach unten. Welcher ist steifer? Der linke mit 0,03 N/mm ist der weichere.</translation>
     </message>
     <message>
@@ -6546,28 +6571,28 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Zu steif für seinen Servo</translation>
     </message>
     <message>
-        <source>A ball whose surface is stiffer than ticks of a millisecond can hold calm. Move through it and along it and watch the energy: where it falls below 0, the ball gives more than it got. Then set Passivity to Control and do it again.</source>
-        <translation>Eine Kugel, deren Oberfläche steifer ist, als Takte von einer Millisekunde ruhig halten können. Gehen Sie durch sie hindurch und an ihr entlang und beobachten Sie die Energie: Wo sie unter 0 fällt, gibt die Kugel mehr, als sie bekam. Stellen Sie dann Passivität auf Regeln und wiederholen Sie es.</translation>
+        <source>A ball whose surface is too stiff to be stable with ticks of a millisecond. Move through it and along it and watch the energy: where it falls below 0, the ball has given out more than it received. Then set Passivity to Control and repeat.</source>
+        <translation>Eine Kugel, deren Oberfläche zu steif ist, um bei Takten von einer Millisekunde stabil zu sein. Gehen Sie durch sie hindurch und an ihr entlang und beobachten Sie die Energie: Wo sie unter 0 fällt, hat die Kugel mehr abgegeben, als sie bekommen hat. Stellen Sie dann Passivität auf Regeln und wiederholen Sie es.</translation>
     </message>
     <message>
-        <source>A surface so stiff that the servo cannot hold it calm: it buzzes, and gives more than it got.</source>
-        <translation>Eine Oberfläche, so steif, dass der Servo sie nicht ruhig halten kann: Sie brummt und gibt mehr, als sie bekam.</translation>
+        <source>A surface too stiff for the servo loop: it buzzes, and gives out more energy than it received.</source>
+        <translation>Eine Oberfläche, die für die Servoschleife zu steif ist: Sie brummt und gibt mehr Energie ab, als sie bekommen hat.</translation>
     </message>
     <message>
         <source>Watch the energy fall below 0. Then set Passivity to Control in the Feel panel.</source>
         <translation>Beobachten Sie, wie die Energie unter 0 fällt. Stellen Sie dann im Bereich Fühlen Passivität auf Regeln.</translation>
     </message>
     <message>
-        <source>a wall is passive for any hand while $b &gt; \frac{K T}{2} + |B|$; $b$: the arm's damping, $T$: a tick</source>
-        <translation>eine Wand ist für jede Hand passiv, solange $b &gt; \frac{K T}{2} + |B|$; $b$: die Dämpfung des Arms, $T$: ein Takt</translation>
+        <source>a wall is passive for any hand while $b &gt; \frac{K T}{2} + |B|$; $b$: the arm's damping, $T$: the duration of a tick</source>
+        <translation>eine Wand ist für jede Hand passiv, solange $b &gt; \frac{K T}{2} + |B|$; $b$: die Dämpfung des Arms, $T$: die Dauer eines Takts</translation>
     </message>
     <message>
         <source>Torus knot</source>
         <translation>Torusknoten</translation>
     </message>
     <message>
-        <source>A body from an STL file, felt from outside. Follow the tube round and round: it goes through its own hole three times. However hard you press, you stay on the side you came from. meshes/ has the same knot with 1000 and with 300 000 triangles: name another file and feel how little changes.</source>
-        <translation>Ein Körper aus einer STL-Datei, von außen gefühlt. Folgen Sie dem Rohr rundherum und rundherum: Es geht dreimal durch sein eigenes Loch. Wie fest Sie auch drücken, Sie bleiben auf der Seite, von der Sie kamen. meshes/ enthält denselben Knoten mit 1000 und mit 300 000 Dreiecken: Geben Sie eine andere Datei an und fühlen Sie, wie wenig sich ändert.</translation>
+        <source>A body from an STL file, felt from outside. Follow the tube round and round: it goes through its own hole three times. However hard you press, you stay on the side you came from. meshes/ contains the same knot with 1000 and with 300 000 triangles: choose another file, and feel how little changes.</source>
+        <translation>Ein Körper aus einer STL-Datei, von außen gefühlt. Folgen Sie dem Rohr rundherum und rundherum: Es geht dreimal durch sein eigenes Loch. Wie fest Sie auch drücken, Sie bleiben auf der Seite, von der Sie kamen. meshes/ enthält denselben Knoten mit 1000 und mit 300 000 Dreiecken: Wählen Sie eine andere Datei und fühlen Sie, wie wenig sich ändert.</translation>
     </message>
     <message>
         <source>A body from a file: a tube that goes through its own hole three times.</source>
@@ -6594,7 +6619,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>1,5 mm hohe Höcker auf einer Kugel aus ebenen Dreiecken, die sich rund anfühlt.</translation>
     </message>
     <message>
-        <source>Stroke the ball slowly and count the bumps along a finger's breadth.</source>
+        <source>Stroke the ball slowly and count the bumps across the width of a finger.</source>
         <translation>Streichen Sie langsam über die Kugel und zählen Sie die Höcker auf einer Fingerbreite.</translation>
     </message>
     <message>
@@ -6606,16 +6631,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Winkel mit Löchern</translation>
     </message>
     <message>
-        <source>A part with sharp edges, two screw holes and a rib. Find the holes by touch, slide into the corner of the L, and along an edge until you fall off. The static friction is above the dynamic one: press and pull slowly, and the target lets go by jerks.</source>
-        <translation>Ein Teil mit scharfen Kanten, zwei Schraubenlöchern und einer Rippe. Ertasten Sie die Löcher, gleiten Sie in die Ecke des L und eine Kante entlang, bis Sie herunterfallen. Die Haftreibung ist größer als die Gleitreibung: Drücken und ziehen Sie langsam, und das Ziel löst sich ruckweise.</translation>
+        <source>A part with sharp edges, two screw holes and a rib. Find the holes by touch, slide into the corner of the L, and along an edge until you fall off. Static friction is greater than dynamic friction: press and pull slowly, and the target sticks and slips.</source>
+        <translation>Ein Teil mit scharfen Kanten, zwei Schraubenlöchern und einer Rippe. Ertasten Sie die Löcher, gleiten Sie in die Ecke des L und eine Kante entlang, bis Sie herunterfallen. Die Haftreibung ist größer als die Gleitreibung: Drücken und ziehen Sie langsam, und das Ziel haftet und rutscht im Wechsel.</translation>
     </message>
     <message>
         <source>A part with sharp edges, two holes and a rib, and friction that sticks and slips.</source>
         <translation>Ein Teil mit scharfen Kanten, zwei Löchern und einer Rippe, und Reibung, die haftet und rutscht.</translation>
     </message>
     <message>
-        <source>Find the holes by touch. Then press and pull slowly: the target lets go by jerks.</source>
-        <translation>Ertasten Sie die Löcher. Drücken und ziehen Sie dann langsam: Das Ziel löst sich ruckweise.</translation>
+        <source>Find the holes by touch. Then press and pull slowly: the target sticks and slips.</source>
+        <translation>Ertasten Sie die Löcher. Drücken und ziehen Sie dann langsam: Das Ziel haftet und rutscht im Wechsel.</translation>
     </message>
     <message>
         <source>it sticks while $|f_t| \le \mu_s |f_n|$, then slides with $|f_t| = \mu_d |f_n|$; $\mu_s = 0.5$, $\mu_d = 0.3$</source>
@@ -6626,7 +6651,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Am Kleeblatt geführt</translation>
     </message>
     <message>
-        <source>A closed curve through the points of a file. A guide runs along it at 40 mm/s and waits for you 8 mm ahead: let your hand be led. In the Feel panel set t to 1, and you are held to the curve but led no more.</source>
+        <source>A closed curve through the points of a file. A guide moves along it at 40 mm/s and waits for you 8 mm ahead: let it lead your hand. Set t to 1 in the Feel panel, and you are held to the curve but no longer led.</source>
         <translation>Eine geschlossene Kurve durch die Punkte einer Datei. Eine Führung läuft mit 40 mm/s auf ihr und wartet 8 mm vor Ihnen: Lassen Sie Ihre Hand führen. Stellen Sie im Bereich Fühlen t auf 1, so werden Sie auf der Kurve gehalten, aber nicht mehr geführt.</translation>
     </message>
     <message>
@@ -6634,7 +6659,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Eine Führung, die Ihre Hand eine geschlossene Kurve entlangführt und auf Sie wartet.</translation>
     </message>
     <message>
-        <source>Let yourself be led. Hold the hand still: the guide stops 8 mm ahead. Then set t to 1 in the Feel panel.</source>
+        <source>Let yourself be led. Hold your hand still: the guide stops 8 mm ahead. Then set t to 1 in the Feel panel.</source>
         <translation>Lassen Sie sich führen. Halten Sie die Hand still: Die Führung hält 8 mm vor Ihnen an. Stellen Sie dann im Bereich Fühlen t auf 1.</translation>
     </message>
     <message>
@@ -6646,7 +6671,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Eine Unterschrift zum Folgen</translation>
     </message>
     <message>
-        <source>An open stroke with a little friction. The search is local: where the stroke crosses itself you stay on your branch, and do not change over to the other one.</source>
+        <source>An open stroke with a little friction. The search is local: where the stroke crosses itself, you stay on your branch and do not switch to the other one.</source>
         <translation>Ein offener Strich mit ein wenig Reibung. Gesucht wird nur in der Nähe: Wo der Strich sich selbst kreuzt, bleiben Sie auf Ihrem Zweig und wechseln nicht auf den anderen.</translation>
     </message>
     <message>
@@ -6658,8 +6683,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Folgen Sie dem Strich über seine eigene Kreuzung: Sie bleiben auf Ihrem Zweig.</translation>
     </message>
     <message>
-        <source>$q = C(s)$, where $s$ is the nearest place beside the last one</source>
-        <translation>$q = C(s)$, dabei ist $s$ die nächste Stelle neben der letzten</translation>
+        <source>$q = C(s)$, where $s$ is the nearest point of the curve close to the previous one</source>
+        <translation>$q = C(s)$, dabei ist $s$ die nächste Stelle der Kurve nahe der vorigen</translation>
     </message>
 </context>
 <context>
@@ -7214,16 +7239,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Antworten zweiter Ordnung</translation>
     </message>
     <message>
-        <source>The damping ratio from none to twice critical, with a natural frequency of 1 rad/s.</source>
-        <translation>Dämpfungsgrad von null bis zum Doppelten des kritischen, Eigenfrequenz 1 rad/s.</translation>
+        <source>Damping ratios from 0 to 2 (twice critical), natural frequency 1 rad/s.</source>
+        <translation>Dämpfungsgrade von 0 bis 2 (doppelt kritisch), Eigenfrequenz 1 rad/s.</translation>
     </message>
     <message>
         <source>Comparing third and second order responses</source>
         <translation>Dritte und zweite Ordnung im Vergleich</translation>
     </message>
     <message>
-        <source>5/((s + 1)(s + 2)(s + 30)), the same without the fast pole's part, and a second order of its gain: at most 0.0014 apart.</source>
-        <translation>5/((s + 1)(s + 2)(s + 30)), dasselbe ohne den Teil des schnellen Pols und eine zweite Ordnung gleicher Verstärkung: höchstens 0,0014 auseinander.</translation>
+        <source>5/((s + 1)(s + 2)(s + 30)), the same without the fast part, and a second-order system with the same gain: at most 0.0014 apart.</source>
+        <translation>5/((s + 1)(s + 2)(s + 30)), dasselbe ohne den schnellen Teil, und ein System zweiter Ordnung mit gleicher Verstärkung: höchstens 0.0014 auseinander.</translation>
     </message>
     <message>
         <source>third order</source>
