@@ -748,19 +748,19 @@ Grenze: %4 (%5).</translation>
     </message>
     <message>
         <source>position only</source>
-        <translation>nur dem Ort</translation>
+        <translation>nur der Position</translation>
     </message>
     <message>
         <source>position and direction</source>
-        <translation>Ort und Richtung</translation>
+        <translation>Position und Richtung</translation>
     </message>
     <message>
         <source>position and angle</source>
-        <translation>Ort und Winkel</translation>
+        <translation>Position und Winkel</translation>
     </message>
     <message>
         <source>position and orientation</source>
-        <translation>Ort und Orientierung</translation>
+        <translation>Position und Orientierung</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -1219,7 +1219,7 @@ Grenze: %4 (%5).</translation>
     </message>
     <message>
         <source>Where is the tip, seen from where? Two frames, one place.</source>
-        <translation>Wo ist die Spitze, von wo aus gesehen? Zwei Koordinatensysteme, ein Ort.</translation>
+        <translation>Wo ist die Spitze, von wo aus gesehen? Zwei Koordinatensysteme, ein Punkt.</translation>
     </message>
     <message>
         <source>The frame W</source>
@@ -1234,16 +1234,16 @@ Drag it with the mouse, or press F2 and use the arrow keys (Page Up and Page Dow
         <translation>Ein **Koordinatensystem** besteht aus drei Achsen im rechten Winkel und dem Punkt, in dem sie sich treffen. Das Koordinatensystem **W** des Arbeitsraums steht in der
 Mitte des Quaders: $x$ nach rechts, $y$ nach oben, $z$ auf Sie zu.
 
-Führen Sie den Stift nacheinander an drei Orte: $(40, 0, 50)$, $(0, 40, 50)$ und $(0, 0, 10)$ mm.
+Führen Sie den Stift nacheinander zu drei Punkten: $(40, 0, 50)$, $(0, 40, 50)$ und $(0, 0, 10)$ mm.
 Ziehen Sie ihn mit der Maus, oder drücken Sie F2 und benutzen Sie die Pfeiltasten (Bild auf und Bild ab führen ihn weg und heran).</translation>
     </message>
     <message>
         <source>The panel *Arm* shows the place of the tip. Shift with an arrow key takes steps of 10 mm.</source>
-        <translation>Der Bereich *Arm* zeigt den Ort der Spitze. Umschalt mit einer Pfeiltaste macht Schritte von 10 mm.</translation>
+        <translation>Der Bereich *Arm* zeigt die Position der Spitze. Umschalt mit einer Pfeiltaste macht Schritte von 10 mm.</translation>
     </message>
     <message>
         <source>The same place from B</source>
-        <translation>Derselbe Ort von B aus</translation>
+        <translation>Dieselbe Position von B aus</translation>
     </message>
     <message>
         <source>The arm has a frame of its own: **B**, frame 0 of its table. It is turned and moved against W. A point with the
@@ -1265,7 +1265,7 @@ $$y_B = x_W$$
 
 $$z_B = y_W - 30$$
 
-Halten Sie den Stift an einem beliebigen Ort und rechnen Sie aus, wo er in B ist.</translation>
+Halten Sie den Stift an einer beliebigen Stelle und rechnen Sie seine Position in B aus.</translation>
     </message>
     <message>
         <source>Read $x_W$, $y_W$ and $z_W$ in the panel *Arm* and put them into the three equations.</source>
@@ -1305,11 +1305,11 @@ $$y_W = z_B + 30$$
 
 $$z_W = x_B - 176$$
 
-Bringen Sie die Spitze an den Ort, der **in B** die Koordinaten $(216, 0, 10)$ mm hat, und halten Sie sie dort eine Sekunde lang.</translation>
+Bringen Sie die Spitze zu dem Punkt, der **in B** die Koordinaten $(216, 0, 10)$ mm hat, und halten Sie sie dort eine Sekunde lang.</translation>
     </message>
     <message>
         <source>In W that place is $(0, 40, 40)$ mm.</source>
-        <translation>In W ist dieser Ort $(0, 40, 40)$ mm.</translation>
+        <translation>In W ist dieser Punkt $(0, 40, 40)$ mm.</translation>
     </message>
     <message>
         <source>A turned frame</source>
@@ -1529,7 +1529,7 @@ Halten Sie den Arm in einer beliebigen Stellung. Berechnen Sie aus $\theta_2$ un
     </message>
     <message>
         <source>From joint angles to the place of the tip.</source>
-        <translation>Von den Gelenkwinkeln zum Ort der Spitze.</translation>
+        <translation>Von den Gelenkwinkeln zur Position der Spitze.</translation>
     </message>
     <message>
         <source>The arm in its plane</source>
@@ -1616,7 +1616,7 @@ Rechnen Sie aus, wo die Spitze für $\theta_1 = 20°$, $\theta_2 = 40°$, $\thet
 turn can be worked out one after the other.
 
 Turn joint 4 over 40° and keep the tip within 6 mm of $(0, 0, 50)$.</source>
-        <translation>Die Achsen der Gelenke 4, 5 und 6 treffen sich in der Spitze. Sie drehen daher den Stift und lassen die Spitze, wo sie ist: Ort und
+        <translation>Die Achsen der Gelenke 4, 5 und 6 treffen sich in der Spitze. Sie drehen daher den Stift und lassen die Spitze, wo sie ist: Position und
 Orientierung lassen sich nacheinander berechnen.
 
 Drehen Sie Gelenk 4 über einen Bereich von 40° und halten Sie die Spitze höchstens 6 mm von $(0, 0, 50)$ entfernt.</translation>
@@ -1763,7 +1763,7 @@ nothing reaches.
 
 Pull the stylus towards you until the elbow is less than 20° from stretched, and hold it for half a second. Watch the two ghosts' elbows meet.</source>
         <translation>Je weiter außen die Spitze ist, desto näher rücken die beiden Ellbogen zusammen. Bei $S = 1$ ist der Arm gestreckt, und sie sind eins; bei $S &gt; 1$
-ist der Ort nicht mehr erreichbar.
+ist der Punkt nicht mehr erreichbar.
 
 Ziehen Sie den Stift zu sich, bis am Ellbogen weniger als 20° bis zur Streckung fehlen, und halten Sie ihn eine halbe Sekunde lang. Beobachten Sie, wie die Ellbogen der beiden Geisterbilder zusammenkommen.</translation>
     </message>
@@ -2359,11 +2359,11 @@ Drücken Sie Start und gleiten Sie auf der Ebene: über 40 mm in $x$ und über 4
     </message>
     <message>
         <source>One joint that turns makes a circle. Follow it half the way round: visit the four places, within 8 mm, at the rim.</source>
-        <translation>Ein Gelenk, das sich dreht, ergibt einen Kreis. Folgen Sie ihm halb herum: Besuchen Sie die vier Orte am Rand, auf 8 mm genau.</translation>
+        <translation>Ein Gelenk, das sich dreht, ergibt einen Kreis. Folgen Sie ihm halb herum: Fahren Sie die vier Punkte am Rand an, auf 8 mm genau.</translation>
     </message>
     <message>
         <source>The places lie on the rim, 40 mm from $(10, 20, 30)$, in its own tilted plane. Let the rim lead you.</source>
-        <translation>Die Orte liegen auf dem Rand, 40 mm von $(10, 20, 30)$ entfernt, in seiner eigenen, geneigten Ebene. Lassen Sie sich vom Rand führen.</translation>
+        <translation>Die Punkte liegen auf dem Rand, 40 mm von $(10, 20, 30)$ entfernt, in seiner eigenen, geneigten Ebene. Lassen Sie sich vom Rand führen.</translation>
     </message>
     <message>
         <source>A sphere: two that turn</source>
@@ -2461,7 +2461,7 @@ $$V = \frac{1}{2} k_p |e_p|^2 + \frac{1}{2} K_\theta e_\theta^2$$
 Turn the stylus and the robot is drawn round with it. The moment $K_\theta e_\theta$ that belongs to it is shown and never sent: the arm has no motors in its wrist.
 
 Go to $(50, 0, 0)$: the stylus still points up, and the robot is torn. Turn the stylus to the right until the moment is below 40 N mm, for half a second.</source>
-        <translation>Das Gelenk macht die Energie zweier Federn möglichst klein, einer für den Ort und einer für die Drehung:
+        <translation>Das Gelenk macht die Energie zweier Federn möglichst klein, einer für die Position und einer für die Drehung:
 
 $$V = \frac{1}{2} k_p |e_p|^2 + \frac{1}{2} K_\theta e_\theta^2$$
 
@@ -2525,7 +2525,7 @@ Drücken Sie Start und ziehen Sie von der Kugel mit 40 mm Radius weg, bis die ve
         <source>Six joints in different directions follow every place and turn: nothing is left to hold. Beyond its reach the robot stands stretched, at a singular pose, and draws you along the one direction in which it cannot move.
 
 The ball, the wire, the wall: each was a robot, and each force the part of $K e$ that its joints could not take away.</source>
-        <translation>Sechs Gelenke in verschiedenen Richtungen folgen jedem Ort und jeder Drehung: Zu halten bleibt nichts. Außerhalb seiner Reichweite steht der Roboter gestreckt, in einer singulären Lage, und zieht Sie in der einen Richtung, in die er sich nicht bewegen kann.
+        <translation>Sechs Gelenke in verschiedenen Richtungen folgen jeder Position und jeder Drehung: Zu halten bleibt nichts. Außerhalb seiner Reichweite steht der Roboter gestreckt, in einer singulären Lage, und zieht Sie in der einen Richtung, in die er sich nicht bewegen kann.
 
 Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Teil von $K e$, den seine Gelenke nicht wegnehmen konnten.</translation>
     </message>
@@ -2649,7 +2649,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Joint angles, tip position and faults of the arm.</source>
-        <translation>Gelenkwinkel, Ort der Spitze und Störungen des Arms.</translation>
+        <translation>Gelenkwinkel, Position der Spitze und Störungen des Arms.</translation>
     </message>
     <message>
         <source>Calibration</source>
@@ -3152,7 +3152,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The home pose's place is not a finite point.</source>
-        <translation>Der Ort in der Lage der Grundstellung ist kein endlicher Punkt.</translation>
+        <translation>Die Position in der Lage der Grundstellung ist kein endlicher Punkt.</translation>
     </message>
     <message>
         <source>A table has a row at least: a chain without a joint moves nothing.</source>
@@ -3288,7 +3288,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Along %1 at place %2: %3</source>
-        <translation>Entlang %1 am Ort %2: %3</translation>
+        <translation>Entlang %1 an Position %2: %3</translation>
     </message>
     <message>
         <source>Take the stylus. Press it slowly 3 mm down and let it come back as slowly, four times, two seconds each.</source>
@@ -3304,7 +3304,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The tip goes to its place</source>
-        <translation>Die Spitze fährt an ihren Ort</translation>
+        <translation>Die Spitze fährt an ihre Position</translation>
     </message>
     <message>
         <source>The hand takes hold</source>
@@ -3332,11 +3332,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Say one to three places.</source>
-        <translation>Nennen Sie ein bis drei Orte.</translation>
+        <translation>Nennen Sie ein bis drei Positionen.</translation>
     </message>
     <message>
         <source>About (%1, %2, %3) mm the arm does not reach 20 mm in every direction. Choose a place nearer to the middle.</source>
-        <translation>Um (%1, %2, %3) mm herum reicht der Arm nicht in jede Richtung 20 mm weit. Wählen Sie einen Ort näher an der Mitte.</translation>
+        <translation>Um (%1, %2, %3) mm herum reicht der Arm nicht in jede Richtung 20 mm weit. Wählen Sie eine Position näher an der Mitte.</translation>
     </message>
     <message>
         <source>The stylus was not pressed down and let back slowly. Press some 3 mm in about two seconds, and come back as slowly.</source>
@@ -3896,11 +3896,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>a list of places</source>
-        <translation>eine Liste von Orten</translation>
+        <translation>eine Liste von Positionen</translation>
     </message>
     <message>
         <source>Name 1 to %1 places.</source>
-        <translation>Nennen Sie 1 bis %1 Orte.</translation>
+        <translation>Nennen Sie 1 bis %1 Positionen.</translation>
     </message>
     <message>
         <source>The quantity %1 has %2 values here; choose one by "part".</source>
@@ -4072,7 +4072,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The mesh has a corner that is not at a finite place.</source>
-        <translation>Das Dreiecksnetz hat eine Ecke, die an keinem endlichen Ort liegt.</translation>
+        <translation>Eine Ecke des Dreiecksnetzes ist kein endlicher Punkt.</translation>
     </message>
     <message>
         <source>A triangle names a corner that is not there.</source>
@@ -4264,11 +4264,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>%1 corner was joined to others at the same place, or nearer than %2.</source>
-        <translation>%1 Ecke wurde mit anderen am selben Ort oder näher als %2 verbunden.</translation>
+        <translation>%1 Ecke wurde mit anderen an derselben Stelle oder näher als %2 verbunden.</translation>
     </message>
     <message>
         <source>%1 corners were joined to others at the same place, or nearer than %2.</source>
-        <translation>%1 Ecken wurden mit anderen am selben Ort oder näher als %2 verbunden.</translation>
+        <translation>%1 Ecken wurden mit anderen an derselben Stelle oder näher als %2 verbunden.</translation>
     </message>
     <message>
         <source>%1 face was turned over, so that neighbours agree on which side is outside.</source>
@@ -4608,7 +4608,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The marks %1 and %2 are one and the same place. Touch them again, or choose marks that are apart.</source>
-        <translation>Die Messpunkte %1 und %2 sind ein und derselbe Ort. Berühren Sie sie noch einmal, oder wählen Sie Messpunkte, die auseinanderliegen.</translation>
+        <translation>Die Messpunkte %1 und %2 sind ein und derselbe Punkt. Berühren Sie sie noch einmal, oder wählen Sie Messpunkte, die auseinanderliegen.</translation>
     </message>
     <message>
         <source>The marks lie on one line, so nothing says how the arm is turned about it. Choose a mark beside the line.</source>
@@ -4620,7 +4620,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The touched points %1 and %2 are one and the same place. Touch them again, or choose marks that are apart.</source>
-        <translation>Die berührten Punkte %1 und %2 sind ein und derselbe Ort. Berühren Sie sie noch einmal, oder wählen Sie Messpunkte, die auseinanderliegen.</translation>
+        <translation>Die berührten Punkte %1 und %2 sind ein und derselbe Punkt. Berühren Sie sie noch einmal, oder wählen Sie Messpunkte, die auseinanderliegen.</translation>
     </message>
     <message>
         <source>The touched points lie on one line, so nothing says how the arm is turned about it. Choose a mark beside the line.</source>
@@ -4984,7 +4984,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The place must lie within 1e6 mm (1 km).</source>
-        <translation>Der Ort muss innerhalb von 1e6 mm (1 km) liegen.</translation>
+        <translation>Die Position muss innerhalb von 1e6 mm (1 km) liegen.</translation>
     </message>
     <message>
         <source>This is a folder; a scene needs a file name.</source>
@@ -5820,7 +5820,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The arm says that its tip is %1 mm from where the arm "%2" of the scene has it, so it gets no force: the force would point elsewhere. Choose the arm that it is.</source>
-        <translation>Nach eigener Angabe hat der Arm seine Spitze %1 mm neben dem Ort, an dem der Arm „%2“ der Szene sie hat; deshalb bekommt er keine Kraft: Sie würde woandershin zeigen. Wählen Sie den Arm, der es wirklich ist.</translation>
+        <translation>Nach eigener Angabe ist die Spitze des Arms %1 mm von dort entfernt, wo sie beim Arm „%2“ der Szene ist; deshalb bekommt er keine Kraft: Sie würde in eine andere Richtung zeigen. Wählen Sie den Arm, der es wirklich ist.</translation>
     </message>
     <message>
         <source>%1 times so far.</source>
@@ -5828,7 +5828,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The arm says that its tip is %1 mm from where the arm "%2" of the scene has it. Choose the arm that it is, or shapes are felt elsewhere than they are shown.</source>
-        <translation>Nach eigener Angabe hat der Arm seine Spitze %1 mm neben dem Ort, an dem der Arm „%2“ der Szene sie hat. Wählen Sie den Arm, der es wirklich ist; sonst fühlt man Formen woanders, als sie gezeigt werden.</translation>
+        <translation>Nach eigener Angabe ist die Spitze des Arms %1 mm von dort entfernt, wo sie beim Arm „%2“ der Szene ist. Wählen Sie den Arm, der es wirklich ist; sonst fühlt man Formen woanders, als sie gezeigt werden.</translation>
     </message>
     <message>
         <source>Ticks %1 to %2 of this session are damaged; the arm stands still there.</source>
@@ -6347,11 +6347,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Half of the target comes from where the stylus is, half from where it points: turn the stylus, and it is drawn around the rim without being moved. Point it along the circle's axis and only its place counts. Thesis section 5.1, figures 5.6 and 5.7.</source>
-        <translation>Das Ziel kommt zur Hälfte davon, wo der Stift ist, und zur Hälfte davon, wohin er zeigt: Drehen Sie den Stift, und er wird am Rand herumgezogen, ohne dass Sie ihn verschieben. Richten Sie ihn entlang der Achse des Kreises, so zählt nur sein Ort. Thesis, Abschnitt 5.1, Abbildungen 5.6 und 5.7.</translation>
+        <translation>Das Ziel kommt zur Hälfte davon, wo der Stift ist, und zur Hälfte davon, wohin er zeigt: Drehen Sie den Stift, und er wird am Rand herumgezogen, ohne dass Sie ihn verschieben. Richten Sie ihn entlang der Achse des Kreises, so zählt nur seine Position. Thesis, Abschnitt 5.1, Abbildungen 5.6 und 5.7.</translation>
     </message>
     <message>
         <source>Where you point draws you around the ring, half as much as where you are.</source>
-        <translation>Wohin Sie zeigen, zieht Sie um den Ring, halb so stark wie der Ort, an dem Sie sind.</translation>
+        <translation>Wohin Sie zeigen, zieht Sie um den Ring, halb so stark wie Ihre Position.</translation>
     </message>
     <message>
         <source>Keep your hand still and turn the stylus with Ctrl and the mouse. Then set t to 0 and to 1 in the Feel panel.</source>
@@ -6407,7 +6407,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>As the scene before, with the thesis's own law (code 5.2, its misprints corrected). It takes the joint nearest to the stylus's place and pulls along the rim by the error of the turn; near the rim the two feel alike. Go around a loop inside the circle at a fixed turn: this law does work on your hand, the other does none.</source>
-        <translation>Wie die Szene davor, mit dem eigenen Regelgesetz der Thesis (Code 5.2, ohne dessen Druckfehler). Es nimmt die Gelenkstellung, die dem Ort des Stifts am nächsten ist, und zieht entlang dem Rand im Maß des Drehfehlers; nahe am Rand fühlen sich beide gleich an. Fahren Sie innerhalb des Kreises eine Schleife bei fester Drehung: Dieses Regelgesetz verrichtet Arbeit an Ihrer Hand, das andere nicht.</translation>
+        <translation>Wie die Szene davor, mit dem eigenen Regelgesetz der Thesis (Code 5.2, ohne dessen Druckfehler). Es nimmt die Gelenkstellung, die der Position des Stifts am nächsten ist, und zieht entlang dem Rand im Maß des Drehfehlers; nahe am Rand fühlen sich beide gleich an. Fahren Sie innerhalb des Kreises eine Schleife bei fester Drehung: Dieses Regelgesetz verrichtet Arbeit an Ihrer Hand, das andere nicht.</translation>
     </message>
     <message>
         <source>Almost the same as the scene before, and yet not the same: this law can give more than it got.</source>
@@ -6487,7 +6487,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The classic of robot courses as the robot that holds you, at a scale of 1:4 (lengths after Armstrong, Khatib and Burdick 1986). Six joints follow six coordinates: inside its reach you are free in place and turn. Go to its edges: a stretched elbow, a joint at its limit. There it cannot follow, and you feel why.</source>
-        <translation>Der Klassiker der Robotikkurse als der Roboter, der Sie hält, im Maßstab 1:4 (Längen nach Armstrong, Khatib und Burdick 1986). Sechs Gelenke folgen sechs Koordinaten: In seiner Reichweite sind Sie in Ort und Drehung frei. Gehen Sie an seine Ränder: ein gestreckter Ellbogen, ein Gelenk an seiner Grenze. Dort kann er nicht folgen, und Sie fühlen, warum.</translation>
+        <translation>Der Klassiker der Robotikkurse als der Roboter, der Sie hält, im Maßstab 1:4 (Längen nach Armstrong, Khatib und Burdick 1986). Sechs Gelenke folgen sechs Koordinaten: In seiner Reichweite sind Sie in Position und Orientierung frei. Gehen Sie an seine Ränder: ein gestreckter Ellbogen, ein Gelenk an seiner Grenze. Dort kann er nicht folgen, und Sie fühlen, warum.</translation>
     </message>
     <message>
         <source>Six joints follow six coordinates: free inside, held at the edge of the reach.</source>
@@ -6909,7 +6909,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>How the rate de/dt is found from places that come in encoder steps: each filter is another trade of delay for noise.</source>
-        <translation>Wie die Rate de/dt aus Orten bestimmt wird, die in Encoderschritten kommen: Jeder Filter wägt Verzögerung und Rauschen anders ab.</translation>
+        <translation>Wie die Änderungsrate de/dt aus Positionen bestimmt wird, die in Encoderschritten kommen: Jeder Filter wägt Verzögerung und Rauschen anders ab.</translation>
     </message>
     <message>
         <source>noise</source>
@@ -8342,7 +8342,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Position of the stylus tip in the workspace frame W: p_WT (x, y, z).</source>
-        <translation>Ort der Stiftspitze im Koordinatensystem W des Arbeitsraums: p_WT (x, y, z).</translation>
+        <translation>Position der Stiftspitze im Koordinatensystem W des Arbeitsraums: p_WT (x, y, z).</translation>
     </message>
     <message>
         <source>Joints 1–3</source>
@@ -9396,7 +9396,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>The position of the tip computed from the table, ⁰T₁ ¹T₂ …, in the workspace frame.</source>
-        <translation>Der Ort der Spitze nach der Tabelle, ⁰T₁ ¹T₂ …, im Koordinatensystem des Arbeitsraums.</translation>
+        <translation>Die Position der Spitze nach der Tabelle, ⁰T₁ ¹T₂ …, im Koordinatensystem des Arbeitsraums.</translation>
     </message>
     <message>
         <source>Offset from arm</source>
@@ -9872,7 +9872,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Influence of the hand's position on the curve</source>
-        <translation>Einfluss des Orts der Hand auf der Kurve</translation>
+        <translation>Einfluss der Position der Hand auf der Kurve</translation>
     </message>
     <message>
         <source>nearest</source>
@@ -10148,7 +10148,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Swings along %1 at position %2, residual of the fit %3 µm</source>
-        <translation>Schwingungen entlang %1 an Ort %2, Residuum der Anpassung %3 µm</translation>
+        <translation>Schwingungen entlang %1 an Position %2, Residuum der Anpassung %3 µm</translation>
     </message>
 </context>
 <context>
@@ -10613,7 +10613,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Pose of the end effector V with all joints at 0: its position, and its orientation as rotations about x, then y, then z of W, R = Rz Ry Rx. The tip of the stylus is pulled towards V; the z axis of V can follow that of the stylus.</source>
-        <translation>Lage des Endeffektors V, wenn alle Gelenke auf 0 stehen: sein Ort und seine Orientierung als Drehungen um x, dann y, dann z von W, R = Rz Ry Rx. Die Spitze des Stifts wird zu V gezogen; die z-Achse von V kann der des Stifts folgen.</translation>
+        <translation>Lage des Endeffektors V, wenn alle Gelenke auf 0 stehen: seine Position und seine Orientierung als Drehungen um x, dann y, dann z von W, R = Rz Ry Rx. Die Spitze des Stifts wird zu V gezogen; die z-Achse von V kann der des Stifts folgen.</translation>
     </message>
     <message>
         <source>Home pose of the end effector</source>
@@ -10625,7 +10625,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>position [mm]</source>
-        <translation>Ort [mm]</translation>
+        <translation>Position [mm]</translation>
     </message>
     <message>
         <source>orientation [°]</source>
@@ -10633,11 +10633,11 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>home position, %1, mm</source>
-        <translation>Ort in Grundstellung, %1, mm</translation>
+        <translation>Position in Grundstellung, %1, mm</translation>
     </message>
     <message>
         <source>Position of the end effector with all joints at 0, in W.</source>
-        <translation>Ort des Endeffektors in W, wenn alle Gelenke auf 0 stehen.</translation>
+        <translation>Position des Endeffektors in W, wenn alle Gelenke auf 0 stehen.</translation>
     </message>
     <message>
         <source>home orientation, rotation about %1, degrees</source>
@@ -11991,23 +11991,23 @@ und %2 weitere</translation>
     <name>underact::gui::PlacePage</name>
     <message>
         <source>Also at &amp;two more positions, to the left and to the right</source>
-        <translation>Auch an zwei &amp;weiteren Orten, links und rechts</translation>
+        <translation>Auch an zwei &amp;weiteren Positionen, links und rechts</translation>
     </message>
     <message>
         <source>Position and arm</source>
-        <translation>Ort und Arm</translation>
+        <translation>Position und Arm</translation>
     </message>
     <message>
         <source>Position &amp;x</source>
-        <translation>Ort &amp;x</translation>
+        <translation>Position &amp;x</translation>
     </message>
     <message>
         <source>Position &amp;y</source>
-        <translation>Ort &amp;y</translation>
+        <translation>Position &amp;y</translation>
     </message>
     <message>
         <source>Position &amp;z</source>
-        <translation>Ort &amp;z</translation>
+        <translation>Position &amp;z</translation>
     </message>
     <message>
         <source> mm</source>
@@ -12015,15 +12015,15 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>The tip swings about this position, in the workspace frame W.</source>
-        <translation>Die Spitze schwingt um diesen Ort, im Koordinatensystem W des Arbeitsraums.</translation>
+        <translation>Die Spitze schwingt um diese Position, im Koordinatensystem W des Arbeitsraums.</translation>
     </message>
     <message>
         <source>Also at two more positions</source>
-        <translation>Auch an zwei weiteren Orten</translation>
+        <translation>Auch an zwei weiteren Positionen</translation>
     </message>
     <message>
         <source>Shows whether the results depend on the position; takes three times as long.</source>
-        <translation>Zeigt, ob die Ergebnisse vom Ort abhängen; dauert dreimal so lange.</translation>
+        <translation>Zeigt, ob die Ergebnisse von der Position abhängen; dauert dreimal so lange.</translation>
     </message>
     <message>
         <source>Arm</source>
@@ -12139,7 +12139,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>You touch reference points on the desk, whose positions are known, with the tip of the stylus. From these the program finds the pose of the arm: the view is turned so that left on the desk is left in the picture, and two arms are drawn where they stand. Tape the sheet to the desk, and then move neither the sheet nor the arm. The scene and its forces stay where they are in the arm's own frame.</source>
-        <translation>Sie berühren mit der Spitze des Stifts Messpunkte auf dem Tisch, deren Orte bekannt sind. Daraus ermittelt das Programm die Lage des Arms: Die Ansicht wird so gedreht, dass links auf dem Tisch auch im Bild links ist, und zwei Arme werden dort gezeichnet, wo sie stehen. Kleben Sie das Blatt auf den Tisch, und bewegen Sie danach weder Blatt noch Arm. Die Szene und ihre Kräfte bleiben, wo sie im eigenen Koordinatensystem des Arms sind.</translation>
+        <translation>Sie berühren mit der Spitze des Stifts Messpunkte auf dem Tisch, deren Positionen bekannt sind. Daraus ermittelt das Programm die Lage des Arms: Die Ansicht wird so gedreht, dass links auf dem Tisch auch im Bild links ist, und zwei Arme werden dort gezeichnet, wo sie stehen. Kleben Sie das Blatt auf den Tisch, und bewegen Sie danach weder Blatt noch Arm. Die Szene und ihre Kräfte bleiben, wo sie im eigenen Koordinatensystem des Arms sind.</translation>
     </message>
     <message>
         <source>Arm</source>
@@ -12171,7 +12171,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>More reference points make the error smaller, and better known. Restores the positions of the printed sheet.</source>
-        <translation>Mehr Messpunkte machen den Fehler kleiner und besser bekannt. Setzt die Orte des gedruckten Blatts wieder ein.</translation>
+        <translation>Mehr Messpunkte machen den Fehler kleiner und besser bekannt. Setzt die Positionen des gedruckten Blatts wieder ein.</translation>
     </message>
     <message>
         <source> points</source>
@@ -12203,7 +12203,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Positions of the reference points, mm from point 1</source>
-        <translation>Orte der Messpunkte, mm ab Messpunkt 1</translation>
+        <translation>Positionen der Messpunkte, mm ab Messpunkt 1</translation>
     </message>
     <message>
         <source>Point</source>
@@ -12223,7 +12223,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Positions of the reference points, from point 1: to the right, away from you, up. You can type in points of your own.</source>
-        <translation>Orte der Messpunkte, von Messpunkt 1 aus: nach rechts, von Ihnen weg, nach oben. Sie können eigene Messpunkte eintippen.</translation>
+        <translation>Positionen der Messpunkte, von Messpunkt 1 aus: nach rechts, von Ihnen weg, nach oben. Sie können eigene Messpunkte eintippen.</translation>
     </message>
     <message>
         <source>Layout of the reference points</source>
@@ -12535,7 +12535,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>No scene is open. Open one, so that the position of the tip is known.</source>
-        <translation>Es ist keine Szene geöffnet. Öffnen Sie eine, damit der Ort der Spitze bekannt ist.</translation>
+        <translation>Es ist keine Szene geöffnet. Öffnen Sie eine, damit die Position der Spitze bekannt ist.</translation>
     </message>
     <message>
         <source>Not registered: %1</source>
@@ -12783,7 +12783,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>home position</source>
-        <translation>Ort in Grundstellung</translation>
+        <translation>Position in Grundstellung</translation>
     </message>
     <message>
         <source>home orientation</source>
@@ -12850,7 +12850,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>At the end effector, or moving there at no more than 2 m/s after a minimum has vanished or a better one was adopted. Not unique: every position is equally good.</source>
-        <translation>Am Endeffektor oder auf dem Weg dorthin, mit höchstens 2 m/s, nachdem ein Minimum verschwunden ist oder ein besseres übernommen wurde. Nicht eindeutig: Jeder Ort ist gleich gut.</translation>
+        <translation>Am Endeffektor oder auf dem Weg dorthin, mit höchstens 2 m/s, nachdem ein Minimum verschwunden ist oder ein besseres übernommen wurde. Nicht eindeutig: Jede Position ist gleich gut.</translation>
     </message>
     <message>
         <source>Better pose</source>
@@ -13324,7 +13324,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Position of its tip in its own frame W.</source>
-        <translation>Ort seiner Spitze in seinem eigenen Koordinatensystem W.</translation>
+        <translation>Position seiner Spitze in seinem eigenen Koordinatensystem W.</translation>
     </message>
     <message>
         <source>A s&amp;econd arm</source>
@@ -13462,11 +13462,11 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Position of the cut</source>
-        <translation>Ort des Schnitts</translation>
+        <translation>Position des Schnitts</translation>
     </message>
     <message>
         <source>Position of the cut along its axis. Double-click to let it follow the stylus again.</source>
-        <translation>Ort des Schnitts entlang seiner Achse. Nach einem Doppelklick folgt er wieder dem Stift.</translation>
+        <translation>Position des Schnitts entlang seiner Achse. Nach einem Doppelklick folgt er wieder dem Stift.</translation>
     </message>
     <message>
         <source> mm</source>
@@ -14705,7 +14705,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Position of the tip</source>
-        <translation>Ort der Spitze</translation>
+        <translation>Position der Spitze</translation>
     </message>
     <message>
         <source>&amp;Hold (Space)</source>
@@ -14713,7 +14713,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Records the position of the tip for half a second.</source>
-        <translation>Erfasst eine halbe Sekunde lang den Ort der Spitze.</translation>
+        <translation>Erfasst eine halbe Sekunde lang die Position der Spitze.</translation>
     </message>
     <message>
         <source>&amp;Touch this point again</source>
@@ -14725,7 +14725,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Reference points and positions of the tip</source>
-        <translation>Messpunkte und Orte der Spitze</translation>
+        <translation>Messpunkte und Positionen der Spitze</translation>
     </message>
     <message>
         <source>Point</source>
@@ -14831,7 +14831,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Components along %1 of W of the frame's axes and of its position.</source>
-        <translation>Komponenten der Achsen des Koordinatensystems und seines Orts entlang %1 von W.</translation>
+        <translation>Komponenten der Achsen des Koordinatensystems und seiner Position entlang %1 von W.</translation>
     </message>
     <message>
         <source>Axes that the steps refer to</source>
