@@ -9,7 +9,7 @@
     </message>
     <message>
         <source>The comparison has ended: each tick of the other scene takes too long. Choose a simpler scene or a lower servo rate.</source>
-        <translation>Der Vergleich wurde beendet: Jeder Takt der anderen Szene dauert zu lange. Wählen Sie eine einfachere Szene oder eine niedrigere Servorate.</translation>
+        <translation>Der Vergleich wurde beendet: Jeder Takt der anderen Szene dauert zu lange. Wählen Sie eine einfachere Szene oder eine niedrigere Servo-Taktrate.</translation>
     </message>
 </context>
 <context>
@@ -220,11 +220,11 @@ z [mm]</translation>
     </message>
     <message>
         <source>all %1 numbers pass</source>
-        <translation>alle %1 Zahlen erfüllt</translation>
+        <translation>alle %1 Zahlen stimmen</translation>
     </message>
     <message>
         <source>%1 of %2 numbers fail</source>
-        <translation>%1 von %2 Zahlen verfehlt</translation>
+        <translation>%1 von %2 Zahlen weichen ab</translation>
     </message>
     <message>
         <source>%1 figures, %2 numbers checked, %3.</source>
@@ -232,11 +232,11 @@ z [mm]</translation>
     </message>
     <message>
         <source>all pass</source>
-        <translation>alle erfüllt</translation>
+        <translation>alle stimmen</translation>
     </message>
     <message>
         <source>%1 failed</source>
-        <translation>%1 verfehlt</translation>
+        <translation>%1 abweichend</translation>
     </message>
     <message>
         <source>Figures left out: %1.</source>
@@ -1128,7 +1128,7 @@ Grenze: %4 (%5).</translation>
     </message>
     <message>
         <source>Where the tip went in the session that is replayed; the more force, the more vermillion.</source>
-        <translation>Wo die Spitze in der wiedergegebenen Sitzung war; je mehr Kraft, desto zinnoberroter.</translation>
+        <translation>Wo die Spitze in der wiedergegebenen Sitzung war; je größer die Kraft, desto kräftiger das Zinnoberrot.</translation>
     </message>
     <message>
         <source>&amp;Desk</source>
@@ -1200,7 +1200,7 @@ Grenze: %4 (%5).</translation>
     </message>
     <message>
         <source>The cut goes through the stylus's tip; off, it stays where it is.</source>
-        <translation>Der Schnitt geht durch die Spitze des Stifts; aus: er bleibt, wo er ist.</translation>
+        <translation>Der Schnitt geht durch die Spitze des Stifts; aus: Er bleibt, wo er ist.</translation>
     </message>
     <message>
         <source>Follow</source>
@@ -2048,7 +2048,7 @@ Rechnen Sie das Drehmoment für $f_x = 0.5$ N dort aus. Ziehen Sie dann nach rec
 along each of them force is 1 / gain. Power in is power out: $\tau^T \omega = f^T v$.
 
 Stretch the arm, as near as 20° to the end, and look at both.</source>
-        <translation>Drehmomente vom Betrag 1 in allen Mischungen bilden ein Ellipsoid der Kräfte (orange), wie Drehgeschwindigkeiten eines der Geschwindigkeiten (blau) bildeten. Beide haben dieselben Achsen;
+        <translation>Drehmomente vom Betrag 1 in allen Kombinationen bilden ein Ellipsoid der Kräfte (orange), wie Drehgeschwindigkeiten eines der Geschwindigkeiten (blau) bildeten. Beide haben dieselben Achsen;
 entlang jeder Achse ist die Kraft 1 / Verstärkung. Leistung hinein ist Leistung heraus: $\tau^T \omega = f^T v$.
 
 Strecken Sie den Arm bis auf 20° vor der Streckung und sehen Sie sich beide an.</translation>
@@ -2379,11 +2379,11 @@ Drücken Sie Start und gleiten Sie auf der Ebene: über 40 mm in $x$ und über 4
     </message>
     <message>
         <source>Count the freedoms</source>
-        <translation>Freiheiten zählen</translation>
+        <translation>Freiheitsgrade zählen</translation>
     </message>
     <message>
         <source>The tip has three freedoms of its own. A robot of $n$ joints in different directions lets it keep $n$ of them; the rest, $3 - n$, is held. At a singular pose, joints that move the tip alike count once.</source>
-        <translation>Die Spitze hat von sich aus drei Freiheiten. Ein Roboter mit $n$ Gelenken in verschiedenen Richtungen lässt ihr $n$ davon; der Rest, $3 - n$, wird gehalten. In einer singulären Lage zählen Gelenke, die die Spitze gleich bewegen, nur einmal.</translation>
+        <translation>Die Spitze hat von sich aus drei Freiheitsgrade. Ein Roboter mit $n$ Gelenken in verschiedenen Richtungen lässt ihr $n$ davon; der Rest, $3 - n$, wird gehalten. In einer singulären Lage zählen Gelenke, die die Spitze gleich bewegen, nur einmal.</translation>
     </message>
     <message>
         <source>A cylinder is a joint that slides along an axis and one that turns about it.</source>
@@ -2820,7 +2820,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Save the scene under another name, then press Start. If the error occurs again, quit the program and send the fault file to its developers.</source>
-        <translation>Speichern Sie die Szene unter einem anderen Namen und drücken Sie dann Start. Tritt der Fehler wieder auf, beenden Sie das Programm und senden Sie die Datei der Störung an die Entwickler.</translation>
+        <translation>Speichern Sie die Szene unter einem anderen Namen und drücken Sie dann Start. Tritt der Fehler wieder auf, beenden Sie das Programm und senden Sie die Störungsdatei an die Entwickler.</translation>
     </message>
     <message>
         <source>The figures have not been made yet.</source>
@@ -2892,7 +2892,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The file is damaged: reading broke off after %1 corners and %2 faces.</source>
-        <translation>Die Datei ist beschädigt: Nach %1 Ecken und %2 Flächen ging es beim Lesen nicht weiter.</translation>
+        <translation>Die Datei ist beschädigt: Das Lesen brach nach %1 Ecken und %2 Flächen ab.</translation>
     </message>
     <message>
         <source>The file is damaged, or its faces take more memory than a file of its size should.</source>
@@ -2908,7 +2908,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The file is damaged: line %1 does not begin the corners of a face (outer loop).</source>
-        <translation>Die Datei ist beschädigt: Zeile %1 beginnt nicht die Ecken einer Fläche (outer loop).</translation>
+        <translation>Die Datei ist beschädigt: In Zeile %1 beginnen nicht die Ecken einer Fläche (outer loop).</translation>
     </message>
     <message>
         <source>The file is damaged: line %1 is no corner of a face (vertex x y z).</source>
@@ -2916,11 +2916,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The file is damaged: line %1 does not end the three corners of a face (endloop).</source>
-        <translation>Die Datei ist beschädigt: Zeile %1 beendet nicht die drei Ecken einer Fläche (endloop).</translation>
+        <translation>Die Datei ist beschädigt: In Zeile %1 enden nicht die drei Ecken einer Fläche (endloop).</translation>
     </message>
     <message>
         <source>The file is damaged: line %1 does not end a face (endfacet).</source>
-        <translation>Die Datei ist beschädigt: Zeile %1 beendet keine Fläche (endfacet).</translation>
+        <translation>Die Datei ist beschädigt: In Zeile %1 endet keine Fläche (endfacet).</translation>
     </message>
     <message>
         <source>The file is damaged: it is shorter than its faces.</source>
@@ -2928,7 +2928,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The file is damaged: line %1 does not begin a face (facet).</source>
-        <translation>Die Datei ist beschädigt: Zeile %1 beginnt keine Fläche (facet).</translation>
+        <translation>Die Datei ist beschädigt: In Zeile %1 beginnt keine Fläche (facet).</translation>
     </message>
     <message>
         <source>The file is damaged: line %1 is no corner (v x y z).</source>
@@ -3068,19 +3068,19 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The arm sent the same sample twice.</source>
-        <translation>Der Arm hat dieselbe Messung zweimal geschickt.</translation>
+        <translation>Der Arm hat denselben Messwert zweimal gesendet.</translation>
     </message>
     <message>
         <source>The arm sent a position that is not a number.</source>
-        <translation>Der Arm hat eine Lage geschickt, die keine Zahl ist.</translation>
+        <translation>Der Arm hat eine Position gesendet, die keine Zahl ist.</translation>
     </message>
     <message>
         <source>The arm's position jumped by %1 m/s, where a hand reaches %2 m/s at most.</source>
-        <translation>Die Lage des Arms sprang mit %1 m/s; eine Hand erreicht höchstens %2 m/s.</translation>
+        <translation>Die Position des Arms sprang mit %1 m/s; eine Hand erreicht höchstens %2 m/s.</translation>
     </message>
     <message>
         <source>%1 ticks in a row came a whole period late.</source>
-        <translation>%1 Takte nacheinander kamen um eine ganze Periode zu spät.</translation>
+        <translation>%1 Takte nacheinander begannen um eine ganze Periode zu spät.</translation>
     </message>
     <message>
         <source>The servo stood still for %1 s.</source>
@@ -3096,23 +3096,23 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Check the cable, then press Start.</source>
-        <translation>Kabel prüfen, dann Start drücken.</translation>
+        <translation>Prüfen Sie das Kabel, und drücken Sie dann Start.</translation>
     </message>
     <message>
         <source>Press Start to try again.</source>
-        <translation>Start drücken, um es wieder zu versuchen.</translation>
+        <translation>Drücken Sie Start, um es erneut zu versuchen.</translation>
     </message>
     <message>
         <source>Close what keeps the machine busy or choose a lower rate, then press Start.</source>
-        <translation>Schließen, was den Rechner auslastet, oder eine kleinere Rate wählen, dann Start drücken.</translation>
+        <translation>Schließen Sie, was den Rechner auslastet, oder wählen Sie eine niedrigere Taktrate; drücken Sie dann Start.</translation>
     </message>
     <message>
         <source>Press Start to go on.</source>
-        <translation>Start drücken, um weiterzumachen.</translation>
+        <translation>Drücken Sie Start, um fortzufahren.</translation>
     </message>
     <message>
         <source>Restart the servo, which opens the arm again, then press Start.</source>
-        <translation>Den Servo neu starten, was auch den Arm neu öffnet, dann Start drücken.</translation>
+        <translation>Starten Sie den Servo neu, was auch den Arm neu öffnet, und drücken Sie dann Start.</translation>
     </message>
     <message>
         <source>Force is off.</source>
@@ -3124,7 +3124,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>A calibration needs a scene of two beams: two virtual manipulators, each of one revolute joint with a spring. The scene "Two beams, one softer" is one.</source>
-        <translation>Eine Kalibrierung braucht eine Szene mit zwei Balken: zwei virtuelle Manipulatoren, jeder mit einem Drehgelenk mit Feder. Die Szene „Zwei Balken, einer weicher“ ist eine solche.</translation>
+        <translation>Eine Kalibrierung braucht eine Szene mit zwei Balken: zwei virtuelle Roboter, jeder mit einem Drehgelenk mit Feder. Die Szene „Zwei Balken, einer weicher“ ist eine solche.</translation>
     </message>
     <message>
         <source>Joint %1: the axis has no direction.</source>
@@ -3272,7 +3272,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The tip hardly moved, so that nothing can be told of it. Look that the hand has let go, that nothing stands in the way, and that the arm has mass.</source>
-        <translation>Die Spitze hat sich kaum bewegt, sodass sich nichts über sie sagen lässt. Prüfen Sie, dass die Hand losgelassen hat, dass nichts im Weg steht und dass der Arm Masse hat.</translation>
+        <translation>Die Spitze hat sich kaum bewegt, sodass sich nichts über sie sagen lässt. Prüfen Sie, ob die Hand losgelassen hat, ob nichts im Weg steht und ob der Arm Masse hat.</translation>
     </message>
     <message>
         <source>The fit was ended.</source>
@@ -3280,7 +3280,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>No mass with friction and damping moves as the tip did. Look that the hand has let go, and measure again.</source>
-        <translation>Keine Masse mit Reibung und Dämpfung bewegt sich so wie die Spitze. Prüfen Sie, dass die Hand losgelassen hat, und messen Sie noch einmal.</translation>
+        <translation>Keine Masse mit Reibung und Dämpfung bewegt sich so wie die Spitze. Prüfen Sie, ob die Hand losgelassen hat, und messen Sie noch einmal.</translation>
     </message>
     <message>
         <source>The evaluation was ended.</source>
@@ -3596,7 +3596,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>From there no single target is nearest, so nothing says where to begin. Begin elsewhere.</source>
-        <translation>Von dort aus ist kein einzelnes Ziel das nächste, also sagt nichts, wo zu beginnen ist. Beginnen Sie woanders.</translation>
+        <translation>Von dort aus ist kein einzelnes Ziel das nächste, daher ist unklar, wo zu beginnen ist. Beginnen Sie woanders.</translation>
     </message>
     <message>
         <source>The arm does not reach the target there. Begin elsewhere.</source>
@@ -3616,7 +3616,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>"%1" is a wall: it pushes and never pulls, so it holds nothing at a target. Measure one whose side is both.</source>
-        <translation>„%1“ ist eine Wand: Sie drückt und zieht nie, hält also nichts an einem Ziel. Messen Sie eine, deren Seite both ist.</translation>
+        <translation>„%1“ ist eine Wand: Sie drückt und zieht nie, hält also nichts an einem Ziel. Messen Sie eine, deren Seite „both“ ist.</translation>
     </message>
     <message>
         <source>The arm does not reach the target after this step (%1). Make the step smaller, or the other way.</source>
@@ -3796,11 +3796,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The scene "%1" has no %2: no constraint of it is a virtual manipulator.</source>
-        <translation>In der Szene „%1“ gibt es %2 nicht: Keine ihrer Bindungen ist ein virtueller Manipulator.</translation>
+        <translation>In der Szene „%1“ gibt es %2 nicht: Keine ihrer Bindungen ist ein virtueller Roboter.</translation>
     </message>
     <message>
         <source>The scene "%1" has no %2: nobody counts its energy, since passivity is "off".</source>
-        <translation>In der Szene „%1“ gibt es %2 nicht: Niemand zählt ihre Energie, denn passivity ist „off“.</translation>
+        <translation>In der Szene „%1“ gibt es %2 nicht: Ihre Energie wird nicht erfasst, denn passivity ist „off“.</translation>
     </message>
     <message>
         <source>This must be the number 1, the version of lesson files.</source>
@@ -3832,7 +3832,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Name a scene, as in "02_sphere" or "my_scene.json".</source>
-        <translation>Nennen Sie eine Szene, etwa "02_sphere" oder "meine_szene.json".</translation>
+        <translation>Nennen Sie eine Szene, etwa „02_sphere“ oder „meine_szene.json“.</translation>
     </message>
     <message>
         <source>layer</source>
@@ -3876,11 +3876,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Say where it should be: either "above" and "below", or one of them, or "near" and "within".</source>
-        <translation>Sagen Sie, wo der Wert liegen soll: entweder "above" und "below" oder eines davon, oder "near" und "within".</translation>
+        <translation>Geben Sie an, wo der Wert liegen soll: entweder „above“ und „below“ oder eines davon, oder „near“ und „within“.</translation>
     </message>
     <message>
         <source>"above" must be less than "below".</source>
-        <translation>"above" muss kleiner sein als "below".</translation>
+        <translation>„above“ muss kleiner sein als „below“.</translation>
     </message>
     <message>
         <source>a list of conditions</source>
@@ -3904,11 +3904,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The quantity %1 has %2 values here; choose one by "part".</source>
-        <translation>Die Messgröße %1 hat hier %2 Werte; wählen Sie einen mit "part".</translation>
+        <translation>Die Messgröße %1 hat hier %2 Werte; wählen Sie einen mit „part“.</translation>
     </message>
     <message>
         <source>The answer is either measured or given: take "measure" or "answer" away.</source>
-        <translation>Die Antwort wird entweder gemessen oder gegeben: Nehmen Sie "measure" oder "answer" weg.</translation>
+        <translation>Die Antwort wird entweder gemessen oder angegeben: Entfernen Sie „measure“ oder „answer“.</translation>
     </message>
     <message>
         <source>a list of answers</source>
@@ -4028,7 +4028,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>A virtual manipulator has at most %1 joints, not %2.</source>
-        <translation>Ein virtueller Manipulator hat höchstens %1 Gelenke, nicht %2.</translation>
+        <translation>Ein virtueller Roboter hat höchstens %1 Gelenke, nicht %2.</translation>
     </message>
     <message>
         <source>A stiffness must be 0 or above.</source>
@@ -4216,7 +4216,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>It reads meshes: install Underact again.</source>
-        <translation>Es liest Netze: Installieren Sie Underact neu.</translation>
+        <translation>Es liest Dreiecksnetze: Installieren Sie Underact neu.</translation>
     </message>
     <message>
         <source>The file is damaged: what its reader made of it is no mesh.</source>
@@ -4556,7 +4556,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The words of this session cannot be read: the file is damaged there.</source>
-        <translation>Die Wörter dieser Sitzung können nicht gelesen werden: Die Datei ist dort beschädigt.</translation>
+        <translation>Die Angaben dieser Sitzung können nicht gelesen werden: Die Datei ist dort beschädigt.</translation>
     </message>
     <message>
         <source>The servo's memory at the beginning was recorded by a version that lays it out in another way.</source>
@@ -4572,7 +4572,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The servo's memory at the beginning of this session is none that a servo can have: the file is damaged, or was changed.</source>
-        <translation>Das Gedächtnis des Servos am Anfang dieser Sitzung ist keines, das ein Servo haben kann: Die Datei ist beschädigt oder wurde verändert.</translation>
+        <translation>Der Speicher des Servos am Anfang dieser Sitzung hat einen Inhalt, den ein Servo nicht haben kann: Die Datei ist beschädigt oder wurde verändert.</translation>
     </message>
     <message>
         <source>The marks lie nearly on one line, %1 beside it: small errors turn the arm about it. Choose a mark farther beside the line.</source>
@@ -4776,7 +4776,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>A virtual manipulator has 1 to %1 joints; here are %2.</source>
-        <translation>Ein virtueller Manipulator hat 1 bis %1 Gelenke; hier sind es %2.</translation>
+        <translation>Ein virtueller Roboter hat 1 bis %1 Gelenke; hier sind es %2.</translation>
     </message>
     <message>
         <source>With the orientation "none" nothing uses this; set "orientation" to "axis", "angle" or "full", or take it away.</source>
@@ -4784,11 +4784,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>A virtual manipulator draws the tip; a control that works on the arm's joints cannot hold it. Set "space" to "cartesian".</source>
-        <translation>Ein virtueller Manipulator zieht die Spitze; eine Regelung, die auf die Gelenke des Arms wirkt, kann sie nicht halten. Setzen Sie „space“ auf „cartesian“.</translation>
+        <translation>Ein virtueller Roboter zieht die Spitze; eine Regelung, die auf die Gelenke des Arms wirkt, kann sie nicht halten. Setzen Sie „space“ auf „cartesian“.</translation>
     </message>
     <message>
         <source>A virtual manipulator is held in the gains' own metric. Take "anisotropy" away, or give every axis the same kp.</source>
-        <translation>Ein virtueller Manipulator wird in der eigenen Metrik der Verstärkungen gehalten. Entfernen Sie „anisotropy“, oder geben Sie jeder Achse dasselbe kp.</translation>
+        <translation>Ein virtueller Roboter wird in der eigenen Metrik der Verstärkungen gehalten. Entfernen Sie „anisotropy“, oder geben Sie jeder Achse dasselbe kp.</translation>
     </message>
     <message>
         <source>A %1 needs the name of its file.</source>
@@ -5064,7 +5064,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>This must be above 0 and at most 0.01 (rad, and of the reach); here it is %1.</source>
-        <translation>Dies muss über 0 liegen und höchstens 0.01 sein (rad, und Anteil an der Reichweite); hier steht %1.</translation>
+        <translation>Dies muss über 0 liegen und höchstens 0,01 sein (rad, und Anteil an der Reichweite); hier steht %1.</translation>
     </message>
     <message>
         <source>what a scene teaches</source>
@@ -5088,7 +5088,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Nothing guards the arm: %1. If this program died now, the arm could keep its last force. Until the guard is back, keep a hand on the arm's plug or switch, or stop the force.</source>
-        <translation>Nichts bewacht den Arm: %1. Stürbe dieses Programm jetzt, könnte der Arm seine letzte Kraft behalten. Halten Sie eine Hand an seinem Stecker oder Schalter, bis der Wächter wieder da ist, oder schalten Sie die Kraft ab.</translation>
+        <translation>Nichts bewacht den Arm: %1. Würde dieses Programm jetzt abstürzen, könnte der Arm seine letzte Kraft behalten. Halten Sie eine Hand an seinem Stecker oder Schalter, bis der Wächter wieder da ist, oder stoppen Sie die Kraft.</translation>
     </message>
     <message>
         <source>this arm cannot be reached from outside the program</source>
@@ -5096,15 +5096,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>the guard has ended, and is started again</source>
-        <translation>der Wächter ist beendet und wird neu gestartet</translation>
+        <translation>Der Wächter ist beendet und wird neu gestartet</translation>
     </message>
     <message>
         <source>the guard has ended, and does not start again (%1)</source>
-        <translation>der Wächter ist beendet und startet nicht wieder (%1)</translation>
+        <translation>Der Wächter ist beendet und startet nicht wieder (%1)</translation>
     </message>
     <message>
         <source>the watchdog is switched off</source>
-        <translation>die Überwachung der Takte ist abgeschaltet</translation>
+        <translation>Die Überwachung der Takte ist abgeschaltet</translation>
     </message>
     <message>
         <source>The servo ticks 100 to 10000 times a second, not %1.</source>
@@ -5248,7 +5248,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>a point of a hand's path</source>
-        <translation>ein Punkt im Weg einer Hand</translation>
+        <translation>ein Punkt auf dem Weg einer Hand</translation>
     </message>
     <message>
         <source>a list of points</source>
@@ -5348,11 +5348,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Real time was not asked for, so ticks can come late when the machine is busy.</source>
-        <translation>Echtzeit wurde nicht verlangt, also können Takte spät kommen, wenn der Rechner beschäftigt ist.</translation>
+        <translation>Echtzeit wurde nicht verlangt, daher können Takte verspätet beginnen, wenn der Rechner beschäftigt ist.</translation>
     </message>
     <message>
         <source>The system did not grant real-time scheduling, so ticks can come late when the machine is busy. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again, or install rtkit; the guide's page real_time.md tells how.</source>
-        <translation>Das System gewährte keine Echtzeit, also können Takte spät kommen, wenn der Rechner beschäftigt ist. Schreiben Sie "@users - rtprio 90" und "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an, oder installieren Sie rtkit; die Seite real_time.md des Handbuchs sagt, wie.</translation>
+        <translation>Das System gewährte keine Echtzeit, daher können Takte verspätet beginnen, wenn der Rechner beschäftigt ist. Schreiben Sie "@users - rtprio 90" und "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an, oder installieren Sie rtkit; die Seite real_time.md des Handbuchs sagt, wie.</translation>
     </message>
     <message>
         <source>A higher priority would be better still. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again; the guide's page real_time.md tells how.</source>
@@ -5408,7 +5408,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>On macOS the servo has never been tried: what it reports of lateness is all that is known.</source>
-        <translation>Unter macOS wurde der Servo nie erprobt: Was er über Verspätungen meldet, ist alles, was bekannt ist.</translation>
+        <translation>Unter macOS wurde der Servo nie erprobt: Was er zur Latenz meldet, ist alles, was bekannt ist.</translation>
     </message>
     <message>
         <source>time constraint</source>
@@ -5420,7 +5420,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>On Windows the servo has never been tried: what it reports of lateness is all that is known.</source>
-        <translation>Unter Windows wurde der Servo nie erprobt: Was er über Verspätungen meldet, ist alles, was bekannt ist.</translation>
+        <translation>Unter Windows wurde der Servo nie erprobt: Was er zur Latenz meldet, ist alles, was bekannt ist.</translation>
     </message>
     <message>
         <source>time critical</source>
@@ -5632,7 +5632,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The arm's driver lost its place in a frame. Restart the servo.</source>
-        <translation>Der Treiber des Arms ist in einem Frame aus dem Tritt gekommen. Starten Sie den Servo neu.</translation>
+        <translation>Der Treiber des Arms ist in einem Takt aus dem Tritt gekommen. Starten Sie den Servo neu.</translation>
     </message>
     <message>
         <source>The arm's driver does not know the arm any more. Restart the servo.</source>
@@ -5640,23 +5640,23 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The arm's motors are warm, so its driver cuts the force. Let the arm rest.</source>
-        <translation>Die Motoren des Arms sind warm; deshalb nimmt sein Treiber die Kraft weg. Lassen Sie den Arm ruhen.</translation>
+        <translation>Die Motoren des Arms sind warm; deshalb schaltet sein Treiber die Kraft ab. Lassen Sie den Arm ruhen.</translation>
     </message>
     <message>
         <source>The force was more than the arm gives, so its driver cut it. Make the scene softer.</source>
-        <translation>Die Kraft war größer, als der Arm sie geben kann; deshalb hat sein Treiber sie weggenommen. Machen Sie die Szene weicher.</translation>
+        <translation>Die Kraft war größer, als der Arm sie geben kann; deshalb hat sein Treiber sie abgeschaltet. Machen Sie die Szene weicher.</translation>
     </message>
     <message>
         <source>The force rose faster than the arm allows, so its driver cut it. Make it softer.</source>
-        <translation>Die Kraft stieg schneller an, als der Arm es zulässt; deshalb hat sein Treiber sie weggenommen. Machen Sie die Szene weicher.</translation>
+        <translation>Die Kraft stieg schneller an, als der Arm es zulässt; deshalb hat sein Treiber sie abgeschaltet. Machen Sie die Szene weicher.</translation>
     </message>
     <message>
         <source>The stylus moved faster than the arm allows, so its driver cut the force.</source>
-        <translation>Der Stift bewegte sich schneller, als der Arm es zulässt; deshalb hat sein Treiber die Kraft weggenommen.</translation>
+        <translation>Der Stift bewegte sich schneller, als der Arm es zulässt; deshalb hat sein Treiber die Kraft abgeschaltet.</translation>
     </message>
     <message>
         <source>The arm's driver cut the force. Start again; if that lasts, restart the servo.</source>
-        <translation>Der Treiber des Arms hat die Kraft weggenommen. Drücken Sie noch einmal Start; bleibt es dabei, starten Sie den Servo neu.</translation>
+        <translation>Der Treiber des Arms hat die Kraft abgeschaltet. Drücken Sie noch einmal Start; bleibt es dabei, starten Sie den Servo neu.</translation>
     </message>
     <message>
         <source>The arm reports a fault of its own. Switch it off and on, then restart the servo.</source>
@@ -5680,7 +5680,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The arm's driver could not finish a frame. Restart the servo.</source>
-        <translation>Der Treiber des Arms konnte einen Frame nicht beenden. Starten Sie den Servo neu.</translation>
+        <translation>Der Treiber des Arms konnte einen Takt nicht beenden. Starten Sie den Servo neu.</translation>
     </message>
     <message>
         <source>The arm's driver refused its clock to us. Restart the servo.</source>
@@ -5696,7 +5696,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The arm's driver reports errors without end. End the program and start again.</source>
-        <translation>Der Treiber des Arms meldet Fehler ohne Ende. Beenden Sie das Programm und starten Sie es neu.</translation>
+        <translation>Der Treiber des Arms meldet ununterbrochen Fehler. Beenden Sie das Programm und starten Sie es neu.</translation>
     </message>
     <message>
         <source>The arm sends angles that are no numbers. Restart the servo.</source>
@@ -5948,11 +5948,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The line to the arm at %1 broke. Look after the network and the sharing program at its computer, then press Restart.</source>
-        <translation>Die Verbindung zum Arm bei %1 ist abgebrochen. Sehen Sie nach dem Netz und nach dem Programm, das ihn an seinem Rechner freigibt, und drücken Sie dann „Servo neu starten“.</translation>
+        <translation>Die Verbindung zum Arm bei %1 ist abgebrochen. Prüfen Sie das Netz und das Programm, das ihn an seinem Rechner freigibt, und drücken Sie dann „Servo neu starten“.</translation>
     </message>
     <message>
         <source>Nothing comes from the arm at %1 any more. Look after the network and the sharing program at its computer, then press Restart.</source>
-        <translation>Vom Arm bei %1 kommt nichts mehr. Sehen Sie nach dem Netz und nach dem Programm, das ihn an seinem Rechner freigibt, und drücken Sie dann „Servo neu starten“.</translation>
+        <translation>Vom Arm bei %1 kommt nichts mehr. Prüfen Sie das Netz und das Programm, das ihn an seinem Rechner freigibt, und drücken Sie dann „Servo neu starten“.</translation>
     </message>
     <message>
         <source>The arm at %1 keeps the rate that it was opened with. Choose the simulated arm, then the rate, and open it again.</source>
@@ -5960,7 +5960,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Nothing comes from the arm at %1. Look after the network and the sharing program at its computer.</source>
-        <translation>Vom Arm bei %1 kommt nichts. Sehen Sie nach dem Netz und nach dem Programm, das ihn an seinem Rechner freigibt.</translation>
+        <translation>Vom Arm bei %1 kommt nichts. Prüfen Sie das Netz und das Programm, das ihn an seinem Rechner freigibt.</translation>
     </message>
     <message>
         <source>%1 at %2</source>
@@ -7313,7 +7313,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The constraints to feel, in teaching order. Below the list you read what to feel, what to try, and the equation.</source>
-        <translation>Die Bindungen zum Fühlen, in Lehrreihenfolge. Unter der Liste lesen Sie, was zu fühlen ist, was Sie probieren können und die Gleichung.</translation>
+        <translation>Die Bindungen zum Fühlen, in Lehrreihenfolge. Unter der Liste lesen Sie, was zu fühlen ist, was Sie probieren können, und die Gleichung.</translation>
     </message>
     <message>
         <source>Feel</source>
@@ -7364,7 +7364,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The difference of each trial. Filled: right; hollow: wrong; ringed: reversal.</source>
-        <translation>Der Unterschied jedes Versuchs. Gefüllt: richtig; hohl: falsch; umringt: Umkehrung.</translation>
+        <translation>Der Unterschied jedes Versuchs. Gefüllt: richtig; leer: falsch; mit Ring: Umkehrung.</translation>
     </message>
     <message>
         <source>%1 trials; the threshold is %2</source>
@@ -7440,11 +7440,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>&amp;Play or pause</source>
-        <translation>A&amp;bspielen oder anhalten</translation>
+        <translation>A&amp;bspielen oder pausieren</translation>
     </message>
     <message>
         <source>Plays or pauses the ghost.</source>
-        <translation>Spielt das Geisterbild ab oder hält es an.</translation>
+        <translation>Spielt das Geisterbild ab oder pausiert es.</translation>
     </message>
     <message>
         <source>From the &amp;beginning</source>
@@ -7484,7 +7484,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The ghost is paused. Press Play to continue.</source>
-        <translation>Das Geisterbild steht still. Mit „Abspielen“ geht es weiter.</translation>
+        <translation>Das Geisterbild ist pausiert. Mit „Abspielen“ geht es weiter.</translation>
     </message>
     <message>
         <source>The ghost waits until you are within %1 mm.</source>
@@ -7652,7 +7652,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>○ combination  ● on the front  ■ as it was  ◎ chosen</source>
-        <translation>○ Kombination  ● auf der Front  ■ wie es war  ◎ gewählt</translation>
+        <translation>○ Kombination  ● auf der Front  ■ wie vorher  ◎ gewählt</translation>
     </message>
     <message>
         <source>Follow the &amp;system</source>
@@ -7988,7 +7988,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Follows the light or dark theme of the desktop, also while the program runs.</source>
-        <translation>Folgt dem hellen oder dunklen Thema der Arbeitsumgebung, auch während des Betriebs.</translation>
+        <translation>Folgt dem hellen oder dunklen Thema der Arbeitsumgebung, auch während das Programm läuft.</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -9095,7 +9095,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>&amp;Remove for good…</source>
-        <translation>&amp;Endgültig entfernen…</translation>
+        <translation>&amp;Endgültig entfernen …</translation>
     </message>
     <message>
         <source>Remove for good, after confirmation</source>
@@ -9540,7 +9540,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Fault file</source>
-        <translation>Datei der Störung</translation>
+        <translation>Störungsdatei</translation>
     </message>
     <message>
         <source>The servo has stopped</source>
@@ -9642,7 +9642,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Shows what last stopped the servo, and where the fault file is.</source>
-        <translation>Zeigt, was den Servo zuletzt gestoppt hat und wo die Datei der Störung liegt.</translation>
+        <translation>Zeigt, was den Servo zuletzt gestoppt hat und wo die Störungsdatei liegt.</translation>
     </message>
 </context>
 <context>
@@ -9664,11 +9664,11 @@ und %2 weitere</translation>
     <name>underact::gui::FeelPanel</name>
     <message>
         <source>Constraint whose gains are shown</source>
-        <translation>Bindung, deren Verstärkungen gezeigt sind</translation>
+        <translation>Bindung, deren Verstärkungen angezeigt werden</translation>
     </message>
     <message>
         <source>Selects the constraint whose gains are shown below.</source>
-        <translation>Wählt die Bindung, deren Verstärkungen unten gezeigt sind.</translation>
+        <translation>Wählt die Bindung, deren Verstärkungen unten angezeigt werden.</translation>
     </message>
     <message>
         <source>&amp;Constraint</source>
@@ -9824,7 +9824,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Se&amp;arch</source>
-        <translation>&amp;Suche</translation>
+        <translation>S&amp;uche</translation>
     </message>
     <message>
         <source>Search for the nearest point of the mesh</source>
@@ -9992,11 +9992,11 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>✓ pass</source>
-        <translation>✓ erfüllt</translation>
+        <translation>✓ stimmt</translation>
     </message>
     <message>
         <source>✗ fail</source>
-        <translation>✗ verfehlt</translation>
+        <translation>✗ weicht ab</translation>
     </message>
 </context>
 <context>
@@ -10258,7 +10258,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Underact runs each scene of the thesis with a scripted hand, draws the figures and checks their numbers. Press “Make the figures”; this takes about a minute.</source>
-        <translation>Underact führt jede Szene der Thesis mit einer Hand nach Skript aus, zeichnet die Abbildungen und prüft ihre Zahlen. Drücken Sie „Abbildungen erstellen“; das dauert etwa eine Minute.</translation>
+        <translation>Underact führt jede Szene der Thesis mit einer skriptgesteuerten Hand aus, zeichnet die Abbildungen und prüft ihre Zahlen. Drücken Sie „Abbildungen erstellen“; das dauert etwa eine Minute.</translation>
     </message>
     <message>
         <source>Made by Underact %1 on %2.</source>
@@ -10348,7 +10348,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>The ghost waits while you are farther away than this, and continues when you are within half the distance.</source>
-        <translation>Das Geisterbild wartet, solange die Spitze weiter weg ist, und geht weiter, wenn sie auf die Hälfte heran ist.</translation>
+        <translation>Das Geisterbild wartet, solange die Spitze weiter entfernt ist, und läuft weiter, sobald sie auf den halben Abstand heran ist.</translation>
     </message>
     <message>
         <source>Distance beyond which the ghost waits</source>
@@ -10412,7 +10412,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Pause the ghost</source>
-        <translation>Geisterbild anhalten</translation>
+        <translation>Geisterbild pausieren</translation>
     </message>
 </context>
 <context>
@@ -11090,7 +11090,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Cancelled. Nothing was kept, since partial results would be misleading.</source>
-        <translation>Abgebrochen. Nichts wurde behalten, da ein Teil der Ergebnisse irreführend wäre.</translation>
+        <translation>Abgebrochen. Nichts wurde behalten, da Teilergebnisse irreführend wären.</translation>
     </message>
     <message>
         <source>The scene was changed during the measurement, so the results do not apply to it. Measure again.</source>
@@ -11662,7 +11662,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Right becomes left, up becomes down.</source>
-        <translation>Rechts wird links, oben wird unten.</translation>
+        <translation>Rechts wird zu links, oben zu unten.</translation>
     </message>
     <message>
         <source>Dead zone</source>
@@ -11694,7 +11694,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Rotational speed at full deflection.</source>
-        <translation>Drehtempo bei voller Auslenkung.</translation>
+        <translation>Drehgeschwindigkeit bei voller Auslenkung.</translation>
     </message>
     <message>
         <source>°/s</source>
@@ -11772,7 +11772,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Why the measurement has stopped</source>
-        <translation>Warum die Messung stillsteht</translation>
+        <translation>Warum die Messung unterbrochen ist</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -12159,7 +12159,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>&amp;Forget this registration</source>
-        <translation>Diese Registrierung &amp;vergessen</translation>
+        <translation>Diese Registrierung &amp;löschen</translation>
     </message>
     <message>
         <source>Deletes the registration of this arm. The view then shows the arm as if it stood straight.</source>
@@ -12367,7 +12367,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Ticks per second. Changing the rate releases the force for a moment; a running servo restarts with its soft start.</source>
-        <translation>Takte je Sekunde. Eine Änderung der Taktrate lässt die Kraft kurz los; ein laufender Servo startet danach sanft wieder.</translation>
+        <translation>Takte je Sekunde. Eine Änderung der Taktrate schaltet die Kraft kurz ab; ein laufender Servo startet danach sanft wieder.</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -14391,7 +14391,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>The safety gate cut the force in %1 ticks, so the response is not linear. Make the step smaller, or measure without the limits.</source>
-        <translation>Die Kraftschleuse hat die Kraft in %1 Takten gekürzt, die Antwort ist daher nicht linear. Machen Sie den Sprung kleiner oder messen Sie ohne die Grenzen.</translation>
+        <translation>Die Kraftschleuse hat die Kraft in %1 Takten begrenzt, die Antwort ist daher nicht linear. Machen Sie den Sprung kleiner oder messen Sie ohne die Grenzen.</translation>
     </message>
     <message>
         <source>Measured along %1%3. The model has no friction; the arm has %2 N.</source>
@@ -15114,7 +15114,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Three things to try first: push, move a slider, turn the stylus.</source>
-        <translation>Drei Dinge zum ersten Probieren: drücken, einen Schieberegler bewegen, den Stift drehen.</translation>
+        <translation>Drei Dinge zum Einstieg: drücken, einen Schieberegler bewegen, den Stift drehen.</translation>
     </message>
     <message>
         <source>Try one of these</source>
