@@ -3096,7 +3096,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Check the cable, then press Start.</source>
-        <translation>Prüfen Sie das Kabel, und drücken Sie dann Start.</translation>
+        <translation>Prüfen Sie das Kabel und drücken Sie dann Start.</translation>
     </message>
     <message>
         <source>Press Start to try again.</source>
