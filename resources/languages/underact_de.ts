@@ -624,7 +624,7 @@ Grenze: %4 (%5).</translation>
     </message>
     <message>
         <source>%1 ticks are missing: the computer was too busy to write them. The servo kept running.</source>
-        <translation>%1 Takte fehlen: Der Rechner war zu beschäftigt, um sie zu schreiben. Der Servo lief weiter.</translation>
+        <translation>%1 Takte fehlen: Der Rechner war zu stark ausgelastet, um sie zu schreiben. Der Servo lief weiter.</translation>
     </message>
     <message>
         <source>The disk is nearly full: there is room for another %1. Free some space; otherwise the recording stops and is saved.</source>
@@ -3188,7 +3188,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The limits of row %1 leave no room: the least is above the most.</source>
-        <translation>Die Grenzen in Zeile %1 lassen keinen Raum: Die untere liegt über der oberen.</translation>
+        <translation>Die Grenzen in Zeile %1 lassen keinen Bereich: Die untere liegt über der oberen.</translation>
     </message>
     <message>
         <source>a of row %1 is below 0. It is a distance, measured along x: with x the other way round (180 degrees more in the theta before it and in its own, alpha with the other sign) the same arm has it above 0.</source>
@@ -3320,7 +3320,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Slow press</source>
-        <translation>Langsamer Druck</translation>
+        <translation>Langsames Drücken</translation>
     </message>
     <message>
         <source>Turns of the stylus</source>
@@ -3340,7 +3340,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The stylus was not pressed down and let back slowly. Press some 3 mm in about two seconds, and come back as slowly.</source>
-        <translation>Der Stift wurde nicht langsam nach unten gedrückt und zurückgelassen. Drücken Sie etwa 3 mm weit in rund zwei Sekunden, und kommen Sie ebenso langsam zurück.</translation>
+        <translation>Der Stift wurde nicht langsam nach unten gedrückt und wieder zurückgeführt. Drücken Sie etwa 3 mm weit in rund zwei Sekunden und kommen Sie ebenso langsam zurück.</translation>
     </message>
     <message>
         <source>turret</source>
@@ -3372,11 +3372,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Stiffness in a slow press</source>
-        <translation>Steifigkeit im langsamen Druck</translation>
+        <translation>Steifigkeit beim langsamen Drücken</translation>
     </message>
     <message>
         <source>Hysteresis of the press</source>
-        <translation>Hysterese des Drucks</translation>
+        <translation>Hysterese beim Drücken</translation>
     </message>
     <message>
         <source>Linear until the clamp, at</source>
@@ -4076,7 +4076,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>A triangle names a corner that is not there.</source>
-        <translation>Ein Dreieck nennt eine Ecke, die es nicht gibt.</translation>
+        <translation>Ein Dreieck verweist auf eine Ecke, die es nicht gibt.</translation>
     </message>
     <message>
         <source>A triangle has the same corner twice.</source>
@@ -4240,11 +4240,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>%1 face was left out: it names a corner that the file does not hold.</source>
-        <translation>%1 Fläche wurde weggelassen: Sie nennt eine Ecke, die nicht in der Datei steht.</translation>
+        <translation>%1 Fläche wurde weggelassen: Sie verweist auf eine Ecke, die nicht in der Datei steht.</translation>
     </message>
     <message>
         <source>%1 faces were left out: they name corners that the file does not hold.</source>
-        <translation>%1 Flächen wurden weggelassen: Sie nennen Ecken, die nicht in der Datei stehen.</translation>
+        <translation>%1 Flächen wurden weggelassen: Sie verweisen auf Ecken, die nicht in der Datei stehen.</translation>
     </message>
     <message>
         <source>%1 face was left out: it has no extent.</source>
@@ -4272,11 +4272,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>%1 face was turned over, so that neighbours agree on which side is outside.</source>
-        <translation>%1 Fläche wurde umgedreht, damit Nachbarn sich einig sind, welche Seite außen ist.</translation>
+        <translation>%1 Fläche wurde umgedreht, damit bei benachbarten Flächen dieselbe Seite außen ist.</translation>
     </message>
     <message>
         <source>%1 faces were turned over, so that neighbours agree on which side is outside.</source>
-        <translation>%1 Flächen wurden umgedreht, damit Nachbarn sich einig sind, welche Seite außen ist.</translation>
+        <translation>%1 Flächen wurden umgedreht, damit bei benachbarten Flächen dieselbe Seite außen ist.</translation>
     </message>
     <message>
         <source>Most normals in the file point against the order of the corners. The order counts here, and the normals do not: if outside and inside feel exchanged, save the mesh with its faces turned over.</source>
@@ -4324,11 +4324,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The surface has no outside: at %1 edge its faces cannot agree, as on a strip that is twisted once.</source>
-        <translation>Die Oberfläche hat kein Außen: An %1 Kante können sich ihre Flächen nicht einigen, wie auf einem Band, das einmal verdreht ist.</translation>
+        <translation>Die Oberfläche hat kein Außen: An %1 Kante passen die Außenseiten ihrer Flächen nicht zusammen, wie auf einem Band, das einmal verdreht ist.</translation>
     </message>
     <message>
         <source>The surface has no outside: at %1 edges its faces cannot agree, as on a strip that is twisted once.</source>
-        <translation>Die Oberfläche hat kein Außen: An %1 Kanten können sich ihre Flächen nicht einigen, wie auf einem Band, das einmal verdreht ist.</translation>
+        <translation>Die Oberfläche hat kein Außen: An %1 Kanten passen die Außenseiten ihrer Flächen nicht zusammen, wie auf einem Band, das einmal verdreht ist.</translation>
     </message>
     <message>
         <source>Whether the surface goes through itself was not looked for, or not to the end: it has too many faces, or too many near each other.</source>
@@ -4364,7 +4364,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>its faces cannot agree on an outside</source>
-        <translation>Seine Flächen können sich nicht auf ein Außen einigen</translation>
+        <translation>Die Außenseiten seiner Flächen passen nicht zusammen</translation>
     </message>
     <message>
         <source>edges with more than two faces leave open what is inside</source>
@@ -5348,11 +5348,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Real time was not asked for, so ticks can come late when the machine is busy.</source>
-        <translation>Echtzeit wurde nicht verlangt, daher können Takte verspätet beginnen, wenn der Rechner beschäftigt ist.</translation>
+        <translation>Echtzeit wurde nicht verlangt, daher können Takte verspätet beginnen, wenn der Rechner ausgelastet ist.</translation>
     </message>
     <message>
         <source>The system did not grant real-time scheduling, so ticks can come late when the machine is busy. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again, or install rtkit; the guide's page real_time.md tells how.</source>
-        <translation>Das System gewährte keine Echtzeit, daher können Takte verspätet beginnen, wenn der Rechner beschäftigt ist. Schreiben Sie "@users - rtprio 90" und "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an, oder installieren Sie rtkit; die Seite real_time.md des Handbuchs sagt, wie.</translation>
+        <translation>Das System gewährte keine Echtzeit, daher können Takte verspätet beginnen, wenn der Rechner ausgelastet ist. Schreiben Sie "@users - rtprio 90" und "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an, oder installieren Sie rtkit; die Seite real_time.md des Handbuchs sagt, wie.</translation>
     </message>
     <message>
         <source>A higher priority would be better still. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again; the guide's page real_time.md tells how.</source>
@@ -5364,7 +5364,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>On a machine that is always busy, a core for the servo alone (isolcpus) is better still; the guide's page real_time.md tells how.</source>
-        <translation>Auf einem Rechner, der immer beschäftigt ist, ist ein Kern allein für den Servo (isolcpus) noch besser; die Seite real_time.md des Handbuchs sagt, wie.</translation>
+        <translation>Auf einem Rechner, der ständig ausgelastet ist, ist ein Kern allein für den Servo (isolcpus) noch besser; die Seite real_time.md des Handbuchs sagt, wie.</translation>
     </message>
     <message>
         <source>memory locked</source>
@@ -6012,11 +6012,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The WoodenHaptics arm at %1 says nothing. Press the reset button of its board, or plug it in anew.</source>
-        <translation>Der WoodenHaptics-Arm an %1 sagt nichts. Drücken Sie die Reset-Taste seiner Platine, oder stecken Sie ihn neu an.</translation>
+        <translation>Der WoodenHaptics-Arm an %1 meldet sich nicht. Drücken Sie die Reset-Taste seiner Platine, oder stecken Sie ihn neu an.</translation>
     </message>
     <message>
         <source>How the arm "%1" moves is not published, so it cannot be used. WoodenHaptics arms can.</source>
-        <translation>Wie sich der Arm „%1“ bewegt, ist nicht veröffentlicht; deshalb kann er nicht verwendet werden. WoodenHaptics-Arme können es.</translation>
+        <translation>Wie sich der Arm „%1“ bewegt, ist nicht veröffentlicht; deshalb kann er nicht verwendet werden, WoodenHaptics-Arme dagegen schon.</translation>
     </message>
     <message>
         <source>%1 is in use already, here or by another program of this kind.</source>
@@ -6797,7 +6797,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>by itself (auto)</source>
-        <translation>von selbst (auto)</translation>
+        <translation>automatisch (auto)</translation>
     </message>
     <message>
         <source>closed form</source>
@@ -7109,7 +7109,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>By itself: a closed form where the chain has one (a circle, sphere, cylinder, line or plane), else the iteration (Levenberg and Marquardt, from the last tick's joints).</source>
-        <translation>Von selbst: eine geschlossene Form, wo die Kette eine hat (Kreis, Kugel, Zylinder, Gerade oder Ebene), sonst die Iteration (Levenberg und Marquardt, ab den Gelenken des letzten Takts).</translation>
+        <translation>Automatisch: eine geschlossene Form, wo die Kette eine hat (Kreis, Kugel, Zylinder, Gerade oder Ebene), sonst die Iteration (Levenberg und Marquardt, ab den Gelenken des letzten Takts).</translation>
     </message>
     <message>
         <source>solver's steps</source>
@@ -7636,15 +7636,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Error of the tip's path against processor time</source>
-        <translation>Fehler des Spitzenwegs gegen Prozessorzeit</translation>
+        <translation>Bahnfehler der Spitze gegen Prozessorzeit</translation>
     </message>
     <message>
         <source>Every combination of choices for this scene: the processor time per second of tick and simulated arm, and the deviation of the tip from its path at 16 kHz, root mean square over all hands. On the front are the combinations that no other one beats in both.</source>
-        <translation>Jede Kombination der Wahlmöglichkeiten für diese Szene: die Prozessorzeit je Sekunde für Takt und simulierten Arm und die Abweichung der Spitze von ihrem Weg bei 16 kHz, quadratisches Mittel über alle Hände. Auf der Front liegen die Kombinationen, die keine andere in beidem übertrifft.</translation>
+        <translation>Jede Kombination der Wahlmöglichkeiten für diese Szene: die Prozessorzeit je Sekunde für Takt und simulierten Arm und die Abweichung der Spitze von ihrer Bahn bei 16 kHz, quadratisches Mittel über alle Hände. Auf der Front liegen die Kombinationen, die keine andere in beidem übertrifft.</translation>
     </message>
     <message>
         <source>error of the tip's path</source>
-        <translation>Fehler des Spitzenwegs</translation>
+        <translation>Bahnfehler der Spitze</translation>
     </message>
     <message>
         <source>processor time per second</source>
@@ -11134,7 +11134,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Processor time per second: %1. Error of the tip's path: %2, of the force: %3 N.</source>
-        <translation>Prozessorzeit je Sekunde: %1. Fehler des Spitzenwegs: %2, der Kraft: %3 N.</translation>
+        <translation>Prozessorzeit je Sekunde: %1. Bahnfehler der Spitze: %2, Kraftfehler: %3 N.</translation>
     </message>
     <message>
         <source>The rate changes to %1 Hz when you let go of the slider; the force is off for a moment then.</source>
@@ -12712,7 +12712,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Scatter w of a single press that gives this JND when two are compared: ln(1 + JND) = 0.771 w.</source>
-        <translation>Streuung w eines einzelnen Drucks, die beim Vergleich von zweien diesen JND ergibt: ln(1 + JND) = 0.771 w.</translation>
+        <translation>Streuung w eines einzelnen Drückens, die beim Vergleich von zweien diesen JND ergibt: ln(1 + JND) = 0.771 w.</translation>
     </message>
     <message>
         <source>Answered by</source>
@@ -14701,7 +14701,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Result of the last press</source>
-        <translation>Ergebnis des letzten Drucks</translation>
+        <translation>Ergebnis des letzten Tastendrucks</translation>
     </message>
     <message>
         <source>Position of the tip</source>
