@@ -1127,13 +1127,8 @@ Grenze: %4 (%5).</translation>
         <translation>Aufgezeichneter &amp;Pfad</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The path of the tip in the replayed session; the more force, the more vermillion.</source>
         <translation>Der Weg der Spitze in der wiedergegebenen Sitzung; je mehr Kraft, desto zinnoberroter.</translation>
-=======
-        <source>Where the tip went in the session that is replayed; the more force, the more vermillion.</source>
-        <translation>Wo die Spitze in der wiedergegebenen Sitzung war; je größer die Kraft, desto kräftiger das Zinnoberrot.</translation>
->>>>>>> german
     </message>
     <message>
         <source>&amp;Desk</source>
@@ -1204,13 +1199,8 @@ Grenze: %4 (%5).</translation>
         <translation>S&amp;chnitt folgt dem Stift</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The cut passes through the tip. Off: it stays where it is.</source>
         <translation>Der Schnitt geht durch die Spitze. Aus: Er bleibt, wo er ist.</translation>
-=======
-        <source>The cut goes through the stylus's tip; off, it stays where it is.</source>
-        <translation>Der Schnitt geht durch die Spitze des Stifts; aus: Er bleibt, wo er ist.</translation>
->>>>>>> german
     </message>
     <message>
         <source>Follow</source>
@@ -1228,13 +1218,8 @@ Grenze: %4 (%5).</translation>
         <translation>Kinematik</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>One position of the tip, seen from two frames.</source>
-        <translation>Ein Ort der Spitze, aus zwei Koordinatensystemen gesehen.</translation>
-=======
-        <source>Where is the tip, seen from where? Two frames, one place.</source>
-        <translation>Wo ist die Spitze, von wo aus gesehen? Zwei Koordinatensysteme, ein Punkt.</translation>
->>>>>>> german
+        <translation>Eine Position der Spitze, aus zwei Koordinatensystemen gesehen.</translation>
     </message>
     <message>
         <source>The frame W</source>
@@ -1249,29 +1234,16 @@ the mouse, or press F2 and use the arrow keys (Page Up moves it away from you, P
         <translation>Ein **Koordinatensystem** besteht aus drei Achsen im rechten Winkel und dem Punkt, in dem sie sich treffen, seinem Ursprung. Der Ursprung des Koordinatensystems **W** des Arbeitsraums liegt in der
 Mitte des Quaders; $x$ zeigt nach rechts, $y$ nach oben, $z$ auf Sie zu.
 
-<<<<<<< HEAD
 Führen Sie die Spitze nacheinander an diese Orte: $(40, 0, 50)$, $(0, 40, 50)$ und $(0, 0, 10)$ mm.
 Ziehen Sie den Stift mit der Maus, oder drücken Sie F2 und benutzen Sie die Pfeiltasten (Bild auf führt ihn von Ihnen weg, Bild ab zu Ihnen hin).</translation>
     </message>
     <message>
         <source>The panel *Arm* shows the position of the tip. With Shift, an arrow key moves it by 10 mm.</source>
-        <translation>Der Bereich *Arm* zeigt den Ort der Spitze. Mit Umschalt bewegt eine Pfeiltaste sie um 10 mm.</translation>
+        <translation>Der Bereich *Arm* zeigt die Position der Spitze. Mit Umschalt bewegt eine Pfeiltaste sie um 10 mm.</translation>
     </message>
     <message>
         <source>The same position in B</source>
-        <translation>Derselbe Ort in B</translation>
-=======
-Führen Sie den Stift nacheinander zu drei Punkten: $(40, 0, 50)$, $(0, 40, 50)$ und $(0, 0, 10)$ mm.
-Ziehen Sie ihn mit der Maus, oder drücken Sie F2 und benutzen Sie die Pfeiltasten (Bild auf und Bild ab führen ihn weg und heran).</translation>
-    </message>
-    <message>
-        <source>The panel *Arm* shows the place of the tip. Shift with an arrow key takes steps of 10 mm.</source>
-        <translation>Der Bereich *Arm* zeigt die Position der Spitze. Umschalt mit einer Pfeiltaste macht Schritte von 10 mm.</translation>
-    </message>
-    <message>
-        <source>The same place from B</source>
-        <translation>Dieselbe Position von B aus</translation>
->>>>>>> german
+        <translation>Dieselbe Position in B</translation>
     </message>
     <message>
         <source>The arm has its own base frame **B**, frame 0 of its DH table. It is rotated and translated with respect to W. A
@@ -1293,11 +1265,7 @@ $$y_B = x_W$$
 
 $$z_B = y_W - 30$$
 
-<<<<<<< HEAD
 Halten Sie den Stift an einem beliebigen Ort und berechnen Sie den Ort der Spitze in B.</translation>
-=======
-Halten Sie den Stift an einer beliebigen Stelle und rechnen Sie seine Position in B aus.</translation>
->>>>>>> german
     </message>
     <message>
         <source>Read $x_W$, $y_W$ and $z_W$ in the panel *Arm* and insert them into the three equations.</source>
@@ -1337,19 +1305,11 @@ $$y_W = z_B + 30$$
 
 $$z_W = x_B - 176$$
 
-<<<<<<< HEAD
 Führen Sie die Spitze an den Ort, der **in B** die Koordinaten $(216, 0, 10)$ mm hat, und halten Sie sie dort eine Sekunde lang.</translation>
     </message>
     <message>
         <source>In W that point is $(0, 40, 40)$ mm.</source>
-        <translation>In W ist dieser Ort $(0, 40, 40)$ mm.</translation>
-=======
-Bringen Sie die Spitze zu dem Punkt, der **in B** die Koordinaten $(216, 0, 10)$ mm hat, und halten Sie sie dort eine Sekunde lang.</translation>
-    </message>
-    <message>
-        <source>In W that place is $(0, 40, 40)$ mm.</source>
-        <translation>In W ist dieser Punkt $(0, 40, 40)$ mm.</translation>
->>>>>>> german
+        <translation>In W ist diese Position $(0, 40, 40)$ mm.</translation>
     </message>
     <message>
         <source>A rotated frame</source>
@@ -1568,13 +1528,8 @@ Halten Sie den Arm in einer beliebigen Stellung. Berechnen Sie aus $\theta_2$ un
         <translation>Vorwärtskinematik</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>From joint angles to the position of the tip.</source>
-        <translation>Von den Gelenkwinkeln zum Ort der Spitze.</translation>
-=======
-        <source>From joint angles to the place of the tip.</source>
         <translation>Von den Gelenkwinkeln zur Position der Spitze.</translation>
->>>>>>> german
     </message>
     <message>
         <source>The arm in its plane</source>
@@ -1661,13 +1616,8 @@ Rechnen Sie aus, wo die Spitze für $\theta_1 = 20°$, $\theta_2 = 40°$, $\thet
         <source>The axes of joints 4, 5 and 6 intersect at the tip. These joints turn the stylus and leave the tip where it is:
 position and orientation can be calculated one after the other.
 
-<<<<<<< HEAD
 Turn joint 4 through 40° and keep the tip within 6 mm of $(0, 0, 50)$.</source>
         <translation>Die Achsen der Gelenke 4, 5 und 6 schneiden sich in der Spitze. Diese Gelenke drehen den Stift und lassen die Spitze, wo sie ist: Ort und
-=======
-Turn joint 4 over 40° and keep the tip within 6 mm of $(0, 0, 50)$.</source>
-        <translation>Die Achsen der Gelenke 4, 5 und 6 treffen sich in der Spitze. Sie drehen daher den Stift und lassen die Spitze, wo sie ist: Position und
->>>>>>> german
 Orientierung lassen sich nacheinander berechnen.
 
 Drehen Sie Gelenk 4 über einen Bereich von 40° und halten Sie die Spitze höchstens 6 mm von $(0, 0, 50)$ entfernt.</translation>
@@ -1814,15 +1764,9 @@ dem anderen Ellbogen zeigen den zweiten Winkel.</translation>
         <source>The farther out the tip, the closer the two elbows are. At $S = 1$ the arm is stretched and they coincide; at
 $S &gt; 1$ the tip is out of reach.
 
-<<<<<<< HEAD
 Pull the stylus towards you until the elbow is less than 20° from straight, and hold it for half a second. Watch
 the elbows of the two ghosts meet.</source>
         <translation>Je weiter außen die Spitze ist, desto näher rücken die beiden Ellbogen zusammen. Bei $S = 1$ ist der Arm gestreckt, und sie fallen zusammen; bei $S &gt; 1$ ist die Spitze außer Reichweite.
-=======
-Pull the stylus towards you until the elbow is less than 20° from stretched, and hold it for half a second. Watch the two ghosts' elbows meet.</source>
-        <translation>Je weiter außen die Spitze ist, desto näher rücken die beiden Ellbogen zusammen. Bei $S = 1$ ist der Arm gestreckt, und sie sind eins; bei $S &gt; 1$
-ist der Punkt nicht mehr erreichbar.
->>>>>>> german
 
 Ziehen Sie den Stift zu sich, bis am Ellbogen weniger als 20° bis zur Streckung fehlen, und halten Sie ihn eine halbe Sekunde lang. Beobachten Sie, wie die Ellbogen der beiden Geisterbilder zusammenkommen.</translation>
     </message>
@@ -2114,15 +2058,9 @@ Berechnen Sie das Drehmoment für $f_x = 0.5$ N dort. Ziehen Sie dann nach recht
 give one of velocities (blue). Both have the same axes; the semi-axes of one are the reciprocals of those of the
 other. Power in equals power out: $\tau^T \omega = f^T v$.
 
-<<<<<<< HEAD
 Stretch the arm to less than 20° from straight, and look at both.</source>
         <translation>Alle Drehmomente vom Betrag 1 zusammen ergeben ein Ellipsoid der Kräfte (orange), wie alle Drehgeschwindigkeiten vom Betrag 1 eines der Geschwindigkeiten (blau). Beide haben dieselben Achsen;
 die Halbachsen des einen sind die Kehrwerte derer des anderen. Die hineingesteckte Leistung ist gleich der abgegebenen: $\tau^T \omega = f^T v$.
-=======
-Stretch the arm, as near as 20° to the end, and look at both.</source>
-        <translation>Drehmomente vom Betrag 1 in allen Kombinationen bilden ein Ellipsoid der Kräfte (orange), wie Drehgeschwindigkeiten eines der Geschwindigkeiten (blau) bildeten. Beide haben dieselben Achsen;
-entlang jeder Achse ist die Kraft 1 / Verstärkung. Leistung hinein ist Leistung heraus: $\tau^T \omega = f^T v$.
->>>>>>> german
 
 Strecken Sie den Arm, bis weniger als 20° bis zur Streckung fehlen, und sehen Sie sich beide an.</translation>
     </message>
@@ -2441,21 +2379,12 @@ Drücken Sie Start und gleiten Sie auf der Ebene: über 40 mm in $x$ und über 4
         <translation>Ein Kreis: ein Drehgelenk</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>One revolute joint makes a circle. Follow its rim and visit the four points that the check below names, to within 8 mm.</source>
         <translation>Ein Drehgelenk ergibt einen Kreis. Folgen Sie seinem Rand und besuchen Sie die vier Punkte, die unten genannt werden, auf 8 mm genau.</translation>
     </message>
     <message>
         <source>The points lie on the rim, 40 mm from $(10, 20, 30)$, in its tilted plane. Let the rim lead you.</source>
         <translation>Die Punkte liegen auf dem Rand, 40 mm von $(10, 20, 30)$ entfernt, in seiner geneigten Ebene. Lassen Sie sich vom Rand führen.</translation>
-=======
-        <source>One joint that turns makes a circle. Follow it half the way round: visit the four places, within 8 mm, at the rim.</source>
-        <translation>Ein Gelenk, das sich dreht, ergibt einen Kreis. Folgen Sie ihm halb herum: Fahren Sie die vier Punkte am Rand an, auf 8 mm genau.</translation>
-    </message>
-    <message>
-        <source>The places lie on the rim, 40 mm from $(10, 20, 30)$, in its own tilted plane. Let the rim lead you.</source>
-        <translation>Die Punkte liegen auf dem Rand, 40 mm von $(10, 20, 30)$ entfernt, in seiner eigenen, geneigten Ebene. Lassen Sie sich vom Rand führen.</translation>
->>>>>>> german
     </message>
     <message>
         <source>A sphere: two revolute joints</source>
@@ -2470,21 +2399,12 @@ Drücken Sie Start und gleiten Sie auf der Ebene: über 40 mm in $x$ und über 4
         <translation>Gehen Sie zugleich nach oben und von sich weg: Die Oberfläche führt Sie.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>Count the degrees of freedom</source>
         <translation>Freiheitsgrade zählen</translation>
     </message>
     <message>
         <source>The tip has three degrees of freedom. A robot with $n$ independent joints leaves it $n$ of them; the other $3 - n$ are constrained. In a singular configuration, joints that move the tip in the same direction count once.</source>
         <translation>Die Spitze hat drei Freiheitsgrade. Ein Roboter mit $n$ unabhängigen Gelenken lässt ihr $n$ davon; die übrigen $3 - n$ sind gebunden. In einer singulären Stellung zählen Gelenke, die die Spitze in derselben Richtung bewegen, nur einmal.</translation>
-=======
-        <source>Count the freedoms</source>
-        <translation>Freiheitsgrade zählen</translation>
-    </message>
-    <message>
-        <source>The tip has three freedoms of its own. A robot of $n$ joints in different directions lets it keep $n$ of them; the rest, $3 - n$, is held. At a singular pose, joints that move the tip alike count once.</source>
-        <translation>Die Spitze hat von sich aus drei Freiheitsgrade. Ein Roboter mit $n$ Gelenken in verschiedenen Richtungen lässt ihr $n$ davon; der Rest, $3 - n$, wird gehalten. In einer singulären Lage zählen Gelenke, die die Spitze gleich bewegen, nur einmal.</translation>
->>>>>>> german
     </message>
     <message>
         <source>A cylinder is a prismatic joint along an axis and a revolute joint about it.</source>
@@ -2560,14 +2480,9 @@ $$V = \frac{1}{2} k_p |e_p|^2 + \frac{1}{2} K_\theta e_\theta^2$$
 Turn the stylus, and the robot turns with it. The moment $K_\theta e_\theta$ of the second spring is shown but
 never sent: the arm has no motors in its wrist.
 
-<<<<<<< HEAD
 Move to $(50, 0, 0)$: the stylus still points up, and the two springs pull the robot in different directions. Turn
 the stylus to the right until the moment is below 40 N mm, and hold it for half a second.</source>
-        <translation>Das Gelenk macht die Energie zweier Federn möglichst klein, einer für den Ort und einer für die Orientierung:
-=======
-Go to $(50, 0, 0)$: the stylus still points up, and the robot is torn. Turn the stylus to the right until the moment is below 40 N mm, for half a second.</source>
-        <translation>Das Gelenk macht die Energie zweier Federn möglichst klein, einer für die Position und einer für die Drehung:
->>>>>>> german
+        <translation>Das Gelenk macht die Energie zweier Federn möglichst klein, einer für die Position und einer für die Orientierung:
 
 $$V = \frac{1}{2} k_p |e_p|^2 + \frac{1}{2} K_\theta e_\theta^2$$
 
@@ -2633,14 +2548,9 @@ Drücken Sie Start und ziehen Sie von der Kugel mit 40 mm Radius weg, bis die ve
         <source>Six independent joints follow every pose: nothing is constrained. Beyond its reach the robot is stretched, in a
 singular configuration, and pulls you along the one direction in which it cannot move.
 
-<<<<<<< HEAD
 The ball, the wire, the wall: each was a robot, and each force the part of $K e$ that its joints could not
 relieve.</source>
         <translation>Sechs unabhängige Gelenke folgen jeder Lage: Nichts ist gebunden. Außerhalb seiner Reichweite ist der Roboter gestreckt, in einer singulären Stellung, und zieht Sie in der einen Richtung, in die er sich nicht bewegen kann.
-=======
-The ball, the wire, the wall: each was a robot, and each force the part of $K e$ that its joints could not take away.</source>
-        <translation>Sechs Gelenke in verschiedenen Richtungen folgen jeder Position und jeder Drehung: Zu halten bleibt nichts. Außerhalb seiner Reichweite steht der Roboter gestreckt, in einer singulären Lage, und zieht Sie in der einen Richtung, in die er sich nicht bewegen kann.
->>>>>>> german
 
 Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Teil von $K e$, den seine Gelenke nicht abbauen konnten.</translation>
     </message>
@@ -3006,13 +2916,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die vorhandene Datei kann nicht ersetzt werden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The file is damaged: reading stopped after %1 vertices and %2 faces.</source>
         <translation>Die Datei ist beschädigt: Nach %1 Ecken und %2 Flächen ging es beim Lesen nicht weiter.</translation>
-=======
-        <source>The file is damaged: reading broke off after %1 corners and %2 faces.</source>
-        <translation>Die Datei ist beschädigt: Das Lesen brach nach %1 Ecken und %2 Flächen ab.</translation>
->>>>>>> german
     </message>
     <message>
         <source>The file is damaged, or its faces take more memory than a file of its size should.</source>
@@ -3027,26 +2932,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Datei ist beschädigt: Zeile %1 ist keine Normale einer Fläche.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The file is damaged: line %1 does not begin the vertices of a face (outer loop).</source>
         <translation>Die Datei ist beschädigt: Zeile %1 beginnt nicht die Ecken einer Fläche (outer loop).</translation>
-=======
-        <source>The file is damaged: line %1 does not begin the corners of a face (outer loop).</source>
-        <translation>Die Datei ist beschädigt: In Zeile %1 beginnen nicht die Ecken einer Fläche (outer loop).</translation>
->>>>>>> german
     </message>
     <message>
         <source>The file is damaged: line %1 is not a vertex of a face (vertex x y z).</source>
         <translation>Die Datei ist beschädigt: Zeile %1 ist keine Ecke einer Fläche (vertex x y z).</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The file is damaged: line %1 does not end the three vertices of a face (endloop).</source>
         <translation>Die Datei ist beschädigt: Zeile %1 beendet nicht die drei Ecken einer Fläche (endloop).</translation>
-=======
-        <source>The file is damaged: line %1 does not end the three corners of a face (endloop).</source>
-        <translation>Die Datei ist beschädigt: In Zeile %1 enden nicht die drei Ecken einer Fläche (endloop).</translation>
->>>>>>> german
     </message>
     <message>
         <source>The file is damaged: line %1 does not end a face (endfacet).</source>
@@ -3205,21 +3100,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Arm hat eine Position gesendet, die keine Zahl ist.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The arm's position jumped at %1 m/s; a hand reaches at most %2 m/s.</source>
         <translation>Die Lage des Arms sprang mit %1 m/s; eine Hand erreicht höchstens %2 m/s.</translation>
     </message>
     <message>
         <source>%1 ticks in a row were late by a whole period.</source>
         <translation>%1 Takte nacheinander waren um eine ganze Periode zu spät.</translation>
-=======
-        <source>The arm's position jumped by %1 m/s, where a hand reaches %2 m/s at most.</source>
-        <translation>Die Position des Arms sprang mit %1 m/s; eine Hand erreicht höchstens %2 m/s.</translation>
-    </message>
-    <message>
-        <source>%1 ticks in a row came a whole period late.</source>
-        <translation>%1 Takte nacheinander begannen um eine ganze Periode zu spät.</translation>
->>>>>>> german
     </message>
     <message>
         <source>The servo stalled for %1 s.</source>
@@ -3242,7 +3128,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Drücken Sie Start, um es erneut zu versuchen.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>Close programs that keep the computer busy or choose a lower rate, then press Start.</source>
         <translation>Programme schließen, die den Rechner auslasten, oder eine kleinere Taktrate wählen, dann Start drücken.</translation>
     </message>
@@ -3253,18 +3138,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Restart the servo to reopen the arm, then press Start.</source>
         <translation>Den Servo neu starten, um den Arm neu zu öffnen, dann Start drücken.</translation>
-=======
-        <source>Close what keeps the machine busy or choose a lower rate, then press Start.</source>
-        <translation>Schließen Sie, was den Rechner auslastet, oder wählen Sie eine niedrigere Taktrate; drücken Sie dann Start.</translation>
-    </message>
-    <message>
-        <source>Press Start to go on.</source>
-        <translation>Drücken Sie Start, um fortzufahren.</translation>
-    </message>
-    <message>
-        <source>Restart the servo, which opens the arm again, then press Start.</source>
-        <translation>Starten Sie den Servo neu, was auch den Arm neu öffnet, und drücken Sie dann Start.</translation>
->>>>>>> german
     </message>
     <message>
         <source>Force is off.</source>
@@ -3275,13 +3148,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>%1 %2</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>A calibration needs a scene with two beams: two virtual robots, each with one revolute joint and a spring. Open the scene "Two beams, one softer".</source>
         <translation>Eine Kalibrierung braucht eine Szene mit zwei Balken: zwei virtuelle Roboter, jeder mit einem Drehgelenk und einer Feder. Öffnen Sie die Szene „Zwei Balken, einer weicher“.</translation>
-=======
-        <source>A calibration needs a scene of two beams: two virtual manipulators, each of one revolute joint with a spring. The scene "Two beams, one softer" is one.</source>
-        <translation>Eine Kalibrierung braucht eine Szene mit zwei Balken: zwei virtuelle Roboter, jeder mit einem Drehgelenk mit Feder. Die Szene „Zwei Balken, einer weicher“ ist eine solche.</translation>
->>>>>>> german
     </message>
     <message>
         <source>Joint %1: the axis has no direction.</source>
@@ -3308,13 +3176,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die 3 x 3 Zahlen oben links in der Lage der Grundstellung sind keine Rotationsmatrix.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The position of the home pose is not a finite point.</source>
-        <translation>Der Ort in der Lage der Grundstellung ist kein endlicher Punkt.</translation>
-=======
-        <source>The home pose's place is not a finite point.</source>
         <translation>Die Position in der Lage der Grundstellung ist kein endlicher Punkt.</translation>
->>>>>>> german
     </message>
     <message>
         <source>A table needs at least one row: a chain without joints cannot move.</source>
@@ -3349,13 +3212,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Versatz d</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>In row %1 the lower limit is above the upper limit.</source>
         <translation>In Zeile %1 liegt die untere Grenze über der oberen.</translation>
-=======
-        <source>The limits of row %1 leave no room: the least is above the most.</source>
-        <translation>Die Grenzen in Zeile %1 lassen keinen Bereich: Die untere liegt über der oberen.</translation>
->>>>>>> german
     </message>
     <message>
         <source>a of row %1 is below 0, but it is a distance along x. Reverse x to describe the same arm: add 180 degrees to theta in this row and in the row before it, and change the signs of a and alpha.</source>
@@ -3438,39 +3296,24 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Datei wurde nicht geöffnet: %1 ließ sich nicht vom Rest dieses Rechners abschotten, was vor beschädigten oder bösartigen Dateien schützt. Starten Sie das Programm auf einem System, auf dem es Systemaufrufe filtern darf (seccomp).</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The tip hardly moved, so nothing can be measured. Check that the hand has let go, that nothing is in the way, and that the arm has mass.</source>
         <translation>Die Spitze hat sich kaum bewegt, sodass sich nichts messen lässt. Prüfen Sie, dass die Hand losgelassen hat, dass nichts im Weg steht und dass der Arm Masse hat.</translation>
-=======
-        <source>The tip hardly moved, so that nothing can be told of it. Look that the hand has let go, that nothing stands in the way, and that the arm has mass.</source>
-        <translation>Die Spitze hat sich kaum bewegt, sodass sich nichts über sie sagen lässt. Prüfen Sie, ob die Hand losgelassen hat, ob nichts im Weg steht und ob der Arm Masse hat.</translation>
->>>>>>> german
     </message>
     <message>
         <source>The fit was cancelled.</source>
         <translation>Die Anpassung wurde abgebrochen.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>No mass with friction and damping moves as the tip did. Check that the hand has let go, and measure again.</source>
         <translation>Keine Masse mit Reibung und Dämpfung bewegt sich so wie die Spitze. Prüfen Sie, dass die Hand losgelassen hat, und messen Sie noch einmal.</translation>
-=======
-        <source>No mass with friction and damping moves as the tip did. Look that the hand has let go, and measure again.</source>
-        <translation>Keine Masse mit Reibung und Dämpfung bewegt sich so wie die Spitze. Prüfen Sie, ob die Hand losgelassen hat, und messen Sie noch einmal.</translation>
->>>>>>> german
     </message>
     <message>
         <source>The evaluation was cancelled.</source>
         <translation>Die Auswertung wurde abgebrochen.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>Along %1 at position %2: %3</source>
-        <translation>Entlang %1 am Ort %2: %3</translation>
-=======
-        <source>Along %1 at place %2: %3</source>
-        <translation>Entlang %1 an Position %2: %3</translation>
->>>>>>> german
+        <translation>Entlang %1 an der Position %2: %3</translation>
     </message>
     <message>
         <source>Hold the stylus. Press it down slowly by 3 mm and let it come back just as slowly, four times, two seconds each.</source>
@@ -3485,13 +3328,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Lassen Sie den Stift los und halten Sie die Hand fern. Der Arm bewegt sich von selbst, 20 mm nach jeder Seite.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The tip moves to its position</source>
-        <translation>Die Spitze fährt an ihren Ort</translation>
-=======
-        <source>The tip goes to its place</source>
         <translation>Die Spitze fährt an ihre Position</translation>
->>>>>>> german
     </message>
     <message>
         <source>The hand grips the stylus</source>
@@ -3518,29 +3356,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Einen Arm %1 gibt es nicht.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>State one to three positions.</source>
-        <translation>Geben Sie ein bis drei Orte an.</translation>
+        <translation>Geben Sie ein bis drei Positionen an.</translation>
     </message>
     <message>
         <source>Around (%1, %2, %3) mm the arm cannot move 20 mm in every direction. Choose a position nearer to the middle of the workspace.</source>
-        <translation>Um (%1, %2, %3) mm herum kann sich der Arm nicht in jede Richtung 20 mm weit bewegen. Wählen Sie einen Ort näher an der Mitte des Arbeitsraums.</translation>
+        <translation>Um (%1, %2, %3) mm herum kann sich der Arm nicht in jede Richtung 20 mm weit bewegen. Wählen Sie eine Position näher an der Mitte des Arbeitsraums.</translation>
     </message>
     <message>
         <source>The stylus was not pressed down and let back slowly. Press it down by about 3 mm in two seconds, and let it come back just as slowly.</source>
         <translation>Der Stift wurde nicht langsam nach unten gedrückt und zurückgelassen. Drücken Sie ihn in zwei Sekunden etwa 3 mm weit, und lassen Sie ihn ebenso langsam zurückkommen.</translation>
-=======
-        <source>Say one to three places.</source>
-        <translation>Nennen Sie ein bis drei Positionen.</translation>
-    </message>
-    <message>
-        <source>About (%1, %2, %3) mm the arm does not reach 20 mm in every direction. Choose a place nearer to the middle.</source>
-        <translation>Um (%1, %2, %3) mm herum reicht der Arm nicht in jede Richtung 20 mm weit. Wählen Sie eine Position näher an der Mitte.</translation>
-    </message>
-    <message>
-        <source>The stylus was not pressed down and let back slowly. Press some 3 mm in about two seconds, and come back as slowly.</source>
-        <translation>Der Stift wurde nicht langsam nach unten gedrückt und wieder zurückgeführt. Drücken Sie etwa 3 mm weit in rund zwei Sekunden und kommen Sie ebenso langsam zurück.</translation>
->>>>>>> german
     </message>
     <message>
         <source>turret</source>
@@ -3795,21 +3620,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Was gehalten wird, hat weder Masse noch Dämpfung, also wäre es sofort am Ziel. Geben Sie ihm Masse oder Dämpfung.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>From there no single target is nearest. Start from another position.</source>
-        <translation>Von dort aus ist kein einzelnes Ziel das nächste. Beginnen Sie an einem anderen Ort.</translation>
-=======
-        <source>From there no single target is nearest, so nothing says where to begin. Begin elsewhere.</source>
-        <translation>Von dort aus ist kein einzelnes Ziel das nächste, daher ist unklar, wo zu beginnen ist. Beginnen Sie woanders.</translation>
->>>>>>> german
+        <translation>Von dort aus ist kein einzelnes Ziel das nächste. Beginnen Sie an einer anderen Position.</translation>
     </message>
     <message>
         <source>The arm does not reach the target there. Start from another position.</source>
-        <translation>Dort erreicht der Arm das Ziel nicht. Beginnen Sie an einem anderen Ort.</translation>
+        <translation>Dort erreicht der Arm das Ziel nicht. Beginnen Sie an einer anderen Position.</translation>
     </message>
     <message>
         <source>The target moves while the tip approaches it. Start from another position.</source>
-        <translation>Das Ziel bewegt sich, während sich die Spitze ihm nähert. Beginnen Sie an einem anderen Ort.</translation>
+        <translation>Das Ziel bewegt sich, während sich die Spitze ihm nähert. Beginnen Sie an einer anderen Position.</translation>
     </message>
     <message>
         <source>The scene has no constraint "%1"; choose one of its names.</source>
@@ -3820,13 +3640,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Szene hat %1 Bindungen; nennen Sie die zu messende, etwa „%2“.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>"%1" is a wall: it pushes but never pulls, so it does not hold the tip at a target. Measure one whose side is "both".</source>
         <translation>„%1“ ist eine Wand: Sie drückt, zieht aber nie, hält die Spitze also nicht an einem Ziel. Messen Sie eine, deren Seite „both“ ist.</translation>
-=======
-        <source>"%1" is a wall: it pushes and never pulls, so it holds nothing at a target. Measure one whose side is both.</source>
-        <translation>„%1“ ist eine Wand: Sie drückt und zieht nie, hält also nichts an einem Ziel. Messen Sie eine, deren Seite „both“ ist.</translation>
->>>>>>> german
     </message>
     <message>
         <source>The arm does not reach the target after this step (%1). Make the step smaller, or step in the other direction.</source>
@@ -4005,21 +3820,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>In der Szene „%1“ gibt es %2 nicht: Keine ihrer Bindungen hat einen Einfluss.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The scene "%1" has no %2: none of its constraints is a virtual robot.</source>
         <translation>In der Szene „%1“ gibt es %2 nicht: Keine ihrer Bindungen ist ein virtueller Roboter.</translation>
     </message>
     <message>
         <source>The scene "%1" has no %2: its passivity is "off", so its energy is not observed.</source>
         <translation>In der Szene „%1“ gibt es %2 nicht: Ihre Passivität ist „off“, daher wird ihre Energie nicht beobachtet.</translation>
-=======
-        <source>The scene "%1" has no %2: no constraint of it is a virtual manipulator.</source>
-        <translation>In der Szene „%1“ gibt es %2 nicht: Keine ihrer Bindungen ist ein virtueller Roboter.</translation>
-    </message>
-    <message>
-        <source>The scene "%1" has no %2: nobody counts its energy, since passivity is "off".</source>
-        <translation>In der Szene „%1“ gibt es %2 nicht: Ihre Energie wird nicht erfasst, denn passivity ist „off“.</translation>
->>>>>>> german
     </message>
     <message>
         <source>This must be the number 1, the version of lesson files.</source>
@@ -4094,13 +3900,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Zahl, oder null für einen beliebigen Wert</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>Give a range ("above", "below" or both), or a value ("near" with "within").</source>
         <translation>Geben Sie einen Bereich an (&quot;above&quot;, &quot;below&quot; oder beide) oder einen Wert (&quot;near&quot; mit &quot;within&quot;).</translation>
-=======
-        <source>Say where it should be: either "above" and "below", or one of them, or "near" and "within".</source>
-        <translation>Geben Sie an, wo der Wert liegen soll: entweder „above“ und „below“ oder eines davon, oder „near“ und „within“.</translation>
->>>>>>> german
     </message>
     <message>
         <source>"above" must be less than "below".</source>
@@ -4119,7 +3920,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Bedingung</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>a list of values</source>
         <translation>eine Liste von Werten</translation>
     </message>
@@ -4134,22 +3934,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The answer is either measured or given: remove "measure" or "answer".</source>
         <translation>Die Antwort wird entweder gemessen oder angegeben: Entfernen Sie &quot;measure&quot; oder &quot;answer&quot;.</translation>
-=======
-        <source>a list of places</source>
-        <translation>eine Liste von Positionen</translation>
-    </message>
-    <message>
-        <source>Name 1 to %1 places.</source>
-        <translation>Nennen Sie 1 bis %1 Positionen.</translation>
-    </message>
-    <message>
-        <source>The quantity %1 has %2 values here; choose one by "part".</source>
-        <translation>Die Messgröße %1 hat hier %2 Werte; wählen Sie einen mit „part“.</translation>
-    </message>
-    <message>
-        <source>The answer is either measured or given: take "measure" or "answer" away.</source>
-        <translation>Die Antwort wird entweder gemessen oder angegeben: Entfernen Sie „measure“ oder „answer“.</translation>
->>>>>>> german
     </message>
     <message>
         <source>a list of answers</source>
@@ -4268,11 +4052,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>zwischen %1 und %2</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>A virtual robot has at most %1 joints, not %2.</source>
-=======
-        <source>A virtual manipulator has at most %1 joints, not %2.</source>
->>>>>>> german
         <translation>Ein virtueller Roboter hat höchstens %1 Gelenke, nicht %2.</translation>
     </message>
     <message>
@@ -4316,19 +4096,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Das Dreiecksnetz hat mehr als 134 Millionen Dreiecke.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>A vertex of the mesh is not a finite point.</source>
         <translation>Eine Ecke des Dreiecksnetzes ist kein endlicher Punkt.</translation>
     </message>
     <message>
         <source>A triangle refers to a vertex that does not exist.</source>
-=======
-        <source>The mesh has a corner that is not at a finite place.</source>
-        <translation>Eine Ecke des Dreiecksnetzes ist kein endlicher Punkt.</translation>
-    </message>
-    <message>
-        <source>A triangle names a corner that is not there.</source>
->>>>>>> german
         <translation>Ein Dreieck verweist auf eine Ecke, die es nicht gibt.</translation>
     </message>
     <message>
@@ -4468,13 +4240,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Datei ist beschädigt: Sie gibt mehr Flächen an, als eine Datei ihrer Größe fassen kann.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>It reads meshes: reinstall Underact.</source>
         <translation>Es liest Netze: Installieren Sie Underact neu.</translation>
-=======
-        <source>It reads meshes: install Underact again.</source>
-        <translation>Es liest Dreiecksnetze: Installieren Sie Underact neu.</translation>
->>>>>>> german
     </message>
     <message>
         <source>The file is damaged: the reader program could not make a mesh of it.</source>
@@ -4497,19 +4264,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>%1 Flächen wurden weggelassen: Sie haben Ecken, die keine endlichen Punkte sind.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>%1 face was left out: it refers to a vertex that is not in the file.</source>
         <translation>%1 Fläche wurde weggelassen: Sie verweist auf eine Ecke, die nicht in der Datei steht.</translation>
     </message>
     <message>
         <source>%1 faces were left out: they refer to vertices that are not in the file.</source>
-=======
-        <source>%1 face was left out: it names a corner that the file does not hold.</source>
-        <translation>%1 Fläche wurde weggelassen: Sie verweist auf eine Ecke, die nicht in der Datei steht.</translation>
-    </message>
-    <message>
-        <source>%1 faces were left out: they name corners that the file does not hold.</source>
->>>>>>> german
         <translation>%1 Flächen wurden weggelassen: Sie verweisen auf Ecken, die nicht in der Datei stehen.</translation>
     </message>
     <message>
@@ -4529,7 +4288,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>%1 Flächen wurden weggelassen: Sie kommen mehrfach vor.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>%1 vertex was merged with others at the same position, or nearer than %2.</source>
         <translation>%1 Ecke wurde mit anderen am selben Ort oder näher als %2 vereinigt.</translation>
     </message>
@@ -4544,22 +4302,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>%1 faces were turned over so that neighbours agree on which side is outside.</source>
         <translation>%1 Flächen wurden umgedreht, damit Nachbarn sich einig sind, welche Seite außen ist.</translation>
-=======
-        <source>%1 corner was joined to others at the same place, or nearer than %2.</source>
-        <translation>%1 Ecke wurde mit anderen an derselben Stelle oder näher als %2 verbunden.</translation>
-    </message>
-    <message>
-        <source>%1 corners were joined to others at the same place, or nearer than %2.</source>
-        <translation>%1 Ecken wurden mit anderen an derselben Stelle oder näher als %2 verbunden.</translation>
-    </message>
-    <message>
-        <source>%1 face was turned over, so that neighbours agree on which side is outside.</source>
-        <translation>%1 Fläche wurde umgedreht, damit bei benachbarten Flächen dieselbe Seite außen ist.</translation>
-    </message>
-    <message>
-        <source>%1 faces were turned over, so that neighbours agree on which side is outside.</source>
-        <translation>%1 Flächen wurden umgedreht, damit bei benachbarten Flächen dieselbe Seite außen ist.</translation>
->>>>>>> german
     </message>
     <message>
         <source>Most normals in the file point against the order of the vertices. Only the order counts here: if outside and inside feel swapped, save the mesh with its faces turned over.</source>
@@ -4606,21 +4348,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>%1 Kanten haben mehr als zwei Flächen.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The surface has no outside: at %1 edge its faces cannot agree, as on a Möbius strip.</source>
         <translation>Die Oberfläche hat kein Außen: An %1 Kante können sich ihre Flächen nicht einigen, wie auf einem Möbiusband.</translation>
     </message>
     <message>
         <source>The surface has no outside: at %1 edges its faces cannot agree, as on a Möbius strip.</source>
         <translation>Die Oberfläche hat kein Außen: An %1 Kanten können sich ihre Flächen nicht einigen, wie auf einem Möbiusband.</translation>
-=======
-        <source>The surface has no outside: at %1 edge its faces cannot agree, as on a strip that is twisted once.</source>
-        <translation>Die Oberfläche hat kein Außen: An %1 Kante passen die Außenseiten ihrer Flächen nicht zusammen, wie auf einem Band, das einmal verdreht ist.</translation>
-    </message>
-    <message>
-        <source>The surface has no outside: at %1 edges its faces cannot agree, as on a strip that is twisted once.</source>
-        <translation>Die Oberfläche hat kein Außen: An %1 Kanten passen die Außenseiten ihrer Flächen nicht zusammen, wie auf einem Band, das einmal verdreht ist.</translation>
->>>>>>> german
     </message>
     <message>
         <source>The check for self-intersection was left out or not completed: there are too many faces, or too many near each other.</source>
@@ -4847,13 +4580,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Tabelle „%1“ dieser Sitzung kann nicht gelesen werden: Die Datei ist dort beschädigt.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The texts of this session cannot be read: the file is damaged there.</source>
         <translation>Die Texte dieser Sitzung können nicht gelesen werden: Die Datei ist dort beschädigt.</translation>
-=======
-        <source>The words of this session cannot be read: the file is damaged there.</source>
-        <translation>Die Angaben dieser Sitzung können nicht gelesen werden: Die Datei ist dort beschädigt.</translation>
->>>>>>> german
     </message>
     <message>
         <source>The servo's state at the beginning was recorded by a version with a different layout.</source>
@@ -4868,13 +4596,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Zustand des Servos am Anfang wurde nicht vollständig aufgezeichnet.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The servo's state at the beginning of this session is not valid: the file is damaged, or was changed.</source>
         <translation>Der Zustand des Servos am Anfang dieser Sitzung ist ungültig: Die Datei ist beschädigt oder wurde verändert.</translation>
-=======
-        <source>The servo's memory at the beginning of this session is none that a servo can have: the file is damaged, or was changed.</source>
-        <translation>Der Speicher des Servos am Anfang dieser Sitzung hat einen Inhalt, den ein Servo nicht haben kann: Die Datei ist beschädigt oder wurde verändert.</translation>
->>>>>>> german
     </message>
     <message>
         <source>The reference points lie nearly on one line, at most %1 beside it: small errors turn the arm about it. Choose a reference point farther from the line.</source>
@@ -4909,13 +4632,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Nicht alle Messpunkte sind endliche Punkte innerhalb von 1 km.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The reference points %1 and %2 are at the same position. Touch them again, or choose reference points that are apart.</source>
         <translation>Die Messpunkte %1 und %2 liegen am selben Ort. Berühren Sie sie noch einmal, oder wählen Sie Messpunkte, die auseinanderliegen.</translation>
-=======
-        <source>The marks %1 and %2 are one and the same place. Touch them again, or choose marks that are apart.</source>
-        <translation>Die Messpunkte %1 und %2 sind ein und derselbe Punkt. Berühren Sie sie noch einmal, oder wählen Sie Messpunkte, die auseinanderliegen.</translation>
->>>>>>> german
     </message>
     <message>
         <source>The reference points lie on one line, so how the arm is turned about it is unknown. Choose a reference point beside the line.</source>
@@ -4926,13 +4644,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Nicht alle berührten Punkte sind endliche Punkte innerhalb von 1 km.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The touched points %1 and %2 are at the same position. Touch them again, or choose reference points that are apart.</source>
         <translation>Die berührten Punkte %1 und %2 liegen am selben Ort. Berühren Sie sie noch einmal, oder wählen Sie Messpunkte, die auseinanderliegen.</translation>
-=======
-        <source>The touched points %1 and %2 are one and the same place. Touch them again, or choose marks that are apart.</source>
-        <translation>Die berührten Punkte %1 und %2 sind ein und derselbe Punkt. Berühren Sie sie noch einmal, oder wählen Sie Messpunkte, die auseinanderliegen.</translation>
->>>>>>> german
     </message>
     <message>
         <source>The touched points lie on one line, so how the arm is turned about it is unknown. Choose a reference point beside the line.</source>
@@ -5087,11 +4800,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Ohne Feder hat das Gelenk keine Ruhelage; geben Sie ihm „%1“, oder entfernen Sie dies.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>A virtual robot has 1 to %1 joints; this one has %2.</source>
-=======
-        <source>A virtual manipulator has 1 to %1 joints; here are %2.</source>
->>>>>>> german
         <translation>Ein virtueller Roboter hat 1 bis %1 Gelenke; hier sind es %2.</translation>
     </message>
     <message>
@@ -5099,19 +4808,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Orientierung „none“ benutzt dies nicht; setzen Sie „orientation“ auf „axis“, „angle“ oder „full“, oder entfernen Sie dies.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>A virtual robot pulls the tip, which control in joint space cannot do. Set "space" to "cartesian".</source>
         <translation>Ein virtueller Roboter zieht die Spitze, was eine Regelung im Gelenkraum nicht kann. Setzen Sie „space“ auf „cartesian“.</translation>
     </message>
     <message>
         <source>A virtual robot is held in the gains' own metric. Remove "anisotropy", or give every axis the same kp.</source>
-=======
-        <source>A virtual manipulator draws the tip; a control that works on the arm's joints cannot hold it. Set "space" to "cartesian".</source>
-        <translation>Ein virtueller Roboter zieht die Spitze; eine Regelung, die auf die Gelenke des Arms wirkt, kann sie nicht halten. Setzen Sie „space“ auf „cartesian“.</translation>
-    </message>
-    <message>
-        <source>A virtual manipulator is held in the gains' own metric. Take "anisotropy" away, or give every axis the same kp.</source>
->>>>>>> german
         <translation>Ein virtueller Roboter wird in der eigenen Metrik der Verstärkungen gehalten. Entfernen Sie „anisotropy“, oder geben Sie jeder Achse dasselbe kp.</translation>
     </message>
     <message>
@@ -5307,13 +5008,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die 3 x 3 Zahlen oben links sind keine Rotationsmatrix: Ihre Zeilen müssen die Länge 1 haben, rechtwinklig zueinander stehen und ein rechtshändiges Koordinatensystem bilden.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The position must lie within 1e6 mm (1 km).</source>
-        <translation>Der Ort muss innerhalb von 1e6 mm (1 km) liegen.</translation>
-=======
-        <source>The place must lie within 1e6 mm (1 km).</source>
         <translation>Die Position muss innerhalb von 1e6 mm (1 km) liegen.</translation>
->>>>>>> german
     </message>
     <message>
         <source>This is a folder; a scene needs a file name.</source>
@@ -5392,13 +5088,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dies muss über 0 liegen und höchstens 1000 mm sein; hier steht %1.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>This must be above 0 and at most 0.01 (rad, or a fraction of the reach); here it is %1.</source>
         <translation>Dies muss über 0 liegen und höchstens 0.01 sein (rad, oder Anteil der Reichweite); hier steht %1.</translation>
-=======
-        <source>This must be above 0 and at most 0.01 (rad, and of the reach); here it is %1.</source>
-        <translation>Dies muss über 0 liegen und höchstens 0,01 sein (rad, und Anteil an der Reichweite); hier steht %1.</translation>
->>>>>>> german
     </message>
     <message>
         <source>what a scene teaches</source>
@@ -5421,34 +5112,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>von einem eigenen Prozess bewacht (bisher ersetzt: %1)</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>Nothing guards the arm: %1. If this program crashed now, the arm could hold its last force. Until the guard is back, keep a hand on the arm's plug or switch, or switch the force off.</source>
         <translation>Nichts bewacht den Arm: %1. Stürzte dieses Programm jetzt ab, könnte der Arm seine letzte Kraft behalten. Halten Sie eine Hand an seinem Stecker oder Schalter, bis der Wächter wieder da ist, oder schalten Sie die Kraft ab.</translation>
-=======
-        <source>Nothing guards the arm: %1. If this program died now, the arm could keep its last force. Until the guard is back, keep a hand on the arm's plug or switch, or stop the force.</source>
-        <translation>Nichts bewacht den Arm: %1. Würde dieses Programm jetzt abstürzen, könnte der Arm seine letzte Kraft behalten. Halten Sie eine Hand an seinem Stecker oder Schalter, bis der Wächter wieder da ist, oder stoppen Sie die Kraft.</translation>
->>>>>>> german
     </message>
     <message>
         <source>this arm cannot be reached from outside the program</source>
         <translation>Dieser Arm ist von außerhalb des Programms nicht zu erreichen</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>the guard has ended and is being restarted</source>
         <translation>der Wächter ist beendet und wird neu gestartet</translation>
     </message>
     <message>
         <source>the guard has ended and does not restart (%1)</source>
         <translation>der Wächter ist beendet und startet nicht wieder (%1)</translation>
-=======
-        <source>the guard has ended, and is started again</source>
-        <translation>Der Wächter ist beendet und wird neu gestartet</translation>
-    </message>
-    <message>
-        <source>the guard has ended, and does not start again (%1)</source>
-        <translation>Der Wächter ist beendet und startet nicht wieder (%1)</translation>
->>>>>>> german
     </message>
     <message>
         <source>the watchdog is switched off</source>
@@ -5548,7 +5225,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>a list of positions</source>
-        <translation>eine Liste von Orten</translation>
+        <translation>eine Liste von Positionen</translation>
     </message>
     <message>
         <source>Each coordinate must lie within 1e6 mm (1 km).</source>
@@ -5699,21 +5376,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Den verlangten Kern gibt es nicht, oder er steht diesem Programm nicht zur Verfügung.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>Real time was not requested, so ticks can be late when the computer is busy.</source>
         <translation>Echtzeit wurde nicht verlangt, also können Takte spät kommen, wenn der Rechner beschäftigt ist.</translation>
     </message>
     <message>
         <source>The system did not grant real-time scheduling, so ticks can be late when the computer is busy. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again, or install rtkit; the guide's page real_time.md explains how.</source>
         <translation>Das System gewährte keine Echtzeit, also können Takte spät kommen, wenn der Rechner beschäftigt ist. Schreiben Sie "@users - rtprio 90" und "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an, oder installieren Sie rtkit; die Seite real_time.md des Handbuchs erklärt, wie.</translation>
-=======
-        <source>Real time was not asked for, so ticks can come late when the machine is busy.</source>
-        <translation>Echtzeit wurde nicht verlangt, daher können Takte verspätet beginnen, wenn der Rechner ausgelastet ist.</translation>
-    </message>
-    <message>
-        <source>The system did not grant real-time scheduling, so ticks can come late when the machine is busy. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again, or install rtkit; the guide's page real_time.md tells how.</source>
-        <translation>Das System gewährte keine Echtzeit, daher können Takte verspätet beginnen, wenn der Rechner ausgelastet ist. Schreiben Sie "@users - rtprio 90" und "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an, oder installieren Sie rtkit; die Seite real_time.md des Handbuchs sagt, wie.</translation>
->>>>>>> german
     </message>
     <message>
         <source>A higher priority would be better still. Put "@users - rtprio 90" and "@users - memlock unlimited" into a file in /etc/security/limits.d and log in again; the guide's page real_time.md explains how.</source>
@@ -5724,13 +5392,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Teile des Programms können aus dem Speicher ausgelagert werden, und ein Takt wartet dann auf sie. Schreiben Sie "@users - memlock unlimited" in eine Datei in /etc/security/limits.d und melden Sie sich neu an; die Seite real_time.md des Handbuchs erklärt, wie.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>On a computer that is always busy, a core for the servo alone (isolcpus) is better still; the guide's page real_time.md explains how.</source>
         <translation>Auf einem Rechner, der immer beschäftigt ist, ist ein Kern allein für den Servo (isolcpus) noch besser; die Seite real_time.md des Handbuchs erklärt, wie.</translation>
-=======
-        <source>On a machine that is always busy, a core for the servo alone (isolcpus) is better still; the guide's page real_time.md tells how.</source>
-        <translation>Auf einem Rechner, der ständig ausgelastet ist, ist ein Kern allein für den Servo (isolcpus) noch besser; die Seite real_time.md des Handbuchs sagt, wie.</translation>
->>>>>>> german
     </message>
     <message>
         <source>memory locked</source>
@@ -5773,13 +5436,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Es stimmte zu, aber nichts änderte sich</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The servo has never been tested on macOS: the latency that it reports is all that is known.</source>
         <translation>Unter macOS wurde der Servo nie erprobt: Die Latenz, die er meldet, ist alles, was bekannt ist.</translation>
-=======
-        <source>On macOS the servo has never been tried: what it reports of lateness is all that is known.</source>
-        <translation>Unter macOS wurde der Servo nie erprobt: Was er zur Latenz meldet, ist alles, was bekannt ist.</translation>
->>>>>>> german
     </message>
     <message>
         <source>time constraint</source>
@@ -5790,13 +5448,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>nicht erprobt</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The servo has never been tested on Windows: the latency that it reports is all that is known.</source>
         <translation>Unter Windows wurde der Servo nie erprobt: Die Latenz, die er meldet, ist alles, was bekannt ist.</translation>
-=======
-        <source>On Windows the servo has never been tried: what it reports of lateness is all that is known.</source>
-        <translation>Unter Windows wurde der Servo nie erprobt: Was er zur Latenz meldet, ist alles, was bekannt ist.</translation>
->>>>>>> german
     </message>
     <message>
         <source>time critical</source>
@@ -6003,20 +5656,14 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Treiber des Arms hat eine Anfrage abgelehnt, die er unterstützen sollte. Melden Sie das Modell des Arms.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The arm's driver got out of step within a frame. Restart the servo.</source>
         <translation>Der Treiber des Arms ist in einem Frame aus dem Tritt gekommen. Starten Sie den Servo neu.</translation>
-=======
-        <source>The arm's driver lost its place in a frame. Restart the servo.</source>
-        <translation>Der Treiber des Arms ist in einem Takt aus dem Tritt gekommen. Starten Sie den Servo neu.</translation>
->>>>>>> german
     </message>
     <message>
         <source>The arm's driver no longer knows the arm. Restart the servo.</source>
         <translation>Der Treiber des Arms kennt den Arm nicht mehr. Starten Sie den Servo neu.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The arm's motors are too warm, so its driver cuts the force. Let the arm cool down.</source>
         <translation>Die Motoren des Arms sind zu warm; deshalb nimmt sein Treiber die Kraft weg. Lassen Sie den Arm abkühlen.</translation>
     </message>
@@ -6027,31 +5674,14 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The force rose faster than the arm allows, so its driver cut it. Make the scene softer.</source>
         <translation>Die Kraft stieg schneller an, als der Arm es zulässt; deshalb hat sein Treiber sie weggenommen. Machen Sie die Szene weicher.</translation>
-=======
-        <source>The arm's motors are warm, so its driver cuts the force. Let the arm rest.</source>
-        <translation>Die Motoren des Arms sind warm; deshalb schaltet sein Treiber die Kraft ab. Lassen Sie den Arm ruhen.</translation>
-    </message>
-    <message>
-        <source>The force was more than the arm gives, so its driver cut it. Make the scene softer.</source>
-        <translation>Die Kraft war größer, als der Arm sie geben kann; deshalb hat sein Treiber sie abgeschaltet. Machen Sie die Szene weicher.</translation>
-    </message>
-    <message>
-        <source>The force rose faster than the arm allows, so its driver cut it. Make it softer.</source>
-        <translation>Die Kraft stieg schneller an, als der Arm es zulässt; deshalb hat sein Treiber sie abgeschaltet. Machen Sie die Szene weicher.</translation>
->>>>>>> german
     </message>
     <message>
         <source>The stylus moved faster than the arm allows, so its driver cut the force.</source>
         <translation>Der Stift bewegte sich schneller, als der Arm es zulässt; deshalb hat sein Treiber die Kraft abgeschaltet.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The arm's driver cut the force. Start again; if that does not help, restart the servo.</source>
         <translation>Der Treiber des Arms hat die Kraft weggenommen. Drücken Sie noch einmal Start; hilft das nicht, starten Sie den Servo neu.</translation>
-=======
-        <source>The arm's driver cut the force. Start again; if that lasts, restart the servo.</source>
-        <translation>Der Treiber des Arms hat die Kraft abgeschaltet. Drücken Sie noch einmal Start; bleibt es dabei, starten Sie den Servo neu.</translation>
->>>>>>> german
     </message>
     <message>
         <source>The arm reports a fault of its own. Switch it off and on, then restart the servo.</source>
@@ -6090,13 +5720,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Treiber des Arms hat keine gültige Lizenz. Führen Sie das Einrichtungsprogramm des Herstellers aus.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The arm's driver keeps reporting errors. Quit the program and start it again.</source>
         <translation>Der Treiber des Arms meldet fortwährend Fehler. Beenden Sie das Programm und starten Sie es neu.</translation>
-=======
-        <source>The arm's driver reports errors without end. End the program and start again.</source>
-        <translation>Der Treiber des Arms meldet ununterbrochen Fehler. Beenden Sie das Programm und starten Sie es neu.</translation>
->>>>>>> german
     </message>
     <message>
         <source>The arm sends angles that are not numbers. Restart the servo.</source>
@@ -6219,26 +5844,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Stift steckt im Tintenfass; deshalb gibt der Arm keine Kraft. Nehmen Sie ihn heraus.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The arm reports its tip %1 mm from where the scene's arm "%2" has it, so it gets no force: the force would point elsewhere. Choose the arm that is connected.</source>
         <translation>Der Arm meldet seine Spitze %1 mm neben dem Ort, an dem der Arm „%2“ der Szene sie hat; deshalb bekommt er keine Kraft: Sie würde woandershin zeigen. Wählen Sie den Arm, der angeschlossen ist.</translation>
-=======
-        <source>The arm says that its tip is %1 mm from where the arm "%2" of the scene has it, so it gets no force: the force would point elsewhere. Choose the arm that it is.</source>
-        <translation>Nach eigener Angabe ist die Spitze des Arms %1 mm von dort entfernt, wo sie beim Arm „%2“ der Szene ist; deshalb bekommt er keine Kraft: Sie würde in eine andere Richtung zeigen. Wählen Sie den Arm, der es wirklich ist.</translation>
->>>>>>> german
     </message>
     <message>
         <source>%1 times so far.</source>
         <translation>Bisher %1-mal.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The arm reports its tip %1 mm from where the scene's arm "%2" has it. Choose the arm that is connected, otherwise shapes are felt elsewhere than they are shown.</source>
         <translation>Der Arm meldet seine Spitze %1 mm neben dem Ort, an dem der Arm „%2“ der Szene sie hat. Wählen Sie den Arm, der angeschlossen ist; sonst fühlt man Formen woanders, als sie gezeigt werden.</translation>
-=======
-        <source>The arm says that its tip is %1 mm from where the arm "%2" of the scene has it. Choose the arm that it is, or shapes are felt elsewhere than they are shown.</source>
-        <translation>Nach eigener Angabe ist die Spitze des Arms %1 mm von dort entfernt, wo sie beim Arm „%2“ der Szene ist. Wählen Sie den Arm, der es wirklich ist; sonst fühlt man Formen woanders, als sie gezeigt werden.</translation>
->>>>>>> german
     </message>
     <message>
         <source>Ticks %1 to %2 of this session are damaged; the arm stands still there.</source>
@@ -6357,19 +5972,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Arm bei %1 taktet mit %2 Hz und nicht mit %3 Hz.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The connection to the arm at %1 was lost. Check the network and the sharing program on its computer, then press Restart.</source>
         <translation>Die Verbindung zum Arm bei %1 ist abgebrochen. Prüfen Sie das Netz und das Programm, das ihn an seinem Rechner freigibt, und drücken Sie dann „Servo neu starten“.</translation>
     </message>
     <message>
         <source>The arm at %1 no longer sends anything. Check the network and the sharing program on its computer, then press Restart.</source>
-=======
-        <source>The line to the arm at %1 broke. Look after the network and the sharing program at its computer, then press Restart.</source>
-        <translation>Die Verbindung zum Arm bei %1 ist abgebrochen. Prüfen Sie das Netz und das Programm, das ihn an seinem Rechner freigibt, und drücken Sie dann „Servo neu starten“.</translation>
-    </message>
-    <message>
-        <source>Nothing comes from the arm at %1 any more. Look after the network and the sharing program at its computer, then press Restart.</source>
->>>>>>> german
         <translation>Vom Arm bei %1 kommt nichts mehr. Prüfen Sie das Netz und das Programm, das ihn an seinem Rechner freigibt, und drücken Sie dann „Servo neu starten“.</translation>
     </message>
     <message>
@@ -6377,11 +5984,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Arm bei %1 behält die Taktrate, mit der er geöffnet wurde. Wählen Sie den simulierten Arm, dann die Taktrate, und öffnen Sie ihn wieder.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The arm at %1 sends nothing. Check the network and the sharing program on its computer.</source>
-=======
-        <source>Nothing comes from the arm at %1. Look after the network and the sharing program at its computer.</source>
->>>>>>> german
         <translation>Vom Arm bei %1 kommt nichts. Prüfen Sie das Netz und das Programm, das ihn an seinem Rechner freigibt.</translation>
     </message>
     <message>
@@ -6433,21 +6036,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>%1 sendet Berichte von %2 Bytes; die eines WoodenHaptics-Arms haben 8, 14 oder 64.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The WoodenHaptics arm at %1 sends nothing. Press the reset button on its board, or plug it in again.</source>
         <translation>Der WoodenHaptics-Arm an %1 sendet nichts. Drücken Sie die Reset-Taste seiner Platine, oder stecken Sie ihn neu an.</translation>
     </message>
     <message>
         <source>The kinematics of the arm "%1" are not published, so it cannot be used. WoodenHaptics arms can.</source>
         <translation>Die Kinematik des Arms „%1“ ist nicht veröffentlicht; deshalb kann er nicht verwendet werden. WoodenHaptics-Arme können es.</translation>
-=======
-        <source>The WoodenHaptics arm at %1 says nothing. Press the reset button of its board, or plug it in anew.</source>
-        <translation>Der WoodenHaptics-Arm an %1 meldet sich nicht. Drücken Sie die Reset-Taste seiner Platine, oder stecken Sie ihn neu an.</translation>
-    </message>
-    <message>
-        <source>How the arm "%1" moves is not published, so it cannot be used. WoodenHaptics arms can.</source>
-        <translation>Wie sich der Arm „%1“ bewegt, ist nicht veröffentlicht; deshalb kann er nicht verwendet werden, WoodenHaptics-Arme dagegen schon.</translation>
->>>>>>> german
     </message>
     <message>
         <source>%1 is already in use, here or by another program of this kind.</source>
@@ -6777,21 +6371,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Kreis mit Einfluss</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The target depends half on the position of the tip, half on where the stylus points: turn the stylus without moving it, and it is pulled around the rim. Point it along the axis of the circle, and only the position counts. Thesis section 5.1, figures 5.6 and 5.7.</source>
-        <translation>Das Ziel hängt zur Hälfte vom Ort der Spitze ab und zur Hälfte davon, wohin der Stift zeigt: Drehen Sie den Stift, ohne ihn zu verschieben, und er wird am Rand herumgezogen. Richten Sie ihn entlang der Achse des Kreises, so zählt nur der Ort. Thesis, Abschnitt 5.1, Abbildungen 5.6 und 5.7.</translation>
+        <translation>Das Ziel hängt zur Hälfte von der Position der Spitze ab und zur Hälfte davon, wohin der Stift zeigt: Drehen Sie den Stift, ohne ihn zu verschieben, und er wird am Rand herumgezogen. Richten Sie ihn entlang der Achse des Kreises, so zählt nur der Ort. Thesis, Abschnitt 5.1, Abbildungen 5.6 und 5.7.</translation>
     </message>
     <message>
         <source>A target halfway between where you point and where you are: turn the stylus, and it pulls you around the ring.</source>
         <translation>Ein Ziel auf halbem Weg zwischen dem, wohin Sie zeigen, und dem, wo Sie sind: Drehen Sie den Stift, und es zieht Sie um den Ring.</translation>
-=======
-        <source>Half of the target comes from where the stylus is, half from where it points: turn the stylus, and it is drawn around the rim without being moved. Point it along the circle's axis and only its place counts. Thesis section 5.1, figures 5.6 and 5.7.</source>
-        <translation>Das Ziel kommt zur Hälfte davon, wo der Stift ist, und zur Hälfte davon, wohin er zeigt: Drehen Sie den Stift, und er wird am Rand herumgezogen, ohne dass Sie ihn verschieben. Richten Sie ihn entlang der Achse des Kreises, so zählt nur seine Position. Thesis, Abschnitt 5.1, Abbildungen 5.6 und 5.7.</translation>
-    </message>
-    <message>
-        <source>Where you point draws you around the ring, half as much as where you are.</source>
-        <translation>Wohin Sie zeigen, zieht Sie um den Ring, halb so stark wie Ihre Position.</translation>
->>>>>>> german
     </message>
     <message>
         <source>Keep your hand still and turn the stylus with Ctrl and the mouse. Then set t to 0, then to 1, in the Feel panel.</source>
@@ -6827,7 +6412,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The end effector of a virtual robot with one joint and a link of 50 mm. It follows the position and the orientation of the stylus, each with its own stiffness, 0.5 N/mm and 250 N mm/rad as in the thesis (section 5.2). Turn the stylus, and you are pulled around the rim; the corresponding moment is shown but never sent.</source>
-        <translation>Der Endeffektor eines virtuellen Roboters mit einem Gelenk und einem Glied von 50 mm. Er folgt dem Ort und der Orientierung des Stifts, jeweils mit eigener Steifigkeit, 0,5 N/mm und 250 N mm/rad wie in der Thesis (Abschnitt 5.2). Drehen Sie den Stift, und Sie werden am Rand herumgezogen; das zugehörige Moment wird angezeigt, aber nie gesendet.</translation>
+        <translation>Der Endeffektor eines virtuellen Roboters mit einem Gelenk und einem Glied von 50 mm. Er folgt der Position und der Orientierung des Stifts, jeweils mit eigener Steifigkeit, 0,5 N/mm und 250 N mm/rad wie in der Thesis (Abschnitt 5.2). Drehen Sie den Stift, und Sie werden am Rand herumgezogen; das zugehörige Moment wird angezeigt, aber nie gesendet.</translation>
     </message>
     <message>
         <source>The end effector of a robot with one joint, which turns to where you are and to where you point.</source>
@@ -6846,13 +6431,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Derselbe Roboter, das Kraftgesetz der Thesis</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The robot of scene 16 with the thesis's own force law (code 5.2, misprints corrected). The joint follows the position of the stylus alone, and the orientation error pulls along the rim; near the rim the two laws feel alike. Move around a loop inside the circle without turning the stylus: this law does work on your hand, the other does none.</source>
         <translation>Der Roboter aus Szene 16 mit dem eigenen Kraftgesetz der Thesis (Code 5.2, ohne dessen Druckfehler). Das Gelenk folgt allein dem Ort des Stifts, und der Orientierungsfehler zieht entlang dem Rand; nahe am Rand fühlen sich beide Gesetze gleich an. Fahren Sie innerhalb des Kreises eine Schleife, ohne den Stift zu drehen: Dieses Gesetz verrichtet Arbeit an Ihrer Hand, das andere nicht.</translation>
-=======
-        <source>As the scene before, with the thesis's own law (code 5.2, its misprints corrected). It takes the joint nearest to the stylus's place and pulls along the rim by the error of the turn; near the rim the two feel alike. Go around a loop inside the circle at a fixed turn: this law does work on your hand, the other does none.</source>
-        <translation>Wie die Szene davor, mit dem eigenen Regelgesetz der Thesis (Code 5.2, ohne dessen Druckfehler). Es nimmt die Gelenkstellung, die der Position des Stifts am nächsten ist, und zieht entlang dem Rand im Maß des Drehfehlers; nahe am Rand fühlen sich beide gleich an. Fahren Sie innerhalb des Kreises eine Schleife bei fester Drehung: Dieses Regelgesetz verrichtet Arbeit an Ihrer Hand, das andere nicht.</translation>
->>>>>>> german
     </message>
     <message>
         <source>Almost the same as scene 16, but this law can give out more energy than it received.</source>
@@ -6931,13 +6511,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>PUMA 560, ein Viertel so groß</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>The classic robot of robotics courses, at a scale of 1:4 (lengths after Armstrong, Khatib and Burdick 1986). Six joints follow six coordinates: within its reach you are free in position and orientation. Move to its limits: a stretched elbow, a joint at its stop. There it cannot follow, and you feel why.</source>
         <translation>Der Klassiker der Robotikkurse im Maßstab 1:4 (Längen nach Armstrong, Khatib und Burdick 1986). Sechs Gelenke folgen sechs Koordinaten: In seiner Reichweite sind Sie in Ort und Orientierung frei. Gehen Sie an seine Grenzen: ein gestreckter Ellbogen, ein Gelenk am Anschlag. Dort kann er nicht folgen, und Sie fühlen, warum.</translation>
-=======
-        <source>The classic of robot courses as the robot that holds you, at a scale of 1:4 (lengths after Armstrong, Khatib and Burdick 1986). Six joints follow six coordinates: inside its reach you are free in place and turn. Go to its edges: a stretched elbow, a joint at its limit. There it cannot follow, and you feel why.</source>
-        <translation>Der Klassiker der Robotikkurse als der Roboter, der Sie hält, im Maßstab 1:4 (Längen nach Armstrong, Khatib und Burdick 1986). Sechs Gelenke folgen sechs Koordinaten: In seiner Reichweite sind Sie in Position und Orientierung frei. Gehen Sie an seine Ränder: ein gestreckter Ellbogen, ein Gelenk an seiner Grenze. Dort kann er nicht folgen, und Sie fühlen, warum.</translation>
->>>>>>> german
     </message>
     <message>
         <source>Six joints follow six coordinates: free within the reach, held at its edge.</source>
@@ -7246,13 +6821,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Thesis 5.2</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>automatic</source>
         <translation>automatisch</translation>
-=======
-        <source>by itself (auto)</source>
-        <translation>automatisch (auto)</translation>
->>>>>>> german
     </message>
     <message>
         <source>closed form</source>
@@ -7363,13 +6933,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Geschwindigkeitsfilter</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>How the rate de/dt is estimated from positions in encoder steps: each filter trades delay for noise in another way.</source>
-        <translation>Wie die Rate de/dt aus Orten in Encoderschritten geschätzt wird: Jeder Filter wägt Verzögerung und Rauschen anders ab.</translation>
-=======
-        <source>How the rate de/dt is found from places that come in encoder steps: each filter is another trade of delay for noise.</source>
-        <translation>Wie die Änderungsrate de/dt aus Positionen bestimmt wird, die in Encoderschritten kommen: Jeder Filter wägt Verzögerung und Rauschen anders ab.</translation>
->>>>>>> german
+        <translation>Wie die Rate de/dt aus Positionen in Encoderschritten geschätzt wird: Jeder Filter wägt Verzögerung und Rauschen anders ab.</translation>
     </message>
     <message>
         <source>noise</source>
@@ -7568,13 +7133,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Methode des Lösers</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>Automatic: a closed form where the chain has one (a circle, sphere, cylinder, line or plane), otherwise iteration (Levenberg and Marquardt, from the last tick's joints).</source>
         <translation>Automatisch: eine geschlossene Form, wo die Kette eine hat (Kreis, Kugel, Zylinder, Gerade oder Ebene), sonst Iteration (Levenberg und Marquardt, ab den Gelenken des letzten Takts).</translation>
-=======
-        <source>By itself: a closed form where the chain has one (a circle, sphere, cylinder, line or plane), else the iteration (Levenberg and Marquardt, from the last tick's joints).</source>
-        <translation>Automatisch: eine geschlossene Form, wo die Kette eine hat (Kreis, Kugel, Zylinder, Gerade oder Ebene), sonst die Iteration (Levenberg und Marquardt, ab den Gelenken des letzten Takts).</translation>
->>>>>>> german
     </message>
     <message>
         <source>solver steps</source>
@@ -9559,13 +9119,8 @@ und %2 weitere</translation>
         <translation>In den Papierkorb</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>&amp;Delete permanently…</source>
         <translation>&amp;Endgültig entfernen…</translation>
-=======
-        <source>&amp;Remove for good…</source>
-        <translation>&amp;Endgültig entfernen …</translation>
->>>>>>> german
     </message>
     <message>
         <source>Delete permanently, after confirmation</source>
