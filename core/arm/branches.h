@@ -29,6 +29,7 @@ enum class Family : std::uint8_t {
 /// null for None; else "q1 free", "q4+q6", "q6-q4".
 const char* name(Family family);
 
+/// One set of joint angles that reaches the pose, the branch it is on, and whether every joint keeps its limits.
 struct Solution {
   JointAngles q_rad{};  // in (-pi, pi]
   Branch branch;
@@ -51,8 +52,11 @@ struct Solutions {
   bool at_shoulder = false;  // singular there: the wrist centre on axis 1
   bool at_elbow = false;     // stretched or folded
   bool at_wrist = false;     // axes 4 and 6 in line, for one solution at least
+  /// At any of the three singularities.
   bool singular() const noexcept UNDERACT_REAL_TIME { return at_shoulder || at_elbow || at_wrist; }
+  /// The solutions that there are, for a loop over them.
   const Solution* begin() const noexcept UNDERACT_REAL_TIME { return all.data(); }
+  /// Behind the last of them.
   const Solution* end() const noexcept UNDERACT_REAL_TIME { return all.data() + count; }
 };
 

@@ -14,6 +14,7 @@ struct FollowerState {
 /// Of bytes from a file.
 bool isSound(const FollowerState& state) noexcept;
 
+/// What a step of follow() or followPosition() gives.
 struct Followed {
   FollowerState next;
   bool reachable = false;  // false: next is the last state

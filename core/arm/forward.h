@@ -14,12 +14,13 @@ Vec3 tipPosition(const Geometry& geometry, const JointAngles& q_rad) noexcept UN
 /// Rz(q6).
 Pose tipPose(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
-/// The places of shoulder, elbow and tip in W, m: what a drawing of the arm needs.
+/// The positions of shoulder, elbow and tip in W, m: what a drawing of the arm needs.
 struct Skeleton {
   Vec3 p_WShoulder;
   Vec3 p_WElbow;
   Vec3 p_WTip;
 };
+/// From joints 1 to 3. Not finite in, not finite out. Source: Beckman 2007, eq. 3.1 and 3.5 (erratum 3.5).
 Skeleton skeleton(const Geometry& geometry, const JointAngles& q_rad) noexcept;
 
 /// R_WB: x_W = y_B, y_W = z_B, z_W = x_B (eq. 3.1).

@@ -13,6 +13,7 @@ struct Tip {
   Vec3 p_WT = Vec3::Zero();
   Mat3 J_p = Mat3::Zero();
 };
+/// From joints 1 to 3. Not finite in, not finite out. Source: as tipPosition() and positionJacobian().
 Tip tip(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
 /// X_WT and, as exact, the geometric Jacobian at the origin of frame 6, rows v (m/rad) then w (rad/rad), in W, from one
@@ -21,6 +22,7 @@ struct Kinematics {
   Pose X_WT = Pose::Identity();
   Mat6 J = Mat6::Zero();
 };
+/// Not finite in, not finite out. Source: eq. 3.5 and 3.6 (errata 3.5, 3.6); w by the axes of the joints.
 Kinematics kinematics(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
 /// What J_p does to a ball of joint rates: axes_W its principal directions in W (columns, right-handed), gain_m how far
@@ -43,6 +45,7 @@ struct SingularityDistances {
   double elbow_rad = 0.0;   // of q3 from +-90 degrees, stretched or folded
   double wrist_rad = 0.0;   // of q5 from 0 or pi
 };
+/// Each is 0 or above. From q1 to q3 and q5; the limits of the joints are not looked at. Not finite in, not finite out.
 SingularityDistances singularityDistances(const Geometry& geometry,
                                           const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 

@@ -32,10 +32,12 @@ struct Model {
 
 /// Every problem of the file at once. Keys: the guide, "Arm files".
 Result<Model> readArm(std::string_view text, const std::string& file_name);
+/// The same of a file. Problems, too: it cannot be read.
 Result<Model> readArmFile(const std::string& path);
 
-/// Those that ship with the program.
+/// The models that ship with the program, read once.
 std::span<const Model> models();
+/// The shipped model of that name, or null; it lives as long as the program.
 const Model* findModel(std::string_view name);
 
 /// The file (JSON) that the shipped model of that name was read from; empty: there is none.

@@ -14,6 +14,7 @@ struct PlanarReach {
   SinCos elbow;                            // of q3 with cos >= 0, clamped to the boundary
   bool reachable = false;                  // boundary included, see kOnBoundary
 };
+/// p_WT: m, finite. Source: Beckman 2007, eq. 3.1 and 3.13 (erratum 3.13). Any thread; no side effects.
 PlanarReach planarReach(const Geometry& geometry, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;
 
 /// For a turret that faces the wrist centre: sine and cosine of q2, times the distance from the shoulder.
@@ -24,6 +25,7 @@ SinCos scaledThigh(const Geometry& geometry, const PlanarReach& reach, double el
 struct Thigh {
   SinCos thigh, shin;
 };
+/// The same arguments as scaledThigh(). Source: eq. 3.14 and 3.16 (erratum 3.14).
 Thigh thighOf(const Geometry& geometry, const PlanarReach& reach, double elbow) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::arm

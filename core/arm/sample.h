@@ -21,6 +21,7 @@ struct Sample {
 /// base. Source: Beckman 2007, figure 3.5: q1 = -q1p, q2 = q2p, q3 = q3p - q2p; the gimbal: q4 = -g1, q5 = g2 + pi/2,
 /// q6 = -g3 - pi/2, which reproduces a public recording. The signs on hardware are not verified.
 JointAngles dhFromDevice(const JointAngles& device_rad) noexcept UNDERACT_REAL_TIME;
+/// The inverse of dhFromDevice().
 JointAngles deviceFromDh(const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
 /// The joints at a share of the way from one posture to another, 0 to 1 (beyond: held there). Every joint turns evenly

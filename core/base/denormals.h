@@ -13,6 +13,7 @@ namespace underact {
 /// nothing.
 class FlushDenormals {
  public:
+  /// Sets the mode of the calling thread; the destructor, on the same thread, restores what was set before.
   FlushDenormals() noexcept : before_(control()) { setControl(before_ | kFlush); }
   ~FlushDenormals() { setControl((control() & ~kFlush) | (before_ & kFlush)); }
   FlushDenormals(const FlushDenormals&) = delete;

@@ -29,12 +29,17 @@ using Problems = std::vector<Problem>;
 template <class T>
 class [[nodiscard]] Result {
  public:
+  /// Success; a return of the value converts by itself.
   Result(T value) : content_(std::move(value)) {}
+  /// Failure. problems: at least one.
   Result(Problems problems) : content_(std::move(problems)) {}
+  /// Whether there is a value.
   explicit operator bool() const { return std::holds_alternative<T>(content_); }
+  /// The value. Only where there is one: otherwise std::bad_variant_access is thrown, which nobody catches.
   const T& value() const& { return std::get<T>(content_); }
   T& value() & { return std::get<T>(content_); }
   T&& value() && { return std::get<T>(std::move(content_)); }
+  /// What is wrong. Only where there is no value.
   const Problems& problems() const { return std::get<Problems>(content_); }
 
  private:

@@ -18,6 +18,7 @@ class Sentence : public std::string {
 
   /// The pattern, marked for translators in the context "problem", with places %1 to %9; empty: plain text.
   const std::string& pattern() const { return pattern_; }
+  /// The words for %1, %2 and so on in pattern(); empty for plain text.
   const std::vector<Sentence>& places() const { return places_; }
   /// A number of the program's, not of a file: a window writes it as its language does.
   bool isNumber() const { return is_number_; }

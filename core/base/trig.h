@@ -3,6 +3,7 @@
 
 namespace underact {
 
+/// The sine and cosine of one angle; those of 0 at first.
 struct SinCos {
   double sin = 0.0;
   double cos = 1.0;
@@ -17,6 +18,7 @@ struct SinCosPair {
   SinCos first;
   SinCos second;
 };
+/// Angles in rad, each on its own: one that is not finite leaves the other alone.
 SinCosPair sinCosOfTwo(double first_rad, double second_rad) noexcept UNDERACT_REAL_TIME;
 
 /// The angle of (x, y) in (-pi, pi], rad, within 1 ulp, the same bits on every machine.
@@ -27,6 +29,7 @@ struct AnglePair {
   double first_rad;
   double second_rad;
 };
+/// Each pair on its own, as atan2Of().
 AnglePair atan2OfTwo(double first_y, double first_x, double second_y, double second_x) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact

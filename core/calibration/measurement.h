@@ -7,11 +7,13 @@
 
 namespace underact::calibration {
 
+/// A trial with the answer that it got.
 struct Answered {
   Trial trial;
   Beam answer = Beam::Left;
   bool turned = false;  // the way of the staircase turned here
 
+  /// Whether the answer names the stiffer beam.
   bool isRight() const { return answer == trial.stiffer; }
 };
 
@@ -31,6 +33,7 @@ Measurement beginMeasurement(double reference_N_per_mm, std::uint64_t seed);
 /// The run after the answer to its trial.
 Measurement answered(Measurement run, Beam answer);
 
+/// Whether its staircase has ended; no further trial is drawn then.
 bool isDone(const Measurement& run);
 
 /// The standard deviation, as a share, of one press of a hand that has this threshold: it compares two presses, and 2

@@ -33,6 +33,7 @@ Staircase beginStaircase(const StaircaseRule& rule = {});
 /// The staircase after one more answer.
 Staircase answered(Staircase staircase, bool right);
 
+/// Whether it has as many reversals, or trials, as its rule asks for.
 bool isDone(const Staircase& staircase);
 
 /// The just-noticeable difference: the geometric mean of the reversals after the first two, and a factor of one
@@ -42,6 +43,7 @@ struct Threshold {
   double low = 0.0;
   double high = 0.0;
 };
+/// Of a staircase that is under way, too. Mean and deviation are of the logarithms.
 std::optional<Threshold> thresholdOf(const Staircase& staircase);
 
 }  // namespace underact::calibration

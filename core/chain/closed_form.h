@@ -42,6 +42,7 @@ struct Solution {
   bool exact = true;  // false: no solution; a step had no answer, and this is as near as it can get
 };
 
+/// What solveAll() found.
 struct Solutions {
   std::array<Solution, 8> all{};
   std::size_t count = 0;  // how many of all there are, the exact ones first

@@ -7,6 +7,7 @@
 
 namespace underact::chain {
 
+/// Revolute: the joint rotates about its axis (rad). Prismatic: it slides along it (m).
 enum class JointType : std::uint8_t { Revolute, Prismatic };
 
 /// One row of a modified Denavit-Hartenberg table (Craig): from frame i-1 to frame i by Rx(alpha) Dx(a) Rz(theta)

@@ -6,6 +6,7 @@ namespace underact::chain {
 /// 6 x n, on the stack: v of the tip T (m/rad or m/m) above w (rad/rad), both in W, for each joint's rate.
 using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, static_cast<int>(kMaxJoints)>;
 
+/// What kinematics() gives; J has a column for each joint.
 struct Kinematics {
   Pose X_WT = Pose::Identity();
   Jacobian J;

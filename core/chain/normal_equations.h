@@ -5,7 +5,9 @@
 
 namespace underact::chain {
 
+/// The error of a pose, in W: position, m, above the rotation vector times a length, m.
 using Residual = Eigen::Matrix<double, 6, 1>;
+/// A change of each joint, rad or m; what is beyond the chain's joints is not read.
 using JointStep = Eigen::Matrix<double, static_cast<int>(kMaxJoints), 1>;
 
 /// The damped least squares step: dq that makes |e - J dq|^2 + damping |dq|^2 least; columns whose bit is set in held

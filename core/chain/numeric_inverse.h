@@ -5,6 +5,7 @@
 
 namespace underact::chain {
 
+/// When solveNumerically() stops, and what counts.
 struct NumericOptions {
   int max_steps = 60;           // of each start
   double tolerance_m = 1e-9;    // of the tip's place
@@ -17,6 +18,7 @@ struct NumericOptions {
   double rotation_length_m = -1.0;
 };
 
+/// What solveNumerically() found.
 struct NumericSolution {
   JointValues q{};       // the nearest there was, reached or not
   bool reached = false;  // both residuals within the tolerances

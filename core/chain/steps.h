@@ -7,8 +7,10 @@
 
 namespace underact::chain {
 
+/// The axis, and whether the step rotates about it or shifts along it.
 enum class StepKind : std::uint8_t { TurnX, TurnY, TurnZ, ShiftX, ShiftY, ShiftZ };
 inline constexpr std::size_t kStepKinds = 6;
+/// Whether the amount of such a step is an angle.
 inline bool isTurn(StepKind kind) {
   return kind <= StepKind::TurnZ;
 }

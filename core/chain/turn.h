@@ -18,6 +18,7 @@ inline SinCos reversed(const SinCos& turn) noexcept UNDERACT_REAL_TIME {
   return {-turn.sin, turn.cos};
 }
 
+/// A rotation about an axis that is known from elsewhere: its angle, and the sine and cosine of it.
 struct Turn {
   double angle_rad = 0.0;
   SinCos turn;

@@ -32,6 +32,7 @@ struct PID {
   Velocity velocity = {};
 };
 
+/// The control law of a constraint; see CONTRIBUTING.md, "Adding a control law".
 using Law = std::variant<P, PD, PID>;
 
 /// All memory that a law has. P has none.
@@ -47,9 +48,9 @@ struct Moment {
   bool idle = false;     // no force is sent at all
 };
 
-/// Within 64 ulp of kp |e| + kd |rate| and of all that the integral has moved (P: 1 ulp, PD: 8).
-/// The force on the tip for the error e_W = p_WP - p_WT, m. Finite in, finite out (up to overflow, which the gate
-/// refuses). state is not touched by P. Cost: constant.
+/// The force on the tip, N, in W, for the error e_W = p_WP - p_WT, m. Within 64 ulp of kp |e| + kd |rate| and of all
+/// that the integral has moved (P: 1 ulp, PD: 8). Finite in, finite out (up to overflow, which the gate refuses). state
+/// is not touched by P. Cost: constant.
 Vec3 force(const P& law, const Vec3& e_W) noexcept UNDERACT_REAL_TIME;
 Vec3 force(const Law& law, LawState& state, const Vec3& e_W, const Moment& moment) noexcept UNDERACT_REAL_TIME;
 
@@ -65,8 +66,9 @@ inline bool isSound(const LawState& state) noexcept {
   return isSound(state.velocity);
 }
 
-/// The quantities a law needs beyond the error itself.
+/// Whether the law has a derivative part, which needs the rate of the error.
 bool needsRate(const Law& law);
+/// Whether the law has an integral, of which LawState keeps the force.
 bool needsIntegral(const Law& law);
 
 /// The proportional gains of any law.

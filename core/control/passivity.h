@@ -12,6 +12,7 @@ namespace underact::control {
 // effect, and the energy of the spring as reference (Ryu, Kim and Hannaford 2004), so that damping comes while the
 // energy is lost and not as a blow at the end of a push.
 
+/// Whether a scene has the passivity observer, and the passivity controller with it.
 enum class Passivity : std::uint8_t { Off, Observe, Control };
 
 /// All memory of one constraint's observer.

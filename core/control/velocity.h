@@ -41,10 +41,12 @@ struct Kalman {
   double acceleration = 1.0;  // of the signal, a second squared
 };
 
+/// How a velocity is estimated from samples; VelocityState::filter is the index in here.
 using Velocity = std::variant<LowPass, RawDifference, AdaptiveWindow, Kalman>;
 
 /// The last samples, axis by axis, the newest at `newest`; as many as count are there.
 struct Window {
+  /// A ring of one quantity: one number for each sample.
   using Row = std::array<double, kLongestWindow + 1>;
   std::array<Row, 3> e_W = {};
   Row after_s = {};  // since the sample before it

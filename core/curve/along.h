@@ -12,6 +12,7 @@ namespace underact::curve {
 /// The controls of a piece of a spline.
 Cubic cubicOf(const Curve& curve, std::int32_t piece) noexcept UNDERACT_REAL_TIME;
 
+/// The point at u, m: of a line by interpolation, of a spline as pointOf().
 Vec3 pointOn(const Curve& curve, std::int32_t piece, double u) noexcept UNDERACT_REAL_TIME;
 
 /// Unit, the way the points go. At a point where a spline turns back, the way it leaves from there (at the piece's end:

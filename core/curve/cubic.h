@@ -20,6 +20,7 @@ struct Halves {
   Cubic first;
   Cubic second;
 };
+/// Split at u = 0.5 by de Casteljau's steps. Not finite in, not finite out.
 Halves halvesOf(const Cubic& cubic) noexcept UNDERACT_REAL_TIME;
 
 /// Its arc length from 0 to u, by eight points of Gauss and Legendre: exact for speeds that are polynomials of

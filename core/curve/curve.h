@@ -38,12 +38,15 @@ Result<std::shared_ptr<const Curve>> makeCurve(std::vector<Vec3> points_W, Kind 
 /// Of memory.
 std::size_t bytesOf(const Curve& curve);
 
+/// Controls of a piece that the next one does not share: 3 for a cubic, 1 for a line.
 inline int controlsPerPiece(Kind kind) noexcept UNDERACT_REAL_TIME {
   return kind == Kind::Spline ? 3 : 1;
 }
+/// At least 1 for a curve of makeCurve().
 inline std::int32_t pieceCount(const Curve& curve) noexcept UNDERACT_REAL_TIME {
   return static_cast<std::int32_t>(curve.s_m.size()) - 1;
 }
+/// Arc length from the begin to the end, m; of a closed curve once round.
 inline double lengthOf(const Curve& curve) noexcept UNDERACT_REAL_TIME {
   return curve.s_m[curve.s_m.size() - 1];
 }

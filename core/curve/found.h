@@ -15,6 +15,7 @@ inline constexpr int kMostVisits = 2000;
 /// Two points are far apart where the pulls towards them differ by more than this, rad.
 inline constexpr double kFarApart = 1e-3;
 
+/// A point of the curve as a search found it, m; piece -1: none.
 struct Candidate {
   double squared = kInfinity;  // of its distance
   Vec3 p_W = Vec3::Zero();
@@ -32,6 +33,7 @@ struct Found {
   bool is_cut = false;  // something was left unseen that might be nearer
 };
 
+/// Whether they are further apart than kFarApart times the greater of their distances from the tip.
 inline bool areFarApart(const Candidate& a, const Candidate& b) noexcept UNDERACT_REAL_TIME {
   return (a.p_W - b.p_W).squaredNorm() > kFarApart * kFarApart * (a.squared < b.squared ? b.squared : a.squared);
 }

@@ -29,6 +29,7 @@ struct GuideState {
   bool begun = false;
 };
 
+/// Where guidedTarget() draws the hand.
 struct Guided {
   Vec3 p_WP = Vec3::Zero();  // the target: on the curve, or on a straight way there
   double s_m = 0.0;          // arc length of the point it is at, or on its way to

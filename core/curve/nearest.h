@@ -8,6 +8,7 @@
 
 namespace underact::curve {
 
+/// See core/base/search.h.
 using underact::Search;
 
 /// What a search remembers from tick to tick.

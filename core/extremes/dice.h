@@ -13,11 +13,17 @@ namespace underact::extremes {
 /// are drawn for the arguments of one call, whose order is the compiler's own.
 class Dice {
  public:
+  /// The same seed gives the same draws.
   explicit Dice(std::uint64_t seed) : state_(seed) {}
+  /// In [0, 1).
   double share() { return nextShare(state_); }
+  /// 0 to count - 1, equally likely. count: above 0.
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(share() * static_cast<double>(count)); }
+  /// True once in so many draws on average. in: above 0.
   bool one(std::size_t in) { return below(in) == 0; }
+  /// In [low, high), up to rounding; equally distributed.
   double between(double low, double high) { return low + (high - low) * share(); }
+  /// -1 or +1.
   double sign() { return one(2) ? -1.0 : 1.0; }
 
   /// 2^low to 2^high, all powers of two equally likely.
@@ -35,6 +41,7 @@ class Dice {
   /// Three of ratio().
   Vec3 ratios() { return {ratio(), ratio(), ratio()}; }  // in braces they are drawn in their order
 
+  /// Each coordinate in [-half, half).
   Vec3 inBox(double half) { return {between(-half, half), between(-half, half), between(-half, half)}; }
   /// Unit to a few ulp: along an axis, a little off one, in a plane of two, or anywhere.
   Vec3 direction();

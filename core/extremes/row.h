@@ -16,6 +16,7 @@ struct Outcome {
   bool is_degenerate = false;  // the code said so, rightly: nothing but that was judged
 };
 
+/// What a row asks: the group that it is listed with.
 enum class Kind : std::uint8_t { Base, Shape, Target, Arm, Chain, Solver, Law, Filter, Gate, Plant, Tick, Drift };
 
 /// One thing that is asked at the extremes.
@@ -51,6 +52,7 @@ Result<Outcome> judgeAgain(const Row& row, const std::vector<double>& input);
 /// The case in words: the name of each number, and the number.
 std::string wordsOf(const Row& row, const std::vector<double>& input);
 
+/// "base", "shape" and so on: the enumerator in small letters.
 const char* name(Kind kind);
 
 }  // namespace underact::extremes

@@ -6,7 +6,7 @@
 
 namespace underact::follow {
 
-/// What somebody who follows may ask of the ghost: a stylus that goes a recorded way.
+/// How the ghost behaves, a stylus that repeats a recorded motion.
 struct Options {
   bool plays = true;              // false: it stands still, and nothing counts
   double speed = 1.0;             // times the recorded one, kSlowest to kFastest
@@ -29,7 +29,9 @@ struct Tally {
   double near_s = 0.0;    // of those followed, within kNear_m
   double sum_m_s = 0.0;   // of distances
   double largest_m = 0.0;
+  /// The mean distance over the time followed; 0 where nothing was followed.
   double mean_m() const { return followed_s > 0.0 ? sum_m_s / followed_s : 0.0; }
+  /// The share of the time followed that the tip was within kNear_m, 0 to 1.
   double nearShare() const { return followed_s > 0.0 ? near_s / followed_s : 0.0; }
 };
 

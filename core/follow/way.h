@@ -26,6 +26,7 @@ struct Row {
 struct Way {
   std::vector<Row> rows;
   int jumps = 0;  // how often the stylus is elsewhere all at once, by more than kJump_m
+  /// From the beginning to the last row; 0 without rows.
   double duration_s() const { return rows.empty() ? 0.0 : rows.back().time_s; }
 };
 

@@ -7,10 +7,10 @@
 
 namespace underact::helper {
 
-// Files of strangers are read in a process of its own that is shut off from all else (core/system/seal.h): whatever a
-// file does to its reader, it ends there. These are the starting program's side of it.
+// Files from elsewhere are read in a separate process that is sealed off from everything else (core/system/seal.h), so
+// that whatever a file does to its reader stays in there. This is the side of the program that starts it.
 
-/// What a helper ends with that could not shut itself off: it has not looked at the file then.
+/// The exit status of a helper that could not seal itself off; it has not looked at the file then.
 inline constexpr int kNotSealed = 77;
 
 /// What a process is started with; it inherits nothing else. The descriptors stay the caller's; below 0: none.
@@ -38,6 +38,7 @@ enum class Ending : std::uint8_t {
 class Child {
  public:
   Child() = default;
+  /// Starts it. Does not wait; where it could not be started, runs() is false and error() says why.
   explicit Child(const Start& start);
 
   bool runs() const { return process_.runs(); }

@@ -9,7 +9,7 @@
 
 namespace underact::helper {
 
-/// What a helper tells of how far it is: bytes of 1 to this, before its answer.
+/// The greatest byte that reports progress: a helper writes bytes from 1 to this before its answer.
 inline constexpr unsigned char kMostProgress = 100;
 
 /// A program that is started for one answer.
@@ -22,6 +22,7 @@ struct Errand {
   std::function<void(unsigned char percent)> progress = {};  // told by bytes up to kMostProgress before the answer
 };
 
+/// How an errand ended, and what it wrote.
 struct Answer {
   Ending ending = Ending::NotStarted;
   int code = 0;                   // exit status, or the signal that ended it, or errno

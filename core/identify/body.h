@@ -10,6 +10,7 @@ struct Body {
   double bias_N = 0.0;             // what pulls all the time: gravity that is not balanced
 };
 
+/// Position and velocity along that direction.
 struct Motion {
   double x_m = 0.0;
   double v_m_per_s = 0.0;
@@ -18,6 +19,7 @@ struct Motion {
 /// A body over one period of a held force. Exact, turns and stops between two samples included: no step size.
 class BodyStep {
  public:
+  /// body: mass above 0, friction and damping from 0 on. period_s: above 0.
   BodyStep(const Body& body, double period_s);
   /// friction_share: of the friction that acts along the direction seen; less than 1 where the body moves across it,
   /// too, since friction is against the whole velocity.

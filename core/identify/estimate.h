@@ -9,7 +9,9 @@ inline constexpr double kTold = 2.0;
 struct Estimate {
   double value = 0.0;
   double uncertainty = 0.0;
+  /// Whether it is above zero by more than kTold standard deviations.
   bool isTold() const { return value > kTold * uncertainty; }
+  /// What it is below, but for the tail beyond kTold standard deviations; a value below 0 counts as 0.
   double limit() const { return (value > 0.0 ? value : 0.0) + kTold * uncertainty; }
 };
 

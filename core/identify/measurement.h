@@ -25,9 +25,12 @@ class Measurement {
   /// repeat() goes on. Done: recorded() is whole.
   enum class State : std::uint8_t { Asks, Runs, Stopped, Done };
 
+  /// plan: of makePlan(), one stage at least. put: called by go(), advance() and repeat(), on their thread.
   Measurement(Plan plan, Put put);
 
+  /// Where the measurement stands.
   State state() const { return state_; }
+  /// The stage that runs, or is next; when all are done, the last one.
   const Stage& stage() const { return plan_.stages[stage_ < plan_.stages.size() ? stage_ : stage_ - 1]; }
   double stageSeconds() const { return stage_s_; }  // since the stage began
   double share() const;                             // that is done, 0 to 1

@@ -25,6 +25,7 @@ struct Stage {
   bool is_beginning = false;  // where it is taken up again after it was stopped
 };
 
+/// What makePlan() is asked for.
 struct Wanted {
   std::string arm = "omni-thesis";                  // a preset
   std::vector<Vec3> places_W = {{0.0, 0.0, 0.06}};  // 1 to 3, m
@@ -36,6 +37,7 @@ struct Wanted {
 struct Plan {
   std::vector<Vec3> places_W;
   std::vector<Stage> stages;
+  /// How long all stages take together.
   double seconds() const;
 };
 

@@ -19,6 +19,7 @@ struct Row {
   bool is_cut = false;        // the gate took something off
 };
 
+/// The part of a tick that is kept; is_cut where the gate took off more than 0 N.
 Row rowOf(const servo::TickRecord& record);
 
 /// A stretch of a motion along one direction, its samples evenly spaced.

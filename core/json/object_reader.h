@@ -12,16 +12,19 @@
 
 namespace underact::json {
 
-/// What is wrong with a file, and where each of its values stands.
+/// Collects the problems of a file, and remembers where each of its values stands.
 class Findings {
  public:
+  /// file: its name, for the places of the problems.
   explicit Findings(std::string file) : file_(std::move(file)) {}
+  /// A problem at a value, or at a line and column; key: the path of the value. Only counted where full().
   void add(const Value& value, const std::string& key, Sentence sentence);
   void add(std::pair<int, int> line_column, const std::string& key, Sentence sentence);
+  /// Where the value of a key stands, for problems that are found later.
   void remember(const std::string& key, const Value& value) { places_[key] = {value.line, value.column}; }
   /// Takes in what check() says of the scene that was read, each problem at the value of its key.
   void add(const Problems& problems);
-  /// No more are kept, only counted: a file with so many is no scene, and nobody reads on.
+  /// So many are kept already that further ones are only counted.
   bool full() const;
   /// All, in the order of the file; of very many, the first found.
   Problems take();
@@ -34,7 +37,7 @@ class Findings {
   std::map<std::string, std::pair<int, int>> places_;
 };
 
-/// An object of the file, read key by key; what nobody asked for is wrong in the end.
+/// An object of the file, read key by key; finish() reports the keys that nothing asked for.
 class ObjectReader {
  public:
   /// what: for sentences, as "a sphere".
@@ -48,7 +51,9 @@ class ObjectReader {
   void refuseLater(const std::vector<std::string>& keys);
   /// Duplicate, refused and unknown keys; all_known false: not the unknown ones (of a type that is itself not known).
   void finish(bool all_known = true);
+  /// Replaces the words for the object in sentences, once its type is known.
   void setWhat(Sentence what) { what_ = std::move(what); }
+  /// The path of one of its keys: "influence.t".
   std::string pathOf(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
   Findings& findings() { return findings_; }
 
@@ -78,6 +83,7 @@ void refuseWord(const Value& value, const std::string& path, const std::vector<s
 void readNumber(const Value& value, const std::string& path, double& into, Findings& findings);
 void readNumber(const Value& value, const std::string& path, Vec3& into, Findings& findings);
 void readNumber(const Value& value, const std::string& path, Mat3& into, Findings& findings);
+/// A string; a problem, and `into` as it was, where the value is none.
 void readText(const Value& value, const std::string& path, std::string& into, Findings& findings);
 
 /// One of the words; false, and a problem, where it is none of them.

@@ -25,6 +25,7 @@ struct NaturalMotion {
   double omega_n_rad_per_s;
   double zeta;
 };
+/// From the denominator of transferOf(), whose sources hold; P leaves kd out.
 NaturalMotion naturalMotion(const HeldMass& held, scene::LawType law);
 
 }  // namespace underact::lab

@@ -24,6 +24,7 @@ class Loop {
 
   const sim::PlantState& arm() const { return arm_; }
   std::int64_t time_ns() const { return input_.sample.time_ns; }
+  /// Of a tick.
   double period_s() const;
 
  private:

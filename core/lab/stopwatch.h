@@ -13,14 +13,18 @@ struct Cost {
 /// Single times by the steady clock, what reading it takes off.
 class Stopwatch {
  public:
+  /// times: how many are to come, so that none allocates. Takes the cost of reading the clock, the least of 1000 readings.
   explicit Stopwatch(std::size_t times);
+  /// Runs the work once and keeps how long it took.
   template <class Work>
   void time(const Work& work) {
     const std::int64_t start_ns = now_ns();
     work();
     add(now_ns() - start_ns);
   }
+  /// Leaves out the last time. There is one.
   void forgetLast() { times_ns_.pop_back(); }
+  /// Median, 99th percentile and maximum of the times kept; all 0 where there are none.
   Cost cost() const;
 
  private:

@@ -8,6 +8,7 @@ namespace underact::lab {
 
 /// A figure of the thesis's appendix B: one step response, or several beside each other.
 struct ThesisStep {
+  /// One curve of a figure: its name, and the transfer function whose unit step it is.
   struct Response {
     const char* name;
     TransferFunction transfer;

@@ -6,6 +6,7 @@
 
 namespace underact::lab {
 
+/// A complex number, of a pole or of s, rad/s.
 using Complex = std::complex<double>;
 
 /// num(s) / den(s), coefficients in descending powers of s. Made by makeTransferFunction(), which leaves den.front()

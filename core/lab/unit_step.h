@@ -16,6 +16,7 @@ class UnitStep {
   using Vector = Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, kMost, 1>;
   using Row = Eigen::Matrix<Complex, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMost>;
 
+  /// transfer: of makeTransferFunction(). Finds its poles, as poles() does.
   explicit UnitStep(const TransferFunction& transfer);
 
   /// y(t), t_s >= 0; at 0 the value just after the step. Not finite where it is beyond a double.

@@ -35,6 +35,7 @@ struct Layers {
 /// A row of the table of layers, in the order of the menu: what a step of a lesson may ask for, the window's actions
 /// layer.NAME, and what it remembers. Text, tip and button are for translators, in the context "layer".
 struct Layer {
+  /// The part of the menu that it is in.
   enum class Group : std::uint8_t { Scene, Teaching, Mesh };
   const char* name;
   bool Layers::*shown;
@@ -43,6 +44,7 @@ struct Layer {
   const char* button = nullptr;  // a shorter text
 };
 
+/// All layers, in the order of the menu.
 std::span<const Layer> layers();
 
 }  // namespace underact::lesson

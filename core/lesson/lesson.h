@@ -71,6 +71,7 @@ struct AskChoice {
   std::size_t right = 1;  // from 1
 };
 
+/// What a check asks for.
 using Task = std::variant<Hold, Visit, Span, Cross, AskNumber, AskChoice>;
 
 /// A task that counts as solved once it was, and what has to hold meanwhile.
@@ -81,6 +82,7 @@ struct Check {
   Place place;
 };
 
+/// A page of a lesson: what it says, what it shows and what it checks.
 struct Step {
   std::string title;
   std::string text;    // Markdown with $formulas$
@@ -93,6 +95,7 @@ struct Step {
   Place place;
 };
 
+/// A lesson file as it was read; see the guide, "Writing lessons".
 struct Lesson {
   std::string title;
   std::string group;

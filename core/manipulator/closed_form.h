@@ -3,6 +3,7 @@
 
 namespace underact::manipulator {
 
+/// What closedForm() gives: a value for each joint, rad or m.
 struct Closed {
   Values theta{};
   bool is_unique = false;  // false: every place of the circle or sphere is as good; theta is near's

@@ -20,6 +20,7 @@ struct Energy {
   Values slope{};  // dV/dtheta, N m/rad or N
 };
 
+/// The second derivatives of the energy over the joints, see curvature().
 using Hessian = SymmetricSystem<kMaxJoints>;
 
 /// X_WT: the stylus. theta: a value for each joint. Energy and slopes within 64 ulp of (kp length^2 + ko + springs)

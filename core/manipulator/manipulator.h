@@ -12,10 +12,11 @@ inline constexpr std::size_t kMaxJoints = 8;
 /// One number for each joint, rad or m (or of their stiffness); what is beyond the chain's joints is 0.
 using Values = std::array<double, kMaxJoints>;
 
-/// What of the stylus's turn the tip is drawn to. Axis: the directions of both z. Angle: the angle of z about the one
-/// revolute joint's axis, as the thesis does. Full: the whole turn.
+/// What of the stylus's orientation the end effector V follows. Axis: the direction of z. Angle: the angle of z about
+/// the axis of the one revolute joint, as in the thesis. Full: all of it.
 enum class Orientation : std::uint8_t { None, Axis, Angle, Full };
 
+/// How the joints of least energy are found. ClosedForm: see ClosedForm. Iterative: by damped Newton steps.
 enum class Method : std::uint8_t { ClosedForm, Iterative };
 
 /// Energy: F = K e at the joints of least energy. Thesis52: code 5.2 as corrected, for comparison.
@@ -36,6 +37,7 @@ struct ClosedForm {
   Vec3 z_W = Vec3::Zero();        // the tip's z at home, across the axis (Sphere: its part along radial_W)
 };
 
+/// How far the iteration goes in a tick.
 struct Options {
   Method method = Method::Iterative;
   int max_steps = 20;        // a tick, 1 to 100
@@ -43,7 +45,7 @@ struct Options {
   bool second_order = true;  // false: Gauss and Newton's approximation, for comparison
 };
 
-/// A serial chain in software whose tip V the stylus is drawn to. Made by makeManipulator().
+/// A virtual robot: a serial chain to whose end effector V the stylus is pulled. Made by makeManipulator().
 /// Its energy: V = 1/2 e^T K e + 1/2 sum k_i (theta_i - rest_i)^2 with e = (p_V - p_T; e_o), K = diag(kp, ko); the
 /// stylus is drawn to the tip at the joints of least energy. Source: Beckman 2007, section 5.2; errata section 6.
 struct Manipulator {

@@ -15,6 +15,7 @@ struct Crossing {
   std::int32_t face = -1;
   bool is_whole = true;
 };
+/// way: which crossings count. Equal ends: none. Cost: bounded by kMostVisits.
 Crossing firstCrossing(const Surface& surface, Way way, const Vec3& from_M,
                        const Vec3& to_M) noexcept UNDERACT_REAL_TIME;
 

@@ -7,6 +7,7 @@ namespace underact::mesh {
 /// An angle of 0 to 45 degrees by its cosine and sine; edges that turn by more stay as sharp as they are.
 struct Lean {
   double cos = 1.0, sin = 0.0;
+  /// Whether forces lean at all.
   bool isThere() const noexcept UNDERACT_REAL_TIME { return sin > 0.0; }
 };
 

@@ -9,6 +9,7 @@ namespace underact::mesh {
 /// Which part of a triangle ABC a point of it is on.
 enum class Part : std::uint8_t { Inside, EdgeAB, EdgeBC, EdgeCA, CornerA, CornerB, CornerC };
 
+/// What onTriangle() gives, in the unit and frame of its corners.
 struct OnTriangle {
   Vec3 p_M;                  // the point
   double squared = 0.0;      // of its distance from q

@@ -9,6 +9,7 @@
 
 namespace underact::mesh {
 
+/// See core/base/search.h.
 using underact::Search;
 
 /// What a search remembers from tick to tick.

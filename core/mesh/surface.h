@@ -26,16 +26,17 @@ struct Surface {
 /// these, cancelled.
 Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Watch& watch = {});
 
-/// Bounds and mark, from its corners (one at least) and faces.
+/// Fills in bounds and mark from the corners (one at least) and faces.
 void complete(Surface& surface);
 
-/// Of memory.
+/// How much memory it takes.
 std::size_t bytesOf(const Surface& surface);
 
 /// The corners of a face.
 struct Corners {
   Vec3 a, b, c;
 };
+/// face: an index of surface.triangles.faces, not checked. In the frame and the unit of the mesh.
 inline Corners cornersOf(const Surface& surface, std::int32_t face) noexcept UNDERACT_REAL_TIME {
   const Face& corners = surface.triangles.faces[static_cast<std::size_t>(face)];
   const auto at = [&](std::size_t k) noexcept UNDERACT_REAL_TIME -> Vec3 {

@@ -18,6 +18,7 @@ struct Triangles {
   std::vector<Face> faces;            // indexes of p_MV
 };
 
+/// corner: an index of p_MV, not checked.
 inline Vec3 cornerAt(const Triangles& triangles, std::int32_t corner) {
   return triangles.p_MV[static_cast<std::size_t>(corner)].cast<double>();
 }

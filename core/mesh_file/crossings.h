@@ -6,6 +6,7 @@
 
 namespace underact::mesh_file {
 
+/// What crossingsOf() counted.
 struct Crossings {
   std::int64_t pairs = 0;
   bool is_whole = false;  // false: too many faces, or too many that are near each other; then pairs may be too few

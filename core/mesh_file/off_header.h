@@ -6,6 +6,7 @@
 
 namespace underact::mesh_file {
 
+/// What the head of an OFF file states.
 struct OffHeader {
   std::uint64_t corners = 0, faces = 0;
   std::size_t bytes = 0;  // where the first line of a corner begins

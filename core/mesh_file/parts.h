@@ -21,6 +21,7 @@ struct Part {
   std::int32_t some_corner = 0;
 };
 
+/// All parts of a mesh.
 struct Parts {
   std::vector<Part> parts;
   std::vector<std::int32_t> part_of;     // of each face
@@ -28,6 +29,7 @@ struct Parts {
   std::int64_t clashes = 0;              // edges
 };
 
+/// Whether it has neither border nor edge of more than two faces, and its faces can be made to agree.
 inline bool isClosed(const Part& part) {
   return !part.is_open && part.clashes == 0;
 }

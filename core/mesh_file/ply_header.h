@@ -8,6 +8,7 @@
 
 namespace underact::mesh_file {
 
+/// How the body of the file holds its numbers.
 enum class PlyEncoding : std::uint8_t { Text, LittleEndian, BigEndian };
 
 /// One property of an element: a number, or a list of them with its length before it.
@@ -20,12 +21,14 @@ struct PlyProperty {
   int length_bytes = 0;
 };
 
+/// One kind of thing that the body lists: "vertex", "face", ...
 struct PlyElement {
   std::string name;
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
 };
 
+/// What the head of a PLY file states.
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::Text;
   std::vector<PlyElement> elements;

@@ -7,6 +7,7 @@
 
 namespace underact::mesh_file {
 
+/// What repair() gives.
 struct Repaired {
   mesh::Triangles triangles;  // finite; of each face three different corners; corners in order of first use
   Facts facts;

@@ -24,6 +24,7 @@ struct Unit {
   double size_mm;      // how long the mesh would be
 };
 
+/// What to ask about the unit of a file.
 struct Proposal {
   Sentence sentence;        // "The mesh would be 0.12 mm long as millimetres. In metres it would be 120 mm."
   std::vector<Unit> units;  // those that make it a plausible size, the likeliest first; may be empty

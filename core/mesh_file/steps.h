@@ -9,6 +9,7 @@ namespace underact::mesh_file {
 /// Looks at the watch now and then within a loop, so that asking costs nothing.
 class Steps {
  public:
+  /// watch: outlives this.
   explicit Steps(const Watch& watch) : watch_(watch) {}
   /// true: give up.
   bool isCancelled() {

@@ -10,6 +10,7 @@ namespace underact::mesh_file {
 inline constexpr std::uint64_t kStlHeadBytes = 84;
 inline constexpr std::uint64_t kStlFaceBytes = 50;
 
+/// The count of faces that the head of a file states; 0 where the head is shorter than kStlHeadBytes.
 inline std::uint64_t stlBinaryCount(std::string_view head) {
   if (head.size() < kStlHeadBytes) return 0;
   std::uint64_t count = 0;

@@ -50,6 +50,7 @@ struct CsvExport {
   bool is_stopped = false;   // before its end, as was asked
   Problems unread;           // why no more was read
   Problems unwritten;        // what is there is whole up to a line
+  /// Whether every tick of the session was written.
   bool isWhole() const { return missing == 0 && !is_stopped && unread.empty() && unwritten.empty(); }
 };
 

@@ -11,6 +11,7 @@ namespace underact::record {
 class Presence {
  public:
   Presence() = default;
+  /// Marks the file at path as one that is being recorded, by a shared lock. No such file: no mark.
   explicit Presence(const std::string& path);
   /// Some program is recording into that file.
   static bool isAt(const std::string& path);

@@ -15,6 +15,7 @@ struct FaultWords {
   Sentence what;
   Sentence what_to_do;
 };
+/// The sentences of whatHappened() and whatToDo(), and the word of name().
 FaultWords wordsOf(const Fault& fault);
 /// With what the arm's side says of it.
 FaultWords wordsOf(const servo::FaultReport& report);

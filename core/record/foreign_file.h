@@ -11,8 +11,8 @@
 
 namespace underact::record {
 
-/// A file of a stranger's, open for reading: what is checked and what is then worked on are one, whatever is put in its
-/// place meanwhile.
+/// A file from elsewhere, open for reading: what is checked and what is then read are the same file, whatever is put in
+/// its place meanwhile.
 class ForeignInput {
  public:
   /// follows: also where path is a link to another file. Problems: it is not there, no regular file, or another program
@@ -20,6 +20,7 @@ class ForeignInput {
   static Result<ForeignInput> open(const std::string& path, bool follows = true);
   int fd() const { return file_.number(); }
   const std::string& path() const { return path_; }
+  /// Its size now; 0 where the system does not tell.
   std::int64_t bytes() const;
   /// Others may write it from here on.
   void unlock() const;
@@ -30,16 +31,17 @@ class ForeignInput {
   system::Descriptor file_;
 };
 
-/// The reading side of Hdf5File for files that may come from anybody. The HDF5 library does not look at them in this
-/// process but in underact-session-reader, which is shut off from all else: whatever a file does to it, it ends there,
-/// and is a sentence here. Of each answer every count and length is checked. Each file that is open has a process of
-/// its own, so that several threads may each read one; any one thread at a time.
+/// The reading side of Hdf5File for files that may come from anybody. The HDF5 library does not read them in this
+/// process but in underact-session-reader, which is sealed off from everything else: whatever a file does to it stays
+/// there, and is a problem here. Every count and length of an answer is checked. Each open file has a process of its
+/// own, so that several threads may each read one; one thread at a time.
 class ForeignFile {
  public:
   /// at_least: see accessThrough(). Problems: as Hdf5File::open(); the reader is missing (UNDERACT_SESSION_READER says
   /// where it is), could not be shut off, broke off, took too long.
   static Result<ForeignFile> open(std::shared_ptr<const ForeignInput> input, std::span<const Table> tables,
                                   std::int64_t at_least = 0);
+  // One that was moved from may only be assigned to or destroyed.
   ForeignFile(ForeignFile&&) noexcept;
   ForeignFile& operator=(ForeignFile&&) noexcept;
   ~ForeignFile();

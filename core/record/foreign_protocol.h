@@ -12,8 +12,10 @@ namespace underact::record {
 // What a program asks underact-session-reader, and how that answers. Both are this program's: numbers stand as they do
 // in memory.
 
+/// What can be asked.
 enum class Asks : std::uint8_t { Open, Refresh, Read, Text, Integer, Real };
 
+/// One question, as it is sent.
 struct Question {
   Asks what = Asks::Open;
   std::array<char, 31> name{};        // of an attribute, filled up with zeros
@@ -31,6 +33,7 @@ static_assert(std::is_trivially_copyable_v<Question> && sizeof(Question) == 80);
 inline constexpr std::byte kNo{0}, kYes{1};
 
 inline constexpr std::size_t kMostForeignTables = 8;
+/// Of each table, in their order: its rows, and the rows of its blocks.
 struct Shape {
   std::array<std::int64_t, kMostForeignTables> rows{}, block_rows{};
   std::int64_t is_open_elsewhere = 0;

@@ -19,6 +19,7 @@ namespace underact::record {
 class Hdf5File {
  public:
   ~Hdf5File();
+  // One that was moved from may only be assigned to or destroyed.
   Hdf5File(Hdf5File&&) noexcept;
   Hdf5File& operator=(Hdf5File&&) noexcept;
 
@@ -54,6 +55,7 @@ class Hdf5File {
 
   /// Reader: rows that all columns have, as of now, with a checksum for each of their blocks.
   std::int64_t rows(std::size_t table);
+  /// Rows of a block of that table, as its file has them. table: an index of the tables it was opened with.
   std::int64_t blockRows(std::size_t table) const;
   /// Reader: whole blocks, from first on, at most count; a damaged one has no bytes. Problems: the file cannot be read.
   Result<std::vector<Block>> read(std::size_t table, std::int64_t first, std::int64_t count);
@@ -61,7 +63,9 @@ class Hdf5File {
   void refresh();
   /// Reader. Not there, or of another kind: the fallback.
   std::string text(std::string_view attribute) const;
+  /// The same of a whole number, and of a real one.
   std::int64_t integer(std::string_view attribute, std::int64_t fallback) const;
+  /// As integer().
   double real(std::string_view attribute, double fallback) const;
   /// The file was opened as one that a writer has not closed.
   bool isOpenElsewhere() const;

@@ -20,7 +20,9 @@ class Id {
  public:
   using Close = int (*)(Handle);
   Id() = default;
+  /// id: taken over; below 0: none. closer: the function of the library that closes such an identifier.
   Id(Handle id, Close closer) : id_(id), close_(closer) {}
+  /// Takes the identifier over; the other is left with none, or with this one's to close.
   Id(Id&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
   Id& operator=(Id&& other) noexcept {
     std::swap(id_, other.id_);
@@ -28,11 +30,13 @@ class Id {
     return *this;
   }
   ~Id() { close(); }
+  /// Closes it now. false: the library could not. Nothing to close: true.
   bool close() {
     const Handle id = std::exchange(id_, -1);
     return id < 0 || close_(id) >= 0;
   }
   operator Handle() const { return id_; }
+  /// Whether there is an identifier.
   bool isGood() const { return id_ >= 0; }
 
  private:
@@ -52,6 +56,7 @@ struct Attribute {
 /// Whether a name in a group is the object itself, and no link to one that may be in another file.
 bool isOwn(Handle group, std::string_view name);
 
+/// A new attribute of the object. false: the library refused.
 bool writeAttribute(Handle object, const Attribute& attribute);
 
 // None where it is not there, of another kind, or a text of more than a mebibyte.

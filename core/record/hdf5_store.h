@@ -13,9 +13,11 @@ struct Store {
   Kind kind = Kind::Real;
   std::uint64_t width = 1;
   bool is_packed = false;  // shuffled or compressed by zlib, as h5repack makes copies; never by this program
+  /// Dimensions of the dataset: rows, and numbers a row where they are several.
   int rank() const { return width > 1 ? 2 : 1; }
 };
 
+/// A new dataset without rows, unit and meaning as its attributes; not good where the library refused.
 Store createStore(Handle group, const Column& column, std::uint64_t chunk_rows);
 /// As createStore() makes it, with chunks of so many rows; not good where it is otherwise in any way: another type, a
 /// link, packed by another filter, laid out by another program, its numbers in another file.

@@ -37,6 +37,7 @@ bool cutTo(const OpenTable& table, std::int64_t rows);
 /// refused.
 std::optional<std::vector<Block>> readBlocks(const OpenTable& table, std::int64_t begin, std::int64_t end);
 
+/// Reader: sees the rows that were written since.
 void refresh(const OpenTable& table);
 /// false: what is in memory could not be written.
 bool close(OpenTable& table);

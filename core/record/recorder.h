@@ -9,6 +9,7 @@
 
 namespace underact::record {
 
+/// When a recording ends by itself, and how its file is written.
 struct RecorderOptions {
   std::int64_t most_ticks = 0;                           // no more than these; 0: until stop()
   std::int64_t reserve_bytes = 64LL << 20;               // with less left on the disk the recording ends in order
@@ -46,6 +47,7 @@ class Recorder {
   Problems stop(EndReason reason = EndReason::Stopped);
   /// Any thread.
   RecorderStatus status() const;
+  /// Of the file. Any thread.
   const std::string& path() const;
 
  private:

@@ -15,6 +15,7 @@ struct Difference {
   std::string column;
 };
 
+/// What verifyReplay() found.
 struct Verified {
   std::int64_t ticks = 0;             // that were compared and are the same to the bit
   std::optional<Difference> differs;  // none: all are

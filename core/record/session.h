@@ -25,9 +25,11 @@ struct SessionInfo {
   std::optional<EndRow> end;  // none: it is being recorded, or was when the program died
   std::int64_t bytes = 0;     // of the file
   Problems damage;            // what could not be read of the small tables
+  /// Whether the recording was ended in order, or made whole by recover().
   bool isComplete() const { return end.has_value(); }
 };
 
+/// A named moment in a session.
 struct Marker {
   std::int64_t tick = 0;
   std::string label;
@@ -49,6 +51,7 @@ class Session {
   /// The same of a file that is open already. at_least: see accessThrough().
   static Result<Session> open(std::shared_ptr<const ForeignInput> input, std::int64_t at_least = 0);
 
+  // As they were read by open() or the last refresh(); valid until the next one.
   const SessionInfo& info() const { return info_; }
   const std::vector<ChangeRow>& changes() const { return changes_; }
   const std::vector<Marker>& markers() const { return markers_; }
@@ -56,11 +59,14 @@ class Session {
 
   /// The scene of a change, as JSON; empty: the servo had none. Problems: those words are damaged.
   Result<std::string> sceneText(const ChangeRow& change);
+  /// The same, read; an empty scene where the servo had none. Problems, too: those of readScene().
   Result<scene::Description> scene(const ChangeRow& change);
   /// The servo's memory at the first row. Problems: damaged, or another layout.
   Result<tick::TickState> start(const tick::TickProgram& program);
 
+  /// Ticks of a block; the last one may have fewer.
   std::int64_t blockRows() const { return file_.blockRows(kTicks); }
+  /// Blocks of ticks that can be read, damaged ones included.
   std::int64_t blocks() const { return (info_.ticks + blockRows() - 1) / blockRows(); }
   /// Whole blocks of ticks; a damaged one has no bytes.
   Result<std::vector<Block>> readTicks(std::int64_t first_block, std::int64_t count);

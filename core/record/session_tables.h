@@ -37,16 +37,19 @@ struct Words {
   std::int64_t bytes = 0;
 };
 
+/// A row of /changes: from this tick on another scene was in effect.
 struct ChangeRow {
   std::int64_t tick = 0;
   std::uint64_t revision = 0;
   tick::Carry carry = tick::Carry::Arm;
   Words scene;
 };
+/// A row of /markers.
 struct MarkerRow {
   std::int64_t tick = 0;
   Words label;
 };
+/// The row of /end, which a recording that ended in order has.
 struct EndRow {
   std::int64_t tick = 0;  // the last one
   std::int64_t dropped = 0;
@@ -54,6 +57,7 @@ struct EndRow {
   EndReason reason = EndReason::Stopped;
 };
 
+// One row, packed as a block of its table.
 Block blockOf(const ChangeRow& row);
 Block blockOf(const MarkerRow& row);
 Block blockOf(const servo::FaultMark& row);

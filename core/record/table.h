@@ -10,6 +10,7 @@ namespace underact::record {
 /// What the numbers of a column are; little-endian in the file.
 enum class Kind : std::uint8_t { Byte, Unsigned, Integer, Real };  // 1, 4, 8, 8 bytes
 
+/// A column of a table: its name and unit in the file, and what its numbers are.
 struct Column {
   std::string_view name;
   std::string_view unit;  // empty: a plain number
@@ -29,6 +30,7 @@ struct Table {
   std::int64_t most_block_rows = 0;  // that a file may have, each block a chunk; 0: block_rows and chunk_rows alone
 };
 
+/// Bytes of one row over all columns.
 std::size_t rowBytes(const Table& table);
 
 /// Rows, column after column, as they stand in the file; its CRC-32 is the block's.
@@ -50,6 +52,7 @@ inline constexpr std::int64_t kLongestFile = std::int64_t{1} << 44;
 /// Rows of a table from one on, up to another.
 struct RowRange {
   std::int64_t begin = 0, end = 0;
+  /// Blocks that the rows take; the last one may not be full. block_rows: above 0.
   std::int64_t blocks(std::int64_t block_rows) const { return (end - begin + block_rows - 1) / block_rows; }
 };
 /// Of blocks from first on, at most count; of a table that has so many rows in all. None where first is beyond them.
@@ -59,13 +62,17 @@ RowRange rangeOf(std::int64_t first, std::int64_t count, std::int64_t block_rows
 /// begin() was told.
 class Packer {
  public:
+  /// columns: they outlive this.
   explicit Packer(std::span<const Column> columns);
+  /// Begins a block of no rows. Allocates where most_rows is another than before.
   void begin(std::int64_t most_rows);
+  // The next number: one of the kind that its column has; not checked, nor that there is room.
   void integer(std::int64_t value) { put(&value, sizeof value); }
   void unsigned32(std::uint32_t value) { put(&value, sizeof value); }
   void byte(std::uint8_t value) { put(&value, sizeof value); }
   void real(double value) { put(&value, sizeof value); }
   std::int64_t rows() const { return rows_; }
+  /// Whether there are as many rows as begin() was told.
   bool isFull() const { return rows_ == most_rows_; }
   /// What was written so far, without gaps.
   Block block() const;
@@ -82,8 +89,11 @@ class Packer {
 /// Reads them back the same way.
 class Unpacker {
  public:
+  /// columns and block: they outlive this; the block is whole and was packed with these columns.
   Unpacker(std::span<const Column> columns, const Block& block);
+  /// Whether all rows were read.
   bool isDone() const { return row_ == block_.rows; }
+  // The next number, as its column has it; to be called only until isDone().
   std::int64_t integer() { return take<std::int64_t>(); }
   std::uint32_t unsigned32() { return take<std::uint32_t>(); }
   std::uint8_t byte() { return take<std::uint8_t>(); }

@@ -22,11 +22,12 @@ double likelyMost_m(double rms_m, std::size_t marks);
 /// Source: Fitzpatrick, West, Maurer 1998, eq. 46.
 double expectedError_m(const std::vector<Vec3>& marks_D, double touching_m, const Vec3& p_D);
 
-/// Of the middle of the workspace, p_W = 0.
+/// The expected error at the middle of the workspace, p_W = 0, m.
 struct ErrorInTheMiddle {
   double expected_m = 0.0;
   double likely_most_m = 0.0;  // expected, of likelyMost_m()
 };
+/// fit: fitTouches() of these touches, 3 to 8 of them. Source: expectedError_m() and its two arguments.
 ErrorInTheMiddle errorInTheMiddle(const std::vector<Touch>& touches, const Fit& fit);
 
 }  // namespace underact::registration

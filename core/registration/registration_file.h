@@ -21,6 +21,7 @@ struct Registration {
 /// keys: the guide, "Register the arm". The fit is made of the marks; an X_DW that says otherwise is a problem, and may
 /// be left out. Every problem at once, with places.
 Result<Registration> readRegistration(std::string_view text, const std::string& file_name);
+/// The same of a file. Problems, too: it cannot be read, or is too large.
 Result<Registration> readRegistrationFile(const std::string& path);
 
 /// The text of the file; readRegistration() reads the same back, number by number.

@@ -12,6 +12,7 @@ std::vector<Vec3> sheetMarks(std::size_t count = 3);
 
 /// A place on the desk as people measure it from mark 1: to the right, away from them, up.
 Vec3 onDesk(double right_m, double away_m, double up_m);
+// The same three numbers of a position on the desk, in the unit of p_D.
 double rightOf(const Vec3& p_D);
 double awayOf(const Vec3& p_D);
 double upOf(const Vec3& p_D);

@@ -23,7 +23,9 @@ class Still {
   /// A sample. time_ns: of the arm; where it does not go on by a period, or the place is not finite, it begins anew.
   /// The result, once so much time has been collected; then it waits for begin().
   std::optional<Held> add(std::int64_t time_ns, const Vec3& p_WT);
+  /// Begins to collect with the next sample; what was collected is dropped.
   void begin() { *this = Still(true); }
+  /// Stops collecting; what was collected is dropped.
   void end() { *this = Still(); }
   bool isAtWork() const { return at_work_; }
   double share() const;  // of the time

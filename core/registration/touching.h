@@ -11,6 +11,7 @@ namespace underact::registration {
 /// due; half a second later it is touched, and the next one is due. Of one thread.
 class Touching {
  public:
+  /// What a sample did: a hold began, the tip moved too much (it has to be pressed again), or the point was touched.
   enum class Event { None, Began, Moved, Touched };
 
   /// marks_D: at least one.
@@ -30,7 +31,9 @@ class Touching {
   std::size_t due() const { return due_; }  // the number of marks: none
   bool isHolding() const { return still_.isAtWork(); }
   double share() const { return still_.share(); }  // of the time that it is held
+  /// Whether every reference point was touched, and none is due again.
   bool isDone() const;
+  /// How it was touched; empty: not yet. mark: below the number of marks, not checked.
   const std::optional<Held>& held(std::size_t mark) const { return held_[mark]; }
   /// Of the marks that were touched, in their order.
   std::vector<Touch> touches() const;

@@ -12,8 +12,10 @@ struct ArmPose {
   Columns R_WT;
   Real3 p_WT;
 };
+/// The pose of the tip in W for joint angles in rad. Source: thesis table 3.1 as the errata correct it, and eq. 3.1.
 ArmPose armPose(const arm::Geometry& geometry, const std::array<Real, 6>& q);
 
+/// The doubles, exactly.
 std::array<Real, 6> realOf(const arm::JointAngles& q_rad);
 
 /// How the tip moves by each of joints 1 to 3, by differences so small that what they leave out is below 50 digits.

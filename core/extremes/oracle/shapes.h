@@ -7,11 +7,13 @@ namespace underact::extremes::oracle {
 
 // The nearest points of shapes, from what a shape is. Axes need not be unit. None looks at core/shape.
 
+/// The nearest point, and how far the tip is from it; same unit as the arguments.
 struct Nearest {
   Real3 p_WP;
   Real distance;  // never negative
 };
 
+// Lengths in one unit, positions in W. Where several points are nearest, one of them. Axes and normals: not 0.
 Nearest onSphere(const Real3& p_WC, const Real& radius, const Real3& p_WT);
 Nearest onLine(const Real3& p_WC, const Real3& axis_W, const Real3& p_WT);
 Nearest onPlane(const Real3& p_WC, const Real3& normal_W, const Real3& p_WT);

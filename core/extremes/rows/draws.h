@@ -32,10 +32,12 @@ manipulator::Manipulator drawManipulator(Input& input, int size = 40);
 manipulator::Manipulator drawClosedManipulator(Input& input);
 /// A stylus beside it, or far.
 Pose drawStylus(Input& input, const manipulator::Manipulator& m);
+/// A value for each joint of the manipulator as drawJoints(); 0 beyond.
 manipulator::Values drawTheta(Input& input, const manipulator::Manipulator& m);
 
 // What rows that ask laws and filters are fed: a signal, sample by sample.
 
+/// Samples of the error and the time before each.
 struct Signal {
   std::vector<Vec3> e_W;
   std::vector<double> dt_s;  // before each sample
@@ -50,6 +52,7 @@ inline constexpr std::array<double, 14> kOddNumbers{
     kNotANumber, kInfinity, -kInfinity, 5e-324, -5e-324, 1e-310, 1e308,
     -1e308,      1e200,     -1e155,     1e-200, -0.0,    1e18,   std::numeric_limits<double>::max()};
 
+/// One of kOddNumbers, equally likely.
 inline double drawOdd(Dice& dice) {
   return kOddNumbers[dice.below(kOddNumbers.size())];
 }
