@@ -16,7 +16,7 @@ struct GateState {
   double still_s = 0.0;       // how long the sample has been the same to the bit
   Vec3 v_WT = Vec3::Zero();   // the tip's velocity, filtered
   Vec3 f_T_W = Vec3::Zero();  // sent last
-  Vec3 heat = Vec3::Zero();   // of motors 1 to 3: 0 cold, 1 what they bear for good
+  Vec3 heat = Vec3::Zero();   // of motors 1 to 3: 0 cold, 1 at their continuous torque
   Fault letting_go = {};      // why the force is on its way to zero; becomes the fault when it is there
   Fault fault = {};           // what stopped the servo; stays until it is started again
 };
@@ -59,6 +59,7 @@ class GatedForce {
   Vec3 f_T_W_ = Vec3::Zero();
 };
 
+/// What gate() makes of what was asked.
 struct Gated {
   GatedForce force;
   GateState next;

@@ -4,10 +4,10 @@
 
 namespace underact::safety {
 
-/// The motors of joints 1 to 3 as one warms up: heat 1 is what they bear for good.
+/// The thermal model of motors 1 to 3: heat 1 is what the continuous torque leads to.
 struct Thermal {
-  Vec3 continuous_N_m = Vec3::Zero();  // torque borne for good; a motor of 0 is not watched
-  double time_constant_s = 60.0;       // assumed: no sheet of the arm says
+  Vec3 continuous_N_m = Vec3::Zero();  // continuous torque; a motor of 0 is not watched
+  double time_constant_s = 60.0;       // assumed: no data sheet of the arm states it
 };
 
 /// What the gate lets through. A limit that is infinite, or 0 where it says so, is off.
@@ -42,6 +42,7 @@ struct Cuts {
 
 /// The same as bits, for a row of a recording.
 enum CutBit : unsigned { kClampBit = 1, kSpeedBit = 2, kEdgeBit = 4, kHeatBit = 8, kSlewBit = 16, kFrozenBit = 32 };
+/// The CutBits of the limits that took something off. A cut that is not a number counts as none.
 unsigned bitsOf(const Cuts& cuts) noexcept UNDERACT_REAL_TIME;
 
 /// All that was taken off, N.

@@ -5,6 +5,7 @@ namespace underact::safety {
 
 // What each limit makes of a force of at most max_force_N. All keep it finite, and none makes it larger.
 
+/// Whether all three are finite.
 bool isFinite(const Vec3& v) noexcept UNDERACT_REAL_TIME;
 
 /// The size of any force without overflow, N.

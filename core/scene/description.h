@@ -16,37 +16,44 @@ namespace underact::scene {
 // A scene as people write it: the numbers of the file, in the file's units (mm, N/mm), so that saving writes back what
 // was read. contracts: the scene reference in resources/guide. compile() turns it into SI and into a tick program.
 
+/// A point; every direction is held.
 struct Point {
   Vec3 position_mm = Vec3::Zero();
   bool operator==(const Point&) const = default;
 };
+/// A sphere; radius_mm above 0.
 struct Sphere {
   Vec3 center_mm = Vec3::Zero();
   double radius_mm = 0.0;
   bool operator==(const Sphere&) const = default;
 };
+/// An infinite line. direction: any length but zero.
 struct Line {
   Vec3 point_mm = Vec3::Zero();
   Vec3 direction = Vec3::UnitX();
   bool operator==(const Line&) const = default;
 };
+/// An infinite plane; its normal, of any length but zero, points outside.
 struct Plane {
   Vec3 point_mm = Vec3::Zero();
   Vec3 normal = Vec3::UnitY();
   bool operator==(const Plane&) const = default;
 };
+/// A circle about its centre, at right angles to the normal. radius_mm above 0.
 struct Circle {
   Vec3 center_mm = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();
   double radius_mm = 0.0;
   bool operator==(const Circle&) const = default;
 };
+/// An infinite cylinder. axis: any length but zero; radius_mm above 0.
 struct Cylinder {
   Vec3 point_mm = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();
   double radius_mm = 0.0;
   bool operator==(const Cylinder&) const = default;
 };
+/// A box; size_mm: its full edges, along the columns of the rotation R_WB.
 struct Box {
   Vec3 center_mm = Vec3::Zero();
   Vec3 size_mm = Vec3::Zero();
@@ -68,6 +75,7 @@ struct Joint {
 
 /// Which way the joints are found.
 enum class SolverMethod : std::uint8_t { Auto, ClosedForm, Iterative };
+/// How a virtual robot's joints of least energy are found.
 struct Solver {
   SolverMethod method = SolverMethod::Auto;
   int max_steps = 20;
@@ -75,7 +83,7 @@ struct Solver {
   bool operator==(const Solver&) const = default;
 };
 
-/// A robot that exists only in software; the stylus is held to its tip.
+/// A virtual robot; the stylus is held to its end effector.
 struct VirtualManipulator {
   std::vector<Joint> joints;
   Eigen::Matrix4d X_WV_home = Eigen::Matrix4d::Identity();  // translation in mm
@@ -124,11 +132,13 @@ struct Curve {
   bool operator==(const Curve& other) const;
 };
 
+/// What a constraint can be.
 using Shape = std::variant<Point, Sphere, Line, Plane, Circle, Cylinder, Box, VirtualManipulator, Mesh, Curve>;
 
 /// The word of a scene file for the shape's type: "point", "sphere", ...
 const char* typeName(const Shape& shape);
 
+/// The control law; each uses the gains of the one before it, too.
 enum class LawType : std::uint8_t { P, PD, PID };
 /// Which nearest point unequal gains mean.
 enum class Anisotropy : std::uint8_t { Weighted, Euclidean };
@@ -148,20 +158,25 @@ struct KalmanFilter {
   double acceleration_mm_per_s2 = 8000.0;
   bool operator==(const KalmanFilter&) const = default;
 };
+/// A first-order filter.
 struct LowPassFilter {
   double time_constant_ms = 1.6;
   bool operator==(const LowPassFilter&) const = default;
 };
+/// The slope over a window that adapts to the motion.
 struct AdaptiveWindowFilter {
   double window = 8.0;  // ticks, a whole number
   double noise_mm = 0.11;
   bool operator==(const AdaptiveWindowFilter&) const = default;
 };
+/// The last difference, unfiltered.
 struct RawFilter {
   bool operator==(const RawFilter&) const = default;
 };
+/// The filter of the error's rate; the first is the default.
 using Velocity = std::variant<KalmanFilter, LowPassFilter, AdaptiveWindowFilter, RawFilter>;
 
+/// How an error becomes a force.
 struct Control {
   LawType law = LawType::P;
   Gains gains;
@@ -172,8 +187,9 @@ struct Control {
   bool operator==(const Control&) const = default;
 };
 
-/// How much of the stylus's turn goes into the target; circle, cylinder and sphere.
+/// The direction along the stylus's z axis that counts. PlusZ: from the tip to the hand.
 enum class StylusAxis : std::uint8_t { PlusZ, MinusZ };
+/// How position and orientation of the stylus are weighed in the target; of a circle, a cylinder or a sphere.
 struct Influence {
   double t = 0.5;  // 0: orientation only, 1: position only
   StylusAxis stylus_axis = StylusAxis::PlusZ;
@@ -187,6 +203,7 @@ struct Friction {
   bool operator==(const Friction&) const = default;
 };
 
+/// One thing that the stylus is held to, or kept out of.
 struct Constraint {
   std::string name;  // unique in the scene; made up from type and number where the file gives none
   Shape shape;
@@ -205,8 +222,10 @@ struct Simulation {
 };
 inline constexpr double kShortestSubstep_us = 5.0, kLongestSubstep_us = 10'000.0;
 
+/// In core's unit, rounded to whole nanoseconds.
 Integration integrationOf(const Simulation& simulation);
 
+/// A whole scene.
 struct Description {
   std::string title;
   std::string about;

@@ -26,6 +26,7 @@ bool isSame(const Description& a, const Description& b);
 /// How much a running servo can keep over an edit. Gains: all; the targets are where they were. Targets: what the laws
 /// remember of the past, but a target is elsewhere now. Scene: nothing; what one law remembers says nothing to another.
 enum class Change : std::uint8_t { Gains, Targets, Scene };
+/// What the step from before to after is. Another arm, combination, number or kind of constraints, or space: Scene.
 Change changeBetween(const Description& before, const Description& after);
 
 }  // namespace underact::scene

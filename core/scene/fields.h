@@ -12,8 +12,10 @@ namespace underact::scene {
 /// What a number of a shape means, and so which numbers are allowed.
 enum class Meaning : std::uint8_t { Position, Direction, Length, Rotation };
 
+/// One key of a shape: the member that it stands for, and what the number means.
 template <class Shape, class Number>
 struct Field {
+  /// its_key: as in the file; it lives as long as the field.
   constexpr Field(const char* its_key, Number Shape::*its_member, Meaning its_meaning, bool is_required = true)
       : key(its_key), member(its_member), meaning(its_meaning), required(is_required) {}
   const char* key;
@@ -22,6 +24,7 @@ struct Field {
   bool required;
 };
 
+/// The word for a shape's type, whether it has an inside and an outside, and its keys; one specialisation a type.
 template <class Shape>
 struct Fields;
 
@@ -117,6 +120,7 @@ void eachField(Shape& shape, Visit&& visit) {
 /// The word of a scene file for the filter: "kalman", ...
 const char* filterName(const Velocity& velocity);
 
+/// See core/json/words.h.
 using json::Word;
 
 inline constexpr Word<LawType> kLawWords[] = {{"P", LawType::P}, {"PD", LawType::PD}, {"PID", LawType::PID}};

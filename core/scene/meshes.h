@@ -36,6 +36,7 @@ void checkPlacement(const std::string& what, const std::string& file, double sca
 
 /// Those of a curve.
 void readCurve(ObjectReader& object, Curve& into);
+/// The same for a curve and its guide.
 void checkCurve(const Curve& curve, const Control& control, const Say& say);
 
 /// add(key within the constraint, sentence) for each number that no rule allows.

@@ -12,6 +12,7 @@ namespace underact::scene::row {
 
 // Inside the room: how a row of the table is made from a member of an object of the description.
 
+/// The object that a pointer to a member belongs to.
 template <class Member>
 struct MemberOf;
 template <class Its, class Type>
@@ -42,47 +43,62 @@ constexpr const char* kObject<Solver> = "/constraints/*/solver";
 template <>
 constexpr const char* kObject<Joint> = "/constraints/*/joints/*";
 
+// The value of a member, and a value into a member. The value is of the member's kind: std::get throws otherwise.
+/// A number.
 inline SettingValue valueOf(double number) {
   return number;
 }
+/// A whole number, as a double.
 inline SettingValue valueOf(int number) {
   return static_cast<double>(number);
 }
+/// A flag.
 inline SettingValue valueOf(bool flag) {
   return flag;
 }
+/// A number for each axis.
 inline SettingValue valueOf(const Vec3& axes) {
   return axes;
 }
+/// A number, or none.
 inline SettingValue valueOf(const std::optional<double>& number) {
   return number ? SettingValue(*number) : SettingValue();
 }
 
+/// The number.
 inline void put(const SettingValue& value, double& into) {
   into = std::get<double>(value);
 }
+/// The number, whose fraction is dropped.
 inline void put(const SettingValue& value, int& into) {
   into = static_cast<int>(std::get<double>(value));
 }
+/// The flag.
 inline void put(const SettingValue& value, bool& into) {
   into = std::get<bool>(value);
 }
+/// The number of each axis.
 inline void put(const SettingValue& value, Vec3& into) {
   into = std::get<Vec3>(value);
 }
+/// The number, or none.
 inline void put(const SettingValue& value, std::optional<double>& into) {
   into = isNone(value) ? std::nullopt : std::optional(std::get<double>(value));
 }
 
+/// The kind that goes with a member's type.
 constexpr SettingKind kindOf(double) {
   return SettingKind::Number;
 }
+/// As of a number.
 constexpr SettingKind kindOf(const std::optional<double>&) {
   return SettingKind::Number;
 }
+/// A whole number.
 constexpr SettingKind kindOf(int) {
   return SettingKind::Whole;
 }
+/// A flag.
 constexpr SettingKind kindOf(bool) {
   return SettingKind::Flag;
 }
@@ -102,6 +118,7 @@ constexpr SettingOf<ObjectOf<kMember>> member(Setting setting) {
           [](const Object&) { return valueOf(Object{}.*kMember); }};
 }
 
+/// The words of a table, in its order.
 template <const auto& kWords>
 std::vector<std::string> wordsOf() {
   std::vector<std::string> all;
@@ -109,6 +126,7 @@ std::vector<std::string> wordsOf() {
   return all;
 }
 
+/// The enumerator of a word; a word that the table does not have changes nothing.
 template <const auto& kWords, class Enum>
 void putWord(const SettingValue& value, Enum& into) {
   for (const auto& word : kWords) {
@@ -144,6 +162,7 @@ constexpr SettingOf<Velocity> ofFilter(Setting setting, SettingKind kind = Setti
           [](const Velocity& velocity) { return std::holds_alternative<Filter>(velocity); }};
 }
 
+/// Which filter it is; a change to another one takes that one's default settings.
 constexpr SettingOf<Velocity> filter(Setting setting) {
   setting.kind = SettingKind::Choice;
   setting.words = &wordsOf<kFilterWords>;
@@ -158,17 +177,20 @@ constexpr SettingOf<Velocity> filter(Setting setting) {
           [](const Velocity&) -> SettingValue { return std::string(filterName({})); }};
 }
 
+/// The row with a rule of its own in place of its range.
 template <class Object>
 constexpr SettingOf<Object> judgedBy(Sentence (*judge)(const Object&, double), SettingOf<Object> row) {
   row.judge = judge;
   return row;
 }
+/// The row for those objects alone for which is_there() is true.
 template <class Object>
 constexpr SettingOf<Object> thereWhere(bool (*is_there)(const Object&), SettingOf<Object> row) {
   row.is_there = is_there;
   return row;
 }
 
+/// judgeGain(), as a rule of a row.
 template <class Object>
 Sentence judgeAsGain(const Object&, double number) {
   return judgeGain(number);

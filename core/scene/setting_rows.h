@@ -13,26 +13,31 @@ namespace underact::scene {
 
 // The rows of each object of a file, for those who have the object in hand.
 
+/// A setting, and how an object that has it gives and takes its value.
 template <class Object>
 struct SettingOf {
   Setting is;
   SettingValue (*get)(const Object& object);
-  void (*set)(Object& object, const SettingValue& value);
-  SettingValue (*usual)(const Object& object);
+  void (*set)(Object& object, const SettingValue& value);  // value: of the setting's kind
+  SettingValue (*usual)(const Object& object);             // the default, where the key is left out
   Sentence (*judge)(const Object& object, double number) = nullptr;  // null: by the range
   bool (*is_there)(const Object& object) = nullptr;                  // whether the object may have it; null: always
   bool (*is_used)(const Object& object) = nullptr;                   // whether it does anything; null: always
 };
 
+/// The rows of several kinds of objects; kHas: whether an object is one of them.
 template <class... Object>
 struct RowsFor {
   std::tuple<std::span<const SettingOf<Object>>...> rows;
+  /// The rows outlive it.
   constexpr explicit RowsFor(std::span<const SettingOf<Object>>... its_rows) : rows(its_rows...) {}
   template <class One>
   static constexpr bool kHas = (std::is_same_v<One, Object> || ...);
 };
+/// The objects of a scene that have settings.
 using AllRows = RowsFor<Description, Simulation, Control, Velocity, Constraint, Influence, Friction, Mesh, Curve,
                         CurveGuide, VirtualManipulator, Solver, Joint>;
+/// The table of settings.cpp.
 const AllRows& allRows();
 
 /// The rows of an object, in the order of a file; of others than these there are none.
@@ -44,6 +49,7 @@ std::span<const SettingOf<Object>> rowsOf() {
     return {};
 }
 
+/// Whether this object may have the setting.
 template <class Object>
 bool isThere(const SettingOf<Object>& row, const Object& object) {
   return row.is_there == nullptr || row.is_there(object);

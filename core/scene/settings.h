@@ -11,12 +11,13 @@
 
 namespace underact::scene {
 
-// All about a scene that a person can change while it runs: a row of settings.cpp each. What reads, checks and writes
-// scenes goes by the rows, and so does who changes a setting by its name.
+// What a person can change of a scene while it runs, a row of settings.cpp for each. Reading, checking and writing of
+// scenes go by these rows, and so do edits by path.
 
 /// What is set. None: the key is left out, and nothing stands for it (a joint without that limit; no influence).
 using SettingValue = std::variant<std::monostate, bool, double, Vec3, std::string>;
 
+/// Whether it stands for a key that is left out.
 inline bool isNone(const SettingValue& value) {
   return std::holds_alternative<std::monostate>(value);
 }
@@ -27,6 +28,7 @@ enum class SettingKind : std::uint8_t { Number, Whole, Gain, Choice, Flag };
 /// When its key is in a file. Always: where its object is; Required: its object cannot be without.
 enum class Said : std::uint8_t { IfUnusual, Always, Required };
 
+/// A row of the table: one setting, and all that texts, checks and panels need to know of it.
 struct Setting {
   const char* key;
   const char* label;  // in the midst of a sentence, "blend width": what is undone, say

@@ -13,11 +13,14 @@ namespace underact::servo {
 /// until resume().
 class BareLoop {
  public:
+  /// rate_hz: 100 to 10000. Returns when the thread has its scheduling.
   BareLoop(int rate_hz, const system::SchedulingWanted& wanted);
   ~BareLoop();
   BareLoop(const BareLoop&) = delete;
   BareLoop& operator=(const BareLoop&) = delete;
+  /// Begins to wake, with a fresh deadline. Does not wait.
   void resume();
+  /// No further wake until resume(). Does not wait: one that is due may still come.
   void rest();
   /// Ends the thread; the lateness of each wake.
   const Histogram& end();

@@ -8,6 +8,7 @@ namespace underact::servo {
 /// While one lives, each core has a thread that computes and moves memory without a pause, at normal priority.
 class Busy {
  public:
+  /// Starts the threads, one for each core; the destructor ends them and waits.
   Busy();
   ~Busy();
   Busy(const Busy&) = delete;

@@ -10,6 +10,7 @@
 
 namespace underact::servo {
 
+/// What checkServo() is asked for.
 struct CheckOptions {
   int seconds = 60;    // in all
   int rate_hz = 1000;  // 100 to 10000

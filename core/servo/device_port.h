@@ -31,6 +31,7 @@ struct LastWord {
 /// What an arm with a clock of its own calls once a period.
 class Ticks {
  public:
+  /// One tick; the arm's thread, never two at once.
   virtual void tick() noexcept UNDERACT_REAL_TIME = 0;
 
  protected:
@@ -43,6 +44,7 @@ class DevicePort {
   virtual ~DevicePort() = default;
   /// The newest sample. false: none came in time; then zero is written.
   virtual bool read(arm::Sample& sample) noexcept UNDERACT_REAL_TIME = 0;
+  /// Sends the force, N in W; it holds until the next write() or cut(). The servo thread.
   virtual void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME = 0;
   /// Zero force, now, from any thread, also while read() or write() is at work; it lasts until the next write(). The
   /// watchdog's way, when ticks stop.

@@ -13,12 +13,15 @@ inline constexpr std::size_t kHistories = 4;  // one is written, three may wait 
 class History {
  public:
   History() = default;
+  /// ticks: its room, above 0. Allocates.
   explicit History(std::size_t ticks) : ring_(ticks) {}
+  /// The newest tick; it takes the place of the oldest where the ring is full. Not for a history without room.
   void add(const TickRecord& record) noexcept UNDERACT_REAL_TIME {
     ring_[next_] = record;
     next_ = next_ + 1 < ring_.size() ? next_ + 1 : 0;
     full_ = full_ || next_ == 0;
   }
+  /// Closes the history: why it ended, and what held then.
   void end(const Fault& fault, std::uint64_t revision, const LateTicks& late,
            std::int64_t period_ns) noexcept UNDERACT_REAL_TIME {
     fault_ = fault;
@@ -26,6 +29,7 @@ class History {
     revision_ = revision;
     late_ = late;
   }
+  /// No ticks; the room stays.
   void clear() noexcept UNDERACT_REAL_TIME {
     next_ = 0;
     full_ = false;

@@ -21,6 +21,7 @@ namespace underact::servo {
 /// as it can.
 enum class Clock : std::uint8_t { Thread, Manual };
 
+/// How the servo is to run.
 struct HostOptions {
   int rate_hz = 1000;  // 100 to 10000
   Clock clock = Clock::Thread;
@@ -50,6 +51,7 @@ struct FaultReport {
 /// nothing waits.
 class Host {
  public:
+  /// device: open; it is closed with the host. Nothing ticks before begin() or run().
   Host(std::unique_ptr<DevicePort> device, const HostOptions& options);
   ~Host();
   Host(const Host&) = delete;
@@ -74,11 +76,13 @@ class Host {
   bool running() const;  // start() was called last, and no fault since
   /// Hold to run: from then on the servo pushes only while the stylus button nearer to the tip is held.
   void setHoldToRun(bool on);
+  /// As set last.
   bool holdToRun() const;
-  /// Of the force that the arm bears for good, only this share is let through from the next tick on, 0 to 1, whatever
-  /// scene comes; the clamp that there always is does it. Problems: a session is being recorded, and would replay with
-  /// another limit; no such share. Then nothing was done.
+  /// Limits the force to this share of the arm's continuous force, 0 to 1, from the next tick on and for every scene to
+  /// come; the gate's clamp does it. Problems: a session is being recorded, and would replay with another limit; a share
+  /// outside 0 to 1. Then nothing changes.
   Problems setForceShare(double share);
+  /// As set last; 1 at first.
   double forceShare() const;
   /// The servo thread ends and begins anew, the arm is asked to open itself again, the scene stays; the servo is
   /// stopped then, and Start goes on. Problems: why the arm did not open.
@@ -110,8 +114,11 @@ class Host {
   /// A tap is being filled.
   bool records() const;
 
+  /// Ticks a second, as set last.
   int rateHz() const;
+  /// What the system granted to the servo thread, or by what else it ticks.
   system::Scheduling scheduling() const;
+  /// What was asked for.
   const system::SchedulingWanted& schedulingWanted() const;
   /// Whether a process guards the arm, or why none does: a phrase, as in Scheduling::also. Empty: no tick yet.
   Sentence guarding() const;
@@ -120,6 +127,7 @@ class Host {
   Sentence unguarded() const;
   /// After so many late ticks in a row the force is let go.
   int maxLate() const;
+  /// What the arm says of itself, see DevicePort::info().
   DeviceInfo device() const;
   /// What the arm's side says is wrong now; empty: nothing.
   Sentence trouble() const;

@@ -31,6 +31,7 @@ struct Instance {
 /// HoldToRun and RunFreely: whether the stylus button has to be held. Record and EndRecord: ticks go to a tap, too.
 enum class Order : std::uint8_t { Start, Stop, Load, Retune, Move, HoldToRun, RunFreely, Record, EndRecord };
 
+/// An order, and what it needs.
 struct Command {
   Order order = Order::Stop;
   Instance* instance = nullptr;  // owned by the loop from here on; given back by reap()
@@ -42,12 +43,15 @@ struct Command {
 /// start.
 class Loop {
  public:
+  /// device: outlives it. period_ns: above 0; watchdog_ns: no tick for so long is a fault, 0: never. Allocates all that
+  /// ticks need.
   Loop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns, const system::Clocks& clocks = {});
   ~Loop();
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
 
   // The servo thread, or whoever stands in for it.
+  /// One tick. wake: when it was due, and when it began.
   void tick(const Wake& wake) noexcept UNDERACT_REAL_TIME;
   /// Does what it was told without a tick: where no thread ticks.
   void takeUpCommands() noexcept UNDERACT_REAL_TIME;
@@ -61,9 +65,11 @@ class Loop {
   void reap();                        // frees the instances that are out of use
   /// Until the next call: whoever keeps it copies it.
   const Snapshot& snapshot() { return snapshots_.latest(); }
+  /// Calls row() for each tick since the last call, in order. Rows that found no room are left out, and counted.
   void drain(const std::function<void(const TickRecord&)>& row);
   /// The history of the oldest fault that was not taken yet, or null; it is given back by giveBack().
   const History* takeHistory();
+  /// Makes room for another fault. history: of takeHistory(); not to be read afterwards. May allocate.
   void giveBack(const History* history);
   /// Ticks come so far apart from now on. What counts in ticks begins anew: the last second, and late ticks; rows that
   /// nobody has drained are kept. Not while it ticks; allocates.

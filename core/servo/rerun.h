@@ -15,6 +15,7 @@ class Rerun {
 
   /// The servo ticks at another rate.
   void setPeriod(std::int64_t period_ns) { period_ns_ = period_ns; }
+  /// Goes on with another program; carry: how much of the memory it takes over. Allocates.
   void replaceBy(tick::TickProgram program, tick::Carry carry);
   /// recorded: what went in, and when it was. fault: what the servo had found before the tick. restart: as if Start
   /// had been pressed. The mode is left as it was: it is the servo's, not the tick's.

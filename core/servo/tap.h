@@ -38,12 +38,14 @@ class Tap {
   // The servo thread.
   /// The tick that comes is the first one; state: the memory it begins with. Copies it without allocating.
   void begin(std::int64_t tick, std::uint64_t revision, const tick::TickState& state) noexcept UNDERACT_REAL_TIME;
+  // After begin(), in the order in which they happen; what finds no room is counted in dropped(); after giveUp(), nothing.
   void add(const TickRecord& record) noexcept UNDERACT_REAL_TIME;
   void add(const Change& change) noexcept UNDERACT_REAL_TIME;
   void add(const FaultMark& fault) noexcept UNDERACT_REAL_TIME;
+  /// No more will come.
   void end() noexcept UNDERACT_REAL_TIME { ended_.store(true, std::memory_order_release); }
 
-  // The recorder's thread.
+  // The recorder's thread. What follows begun() may be read once that is true.
   bool begun() const { return begun_.load(std::memory_order_acquire); }
   bool ended() const { return ended_.load(std::memory_order_acquire); }
   std::int64_t firstTick() const { return first_tick_; }
@@ -61,6 +63,7 @@ class Tap {
   std::size_t room() const { return records_.write_available(); }
   /// Nobody fetches any more: add() does nothing from then on.
   void giveUp() { given_up_.store(true, std::memory_order_relaxed); }
+  /// Whether giveUp() was called.
   bool givenUp() const { return given_up_.load(std::memory_order_relaxed); }
   /// Before the revision can come into effect.
   void announce(std::uint64_t revision, const scene::Description& scene);

@@ -21,6 +21,7 @@ class Thread {
 
   /// Zero force within a period, and no tick until resume(), which begins with a fresh deadline.
   void rest();
+  /// Ticks again. Does not wait.
   void resume();
 
  private:

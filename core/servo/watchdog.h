@@ -13,6 +13,7 @@ namespace underact::servo {
 /// again for as long as ticks are missing, and the loop is told how long that was.
 class Watchdog {
  public:
+  /// Starts the thread; the destructor ends it and waits. loop and device outlive it. limit_ns: above 0.
   Watchdog(Loop& loop, DevicePort& device, std::int64_t limit_ns);
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;

@@ -7,6 +7,7 @@
 
 namespace underact::shape {
 
+/// Whether the nearest point is one, for all that can be told from the rounding of the coordinates.
 enum class Status : std::uint8_t { Unique, NotUnique };
 
 /// The point P of a shape nearest to the tip T.

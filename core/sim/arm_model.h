@@ -23,6 +23,7 @@ struct ArmModel {
 /// Those measured, and where there is none (0) that of the preset.
 arm::EncoderCounts countsOf(const arm::EncoderCounts& measured, const arm::EncoderCounts& preset);
 
+/// The models that ship with the program.
 std::span<const ArmModel> armModels();
 
 /// The model of that name, or null.

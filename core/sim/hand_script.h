@@ -33,6 +33,7 @@ struct HandScript {
 /// stylus turns about one axis by the same profile.
 HandWish wishAt(const HandScript& script, std::int64_t time_ns) noexcept UNDERACT_REAL_TIME;
 
+/// A hand that ships with the program.
 struct BuiltInHand {
   const char* name;
   const char* what;  // one sentence
@@ -45,6 +46,7 @@ Result<HandScript> builtInHand(std::string_view name, std::uint64_t seed);
 /// {"underact_hand": 1, "hand": {...}, "path": [{"t_s", "p_mm", "R_WT"}, ...]}; every problem at once, with places. A
 /// point without R_WT keeps the turn of the one before it (before the first that has one: that one's).
 Result<HandScript> readHand(std::string_view text, const std::string& file_name);
+/// The same of a file. Problems, too: it cannot be read.
 Result<HandScript> readHandFile(const std::string& path);
 
 }  // namespace underact::sim

@@ -42,6 +42,7 @@ struct Limits {
   double colgate_schenkel_N_per_m = 0.0;
   double gil_hulin_N_per_m = 0.0;
 };
+/// All of them, each by its own method; wall.kd_N_s_per_m is the B they hold for. Takes a simulation of many trials.
 Limits limitsOf(const SampledWall& wall);
 
 /// What one cell of B and K is.
@@ -49,10 +50,12 @@ struct Label {
   Trial trial;
   bool is_passive = false;  // of the linear wall, for any hand
 };
+/// wall as in limitsOf(), which gave the limits; K: above 0. Takes one simulated trial, see tryWall().
 Label labelOf(const SampledWall& wall, const Limits& limits, double stiffness_N_per_m);
 
 /// The rates and dampings at which scenes are asked.
 std::span<const int> sceneRates_hz();
+/// See sceneRates_hz(); the damping is the law's kd.
 std::span<const double> sceneDampings_N_s_per_m();
 std::span<const double> sceneStiffnesses_N_per_m();  // where cells are labelled
 

@@ -19,6 +19,7 @@ struct SceneWall {
   Vec3 from_W = Vec3(0.021, 0.013, 0.055);  // the target nearest to here is where the tip rests at first
 };
 
+/// How a trial of a scene ended.
 struct SceneTrial {
   Trial trial;
   double least_energy_J = 0.0;  // the least that the tip had put in and not got back: below 0 it was given energy

@@ -26,6 +26,7 @@ enum class Motion : std::uint8_t { Linear, Smooth, Stepped };
 /// Follows the swings of anything, tick by tick, until it can tell what becomes of them.
 class Watch {
  public:
+  /// When the watch looks, and what it is looking at.
   struct Rules {
     int least_ticks = 0;  // before the first look; then as many again, twice as many, ...
     int most_ticks = 0;   // then the last look decides

@@ -17,6 +17,7 @@ struct SampledWall {
   double friction_N = 0.0;  // Coulomb's
   double coarseness = 0.0;  // of the encoders: 1 in steps of the arm's own, 2 in steps twice as long; 0: exact
 
+  /// Of a tick.
   double period_s() const { return 1e-9 * static_cast<double>(period_ns); }
   /// Whether eigenvalues say all: no friction, no steps, a linear filter.
   bool isLinear() const;

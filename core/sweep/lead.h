@@ -15,9 +15,11 @@ inline constexpr std::chrono::microseconds kLookAtLetters{1000};  // how often, 
 /// What whoever started the sweep is asked and told, by the thread that called; about every 0.2 s, and with each cell.
 struct Watcher {
   std::function<bool()> interrupted = [] { return false; };  // true: no further cell is begun
+  /// Told how many cells are done.
   std::function<void(std::size_t done)> progress = [](std::size_t) {};
 };
 
+/// How a sweep ended.
 struct Outcome {
   Problems problems;  // why it ended early; cells that were done are in the journal
   bool interrupted = false;

@@ -27,6 +27,7 @@ struct Range {
 /// What was said for each option, or what is usual; read by a kind's make().
 class Options {
  public:
+  /// What was said: for each option its values, as text.
   using Values = std::map<std::string, std::vector<std::string>>;
   /// Problems: an option that no kind of these rows has, one without a value, several values where one is asked for.
   static Result<Options> from(const std::vector<Option>& rows, const Values& said);
@@ -41,6 +42,7 @@ class Options {
   std::vector<std::int64_t> integers(const std::string& name, std::int64_t low, std::int64_t high);
   /// "0.1", or "0.05:0.2" for low and high of what is drawn.
   Range range(const std::string& name, double low, double high);
+  /// Notes a problem with an option that no bounds can tell.
   void note(const std::string& name, const std::string& sentence);
   /// All that was noted so far.
   const Problems& problems() const { return problems_; }

@@ -16,6 +16,7 @@ class Team {
  public:
   virtual ~Team() = default;
   virtual int rank() const = 0;  // from 0, who leads
+  /// How many ranks there are, this one included.
   virtual int size() const = 0;
   /// Returns at once.
   virtual void send(int to, const std::string& text) = 0;

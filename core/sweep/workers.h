@@ -31,6 +31,7 @@ class Workers {
   /// How many more cells they should have: one a thread, and where cells are short so many more that a thread does not
   /// wait for the next ones to come from another machine.
   std::size_t wants() const;
+  /// Cells to run, after those that were given before. Does not wait.
   void give(std::span<const std::size_t> cells);
   /// Gives up the cells that nobody began.
   void drop();

@@ -12,12 +12,14 @@ class Descriptor {
   Descriptor() = default;  // none
   explicit Descriptor(int number) : number_(number) {}
   Descriptor(Descriptor&& other) noexcept : number_(other.release()) {}
+  /// Takes it over; what this one had is closed with the other.
   Descriptor& operator=(Descriptor&& other) noexcept {
     std::swap(number_, other.number_);
     return *this;
   }
   ~Descriptor() { close(); }
 
+  /// Whether there is one.
   bool isOpen() const { return number_ >= 0; }
   int number() const { return number_; }
   /// The caller closes it.

@@ -10,7 +10,9 @@ namespace underact::system {
 /// waits; what is rung before anyone waits is heard at once, however often, as one.
 class Doorbell {
  public:
+  /// Allocates one descriptor; where the system has none left, see descriptor().
   Doorbell();
+  /// Any thread, the servo's too.
   void ring() noexcept UNDERACT_REAL_TIME;
   /// false: nobody rang in time_ns.
   bool waitFor(std::int64_t time_ns) noexcept UNDERACT_REAL_TIME;

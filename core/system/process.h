@@ -34,6 +34,7 @@ class Process {
   Process() = default;  // none
   explicit Process(const Launch& launch);
   Process(Process&& other) noexcept { *this = std::move(other); }
+  /// Takes it over; the process that this one had ends with the other.
   Process& operator=(Process&& other) noexcept {
     std::swap(id_, other.id_);
     std::swap(error_, other.error_);

@@ -14,6 +14,7 @@ class SharedMemory {
   static SharedMemory make(const char* name, std::size_t bytes);
   /// The same of a descriptor that was passed on, and is this object's from then on.
   static SharedMemory of(Descriptor passed, std::size_t bytes);
+  /// Takes the memory over; the other has none.
   SharedMemory(SharedMemory&& other) noexcept
       : file_(std::move(other.file_)), bytes_(other.bytes_), begin_(std::exchange(other.begin_, nullptr)) {}
   SharedMemory& operator=(SharedMemory&&) = delete;

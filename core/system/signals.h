@@ -13,10 +13,12 @@ enum class Reader : std::uint8_t { Needed, MayGo };
 /// instead, so that forces are let go and results still printed. One at a time.
 class Interrupt {
  public:
+  /// reader: what happens on SIGPIPE.
   explicit Interrupt(Reader reader = Reader::Needed);
   ~Interrupt();  // as it was
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
+  /// Whether such a signal came since this was made.
   bool came() const;
 
  private:

@@ -6,9 +6,11 @@ namespace underact::system {
 
 /// The path of the running program; empty: the system does not say.
 std::string ownProgram();
+/// The number of this process, as the system has it.
 std::int64_t processId();
 /// A word that no other program at work has, and this one once.
 std::string unusedWord();
+/// The name of this computer; "this-computer" where the system does not say.
 std::string computerName();
 /// In the environment of this process and what it starts. Empty: taken out of it. No other thread may look.
 void setVariable(const char* name, const std::string& value);

@@ -26,6 +26,7 @@ struct Interruptions {
   std::int64_t page_faults = 0;
   std::int64_t preemptions = 0;  // the core was taken away from it
 };
+/// Of the calling thread, by a system call. Counted on Linux alone.
 Interruptions interruptions() noexcept;
 
 }  // namespace underact::system

@@ -13,6 +13,7 @@ namespace underact::target {
 
 /// The kinds of targets, and what each remembers from tick to tick: one list beside the other.
 using Goal = std::variant<NearestOnShape, InfluencedShape, MeshPlace, CurvePath, manipulator::Manipulator>;
+/// What each kind of Goal remembers, at the same index.
 using Memory = std::variant<std::monostate, InfluenceState, MeshState, CurveState, manipulator::State>;
 
 /// What the stylus is held to.
@@ -39,6 +40,7 @@ struct Details {
 /// To the point of a shape that is nearest, see nearestOn().
 Constraint makeConstraint(const shape::Shape& shape, Side side, const Vec3& stiffness);
 
+/// A state as on a first tick, its memory of the kind of the goal. May allocate.
 State makeState(const Goal& goal);
 
 /// Whether the stylus's turn has a part in the target.

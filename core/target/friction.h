@@ -9,6 +9,7 @@ namespace underact::target {
 /// target slides and drags by the dynamic one. Both 0: none. 0 <= dynamic_share <= static_share.
 struct Friction {
   double static_share = 0.0, dynamic_share = 0.0;
+  /// Whether there is friction at all.
   bool isThere() const noexcept UNDERACT_REAL_TIME { return static_share > 0.0; }
 };
 

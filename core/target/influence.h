@@ -50,6 +50,7 @@ inline bool isSound(const InfluenceState& state) noexcept {
 /// not throw it to the other side.
 inline constexpr double kTie_rad = 0.2;
 
+/// What influencedTarget() gives.
 struct Influenced {
   Vec3 p_WP = Vec3::Zero();
   Angles angles;

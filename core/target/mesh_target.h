@@ -27,9 +27,11 @@ struct MeshState {
 /// Of bytes from a file. surface: that the state is for.
 bool isSound(const MeshState& state, const mesh::Surface& surface) noexcept;
 
+/// A point of the workspace, m, in the mesh's frame and unit.
 inline Vec3 toMesh(const MeshPlace& place, const Vec3& p_W) noexcept UNDERACT_REAL_TIME {
   return place.R_WM.transpose() * (p_W - place.p_WM) / place.scale_m;
 }
+/// A point of the mesh, in its unit, in the workspace, m.
 inline Vec3 toWorkspace(const MeshPlace& place, const Vec3& p_M) noexcept UNDERACT_REAL_TIME {
   return place.p_WM + place.scale_m * (place.R_WM * p_M);
 }

@@ -36,6 +36,7 @@ struct Needs {
 /// N m from rad, and the force that these torques put on the tip.
 enum class Space : std::uint8_t { Cartesian, Joint };
 
+/// A constraint of the program with the law that holds the stylus to it.
 struct Entry {
   target::Constraint constraint;
   control::Law law;  // in N and m, or in N m and rad, as the space says

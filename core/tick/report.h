@@ -24,6 +24,7 @@ struct Held : target::Details {
 class HeldList {
  public:
   HeldList() = default;
+  /// Copies those in use alone, as does the assignment; what lies beyond stays as it was.
   HeldList(const HeldList& other) noexcept UNDERACT_REAL_TIME { *this = other; }
   HeldList& operator=(const HeldList& other) noexcept UNDERACT_REAL_TIME {
     resize(other.size_);
@@ -32,10 +33,14 @@ class HeldList {
   }
   ~HeldList() = default;
   std::size_t size() const noexcept UNDERACT_REAL_TIME { return size_; }
+  /// Held to kMaxConstraints; entries that come into use are as they were left.
   void resize(std::size_t size) noexcept UNDERACT_REAL_TIME { size_ = size < kMaxConstraints ? size : kMaxConstraints; }
+  /// index: below size(), not checked.
   Held& operator[](std::size_t index) noexcept UNDERACT_REAL_TIME { return held_[index]; }
   const Held& operator[](std::size_t index) const noexcept UNDERACT_REAL_TIME { return held_[index]; }
+  /// Those in use, for a loop over them.
   const Held* begin() const noexcept UNDERACT_REAL_TIME { return held_.data(); }
+  /// Behind the last of them.
   const Held* end() const noexcept UNDERACT_REAL_TIME { return held_.data() + size_; }
 
  private:
@@ -56,7 +61,7 @@ struct TickReport {
   safety::Cuts cuts;             // which limits act
   double cut_N = 0.0;            // what they took away in all
   Vec3 v_WT = Vec3::Zero();      // the tip's velocity, filtered by the gate
-  Vec3 heat = Vec3::Zero();      // of motors 1 to 3; 1: what they bear for good
+  Vec3 heat = Vec3::Zero();      // of motors 1 to 3; 1: at their continuous torque
   Fault fault;                   // why the force is zero, if a fault is why
   int branch_changes = 0;        // space joint: joints asked for that went over to another branch of the arm this tick
   bool out_of_reach = false;     // space joint: a target that the arm cannot reach; its joints are the nearest ones

@@ -34,6 +34,7 @@ struct TickState {
   std::vector<EntryState> entries;  // one for each of the program's
 };
 
+/// The memory of a program before its first tick. Allocates; outside the tick.
 TickState makeState(const TickProgram& program);
 
 /// As on a first tick: what laws and targets remember. Time, tip and gate stay.
@@ -51,6 +52,7 @@ std::size_t bytesOf(const TickState& state);
 /// without a step (see kBumpless_s). MovedLaws: the same, but the way a target went by that change is no rate of the
 /// error.
 enum class Carry : std::uint8_t { Arm, ArmAndLaws, ArmAndMovedLaws };
+/// Into a next that makeState() has just made for its program.
 void carryOver(const TickState& last, TickState& next, Carry what = Carry::ArmAndLaws) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::tick

@@ -11,6 +11,7 @@ namespace underact::trade {
 /// One way out of a choice.
 struct Option {
   std::string name;
+  /// Sets this option, and leaves all else as it is.
   std::function<void(Settings&)> choose;
 };
 
@@ -36,6 +37,7 @@ struct Choice {
   double bound;        // the largest error, root of the mean square, that is borne
   const char* reason;  // for the bound
   std::vector<Option> options;
+  /// Whether the scene has what the choice is about.
   bool (*applies)(const scene::Description& scene);
   bool (*same)(const Settings& a, const Settings& b);  // in what this choice is about
   /// For one bench. What all options are held against is computed here, once. base: what they have in common, all but

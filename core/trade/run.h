@@ -59,6 +59,7 @@ struct Apart {
   double rms_m = 0.0, most_m = 0.0;  // of the tips, root of the mean square and largest
   double rms_N = 0.0;                // of the forces
 };
+/// Of runs of the same bench, fine at no lower a rate than coarse. One of them without ticks: all 0.
 Apart apart(const Run& coarse, const Run& fine);
 
 }  // namespace underact::trade

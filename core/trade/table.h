@@ -19,6 +19,7 @@ struct NamedScene {
   std::string name;
   scene::Description scene;  // with its meshes loaded
 };
+/// A hand by its name.
 struct NamedHand {
   std::string name;
   sim::HandScript hand;
