@@ -16,7 +16,7 @@ struct Stop {
   Sentence sentence;
 };
 
-/// Builds the values as RapidJSON tells of them (its names, its order); false stops it.
+/// Builds the values from RapidJSON's events (its names, its order).
 class Builder {
  public:
   /// source: the one that RapidJSON reads from, of the same text; both outlive the builder.

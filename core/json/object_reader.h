@@ -22,7 +22,7 @@ class Findings {
   void add(std::pair<int, int> line_column, const std::string& key, Sentence sentence);
   /// Where the value of a key stands, for problems that are found later.
   void remember(const std::string& key, const Value& value) { places_[key] = {value.line, value.column}; }
-  /// Takes in what check() says of the scene that was read, each problem at the value of its key.
+  /// Adds the problems that check() found in the scene, each at the place of its key.
   void add(const Problems& problems);
   /// So many are kept already that further ones are only counted.
   bool full() const;
@@ -45,11 +45,12 @@ class ObjectReader {
       : object_(object), path_(std::move(path)), what_(std::move(what)), findings_(findings) {}
   /// The value of a key, or null; of a required one, null is a problem.
   const Value* find(const char* key, bool required = false);
-  /// A key that must not stand here, for a reason of its own.
+  /// Marks a key that is not allowed here, with the reason why.
   void refuse(const std::string& key, Sentence sentence) { refused_[key] = std::move(sentence); }
-  /// Keys of the scene reference that this version does not have.
+  /// Marks keys of the scene reference that this version does not support.
   void refuseLater(const std::vector<std::string>& keys);
-  /// Duplicate, refused and unknown keys; all_known false: not the unknown ones (of a type that is itself not known).
+  /// Reports duplicate, refused and unknown keys. all_known false: not the unknown ones (of a type that is itself
+  /// unknown).
   void finish(bool all_known = true);
   /// Replaces the words for the object in sentences, once its type is known.
   void setWhat(Sentence what) { what_ = std::move(what); }
@@ -70,7 +71,7 @@ class ObjectReader {
 /// "a number", "a list", ...
 Sentence kindName(Kind kind);
 
-/// The sentence for everything that the scene reference promises and this version does not have.
+/// The sentence for what the scene reference defines and this version does not support.
 Sentence notYet(const std::string& what);
 
 /// False, and a problem, where the value is of another kind. expected: "a number, as in 0.5".
@@ -79,7 +80,7 @@ bool isKind(const Value& value, Kind kind, const std::string& path, const Senten
 /// The problem of a value that is none of the words.
 void refuseWord(const Value& value, const std::string& path, const std::vector<std::string>& words, Findings& findings);
 
-/// What stands in the file; what cannot be read is a problem, and leaves `into` as it is or, in a list, at 1.
+/// Reads a number, or a list of them. What cannot be read is a problem, and leaves `into` as it is or, in a list, at 1.
 void readNumber(const Value& value, const std::string& path, double& into, Findings& findings);
 void readNumber(const Value& value, const std::string& path, Vec3& into, Findings& findings);
 void readNumber(const Value& value, const std::string& path, Mat3& into, Findings& findings);

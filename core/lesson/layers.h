@@ -16,8 +16,8 @@ struct Layers {
   bool influence = true;  // see InfluencePicture; where the scene has one
   bool robot = true;      // virtual manipulators
   bool path = true;       // of a recording that is replayed
-  bool desk = true;       // the marks by which the arm was registered, where it is
-  bool from_desk = true;  // front, right and up are those of the desk, not of the arm, where it is registered
+  bool desk = true;       // the reference points, where the arm is registered
+  bool from_desk = true;  // views are relative to the desk, not to the arm, where it is registered
   // Of meshes, see MeshPicture.
   bool wires = false;              // the edges of all triangles
   bool section = false;            // cut open, across an axis of W

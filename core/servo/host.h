@@ -79,8 +79,8 @@ class Host {
   /// As set last.
   bool holdToRun() const;
   /// Limits the force to this share of the arm's continuous force, 0 to 1, from the next tick on and for every scene to
-  /// come; the gate's clamp does it. Problems: a session is being recorded, and would replay with another limit; a share
-  /// outside 0 to 1. Then nothing changes.
+  /// come; the gate's clamp does it. Problems: a session is being recorded, and would replay with another limit; a
+  /// share outside 0 to 1. Then nothing changes.
   Problems setForceShare(double share);
   /// As set last; 1 at first.
   double forceShare() const;

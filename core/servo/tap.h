@@ -38,7 +38,8 @@ class Tap {
   // The servo thread.
   /// The tick that comes is the first one; state: the memory it begins with. Copies it without allocating.
   void begin(std::int64_t tick, std::uint64_t revision, const tick::TickState& state) noexcept UNDERACT_REAL_TIME;
-  // After begin(), in the order in which they happen; what finds no room is counted in dropped(); after giveUp(), nothing.
+  // After begin(), in the order in which they happen; what finds no room is counted in dropped(); after giveUp(),
+  // nothing.
   void add(const TickRecord& record) noexcept UNDERACT_REAL_TIME;
   void add(const Change& change) noexcept UNDERACT_REAL_TIME;
   void add(const FaultMark& fault) noexcept UNDERACT_REAL_TIME;
