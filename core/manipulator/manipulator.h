@@ -25,12 +25,12 @@ enum class ForceLaw : std::uint8_t { Energy, Thesis52 };
 /// The chains whose joints of least energy are known in closed form.
 enum class Kind : std::uint8_t { Circle, Sphere, Cylinder, Line, Plane };
 
-/// A closed form's own frame: centre C (a point on the axis), axis a, and for a turning tip the directions of the tip
-/// (u_W) and of its z (z_W) at home as they are drawn round.
+/// The geometry of a closed form: centre C (a point on the axis), axis a, and for a rotating end effector its position
+/// (u_W) and the direction of its z (z_W) at home, relative to the axis.
 struct ClosedForm {
   Kind kind = Kind::Line;
-  std::size_t turning = 0;  // which joint turns (Circle, Cylinder)
-  std::size_t sliding = 0;  // and which slides
+  std::size_t turning = 0;  // the revolute joint (Circle, Cylinder)
+  std::size_t sliding = 0;  // and the prismatic one
   Vec3 p_WC = Vec3::Zero();
   Vec3 axis_W = Vec3::UnitZ();
   Vec3 radial_W = Vec3::UnitX();  // from C to the tip at home, m, across the axis
@@ -64,8 +64,7 @@ struct Manipulator {
   double home_rad = 0.0;             // Orientation::Angle: where z of V points at home, about its axis
 };
 
-/// What makeManipulator() is made from; as Manipulator's members of the same names. method none: a closed form where
-/// there is one.
+/// The input of makeManipulator(); members as those of Manipulator. method none: a closed form where there is one.
 struct Wanted {
   chain::Chain chain;
   Orientation orientation = Orientation::None;
@@ -79,8 +78,8 @@ struct Wanted {
   double tolerance = 1e-10;
 };
 
-/// Problems: more than kMaxJoints joints; a gain below 0 or not finite; orientation angle (and the thesis's law, which
-/// takes one joint alone) without just one revolute joint, or with z of V along its axis; a closed form asked for where
+/// Problems: more than kMaxJoints joints; a gain below 0 or not finite; orientation Angle (and the thesis's law, which
+/// takes one joint alone) without exactly one revolute joint, or with z of V along its axis; Method::ClosedForm where
 /// there is none.
 Result<Manipulator> makeManipulator(Wanted wanted, const Place& place);
 

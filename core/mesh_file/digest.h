@@ -6,10 +6,10 @@
 
 namespace underact::mesh_file {
 
-/// XXH3 of 128 bits: tells contents apart, also those that differ by damage; no defence against forgery.
+/// XXH3 of 128 bits: detects different or damaged contents; no protection against forgery.
 class Digest {
  public:
-  /// Of nothing as yet.
+  /// The digest of no bytes.
   Digest();
   ~Digest();
   Digest(const Digest&) = delete;

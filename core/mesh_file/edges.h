@@ -34,7 +34,7 @@ inline std::int32_t endOf(const mesh::Triangles& triangles, Side side) {
   return triangles.faces[static_cast<std::size_t>(side / 3)][static_cast<std::size_t>((side + 1) % 3)];
 }
 
-/// Which sides lie together. Faces of three different corners that are there. None: cancelled.
+/// Finds the sides that share an edge. Faces: of three different corners that exist. None: cancelled.
 std::optional<Edges> edgesOf(const mesh::Triangles& triangles, const Watch& watch);
 
 }  // namespace underact::mesh_file

@@ -35,10 +35,10 @@ struct PlyHeader {
   std::size_t bytes = 0;  // where the body begins
 };
 
-/// Problems: one, without a file: it is no such header, or not one of a surface that can be read.
+/// Reads the head of a PLY file. Problems: one, whose place has no file: not a PLY head, or not of a readable surface.
 Result<PlyHeader> readPlyHeader(std::string_view head);
 
-/// Bytes that the body takes at the least.
+/// The least number of bytes of a body with these elements.
 double leastBytes(const PlyHeader& header);
 
 }  // namespace underact::mesh_file

@@ -6,44 +6,44 @@
 
 namespace underact::record {
 
-/// A file that is being recorded may be read by others and not be written, until this process ends, however it ends:
-/// HDF5's own lock is gone once readers may follow.
+/// Marks a file as being recorded: others may read but not write it, until this process ends in any way. HDF5's own
+/// lock is released once readers may follow.
 class Presence {
  public:
   Presence() = default;
   /// Marks the file at path as one that is being recorded, by a shared lock. No such file: no mark.
   explicit Presence(const std::string& path);
-  /// Some program is recording into that file.
+  /// Whether a program is recording into that file.
   static bool isAt(const std::string& path);
 
  private:
   system::Descriptor file_;
 };
 
-/// Room on the disk beyond what is written, so that a disk that fills up is met before the library meets it, and there
-/// is room to end in order.
+/// Reserves disk space ahead of the writer, so that a full disk is noticed before the library meets it, and a recording
+/// can still be ended in order.
 class SetAside {
  public:
-  /// false: the disk has no room for so many bytes more. Where the file system cannot set room aside, it says so when
-  /// the disk is full, and not before.
+  /// Reserves space for so many bytes more. false: the disk is full. A file system that cannot reserve space reports a
+  /// full disk only when it is full.
   bool forMore(std::int64_t bytes, int fd);
-  /// Gives back what was not used, once the file is closed.
+  /// Frees the unused part, once the file is closed.
   void giveBack(const std::string& path) const;
 
  private:
-  std::int64_t until_ = 0;  // the file may grow to this without asking the disk
+  std::int64_t until_ = 0;  // space is reserved up to this length
 };
 
 std::int64_t sizeOf(const std::string& path);  // 0 where there is none
 
-/// What an HDF5 file says its size is; 0: it does not say.
+/// The size that an HDF5 file states; 0: it states none.
 std::int64_t statedSize(const std::string& path);
 std::int64_t statedSize(int fd);
 
-/// How long a file that was cut off is made again: as long as it says, within reason; else as long as it is.
+/// The length to which a truncated file is extended: the one it states, within reason; otherwise its own.
 std::int64_t lengthToGrowTo(std::int64_t size, std::int64_t stated);
 
-/// A file that was cut off gets its length back, empty: what is missing then shows by its checksums.
+/// Extends a truncated file to the length it states, with zeros; checksums then show what is missing.
 void growToStatedSize(const std::string& path);
 
 }  // namespace underact::record

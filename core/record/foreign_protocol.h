@@ -9,8 +9,8 @@
 
 namespace underact::record {
 
-// What a program asks underact-session-reader, and how that answers. Both are this program's: numbers stand as they do
-// in memory.
+// The questions to underact-session-reader, and its answers. Both are builds of this program: numbers have the layout
+// of memory.
 
 /// What can be asked.
 enum class Asks : std::uint8_t { Open, Refresh, Read, Text, Integer, Real };
@@ -28,8 +28,8 @@ struct Question {
 static_assert(std::is_trivially_copyable_v<Question> && sizeof(Question) == 80);
 
 // Each answer begins with one of these. No: a sentence follows, see helper/words.h. Yes: to Open and Refresh, a Shape;
-// to Read, a byte for each block, 1 where it is whole, then the bytes of those that are; to Text, its letters; to
-// Integer and Real, the number.
+// to Read, a byte for each block, 1 where it is whole, then the bytes of the whole ones; to Text, its bytes; to Integer
+// and Real, the number.
 inline constexpr std::byte kNo{0}, kYes{1};
 
 inline constexpr std::size_t kMostForeignTables = 8;

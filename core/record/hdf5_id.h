@@ -8,14 +8,14 @@
 
 namespace underact::record {
 
-// What the sources that speak with HDF5 share. The library's own header is in none of ours: its hid_t is this.
+// What the sources that use HDF5 share. No header of ours includes the library's: its hid_t is this.
 using Handle = std::int64_t;
 
-/// Makes the library ready, which it does by itself when it is first used: for a process that may do less later on. It
-/// loads no plugins then. false: it is not to be had.
+/// Initialises the library now, which it otherwise does at first use: for a process that loses rights later. No plugins
+/// are loaded then. false: the library is not available.
 bool startHdf5();
 
-/// One identifier of the library's, closed at the end.
+/// An identifier of the library, closed by the destructor.
 class Id {
  public:
   using Close = int (*)(Handle);
@@ -44,7 +44,7 @@ class Id {
   Close close_ = nullptr;
 };
 
-/// The library's own account of errors goes to nobody: sentences are ours. Kept by thread, so each way in calls it.
+/// Switches off the library's own error output. It is a setting of each thread, so each entry point calls this.
 void quiet();
 
 /// An attribute of a file: words or a number.
@@ -53,7 +53,7 @@ struct Attribute {
   std::variant<std::string, std::int64_t, double> value;
 };
 
-/// Whether a name in a group is the object itself, and no link to one that may be in another file.
+/// Whether a name in a group is an object of this file, not a link to another one.
 bool isOwn(Handle group, std::string_view name);
 
 /// A new attribute of the object. false: the library refused.

@@ -9,7 +9,7 @@ namespace underact::record {
 
 /// A dataset that grows by rows of `width` numbers: a column of a table.
 struct Store {
-  Id id;  // not good: it is not there, or of another kind
+  Id id;  // not good: missing, or of another type
   Kind kind = Kind::Real;
   std::uint64_t width = 1;
   bool is_packed = false;  // shuffled or compressed by zlib, as h5repack makes copies; never by this program
@@ -19,8 +19,8 @@ struct Store {
 
 /// A new dataset without rows, unit and meaning as its attributes; not good where the library refused.
 Store createStore(Handle group, const Column& column, std::uint64_t chunk_rows);
-/// As createStore() makes it, with chunks of so many rows; not good where it is otherwise in any way: another type, a
-/// link, packed by another filter, laid out by another program, its numbers in another file.
+/// A dataset as createStore() makes it, with chunks of so many rows; not good where it differs in any way: another
+/// type, a link, another filter, the layout of another program, data in another file.
 Store openStore(Handle group, const Column& column, std::uint64_t chunk_rows);
 std::uint64_t rowsOf(const Store& store);  // 0 where it does not say
 

@@ -19,12 +19,12 @@ struct OpenTable {
 
 /// A new one; none: the library refused.
 std::optional<OpenTable> createTable(Handle file, const Table& wanted);
-/// As createTable() makes it; none: it is otherwise, says more rows than file_bytes bytes can hold, or is packed and to
-/// be written.
+/// A table as createTable() makes it. None: it differs, states more rows than file_bytes bytes can hold, or is packed
+/// and opened for writing.
 std::optional<OpenTable> openTable(Handle group, const Table& wanted, bool writes, std::int64_t file_bytes);
 
-/// Rows that a file of so many bytes can hold: each takes its own. What a writer is just adding counts before it is
-/// there.
+/// The greatest number of rows that a file of so many bytes can hold; rows that a writer is just adding are allowed
+/// for.
 std::int64_t mostRows(const OpenTable& table, std::int64_t file_bytes);
 /// Rows that all columns have, with a checksum for each of their blocks.
 std::int64_t rowsOf(const OpenTable& table);
@@ -33,7 +33,7 @@ std::int64_t rowsOf(const OpenTable& table);
 bool appendBlock(const OpenTable& table, const Block& block);
 bool cutTo(const OpenTable& table, std::int64_t rows);
 
-/// The rows from begin to before end, which begin with a block; a damaged block has no bytes. None: the library
+/// The rows from begin up to end, where begin is the start of a block; a damaged block has no bytes. None: the library
 /// refused.
 std::optional<std::vector<Block>> readBlocks(const OpenTable& table, std::int64_t begin, std::int64_t end);
 

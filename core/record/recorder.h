@@ -17,7 +17,7 @@ struct RecorderOptions {
   system::Existing existing = system::Existing::Refuse;  // a file of that name
 };
 
-/// How a recording goes.
+/// The state of a recording.
 struct RecorderStatus {
   bool recording = true;  // false: it ended, by itself or by stop()
   std::int64_t ticks = 0;
@@ -29,8 +29,8 @@ struct RecorderStatus {
   Problems problems;         // why it ended by itself
 };
 
-/// Records what a servo does into a session file, in a thread of its own. The servo never waits for it. Its file can
-/// be read while it grows; after a kill at most the last 0.25 s are missing.
+/// Records a servo into a session file, in a thread of its own. The servo never waits for it. The file can be read
+/// while it grows; if the program is killed, at most the last 0.25 s are missing.
 class Recorder {
  public:
   /// Begins with the next tick. The host must outlive the recorder. Problems: the file cannot be made.
@@ -41,9 +41,9 @@ class Recorder {
   Recorder& operator=(const Recorder&) = delete;
 
   // The thread that calls the host.
-  /// Sets a mark at the tick that is the newest now.
+  /// Sets a marker at the newest tick.
   void mark(const std::string& label);
-  /// Ends the recording and closes the file; waits for that, some milliseconds. Problems: what is missing, and why.
+  /// Ends the recording and closes the file; takes some milliseconds. Problems: what is missing, and why.
   Problems stop(EndReason reason = EndReason::Stopped);
   /// Any thread.
   RecorderStatus status() const;
@@ -56,13 +56,13 @@ class Recorder {
   std::unique_ptr<Impl> impl_;
 };
 
-/// A file of this program's own that could not be ended in order: as recover(), without looking at it first.
+/// Completes a file of this program that could not be ended in order: as recover(), without checking it first.
 Result<std::int64_t> makeWhole(const std::string& path);
 
-/// A file that a killed program left: made whole up to the last block that all tables have, marked as recovered, so
-/// that every program opens it. In place. A session that ended in order stays as it is. Gives how many ticks it holds.
-/// Problems: no session, or one that no recording could be, see ForeignFile; a link; being recorded; it cannot be
-/// written.
+/// Completes a file that a killed program left: truncates it to the last block that all tables have and marks it as
+/// recovered, so that every program opens it. In place. A session that ended in order stays as it is. Gives the number
+/// of ticks. Problems: not a session, or damaged beyond what a recording can be, see ForeignFile; a link; being
+/// recorded; it cannot be written.
 Result<std::int64_t> recover(const std::string& path);
 
 }  // namespace underact::record

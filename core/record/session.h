@@ -14,7 +14,7 @@
 
 namespace underact::record {
 
-/// What a session says of itself.
+/// The properties of a session.
 struct SessionInfo {
   std::string path;
   std::string program_version;
@@ -24,7 +24,7 @@ struct SessionInfo {
   std::int64_t dropped = 0;   // ticks that the recorder missed; known when the session ended in order
   std::optional<EndRow> end;  // none: it is being recorded, or was when the program died
   std::int64_t bytes = 0;     // of the file
-  Problems damage;            // what could not be read of the small tables
+  Problems damage;            // parts of the small tables that cannot be read
   /// Whether the recording was ended in order, or made whole by recover().
   bool isComplete() const { return end.has_value(); }
 };
@@ -41,11 +41,11 @@ struct Gap {
   std::int64_t rows = 0;
 };
 
-/// A recorded session, for reading; also one that is still growing, and one whose writer was killed. It may come from
-/// anybody: see ForeignFile, and whatever numbers it holds are only those that a recording can have.
+/// A recorded session, for reading; also one that is still growing, and one whose writer was killed. The file may come
+/// from anybody: see ForeignFile; numbers that no recording can have are refused.
 class Session {
  public:
-  /// Problems: no such file; no session; another version of the layout; damaged at its beginning; as
+  /// Problems: no such file; not a session; another version of the layout; damaged at its beginning; as
   /// ForeignFile::open().
   static Result<Session> open(const std::string& path);
   /// The same of a file that is open already. at_least: see accessThrough().
@@ -57,11 +57,11 @@ class Session {
   const std::vector<Marker>& markers() const { return markers_; }
   const std::vector<servo::FaultMark>& faults() const { return faults_; }
 
-  /// The scene of a change, as JSON; empty: the servo had none. Problems: those words are damaged.
+  /// The scene of a change, as JSON; empty: the servo had none. Problems: the text is damaged.
   Result<std::string> sceneText(const ChangeRow& change);
   /// The same, read; an empty scene where the servo had none. Problems, too: those of readScene().
   Result<scene::Description> scene(const ChangeRow& change);
-  /// The servo's memory at the first row. Problems: damaged, or another layout.
+  /// The servo's state at the first row. Problems: damaged, or another layout.
   Result<tick::TickState> start(const tick::TickProgram& program);
 
   /// Ticks of a block; the last one may have fewer.
@@ -70,12 +70,13 @@ class Session {
   std::int64_t blocks() const { return (info_.ticks + blockRows() - 1) / blockRows(); }
   /// Whole blocks of ticks; a damaged one has no bytes.
   Result<std::vector<Block>> readTicks(std::int64_t first_block, std::int64_t count);
-  /// Every block in order, a damaged one as what it lacks, until visit() gives false. progress: 0 to 1; may be empty.
+  /// Calls visit() for each block in order, and damaged() for each damaged one, until visit() returns false. progress:
+  /// 0 to 1; may be empty.
   Problems eachBlock(const std::function<bool(const Block&, std::int64_t first_row)>& visit,
                      const std::function<void(const Gap&)>& damaged, const std::function<void(double)>& progress = {});
-  /// Sees what was written since.
+  /// Takes in what was written since it was opened or last refreshed.
   void refresh();
-  /// It was opened as one that its writer has not closed: it is being recorded, or its program was killed.
+  /// Whether its writer had not closed it when it was opened: it is being recorded, or the program was killed.
   bool isOpenElsewhere() const { return file_.isOpenElsewhere(); }
 
  private:

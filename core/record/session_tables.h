@@ -17,21 +17,21 @@ inline constexpr std::int64_t kSessionVersion = 1;
 inline constexpr const char *kServosTime = "servo", *kArmsTime = "arm";  // the attribute gate_time; absent: the arm's
 inline constexpr std::int64_t kTextBlock = 64;     // bytes; words are filled up to whole blocks with zeros
 inline constexpr std::int64_t kStartBlock = 4096;  // bytes
-// Of markers, bytes; a reader keeps them all. One label, and all of a session.
+// Limits for the labels of markers, bytes, since a reader keeps all of them: one label, and all of a session.
 inline constexpr std::int64_t kLongestLabel = 64LL << 10, kAllLabels = 16LL << 20;
 
-// A block of ticks: what a kill loses at most, but for the time between two looks of the recorder. The lab's page has
-// what each length costs.
+// The length of a block of ticks: what is lost at most if the program is killed, besides the time between two runs of
+// the recorder. The lab's page has the cost of each length.
 inline constexpr double kBlock_s = 0.1, kShortestBlock_s = 0.01, kLongestBlock_s = 0.2;
 
-/// A block of ticks is block_s long, and one row at least.
+/// The tables of a session. A block of ticks is block_s long, and one row at least.
 std::array<Table, kTables> sessionTables(std::int64_t rate_hz, double block_s = kBlock_s);
 
 /// Why a recording ended.
 enum class EndReason : std::uint8_t { Stopped, ProgramEnded, DiskFull, Recovered };
 const char* name(EndReason reason);  // "stopped", "program_ended", "disk_full", "recovered"
 
-/// Where in /text.
+/// A range of bytes of /text.
 struct Words {
   std::int64_t at = 0;
   std::int64_t bytes = 0;
@@ -62,10 +62,10 @@ Block blockOf(const ChangeRow& row);
 Block blockOf(const MarkerRow& row);
 Block blockOf(const servo::FaultMark& row);
 Block blockOf(const EndRow& row);
-/// Filled up to whole blocks of kTextBlock.
+/// The text, padded with zeros to whole blocks of kTextBlock.
 Block textBlock(std::string_view text);
 
-// Of a block that is whole; what a row says beyond the enumerations is taken for their first.
+// The rows of a whole block; a value outside an enumeration is read as its first one.
 std::vector<ChangeRow> unpackChanges(const Block& block);
 std::vector<MarkerRow> unpackMarkers(const Block& block);
 std::vector<servo::FaultMark> unpackFaults(const Block& block);

@@ -8,15 +8,15 @@
 
 namespace underact::record {
 
-/// The servo's memory as bytes: what a replay begins from. For the build that wrote it and for others whose memory is
-/// laid out alike (stateLayout()); all builds of a version are, whatever they are optimised for.
+/// The servo's state as bytes, from which a replay begins: readable by builds with the same layout (stateLayout()),
+/// which all builds of a version have, whatever their optimisation.
 std::vector<std::byte> bytesOfState(const tick::TickState& state);
 
 /// "1:..." with the sizes of all parts: equal layouts can read each other's bytes.
 std::string stateLayout();
 
-/// program: that the state was made for. Problems: the bytes are not of such a state,
-/// or of one that no servo can be in.
+/// The state of such bytes. program: for which the state was made. Problems: the bytes are not of such a state, or of
+/// one that no servo can be in.
 Result<tick::TickState> stateOfBytes(const std::vector<std::byte>& bytes, const tick::TickProgram& program);
 
 }  // namespace underact::record

@@ -7,7 +7,7 @@
 
 namespace underact::record {
 
-/// What the numbers of a column are; little-endian in the file.
+/// The type of a column's numbers; little-endian in the file.
 enum class Kind : std::uint8_t { Byte, Unsigned, Integer, Real };  // 1, 4, 8, 8 bytes
 
 /// A column of a table: its name and unit in the file, and what its numbers are.
@@ -39,26 +39,26 @@ struct Block {
   std::vector<std::byte> bytes;
 };
 
-/// As zlib and PNG compute it.
+/// CRC-32 as in zlib and PNG.
 std::uint32_t crcOf(std::span<const std::byte> bytes);
 
-/// How many times more rows than its bytes hold a file may have that others have packed: of an arm that stands still,
-/// in the longest blocks.
+/// The greatest compression ratio of a file that was packed by another program: of an arm that stands still, in the
+/// longest blocks.
 inline constexpr std::int64_t kMostPacked = 256;
 
-/// How long a file is taken to be at most, bytes: one may have a length that nothing on the disk stands behind.
+/// The greatest length that a file is taken to have, bytes: a sparse file may state any.
 inline constexpr std::int64_t kLongestFile = std::int64_t{1} << 44;
 
-/// Rows of a table from one on, up to another.
+/// Rows of a table, from begin up to end.
 struct RowRange {
   std::int64_t begin = 0, end = 0;
   /// Blocks that the rows take; the last one may not be full. block_rows: above 0.
   std::int64_t blocks(std::int64_t block_rows) const { return (end - begin + block_rows - 1) / block_rows; }
 };
-/// Of blocks from first on, at most count; of a table that has so many rows in all. None where first is beyond them.
+/// The rows of at most count blocks from first on, in a table of so many rows. Empty where first is beyond them.
 RowRange rangeOf(std::int64_t first, std::int64_t count, std::int64_t block_rows, std::int64_t all);
 
-/// Writes rows into a block, number by number: row by row, each row column by column. For at most as many rows as
+/// Writes rows into a block, number by number: row by row, and in a row column by column. For at most as many rows as
 /// begin() was told.
 class Packer {
  public:
@@ -74,7 +74,7 @@ class Packer {
   std::int64_t rows() const { return rows_; }
   /// Whether there are as many rows as begin() was told.
   bool isFull() const { return rows_ == most_rows_; }
-  /// What was written so far, without gaps.
+  /// The rows written so far, without gaps.
   Block block() const;
 
  private:
@@ -86,7 +86,7 @@ class Packer {
   std::size_t column_ = 0, in_row_ = 0;  // where the next number goes
 };
 
-/// Reads them back the same way.
+/// Reads rows back in the same order.
 class Unpacker {
  public:
   /// columns and block: they outlive this; the block is whole and was packed with these columns.

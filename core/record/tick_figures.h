@@ -7,7 +7,7 @@
 
 namespace underact::record {
 
-/// Error and force over a stretch of ticks. Without a tick they are no numbers.
+/// Statistics of error and force over a range of ticks. Without a tick they are not numbers.
 class TickFigures {
  public:
   /// error_m: between tip and target; force_N: the length of the force that was sent.
@@ -30,8 +30,8 @@ class TickFigures {
   double sum_square_error_m2_ = 0.0, sum_force_N_ = 0.0, peak_force_N_ = 0.0;
 };
 
-/// What the force has done on the hand. A step of the tip goes with the force that was in effect during it: the one
-/// that was sent a tick before.
+/// The work of the force on the hand. A displacement of the tip counts with the force that was in effect during it: the
+/// one sent a tick before.
 class Work {
  public:
   /// A tick: the force that was sent, N, and the tip when it was sampled, m.

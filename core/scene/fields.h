@@ -6,10 +6,10 @@
 
 namespace underact::scene {
 
-// What a scene file says of each type: one list that the reader, the checks and the writer all go by. A new type
-// without its Fields does not compile.
+// The keys of each type of shape: one list for reader, checks and writer. A new type without its Fields does not
+// compile.
 
-/// What a number of a shape means, and so which numbers are allowed.
+/// The meaning of a shape's number, which decides the allowed values.
 enum class Meaning : std::uint8_t { Position, Direction, Length, Rotation };
 
 /// One key of a shape: the member that it stands for, and what the number means.
@@ -86,7 +86,7 @@ struct Fields<Box> {
                                    Field{"R_WB", &Box::R_WB, Meaning::Rotation, false}};
 };
 
-/// Its joints, home and solver are no numbers in a row: manipulators.cpp reads, checks and writes them.
+/// Joints, home and solver are not plain numbers: manipulators.cpp reads, checks and writes them.
 template <>
 struct Fields<VirtualManipulator> {
   static constexpr const char* kType = "virtual_manipulator";
@@ -102,7 +102,7 @@ struct Fields<Mesh> {
   static constexpr std::tuple<> kAll{};
 };
 
-/// As of a mesh, and how it leads: curves.cpp.
+/// As of a mesh, with its guidance: curves.cpp.
 template <>
 struct Fields<Curve> {
   static constexpr const char* kType = "curve";
@@ -168,7 +168,7 @@ bool takesInfluence(const Shape& shape);
 /// Whether the type takes friction: all that the stylus can slide along.
 bool takesFriction(const Shape& shape);
 
-/// Whether the type parts the workspace into an inside and an outside.
+/// Whether the type separates the workspace into an inside and an outside.
 bool hasSides(const Shape& shape);
 
 /// The name of the constraint at index where the file gives none: type and number, "sphere 2".

@@ -8,8 +8,8 @@ namespace underact::scene {
 
 // Inside the room: a curve of a million points takes a second to make, and an edit of gains does not change it.
 
-/// curve as the tick has it, in W, m: the one made before of the same points, kind, scale and place, as long as
-/// somebody holds it; else made anew. Its points must be loaded. Any thread but the servo's. Problems: those of
+/// The curve as the tick has it, in W, m: the existing one of the same points, kind, scale and pose while it is held
+/// anywhere; else a new one. Its points must be loaded. Any thread but the servo's. Problems: those of
 /// curve::makeCurve().
 Result<std::shared_ptr<const curve::Curve>> keptCurve(const Curve& curve, const Place& place);
 

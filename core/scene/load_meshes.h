@@ -9,20 +9,19 @@
 
 namespace underact::scene {
 
-/// Where the file of a mesh or a curve is: as it stands, where that is absolute; else from the folder of the scene's
-/// own file.
+/// The path of the file of a mesh or a curve: as stated, where that is absolute; else relative to the folder of the
+/// scene's own file.
 std::string pathOf(const std::string& file, const Description& scene);
 
-/// Gives each mesh of the scene that has none its surface, from its file or from the cache, and each curve its points.
-/// Takes seconds for millions of triangles: tells its steps, ends early where it is asked to. Any thread but the
-/// servo's. Problems, each with its constraint's place: those of mesh_file::loadMesh(); the content is not the one of
-/// the checksum.
+/// Loads the surface of each mesh that has none, from its file or from the cache, and the points of each curve. Takes
+/// seconds for millions of triangles; reports progress and can be cancelled. Any thread but the servo's. Problems, each
+/// with its constraint's place: those of mesh_file::loadMesh(); contents that do not match the checksum.
 Problems loadMeshes(Description& scene, const Watch& watch = {});
 
-/// The same of a recorded scene, which names its meshes and curves without their folders: they are looked for beside
-/// the session, then in each of the folders, by their whole name and by the last part of it. Of several that are there
-/// the first that can be read and has the checksum is taken, and its path put in place of the name. Problems: as
-/// loadMeshes(); a file that is in none of them, with the way out.
+/// The same for a recorded scene, which names its meshes and curves without their folders: they are looked for beside
+/// the session, then in each of the folders, by their whole name and by its last part. The first file that can be read
+/// and matches the checksum is taken, and its path replaces the name. Problems: as loadMeshes(); a file that is in none
+/// of the folders, with the way out.
 Problems loadRecordedMeshes(Description& scene, const std::vector<std::string>& folders, const Watch& watch = {});
 
 /// Whether a mesh of the scene has no surface yet, or a curve no points.
@@ -31,8 +30,8 @@ bool lacksMeshes(const Description& scene);
 /// loadMeshes() and compile() in one.
 Result<tick::TickProgram> loadAndCompile(Description& scene, const Watch& watch = {});
 
-/// The scene as a recording keeps it: each mesh with its checksum, and no folder of the person's disk in it. A file
-/// below the scene's own folder keeps its way from there; of any other the name alone is kept. A replay finds it by
+/// The scene as a recording keeps it: each mesh with its checksum, and without folders of the person's disk. A file
+/// below the scene's own folder keeps its relative path; of any other only the name is kept. A replay finds it by
 /// pathOf().
 Description withoutFolders(Description scene);
 

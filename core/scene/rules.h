@@ -5,7 +5,7 @@
 
 namespace underact::scene {
 
-// Inside the room: which numbers a scene may have. A sentence for one that it may not; empty: it may.
+// Inside the room: the allowed numbers of a scene. Each gives a sentence for one that is not allowed; empty: it is.
 
 inline constexpr double kFarthest_mm = 1e6;
 inline constexpr double kHighestGain = 1e12;  // far beyond any arm; keeps newtons finite wherever the tip is
@@ -14,18 +14,18 @@ inline constexpr double kHighestGain = 1e12;  // far beyond any arm; keeps newto
 Sentence judge(Meaning meaning, double number);
 /// Not finite, below 0 or above kHighestGain.
 Sentence judgeGain(double gain);
-/// A value of the joint: a limit, its rest.
+/// A limit of the joint, or its rest position.
 Sentence judgeJoint(const Joint& joint, double value);
 
-/// Of a number or a direction that is none.
+/// The sentence for a number that is not finite.
 Sentence notFinite();
-/// Of a direction that is zero.
+/// The sentence for a direction that is zero.
 Sentence pointsNowhere();
 
-/// Of a rotation and a translation in mm.
+/// A pose whose translation is in mm.
 Sentence judgePose(const Eigen::Matrix4d& X);
 
-/// To 1e-6 of each number, as shape::makeBox.
+/// Whether R is a rotation, each number within 1e-6, as in shape::makeBox().
 bool isRotation(const Mat3& R);
 
 }  // namespace underact::scene

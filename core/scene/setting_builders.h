@@ -103,7 +103,7 @@ constexpr SettingKind kindOf(bool) {
   return SettingKind::Flag;
 }
 
-/// A member of the object.
+/// The row of a member, whose type gives the kind.
 template <auto kMember>
 constexpr SettingOf<ObjectOf<kMember>> member(Setting setting) {
   using Object = ObjectOf<kMember>;
@@ -134,7 +134,7 @@ void putWord(const SettingValue& value, Enum& into) {
   }
 }
 
-/// A member that is one of the words. kShown: what panels say for each; left out, the words.
+/// The row of a member that is one of the words. kShown: the labels of the words in panels; by default the words.
 template <auto kMember, const auto& kWords, const auto&... kShown>
 constexpr SettingOf<ObjectOf<kMember>> oneOf(Setting setting) {
   static_assert(((std::size(kShown) == std::size(kWords)) && ...));
@@ -148,7 +148,7 @@ constexpr SettingOf<ObjectOf<kMember>> oneOf(Setting setting) {
           [](const Object&) -> SettingValue { return std::string(wordOf(kWords, Object{}.*kMember)); }};
 }
 
-/// A number of one of the filters.
+/// The row of a number of one of the filters.
 template <auto kMember>
 constexpr SettingOf<Velocity> ofFilter(Setting setting, SettingKind kind = SettingKind::Number) {
   using Filter = ObjectOf<kMember>;
@@ -196,7 +196,7 @@ Sentence judgeAsGain(const Object&, double number) {
   return judgeGain(number);
 }
 
-/// A gain. from: the first law that uses it; those after it do, too.
+/// The row of a gain. kFrom: the first law that uses it; the later ones do, too.
 template <auto kMember, LawType kFrom>
 constexpr SettingOf<Control> gain(Setting setting) {
   setting.least = 0.0;

@@ -11,7 +11,7 @@
 
 namespace underact::scene {
 
-// The rows of each object of a file, for those who have the object in hand.
+// The rows of each kind of object, for code that has the object at hand.
 
 /// A setting, and how an object that has it gives and takes its value.
 template <class Object>
@@ -21,8 +21,8 @@ struct SettingOf {
   void (*set)(Object& object, const SettingValue& value);  // value: of the setting's kind
   SettingValue (*usual)(const Object& object);             // the default, where the key is left out
   Sentence (*judge)(const Object& object, double number) = nullptr;  // null: by the range
-  bool (*is_there)(const Object& object) = nullptr;                  // whether the object may have it; null: always
-  bool (*is_used)(const Object& object) = nullptr;                   // whether it does anything; null: always
+  bool (*is_there)(const Object& object) = nullptr;                  // whether the object can have it; null: always
+  bool (*is_used)(const Object& object) = nullptr;                   // whether it has an effect; null: always
 };
 
 /// The rows of several kinds of objects; kHas: whether an object is one of them.
@@ -40,7 +40,7 @@ using AllRows = RowsFor<Description, Simulation, Control, Velocity, Constraint, 
 /// The table of settings.cpp.
 const AllRows& allRows();
 
-/// The rows of an object, in the order of a file; of others than these there are none.
+/// The rows of an object, in the order of a file; empty for any other type.
 template <class Object>
 std::span<const SettingOf<Object>> rowsOf() {
   if constexpr (AllRows::kHas<Object>)
@@ -55,17 +55,17 @@ bool isThere(const SettingOf<Object>& row, const Object& object) {
   return row.is_there == nullptr || row.is_there(object);
 }
 
-/// To the bit, so that -0 is not 0: what is left out of a file reads back as it was.
+/// Whether both are bit-identical: -0 is not 0, so that a value left out of a file reads back as it was.
 bool isSameValue(const SettingValue& a, const SettingValue& b);
 
-/// Takes in what stands in a file; false, and a problem, where that is no value of the kind.
+/// Reads a value; false, and a problem, where it is not of the setting's kind.
 bool readValue(const Setting& is, const json::Value& value, const std::string& path, SettingValue& into,
                Findings& findings);
 
-/// What is wrong with a number outside the range; empty: nothing.
+/// The problem of a number outside the range; empty: none.
 Sentence judgeRange(const Setting& is, double number);
 
-/// Calls say(part, sentence) for each number of the value that the object may not have; part: "", or "[1]" of a list.
+/// Calls say(part, sentence) for each number of the value that is not allowed; part: "", or "[1]" of a list.
 template <class Object, class Say>
 void judge(const SettingOf<Object>& row, const Object& object, const SettingValue& value, const Say& say) {
   const auto look = [&](const std::string& part, double number) {
@@ -80,7 +80,7 @@ void judge(const SettingOf<Object>& row, const Object& object, const SettingValu
     look(is_one ? "" : "[" + std::to_string(axis) + "]", (*axes)[axis]);
 }
 
-/// Calls say(key, sentence) for each number of the object's settings that it may not have.
+/// Calls say(key, sentence) for each number of the object's settings that is not allowed.
 template <class Object, class Say>
 void checkSettings(const Object& object, const Say& say) {
   for (const SettingOf<Object>& row : rowsOf<Object>()) {
@@ -90,7 +90,7 @@ void checkSettings(const Object& object, const Say& say) {
   }
 }
 
-/// False: the key is not there, or what stands there cannot be read.
+/// Reads one setting. False: the key is missing, or its value cannot be read.
 template <class Object>
 bool readSetting(ObjectReader& reader, const SettingOf<Object>& row, Object& into) {
   const json::Value* const found = reader.find(row.is.key, row.is.said == Said::Required);
@@ -111,7 +111,7 @@ bool readSetting(ObjectReader& reader, const SettingOf<Object>& row, Object& int
   return is_good;
 }
 
-/// All of an object; those whose type makes them be there are read first.
+/// Reads all settings of an object; a choice on which others depend is read before them.
 template <class Object>
 void readSettings(ObjectReader& reader, Object& into) {
   for (const SettingOf<Object>& row : rowsOf<Object>()) {
@@ -119,7 +119,7 @@ void readSettings(ObjectReader& reader, Object& into) {
   }
 }
 
-/// An object of a file that holds settings and nothing else. what: "an influence"; example: of such an object.
+/// Reads an object of a file that has settings only. what: "an influence"; example: of such an object.
 template <class Object>
 void readObject(const json::Value& value, const std::string& path, const Sentence& what, const char* example,
                 Object& into, Findings& findings) {
@@ -131,7 +131,7 @@ void readObject(const json::Value& value, const std::string& path, const Sentenc
   reader.finish();
 }
 
-/// Whether a file says nothing of the object where it need not.
+/// Whether all settings have their defaults, so that a file may leave the object out.
 template <class Object>
 bool isUsual(const Object& object) {
   for (const SettingOf<Object>& row : rowsOf<Object>()) {

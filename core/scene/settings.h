@@ -14,7 +14,7 @@ namespace underact::scene {
 // What a person can change of a scene while it runs, a row of settings.cpp for each. Reading, checking and writing of
 // scenes go by these rows, and so do edits by path.
 
-/// What is set. None: the key is left out, and nothing stands for it (a joint without that limit; no influence).
+/// A value. None: the key is left out, and nothing replaces it (a joint without that limit; no influence).
 using SettingValue = std::variant<std::monostate, bool, double, Vec3, std::string>;
 
 /// Whether it stands for a key that is left out.
@@ -25,17 +25,17 @@ inline bool isNone(const SettingValue& value) {
 /// Gain: one number for all axes, or one each. A choice is one of words.
 enum class SettingKind : std::uint8_t { Number, Whole, Gain, Choice, Flag };
 
-/// When its key is in a file. Always: where its object is; Required: its object cannot be without.
+/// When its key is in a file. Always: whenever its object is; Required: the object needs it.
 enum class Said : std::uint8_t { IfUnusual, Always, Required };
 
 /// A row of the table: one setting, and all that texts, checks and panels need to know of it.
 struct Setting {
   const char* key;
-  const char* label;  // in the midst of a sentence, "blend width": what is undone, say
+  const char* label;  // for use in a sentence, as for undo: "blend width"
   const char* tip;    // a sentence or two
   const char* unit = "";
   double least = -kInfinity, most = kInfinity;
-  bool is_above_least = false;  // the least itself is too little
+  bool is_above_least = false;  // least itself is not allowed
   Said said = Said::IfUnusual;
   const char* wrong = nullptr;         // of a number outside: its places are the last of least, most and the number
   const char* const* shown = nullptr;  // of a choice: what a panel says for each word; null: the words
@@ -45,38 +45,38 @@ struct Setting {
   std::vector<std::string> (*words)() = nullptr;  // of a choice, as a file has them; the usual one is the first
 };
 
-/// Each there is, once, in the order of the table.
+/// All settings, in the order of the table.
 const std::vector<Setting>& settings();
 
-/// "/constraints/*/influence/t".
+/// The path with stars: "/constraints/*/influence/t".
 std::string pathOf(const Setting& setting);
 
-/// The row of a path, with numbers or with stars; null: there is none. Of noise_mm, which two filters have, the first.
+/// The row of a path, with numbers or with stars; null: none. Of noise_mm, which two filters have, the first.
 const Setting* findSetting(std::string_view path);
 
 // A path is the JSON pointer of the value in the file: "/constraints/0/influence/t". A constraint without a control of
 // its own has the scene's; setting one gives it its own. Problems: no such setting; the scene has no such place.
 Result<Setting> settingAt(const Description& scene, const std::string& path);
 Result<SettingValue> valueAt(const Description& scene, const std::string& path);
-/// What holds where the file leaves the key out; none: nothing does.
+/// The default where the file leaves the key out; none: there is none.
 Result<SettingValue> usualAt(const Description& scene, const std::string& path);
 
-/// The scene with another value there. None takes a limit away, or, for the key that its object cannot be without, the
-/// whole object: t the influence. A value for an object that is not there makes it. Problems: a value that no file may
-/// have, too; whether it goes with all others check() says.
+/// The scene with another value at path. None removes a limit, or, for the key that its object needs, the whole object:
+/// t the influence. A value for a missing object adds the object. Problems: also a value that a file may not have;
+/// whether it is compatible with the others, check() says.
 Result<Description> withValue(const Description& scene, const std::string& path, const SettingValue& value);
 
 /// The same from a text: as in a file, words without quotes, "none" for none. A star stands for each constraint, or
-/// joint, that has a value there, and a key alone for its path with stars; a problem where none has one.
+/// joint, that has the setting, and a key alone for its path with stars; a problem where none has it.
 Result<Description> withText(const Description& scene, const std::string& path, const std::string& text);
 
-/// The path with stars of a key: "/constraints/*/control/law", "/constraints/*/influence/t". Empty: there is none.
+/// The path with stars of a key: "/constraints/*/control/law", "/constraints/*/influence/t". Empty: no such key.
 std::string everywhere(std::string_view key);
 
-/// Where the control that holds at index is changed: that of the scene where it is a single constraint's, else its own.
+/// The path of the control of the constraint at index: the scene's where it is of a single constraint, else its own.
 std::string controlPath(const Description& scene, std::size_t index);
 
-/// As a file has it.
+/// The value as text in a file.
 std::string fileTextOf(const SettingValue& value);
 
 }  // namespace underact::scene
