@@ -197,7 +197,7 @@ struct Influence {
   bool operator==(const Influence&) const = default;
 };
 
-/// Shares of the force across the surface: of a shape or a mesh.
+/// Coefficients of friction, tangential over normal force; of a shape or a mesh.
 struct Friction {
   double static_share = 0.0, dynamic_share = 0.0;
   bool operator==(const Friction&) const = default;

@@ -9,7 +9,7 @@ namespace underact::servo {
 
 inline constexpr std::size_t kHistories = 4;  // one is written, three may wait to be fetched
 
-/// The last second of ticks, in a ring that has its room from the start.
+/// The last second of ticks, in a ring that is allocated once.
 class History {
  public:
   History() = default;
@@ -37,7 +37,7 @@ class History {
   const Fault& fault() const { return fault_; }
   std::uint64_t revision() const { return revision_; }
   const LateTicks& late() const { return late_; }
-  /// Of the servo, then: its rate may be another one by now.
+  /// The period of the servo at that time.
   std::int64_t period_ns() const { return period_ns_; }
   std::size_t room() const { return ring_.size(); }
   std::vector<TickRecord> inOrder() const;  // oldest first

@@ -6,8 +6,8 @@
 
 namespace underact::servo {
 
-/// Lateness and tick time of every tick since the start, and lateness of the last 10 s, in steps of a second. One
-/// thread; 100 KB.
+/// Latency and duration of every tick since the start, and latency of the last 10 s, in steps of a second. One thread;
+/// 100 KB.
 class Timing {
  public:
   /// rate_hz: of the ticks, above 0.

@@ -6,10 +6,11 @@
 
 namespace underact::sweep {
 
-// What is in the letters between the leader and the other ranks.
+// The contents of the letters between the leader and the other ranks.
 
-/// From a rank to the leader. Hello: its first, with the fingerprint of its sweep. Done: what it has finished, and how
-/// many more cells it wants. Trouble: why it cannot go on. Interrupted: it was asked to end. Bye: its last, after Stop.
+/// From a rank to the leader. Hello: the first one, with the fingerprint of its sweep. Done: finished cells, and how
+/// many more it wants. Trouble: why it cannot continue. Interrupted: it was asked to end. Bye: the last one, after
+/// Stop.
 enum class Word { Hello, Done, Trouble, Interrupted, Bye };
 /// A letter from a rank.
 struct Report {
