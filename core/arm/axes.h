@@ -6,7 +6,7 @@
 
 namespace underact::arm {
 
-// Inside the room: what pose and Jacobian are made of, from one set of sines.
+// Inside the room: the parts of pose and Jacobian, from one set of sines.
 
 /// The arm in its own plane, and how joints 2 and 3 move the tip there. Source: Beckman 2007, eq. 3.5 (erratum 3.5).
 struct Plane {
@@ -17,7 +17,7 @@ struct Plane {
 /// From q1, q2 and q3, rad; q4 to q6 are not read. Not finite in, not finite out. Cost: two sinCosOfTwo().
 Plane planeOf(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
-/// The axes of the joints, and the stylus's turn, in W. Source: eq. 3.6 (erratum 3.6).
+/// The axes of the joints, and the orientation of the stylus, in W. Source: eq. 3.6 (erratum 3.6).
 struct Axes {
   Vec3 side_W;   // axes 2 and 3
   Vec3 along_W;  // axis 4: the forearm

@@ -6,11 +6,11 @@
 
 namespace underact::arm {
 
-/// What every inverse begins with: where the wrist centre is in B, and how far the elbow is bent for it.
+/// The first part of every inverse kinematics: the wrist centre in B, and the angle of the elbow.
 struct PlanarReach {
   double x_m = 0.0, y_m = 0.0, z_m = 0.0;  // of the wrist centre in B
   double off_axis_m = 0.0;                 // from axis 1
-  double elbow_sin = 0.0;                  // as the lengths ask; beyond 1 in size, the place is out of reach
+  double elbow_sin = 0.0;                  // from the lengths; beyond 1 in size: out of reach
   SinCos elbow;                            // of q3 with cos >= 0, clamped to the boundary
   bool reachable = false;                  // boundary included, see kOnBoundary
 };

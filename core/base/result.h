@@ -8,7 +8,7 @@
 
 namespace underact {
 
-/// Where a problem is: a file (or what stands for one), a line and a column from 1 (0: none), the key's path.
+/// The place of a problem: a file (or its substitute), line and column from 1 (0: none), and the path of a key.
 struct Place {
   std::string file = {};
   int line = 0;
@@ -16,16 +16,16 @@ struct Place {
   std::string key = {};
 };
 
-/// What is wrong, in a sentence its reader can act on, and where.
+/// What is wrong, in a sentence that its reader can act on, and where.
 struct Problem {
   Sentence sentence;
   Place place = {};
 };
 
-/// All problems there are, not the first.
+/// All problems at once, not only the first.
 using Problems = std::vector<Problem>;
 
-/// A value, or the problems that kept it from being made. For set-up; a tick yields a Fault instead.
+/// A value, or the problems that prevented it. For set-up; a tick gives a Fault instead.
 template <class T>
 class [[nodiscard]] Result {
  public:

@@ -6,7 +6,7 @@
 
 namespace underact::extremes {
 
-/// Every row there is, in the order of the guide's table.
+/// All rows, in the order of the guide's table.
 const std::vector<Row>& catalogue();
 
 /// The row of that key, or null.

@@ -8,9 +8,9 @@
 
 namespace underact::extremes {
 
-/// Draws what hurts: scales of all sizes, directions on and beside the axes, places beside what is degenerate. The same
-/// numbers on every machine and by every compiler: no library's own logarithm has a part in them, and no two of them
-/// are drawn for the arguments of one call, whose order is the compiler's own.
+/// Draws difficult inputs: scales of all sizes, directions on and near the axes, positions near degenerate ones. The
+/// same numbers on every machine and with every compiler: no library logarithm is involved, and no two of them are
+/// drawn in the arguments of one call, whose order is up to the compiler.
 class Dice {
  public:
   /// The same seed gives the same draws.
@@ -33,9 +33,9 @@ class Dice {
   }
   /// 1e-12 to 1e12.
   double scale() { return power(-40, 40); }
-  /// Near to 1, seldom far from it.
+  /// Close to 1, rarely far from it.
   double ratio() { return one(3) ? power(-20, 20) : between(0.2, 2.0); }
-  /// 2^-k, k up to 60, either sign; seldom 0.
+  /// 2^-k, k up to 60, either sign; sometimes 0.
   double closeness() { return one(8) ? 0.0 : sign() * power(-60, 0); }
 
   /// Three of ratio().
@@ -47,18 +47,19 @@ class Dice {
   Vec3 direction();
   /// A rotation to a few ulp.
   Mat3 turn();
-  /// A place about a middle with an axis: in a box of its size, on the axis but for 2^-k, at any scale, or the middle.
+  /// A position about a centre with an axis: in a box of the given size, on the axis except for 2^-k, at any scale, or
+  /// the centre.
   Vec3 placeAbout(const Vec3& middle_W, const Vec3& axis_W, double size);
-  /// The same with now and then a coordinate that is zero of either sign, or denormal.
+  /// The same, sometimes with a coordinate that is zero of either sign, or denormal.
   Vec3 oddPlaceAbout(const Vec3& middle_W, const Vec3& axis_W, double size);
-  /// An angle, rad: within a turn, a quarter turn but for 2^-k, or of 1e6.
+  /// An angle, rad: within a turn, a quarter turn except for 2^-k, or up to 1e6.
   double angle();
 
  private:
   std::uint64_t state_;
 };
 
-/// The seed of a case: the same for a seed and an index whoever draws it.
+/// The seed of a case, a function of seed and index alone.
 std::uint64_t caseSeed(std::uint64_t seed, std::uint64_t index);
 
 }  // namespace underact::extremes

@@ -10,8 +10,8 @@
 
 namespace underact::extremes {
 
-/// The numbers of one case, each with its name: drawn, or given again. Whatever the code under test is fed goes through
-/// here, so that a kept case is these numbers and no seed, and stays the same case however the draws change.
+/// The numbers of one case, each with its name: drawn, or given. All input of the code under test goes through here, so
+/// that a stored case consists of these numbers, not of a seed, and stays the same case when the draws change.
 class Input {
  public:
   /// A case that is drawn from a seed; its numbers are kept as they are drawn.
@@ -56,7 +56,7 @@ class Input {
 
   /// All numbers so far, or those given.
   const std::vector<double>& numbers() const { return numbers_; }
-  /// More were asked for than given, or fewer.
+  /// Whether more or fewer numbers were asked for than given.
   bool isShort() const { return is_given_ && at_ != numbers_.size(); }
   /// "radius_m 0.5 p_WT.x 1e-300 ...", with as many digits as it takes.
   std::string words() const;

@@ -18,8 +18,8 @@ template <class Object>
 struct SettingOf {
   Setting is;
   SettingValue (*get)(const Object& object);
-  void (*set)(Object& object, const SettingValue& value);  // value: of the setting's kind
-  SettingValue (*usual)(const Object& object);             // the default, where the key is left out
+  void (*set)(Object& object, const SettingValue& value);            // value: of the setting's kind
+  SettingValue (*usual)(const Object& object);                       // the default, where the key is left out
   Sentence (*judge)(const Object& object, double number) = nullptr;  // null: by the range
   bool (*is_there)(const Object& object) = nullptr;                  // whether the object can have it; null: always
   bool (*is_used)(const Object& object) = nullptr;                   // whether it has an effect; null: always

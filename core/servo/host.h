@@ -26,8 +26,8 @@ struct HostOptions {
   int rate_hz = 1000;  // 100 to 10000
   Clock clock = Clock::Thread;
   system::SchedulingWanted scheduling = {};
-  double watchdog_s = 0.1;  // no tick for so long: the watchdog writes zero force, and it is a fault
-  int max_late = 20;        // ticks in a row a whole period late; more release the force and are a fault
+  double watchdog_s = 0.1;         // no tick for so long: the watchdog writes zero force, and it is a fault
+  int max_late = 20;               // ticks in a row a whole period late; more release the force and are a fault
   std::string guard_program = {};  // the path of underact-guard; empty: it is looked for
   system::Clocks clocks = {};
 };

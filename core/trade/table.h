@@ -46,9 +46,9 @@ struct Summary {
   int runs = 0;
   double p50_ns = 0.0, p99_ns = 0.0;  // medians over the runs
   double cost_us_per_s = 0.0;         // the same, for a second of the servo's
-  double error = 0.0;       // 90th percentile over the runs, root mean square, in the choice's unit
-  double worst = 0.0;       // the largest of all
-  bool is_default = false;  // of the program
+  double error = 0.0;                 // 90th percentile over the runs, root mean square, in the choice's unit
+  double worst = 0.0;                 // the largest of all
+  bool is_default = false;            // of the program
   bool is_recommended = false;
 };
 

@@ -7,16 +7,16 @@
 
 namespace underact::extremes {
 
-// Inside the room: a hundred decimal digits, so that what an oracle rounds is nothing beside an ulp, whatever cancels.
-// 1e12 beside 1e-12, squared twice, takes 48 of them.
+// Inside the room: numbers of a hundred decimal digits, so that the rounding of an oracle is negligible against an ulp,
+// whatever cancels: 1e12 beside 1e-12, squared twice, takes 48 of them.
 using Real = boost::multiprecision::cpp_bin_float_100;
 
-/// A vector of such numbers, with the operations of Vec3; vectors as long as they come, unit() of zero undefined.
+/// A vector of such numbers.
 struct Real3 {
   Real x, y, z;
 };
 
-// The operations of Vec3 in such numbers. No range is refused; unit() needs a vector that is not 0.
+// The operations of Vec3.
 /// The doubles, exactly.
 inline Real3 real(const Vec3& v) {
   return {Real(v.x()), Real(v.y()), Real(v.z())};
@@ -63,7 +63,7 @@ inline const Real& piReal() {
   return kPiReal;
 }
 
-/// |error| in ulp of scale (2^-52 of it), and what lies below the smallest normal number is none.
+/// |error| in ulp of scale (2^-52 of it); errors below the smallest normal number count as none.
 inline double ulpsOf(const Real& error, const Real& scale) {
   static const Real kUlp = ldexp(Real(1), -52), kLeast = ldexp(Real(1), -1022);
   return static_cast<double>(Real(abs(error) / (kUlp * scale + kLeast)));
@@ -78,7 +78,7 @@ inline double ulpsOf(double got, const Real& right, const Real& scale) {
   return ulpsOf(Real(Real(got) - right), scale);
 }
 
-/// What the servo would get: denormals are zero there. The oracle runs outside of it.
+/// The result under the servo's arithmetic, in which denormals are zero. The oracle runs outside of it.
 template <class Ask>
 auto asTheServo(const Ask& ask) {
   const FlushDenormals flush;

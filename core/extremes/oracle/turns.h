@@ -5,7 +5,7 @@
 
 namespace underact::extremes::oracle {
 
-/// A turn and a shift. Turns are unit quaternions: another way than the code's matrices.
+/// A rotation as a unit quaternion: a different representation from the code's matrices.
 struct Quaternion {
   Real w = 1, x = 0, y = 0, z = 0;
 };
@@ -29,7 +29,7 @@ inline Real3 moved(const Motion& motion, const Real3& p) {
   return turned(motion.turn, p) + motion.shift;
 }
 
-/// The columns of a matrix in the place of a turn, whatever its rounding.
+/// The columns of a rotation matrix, whatever its rounding.
 using Columns = std::array<Real3, 3>;
 /// The doubles, exactly.
 Columns columnsOf(const Mat3& R);
@@ -42,7 +42,7 @@ Columns columnsOf(const Quaternion& turn);
 /// a^T b.
 Columns between(const Columns& a, const Columns& b);
 
-/// The angle of the turn from a to b, in [0, pi].
+/// The angle of the rotation from a to b, in [0, pi].
 Real angleOf(const Columns& a, const Columns& b);
 
 /// The worst column by extremes::ulpsOf(); infinite where a number is not finite.
