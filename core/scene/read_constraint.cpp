@@ -10,8 +10,6 @@
 namespace underact::scene {
 namespace {
 
-// In the contract, but not in this version.
-
 template <std::size_t... kIndex>
 std::vector<std::string> typesOf(std::index_sequence<kIndex...>) {
   return {Fields<std::variant_alternative_t<kIndex, Shape>>::kType...};

@@ -18,7 +18,7 @@ struct Robot {
   double better_J = 0.0;  // what another known minimum would save
 };
 
-/// The target that is a virtual robot's end effector, and the robot. dt_s: since the last tick, 0: unknown.
+/// The target that is the end effector of a virtual robot, and the robot. dt_s: since the last tick, 0: unknown.
 Target manipulatedTarget(const manipulator::Manipulator& manipulator, const Vec3& p_WT, const Mat3& R_WT, double dt_s,
                          manipulator::State& state, Robot& robot) noexcept UNDERACT_REAL_TIME;
 
