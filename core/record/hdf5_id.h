@@ -18,12 +18,14 @@ bool startHdf5();
 /// An identifier of the library, closed by the destructor.
 class Id {
  public:
+  /// A function of the library that closes an identifier; below 0: it could not.
   using Close = int (*)(Handle);
   Id() = default;
   /// id: taken over; below 0: none. closer: the function of the library that closes such an identifier.
   Id(Handle id, Close closer) : id_(id), close_(closer) {}
-  /// Takes the identifier over; the other is left with none, or with this one's to close.
+  /// Takes the identifier over; the other is left with none.
   Id(Id&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  /// The same; the other gets this one's to close.
   Id& operator=(Id&& other) noexcept {
     std::swap(id_, other.id_);
     std::swap(close_, other.close_);

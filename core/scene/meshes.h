@@ -28,6 +28,7 @@ void readPlacement(ObjectReader& object, FromFile& into) {
   readSettings(object, into);
 }
 
+/// Called with a key and what is wrong with it.
 using Say = std::function<void(const std::string& key, Sentence sentence)>;
 
 /// Checks them; what: "mesh" or "curve", for sentences.

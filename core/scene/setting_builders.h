@@ -15,10 +15,12 @@ namespace underact::scene::row {
 /// The object that a pointer to a member belongs to.
 template <class Member>
 struct MemberOf;
+/// Of a member of any type.
 template <class Its, class Type>
 struct MemberOf<Type Its::*> {
-  using Object = Its;
+  using Object = Its;  // the class
 };
+/// The same from the pointer itself.
 template <auto kMember>
 using ObjectOf = typename MemberOf<decltype(kMember)>::Object;
 

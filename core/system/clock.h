@@ -17,6 +17,7 @@ std::int64_t withSleepNow_ns() noexcept UNDERACT_REAL_TIME;
 
 /// Both clocks, to be replaced by a test, which cannot suspend the machine.
 struct Clocks {
+  /// Reads a clock, ns.
   using Read = std::int64_t() noexcept UNDERACT_REAL_TIME;
   Read* now_ns = monotonicNow_ns;
   Read* with_sleep_ns = withSleepNow_ns;

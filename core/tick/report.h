@@ -24,8 +24,9 @@ struct Held : target::Details {
 class HeldList {
  public:
   HeldList() = default;
-  /// Copies those in use alone, as does the assignment; what lies beyond stays as it was.
+  /// Copies those in use alone; what lies beyond stays as it was.
   HeldList(const HeldList& other) noexcept UNDERACT_REAL_TIME { *this = other; }
+  /// The same.
   HeldList& operator=(const HeldList& other) noexcept UNDERACT_REAL_TIME {
     resize(other.size_);
     for (std::size_t index = 0; index < size_; ++index) held_[index] = other.held_[index];
