@@ -7,16 +7,16 @@
 namespace underact::lab {
 namespace {
 
-constexpr double kNone = 1e-9;  // overshoot that is the rounding of a mean
+constexpr double kNone = 1e-9;  // below this an overshoot is rounding of the mean
 constexpr std::size_t kFewest = 10;
 constexpr std::size_t kLastShare = 5;  // the last fifth
 
-/// The time, in samples, at which the way from one sample to the next passes level.
+/// The time, in samples, at which the line between two samples passes level.
 double between(const std::vector<double>& z, std::size_t before, double level) {
   return static_cast<double>(before) + (level - z[before]) / (z[before + 1] - z[before]);
 }
 
-/// When z is first at level or above it, in samples.
+/// The time at which z first reaches level, in samples.
 std::optional<double> firstAt(const std::vector<double>& z, double level) {
   if (z.front() >= level) return 0.0;
   for (std::size_t index = 1; index < z.size(); ++index) {
@@ -25,7 +25,7 @@ std::optional<double> firstAt(const std::vector<double>& z, double level) {
   return {};
 }
 
-/// From when on z stays within the band about 1, in samples; none: it is still outside in the last fifth.
+/// The time from which z stays within the band about 1, in samples; none: it is still outside in the last fifth.
 std::optional<double> settledAt(const std::vector<double>& z) {
   for (std::size_t index = z.size(); index-- > 0;) {
     if (std::abs(z[index] - 1.0) < kSettlingBand) continue;

@@ -59,7 +59,7 @@ bool isOneNumber(const Measure& measure) {
   return measure.quantity == nullptr || measure.part > 0 || measure.quantity->parts == 1;
 }
 
-/// A number, or a list of as many as the measure has values; null in it: whichever.
+/// A number, or a list of as many as the measure has values; null in it: any value.
 std::vector<double> readPlace(const Value& value, const std::string& path, const Measure& measure, Findings& findings) {
   if (measure.quantity == nullptr) return {0.0};  // said already
   if (isOneNumber(measure)) {
@@ -69,7 +69,7 @@ std::vector<double> readPlace(const Value& value, const std::string& path, const
     return {value.number};
   }
   const std::size_t parts = measure.quantity->parts;
-  const bool may_be_fewer = measure.quantity->needs == Needs::Robot;  // as many as the robot has joints
+  const bool may_be_fewer = measure.quantity->needs == Needs::Robot;  // a robot may have fewer joints
   const Sentence expected = said(TRANSLATE_NOOP("problem", "a list of %1 numbers"), {std::to_string(parts)});
   if (!isKind(value, json::Kind::Array, path, expected, findings)) return {0.0};
   if (value.items.empty() || value.items.size() > parts || (value.items.size() < parts && !may_be_fewer))
@@ -215,7 +215,7 @@ AskChoice readChoiceQuestion(ObjectReader& object) {
   return ask;
 }
 
-/// What a check is shows by the key that only its kind has.
+/// The kind of a check follows from a key that only this kind has.
 Task readTask(ObjectReader& object, const Value& value) {
   if (value.find("choices") != nullptr) return readChoiceQuestion(object);
   if (value.find("question") != nullptr) return readNumberQuestion(object, value);
