@@ -58,7 +58,7 @@ struct Recorder::Impl {
 
   void run() {
     while (!failed() && !tap->ended() && !ends.load()) {
-      const bool busy = room() < 0.5;  // a run as fast as it can is not kept waiting
+      const bool busy = room() < 0.5;  // a run at full speed must not wait
       takeAll();
       if (!failed()) lookAtDisk();
       if (!busy) std::this_thread::sleep_for(kPause);
@@ -70,7 +70,7 @@ struct Recorder::Impl {
   double room() const { return static_cast<double>(tap->room()) / static_cast<double>(capacity); }
   bool failed() const { return !problems.empty(); }
 
-  /// What belongs to a tick is written before it, so that a file that ends anywhere can be replayed to there.
+  /// What belongs to a tick is written before it, so that a truncated file can be replayed up to its end.
   void takeAll() {
     if (!tap->begun()) return;
     if (!begun) {
@@ -135,7 +135,7 @@ struct Recorder::Impl {
       note({{said(TRANSLATE_NOOP("problem", "The servo did not tick: there is nothing in the recording.")), {path}}});
     if (in_order) {
       const Problems at_end = writer.end({0, tap->dropped(), unixNow_ns(), reason});
-      if (!at_end.empty()) problems = at_end;  // whatever was said before, the end is not there
+      if (!at_end.empty()) problems = at_end;  // whatever was reported before, the end is missing
       in_order = at_end.empty();
     }
     if (!in_order) {
@@ -161,7 +161,7 @@ struct Recorder::Impl {
   std::shared_ptr<servo::Tap> tap;
   std::size_t capacity = tap->room();
   std::vector<servo::TickRecord> batch;
-  Problems problems;  // the recorder's thread; others read shown
+  Problems problems;  // of the recorder's thread; others read shown
   bool disk_full = false;
   std::atomic<EndReason> wished_reason{EndReason::Stopped};
   bool begun = false;
@@ -207,7 +207,7 @@ Problems Recorder::stop(EndReason reason) {
     impl_->host.endRecord();
     const auto limit = steady_clock::now() + kWaitForEnd;
     while (!impl_->tap->ended() && steady_clock::now() < limit) {
-      impl_->host.snapshot();  // hands on what waits to be told
+      impl_->host.snapshot();  // sends commands that are waiting
       std::this_thread::sleep_for(milliseconds(1));
     }
     impl_->ends = true;

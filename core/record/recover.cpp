@@ -9,7 +9,7 @@
 namespace underact::record {
 namespace {
 
-/// Rows up to the last block that can be read.
+/// The rows up to the last readable block.
 Result<std::int64_t> wholeRows(Hdf5File& file, std::size_t table) {
   std::int64_t rows = file.rows(table);
   const std::int64_t block_rows = file.blockRows(table);
@@ -55,8 +55,7 @@ Result<std::int64_t> makeWhole(const std::string& path) {
 }
 
 Result<std::int64_t> recover(const std::string& path) {
-  // It may be anybody's. So it is looked at from a distance first, as far as it goes, and then just that file is
-  // changed.
+  // The file may come from anybody, so it is checked in the sealed reader first, and then exactly that file is changed.
   Result<ForeignInput> opened = ForeignInput::open(path, false);
   if (!opened) return opened.problems();
   const auto input = std::make_shared<const ForeignInput>(std::move(opened).value());

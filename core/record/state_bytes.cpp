@@ -8,7 +8,8 @@
 namespace underact::record {
 namespace {
 
-/// The memory of each target of a kind. An entry of another kind has none; the bytes are of one that has not begun.
+/// The state of each target of a kind. An entry of another kind has none; its bytes are those of a state before a first
+/// tick.
 template <class Memory, class Entries, class Part>
 void eachMemory(Entries& entries, Part&& part) {
   for (auto& entry : entries) {
@@ -18,7 +19,7 @@ void eachMemory(Entries& entries, Part&& part) {
   }
 }
 
-/// Every part of a state, in one place for both ways. What carryOver() hands on between two ticks is all in here.
+/// All parts of a state, in one place for both directions: everything that carryOver() copies is among them.
 template <class State, class Part>
 void eachPart(State& state, Part&& part) {
   part(state.time_ns);
@@ -43,7 +44,7 @@ void eachPart(State& state, Part&& part) {
   each(state.needs.joints, [&](auto& entry) { part(entry.follower); });
 }
 
-/// Eigen's fixed sizes have no pointers in them, though the standard does not call them trivial.
+/// Eigen's fixed-size types have no pointers, although the standard does not call them trivial.
 template <class T>
 constexpr bool kIsPlain = std::is_trivially_destructible_v<T>&& std::is_standard_layout_v<T>;
 
@@ -60,7 +61,7 @@ std::vector<std::byte> bytesOfState(const tick::TickState& state) {
 }
 
 std::string stateLayout() {
-  // Files say 488 for a state without entries, which was its size in memory when the first ones were written.
+  // Files state 488 for a state without entries, its size in memory in version 1 of the layout.
   std::size_t bytes = 488 - 275;
   const tick::TickState none;
   eachPart(none, [&bytes](const auto& part) { bytes += sizeof part; });
@@ -85,7 +86,7 @@ Result<tick::TickState> stateOfBytes(const std::vector<std::byte>& bytes, const 
     std::memcpy(static_cast<void*>(&part), next, sizeof part);
     next += sizeof part;
   });
-  // A changed byte may say anything, and its checksum may have been put right.
+  // A modified byte may have any value, and a correct checksum.
   if (!isSound(state, program))
     return Problems{{said(TRANSLATE_NOOP("problem",
                                          "The servo's memory at the beginning of this session is none that a servo "

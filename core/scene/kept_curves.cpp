@@ -10,7 +10,7 @@
 namespace underact::scene {
 namespace {
 
-/// All that a curve is made of, and what was made of it. Nothing is kept from dying.
+/// All input of a curve, and the curve made of it, which this does not keep alive.
 struct Kept {
   std::weak_ptr<const std::vector<Vec3>> points;
   curve::Kind kind = curve::Kind::Spline;
@@ -48,7 +48,7 @@ Result<std::shared_ptr<const curve::Curve>> keptCurve(const Curve& curve, const 
       if (std::shared_ptr<const curve::Curve> made = found->made.lock()) return made;
     }
   }
-  auto made = makeInWorkspace(curve, place);  // not under the lock: another thread may ask for another
+  auto made = makeInWorkspace(curve, place);  // without the lock: another thread may ask for another one
   if (!made) return made.problems();
   const std::scoped_lock lock(mutex);
   all.push_back({curve.points, curve.kind, curve.closed, curve.scale_mm_per_unit, curve.X_WM, made.value()});

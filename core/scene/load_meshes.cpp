@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a surface in use was made of. A replay compiles the same mesh anew for every edit; a scene may hold it twice.
+/// The origin of a surface in use. A replay compiles the same mesh for every edit; a scene may have it twice.
 struct InUse {
   std::uintmax_t bytes = 0;
   fs::file_time_type written;
@@ -27,7 +27,7 @@ struct InUse {
 
 class SurfacesInUse {
  public:
-  /// Empty where the file is another by now, or nobody holds its surface.
+  /// Finds the surface of a file; false where the file has changed, or the surface is no longer held.
   bool find(const std::string& path, Mesh& mesh) {
     const std::scoped_lock lock(mutex_);
     const auto found = by_path_.find(path);
@@ -62,7 +62,7 @@ SurfacesInUse& surfacesInUse() {
   return surfaces;
 }
 
-/// That the mesh is the one that the scene means; else it has no surface again.
+/// Checks that the mesh is the one that the scene means; else it loses its surface again.
 Problems checked(Mesh& mesh, const Place& place) {
   if (mesh.checksum.empty() || mesh.checksum == mesh.loaded_checksum) return {};
   mesh.surface.reset();
@@ -78,7 +78,7 @@ Problems checked(Mesh& mesh, const Place& place) {
 Problems load(Mesh& mesh, const Description& scene, const Place& place, const Watch& watch) {
   const std::string path = pathOf(mesh.file, scene);
   if (surfacesInUse().find(path, mesh)) return checked(mesh, place);
-  InUse stamp = SurfacesInUse::stampOf(path);  // before: a file that changes meanwhile is read again next time
+  InUse stamp = SurfacesInUse::stampOf(path);  // before reading: a file that changes meanwhile is read again
   Result<mesh_file::Loaded> loaded = mesh_file::loadMesh(path, watch);
   if (!loaded) {
     Problems problems = loaded.problems();
@@ -156,7 +156,7 @@ bool lacksFile(const Shape& shape) {
   return (mesh != nullptr && mesh->surface == nullptr) || (curve != nullptr && curve->points == nullptr);
 }
 
-/// load(shape, place, watch) of each mesh and each curve that lacks its file, with its share of the whole.
+/// Calls load(shape, place, watch) for each mesh and each curve that is not loaded, with its share of the whole.
 template <class Load>
 Problems loadEach(Description& scene, const Watch& watch, const Load& load_one) {
   Problems problems;

@@ -7,21 +7,22 @@ namespace {
 
 using Signs = Vec3;  // 1 or -1 each: the diagonal of a reflection
 
-const Signs kMirror{-1.0, 1.0, 1.0};  // S, which this is all about
-// The arm's own: in its mirror image y of frame 6 points the other way, so that the frame stays right-handed.
+const Signs kMirror{-1.0, 1.0, 1.0};  // S of the header
+// That of the arm: in its reflection y of frame 6 is reversed, so that the frame stays right-handed.
 const Signs kTip{1.0, -1.0, 1.0};
 
 double flipped(double number) {
   return number == 0.0 ? number : -number;  // a file should not say -0
 }
 
-/// A place, or a direction that has a front and a back.
+/// The reflection of a position, or of a direction with a sense.
 Vec3 seen(const Vec3& v) {
   return {flipped(v.x()), v.y(), v.z()};
 }
 
-/// What a turn goes about: in a mirror a screw to the right is one to the left, so that across the mirror its axis
-/// stays, and along it goes over. Angles keep their sign, and so do limits, rests and springs.
+/// The reflection of an axis of rotation: a right-handed screw becomes left-handed, so that an axis at right angles to
+/// the mirror stays, and one parallel to it is reversed. Angles keep their sign, and so do limits, rest positions and
+/// springs.
 Vec3 seenTurning(const Vec3& axis) {
   return {axis.x(), flipped(axis.y()), flipped(axis.z())};
 }
@@ -52,7 +53,7 @@ void mirror(Plane& plane) {
 }
 void mirror(Circle& circle) {
   circle.center_mm = seen(circle.center_mm);
-  circle.normal = seen(circle.normal);  // its line, either way: nothing turns about it
+  circle.normal = seen(circle.normal);  // as a line: nothing rotates about it
 }
 void mirror(Cylinder& cylinder) {
   cylinder.point_mm = seen(cylinder.point_mm);
@@ -68,11 +69,11 @@ void mirror(VirtualManipulator& robot) {
     joint.axis = joint.type == chain::JointType::Revolute ? seenTurning(joint.axis) : seen(joint.axis);
     joint.point_mm = seen(joint.point_mm);
   }
-  reflect(robot.X_WV_home, kMirror, kTip);  // it is held against the arm's own tip
+  reflect(robot.X_WV_home, kMirror, kTip);  // compared with the arm's tip
   robot.X_WV_home(0, 3) = flipped(robot.X_WV_home(0, 3));
 }
 
-/// S (p_WM + s R p_M) = S p_WM + (-s) (-S R) p_M: a scale below 0 is the half that no rotation does.
+/// S (p_WM + s R p_M) = S p_WM + (-s) (-S R) p_M: a negative scale is the part that a rotation cannot do.
 template <class FromFile>
 void mirrorPlacement(FromFile& placed) {
   placed.scale_mm_per_unit = -placed.scale_mm_per_unit;
@@ -83,7 +84,7 @@ void mirror(Mesh& mesh) {
   mirrorPlacement(mesh);
 }
 void mirror(Curve& curve) {
-  mirrorPlacement(curve);  // its points keep their order, so the guide goes on from the same end
+  mirrorPlacement(curve);  // its points keep their order, so the guide starts from the same end
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ void readVersion(ObjectReader& object) {
   }
 }
 
-/// Gives a name to each constraint that has none, and none twice.
+/// Gives a unique name to each constraint that has none.
 void makeUpNames(std::vector<Constraint>& constraints) {
   std::set<std::string> taken;
   for (const Constraint& constraint : constraints) taken.insert(constraint.name);

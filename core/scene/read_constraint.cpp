@@ -42,7 +42,7 @@ std::optional<Shape> shapeOfType(const json::Value& value, const std::string& pa
   return std::nullopt;
 }
 
-/// What no rule objects to: it stands in for what could not be read, so that check() speaks only of what was.
+/// A value that passes all checks, in place of one that could not be read, so that check() reports only what was read.
 void setHarmless(double& number) {
   number = 1.0;
 }
@@ -63,7 +63,7 @@ void readFields(ObjectReader& object, Shape& shape) {
   std::visit([&](auto& chosen) { eachField(chosen, read); }, shape);
 }
 
-/// Empty where it cannot be read.
+/// Reads a name; empty where it cannot be read.
 void readName(const json::Value& value, const std::string& path, std::string& into, Findings& findings) {
   if (value.kind == json::Kind::String && value.text.empty()) {
     findings.add(
