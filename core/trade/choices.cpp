@@ -12,7 +12,7 @@ bool always(const scene::Description&) {
   return true;
 }
 
-/// A law in the joints' space has rates of joints, which are compared with nothing here.
+/// Whether a law damps in Cartesian space: one in joint space has joint rates, for which there is no reference here.
 bool dampsInPlace(const scene::Description& scene) {
   for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
     const scene::Control& control = controlOf(scene, index);
@@ -100,7 +100,7 @@ std::vector<Option> blocks() {
   return options;
 }
 
-/// Whether two settings are alike in one field.
+/// Whether two settings are equal in one field.
 template <auto kField>
 bool alike(const Settings& a, const Settings& b) {
   return a.*kField == b.*kField;
