@@ -6,8 +6,8 @@
 
 namespace underact::device {
 
-/// What tells one arm from all others, over restarts and sockets: its kind and serial number ("wooden:0042"); of an arm
-/// without one, the name by which it was opened. name: as openDevice() takes it; empty: not known.
+/// What identifies an arm across restarts and sockets: its kind and serial number ("wooden:0042"); for an arm without
+/// one, the name by which it was opened. name: as openDevice() takes it; empty: not known.
 std::string armKey(std::string_view name, const servo::DeviceInfo& info);
 
 }  // namespace underact::device

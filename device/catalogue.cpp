@@ -26,7 +26,7 @@ std::vector<Found> lookForSimulated() {
   return {{said(kSimulated), "", {}}};
 }
 
-// A kind of arm a line.
+// One kind of arm per line.
 constexpr std::array kRows{
     Row{"simulated", kSimulated, openSimulated, lookForSimulated},
     Row{"openhaptics", TRANSLATE_NOOP("problem", "Touch, Omni (vendor's driver)"), openhaptics::openRow,
@@ -56,7 +56,7 @@ Result<std::unique_ptr<servo::DevicePort>> openDevice(std::string_view name, Req
   if (row == nullptr) {
     std::string known;
     for (const Row& one : kRows) known += (known.empty() ? "" : ", ") + std::string(one.key);
-    return Problems{{said(TRANSLATE_NOOP("problem", "There is no arm of the kind \"%1\". There are: %2."),
+    return Problems{{said(TRANSLATE_NOOP("problem", "There is no arm of the kind \"%1\". Known kinds: %2."),
                           {std::string(name.substr(0, colon)), known}),
                      {}}};
   }

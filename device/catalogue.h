@@ -13,21 +13,21 @@
 
 namespace underact::device {
 
-/// What is asked of any arm that is opened.
+/// Options for any arm that is opened.
 struct Request {
   arm::Preset arm;
-  sim::ArmModel model;  // of a simulated one
+  sim::ArmModel model;  // of a simulated arm
   int rate_hz = 1000;
-  std::string address;  // which one, where there may be several: see Found::address; empty: the first
+  std::string address;  // which one, if there may be several: see Found::address; empty: the first
 };
 
-/// Something that an arm needs and that is not there.
+/// Something missing that an arm needs.
 struct Missing {
   Sentence sentence;
-  std::string command;  // that mends it, for a terminal; empty: there is none
+  std::string command;  // that fixes it, for a terminal; empty: there is none
 };
 
-/// An arm that is there, or a driver that could be.
+/// An arm that was found, or a driver that could be used.
 struct Found {
   Sentence title;                // "WoodenHaptics, serial 0042"
   std::string address;           // serial number, path, or HOST:PORT
@@ -37,8 +37,8 @@ struct Found {
 /// A kind of arm that a person can choose.
 struct Row {
   const char* key;   // "simulated": what the command line takes
-  const char* name;  // "Simulated arm": what the window shows, marked for translators
-  /// The arm, open. Problems: why it cannot be, and what to do.
+  const char* name;  // "Simulated arm": as the window shows it, marked for translators
+  /// The open arm. Problems: why it cannot be opened, and what to do.
   Result<std::unique_ptr<servo::DevicePort>> (*open)(const Request& request);
   /// What is plugged in of this kind, and what is missing to use it. Opens nothing; may take some 10 ms.
   std::vector<Found> (*look)();
@@ -46,14 +46,14 @@ struct Row {
 
 std::span<const Row> catalogue();
 
-/// What openDevice() takes: "wooden:0042".
+/// As openDevice() takes it: "wooden:0042".
 std::string nameOf(const Row& row, const Found& found);
 
 /// The row of that key, or null.
 const Row* findDevice(std::string_view key);
 
-/// Opens what "KEY" or "KEY:ADDRESS" names ("wooden:0042", "remote:127.0.0.1:7878"). Problems: there is no such kind,
-/// with those that there are; or it cannot be opened.
+/// Opens what "KEY" or "KEY:ADDRESS" names ("wooden:0042", "remote:127.0.0.1:7878"). Problems: no such kind, with a
+/// list of those that exist; or it cannot be opened.
 Result<std::unique_ptr<servo::DevicePort>> openDevice(std::string_view name, Request request);
 
 }  // namespace underact::device

@@ -20,14 +20,14 @@ Problems ChosenArm::reopen() {
   return {};
 }
 
-// Whichever is in place: the first one is asked as well, since it may come back.
+// Whichever is in place: the first one is asked as well, since it may return.
 void ChosenArm::setRate(int rate_hz) {
   first_->setRate(rate_hz);
   if (other_ != nullptr) other_->setRate(rate_hz);
 }
 
 bool ChosenArm::read(arm::Sample& sample) noexcept {
-  constexpr std::int64_t kOn_ns = 1'000'000;  // by how much the clock goes on from one arm to the next
+  constexpr std::int64_t kOn_ns = 1'000'000;  // how far the clock advances from one arm to the next
   if (!arm_->read(sample)) return false;
   if (is_new_) ahead_ns_ = time_ns_ + kOn_ns - sample.time_ns;
   if (is_new_ || sample.epoch != own_epoch_) ++epoch_;

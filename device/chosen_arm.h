@@ -5,17 +5,16 @@
 
 namespace underact::device {
 
-/// The arm that was chosen: another one can come into its place while the servo stands still. The arm that it begins
-/// with is kept, and comes back where no other is chosen. Its clock goes on without running back, and Sample::epoch
-/// counts up at each exchange.
+/// The chosen arm: another one can replace it while the servo is not running. The first arm is kept, and returns when
+/// no other is chosen. The clock continues without running back, and Sample::epoch counts up at each exchange.
 class ChosenArm final : public servo::DevicePort {
  public:
   explicit ChosenArm(std::unique_ptr<servo::DevicePort> first);
 
-  /// With the next reopen() (servo::Host::restart()) this arm, open, is in place, and the one before it is closed.
-  /// Null: the first one. The thread that owns the host.
+  /// The next reopen() (servo::Host::restart()) puts this open arm in place and closes the one before it. Null: the
+  /// first one. The thread that owns the host.
   void choose(std::unique_ptr<servo::DevicePort> arm);
-  /// No other arm was chosen, or the first one is to come back.
+  /// No other arm was chosen, or the first one is about to return.
   bool isFirst() const { return is_chosen_ ? next_ == nullptr : other_ == nullptr; }
 
   bool read(arm::Sample& sample) noexcept UNDERACT_REAL_TIME override;
@@ -35,8 +34,8 @@ class ChosenArm final : public servo::DevicePort {
  private:
   std::unique_ptr<servo::DevicePort> first_, other_, next_;
   servo::DevicePort* arm_;  // one of the first two
-  bool is_chosen_ = false;  // next_ comes with the next reopen()
-  // The servo's thread, or the host's while it does not run.
+  bool is_chosen_ = false;  // next_ takes effect at the next reopen()
+  // The servo's thread, or the host's while the servo does not run.
   bool is_new_ = false;        // the next sample is the arm's first
   std::int64_t time_ns_ = 0;   // of the last sample
   std::int64_t ahead_ns_ = 0;  // of the arm's own clock

@@ -15,14 +15,14 @@ namespace underact::device {
 namespace {
 
 constexpr int kRate_hz = 1000;
-constexpr std::int64_t kTicksAtOnce = 16;  // a frame of the window: between two of them a robot's joints hardly move
+constexpr std::int64_t kTicksAtOnce = 16;  // a frame of the window: a robot's joints hardly move in it
 constexpr double kAfterwards_s = 1.0;
 
 Problems refused(const LessonSetting& setting, const std::string& why) {
   return {{"The setting " + setting.key + "=" + setting.value + " " + why, {"the settings", 1, 0, setting.key}}};
 }
 
-/// Asks each check, tick by tick.
+/// Evaluates each check, tick by tick.
 class Watching {
  public:
   Watching(const lesson::Step& step, const scene::Description& scene)
@@ -46,7 +46,7 @@ class Watching {
       states_[index] = lesson::afterAnswer(step_.checks[index], std::move(states_[index]), answers[next++]);
     }
     if (next == answers.size()) return {};
-    return {{"There are more answers than the step has questions.", {"the answers", 1, 0, ""}}};
+    return {{"There are more answers than questions in the step.", {"the answers", 1, 0, ""}}};
   }
 
   std::vector<lesson::CheckState> take() { return std::move(states_); }

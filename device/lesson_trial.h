@@ -8,33 +8,33 @@
 
 namespace underact::device {
 
-/// What a student would change of the scene: "kp_N_per_mm" to "0.8".
+/// A setting of the scene that a student would change: "kp_N_per_mm" to "0.8".
 struct LessonSetting {
   std::string key;
   std::string value;
 };
 
-/// One go at a step of a lesson by a scripted hand, in place of a student at the window.
+/// One attempt at a step of a lesson by a scripted hand, instead of a student at the window.
 struct LessonAttempt {
   sim::HandScript hand;
-  double seconds = 0.0;  // 0: as long as the hand's path, and a second
+  double seconds = 0.0;  // 0: the duration of the hand's path plus one second
   bool starts = true;    // the servo is started; false: the arm is only moved
   std::vector<LessonSetting> settings;
-  std::vector<double> answers;  // to the questions of the step in their order, at the end; of a choice its number
+  std::vector<double> answers;  // to the questions of the step in order, at the end; for a choice its number
   sim::ArmModel model = *sim::findArmModel(sim::kDefaultArmModel);
 };
 
 struct LessonOutcome {
   std::vector<lesson::CheckState> states;  // one for each check
-  Fault fault = {};                        // that stopped the servo
+  Fault fault = {};                        // the one that stopped the servo
   bool isSolved() const { return fault.kind == FaultKind::None && lesson::isSolved(states); }
 };
 
-/// The scene with a setting of the student's: its path, or its key, of each constraint that has it. Problems: none
-/// such, or what it may not be.
+/// The scene with a student's setting: its path, or its key for each constraint that has it. Problems: no such setting,
+/// or a value it cannot have.
 Result<scene::Description> withSetting(const scene::Description& scene, const LessonSetting& setting);
 
-/// Runs it on a simulated arm of its own, as fast as the machine allows; the same numbers every time. scene: the
+/// Runs it on a simulated arm of its own, as fast as the machine allows, with the same numbers every time. scene: the
 /// step's, with its meshes loaded. Problems: those of the settings and the scene; more answers than questions.
 Result<LessonOutcome> tryLessonStep(const lesson::Step& step, scene::Description scene, const LessonAttempt& attempt);
 

@@ -13,8 +13,8 @@ namespace {
 
 using identify::Measurement;
 
-constexpr int kLooksASecond = 100;   // for the next scene: a window's frames come no more often
-constexpr double kScatter_m = 3e-3;  // of where the tip rests first, per axis
+constexpr int kLooksASecond = 100;   // polls for the next scene: the window's frames are no faster
+constexpr double kScatter_m = 3e-3;  // of the tip's first rest position, per axis
 
 Vec3 scattered(const Vec3& p_WT, std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -54,7 +54,7 @@ Result<SimulatedMeasurement> measureSimulated(SimulatedArm::Options options, con
     if (host.snapshot().mode == servo::Mode::Faulted)
       return SimulatedMeasurement{std::move(plan).value(), {}, host.snapshot().report.fault};
     if (progress && !progress(measurement.share()))
-      return Problems{{said(TRANSLATE_NOOP("problem", "The measurement was ended."))}};
+      return Problems{{said(TRANSLATE_NOOP("problem", "The measurement was cancelled."))}};
   }
   return SimulatedMeasurement{std::move(plan).value(), measurement.recorded(), {}};
 }

@@ -11,9 +11,8 @@
 namespace underact::device {
 namespace {
 
-// A file whose numbers of ticks are damaged must not ask for all memory: four hours at 10 kHz. Nor may one ask for much
-// more than it holds: the ticks that are missing between two are shown as that many rows, up to as many as there are
-// and a minute of them at 10 kHz.
+// A file whose tick numbers are damaged must not claim all memory: four hours at 10 kHz at most. Nor much more than it
+// holds: missing ticks are shown as that many rows, up to the number of ticks in the file plus a minute at 10 kHz.
 constexpr std::int64_t kMostRows = 144'000'000;
 constexpr std::int64_t kMostMissing = 600'000;
 constexpr std::int64_t kReserved = 1 << 20;
@@ -30,14 +29,14 @@ std::int64_t ticksFrom(std::int64_t first, std::int64_t tick) {
   return static_cast<std::int64_t>(std::min(ticks, static_cast<std::uint64_t>(kMostRows)));
 }
 
-/// Rows in the order of the file, with one for each tick that is missing.
+/// Rows in the order of the file, with one for each missing tick.
 class Rows {
  public:
-  /// most_missing: rows for ticks that are not there.
+  /// most_missing: rows for missing ticks.
   Rows(std::vector<RecordedRow>& rows, std::int64_t most_missing) : rows_(rows), missing_left_(most_missing) {}
 
   std::int64_t firstTick() const { return first_tick_; }
-  /// Gives the row of this tick.
+  /// Returns the row of this tick.
   std::int64_t add(const servo::TickRecord& record) {
     if (rows_.empty()) first_tick_ = record.tick;
     const std::int64_t missing =
@@ -92,7 +91,7 @@ std::vector<RecordedMark> marksOf(const record::Session& session, std::int64_t f
   return marks;
 }
 
-/// A scene whose mesh is gone stays, and says so where it is run.
+/// A scene whose mesh is missing is kept, and reports it when it is run.
 void loadMeshes(scene::Description& scene, const LoadWatch& load, Problems& damage) {
   Watch watch;
   watch.cancelled = load.cancelled;
@@ -166,10 +165,11 @@ Result<std::shared_ptr<const Recorded>> loadRecorded(record::Session& session, c
       watch.progress);
   if (!problems.empty()) return problems;
   if (is_cancelled)
-    return Problems{{said(TRANSLATE_NOOP("problem", "Opening was ended before the whole session was read.")), {path}}};
+    return Problems{
+        {said(TRANSLATE_NOOP("problem", "Opening was cancelled before the whole session was read.")), {path}}};
   if (recorded->rows.empty())
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "There are no ticks in this session: nothing can be replayed.")), {path}}};
+        {said(TRANSLATE_NOOP("problem", "This session contains no ticks, so there is nothing to replay.")), {path}}};
   recorded->marks = marksOf(session, rows.firstTick(), static_cast<std::int64_t>(recorded->rows.size()));
   readScenes(session, rows.firstTick(), watch, *recorded);
   return std::shared_ptr<const Recorded>(std::move(recorded));

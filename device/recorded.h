@@ -13,30 +13,30 @@
 
 namespace underact::device {
 
-/// A tick of a recording, as far as a replay needs it.
+/// A tick of a recording, with what a replay needs of it.
 struct RecordedRow {
   arm::JointAngles q_rad{};
   float force_N = 0.0F;  // sent
   float error_m = 0.0F;
   std::uint32_t buttons = 0;
-  bool begins_anew = false;  // nothing leads here from the row before: a start, a gap, another clock
-  bool is_full = false;      // the ramps let the whole force through
+  bool begins_anew = false;  // not continuous with the row before: a start, a gap, another clock
+  bool is_full = false;      // the ramps are complete: the whole force acts
 };
 
-/// A moment of a recording that somebody, or a fault, marked.
+/// A moment of a recording that a person or a fault marked.
 struct RecordedMark {
   std::int64_t row = 0;
   std::string label;
   bool is_fault = false;
 };
 
-/// A scene that came into effect.
+/// A scene that took effect.
 struct RecordedScene {
   std::int64_t row = 0;
   scene::Description scene;
 };
 
-/// A recording in memory, one row a tick, the first tick in row 0. Nobody changes it.
+/// A recording in memory, one row per tick, the first tick in row 0. Immutable.
 struct Recorded {
   std::string name;  // of the session, or its file
   std::string path;
@@ -46,24 +46,24 @@ struct Recorded {
   std::vector<RecordedRow> rows;
   std::vector<RecordedMark> marks;    // by row
   std::vector<RecordedScene> scenes;  // by row; those that have constraints
-  Problems damage;                    // what of the file could not be read
+  Problems damage;                    // what could not be read of the file
   /// The scene in effect at a row; null: none was.
   const RecordedScene* sceneAt(std::int64_t row) const;
 };
 
-/// What a load tells and asks meanwhile; any of them may be empty.
+/// Callbacks and options of a load; any of them may be empty.
 struct LoadWatch {
   std::function<void(double share)> progress;
-  std::function<void(std::int64_t row, const servo::TickRecord&)> row;  // each that can be read, in order
+  std::function<void(std::int64_t row, const servo::TickRecord&)> row;  // each readable one, in order
   const std::atomic<bool>* cancelled = nullptr;
-  std::vector<std::string> files_in = {};  // folders where meshes and curves are looked for besides the session's
+  std::vector<std::string> files_in = {};  // folders to search for meshes and curves besides the session's
 };
 
-/// Reads a session whole. Where the arm gave no sample, or one that is no number, and where ticks are missing, the
-/// joints are those of the row before. Cost: 64 bytes a tick. Problems: as record::Session::open(); no ticks in it; it
-/// was cancelled.
+/// Reads a whole session. Where the arm gave no sample, or one that is not a number, and where ticks are missing, the
+/// joints are those of the row before. Cost: 64 bytes per tick. Problems: as record::Session::open(); no ticks in it;
+/// it was cancelled.
 Result<std::shared_ptr<const Recorded>> loadRecorded(const std::string& path, const LoadWatch& watch = {});
-/// The same of a session that is open already.
+/// The same for an open session.
 Result<std::shared_ptr<const Recorded>> loadRecorded(record::Session& session, const LoadWatch& watch);
 
 }  // namespace underact::device

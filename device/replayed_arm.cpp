@@ -10,13 +10,13 @@
 namespace underact::device {
 namespace {
 
-constexpr std::size_t kPlaces = 4 * servo::kFastest_hz;  // 4 s at whatever rate
+constexpr std::size_t kPlaces = 4 * servo::kFastest_hz;  // 4 s at any rate
 
 std::int64_t lastRow(const Recorded& recorded) noexcept UNDERACT_REAL_TIME {
   return static_cast<std::int64_t>(recorded.rows.size()) - 1;
 }
 
-/// A joint that turns without end is the same a whole turn later: it goes the short way.
+/// A joint that rotates without end is the same a whole turn later: it takes the shorter way.
 double between(double from_rad, double to_rad, double share, bool is_endless) noexcept UNDERACT_REAL_TIME {
   double way_rad = to_rad - from_rad;
   if (is_endless && way_rad > kPi) way_rad -= 2.0 * kPi;
@@ -98,7 +98,7 @@ void ReplayedArm::pause() {
 void ReplayedArm::seek(std::int64_t row) {
   if (orders_.recorded == nullptr) return;
   orders_.row = std::clamp<std::int64_t>(row, 0, lastRow(*orders_.recorded));
-  orders_.plays = isPlaying();  // it may have come to its end by itself
+  orders_.plays = isPlaying();  // it may have ended by itself
   ++orders_.sought;
   sought_number_ = orders_.number + 1;
   ++orders_.moved;
@@ -138,7 +138,7 @@ void ReplayedArm::seekTo(std::int64_t row) noexcept {
   at_ = static_cast<double>(row);
 }
 
-/// True: they say where to be now.
+/// True: the position to be at now.
 bool ReplayedArm::takeUp(const Orders& orders) noexcept {
   const bool is_another = orders.opened != now_.opened;
   const bool is_sought = orders.sought != now_.sought;
@@ -173,7 +173,7 @@ arm::JointAngles ReplayedArm::joints() const noexcept {
   return q_rad;
 }
 
-/// A step further within the recording, over rows to which nothing leads.
+/// One step further within the recording, across rows that are not continuous.
 void ReplayedArm::goOn(double step) noexcept {
   const Recorded& recorded = *now_.recorded;
   const double next = step == 1.0 ? std::floor(at_) + 1.0 : at_ + step;
@@ -200,7 +200,7 @@ void ReplayedArm::advance() noexcept {
   plays_ = false;
 }
 
-/// The other arm's own, on a clock that does not run back because of a replay.
+/// The other arm's own sample, on a clock that does not run back because of a replay.
 void ReplayedArm::handThrough(bool has_sample, const arm::Sample& own, arm::Sample& sample) noexcept {
   sample = own;
   if (!has_sample) return;

@@ -13,9 +13,9 @@
 
 namespace underact::device {
 
-/// An arm in front of another one: it hands everything through until a recording is replayed; then its joints are the
-/// recorded ones, the other arm gets zero force and is read all the same, and the forces of the servo go nowhere. Its
-/// clock goes on evenly through all of it, one period a read; Sample::epoch counts up at each jump.
+/// An arm in front of another one: it passes everything through until a recording is replayed; then its joints are the
+/// recorded ones, the other arm is still read but gets zero force, and the servo's forces are discarded. Its clock
+/// advances evenly throughout, one period per read; Sample::epoch counts up at each jump.
 class ReplayedArm final : public servo::DevicePort {
  public:
   static constexpr double kSlowest = 0.1, kFastest = 4.0;
@@ -37,43 +37,44 @@ class ReplayedArm final : public servo::DevicePort {
   Sentence refusesRate(int rate_hz) const override;
   void setRate(int rate_hz) override;
 
-  // One thread, the window's; none of it waits for the servo. What is said is taken up by the next read().
-  /// Begins with row 0, paused. Null: the other arm is there again.
+  // One thread, the window's; nothing waits for the servo. Orders take effect at the next read().
+  /// Begins with row 0, paused. Null: back to the other arm.
   void replay(std::shared_ptr<const Recorded> recorded);
   bool isReplaying() const { return orders_.recorded != nullptr; }
-  /// At the end of the recording (or, with a loop, at its end) it begins anew.
+  /// At the end of the recording, or of the loop, it begins again.
   void play();
   void pause();
-  /// row: held within the recording. The row after the present one is no jump: what a hand does goes on.
+  /// row: clamped to the recording. The row after the present one is not a jump: the hand's motion continues.
   void seek(std::int64_t row);
-  /// Times the recorded speed; held within kSlowest and kFastest. At 1 the samples are the recorded ones to the bit;
-  /// else they lie on the line from one row to the next. Where the recording's rate is not the servo's it goes by time.
+  /// A factor of the recorded speed, clamped to kSlowest and kFastest. At 1 the samples are bit-identical to the
+  /// recorded ones; otherwise they are interpolated linearly between rows. Where the recording's rate is not the
+  /// servo's it goes by time.
   void setSpeed(double speed);
   double speed() const { return orders_.speed; }
-  /// From the last of these rows it goes on with the first; none: it stops at the end.
+  /// After the last of these rows the first follows; none: it stops at the end.
   void setLoop(const std::optional<std::pair<std::int64_t, std::int64_t>>& rows);
 
-  /// Where a sample came from.
+  /// The origin of a sample.
   struct Place {
     std::int64_t time_ns = 0;  // of the sample
     double row = 0.0;
-    bool moves = false;  // the row is another one than that of the read before
+    bool moves = false;  // the row differs from that of the read before
   };
-  /// Of each replayed sample, in order; 4 s of them are kept while nobody asks.
+  /// Each replayed sample, in order; 4 s of them are kept until asked for.
   bool take(Place& place) { return places_.pop(place); }
-  /// As of the last read(), or as it was told since.
+  /// As of the last read() or the last order.
   double row() const { return isTaken(sought_number_) ? row_.load() : static_cast<double>(orders_.row); }
   bool isPlaying() const { return isTaken(moved_number_) ? playing_.load() : orders_.plays; }
 
  private:
-  /// All that the window wants, whole each time: the servo thread takes up the latest only.
+  /// All that the window asks for, complete each time: the servo thread takes only the latest.
   struct Orders {
     std::uint64_t number = 0;
     const Recorded* recorded = nullptr;
     std::uint64_t opened = 0;  // counts recordings
     std::uint64_t moved = 0;   // counts plays, pauses and seeks
     bool plays = false;
-    std::uint64_t sought = 0;  // counts seeks: each is done once
+    std::uint64_t sought = 0;  // counts seeks, to do each once
     std::int64_t row = 0;
     double speed = 1.0;
     std::int64_t loop_from = 0, loop_to = -1;
@@ -95,9 +96,9 @@ class ReplayedArm final : public servo::DevicePort {
 
   // The window's thread.
   Orders orders_;
-  std::uint64_t moved_number_ = 0, sought_number_ = 0;                           // of the last orders that said so
-  std::vector<std::pair<std::uint64_t, std::shared_ptr<const Recorded>>> kept_;  // with the orders that let it go
-  mutable std::mutex title_mutex_;  // of what any thread may ask for; never the servo's
+  std::uint64_t moved_number_ = 0, sought_number_ = 0;  // of the last orders that contained one
+  std::vector<std::pair<std::uint64_t, std::shared_ptr<const Recorded>>> kept_;  // with the orders that release it
+  mutable std::mutex title_mutex_;  // for what any thread may ask for; never the servo's
   std::string title_;
   // Between them.
   servo::Slot<Orders> slot_;

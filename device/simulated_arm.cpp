@@ -9,18 +9,17 @@
 namespace underact::device {
 namespace {
 
-// A mouse says where it is some 60 to 125 times a second: 15 ms carry the hand over from one word to the next.
+// A mouse reports its position some 60 to 125 times a second: 15 ms bridge the time between two reports.
 constexpr double kMouseFilter_s = 0.015;
 
-/// One period on the way to a wish that jumps: a first-order filter (backward Euler), with the velocity that belongs to
-/// it.
+/// One period of the way to a wish that jumps: a first-order filter (backward Euler), with the matching velocity.
 sim::HandWish approach(const sim::HandWish& heeded, const sim::HandWish& goal,
                        double dt_s) noexcept UNDERACT_REAL_TIME {
   const Vec3 way_W = (goal.p_WT - heeded.p_WT) * (dt_s / (kMouseFilter_s + dt_s));
   return {heeded.p_WT + way_W, way_W / dt_s, goal.R_WT, goal.turns};
 }
 
-/// In one number, so that the two parts of it cannot come apart between two threads.
+/// In one number, so that two threads always see both parts together.
 std::int64_t packed(const Integration& integration) noexcept UNDERACT_REAL_TIME {
   return 4 * integration.substep_ns + static_cast<std::int64_t>(integration.integrator);
 }
@@ -116,7 +115,7 @@ void SimulatedArm::follow(sim::HandScript script) {
 }
 
 void SimulatedArm::wish(const sim::HandWish& wish) {
-  if (!wish.p_WT.allFinite()) return;  // a mouse over nothing: the last wish stays
+  if (!wish.p_WT.allFinite()) return;  // no valid position: the last wish stays
   wished_ = wish;
   wishes_.back() = wish;
   wishes_.publish();

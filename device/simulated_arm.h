@@ -9,8 +9,8 @@
 
 namespace underact::device {
 
-/// An arm in software: joints, encoders, friction and mass of the arm, held by a hand. Each read() is one period later,
-/// whatever the wall clock says, so it runs live and faster than real time with the same numbers.
+/// A simulated arm: its joints, encoders, friction and mass, held by a hand. Each read() is one period later, whatever
+/// the wall clock says, so it runs live and faster than real time with the same numbers.
 class SimulatedArm final : public servo::DevicePort {
  public:
   struct Options {
@@ -30,32 +30,32 @@ class SimulatedArm final : public servo::DevicePort {
   Sentence fixedRate() const override { return {}; }
   void setRate(int rate_hz) override;
 
-  /// The stylus button nearer to the tip (bit 0 of a sample's buttons) is held, or not, from the next read() on. Any
+  /// Whether the stylus button nearer to the tip (bit 0 of a sample's buttons) is held, from the next read() on. Any
   /// thread.
   void holdButton(bool held) { button_.store(held, std::memory_order_relaxed); }
-  /// The same for all of them by a controller's, beside holdButton(): bits of a sample's buttons. Any thread.
+  /// The same for all buttons, from a controller, in addition to holdButton(): bits of a sample's buttons. Any thread.
   void holdButtons(unsigned bits) { buttons_.store(bits, std::memory_order_relaxed); }
 
-  /// What the arm is made of from the next read() on. Any one thread, never blocks the servo.
+  /// The model of the arm from the next read() on. Any one thread, never blocks the servo.
   void become(const sim::ArmModel& model);
-  /// The hand lets go of the stylus (holds false), or takes it again, from the next read() on. Any thread.
+  /// The hand lets go of the stylus (holds false) or grips it again, from the next read() on. Any thread.
   void holdStylus(bool holds) { let_go_.store(!holds, std::memory_order_relaxed); }
 
-  /// How the arm goes on from the next read() on. Any thread.
+  /// How the arm is integrated from the next read() on. Any thread.
   void integrate(const Integration& integration) noexcept;
 
-  /// The hand follows a script from the next read() on; if that is the first one, the arm rests where the script
-  /// begins. Before the servo thread starts only.
+  /// The hand follows a script from the next read() on; if that is the first read, the arm rests where the script
+  /// begins. Only before the servo thread starts.
   void follow(sim::HandScript script);
-  /// The hand wants to be here from the next read() on: the mouse's way in. It gets there within some 15 ms, so that a
-  /// jump of the mouse is not an infinite velocity; wish.v_WT is not asked. Any one thread, never blocks the servo;
-  /// ends a script.
+  /// Where the hand wants to be from the next read() on: the input of the mouse. It gets there within some 15 ms, so
+  /// that a jump of the mouse is not an infinite velocity; wish.v_WT is not used. Any one thread, never blocks the
+  /// servo; ends a script.
   void wish(const sim::HandWish& wish);
-  /// Where the hand wants to be, as last said by wish(), or where the arm starts. The thread that calls wish().
+  /// Where the hand wants to be by the last wish(), or where the arm starts. The thread that calls wish().
   const sim::HandWish& wished() const { return wished_; }
 
  private:
-  /// The numbers of a model, without its words.
+  /// The numbers of a model, without its texts.
   struct Figures {
     double mass_kg = 0.0, friction_N = 0.0, damping_N_s_per_m = 0.0;
     bool encoders = true;
@@ -65,7 +65,7 @@ class SimulatedArm final : public servo::DevicePort {
 
   sim::Plant plant_;
   const arm::EncoderCounts preset_counts_;
-  sim::HandModel hand_;  // when it holds the stylus
+  sim::HandModel hand_;  // while it holds the stylus
   std::atomic<bool> let_go_{false};
   servo::Slot<Figures> figures_;
   std::atomic<bool> has_figures_{false};
@@ -80,7 +80,7 @@ class SimulatedArm final : public servo::DevicePort {
   sim::HandScript script_;
   std::int64_t script_start_ns_ = 0;
   bool scripted_ = false;
-  sim::HandWish heeded_;  // what the hand wants in this period: of the script, or of the mouse, smoothed
+  sim::HandWish heeded_;  // the hand's wish in this period: from the script, or from the mouse, smoothed
   sim::HandWish wished_;
   servo::Slot<sim::HandWish> wishes_;
   std::atomic<bool> has_wish_{false};

@@ -12,11 +12,11 @@ using identify::HandDoes;
 using identify::StageKind;
 
 constexpr double kPress_s = 2.2;
-// The hand's own spring and the arm's friction take 1.5 N / 300 N/m of what it wants.
+// The hand's own spring and the arm's friction take 1.5 N / 300 N/m of the displacement.
 constexpr double kFurther_m = 5e-3;
 constexpr double kTurn_rad = 0.25, kTurn_s = 4.0;
 
-/// 0, 1 and 0 again over a press, with no jump of the velocity.
+/// 0, 1 and 0 again over a press, with a continuous velocity.
 double depthAt(double t_s) {
   return 0.5 * (1.0 - std::cos(2.0 * kPi * t_s / kPress_s));
 }

@@ -8,7 +8,7 @@
 namespace underact::device {
 
 /// Does what a measurement of the arm asks of a person: lets go of the stylus, presses it, turns it. The hand's wishes
-/// go the mouse's way.
+/// go the same way as the mouse's.
 class SimulatedPerson {
  public:
   /// Both must outlive it; preset: of the arm.
@@ -17,7 +17,7 @@ class SimulatedPerson {
                        // since
   SimulatedPerson(const SimulatedPerson&) = delete;
   SimulatedPerson& operator=(const SimulatedPerson&) = delete;
-  /// Often, between two ticks; q_rad: as the arm last showed them.
+  /// To be called often, between two ticks; q_rad: the arm's latest.
   void act(const identify::Measurement& measurement, const arm::JointAngles& q_rad);
 
  private:

@@ -12,11 +12,11 @@
 namespace underact::device {
 namespace {
 
-constexpr double kDepth_m = 0.005;  // deeper, the tip's arc leaves the straight way by more than is felt here
+constexpr double kDepth_m = 0.005;  // beyond it the tip's arc leaves the straight line by more than is felt here
 constexpr double kPressed_s = 0.6;
-constexpr std::int64_t kSettled = 500, kTicks = 1200;  // first the force is ramped up
+constexpr std::int64_t kSettled = 500, kTicks = 1200;  // first the force ramps up
 
-/// Down by kDepth_m from where the beam rests.
+/// Down by kDepth_m from the beam's rest position.
 sim::HandScript pressOn(const Vec3& p_WT) {
   sim::HandScript script;
   script.path = {{0.0, p_WT}, {1e-3 * static_cast<double>(kSettled), p_WT}};
@@ -42,7 +42,7 @@ Result<double> pressedStiffness(const scene::Description& scene, calibration::Be
   if (!problems.empty()) return problems;
   host.start();
   host.run(kTicks);
-  // The slope of the line through all (way, force): least squares with an offset, since the arm rubs.
+  // The slope of the regression line through all (displacement, force), with an offset because of the arm's friction.
   double count = 0.0, way = 0.0, force = 0.0, ways = 0.0, both = 0.0;
   host.drain([&](const servo::TickRecord& record) {
     if (record.tick < kSettled) return;

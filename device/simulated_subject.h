@@ -5,15 +5,15 @@
 
 namespace underact::device {
 
-/// A scripted hand on the simulated arm in a person's place: it presses the left beam, then the right one, and says
-/// which felt stiffer. What it feels is what the servo sent, as a slope of force over way; then noise is added in the
-/// measure of Weber's law.
+/// A scripted hand on the simulated arm, instead of a person: it presses the left beam, then the right one, and says
+/// which felt stiffer. What it feels is the slope of the force that the servo sent over displacement, with noise
+/// according to Weber's law.
 struct SimulatedSubject {
-  double weber = 0.15;       // standard deviation of what it feels, as a share
+  double weber = 0.15;       // standard deviation of the felt stiffness, relative
   std::uint64_t random = 1;  // of its noise
 };
 
-/// The slope of force over way at a beam, N/mm, without noise: the beam and the control's stiffness in series.
+/// The slope of force over displacement at a beam, N/mm, without noise: the beam and the control's stiffness in series.
 Result<double> pressedStiffness(const scene::Description& scene, calibration::Beam beam);
 
 /// Its answer. Problems: those of the scene.

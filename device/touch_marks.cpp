@@ -13,18 +13,18 @@ namespace {
 
 using registration::Touching;
 
-constexpr auto kBetweenLooks = std::chrono::milliseconds(20);  // between two looks
+constexpr auto kBetweenLooks = std::chrono::milliseconds(20);  // between two polls
 
 std::string asked(const Touching& touching) {
-  return "Rest the tip in mark " + std::to_string(touching.due() + 1) + " of " +
-         std::to_string(touching.marks_D().size()) + ", press the stylus's button nearer to the tip, and hold still.";
+  return "Rest the tip on reference point " + std::to_string(touching.due() + 1) + " of " +
+         std::to_string(touching.marks_D().size()) + ", press the stylus button nearer to the tip, and hold still.";
 }
 
-/// What became of a tick, in words; empty: nothing.
+/// The outcome of a tick as a sentence; empty: nothing.
 std::string wordsOf(Touching::Event event, const Touching& touching) {
   if (event == Touching::Event::Moved) return "The tip moved by more than 1 mm while it was held. " + asked(touching);
   if (event != Touching::Event::Touched) return {};
-  return touching.isDone() ? "All marks are touched." : "Touched. " + asked(touching);
+  return touching.isDone() ? "All reference points have been touched." : "Touched. " + asked(touching);
 }
 
 }  // namespace
@@ -40,11 +40,11 @@ Result<std::vector<registration::Touch>> touchMarks(std::unique_ptr<servo::Devic
   auto last = Clock::now();
   talk.say(asked(touching));
   while (!touching.isDone()) {
-    if (!talk.goes_on()) return Problems{{"It was ended before all marks were touched.", {}}};
+    if (!talk.goes_on()) return Problems{{"It ended before all reference points were touched.", {}}};
     if (Clock::now() - last > wait) {
       const std::string trouble = host.trouble();
-      return Problems{{"Nobody pressed the stylus's button at mark " + std::to_string(touching.due() + 1) + ". " +
-                           (trouble.empty() ? "Begin again, with a hand at the arm." : trouble),
+      return Problems{{"Nobody pressed the stylus button at reference point " + std::to_string(touching.due() + 1) +
+                           ". " + (trouble.empty() ? "Begin again, with a person at the arm." : trouble),
                        {}}};
     }
     std::this_thread::sleep_for(kBetweenLooks);

@@ -10,16 +10,16 @@
 
 namespace underact::device {
 
-/// What the person at the arm is told, and asked.
+/// Dialogue with the person at the arm.
 struct TouchTalk {
   std::function<void(const std::string& sentence)> say;  // what to do next
-  std::function<bool()> goes_on;                         // asked now and then; false ends it
+  std::function<bool()> goes_on;                         // called now and then; false ends it
   double wait_s = 120.0;                                 // for each press
 };
 
-/// An arm whose tip touches the marks one after the other, held by a person who presses the stylus's button; it is
-/// never started, so all that it is sent is zero force. port: open. Problems: the arm's trouble, nobody pressed, or it
-/// was ended.
+/// An arm whose tip touches the reference points one after the other, held by a person who presses the stylus's button;
+/// it is never started, so it is sent zero force only. port: open. Problems: the arm's trouble; nobody pressed; it was
+/// ended.
 Result<std::vector<registration::Touch>> touchMarks(std::unique_ptr<servo::DevicePort> port, const arm::Preset& preset,
                                                     int rate_hz, const std::vector<Vec3>& marks_D,
                                                     const TouchTalk& talk);

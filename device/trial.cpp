@@ -12,7 +12,7 @@
 namespace underact::device {
 namespace {
 
-constexpr auto kBetweenTicks = std::chrono::milliseconds(20);  // between two looks
+constexpr auto kBetweenTicks = std::chrono::milliseconds(20);  // between two polls
 
 class Watch {
  public:
@@ -93,19 +93,19 @@ Trial tryOut(std::unique_ptr<servo::DevicePort> arm, const arm::Preset& preset, 
 std::string reportText(const Trial& trial, std::string_view name, std::string_view words) {
   std::string text = "Report on an arm, Underact " + std::string(kVersion) + "\n";
   text += "Arm: " + std::string(name) + ", " + trial.info.title + "\n";
-  text += trial.info.untested ? "So far untested on hardware.\n" : "";
-  text += "What the person says: " + (words.empty() ? "nothing" : std::string(words)) + "\n\n";
-  text += line("Rate asked for: %d Hz, scheduling: %s", trial.rate_hz, trial.scheduling.c_str());
-  text += line("Ticks: %lld, without a sample: %lld, joints as before: %lld", static_cast<long long>(trial.ticks),
+  text += trial.info.untested ? "Not yet tested on hardware.\n" : "";
+  text += "Remarks: " + (words.empty() ? "nothing" : std::string(words)) + "\n\n";
+  text += line("Requested rate: %d Hz, scheduling: %s", trial.rate_hz, trial.scheduling.c_str());
+  text += line("Ticks: %lld, without a sample: %lld, repeated: %lld", static_cast<long long>(trial.ticks),
                static_cast<long long>(trial.without), static_cast<long long>(trial.repeated));
-  text += line("Lateness: p50 %.0f, p99 %.0f, largest %.0f us", trial.lateness.p50_us, trial.lateness.p99_us,
+  text += line("Latency: p50 %.0f, p99 %.0f, largest %.0f us", trial.lateness.p50_us, trial.lateness.p99_us,
                trial.lateness.max_us);
   text += movedText(trial);
-  text += line("Buttons seen pressed: 0x%x", trial.buttons);
+  text += line("Buttons pressed: 0x%x", trial.buttons);
   text += "Trouble: " + (trial.trouble.empty() ? "none" : trial.trouble) + "\n";
-  if (!trial.listing.empty()) text += "\nWhat the arm says of itself:\n";
+  if (!trial.listing.empty()) text += "\nWhat the arm reports about itself:\n";
   for (const std::string& one : trial.listing) text += one + "\n";
-  text += "\nNo force was sent. Serial numbers above tell one arm from another: leave them out if you wish.\n";
+  text += "\nNo force was sent. The serial numbers above identify the arm: leave them out if you wish.\n";
   return text;
 }
 

@@ -1,4 +1,5 @@
-// underact-mesh-reader: started by the program to read one mesh file, shut off from all else; of no use on its own.
+// underact-mesh-reader: started by the program to read one mesh file, isolated from everything else; of no use on its
+// own.
 #include <cstdio>
 
 #include "app/mesh_reader/serve.h"
@@ -11,5 +12,5 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "underact-mesh-reader is started by underact; by hand it does nothing.\n");
     return 2;
   }
-  end(underact::mesh_reader::serve(argv[1]));  // at once: what ends in order may call what is shut off
+  end(underact::mesh_reader::serve(argv[1]));  // at once: an orderly exit may make system calls that are not allowed
 }

@@ -9,14 +9,14 @@
 
 namespace underact::mesh_reader {
 
-/// Adds a coordinate and a blank; kNoNumber for one that is not finite or beyond all. false: it is no number at all.
+/// Appends a coordinate and a space; kNoNumber for one that is not finite or too large. false: it is not a number.
 inline bool addNumber(std::string_view word, std::string& to) {
   if (word.starts_with('+')) word.remove_prefix(1);
   double value = 0.0;
   const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
   if (word.empty() || read.ec == std::errc::invalid_argument) return false;
   const bool is_whole = read.ptr == word.data() + word.size();
-  if (!is_whole && word.find('#') == std::string_view::npos) return false;  // 1.#QNAN and 1.#INF are Windows's words
+  if (!is_whole && word.find('#') == std::string_view::npos) return false;  // 1.#QNAN and 1.#INF are from Windows
   if (is_whole && read.ec == std::errc() && std::abs(value) < mesh_file::kBeyondAll) {
     to.append(word).push_back(' ');
     return true;
@@ -26,7 +26,7 @@ inline bool addNumber(std::string_view word, std::string& to) {
   return true;
 }
 
-/// Adds three coordinates and the end of the line.
+/// Appends three coordinates and the end of the line.
 inline bool addPoint(mesh_file::Scan& words, std::string& to) {
   for (int axis = 0; axis < 3; ++axis) {
     if (!addNumber(words.word(), to)) return false;

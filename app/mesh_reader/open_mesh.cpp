@@ -1,6 +1,6 @@
 #include "app/mesh_reader/open_mesh.h"
 
-// The only file of ours that sees OpenMesh.
+// The only file of ours that includes OpenMesh.
 #include <OpenMesh/Core/IO/importer/BaseImporter.hh>
 #include <OpenMesh/Core/IO/reader/OBJReader.hh>
 #include <OpenMesh/Core/IO/reader/OFFReader.hh>
@@ -21,8 +21,8 @@ namespace {
 namespace io = OpenMesh::IO;
 using mesh_file::Format;
 
-/// Takes corners and faces from OpenMesh's readers as they are. OpenMesh's own meshes refuse faces at edges with more
-/// than two of them, and a surface that is felt needs those as well.
+/// Takes vertices and faces from OpenMesh's readers as they are. OpenMesh's own meshes refuse faces at edges with more
+/// than two of them, and a surface to be felt needs those as well.
 class Taking : public io::BaseImporter {
  public:
   Taking(OpenMeshResult& result, const std::istream& from) : result_(result), from_(from) {}
@@ -40,14 +40,14 @@ class Taking : public io::BaseImporter {
     result_.polygons.p_MV[static_cast<std::size_t>(handle.idx())] = {p[0], p[1], p[2]};
   }
   OpenMesh::FaceHandle add_face(const VHandles& corners) override {
-    // From a stream that has failed come the numbers of the face before.
+    // A stream that has failed returns the numbers of the face before.
     if (from_.fail()) has_broken_ = true;
     Polygons& polygons = result_.polygons;
     for (const OpenMesh::VertexHandle corner : corners) polygons.corners.push_back(corner.idx());
     polygons.ends.push_back(static_cast<std::int32_t>(polygons.corners.size()));
     return OpenMesh::FaceHandle(static_cast<int>(polygons.ends.size()) - 1);
   }
-  /// Of the face that was added last.
+  /// Of the latest face.
   void set_normal(OpenMesh::FaceHandle /*face*/, const OpenMesh::Vec3f& normal) override {
     const Polygons& polygons = result_.polygons;
     const auto corner = [&](std::size_t k) -> Vec3 {
@@ -56,7 +56,7 @@ class Taking : public io::BaseImporter {
     };
     const Vec3 turned = (corner(1) - corner(0)).cross(corner(2) - corner(0));
     const double along = turned.dot(Vec3(normal[0], normal[1], normal[2]));
-    if (along > 0.0 || along < 0.0) ++result_.normals;  // most are; 0 says nothing, nor does NaN
+    if (along > 0.0 || along < 0.0) ++result_.normals;  // most are; 0 and NaN say nothing
     if (along < 0.0) ++result_.normals_against;
   }
   size_t n_vertices() const override { return result_.polygons.p_MV.size(); }
@@ -64,7 +64,7 @@ class Taking : public io::BaseImporter {
   size_t n_edges() const override { return 0; }
   bool hasBroken() const { return has_broken_; }
 
-  // What nobody asked for.
+  // Not used.
   OpenMesh::HalfedgeHandle add_edge(OpenMesh::VertexHandle, OpenMesh::VertexHandle) override {
     return OpenMesh::HalfedgeHandle();
   }
@@ -146,7 +146,7 @@ OpenMeshResult readWithOpenMesh(Format format, const Prepared& prepared,
     const bool shares = prepared.corners > 0 && corners != prepared.corners;
     if (!is_read || taking.hasBroken() || shares || faces > prepared.faces) {
       result.problem =
-          said(TRANSLATE_NOOP("problem", "The file is damaged: reading broke off after %1 corners and %2 faces."),
+          said(TRANSLATE_NOOP("problem", "The file is damaged: reading stopped after %1 vertices and %2 faces."),
                {std::to_string(corners), std::to_string(faces)});
     }
   } catch (const std::bad_alloc&) {

@@ -15,7 +15,7 @@ struct OpenMeshResult {
   Sentence problem;                               // empty: none
 };
 
-/// What OpenMesh makes of a file. progress: 0 to 1, in order. It may take all the memory there is: then a problem.
+/// What OpenMesh reads from a file. progress: 0 to 1, in order. It may use up all memory: then there is a problem.
 OpenMeshResult readWithOpenMesh(mesh_file::Format format, const Prepared& prepared,
                                 const std::function<void(double share)>& progress);
 

@@ -9,7 +9,7 @@
 namespace underact::mesh_reader {
 namespace {
 
-// Cutting ears off takes the square of this, or its third power at worst.
+// Ear clipping takes the square of this number, in the worst case its cube.
 constexpr std::size_t kMostEars = 256;
 
 bool isFinite(const Eigen::Vector3f& p) {
@@ -21,7 +21,7 @@ Vec3 at(const std::vector<Eigen::Vector3f>& p_MV, std::int32_t corner) {
   return p_MV[static_cast<std::size_t>(corner)].cast<double>();
 }
 
-/// Twice the area that the face turns around, as a vector, by Newell: whatever its shape.
+/// Twice the area of the face as a vector, by Newell's method: for any shape.
 Vec3 normalOf(const std::vector<Eigen::Vector3f>& p_MV, std::span<const std::int32_t> face) {
   Vec3 sum = Vec3::Zero();
   const Vec3 first = at(p_MV, face[0]);
@@ -31,7 +31,7 @@ Vec3 normalOf(const std::vector<Eigen::Vector3f>& p_MV, std::span<const std::int
   return sum;
 }
 
-/// How far ABC turns about the normal: above 0 as the whole face does.
+/// How far ABC turns about the normal: above 0 if it turns as the whole face does.
 double turn(const Vec3& normal, const Vec3& a, const Vec3& b, const Vec3& c) {
   return normal.dot((b - a).cross(c - a));
 }
@@ -46,7 +46,7 @@ void addQuad(const std::vector<Eigen::Vector3f>& p_MV, std::span<const std::int3
   const Vec3 a = at(p_MV, face[0]), b = at(p_MV, face[1]), c = at(p_MV, face[2]), d = at(p_MV, face[3]);
   const double by_ac = std::min(turn(normal, a, b, c), turn(normal, a, c, d));
   const double by_bd = std::min(turn(normal, b, c, d), turn(normal, b, d, a));
-  // Both stay inside: the shorter one.
+  // Both lie inside: the shorter one.
   const bool both = by_ac > 0.0 && by_bd > 0.0;
   const bool is_ac = both ? (c - a).squaredNorm() <= (d - b).squaredNorm() : by_ac >= by_bd;
   if (is_ac) {
@@ -57,7 +57,7 @@ void addQuad(const std::vector<Eigen::Vector3f>& p_MV, std::span<const std::int3
   }
 }
 
-/// The corner k of what is left may be cut off: it turns as the face does, and no other corner is in its triangle.
+/// Whether the ear at vertex k can be clipped: it turns as the face does, and no other vertex is in its triangle.
 bool isEar(const std::vector<Eigen::Vector3f>& p_MV, const std::vector<std::int32_t>& left, std::size_t k,
            const Vec3& normal) {
   const std::size_t n = left.size();
@@ -79,7 +79,7 @@ void addEars(const std::vector<Eigen::Vector3f>& p_MV, std::span<const std::int3
   while (left.size() > 3) {
     std::size_t ear = 0;
     while (ear < left.size() && !isEar(p_MV, left, ear, normal)) ++ear;
-    if (ear == left.size()) break;  // it crosses itself, or turns nowhere
+    if (ear == left.size()) break;  // it intersects itself, or is degenerate
     const std::size_t n = left.size();
     triangles.push_back({left[(ear + n - 1) % n], left[ear], left[(ear + 1) % n]});
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));

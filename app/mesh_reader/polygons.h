@@ -7,21 +7,21 @@
 
 namespace underact::mesh_reader {
 
-/// Corners and faces as a reader hands them over, whatever they are worth.
+/// Vertices and faces as a reader delivers them, unchecked.
 struct Polygons {
   std::vector<Eigen::Vector3f> p_MV;
-  std::vector<std::int32_t> corners;  // of all faces in a row
-  std::vector<std::int32_t> ends;     // of each face in there, one past its last corner
+  std::vector<std::int32_t> corners;  // of all faces, one after the other
+  std::vector<std::int32_t> ends;     // of each face: one past its last vertex
 };
 
-/// Cuts a face into triangles: one with four corners along the diagonal that stays inside, one with more by cutting
-/// ears off (concave ones, too); where it crosses itself or has very many, as a fan. face: three or more different
-/// corners. Cost: the square of its corners, which are bounded.
+/// Divides a face into triangles: one with four vertices along the diagonal that lies inside, one with more by ear
+/// clipping (concave ones, too); as a fan if it intersects itself or has very many. face: three or more different
+/// vertices. Cost: the square of the number of vertices, which is bounded.
 void cutIntoTriangles(const std::vector<Eigen::Vector3f>& p_MV, std::span<const std::int32_t> face,
                       std::vector<mesh::Face>& triangles);
 
-/// Cuts all of them, and leaves out what makes none: a face with a corner that is not there or not finite is left out
-/// whole. Corners that are not finite are put to zero; no face has them.
+/// Divides all faces, and leaves out invalid ones: a face with a vertex that is missing or not finite is left out
+/// completely. Vertices that are not finite are set to zero; no face uses them.
 mesh_file::Raw trianglesOf(Polygons polygons);
 
 }  // namespace underact::mesh_reader

@@ -14,33 +14,34 @@ namespace {
 
 using mesh_file::Scan;
 
-// OpenMesh looks for equal corners in a face by comparing each with each.
+// OpenMesh finds equal vertices of a face by comparing every pair.
 constexpr int kMostCornersOfAFace = 5000;
 
-/// pattern: with a place for the line.
+/// pattern: with a placeholder for the line.
 Prepared damagedAt(int line, const char* pattern) {
   Prepared none;
   none.problem = said(pattern, {std::to_string(line)});
   return none;
 }
 
-/// One facet of an STL text, from after its word "facet" on; the problem as a pattern with its line, or null.
+/// One facet of an STL text, from after its word "facet" on; the problem as a pattern for its line, or null.
 const char* addFacet(Scan& words, std::string& to) {
   const auto is = [&words](const char* word) { return mesh_file::lowered(words.word()) == word; };
   to += "facet normal ";
   if (!is("normal") || !addPoint(words, to))
-    return TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no normal of a face.");
+    return TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not the normal of a face.");
   if (!is("outer") || !is("loop"))
-    return TRANSLATE_NOOP("problem", "The file is damaged: line %1 does not begin the corners of a face (outer loop).");
+    return TRANSLATE_NOOP("problem",
+                          "The file is damaged: line %1 does not begin the vertices of a face (outer loop).");
   to += "outer loop\n";
   for (int corner = 0; corner < 3; ++corner) {
     to += "vertex ";
     if (!is("vertex") || !addPoint(words, to))
-      return TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no corner of a face (vertex x y z).");
+      return TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a vertex of a face (vertex x y z).");
   }
   if (!is("endloop"))
     return TRANSLATE_NOOP("problem",
-                          "The file is damaged: line %1 does not end the three corners of a face (endloop).");
+                          "The file is damaged: line %1 does not end the three vertices of a face (endloop).");
   if (!is("endfacet")) return TRANSLATE_NOOP("problem", "The file is damaged: line %1 does not end a face (endfacet).");
   to += "endloop\nendfacet\n";
   return nullptr;
@@ -52,7 +53,7 @@ Prepared prepareStlBinary(std::string bytes) {
   Prepared prepared;
   prepared.faces = mesh_file::stlBinaryCount(bytes);
   if (bytes.size() < mesh_file::kStlHeadBytes + prepared.faces * mesh_file::kStlFaceBytes) {
-    prepared.problem = said(TRANSLATE_NOOP("problem", "The file is damaged: it is shorter than its faces."));
+    prepared.problem = said(TRANSLATE_NOOP("problem", "The file is damaged: it is too short for its faces."));
     return prepared;
   }
   for (std::uint64_t face = 0; face < prepared.faces; ++face) {
@@ -76,7 +77,7 @@ Prepared prepareStlText(const std::string& bytes) {
     const std::string word = mesh_file::lowered(words.word());
     if (word.empty()) break;
     if (word == "solid" || word == "endsolid") {
-      words.line();  // a name, which OpenMesh would take for anything
+      words.line();  // a name, which OpenMesh would misread
     } else if (word == "facet") {
       const char* problem = addFacet(words, prepared.bytes);
       if (problem != nullptr) return damagedAt(words.lineNumber(), problem);
@@ -96,7 +97,7 @@ Prepared prepareObj(const std::string& bytes) {
   std::string joined;
   for (Scan lines(bytes); !lines.atEnd();) {
     std::string_view line = lines.line();
-    // A line that ends in \ goes on in the next one.
+    // A line that ends in \ continues on the next one.
     for (joined.clear(); line.ends_with('\\') && !lines.atEnd(); line = joined) {
       joined = std::string(line.substr(0, line.size() - 1)) + ' ' + std::string(lines.line());
     }
@@ -106,17 +107,17 @@ Prepared prepareObj(const std::string& bytes) {
       prepared.bytes += "v ";
       if (!addPoint(words, prepared.bytes))
         return damagedAt(lines.lineNumber() - 1,
-                         TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no corner (v x y z)."));
+                         TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a vertex (v x y z)."));
       ++prepared.corners;
     } else if (key == "f") {
       prepared.bytes += "f ";
       int count = 0;
       for (std::string_view word = words.word(); !word.empty() && !word.starts_with('#'); word = words.word()) {
-        std::int32_t index = 0;  // of the corner; what follows a / is of its texture and normal
+        std::int32_t index = 0;  // of the vertex; after a / come those of its texture and normal
         const bool is_number = mesh_file::readInteger(word.substr(0, word.find('/')), index);
         if (!is_number || ++count > kMostCornersOfAFace)
           return damagedAt(lines.lineNumber() - 1,
-                           TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no face."));
+                           TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a face."));
         prepared.bytes += std::to_string(index) + ' ';
       }
       prepared.bytes.back() = '\n';
@@ -147,24 +148,24 @@ Prepared prepareOff(const std::string& bytes) {
       if (lines.atEnd())
         return damagedAt(
             number + 1,
-            TRANSLATE_NOOP("problem", "The file is damaged: line %1 is the last, and corners or faces are missing."));
+            TRANSLATE_NOOP("problem", "The file is damaged: it ends at line %1, and vertices or faces are missing."));
       continue;
     }
     if (row++ < prepared.corners) {
       Scan again(line);
       if (!addPoint(again, prepared.bytes))
-        return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no corner (x y z)."));
+        return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a vertex (x y z)."));
       continue;
     }
     int count = 0;
     if (!mesh_file::readInteger(first, count) || count < 0 || count > kMostCornersOfAFace) {
-      return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no face."));
+      return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a face."));
     }
     prepared.bytes += std::to_string(count) + ' ';
     for (int corner = 0; corner < count; ++corner) {
       std::int32_t index = 0;
       if (!mesh_file::readInteger(words.word(), index))
-        return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is no face."));
+        return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a face."));
       prepared.bytes += std::to_string(index < 0 ? INT32_MAX : index) + ' ';
     }
     prepared.bytes.back() = '\n';

@@ -7,16 +7,15 @@
 
 namespace underact::mesh_reader {
 
-/// A file as OpenMesh is given it: of the same format, with corners and faces alone, in the plainest of the ways in
-/// which they may be written. What its readers take for granted (lengths, counts, lines, numbers that are numbers) is
-/// so.
+/// A file as OpenMesh gets it: the same format, with vertices and faces only, in the plainest notation. What OpenMesh's
+/// readers assume (lengths, counts, lines, valid numbers) holds.
 struct Prepared {
   std::string bytes;
-  std::uint64_t corners = 0, faces = 0;  // that it holds; corners: 0 where the format shares none
+  std::uint64_t corners = 0, faces = 0;  // of the file; corners: 0 where the format shares no vertices
   Sentence problem;                      // empty: none
 };
 
-/// What stands for a coordinate that is not a number or not finite.
+/// Replaces a coordinate that is not a number or not finite.
 inline constexpr const char* kNoNumber = "3e38";
 inline constexpr float kNoNumberValue = 3e38F;
 

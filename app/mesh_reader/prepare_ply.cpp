@@ -47,7 +47,7 @@ std::string plainHeader(const PlyHeader& header) {
   return text + "end_header\n";
 }
 
-/// Where the body is read: each gives false where it ends or makes no sense. What is not kept is passed over.
+/// Reads the body: each function returns false where it ends or is not valid. What is not needed is skipped.
 class TextBody {
  public:
   explicit TextBody(std::string_view body) : words_(body) {}
@@ -103,7 +103,7 @@ class BinaryBody {
   bool is_big_;
 };
 
-/// The row of an element at which the body breaks off; -1: at none.
+/// The row of an element at which the body breaks off; -1: none.
 template <class Body>
 std::int64_t copyRows(const PlyElement& element, Body& body, std::string& to) {
   const bool any_kept = element.name == "vertex" || element.name == "face";
@@ -114,7 +114,7 @@ std::int64_t copyRows(const PlyElement& element, Body& body, std::string& to) {
       if (!is_well) return static_cast<std::int64_t>(row);
     }
     if (any_kept) body.endRow(to);
-    if (element.properties.empty()) break;  // rows of nothing are passed over at once
+    if (element.properties.empty()) break;  // rows without properties are skipped at once
   }
   return -1;
 }
@@ -125,7 +125,7 @@ void copyBody(const PlyHeader& header, Body body, Prepared& prepared) {
     const std::int64_t row = copyRows(element, body, prepared.bytes);
     if (row >= 0) {
       const char* pattern =
-          element.name == "vertex" ? TRANSLATE_NOOP("problem", "The file is damaged: corner %1 of %2 cannot be read.")
+          element.name == "vertex" ? TRANSLATE_NOOP("problem", "The file is damaged: vertex %1 of %2 cannot be read.")
           : element.name == "face" ? TRANSLATE_NOOP("problem", "The file is damaged: face %1 of %2 cannot be read.")
                                    : TRANSLATE_NOOP("problem", "The file is damaged: row %1 of %2 cannot be read.");
       prepared.problem = said(pattern, {std::to_string(row + 1), std::to_string(element.count)});

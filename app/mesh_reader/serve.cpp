@@ -21,7 +21,7 @@ namespace {
 using mesh_file::Format;
 using mesh_file::Message;
 
-// A program that feels a surface meanwhile has more need of the processor.
+// A program that renders a surface meanwhile needs the processor more.
 constexpr int kNice = 5;
 
 bool write(std::span<const std::byte> bytes) {
@@ -36,14 +36,14 @@ std::optional<Format> formatOfWord(const std::string& word) {
   return {};
 }
 
-/// All of the standard input, which may be shorter than it was; never longer than asked.
+/// All of the standard input, which may have become shorter; never more than asked.
 std::string readAll(std::uint64_t bytes) {
   std::string all(bytes, '\0');
   all.resize(system::readAll(system::kInput, std::as_writable_bytes(std::span(all))).value_or(0));
   return all;
 }
 
-/// The most memory that this process has had, from what the kernel tells of it; 0: unknown.
+/// The peak memory of this process according to the kernel; 0: unknown.
 std::int64_t peakBytes(const system::Descriptor& status) {
   std::string text(4096, '\0');
   text.resize(system::readAll(status.number(), std::as_writable_bytes(std::span(text))).value_or(0));
@@ -71,7 +71,7 @@ Message read(Format format, std::uint64_t file_bytes) {
     });
     message.problem = result.problem;
     if (!message.problem.empty()) return message;
-    // Readers leave out faces without extent; that is known by their number alone.
+    // Readers leave out degenerate faces; only their number is known.
     const auto missing = static_cast<std::int64_t>(prepared.faces - result.polygons.ends.size());
     message.raw = trianglesOf(std::move(result.polygons));
     message.raw.polygons += missing;
@@ -95,7 +95,7 @@ int serve(const std::string& word) {
   const std::uint64_t bytes = file->bytes;
   system::stepBack(kNice);
   const system::Descriptor status = system::openToRead("/proc/self/status");
-  system::endWithStarter();  // who asked is gone: nobody waits
+  system::endWithStarter();  // the program that asked is gone
   if (!system::seal(mesh_file::mostMemory(bytes), mesh_file::mostCpu_s(bytes))) return helper::kNotSealed;
   Message message = read(*format, bytes);
   message.raw.peak_bytes = peakBytes(status);

@@ -6,7 +6,7 @@
 
 namespace underact::mesh_reader {
 
-/// Text in memory as a stream reads it, in 100 pieces, so that it is known how far the reading is.
+/// Text in memory as a stream, in 100 pieces, so that the progress is known.
 class TextStream : public std::streambuf {
  public:
   /// passes: how often the text is read from its beginning.
@@ -44,7 +44,7 @@ class TextStream : public std::streambuf {
     constexpr std::size_t kPieces = 100, kSmallest = 4096;
     start_ = std::min(start, text_.size());
     const std::size_t end = std::min(start_ + std::max(text_.size() / kPieces, kSmallest), text_.size());
-    char* begin = const_cast<char*>(text_.data());  // a stream's buffer is not const; nobody writes
+    char* begin = const_cast<char*>(text_.data());  // a stream's buffer is not const; nothing writes to it
     setg(begin + start_, begin + start_, begin + end);
   }
   void tell(std::size_t at) {

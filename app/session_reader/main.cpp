@@ -1,5 +1,5 @@
-// underact-session-reader: started by the programs to read one recorded session, shut off from all else; of no use on
-// its own.
+// underact-session-reader: started by the programs to read one recorded session, isolated from everything else; of no
+// use on its own.
 #include <cstdio>
 
 #include "app/session_reader/serve.h"
@@ -12,5 +12,5 @@ int main() {
     std::fprintf(stderr, "underact-session-reader is started by underact; by hand it does nothing.\n");
     return 2;
   }
-  end(underact::session_reader::serve());  // at once: what ends in order may call what is shut off
+  end(underact::session_reader::serve());  // at once: an orderly exit may make system calls that are not allowed
 }

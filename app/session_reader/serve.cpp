@@ -25,11 +25,11 @@ using record::Block;
 using record::Hdf5File;
 using record::Question;
 
-// A program that feels a surface meanwhile has more need of the processor.
+// A program that renders a surface meanwhile needs the processor more.
 constexpr int kNice = 5;
-// The longest block there may be takes 80 MB, several times over.
+// The longest possible block takes 80 MB, several times over.
 constexpr std::uint64_t kMostMemory = std::uint64_t{384} << 20;
-constexpr double kMostCpu_s = 3600.0;  // of all answers; who asks looks at each
+constexpr double kMostCpu_s = 3600.0;  // of all answers; the program that asks watches each
 
 using Bytes = std::span<const std::byte>;
 
@@ -68,7 +68,7 @@ bool sayBlocks(const std::vector<Block>& blocks) {
   return helper::answer(parts);
 }
 
-/// The session, and who asks about it.
+/// The session, and the program that asks about it.
 class Service {
  public:
   /// false: nobody reads the answer.
@@ -79,7 +79,7 @@ class Service {
 
  private:
   bool open(const Question& question) {
-    const std::array tables = record::sessionTables(1000);  // how many rows a block of ticks has is read from the file
+    const std::array tables = record::sessionTables(1000);  // the file states how many rows a block of ticks has
     Result<Hdf5File> file = Hdf5File::openAt(helper::kFile, tables, question.at_least);
     if (!file) return sayNo(file.problems());
     file_ = std::move(file).value();

@@ -2,8 +2,8 @@
 
 namespace underact::session_reader {
 
-/// Answers what foreign_protocol.h asks of the session that is open at helper::kFile, until nobody asks any more;
-/// sealed before the first byte of it is read. Gives the exit status.
+/// Answers the questions of foreign_protocol.h about the session that is open at helper::kFile, until there are no
+/// more; sealed before the first byte is read. Returns the exit status.
 int serve();
 
 }  // namespace underact::session_reader

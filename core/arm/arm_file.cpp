@@ -22,7 +22,7 @@ double numberAt(ObjectReader& object, const char* key, bool required, double oth
   if (value == nullptr) return number;
   json::readNumber(*value, object.pathOf(key), number, object.findings());
   if (std::isfinite(number)) return number;
-  object.findings().add(*value, object.pathOf(key), said(TRANSLATE_NOOP("problem", "This is no finite number.")));
+  object.findings().add(*value, object.pathOf(key), said(TRANSLATE_NOOP("problem", "This is not a finite number.")));
   return otherwise;
 }
 
@@ -55,14 +55,15 @@ void readRow(const Value& value, std::size_t index, Model& model, Findings& find
   row.min = limitAt(object, "min_rad", "min_deg", -kInfinity);
   row.max = limitAt(object, "max_rad", "max_deg", kInfinity);
   if (!(row.min < row.max))
-    findings.add(value, path, said(TRANSLATE_NOOP("problem", "The joint's least angle must be below its greatest.")));
+    findings.add(value, path,
+                 said(TRANSLATE_NOOP("problem", "The joint's lower limit must be below its upper limit.")));
   model.limits.min_rad[index] = row.min, model.limits.max_rad[index] = row.max;
   if (const Value* const of_size = object.find("limits_of_size")) {
     if (isKind(*of_size, json::Kind::Bool, object.pathOf("limits_of_size"),
                said(TRANSLATE_NOOP("problem", "true or false")), findings)) {
       if (of_size->boolean && index != 4) {
         findings.add(*of_size, object.pathOf("limits_of_size"),
-                     said(TRANSLATE_NOOP("problem", "Only joint 5 can be limited by its size.")));
+                     said(TRANSLATE_NOOP("problem", "Only joint 5 can have limits on the magnitude of its angle.")));
       }
       model.limits_wrist_size |= of_size->boolean;
     }
@@ -76,9 +77,9 @@ void readRows(ObjectReader& object, Model& model) {
       !isKind(*list, json::Kind::Array, "dh", said(TRANSLATE_NOOP("problem", "a list of six rows")), object.findings()))
     return;
   if (list->items.size() != model.rows.size()) {
-    object.findings().add(*list, "dh",
-                          said(TRANSLATE_NOOP("problem", "An arm has six rows; here there are %1."),
-                               {std::to_string(list->items.size())}));
+    object.findings().add(
+        *list, "dh",
+        said(TRANSLATE_NOOP("problem", "An arm has six rows; this one has %1."), {std::to_string(list->items.size())}));
     return;
   }
   for (std::size_t index = 0; index < model.rows.size(); ++index) {
@@ -106,7 +107,7 @@ void readPose(ObjectReader& object, const char* key, bool required, Pose& X) {
   }
   const Mat3 R = matrix.topLeftCorner<3, 3>();
   if (!(R * R.transpose()).isIdentity(kRotationError) || R.determinant() < 0.0)
-    return wrong(TRANSLATE_NOOP("problem", "This is no rotation."));
+    return wrong(TRANSLATE_NOOP("problem", "The upper left 3 x 3 numbers are not a rotation matrix."));
   if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
     return wrong(TRANSLATE_NOOP("problem", "The last row must be 0, 0, 0, 1."));
   X.linear() = R;
@@ -116,7 +117,7 @@ void readPose(ObjectReader& object, const char* key, bool required, Pose& X) {
 void readDevice(const Value& value, Model& model, Findings& findings) {
   if (!isKind(value, json::Kind::Object, "device", said(TRANSLATE_NOOP("problem", "an object in { }")), findings))
     return;
-  ObjectReader object(value, "device", said(TRANSLATE_NOOP("problem", "what makes an arm a device")), findings);
+  ObjectReader object(value, "device", said(TRANSLATE_NOOP("problem", "a device description")), findings);
   DeviceFigures device;
   device.continuous_force_N = numberAt(object, "continuous_force_N", true, 1.0);
   if (!(device.continuous_force_N > 0.0))
@@ -174,8 +175,8 @@ Result<Model> readArm(std::string_view text, const std::string& file_name) {
     const Value* const device = root.value().find("device");
     findings.add(*device, "device",
                  said(TRANSLATE_NOOP("problem",
-                                     "Only an arm shaped as table 3.1 of the thesis can be a device here; without "
-                                     "\"device\" the arm can be used for kinematics.")));
+                                     "Only an arm with the geometry of table 3.1 of the thesis can be a device; "
+                                     "without \"device\" it can still be used for kinematics.")));
   }
   Problems problems = findings.take();
   if (!problems.empty()) return problems;

@@ -17,13 +17,12 @@ Sentence whatHappened(const Fault& fault) {
     case FaultKind::NotFinite:
       return said(TRANSLATE_NOOP("problem", "The arm sent a position that is not a number."));
     case FaultKind::TooFast:
-      return said(
-          TRANSLATE_NOOP("problem", "The arm's position jumped by %1 m/s, where a hand reaches %2 m/s at most."),
-          {seen(1), allowed(0)});
+      return said(TRANSLATE_NOOP("problem", "The arm's position jumped at %1 m/s; a hand reaches at most %2 m/s."),
+                  {seen(1), allowed(0)});
     case FaultKind::TooLate:
-      return said(TRANSLATE_NOOP("problem", "%1 ticks in a row came a whole period late."), {seen(0)});
+      return said(TRANSLATE_NOOP("problem", "%1 ticks in a row were late by a whole period."), {seen(0)});
     case FaultKind::StoodStill:
-      return said(TRANSLATE_NOOP("problem", "The servo stood still for %1 s."), {seen(2)});
+      return said(TRANSLATE_NOOP("problem", "The servo stalled for %1 s."), {seen(2)});
     case FaultKind::OddClock:
       return said(TRANSLATE_NOOP("problem", "The arm's clock advanced by %1 s while %2 s passed."),
                   {seen(2), allowed(2)});
@@ -44,13 +43,13 @@ Sentence whatToDo(const Fault& fault) {
     case FaultKind::NotFinite:
       return said(TRANSLATE_NOOP("problem", "Press Start to try again."));
     case FaultKind::TooLate:
-      return said(
-          TRANSLATE_NOOP("problem", "Close what keeps the machine busy or choose a lower rate, then press Start."));
+      return said(TRANSLATE_NOOP(
+          "problem", "Close programs that keep the computer busy or choose a lower rate, then press Start."));
     case FaultKind::StoodStill:
     case FaultKind::Asleep:
-      return said(TRANSLATE_NOOP("problem", "Press Start to go on."));
+      return said(TRANSLATE_NOOP("problem", "Press Start to continue."));
     case FaultKind::OddClock:
-      return said(TRANSLATE_NOOP("problem", "Restart the servo, which opens the arm again, then press Start."));
+      return said(TRANSLATE_NOOP("problem", "Restart the servo to reopen the arm, then press Start."));
   }
   return {};
 }

@@ -49,10 +49,12 @@ Result<Chain> makeChain(std::vector<Joint> joints, const Pose& X_WT_home, const 
   for (std::size_t i = 0; i < joints.size(); ++i) check(joints[i], i + 1, place, problems);
   if (!isRotation(X_WT_home.linear())) {
     problems.push_back(
-        {said(TRANSLATE_NOOP("problem", "The home pose's upper left 3 x 3 numbers are no rotation.")), place});
+        {said(TRANSLATE_NOOP("problem", "The upper left 3 x 3 numbers of the home pose are not a rotation matrix.")),
+         place});
   }
   if (!X_WT_home.translation().allFinite())
-    problems.push_back({said(TRANSLATE_NOOP("problem", "The home pose's place is not a finite point.")), place});
+    problems.push_back(
+        {said(TRANSLATE_NOOP("problem", "The position of the home pose is not a finite point.")), place});
   if (!problems.empty()) return problems;
   return Chain{std::move(joints), X_WT_home};
 }

@@ -25,7 +25,8 @@ Problems problemsOf(const std::vector<Vec3>& points_W, const Place& place) {
           {said(TRANSLATE_NOOP("problem", "Point %1 of the curve is not a finite point."), {number}), place});
     } else if (largestOf(points_W[i]) > kFarthest_m) {
       problems.push_back(
-          {said(TRANSLATE_NOOP("problem", "Point %1 of the curve is farther out than 1e6 mm; is the scale right?"),
+          {said(TRANSLATE_NOOP("problem",
+                               "Point %1 of the curve is farther than 1e6 mm from the origin; check the scale."),
                 {number}),
            place});
     }

@@ -84,7 +84,7 @@ class Reader {
     if (!p) return problems_.size() < kMostProblems;
     if (!points_.empty() && points_.back() == *p) return true;
     if (points_.size() == kMostPoints) {
-      refuse(said(TRANSLATE_NOOP("problem", "The file has more than 1000000 points; leave out every second one.")));
+      refuse(said(TRANSLATE_NOOP("problem", "The file has more than 1000000 points; remove every second one.")));
       return false;
     }
     points_.push_back(*p);
@@ -103,11 +103,11 @@ class Reader {
 
   std::optional<Vec3> pointOf(const Fields& fields) {
     if (fields.has_gap) {
-      refuse(said(TRANSLATE_NOOP("problem", "Nothing stands between two separators; a point is three numbers.")));
+      refuse(said(TRANSLATE_NOOP("problem", "There is nothing between two separators; a point is three numbers.")));
       return std::nullopt;
     }
     if (fields.count != 3) {
-      refuse(said(TRANSLATE_NOOP("problem", "A point is three numbers, not %1; decimals are written with a point."),
+      refuse(said(TRANSLATE_NOOP("problem", "A point is three numbers, not %1; use a point for decimals."),
                   {std::to_string(fields.count)}));
       return std::nullopt;
     }
@@ -119,7 +119,7 @@ class Reader {
         return std::nullopt;
       }
       if (!std::isfinite(*number)) {
-        refuse(said(TRANSLATE_NOOP("problem", "%1 is no finite number."), {json::shown(fields.text[i])}));
+        refuse(said(TRANSLATE_NOOP("problem", "%1 is not a finite number."), {json::shown(fields.text[i])}));
         return std::nullopt;
       }
       p[static_cast<Eigen::Index>(i)] = *number;
@@ -156,8 +156,7 @@ Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& 
 }
 
 Result<std::vector<Vec3>> readPoints(const std::string& path, const Watch& watch) {
-  const Result<std::string> text =
-      json::readTextFile(path, said(TRANSLATE_NOOP("problem", "a file of points")), kLargestFile);
+  const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "a curve")), kLargestFile);
   if (!text) return text.problems();
   return parsePoints(text.value(), path, watch);
 }

@@ -47,7 +47,7 @@ Result<std::vector<Kept>> readKept(std::string_view text, const std::string& fil
       kept.input.emplace_back();
       good = readNumber(upTo(' ', row), kept.input.back());
     }
-    if (!good) problems.push_back({"This is no key, error and numbers.", {file_name, line, 0, kept.key}});
+    if (!good) problems.push_back({"This is not a key, an error and numbers.", {file_name, line, 0, kept.key}});
     all.push_back(std::move(kept));
   }
   if (!problems.empty()) return problems;

@@ -52,7 +52,7 @@ Result<Outcome> judgeAgain(const Row& row, const std::vector<double>& input) {
   const Outcome outcome = row.judge(given);
   if (given.isShort()) {
     return Problems{{"The case has " + std::to_string(input.size()) +
-                         " numbers, which is not how many it takes now: make the kept cases anew.",
+                         " numbers, but now it takes another count: make the kept cases again.",
                      {"", 0, 0, row.key}}};
   }
   return Outcome{plain(outcome.error_ulp), outcome.is_degenerate};

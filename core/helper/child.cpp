@@ -34,8 +34,8 @@ std::string secondsText(double s) {
 
 Sentence whyWaited(double most_time_s) {
   return said(TRANSLATE_NOOP("problem",
-                             "The file could not be read within %1, though its reader had little to do: its disk or "
-                             "the network may be slow. Copy it to this computer, and open the copy."),
+                             "Reading the file took longer than %1, although there was little to compute: the disk or "
+                             "the network may be slow. Copy the file to this computer, and open the copy."),
               {secondsText(most_time_s)});
 }
 
@@ -44,11 +44,12 @@ Sentence whyNoHelper(Ending ending, const std::string& program, int error) {
     return said(TRANSLATE_NOOP("problem", "%1 cannot be started: %2."),
                 {program, std::generic_category().message(error)});
   if (ending == Ending::NotSealed)
-    return said(TRANSLATE_NOOP("problem",
-                               "The file was not opened: %1 could not be shut off from the rest of this computer, "
-                               "which protects you from what a damaged or malicious file may do. Run the program "
-                               "where system calls may be filtered (seccomp)."),
-                {program});
+    return said(
+        TRANSLATE_NOOP(
+            "problem",
+            "The file was not opened: %1 could not be isolated from the rest of this computer, which protects you from "
+            "damaged or malicious files. Run the program on a system that lets it filter system calls (seccomp)."),
+        {program});
   return {};
 }
 

@@ -220,24 +220,23 @@ Result<BodyFit> fitBody(std::span<const Window> windows, const std::function<boo
   const std::vector<Block> blocks = blocksOf(windows);
   const std::optional<Body> guess = firstGuess(blocks);
   if (!guess)
-    return Problems{
-        {said(TRANSLATE_NOOP("problem",
-                             "The tip hardly moved, so that nothing can be told of it. Look that the hand has let "
-                             "go, that nothing stands in the way, and that the arm has mass."))}};
+    return Problems{{said(TRANSLATE_NOOP("problem",
+                                         "The tip hardly moved, so nothing can be measured. Check that the hand has "
+                                         "let go, that nothing is in the way, and that the arm has mass."))}};
   std::optional<Fit> best;
   for (const double share : kStarts) {
     Body start = *guess;
     start.friction_N *= share;
     Fit fit(windows, start, stop);
     fit.run();
-    if (fit.wasStopped()) return Problems{{said(TRANSLATE_NOOP("problem", "The fit was ended."))}};
+    if (fit.wasStopped()) return Problems{{said(TRANSLATE_NOOP("problem", "The fit was cancelled."))}};
     if (!best || fit.squares() < best->squares()) best = std::move(fit);
   }
   BodyFit fit = best->result();
   if (!(fit.residual_m < kWorst * movedOf(windows)))
-    return Problems{{said(TRANSLATE_NOOP(
-        "problem",
-        "No mass with friction and damping moves as the tip did. Look that the hand has let go, and measure again."))}};
+    return Problems{{said(TRANSLATE_NOOP("problem",
+                                         "No mass with friction and damping moves as the tip did. Check that the hand "
+                                         "has let go, and measure again."))}};
   return fit;
 }
 

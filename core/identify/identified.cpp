@@ -10,7 +10,7 @@
 namespace underact::identify {
 namespace {
 
-const Problems kStopped{{said(TRANSLATE_NOOP("problem", "The evaluation was ended."))}};
+const Problems kStopped{{said(TRANSLATE_NOOP("problem", "The evaluation was cancelled."))}};
 
 /// The rows of all stages of that kind, in order.
 template <class Chosen>
@@ -24,7 +24,7 @@ std::vector<Row> rowsOf(const Plan& plan, const std::vector<Recorded>& recorded,
 
 /// The sentence, preceded by the swing that it is about.
 Sentence at(std::size_t place, int axis, const Sentence& sentence) {
-  return said(TRANSLATE_NOOP("problem", "Along %1 at place %2: %3"),
+  return said(TRANSLATE_NOOP("problem", "Along %1 at position %2: %3"),
               {std::string(1, "xyz"[axis]), std::to_string(place + 1), sentence});
 }
 

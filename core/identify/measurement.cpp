@@ -69,12 +69,12 @@ Problems Measurement::repeat() {
 Sentence promptOf(HandDoes hand) {
   switch (hand) {
     case HandDoes::Presses:
-      return said(TRANSLATE_NOOP(
-          "problem",
-          "Take the stylus. Press it slowly 3 mm down and let it come back as slowly, four times, two seconds each."));
+      return said(TRANSLATE_NOOP("problem",
+                                 "Hold the stylus. Press it down slowly by 3 mm and let it come back just as slowly, "
+                                 "four times, two seconds each."));
     case HandDoes::Turns:
       return said(TRANSLATE_NOOP("problem",
-                                 "Turn the stylus slowly in your fingers: about its own axis, and tilt it both ways."));
+                                 "Slowly turn the stylus about its own axis in your fingers, and tilt it both ways."));
     case HandDoes::LetsGo:
       break;
   }
@@ -85,8 +85,8 @@ Sentence promptOf(HandDoes hand) {
 Sentence titleOf(const Stage& stage) {
   switch (stage.kind) {
     case StageKind::Settle:
-      return said(stage.hand == HandDoes::LetsGo ? TRANSLATE_NOOP("problem", "The tip goes to its place")
-                                                 : TRANSLATE_NOOP("problem", "The hand takes hold"));
+      return said(stage.hand == HandDoes::LetsGo ? TRANSLATE_NOOP("problem", "The tip moves to its position")
+                                                 : TRANSLATE_NOOP("problem", "The hand grips the stylus"));
     case StageKind::Swing:
       return said(TRANSLATE_NOOP("problem", "Swings along %1"), {std::string(1, "xyz"[stage.axis])});
     case StageKind::Rest:
@@ -96,7 +96,7 @@ Sentence titleOf(const Stage& stage) {
     case StageKind::Turn:
       break;
   }
-  return said(TRANSLATE_NOOP("problem", "Turns of the stylus"));
+  return said(TRANSLATE_NOOP("problem", "Rotations of the stylus"));
 }
 
 }  // namespace underact::identify

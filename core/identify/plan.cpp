@@ -89,7 +89,7 @@ Result<Plan> makePlan(const Wanted& wanted) {
   if (arm == nullptr)
     return Problems{{said(TRANSLATE_NOOP("problem", "There is no arm %1."), {json::shown(wanted.arm)})}};
   if (wanted.places_W.empty() || wanted.places_W.size() > 3)
-    return Problems{{said(TRANSLATE_NOOP("problem", "Say one to three places."))}};
+    return Problems{{said(TRANSLATE_NOOP("problem", "State one to three positions."))}};
   Problems problems;
   for (const Vec3& p_W : wanted.places_W) {
     bool reached = p_W.allFinite() && isReached(*arm, p_W);
@@ -99,8 +99,8 @@ Result<Plan> makePlan(const Wanted& wanted) {
     if (reached) continue;
     const Vec3 p_mm = kMillimetrePerMetre * p_W;
     problems.push_back({said(TRANSLATE_NOOP("problem",
-                                            "About (%1, %2, %3) mm the arm does not reach 20 mm in every direction. "
-                                            "Choose a place nearer to the middle."),
+                                            "Around (%1, %2, %3) mm the arm cannot move 20 mm in every direction. "
+                                            "Choose a position nearer to the middle of the workspace."),
                              {json::numberText(p_mm.x()), json::numberText(p_mm.y()), json::numberText(p_mm.z())})});
   }
   if (!problems.empty()) return problems;

@@ -52,8 +52,8 @@ Result<Press> pressOf(std::span<const Row> rows, const Vec3& along_W, double per
   }
   if (down.count() < kLeastRowsEachWay || up.count() < kLeastRowsEachWay)
     return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "The stylus was not pressed down and let back slowly. Press some 3 mm in "
-                                         "about two seconds, and come back as slowly."))}};
+                                         "The stylus was not pressed down and let back slowly. Press it down by about "
+                                         "3 mm in two seconds, and let it come back just as slowly."))}};
   press.down_N_per_m = down.slope();
   press.up_N_per_m = up.slope();
   const double middle_m = 0.5 * (down.middle_m() + up.middle_m());

@@ -51,8 +51,8 @@ void addStiffness(std::vector<ReportRow>& rows, const Identified& found) {
     rows.push_back({said(TRANSLATE_NOOP("problem", "Hysteresis of the press")),
                     "N",
                     {std::abs(press.hysteresis_N), std::max(press.residual_N, spread)}});
-    rows.push_back({said(press.clamped_at_m ? TRANSLATE_NOOP("problem", "Linear until the clamp, at")
-                                            : TRANSLATE_NOOP("problem", "Linear at least to")),
+    rows.push_back({said(press.clamped_at_m ? TRANSLATE_NOOP("problem", "Linear up to the clamp, at")
+                                            : TRANSLATE_NOOP("problem", "Linear at least up to")),
                     "mm",
                     {kMillimetrePerMetre * press.clamped_at_m.value_or(press.linear_m), 0.0}});
   }
@@ -85,7 +85,7 @@ std::vector<ReportRow> rowsOf(const Identified& found, const Given* given) {
           found.damping_N_s_per_m, of(&sim::ArmModel::damping_N_s_per_m));
   for (std::size_t joint = 0; joint < 6; ++joint) {
     if (!found.counts_per_turn[joint]) continue;
-    rows.push_back({said(TRANSLATE_NOOP("problem", "Counts a turn, %1"), {said(kJoints[joint])}), "",
+    rows.push_back({said(TRANSLATE_NOOP("problem", "Counts per turn, %1"), {said(kJoints[joint])}), "",
                     *found.counts_per_turn[joint], given ? std::optional(given->counts_per_turn[joint]) : std::nullopt,
                     1});
   }
@@ -157,7 +157,7 @@ sim::ArmModelFile modelFileOf(const Identified& found, const std::string& name, 
 
 std::string reportText(const Identified& found, const sim::ArmModelFile& file, const Given* given) {
   std::string text = "# " + file.arm.title + "\n\n" + file.arm.provenance + "\n\n";
-  text += "Arm: " + found.arm + ". Places (mm):";
+  text += "Arm: " + found.arm + ". Positions (mm):";
   for (const Vec3& p_W : found.places_W) {
     const Vec3 p_mm = kMillimetrePerMetre * p_W;
     text += " (" + fixed(p_mm.x(), 1) + ", " + fixed(p_mm.y(), 1) + ", " + fixed(p_mm.z(), 1) + ")";
@@ -166,11 +166,12 @@ std::string reportText(const Identified& found, const sim::ArmModelFile& file, c
                 : ".\n\n| quantity | value | uncertainty | unit |\n|---|---|---|---|\n";
   for (const ReportRow& row : rowsOf(found, given)) text += line(row, given != nullptr);
   text +=
-      "\nUncertainty: one standard deviation, of the fit or of what the directions differ by, whichever is larger. "
-      "\"Below\": not told from zero; the true value lies below that with 97 % probability.\n";
+      "\nUncertainty: one standard deviation, of the fit or of the differences between the directions, whichever is "
+      "larger. "
+      "\"Below\": not distinguishable from zero; the true value lies below that with 97 % probability.\n";
   for (const AxisSwings& one : found.swings)
-    text += std::string("\nSwings along ") + "xyz"[one.axis] + " at place " + std::to_string(one.place + 1) + ": " +
-            std::to_string(one.windows.size()) + " windows, the fit leaves " +
+    text += std::string("\nSwings along ") + "xyz"[one.axis] + " at position " + std::to_string(one.place + 1) + ": " +
+            std::to_string(one.windows.size()) + " windows, residual of the fit " +
             fixed(kMicrometrePerMetre * one.fit.residual_m, 1) + " µm (root mean square), pull " +
             fixed(one.fit.body.bias_N, 4) + " N.\n";
   for (const Problem& note : found.notes) text += "\nNot measured: " + note.sentence + "\n";

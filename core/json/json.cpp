@@ -50,17 +50,16 @@ Stop explainValue(std::string_view text, std::size_t at) {
   if (at >= text.size()) return {at, said(TRANSLATE_NOOP("problem", "The text ends too early: a value was expected."))};
   if ((c == ']' || c == '}') && followsComma(text, at)) {
     return {at, said(TRANSLATE_NOOP(
-                    "problem", "A comma stands before this bracket; take it away, or write another value after it."))};
+                    "problem", "There is a comma before this bracket; remove it, or write another value after it."))};
   }
-  if (c == '\'') return {at, said(TRANSLATE_NOOP("problem", "Text stands in double quotes, not in single ones."))};
-  if (c == '/' || c == '#')
-    return {at, said(TRANSLATE_NOOP("problem", "Comments are not possible in JSON; take this away."))};
+  if (c == '\'') return {at, said(TRANSLATE_NOOP("problem", "Text must be in double quotes, not in single ones."))};
+  if (c == '/' || c == '#') return {at, said(TRANSLATE_NOOP("problem", "JSON has no comments; remove this."))};
   if (isWordChar(c)) {
     return {
         at,
         said(TRANSLATE_NOOP(
                  "problem",
-                 "A value was expected; %1 is none. Numbers look like 0.5, -3 or 1e-3, text stands in double quotes."),
+                 "A value was expected; %1 is not one. Numbers look like 0.5, -3 or 1e-3; text is in double quotes."),
              {shown(text.substr(at, text.find_first_of(",:]} \t\r\n\"", at) - at))})};
   }
   return {at,
@@ -74,7 +73,7 @@ Stop explainKey(std::string_view text, std::size_t at) {
             said(TRANSLATE_NOOP("problem", "The text ends too early: a key in double quotes or a } was expected."))};
   if (text[at] == '}')
     return {at, said(TRANSLATE_NOOP("problem",
-                                    "A comma stands before this }; take it away, or write another key after it."))};
+                                    "There is a comma before this }; remove it, or write another key after it."))};
   if (text[at] == '/' || text[at] == '#') return explainValue(text, at);
   return {at, said(TRANSLATE_NOOP("problem", "A key in double quotes was expected."))};
 }
@@ -95,11 +94,10 @@ Stop explainText(std::string_view text, std::size_t at, const Source& source) {
             said(TRANSLATE_NOOP("problem", "This text does not end on its line: its second double quote is missing."))};
   }
   if (text[at] == '\\') {
-    return {at,
-            said(TRANSLATE_NOOP(
-                "problem", "This is no escape that JSON knows; a backslash itself is written \\\\, a new line \\n."))};
+    return {at, said(TRANSLATE_NOOP(
+                    "problem", "JSON does not know this escape; a backslash itself is written \\\\, a new line \\n."))};
   }
-  return {at, said(TRANSLATE_NOOP("problem", "A control character stands in this text; a tab is written \\t."))};
+  return {at, said(TRANSLATE_NOOP("problem", "There is a control character in this text; a tab is written \\t."))};
 }
 
 Stop explain(const rapidjson::ParseResult& error, std::string_view text, const Source& source) {
@@ -118,7 +116,7 @@ Stop explain(const rapidjson::ParseResult& error, std::string_view text, const S
     case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
       return explainEnd(text, at, "]");
     case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex:
-      return {at, said(TRANSLATE_NOOP("problem", "After \\u four digits of 0-9 and a-f are expected."))};
+      return {at, said(TRANSLATE_NOOP("problem", "Four digits of 0-9 and a-f are expected after \\u."))};
     case rapidjson::kParseErrorStringUnicodeSurrogateInvalid:
       return {at, said(TRANSLATE_NOOP("problem", "This \\u escape is half of a pair; its other half is missing."))};
     case rapidjson::kParseErrorStringEscapeInvalid:

@@ -50,7 +50,7 @@ bool Builder::add(Value value) {
   if (++count_ > kMostValues) {
     return refuse(
         source_.Tell(),
-        said(TRANSLATE_NOOP("problem", "The file holds more than a million values; a scene is far smaller.")));
+        said(TRANSLATE_NOOP("problem", "The file contains more than a million values; a scene is far smaller.")));
   }
   (open_.empty() ? root_ : open_.back().items.emplace_back()) = std::move(value);
   return true;
@@ -59,7 +59,7 @@ bool Builder::add(Value value) {
 bool Builder::open(Kind kind) {
   if (open_.size() >= kDeepest)
     return refuse(source_.Tell(),
-                  said(TRANSLATE_NOOP("problem", "Lists and objects are nested more than 64 deep here.")));
+                  said(TRANSLATE_NOOP("problem", "Lists and objects are nested more than 64 levels deep here.")));
   open_.push_back(start(kind, source_.Tell()));
   return true;
 }

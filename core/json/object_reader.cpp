@@ -44,7 +44,7 @@ Problems Findings::take() {
     return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
   });
   if (more_ > 0) {
-    problems_.push_back({said(TRANSLATE_NOOP("problem", "The file holds %1 more problems."), {std::to_string(more_)}),
+    problems_.push_back({said(TRANSLATE_NOOP("problem", "The file has %1 more problems."), {std::to_string(more_)}),
                          problems_.back().place});
   }
   return std::move(problems_);
@@ -70,7 +70,7 @@ void ObjectReader::finish(bool all_known) {
       findings_.add(
           object_.key_places[index], pathOf(plainKey(key)),
           said(TRANSLATE_NOOP("problem",
-                              "The key %1 stands here a second time; the first is on line %2. Take one away."),
+                              "The key %1 appears a second time; the first is on line %2. Remove one of them."),
                {shown(key), std::to_string(object_.key_places[first->second].first)}));
     } else {
       judge(index, all_known);
@@ -88,7 +88,7 @@ void ObjectReader::judge(std::size_t index, bool all_known) {
   if (!all_known || refused_.count(key) > 0) return;
   const std::string nearest = findings_.full() ? "" : nearestWord(key, known_);
   findings_.add(place, pathOf(plainKey(key)),
-                nearest.empty() ? said(TRANSLATE_NOOP("problem", "The key %1 is not known in %2. Known are %3."),
+                nearest.empty() ? said(TRANSLATE_NOOP("problem", "The key %1 is not known in %2. Known keys: %3."),
                                        {shown(key), what_, listed(known_, "and")})
                                 : said(TRANSLATE_NOOP("problem", "The key %1 is not known in %2. Did you mean \"%3\"?"),
                                        {shown(key), what_, nearest}));

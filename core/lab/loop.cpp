@@ -67,17 +67,18 @@ Result<Vec3> restingPlace(const tick::TickProgram& program, const sim::Plant& pl
   for (int round = 0; round < 50; ++round) {
     const tick::TickReport report = firstTick(program, plant, p_WT);
     if (report.held.size() != 1 || report.held[0].status != target::Status::Unique)
-      return Problems{{said(TRANSLATE_NOOP(
-          "problem", "From there no single target is nearest, so nothing says where to begin. Begin elsewhere."))}};
+      return Problems{
+          {said(TRANSLATE_NOOP("problem", "From there no single target is nearest. Start from another position."))}};
     const Vec3 p_WP = report.held[0].p_WP;
     const double off_m = (p_WP - report.p_WT).norm();
     p_WT = p_WP;
     if (off_m < 1e-9) return p_WT;
     if (!isWithinReach(plant, p_WT))
-      return Problems{{said(TRANSLATE_NOOP("problem", "The arm does not reach the target there. Begin elsewhere."))}};
+      return Problems{
+          {said(TRANSLATE_NOOP("problem", "The arm does not reach the target there. Start from another position."))}};
   }
   return Problems{
-      {said(TRANSLATE_NOOP("problem", "The target does not stay while the tip goes to it. Begin elsewhere."))}};
+      {said(TRANSLATE_NOOP("problem", "The target moves while the tip approaches it. Start from another position."))}};
 }
 
 Result<scene::Description> onlyOne(scene::Description scene, const std::string& name) {
@@ -89,13 +90,13 @@ Result<scene::Description> onlyOne(scene::Description scene, const std::string& 
          {scene.file}}};
   if (name.empty() && scene.constraints.size() > 1)
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "The scene has %1 constraints; say the name of the one to measure, as \"%2\"."),
+        {said(TRANSLATE_NOOP("problem", "The scene has %1 constraints; name the one to measure, such as \"%2\"."),
               {std::to_string(scene.constraints.size()), found->name}),
          {scene.file}}};
   if (found->side != target::Side::Both && !std::holds_alternative<scene::VirtualManipulator>(found->shape))
     return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "\"%1\" is a wall: it pushes and never pulls, so it holds nothing at a "
-                                         "target. Measure one whose side is both."),
+                                         "\"%1\" is a wall: it pushes but never pulls, so it does not hold the tip at "
+                                         "a target. Measure one whose side is \"both\"."),
                           {found->name}),
                      found->place}};
   const auto index = static_cast<std::size_t>(found - scene.constraints.begin());

@@ -128,11 +128,10 @@ Result<std::optional<Programs>> steppedAlong(const scene::Description& held, con
     return std::optional<Programs>();
   const Vec3 p_WAfter = step.p_WBefore + step_W;
   if (!isWithinReach(plant, p_WAfter))
-    return Problems{
-        {said(TRANSLATE_NOOP(
-                  "problem",
-                  "The arm does not reach the target after this step (%1). Make the step smaller, or the other way."),
-              {name(step.axis)})}};
+    return Problems{{said(TRANSLATE_NOOP("problem",
+                                         "The arm does not reach the target after this step (%1). Make the step "
+                                         "smaller, or step in the other direction."),
+                          {name(step.axis)})}};
   return std::optional<Programs>({before, std::move(after).value()});
 }
 
@@ -150,7 +149,7 @@ Result<Programs> stepped(const scene::Description& held, const tick::TickProgram
   return Problems{
       {said(TRANSLATE_NOOP("problem",
                            "The constraint does not hold the tip along a straight step there%1: its target does not "
-                           "go along as a whole. Choose another axis, or begin elsewhere."),
+                           "follow the whole step. Choose another axis, or start from another position."),
             {where})}};
 }
 

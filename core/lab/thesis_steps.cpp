@@ -31,7 +31,7 @@ std::span<const ThesisStep> thesisSteps() {
            "0.0014 apart."),
        6.0,
        {{TRANSLATE_NOOP("step", "third order"), {{5.0}, {1.0, 33.0, 92.0, 60.0}}},
-        {TRANSLATE_NOOP("step", "fast part left out"), {{-5.0 / 812.0, 135.0 / 812.0}, {1.0, 3.0, 2.0}}},
+        {TRANSLATE_NOOP("step", "without the fast part"), {{-5.0 / 812.0, 135.0 / 812.0}, {1.0, 3.0, 2.0}}},
         {TRANSLATE_NOOP("step", "second order"), {{1.0 / 6.0}, {1.0, 3.0, 2.0}}}}},
       {"B.4",
        TRANSLATE_NOOP("step", "First order system step response"),

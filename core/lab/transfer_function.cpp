@@ -103,14 +103,14 @@ Result<TransferFunction> makeTransferFunction(std::vector<double> num, std::vect
   const std::string room = std::to_string(kHighestDegree);
   if (den.size() < 2)
     problems.push_back({said(TRANSLATE_NOOP(
-        "problem", "The denominator has no s in it; give two coefficients at least, as 1,1 for s + 1."))});
+        "problem", "The denominator has no s; give at least two coefficients, such as 1,1 for s + 1."))});
   if (den.size() > kHighestDegree + 1)
-    problems.push_back({said(TRANSLATE_NOOP("problem", "The denominator is of order %1; up to %2 is possible."),
+    problems.push_back({said(TRANSLATE_NOOP("problem", "The denominator is of order %1; at most %2 is possible."),
                              {std::to_string(den.size() - 1), room})});
   if (den.size() >= 2 && num.size() > den.size())
     problems.push_back({said(TRANSLATE_NOOP("problem",
-                                            "The numerator is of a higher order than the denominator (%1 against "
-                                            "%2): a step would make an impulse. Give it an order no higher."),
+                                            "The numerator is of a higher order than the denominator (%1 against %2), "
+                                            "so a step would give an impulse. Lower its order."),
                              {std::to_string(num.size() - 1), std::to_string(den.size() - 1)})});
   if (!problems.empty()) return problems;
   if (num.empty()) num = {0.0};

@@ -27,7 +27,7 @@ std::size_t turningJoints(const chain::Chain& chain) {
 
 void judgeNumbers(const Wanted& wanted, const Place& place, Problems& problems) {
   if (wanted.chain.joints.size() > kMaxJoints) {
-    problems.push_back({said(TRANSLATE_NOOP("problem", "A virtual manipulator has at most %1 joints, not %2."),
+    problems.push_back({said(TRANSLATE_NOOP("problem", "A virtual robot has at most %1 joints, not %2."),
                              {std::to_string(kMaxJoints), std::to_string(wanted.chain.joints.size())}),
                         place});
   }
@@ -38,7 +38,7 @@ void judgeNumbers(const Wanted& wanted, const Place& place, Problems& problems) 
   for (const double rest : wanted.rest) {
     if (!std::isfinite(rest))
       problems.push_back(
-          {said(TRANSLATE_NOOP("problem", "The rest of a joint's spring is not a finite number.")), place});
+          {said(TRANSLATE_NOOP("problem", "The rest position of a joint's spring is not a finite number.")), place});
   }
   if (wanted.max_steps < 1 || wanted.max_steps > 100) {
     problems.push_back({said(TRANSLATE_NOOP("problem", "The solver takes 1 to 100 steps.")), place});
@@ -57,8 +57,9 @@ void judgeAngle(const Wanted& wanted, const Place& place, Problems& problems) {
   if (turningJoints(wanted.chain) != 1 || (by_thesis && joints.size() != 1)) {
     problems.push_back(
         {said(by_thesis
-                  ? TRANSLATE_NOOP("problem", "The thesis's force law is that of one revolute joint alone.")
-                  : TRANSLATE_NOOP("problem", "The orientation \"angle\" takes a chain with just one revolute joint.")),
+                  ? TRANSLATE_NOOP("problem",
+                                   "The thesis's force law needs a chain with just one joint, a revolute one.")
+                  : TRANSLATE_NOOP("problem", "The orientation \"angle\" needs a chain with just one revolute joint.")),
          place});
     return;
   }
@@ -67,7 +68,8 @@ void judgeAngle(const Wanted& wanted, const Place& place, Problems& problems) {
   if (turning->axis_W.cross(wanted.chain.X_WT_home.linear().col(2)).norm() < kAlongAxis) {
     problems.push_back(
         {said(TRANSLATE_NOOP(
-             "problem", "The tip's z axis at home lies along the joint's axis, so that it has no angle about it.")),
+             "problem",
+             "In the home pose the tip's z axis lies along the joint's axis, so it has no angle about that axis.")),
          place});
   }
 }
@@ -101,11 +103,10 @@ Result<Manipulator> makeManipulator(Wanted wanted, const Place& place) {
   }
   const std::optional<ClosedForm> closed = closedFormOf(made);
   if (wanted.method == Method::ClosedForm && !closed) {
-    return Problems{
-        {said(TRANSLATE_NOOP("problem",
-                             "There is no closed form for this chain with these gains and this orientation; take "
-                             "the method \"auto\" or \"iterative\".")),
-         place}};
+    return Problems{{said(TRANSLATE_NOOP("problem",
+                                         "There is no closed form for this chain with these gains and this "
+                                         "orientation; use the method \"auto\" or \"iterative\".")),
+                     place}};
   }
   if (closed && wanted.method != Method::Iterative && made.law == ForceLaw::Energy) {
     made.closed = closed;

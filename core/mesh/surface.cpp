@@ -20,16 +20,16 @@ Problems whatIsWrong(const Triangles& triangles) {
     return {{said(TRANSLATE_NOOP("problem", "The mesh has more than 134 million triangles.")), {}}};
   for (const Eigen::Vector3f& corner : triangles.p_MV) {
     if (!(corner.cwiseAbs().maxCoeff() <= kLargest) || !corner.allFinite())
-      return {{said(TRANSLATE_NOOP("problem", "The mesh has a corner that is not at a finite place.")), {}}};
+      return {{said(TRANSLATE_NOOP("problem", "A vertex of the mesh is not a finite point.")), {}}};
   }
   const auto corners = static_cast<std::int32_t>(triangles.p_MV.size());
   for (const Face& face : triangles.faces) {
     for (const std::int32_t corner : face) {
       if (corner < 0 || corner >= corners)
-        return {{said(TRANSLATE_NOOP("problem", "A triangle names a corner that is not there.")), {}}};
+        return {{said(TRANSLATE_NOOP("problem", "A triangle refers to a vertex that does not exist.")), {}}};
     }
     if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0])
-      return {{said(TRANSLATE_NOOP("problem", "A triangle has the same corner twice.")), {}}};
+      return {{said(TRANSLATE_NOOP("problem", "A triangle has the same vertex twice.")), {}}};
   }
   return {};
 }

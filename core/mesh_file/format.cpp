@@ -39,14 +39,14 @@ bool hasObjCorner(std::string_view head) {
 }
 
 Problem tooShort(const Sentence& states, const std::string& path) {
-  return {said(TRANSLATE_NOOP("problem",
-                              "The file is cut short or damaged: it says that it holds %1, and is too short for them."),
-               {states}),
-          {path}};
+  return {
+      said(TRANSLATE_NOOP("problem", "The file is truncated or damaged: it declares %1, but is too short for that."),
+           {states}),
+      {path}};
 }
 
 Sentence cornersText(std::uint64_t count) {
-  return said(TRANSLATE_NOOP("problem", "%1 corners"), {std::to_string(count)});
+  return said(TRANSLATE_NOOP("problem", "%1 vertices"), {std::to_string(count)});
 }
 
 Sentence facesText(std::uint64_t count) {
@@ -82,13 +82,14 @@ Result<Format> formatOf(std::string_view head, std::uint64_t file_bytes, const s
   if (extension == ".obj") return Format::Obj;
   if (extension == ".stl" || extension == ".stlb") return Format::StlBinary;
   if (extension == ".ply")
-    return Problems{{said(TRANSLATE_NOOP("problem", "This is no PLY file: it does not begin with \"ply\".")), {path}}};
+    return Problems{
+        {said(TRANSLATE_NOOP("problem", "This is not a PLY file: it does not begin with \"ply\".")), {path}}};
   if (extension == ".off")
-    return Problems{{said(TRANSLATE_NOOP("problem", "This is no OFF file: it does not begin with \"OFF\".")), {path}}};
+    return Problems{
+        {said(TRANSLATE_NOOP("problem", "This is not an OFF file: it does not begin with \"OFF\".")), {path}}};
   if (head.find('\0') == std::string_view::npos && hasObjCorner(head)) return Format::Obj;
   return Problems{
-      {said(TRANSLATE_NOOP("problem",
-                           "This is no mesh that can be read. Meshes are read from STL, OBJ, PLY and OFF files.")),
+      {said(TRANSLATE_NOOP("problem", "This is not a mesh that can be read. Use an STL, OBJ, PLY or OFF file.")),
        {path}}};
 }
 
@@ -98,7 +99,7 @@ Problems checkHead(Format format, std::string_view head, std::uint64_t file_byte
     const std::uint64_t count = stlBinaryCount(head);
     if (file_bytes < kStlHeadBytes) return {tooShort(said(TRANSLATE_NOOP("problem", "a binary STL mesh")), path)};
     if (kStlHeadBytes + count * kStlFaceBytes > file_bytes) return {tooShort(facesText(count), path)};
-    if (count == 0) return {{said(TRANSLATE_NOOP("problem", "The file holds no faces.")), {path}}};
+    if (count == 0) return {{said(TRANSLATE_NOOP("problem", "The file contains no faces.")), {path}}};
   } else if (format == Format::Ply) {
     const Result<PlyHeader> header = readPlyHeader(head);
     if (!header) return {{header.problems()[0].sentence, {path}}};

@@ -54,7 +54,7 @@ void addRaw(const Raw& raw, Facts& facts) {
 }
 
 Sentence nothingLeft(const Facts& facts) {
-  Sentence sentence = said(TRANSLATE_NOOP("problem", "There is nothing to feel in the file."));
+  Sentence sentence = said(TRANSLATE_NOOP("problem", "The file contains nothing to feel."));
   for (const Sentence& line : reportOf(facts, 1.0)) sentence = oneAfterAnother({sentence, line});
   return sentence;
 }
@@ -91,7 +91,7 @@ Result<Loaded> loadMesh(const std::string& path, const Watch& watch, const Cache
   loaded.value().format = input.value().format();
   loaded.value().checksum = checksum.value();
   if (!loaded.value().from_cache && !input.value().hasChanged()) {
-    watch.tell(TRANSLATE_NOOP("step of work", "Keeping"), kBuilt);
+    watch.tell(TRANSLATE_NOOP("step of work", "Storing"), kBuilt);
     const std::vector<std::byte> bytes = mesh::surfaceBytes(*loaded.value().surface);
     const std::array parts{std::as_bytes(std::span(&loaded.value().facts, 1)), std::span<const std::byte>(bytes)};
     cache.put(key, parts, watch);

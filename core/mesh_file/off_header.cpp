@@ -30,8 +30,7 @@ Result<OffHeader> readOffHeader(std::string_view head) {
       return Problems{
           {said(TRANSLATE_NOOP("problem", "The OFF header is damaged: it does not begin with \"OFF\".")), {}}};
     if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos) {
-      return Problems{
-          {said(TRANSLATE_NOOP("problem", "The OFF file holds a mesh that is not in three dimensions.")), {}}};
+      return Problems{{said(TRANSLATE_NOOP("problem", "The mesh in the OFF file is not three-dimensional.")), {}}};
     }
     std::array<std::string_view, 3> counts{scan.word(), scan.word(), scan.word()};
     if (counts[0] == "BINARY") {
@@ -49,13 +48,13 @@ Result<OffHeader> readOffHeader(std::string_view head) {
     if (!readInteger(counts[0], header.corners) || !readInteger(counts[1], header.faces)) break;
     if (header.faces == 0)
       return Problems{
-          {said(TRANSLATE_NOOP("problem", "The OFF file holds points and no faces. A surface needs faces.")), {}}};
+          {said(TRANSLATE_NOOP("problem", "The OFF file contains points but no faces. A surface needs faces.")), {}}};
     header.bytes = lines.place();
     header.lines = lines.lineNumber();
     return header;
   }
   return Problems{
-      {said(TRANSLATE_NOOP("problem", "The OFF header is damaged: the numbers of corners and faces cannot be read.")),
+      {said(TRANSLATE_NOOP("problem", "The OFF header is damaged: the numbers of vertices and faces cannot be read.")),
        {}}};
 }
 

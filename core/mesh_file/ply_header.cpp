@@ -90,33 +90,34 @@ bool isTwice(const PlyHeader& header, const char* name) {
 Problems checkSurface(const PlyHeader& header) {
   const PlyElement* corners = elementOf(header, "vertex");
   const PlyElement* faces = elementOf(header, "face");
-  if (corners == nullptr) return {{said(TRANSLATE_NOOP("problem", "The PLY file holds no corners (vertex).")), {}}};
+  if (corners == nullptr)
+    return {{said(TRANSLATE_NOOP("problem", "The PLY file contains no vertices (element vertex).")), {}}};
   if (elementOf(header, "tristrips") != nullptr) {
-    return {
-        {said(TRANSLATE_NOOP(
-             "problem", "The PLY file holds strips of triangles, which cannot be read. Save it with single faces.")),
-         {}}};
+    return {{said(TRANSLATE_NOOP(
+                 "problem", "The PLY file contains triangle strips, which cannot be read. Save it with single faces.")),
+             {}}};
   }
   if (faces == nullptr || faces->count == 0) {
     return {{said(TRANSLATE_NOOP("problem",
-                                 "The PLY file holds points and no faces. A surface needs faces: make them in the "
+                                 "The PLY file contains points but no faces. A surface needs faces: create them in the "
                                  "program that made the points.")),
              {}}};
   }
   if (isTwice(header, "vertex") || isTwice(header, "face"))
-    return damaged(TRANSLATE_NOOP("problem", "The PLY header is damaged: it names corners or faces twice."));
+    return damaged(TRANSLATE_NOOP("problem", "The PLY header is damaged: it declares vertices or faces twice."));
   for (const char* axis : {"x", "y", "z"}) {
     const auto is = [axis](const PlyProperty& property) { return property.name == axis; };
     const auto& properties = corners->properties;
     const auto found = std::find_if(properties.begin(), properties.end(), is);
     if (found == properties.end() || std::count_if(properties.begin(), properties.end(), is) != 1) {
-      return damaged(TRANSLATE_NOOP("problem", "The PLY header is damaged: the corners have not one %1."), axis);
+      return damaged(TRANSLATE_NOOP("problem", "The PLY header is damaged: the vertices do not have exactly one %1."),
+                     axis);
     }
     if (found->is_list || (found->type != "float" && found->type != "double")) {
       return {
           {said(TRANSLATE_NOOP(
                     "problem",
-                    "The PLY file holds %1 of its corners as whole numbers. Save it with float or double coordinates."),
+                    "The PLY file contains %1 of its vertices as integers. Save it with float or double coordinates."),
                 {axis}),
            {}}};
     }
@@ -126,7 +127,7 @@ Problems checkSurface(const PlyHeader& header) {
   });
   if (lists != 1)
     return damaged(TRANSLATE_NOOP(
-        "problem", "The PLY header is damaged: the faces have not one list of corners (vertex_indices)."));
+        "problem", "The PLY header is damaged: the faces do not have exactly one list of vertices (vertex_indices)."));
   return {};
 }
 
@@ -165,7 +166,7 @@ Result<PlyHeader> readPlyHeader(std::string_view head) {
       is_well = false;
     }
     if (!is_well)
-      return damaged(TRANSLATE_NOOP("problem", "The PLY header is damaged: line %1 makes no sense."),
+      return damaged(TRANSLATE_NOOP("problem", "The PLY header is damaged: line %1 is not valid."),
                      std::to_string(lines.lineNumber() - 1));
   }
   return damaged(TRANSLATE_NOOP("problem", "The PLY header is damaged: it has no end."));

@@ -16,11 +16,12 @@ Sentence whyNone(const helper::Answer& answer, const helper::Errand& errand) {
   using helper::Ending;
   switch (answer.ending) {
     case Ending::Exited:
-      return answer.code == 0 ? Sentence()
-                              : said(TRANSLATE_NOOP("problem", "The file cannot be read: its reader ended with %1."),
-                                     {std::to_string(answer.code)});
+      return answer.code == 0
+                 ? Sentence()
+                 : said(TRANSLATE_NOOP("problem", "The file cannot be read: the reader program exited with %1."),
+                        {std::to_string(answer.code)});
     case Ending::Crashed:
-      return said(TRANSLATE_NOOP("problem", "The file is damaged: its reader broke off (signal %1)."),
+      return said(TRANSLATE_NOOP("problem", "The file is damaged: the reader program crashed (signal %1)."),
                   {std::to_string(answer.code)});
     case Ending::TookTooLong:
       return said(TRANSLATE_NOOP("problem",
@@ -31,7 +32,7 @@ Sentence whyNone(const helper::Answer& answer, const helper::Errand& errand) {
       return helper::whyWaited(errand.most_time_s);
     case Ending::WroteTooMuch:
       return said(
-          TRANSLATE_NOOP("problem", "The file is damaged: it gives more faces than a file of its size can hold."));
+          TRANSLATE_NOOP("problem", "The file is damaged: it declares more faces than a file of its size can hold."));
     case Ending::Cancelled:
       return kCancelled;
     case Ending::NotStarted:
@@ -47,8 +48,8 @@ Result<Raw> readFile(const Input& input, const Watch& watch) {
   const auto problem = [&](const Sentence& sentence) { return Problems{{sentence, {input.path()}}}; };
   const Result<std::string> reader = system::findProgram(kReader, "UNDERACT_MESH_READER");
   if (!reader)
-    return problem(oneAfterAnother({reader.problems().front().sentence,
-                                    said(TRANSLATE_NOOP("problem", "It reads meshes: install Underact again."))}));
+    return problem(oneAfterAnother(
+        {reader.problems().front().sentence, said(TRANSLATE_NOOP("problem", "It reads meshes: reinstall Underact."))}));
   helper::Errand errand;
   errand.program = reader.value();
   errand.argument = wordOf(input.format());
@@ -64,10 +65,11 @@ Result<Raw> readFile(const Input& input, const Watch& watch) {
   if (!why.empty()) return problem(why);
   std::optional<Message> message = readMessage(answer.output);
   if (!message)
-    return problem(said(TRANSLATE_NOOP("problem", "The file is damaged: what its reader made of it is no mesh.")));
+    return problem(
+        said(TRANSLATE_NOOP("problem", "The file is damaged: the reader program could not make a mesh of it.")));
   if (!message->problem.empty()) return problem(message->problem);
   if (input.hasChanged())
-    return problem(said(TRANSLATE_NOOP("problem", "The file was written while it was read. Open it again.")));
+    return problem(said(TRANSLATE_NOOP("problem", "The file changed while it was being read. Open it again.")));
   message->raw.cpu_s = answer.cpu_s;
   return std::move(message->raw);
 }

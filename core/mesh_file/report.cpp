@@ -39,65 +39,69 @@ void addLeftOut(const Facts& facts, std::vector<Sentence>& report) {
   const auto leftOut = [&report](std::int64_t count, const char* one, const char* more) {
     if (count > 0) report.push_back(counted(count, one, more));
   };
-  leftOut(facts.not_finite, TRANSLATE_NOOP("problem", "%1 face was left out: a corner of it is not a finite point."),
-          TRANSLATE_NOOP("problem", "%1 faces were left out: they have corners that are not finite points."));
+  leftOut(facts.not_finite,
+          TRANSLATE_NOOP("problem", "%1 face was left out: one of its vertices is not a finite point."),
+          TRANSLATE_NOOP("problem", "%1 faces were left out: they have vertices that are not finite points."));
   leftOut(facts.out_of_range,
-          TRANSLATE_NOOP("problem", "%1 face was left out: it names a corner that the file does not hold."),
-          TRANSLATE_NOOP("problem", "%1 faces were left out: they name corners that the file does not hold."));
+          TRANSLATE_NOOP("problem", "%1 face was left out: it refers to a vertex that is not in the file."),
+          TRANSLATE_NOOP("problem", "%1 faces were left out: they refer to vertices that are not in the file."));
   leftOut(facts.without_extent, TRANSLATE_NOOP("problem", "%1 face was left out: it has no extent."),
           TRANSLATE_NOOP("problem", "%1 faces were left out: they have no extent."));
-  leftOut(facts.duplicates, TRANSLATE_NOOP("problem", "%1 face was left out: it is there twice."),
-          TRANSLATE_NOOP("problem", "%1 faces were left out: they are there more than once."));
+  leftOut(facts.duplicates, TRANSLATE_NOOP("problem", "%1 face was left out: it is a duplicate."),
+          TRANSLATE_NOOP("problem", "%1 faces were left out: they are duplicates."));
 }
 
 void addRepaired(const Facts& facts, double mm_per_unit, std::vector<Sentence>& report) {
   if (facts.welded > 0) {
     report.push_back(counted(
-        facts.welded, TRANSLATE_NOOP("problem", "%1 corner was joined to others at the same place, or nearer than %2."),
-        TRANSLATE_NOOP("problem", "%1 corners were joined to others at the same place, or nearer than %2."),
+        facts.welded,
+        TRANSLATE_NOOP("problem", "%1 vertex was merged with others at the same position, or nearer than %2."),
+        TRANSLATE_NOOP("problem", "%1 vertices were merged with others at the same position, or nearer than %2."),
         lengthText(facts.weld_tolerance, mm_per_unit)));
   }
   if (facts.turned > 0) {
     report.push_back(counted(
         facts.turned,
-        TRANSLATE_NOOP("problem", "%1 face was turned over, so that neighbours agree on which side is outside."),
-        TRANSLATE_NOOP("problem", "%1 faces were turned over, so that neighbours agree on which side is outside.")));
+        TRANSLATE_NOOP("problem", "%1 face was turned over so that neighbours agree on which side is outside."),
+        TRANSLATE_NOOP("problem", "%1 faces were turned over so that neighbours agree on which side is outside.")));
   }
   if (2 * facts.normals_against > facts.normals) {
-    report.push_back(said(TRANSLATE_NOOP(
-        "problem",
-        "Most normals in the file point against the order of the corners. The order counts here, and the normals do "
-        "not: if outside and inside feel exchanged, save the mesh with its faces turned over.")));
+    report.push_back(
+        said(TRANSLATE_NOOP("problem",
+                            "Most normals in the file point against the order of the vertices. Only the order counts "
+                            "here: if outside and inside feel swapped, save the mesh with its faces turned over.")));
   }
 }
 
 Sentence partsOf(const Facts& facts) {
   const std::string parts = std::to_string(facts.parts);
   if (facts.nested_parts == 0)
-    return said(TRANSLATE_NOOP("problem", "The mesh is in %1 parts that do not hang together."), {parts});
-  return said(TRANSLATE_NOOP("problem",
-                             "The mesh is in %1 parts that do not hang together, %2 of them within others: a hollow "
-                             "is felt from within."),
-              {parts, std::to_string(facts.nested_parts)});
+    return said(TRANSLATE_NOOP("problem", "The mesh consists of %1 separate parts."), {parts});
+  return said(
+      TRANSLATE_NOOP("problem",
+                     "The mesh consists of %1 separate parts, %2 of them inside others: a hollow is felt from inside."),
+      {parts, std::to_string(facts.nested_parts)});
 }
 
 Sentence crossingsOf(const Facts& facts) {
   if (facts.crossings_checked == 0) {
-    return counted(facts.crossings,
-                   TRANSLATE_NOOP("problem",
-                                  "The surface goes through itself, at least %1 pair of faces. Near there, outside "
-                                  "and inside may be wrong."),
-                   TRANSLATE_NOOP("problem",
-                                  "The surface goes through itself, at least %1 pairs of faces. Near there, outside "
-                                  "and inside may be wrong."));
+    return counted(
+        facts.crossings,
+        TRANSLATE_NOOP(
+            "problem",
+            "The surface intersects itself, at %1 pair of faces or more. Near there, outside and inside may be wrong."),
+        TRANSLATE_NOOP("problem",
+                       "The surface intersects itself, at %1 pairs of faces or more. Near there, outside and inside "
+                       "may be wrong."));
   }
-  return counted(facts.crossings,
-                 TRANSLATE_NOOP("problem",
-                                "The surface goes through itself, at %1 pair of faces. Near there, outside and "
-                                "inside may be wrong."),
-                 TRANSLATE_NOOP("problem",
-                                "The surface goes through itself, at %1 pairs of faces. Near there, outside and "
-                                "inside may be wrong."));
+  return counted(
+      facts.crossings,
+      TRANSLATE_NOOP(
+          "problem",
+          "The surface intersects itself, at %1 pair of faces. Near there, outside and inside may be wrong."),
+      TRANSLATE_NOOP(
+          "problem",
+          "The surface intersects itself, at %1 pairs of faces. Near there, outside and inside may be wrong."));
 }
 
 void addWhatIsLeft(const Facts& facts, double mm_per_unit, std::vector<Sentence>& report) {
@@ -105,10 +109,9 @@ void addWhatIsLeft(const Facts& facts, double mm_per_unit, std::vector<Sentence>
   if (facts.borders > 0) {
     report.push_back(counted(
         facts.borders,
+        TRANSLATE_NOOP("problem", "The surface is open: %1 border, %2 long. The stylus can pass through the hole."),
         TRANSLATE_NOOP("problem",
-                       "The surface is open: %1 border, the longest %2 around. The stylus can go through a hole."),
-        TRANSLATE_NOOP("problem",
-                       "The surface is open: %1 borders, the longest %2 around. The stylus can go through a hole."),
+                       "The surface is open: %1 borders, the longest %2 long. The stylus can pass through a hole."),
         lengthText(facts.longest_border, mm_per_unit)));
   }
   if (facts.crowded_edges > 0) {
@@ -116,28 +119,25 @@ void addWhatIsLeft(const Facts& facts, double mm_per_unit, std::vector<Sentence>
                              TRANSLATE_NOOP("problem", "%1 edges have more than two faces.")));
   }
   if (facts.clashing_edges > 0) {
-    report.push_back(
-        counted(facts.clashing_edges,
-                TRANSLATE_NOOP("problem",
-                               "The surface has no outside: at %1 edge its faces cannot agree, as on a strip that is "
-                               "twisted once."),
-                TRANSLATE_NOOP("problem",
-                               "The surface has no outside: at %1 edges its faces cannot agree, as on a strip that is "
-                               "twisted once.")));
+    report.push_back(counted(
+        facts.clashing_edges,
+        TRANSLATE_NOOP("problem",
+                       "The surface has no outside: at %1 edge its faces cannot agree, as on a Möbius strip."),
+        TRANSLATE_NOOP("problem",
+                       "The surface has no outside: at %1 edges its faces cannot agree, as on a Möbius strip.")));
   }
   if (facts.crossings > 0) {
     report.push_back(crossingsOf(facts));
   } else if (facts.crossings_checked == 0 && facts.faces > 0) {
-    report.push_back(said(
-        TRANSLATE_NOOP("problem",
-                       "Whether the surface goes through itself was not looked for, or not to the end: it has too many "
-                       "faces, or too many near each other.")));
+    report.push_back(said(TRANSLATE_NOOP("problem",
+                                         "The check for self-intersection was left out or not completed: there are too "
+                                         "many faces, or too many near each other.")));
   }
   if (facts.flat_faces > 0) {
-    report.push_back(
-        counted(facts.flat_faces,
-                TRANSLATE_NOOP("problem", "%1 face is as narrow as a line. They stay, since they close seams."),
-                TRANSLATE_NOOP("problem", "%1 faces are as narrow as a line. They stay, since they close seams.")));
+    report.push_back(counted(
+        facts.flat_faces,
+        TRANSLATE_NOOP("problem", "%1 face is as narrow as a line. It is kept because such faces close seams."),
+        TRANSLATE_NOOP("problem", "%1 faces are as narrow as a line. They are kept because such faces close seams.")));
   }
 }
 
@@ -146,9 +146,9 @@ constexpr double kThin_mm = 1.0;
 
 void addWhatItMeans(const Facts& facts, double mm_per_unit, std::vector<Sentence>& report) {
   if (facts.thinnest > 0.0 && facts.thinnest * mm_per_unit < kThin_mm) {
-    report.push_back(
-        said(TRANSLATE_NOOP("problem", "A part of it is thin, %1 in the mean: the stylus may be pushed through it."),
-             {lengthText(facts.thinnest, mm_per_unit)}));
+    report.push_back(said(
+        TRANSLATE_NOOP("problem", "Part of it is thin, %1 on average: you may be able to push the stylus through."),
+        {lengthText(facts.thinnest, mm_per_unit)}));
   }
   report.push_back(
       allowsWalls(facts)
@@ -165,10 +165,10 @@ bool allowsWalls(const Facts& facts) {
 
 Sentence whyNoWalls(const Facts& facts) {
   if (facts.faces == 0) return said(TRANSLATE_NOOP("problem", "it has no faces"));
-  if (facts.border_edges > 0) return said(TRANSLATE_NOOP("problem", "it is open, so that it has no inside"));
+  if (facts.border_edges > 0) return said(TRANSLATE_NOOP("problem", "it is open, so it has no inside"));
   if (facts.clashing_edges > 0) return said(TRANSLATE_NOOP("problem", "its faces cannot agree on an outside"));
   if (facts.crowded_edges > 0)
-    return said(TRANSLATE_NOOP("problem", "edges with more than two faces leave open what is inside"));
+    return said(TRANSLATE_NOOP("problem", "edges with more than two faces leave the inside undefined"));
   return {};
 }
 
@@ -177,7 +177,7 @@ std::vector<Sentence> reportOf(const Facts& facts, double mm_per_unit) {
   addLeftOut(facts, report);
   addRepaired(facts, mm_per_unit, report);
   if (facts.faces == 0) {
-    report.push_back(said(TRANSLATE_NOOP("problem", "No face is left: there is nothing to feel.")));
+    report.push_back(said(TRANSLATE_NOOP("problem", "No face is left, so there is nothing to feel.")));
     return report;
   }
   addWhatIsLeft(facts, mm_per_unit, report);
@@ -189,7 +189,7 @@ std::optional<Proposal> implausible(double largest_mm) {
   if (!(largest_mm > 0.0) || !std::isfinite(largest_mm)) return {};
   if (largest_mm >= kSmallest_mm && largest_mm <= kLargest_mm) return {};
   Proposal proposal;
-  proposal.sentence = said(TRANSLATE_NOOP("problem", "The mesh would be %1 mm long as millimetres."),
+  proposal.sentence = said(TRANSLATE_NOOP("problem", "Read as millimetres, the mesh is %1 mm long."),
                            {shownNumber(figure(largest_mm))});
   constexpr std::array<Unit, 4> kUnits{{{TRANSLATE_NOOP("problem", "metres"), 1000.0, 0.0},
                                         {TRANSLATE_NOOP("problem", "centimetres"), 10.0, 0.0},
@@ -207,7 +207,7 @@ std::optional<Proposal> implausible(double largest_mm) {
     proposal.sentence = oneAfterAnother(
         {proposal.sentence,
          said(largest_mm < kSmallest_mm
-                  ? TRANSLATE_NOOP("problem", "That is too small to be felt: state a larger scale.")
+                  ? TRANSLATE_NOOP("problem", "That is too small to feel: state a larger scale.")
                   : TRANSLATE_NOOP("problem", "That is far beyond the arm's reach: state a smaller scale."))});
   }
   return proposal;

@@ -26,7 +26,7 @@ struct Unit {
 
 /// What to ask about the unit of a file.
 struct Proposal {
-  Sentence sentence;        // "The mesh would be 0.12 mm long as millimetres. In metres it would be 120 mm."
+  Sentence sentence;        // "Read as millimetres, the mesh is 0.12 mm long. In metres it would be 120 mm."
   std::vector<Unit> units;  // those that make it a plausible size, the likeliest first; may be empty
 };
 

@@ -63,7 +63,7 @@ Result<CsvWriter> CsvWriter::into(system::Descriptor made, const std::string& pa
   std::FILE* const file = system::streamOf(std::move(made));
   if (file == nullptr)
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "The recording cannot be made: %1."), {std::strerror(errno)}), {path}}};
+        {said(TRANSLATE_NOOP("problem", "The recording cannot be started: %1."), {std::strerror(errno)}), {path}}};
   CsvWriter writer(file, path);
   writer.write(header());
   return writer;
@@ -85,7 +85,7 @@ Problems CsvWriter::close() {
   if (std::fflush(file_.get()) != 0 && error_ == 0) error_ = errno;
   if (std::fclose(file_.release()) != 0 && error_ == 0) error_ = errno;
   if (error_ == 0) return {};
-  return {{said(TRANSLATE_NOOP("problem", "The recording is not whole: %1."), {std::strerror(error_)}), {path_}}};
+  return {{said(TRANSLATE_NOOP("problem", "The recording is incomplete: %1."), {std::strerror(error_)}), {path_}}};
 }
 
 CsvExport exportCsv(Session& session, CsvWriter& csv, const std::function<bool(double share)>& goes_on) {

@@ -23,7 +23,7 @@ struct Given {
 };
 
 struct GivenFile {
-  H5FD_t library{};  // what the library keeps of each file comes first
+  H5FD_t library{};  // the library's part of each file comes first
   Given given;
   haddr_t allocated = 0;
 };
@@ -77,7 +77,7 @@ herr_t handleOfGiven(H5FD_t* file, hid_t /*access*/, void** descriptor) {
   return 0;
 }
 
-/// Zeros beyond the end, as the library's own drivers give.
+/// Zeros beyond the end, as the library's own drivers return.
 herr_t readGiven(H5FD_t* file, H5FD_mem_t /*kind*/, hid_t /*transfer*/, haddr_t from, size_t size, void* to) {
   if (from > static_cast<haddr_t>(INT64_MAX) || size > static_cast<haddr_t>(INT64_MAX) - from) return -1;
   const std::span into(static_cast<std::byte*>(to), size);

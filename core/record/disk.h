@@ -34,7 +34,7 @@ class SetAside {
   std::int64_t until_ = 0;  // space is reserved up to this length
 };
 
-std::int64_t sizeOf(const std::string& path);  // 0 where there is none
+std::int64_t sizeOf(const std::string& path);  // 0 if it does not exist
 
 /// The size that an HDF5 file states; 0: it states none.
 std::int64_t statedSize(const std::string& path);

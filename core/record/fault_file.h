@@ -27,7 +27,7 @@ std::string isoTime(std::int64_t unix_time_s);
 /// recording. Numbers read back to the same double; one that is not finite is null.
 std::string faultText(const servo::FaultReport& report, const FaultWords& words);
 
-/// Writes text beside path and renames it over path; its owner alone may read it. Problems: why it cannot be written;
+/// Writes text beside path, then renames over path; only its owner may read it. Problems: why it cannot be written;
 /// then nothing is left behind.
 Problems writeFaultFile(std::string_view text, const std::string& path);
 

@@ -57,14 +57,14 @@ struct ForeignFile::Impl {
 
   Problems problem(Sentence sentence) const { return {{std::move(sentence), {input->path()}}}; }
   Problems unreadable() const {
-    return problem(said(TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
+    return problem(said(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
   }
   /// The reason why there was no answer.
   Problems whySilent(const helper::Bounds& bounds) const {
     using helper::Ending;
     switch (talk.ending()) {
       case Ending::Crashed:
-        return problem(said(TRANSLATE_NOOP("problem", "The file is damaged: its reader broke off (signal %1)."),
+        return problem(said(TRANSLATE_NOOP("problem", "The file is damaged: the reader program crashed (signal %1)."),
                             {std::to_string(talk.code())}));
       case Ending::TookTooLong:
         return problem(said(TRANSLATE_NOOP("problem",
@@ -120,9 +120,8 @@ Result<ForeignFile> ForeignFile::open(std::shared_ptr<const ForeignInput> input,
   impl->at_least = at_least;
   const Result<std::string> program = system::findProgram(kSessionReader, "UNDERACT_SESSION_READER");
   if (!program)
-    return impl->problem(
-        oneAfterAnother({program.problems().front().sentence,
-                         said(TRANSLATE_NOOP("problem", "It reads sessions: install Underact again."))}));
+    return impl->problem(oneAfterAnother({program.problems().front().sentence,
+                                          said(TRANSLATE_NOOP("problem", "It reads sessions: reinstall Underact."))}));
   impl->talk = helper::Talk(program.value(), impl->input->fd());
   const Problems problems = impl->look(Asks::Open);
   if (!problems.empty()) return problems;

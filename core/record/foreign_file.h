@@ -46,7 +46,7 @@ class ForeignFile {
   ForeignFile& operator=(ForeignFile&&) noexcept;
   ~ForeignFile();
 
-  // As those of Hdf5File.
+  // As in Hdf5File.
   std::int64_t rows(std::size_t table) const;
   std::int64_t blockRows(std::size_t table) const;
   Result<std::vector<Block>> read(std::size_t table, std::int64_t first, std::int64_t count);

@@ -11,10 +11,10 @@ namespace {
 Problems whyNotOpened(const std::string& path, int error) {
   if (error == ENOENT || error == ENOTDIR) return {{said(TRANSLATE_NOOP("problem", "There is no such file.")), {path}}};
   if (error == ELOOP)
-    return {{said(TRANSLATE_NOOP("problem",
-                                 "This is a link to another file, which would be changed in its place. Give that "
-                                 "file's own name.")),
-             {path}}};
+    return {
+        {said(TRANSLATE_NOOP(
+             "problem", "This is a link to another file, which would be changed instead. Give the name of that file.")),
+         {path}}};
   return {{said(TRANSLATE_NOOP("problem", "The file cannot be opened: %1."), {std::generic_category().message(error)}),
            {path}}};
 }
@@ -28,7 +28,7 @@ Result<ForeignInput> ForeignInput::open(const std::string& path, bool follows) {
   if (file->kind == system::Kind::Folder)
     return Problems{{said(TRANSLATE_NOOP("problem", "This is a folder, not a session.")), {path}}};
   if (file->kind != system::Kind::File)
-    return Problems{{said(TRANSLATE_NOOP("problem", "This is no file that holds a session.")), {path}}};
+    return Problems{{said(TRANSLATE_NOOP("problem", "This is not a session file.")), {path}}};
   if (!system::lock(opened.number(), system::Lock::Shared))
     return Problems{
         {said(TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")), {path}}};

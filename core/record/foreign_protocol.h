@@ -18,11 +18,11 @@ enum class Asks : std::uint8_t { Open, Refresh, Read, Text, Integer, Real };
 /// One question, as it is sent.
 struct Question {
   Asks what = Asks::Open;
-  std::array<char, 31> name{};        // of an attribute, filled up with zeros
+  std::array<char, 31> name{};        // of an attribute, padded with zeros
   std::uint64_t table = 0;            // Read
   std::int64_t first = 0, count = 0;  // Read: blocks
   std::int64_t at_least = 0;          // Open: see accessThrough()
-  std::int64_t fallback = 0;          // Integer: where it is not there
+  std::int64_t fallback = 0;          // Integer: if it is missing
   double real_fallback = 0.0;         // Real
 };
 static_assert(std::is_trivially_copyable_v<Question> && sizeof(Question) == 80);

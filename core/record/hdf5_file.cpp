@@ -60,7 +60,7 @@ struct Hdf5File::Impl {
   std::vector<OpenTable> tables;
   bool writes = false, failed = false, full = false, elsewhere = false;
   SetAside set_aside;
-  std::int64_t unflushed_bytes = 0;  // the library holds them in memory, and the file's size does not show them yet
+  std::int64_t unflushed_bytes = 0;  // in the library's memory, not yet in the size of the file
   Problems failure;                  // the first
 
   /// Remembers a failure. pattern: with a placeholder for the reason.
@@ -90,11 +90,11 @@ struct Hdf5File::Impl {
       const Id group(isOwn(file, name) ? H5Gopen2(file, name.c_str(), H5P_DEFAULT) : -1, H5Gclose);
       if (!group.isGood())
         return problemAt(
-            path, said(TRANSLATE_NOOP("problem", "This is no whole session: there is no table \"%1\" in it."), {name}));
+            path, said(TRANSLATE_NOOP("problem", "This session is incomplete: it has no table \"%1\"."), {name}));
       std::optional<OpenTable> table = openTable(group, wanted, writes, bytes());
       if (!table)
         return problemAt(
-            path, said(TRANSLATE_NOOP("problem", "This is no whole session: the table \"%1\" is damaged."), {name}));
+            path, said(TRANSLATE_NOOP("problem", "This session is incomplete: the table \"%1\" is damaged."), {name}));
       tables.push_back(std::move(*table));
     }
     return {};
@@ -112,12 +112,10 @@ struct Hdf5File::Impl {
   Problems whyNoSession(std::int64_t there, std::int64_t stated) const {
     if (there < stated)
       return problemAt(
-          path,
-          said(TRANSLATE_NOOP("problem",
-                              "This file is cut off: %1 of %2 bytes are there. Copy it again from where it came."),
-               {std::to_string(there), std::to_string(stated)}));
-    return problemAt(path,
-                     said(TRANSLATE_NOOP("problem", "This is no session, or one that is damaged at its beginning.")));
+          path, said(TRANSLATE_NOOP("problem",
+                                    "This file is truncated: it has %1 of %2 bytes. Copy it again from where it came."),
+                     {std::to_string(there), std::to_string(stated)}));
+    return problemAt(path, said(TRANSLATE_NOOP("problem", "This is not a session, or its beginning is damaged.")));
   }
 };
 
@@ -140,9 +138,9 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
     return problemAt(
         path, said(TRANSLATE_NOOP("problem", "Another program is recording into this file. Give another name.")));
   const system::Descriptor made = system::makeNew(path, existing);  // the library would let others read it
-  if (!made.isOpen()) return impl->fail(TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
-  // The library holds a lock until readers may follow, takes it once more just then, and cannot close the file where
-  // somebody else, as a list of the folder, got it in between. Others are told by our own.
+  if (!made.isOpen()) return impl->fail(TRANSLATE_NOOP("problem", "The recording cannot be started: %1."));
+  // The library holds a lock until readers may follow, takes it once more just then, and cannot close the file if
+  // another program, such as a file manager, got it in between. Our own lock informs the others.
   const Id access = accessList(false);
   impl->file = Id(H5Fcreate(system::nameOf(made.number(), path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
   bool good = impl->file.isGood();
@@ -154,7 +152,7 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
   }
   good = good && H5Fstart_swmr_write(impl->file) >= 0;
   if (!good) {
-    Problems problems = impl->fail(TRANSLATE_NOOP("problem", "The recording cannot be made: %1."));
+    Problems problems = impl->fail(TRANSLATE_NOOP("problem", "The recording cannot be started: %1."));
     std::error_code ignored;
     std::filesystem::remove(path, ignored);  // it is empty, and would be in the way of the next attempt
     return problems;
@@ -208,10 +206,11 @@ Result<Hdf5File> Hdf5File::reopen(const std::string& path, std::span<const Table
     return impl->fail(TRANSLATE_NOOP("problem", "The file cannot be opened for writing: %1."));
   }
   if (fd >= 0 && !system::areTheSame(system::statusOf(fd), system::statusOf(impl->descriptor())))
-    return problemAt(path, said(TRANSLATE_NOOP("problem",
-                                               "Another file was put in this one's place meanwhile: nothing was "
-                                               "changed. Try again.")));
-  // The file of a killed writer is longer than it states; appending must not overwrite its end.
+    return problemAt(
+        path,
+        said(TRANSLATE_NOOP(
+            "problem", "Another file has taken this one's place in the meantime, so nothing was changed. Try again.")));
+  // A killed writer's file is longer than it states; new data must not be written over its end.
   if (killed && H5Fincrement_filesize(impl->file, 0) < 0)
     return impl->fail(TRANSLATE_NOOP("problem", "The file cannot be opened for writing: %1."));
   Problems problems = impl->openTables(tables);
@@ -225,9 +224,10 @@ Problems Hdf5File::append(std::size_t table, const Block& block) {
   impl_->unflushed_bytes += static_cast<std::int64_t>(block.bytes.size());
   impl_->full = impl_->full || !impl_->set_aside.forMore(impl_->unflushed_bytes, impl_->descriptor());
   if (impl_->full)
-    return problemAt(impl_->path, said(TRANSLATE_NOOP("problem",
-                                                      "The disk is full: the recording was stopped and is whole. "
-                                                      "Free some space, or record into another folder.")));
+    return problemAt(impl_->path,
+                     said(TRANSLATE_NOOP("problem",
+                                         "The disk is full: the recording was stopped, and everything up to then was "
+                                         "saved. Free some space, or record into another folder.")));
   return appendLast(table, block);
 }
 
@@ -259,7 +259,7 @@ Problems Hdf5File::cut(std::size_t table, std::int64_t rows) {
   errno = 0;
   return cutTo(impl_->tables[table], rows)
              ? Problems{}
-             : impl_->fail(TRANSLATE_NOOP("problem", "The file could not be cut to what is whole: %1."));
+             : impl_->fail(TRANSLATE_NOOP("problem", "The file could not be trimmed to its intact part: %1."));
 }
 
 Problems Hdf5File::set(const Attribute& attribute) {
@@ -268,7 +268,7 @@ Problems Hdf5File::set(const Attribute& attribute) {
   if (H5Aexists(impl_->file, attribute.name.c_str()) > 0) H5Adelete(impl_->file, attribute.name.c_str());
   return writeAttribute(impl_->file, attribute)
              ? Problems{}
-             : impl_->fail(TRANSLATE_NOOP("problem", "The file takes no change: %1."));
+             : impl_->fail(TRANSLATE_NOOP("problem", "The file cannot be changed: %1."));
 }
 
 Problems Hdf5File::close() {
@@ -280,7 +280,7 @@ Problems Hdf5File::close() {
   good = impl_->file.close() && good;
   impl_->set_aside.giveBack(impl_->opened);
   if (good || !impl_->writes || impl_->failed) return {};
-  return impl_->fail(TRANSLATE_NOOP("problem", "The recording is not whole: %1."));
+  return impl_->fail(TRANSLATE_NOOP("problem", "The recording is incomplete: %1."));
 }
 
 std::int64_t Hdf5File::rows(std::size_t table) {
@@ -299,7 +299,7 @@ Result<std::vector<Block>> Hdf5File::read(std::size_t table, std::int64_t first,
   if (end <= begin) return std::vector<Block>{};
   std::optional<std::vector<Block>> blocks = readBlocks(open, begin, end);
   if (!blocks)
-    return problemAt(impl_->path, said(TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
+    return problemAt(impl_->path, said(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
   return std::move(*blocks);
 }
 

@@ -23,12 +23,12 @@ class Hdf5File {
   Hdf5File(Hdf5File&&) noexcept;
   Hdf5File& operator=(Hdf5File&&) noexcept;
 
-  /// A new file that its owner alone may read and write; from then on readers may follow it. Problems: those of
-  /// checkNew(); it cannot be made.
+  /// A new file that only its owner may read and write; from then on readers may follow it. Problems: those of
+  /// checkNew(); it cannot be created.
   static Result<Hdf5File> create(const std::string& path, std::span<const Attribute> attributes,
                                  std::span<const Table> tables, system::Existing existing = system::Existing::Refuse);
-  /// For reading, also while another program writes it or after that one was killed. tables: those that must be there
-  /// with just these columns; their block_rows are read from the file. Problems: no such file, not HDF5, damaged.
+  /// For reading, even while another program writes it or after that program was killed. tables: those that must exist
+  /// with exactly these columns; their block_rows are read from the file. Problems: no such file, not HDF5, damaged.
   static Result<Hdf5File> open(const std::string& path, std::span<const Table> tables);
   /// The same for a file that is open at a descriptor, which outlives this object; no other file is opened, whatever
   /// the file refers to. at_least: see accessThrough().
@@ -58,9 +58,9 @@ class Hdf5File {
   std::int64_t rows(std::size_t table);
   /// Rows of a block of that table, as its file has them. table: an index of the tables it was opened with.
   std::int64_t blockRows(std::size_t table) const;
-  /// Reader: whole blocks, from first on, at most count; a damaged one has no bytes. Problems: the file cannot be read.
+  /// Reader: whole blocks from first on, at most count; a damaged one has no bytes. Problems: the file cannot be read.
   Result<std::vector<Block>> read(std::size_t table, std::int64_t first, std::int64_t count);
-  /// Reader: sees what was written since.
+  /// Reader: takes in what was written since.
   void refresh();
   /// Reader: a text attribute; empty where it is missing or of another type.
   std::string text(std::string_view attribute) const;

@@ -49,7 +49,7 @@ class Id {
 /// Switches off the library's own error output. It is a setting of each thread, so each entry point calls this.
 void quiet();
 
-/// An attribute of a file: words or a number.
+/// An attribute of a file: text or a number.
 struct Attribute {
   std::string name;
   std::variant<std::string, std::int64_t, double> value;
@@ -61,7 +61,7 @@ bool isOwn(Handle group, std::string_view name);
 /// A new attribute of the object. false: the library refused.
 bool writeAttribute(Handle object, const Attribute& attribute);
 
-// None where it is not there, of another kind, or a text of more than a mebibyte.
+// None if it is missing, of another kind, or a text of more than a mebibyte.
 std::optional<std::string> textAttribute(Handle object, std::string_view name);
 std::optional<std::int64_t> integerAttribute(Handle object, std::string_view name);
 std::optional<double> realAttribute(Handle object, std::string_view name);

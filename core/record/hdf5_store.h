@@ -22,7 +22,7 @@ Store createStore(Handle group, const Column& column, std::uint64_t chunk_rows);
 /// A dataset as createStore() makes it, with chunks of so many rows; not good where it differs in any way: another
 /// type, a link, another filter, the layout of another program, data in another file.
 Store openStore(Handle group, const Column& column, std::uint64_t chunk_rows);
-std::uint64_t rowsOf(const Store& store);  // 0 where it does not say
+std::uint64_t rowsOf(const Store& store);  // 0 if it does not say
 
 // false: the library refused, for a full disk or a damaged file.
 bool resize(const Store& store, std::uint64_t rows);

@@ -17,7 +17,7 @@ struct OpenTable {
   bool is_packed = false;  // see Store
 };
 
-/// A new one; none: the library refused.
+/// A new table; none: the library refused.
 std::optional<OpenTable> createTable(Handle file, const Table& wanted);
 /// A table as createTable() makes it. None: it differs, states more rows than file_bytes bytes can hold, or is packed
 /// and opened for writing.

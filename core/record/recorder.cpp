@@ -106,10 +106,7 @@ struct Recorder::Impl {
     std::error_code error;
     const auto size = static_cast<double>(std::filesystem::file_size(path, error));
     if (error)
-      return note(
-          {{said(TRANSLATE_NOOP("problem",
-                                "The recording's file is gone: somebody moved or deleted it. The recording stopped.")),
-            {path}}});
+      return note({{said(TRANSLATE_NOOP("problem", "The recording stopped: its file was moved or deleted.")), {path}}});
     const std::filesystem::path folder = std::filesystem::absolute(path, error).parent_path();
     const std::filesystem::space_info space = std::filesystem::space(folder, error);
     if (error) return;
@@ -123,8 +120,8 @@ struct Recorder::Impl {
     if (left > 0.0) return;
     disk_full = true;
     note({{said(TRANSLATE_NOOP("problem",
-                               "The disk is nearly full: the recording was stopped and is whole. Free some space, "
-                               "or record into another folder.")),
+                               "The disk is nearly full: the recording was stopped, and everything up to then was "
+                               "saved. Free some space, or record into another folder.")),
            {path}}});
   }
 
@@ -132,7 +129,7 @@ struct Recorder::Impl {
     bool in_order = problems.empty() || disk_full;
     const EndReason reason = disk_full ? EndReason::DiskFull : wished_reason.load();
     if (in_order && !begun)
-      note({{said(TRANSLATE_NOOP("problem", "The servo did not tick: there is nothing in the recording.")), {path}}});
+      note({{said(TRANSLATE_NOOP("problem", "The servo did not tick, so the recording is empty.")), {path}}});
     if (in_order) {
       const Problems at_end = writer.end({0, tap->dropped(), unixNow_ns(), reason});
       if (!at_end.empty()) problems = at_end;  // whatever was reported before, the end is missing
@@ -143,8 +140,7 @@ struct Recorder::Impl {
       const Result<std::int64_t> whole = makeWhole(path);
       Sentence& sentence = problems.front().sentence;
       if (whole)
-        sentence =
-            oneAfterAnother({sentence, said(TRANSLATE_NOOP("problem", "What was written until then is whole."))});
+        sentence = oneAfterAnother({sentence, said(TRANSLATE_NOOP("problem", "Everything up to then was saved."))});
     }
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);

@@ -11,10 +11,10 @@ namespace underact::record {
 
 /// When a recording ends by itself, and how its file is written.
 struct RecorderOptions {
-  std::int64_t most_ticks = 0;                           // no more than these; 0: until stop()
+  std::int64_t most_ticks = 0;                           // at most; 0: until stop()
   std::int64_t reserve_bytes = 64LL << 20;               // with less left on the disk the recording ends in order
   double block_s = kBlock_s;                             // kShortestBlock_s to kLongestBlock_s
-  system::Existing existing = system::Existing::Refuse;  // a file of that name
+  system::Existing existing = system::Existing::Refuse;  // what to do if a file of that name exists
 };
 
 /// The state of a recording.
@@ -23,9 +23,9 @@ struct RecorderStatus {
   std::int64_t ticks = 0;
   double duration_s = 0.0;
   std::int64_t bytes = 0;    // of the file
-  std::int64_t dropped = 0;  // ticks that found no room
+  std::int64_t dropped = 0;  // ticks for which there was no space
   std::int64_t disk_left_bytes = 0;
-  double disk_left_s = 0.0;  // at the pace of this recording, until it ends by itself; 0: not known yet
+  double disk_left_s = 0.0;  // at the present rate, until it ends by itself; 0: not known yet
   Problems problems;         // why it ended by itself
 };
 
@@ -33,7 +33,7 @@ struct RecorderStatus {
 /// while it grows; if the program is killed, at most the last 0.25 s are missing.
 class Recorder {
  public:
-  /// Begins with the next tick. The host must outlive the recorder. Problems: the file cannot be made.
+  /// Begins with the next tick. The host must outlive the recorder. Problems: the file cannot be created.
   static Result<std::unique_ptr<Recorder>> start(servo::Host& host, const std::string& path, const SessionWords& words,
                                                  const RecorderOptions& options = {});
   ~Recorder();  // as stop(), if that was not called

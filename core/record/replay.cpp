@@ -14,7 +14,7 @@ namespace {
 
 Result<tick::TickProgram> programOf(scene::Description scene, const SessionHeader& header,
                                     const std::vector<std::string>& files_in) {
-  tick::TickProgram bare;  // of a servo that was given no scene yet
+  tick::TickProgram bare;  // of a servo without a scene
   bare.geometry = arm::findPreset(arm::kDefaultArm)->geometry;
   if (scene.constraints.empty()) return bare;
   Problems problems = scene::loadRecordedMeshes(scene, files_in);
@@ -100,8 +100,7 @@ class Verification {
   void stopAt(const Gap& gap) {
     if (!result_.unknown.empty()) return;
     result_.unknown = said(
-        TRANSLATE_NOOP("problem",
-                       "The file is damaged from row %1 on, for %2 ticks; what comes after them cannot be replayed."),
+        TRANSLATE_NOOP("problem", "The file is damaged from row %1 on, for %2 ticks; what follows cannot be replayed."),
         {std::to_string(gap.first_row + 1), std::to_string(gap.rows)});
   }
   bool isDecided() const { return !result_.unknown.empty() || result_.differs || !problems_.empty(); }
@@ -115,9 +114,9 @@ class Verification {
       // A file may hold any two numbers, so the difference is computed without overflow.
       const auto missing = static_cast<std::int64_t>(static_cast<std::uint64_t>(record.tick) -
                                                      static_cast<std::uint64_t>(*last_tick_) - 1);
-      result_.unknown = said(
-          TRANSLATE_NOOP("problem", "%1 ticks are missing after tick %2; what comes after them cannot be replayed."),
-          {std::to_string(missing), std::to_string(*last_tick_)});
+      result_.unknown =
+          said(TRANSLATE_NOOP("problem", "%1 ticks are missing after tick %2; what follows cannot be replayed."),
+               {std::to_string(missing), std::to_string(*last_tick_)});
     }
     last_tick_ = record.tick;
     return next;
@@ -194,7 +193,7 @@ Result<Verified> verifyReplay(Session& session, const std::function<bool(double)
   if (!verification.problems().empty()) return verification.problems();
   Verified result = verification.result();
   if (!goes_on && result.unknown.empty() && !result.differs)
-    result.unknown = said(TRANSLATE_NOOP("problem", "It was stopped."));
+    result.unknown = said(TRANSLATE_NOOP("problem", "It was cancelled."));
   return result;
 }
 

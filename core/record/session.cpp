@@ -13,7 +13,7 @@
 namespace underact::record {
 namespace {
 
-constexpr std::int64_t kBytesAtOnce = 8LL << 20;  // one block at least
+constexpr std::int64_t kBytesAtOnce = 8LL << 20;  // at least one block
 constexpr std::int64_t kBlocksAtOnce = 64;
 constexpr std::int64_t kRowsAtOnce = 4096;          // of a small table
 constexpr std::int64_t kMostSmallRows = 1LL << 20;  // of a small table
@@ -71,10 +71,10 @@ Result<Session> Session::open(std::shared_ptr<const ForeignInput> input, std::in
 Problems Session::readInfo(const std::string& path) {
   const std::int64_t version = file_.integer("underact_session", 0);
   if (version < 1)
-    return {{said(TRANSLATE_NOOP("problem", "This is an HDF5 file, and no session of Underact.")), {path}}};
+    return {{said(TRANSLATE_NOOP("problem", "This is an HDF5 file, but not a session of Underact.")), {path}}};
   if (version > kSessionVersion)
-    return {{said(TRANSLATE_NOOP("problem",
-                                 "This session was recorded by a newer version of Underact. This one reads layout 1.")),
+    return {{said(TRANSLATE_NOOP(
+                 "problem", "This session was recorded by a newer version of Underact. This version reads layout 1.")),
              {path}}};
   info_.path = path;
   info_.program_version = file_.text("program_version");
@@ -92,7 +92,7 @@ Problems Session::readInfo(const std::string& path) {
   header.max_late = static_cast<int>(std::clamp<std::int64_t>(file_.integer("max_late", 20), 0, kMostLate));
   header.gate_time = file_.text("gate_time") == kServosTime ? GateTime::Servo : GateTime::Arm;
   if (header.rate_hz < 1 || header.rate_hz > 1'000'000)
-    return {{said(TRANSLATE_NOOP("problem", "This session does not say how fast the servo was: the file is damaged.")),
+    return {{said(TRANSLATE_NOOP("problem", "This session does not state the rate of the servo: the file is damaged.")),
              {path}}};
   return {};
 }
@@ -163,12 +163,13 @@ Result<std::vector<std::byte>> Session::bytesOf(TableIndex table, std::int64_t b
     Result<std::vector<Block>> read = file_.read(table, at, blocks);
     if (!read) return read.problems();
     if (!areThere(read.value()))
-      return damagedAt(info_.path, said(TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
+      return damagedAt(info_.path,
+                       said(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
     for (const Block& block : read.value()) bytes.insert(bytes.end(), block.bytes.begin(), block.bytes.end());
   }
   const auto skip = static_cast<std::size_t>(begin - from * block_rows), count = static_cast<std::size_t>(end - begin);
   if (bytes.size() < skip || bytes.size() - skip < count)
-    return damagedAt(info_.path, said(TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
+    return damagedAt(info_.path, said(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
   const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(skip);
   return std::vector<std::byte>(first, first + static_cast<std::ptrdiff_t>(count));
 }
@@ -180,7 +181,7 @@ Result<std::string> Session::words(const Words& words) {
   if (!bytes)
     return damagedAt(
         info_.path,
-        said(TRANSLATE_NOOP("problem", "The words of this session cannot be read: the file is damaged there.")));
+        said(TRANSLATE_NOOP("problem", "The texts of this session cannot be read: the file is damaged there.")));
   return std::string(reinterpret_cast<const char*>(bytes.value().data()), bytes.value().size());
 }
 
@@ -198,9 +199,8 @@ Result<scene::Description> Session::scene(const ChangeRow& change) {
 Result<tick::TickState> Session::start(const tick::TickProgram& program) {
   if (file_.text("start_layout") != stateLayout())
     return Problems{
-        {said(TRANSLATE_NOOP(
-             "problem",
-             "The servo's memory at the beginning was recorded by a version that lays it out in another way.")),
+        {said(TRANSLATE_NOOP("problem",
+                             "The servo's state at the beginning was recorded by a version with a different layout.")),
          {info_.path}}};
   const std::int64_t all = file_.rows(kStart);
   const Result<std::vector<std::byte>> bytes =
@@ -210,7 +210,7 @@ Result<tick::TickState> Session::start(const tick::TickProgram& program) {
         info_.path,
         said(TRANSLATE_NOOP(
             "problem",
-            "The servo's memory at the beginning of this session cannot be read: the file is damaged there.")));
+            "The servo's state at the beginning of this session cannot be read: the file is damaged there.")));
   Result<tick::TickState> state = stateOfBytes(bytes.value(), program);
   if (!state) return damagedAt(info_.path, state.problems().front().sentence);
   return state;
@@ -234,7 +234,8 @@ Problems Session::eachBlock(const std::function<bool(const Block&, std::int64_t)
     for (const Block& block : read.value()) {
       if (block.bytes.empty()) {
         if (++gaps > kMostGaps)
-          return damagedAt(info_.path, said(TRANSLATE_NOOP("problem", "The file is damaged and cannot be read on.")));
+          return damagedAt(info_.path,
+                           said(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
         damaged({row, block.rows});
       } else if (!visit(block, row)) {
         return {};

@@ -21,7 +21,7 @@ struct SessionInfo {
   SessionHeader header;
   std::int64_t ticks = 0;     // rows that can be read
   double duration_s = 0.0;    // from the first sample to the last
-  std::int64_t dropped = 0;   // ticks that the recorder missed; known when the session ended in order
+  std::int64_t dropped = 0;   // ticks that the recorder missed; known if the session ended in order
   std::optional<EndRow> end;  // none: it is being recorded, or was when the program died
   std::int64_t bytes = 0;     // of the file
   Problems damage;            // parts of the small tables that cannot be read
@@ -48,7 +48,7 @@ class Session {
   /// Problems: no such file; not a session; another version of the layout; damaged at its beginning; as
   /// ForeignFile::open().
   static Result<Session> open(const std::string& path);
-  /// The same of a file that is open already. at_least: see accessThrough().
+  /// The same for an open file. at_least: see accessThrough().
   static Result<Session> open(std::shared_ptr<const ForeignInput> input, std::int64_t at_least = 0);
 
   // As they were read by open() or the last refresh(); valid until the next one.

@@ -15,7 +15,7 @@ enum TableIndex : std::size_t { kTicks, kChanges, kMarkers, kFaults, kEnd, kText
 
 inline constexpr std::int64_t kSessionVersion = 1;
 inline constexpr const char *kServosTime = "servo", *kArmsTime = "arm";  // the attribute gate_time; absent: the arm's
-inline constexpr std::int64_t kTextBlock = 64;     // bytes; words are filled up to whole blocks with zeros
+inline constexpr std::int64_t kTextBlock = 64;     // bytes; texts are padded to whole blocks with zeros
 inline constexpr std::int64_t kStartBlock = 4096;  // bytes
 // Limits for the labels of markers, bytes, since a reader keeps all of them: one label, and all of a session.
 inline constexpr std::int64_t kLongestLabel = 64LL << 10, kAllLabels = 16LL << 20;

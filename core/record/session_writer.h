@@ -14,16 +14,16 @@ namespace underact::record {
 struct SessionWords {
   std::string name = {};
   std::string notes = {};
-  std::string tags = {};  // words with commas between
+  std::string tags = {};  // words separated by commas
   std::string subject = {};
-  std::string consent = {};  // what the person agreed to, and how: a form's version and date; empty: not recorded
+  std::string consent = {};  // what the person agreed to, and how: version and date of a form; empty: not recorded
 };
 
 /// The clock of the gate's ramps, slew, heat and frozen time: the servo's own periods, or, as in version 0.1.0, the
 /// arm's clock.
 enum class GateTime : std::uint8_t { Servo, Arm };
 
-/// What is known when a session begins.
+/// What is known at the start of a session.
 struct SessionHeader {
   SessionWords words;
   std::string scene_title;

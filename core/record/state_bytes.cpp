@@ -80,7 +80,8 @@ Result<tick::TickState> stateOfBytes(const std::vector<std::byte>& bytes, const 
   std::size_t wanted = 0;
   eachPart(state, [&wanted](const auto& part) { wanted += sizeof part; });
   if (wanted != bytes.size())
-    return Problems{{said(TRANSLATE_NOOP("problem", "The servo's memory at the beginning was not recorded whole."))}};
+    return Problems{
+        {said(TRANSLATE_NOOP("problem", "The servo's state at the beginning was not recorded completely."))}};
   const std::byte* next = bytes.data();
   eachPart(state, [&next](auto& part) {
     std::memcpy(static_cast<void*>(&part), next, sizeof part);
@@ -88,9 +89,9 @@ Result<tick::TickState> stateOfBytes(const std::vector<std::byte>& bytes, const 
   });
   // A modified byte may have any value, and a correct checksum.
   if (!isSound(state, program))
-    return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "The servo's memory at the beginning of this session is none that a servo "
-                                         "can have: the file is damaged, or was changed."))}};
+    return Problems{{said(TRANSLATE_NOOP(
+        "problem",
+        "The servo's state at the beginning of this session is not valid: the file is damaged, or was changed."))}};
   return state;
 }
 

@@ -13,10 +13,10 @@ enum class Kind : std::uint8_t { Byte, Unsigned, Integer, Real };  // 1, 4, 8, 8
 /// A column of a table: its name and unit in the file, and what its numbers are.
 struct Column {
   std::string_view name;
-  std::string_view unit;  // empty: a plain number
+  std::string_view unit;  // empty: a number without unit
   std::string_view meaning;
   Kind kind = Kind::Real;
-  int width = 1;  // numbers a row
+  int width = 1;  // numbers per row
 };
 
 std::size_t bytesOf(const Column& column);  // of one row
@@ -27,13 +27,13 @@ struct Table {
   std::span<const Column> columns;
   std::int64_t block_rows = 1;
   std::int64_t chunk_rows = 64;
-  std::int64_t most_block_rows = 0;  // that a file may have, each block a chunk; 0: block_rows and chunk_rows alone
+  std::int64_t most_block_rows = 0;  // that a file may have, each block a chunk; 0: only block_rows and chunk_rows
 };
 
 /// Bytes of one row over all columns.
 std::size_t rowBytes(const Table& table);
 
-/// Rows, column after column, as they stand in the file; its CRC-32 is the block's.
+/// Rows, column after column, as in the file; its CRC-32 is the block's.
 struct Block {
   std::int64_t rows = 0;
   std::vector<std::byte> bytes;
@@ -83,7 +83,7 @@ class Packer {
   std::vector<std::size_t> offsets_;  // of the columns, for most_rows_
   std::vector<std::byte> bytes_;
   std::int64_t rows_ = 0, most_rows_ = 0;
-  std::size_t column_ = 0, in_row_ = 0;  // where the next number goes
+  std::size_t column_ = 0, in_row_ = 0;  // the next number
 };
 
 /// Reads rows back in the same order.

@@ -10,7 +10,7 @@ namespace underact::record {
 /// Statistics of error and force over a range of ticks. Without a tick they are not numbers.
 class TickFigures {
  public:
-  /// error_m: between tip and target; force_N: the length of the force that was sent.
+  /// error_m: between tip and target; force_N: magnitude of the force that was sent.
   void add(double error_m, double force_N) {
     ++ticks_;
     sum_square_error_m2_ += error_m * error_m;
@@ -44,7 +44,7 @@ class Work {
   }
   /// Since the first tick; positive where the force moved the hand.
   double all_J() const { return all_J_; }
-  double most_J() const { return most_J_; }   // at any tick so far
+  double most_J() const { return most_J_; }   // the largest so far
   const Vec3& p_WT() const { return p_WT_; }  // of the last tick
 
  private:

@@ -7,7 +7,7 @@
 
 namespace underact::record {
 
-/// The columns of /ticks. lengths mm, angles rad, forces N.
+/// The columns of /ticks. Lengths mm, angles rad, forces N.
 std::span<const Column> tickColumns();
 
 /// Packs one row. geometry: of the arm, for the stylus's orientation, which the servo computes only where a scene needs

@@ -69,19 +69,20 @@ class Distances {
 void warnOfLayout(const std::vector<Touch>& touches, std::vector<Warning>& warnings) {
   const Layout layout = layoutOf(marksOf(touches));
   if (layout.off_line_m < kNearLine_m) {
-    warnings.push_back({Warning::Kind::NearLine,
-                        said(TRANSLATE_NOOP("problem",
-                                            "The marks lie nearly on one line, %1 beside it: small errors turn the "
-                                            "arm about it. Choose a mark farther beside the line."),
-                             {millimetres(layout.off_line_m)}),
-                        {}});
+    warnings.push_back(
+        {Warning::Kind::NearLine,
+         said(TRANSLATE_NOOP("problem",
+                             "The reference points lie nearly on one line, at most %1 beside it: small errors turn the "
+                             "arm about it. Choose a reference point farther from the line."),
+              {millimetres(layout.off_line_m)}),
+         {}});
   }
   if (layout.least_apart_m < kNearMarks_m) {
     const std::vector<std::size_t> both{layout.near_one, layout.near_other};
     warnings.push_back({Warning::Kind::NearMarks,
                         said(TRANSLATE_NOOP("problem",
-                                            "The marks %1 are only %2 apart: small errors there turn everything. "
-                                            "Choose marks that are farther apart."),
+                                            "The reference points %1 are only %2 apart: small errors there turn "
+                                            "everything. Choose reference points that are farther apart."),
                              {listOf(both), millimetres(layout.least_apart_m)}),
                         both});
   }
@@ -94,25 +95,24 @@ void warnOfOrder(const std::vector<Touch>& touches, const Fit& fit, std::vector<
     if (order[at] != at) others.push_back(at);
   }
   if (!others.empty()) {
-    warnings.push_back(
-        {Warning::Kind::Order,
-         others.size() == 2
-             ? said(TRANSLATE_NOOP("problem",
-                                   "The marks %1 were probably touched in exchange for each other. Touch them again "
-                                   "in the order of their numbers."),
-                    {listOf(others)})
-             : said(TRANSLATE_NOOP("problem",
-                                   "The marks were probably touched in another order: %1. Touch them again in the "
-                                   "order of their numbers."),
-                    {listOf(order)}),
-         others});
+    warnings.push_back({Warning::Kind::Order,
+                        others.size() == 2
+                            ? said(TRANSLATE_NOOP("problem",
+                                                  "The reference points %1 were probably swapped. Touch them again in "
+                                                  "the order of their numbers."),
+                                   {listOf(others)})
+                            : said(TRANSLATE_NOOP("problem",
+                                                  "The reference points were probably touched in another order: %1. "
+                                                  "Touch them again in the order of their numbers."),
+                                   {listOf(order)}),
+                        others});
   } else if (!isUpright(fit)) {
     warnings.push_back(
         {Warning::Kind::UpsideDown,
-         said(TRANSLATE_NOOP("problem",
-                             "By these marks the arm hangs upside down below the desk. If it does not, the marks "
-                             "were touched in the order of a mirror: touch them again in the order of their "
-                             "numbers.")),
+         said(TRANSLATE_NOOP(
+             "problem",
+             "According to these reference points the arm hangs upside down below the desk. If it does not, they were "
+             "touched in mirrored order: touch them again in the order of their numbers.")),
          {}});
   }
 }
@@ -173,20 +173,21 @@ std::vector<Warning> warningsOf(const std::vector<Touch>& touches, const Fit& fi
                                           [](const Warning& one) { return one.kind == Warning::Kind::Order; });
   if (fit.rms_m > kMuch_m && !order_is_wrong) {
     const std::size_t worst = worstMark(touches, fit);
-    warnings.push_back({Warning::Kind::Residual,
-                        said(TRANSLATE_NOOP("problem",
-                                            "The points miss their marks by %1, which is much. Mark %2 fits worst: "
-                                            "touch it again, and see that the sheet was printed at 100 % and the arm "
-                                            "is calibrated."),
-                             {millimetres(fit.rms_m), std::to_string(worst + 1)}),
-                        {worst}});
+    warnings.push_back(
+        {Warning::Kind::Residual,
+         said(TRANSLATE_NOOP(
+                  "problem",
+                  "The touched points miss the reference points by %1, which is a lot. Reference point %2 fits worst: "
+                  "touch it again, and check that the sheet was printed at 100 % and that the arm is calibrated."),
+              {millimetres(fit.rms_m), std::to_string(worst + 1)}),
+         {worst}});
   }
   for (std::size_t at = 0; at < touches.size(); ++at) {
     if (touches[at].spread_m <= kRestless_m) continue;
     warnings.push_back({Warning::Kind::Moved,
                         said(TRANSLATE_NOOP("problem",
-                                            "At mark %1 the tip moved by %2 while it was held. Touch it again, with "
-                                            "the hand rested."),
+                                            "At reference point %1 the tip moved by %2 while it was held. Touch it "
+                                            "again, with your hand resting on the desk."),
                              {std::to_string(at + 1), millimetres(touches[at].spread_m)}),
                         {at}});
   }

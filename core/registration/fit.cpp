@@ -27,22 +27,21 @@ struct Words {
   const char* same;
   const char* on_line;
 };
-constexpr Words kOfMarks{
-    TRANSLATE_NOOP("problem", "Not all of the marks are finite points within 1 km."),
-    TRANSLATE_NOOP("problem",
-                   "The marks %1 and %2 are one and the same place. Touch them again, or choose marks "
-                   "that are apart."),
-    TRANSLATE_NOOP("problem",
-                   "The marks lie on one line, so nothing says how the arm is turned about it. Choose a "
-                   "mark beside the line.")};
+constexpr Words kOfMarks{TRANSLATE_NOOP("problem", "Not all of the reference points are finite points within 1 km."),
+                         TRANSLATE_NOOP("problem",
+                                        "The reference points %1 and %2 are at the same position. Touch them again, or "
+                                        "choose reference points that are apart."),
+                         TRANSLATE_NOOP("problem",
+                                        "The reference points lie on one line, so how the arm is turned about it is "
+                                        "unknown. Choose a reference point beside the line.")};
 constexpr Words kTouchedPoints{
     TRANSLATE_NOOP("problem", "Not all of the touched points are finite points within 1 km."),
     TRANSLATE_NOOP("problem",
-                   "The touched points %1 and %2 are one and the same place. Touch them again, or choose "
-                   "marks that are apart."),
+                   "The touched points %1 and %2 are at the same position. Touch them again, or choose reference "
+                   "points that are apart."),
     TRANSLATE_NOOP("problem",
-                   "The touched points lie on one line, so nothing says how the arm is turned about it. "
-                   "Choose a mark beside the line.")};
+                   "The touched points lie on one line, so how the arm is turned about it is unknown. Choose a "
+                   "reference point beside the line.")};
 
 void judge(const std::vector<Vec3>& points, const Words& words, Problems& problems) {
   for (const Vec3& point : points) {
@@ -93,7 +92,7 @@ Layout layoutOf(const std::vector<Vec3>& points) {
 
 Result<Fit> fitTouches(const std::vector<Touch>& touches) {
   if (touches.size() < kFewestMarks || touches.size() > kMostMarks) {
-    return Problems{{said(TRANSLATE_NOOP("problem", "A registration takes 3 to 8 marks; here there are %1."),
+    return Problems{{said(TRANSLATE_NOOP("problem", "A registration needs 3 to 8 reference points; this one has %1."),
                           {std::to_string(touches.size())}),
                      {}}};
   }

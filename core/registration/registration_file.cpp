@@ -42,7 +42,7 @@ Touch readTouch(const Value& value, const std::string& path, Findings& findings)
           said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"p_DM_mm\": [0, 0, 0], \"p_WM_mm\": [1, 2, 3]}"}),
           findings))
     return touch;
-  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a mark")), findings);
+  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a reference point")), findings);
   readPlace(object, "p_DM_mm", touch.p_DM);
   readPlace(object, "p_WM_mm", touch.p_WM);
   if (const Value* const spread = object.find("spread_mm")) {
@@ -50,7 +50,7 @@ Touch readTouch(const Value& value, const std::string& path, Findings& findings)
     json::readNumber(*spread, object.pathOf("spread_mm"), spread_mm, findings);
     if (!(spread_mm >= 0.0 && spread_mm <= kMostSpread_mm))
       findings.add(*spread, object.pathOf("spread_mm"),
-                   said(TRANSLATE_NOOP("problem", "This must lie within 0 and 1000 mm.")));
+                   said(TRANSLATE_NOOP("problem", "This must be from 0 to 1000 mm.")));
     touch.spread_m = kMetrePerMillimetre * spread_mm;
   }
   object.finish();
@@ -59,11 +59,12 @@ Touch readTouch(const Value& value, const std::string& path, Findings& findings)
 
 std::vector<Touch> readTouches(const Value& list, Findings& findings) {
   std::vector<Touch> touches;
-  if (!isKind(list, json::Kind::Array, "marks", said(TRANSLATE_NOOP("problem", "a list of 3 to 8 marks")), findings))
+  if (!isKind(list, json::Kind::Array, "marks", said(TRANSLATE_NOOP("problem", "a list of 3 to 8 reference points")),
+              findings))
     return touches;
   if (list.items.size() < kFewestMarks || list.items.size() > kMostMarks) {
     findings.add(list, "marks",
-                 said(TRANSLATE_NOOP("problem", "This must be a list of 3 to 8 marks; here there are %1."),
+                 said(TRANSLATE_NOOP("problem", "This must be a list of 3 to 8 reference points; this one has %1."),
                       {std::to_string(list.items.size())}));
     return touches;
   }
@@ -91,7 +92,9 @@ void compare(const Value& value, const Pose& X_DW, Findings& findings) {
       if (std::abs(one.number - X(row, column)) <= allowed) continue;
       return findings.add(
           one, kKey,
-          said(TRANSLATE_NOOP("problem", "This is not what the marks give, %1. Leave X_DW out: it is made of them."),
+          said(TRANSLATE_NOOP(
+                   "problem",
+                   "This is not what the reference points give, %1. Leave X_DW out: it is computed from them."),
                {numberText(X(row, column))}));
     }
   }

@@ -19,11 +19,11 @@ std::string variable(const char* name) {
 Problems cannotKeep(const std::string& path, const std::error_code& error) {
   if (!error)
     return {{said(TRANSLATE_NOOP("problem",
-                                 "The registration cannot be kept. See that the folder is there and yours, and that "
-                                 "the disk is not full.")),
+                                 "The registration cannot be saved. Check that the folder exists and is yours, and "
+                                 "that the disk is not full.")),
              {path}}};
   return {{said(TRANSLATE_NOOP("problem",
-                               "The registration cannot be kept: %1. See that the folder is there and yours, and "
+                               "The registration cannot be saved: %1. Check that the folder exists and is yours, and "
                                "that the disk is not full."),
                 {error.message()}),
            {path}}};
@@ -73,7 +73,7 @@ Result<std::optional<Registration>> recall(const std::string& arm, const std::st
   if (!read) return read.problems();
   if (read.value().arm != arm)
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "This is the registration of another arm, \"%1\". Register this one anew."),
+        {said(TRANSLATE_NOOP("problem", "This is the registration of another arm, \"%1\". Register this arm again."),
               {read.value().arm}),
          {path}}};
   return std::optional<Registration>(std::move(read).value());
@@ -85,8 +85,8 @@ Problems forget(const std::string& arm, const std::string& folder) {
   fs::remove(path, error);
   if (!error) return {};
   return {{said(TRANSLATE_NOOP("problem",
-                               "The registration cannot be forgotten: %1. See that the folder is there and yours, "
-                               "and that the disk is not full."),
+                               "The registration cannot be deleted: %1. Check that the folder exists and is yours, and "
+                               "that the disk is not full."),
                 {error.message()}),
            {path}}};
 }

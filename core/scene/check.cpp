@@ -41,7 +41,7 @@ class Checker {
   void checkField(const std::string& key, Meaning meaning, const Vec3& numbers);
   void checkField(const std::string& key, Meaning meaning, const Mat3& numbers);
   void checkControl(const std::string& key, const Control& control);
-  /// The numbers of all its settings.
+  /// Checks the numbers of all its settings.
   template <class Object>
   void checkAll(const std::string& key, const Object& object) {
     checkSettings(object, [&](const std::string& its, Sentence wrong) { add(key + "." + its, std::move(wrong)); });
@@ -74,10 +74,9 @@ void Checker::checkField(const std::string& key, Meaning meaning, const Mat3& nu
     checkField(key + "[" + std::to_string(row) + "]", meaning, Vec3(numbers.row(row).transpose()));
   }
   if (numbers.allFinite() && !isRotation(numbers)) {
-    add(key,
-        said(TRANSLATE_NOOP(
-            "problem",
-            "This is no rotation: its rows must have length 1, be at right angles, and form a right-handed frame.")));
+    add(key, said(TRANSLATE_NOOP("problem",
+                                 "This is not a rotation matrix: its rows must have length 1, be at right angles, and "
+                                 "form a right-handed frame.")));
   }
 }
 
@@ -88,8 +87,9 @@ void Checker::checkControl(const std::string& key, const Control& control) {
   for (const SettingOf<Control>& row : rowsOf<Control>()) {
     if (row.is_used == nullptr || row.is_used(control) || std::get<Vec3>(row.get(control)) == Vec3::Zero()) continue;
     add(key + "." + row.is.key,
-        said(TRANSLATE_NOOP("problem",
-                            "The law %1 does not use this gain; the law %2 does. Change the law or take it away."),
+        said(TRANSLATE_NOOP(
+                 "problem",
+                 "The control law %1 does not use this gain; %2 does. Change the control law, or remove the gain."),
              {wordOf(kLawWords, control.law),
               row.is_used(pd) ? said(TRANSLATE_NOOP("problem", "PD (or PID)")) : "PID"}));
   }
@@ -108,14 +108,15 @@ void Checker::checkMetric(const std::string& key, const Control& control, const 
   if (!kp.allFinite() || kp.minCoeff() < 0.0 || kp.minCoeff() > kSmallestGainRatio * kp.maxCoeff()) return;
   Eigen::Index axis = 0;
   const double least = kp.minCoeff(&axis);
-  add(key, said(TRANSLATE_NOOP(
-                    "problem",
-                    "The gain along %1 is %2 beside gains above it, so no point of the %3 is nearest in the gains' own "
-                    "metric. Set \"anisotropy\" to \"euclidean\" in the control, or give every axis a gain."),
-                {std::string(1, "xyz"[axis]),
-                 least == 0.0 ? Sentence(numberText(least))
-                              : said(TRANSLATE_NOOP("problem", "%1, next to nothing,"), {numberText(least)}),
-                 typeName(shape)}));
+  add(key,
+      said(TRANSLATE_NOOP(
+               "problem",
+               "The gain along %1 is %2 while the others are larger, so no point of the %3 is nearest in the gains' "
+               "own metric. Set \"anisotropy\" to \"euclidean\" in the control, or give every axis a gain."),
+           {std::string(1, "xyz"[axis]),
+            least == 0.0 ? Sentence(numberText(least))
+                         : said(TRANSLATE_NOOP("problem", "%1, almost nothing,"), {numberText(least)}),
+            typeName(shape)}));
 }
 
 void Checker::checkName(const std::string& key, const std::string& name) {
@@ -136,16 +137,16 @@ void Checker::checkInfluence(const Constraint& constraint, const Control& contro
   }
   checkAll(key, *constraint.influence);
   if (constraint.side != target::Side::Both) {
-    add(key, said(TRANSLATE_NOOP("problem",
-                                 "A wall has no influence: where the stylus is free nothing draws it. Take \"side\" "
-                                 "or \"influence\" away.")));
+    add(key,
+        said(TRANSLATE_NOOP(
+            "problem",
+            "A wall has no influence: where the stylus is free, nothing pulls it. Remove \"side\" or \"influence\".")));
   }
   const bool weighted = control.space == tick::Space::Cartesian && control.anisotropy == Anisotropy::Weighted;
   if (weighted && !allSame(control.gains.kp_N_per_mm)) {
-    add(key, said(TRANSLATE_NOOP(
-                 "problem",
-                 "With influence the target is not the nearest point of the gains' own metric. Set \"anisotropy\" to "
-                 "\"euclidean\" in the control, or give every axis the same kp.")));
+    add(key, said(TRANSLATE_NOOP("problem",
+                                 "With influence, the target is not the nearest point in the gains' own metric. Set "
+                                 "\"anisotropy\" to \"euclidean\" in the control, or give every axis the same kp.")));
   }
 }
 
@@ -199,19 +200,20 @@ void Checker::checkConstraint(std::size_t index) {
 
 Problems Checker::run() {
   if (scene_.title.find_first_not_of(" \t\r\n") == std::string::npos) {
-    add("title", said(TRANSLATE_NOOP("problem", "The title is empty; a few words tell people what they will feel.")));
+    add("title",
+        said(TRANSLATE_NOOP("problem", "The title is empty; say in a few words what the scene lets you feel.")));
   }
   if (arm::findPreset(scene_.arm) == nullptr) {
     std::vector<std::string> known;
     for (const arm::Preset& preset : arm::presets()) known.emplace_back(preset.name);
-    add("arm", said(TRANSLATE_NOOP("problem", "The arm %1 is not known. There are %2."),
+    add("arm", said(TRANSLATE_NOOP("problem", "The arm %1 is not known. Known arms: %2."),
                     {json::shown(scene_.arm), json::listed(known, "and")}));
   }
   checkControl("control", scene_.control);
   checkAll("simulation", scene_.simulation);
   const std::size_t count = scene_.constraints.size();
   if (count < 1 || count > tick::kMaxConstraints) {
-    add("constraints", said(TRANSLATE_NOOP("problem", "A scene has 1 to %1 constraints; here are %2."),
+    add("constraints", said(TRANSLATE_NOOP("problem", "A scene has 1 to %1 constraints; this one has %2."),
                             {std::to_string(tick::kMaxConstraints), std::to_string(count)}));
   }
   for (std::size_t index = 0; index < count; ++index) checkConstraint(index);

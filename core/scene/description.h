@@ -61,7 +61,7 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
-/// A joint at home. Values of revolute joints in rad, of prismatic ones in mm.
+/// A joint in the home pose. Values of revolute joints in rad, of prismatic ones in mm.
 struct Joint {
   chain::JointType type = chain::JointType::Revolute;
   Vec3 axis = Vec3::UnitZ();
@@ -98,7 +98,7 @@ inline constexpr double kMostSmooth_deg = 45.0;  // sharper bends are meant to b
 
 /// A mesh from a file, placed in the workspace.
 struct Mesh {
-  std::string file;  // as the scene says it: relative to the scene's own folder, or absolute
+  std::string file;  // as written in the scene: relative to the scene's folder, or absolute
   double scale_mm_per_unit = 1.0;
   Eigen::Matrix4d X_WM = Eigen::Matrix4d::Identity();  // translation in mm
   mesh::Search search = mesh::Search::Hybrid;
@@ -112,7 +112,7 @@ struct Mesh {
 
 /// Guidance along a curve.
 struct CurveGuide {
-  double t = 0.0;               // 0: to the guide alone, 1: to the nearest point alone
+  double t = 0.0;               // 0: guide only, 1: nearest point only
   double speed_mm_per_s = 0.0;  // of the guide; below 0: backwards
   double lead_mm = 10.0;        // how far ahead of the hand it goes at most
   bool operator==(const CurveGuide&) const = default;
@@ -120,22 +120,22 @@ struct CurveGuide {
 
 /// A path through the points of a file.
 struct Curve {
-  std::string file;  // as of a mesh
+  std::string file;  // as in Mesh
   double scale_mm_per_unit = 1.0;
   Eigen::Matrix4d X_WM = Eigen::Matrix4d::Identity();  // translation in mm
   curve::Kind kind = curve::Kind::Spline;
   bool closed = false;
   Search search = Search::Hybrid;
-  std::optional<CurveGuide> guide = {};                  // none: to the nearest point
+  std::optional<CurveGuide> guide = {};                  // none: the target is the nearest point
   std::shared_ptr<const std::vector<Vec3>> points = {};  // of the file, in its units; null before loadMeshes()
-  /// As of a mesh.
+  /// As in Mesh.
   bool operator==(const Curve& other) const;
 };
 
 /// What a constraint can be.
 using Shape = std::variant<Point, Sphere, Line, Plane, Circle, Cylinder, Box, VirtualManipulator, Mesh, Curve>;
 
-/// The word of a scene file for the shape's type: "point", "sphere", ...
+/// The word for the shape's type in a scene file: "point", "sphere", ...
 const char* typeName(const Shape& shape);
 
 /// The control law; each uses the gains of the one before it, too.
@@ -234,7 +234,7 @@ struct Description {
   tick::Combine combine = tick::Combine::Sum;
   Simulation simulation;
   std::vector<Constraint> constraints;
-  std::string file;  // where it was read from; empty: nowhere
+  std::string file;  // where it was read from; empty: not from a file
 };
 
 /// The control of the constraint at index: its own or the scene's.

@@ -8,7 +8,7 @@ namespace underact::scene {
 
 /// A value that differs between two scenes, as in their files.
 struct Difference {
-  std::string key;         // "control.kp_N_per_mm"; of a constraint its name goes first: "ball.radius_mm"
+  std::string key;         // "control.kp_N_per_mm"; for a constraint its name comes first: "ball.radius_mm"
   std::string one, other;  // as in a file; empty: the key is left out there
   bool operator==(const Difference&) const = default;
 };

@@ -13,7 +13,7 @@ namespace underact::scene {
 /// The scene with control in place of that of the constraint at index. Where the scene's control has a single
 /// constraint, the scene's is edited. index: of an existing constraint.
 Description withControl(Description scene, std::size_t index, const Control& control);
-/// The scene with another shape in place of the one at index.
+/// The scene with another shape for the constraint at index.
 Description withShape(Description scene, std::size_t index, const Shape& shape);
 /// The scene with one more constraint at the end; a number is appended to its name if that is taken.
 Description withAdded(Description scene, Constraint constraint);

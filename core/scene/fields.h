@@ -94,7 +94,7 @@ struct Fields<VirtualManipulator> {
   static constexpr std::tuple<> kAll{};
 };
 
-/// Its file and its pose: meshes.cpp.
+/// For its file and pose see meshes.cpp.
 template <>
 struct Fields<Mesh> {
   static constexpr const char* kType = "mesh";
@@ -117,7 +117,7 @@ void eachField(Shape& shape, Visit&& visit) {
              Fields<std::remove_const_t<Shape>>::kAll);
 }
 
-/// The word of a scene file for the filter: "kalman", ...
+/// The word for the filter in a scene file: "kalman", ...
 const char* filterName(const Velocity& velocity);
 
 /// See core/json/words.h.
@@ -159,19 +159,19 @@ inline constexpr Word<curve::Kind> kCurveWords[] = {{"spline", curve::Kind::Spli
 inline constexpr Word<mesh::Search> kSearchWords[] = {
     {"hybrid", mesh::Search::Hybrid}, {"global", mesh::Search::Global}, {"local", mesh::Search::Local}};
 
-/// Of a joint's spring: "stiffness_N_mm_per_rad" or "stiffness_N_per_mm".
+/// The key of a joint's spring: "stiffness_N_mm_per_rad" or "stiffness_N_per_mm".
 const char* stiffnessKey(chain::JointType type);
 
-/// Whether the type takes an influence: a circle, a cylinder, a sphere.
+/// Whether the type can have an influence: a circle, a cylinder, a sphere.
 bool takesInfluence(const Shape& shape);
 
-/// Whether the type takes friction: all that the stylus can slide along.
+/// Whether the type can have friction: everything that the stylus can slide along.
 bool takesFriction(const Shape& shape);
 
 /// Whether the type separates the workspace into an inside and an outside.
 bool hasSides(const Shape& shape);
 
-/// The name of the constraint at index where the file gives none: type and number, "sphere 2".
+/// The default name of the constraint at index: type and number, "sphere 2".
 std::string madeUpName(const Constraint& constraint, std::size_t index);
 
 }  // namespace underact::scene

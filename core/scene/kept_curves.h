@@ -6,7 +6,7 @@
 
 namespace underact::scene {
 
-// Inside the room: a curve of a million points takes a second to make, and an edit of gains does not change it.
+// Internal to the room: a curve of a million points takes a second to build, and an edit of gains does not change it.
 
 /// The curve as the tick has it, in W, m: the existing one of the same points, kind, scale and pose while it is held
 /// anywhere; else a new one. Its points must be loaded. Any thread but the servo's. Problems: those of

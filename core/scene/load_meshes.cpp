@@ -66,13 +66,11 @@ SurfacesInUse& surfacesInUse() {
 Problems checked(Mesh& mesh, const Place& place) {
   if (mesh.checksum.empty() || mesh.checksum == mesh.loaded_checksum) return {};
   mesh.surface.reset();
-  return {
-      {said(TRANSLATE_NOOP(
-                "problem",
-                "The mesh %1 is not the one that the scene was made with: its content has another checksum. Bring that "
-                "file back, or take \"checksum\" away to go on with this one."),
-            {json::shown(mesh.file)}),
-       place}};
+  return {{said(TRANSLATE_NOOP("problem",
+                               "The mesh %1 is not the one that the scene was made with: its checksum differs. Restore "
+                               "that file, or remove \"checksum\" to use this one."),
+                {json::shown(mesh.file)}),
+           place}};
 }
 
 Problems load(Mesh& mesh, const Description& scene, const Place& place, const Watch& watch) {
@@ -125,13 +123,13 @@ Problems notFound(const std::string& name, const Description& scene, const std::
   for (const std::string& folder : folders) {
     if (!folder.empty() && std::find(looked.begin(), looked.end(), folder) == looked.end()) looked.push_back(folder);
   }
-  return {{said(TRANSLATE_NOOP("problem",
-                               "The file %1 was not found. A recording keeps the names of its meshes and curves and "
-                               "not their folders; it was looked for in %2. Put it beside the session, or name its "
-                               "folder: in the window with Replay, Folder of its files; on the command line with "
-                               "--files FOLDER."),
-                {json::shown(name), json::listed(looked, "and")}),
-           {scene.file}}};
+  return {
+      {said(TRANSLATE_NOOP("problem",
+                           "The file %1 was not found in %2. A recording stores the names of its meshes and curves, "
+                           "not their folders. Put the file beside the session, or choose its folder: in the window "
+                           "with Replay, Folder with meshes and curves; on the command line with --files FOLDER."),
+            {json::shown(name), json::listed(looked, "and")}),
+       {scene.file}}};
 }
 
 template <class FromFile>

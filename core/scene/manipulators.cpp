@@ -26,7 +26,7 @@ class JointChecker {
   void check(const std::string& key, const Joint& joint) const {
     if (!joint.axis.allFinite()) {
       say(key + ".axis",
-          said(TRANSLATE_NOOP("problem", "This is no finite direction; a double holds at most about 1.8e308.")));
+          said(TRANSLATE_NOOP("problem", "This is not a finite direction; the largest number is about 1.8e308.")));
     } else if (joint.axis.isZero(0.0)) {
       say(key + ".axis", pointsNowhere());
     }
@@ -37,14 +37,13 @@ class JointChecker {
     }
     checkSettings(joint, [&](const std::string& its, Sentence wrong) { say(key + "." + its, std::move(wrong)); });
     if (joint.min && joint.max && *joint.min > *joint.max) {
-      say(key + ".min",
-          said(TRANSLATE_NOOP("problem",
-                              "The lower limit %1 is above the upper one, %2; no value of the joint is left."),
-               {numberText(*joint.min), numberText(*joint.max)}));
+      say(key + ".min", said(TRANSLATE_NOOP("problem", "The lower limit %1 is above the upper limit %2."),
+                             {numberText(*joint.min), numberText(*joint.max)}));
     }
     if (joint.stiffness == 0.0 && joint.rest != 0.0) {
       say(key + ".rest",
-          said(TRANSLATE_NOOP("problem", "Without a spring the joint has no rest; give it \"%1\", or take this away."),
+          said(TRANSLATE_NOOP("problem",
+                              "Without a spring the joint has no rest position; give it \"%1\", or remove this."),
                {stiffnessKey(joint.type)}));
     }
   }
@@ -67,7 +66,7 @@ bool checkManipulator(const VirtualManipulator& robot, const Control& control,
   bool well = true;
   const JointChecker checker(add, well);
   if (robot.joints.empty() || robot.joints.size() > manipulator::kMaxJoints) {
-    checker.say("joints", said(TRANSLATE_NOOP("problem", "A virtual manipulator has 1 to %1 joints; here are %2."),
+    checker.say("joints", said(TRANSLATE_NOOP("problem", "A virtual robot has 1 to %1 joints; this one has %2."),
                                {std::to_string(manipulator::kMaxJoints), std::to_string(robot.joints.size())}));
   }
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
@@ -78,25 +77,23 @@ bool checkManipulator(const VirtualManipulator& robot, const Control& control,
   checkSettings(robot, say);
   if (robot.orientation == manipulator::Orientation::None && robot.ko_N_mm_per_rad != 0.0) {
     checker.say("ko_N_mm_per_rad",
-                said(TRANSLATE_NOOP(
-                    "problem",
-                    "With the orientation \"none\" nothing uses this; set \"orientation\" to \"axis\", \"angle\" or "
-                    "\"full\", or take it away.")));
+                said(TRANSLATE_NOOP("problem",
+                                    "The orientation \"none\" does not use this; set \"orientation\" to \"axis\", "
+                                    "\"angle\" or \"full\", or remove this.")));
   }
   checkSettings(robot.solver, [&](const std::string& key, Sentence wrong) { say("solver." + key, std::move(wrong)); });
   if (control.space == tick::Space::Joint) {
-    checker.say("", said(TRANSLATE_NOOP(
-                        "problem",
-                        "A virtual manipulator draws the tip; a control that works on the arm's joints cannot hold it. "
-                        "Set \"space\" to \"cartesian\".")));
+    checker.say(
+        "",
+        said(TRANSLATE_NOOP(
+            "problem",
+            "A virtual robot pulls the tip, which control in joint space cannot do. Set \"space\" to \"cartesian\".")));
   }
   const Vec3& kp = control.gains.kp_N_per_mm;
   if (control.anisotropy == Anisotropy::Euclidean && !(kp.x() == kp.y() && kp.y() == kp.z())) {
-    checker.say("",
-                said(TRANSLATE_NOOP(
-                    "problem",
-                    "A virtual manipulator is held in the gains' own metric. Take \"anisotropy\" away, or give every "
-                    "axis the same kp.")));
+    checker.say("", said(TRANSLATE_NOOP("problem",
+                                        "A virtual robot is held in the gains' own metric. Remove \"anisotropy\", or "
+                                        "give every axis the same kp.")));
   }
   return well;
 }

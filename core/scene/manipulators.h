@@ -7,7 +7,7 @@
 
 namespace underact::scene {
 
-// Inside the room: what is particular to virtual manipulators.
+// Internal to the room: what is particular to virtual robots.
 
 /// Four rows of four numbers.
 void readPose(const json::Value& value, const std::string& path, Eigen::Matrix4d& into, Findings& findings);

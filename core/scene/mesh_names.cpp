@@ -16,7 +16,7 @@ constexpr std::ptrdiff_t kMostStepsUp = 2;
 }  // namespace
 
 Description namedFrom(Description scene, const std::string& file) {
-  const Description before = scene;  // pathOf() asks where it was read from
+  const Description before = scene;  // pathOf() needs to know where it was read from
   for (Constraint& constraint : scene.constraints) {
     auto* const mesh = std::get_if<Mesh>(&constraint.shape);
     auto* const curve = std::get_if<Curve>(&constraint.shape);

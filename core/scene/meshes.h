@@ -7,7 +7,7 @@
 
 namespace underact::scene {
 
-// Inside the room: what is particular to meshes and curves.
+// Internal to the room: what is particular to meshes and curves.
 
 /// Reads file, checksum, scale_mm_per_unit, X_WM, search and smooth_deg of an object of the file.
 void readMesh(ObjectReader& object, Mesh& into);
@@ -19,7 +19,7 @@ void readPlacement(ObjectReader& object, FromFile& into) {
   if (const json::Value* file = object.find("file", true)) {
     readText(*file, object.pathOf("file"), into.file, findings);
   } else {
-    into.file = "missing";  // said already
+    into.file = "missing";  // reported already
   }
   if (const json::Value* scale = object.find("scale_mm_per_unit")) {
     readNumber(*scale, object.pathOf("scale_mm_per_unit"), into.scale_mm_per_unit, findings);

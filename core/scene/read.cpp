@@ -20,11 +20,12 @@ void readVersion(ObjectReader& object) {
   if (!isKind(*value, json::Kind::Number, "underact_scene", said(TRANSLATE_NOOP("problem", "the number 1")), findings))
     return;
   if (value->number > kVersion && std::floor(value->number) == value->number && std::isfinite(value->number)) {
-    findings.add(*value, "underact_scene",
-                 said(TRANSLATE_NOOP("problem",
-                                     "The scene is of version %1, and this program, older than the scene, reads "
-                                     "version 1. Use a newer Underact."),
-                      {json::numberText(value->number)}));
+    findings.add(
+        *value, "underact_scene",
+        said(TRANSLATE_NOOP(
+                 "problem",
+                 "The scene has version %1, but this program only reads version 1. Use a newer version of Underact."),
+             {json::numberText(value->number)}));
   } else if (value->number != kVersion) {
     findings.add(*value, "underact_scene",
                  said(TRANSLATE_NOOP("problem", "This must be the number 1, the version of scene files.")));
@@ -60,7 +61,7 @@ void readConstraints(ObjectReader& object, std::vector<Constraint>& into) {
 
 void readTexts(ObjectReader& object, Description& into) {
   Findings& findings = object.findings();
-  into.title = "untitled";  // harmless
+  into.title = "untitled";  // a valid placeholder
   if (const json::Value* title = object.find("title", true)) readText(*title, "title", into.title, findings);
   if (const json::Value* about = object.find("about")) readText(*about, "about", into.about, findings);
   if (const json::Value* arm = object.find("arm")) readText(*arm, "arm", into.arm, findings);
@@ -79,7 +80,7 @@ Description readWhole(const json::Value& root, const std::string& file_name, Fin
                scene.simulation, findings);
   if (const json::Value* teach = object.find("teach")) readTeaching(*teach, findings);  // see teachingOf()
   readConstraints(object, scene.constraints);
-  if (const json::Value* schema = object.find("$schema")) {  // for editors; says nothing about the scene
+  if (const json::Value* schema = object.find("$schema")) {  // for editors; not part of the scene
     isKind(*schema, json::Kind::String, "$schema", said(TRANSLATE_NOOP("problem", "text in double quotes")), findings);
   }
   object.refuse("velocity", belongsToControl());

@@ -35,9 +35,9 @@ std::optional<Shape> shapeOfType(const json::Value& value, const std::string& pa
   const std::string nearest = nearestWord(value.text, types);
   findings.add(value, path,
                nearest.empty()
-                   ? said(TRANSLATE_NOOP("problem", "The type %1 is not known. There are %2."),
+                   ? said(TRANSLATE_NOOP("problem", "The type %1 is not known. Known types: %2."),
                           {shown(value.text), listed(types, "and")})
-                   : said(TRANSLATE_NOOP("problem", "The type %1 is not known. Did you mean \"%2\"? There are %3."),
+                   : said(TRANSLATE_NOOP("problem", "The type %1 is not known. Did you mean \"%2\"? Known types: %3."),
                           {shown(value.text), nearest, listed(types, "and")}));
   return std::nullopt;
 }
@@ -68,14 +68,14 @@ void readName(const json::Value& value, const std::string& path, std::string& in
   if (value.kind == json::Kind::String && value.text.empty()) {
     findings.add(
         value, path,
-        said(TRANSLATE_NOOP("problem", "The name is empty; write one, or take the key away and one is made up.")));
+        said(TRANSLATE_NOOP("problem", "The name is empty; write one, or remove the key to get a default name.")));
   }
   readText(value, path, into, findings);
 }
 
 void readSide(ObjectReader& object, Constraint& into) {
   if (!hasSides(into.shape)) {
-    object.refuse("side", said(TRANSLATE_NOOP("problem", "A %1 has no inside and no outside; take \"side\" away."),
+    object.refuse("side", said(TRANSLATE_NOOP("problem", "A %1 has no inside and no outside; remove \"side\"."),
                                {typeName(into.shape)}));
   } else {
     readSettings(object, into);
@@ -84,10 +84,10 @@ void readSide(ObjectReader& object, Constraint& into) {
 
 void readInfluence(ObjectReader& object, Constraint& into) {
   if (!takesInfluence(into.shape)) {
-    object.refuse(
-        "influence",
-        said(TRANSLATE_NOOP("problem", "A %1 has no influence; a circle, a cylinder and a sphere have. Take it away."),
-             {typeName(into.shape)}));
+    object.refuse("influence",
+                  said(TRANSLATE_NOOP("problem",
+                                      "A %1 has no influence; only a circle, a cylinder and a sphere have. Remove it."),
+                       {typeName(into.shape)}));
     return;
   }
   if (const json::Value* const value = object.find("influence"))
@@ -97,10 +97,9 @@ void readInfluence(ObjectReader& object, Constraint& into) {
 
 void readFriction(ObjectReader& object, Constraint& into) {
   if (!takesFriction(into.shape)) {
-    object.refuse(
-        "friction",
-        said(TRANSLATE_NOOP("problem", "A %1 is nothing to slide along, so it has no friction. Take it away."),
-             {typeName(into.shape)}));
+    object.refuse("friction",
+                  said(TRANSLATE_NOOP("problem", "Nothing can slide along a %1, so it has no friction. Remove it."),
+                       {typeName(into.shape)}));
     return;
   }
   if (const json::Value* const value = object.find("friction"))
@@ -111,7 +110,7 @@ void readFriction(ObjectReader& object, Constraint& into) {
 }  // namespace
 
 Sentence belongsToConstraint() {
-  return said(TRANSLATE_NOOP("problem", "This is a part of a constraint, as in %1."),
+  return said(TRANSLATE_NOOP("problem", "This belongs in a constraint, as in %1."),
               {"{\"type\": \"mesh\", \"file\": \"a.stl\", \"friction\": {\"static\": 0.4}}"});
 }
 
@@ -144,11 +143,10 @@ void readConstraint(const json::Value& value, const std::string& path, Constrain
     readInfluence(object, into);
     readFriction(object, into);
     if (!std::holds_alternative<Mesh>(into.shape) && !std::holds_alternative<Curve>(into.shape)) {
-      object.refuse("search",
-                    said(TRANSLATE_NOOP(
-                             "problem",
-                             "A %1 is found by a formula, not by a search; a mesh and a curve have one. Take it away."),
-                         {typeName(into.shape)}));
+      object.refuse("search", said(TRANSLATE_NOOP("problem",
+                                                  "The nearest point of a %1 is computed by a formula; only a mesh and "
+                                                  "a curve have a search. Remove it."),
+                                   {typeName(into.shape)}));
     }
   }
   if (const json::Value* control = object.find("control")) {

@@ -4,7 +4,7 @@
 namespace underact::scene {
 
 Sentence belongsToControl() {
-  return said(TRANSLATE_NOOP("problem", "This is a part of the control, as in %1."),
+  return said(TRANSLATE_NOOP("problem", "This belongs in the control, as in %1."),
               {"\"control\": {\"law\": \"PD\", \"velocity\": {\"filter\": \"kalman\"}}"});
 }
 

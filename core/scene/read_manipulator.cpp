@@ -27,11 +27,11 @@ void readJoint(const json::Value& value, const std::string& path, Joint& into, F
     }
   } else {
     joint.refuse("point_mm",
-                 said(TRANSLATE_NOOP("problem", "A prismatic joint has a direction and no point; take it away.")));
+                 said(TRANSLATE_NOOP("problem", "A prismatic joint has a direction but no point; remove the point.")));
   }
   const bool turns = into.type == chain::JointType::Revolute;
   joint.refuse(stiffnessKey(turns ? chain::JointType::Prismatic : chain::JointType::Revolute),
-               said(TRANSLATE_NOOP("problem", "The spring of a %1 joint is \"%2\"."),
+               said(TRANSLATE_NOOP("problem", "The spring of a %1 joint is called \"%2\"."),
                     {wordOf(kJointWords, into.type), stiffnessKey(into.type)}));
   readSettings(joint, into);
   joint.finish(known);
@@ -45,7 +45,7 @@ void readPose(const json::Value& value, const std::string& path, Eigen::Matrix4d
   if (!four) {
     if (isKind(value, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "4 rows of 4 numbers")), findings)) {
       findings.add(value, path,
-                   said(TRANSLATE_NOOP("problem", "A pose has 4 rows of 4 numbers; here are %1."),
+                   said(TRANSLATE_NOOP("problem", "A pose has 4 rows of 4 numbers; this one has %1."),
                         {std::to_string(value.items.size())}));
     }
     return;
@@ -56,9 +56,9 @@ void readPose(const json::Value& value, const std::string& path, Eigen::Matrix4d
     findings.remember(line_path, line);
     if (!isKind(line, json::Kind::Array, line_path, said(TRANSLATE_NOOP("problem", "4 numbers")), findings)) continue;
     if (line.items.size() != 4) {
-      findings.add(
-          line, line_path,
-          said(TRANSLATE_NOOP("problem", "A row has 4 numbers; here are %1."), {std::to_string(line.items.size())}));
+      findings.add(line, line_path,
+                   said(TRANSLATE_NOOP("problem", "A row has 4 numbers; this one has %1."),
+                        {std::to_string(line.items.size())}));
       continue;
     }
     for (Eigen::Index column = 0; column < 4; ++column) {

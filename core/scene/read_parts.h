@@ -9,7 +9,7 @@
 
 namespace underact::scene {
 
-// Inside the room: what the readers of a scene's parts share.
+// Internal to the room: what the readers of a scene's parts share.
 using json::Findings;
 using json::listed;
 using json::nearestWord;

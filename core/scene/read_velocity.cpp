@@ -22,9 +22,9 @@ void refuseOthers(ObjectReader& object, const Velocity& chosen) {
   }
   for (const auto& [key, filters] : users) {
     object.refuse(
-        key, said(TRANSLATE_NOOP("problem",
-                                 "The filter \"%1\" does not use this; %2 would. Change the filter or take it away."),
-                  {filterName(chosen), listed(filters, "and")}));
+        key,
+        said(TRANSLATE_NOOP("problem", "This is for %2, not for the filter \"%1\". Change the filter, or remove this."),
+             {filterName(chosen), listed(filters, "and")}));
   }
 }
 
@@ -35,7 +35,7 @@ Velocity readVelocity(const json::Value& value, const std::string& path, Finding
   if (!isKind(value, json::Kind::Object, path,
               said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"filter\": \"kalman\"}"}), findings))
     return velocity;
-  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a velocity")), findings);
+  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a velocity filter")), findings);
   const std::span<const SettingOf<Velocity>> rows = rowsOf<Velocity>();
   const bool is_known = readSetting(object, rows.front(), velocity);  // the filter, which decides about the others
   if (is_known) {

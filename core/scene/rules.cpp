@@ -14,12 +14,11 @@ constexpr double kFarthestTurn_rad = 1e3;
 constexpr double kRotationError = 1e-6;
 
 Sentence notFinite() {
-  return said(TRANSLATE_NOOP("problem", "This is no finite number; a double holds at most about 1.8e308."));
+  return said(TRANSLATE_NOOP("problem", "This is not a finite number; the largest is about 1.8e308."));
 }
 
 Sentence pointsNowhere() {
-  return said(TRANSLATE_NOOP("problem",
-                             "A direction must not be [0, 0, 0], which points nowhere; any length but zero will do."));
+  return said(TRANSLATE_NOOP("problem", "A direction must not be [0, 0, 0]; any other length will do."));
 }
 
 Sentence judge(Meaning meaning, double number) {
@@ -27,7 +26,7 @@ Sentence judge(Meaning meaning, double number) {
   if (meaning == Meaning::Length && number <= 0.0)
     return said(TRANSLATE_NOOP("problem", "This must be above 0 mm; here it is %1."), {numberText(number)});
   if (meaning == Meaning::Length && number < kSmallest_mm)
-    return said(TRANSLATE_NOOP("problem", "This is too close to 0 mm; the least is 1e-100 mm."));
+    return said(TRANSLATE_NOOP("problem", "This is too close to 0 mm; the smallest value is 1e-100 mm."));
   if ((meaning == Meaning::Length || meaning == Meaning::Position) && std::abs(number) > kFarthest_mm) {
     return said(TRANSLATE_NOOP("problem", "This must lie within 1e6 mm (1 km); here it is %1."), {numberText(number)});
   }
@@ -37,7 +36,7 @@ Sentence judge(Meaning meaning, double number) {
 Sentence judgeGain(double gain) {
   if (!std::isfinite(gain)) return notFinite();
   if (gain < 0.0)
-    return said(TRANSLATE_NOOP("problem", "A gain must be 0 or above, or the arm pushes away; here it is %1."),
+    return said(TRANSLATE_NOOP("problem", "A gain must be 0 or above, otherwise the arm pushes away; here it is %1."),
                 {numberText(gain)});
   if (gain > kHighestGain)
     return said(TRANSLATE_NOOP("problem", "A gain must be at most 1e12; here it is %1."), {numberText(gain)});
@@ -58,17 +57,16 @@ bool isRotation(const Mat3& R) {
 
 Sentence judgePose(const Eigen::Matrix4d& X) {
   if (!X.allFinite())
-    return said(TRANSLATE_NOOP("problem", "This is no finite pose; a double holds at most about 1.8e308."));
+    return said(TRANSLATE_NOOP("problem", "This is not a finite pose; the largest number is about 1.8e308."));
   if (X.row(3) != Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0))
-    return said(TRANSLATE_NOOP("problem", "The last row of a pose is [0, 0, 0, 1]."));
+    return said(TRANSLATE_NOOP("problem", "The last row of a pose must be [0, 0, 0, 1]."));
   if (!isRotation(X.topLeftCorner<3, 3>())) {
-    return said(TRANSLATE_NOOP(
-        "problem",
-        "The upper left 3 x 3 numbers are no rotation: its rows must have length 1, be at right angles, and form a "
-        "right-handed frame."));
+    return said(TRANSLATE_NOOP("problem",
+                               "The upper left 3 x 3 numbers are not a rotation matrix: its rows must have length 1, "
+                               "be at right angles, and form a right-handed frame."));
   }
   if (X.topRightCorner<3, 1>().cwiseAbs().maxCoeff() > kFarthest_mm)
-    return said(TRANSLATE_NOOP("problem", "The place must lie within 1e6 mm (1 km)."));
+    return said(TRANSLATE_NOOP("problem", "The position must lie within 1e6 mm (1 km)."));
   return {};
 }
 

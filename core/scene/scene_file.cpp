@@ -49,8 +49,9 @@ Problems writeSceneFile(const Description& scene, const std::string& path, const
   const int reason =
       system::putInPlace(std::move(file), part, target, writeScene(scene, teaching), system::Lasting::OnDisk);
   if (reason != 0)
-    return problem(path, said(TRANSLATE_NOOP("problem", "The scene cannot be saved, what was there is untouched: %1."),
-                              {wordsOf(reason)}));
+    return problem(path,
+                   said(TRANSLATE_NOOP("problem", "The scene cannot be saved: %1. The existing file is unchanged."),
+                        {wordsOf(reason)}));
   return {};
 }
 

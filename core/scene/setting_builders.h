@@ -10,7 +10,7 @@
 
 namespace underact::scene::row {
 
-// Inside the room: how a row of the table is made from a member of an object of the description.
+// Internal to the room: makes a row of the table from a member of an object of the description.
 
 /// The object that a pointer to a member belongs to.
 template <class Member>
@@ -25,7 +25,7 @@ template <auto kMember>
 using ObjectOf = typename MemberOf<decltype(kMember)>::Object;
 
 template <class Object>
-constexpr const char* kObject = "/constraints/*";  // a shape's own keys stand among the constraint's
+constexpr const char* kObject = "/constraints/*";  // a shape's own keys are among the constraint's
 template <>
 constexpr const char* kObject<Description> = "";
 template <>

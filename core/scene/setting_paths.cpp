@@ -131,8 +131,8 @@ Problems nowhere(const Description& scene, const std::string& path) {
   if (index && *index >= scene.constraints.size())
     return problemAt(path, said(TRANSLATE_NOOP("problem", "The scene has %1 constraints, counted from 0."),
                                 {std::to_string(scene.constraints.size())}));
-  return problemAt(path, said(TRANSLATE_NOOP("problem", "The scene has nothing there that \"%1\" is a setting of."),
-                              {setting->key}));
+  return problemAt(
+      path, said(TRANSLATE_NOOP("problem", "The scene has nothing there with a setting \"%1\"."), {setting->key}));
 }
 
 json::Value jsonOf(const SettingValue& value) {

@@ -28,7 +28,7 @@ bool slides(const Joint& joint) {
 Sentence judgeDynamic(const Friction& friction, double number) {
   const double most = friction.static_share;
   if (!(most >= 0.0 && most <= kMostFriction) || (number >= 0.0 && number <= most)) return {};
-  return said(TRANSLATE_NOOP("problem", "This must be from 0 to the static share, %1; here it is %2."),
+  return said(TRANSLATE_NOOP("problem", "This must be from 0 to the static friction, %1; here it is %2."),
               {json::numberText(most), json::numberText(number)});
 }
 
@@ -43,45 +43,45 @@ constexpr SettingOf<Friction> dynamicShare(Setting setting) {
 constexpr const char* kLawShown[] = {TRANSLATE_NOOP("setting", "P, proportional"),
                                      TRANSLATE_NOOP("setting", "PD, with damping"),
                                      TRANSLATE_NOOP("setting", "PID, with integral")};
-constexpr const char* kAnisotropyShown[] = {TRANSLATE_NOOP("setting", "by effort (weighted)"),
-                                            TRANSLATE_NOOP("setting", "by distance (euclidean)")};
+constexpr const char* kAnisotropyShown[] = {TRANSLATE_NOOP("setting", "least effort (weighted)"),
+                                            TRANSLATE_NOOP("setting", "least distance (euclidean)")};
 constexpr const char* kPassivityShown[] = {TRANSLATE_NOOP("setting", "observe"), TRANSLATE_NOOP("setting", "off"),
                                            TRANSLATE_NOOP("setting", "control")};
-constexpr const char* kSpaceShown[] = {TRANSLATE_NOOP("setting", "the tip (Cartesian)"),
-                                       TRANSLATE_NOOP("setting", "the joints")};
+constexpr const char* kSpaceShown[] = {TRANSLATE_NOOP("setting", "Cartesian (tip)"),
+                                       TRANSLATE_NOOP("setting", "joints")};
 constexpr const char* kFilterShown[] = {TRANSLATE_NOOP("setting", "Kalman"), TRANSLATE_NOOP("setting", "low-pass"),
                                         TRANSLATE_NOOP("setting", "adaptive window"),
                                         TRANSLATE_NOOP("setting", "raw difference")};
 static_assert(std::size(kFilterShown) == std::size(kFilterWords));
 constexpr const char* kStylusAxisShown[] = {TRANSLATE_NOOP("setting", "+z, from the tip to the hand"),
                                             TRANSLATE_NOOP("setting", "−z, from the hand to the tip")};
-constexpr const char* kSearchShown[] = {TRANSLATE_NOOP("setting", "nearest of all"),
-                                        TRANSLATE_NOOP("setting", "nearest of all, in the tree"),
+constexpr const char* kSearchShown[] = {TRANSLATE_NOOP("setting", "nearest overall"),
+                                        TRANSLATE_NOOP("setting", "nearest overall, by tree"),
                                         TRANSLATE_NOOP("setting", "along the surface")};
 constexpr const char* kOrientationShown[] = {
-    TRANSLATE_NOOP("setting", "nothing of the turn"), TRANSLATE_NOOP("setting", "direction of z (axis)"),
-    TRANSLATE_NOOP("setting", "angle about the joint"), TRANSLATE_NOOP("setting", "the whole turn")};
+    TRANSLATE_NOOP("setting", "none"), TRANSLATE_NOOP("setting", "direction of z (axis)"),
+    TRANSLATE_NOOP("setting", "full orientation"), TRANSLATE_NOOP("setting", "the whole turn")};
 constexpr const char* kForceLawShown[] = {TRANSLATE_NOOP("setting", "energy, F = K e"),
                                           TRANSLATE_NOOP("setting", "thesis 5.2")};
-constexpr const char* kSolverShown[] = {TRANSLATE_NOOP("setting", "by itself (auto)"),
+constexpr const char* kSolverShown[] = {TRANSLATE_NOOP("setting", "automatic"),
                                         TRANSLATE_NOOP("setting", "closed form"),
                                         TRANSLATE_NOOP("setting", "iterative")};
 
 constexpr SettingOf<Description> kOfScene[] = {row::oneOf<&Description::combine, kCombineWords>(
     {.key = "combine",
-     .label = TRANSLATE_NOOP("setting", "how forces are combined"),
-     .tip = TRANSLATE_NOOP("setting",
-                           "Every constraint's own force is added, or the nearest to the stylus holds alone.")})};
+     .label = TRANSLATE_NOOP("setting", "combination of forces"),
+     .tip = TRANSLATE_NOOP(
+         "setting", "The forces of all constraints are added, or only the constraint nearest to the stylus acts.")})};
 
 constexpr SettingOf<Simulation> kOfSimulation[] = {
     row::oneOf<&Simulation::integrator, kIntegratorWords>(
         {.key = "integrator",
          .label = TRANSLATE_NOOP("setting", "integrator"),
-         .tip = TRANSLATE_NOOP("setting", "How a substep of the simulated arm goes from one state to the next.")}),
+         .tip = TRANSLATE_NOOP("setting", "The integration method for a substep of the simulated arm.")}),
     row::member<&Simulation::substep_us>(
         {.key = "substep_us",
          .label = TRANSLATE_NOOP("setting", "substep"),
-         .tip = TRANSLATE_NOOP("setting", "The longest substep of the simulated arm, microseconds."),
+         .tip = TRANSLATE_NOOP("setting", "The longest substep of the simulated arm, in microseconds."),
          .unit = TRANSLATE_NOOP("setting", "us"),
          .least = kShortestSubstep_us,
          .most = kLongestSubstep_us,
@@ -90,70 +90,67 @@ constexpr SettingOf<Simulation> kOfSimulation[] = {
 constexpr SettingOf<Control> kOfControl[] = {
     row::oneOf<&Control::law, kLawWords, kLawShown>(
         {.key = "law",
-         .label = TRANSLATE_NOOP("setting", "law"),
+         .label = TRANSLATE_NOOP("setting", "control law"),
          .tip = TRANSLATE_NOOP("setting",
                                "P: f = kp e.  PD: f = kp e + kd de/dt.  PID: f = kp e + kd de/dt + integral of ki e."),
          .said = Always}),
     row::gain<&Gains::kp_N_per_mm, LawType::P>(
         {.key = "kp_N_per_mm",
          .label = TRANSLATE_NOOP("setting", "stiffness"),
-         .tip = TRANSLATE_NOOP("setting",
-                               "How hard the stylus is pulled back for each millimetre: f = kp e (proportional gain)."),
+         .tip = TRANSLATE_NOOP(
+             "setting",
+             "Pulls the stylus back with this force for each millimetre of error: f = kp e (proportional gain)."),
          .unit = TRANSLATE_NOOP("setting", "N/mm")}),
     row::gain<&Gains::kd_N_s_per_mm, LawType::PD>(
         {.key = "kd_N_s_per_mm",
          .label = TRANSLATE_NOOP("setting", "damping"),
-         .tip =
-             TRANSLATE_NOOP("setting", "How hard a change of the error is resisted: f = kd de/dt (derivative gain)."),
+         .tip = TRANSLATE_NOOP("setting", "Resists a change of the error: f = kd de/dt (derivative gain)."),
          .unit = TRANSLATE_NOOP("setting", "N s/mm")}),
     row::gain<&Gains::ki_N_per_mm_s, LawType::PID>(
         {.key = "ki_N_per_mm_s",
-         .label = TRANSLATE_NOOP("setting", "integral"),
-         .tip = TRANSLATE_NOOP("setting", "How fast an error that stays is worked off: df/dt = ki e (integral gain)."),
+         .label = TRANSLATE_NOOP("setting", "integral gain"),
+         .tip = TRANSLATE_NOOP("setting", "Removes an error that stays, over time: df/dt = ki e (integral gain)."),
          .unit = TRANSLATE_NOOP("setting", "N/(mm s)")}),
     row::oneOf<&Control::anisotropy, kAnisotropyWords, kAnisotropyShown>(
         {.key = "anisotropy",
          .label = TRANSLATE_NOOP("setting", "nearest point"),
          .tip = TRANSLATE_NOOP(
              "setting",
-             "With unequal gains the point of least effort is not the point of least distance. By effort the stylus "
-             "stays where it is put; by distance, as in the thesis, it may creep.")}),
+             "With unequal gains the point of least effort is not the point of least distance. With least effort the "
+             "stylus stays where it is put; with least distance, as in the thesis, it may creep.")}),
     row::oneOf<&Control::passivity, kPassivityWords, kPassivityShown>(
         {.key = "passivity",
          .label = TRANSLATE_NOOP("setting", "passivity"),
-         .tip = TRANSLATE_NOOP(
-             "setting",
-             "Observe counts the energy that the stylus puts into the constraint and gets back, E = sum of f dx; below "
-             "0 the wall is active. Control adds the damping that is missing.")}),
+         .tip = TRANSLATE_NOOP("setting",
+                               "Observe: adds up the energy that the stylus puts into the constraint and gets back, E "
+                               "= sum of f dx; below 0 the wall is active. Control: also adds the missing damping.")}),
     row::oneOf<&Control::space, kSpaceWords, kSpaceShown>(
         {.key = "space",
-         .label = TRANSLATE_NOOP("setting", "where the control works"),
+         .label = TRANSLATE_NOOP("setting", "control space"),
          .tip = TRANSLATE_NOOP(
              "setting",
-             "On the tip: f = kp e, axis by axis. On the joints: torques draw joints 1 to 3 to those of the target, "
+             "Cartesian: f = kp e at the tip, axis by axis. Joints: torques pull joints 1 to 3 to those of the target, "
              "tau = K (q* - q), f = J^-T tau; the gains are as felt in the middle of the workspace.")})};
 
 constexpr SettingOf<Velocity> kOfVelocity[] = {
-    row::filter(
-        {.key = "filter",
-         .label = TRANSLATE_NOOP("setting", "velocity filter"),
-         .tip = TRANSLATE_NOOP("setting",
-                               "How the rate de/dt is found from places that come in encoder steps: each filter "
-                               "is another trade of delay for noise."),
-         .said = Required,
-         .shown = kFilterShown}),
-    row::ofFilter<&KalmanFilter::noise_mm>(
-        {.key = "noise_mm",
-         .label = TRANSLATE_NOOP("setting", "noise"),
-         .tip = TRANSLATE_NOOP("setting", "How far a sample is off, standard deviation."),
-         .unit = TRANSLATE_NOOP("setting", "mm"),
-         .least = 1e-6,
-         .most = 1e3}),
+    row::filter({.key = "filter",
+                 .label = TRANSLATE_NOOP("setting", "velocity filter"),
+                 .tip = TRANSLATE_NOOP("setting",
+                                       "How the rate de/dt is estimated from positions in encoder steps: each filter "
+                                       "trades delay for noise in another way."),
+                 .said = Required,
+                 .shown = kFilterShown}),
+    row::ofFilter<&KalmanFilter::noise_mm>({.key = "noise_mm",
+                                            .label = TRANSLATE_NOOP("setting", "noise"),
+                                            .tip = TRANSLATE_NOOP("setting", "The standard deviation of a sample."),
+                                            .unit = TRANSLATE_NOOP("setting", "mm"),
+                                            .least = 1e-6,
+                                            .most = 1e3}),
     row::ofFilter<&KalmanFilter::acceleration_mm_per_s2>(
         {.key = "acceleration_mm_per_s2",
          .label = TRANSLATE_NOOP("setting", "acceleration"),
-         .tip = TRANSLATE_NOOP("setting",
-                               "How hard the hand may speed up: more, and the filter follows sooner and is noisier."),
+         .tip = TRANSLATE_NOOP(
+             "setting", "The acceleration expected of the hand: with more, the filter follows faster and is noisier."),
          .unit = TRANSLATE_NOOP("setting", "mm/s²"),
          .least = 1e-3,
          .most = 1e9}),
@@ -167,7 +164,7 @@ constexpr SettingOf<Velocity> kOfVelocity[] = {
     row::ofFilter<&AdaptiveWindowFilter::window>(
         {.key = "window",
          .label = TRANSLATE_NOOP("setting", "longest window"),
-         .tip = TRANSLATE_NOOP("setting", "The longest window, in ticks: longer is calmer and later."),
+         .tip = TRANSLATE_NOOP("setting", "The longest window, in ticks: a longer one is smoother but adds delay."),
          .unit = TRANSLATE_NOOP("setting", "ticks"),
          .least = 1.0,
          .most = control::kLongestWindow},
@@ -175,20 +172,18 @@ constexpr SettingOf<Velocity> kOfVelocity[] = {
     row::ofFilter<&AdaptiveWindowFilter::noise_mm>(
         {.key = "noise_mm",
          .label = TRANSLATE_NOOP("setting", "noise"),
-         .tip = TRANSLATE_NOOP("setting", "As far as a sample may lie off the line through the ends of the window."),
+         .tip = TRANSLATE_NOOP("setting", "How far a sample may lie off the line through the ends of the window."),
          .unit = TRANSLATE_NOOP("setting", "mm"),
          .least = 0.0,
          .most = 1e3})};
 
 constexpr SettingOf<Constraint> kOfConstraint[] = {row::thereWhere<Constraint>(
-    &partsSpace,
-    row::oneOf<&Constraint::side, kSideWords>(
-        {.key = "side",
-         .label = TRANSLATE_NOOP("setting", "side"),
-         .tip = TRANSLATE_NOOP(
-             "setting",
-             "Both: the stylus is held to the surface. Outside, inside: where it is free to be; a wall that "
-             "pushes it back there.")}))};
+    &partsSpace, row::oneOf<&Constraint::side, kSideWords>(
+                     {.key = "side",
+                      .label = TRANSLATE_NOOP("setting", "side"),
+                      .tip = TRANSLATE_NOOP("setting",
+                                            "Both: the stylus is held to the surface. Outside, inside: the stylus is "
+                                            "free on that side, and a wall pushes it back from the other.")}))};
 
 constexpr SettingOf<Influence> kOfInfluence[] = {
     row::member<&Influence::t>(
@@ -207,13 +202,13 @@ constexpr SettingOf<Influence> kOfInfluence[] = {
          .label = TRANSLATE_NOOP("setting", "stylus axis"),
          .tip = TRANSLATE_NOOP(
              "setting",
-             "Which way along the stylus points at the shape: z of frame 6 runs from the tip into the hand.")}),
+             "Which end of the stylus points at the shape: z of frame 6 points from the tip into the hand.")}),
     row::member<&Influence::blend_deg>(
         {.key = "blend_deg",
          .label = TRANSLATE_NOOP("setting", "blend width"),
          .tip = TRANSLATE_NOOP("setting",
-                               "Within this angle of the shape's axis the stylus's direction says less and less, and "
-                               "the target goes over to position smoothly."),
+                               "Within this angle of the shape's axis the stylus's direction counts less and less, and "
+                               "the target changes smoothly to position only."),
          .unit = TRANSLATE_NOOP("setting", "°"),
          .least = 0.0,
          .most = 30.0,
@@ -224,23 +219,24 @@ constexpr SettingOf<Friction> kOfFriction[] = {
         {.key = "static",
          .label = TRANSLATE_NOOP("setting", "static friction"),
          .tip = TRANSLATE_NOOP("setting",
-                               "How hard it sticks: the share of the force across the surface that does not move it."),
+                               "How firmly the target sticks: coefficient of static friction. It moves when the force "
+                               "along the surface exceeds this share of the force across it."),
          .least = 0.0,
          .most = kMostFriction,
          .said = Required,
          .wrong = TRANSLATE_NOOP("problem", "This must be from 0 (smooth) to %1; here it is %2.")}),
     row::judgedBy<Friction>(
-        &judgeDynamic,
-        dynamicShare({.key = "dynamic",
-                      .label = TRANSLATE_NOOP("setting", "dynamic friction"),
-                      .tip = TRANSLATE_NOOP("setting", "How hard it drags while it slides; at most the static share."),
-                      .least = 0.0,
-                      .most = kMostFriction}))};
+        &judgeDynamic, dynamicShare({.key = "dynamic",
+                                     .label = TRANSLATE_NOOP("setting", "dynamic friction"),
+                                     .tip = TRANSLATE_NOOP("setting",
+                                                           "How strongly the target drags while it slides: coefficient "
+                                                           "of dynamic friction, at most the static one."),
+                                     .least = 0.0,
+                                     .most = kMostFriction}))};
 
-constexpr const char* kSearchTip = TRANSLATE_NOOP(
-    "setting",
-    "Nearest of all: the target may change over to another part of the mesh. Along the surface: it stays on the sheet "
-    "it is on.");
+constexpr const char* kSearchTip = TRANSLATE_NOOP("setting",
+                                                  "Nearest overall: the target may change to another part of the mesh. "
+                                                  "Along the surface: it stays on the sheet it is on.");
 
 constexpr SettingOf<Mesh> kOfMesh[] = {
     row::oneOf<&Mesh::search, kSearchWords, kSearchShown>(
@@ -249,31 +245,29 @@ constexpr SettingOf<Mesh> kOfMesh[] = {
         {.key = "smooth_deg",
          .label = TRANSLATE_NOOP("setting", "smoothing"),
          .tip = TRANSLATE_NOOP("setting",
-                               "Bends between faces feel round: the force leans by up to this angle from the face's "
-                               "own normal. Edges that turn by more stay sharp. 0: faces as they are."),
+                               "Bends between faces feel round: the force tilts by up to this angle from the face's "
+                               "own normal. Edges that bend by more stay sharp. 0: faces as they are."),
          .unit = TRANSLATE_NOOP("setting", "°"),
          .least = 0.0,
          .most = kMostSmooth_deg,
-         .wrong = TRANSLATE_NOOP("problem",
-                                 "This must be from 0 (faces as they are) to %1 degrees that the force may lean, so "
-                                 "that bends feel round; here it is %2.")})};
+         .wrong = TRANSLATE_NOOP("problem", "This must be from 0 (faces as they are) to %1 degrees; here it is %2.")})};
 
 constexpr SettingOf<Curve> kOfCurve[] = {
     row::oneOf<&Curve::search, kSearchWords, kSearchShown>(
         {.key = "search", .label = TRANSLATE_NOOP("setting", "search"), .tip = kSearchTip}),
     row::oneOf<&Curve::kind, kCurveWords>(
         {.key = "kind",
-         .label = TRANSLATE_NOOP("setting", "kind of the curve"),
+         .label = TRANSLATE_NOOP("setting", "kind of curve"),
          .tip = TRANSLATE_NOOP("setting", "How the points are joined: smoothly, or by straight lines.")}),
     row::member<&Curve::closed>({.key = "closed",
                                  .label = TRANSLATE_NOOP("setting", "closed curve"),
-                                 .tip = TRANSLATE_NOOP("setting", "It goes back to its first point.")})};
+                                 .tip = TRANSLATE_NOOP("setting", "The curve returns to its first point.")})};
 
 constexpr SettingOf<CurveGuide> kOfGuide[] = {
     row::member<&CurveGuide::speed_mm_per_s>(
         {.key = "speed_mm_per_s",
          .label = TRANSLATE_NOOP("setting", "speed of the guide"),
-         .tip = TRANSLATE_NOOP("setting", "How fast the guide runs."),
+         .tip = TRANSLATE_NOOP("setting", "How fast the guide moves along the curve."),
          .unit = TRANSLATE_NOOP("setting", "mm/s"),
          .least = -kFastest_mm_per_s,
          .most = kFastest_mm_per_s,
@@ -287,12 +281,12 @@ constexpr SettingOf<CurveGuide> kOfGuide[] = {
                                "s = s_guide + t (s_hand - s_guide)."),
          .least = 0.0,
          .most = 1.0,
-         .wrong = TRANSLATE_NOOP(
-             "problem", "This must be from 0 (to the guide alone) to 1 (to the nearest point alone); here it is %1.")}),
+         .wrong =
+             TRANSLATE_NOOP("problem", "This must be from 0 (guide only) to 1 (nearest point only); here it is %1.")}),
     row::member<&CurveGuide::lead_mm>(
         {.key = "lead_mm",
          .label = TRANSLATE_NOOP("setting", "lead of the guide"),
-         .tip = TRANSLATE_NOOP("setting", "How far ahead of the hand the guide goes at most. There it waits."),
+         .tip = TRANSLATE_NOOP("setting", "How far ahead of the hand the guide may go before it waits."),
          .unit = TRANSLATE_NOOP("setting", "mm"),
          .least = 0.0,
          .most = 1000.0,
@@ -302,61 +296,61 @@ constexpr SettingOf<CurveGuide> kOfGuide[] = {
 constexpr SettingOf<VirtualManipulator> kOfRobot[] = {
     row::oneOf<&VirtualManipulator::orientation, kOrientationWords, kOrientationShown>(
         {.key = "orientation",
-         .label = TRANSLATE_NOOP("setting", "what the tip follows"),
+         .label = TRANSLATE_NOOP("setting", "orientation"),
          .tip = TRANSLATE_NOOP("setting",
-                               "Nothing: e = (p, 0). The direction of z: e_o = z_V − z_T. The angle about the one "
-                               "joint that turns, as in "
-                               "the thesis. The whole turn: e_o is its rotation vector.")}),
+                               "None: e = (p, 0). Direction of z: e_o = z_V − z_T. Angle about the one revolute joint, "
+                               "as in the thesis. Full orientation: e_o is the rotation vector.")}),
     row::judgedBy<VirtualManipulator>(
         &row::judgeAsGain,
         row::member<&VirtualManipulator::ko_N_mm_per_rad>(
             {.key = "ko_N_mm_per_rad",
-             .label = TRANSLATE_NOOP("setting", "turning stiffness"),
-             .tip =
-                 TRANSLATE_NOOP("setting",
-                                "How hard the tip's turn follows the stylus's: it adds Kθ e_o² / 2 to the energy, so "
-                                "that the joints, and with them the tip, go where the stylus points."),
+             .label = TRANSLATE_NOOP("setting", "rotational stiffness"),
+             .tip = TRANSLATE_NOOP(
+                 "setting",
+                 "How firmly the end effector's orientation follows the stylus's: it adds Kθ e_o² / 2 to the energy, "
+                 "so that the joints, and with them the end effector, go where the stylus points."),
              .unit = TRANSLATE_NOOP("setting", "N mm/rad"),
              .least = 0.0,
              .most = kHighestGain})),
     row::oneOf<&VirtualManipulator::force_law, kForceLawWords, kForceLawShown>(
         {.key = "force_law",
          .label = TRANSLATE_NOOP("setting", "force law"),
-         .tip = TRANSLATE_NOOP("setting",
-                               "Energy: F = K e at the joints of least energy; no work is done on a loop. Thesis "
-                               "5.2, for one joint: F = kp e − (ko e_θ / L) t; it does work on a loop.")})};
+         .tip = TRANSLATE_NOOP(
+             "setting",
+             "Energy: F = K e at the joints of least energy; no work is done around a closed path. Thesis 5.2, for one "
+             "joint: F = kp e − (ko e_θ / L) t; it does work around a closed path.")})};
 
 constexpr SettingOf<Solver> kOfSolver[] = {
     row::oneOf<&Solver::method, kSolverWords, kSolverShown>(
         {.key = "method",
-         .label = TRANSLATE_NOOP("setting", "solver's method"),
-         .tip = TRANSLATE_NOOP(
-             "setting",
-             "By itself: a closed form where the chain has one (a circle, sphere, cylinder, line or plane), else the "
-             "iteration (Levenberg and Marquardt, from the last tick's joints).")}),
+         .label = TRANSLATE_NOOP("setting", "solver method"),
+         .tip = TRANSLATE_NOOP("setting",
+                               "Automatic: a closed form where the chain has one (a circle, sphere, cylinder, line or "
+                               "plane), otherwise iteration (Levenberg and Marquardt, from the last tick's joints).")}),
     row::member<&Solver::max_steps>(
         {.key = "max_steps",
-         .label = TRANSLATE_NOOP("setting", "solver's steps"),
-         .tip = TRANSLATE_NOOP("setting",
-                               "The iteration's steps in one tick, 1 to 100; what is left goes on in the next."),
+         .label = TRANSLATE_NOOP("setting", "solver steps"),
+         .tip =
+             TRANSLATE_NOOP("setting", "The most iterations in one tick, 1 to 100; the next tick goes on from there."),
          .least = 1.0,
          .most = 100.0}),
     row::member<&Solver::tolerance>(
         {.key = "tolerance",
-         .label = TRANSLATE_NOOP("setting", "solver's tolerance"),
-         .tip = TRANSLATE_NOOP("setting",
-                               "The iteration ends where no joint would move by more: rad, and shares of the reach."),
+         .label = TRANSLATE_NOOP("setting", "solver tolerance"),
+         .tip = TRANSLATE_NOOP(
+             "setting",
+             "The iteration ends when no joint would move by more than this: in rad, or as a fraction of the reach."),
          .least = 0.0,
          .most = 0.01,
          .is_above_least = true,
-         .wrong = TRANSLATE_NOOP("problem",
-                                 "This must be above 0 and at most 0.01 (rad, and of the reach); here it is %1.")})};
+         .wrong = TRANSLATE_NOOP(
+             "problem", "This must be above 0 and at most 0.01 (rad, or a fraction of the reach); here it is %1.")})};
 
 constexpr Setting kSpring{
     .key = "stiffness_N_per_mm",
     .label = TRANSLATE_NOOP("setting", "spring of the joint"),
-    .tip =
-        TRANSLATE_NOOP("setting", "The joint's own spring adds k (q - rest)^2 / 2 to the energy; 0: it moves freely."),
+    .tip = TRANSLATE_NOOP("setting",
+                          "The joint's own spring adds k (q - rest)^2 / 2 to the energy; 0: the joint moves freely."),
     .unit = TRANSLATE_NOOP("setting", "N/mm"),
     .least = 0.0,
     .most = kHighestGain};
@@ -368,10 +362,10 @@ constexpr Setting turningSpring() {
 }
 
 constexpr SettingOf<Joint> kOfJoint[] = {
-    row::judgedBy<Joint>(
-        &judgeJoint, row::member<&Joint::min>({.key = "min",
-                                               .label = TRANSLATE_NOOP("setting", "lower limit of the joint"),
-                                               .tip = TRANSLATE_NOOP("setting", "The least value; none: no limit.")})),
+    row::judgedBy<Joint>(&judgeJoint, row::member<&Joint::min>(
+                                          {.key = "min",
+                                           .label = TRANSLATE_NOOP("setting", "lower limit of the joint"),
+                                           .tip = TRANSLATE_NOOP("setting", "The smallest value; none: no limit.")})),
     row::judgedBy<Joint>(&judgeJoint, row::member<&Joint::max>(
                                           {.key = "max",
                                            .label = TRANSLATE_NOOP("setting", "upper limit of the joint"),
@@ -382,8 +376,8 @@ constexpr SettingOf<Joint> kOfJoint[] = {
     row::judgedBy<Joint>(
         &judgeJoint,
         row::member<&Joint::rest>({.key = "rest",
-                                   .label = TRANSLATE_NOOP("setting", "rest of the joint"),
-                                   .tip = TRANSLATE_NOOP("setting", "Where the joint's spring pulls nowhere.")}))};
+                                   .label = TRANSLATE_NOOP("setting", "rest position of the joint"),
+                                   .tip = TRANSLATE_NOOP("setting", "Where the joint's spring exerts no force.")}))};
 
 }  // namespace
 

@@ -22,7 +22,7 @@ inline bool isNone(const SettingValue& value) {
   return std::holds_alternative<std::monostate>(value);
 }
 
-/// Gain: one number for all axes, or one each. A choice is one of words.
+/// Gain: one number for all axes, or one each. Choice: one of words.
 enum class SettingKind : std::uint8_t { Number, Whole, Gain, Choice, Flag };
 
 /// When its key is in a file. Always: whenever its object is; Required: the object needs it.
@@ -37,12 +37,12 @@ struct Setting {
   double least = -kInfinity, most = kInfinity;
   bool is_above_least = false;  // least itself is not allowed
   Said said = Said::IfUnusual;
-  const char* wrong = nullptr;         // of a number outside: its places are the last of least, most and the number
-  const char* const* shown = nullptr;  // of a choice: what a panel says for each word; null: the words
+  const char* wrong = nullptr;  // for a number outside the range: its last placeholders are least, most and the number
+  const char* const* shown = nullptr;  // of a choice: what a panel shows for each word; null: the words
 
   SettingKind kind = SettingKind::Number;
-  const char* object = nullptr;  // where it stands: "/constraints/*/influence"; /control stands for a constraint's, too
-  std::vector<std::string> (*words)() = nullptr;  // of a choice, as a file has them; the usual one is the first
+  const char* object = nullptr;  // its path: "/constraints/*/influence"; "/control": a constraint's own, too
+  std::vector<std::string> (*words)() = nullptr;  // of a choice, as in a file; the first is the default
 };
 
 /// All settings, in the order of the table.
@@ -55,7 +55,7 @@ std::string pathOf(const Setting& setting);
 const Setting* findSetting(std::string_view path);
 
 // A path is the JSON pointer of the value in the file: "/constraints/0/influence/t". A constraint without a control of
-// its own has the scene's; setting one gives it its own. Problems: no such setting; the scene has no such place.
+// its own uses the scene's; setting one gives it its own. Problems: no such setting; the scene has no such object.
 Result<Setting> settingAt(const Description& scene, const std::string& path);
 Result<SettingValue> valueAt(const Description& scene, const std::string& path);
 /// The default where the file leaves the key out; none: there is none.

@@ -88,7 +88,7 @@ std::string jointText(const Joint& joint) {
   return objectText(members, 8);
 }
 
-/// A row on each line.
+/// One row per line.
 std::string poseText(const Eigen::Matrix4d& X) {
   std::string rows;
   for (Eigen::Index row = 0; row < 4; ++row) {
@@ -99,7 +99,7 @@ std::string poseText(const Eigen::Matrix4d& X) {
   return "[" + rows + "\n      ]";
 }
 
-/// A joint on each line.
+/// One joint per line.
 void addManipulator(Members& members, const VirtualManipulator& robot) {
   std::string joints;
   for (const Joint& joint : robot.joints) joints += (joints.empty() ? "\n        " : ",\n        ") + jointText(joint);

@@ -18,17 +18,17 @@ namespace underact::servo {
 Sentence guardPhrase(const Guard* guard, const Sentence& why_none) {
   const Sentence gap = guard == nullptr ? why_none : guard->gap();
   if (guard == nullptr || !gap.empty()) return said(TRANSLATE_NOOP("problem", "no guard: %1"), {gap});
-  if (guard->replaced() == 0) return said(TRANSLATE_NOOP("problem", "guarded by a process of its own"));
-  return said(TRANSLATE_NOOP("problem", "guarded by a process of its own (replaced so far: %1)"),
+  if (guard->replaced() == 0) return said(TRANSLATE_NOOP("problem", "guarded by a separate process"));
+  return said(TRANSLATE_NOOP("problem", "guarded by a separate process (replaced so far: %1)"),
               {std::to_string(guard->replaced())});
 }
 
 Sentence nothingGuards(const Sentence& gap) {
-  return said(TRANSLATE_NOOP("problem",
-                             "Nothing guards the arm: %1. If this program died now, the arm could keep its last "
-                             "force. Until the guard is back, keep a hand on the arm's plug or switch, or stop the "
-                             "force."),
-              {gap});
+  return said(
+      TRANSLATE_NOOP("problem",
+                     "Nothing guards the arm: %1. If this program crashed now, the arm could hold its last force. "
+                     "Until the guard is back, keep a hand on the arm's plug or switch, or switch the force off."),
+      {gap});
 }
 
 namespace {
@@ -89,7 +89,7 @@ void Guard::watch() {
   system::nameThread("underact-warden");
   system::setOwnUrgency({});  // the creating thread may be real-time
   while (waitUntilItEnds()) {
-    setGap(said(TRANSLATE_NOOP("problem", "the guard has ended, and is started again")));
+    setGap(said(TRANSLATE_NOOP("problem", "the guard has ended and is being restarted")));
     if (!startAnother()) return;
     replaced_.fetch_add(1, std::memory_order_relaxed);
     setGap({});
@@ -115,7 +115,7 @@ bool Guard::startAnother() {
   for (;;) {
     if (isToldToEnd(pace_.next_ns(system::monotonicNow_ns()))) return false;
     if (process_->start()) return true;
-    setGap(said(TRANSLATE_NOOP("problem", "the guard has ended, and does not start again (%1)"),
+    setGap(said(TRANSLATE_NOOP("problem", "the guard has ended and does not restart (%1)"),
                 {std::string(std::strerror(process_->failure()))}));
   }
 }

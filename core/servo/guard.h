@@ -54,7 +54,7 @@ class Guard {
   std::thread thread_;
 };
 
-/// For the list of what the system granted: "guarded by a process of its own", or why not. guard: null where none was
+/// For the list of what the system granted: "guarded by a separate process", or why not. guard: null where none was
 /// started, for the reason in why_none.
 Sentence guardPhrase(const Guard* guard, const Sentence& why_none);
 

@@ -80,12 +80,12 @@ struct Host::Impl {
   bool records() const { return tap && !tap->ended() && !tap->givenUp(); }
   Problems mayTickAt(int rate_hz) const {
     if (rate_hz < kSlowest_hz || rate_hz > kFastest_hz)
-      return {{said(TRANSLATE_NOOP("problem", "The servo ticks 100 to 10000 times a second, not %1."),
+      return {{said(TRANSLATE_NOOP("problem", "The servo rate must be from 100 to 10000 Hz, not %1."),
                     {std::to_string(rate_hz)}),
                {}}};
     if (records())
-      return {{said(TRANSLATE_NOOP("problem",
-                                   "A session is recorded at one rate. Stop the recording, then change the rate.")),
+      return {{said(TRANSLATE_NOOP(
+                   "problem", "A session is recorded at a single rate. Stop the recording, then change the rate.")),
                {}}};
     const Sentence why = device->refusesRate(rate_hz);
     return why.empty() ? Problems{} : Problems{{why, {}}};
@@ -225,11 +225,11 @@ bool Host::holdToRun() const {
 
 Problems Host::setForceShare(double share) {
   if (!(share >= 0.0 && share <= 1.0))
-    return {{said(TRANSLATE_NOOP("problem", "The share of the force is from 0 to 1.")), {}}};
+    return {{said(TRANSLATE_NOOP("problem", "The share of the force must be from 0 to 1.")), {}}};
   if (share == impl_->force_share) return {};
   if (impl_->records())
     return {
-        {said(TRANSLATE_NOOP("problem", "A session is recorded at one limit of the force. Stop the recording first.")),
+        {said(TRANSLATE_NOOP("problem", "A session is recorded with a single force limit. Stop the recording first.")),
          {}}};
   impl_->force_share = share;
   return impl_->revision > 0 ? impl_->put(scene::Description(impl_->scene), Order::Retune) : Problems{};
@@ -344,7 +344,7 @@ system::Scheduling Host::scheduling() const {
     return granted;
   }
   return {said(impl_->options.clock == Clock::Manual ? TRANSLATE_NOOP("problem", "manual")
-                                                     : TRANSLATE_NOOP("problem", "not begun")),
+                                                     : TRANSLATE_NOOP("problem", "not started")),
           "",
           {}};
 }

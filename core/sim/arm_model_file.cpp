@@ -32,7 +32,7 @@ void readAmountUpTo(ObjectReader& object, const char* key, bool required, double
       *value, path,
       said(TRANSLATE_NOOP("problem", "This must lie within 0 and %1; here it is %2."),
            {numberText(most), std::isfinite(amount) ? Sentence(numberText(amount))
-                                                    : said(TRANSLATE_NOOP("problem", "no finite number"))}));
+                                                    : said(TRANSLATE_NOOP("problem", "not a finite number"))}));
   amount = 0.0;
 }
 
@@ -63,7 +63,7 @@ void readCounts(const Value& list, ArmModel& model, Findings& findings) {
 
 void readPlaces(const Value& list, std::vector<Vec3>& places_mm, Findings& findings) {
   const std::string path = "provenance.places_mm";
-  if (!isKind(list, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of places")), findings)) return;
+  if (!isKind(list, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of positions")), findings)) return;
   for (std::size_t index = 0; index < list.items.size(); ++index) {
     Vec3 place_mm = Vec3::Zero();
     const std::string own_path = path + "[" + std::to_string(index) + "]";
@@ -79,7 +79,7 @@ void readProvenance(const Value& value, Provenance& provenance, Findings& findin
   if (!isKind(value, json::Kind::Object, "provenance",
               said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"device\": \"...\", ...}"}), findings))
     return;
-  ObjectReader object(value, "provenance", said(TRANSLATE_NOOP("problem", "where a model comes from")), findings);
+  ObjectReader object(value, "provenance", said(TRANSLATE_NOOP("problem", "the origin of a model")), findings);
   readWords(object, "device", true, provenance.device);
   readWords(object, "serial", false, provenance.serial);
   readWords(object, "date", true, provenance.date);
@@ -92,7 +92,7 @@ void readProvenance(const Value& value, Provenance& provenance, Findings& findin
       provenance.rate_hz = static_cast<int>(rate_hz);
     else
       findings.add(*rate, "provenance.rate_hz",
-                   said(TRANSLATE_NOOP("problem", "This must be a whole number of ticks a second, at least 1.")));
+                   said(TRANSLATE_NOOP("problem", "This must be a whole number of ticks per second, at least 1.")));
   }
   if (const Value* const places = object.find("places_mm")) readPlaces(*places, provenance.places_mm, findings);
   object.finish();
@@ -229,8 +229,7 @@ Result<ArmModel> chooseArmModel(const std::string& name) {
   std::vector<std::string> names;
   for (const ArmModel& one : armModels()) names.push_back(one.name);
   return Problems{
-      {said(TRANSLATE_NOOP("problem",
-                           "There is no arm model %1; it must be %2, or a file of one (a name with a dot or a slash)."),
+      {said(TRANSLATE_NOOP("problem", "There is no arm model %1; use %2, or a file (a name with a dot or a slash)."),
             {json::shown(name), json::listed(names)})}};
 }
 

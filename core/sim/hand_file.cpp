@@ -27,7 +27,7 @@ bool isRotation(const Mat3& R) {
 bool checkFinite(const Value& value, const std::string& path, double number, Findings& findings) {
   if (std::isfinite(number)) return true;
   findings.add(value, path,
-               said(TRANSLATE_NOOP("problem", "This is no finite number; a double holds at most about 1.8e308.")));
+               said(TRANSLATE_NOOP("problem", "This is not a finite number; the largest is about 1.8e308.")));
   return false;
 }
 
@@ -76,11 +76,10 @@ void readPlace(const Value& value, const std::string& path, Vec3& p_WT, Findings
 void readTurn(const Value& value, const std::string& path, Mat3& R_WT, Findings& findings) {
   readNumber(value, path, R_WT, findings);
   if (!isRotation(R_WT)) {
-    findings.add(
-        value, path,
-        said(TRANSLATE_NOOP(
-            "problem",
-            "This is no rotation: its rows must have length 1, be at right angles, and form a right-handed frame.")));
+    findings.add(value, path,
+                 said(TRANSLATE_NOOP("problem",
+                                     "This is not a rotation matrix: its rows must have length 1, be at right angles, "
+                                     "and form a right-handed frame.")));
   }
   R_WT = Eigen::Quaterniond(R_WT).normalized().toRotationMatrix();
 }

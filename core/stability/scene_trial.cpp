@@ -56,8 +56,8 @@ Result<Vec3> restingPlace(const SceneWall& wall, const tick::TickProgram& progra
   for (int tick = ticksIn(kRamps_s + kSettling * swing_s, wall); tick-- > 0;) {
     const tick::TickReport& report = loop.tick(program, state);
     if (tick == 0 && (report.held.size() != 1 || report.held[0].status != target::Status::Unique))
-      return Problems{{said(TRANSLATE_NOOP(
-          "problem", "From there no single target is nearest, so nothing says where to begin. Begin elsewhere."))}};
+      return Problems{
+          {said(TRANSLATE_NOOP("problem", "From there no single target is nearest. Start from another position."))}};
   }
   return loop.arm().p_WT;
 }
@@ -142,7 +142,7 @@ Result<double> simulatedLimit(const SceneWall& wall, double share) {
   if (!soft) return soft.problems();
   if (!soft.value().holds)
     return Problems{{said(TRANSLATE_NOOP(
-        "problem", "Nothing holds the tip there: the target goes wherever the tip goes, so no stiffness is felt."))}};
+        "problem", "Nothing holds the tip there: the target follows the tip everywhere, so no stiffness is felt."))}};
   if (soft.value().trial.behaviour == Behaviour::Grows) return 0.0;
   Problems problems;
   const auto is_calm = [&](double K) {

@@ -57,8 +57,8 @@ std::string refusal(std::string_view first, std::size_t fingerprint) {
   const bool is_known = first.starts_with(kFirst) && first.size() > words;
   const std::string whose = is_known ? "another sweep (" + std::string(first.substr(words, first.size() - words - 1)) +
                                            "), or of another build, other options or files"
-                                     : "no sweep that can be known";
-  return "This journal is of " + whose + ". Choose another --out, or remove the journal, and its cells with it.";
+                                     : "an unknown sweep";
+  return "This journal is of " + whose + ". Choose another --out, or remove the journal, which discards its cells.";
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ Result<Journal> Journal::open(const Sweep& sweep, const std::string& result) {
   if (!file.isOpen()) return systemProblem(path, "The journal of finished cells cannot be opened", errno);
   if (!system::lock(file.number(), system::Lock::Alone))
     return problemAt(path,
-                     "Another underact-sweep is at work on this result. Wait for its end, or choose another --out.");
+                     "Another underact-sweep is working on this result. Wait until it ends, or choose another --out.");
   Journal journal(path, sweep.fingerprint, std::move(file));
   Problems problems = journal.read(sweep);
   if (!problems.empty()) return problems;
@@ -108,7 +108,7 @@ Problems Journal::read(const Sweep& sweep) {
 
 Problems Journal::write(const std::string& line) {
   const int reason = system::writeAll(file_.number(), std::as_bytes(std::span(line)));
-  return reason == 0 ? Problems{} : systemProblem(path_, "The journal takes no more", reason);
+  return reason == 0 ? Problems{} : systemProblem(path_, "The journal cannot be extended", reason);
 }
 
 Problems Journal::add(std::size_t cell, const std::string& row) {

@@ -71,7 +71,7 @@ class Leader {
       if (report) {
         hear(letter->from, *report);
       } else {
-        fail({{rankOf(letter->from) + " wrote something that is no letter of a sweep."}});
+        fail({{rankOf(letter->from) + " wrote something that is not a message of a sweep."}});
       }
     }
   }

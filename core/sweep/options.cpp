@@ -44,14 +44,14 @@ Result<Options> Options::from(const std::vector<Option>& rows, const Values& sai
     const auto found = said.find(row.name);
     options.values_[row.name] = found == said.end() ? row.usual : found->second;
     const std::size_t count = options.values_[row.name].size();
-    if (count == 0) problems.push_back(problemWith(row.name, "Nothing is said. " + row.what + "."));
-    if (count > 1 && !row.many) problems.push_back(problemWith(row.name, "It takes one value, and has several here."));
+    if (count == 0) problems.push_back(problemWith(row.name, "A value is missing. " + row.what + "."));
+    if (count > 1 && !row.many) problems.push_back(problemWith(row.name, "It takes one value, but has several here."));
   }
   for (const auto& [name, values] : said) {
     if (options.values_.contains(name)) continue;
     const std::string near = json::nearestWord(name, names);
     problems.push_back(
-        problemWith(name, "There is no such option." + (near.empty() ? "" : " Is --" + near + " meant?")));
+        problemWith(name, "There is no such option." + (near.empty() ? "" : " Did you mean --" + near + "?")));
   }
   if (!problems.empty()) return problems;
   return options;

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestResult = std::size_t{8} << 30U;
-const std::string kGoOn = "Move it away, and give the same command again: the cells are kept.";
+const std::string kGoOn = "Move it away and run the same command again: the cells are kept.";
 
 /// Removes the file `beside`, if it is a part of text left by a program that was killed. Problems: it is something
 /// else.
@@ -27,8 +27,8 @@ Problems removeTorn(const std::string& beside, std::string_view text) {
   const Result<std::string> found =
       is_plain ? json::readTextFile(beside, "a part of a result", kLargestResult) : Problems{};
   if (!found || !text.starts_with(found.value()))
-    return problemAt(
-        beside, "The result is to be written here first, but something else is here, and is not overwritten. " + kGoOn);
+    return problemAt(beside,
+                     "The result is written here first, but another file is here and is not overwritten. " + kGoOn);
   std::remove(beside.c_str());
   return {};
 }
@@ -38,17 +38,17 @@ Problems removeTorn(const std::string& beside, std::string_view text) {
 Result<bool> isThere(const Sweep& sweep, const std::string& path) {
   std::error_code ignored;
   if (!fs::exists(fs::symlink_status(path, ignored))) return false;
-  if (!fs::is_regular_file(path, ignored)) return problemAt(path, "This is no plain file; choose another --out.");
+  if (!fs::is_regular_file(path, ignored)) return problemAt(path, "This is not a regular file; choose another --out.");
   const Result<std::string> text = json::readTextFile(path, "a result", kLargestResult);
   if (!text) return text.problems();
   if (text.value().starts_with(sweep.header)) {
     const auto lines = std::count(text.value().begin(), text.value().end(), '\n');
     const auto header = std::count(sweep.header.begin(), sweep.header.end(), '\n');
     if (static_cast<std::size_t>(lines - header) == sweep.cells.count) return true;
-    return problemAt(path, "This result has lost or got rows since it was written. Remove it to make it anew.");
+    return problemAt(path,
+                     "Rows of this result were removed or added since it was written. Remove it to make it again.");
   }
-  return problemAt(path,
-                   "Something else is there already, and is not overwritten. Choose another --out, or remove it.");
+  return problemAt(path, "Another file exists here and is not overwritten. Choose another --out, or remove it.");
 }
 
 Problems writeResult(const Sweep& sweep, const Rows& rows, const std::string& path) {
@@ -70,9 +70,9 @@ Problems writeResult(const Sweep& sweep, const Rows& rows, const std::string& pa
     return {};
   }
   if (error == EEXIST)
-    return problemAt(path, "Something else has come here while the sweep ran, and is not overwritten. " + kGoOn);
+    return problemAt(path, "Another file was put here while the sweep ran, and is not overwritten. " + kGoOn);
   return problemAt(path, "The result cannot be written: " + std::generic_category().message(error) +
-                             ". Its cells are kept: make room, and give the same command again.");
+                             ". Its cells are kept: free some space and run the same command again.");
 }
 
 }  // namespace underact::sweep

@@ -52,7 +52,7 @@ Result<Sweep> makeSweep(const Kind& kind, const Options::Values& said, std::uint
   if (!options) return options.problems();
   Result<Cells> cells = kind.make(options.value());
   if (!cells) return cells.problems();
-  if (cells.value().count == 0) return Problems{{"These options make no cell, so there is nothing to run."}};
+  if (cells.value().count == 0) return Problems{{"These options give no cell, so there is nothing to run."}};
   if (cells.value().count > kMostCells)
     return Problems{{"These options make " + std::to_string(cells.value().count) + " cells; a sweep has at most " +
                      std::to_string(kMostCells) + ". Divide it into several."}};
@@ -77,8 +77,8 @@ Result<std::string> rowOf(const Sweep& sweep, std::size_t cell) {
     const Result<Row> row = sweep.cells.run(cell, seed);
     if (!row) return inCell(cell, row.problems().front().sentence);
     if (row.value().fields() != sweep.cells.columns.size())
-      return inCell(cell, "Its row has another number of fields than the columns; the kind " + sweep.kind +
-                              " is at fault, please report it.");
+      return inCell(cell, "The number of fields in its row differs from that of the columns; the kind " + sweep.kind +
+                              " is at fault; please report it.");
     return std::to_string(cell) + "," + std::to_string(seed) + "," + row.value().text();
   } catch (const std::exception& error) {
     return inCell(cell, std::string("It stopped: ") + error.what() + ".");

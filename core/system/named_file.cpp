@@ -26,8 +26,8 @@ Problems judge(const Status& file, const std::string& path, const Sentence& what
     return problemOf(path, said(TRANSLATE_NOOP("problem", "This is a folder, not %1 file."), {what}));
   if (file.kind == Kind::File) return {};
   return problemOf(path, said(TRANSLATE_NOOP("problem",
-                                             "This is a pipe, a device or a socket, not a regular file, so %1 is "
-                                             "not read from it. Save what it gives as a file, and name that."),
+                                             "This is a pipe, a device or a socket, not a regular file, so %1 is not "
+                                             "read from it. Save its output to a file, and give that file."),
                               {what}));
 }
 
@@ -74,7 +74,7 @@ Result<std::string> NamedFile::readAll(std::uint64_t most_bytes) const {
                                  {std::to_string(most_bytes >> 20), what_}));
   if (hasChanged())
     return problemOf(path_, said(TRANSLATE_NOOP("problem",
-                                                "Another program wrote into the file while it was read. Open it "
+                                                "Another program wrote to the file while it was being read. Open it "
                                                 "again once that program has saved it.")));
   return text;
 }

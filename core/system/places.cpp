@@ -26,24 +26,21 @@ struct Row {
 
 constexpr Row kRows[] = {
     {Resource::Scenes, "scenes", "scenes", nullptr,
-     TRANSLATE_NOOP(
-         "problem",
-         "The scenes that come with Underact were not found. They were looked for in: %1. Install "
-         "Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.")},
+     TRANSLATE_NOOP("problem",
+                    "The scenes that come with Underact were not found in %1. Reinstall Underact, or set "
+                    "UNDERACT_DATA_DIR to its data folder (share/underact) or its source folder.")},
     {Resource::Lessons, "lessons", "resources/lessons", nullptr,
-     TRANSLATE_NOOP(
-         "problem",
-         "The lessons that come with Underact were not found. They were looked for in: %1. Install "
-         "Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.")},
+     TRANSLATE_NOOP("problem",
+                    "The lessons that come with Underact were not found in %1. Reinstall Underact, or set "
+                    "UNDERACT_DATA_DIR to its data folder (share/underact) or its source folder.")},
     {Resource::Guide, "guide", "resources/guide", "contents.json",
      TRANSLATE_NOOP("problem",
-                    "The guide's pages were not found. They were looked for in: %1. Install Underact again, or set "
-                    "UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.")},
+                    "The guide's pages were not found in %1. Reinstall Underact, or set UNDERACT_DATA_DIR to its data "
+                    "folder (share/underact) or its source folder.")},
     {Resource::Python, "python", "app/python", "underact/__main__.py",
-     TRANSLATE_NOOP(
-         "problem",
-         "The Python package that comes with Underact was not found. It was looked for in: %1. Install "
-         "Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.")},
+     TRANSLATE_NOOP("problem",
+                    "The Python package that comes with Underact was not found in %1. Reinstall Underact, or set "
+                    "UNDERACT_DATA_DIR to its data folder (share/underact) or its source folder.")},
 };
 
 const Row& rowOf(Resource resource) {
@@ -132,8 +129,7 @@ Result<std::string> findProgram(const std::string& program, const char* variable
       stated != nullptr && *stated != '\0' ? std::vector<std::string>{stated} : placesOf(program, from);
   const auto found = std::find_if(places.begin(), places.end(), isProgram);
   if (found != places.end()) return *found;
-  return Problems{
-      {said(TRANSLATE_NOOP("problem", "%1 was not found (it was looked for at %2)."), {program, listed(places)})}};
+  return Problems{{said(TRANSLATE_NOOP("problem", "%1 was not found. Searched: %2."), {program, listed(places)})}};
 }
 
 }  // namespace underact::system

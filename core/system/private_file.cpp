@@ -25,9 +25,8 @@ Problems checkNew(const std::string& path, Existing existing) {
                                  "name.")),
              {path}}};
   if (existing == Existing::Replace) return {};
-  return {{said(TRANSLATE_NOOP("problem",
-                               "There is a file or a link of this name already; it was left as it is. Give another "
-                               "name.")),
+  return {{said(TRANSLATE_NOOP(
+               "problem", "A file or a link of this name already exists; it was left unchanged. Give another name.")),
            {path}}};
 }
 

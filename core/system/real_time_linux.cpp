@@ -100,34 +100,33 @@ Sentence takeWay(Way way, std::vector<Sentence>& also, int& priority) {
 Sentence hintFor(const Scheduling& granted, const SchedulingWanted& wanted, int priority, bool locked,
                  CoreChoice place) {
   if (place == CoreChoice::Refused)
-    return said(TRANSLATE_NOOP("problem", "The core that was asked for is not there, or not for this program."));
+    return said(TRANSLATE_NOOP("problem", "The requested core does not exist, or is not available to this program."));
   if (granted.name == "normal" && wanted.way == Way::Normal)
     return said(
-        TRANSLATE_NOOP("problem", "Real time was not asked for, so ticks can come late when the machine is busy."));
+        TRANSLATE_NOOP("problem", "Real time was not requested, so ticks can be late when the computer is busy."));
   if (granted.name == "normal") {
     return said(TRANSLATE_NOOP(
         "problem",
-        "The system did not grant real-time scheduling, so ticks can come late when the machine is busy. Put \"@users "
-        "- "
+        "The system did not grant real-time scheduling, so ticks can be late when the computer is busy. Put \"@users - "
         "rtprio 90\" and \"@users - memlock unlimited\" into a file in /etc/security/limits.d and log in again, or "
-        "install rtkit; the guide's page real_time.md tells how."));
+        "install rtkit; the guide's page real_time.md explains how."));
   }
   if (priority < kPriority) {
     return said(TRANSLATE_NOOP(
         "problem",
         "A higher priority would be better still. Put \"@users - rtprio 90\" and \"@users - memlock unlimited\" into a "
-        "file in /etc/security/limits.d and log in again; the guide's page real_time.md tells how."));
+        "file in /etc/security/limits.d and log in again; the guide's page real_time.md explains how."));
   }
   if (wanted.lock_memory && !locked) {
     return said(TRANSLATE_NOOP(
         "problem",
-        "Parts of the program may leave the memory, and a tick then waits for them. Put \"@users - memlock unlimited\" "
-        "into a file in /etc/security/limits.d and log in again; the guide's page real_time.md tells how."));
+        "Parts of the program may be swapped out, and a tick then waits for them. Put \"@users - memlock unlimited\" "
+        "into a file in /etc/security/limits.d and log in again; the guide's page real_time.md explains how."));
   }
   if (place == CoreChoice::IsolatedCore) return {};
   return said(TRANSLATE_NOOP("problem",
-                             "On a machine that is always busy, a core for the servo alone (isolcpus) is better "
-                             "still; the guide's page real_time.md tells how."));
+                             "On a computer that is always busy, a core for the servo alone (isolcpus) is better "
+                             "still; the guide's page real_time.md explains how."));
 }
 
 }  // namespace
@@ -141,7 +140,7 @@ Scheduling askForRealTime(const SchedulingWanted& wanted, int /*rate_hz*/) {
       said(locked ? TRANSLATE_NOOP("problem", "memory locked") : TRANSLATE_NOOP("problem", "memory not locked")));
   // Without real-time scheduling the kernel delays every wait by 50 us, so as to wake less often.
   granted.also.push_back(said(prctl(PR_SET_TIMERSLACK, 1UL) == 0 ? TRANSLATE_NOOP("problem", "timer slack 1 ns")
-                                                                 : TRANSLATE_NOOP("problem", "timer slack as it was")));
+                                                                 : TRANSLATE_NOOP("problem", "timer slack unchanged")));
   touchStack();
   granted.also.push_back(said(TRANSLATE_NOOP("problem", "stack in memory")));
   granted.name = takeWay(wanted.way, granted.also, priority);

@@ -88,7 +88,7 @@ RtkitAnswer askRtkit() {
       code < 0) {
     return {0, refused.words(code)};
   }
-  if (!isRealTime()) return {0, said(TRANSLATE_NOOP("problem", "it agreed, and nothing changed"))};
+  if (!isRealTime()) return {0, said(TRANSLATE_NOOP("problem", "it agreed, but nothing changed"))};
   return {priority, {}};
 }
 

@@ -59,7 +59,7 @@ Scheduling askForRealTime(const SchedulingWanted& wanted, int rate_hz) {
   Scheduling granted{
       said(TRANSLATE_NOOP("problem", "normal")),
       said(TRANSLATE_NOOP(
-          "problem", "On macOS the servo has never been tried: what it reports of lateness is all that is known.")),
+          "problem", "The servo has never been tested on macOS: the latency that it reports is all that is known.")),
       {}};
   granted.also.push_back(wanted.core >= 0
                              ? said(TRANSLATE_NOOP("problem", "core %1 refused"), {std::to_string(wanted.core)})

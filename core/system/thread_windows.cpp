@@ -89,7 +89,7 @@ Scheduling askForRealTime(const SchedulingWanted& wanted, int /*rate_hz*/) {
   Scheduling granted{
       said(TRANSLATE_NOOP("problem", "normal")),
       said(TRANSLATE_NOOP(
-          "problem", "On Windows the servo has never been tried: what it reports of lateness is all that is known.")),
+          "problem", "The servo has never been tested on Windows: the latency that it reports is all that is known.")),
       {}};
   if (wanted.core >= 0) {
     const bool runs = runOnCore(wanted.core);

@@ -28,7 +28,7 @@ class Errors {
   }
   /// Problems: nothing was added, so there is no result.
   Result<Figures> figures(const lab::Cost& cost, int rate_hz) const {
-    if (count_ == 0) return Problems{{said(TRANSLATE_NOOP("problem", "The hand never touches what this is about."))}};
+    if (count_ == 0) return Problems{{said(TRANSLATE_NOOP("problem", "The hand never touches the constraint."))}};
     const double rms = std::sqrt(sum_ / static_cast<double>(count_));
     return Figures{cost, 1e-3 * cost.p50_ns * rate_hz, rms, worst_};
   }
@@ -39,7 +39,7 @@ class Errors {
 };
 
 const Problems kEndedEarly{
-    {said(TRANSLATE_NOOP("problem", "The run ended in a fault, and what it did before says nothing."))}};
+    {said(TRANSLATE_NOOP("problem", "The run ended in a fault, so what it measured means nothing."))}};
 
 /// The motion of the tip against that of the finest run. cost: which part of an option's own run is timed.
 Measure againstRun(const Bench& bench, const Settings& finest, lab::Cost Run::*cost) {

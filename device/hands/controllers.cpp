@@ -29,7 +29,7 @@ std::string textOf(const char* text) {
   return text == nullptr ? std::string() : text;
 }
 
-/// Null where it was unplugged this moment: then there are no axes.
+/// Null if it was unplugged this moment: then there are no axes.
 void describeAny(int joystick, Seen& seen) {
   GLFWgamepadstate pad{};
   if (::glfwGetGamepadState(joystick, &pad) == GLFW_TRUE) {
@@ -64,25 +64,24 @@ bool Controllers::begin() {
   if (works_) return true;
   const char* why = nullptr;
   ::glfwGetError(&why);
-  trouble_ =
-      said(TRANSLATE_NOOP("problem",
-                          "Game controllers cannot be read here (%1). Mouse, keyboard and 3D mice work all the same. "
-                          "Controllers need a screen with X11, or a Wayland desktop with Xwayland."),
-           {why == nullptr ? said(TRANSLATE_NOOP("problem", "no reason given")) : Sentence(why)});
+  trouble_ = said(TRANSLATE_NOOP("problem",
+                                 "Game controllers cannot be read here (%1). Mouse, keyboard and 3D mice still work. "
+                                 "Controllers need an X11 display, or a Wayland desktop with Xwayland."),
+                  {why == nullptr ? said(TRANSLATE_NOOP("problem", "no reason given")) : Sentence(why)});
   return false;
 }
 
 std::vector<Seen> Controllers::look() {
   std::vector<Seen> all;
   if (!begin()) return all;
-  ::glfwPollEvents();  // takes up what was plugged in and out
+  ::glfwPollEvents();  // notices what was plugged in or out
   for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
     if (::glfwJoystickPresent(joystick) != GLFW_TRUE) continue;
     Seen seen;
     seen.id = textOf(::glfwGetJoystickGUID(joystick));
     if (isSpaceMouseGuid(seen.id)) continue;
     describeAny(joystick, seen);
-    if (seen.id.empty() || seen.readings.axes + seen.readings.buttons == 0) continue;  // it went this moment
+    if (seen.id.empty() || seen.readings.axes + seen.readings.buttons == 0) continue;  // unplugged this moment
     all.push_back(std::move(seen));
   }
   tellApart(all);

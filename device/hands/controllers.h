@@ -3,8 +3,8 @@
 
 namespace underact::device::hands {
 
-/// Game controllers and joysticks through GLFW, which knows one screen: where it finds none, trouble() says so. GLFW
-/// starts with the first look(). One at a time, the main thread's from its first day to its last.
+/// Game controllers and joysticks through GLFW, which supports one display: if it finds none, trouble() says so. GLFW
+/// starts with the first look(). One instance at a time, used by the main thread only.
 class Controllers final : public Port {
  public:
   Controllers() = default;

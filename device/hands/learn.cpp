@@ -6,7 +6,7 @@
 namespace underact::device::hands {
 namespace {
 
-constexpr double kFar = 0.5;        // of a stick's way: a hand means it
+constexpr double kFar = 0.5;        // share of a stick's range: a hand means it
 constexpr double kAtItsEnd = -0.9;  // where a trigger rests
 
 std::optional<int> furthest(const Readings& before, const Readings& now) {

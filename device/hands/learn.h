@@ -5,17 +5,17 @@
 
 namespace underact::device::hands {
 
-/// What a person moved to say "this one".
+/// The axis or button that a person moved to choose it.
 struct Learnt {
   Source source;
   bool inverted = false;  // it went down
 };
 
-/// What has moved furthest since `before`, by half its way or more; else the first button that was pressed since. An
+/// The axis that moved furthest since `before`, by half its range or more; otherwise the first button pressed since. An
 /// axis that rested at its end is a trigger; another one that rests so is its counterpart. None: nothing yet.
 std::optional<Learnt> learn(const Readings& before, const Readings& now);
 
-/// The first button that was pressed since.
+/// The first button pressed since.
 std::optional<int> learnButton(const Readings& before, const Readings& now);
 
 }  // namespace underact::device::hands

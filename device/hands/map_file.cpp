@@ -20,14 +20,14 @@ using json::Value;
 
 constexpr std::array kWayNames{"right", "up", "near", "turn_x", "turn_y", "turn_z"};
 constexpr std::array kPressNames{"stylus_1", "stylus_2", "stop"};
-constexpr const char* kMap = TRANSLATE_NOOP("problem", "a hand's map");
+constexpr const char* kMap = TRANSLATE_NOOP("problem", "a mapping");
 constexpr std::size_t kLargest = std::size_t{1} << 20;
 
 bool isTurn(std::size_t way) {
   return way >= kMoves;
 }
 
-/// The unit of a way's top speed in the file.
+/// The unit of a direction's top speed in the file.
 double unitOf(std::size_t way) {
   return isTurn(way) ? kRadPerDegree : kMetrePerMillimetre;
 }
@@ -37,7 +37,7 @@ void readWithin(ObjectReader& object, const char* key, double least, double most
   if (value == nullptr) return;
   double number = into;
   json::readNumber(*value, object.pathOf(key), number, object.findings());
-  if (std::isnan(number)) return;  // not a number at all, and said
+  if (std::isnan(number)) return;  // not a number at all, and reported
   if (number >= least && number <= most) {
     into = number;
     return;
@@ -47,7 +47,7 @@ void readWithin(ObjectReader& object, const char* key, double least, double most
                              {json::numberText(least), json::numberText(most)}));
 }
 
-/// false, and a problem: it is none, 0 to most - 1.
+/// false, and a problem: it is not a number from 0 to most - 1.
 bool readIndex(const Value& value, const std::string& path, int most, int& into, Findings& findings) {
   if (!json::isKind(value, json::Kind::Number, path, said(TRANSLATE_NOOP("problem", "a number, as in 0")), findings))
     return false;
@@ -61,15 +61,15 @@ bool readIndex(const Value& value, const std::string& path, int most, int& into,
   return is_one;
 }
 
-/// [there, back], each a number or null.
+/// [positive, negative], each a number or null.
 void readPair(const Value& value, const std::string& path, int most, Source& source, Findings& findings) {
   if (!json::isKind(value, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of two, as in [4, 5]")),
                     findings))
     return;
   if (value.items.size() != 2) {
     findings.add(value, path,
-                 said(TRANSLATE_NOOP("problem",
-                                     "This must be a list of two: the one that goes there, the one that goes back.")));
+                 said(TRANSLATE_NOOP(
+                     "problem", "This must be a list of two: one for the positive direction, one for the negative.")));
     return;
   }
   const std::array<int*, 2> parts{&source.plus, &source.minus};
@@ -99,7 +99,7 @@ void readSource(ObjectReader& object, const Value& all, Source& source) {
   }
   if (kinds > 1)
     findings.add(all, object.pathOf("axis"),
-                 said(TRANSLATE_NOOP("problem", "Only one of \"axis\", \"buttons\" and \"triggers\" may stand.")));
+                 said(TRANSLATE_NOOP("problem", "Give only one of \"axis\", \"buttons\" and \"triggers\".")));
 }
 
 AxisMap readWay(const Value& value, const std::string& path, std::size_t way, Findings& findings) {
@@ -107,7 +107,7 @@ AxisMap readWay(const Value& value, const std::string& path, std::size_t way, Fi
   if (!json::isKind(value, json::Kind::Object, path,
                     said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"axis\": 0}"}), findings))
     return map;
-  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a way")), findings);
+  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a direction")), findings);
   readSource(object, value, map.source);
   if (const Value* const inverted = object.find("inverted")) {
     const std::string at = object.pathOf("inverted");
@@ -128,7 +128,7 @@ void readWays(const Value& value, Map& map, Findings& findings) {
   if (!json::isKind(value, json::Kind::Object, "ways",
                     said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"right\": {\"axis\": 0}}"}), findings))
     return;
-  ObjectReader object(value, "ways", said(TRANSLATE_NOOP("problem", "a map")), findings);
+  ObjectReader object(value, "ways", said(TRANSLATE_NOOP("problem", "a mapping")), findings);
   for (std::size_t way = 0; way < kWays; ++way) {
     if (const Value* const one = object.find(kWayNames[way]))
       map.ways[way] = readWay(*one, object.pathOf(kWayNames[way]), way, findings);
@@ -140,7 +140,7 @@ void readPresses(const Value& value, Map& map, Findings& findings) {
   if (!json::isKind(value, json::Kind::Object, "buttons",
                     said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"stop\": 1}"}), findings))
     return;
-  ObjectReader object(value, "buttons", said(TRANSLATE_NOOP("problem", "the buttons of a map")), findings);
+  ObjectReader object(value, "buttons", said(TRANSLATE_NOOP("problem", "the buttons of a mapping")), findings);
   for (std::size_t press = 0; press < kPresses; ++press) {
     if (const Value* const one = object.find(kPressNames[press]))
       readIndex(*one, object.pathOf(kPressNames[press]), kMostButtons, map.presses[press], findings);

@@ -12,7 +12,7 @@ double axisAt(const Readings& readings, int axis) {
   return std::isfinite(value) ? std::clamp(value, -1.0, 1.0) : 0.0;
 }
 
-/// Of a trigger, 0 to 1; one that is not there is not pressed.
+/// Of a trigger, 0 to 1; a missing one is not pressed.
 double pulled(const Readings& readings, int axis) {
   if (axis < 0 || axis >= std::min(readings.axes, kMostAxes)) return 0.0;
   if (!std::isfinite(readings.axis[static_cast<std::size_t>(axis)])) return 0.0;
@@ -94,7 +94,7 @@ sim::HandWish moved(const sim::HandWish& wish, const Motion& motion, double dt_s
   if (turn_rad > 0.0) {
     const Mat3 R_WT = wish.turns ? wish.R_WT : Mat3(X_WT.linear());
     const Mat3 turned = Eigen::AngleAxisd(turn_rad, motion.w_WT_W.normalized()) * R_WT;
-    next.R_WT = Eigen::Quaterniond(turned).normalized().toRotationMatrix();  // many small turns stay a rotation
+    next.R_WT = Eigen::Quaterniond(turned).normalized().toRotationMatrix();  // many small rotations stay a rotation
     next.turns = true;
   }
   return next;

@@ -10,29 +10,29 @@ namespace underact::device::hands {
 
 enum class Kind : std::uint8_t { Controller, Joystick, SpaceMouse };
 
-/// A hand's device that is plugged in.
+/// An input device that is plugged in.
 struct Seen {
-  std::string id;  // the same whenever it is plugged in
+  std::string id;  // the same every time it is plugged in
   Sentence name;   // "Xbox Controller"
   Kind kind = Kind::Joystick;
   Readings readings;
-  std::vector<Sentence> axis_names, button_names;  // "left stick, right"; shorter than there are: numbers do
+  std::vector<Sentence> axis_names, button_names;  // "left stick, right"; may be shorter: the others have numbers
   std::vector<Source> pairs;                       // of buttons and triggers that belong together
-  Map usual;                                       // what it does until somebody says otherwise
+  Map usual;                                       // the default mapping
   std::vector<Missing> missing;                    // empty: it can be read
 };
 
-/// All hands' devices of one kind that a computer has.
+/// All input devices of one kind on a computer.
 class Port {
  public:
   virtual ~Port() = default;
-  /// What is there now and what it says; never waits. The window's thread.
+  /// The present devices and their readings; never waits. The window's thread.
   virtual std::vector<Seen> look() = 0;
-  /// Why there is nothing of this kind here, and what works all the same; empty: nothing is wrong.
+  /// Why no device of this kind can be used here, and what still works; empty: nothing is wrong.
   virtual Sentence trouble() const { return {}; }
 };
 
-/// Gives those of the same id others: "ID", "ID-2", ...
+/// Makes equal ids different: "ID", "ID-2", ...
 void tellApart(std::vector<Seen>& seen);
 
 }  // namespace underact::device::hands

@@ -18,7 +18,7 @@ constexpr int kMostAtOnce = 64;  // reports: as many as the kernel keeps
 
 Seen describeNode(const HidNode& node, const SpaceMouseModel& model) {
   Seen seen;
-  // Two of one model are told apart by their serial number, where they have one.
+  // Two of one model are distinguished by their serial number, if they have one.
   seen.id = "3d-" + std::string(model.name) + (node.serial.empty() ? "" : "-" + node.serial);
   seen.name = spaceMouseName(model);
   seen.kind = Kind::SpaceMouse;
@@ -27,7 +27,7 @@ Seen describeNode(const HidNode& node, const SpaceMouseModel& model) {
   return seen;
 }
 
-/// A path is given away again to what is plugged in next.
+/// A path is reused for the next device that is plugged in.
 bool isSame(const HidNode& one, const HidNode& other) {
   return one.path == other.path && one.vendor == other.vendor && one.product == other.product;
 }
@@ -72,7 +72,7 @@ void SpaceMice::run() {
   }
 }
 
-/// What is new is opened; what could not be is tried again.
+/// Opens what is new; tries again what could not be opened.
 void SpaceMice::search() {
   std::vector<HidNode> nodes = bus_.nodes();
   nodes.erase(std::remove_if(nodes.begin(), nodes.end(), [](const HidNode& node) { return !isSpaceMouse(node); }),
@@ -101,8 +101,8 @@ void SpaceMice::open(Mouse& mouse) {
   mouse.readings.buttons =
       mouse.model->buttons.empty() ? kMostButtons / 4 : static_cast<int>(mouse.model->buttons.size());
   if (!bus_.mayOpen(mouse.node)) {
-    mouse.missing = {
-        {said(TRANSLATE_NOOP("problem", "You may not read %1."), {mouse.node.path}), udevCommand(mouse.node)}};
+    mouse.missing = {{said(TRANSLATE_NOOP("problem", "You do not have permission to read %1."), {mouse.node.path}),
+                      udevCommand(mouse.node)}};
     return;
   }
   Result<std::unique_ptr<HidPipe>> pipe = bus_.open(mouse.node);
@@ -112,7 +112,7 @@ void SpaceMice::open(Mouse& mouse) {
     for (const Problem& problem : pipe.problems()) mouse.missing.push_back({problem.sentence, {}});
 }
 
-/// false: it is gone.
+/// false: it is unplugged.
 bool SpaceMice::read(Mouse& mouse, int time_ms) {
   std::array<std::uint8_t, 64> bytes{};
   for (int count = 0; count < kMostAtOnce; ++count) {

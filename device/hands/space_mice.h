@@ -11,13 +11,13 @@
 
 namespace underact::device::hands {
 
-/// 3D mice over HID. A thread reads them, and looks each second for what was plugged in since; a mouse that says
-/// nothing for kSilent_ns is at rest, whatever it said last (its buttons stay: they are said once).
+/// 3D mice over HID. A thread reads them, and looks every second for newly plugged ones; a mouse that sends nothing for
+/// kSilent_ns is at rest, whatever it sent last (its buttons stay: they are sent once).
 class SpaceMice final : public Port {
  public:
   static constexpr std::int64_t kSilent_ns = 250'000'000, kSearchEvery_ns = 1'000'000'000;
 
-  /// The bus outlives it. The thread starts with the first look().
+  /// The bus must outlive it. The thread starts with the first look().
   explicit SpaceMice(HidBus& bus, std::int64_t search_every_ns = kSearchEvery_ns);
   ~SpaceMice() override;
   std::vector<Seen> look() override;

@@ -58,7 +58,7 @@ constexpr double kFullWay = 350.0;            // logical; facts on devices, 3.3
 constexpr std::size_t kThree = 7, kSix = 13;  // bytes of a report, its id among them
 constexpr std::uint16_t kDesktopPage = 1, kMultiAxis = 8;
 
-/// Axes from `first` on, of the bytes from 1 on.
+/// Axes from `first` on, from the bytes from 1 on.
 void takeAxisBytes(std::span<const std::uint8_t> report, std::size_t first, std::size_t count, Readings& readings) {
   for (std::size_t axis = 0; axis < count; ++axis) {
     const unsigned low = report[1 + 2 * axis], high = report[2 + 2 * axis];
@@ -92,13 +92,13 @@ const SpaceMouseModel* findSpaceMouse(std::uint16_t vendor, std::uint16_t produc
   return found == kModels.end() ? nullptr : &*found;
 }
 
-// A product's name is the same in every language, unless it says how the mouse is connected.
+// A product's name is the same in every language, unless it states how the mouse is connected.
 Sentence spaceMouseName(const SpaceMouseModel& model) {
   const std::string_view name(model.name);
   return name.ends_with("(cable)") || name.ends_with("(receiver)") ? said(model.name) : Sentence(model.name);
 }
 
-// Words where nothing is printed on the buttons.
+// Names where nothing is printed on the buttons.
 std::vector<Sentence> buttonNames(const SpaceMouseModel& model) {
   std::vector<Sentence> names(model.buttons.begin(), model.buttons.end());
   if (model.buttons.data() == kTwo.data())

@@ -10,11 +10,11 @@
 
 namespace underact::device::hands {
 
-/// A 3D mouse that is known.
+/// A known 3D mouse.
 struct SpaceMouseModel {
   std::uint16_t vendor = 0, product = 0;
   const char* name = "";
-  std::span<const char* const> buttons;  // names, by the bit of report 3; "": none is there
+  std::span<const char* const> buttons;  // names, by the bit of report 3; "": no such button
 };
 
 std::span<const SpaceMouseModel> spaceMouseModels();
@@ -25,16 +25,17 @@ const SpaceMouseModel* findSpaceMouse(std::uint16_t vendor, std::uint16_t produc
 Sentence spaceMouseName(const SpaceMouseModel& model);
 std::vector<Sentence> buttonNames(const SpaceMouseModel& model);
 
-/// Whether a HID device is the part of a known 3D mouse that says how it is moved: page 1, usage 8; or may be, as long
-/// as nobody may open it. A receiver has others.
+/// Whether a HID device is the interface of a known 3D mouse that reports motion: page 1, usage 8; or may be, while
+/// nobody may open it. A receiver has others, too.
 bool isSpaceMouse(const HidNode& node);
 
-/// Whether GLFW's name of a joystick ("03000000" "6d040000" "26c60000" ...) is that of a known 3D mouse, which is read
-/// better as itself.
+/// Whether GLFW's name of a joystick ("03000000" "6d040000" "26c60000" ...) is that of a known 3D mouse, which is
+/// better read directly.
 bool isSpaceMouseGuid(std::string_view guid);
 
-/// What a report says, into readings of six axes: shift right, towards the person, down, and the turns about them.
-/// Reports: 1 shift, or with 12 bytes shift and turn; 2 turn; 3 buttons; of others nothing is taken up. Any bytes.
+/// Takes a report into the readings of six axes: translation to the right, towards the person, down, and the rotations
+/// about these. Reports: 1 translation, or with 12 bytes translation and rotation; 2 rotation; 3 buttons; others are
+/// ignored. Any bytes.
 enum class SpaceMouseReport : std::uint8_t { Other, Moved, Buttons };
 SpaceMouseReport takeSpaceMouseReport(std::span<const std::uint8_t> report, Readings& readings);
 

@@ -5,9 +5,9 @@
 namespace underact::device::hands {
 namespace {
 
-// Across the workspace of 160 mm in a second and a half; half a turn in two.
+// Across the workspace of 160 mm in a second and a half; half a rotation in two.
 constexpr double kTop_m_per_s = 0.12, kTop_rad_per_s = 1.5;
-// Sticks come back to within a tenth of their way; the cap of a 3D mouse nearer.
+// Sticks return to within a tenth of their range; the cap of a 3D mouse closer.
 constexpr double kStickZone = 0.12, kCapZone = 0.06;
 
 AxisMap map(Way way, Source source, double dead_zone, bool inverted = false) {
@@ -19,7 +19,7 @@ Source axis(int number) {
   return {SourceKind::Axis, number, -1};
 }
 
-/// Every way, those of no source among them, has its speed.
+/// Sets the speed of every direction, including those without an input.
 Map nothing(double dead_zone) {
   Map made;
   for (std::size_t way = 0; way < kWays; ++way) made.ways[way] = map(static_cast<Way>(way), {}, dead_zone);
@@ -51,10 +51,10 @@ void describeController(Seen& seen) {
                        "Guide",
                        said(TRANSLATE_NOOP("problem", "left stick")),
                        said(TRANSLATE_NOOP("problem", "right stick")),
-                       said(TRANSLATE_NOOP("problem", "pad up")),
-                       said(TRANSLATE_NOOP("problem", "pad right")),
-                       said(TRANSLATE_NOOP("problem", "pad down")),
-                       said(TRANSLATE_NOOP("problem", "pad left"))};
+                       said(TRANSLATE_NOOP("problem", "D-pad up")),
+                       said(TRANSLATE_NOOP("problem", "D-pad right")),
+                       said(TRANSLATE_NOOP("problem", "D-pad down")),
+                       said(TRANSLATE_NOOP("problem", "D-pad left"))};
   const Source triggers{SourceKind::Triggers, 5, 4}, bumpers{SourceKind::Buttons, 4, 5};
   seen.pairs = {triggers, bumpers, {SourceKind::Buttons, 11, 13}, {SourceKind::Buttons, 12, 14}};
   seen.usual = nothing(kStickZone);
@@ -81,8 +81,8 @@ void describeJoystick(Seen& seen, int hats) {
   seen.usual.presses = {0, 1, 2};
 }
 
-// HID: x to the right, y towards the person, z down (facts on devices, 3.3), so W's y is -z and W's z is y, of turns,
-// too.
+// HID: x to the right, y towards the person, z down (facts on devices, 3.3), so W's y is -z and W's z is y; the same
+// for rotations.
 void describeSpaceMouse(Seen& seen, int stop) {
   seen.axis_names = {said(TRANSLATE_NOOP("problem", "right")),      said(TRANSLATE_NOOP("problem", "towards you")),
                      said(TRANSLATE_NOOP("problem", "down")),       said(TRANSLATE_NOOP("problem", "tilt back")),

@@ -3,14 +3,15 @@
 
 namespace underact::device::hands {
 
-/// A controller with the buttons and sticks of a gamepad, in GLFW's order: usual map, names and pairs.
+/// A controller with the buttons and sticks of a gamepad, in GLFW's order: default mapping, names and pairs.
 void describeController(Seen& seen);
 
-/// Any other joystick. hats: the last 4 buttons are of each: up, right, down, left. Nothing is turned, and only the
-/// first two axes are used: the others may be throttles that stand anywhere.
+/// Any other joystick. hats: their last 4 buttons each are up, right, down, left. There is no rotation, and only the
+/// first two axes are used: the others may be throttles in any position.
 void describeJoystick(Seen& seen, int hats);
 
-/// Six axes: shift right, towards the person and down, and the turns about these. stop: of the button Esc; -1: none.
+/// Six axes: translation to the right, towards the person and down, and the rotations about these. stop: of the button
+/// Esc; -1: none.
 void describeSpaceMouse(Seen& seen, int stop);
 
 }  // namespace underact::device::hands

@@ -45,7 +45,7 @@ Sentence calibrationSentence(std::uint32_t status, std::uint32_t style) {
   }
   if (status == kCalibrationNeedsHand || status == kCalibrationNeedsUpdate)
     return said(TRANSLATE_NOOP(
-        "problem", "The arm is not calibrated, so it gives no force. Move the stylus about slowly until it is."));
+        "problem", "The arm is not calibrated, so it gives no force. Move the stylus around slowly until it is."));
   return said(TRANSLATE_NOOP(
       "problem", "The arm does not say whether it is calibrated, so it gives no force. Run the vendor's setup."));
 }

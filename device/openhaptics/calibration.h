@@ -12,9 +12,8 @@ class Calibration {
   /// styles: bits of CalibrationStyle that the arm knows.
   explicit Calibration(std::uint32_t styles = kInkwell) noexcept;
 
-  /// Looks, and has the driver take up a calibration that is ready for it. pressed: a button went down, by which a
-  /// person says that the arm stands in its reset position. Inside a frame; the errors that it makes stay for the
-  /// caller.
+  /// Checks the calibration, and has the driver take it over when it is ready. pressed: a button went down, by which
+  /// the person confirms that the arm is in its reset position. Inside a frame; its errors are left to the caller.
   void look(const Calls& hd, bool pressed) noexcept;
 
   bool done() const noexcept { return status_ == kCalibrated; }
@@ -27,7 +26,7 @@ class Calibration {
   std::uint32_t status_ = 0;  // not known yet: not done
 };
 
-/// What a person has to do; empty where it is done.
+/// What the person has to do; empty if it is done.
 Sentence calibrationSentence(std::uint32_t status, std::uint32_t style);
 
 }  // namespace underact::device::openhaptics

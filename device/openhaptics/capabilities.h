@@ -10,7 +10,7 @@
 
 namespace underact::device::openhaptics {
 
-/// What the arm says of itself, read once, when it is opened; empty where its driver does not know. SI.
+/// What the arm reports about itself, read once, when it is opened; empty where its driver does not know. SI.
 struct Capabilities {
   std::optional<std::string> version, model, driver_version, vendor, serial;
   std::optional<double> firmware;
@@ -25,17 +25,17 @@ struct Capabilities {
   std::optional<std::array<double, 3>> motor_temperatures;  // 0 to 1, motors 1 to 3
   std::optional<std::array<long, 6>> encoders;
   std::optional<bool> safety_switch, inkwell_switch;
-  // Where it stood, by its driver: what arm::tipPose() of its angles is compared with.
+  // The tip's position according to the driver: compared with arm::tipPose() of its angles.
   std::optional<arm::JointAngles> device_angles_rad;
   std::optional<Vec3> p_WT, v_WT;
   std::optional<Mat3> R_WT;
 };
 
-/// Inside a frame. Errors are drained; worst: the worst of those that say more than that a value is not there.
+/// Inside a frame. Errors are drained; worst: the worst of those that mean more than a missing value.
 Capabilities readCapabilities(const Calls& hd, Drained& worst);
 
-/// "Model: Touch", a line each, for people and reports: what is known, and how far the arm's own place of the tip is
-/// from that of the model.
+/// "Model: Touch", one per line, for people and reports: what is known, and the distance between the arm's own tip
+/// position and that of the model.
 std::vector<std::string> listing(const Capabilities& capabilities, const arm::Preset& arm);
 
 }  // namespace underact::device::openhaptics

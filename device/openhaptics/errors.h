@@ -6,25 +6,25 @@
 
 namespace underact::device::openhaptics {
 
-/// What an error of the library asks for. Question: the one value that was asked for is not there. Force: the force
-/// goes to zero, and the arm goes on. Stop: it does not. In this order, the worst last.
+/// The consequence of an error of the library. Question: a queried value is missing. Force: the force goes to zero, and
+/// the arm continues. Stop: it does not. In this order, the worst last.
 enum class Severity : std::uint8_t { None, Question, Force, Stop };
 
 // Beyond the library's own codes.
 inline constexpr std::uint32_t kEndlessErrors = 0x10001;  // its stack of errors has no end
 inline constexpr std::uint32_t kNotANumberSent = 0x10002;
 
-/// A code that nobody knows is a Stop.
+/// An unknown code is a Stop.
 Severity severityOf(std::uint32_t code) noexcept;
 
-/// What the stack of errors held.
+/// The content of the error stack.
 struct Drained {
   Severity worst = Severity::None;
   std::uint32_t code = 0;  // the first of the worst
   int count = 0;
 };
 
-/// Empties the stack; one that has no end is a Stop. The thread that made the calls.
+/// Empties the stack; an endless one is a Stop. The thread that made the calls.
 Drained drain(const Calls& hd) noexcept;
 
 /// What happened and what to do, for a person.

@@ -9,13 +9,12 @@
 
 namespace underact::device::openhaptics {
 
-/// Between the servo and the arm's own clock: the newest sample one way, the newest force the other. Both may be the
-/// same thread, or two; neither waits.
+/// Between the servo and the arm's own scheduler: the newest sample one way, the newest force the other. Both may be
+/// the same thread, or two; neither waits.
 class Exchange {
  public:
   // The servo's side.
-  /// false: there is none that was not given yet. A button that was pressed and let go since the last read shows as
-  /// pressed once.
+  /// false: there is no new one. A button that was pressed and released since the last read shows as pressed once.
   bool read(arm::Sample& sample) noexcept UNDERACT_REAL_TIME;
   void write(const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME;
   /// Any thread; lasts until the next write().
@@ -24,8 +23,8 @@ class Exchange {
   // The arm's side.
   /// pressed: buttons that went down in this period.
   void offer(const arm::Sample& sample, std::uint32_t pressed) noexcept UNDERACT_REAL_TIME;
-  /// The force of this period; zero where it was cut, where nobody has written for more than kStalePeriods, or where it
-  /// answers a sample of another epoch.
+  /// The force of this period; zero if it was cut, if nothing was written for more than kStalePeriods, or if it answers
+  /// a sample of another epoch.
   Vec3 wanted(std::uint32_t epoch) noexcept UNDERACT_REAL_TIME;
 
   static constexpr int kStalePeriods = 4;  // zero comes with the fifth

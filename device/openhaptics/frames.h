@@ -15,15 +15,15 @@ namespace underact::device::openhaptics {
 
 class Frames;
 
-/// What the library's scheduler is given in place of the frames themselves: it may call once more than it should, and a
-/// ticket is never freed.
+/// What the library's scheduler gets instead of the frames themselves: it may call once too often, and a ticket is
+/// never freed.
 struct Ticket {
-  std::atomic<Frames*> frames{nullptr};  // null: it has come back
+  std::atomic<Frames*> frames{nullptr};  // null: returned
   std::atomic<bool> is_at_work{false};
 };
 
-/// What the library's scheduler calls once a period: a frame. It reads the arm, has the servo tick, sends the force.
-/// All that it touches is in here, so that a call that never comes back holds on to nothing else.
+/// What the library's scheduler calls once per period: a frame. It reads the arm, ticks the servo, sends the force. All
+/// that it touches is in here, so that a call that never returns holds nothing else.
 class Frames {
  public:
   Frames(const Calls& hd, const arm::Preset& arm);
@@ -32,13 +32,13 @@ class Frames {
   static std::uint32_t callback(void* ticket);
 
   // The thread that owns the arm.
-  /// Another opening of it, before it is scheduled.
+  /// Resets for another opening, before it is scheduled.
   Ticket* begin(Handle device);
-  /// The servo's tick is called in each frame from now on; null: no more, and none is at work when it returns.
+  /// The servo's tick is called in each frame from now on; null: no more, and none is running when it returns.
   void attach(servo::Ticks* ticks) noexcept;
   /// From the next frame on the force is zero, whatever is written. Waits for such a frame, 0.1 s at most.
   void close() noexcept;
-  /// The ticket is worth nothing any more. Waits for a frame that is at work, 1 s at most. false: it has not come back.
+  /// The ticket becomes void. Waits for a running frame, 1 s at most. false: it has not returned.
   bool retire() noexcept;
   /// Frames begun.
   std::int64_t count() const noexcept { return count_.load(std::memory_order_acquire); }
@@ -59,12 +59,12 @@ class Frames {
     arm::Sample sample;
     std::uint32_t pressed = 0;
     bool is_fresh = false;
-    double off_m = 0.0;  // the arm's own place of the tip from the model's
+    double off_m = 0.0;  // distance of the arm's own tip position from the model's
   };
   void frame() noexcept;
   void learn() noexcept;
   Seen look(std::int64_t now_ns) noexcept;
-  /// What the frame is to send; zero for any reason there is.
+  /// The force to send in this frame; zero for any reason there is.
   Vec3 force(const Seen& seen, std::int64_t now_ns) noexcept;
   bool mayPush(std::int64_t now_ns) const noexcept;
   void watchCalibration(bool pressed) noexcept;
@@ -72,7 +72,7 @@ class Frames {
   void watchDeviation(double off_m) noexcept;
   void judge(const Drained& drained, bool of_sample, std::int64_t now_ns) noexcept;
   void send(const Vec3& f_T_W) noexcept;
-  /// Where the driver makes errors of forces, zero is said in another way, too: by its switch.
+  /// Where the driver answers forces with errors, zero is commanded in a second way: by its switch.
   void switchOutput(bool on) noexcept;
   void rest() noexcept;
   void tick() noexcept;
@@ -97,7 +97,7 @@ class Frames {
   std::uint32_t epoch_ = 0;
   bool is_output_on_ = true;
   bool could_push_ = false;     // in the frame before
-  bool inkwell_works_ = false;  // its switch has shown a stylus outside
+  bool inkwell_works_ = false;  // its switch has shown a stylus outside the inkwell
   bool is_docked_ = false;
   bool is_wrong_arm_ = false;
   int off_frames_ = 0;  // in a row on the other side of the limit

@@ -36,7 +36,7 @@ std::vector<std::string> candidates() {
   return {kNames.begin(), kNames.end()};
 }
 
-/// The first that loads. Where none does: what the system said of the first that is there and lacks something, or of
+/// The first that loads. If none does: the system's message about the first that exists but lacks something, or about
 /// the first.
 void* open(std::string& why) {
   for (const std::string& name : candidates()) {
@@ -122,7 +122,7 @@ Missing explain(std::string_view text) {
   }
   if (contains(name, "ncurses") || contains(name, "tinfo")) {
     return {said(TRANSLATE_NOOP("problem",
-                                "The vendor's driver needs %1, of the old packages libncurses5 and libtinfo5, which "
+                                "The vendor's driver needs %1 from the old packages libncurses5 and libtinfo5, which "
                                 "are not installed."),
                  {name}),
             "sudo apt-get install libncurses5 libtinfo5"};
@@ -132,12 +132,12 @@ Missing explain(std::string_view text) {
             "sudo apt-get install libusb-1.0-0"};
   if (contains(name, "hantomIO") || contains(name, "HANToMIO")) {
     return {said(TRANSLATE_NOOP("problem",
-                                "OpenHaptics is there, but %1 of the arm's device driver is not, or the system has "
-                                "not noted it yet. Install the device driver."),
+                                "OpenHaptics is installed, but %1 of the arm's device driver is not, or the system has "
+                                "not registered it yet. Install the device driver."),
                  {name}),
             "sudo ldconfig"};
   }
-  return {said(TRANSLATE_NOOP("problem", "The vendor's driver needs %1, which is not there."), {name}),
+  return {said(TRANSLATE_NOOP("problem", "The vendor's driver needs %1, which is missing."), {name}),
           "apt-cache search " + name.substr(0, name.find('.'))};
 }
 

@@ -9,20 +9,20 @@
 
 namespace underact::device::openhaptics {
 
-/// The variable that names another library than those that are looked for.
+/// The environment variable that names another library than the usual ones.
 inline constexpr const char* kPathVariable = "UNDERACT_OPENHAPTICS";
 
-/// The vendor's library, bound once in the life of the process and never closed: it fails when it is loaded twice.
-/// Problems: missing() in words. Any thread.
+/// The vendor's library, bound once per process and never closed: it fails when it is loaded twice. Problems: missing()
+/// as sentences. Any thread.
 Result<const Calls*> load();
 
-/// What load() lacks, and what brings it; empty: nothing.
+/// What load() lacks, and how to get it; empty: nothing.
 std::vector<Missing> missing();
 
-/// Fills in all calls. resolve: the address of a name, or null. Problems: the names that are not there.
+/// Binds all calls. resolve: the address of a name, or null. Problems: the missing names.
 Problems bind(const std::function<void*(const char*)>& resolve, Calls& calls);
 
-/// What the system's words for a library that could not be loaded mean. text: dlerror()'s.
+/// Explains the system's message about a library that could not be loaded. text: dlerror()'s.
 Missing explain(std::string_view text);
 
 }  // namespace underact::device::openhaptics

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The maker's identity on USB, now and formerly; the product says how it speaks.
+/// The vendor's USB identity, now and formerly; the product says which interface it uses.
 bool isTheMakers(const std::string& vendor, const std::string& product) {
   return vendor == "2988" || (vendor == "0301" && product == "2988");
 }
@@ -31,7 +31,7 @@ bool startsWith(const std::string& text, const char* beginning) {
   return text.rfind(beginning, 0) == 0;
 }
 
-/// The names of its nodes: ttyACM0, hidraw3.
+/// The names of its device nodes: ttyACM0, hidraw3.
 std::vector<std::string> nodesOf(const fs::path& device) {
   constexpr int kDeepest = 4;  // 1-1/1-1:1.0/0003:2988:0304.0001/hidraw/hidraw0
   std::vector<std::string> nodes;
@@ -60,13 +60,13 @@ std::vector<Missing> permissions(const Places& places, const fs::path& device, c
     const fs::path path = places.nodes / node;
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {
-      missing.push_back({said(TRANSLATE_NOOP("problem", "The system has not made %1 for the arm. Plug it in again."),
+      missing.push_back({said(TRANSLATE_NOOP("problem", "The system has not created %1 for the arm. Plug it in again."),
                               {path.string()}),
                          ""});
     } else if (!system::mayReadAndWrite(path.string())) {
       missing.push_back({said(TRANSLATE_NOOP("problem",
-                                             "You may not use %1, the arm's. This rule lets whoever sits at the "
-                                             "machine do so; plug the arm in again after it."),
+                                             "You do not have permission to use %1 of the arm. This rule gives it to "
+                                             "whoever is logged in at the computer; plug the arm in again afterwards."),
                               {path.string()}),
                          ruleFor(node, vendor)});
     }
@@ -76,11 +76,12 @@ std::vector<Missing> permissions(const Places& places, const fs::path& device, c
 
 std::vector<Missing> settings(const Places& places) {
   if (places.settings_are_named || settingsFolder(places.home, places.shared)) return {};
-  return {{said(TRANSLATE_NOOP("problem",
-                               "The vendor's driver has no settings: there is no folder config in %1 nor in %2, and "
-                               "GTDD_HOME does not name another. Run the vendor's Touch_Setup, or name the folder."),
-                {places.home.string(), places.shared.string()}),
-           std::string("export ") + kSettingsVariable + "=" + places.home.string()}};
+  return {
+      {said(TRANSLATE_NOOP("problem",
+                           "The vendor's driver has no settings: there is no folder config in %1 or %2, and GTDD_HOME "
+                           "names no other. Run the vendor's Touch_Setup, or set GTDD_HOME to the folder."),
+            {places.home.string(), places.shared.string()}),
+       std::string("export ") + kSettingsVariable + "=" + places.home.string()}};
 }
 
 void append(std::vector<Missing>& to, const std::vector<Missing>& from) {
@@ -114,8 +115,8 @@ std::vector<Found> look(const Places& places, const std::vector<Missing>& librar
   }
   if (!found.empty()) return found;
   common.push_back({said(TRANSLATE_NOOP("problem",
-                                        "No Touch or Omni is on USB. Plug it in and switch it on; one on FireWire "
-                                        "or Ethernet is not seen from here, and may be opened all the same.")),
+                                        "No Touch or Omni was found on USB. Plug it in and switch it on. An arm on "
+                                        "FireWire or Ethernet is not detected here, but may still open.")),
                     "lsusb -d 2988:"});
   return {{said(TRANSLATE_NOOP("problem", "Touch, Omni (vendor's driver)")), "", common}};
 }

@@ -6,7 +6,7 @@
 
 namespace underact::device::openhaptics {
 
-/// Where to look; tests have their own.
+/// Where to look; tests use their own.
 struct Places {
   std::filesystem::path usb = "/sys/bus/usb/devices";
   std::filesystem::path nodes = "/dev";
@@ -17,8 +17,8 @@ struct Places {
 /// The machine's own.
 Places places();
 
-/// The arms on USB, each with what its use lacks; where there is none, the driver alone, with that among what is
-/// missing. library: what the library lacks.
+/// The arms on USB, each with what is missing to use it; if there is none, the driver alone, and the arm is among what
+/// is missing. library: what the library lacks.
 std::vector<Found> look(const Places& places, const std::vector<Missing>& library);
 
 }  // namespace underact::device::openhaptics

@@ -21,12 +21,11 @@ constexpr std::int64_t kSilence_ns = 500'000'000;
 constexpr std::uint32_t kAlreadyOpen = 0x301;
 constexpr const char* kStandsStill =
     TRANSLATE_NOOP("problem",
-                   "The clock of the arm's driver stands still: it has not called for half a second. Restart the "
-                   "servo; if that does not help, end the program.");
-constexpr const char* kHangs =
-    TRANSLATE_NOOP("problem",
-                   "A call of the arm's driver has not come back, and the force may still be on. Switch the arm "
-                   "off, end the program and start it again.");
+                   "The scheduler of the arm's driver has stopped: it has made no call for half a second. Restart the "
+                   "servo; if that does not help, quit the program.");
+constexpr const char* kHangs = TRANSLATE_NOOP("problem",
+                                              "A call to the arm's driver has not returned, and the force may still be "
+                                              "on. Switch the arm off, quit the program and start it again.");
 
 /// Frames that hang in the driver: they may come back, and find what they touch.
 void keepForGood(std::unique_ptr<Frames> frames) {
@@ -188,7 +187,7 @@ Sentence OpenHapticsArm::fixedRate() const {
   const std::vector<int> rates = Scheduler::theOne().rates();
   if (Scheduler::theOne().users() > 1) return refusesRate(0);
   if (rates.size() > 1) return {};
-  return said(TRANSLATE_NOOP("problem", "The arm's driver has one rate alone, %1 Hz."), {std::to_string(rate_hz_)});
+  return said(TRANSLATE_NOOP("problem", "The arm's driver supports only one rate, %1 Hz."), {std::to_string(rate_hz_)});
 }
 
 Sentence OpenHapticsArm::refusesRate(int rate_hz) const {

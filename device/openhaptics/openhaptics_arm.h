@@ -13,21 +13,21 @@
 namespace underact::device::openhaptics {
 
 /// An Omni, Touch or Touch X behind the vendor's driver, whose scheduler is the clock. It runs from opening to closing,
-/// with zero force while nobody drives. Never tried on an arm.
+/// with zero force while the servo is stopped. Never tried on an arm.
 class OpenHapticsArm final : public servo::DevicePort {
  public:
   struct Options {
     arm::Preset arm;  // whose lengths the tip is compared with, and whose force is the limit where the driver has none
     int rate_hz = 1000;
-    std::string address;  // the driver's name of it; empty: the names that it mostly has
+    std::string address;  // the driver's name of it; empty: the usual names
   };
-  /// Problems: no driver, no arm, no such rate; with a way out.
+  /// Problems: no driver, no arm, no such rate; with the way out.
   static Result<std::unique_ptr<OpenHapticsArm>> open(const Options& options);
   ~OpenHapticsArm() override;
 
   bool read(arm::Sample& sample) noexcept UNDERACT_REAL_TIME override;
   void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME override;
-  /// Heeded by the next frame. Where the driver's clock stands still, there is nothing in this process that could.
+  /// Takes effect in the next frame. If the driver's scheduler has stopped, nothing in this process can.
   void cut() noexcept UNDERACT_REAL_TIME override;
   Problems reopen() override;
   Sentence fixedRate() const override;
@@ -55,10 +55,10 @@ class OpenHapticsArm final : public servo::DevicePort {
   Handle device_ = kNoHandle;
   Scheduled scheduled_ = 0;
   bool is_open_ = false;
-  bool hangs_ = false;  // a frame has not come back from the driver
+  bool hangs_ = false;  // a frame has not returned from the driver
   int rate_hz_;
 
-  mutable std::mutex mutex_;  // of what follows; never in the tick
+  mutable std::mutex mutex_;  // for what follows; never in the tick
   Sentence trouble_;
   Capabilities capabilities_;
 };

@@ -7,9 +7,9 @@
 namespace underact::device::openhaptics {
 namespace {
 
-constexpr std::int64_t kShown_ns = 2'000'000'000;  // long enough to be read
-constexpr int kManyPeriods = 20;                   // as many as the gate bears
-constexpr double kWorthAWord_m = 5e-3;             // a calibrated arm is some 0.1 mm off its own model
+constexpr std::int64_t kShown_ns = 2'000'000'000;  // long enough to read
+constexpr int kManyPeriods = 20;                   // as many as the gate tolerates
+constexpr double kWorthAWord_m = 5e-3;             // a calibrated arm deviates some 0.1 mm from its own model
 
 Sentence millimetres(double length_m) {
   return shownNumber(1e3 * length_m, 0);
@@ -63,8 +63,8 @@ Sentence Standing::sentence(std::int64_t now_ns, const std::string& arm) const {
   const double off_m = off_m_.load(std::memory_order_relaxed);
   if (wrong_.load(std::memory_order_relaxed)) {
     return said(TRANSLATE_NOOP("problem",
-                               "The arm says that its tip is %1 mm from where the arm \"%2\" of the scene has it, "
-                               "so it gets no force: the force would point elsewhere. Choose the arm that it is."),
+                               "The arm reports its tip %1 mm from where the scene's arm \"%2\" has it, so it gets no "
+                               "force: the force would point elsewhere. Choose the arm that is connected."),
                 {millimetres(off_m), arm});
   }
   const std::int64_t at_ns = force_error_ns_.load(std::memory_order_relaxed);
@@ -73,8 +73,8 @@ Sentence Standing::sentence(std::int64_t now_ns, const std::string& arm) const {
                             said(TRANSLATE_NOOP("problem", "%1 times so far."), {std::to_string(forceErrors())})});
   if (off_m > kWorthAWord_m) {
     return said(TRANSLATE_NOOP("problem",
-                               "The arm says that its tip is %1 mm from where the arm \"%2\" of the scene has it. "
-                               "Choose the arm that it is, or shapes are felt elsewhere than they are shown."),
+                               "The arm reports its tip %1 mm from where the scene's arm \"%2\" has it. Choose the arm "
+                               "that is connected, otherwise shapes are felt elsewhere than they are shown."),
                 {millimetres(off_m), arm});
   }
   return {};

@@ -21,7 +21,7 @@ bool isOfIpv6(char c) {
 
 Problems wrong(std::string_view text) {
   return {{said(TRANSLATE_NOOP("problem",
-                               "\"%1\" is no address of a shared arm. It is HOST:PORT or HOST, as in "
+                               "\"%1\" is not an address of a shared arm. Give HOST:PORT or HOST, as in "
                                "192.168.1.20:7878, arm-pc or [fe80::1]:7878."),
                 {std::string(text)}),
            {}}};

@@ -11,16 +11,16 @@ inline constexpr int kPort = 7878;
 
 /// Where an arm is shared.
 struct Address {
-  std::string host = kThisMachine;  // a name or a number; of IPv6 without its brackets
+  std::string host = kThisMachine;  // a name or a number; IPv6 without brackets
   int port = kPort;
   bool isThisMachine() const;
   bool isIpv6() const { return host.find(':') != std::string::npos; }
-  /// "HOST:PORT", as people write it and as files of keys have it.
+  /// "HOST:PORT", as people write it and as key files have it.
   std::string text() const;
 };
 
-/// "HOST:PORT", "HOST" or nothing: what is missing is as above. A host of IPv6 stands in brackets. Port 0: any that is
-/// free, for one who listens. Problems: it is none of these.
+/// "HOST:PORT", "HOST" or nothing: the defaults above fill in what is missing. An IPv6 host is in brackets. Port 0: any
+/// free one, for listening. Problems: it is none of these.
 Result<Address> readAddress(std::string_view text);
 
 }  // namespace underact::device::remote

@@ -27,7 +27,7 @@ void ArmClock::run() {
     next_ns += period_ns;
     system::sleepUntil(next_ns);
     const std::int64_t now_ns = system::monotonicNow_ns();
-    if (now_ns - next_ns > period_ns) next_ns = now_ns;  // what is late is not caught up in a burst
+    if (now_ns - next_ns > period_ns) next_ns = now_ns;  // delays are not caught up in a burst
     ticks_.tick();
   }
 }

@@ -7,12 +7,12 @@
 
 namespace underact::device::remote {
 
-/// Ticks an arm that is shared: by the clock of its own driver where it has one, else by a thread of its own on
-/// absolute deadlines.
+/// Ticks a shared arm: by the clock of its own driver if it has one, otherwise by a thread of its own on absolute
+/// deadlines.
 class ArmClock {
  public:
   ArmClock(servo::DevicePort& port, servo::Ticks& ticks, int rate_hz);
-  ~ArmClock();  // no tick is at work any more, and the arm has zero
+  ~ArmClock();  // no tick is running any more, and the arm has zero force
   ArmClock(const ArmClock&) = delete;
   ArmClock& operator=(const ArmClock&) = delete;
 

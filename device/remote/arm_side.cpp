@@ -12,7 +12,7 @@
 namespace underact::device::remote {
 namespace {
 
-constexpr double kLongestTick_s = 0.1;  // as of the servo's: after a longer pause all begins anew
+constexpr double kLongestTick_s = 0.1;  // as in the servo: after a longer pause everything starts again
 constexpr int kNeverForGood = 1'000'000'000;
 
 }  // namespace
@@ -57,7 +57,7 @@ void ArmSide::forget() noexcept {
   arm_clock_.forget();
 }
 
-/// Whether the newest force may go out. Counts how long none came.
+/// Whether the newest force may go out. Counts how long none arrived.
 bool ArmSide::hears(const Came& came) noexcept {
   const std::uint32_t seat = seat_.load(std::memory_order_acquire);
   if (seat != seated_) {
@@ -75,7 +75,7 @@ bool ArmSide::hears(const Came& came) noexcept {
   unfresh_ = is_new ? 0 : std::min<std::int64_t>(unfresh_ + 1, kQuietPeriods);
   if (heard && unfresh_ == kQuietPeriods && now_.f_T_W != Vec3::Zero()) ++now_.pauses;
   if ((seat & 1U) == 0 || unfresh_ >= kQuietPeriods) return false;
-  const std::uint64_t age = now_.sample.sequence - came.message.answered;  // wraps where it answers what is not yet
+  const std::uint64_t age = now_.sample.sequence - came.message.answered;  // wraps if it answers a future sample
   return age <= static_cast<std::uint64_t>(kOldest_ns / options_.period_ns);
 }
 
@@ -88,8 +88,8 @@ Fault ArmSide::judge(bool has, double dt_s) const noexcept {
   return {};
 }
 
-/// The force with as much damping as takes out what the far spring has given away. Its reference is nothing but what
-/// came in: of the spring itself nobody knows here.
+/// The force with enough damping to take out what the remote spring has generated. Only the forces that arrived are
+/// used: the spring itself is not known here.
 Vec3 ArmSide::keepPassive(const Vec3& way_T_W, double dt_s, const Vec3& f_T_W) noexcept {
   control::Passage passage;
   passage.way_T_W = way_T_W;
@@ -127,8 +127,8 @@ void ArmSide::noticeSleep() noexcept {
   if (!options_.counts_time) slept_ns_ += sleep_.look(options_.clocks);
 }
 
-/// What other clocks than this machine's own say is wrong, as in the servo's loop, with the sample in hand and before
-/// a force goes out. Where nobody pushes there is nothing to stop.
+/// What other clocks than this computer's report wrong, as in the servo's loop, with the sample at hand and before a
+/// force goes out. If nobody pushes there is nothing to stop.
 Fault ArmSide::faultOfClocks(bool has) noexcept {
   const arm::Sample& sample = now_.sample.sample;
   const std::int64_t now_ns = options_.counts_time ? at_ns_ : options_.clocks.now_ns();
@@ -184,7 +184,7 @@ void ArmSide::tick() noexcept {
   const Came& came = came_.latest();
   const bool is_heard = hears(came) && options_.allows_force;
   const Vec3 asked_T_W = is_heard && came.message.pushes ? came.message.f_T_W : Vec3(Vec3::Zero());
-  // A fault here lasts until the far servo lets go, too.
+  // A fault here lasts until the remote servo lets go, too.
   const bool restart = gate_.fault.kind != FaultKind::None && is_heard && asked_T_W == Vec3::Zero();
   const Vec3 kept_T_W = fault.kind == FaultKind::None ? keepPassive(way_T_W, dt_s, asked_T_W) : asked_T_W;
   if (fault.kind == FaultKind::None && !is_heard) fault = {FaultKind::StaleSample, 0.0, 0.0};  // zero, at once
@@ -192,7 +192,7 @@ void ArmSide::tick() noexcept {
       safety::gate(options_.limits, gate_, {kept_T_W, true, restart, fault, false, motion, waited_s}, period_s);
   gate_ = gated.next;
   port_.write(gated.force);
-  noticeSleep();  // since it was looked for: this tick's force is taken back, and the next one says why
+  noticeSleep();  // since it was last checked: this tick's force is withdrawn, and the next one says why
   if (slept_ns_ > 0) port_.write({});
   now_.f_T_W = gated.force.f_T_W();
   if (now_.f_T_W != Vec3::Zero()) now_.most_unfresh = std::max(now_.most_unfresh, unfresh_);

@@ -19,17 +19,17 @@ namespace underact::device::remote {
 /// stick that was felt there a sixth of a second ago is felt as another one.
 inline constexpr int kQuietPeriods = 4;
 inline constexpr std::int64_t kOldest_ns = 150'000'000;
-/// Energy that was put in long ago does not pay for a burst now: no more than this is remembered, what 0.88 N take up
+/// Energy that was put in long ago must not pay for a burst now: no more than this is remembered, what 0.88 N absorb
 /// over 57 mm.
 inline constexpr double kMostStored_J = 0.05;
-/// A spring that draws the tip from where it stands at Start gives away what nobody has put in. That much is lent, and
-/// again in time: slower than the friction of an arm eats it (0.26 N at 10 mm/s are 2.6 mW).
+/// A spring that pulls the tip from its position at Start gives out energy that nobody has put in. This much is lent,
+/// and again over time: more slowly than the friction of an arm dissipates it (0.26 N at 10 mm/s are 2.6 mW).
 inline constexpr double kLent_J = 0.010, kLentAgain_W = 0.001;
 
-/// The tick of an arm that is shared: reads it, and lets through to it what the far program asks for, as far as that is
-/// fresh, passive and within the gate. Passive: the force comes late by the way of the sample there and its own way
-/// back, so a wall that is passive there gives energy away here. It is counted at the arm, with each way of the tip and
-/// the force that was in effect on it, and what is missing is damped (core/control/passivity). Knows no network.
+/// The tick of a shared arm: reads it, and passes on the force that the remote program asks for, as far as that is
+/// fresh, passive and within the gate. Passive: the force is late by the delays of the sample and of the force, so a
+/// wall that is passive there generates energy here. It is accounted for at the arm, with each displacement of the tip
+/// and the force in effect during it, and the deficit is damped (core/control/passivity). Knows no network.
 class ArmSide final : public servo::Ticks {
  public:
   struct Options {
@@ -38,7 +38,7 @@ class ArmSide final : public servo::Ticks {
     safety::Limits limits;
     std::int64_t period_ns = 1'000'000;
     bool allows_force = false, is_passive = true;
-    bool counts_time = false;  // a tick is a period, whenever it comes: for who ticks it faster than real time
+    bool counts_time = false;  // a tick counts as a period, whenever it comes: for ticking faster than real time
     system::Clocks clocks = {};
   };
   /// What a tick saw.
@@ -46,9 +46,9 @@ class ArmSide final : public servo::Ticks {
     SampleMessage sample;
     Vec3 f_T_W = Vec3::Zero();      // written
     Fault fault;                    // of the gate here
-    double energy_J = 0.0;          // put in at the arm and not got back, with what was lent
-    std::int64_t pauses = 0;        // times that a force ended because none came
-    std::int64_t most_unfresh = 0;  // most forces, in all of these, that still went out after the last that came
+    double energy_J = 0.0;          // put in at the arm and not returned, including what was lent
+    std::int64_t pauses = 0;        // times that a force ended because no new one came
+    std::int64_t most_unfresh = 0;  // most forces, over all of these, sent after the last one received
   };
   ArmSide(servo::DevicePort& port, const Options& options, system::Doorbell& shown);
 
@@ -56,7 +56,7 @@ class ArmSide final : public servo::Ticks {
 
   // The network's thread.
   void take(const ForceMessage& message);
-  /// Somebody has the arm; what was before says nothing any more.
+  /// A program has taken the arm; its history is reset.
   void seat(bool is_taken);
   const Shown& shown() { return shown_.latest(); }
   // Any thread.
@@ -84,7 +84,7 @@ class ArmSide final : public servo::Ticks {
   system::Doorbell& bell_;
   servo::Slot<Came> came_;
   servo::Slot<Shown> shown_;
-  std::atomic<std::uint32_t> seat_{0};  // counts who came and who went; odd: it is taken
+  std::atomic<std::uint32_t> seat_{0};  // counts takings and leavings; odd: taken
   std::atomic<std::int64_t> own_beats_{0};
   std::atomic<std::int64_t>* beats_ = &own_beats_;
   // The network's.
@@ -102,9 +102,9 @@ class ArmSide final : public servo::Ticks {
   bool has_last_ = false;
   servo::SleepWatch sleep_;
   servo::ArmClockWatch arm_clock_;
-  std::int64_t slept_ns_ = 0;  // that no tick was told of yet
-  double since_s_ = 0.0;       // by the time of this machine, since the last good sample
-  std::int64_t at_ns_ = 0;     // when this tick began, by the clock of this machine; 0: none did
+  std::int64_t slept_ns_ = 0;  // not yet reported to a tick
+  double since_s_ = 0.0;       // by the time of this computer, since the last good sample
+  std::int64_t at_ns_ = 0;     // when this tick began, by the clock of this computer; 0: none did
 };
 
 /// The limits of an arm of that preset, as a scene for it has them.

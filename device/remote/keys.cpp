@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kKeyCharacters = 40, kKeyBytes = 32;
-constexpr std::size_t kMostBytes = std::size_t{1} << 20;  // of a file of keys
+constexpr std::size_t kMostBytes = std::size_t{1} << 20;  // of a key file
 
 Problems problemAt(Sentence sentence, const fs::path& file) {
   return {{std::move(sentence), {file.string()}}};
@@ -35,21 +35,22 @@ fs::path usersFolder() {
   return fs::path(home != nullptr ? home : "/") / ".config" / "Underact";
 }
 
-/// Why a file of keys is not to be trusted: others may read or write it, or it is theirs. what_to_do: beside chmod.
+/// Why a key file is not to be trusted: others may read or write it, or it belongs to another user. what_to_do: besides
+/// chmod.
 Problems notOursAlone(const system::Status& status, const Sentence& may, const Sentence& what_to_do,
                       const fs::path& file) {
   if (!status.is_trusted)
     return problemAt(said(TRANSLATE_NOOP("problem",
-                                         "This file of keys belongs to another user of this computer, so it is not "
-                                         "used. Delete it, and find out who put it there.")),
+                                         "This key file belongs to another user of this computer, so it is not used. "
+                                         "Delete it, and find out who put it there.")),
                      file);
   if ((status.rights & 077U) == 0) return {};
-  return problemAt(said(TRANSLATE_NOOP("problem", "%1 Say chmod 600 '%2' and, if somebody may have done so, %3."),
+  return problemAt(said(TRANSLATE_NOOP("problem", "%1 Run chmod 600 '%2' and, if somebody may have done so, %3."),
                         {may, file.string(), what_to_do}),
                    file);
 }
 
-/// A file of keys: its name, what others could do with it, and what then is to be done.
+/// A key file: its name, what others could do with it, and what to do about it.
 struct KeyFile {
   const char *name, *may, *what_to_do;
 };
@@ -60,16 +61,16 @@ constexpr KeyFile kClients{"arm_clients", TRANSLATE_NOOP("problem", "Others may 
 constexpr KeyFile kHosts{"arm_hosts", TRANSLATE_NOOP("problem", "Others may read or change which arms you trust."),
                          TRANSLATE_NOOP("problem", "delete each line in it that you do not know")};
 
-/// Its lines; none: there is no such file. Problems: it cannot be read, or is not this user's alone.
+/// Its lines; none: there is no such file. Problems: it cannot be read, or others may read it.
 Result<std::optional<std::vector<std::string>>> linesOf(const fs::path& folder, const KeyFile& which) {
   const fs::path path = folder / which.name;
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::optional<std::vector<std::string>>{};
   const Result<system::NamedFile> file =
-      system::NamedFile::open(path.string(), said(TRANSLATE_NOOP("problem", "keys of arms")));
+      system::NamedFile::open(path.string(), said(TRANSLATE_NOOP("problem", "a key")));
   if (!file) return file.problems();
   const std::optional<system::Status> status = system::statusOf(file.value().descriptor());
-  if (!status) return problemAt(said(TRANSLATE_NOOP("problem", "The file of keys cannot be read.")), path);
+  if (!status) return problemAt(said(TRANSLATE_NOOP("problem", "The key file cannot be read.")), path);
   Problems problems = notOursAlone(*status, said(which.may), said(which.what_to_do), path);
   if (!problems.empty()) return problems;
   const Result<std::string> text = file.value().readAll(kMostBytes);
@@ -83,18 +84,18 @@ Result<std::optional<std::vector<std::string>>> linesOf(const fs::path& folder, 
   return std::optional(std::move(lines));
 }
 
-/// The whole file or, where that fails, the one that was; nobody else may read it.
+/// Writes the whole file or, if that fails, leaves the old one; nobody else may read it.
 Problems writeFile(const fs::path& file, const std::string& text) {
   system::makePrivateFolder(file.parent_path().string());
   const fs::path part = file.string() + ".part";
   const int reason = system::putInPlace(system::makeNew(part.string(), system::Existing::Replace), part.string(),
                                         file.string(), text, system::Lasting::Written);
   if (reason == 0) return {};
-  return problemAt(said(TRANSLATE_NOOP("problem", "The file of keys cannot be written: %1."), {std::strerror(reason)}),
+  return problemAt(said(TRANSLATE_NOOP("problem", "The key file cannot be written: %1."), {std::strerror(reason)}),
                    file);
 }
 
-/// The words of a line: first and second; the rest is for people.
+/// The first two words of a line; the rest is for people.
 std::pair<std::string, std::string> wordsOf(const std::string& line) {
   std::istringstream stream(line);
   std::pair<std::string, std::string> words;
@@ -103,11 +104,12 @@ std::pair<std::string, std::string> wordsOf(const std::string& line) {
 }
 
 Problems noKey(const std::string& text) {
-  return {{said(TRANSLATE_NOOP("problem",
-                               "\"%1\" is no key. A key has 40 characters; \"underact-cli share-arm --show-key\" "
-                               "prints it. Put it in single quotes, since some of them mean something to a shell."),
-                {text.substr(0, kKeyCharacters + 1)}),
-           {}}};
+  return {
+      {said(TRANSLATE_NOOP("problem",
+                           "\"%1\" is not a key. A key has 40 characters; \"underact-cli share-arm --show-key\" prints "
+                           "it. Put it in single quotes, since some of its characters have a meaning in a shell."),
+            {text.substr(0, kKeyCharacters + 1)}),
+       {}}};
 }
 
 }  // namespace
@@ -148,8 +150,8 @@ Result<KeyPair> KeyFolder::own() const {
   const std::vector<std::string>& text = *lines.value();
   if (text.size() < 2 || !isKey(text[0]) || !isKey(text[1]))
     return problemAt(
-        said(TRANSLATE_NOOP("problem",
-                            "This is no pair of keys. \"underact-cli share-arm --new-key\" makes one in its place.")),
+        said(TRANSLATE_NOOP(
+            "problem", "This is not a key pair. \"underact-cli share-arm --new-key\" makes a new one in its place.")),
         file);
   return KeyPair{text[0], text[1]};
 }
@@ -169,7 +171,7 @@ Result<std::vector<std::string>> KeyFolder::clients() const {
       keys.push_back(key);
     } else {
       problems.push_back(
-          {said(TRANSLATE_NOOP("problem", "A line begins with a key of 40 characters.")), {file.string(), number}});
+          {said(TRANSLATE_NOOP("problem", "A line must begin with a key of 40 characters.")), {file.string(), number}});
     }
   }
   if (!problems.empty()) return problems;
@@ -197,7 +199,7 @@ Result<std::string> KeyFolder::keyOf(const Address& address) const {
     const auto [host, key] = wordsOf(line);
     if (host != address.text()) continue;
     if (!isKey(key))
-      return problemAt(said(TRANSLATE_NOOP("problem", "The key of %1 in this file is none."), {host}), file);
+      return problemAt(said(TRANSLATE_NOOP("problem", "The key of %1 in this file is not valid."), {host}), file);
     return key;
   }
   if (!address.isThisMachine()) return std::string();

@@ -4,13 +4,13 @@
 
 namespace underact::device::remote {
 
-/// How often somebody connects: a bucket of kMost tokens that fills up with kASecond. A whole class that looks for arms
-/// stays within it; who connects again and again empties it, and strangers are too many until it is half full again.
+/// Limits the rate of connections: a bucket of kMost tokens, refilled at kASecond. A whole class that looks for arms
+/// stays within it; a program that keeps connecting empties it, and strangers are then refused until it is half full.
 class Knocks {
  public:
   static constexpr double kMost = 100.0, kASecond = 50.0;
 
-  /// So many have connected since the last call. now_ns: of a clock that no one sets.
+  /// That many have connected since the last call. now_ns: of a monotonic clock.
   void count(int connections, std::int64_t now_ns) noexcept {
     const double since_s = last_ns_ == 0 ? 0.0 : 1e-9 * static_cast<double>(now_ns - last_ns_);
     last_ns_ = now_ns;

@@ -57,7 +57,7 @@ class Writer {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Reads one field after another; what is not well makes it stay not well.
+/// Reads one field after another; after an error it stays invalid.
 class Reader {
  public:
   explicit Reader(std::span<const std::uint8_t> bytes) : left_(bytes) {}

@@ -13,19 +13,19 @@
 
 namespace underact::device::remote {
 
-// What a shared arm and the program that drives it from elsewhere say to each other. Each message: "UARM", the version
-// (uint16), its kind (uint8), zero (uint8); then its fields in the order below, little-endian, numbers as IEEE 754,
-// texts as a uint16 of bytes and so many of them. The guide's page "Arms over the network" has the layout.
+// The messages between a shared arm and the remote program that drives it. Each message: "UARM", the version (uint16),
+// its kind (uint8), zero (uint8); then its fields in the order below, little-endian, numbers as IEEE 754, texts as a
+// uint16 length in bytes and the bytes. The guide's page "Arms over the network" has the layout.
 
 inline constexpr int kVersion = 1;
 inline constexpr std::size_t kHeaderBytes = 8, kSampleBytes = 84, kForceBytes = 52;
 inline constexpr std::size_t kLongestText = 600, kLongestMessage = 2048;
 
-/// How the arm is, once a period.
+/// The state of the arm, once per period.
 struct SampleMessage {
   std::uint64_t sequence = 0;  // counts its periods
   arm::Sample sample;          // time on the arm's own clock
-  bool has_sample = false;     // false: the arm itself gave none; then the rest is of the last one
+  bool has_sample = false;     // false: the arm gave none; then the rest is of the last one
 };
 
 /// The force that answers a sample.
@@ -33,7 +33,7 @@ struct ForceMessage {
   std::uint64_t number = 0;    // counts forces
   std::uint64_t answered = 0;  // sequence of the sample
   Vec3 f_T_W = Vec3::Zero();
-  bool pushes = false;  // of a tick; false: said by the network thread, because none came, and zero
+  bool pushes = false;  // of a tick; false: zero, sent by the network thread because no tick came
 };
 
 /// Whose joints the samples are.
@@ -42,15 +42,15 @@ struct Kinematics {
   arm::Geometry geometry;
 };
 
-/// "I want the arm", the first message of who comes.
+/// "I want the arm", the first message of a program.
 struct Hello {
-  std::uint64_t token = 0;  // of the program that asks: it may take its own place again
-  int rate_hz = 0;          // that it ticks at
-  bool only_looks = false;  // wants no more than the answer
+  std::uint64_t token = 0;  // of the program: it may take its own place again
+  int rate_hz = 0;          // its tick rate
+  bool only_looks = false;  // wants only the answer
   Kinematics arm;
 };
 
-/// "It is yours", and what it is.
+/// "It is yours", and its properties.
 struct Welcome {
   int rate_hz = 0;
   bool allows_force = false, is_passive = false, untested = true;
@@ -61,10 +61,10 @@ struct Welcome {
 };
 
 enum class About : std::uint8_t {
-  Refusal = 0,   // why it is not yours
-  InUse = 1,     // that it is another's now
+  Refusal = 0,   // why the arm is refused
+  InUse = 1,     // that another program has it
   OtherArm = 2,  // that its joints are another arm's
-  Trouble = 3,   // what is wrong at the arm's side; empty: nothing any more
+  Trouble = 3,   // what is wrong at the arm; empty: nothing any more
   Ended = 4      // that it is no longer shared
 };
 struct Words {
@@ -80,11 +80,11 @@ using Message = std::variant<SampleMessage, ForceMessage, Hello, Welcome, Words,
 /// Texts longer than kLongestText are cut.
 std::vector<std::uint8_t> bytesOf(const Message& message);
 
-/// None where it is not such a message to the last byte: another version or length, a number that is not finite, a flag
-/// that nobody has defined, a text with control characters in it.
+/// None if it is not exactly such a message: another version or length, a number that is not finite, an undefined flag,
+/// a text with control characters.
 std::optional<Message> readMessage(std::span<const std::uint8_t> bytes);
 
-/// The version of what calls itself a message; none: it does not. Says who of two is older.
+/// The version stated by a message of this kind; none: it is not one. Tells which of the two ends is older.
 std::optional<int> versionOf(std::span<const std::uint8_t> bytes);
 
 }  // namespace underact::device::remote

@@ -28,7 +28,7 @@ Problems whyNot(LineState state, const Address& address) {
           said(TRANSLATE_NOOP(
                    "problem",
                    "What answers at %1 is not the arm whose key is known here. If it was given a new key, run the line "
-                   "that \"underact-cli share-arm\" prints there; if it was not, somebody else answers in its place."),
+                   "that \"underact-cli share-arm\" prints there; if not, somebody else is answering in its place."),
                {where}));
     default:
       return problem(said(TRANSLATE_NOOP("problem",
@@ -38,7 +38,7 @@ Problems whyNot(LineState state, const Address& address) {
   }
 }
 
-/// What comes next; none: nothing came in time, or nothing that is known.
+/// The next message; none: nothing arrived in time, or nothing known.
 std::optional<Message> nextOf(Wire& wire, int time_ms) {
   const std::int64_t end_ns = system::monotonicNow_ns() + time_ms * kMillisecond_ns;
   for (Bytes bytes; system::monotonicNow_ns() < end_ns && wire.state() == LineState::Connected; wire.wait(-1, 1)) {
@@ -86,11 +86,11 @@ Result<Welcome> welcomed(Wire& wire, const Hello& hello, const Address& address,
       return problem(ofArmAt(address, words->text));
     }
   }
-  return problem(said(
-      TRANSLATE_NOOP(
-          "problem",
-          "The arm at %1 does not answer, although its computer does. Start \"underact-cli share-arm\" anew there."),
-      {address.text()}));
+  return problem(
+      said(TRANSLATE_NOOP(
+               "problem",
+               "The arm at %1 does not answer, although its computer does. Restart \"underact-cli share-arm\" there."),
+           {address.text()}));
 }
 
 Result<Reach> reachOf(const Address& address, const KeyFolder& folder) {

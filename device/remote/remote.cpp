@@ -7,7 +7,7 @@
 namespace underact::device::remote {
 namespace {
 
-constexpr int kLook_ms = 60;  // of handshakes on a machine that is busy; nobody listening is known at once
+constexpr int kLook_ms = 60;  // for the handshake on a busy computer; if nobody listens it is known at once
 
 }  // namespace
 
@@ -23,14 +23,14 @@ Result<std::unique_ptr<servo::DevicePort>> openRow(const Request& request) {
 
 std::vector<Found> lookRow() {
   const Address here;
-  if (!KeyFolder().hasOwn()) return {};  // who has none shares nothing, and to look makes none
+  if (!KeyFolder().hasOwn()) return {};  // a user without a key shares nothing, and looking creates none
   const Result<Reach> reach = reachOf(here, KeyFolder());
   if (!reach) return {};
   const Result<Welcome> welcome = askWhat(reach.value(), kLook_ms);
   if (!welcome) return {};
   const char* const title = welcome.value().allows_force
-                                ? TRANSLATE_NOOP("problem", "%1, shared at this computer")
-                                : TRANSLATE_NOOP("problem", "%1, shared at this computer, without force");
+                                ? TRANSLATE_NOOP("problem", "%1, shared on this computer")
+                                : TRANSLATE_NOOP("problem", "%1, shared on this computer, without force");
   return {{said(title, {welcome.value().title}), here.text(), {}}};
 }
 

@@ -3,9 +3,9 @@
 
 namespace underact::device::remote {
 
-// A row of the catalogue. Address: HOST:PORT; empty: this machine's own.
+// A row of the catalogue. Address: HOST:PORT; empty: this computer's own.
 Result<std::unique_ptr<servo::DevicePort>> openRow(const Request& request);
-/// An arm that is shared at this machine's own port, if somebody listens there.
+/// An arm that is shared at this computer's own port, if there is one.
 std::vector<Found> lookRow();
 
 }  // namespace underact::device::remote

@@ -11,8 +11,8 @@ namespace underact::device::remote {
 namespace {
 
 constexpr int kConnect_ms = 3000;
-constexpr int kBusyAsks = 15, kBusyPause_ms = 100;  // one who has just ended is counted for a moment
-constexpr std::int64_t kLost_ns = 1'000'000'000;    // silence, after which the line is no line
+constexpr int kBusyAsks = 15, kBusyPause_ms = 100;  // a program that has just ended still counts for a moment
+constexpr std::int64_t kLost_ns = 1'000'000'000;    // silence, after which the connection is considered lost
 constexpr int kSilentReads = 20;                    // in a row without a sample; after more, the gate gives up
 
 }  // namespace
@@ -26,7 +26,7 @@ Result<std::unique_ptr<RemoteArm>> RemoteArm::open(const Reach& reach, const arm
 
 RemoteArm::RemoteArm(Reach reach, const arm::Preset& arm, int rate_hz)
     : reach_(std::move(reach)), arm_(arm), rate_hz_(rate_hz), period_ns_(1'000'000'000 / std::max(rate_hz, 1)) {
-  std::random_device random;  // no secret: it tells one program from another
+  std::random_device random;  // not a secret: it tells one program from another
   token_ = (static_cast<std::uint64_t>(random()) << 32U) | random();
 }
 
@@ -40,7 +40,7 @@ Problems RemoteArm::connect() {
   Result<Welcome> welcome = ask(*wire.value());
   if (!welcome) return welcome.problems();
   if (welcome.value().rate_hz != rate_hz_)
-    return {{said(TRANSLATE_NOOP("problem", "The arm at %1 ticks at %2 Hz and not at %3 Hz."),
+    return {{said(TRANSLATE_NOOP("problem", "The arm at %1 ticks at %2 Hz, not at %3 Hz."),
                   {reach_.address.text(), std::to_string(welcome.value().rate_hz), std::to_string(rate_hz_)}),
              {}}};
   wire_ = std::move(wire).value();
@@ -113,22 +113,22 @@ void RemoteArm::run() {
     const std::int64_t now_ns = system::monotonicNow_ns();
     speak(now_ns);
     const bool is_broken = wire_->state() != LineState::Connected;
-    if (is_broken) hear();  // why, if it was said
+    if (is_broken) hear();  // the reason, if it was sent
     if (is_broken)
       lose(said(TRANSLATE_NOOP("problem",
-                               "The line to the arm at %1 broke. Look after the network and the sharing program at "
+                               "The connection to the arm at %1 was lost. Check the network and the sharing program on "
                                "its computer, then press Restart."),
                 {reach_.address.text()}));
     else if (now_ns - came_ns_ > kLost_ns)
       lose(said(TRANSLATE_NOOP("problem",
-                               "Nothing comes from the arm at %1 any more. Look after the network and the sharing "
-                               "program at its computer, then press Restart."),
+                               "The arm at %1 no longer sends anything. Check the network and the sharing program on "
+                               "its computer, then press Restart."),
                 {reach_.address.text()}));
   }
-  if (is_lost_) wire_.reset();  // whatever comes late is nobody's
+  if (is_lost_) wire_.reset();  // late messages are ignored
 }
 
-/// The newest of all that has come.
+/// The newest of all that arrived.
 void RemoteArm::hear() {
   const std::uint64_t before = sequence_;
   while (wire_->receive(bytes_)) {
@@ -158,7 +158,7 @@ void RemoteArm::hear(const Words& words) {
   trouble_ = words.text;
 }
 
-/// What the tick wrote last, once; zero where it is cut, or wrote nothing for long.
+/// The tick's last force, once; zero if it is cut, or if the tick wrote nothing for long.
 void RemoteArm::speak(std::int64_t now_ns) {
   const ForceMessage& wanted = wanted_.latest();
   const bool is_new = wanted.number != sent_;
@@ -198,7 +198,7 @@ bool RemoteArm::read(arm::Sample& sample) noexcept {
   missed_.store(0, std::memory_order_relaxed);
   answered_ = taken->message.sequence;
   sample = taken->message.sample;
-  // On the arm's own clock, which begins anew with each line and never runs back; a sample that holds grows older.
+  // On the arm's own clock, which restarts with each connection and never runs back; a sample that is kept grows older.
   const std::int64_t own_ns = sample.time_ns + (is_new ? 0 : age_ns);
   if (std::exchange(seen_line_, line_) != line_) ahead_ns_ = time_ns_ + period_ns_ - own_ns;
   time_ns_ = std::max(own_ns + ahead_ns_, time_ns_ + half_ns);
@@ -236,9 +236,8 @@ Sentence RemoteArm::trouble() const {
   if (!trouble_.empty()) return ofArmAt(reach_.address, trouble_);
   if (missed_ >= kSilentReads)
     return said(
-        TRANSLATE_NOOP(
-            "problem",
-            "Nothing comes from the arm at %1. Look after the network and the sharing program at its computer."),
+        TRANSLATE_NOOP("problem",
+                       "The arm at %1 sends nothing. Check the network and the sharing program on its computer."),
         {reach_.address.text()});
   return {};
 }

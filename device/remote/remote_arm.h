@@ -14,10 +14,10 @@
 
 namespace underact::device::remote {
 
-/// An arm that another program shares. A thread keeps the line; the tick takes the newest sample from it and leaves the
-/// newest force for it. A sample is the newest one: one that comes within half a period is waited for, else the last
-/// one holds as long as it is no older than kStale_ns (or kStalePeriods). Where the tick wrote no force for
-/// kQuietTicks, the other end is told zero. A line that broke stays so until reopen().
+/// An arm that another program shares. A thread keeps the connection; the tick takes the newest sample from it and
+/// leaves the newest force for it. If no new sample is there, the tick waits up to half a period for one; then the last
+/// one is used while it is no older than kStale_ns (or kStalePeriods). If the tick wrote no force for kQuietTicks, the
+/// other end is sent zero. A lost connection stays lost until reopen().
 class RemoteArm final : public servo::DevicePort {
  public:
   static constexpr std::int64_t kStale_ns = 20'000'000;
@@ -37,12 +37,12 @@ class RemoteArm final : public servo::DevicePort {
   servo::DeviceInfo info() const override;
 
  private:
-  /// A sample as it came.
+  /// A sample as it arrived.
   struct Taken {
     std::uint64_t number = 0;
     std::int64_t came_ns = 0;
     SampleMessage message;
-    std::uint32_t line = 0;  // counts lines to the arm
+    std::uint32_t line = 0;  // counts connections to the arm
   };
   RemoteArm(Reach reach, const arm::Preset& arm, int rate_hz);
   Problems connect();
@@ -64,10 +64,10 @@ class RemoteArm final : public servo::DevicePort {
   std::unique_ptr<Wire> wire_;
   std::thread thread_;
   std::uint32_t line_ = 0;
-  mutable std::mutex words_mutex_;  // never the tick's
+  mutable std::mutex words_mutex_;  // never in the tick
   Welcome welcome_;
-  Sentence loss_;        // why the line is lost; empty: it is not
-  std::string trouble_;  // of the arm there
+  Sentence loss_;        // why the connection was lost; empty: it was not
+  std::string trouble_;  // of the arm itself
   // Between threads.
   servo::Slot<Taken> taken_;
   servo::Slot<ForceMessage> wanted_;
@@ -79,7 +79,7 @@ class RemoteArm final : public servo::DevicePort {
   // The thread's.
   std::uint64_t samples_ = 0, sequence_ = 0, forces_ = 0, sent_ = 0;
   std::int64_t wrote_ns_ = 0;  // the tick, as seen from here
-  std::int64_t said_ns_ = 0;   // anything
+  std::int64_t said_ns_ = 0;   // anything sent
   Bytes bytes_;
   // The tick's.
   std::uint64_t number_ = 0, writes_ = 0, answered_ = 0;

@@ -10,10 +10,10 @@ namespace {
 
 constexpr int kWait_ms = 5;
 constexpr std::int64_t kSilent_ns = 200'000'000;       // then the arm is free for others
-constexpr std::int64_t kLookEvery_ns = 50'000'000;     // at what the arm says is wrong
+constexpr std::int64_t kLookEvery_ns = 50'000'000;     // at the trouble that the arm reports
 constexpr std::int64_t kStandsStill_ns = 100'000'000;  // as the servo's watchdog
-constexpr std::int64_t kFarewell_ns = 50'000'000;      // in which the last words get through
-constexpr std::int64_t kTellEvery_ns = 1'000'000'000;  // how many were turned away
+constexpr std::int64_t kFarewell_ns = 50'000'000;      // time for the last messages to get through
+constexpr std::int64_t kTellEvery_ns = 1'000'000'000;  // how many were refused
 constexpr double kAlike_m = 1e-9;                      // one was read from mm
 
 }  // namespace
@@ -59,7 +59,7 @@ Share::~Share() {
   refuse(seat_, About::Ended,
          "It is no longer shared, because the sharing program at its computer has ended. Start it anew and press "
          "Restart.");
-  // A socket that is closed with something unread tears the line, and what was said last with it.
+  // A socket that is closed with unread messages drops the connection, and the last message with it.
   std::string from;
   Bytes bytes;
   for (const std::int64_t end_ns = system::monotonicNow_ns() + kFarewell_ns; system::monotonicNow_ns() < end_ns;) {
@@ -68,7 +68,7 @@ Share::~Share() {
   }
 }
 
-/// The arm ticks anew; nobody has it meanwhile.
+/// The arm ticks again; no program has it meanwhile.
 Problems Share::tickAt(int rate_hz) {
   Result<ArmSide::Options> options = optionsOf(options_.arm, port_->info(), rate_hz);
   if (!options) return options.problems();
@@ -89,19 +89,19 @@ Problems Share::tickAt(int rate_hz) {
   return {};
 }
 
-/// As it was before somebody asked for another; nobody has the arm.
+/// As it was before a program asked for another rate; no program has the arm.
 void Share::putBackRate() {
   if (rate_hz_ == options_.rate_hz) return;
   clock_.reset();
   port_->setRate(options_.rate_hz);
   const Problems problems = tickAt(options_.rate_hz);
-  if (!problems.empty()) tell_(problems.front().sentence);  // cannot be: it has ticked so
+  if (!problems.empty()) tell_(problems.front().sentence);  // impossible: it has ticked at this rate
 }
 
 void Share::tellOfGuard() {
   is_guarded_ = guard_ != nullptr;
   if (guard_)
-    tell_("A guard stands beside the arm: if this program dies, the arm is told zero all the same.");
+    tell_("A guard watches the arm: if this program crashes, the guard still commands zero force.");
   else if (port_->lastWord().fd >= 0)
     tell_(servo::nothingGuards(no_guard_));
 }
@@ -115,7 +115,7 @@ void Share::run() {
     hear();
     show();
     const std::int64_t now_ns = system::monotonicNow_ns();
-    if (!seat_.empty() && now_ns - heard_ns_ > kSilent_ns) leave("The program that had the arm fell silent.");
+    if (!seat_.empty() && now_ns - heard_ns_ > kSilent_ns) leave("The program that had the arm stopped sending.");
     if (now_ns - looked_ns_ > kLookEvery_ns) {
       looked_ns_ = now_ns;
       look();
@@ -148,15 +148,15 @@ void Share::answer(const std::string& from, const Message& message) {
   if (from != seat_ || seat_.empty()) {
     if (std::get_if<ForceMessage>(&message) != nullptr)
       refuse(from, About::InUse,
-             seat_.empty() ? "It was taken away, because nothing came from this program for 0.2 s. Press Restart."
-                           : "It is another program's now.");
+             seat_.empty() ? "The arm was released because nothing came from this program for 0.2 s. Press Restart."
+                           : "Another program has it now.");
     return;
   }
   if (const ForceMessage* const force = std::get_if<ForceMessage>(&message)) {
     heard_ns_ = system::monotonicNow_ns();
     side_->take(*force);
   } else if (std::get_if<Bye>(&message) != nullptr) {
-    leave("The program that had the arm has let go of it.");
+    leave("The program that had the arm has released it.");
   }
 }
 
@@ -184,12 +184,12 @@ void Share::welcome(const std::string& from, const Hello& hello) {
   }
   if (!isSame(hello.arm.geometry, options_.arm.geometry)) {
     refuse(from, About::OtherArm,
-           "It is shared with the joints of \"" + options_.arm.name + "\", and the scene is for \"" + hello.arm.preset +
+           "It is shared with the joints of \"" + options_.arm.name + "\", but the scene is for \"" + hello.arm.preset +
                "\". Share it with --arm " + hello.arm.preset + ", or open a scene for " + options_.arm.name + ".");
     return;
   }
   if (!seat_.empty() && hello.token != token_) {
-    refuse(from, About::InUse, "It is in use by another program. One at a time can have it.");
+    refuse(from, About::InUse, "It is in use by another program. Only one at a time can have it.");
     return;
   }
   const Problems problems = makeReady(hello);
@@ -208,18 +208,18 @@ void Share::welcome(const std::string& from, const Hello& hello) {
   trouble_.clear();
 }
 
-/// An arm that was lost is opened anew, since this is what Restart asks for there.
+/// A lost arm is reopened, since that is what Restart at the other end asks for.
 Problems Share::makeReady(const Hello& hello) {
   const bool is_lost = !port_->trouble().empty();
   if (hello.rate_hz < servo::kSlowest_hz || hello.rate_hz > servo::kFastest_hz)
     return {{"A shared arm ticks " + std::to_string(servo::kSlowest_hz) + " to " + std::to_string(servo::kFastest_hz) +
-                 " times a second, and the program that asks wants " + std::to_string(hello.rate_hz) +
+                 " times a second, but the program that asks wants " + std::to_string(hello.rate_hz) +
                  ". Choose another rate there.",
              {}}};
   if (hello.rate_hz != rate_hz_) {
     const std::string why = port_->refusesRate(hello.rate_hz);
     if (!why.empty())
-      return {{"It is shared at " + std::to_string(rate_hz_) + " Hz, and the program that asks ticks at " +
+      return {{"It is shared at " + std::to_string(rate_hz_) + " Hz, but the program that asks ticks at " +
                    std::to_string(hello.rate_hz) + " Hz. " + why,
                {}}};
   }
@@ -236,10 +236,10 @@ void Share::leave(const std::string& sentence) {
   side_->seat(false);
   seat_.clear();
   putBackRate();
-  tell_(sentence + " Zero force, free for the next.");
+  tell_(sentence + " Zero force, free for the next program.");
 }
 
-/// The newest sample to whoever has the arm; and to people what changes rarely.
+/// The newest sample to the program that has the arm; and rare changes to people.
 void Share::show() {
   const ArmSide::Shown& shown = side_->shown();
   if (seat_.empty() || shown.sample.sequence == shown_) return;
@@ -251,7 +251,7 @@ void Share::show() {
   hub_->send(seat_, bytesOf(message));
   if (shown.f_T_W != Vec3::Zero() && !std::exchange(pushed_, true)) tell_("It pushes.");
   if (std::exchange(pauses_, shown.pauses) < shown.pauses)
-    tell_("No force came: zero, after " + std::to_string(shown.most_unfresh) + " more periods at most.");
+    tell_("No force received: zero after " + std::to_string(shown.most_unfresh) + " more periods at most.");
 }
 
 std::string Share::troubleNow() {
@@ -260,7 +260,7 @@ std::string Share::troubleNow() {
   return describe(side_->shown().fault);
 }
 
-/// What is wrong at the arm; and a watchdog's look at its ticks.
+/// The arm's trouble; and a watchdog for its ticks.
 void Share::look() {
   const std::int64_t now_ns = system::monotonicNow_ns();
   const std::int64_t beats = side_->beats();
@@ -273,7 +273,7 @@ void Share::look() {
   if (!seat_.empty()) refuse(seat_, About::Trouble, trouble_);
 }
 
-/// While too many come, turning them away is no urgent work either. A line a second at most tells of them.
+/// While there are too many, refusing them is not urgent work either. Reported at most once a second.
 void Share::lookAfterStrangers(std::int64_t now_ns) {
   knocks_.count(hub_->connections(), now_ns);
   const bool is_storm = knocks_.areTooMany();
@@ -282,16 +282,15 @@ void Share::lookAfterStrangers(std::int64_t now_ns) {
       before_storm_ = system::ownUrgency();
       system::setOwnUrgency({});
     } else if (!system::setOwnUrgency(before_storm_)) {
-      system::askForRealTime({}, rate_hz_);  // it was another program's to grant
+      system::askForRealTime({}, rate_hz_);  // the other program could take it away
     }
   }
   turned_away_ += hub_->turnedAway();
   if (turned_away_ == 0 || now_ns - told_away_ns_ < kTellEvery_ns) return;
   told_away_ns_ = now_ns;
   const int times = std::exchange(turned_away_, 0);
-  tell_("Somebody whose key is not allowed was turned away" +
-        (times == 1 ? std::string() : ", " + std::to_string(times) + " times") +
-        ". With --allow KEY that one is let in.");
+  tell_("A program whose key is not allowed was refused" +
+        (times == 1 ? std::string() : ", " + std::to_string(times) + " times") + ". Use --allow KEY to admit it.");
 }
 
 /// A gap may be over before it is seen here: then who was replaced says so. After another rate there may be none.
@@ -305,7 +304,7 @@ void Share::lookAfterGuard() {
   }
   const bool was_replaced = std::exchange(replaced_, replaced) != replaced;
   if (!std::exchange(is_guarded_, true) || was_replaced)
-    tell_("The arm's guard had ended, and another one has taken its place.");
+    tell_("The arm's guard had ended and was replaced by another one.");
 }
 
 }  // namespace underact::device::remote

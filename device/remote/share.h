@@ -21,27 +21,27 @@
 namespace underact::device::remote {
 
 struct ShareOptions {
-  Address listen;  // this machine alone, by itself
+  Address listen;  // by default this computer only
   KeyPair keys;
-  std::vector<std::string> clients;  // whose keys are let in
-  arm::Preset arm;                   // whose joints the samples are
-  int rate_hz = 1000;                // while nobody who has the arm asks for another
+  std::vector<std::string> clients;  // the keys that are admitted
+  arm::Preset arm;                   // the samples have its joints
+  int rate_hz = 1000;                // until a program asks for another
   bool allows_force = false;
   bool is_passive = true;
-  std::string guard_program = {};  // underact-guard; empty: it is looked for
+  std::string guard_program = {};  // underact-guard; empty: it is searched for
 };
 
-/// Shares an open arm: one program elsewhere at a time reads it and, where that was allowed, pushes with it. Every
-/// force goes through a gate here; it ends when none came for kQuietPeriods. A guard stands beside an arm that has a
-/// last word. Strangers get no real time: what carries messages is as urgent as the servo only while somebody has the
-/// arm, and not while connections come faster than Knocks allows.
+/// Shares an open arm: one remote program at a time reads it and, if allowed, commands forces. Every force passes a
+/// gate here; it ends when none arrives for kQuietPeriods. A guard watches an arm that has a last command. Strangers
+/// get no real time: the messages have the servo's priority only while a program has the arm, and not while connections
+/// come faster than Knocks allows.
 class Share {
  public:
-  /// tell: gets a sentence for people about what happens, from the network's thread. Problems: nobody can listen there;
-  /// it is not this machine alone and nobody's key is known.
+  /// tell: gets a sentence for people about each event, from the network's thread. Problems: it cannot listen there; it
+  /// is not limited to this computer, and no key is known.
   static Result<std::unique_ptr<Share>> open(std::unique_ptr<servo::DevicePort> port, const ShareOptions& options,
                                              std::function<void(const std::string&)> tell);
-  ~Share();  // zero force, and whoever has it is told
+  ~Share();  // zero force, and the program that has it is told
   Share(const Share&) = delete;
   Share& operator=(const Share&) = delete;
   Address address() const { return hub_->address(); }
@@ -78,22 +78,22 @@ class Share {
   std::unique_ptr<ArmClock> clock_;
   std::atomic<bool> ends_{false};
   // The network thread's.
-  std::string seat_;  // who has the arm; empty: nobody
+  std::string seat_;  // the program that has the arm; empty: none
   std::uint64_t token_ = 0;
-  std::int64_t heard_ns_ = 0;   // of that one
-  std::int64_t looked_ns_ = 0;  // how the arm is
+  std::int64_t heard_ns_ = 0;   // from that program
+  std::int64_t looked_ns_ = 0;  // the state of the arm
   std::int64_t beats_ = 0, beat_ns_ = 0;
-  std::uint64_t shown_ = 0;  // sequence of the sample that was sent last
+  std::uint64_t shown_ = 0;  // sequence of the sample sent last
   std::int64_t pauses_ = 0;
-  bool pushed_ = false;     // and told
-  std::string trouble_;     // as it was told
-  bool is_guarded_ = true;  // as it was told
-  int replaced_ = 0;        // of the guards that are told of
+  bool pushed_ = false;     // and reported
+  std::string trouble_;     // as reported
+  bool is_guarded_ = true;  // as reported
+  int replaced_ = 0;        // of the reported guards
   Knocks knocks_;
-  bool is_storm_ = false;         // too many connect
+  bool is_storm_ = false;         // too many connections
   system::Urgency before_storm_;  // of this thread
   bool is_hurried_ = false;
-  int turned_away_ = 0;  // and not yet told
+  int turned_away_ = 0;  // and not yet reported
   std::int64_t told_away_ns_ = 0;
   std::thread thread_;
 };

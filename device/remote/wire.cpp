@@ -14,12 +14,12 @@ namespace underact::device::remote {
 namespace {
 
 constexpr const char* kEvents = "inproc://line";
-// What waits for a line that is slow is old: little of it is kept, here and in the system.
+// What waits on a slow connection is out of date: little of it is kept, here and in the system.
 constexpr int kMostWaiting = 5, kSystemBytes = 16384;
 constexpr int kHandshake_ms = 2000, kHeartbeat_ms = 1000, kSilence_ms = 3000;
 
-/// ZeroMQ carries messages in threads of its own: on a busy machine they must be as urgent as who waits for them.
-/// Asked for only where it is granted: the library ends the program where it is not.
+/// ZeroMQ handles messages in threads of its own: on a busy computer they need the priority of the threads that wait
+/// for them. Requested only if it is granted: otherwise the library ends the program.
 void hurry(zmq::context_t& context) {
   const std::optional<system::Urgency> granted = system::urgencyGranted();
   if (!granted) return;
@@ -33,7 +33,7 @@ zmq::context_t hurried() {
   return context;
 }
 
-/// A context whose threads can be told from all others of this program, by the number that their names begin with.
+/// A context whose threads can be told from all others of this program, by the number at the start of their names.
 zmq::context_t numbered(int number) {
   zmq::context_t context;
   zmq_ctx_set(context.handle(), ZMQ_THREAD_NAME_PREFIX, number);
@@ -45,7 +45,7 @@ int nextNumber() {
   return ++made % 1000;  // a name has 15 characters
 }
 
-/// Takes all that has come to a line of events; how many.
+/// Takes all pending events of a connection; returns how many.
 int countEvents(zmq::socket_t& events) {
   int count = 0;
   for (zmq::message_t message; events.recv(message, zmq::recv_flags::dontwait); ++count) {
@@ -100,7 +100,7 @@ Result<std::unique_ptr<Wire>> Wire::open(const Address& address, const std::stri
     socket.set(zmq::sockopt::maxmsgsize, std::int64_t{kLongestMessage});
     socket.set(zmq::sockopt::handshake_ivl, kHandshake_ms);
     socket.set(zmq::sockopt::reconnect_ivl, -1);
-    socket.set(zmq::sockopt::linger, 50);  // the last word
+    socket.set(zmq::sockopt::linger, 50);  // the last message
     socket.set(zmq::sockopt::ipv6, address.isIpv6());
     if (zmq_socket_monitor(socket.handle(), kEvents, ZMQ_EVENT_ALL) != 0) throw zmq::error_t();
     impl->events.set(zmq::sockopt::linger, 0);
@@ -108,7 +108,7 @@ Result<std::unique_ptr<Wire>> Wire::open(const Address& address, const std::stri
     socket.connect("tcp://" + address.text());
     return std::unique_ptr<Wire>(new Wire(std::move(impl)));
   } catch (const zmq::error_t& error) {
-    return Problems{{said(TRANSLATE_NOOP("problem", "No line to %1: %2."), {address.text(), error.what()}), {}}};
+    return Problems{{said(TRANSLATE_NOOP("problem", "No connection to %1: %2."), {address.text(), error.what()}), {}}};
   }
 }
 
@@ -157,7 +157,7 @@ LineState Wire::state() {
 struct Hub::Impl {
   const int prefix = nextNumber();
   zmq::context_t context = numbered(prefix);
-  zmq::socket_t keeper{context, zmq::socket_type::rep};  // who is let in
+  zmq::socket_t keeper{context, zmq::socket_type::rep};  // who is admitted
   zmq::socket_t socket{context, zmq::socket_type::router};
   zmq::socket_t events{context, zmq::socket_type::pair};
   std::vector<std::string> allowed;
@@ -192,15 +192,15 @@ Result<std::unique_ptr<Hub>> Hub::open(const Address& address, const KeyPair& ow
     if (zmq_socket_monitor(socket.handle(), kEvents, ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_ACCEPT_FAILED) != 0)
       throw zmq::error_t();
     impl->events.set(zmq::sockopt::linger, 0);
-    impl->events.set(zmq::sockopt::rcvhwm, 0);  // else what carries messages would wait for who counts
+    impl->events.set(zmq::sockopt::rcvhwm, 0);  // otherwise the I/O threads would wait for the thread that counts
     impl->events.connect(kEvents);
     socket.bind("tcp://" +
                 (address.port == 0 ? address.text().substr(0, address.text().size() - 1) + "*" : address.text()));
     return std::unique_ptr<Hub>(new Hub(std::move(impl)));
   } catch (const zmq::error_t& error) {
     return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "Nobody can listen at %1: %2. Is an arm shared there already? Another port "
-                                         "is chosen with --listen HOST:PORT."),
+                                         "Connections cannot be accepted at %1: %2. Is an arm already shared there? "
+                                         "Choose another port with --listen HOST:PORT."),
                           {address.text(), error.what()}),
                      {}}};
   }
@@ -238,7 +238,7 @@ void Hub::Impl::letIn() {
   try {
     zmq::pollitem_t item{keeper.handle(), 0, ZMQ_POLLIN, 0};
     while (zmq_poll(&item, 1, 0) > 0) answer();
-  } catch (const zmq::error_t&) {  // nobody comes in then
+  } catch (const zmq::error_t&) {  // nobody is admitted then
   }
 }
 

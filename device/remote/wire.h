@@ -12,28 +12,28 @@ namespace underact::device::remote {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// How a line stands.
+/// The state of a connection.
 enum class LineState : std::uint8_t {
   Connecting,
-  Connected,     // both ends have shown their keys
+  Connected,     // both ends have proved their keys
   NotReachable,  // nobody listens there
-  NotAllowed,    // the other end does not know this one's key
-  NotTheOne,     // what answers has another key, or does not speak ZeroMQ
+  NotAllowed,    // the other end does not know this end's key
+  NotTheOne,     // the other end has another key, or does not speak ZeroMQ
   Gone           // it was connected
 };
 
-/// A line to somebody who shares an arm: ZeroMQ with CURVE, which shows each end that the other has the secret key it
-/// should have, and hides what is said. One thread at a time. Nobody waits: what the network does not take is lost, and
-/// a line that broke is not mended.
+/// A connection to a shared arm: ZeroMQ with CURVE, which proves to each end that the other has the expected secret
+/// key, and encrypts the messages. One thread at a time. Nobody waits: what the network does not accept is lost, and a
+/// lost connection is not restored.
 class Wire {
  public:
-  /// server_key: of whoever listens there. Problems: no line can even be begun.
+  /// server_key: of the arm's end. Problems: no connection can even be started.
   static Result<std::unique_ptr<Wire>> open(const Address& address, const std::string& server_key, const KeyPair& own);
   ~Wire();
   Wire(const Wire&) = delete;
   Wire& operator=(const Wire&) = delete;
 
-  /// Until something came, the state has changed, bell (below 0: none) is readable, or time_ms are over.
+  /// Until something arrives, the state has changed, bell (below 0: none) is readable, or time_ms have passed.
   void wait(int bell, int time_ms);
   /// The next message; false: there is none.
   bool receive(Bytes& bytes);
@@ -46,7 +46,7 @@ class Wire {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Where such lines end: lets in those whose key it was given, and no others.
+/// The end that accepts such connections: admits the keys it was given, and no others.
 class Hub {
  public:
   /// Problems: it cannot listen there.
@@ -56,19 +56,19 @@ class Hub {
   Hub(const Hub&) = delete;
   Hub& operator=(const Hub&) = delete;
 
-  /// Where it listens, with the port that the system chose.
+  /// The address it listens at, with the port that the system chose.
   Address address() const;
   /// As Wire::wait().
   void wait(int bell, int time_ms);
-  /// The next message, and from whom; false: there is none.
+  /// The next message and its sender; false: there is none.
   bool receive(std::string& from, Bytes& bytes);
   bool send(const std::string& to, std::span<const std::uint8_t> bytes);
-  /// Those who were turned away for their key since the last call.
+  /// Those refused for their key since the last call.
   int turnedAway();
-  /// Those who have connected since the last call, whoever they are.
+  /// Those that have connected since the last call, admitted or not.
   int connections();
-  /// Whether messages are carried as urgently as the system grants, or as any program's. Not, by itself: whoever can
-  /// connect could else keep what is real-time here busy.
+  /// Whether messages are handled with the priority that the system grants, or with the normal one. Normal by default:
+  /// otherwise anybody who can connect could keep the real-time threads busy.
   void hurry(bool on);
 
  private:

@@ -28,20 +28,20 @@ Result<HidNode> find(const std::vector<HidNode>& nodes, const std::string& which
           : said(TRANSLATE_NOOP("problem", "No WoodenHaptics arm with the serial number or path \"%1\" is plugged in."),
                  {which});
   if (others.empty()) return problem(none);
-  return problem(
-      oneAfterAnother({none, said(TRANSLATE_NOOP("problem", "What may be one, and is taken by name: %1."), {others})}));
+  return problem(oneAfterAnother(
+      {none, said(TRANSLATE_NOOP("problem", "Devices that may be one, and can be chosen by name: %1."), {others})}));
 }
 
-/// The first report that comes, and the format that its length tells. Zero is said in the shortest form first: it is
-/// too short for the others to heed, and yet makes them talk.
+/// The first report that arrives, and the format that its length implies. Zero is sent in the shortest form first: too
+/// short for the others to obey, but enough to make them report.
 Result<WoodenLine> listen(HidNode node, std::unique_ptr<HidPipe> pipe) {
   std::array<std::uint8_t, 2 * kLongestWoodenReport> bytes{};
   int last_size = 0;
   for (int ask = 0; ask < kAsks; ++ask) {
     const int size = pipe->read(bytes, kAsk_ms);
     if (size < 0)
-      return problem(said(
-          TRANSLATE_NOOP("problem", "The WoodenHaptics arm was unplugged while it was opened. Plug it in again.")));
+      return problem(said(TRANSLATE_NOOP(
+          "problem", "The WoodenHaptics arm was unplugged while it was being opened. Plug it in again.")));
     const auto format = formatOf(static_cast<std::size_t>(size));
     if (format) {
       const auto first = readWoodenReport(*format, std::span(bytes).first(static_cast<std::size_t>(size)));
@@ -58,7 +58,7 @@ Result<WoodenLine> listen(HidNode node, std::unique_ptr<HidPipe> pipe) {
   return problem(
       said(TRANSLATE_NOOP(
                "problem",
-               "The WoodenHaptics arm at %1 says nothing. Press the reset button of its board, or plug it in anew."),
+               "The WoodenHaptics arm at %1 sends nothing. Press the reset button on its board, or plug it in again."),
            {node.path}));
 }
 
@@ -85,8 +85,9 @@ std::vector<HidNode> woodenNodes(HidBus& bus) {
 Result<WoodenLine> shakeHands(HidBus& bus, const WoodenChoice& choice) {
   if (choice.model != nullptr && !choice.model->is_open)
     return problem(
-        said(TRANSLATE_NOOP("problem",
-                            "How the arm \"%1\" moves is not published, so it cannot be used. WoodenHaptics arms can."),
+        said(TRANSLATE_NOOP(
+                 "problem",
+                 "The kinematics of the arm \"%1\" are not published, so it cannot be used. WoodenHaptics arms can."),
              {choice.model->title}));
   const Result<HidNode> node = find(woodenNodes(bus), choice.which);
   if (!node) return node.problems();

@@ -17,7 +17,7 @@ WoodenChoice readWoodenAddress(const std::string& address);
 /// The devices that are such an arm, or may be one: see WoodenId::is_shared.
 std::vector<HidNode> woodenNodes(HidBus& bus);
 
-/// A line to an arm that has answered.
+/// A connection to an arm that has answered.
 struct WoodenLine {
   HidNode node;
   std::unique_ptr<HidPipe> pipe;
@@ -26,9 +26,9 @@ struct WoodenLine {
   WoodenReport first;
 };
 
-/// Finds the arm (a board that may be anything only where it is asked for by name), opens it and learns from the length
-/// of its first report what it speaks: V1 talks by itself, V2 only when it has been told zero. Takes up to a second.
-/// Problems: none is plugged in; it may not be opened; it says nothing that is known; how its model moves is not
+/// Finds the arm (a board that may be anything only if it is asked for by name), opens it and learns its protocol from
+/// the length of its first report: V1 reports by itself, V2 only after it was sent zero. Takes up to a second.
+/// Problems: none is plugged in; it may not be opened; it sends nothing known; the kinematics of its model are not
 /// published.
 Result<WoodenLine> shakeHands(HidBus& bus, const WoodenChoice& choice);
 

@@ -12,24 +12,24 @@ namespace underact::device {
 /// A HID device that is plugged in.
 struct HidNode {
   std::uint16_t vendor = 0, product = 0;
-  std::uint16_t usage_page = 0, usage = 0;  // 0: not known, as long as it may not be opened
+  std::uint16_t usage_page = 0, usage = 0;  // 0: not known, while it may not be opened
   std::string path;                         // "/dev/hidraw3"
-  std::string serial;                       // empty: it has none
+  std::string serial;                       // empty: none
 };
 
-/// An open one. Two threads: one reads, one writes. Destroyed closed.
+/// An open device. Two threads: one reads, one writes. Destruction closes it.
 class HidPipe {
  public:
   virtual ~HidPipe() = default;
-  /// The next report: how many bytes of it there are; 0: none came in time_ms; below 0: the device is gone.
+  /// The next report: its number of bytes; 0: none came in time_ms; below 0: the device is gone.
   virtual int read(std::span<std::uint8_t> report, int time_ms) = 0;
-  /// A report, its id first. May take some 10 ms. false: the device is gone, or did not take it.
+  /// A report, its id first. May take some 10 ms. false: the device is gone, or did not accept it.
   virtual bool write(std::span<const std::uint8_t> report) = 0;
-  /// Another way to the same device, for a guard; below 0: there is none.
+  /// Another descriptor of the same device, for a guard; below 0: there is none.
   virtual int guardFd() const { return -1; }
 };
 
-/// All HID devices of a computer. Any thread but the tick's.
+/// All HID devices of a computer. Not in the tick.
 class HidBus {
  public:
   virtual ~HidBus() = default;
@@ -40,10 +40,10 @@ class HidBus {
   virtual bool mayOpen(const HidNode& node) const = 0;
 };
 
-/// This computer's, over hidapi.
+/// This computer's, by hidapi.
 HidBus& hidapiBus();
 
-/// What lets a user who sits at the computer open a HID device, for a terminal.
+/// The command that lets a user who sits at the computer open a HID device.
 std::string udevCommand(const HidNode& node);
 
 }  // namespace underact::device

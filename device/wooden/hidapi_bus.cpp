@@ -11,7 +11,7 @@
 namespace underact::device {
 namespace {
 
-/// hidapi's list and its opening keep what went wrong in one place for all threads.
+/// hidapi stores the error of listing and opening in one place for all threads.
 std::mutex& hidapiMutex() {
   static std::mutex mutex;
   return mutex;
@@ -25,13 +25,14 @@ std::string narrow(const wchar_t* text) {
 
 class HidapiPipe final : public HidPipe {
  public:
-  // Opened twice: a device keeps the text of its last error, which read and write both free, so that one handle shared
-  // by two threads would be freed twice when the cable is pulled.
+  // Opened twice: a device stores the text of its last error, which read and write both free, so a handle shared by two
+  // threads would be freed twice when the cable is pulled.
   explicit HidapiPipe(const std::string& path)
       : reads_(::hid_open_path(path.c_str())),
         writes_(::hid_open_path(path.c_str())),
         for_guard_(system::openToWrite(path)),
-        // Two that push one arm push twice as hard as either allows: one program at a time, and one arm of it.
+        // Two programs that drive one arm push twice as hard as either allows: one program at a time, and one instance
+        // in it.
         is_taken_(for_guard_.isOpen() && !system::lock(for_guard_.number(), system::Lock::Alone)) {}
   ~HidapiPipe() override {
     const std::scoped_lock lock(hidapiMutex());
@@ -72,22 +73,24 @@ class HidapiBus final : public HidBus {
   }
 
   Result<std::unique_ptr<HidPipe>> open(const HidNode& node) override {
-    std::unique_ptr<HidapiPipe> pipe;  // its end takes the same lock
+    std::unique_ptr<HidapiPipe> pipe;  // its destructor takes the same lock
     {
       const std::scoped_lock lock(hidapiMutex());
       pipe = std::make_unique<HidapiPipe>(node.path);
     }
     if (pipe->isTaken())
-      return Problems{{said(TRANSLATE_NOOP("problem", "%1 is in use already, here or by another program of this kind."),
+      return Problems{{said(TRANSLATE_NOOP("problem", "%1 is already in use, here or by another program of this kind."),
                             {node.path}),
                        {}}};
     if (pipe->isOpen()) return std::unique_ptr<HidPipe>(std::move(pipe));
     if (!mayOpen(node))
-      return Problems{{said(TRANSLATE_NOOP("problem", "You may not open %1. This, in a terminal, allows it: %2"),
-                            {node.path, udevCommand(node)}),
-                       {}}};
+      return Problems{
+          {said(TRANSLATE_NOOP("problem",
+                               "You do not have permission to open %1. This command, in a terminal, grants it: %2"),
+                {node.path, udevCommand(node)}),
+           {}}};
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "%1 cannot be opened. Unplug it and plug it in anew."), {node.path}), {}}};
+        {said(TRANSLATE_NOOP("problem", "%1 cannot be opened. Unplug it and plug it in again."), {node.path}), {}}};
   }
 
   bool mayOpen(const HidNode& node) const override { return system::mayReadAndWrite(node.path); }

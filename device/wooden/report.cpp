@@ -3,7 +3,7 @@
 namespace underact::device {
 namespace {
 
-// V2: places of the words.
+// V2: positions of the values.
 constexpr std::size_t kEncoderD = 3, kInfo = 6, kCommand = 3, kFirstAttribute = 4;
 constexpr int kButtonFrom = 5000;
 constexpr int kSetEncoders = 1, kWantsCalibration = 1;

@@ -23,7 +23,7 @@ std::vector<Found> lookForWooden(HidBus& bus) {
   std::vector<Found> found;
   for (const HidNode& node : nodes) {
     const WoodenId& id = *findWoodenId(node.vendor, node.product);
-    // Boards that were given no serial number of their own all have the same.
+    // Boards that were given no serial number of their own all have the same one.
     const auto alike =
         std::count_if(nodes.begin(), nodes.end(), [&](const HidNode& other) { return other.serial == node.serial; });
     const bool has_serial = !node.serial.empty() && alike == 1;
@@ -33,7 +33,9 @@ std::vector<Found> lookForWooden(HidBus& bus) {
     if (id.is_shared) one.title = said(TRANSLATE_NOOP("problem", "%1: perhaps a WoodenHaptics arm"), {one.title});
     if (!bus.mayOpen(node))
       one.missing.push_back(
-          {said(TRANSLATE_NOOP("problem", "You may not open %1: the system's rules give it to nobody."), {node.path}),
+          {said(TRANSLATE_NOOP("problem",
+                               "You do not have permission to open %1: the system's rules give it to nobody."),
+                {node.path}),
            udevCommand(node)});
     found.push_back(std::move(one));
   }

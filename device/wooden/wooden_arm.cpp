@@ -15,13 +15,13 @@
 namespace underact::device {
 namespace {
 
-// A computer that is held up for a moment is no trouble of the arm's.
+// A computer that stalls for a moment is not a problem of the arm.
 constexpr std::int64_t kSilent_ns = 100'000'000;
 constexpr int kSilentReads = 20;  // in a row; after more, the gate gives up
-// Steps of 0.05 mm at the tip: a hand that holds the arm passes one many times a second.
+// Steps of 0.05 mm at the tip: a hand that holds the arm crosses many per second.
 constexpr double kFrozen_s = 1.0;
-constexpr int kMostRefused = 5;  // messages in a row that the arm did not take: one may be lost on its way
-constexpr int kRead_ms = 5;      // a thread that is to end is asked that often
+constexpr int kMostRefused = 5;  // messages in a row that the arm did not accept: a single one may be lost
+constexpr int kRead_ms = 5;      // how often a thread checks whether to end
 constexpr std::int64_t kBetweenCalibrations_ns = 50'000'000;  // until the arm has answered the last one
 
 std::int64_t periodOf(int rate_hz) {
@@ -73,7 +73,7 @@ Problems WoodenArm::connect() {
                                           "straight ahead), plug it in and press Restart."))
                     : said(TRANSLATE_NOOP("problem",
                                           "Put it in its home posture (upper arm upright, forearm level, straight "
-                                          "ahead) and press the calibration button of its board."));
+                                          "ahead) and press the calibration button on its board."));
   }
   ends_ = false;
   calibrates_ = false;
@@ -86,7 +86,8 @@ Problems WoodenArm::connect() {
   return {};
 }
 
-/// As urgent as the servo, which waits for what these threads bring. Returns when the system has answered to that.
+/// With the servo's priority, since the servo waits for these threads. Returns when the system has answered the
+/// request.
 void WoodenArm::start(std::thread& thread, const char* name, void (WoodenArm::*work)()) {
   std::promise<void> answered;
   std::future<void> answer = answered.get_future();
@@ -149,7 +150,7 @@ void WoodenArm::take(const WoodenReport& report) {
 }
 
 void WoodenArm::writeAll() {
-  std::uint64_t said = wanted_.latest().number;  // what was wanted of a line that broke is not said on this one
+  std::uint64_t said = wanted_.latest().number;  // a command for a lost connection is not sent on this one
   std::int64_t said_ns = 0, calibrated_ns = 0;
   int refused = 0;
   while (!ends_ && loss_ == Loss::None) {
@@ -158,7 +159,7 @@ void WoodenArm::writeAll() {
     const std::int64_t now_ns = system::monotonicNow_ns();
     const Wanted& wanted = wanted_.latest();
     const bool is_new = wanted.number != said, is_quiet = now_ns - said_ns >= quiet_ns;
-    if (!is_new && !is_quiet && !is_cut_ && !calibrates_) continue;  // rung once more for what is said already
+    if (!is_new && !is_quiet && !is_cut_ && !calibrates_) continue;  // woken again for what was sent already
     said = wanted.number;
     WoodenMessage message =
         currentsMessage(format_, is_new && !is_cut_ && !calibrates_ ? wanted.currents_mA : Currents_mA{});
@@ -170,7 +171,7 @@ void WoodenArm::writeAll() {
     if (refused > kMostRefused) lose(Loss::Writing);
     said_ns = now_ns;
   }
-  pipe_->write(currentsMessage(format_, {}).span());  // whatever was lost: perhaps it is heard
+  pipe_->write(currentsMessage(format_, {}).span());  // whatever was lost: it may still arrive
 }
 
 std::int64_t WoodenArm::staleAfter_ns() const noexcept {
@@ -201,7 +202,7 @@ bool WoodenArm::read(arm::Sample& sample) noexcept {
   }
   sample.buttons = taken.button ? 1U : 0U;
   sample.epoch = taken.epoch;
-  // When it was taken up. A tick that comes soon after a late one would divide a way by no time.
+  // When it was received. A tick soon after a late one would divide a distance by almost no time.
   time_ns_ = std::max(now_ns - opened_ns_, time_ns_ + half_ns);
   sample.time_ns = time_ns_;
   return true;
@@ -236,15 +237,15 @@ servo::LastWord WoodenArm::lastWord() const {
 Sentence WoodenArm::trouble() const {
   if (loss_ != Loss::None)
     return said(TRANSLATE_NOOP(
-        "problem", "The WoodenHaptics arm was unplugged, or its line broke. Plug it in and press Restart."));
+        "problem", "The WoodenHaptics arm was unplugged, or its connection was lost. Plug it in and press Restart."));
   if (isSilent())
     return said(TRANSLATE_NOOP("problem",
-                               "The WoodenHaptics arm is plugged in, but sends nothing. Press the reset button of "
-                               "its board, or plug it in anew, and press Restart."));
+                               "The WoodenHaptics arm is plugged in, but sends nothing. Press the reset button on its "
+                               "board, or plug it in again, and press Restart."));
   const std::scoped_lock lock(words_mutex_);
   if (is_lost_)
     return oneAfterAnother(
-        {said(TRANSLATE_NOOP("problem", "The WoodenHaptics arm does not know its posture, so it does not push.")),
+        {said(TRANSLATE_NOOP("problem", "The WoodenHaptics arm does not know its posture, so it gives no force.")),
          way_home_});
   return {};
 }

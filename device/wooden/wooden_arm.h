@@ -13,19 +13,18 @@
 
 namespace underact::device {
 
-/// A WoodenHaptics arm over HID. A thread reads what the arm says, another tells it currents; the tick takes the newest
-/// of the one and leaves the newest for the other.
-/// A sample is the newest report: one that comes within half a period is waited for, else the last one holds as long as
-/// it is no older than kStale_ns (or kStalePeriods). Where no force was written for kQuietPeriods, the arm is told
-/// zero.
+/// A WoodenHaptics arm over HID. One thread reads the arm's reports, another sends it currents; the tick takes the
+/// newest report and leaves the newest force. If no new report is there, the tick waits up to half a period for one;
+/// then the last one is used while it is no older than kStale_ns (or kStalePeriods). If no force was written for
+/// kQuietPeriods, the arm is sent zero.
 class WoodenArm final : public servo::DevicePort {
  public:
   static constexpr std::int64_t kStale_ns = 10'000'000;
   static constexpr int kStalePeriods = 5, kQuietPeriods = 5;
 
-  /// arm: whose joints the samples are. Its own ("woodenhaptics"): as measured. Another one's: those that put that
-  /// arm's tip where the tip is, joints 4 to 6 at 0; out of that arm's reach no force goes out.
-  /// Problems: none is plugged in; it may not be opened; it says nothing; its kinematics is not published.
+  /// arm: the arm whose joints the samples have. Its own ("woodenhaptics"): as measured. Another arm: the joints that
+  /// put that arm's tip where the tip is, joints 4 to 6 at 0; out of that arm's reach no force goes out. Problems: none
+  /// is plugged in; it may not be opened; it sends nothing; its kinematics are not published.
   static Result<std::unique_ptr<WoodenArm>> open(HidBus& bus, const WoodenChoice& choice, const arm::Geometry& arm,
                                                  int rate_hz);
   ~WoodenArm() override;
@@ -42,7 +41,7 @@ class WoodenArm final : public servo::DevicePort {
 
  private:
   enum class Loss : std::uint8_t { None, Reading, Writing };
-  /// A report as it was taken up.
+  /// A report as it was received.
   struct Taken {
     std::uint64_t number = 0;
     std::int64_t time_ns = 0;
@@ -76,7 +75,7 @@ class WoodenArm final : public servo::DevicePort {
   const WoodenWiring* wiring_ = nullptr;
   bool is_own_ = false;  // the samples are of the arm's own joints
   std::thread reader_, writer_;
-  mutable std::mutex words_mutex_;  // never the tick's
+  mutable std::mutex words_mutex_;  // never in the tick
   servo::DeviceInfo info_{"WoodenHaptics"};
   Sentence way_home_;
   // Between threads.
@@ -85,7 +84,7 @@ class WoodenArm final : public servo::DevicePort {
   system::Doorbell came_, wrote_;
   std::atomic<bool> ends_{false}, is_cut_{false};
   std::atomic<bool> is_lost_{false};     // its counts mean nothing until it is calibrated
-  std::atomic<bool> calibrates_{false};  // it has asked for that
+  std::atomic<bool> calibrates_{false};  // it has asked to be calibrated
   std::atomic<Loss> loss_{Loss::None};
   std::atomic<std::int64_t> came_ns_{0};  // the newest report
   std::atomic<int> missed_{0};            // reads in a row that had none

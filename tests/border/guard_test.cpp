@@ -101,11 +101,12 @@ TEST(Guard, KilledItIsMissedAndReplacedAndTheNewOneSaysTheLastWord) {
   ASSERT_GT(first, 0);
   own.hide();  // so that the gap lasts
   ASSERT_EQ(::kill(first, SIGKILL), 0);
-  EXPECT_NE(program.lineWith("Nothing guards the arm: the guard has ended").find("stop the force"), std::string::npos);
+  EXPECT_NE(program.lineWith("Nothing guards the arm: the guard has ended").find("switch the force off"),
+            std::string::npos);
   const std::int64_t pushes = program.arm().pushes();
   EXPECT_TRUE(comes([&] { return program.arm().pushes() > pushes + 20; })) << "the force goes on meanwhile";
   own.bringBack();
-  EXPECT_EQ(program.lineWith("guarded by"), "guarded by a process of its own (replaced so far: 1)");
+  EXPECT_EQ(program.lineWith("guarded by"), "guarded by a separate process (replaced so far: 1)");
   const pid_t second = program.guardBut(first);
   ASSERT_GT(second, 0);
   EXPECT_NE(second, first);

@@ -162,7 +162,7 @@ TEST_F(SharedWire, AKilledGuardIsMissedAndTheNextOneSaysTheLastWord) {
   ASSERT_EQ(::kill(first, SIGKILL), 0);
   const pid_t second = guardBut(first);
   ASSERT_GT(second, 0);
-  EXPECT_EQ(program_->lineWith("taken its place"), "The arm's guard had ended, and another one has taken its place.");
+  EXPECT_EQ(program_->lineWith("was replaced"), "The arm's guard had ended and was replaced by another one.");
   ASSERT_TRUE(comes([&] { return pushes(); }));  // where the machine is busy, a force may just have come too late
   program_->send(SIGKILL);
   program_->waitUntilGone();
@@ -191,7 +191,7 @@ TEST(SharedArm, OfWhichNoGuardStartsAtAnotherRateSaysSoAndThenThatOneIsBack) {
         told += sentence + "\n";
       });
   ASSERT_TRUE(share);
-  EXPECT_TRUE(isTold("A guard stands beside the arm"));
+  EXPECT_TRUE(isTold("A guard watches the arm"));
   own.hide();
   {
     const auto reach = device::remote::reachOf(share.value()->address(), folder);
@@ -201,7 +201,7 @@ TEST(SharedArm, OfWhichNoGuardStartsAtAnotherRateSaysSoAndThenThatOneIsBack) {
     EXPECT_TRUE(comes([&] { return isTold("Nothing guards the arm"); })) << told;
     own.bringBack();
   }
-  EXPECT_TRUE(comes([&] { return isTold("another one has taken its place"); })) << told;  // at its own rate again
+  EXPECT_TRUE(comes([&] { return isTold("was replaced by another one"); })) << told;  // at its own rate again
   share.value().reset();
   ::close(wire[1]);
 }

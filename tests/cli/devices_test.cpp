@@ -38,7 +38,7 @@ TEST(Devices, AreTriedWithoutForceForAReport) {
   const Outcome outcome = runCli({"devices", "--report", "simulated", "--seconds", "0.3", "--words", "It felt round."});
   ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
   EXPECT_NE(outcome.out.find("Arm: simulated, Simulated arm\n"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("What the person says: It felt round.\n"), std::string::npos);
+  EXPECT_NE(outcome.out.find("Remarks: It felt round.\n"), std::string::npos);
   EXPECT_NE(outcome.out.find("without a sample: 0"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("Joint 6: "), std::string::npos);
   EXPECT_NE(outcome.out.find("Trouble: none"), std::string::npos);
@@ -55,8 +55,8 @@ TEST(Devices, ReportWhatTheArmSaysOfItself) {
                                        " devices --report openhaptics --seconds 0.3 --out " + report.path() + " 2>&1");
   EXPECT_EQ(outcome.exit, 0) << outcome.out;
   const std::string text = shell("cat " + report.path()).out;
-  EXPECT_NE(text.find("So far untested on hardware."), std::string::npos) << text;
-  EXPECT_NE(text.find("What the arm says of itself:\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("Not yet tested on hardware."), std::string::npos) << text;
+  EXPECT_NE(text.find("What the arm reports about itself:\n"), std::string::npos) << text;
   EXPECT_NE(text.find("by the arm's own clock"), std::string::npos) << text;
 }
 

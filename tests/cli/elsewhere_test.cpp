@@ -44,27 +44,27 @@ void expectNotFound(const Alone& alone, const std::string& words, const std::str
 
 TEST(Elsewhere, WhatIsMissingIsSaidWithThePlaces) {
   const Alone alone;
-  expectNotFound(alone, "lesson list", "The lessons that come with Underact were not found.", "share/underact/lessons");
-  expectNotFound(alone, "lesson try 01_frames --hand still", "The lessons that come with Underact were not found.",
+  expectNotFound(alone, "lesson list", "The lessons that come with Underact were not found in",
+                 "share/underact/lessons");
+  expectNotFound(alone, "lesson try 01_frames --hand still", "The lessons that come with Underact were not found in",
                  "share/underact/lessons");
   expectNotFound(alone, "lesson check '" UNDERACT_SOURCE "/resources/lessons/06_statics.json'",
-                 "The scenes that come with Underact were not found.", "share/underact/scenes");
-  expectNotFound(alone, "lab trade", "The scenes that come with Underact were not found.", "share/underact/scenes");
-  expectNotFound(alone, "lab stability --map scenes", "The scenes that come with Underact were not found.",
+                 "The scenes that come with Underact were not found in", "share/underact/scenes");
+  expectNotFound(alone, "lab trade", "The scenes that come with Underact were not found in", "share/underact/scenes");
+  expectNotFound(alone, "lab stability --map scenes", "The scenes that come with Underact were not found in",
                  "share/underact/scenes");
-  expectNotFound(alone, "figures --out f", "The Python package that comes with Underact was not found.",
+  expectNotFound(alone, "figures --out f", "The Python package that comes with Underact was not found in",
                  "share/underact/python");
   expectNotFound(alone, "log plot '" UNDERACT_TEST_DATA "/golden/session.h5' --out p.png",
-                 "The Python package that comes with Underact was not found.", "lib/python3/dist-packages");
+                 "The Python package that comes with Underact was not found in", "lib/python3/dist-packages");
 }
 
 TEST(Elsewhere, ASceneWhoseMeshNobodyCanReadSaysWhoseReaderIsMissing) {
   const Alone alone;
   const ProcessOutcome outcome = alone.says("scene check '" + shipped("26_bumpy_sphere.json") + "'");
   EXPECT_EQ(outcome.exit, 1);
-  EXPECT_NE(outcome.out.find("underact-mesh-reader was not found (it was looked for at " +
-                             alone.at("odd/underact-mesh-reader") + ", " +
-                             alone.at("libexec/underact/underact-mesh-reader") + ")."),
+  EXPECT_NE(outcome.out.find("underact-mesh-reader was not found. Searched: " + alone.at("odd/underact-mesh-reader") +
+                             ", " + alone.at("libexec/underact/underact-mesh-reader") + "."),
             std::string::npos)
       << outcome.out;
 }

@@ -55,7 +55,7 @@ TEST(IdentifyCommand, PrintsATableWithWhatWasGivenBeside) {
   ASSERT_EQ(outcome.exit, cli::Exit::Well) << outcome.err;
   EXPECT_NE(outcome.out.find("Mass along z"), std::string::npos);
   EXPECT_NE(outcome.out.find("difference"), std::string::npos);
-  EXPECT_NE(outcome.out.find("Counts a turn, shin                 15419.0"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("Counts per turn, shin               15419.0"), std::string::npos) << outcome.out;
   EXPECT_TRUE(outcome.err.empty()) << outcome.err;
 }
 
@@ -68,7 +68,7 @@ TEST(IdentifyCommand, TheSameSeedGivesTheSameBytesAndAnotherOneOthers) {
 TEST(IdentifyCommand, RefusesInWords) {
   const Outcome far = runCli({"identify", "--at_mm", "500,0,0"});
   EXPECT_EQ(far.exit, cli::Exit::BadInput);
-  EXPECT_NE(far.err.find("Choose a place nearer to the middle"), std::string::npos) << far.err;
+  EXPECT_NE(far.err.find("Choose a position nearer to the middle"), std::string::npos) << far.err;
   EXPECT_EQ(runCli({"identify", "--at_mm", "0,0,60,1"}).exit, cli::Exit::Usage);
   const Outcome massless = runCli({"identify", "--arm-model", "ideal"});
   EXPECT_EQ(massless.exit, cli::Exit::BadInput);

@@ -106,7 +106,7 @@ TEST(Log, OfWhatIsNoSessionSaysSo) {
   for (const char* command : {"info", "verify", "export"}) {
     const Outcome outcome = runCli({"log", command, text.path()});
     EXPECT_EQ(outcome.exit, Exit::File) << command;
-    EXPECT_NE(outcome.err.find("This is no session"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("This is not a session"), std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.out, "");
   }
 }

@@ -41,7 +41,7 @@ TEST_F(MeshInfo, SaysWhatTheMeshIsAndHowItCanBeFelt) {
 TEST_F(MeshInfo, AsksForTheUnitWhereTheSizeIsImplausibleAndNoneIsStated) {
   const std::string path = folder_.write("metres.obj", obj(cube(0.12F)));
   const Outcome asked = runCli({"mesh", "info", path});
-  EXPECT_NE(asked.out.find("The mesh would be 0.12 mm long as millimetres. In metres it would be 120 mm."),
+  EXPECT_NE(asked.out.find("Read as millimetres, the mesh is 0.12 mm long. In metres it would be 120 mm."),
             std::string::npos);
   EXPECT_NE(asked.out.find("\"scale_mm_per_unit\": 1000"), std::string::npos);
   const Outcome stated = runCli({"mesh", "info", path, "--scale_mm_per_unit", "1000"});

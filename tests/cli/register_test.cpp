@@ -52,7 +52,7 @@ TEST(Register, MarksInExchangeAreNamedAndNothingIsKept) {
   const ScratchFolder scratch;
   const Outcome outcome = registerIt(kExchanged, {"--json", "--out", scratch.file("r.json")});
   EXPECT_EQ(outcome.exit, Exit::BadInput);
-  EXPECT_NE(outcome.err.find("The marks 1 and 2 were probably touched in exchange"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("The reference points 1 and 2 were probably swapped"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("It was not kept."), std::string::npos);
   const Value warning = lines(outcome.out).at(0).find("warnings")->items.at(0);
   EXPECT_EQ(textAt(warning, "kind"), "order");

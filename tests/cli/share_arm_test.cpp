@@ -62,7 +62,7 @@ TEST_F(ShareArm, TakesEveryKeyThatCanBe) {
       EXPECT_EQ(noted, key);
       EXPECT_TRUE(says(outcome.out, "--device remote:arm-pc:7878"));
     } else {
-      EXPECT_TRUE(says(outcome.err, "is no key")) << outcome.err;  // 5 characters beyond 32 bits
+      EXPECT_TRUE(says(outcome.err, "is not a key")) << outcome.err;  // 5 characters beyond 32 bits
     }
   }
 }
@@ -96,7 +96,7 @@ TEST_F(ShareArm, LetsAnotherProgramPush) {
   EXPECT_GT(numberAt(lines(outcome.out).at(0), "peak_force_N"), 0.1);
   EXPECT_TRUE(shared.says("A program has the arm."));
   EXPECT_TRUE(shared.says("It pushes."));
-  EXPECT_TRUE(shared.says("has let go of it. Zero force"));
+  EXPECT_TRUE(shared.says("has released it. Zero force"));
   shared.kill(SIGINT);
   EXPECT_EQ(shared.end(), 0);
   EXPECT_TRUE(shared.says("Zero force, and no longer shared."));
@@ -116,16 +116,16 @@ TEST_F(ShareArm, AKilledProgramsForceEndsWithinFivePeriods) {
   Process client(scratch, "client", runOf(device, "60"));
   ASSERT_TRUE(shared.says("It pushes."));
   client.kill(SIGKILL);
-  EXPECT_TRUE(shared.says("fell silent. Zero force"));
-  EXPECT_TRUE(shared.says("No force came: zero, after "));
+  EXPECT_TRUE(shared.says("stopped sending. Zero force"));
+  EXPECT_TRUE(shared.says("No force received: zero after "));
   const std::string said = shared.said();
-  const std::regex pause("No force came: zero, after ([0-9]+) more periods at most.");
+  const std::regex pause("No force received: zero after ([0-9]+) more periods at most.");
   for (std::sregex_iterator at(said.begin(), said.end(), pause), end; at != end; ++at)
     EXPECT_LT(std::stoi((*at)[1]), device::remote::kQuietPeriods);
   Process next(scratch, "next", runOf(device, "60"));
   EXPECT_TRUE(comes([&] {
     const std::string now = shared.said();
-    return says(now.substr(now.find("fell silent")), "It pushes.");
+    return says(now.substr(now.find("stopped sending")), "It pushes.");
   })) << "it is free for the next";
 }
 
@@ -135,7 +135,7 @@ TEST_F(ShareArm, WhenItIsKilledTheOtherProgramSaysWhy) {
   ASSERT_TRUE(shared.says("It pushes."));
   shared.kill(SIGKILL);
   EXPECT_EQ(client.end(), 3);
-  EXPECT_TRUE(client.says("The line to the arm at 127.0.0.1:"));
+  EXPECT_TRUE(client.says("The connection to the arm at 127.0.0.1:"));
   EXPECT_TRUE(client.says("then press Restart."));
   EXPECT_TRUE(client.says("\"kind\": \"no_sample\""));
 }
@@ -151,7 +151,7 @@ TEST_F(ShareArm, AnotherUsersKeyIsTurnedAway) {
   const Outcome outcome = runCli(runOf(device, "0.1"));
   EXPECT_EQ(outcome.exit, Exit::Fault);
   EXPECT_TRUE(says(outcome.err, "your key is not known there")) << outcome.err;
-  EXPECT_TRUE(shared.says("turned away"));
+  EXPECT_TRUE(shared.says("was refused"));
 }
 
 }  // namespace

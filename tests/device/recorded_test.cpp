@@ -120,7 +120,7 @@ TEST(Recorded, LoadingCanBeEndedAndWhatIsNoSessionIsSaid) {
   watch.cancelled = &cancelled;
   const auto ended = loadRecorded(session.path, watch);
   ASSERT_FALSE(static_cast<bool>(ended));
-  EXPECT_NE(ended.problems().front().sentence.find("ended before"), std::string::npos);
+  EXPECT_NE(ended.problems().front().sentence.find("cancelled before"), std::string::npos);
   EXPECT_FALSE(static_cast<bool>(loadRecorded("/dev/null/nowhere/all.h5")));
 }
 

@@ -26,9 +26,9 @@ struct Hand {
   void hear(const std::string& sentence) {
     heard.push_back(sentence);
     looks = 0;
-    const std::size_t at = sentence.find("mark ");
+    const std::size_t at = sentence.find("reference point ");
     if (at == std::string::npos) return;
-    const Vec3& mark_D = marks_D.at(std::stoul(sentence.substr(at + 5)) - 1);
+    const Vec3& mark_D = marks_D.at(std::stoul(sentence.substr(at + 16)) - 1);
     arm.wish({truePose().inverse() * mark_D, Vec3::Zero(), Mat3::Identity(), false});
   }
   bool look() {
@@ -58,7 +58,7 @@ TEST(TouchMarks, ASimulatedArmIsRegisteredWhereItStands) {
   const registration::Fit fit = registration::fitTouches(touches.value()).value();
   EXPECT_LT((fit.X_DW.translation() - truePose().translation()).norm(), 1e-3);
   EXPECT_LT((fit.X_DW.linear() - truePose().linear()).norm(), 0.02);
-  EXPECT_EQ(hand.heard.back(), "All marks are touched.");
+  EXPECT_EQ(hand.heard.back(), "All reference points have been touched.");
 }
 
 TEST(TouchMarks, NobodyAtTheArmAndAnEndAreSaid) {
@@ -67,7 +67,8 @@ TEST(TouchMarks, NobodyAtTheArmAndAnEndAreSaid) {
   const auto nobody = touchMarks(std::make_unique<SimulatedArm>(easyArm()), preset, 1000, registration::sheetMarks(),
                                  {quiet, [] { return true; }, 0.1});
   ASSERT_FALSE(nobody);
-  EXPECT_NE(nobody.problems().front().sentence.find("Nobody pressed the stylus's button at mark 1"), std::string::npos);
+  EXPECT_NE(nobody.problems().front().sentence.find("Nobody pressed the stylus button at reference point 1"),
+            std::string::npos);
   const auto ended = touchMarks(std::make_unique<SimulatedArm>(easyArm()), preset, 1000, registration::sheetMarks(),
                                 {quiet, [] { return false; }, 10.0});
   ASSERT_FALSE(ended);

@@ -181,10 +181,10 @@ std::string judgeRaw(const Result<Raw>& raw) {
     if (raw.problems().size() != 1 || raw.problems()[0].sentence.size() < 15) return "no sentence";
     const Sentence& sentence = raw.problems()[0].sentence;
     if (sentence.pattern().empty()) return "no other language can say: " + sentence;
-    for (const char* word : {"reader broke off", "took longer", "could not be read within", "reader ended",
-                             "is no mesh.", "cannot be started"}) {
+    for (const char* word : {"reader program crashed", "took longer", "reader program exited", "could not make a mesh",
+                             "cannot be started"}) {
       // What ended the reading program is no danger, and yet a mistake of it.
-      if (sentence.find(word) != std::string::npos && !sentence.starts_with("This is no mesh")) return sentence;
+      if (sentence.find(word) != std::string::npos) return sentence;
     }
     return {};
   }

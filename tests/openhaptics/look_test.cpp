@@ -94,7 +94,7 @@ TEST_F(LookForTouch, ANodeThatMayNotBeUsedGetsTheRuleThatMendsIt) {
   ASSERT_EQ(found.size(), 2U);
   for (const Found& one : found) {
     ASSERT_EQ(one.missing.size(), 1U);
-    EXPECT_TRUE(contains(one.missing.front().sentence, "You may not use"));
+    EXPECT_TRUE(contains(one.missing.front().sentence, "You do not have permission to use"));
     EXPECT_TRUE(contains(one.missing.front().command, "ATTRS{idVendor}==\"2988\", TAG+=\"uaccess\""));
     EXPECT_TRUE(contains(one.missing.front().command, "udevadm control --reload"));
   }
@@ -104,7 +104,7 @@ TEST_F(LookForTouch, ANodeThatIsNotThereIsSaid) {
   plug("1-1", "2988", "0302", "ttyACM7");
   const Found one = theOne();
   ASSERT_EQ(one.missing.size(), 1U);
-  EXPECT_TRUE(contains(one.missing.front().sentence, "has not made")) << one.missing.front().sentence;
+  EXPECT_TRUE(contains(one.missing.front().sentence, "has not created")) << one.missing.front().sentence;
 }
 
 TEST_F(LookForTouch, WithoutAnArmTheDriverIsToldOfWithWhatItMisses) {

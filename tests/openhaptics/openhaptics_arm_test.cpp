@@ -31,13 +31,13 @@ TEST_F(OpenHapticsArmTest, TellsWhatItsDriverKnowsInOurUnits) {
   EXPECT_EQ(lineOf(lines, "Continuous force: "), "0.88 N");
   EXPECT_EQ(lineOf(lines, "Largest stiffness: "), "0.5 N/mm");
   EXPECT_EQ(lineOf(lines, "Largest damping: "), "3 N s/m");
-  EXPECT_EQ(lineOf(lines, "Limit of speed: "), "1 m/s");
-  EXPECT_EQ(lineOf(lines, "Limit of the force's rise: "), "400 N/s");
+  EXPECT_EQ(lineOf(lines, "Speed limit: "), "1 m/s");
+  EXPECT_EQ(lineOf(lines, "Limit of the rate of force: "), "400 N/s");
   EXPECT_EQ(lineOf(lines, "Workspace: "), "-210 -110 -85 210 205 130 mm, corner to corner");
   EXPECT_EQ(lineOf(lines, "Table below the origin: "), "110 mm");
   EXPECT_EQ(lineOf(lines, "Driven joints: "), "3");
   EXPECT_EQ(lineOf(lines, "Rate: "), "1000 Hz");
-  EXPECT_EQ(lineOf(lines, "Warmth of the motors, 0 to 1: "), "0.25 0.25 0.25");
+  EXPECT_EQ(lineOf(lines, "Motor temperatures, 0 to 1: "), "0.25 0.25 0.25");
   EXPECT_EQ(lineOf(lines, "Safety switch: "), "(no such line)") << "the stand-in has none";
   EXPECT_EQ(arm->info().title, "Touch (vendor's driver)");
   EXPECT_EQ(arm->info().serial, "0042");
@@ -114,7 +114,7 @@ TEST_F(OpenHapticsArmTest, ASwitchThatNeverMovedIsNotBelieved) {
 TEST_F(OpenHapticsArmTest, AnotherModelIsSaidAndOneThatMisleadsGetsNoForce) {
   openAndPush();
   far->shiftPosition(15.0);
-  ASSERT_TRUE(comes([this] { return contains(arm->trouble(), "15 mm from where the arm \"omni-thesis\""); }))
+  ASSERT_TRUE(comes([this] { return contains(arm->trouble(), "15 mm from where the scene's arm \"omni-thesis\""); }))
       << arm->trouble();
   ASSERT_TRUE(ticksOn(100));
   EXPECT_TRUE(pushes());
@@ -215,7 +215,7 @@ TEST_F(OpenHapticsArmTest, TicksAtTheRatesThatItsDriverTakesAndSaysWhichTheseAre
   const Result<std::unique_ptr<OpenHapticsArm>> refused = tryToOpen(8000);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.problems().front().sentence,
-            "The arm's driver ticks at 500, 1000, 1600, 2000, 4000 Hz, not at 8000. Choose one of these.");
+            "The arm's driver supports 500, 1000, 1600, 2000, 4000 Hz, not 8000. Choose one of these rates.");
   open();
   EXPECT_EQ(arm->fixedRate(), "");
   EXPECT_TRUE(contains(arm->refusesRate(300), "500, 1000"));
@@ -233,7 +233,7 @@ TEST_F(OpenHapticsArmTest, ASecondOpeningIsRefusedAndLeavesTheFirstAlone) {
   openAndPush();
   const Result<std::unique_ptr<OpenHapticsArm>> second = tryToOpen(rate_hz);
   ASSERT_FALSE(second);
-  EXPECT_TRUE(contains(second.problems().front().sentence, "open already")) << second.problems().front().sentence;
+  EXPECT_TRUE(contains(second.problems().front().sentence, "already open")) << second.problems().front().sentence;
   EXPECT_TRUE(pushesSoon()) << arm->trouble();
   EXPECT_EQ(Scheduler::theOne().users(), 1);
 }
@@ -252,7 +252,7 @@ TEST_F(OpenHapticsArmTest, WhereItsClockStandsStillTheServoFaultsSaysSoAndComesB
   ASSERT_TRUE(comes([&] { return host.snapshot().ticks > 20 && host.snapshot().mode == servo::Mode::Running; }));
   far->haltClock(true);
   ASSERT_TRUE(comes([&] { return host.snapshot().mode == servo::Mode::Faulted; }));
-  EXPECT_TRUE(comes([&] { return contains(host.trouble(), "stands still"); })) << host.trouble();
+  EXPECT_TRUE(comes([&] { return contains(host.trouble(), "has stopped"); })) << host.trouble();
   far->haltClock(false);
   ASSERT_TRUE(host.restart().empty());
   host.start();

@@ -60,7 +60,7 @@ std::string saidThere(const std::function<Problems()>& work) {
 }
 
 std::string refusalOf(const std::string& reader) {
-  return "The file was not opened: " + reader + " could not be shut off from the rest of this computer";
+  return "The file was not opened: " + reader + " could not be isolated from the rest of this computer";
 }
 
 }  // namespace

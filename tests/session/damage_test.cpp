@@ -161,7 +161,7 @@ TEST(Session, IsToldFromOtherFiles) {
   for (const char* name : {"empty.h5", "text.h5"}) {
     const Result<Session> session = Session::open(folder.file(name));
     ASSERT_FALSE(session) << name;
-    EXPECT_EQ(session.problems().front().sentence, "This is no session, or one that is damaged at its beginning.");
+    EXPECT_EQ(session.problems().front().sentence, "This is not a session, or its beginning is damaged.");
   }
   EXPECT_EQ(Session::open(folder.file("none.h5")).problems().front().sentence, "There is no such file.");
   ASSERT_TRUE(Hdf5File::create(folder.file("other.h5"), {}, {}));

@@ -183,7 +183,7 @@ TEST(Disk, ThatLetsNothingBeMadeThereSaysSoAtOnce) {
   ASSERT_TRUE(host->load(test::sphereScene()).empty());
   const auto recorder = Recorder::start(*host, "/dev/null/nowhere/all/s.h5", {});
   ASSERT_FALSE(recorder);
-  EXPECT_EQ(recorder.problems().front().sentence, "The recording cannot be made: Not a directory.");
+  EXPECT_EQ(recorder.problems().front().sentence, "The recording cannot be started: Not a directory.");
 }
 
 }  // namespace underact::record

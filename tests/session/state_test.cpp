@@ -37,7 +37,7 @@ TickState ticked(const TickProgram& program, TickState state, int ticks) {
 bool isTaken(const TickProgram& program, const TickState& state) {
   const Result<TickState> read = stateOfBytes(bytesOfState(state), program);
   if (!read) {
-    EXPECT_NE(read.problems().front().sentence.find("none that a servo can have"), std::string::npos);
+    EXPECT_NE(read.problems().front().sentence.find("is not valid"), std::string::npos);
   }
   return static_cast<bool>(read);
 }

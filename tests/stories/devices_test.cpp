@@ -77,7 +77,7 @@ TEST(DevicesStory, ThePanelSaysWhatIsThereAndWhatIsMissing) {
   desk.select("WoodenHaptics (HID): none is plugged in");
   EXPECT_FALSE(desk.story.find<QPushButton>("panel.devices.use")->isEnabled());
   desk.select("Touch, Omni");
-  EXPECT_TRUE(desk.label("panel.devices.about").contains("No Touch or Omni is on USB"));
+  EXPECT_TRUE(desk.label("panel.devices.about").contains("No Touch or Omni was found on USB"));
   EXPECT_TRUE(desk.story.find<QPushButton>("panel.devices.use")->isEnabled());  // one on FireWire is not seen
 }
 

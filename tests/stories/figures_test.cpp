@@ -165,7 +165,7 @@ TEST(FiguresStory, AMissingProgramIsTold) {
   const Surroundings cli("UNDERACT_CLI", "/dev/null/nowhere/underact-cli");
   ASSERT_TRUE(gallery.make());
   EXPECT_TRUE(gallery.dialog->message().contains(
-      "underact-cli was not found (it was looked for at /dev/null/nowhere/underact-cli). Install Underact again."))
+      "underact-cli was not found. Searched: /dev/null/nowhere/underact-cli. Install Underact again."))
       << gallery.dialog->message().toStdString();
 }
 

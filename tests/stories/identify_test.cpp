@@ -46,10 +46,10 @@ TEST(IdentifyStory, TheWizardFindsWhatTheSimulatedArmIsMadeOfAndEndsWithAFile) {
   }
   EXPECT_TRUE(cell(table, "Damping", 1).startsWith("below 0.0") ||
               std::abs(cell(table, "Damping", 1).toDouble()) < 0.01);
-  expectNear(table, "Counts a turn, turret", 15280.0);
-  expectNear(table, "Counts a turn, gimbal 3", 4915.0);
+  expectNear(table, "Counts per turn, turret", 15280.0);
+  expectNear(table, "Counts per turn, gimbal 3", 4915.0);
   expectNear(table, "Stiffness in a slow press", 0.5);
-  expectNear(table, "Linear until the clamp, at", 1.76);
+  expectNear(table, "Linear up to the clamp, at", 1.76);
   EXPECT_EQ(desk.wizard.in<QComboBox>("identify.which")->count(), 3);
   desk.wizard.keepPicture("identify_found");
   // The scene from before is in effect again, and nothing of it all is an edit.

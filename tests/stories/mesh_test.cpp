@@ -41,7 +41,7 @@ TEST(MeshStory, ADroppedStlIsReportedOnAddedAndFelt) {
   EXPECT_EQ(story.host().scene().title, "Sphere");  // until somebody has read what it is
   ASSERT_TRUE(waitForMeshes(story));
   const QString report = story.find<QLabel>("dialog.mesh.report")->text();
-  EXPECT_TRUE(report.contains("1 face was left out: it is there twice.")) << report.toStdString();
+  EXPECT_TRUE(report.contains("1 face was left out: it is a duplicate.")) << report.toStdString();
   EXPECT_TRUE(report.contains("The mesh is closed")) << report.toStdString();
   const QString counts = story.find<QLabel>("dialog.mesh.counts")->text();
   EXPECT_TRUE(counts.contains("2208 triangles") && counts.contains("60.0 mm")) << counts.toStdString();
@@ -95,7 +95,7 @@ TEST(MeshStory, AFileInMetresIsAskedAbout) {
   drop(story, temporaryFile("metres.stl", ballStl(0.03, Vec3(1.0, 0.0, 0.0), 24, 12)));
   ASSERT_TRUE(waitForMeshes(story));
   const QString question = story.find<QLabel>("dialog.mesh.question")->text();
-  EXPECT_TRUE(question.contains("0.06 mm long as millimetres")) << question.toStdString();
+  EXPECT_TRUE(question.contains("Read as millimetres, the mesh is 0.06 mm long")) << question.toStdString();
   auto* likeliest = story.find<QRadioButton>("dialog.mesh.unit.0");
   EXPECT_TRUE(likeliest->text().contains("metres") && likeliest->text().contains("60.0 mm"));
   EXPECT_TRUE(likeliest->isChecked());

@@ -143,7 +143,7 @@ TEST(RegistrationStory, MarksInAnotherOrderAreNamed) {
   RegistrationDesk desk;
   desk.toResult({1, 0, 2});
   ASSERT_TRUE(desk.in<QLabel>("registration.warnings")->isVisible());
-  EXPECT_TRUE(desk.text("registration.warnings").startsWith("The marks 1 and 2 were probably touched in exchange"))
+  EXPECT_TRUE(desk.text("registration.warnings").startsWith("The reference points 1 and 2 were probably swapped"))
       << desk.text("registration.warnings").toStdString();
   desk.keepPicture("registration_order");
   desk.press("registration.back");

@@ -145,7 +145,7 @@ TEST(SessionListStory, AFileThatIsNoSessionIsListedWithTheReason) {
   ASSERT_TRUE(desk.listed(1));  // the folder is watched
   ASSERT_TRUE(desk.choose(desk.file("broken.h5")));
   EXPECT_TRUE(desk.list().item(0)->text().contains("cannot be read"));
-  EXPECT_TRUE(desk.text("panel.sessions.details").contains("This is no session"));
+  EXPECT_TRUE(desk.text("panel.sessions.details").contains("This is not a session"));
   EXPECT_FALSE(desk.story->window().actions().find("sessions.export")->isEnabled());
 }
 

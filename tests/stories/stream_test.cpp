@@ -106,7 +106,7 @@ TEST(StreamStory, TheDialogWarnsOfAnotherMachineAndRefusesWhatIsNoAddress) {
   EXPECT_FALSE(warning->isVisible());
   story.type(address, "lab");
   EXPECT_TRUE(refusal->isVisible());
-  EXPECT_TRUE(refusal->text().contains("is no address"));
+  EXPECT_TRUE(refusal->text().contains("is not an address"));
   EXPECT_FALSE(isSending(story));
   address->setText("192.168.1.20");
   EXPECT_FALSE(refusal->isVisible());

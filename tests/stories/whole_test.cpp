@@ -40,11 +40,11 @@ TEST(WholeStory, AWindowWithoutItsFilesSaysSoWithThePlaces) {
   Story story("02_sphere");
   auto* const scenes = story.find<QLabel>("panel.scenes.missing");
   EXPECT_TRUE(scenes->isVisible());
-  EXPECT_TRUE(scenes->text().startsWith("The scenes that come with Underact were not found."));
+  EXPECT_TRUE(scenes->text().startsWith("The scenes that come with Underact were not found in"));
   EXPECT_TRUE(scenes->text().contains(share + "scenes")) << scenes->text().toStdString();
   bringPanel(story, "lessons");
   auto* const lessons = story.find<QLabel>("panel.lessons.missing");
-  EXPECT_TRUE(lessons->text().startsWith("The lessons that come with Underact were not found."));
+  EXPECT_TRUE(lessons->text().startsWith("The lessons that come with Underact were not found in"));
   EXPECT_TRUE(lessons->text().contains(share + "lessons")) << lessons->text().toStdString();
   story.savePicture("window_without_its_lessons");
   bringPanel(story, "scenes");
@@ -54,7 +54,7 @@ TEST(WholeStory, AWindowWithoutItsFilesSaysSoWithThePlaces) {
   for (const QWidget* const window : QApplication::topLevelWidgets()) {
     for (const QLabel* const label : window->findChildren<QLabel*>()) said += label->text() + "\n";
   }
-  EXPECT_TRUE(said.contains("The guide's pages were not found.")) << said.toStdString();
+  EXPECT_TRUE(said.contains("The guide's pages were not found in")) << said.toStdString();
   EXPECT_TRUE(said.contains(share + "guide")) << said.toStdString();
 }
 

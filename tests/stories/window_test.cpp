@@ -160,7 +160,7 @@ TEST(WindowStory, SettingsOfANewerProgramAreSaidToBeAndLeftAsTheyAre) {
     story.settle();
     auto* box = story.find<QMessageBox>("dialog.newer_settings");
     ASSERT_NE(box, nullptr);
-    EXPECT_TRUE(box->text().contains("newer Underact"));
+    EXPECT_TRUE(box->text().contains("newer version of Underact"));
     box->accept();
     story.perform("layer.triads", false);
   }

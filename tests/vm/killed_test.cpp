@@ -90,7 +90,7 @@ TEST_F(InTheMachine, WithoutAGuardTheBoardsOwnWatchdogEndsTheForce) {
 TEST_F(InTheMachine, WhoMayNotOpenItIsToldTheCommand) {
   ASSERT_EQ(::chmod(board_.node().c_str(), 0600), 0);
   const std::string line = firstLine("wooden", "", 65534);
-  EXPECT_EQ(line.find("You may not open /dev/hidraw"), 0U) << line;
+  EXPECT_EQ(line.find("You do not have permission to open /dev/hidraw"), 0U) << line;
   EXPECT_NE(line.find("sudo tee /etc/udev/rules.d/70-underact-1234-0006.rules"), std::string::npos) << line;
 }
 

@@ -95,7 +95,8 @@ TEST(ArmFile, NamesWhatIsWrongAndWhere) {
   EXPECT_NE(
       problemOf(armWith(R"({"alpha_deg": 0, "a_mm": 0, "d_mm": 0, "limits_of_size": true})")).find("Only joint 5"),
       std::string::npos);
-  EXPECT_NE(problemOf(armWith(kRow, "[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 2, 0], [0, 0, 0, 1]]")).find("no rotation"),
+  EXPECT_NE(problemOf(armWith(kRow, "[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 2, 0], [0, 0, 0, 1]]"))
+                .find("not a rotation matrix"),
             std::string::npos);
   EXPECT_NE(problemOf(armWith(kRow, "[[1, 0], [0, 1]]")).find("X_WB: This must be a list of 4 rows"),
             std::string::npos);
@@ -103,7 +104,7 @@ TEST(ArmFile, NamesWhatIsWrongAndWhere) {
   EXPECT_NE(
       problemOf(armWith(kRow, kIdentity,
                         R"(, "device": {"continuous_force_N": 1, "encoder_counts_per_turn": [1, 1, 1, 1, 1, 1]})"))
-          .find("Only an arm shaped as table 3.1"),
+          .find("Only an arm with the geometry of table 3.1"),
       std::string::npos);
   EXPECT_NE(problemOf(R"({"underact_arm": 2, "name": "a", "title": "b", "provenance": "c", "dh": [], "X_WB": )" +
                       kIdentity + "}"),

@@ -33,8 +33,8 @@ TEST(Problem, ReadsAsCompilersPrintThem) {
 
 TEST(Fault, ItsNumbersStandWhereTheSentenceSays) {
   EXPECT_EQ(whatHappened({FaultKind::TooFast, 12.34, 5.0}),
-            "The arm's position jumped by 12.3 m/s, where a hand reaches 5 m/s at most.");
-  EXPECT_EQ(whatHappened({FaultKind::StoodStill, 0.126, 0.1}), "The servo stood still for 0.13 s.");
+            "The arm's position jumped at 12.3 m/s; a hand reaches at most 5 m/s.");
+  EXPECT_EQ(whatHappened({FaultKind::StoodStill, 0.126, 0.1}), "The servo stalled for 0.13 s.");
   for (int kind = 1; kind < kFaultKinds; ++kind)
     EXPECT_EQ(whatHappened({static_cast<FaultKind>(kind), 2.0, 1.0}).find('%'), std::string::npos) << kind;
 }

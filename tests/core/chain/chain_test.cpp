@@ -49,7 +49,7 @@ TEST(MakeChain, NamesTheJointThatIsWrong) {
 }
 
 TEST(MakeChain, WantsAHomePoseThatIsOne) {
-  const std::string rotation = "The home pose's upper left 3 x 3 numbers are no rotation.";
+  const std::string rotation = "The upper left 3 x 3 numbers of the home pose are not a rotation matrix.";
   Mat3 mirror = Mat3::Identity();
   mirror(0, 0) = -1;
   Mat3 hole = Mat3::Identity();
@@ -58,7 +58,7 @@ TEST(MakeChain, WantsAHomePoseThatIsOne) {
     expectProblem(makeChain(joints(1), test::poseOf(bad, Vec3::Zero()), kPlace), rotation);
   }
   expectProblem(makeChain(joints(1), test::poseOf(Mat3::Identity(), Vec3(0, kInfinity, 0)), kPlace),
-                "The home pose's place is not a finite point.");
+                "The position of the home pose is not a finite point.");
 }
 
 TEST(MakeChain, TellsOfAllThatIsWrongAtOnce) {

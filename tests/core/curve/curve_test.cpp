@@ -39,7 +39,7 @@ TEST(Curve, OfTooFewPointsOrImpossibleOnesIsRefused) {
   EXPECT_EQ(sentenceOf({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, true), "A closed curve needs at least 3 different points.");
   EXPECT_EQ(sentenceOf({{0, 0, 0}, {1, kNotANumber, 0}}), "Point 2 of the curve is not a finite point.");
   EXPECT_EQ(sentenceOf({{0, 0, 0}, {1, 0, 0}, {0, -1001, 0}}),
-            "Point 3 of the curve is farther out than 1e6 mm; is the scale right?");
+            "Point 3 of the curve is farther than 1e6 mm from the origin; check the scale.");
   EXPECT_EQ(sentenceOf(std::vector<Vec3>(kMostPoints + 1, Vec3::Zero())), "A curve has at most 1000000 points.");
 }
 

@@ -70,14 +70,14 @@ TEST(Points, AreReadAlikeInALocaleWithDecimalCommas) {
 }
 
 TEST(Points, EachProblemComesWithItsLine) {
-  EXPECT_EQ(problemOf("1 2 3\n1 2\n"), "2: A point is three numbers, not 2; decimals are written with a point.");
-  EXPECT_EQ(problemOf("1,5;2,5;3,5\n"), "1: A point is three numbers, not 6; decimals are written with a point.");
-  EXPECT_EQ(problemOf("\n\r\n1,,2,3\n"), "3: Nothing stands between two separators; a point is three numbers.");
-  EXPECT_EQ(problemOf("1 2 3\n,1,2,3\n"), "2: Nothing stands between two separators; a point is three numbers.");
+  EXPECT_EQ(problemOf("1 2 3\n1 2\n"), "2: A point is three numbers, not 2; use a point for decimals.");
+  EXPECT_EQ(problemOf("1,5;2,5;3,5\n"), "1: A point is three numbers, not 6; use a point for decimals.");
+  EXPECT_EQ(problemOf("\n\r\n1,,2,3\n"), "3: There is nothing between two separators; a point is three numbers.");
+  EXPECT_EQ(problemOf("1 2 3\n,1,2,3\n"), "2: There is nothing between two separators; a point is three numbers.");
   EXPECT_EQ(problemOf("1 2 3\n1 2 0x10\n"), "2: \"0x10\" is not a number.");
   EXPECT_EQ(problemOf("1 2 +-3\n"), "1: \"+-3\" is not a number.");
-  EXPECT_EQ(problemOf("1 2 1e999\n"), "1: \"1e999\" is no finite number.");
-  EXPECT_EQ(problemOf("1 nan 3\n"), "1: \"nan\" is no finite number.");
+  EXPECT_EQ(problemOf("1 2 1e999\n"), "1: \"1e999\" is not a finite number.");
+  EXPECT_EQ(problemOf("1 nan 3\n"), "1: \"nan\" is not a finite number.");
   EXPECT_EQ(problemOf("# nothing\nx y z\n"), "0: The file has no points.");
   EXPECT_EQ(problemOf(""), "0: The file has no points.");
 }
@@ -93,7 +93,7 @@ TEST(Points, AreAMillionAtMost) {
   std::string text;
   for (std::size_t i = 0; i < kMostPoints; ++i) text += i % 2 == 0 ? "0 0 0\n" : "1 0 0\n";
   EXPECT_EQ(pointsOf(text).size(), kMostPoints);
-  EXPECT_EQ(problemOf(text + "0 0 1\n"), "1000001: The file has more than 1000000 points; leave out every second one.");
+  EXPECT_EQ(problemOf(text + "0 0 1\n"), "1000001: The file has more than 1000000 points; remove every second one.");
 }
 
 TEST(Points, ReadingCanBeWatchedAndCancelled) {

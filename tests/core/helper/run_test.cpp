@@ -11,8 +11,8 @@ TEST(Run, ToldFromOneThatComputesOneThatOnlyWaitsIsNoFaultOfTheFile) {
   errand.most_time_s = 0.2;
   EXPECT_EQ(run(errand, {}).ending, Ending::Waited);
   EXPECT_EQ(whyWaited(errand.most_time_s),
-            "The file could not be read within 0.2 s, though its reader had little to do: its disk or the network may "
-            "be slow. Copy it to this computer, and open the copy.");
+            "Reading the file took longer than 0.2 s, although there was little to compute: the disk or the network "
+            "may be slow. Copy the file to this computer, and open the copy.");
 }
 
 TEST(Run, OneThatWritesWithoutEndIsEndedSoonAfterItsShare) {

@@ -98,20 +98,20 @@ TEST(Json, ASyntaxErrorSaysWhatWasExpectedAndWhere) {
   EXPECT_EQ(syntaxProblem("{\"a\" 1}"), "1:6: A colon was expected after the key.");
   EXPECT_EQ(syntaxProblem("{a: 1}"), "1:2: A key in double quotes was expected.");
   EXPECT_EQ(syntaxProblem("{\"a\": 1,}"),
-            "1:9: A comma stands before this }; take it away, or write another key after it.");
+            "1:9: There is a comma before this }; remove it, or write another key after it.");
   EXPECT_EQ(syntaxProblem("[1,\n]"),
-            "2:1: A comma stands before this bracket; take it away, or write another value after it.");
+            "2:1: There is a comma before this bracket; remove it, or write another value after it.");
   EXPECT_EQ(
       syntaxProblem("{\"a\": NaN}"),
-      "1:7: A value was expected; \"NaN\" is none. Numbers look like 0.5, -3 or 1e-3, text stands in double quotes.");
+      "1:7: A value was expected; \"NaN\" is not one. Numbers look like 0.5, -3 or 1e-3; text is in double quotes.");
   EXPECT_EQ(
       syntaxProblem("{\"a\": tru}"),
-      "1:7: A value was expected; \"tru\" is none. Numbers look like 0.5, -3 or 1e-3, text stands in double quotes.");
+      "1:7: A value was expected; \"tru\" is not one. Numbers look like 0.5, -3 or 1e-3; text is in double quotes.");
   EXPECT_EQ(
       syntaxProblem("[-]"),
-      "1:2: A value was expected; \"-\" is none. Numbers look like 0.5, -3 or 1e-3, text stands in double quotes.");
-  EXPECT_EQ(syntaxProblem("['a']"), "1:2: Text stands in double quotes, not in single ones.");
-  EXPECT_EQ(syntaxProblem("[1, // two\n2]"), "1:5: Comments are not possible in JSON; take this away.");
+      "1:2: A value was expected; \"-\" is not one. Numbers look like 0.5, -3 or 1e-3; text is in double quotes.");
+  EXPECT_EQ(syntaxProblem("['a']"), "1:2: Text must be in double quotes, not in single ones.");
+  EXPECT_EQ(syntaxProblem("[1, // two\n2]"), "1:5: JSON has no comments; remove this.");
   EXPECT_EQ(syntaxProblem("{\"a\": 1} {"), "1:10: The text should end before this: all its brackets are closed.");
   EXPECT_EQ(syntaxProblem("{\"a\": [1, 2"), "1:12: The text ends too early: a ] is missing.");
   EXPECT_EQ(syntaxProblem("{\"a\": 1\n"), "2:1: The text ends too early: a } is missing.");
@@ -121,9 +121,9 @@ TEST(Json, ASyntaxErrorSaysWhatWasExpectedAndWhere) {
   EXPECT_EQ(syntaxProblem("[\"ab\n\"]"),
             "1:2: This text does not end on its line: its second double quote is missing.");
   EXPECT_EQ(syntaxProblem("[\"C:\\dir\"]"),
-            "1:5: This is no escape that JSON knows; a backslash itself is written \\\\, a new line \\n.");
-  EXPECT_EQ(syntaxProblem("[\"a\tb\"]"), "1:4: A control character stands in this text; a tab is written \\t.");
-  EXPECT_EQ(syntaxProblem("[\"\\u12g4\"]"), "1:3: After \\u four digits of 0-9 and a-f are expected.");
+            "1:5: JSON does not know this escape; a backslash itself is written \\\\, a new line \\n.");
+  EXPECT_EQ(syntaxProblem("[\"a\tb\"]"), "1:4: There is a control character in this text; a tab is written \\t.");
+  EXPECT_EQ(syntaxProblem("[\"\\u12g4\"]"), "1:3: Four digits of 0-9 and a-f are expected after \\u.");
 }
 
 TEST(Json, BothHalvesOfAPairOfEscapesAreNeeded) {
@@ -149,14 +149,15 @@ TEST(Json, WhatIsNotUtf8IsRefusedAtItsFirstByte) {
 TEST(Json, SixtyFourLevelsAreReadAndNotOneMore) {
   const auto nested = [](std::size_t depth) { return std::string(depth, '[') + "1" + std::string(depth, ']'); };
   EXPECT_EQ(syntaxProblem(nested(64)), "none");
-  EXPECT_EQ(syntaxProblem(nested(65)), "1:65: Lists and objects are nested more than 64 deep here.");
-  EXPECT_EQ(syntaxProblem(std::string(5'000'000, '[')), "1:65: Lists and objects are nested more than 64 deep here.");
+  EXPECT_EQ(syntaxProblem(nested(65)), "1:65: Lists and objects are nested more than 64 levels deep here.");
+  EXPECT_EQ(syntaxProblem(std::string(5'000'000, '[')),
+            "1:65: Lists and objects are nested more than 64 levels deep here.");
 }
 
 TEST(Json, AnAbsurdNumberOfValuesIsRefused) {
   std::string text = "[";
   for (int i = 0; i < 1'100'000; ++i) text += "0,";
-  EXPECT_EQ(syntaxProblem(text + "0]").substr(0, 50), "1:2000003: The file holds more than a million valu");
+  EXPECT_EQ(syntaxProblem(text + "0]").substr(0, 50), "1:2000003: The file contains more than a million v");
 }
 
 TEST(Json, NumbersAreWrittenAsShortAsReadsBackToTheSameBits) {

@@ -185,7 +185,7 @@ TEST(LessonSchema, HasTheNamesThatTheReaderHas) {
 std::set<std::string> keysKnownIn(const std::string& text) {
   std::set<std::string> keys;
   for (const std::string& line : problemsIn(text)) {
-    std::size_t at = line.find("Known are ");
+    std::size_t at = line.find("Known keys: ");
     while (at != std::string::npos && (at = line.find('"', at)) != std::string::npos) {
       const std::size_t end = line.find('"', at + 1);
       keys.insert(line.substr(at + 1, end - at - 1));

@@ -39,7 +39,7 @@ TEST(MakeManipulator, TakesUpToEightJoints) {
   }
   Wanted wanted;
   wanted.chain = turns(kMaxJoints + 1);
-  EXPECT_EQ(problemOf(wanted), "A virtual manipulator has at most 8 joints, not 9.");
+  EXPECT_EQ(problemOf(wanted), "A virtual robot has at most 8 joints, not 9.");
 }
 
 TEST(MakeManipulator, RefusesGainsThatAreNone) {
@@ -53,7 +53,7 @@ TEST(MakeManipulator, RefusesGainsThatAreNone) {
   for (const double bad : {kNotANumber, kInfinity, -kInfinity}) {
     Wanted wanted = ringWanted();
     wanted.rest[0] = bad;
-    EXPECT_EQ(problemOf(wanted), "The rest of a joint's spring is not a finite number.");
+    EXPECT_EQ(problemOf(wanted), "The rest position of a joint's spring is not a finite number.");
   }
 }
 
@@ -80,14 +80,14 @@ TEST(MakeManipulator, AnAngleNeedsOneJointThatTurnsAndADirectionAcrossIt) {
   EXPECT_EQ(problemOf(wanted), "none");
   wanted.chain = test::tube();
   EXPECT_EQ(problemOf(wanted), "none");
-  const std::string one_alone = "The orientation \"angle\" takes a chain with just one revolute joint.";
+  const std::string one_alone = "The orientation \"angle\" needs a chain with just one revolute joint.";
   wanted.chain = test::ball();
   EXPECT_EQ(problemOf(wanted), one_alone);
   wanted.chain = test::chainOf({test::sliding(Vec3::UnitX())}, test::tipAt(Vec3::Zero()));
   EXPECT_EQ(problemOf(wanted), one_alone);
   wanted.chain = test::chainOf({test::turning(Vec3::UnitX(), Vec3::Zero())}, test::tipAt({0, 0.05, 0}));
   EXPECT_EQ(problemOf(wanted),
-            "The tip's z axis at home lies along the joint's axis, so that it has no angle about it.");
+            "In the home pose the tip's z axis lies along the joint's axis, so it has no angle about that axis.");
 }
 
 TEST(MakeManipulator, TheThesissLawTakesOneJointAlone) {
@@ -96,7 +96,7 @@ TEST(MakeManipulator, TheThesissLawTakesOneJointAlone) {
   EXPECT_EQ(problemOf(wanted), "none");
   EXPECT_FALSE(test::made(wanted).closed);
   wanted.chain = test::tube();
-  EXPECT_EQ(problemOf(wanted), "The thesis's force law is that of one revolute joint alone.");
+  EXPECT_EQ(problemOf(wanted), "The thesis's force law needs a chain with just one joint, a revolute one.");
 }
 
 TEST(MakeManipulator, AClosedFormIsThereOrIsRefused) {
@@ -105,7 +105,7 @@ TEST(MakeManipulator, AClosedFormIsThereOrIsRefused) {
   EXPECT_EQ(problemOf(wanted), "none");
   wanted.orientation = Orientation::Full;
   EXPECT_EQ(problemOf(wanted),
-            "There is no closed form for this chain with these gains and this orientation; take the method \"auto\" or "
+            "There is no closed form for this chain with these gains and this orientation; use the method \"auto\" or "
             "\"iterative\".");
 }
 

@@ -90,14 +90,14 @@ TEST(MakeSurface, RefusesWhatTheTickCouldNotBear) {
   EXPECT_EQ(sentence({}), "The mesh has no triangles.");
   Triangles lost = triangles;
   lost.faces[3][1] = 1000;
-  EXPECT_EQ(sentence(lost), "A triangle names a corner that is not there.");
+  EXPECT_EQ(sentence(lost), "A triangle refers to a vertex that does not exist.");
   Triangles twice = triangles;
   twice.faces[3][1] = twice.faces[3][0];
-  EXPECT_EQ(sentence(twice), "A triangle has the same corner twice.");
+  EXPECT_EQ(sentence(twice), "A triangle has the same vertex twice.");
   for (const float wrong : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 2e15F}) {
     Triangles nowhere = triangles;
     nowhere.p_MV[2].y() = wrong;
-    EXPECT_EQ(sentence(nowhere), "The mesh has a corner that is not at a finite place.");
+    EXPECT_EQ(sentence(nowhere), "A vertex of the mesh is not a finite point.");
   }
 }
 

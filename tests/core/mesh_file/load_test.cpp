@@ -80,10 +80,9 @@ TEST(LoadMesh, WithoutAFaceIsAProblemThatSaysWhy) {
   const test::ScratchFolder folder;
   const Result<Loaded> loaded = loadMesh(folder.write("m.obj", "v 0 0 0\nv 1 0 nan\nv 1 1 0\nf 1 2 3\nf 1 1 1\n"));
   ASSERT_FALSE(loaded);
-  EXPECT_EQ(
-      loaded.problems()[0].sentence,
-      "There is nothing to feel in the file. 1 face was left out: a corner of it is not a finite point. 1 face was "
-      "left out: it has no extent. No face is left: there is nothing to feel.");
+  EXPECT_EQ(loaded.problems()[0].sentence,
+            "The file contains nothing to feel. 1 face was left out: one of its vertices is not a finite point. 1 face "
+            "was left out: it has no extent. No face is left, so there is nothing to feel.");
 }
 
 TEST(LoadMesh, ToldSharesGrowToTheWhole) {
@@ -142,7 +141,7 @@ TEST(LoadMesh, AFileThatIsWrittenMeanwhileIsNotKept) {
   const Result<Loaded> loaded = loadMesh(path, watch, cache);
   ASSERT_TRUE(is_written);
   ASSERT_FALSE(loaded);
-  EXPECT_EQ(loaded.problems()[0].sentence, "The file was written while it was read. Open it again.");
+  EXPECT_EQ(loaded.problems()[0].sentence, "The file changed while it was being read. Open it again.");
 }
 
 TEST(SurfaceBytes, ThatAreDamagedAreNoneOrWhole) {

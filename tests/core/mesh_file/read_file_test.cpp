@@ -194,46 +194,43 @@ TEST(ReadFile, DamageIsSaidInASentence) {
   for (const auto& [name, content, expected] : std::vector<std::array<std::string, 3>>{
            {"empty.stl", "", "The file is empty."},
            {"cut.stl", stl.substr(0, 500),
-            "The file is cut short or damaged: it says that it holds 12 faces, and is too short for them."},
+            "The file is truncated or damaged: it declares 12 faces, but is too short for that."},
            {"head.stl", stl.substr(0, 60),
-            "The file is cut short or damaged: it says that it holds a binary STL mesh, and is too short for them."},
-           {"none.stl", stl.substr(0, 80) + std::string(4, '\0'), "The file holds no faces."},
+            "The file is truncated or damaged: it declares a binary STL mesh, but is too short for that."},
+           {"none.stl", stl.substr(0, 80) + std::string(4, '\0'), "The file contains no faces."},
            {"word.stl", head(test::stlText(good), "endloop", "endlopp"),
-            "The file is damaged: line 7 does not end the three corners of a face (endloop)."},
+            "The file is damaged: line 7 does not end the three vertices of a face (endloop)."},
            {"number.stl", head(test::stlText(good), "vertex 0", "vertex O"),
-            "The file is damaged: line 4 is no corner of a face (vertex x y z)."},
-           {"line.obj", "v 0 0 0\nv 1 0\n", "The file is damaged: line 2 is no corner (v x y z)."},
-           {"face.obj", "v 0 0 0\nf 1 x 2\n", "The file is damaged: line 2 is no face."},
+            "The file is damaged: line 4 is not a vertex of a face (vertex x y z)."},
+           {"line.obj", "v 0 0 0\nv 1 0\n", "The file is damaged: line 2 is not a vertex (v x y z)."},
+           {"face.obj", "v 0 0 0\nf 1 x 2\n", "The file is damaged: line 2 is not a face."},
            {"many.off", head(test::off(good), "8 12 0", "8000000000 12 0"),
-            "The file is cut short or damaged: it says that it holds 8000000000 corners and 12 faces, and is too short "
-            "for them."},
+            "The file is truncated or damaged: it declares 8000000000 vertices and 12 faces, but is too short for "
+            "that."},
            {"more.off", head(test::off(good), "8 12 0", "8 20 0"),
-            "The file is damaged: line 24 is the last, and corners or faces are missing."},
+            "The file is damaged: it ends at line 24, and vertices or faces are missing."},
            {"binary.off", "OFF BINARY\n",
             "This is a binary OFF file, which cannot be read. Save it as text, or as STL or PLY."},
-           {"four.off", "4OFF\n1 1 0\n", "The OFF file holds a mesh that is not in three dimensions."},
-           {"points.off", "OFF\n1 0 0\n0 0 0\n", "The OFF file holds points and no faces. A surface needs faces."},
+           {"four.off", "4OFF\n1 1 0\n", "The mesh in the OFF file is not three-dimensional."},
+           {"points.off", "OFF\n1 0 0\n0 0 0\n", "The OFF file contains points but no faces. A surface needs faces."},
            {"tail.ply", ply.substr(0, ply.size() - 40), "The file is damaged: face 9 of 12 cannot be read."},
            {"cut.ply", ply.substr(0, ply.size() - 150),
-            "The file is cut short or damaged: it says that it holds 8 corners and 12 faces, and is too short for "
-            "them."},
+            "The file is truncated or damaged: it declares 8 vertices and 12 faces, but is too short for that."},
            {"list.ply", head(ply, std::string("\3\0", 2), std::string("\xFF\0", 2)),
             "The file is damaged: face 1 of 12 cannot be read."},
            {"text.ply", head(test::plyText(good), "\n0 0 0\n", "\n0 0 zero\n"),
-            "The file is damaged: corner 1 of 8 cannot be read."},
+            "The file is damaged: vertex 1 of 8 cannot be read."},
            {"points.ply", head(test::plyText(good), "element face 12", "element face 0"),
-            "The PLY file holds points and no faces. A surface needs faces: make them in the program that made the "
-            "points."},
+            "The PLY file contains points but no faces. A surface needs faces: create them in the program that made "
+            "the points."},
            {"whole.ply", head(test::plyText(good), "property float y", "property int y"),
-            "The PLY file holds y of its corners as whole numbers. Save it with float or double coordinates."},
+            "The PLY file contains y of its vertices as integers. Save it with float or double coordinates."},
            {"twice.ply", head(test::plyText(good), "comment by hand", "element vertex 3"),
-            "The PLY header is damaged: it names corners or faces twice."},
+            "The PLY header is damaged: it declares vertices or faces twice."},
            {"odd.ply", head(test::plyText(good), "property float x", "property half x"),
-            "The PLY header is damaged: line 5 makes no sense."},
-           {"photo.png", "\x89PNG\r\n\x1A\n",
-            "This is no mesh that can be read. Meshes are read from STL, OBJ, PLY and "
-            "OFF files."},
-           {"not.ply", "hello", "This is no PLY file: it does not begin with \"ply\"."}}) {
+            "The PLY header is damaged: line 5 is not valid."},
+           {"photo.png", "\x89PNG\r\n\x1A\n", "This is not a mesh that can be read. Use an STL, OBJ, PLY or OFF file."},
+           {"not.ply", "hello", "This is not a PLY file: it does not begin with \"ply\"."}}) {
     EXPECT_EQ(problemOf(folder, name, content), expected) << name;
   }
 }
@@ -243,10 +240,9 @@ TEST(ReadFile, WhatIsNoFileIsSaid) {
   EXPECT_EQ(readFile(folder.path()).problems()[0].sentence, "This is a folder, not a mesh file.");
   EXPECT_EQ(readFile(folder.path() + "/none.stl").problems()[0].sentence,
             "The file cannot be opened: No such file or directory.");
-  EXPECT_EQ(
-      readFile("/dev/null").problems()[0].sentence,
-      "This is a pipe, a device or a socket, not a regular file, so a mesh is not read from it. Save what it gives "
-      "as a file, and name that.");
+  EXPECT_EQ(readFile("/dev/null").problems()[0].sentence,
+            "This is a pipe, a device or a socket, not a regular file, so a mesh is not read from it. Save its output "
+            "to a file, and give that file.");
   const std::string path = folder.write("real.obj", test::obj(test::cube(1.0F)));
   std::filesystem::create_symlink(path, folder.path() + "/link.obj");
   EXPECT_TRUE(readFile(folder.path() + "/link.obj"));

@@ -42,8 +42,7 @@ TEST(ReaderProcess, SaysASentenceWithItsPatternsSoThatTheWindowCanSayItInItsLang
   const Result<Raw> raw = readFile(folder.write("many.off", "OFF\n8000000000 12 0\n0 0 0\n"));
   ASSERT_FALSE(raw);
   const Sentence& sentence = raw.problems()[0].sentence;
-  EXPECT_EQ(sentence.pattern(),
-            "The file is cut short or damaged: it says that it holds %1, and is too short for them.");
+  EXPECT_EQ(sentence.pattern(), "The file is truncated or damaged: it declares %1, but is too short for that.");
   ASSERT_EQ(sentence.places().size(), 1U);
   const Sentence& states = sentence.places()[0];
   EXPECT_EQ(states.pattern(), "%1 and %2");
@@ -53,7 +52,8 @@ TEST(ReaderProcess, SaysASentenceWithItsPatternsSoThatTheWindowCanSayItInItsLang
 }
 
 TEST(ReaderProcess, ThatCrashesIsASentence) {
-  EXPECT_EQ(InPlaceOfTheReader("kill -SEGV $$").problem(), "The file is damaged: its reader broke off (signal 11).");
+  EXPECT_EQ(InPlaceOfTheReader("kill -SEGV $$").problem(),
+            "The file is damaged: the reader program crashed (signal 11).");
 }
 
 TEST(ReaderProcess, ThatHangsIsEndedWithinASecond) {
@@ -69,14 +69,14 @@ TEST(ReaderProcess, ThatHangsIsEndedWithinASecond) {
 
 TEST(ReaderProcess, ThatFloodsIsEnded) {
   EXPECT_EQ(InPlaceOfTheReader("exec cat /dev/zero").problem(),
-            "The file is damaged: it gives more faces than a file of its size can hold.");
+            "The file is damaged: it declares more faces than a file of its size can hold.");
 }
 
 TEST(ReaderProcess, ThatLiesIsNotBelieved) {
-  const std::string lie = "The file is damaged: what its reader made of it is no mesh.";
+  const std::string lie = "The file is damaged: the reader program could not make a mesh of it.";
   EXPECT_EQ(InPlaceOfTheReader("exit 0").problem(), lie);
   EXPECT_EQ(InPlaceOfTheReader("echo hello").problem(), lie);
-  EXPECT_EQ(InPlaceOfTheReader("exit 3").problem(), "The file cannot be read: its reader ended with 3.");
+  EXPECT_EQ(InPlaceOfTheReader("exit 3").problem(), "The file cannot be read: the reader program exited with 3.");
 }
 
 TEST(ReaderProcess, ThatIsNotThereIsSaid) {
@@ -85,10 +85,9 @@ TEST(ReaderProcess, ThatIsNotThereIsSaid) {
   const Result<Raw> raw = readFile(folder.write("m.obj", test::obj(test::cube(1.0F))));
   ::unsetenv("UNDERACT_MESH_READER");
   ASSERT_FALSE(raw);
-  EXPECT_EQ(raw.problems()[0].sentence,
-            "underact-mesh-reader was not found (it was looked for at /dev/null/nowhere/reader). It reads meshes: "
-            "install Underact "
-            "again.");
+  EXPECT_EQ(
+      raw.problems()[0].sentence,
+      "underact-mesh-reader was not found. Searched: /dev/null/nowhere/reader. It reads meshes: reinstall Underact.");
 }
 
 TEST(ReaderProcess, IsEndedAtOnceWhereItIsCancelled) {

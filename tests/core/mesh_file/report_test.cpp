@@ -32,10 +32,10 @@ TEST(MeshReport, SaysWhatWasLeftOut) {
   facts.out_of_range = 2;
   facts.without_extent = 1;
   facts.duplicates = 3;
-  EXPECT_EQ(reportOf(facts, 1.0), (Sentences{"1 face was left out: a corner of it is not a finite point.",
-                                             "2 faces were left out: they name corners that the file does not hold.",
+  EXPECT_EQ(reportOf(facts, 1.0), (Sentences{"1 face was left out: one of its vertices is not a finite point.",
+                                             "2 faces were left out: they refer to vertices that are not in the file.",
                                              "1 face was left out: it has no extent.",
-                                             "3 faces were left out: they are there more than once.", kClosed}));
+                                             "3 faces were left out: they are duplicates.", kClosed}));
 }
 
 TEST(MeshReport, SaysWhatWasRepairedInMillimetres) {
@@ -45,13 +45,12 @@ TEST(MeshReport, SaysWhatWasRepairedInMillimetres) {
   facts.turned = 1;
   facts.normals = 12;
   facts.normals_against = 7;
-  EXPECT_EQ(
-      reportOf(facts, 1000.0),
-      (Sentences{"28 corners were joined to others at the same place, or nearer than 0.0173 mm.",
-                 "1 face was turned over, so that neighbours agree on which side is outside.",
-                 "Most normals in the file point against the order of the corners. The order counts here, and the "
-                 "normals do not: if outside and inside feel exchanged, save the mesh with its faces turned over.",
-                 kClosed}));
+  EXPECT_EQ(reportOf(facts, 1000.0),
+            (Sentences{"28 vertices were merged with others at the same position, or nearer than 0.0173 mm.",
+                       "1 face was turned over so that neighbours agree on which side is outside.",
+                       "Most normals in the file point against the order of the vertices. Only the order counts here: "
+                       "if outside and inside feel swapped, save the mesh with its faces turned over.",
+                       kClosed}));
   facts.normals_against = 6;  // half is not most
   EXPECT_EQ(reportOf(facts, 1000.0).size(), 3U);
 }
@@ -70,39 +69,36 @@ TEST(MeshReport, SaysWhatIsLeftAndWhatItMeans) {
   facts.thinnest = 0.25;
   EXPECT_EQ(
       reportOf(facts, 1.0),
-      (Sentences{"The mesh is in 3 parts that do not hang together, 1 of them within others: a hollow is felt from "
-                 "within.",
-                 "The surface is open: 1 border, the longest 40 mm around. The stylus can go through a hole.",
+      (Sentences{"The mesh consists of 3 separate parts, 1 of them inside others: a hollow is felt from inside.",
+                 "The surface is open: 1 border, 40 mm long. The stylus can pass through the hole.",
                  "1 edge has more than two faces.",
-                 "The surface has no outside: at 2 edges its faces cannot agree, as on a strip that is twisted "
-                 "once.",
-                 "The surface goes through itself, at 9 pairs of faces. Near there, outside and inside may be "
-                 "wrong.",
-                 "2 faces are as narrow as a line. They stay, since they close seams.",
-                 "A part of it is thin, 0.25 mm in the mean: the stylus may be pushed through it.",
-                 "The mesh can be felt from both sides only: it is open, so that it has no inside."}));
+                 "The surface has no outside: at 2 edges its faces cannot agree, as on a Möbius strip.",
+                 "The surface intersects itself, at 9 pairs of faces. Near there, outside and inside may be wrong.",
+                 "2 faces are as narrow as a line. They are kept because such faces close seams.",
+                 "Part of it is thin, 0.25 mm on average: you may be able to push the stylus through.",
+                 "The mesh can be felt from both sides only: it is open, so it has no inside."}));
   EXPECT_FALSE(allowsWalls(facts));
 }
 
 TEST(MeshReport, SaysWhyThereIsNoWall) {
   Facts facts = closedFacts();
   facts.crowded_edges = 1;
-  EXPECT_EQ(whyNoWalls(facts), "edges with more than two faces leave open what is inside");
+  EXPECT_EQ(whyNoWalls(facts), "edges with more than two faces leave the inside undefined");
   facts.clashing_edges = 1;
   EXPECT_EQ(whyNoWalls(facts), "its faces cannot agree on an outside");
   facts = {};
   EXPECT_EQ(whyNoWalls(facts), "it has no faces");
-  EXPECT_EQ(reportOf(facts, 1.0), Sentences{"No face is left: there is nothing to feel."});
+  EXPECT_EQ(reportOf(facts, 1.0), Sentences{"No face is left, so there is nothing to feel."});
 }
 
 TEST(MeshReport, SaysWhereCrossingsWereNotLookedFor) {
   Facts facts = closedFacts();
   facts.crossings_checked = 0;
   EXPECT_EQ(reportOf(facts, 1.0)[0],
-            "Whether the surface goes through itself was not looked for, or not to the end: it has too many faces, or "
-            "too many near each other.");
+            "The check for self-intersection was left out or not completed: there are too many faces, or too many near "
+            "each other.");
   facts.crossings = 3;
-  EXPECT_TRUE(reportOf(facts, 1.0)[0].starts_with("The surface goes through itself, at least 3 pairs of faces."));
+  EXPECT_TRUE(reportOf(facts, 1.0)[0].starts_with("The surface intersects itself, at 3 pairs of faces or more."));
 }
 
 std::vector<double> scalesOf(double largest_mm) {
@@ -114,15 +110,14 @@ std::vector<double> scalesOf(double largest_mm) {
 
 TEST(Units, AreAskedForWhereTheSizeIsImplausible) {
   EXPECT_EQ(implausible(0.12)->sentence,
-            "The mesh would be 0.12 mm long as millimetres. In metres it would be 120 mm.");
+            "Read as millimetres, the mesh is 0.12 mm long. In metres it would be 120 mm.");
   EXPECT_EQ(scalesOf(0.12), (std::vector<double>{1000.0}));
   EXPECT_EQ(scalesOf(1.0), (std::vector<double>{1000.0, 10.0, 25.4}));
-  EXPECT_EQ(
-      implausible(1.0)->sentence,
-      "The mesh would be 1 mm long as millimetres. In metres it would be 1000 mm. In centimetres it would be 10 mm. "
-      "In inches it would be 25.4 mm.");
+  EXPECT_EQ(implausible(1.0)->sentence,
+            "Read as millimetres, the mesh is 1 mm long. In metres it would be 1000 mm. In centimetres it would be 10 "
+            "mm. In inches it would be 25.4 mm.");
   EXPECT_EQ(implausible(120'000.0)->sentence,
-            "The mesh would be 120000 mm long as millimetres. In micrometres it would be 120 mm.");
+            "Read as millimetres, the mesh is 120000 mm long. In micrometres it would be 120 mm.");
 }
 
 TEST(Units, AreNotAskedForWhereItIsPlausible) {
@@ -133,7 +128,7 @@ TEST(Units, AreNotAskedForWhereItIsPlausible) {
 
 TEST(Units, ThatNoneFitsIsSaid) {
   EXPECT_EQ(implausible(1e-6)->sentence,
-            "The mesh would be 0.000001 mm long as millimetres. That is too small to be felt: state a larger scale.");
+            "Read as millimetres, the mesh is 0.000001 mm long. That is too small to feel: state a larger scale.");
   EXPECT_TRUE(implausible(1e12)->units.empty());
 }
 

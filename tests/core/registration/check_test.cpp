@@ -112,7 +112,7 @@ TEST(Warnings, TheMarkThatIsWorstIsNamed) {
     EXPECT_EQ(worstMark(touches, fit), wrong);
     const auto all = warningsOf(touches, fit);
     ASSERT_NE(find(all, Kind::Residual), nullptr);
-    EXPECT_NE(find(all, Kind::Residual)->sentence.find("Mark " + std::to_string(wrong + 1) + " fits worst"),
+    EXPECT_NE(find(all, Kind::Residual)->sentence.find("Reference point " + std::to_string(wrong + 1) + " fits worst"),
               std::string::npos);
   }
 }
@@ -133,7 +133,7 @@ TEST(Warnings, ATipThatMovedIsTold) {
   const auto all = warnings(touches);
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all.front().kind, Kind::Moved);
-  EXPECT_NE(all.front().sentence.find("mark 2"), std::string::npos);
+  EXPECT_NE(all.front().sentence.find("reference point 2"), std::string::npos);
 }
 
 }  // namespace

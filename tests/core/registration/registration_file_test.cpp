@@ -81,11 +81,12 @@ TEST(RegistrationFile, WhatIsWrongIsSaidWithItsPlace) {
                 "object");
   expectProblem(fileText(R"([{"p_DM_mm": [0, 0, 0], "p_WM_mm": [0, 0, 0]}, {"p_DM_mm": [9, 0, 0], "p_WM_mm": [9, 0, 0]},
     {"p_DM_mm": [90, 0, 0], "p_WM_mm": [90, 0, 0], "spread_mm": -1}])"),
-                "marks[2].spread_mm", "within 0");
+                "marks[2].spread_mm", "from 0 to 1000 mm");
   expectProblem(fileText(R"([{"p_DM_mm": [0, 0, 0], "p_WM_mm": [0, 0, 0]}, {"p_DM_mm": [9, 0, 0], "p_WM_mm": [9, 0, 0]},
     {"p_DM_mm": [90, 0, 0], "p_WM_mm": [90, 0, 0]}])"),
                 "marks", "one line");
-  expectProblem(fileText(kMarks, R"(, "X_DW": [[1,0,0,5],[0,1,0,0],[0,0,1,0],[0,0,0,1]])"), "X_DW", "the marks give");
+  expectProblem(fileText(kMarks, R"(, "X_DW": [[1,0,0,5],[0,1,0,0],[0,0,1,0],[0,0,0,1]])"), "X_DW",
+                "the reference points give");
   expectProblem(fileText(kMarks, R"(, "X_DW": [[1,0,0,0],[0,1,0,0],[0,0,1]])"), "X_DW", "four rows");
 }
 

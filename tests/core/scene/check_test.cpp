@@ -49,9 +49,9 @@ TEST(SceneRules, LengthsMustBeAboveZeroAndCoordinatesWithinAKilometre) {
   EXPECT_EQ(radius("-0.0"), at + "This must be above 0 mm; here it is -0.\n");
   EXPECT_EQ(radius("-5"), at + "This must be above 0 mm; here it is -5.\n");
   EXPECT_EQ(radius("1e-999"), at + "This must be above 0 mm; here it is 0.\n");
-  EXPECT_EQ(radius("1e-320"), at + "This is too close to 0 mm; the least is 1e-100 mm.\n");
+  EXPECT_EQ(radius("1e-320"), at + "This is too close to 0 mm; the smallest value is 1e-100 mm.\n");
   EXPECT_EQ(radius("1000001"), at + "This must lie within 1e6 mm (1 km); here it is 1000001.\n");
-  EXPECT_EQ(radius("1e400"), at + "This is no finite number; a double holds at most about 1.8e308.\n");
+  EXPECT_EQ(radius("1e400"), at + "This is not a finite number; the largest is about 1.8e308.\n");
   EXPECT_EQ(problemsOf(R"({"type": "box", "center_mm": [1e6, -1e6, -1000000.5], "size_mm": [1, 0, -2]})"),
             "2:42: constraints[0].center_mm[2]: This must lie within 1e6 mm (1 km); here it is -1000000.5.\n"
             "2:70: constraints[0].size_mm[1]: This must be above 0 mm; here it is 0.\n"
@@ -64,12 +64,10 @@ TEST(SceneRules, ADirectionMayHaveAnyLengthButZero) {
   };
   EXPECT_EQ(direction("[0, 0, 1e-300]"), "");
   EXPECT_EQ(direction("[1e300, -1e300, 1e300]"), "");
-  EXPECT_EQ(
-      direction("[0, -0, 1e-999]"),
-      "2:54: constraints[0].direction: A direction must not be [0, 0, 0], which points nowhere; any length but zero "
-      "will do.\n");
+  EXPECT_EQ(direction("[0, -0, 1e-999]"),
+            "2:54: constraints[0].direction: A direction must not be [0, 0, 0]; any other length will do.\n");
   EXPECT_EQ(direction("[0, 1e999, 0]"),
-            "2:58: constraints[0].direction[1]: This is no finite number; a double holds at most about 1.8e308.\n");
+            "2:58: constraints[0].direction[1]: This is not a finite number; the largest is about 1.8e308.\n");
 }
 
 TEST(SceneRules, TheMatrixOfABoxMustBeARotation) {
@@ -77,8 +75,8 @@ TEST(SceneRules, TheMatrixOfABoxMustBeARotation) {
     return problemsOf(R"({"type": "box", "center_mm": [0, 0, 0], "size_mm": [1, 1, 1], "R_WB": )" + rows + "}");
   };
   const std::string no =
-      "2:71: constraints[0].R_WB: This is no rotation: its rows must have length 1, be at right "
-      "angles, and form a right-handed frame.\n";
+      "2:71: constraints[0].R_WB: This is not a rotation matrix: its rows must have length 1, be at right angles, and "
+      "form a right-handed frame.\n";
   EXPECT_EQ(matrix("[[1, 0, 0], [0, 0, -1], [0, 1, 0]]"), "");
   EXPECT_EQ(matrix("[[1, 0, 0], [0, 1, 0], [0, 0, 1.0000001]]"), "");  // rounded, not wrong
   EXPECT_EQ(matrix("[[1, 0, 0], [0, 1, 0], [0, 0, -1]]"), no);         // a mirror
@@ -86,7 +84,7 @@ TEST(SceneRules, TheMatrixOfABoxMustBeARotation) {
   EXPECT_EQ(matrix("[[1, 0, 0], [0.001, 1, 0], [0, 0, 1]]"), no);
   EXPECT_EQ(matrix("[[0, 0, 0], [0, 0, 0], [0, 0, 0]]"), no);
   EXPECT_EQ(matrix("[[1, 0, 0], [0, 1, 0], [0, 0, 1e999]]"),
-            "2:101: constraints[0].R_WB[2][2]: This is no finite number; a double holds at most about 1.8e308.\n");
+            "2:101: constraints[0].R_WB[2][2]: This is not a finite number; the largest is about 1.8e308.\n");
   EXPECT_EQ(
       matrix("[[1, 0, 0], [0, 1]]"),
       "2:71: constraints[0].R_WB: This must be a list of 3 rows, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]; here it has "
@@ -106,7 +104,7 @@ TEST(SceneRules, OnlyAShapeWithSidesTakesASide) {
     EXPECT_EQ(hasSides(shape), sides) << typeName(shape);
   }
   EXPECT_EQ(problemsOf(R"({"type": "point", "position_mm": [0, 0, 0], "side": "both"})"),
-            "2:45: constraints[0].side: A point has no inside and no outside; take \"side\" away.\n");
+            "2:45: constraints[0].side: A point has no inside and no outside; remove \"side\".\n");
   EXPECT_EQ(problemsOf(R"({"type": "plane", "point_mm": [0, 0, 0], "normal": [0, 1, 0], "side": "above"})"),
             "2:71: constraints[0].side: This must be \"both\", \"outside\" or \"inside\"; here it is \"above\".\n");
 }
@@ -119,11 +117,10 @@ TEST(SceneRules, GainsAreNotNegativeAndNotAbsurd) {
   EXPECT_EQ(control(R"("kp_N_per_mm": [0, 1, 2])"), "");
   EXPECT_EQ(
       control(R"("kp_N_per_mm": [0, -1, 1e13])"),
-      "2:76: constraints[0].control.kp_N_per_mm[1]: A gain must be 0 or above, or the arm pushes away; here it is -1.\n"
-      "2:80: constraints[0].control.kp_N_per_mm[2]: A gain must be at most 1e12; here it is 1e+13.\n");
-  EXPECT_EQ(
-      control(R"("kp_N_per_mm": 1e999)"),
-      "2:72: constraints[0].control.kp_N_per_mm: This is no finite number; a double holds at most about 1.8e308.\n");
+      "2:76: constraints[0].control.kp_N_per_mm[1]: A gain must be 0 or above, otherwise the arm pushes away; here it "
+      "is -1.\n2:80: constraints[0].control.kp_N_per_mm[2]: A gain must be at most 1e12; here it is 1e+13.\n");
+  EXPECT_EQ(control(R"("kp_N_per_mm": 1e999)"),
+            "2:72: constraints[0].control.kp_N_per_mm: This is not a finite number; the largest is about 1.8e308.\n");
 }
 
 TEST(SceneRules, AGainThatTheLawDoesNotUseIsNoSilentTypo) {
@@ -133,13 +130,11 @@ TEST(SceneRules, AGainThatTheLawDoesNotUseIsNoSilentTypo) {
         R"(}, "underact_scene": 1, "title": "t", "constraints": [{"type": "point", "position_mm": [0, 0, 0]}]})"));
   };
   EXPECT_EQ(control(R"("kd_N_s_per_mm": 0.1)"),
-            "1:31: control.kd_N_s_per_mm: The law P does not use this gain; the law PD (or PID) does. Change the law "
-            "or take it "
-            "away.\n");
-  EXPECT_EQ(
-      control(R"("law": "PD", "kd_N_s_per_mm": 1, "ki_N_per_mm_s": [0, 0, 1])"),
-      "1:64: control.ki_N_per_mm_s: The law PD does not use this gain; the law PID does. Change the law or take it "
-      "away.\n");
+            "1:31: control.kd_N_s_per_mm: The control law P does not use this gain; PD (or PID) does. Change the "
+            "control law, or remove the gain.\n");
+  EXPECT_EQ(control(R"("law": "PD", "kd_N_s_per_mm": 1, "ki_N_per_mm_s": [0, 0, 1])"),
+            "1:64: control.ki_N_per_mm_s: The control law PD does not use this gain; PID does. Change the control law, "
+            "or remove the gain.\n");
   EXPECT_EQ(control(R"("law": "P", "kd_N_s_per_mm": 0, "ki_N_per_mm_s": [0, 0, 0])"), "");  // says what is so
   EXPECT_EQ(control(R"("law": "PID", "kd_N_s_per_mm": 1, "ki_N_per_mm_s": 1)"), "");
   EXPECT_EQ(control(R"("law": "PI", "ki_N_per_mm_s": 1)"),
@@ -154,11 +149,12 @@ TEST(SceneRules, AZeroGainBesideOthersNeedsTheEuclideanMetric) {
     const std::string problem = problemsOf(scene);
     EXPECT_EQ(problem.empty(), is_point) << typeName(shape);
     if (!is_point) {
-      EXPECT_EQ(problem,
-                std::string("3:5: constraints[0]: The gain along y is 0 beside gains above it, so no point of the ") +
-                    typeName(shape) +
-                    " is nearest in the gains' own metric. Set \"anisotropy\" to \"euclidean\" in the control, or give "
-                    "every axis a gain.\n");
+      EXPECT_EQ(
+          problem,
+          std::string("3:5: constraints[0]: The gain along y is 0 while the others are larger, so no point of the ") +
+              typeName(shape) +
+              " is nearest in the gains' own metric. Set \"anisotropy\" to \"euclidean\" in the control, or give "
+              "every axis a gain.\n");
     }
     EXPECT_EQ(static_cast<bool>(compile(scene)), is_point);
     scene.control.gains.kp_N_per_mm = Vec3(1.0, 1.0, 1e-13);
@@ -193,12 +189,12 @@ TEST(SceneRules, ASceneEditedInMemoryIsHeldToTheSameRules) {
   scene.constraints.push_back({"it", Point{}, target::Side::Inside, {}, {}});
   scene.constraints.push_back({"", Box{}, target::Side::Both, {}, {}});
   EXPECT_EQ(problemsOf(scene),
-            R"(0:0: title: The title is empty; a few words tell people what they will feel.
-0:0: arm: The arm "stylus" is not known. There are "omni-thesis", "touch-measured" and "woodenhaptics".
-0:0: control.kp_N_per_mm[0]: This is no finite number; a double holds at most about 1.8e308.
-3:5: constraints[0].center_mm[1]: This is no finite number; a double holds at most about 1.8e308.
+            R"(0:0: title: The title is empty; say in a few words what the scene lets you feel.
+0:0: arm: The arm "stylus" is not known. Known arms: "omni-thesis", "touch-measured" and "woodenhaptics".
+0:0: control.kp_N_per_mm[0]: This is not a finite number; the largest is about 1.8e308.
+3:5: constraints[0].center_mm[1]: This is not a finite number; the largest is about 1.8e308.
 3:5: constraints[0].center_mm[2]: This must lie within 1e6 mm (1 km); here it is 2e+06.
-3:5: constraints[0].normal: A direction must not be [0, 0, 0], which points nowhere; any length but zero will do.
+3:5: constraints[0].normal: A direction must not be [0, 0, 0]; any other length will do.
 3:5: constraints[0].radius_mm: This must be above 0 mm; here it is -1.
 0:0: constraints[1].name: The name "it" is taken by constraints[0]; names must differ.
 0:0: constraints[1].side: A point has no inside and no outside.
@@ -208,7 +204,7 @@ TEST(SceneRules, ASceneEditedInMemoryIsHeldToTheSameRules) {
 0:0: constraints[2].size_mm[2]: This must be above 0 mm; here it is 0.
 )");
   scene.constraints.clear();
-  EXPECT_NE(problemsOf(scene).find("constraints: A scene has 1 to 64 constraints; here are 0."), std::string::npos);
+  EXPECT_NE(problemsOf(scene).find("constraints: A scene has 1 to 64 constraints; this one has 0."), std::string::npos);
   EXPECT_FALSE(compile(scene));
 }
 

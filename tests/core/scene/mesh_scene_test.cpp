@@ -74,14 +74,14 @@ TEST(MeshScene, WhatCannotBeIsSaidWithItsPlace) {
   EXPECT_EQ(firstProblemOf(R"({"type": "mesh", "file": "a", "scale_mm_per_unit": -25.4})"), "");
   EXPECT_NE(firstProblemOf(
                 R"({"type": "mesh", "file": "a", "X_WM": [[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]})")
-                .find("are no rotation"),
+                .find("are not a rotation matrix"),
             std::string::npos);
   EXPECT_NE(firstProblemOf(R"({"type": "mesh", "file": "a", "side": "outside", "search": "local"})")
                 .find("A wall's proxy follows the surface"),
             std::string::npos);
   for (const char* wrong : {"-1", "45.5"}) {
     EXPECT_NE(firstProblemOf(R"({"type": "mesh", "file": "a", "smooth_deg": )" + std::string(wrong) + "}")
-                  .find("This must be from 0 (faces as they are) to 45 degrees that the force may lean, so that bends"),
+                  .find("This must be from 0 (faces as they are) to 45 degrees; here it is"),
               std::string::npos);
   }
   EXPECT_NE(
@@ -91,7 +91,7 @@ TEST(MeshScene, WhatCannotBeIsSaidWithItsPlace) {
                 R"({"type": "mesh", "file": "a", "control": {"kp_N_per_mm": [1, 2, 1], "anisotropy": "euclidean"}})"),
             "");
   EXPECT_NE(firstProblemOf(R"({"type": "point", "position_mm": [0, 0, 0], "friction": {"static": 1}})")
-                .find("nothing to slide along"),
+                .find("Nothing can slide along"),
             std::string::npos);
   EXPECT_NE(
       firstProblemOf(R"({"type": "line", "point_mm": [0, 0, 0], "direction": [0, 0, 1], "friction": {"static": 6}})")
@@ -100,10 +100,10 @@ TEST(MeshScene, WhatCannotBeIsSaidWithItsPlace) {
   EXPECT_NE(
       firstProblemOf(
           R"({"type": "line", "point_mm": [0, 0, 0], "direction": [0, 0, 1], "friction": {"static": 0.1, "dynamic": 0.2}})")
-          .find("from 0 to the static share, 0.1"),
+          .find("from 0 to the static friction, 0.1"),
       std::string::npos);
   EXPECT_NE(firstProblemOf(R"({"type": "plane", "point_mm": [0, 0, 0], "normal": [0, 0, 1], "search": "local"})")
-                .find("found by a formula"),
+                .find("computed by a formula"),
             std::string::npos);
 }
 
@@ -160,7 +160,7 @@ TEST(CurveScene, WhatCannotBeIsSaidWithItsPlace) {
             std::string::npos);
   EXPECT_NE(guide("{}").find("\"speed_mm_per_s\" is missing"), std::string::npos);
   EXPECT_NE(guide(R"({"speed_mm_per_s": 2001})").find("from -2000 to 2000 mm/s"), std::string::npos);
-  EXPECT_NE(guide(R"({"speed_mm_per_s": 1, "t": 2})").find("from 0 (to the guide alone)"), std::string::npos);
+  EXPECT_NE(guide(R"({"speed_mm_per_s": 1, "t": 2})").find("from 0 (guide only)"), std::string::npos);
   EXPECT_NE(guide(R"({"speed_mm_per_s": 1, "lead_mm": 0})").find("above 0 and at most 1000 mm"), std::string::npos);
   EXPECT_NE(firstProblemOf(R"({"type": "curve", "file": "a", "closed": 1})").find("true or false"), std::string::npos);
   EXPECT_NE(firstProblemOf(R"({"type": "curve", "file": "a", "side": "outside"})").find("has no inside"),

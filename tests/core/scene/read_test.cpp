@@ -127,28 +127,28 @@ TEST(ReadScene, EveryProblemIsToldAtOnceInTheOrderOfTheFile) {
   ],
   "constraints": []
 })")),
-      R"(2:21: underact_scene: The scene is of version 2, and this program, older than the scene, reads version 1. Use a newer Underact.
-3:12: title: The title is empty; a few words tell people what they will feel.
-4:10: arm: The arm "omnni" is not known. There are "omni-thesis", "touch-measured" and "woodenhaptics".
+      R"(2:21: underact_scene: The scene has version 2, but this program only reads version 1. Use a newer version of Underact.
+3:12: title: The title is empty; say in a few words what the scene lets you feel.
+4:10: arm: The arm "omnni" is not known. Known arms: "omni-thesis", "touch-measured" and "woodenhaptics".
 5:22: control.law: This must be "P", "PD" or "PID"; here it is "PI".
-5:43: control.kp_N_per_mm: A gain must be 0 or above, or the arm pushes away; here it is -1.
-5:47: control.gain: The key "gain" is not known in a control. Known are "law", "kp_N_per_mm", "kd_N_s_per_mm", "ki_N_per_mm_s", "anisotropy", "passivity", "space" and "velocity".
+5:43: control.kp_N_per_mm: A gain must be 0 or above, otherwise the arm pushes away; here it is -1.
+5:47: control.gain: The key "gain" is not known in a control. Known keys: "law", "kp_N_per_mm", "kd_N_s_per_mm", "ki_N_per_mm_s", "anisotropy", "passivity", "space" and "velocity".
 6:14: combine: This must be "sum" or "nearest"; here it is "add".
 6:50: simulation.substep_us: This must be from 5 to 10000 us; here it is 1.
-6:53: simulation.step: The key "step" is not known in a simulation. Known are "integrator" and "substep_us".
+6:53: simulation.step: The key "step" is not known in a simulation. Known keys: "integrator" and "substep_us".
 6:78: simulation.integrator: This must be "mean_velocity", "end_velocity" or "trapezoidal"; here it is "euler".
 8:5: constraints[0].center_mm: The key "center_mm" is missing; a sphere needs it.
 8:24: constraints[0].centre_mm: The key "centre_mm" is not known in a sphere. Did you mean "center_mm"?
 8:58: constraints[0].radius_mm: This must be above 0 mm; here it is -5.
 9:38: constraints[1].point_mm[1]: This must be a number; here it is text.
 9:43: constraints[1].point_mm[2]: This must lie within 1e6 mm (1 km); here it is 2e+06.
-9:62: constraints[1].direction: A direction must not be [0, 0, 0], which points nowhere; any length but zero will do.
-9:73: constraints[1].side: A line has no inside and no outside; take "side" away.
+9:62: constraints[1].direction: A direction must not be [0, 0, 0]; any other length will do.
+9:73: constraints[1].side: A line has no inside and no outside; remove "side".
 10:5: constraints[2]: This must be an object, as in {"type": "point", "position_mm": [0, 0, 0]}; here it is a number.
-11:27: constraints[3].type: The type "spere" is not known. Did you mean "sphere"? There are "point", "sphere", "line", "plane", "circle", "cylinder", "box", "virtual_manipulator", "mesh" and "curve".
+11:27: constraints[3].type: The type "spere" is not known. Did you mean "sphere"? Known types: "point", "sphere", "line", "plane", "circle", "cylinder", "box", "virtual_manipulator", "mesh" and "curve".
 12:14: constraints[4].name: The name "x" is taken by constraints[3]; names must differ.
-12:52: constraints[4].position_mm[0]: This is no finite number; a double holds at most about 1.8e308.
-14:3: constraints: The key "constraints" stands here a second time; the first is on line 7. Take one away.
+12:52: constraints[4].position_mm[0]: This is not a finite number; the largest is about 1.8e308.
+14:3: constraints: The key "constraints" appears a second time; the first is on line 7. Remove one of them.
 )");
 }
 
@@ -174,10 +174,9 @@ TEST(ReadScene, AnotherVersionIsRefused) {
         problemsIn(R"({"underact_scene": )" + number + R"(, "title": "t", "constraints": [)" + kPoint + "]}"));
   };
   EXPECT_EQ(version("1"), "");
-  EXPECT_EQ(
-      version("12"),
-      "1:20: underact_scene: The scene is of version 12, and this program, older than the scene, reads version 1. "
-      "Use a newer Underact.\n");
+  EXPECT_EQ(version("12"),
+            "1:20: underact_scene: The scene has version 12, but this program only reads version 1. Use a newer "
+            "version of Underact.\n");
   for (const char* number : {"0", "-1", "1.5", "1e400"}) {
     EXPECT_EQ(version(number), "1:20: underact_scene: This must be the number 1, the version of scene files.\n");
   }
@@ -191,8 +190,8 @@ TEST(ReadScene, ThereAreOneTo64Constraints) {
     return joined(problemsIn(sceneWith(text)));
   };
   EXPECT_EQ(many(64), "");
-  EXPECT_EQ(many(0), "1:52: constraints: A scene has 1 to 64 constraints; here are 0.\n");
-  EXPECT_EQ(many(65), "1:52: constraints: A scene has 1 to 64 constraints; here are 65.\n");
+  EXPECT_EQ(many(0), "1:52: constraints: A scene has 1 to 64 constraints; this one has 0.\n");
+  EXPECT_EQ(many(65), "1:52: constraints: A scene has 1 to 64 constraints; this one has 65.\n");
 }
 
 TEST(ReadScene, AnUnknownKeyIsTakenForTheNearestKnownOne) {
@@ -205,7 +204,7 @@ TEST(ReadScene, AnUnknownKeyIsTakenForTheNearestKnownOne) {
               at + slip + ": The key \"" + slip + "\" is not known in a sphere. Did you mean \"radius_mm\"?\n");
   }
   EXPECT_NE(meant("position_of_it")
-                .find("Known are \"name\", \"type\", \"center_mm\", \"radius_mm\", \"side\", \"influence\", "
+                .find("Known keys: \"name\", \"type\", \"center_mm\", \"radius_mm\", \"side\", \"influence\", "
                       "\"friction\" and \"control\"."),
             std::string::npos);
   EXPECT_NE(problemWith(R"("control": {"kp": 1},)").find("Did you mean \"kp_N_per_mm\"?"), std::string::npos);
@@ -223,18 +222,18 @@ TEST(ReadScene, AKeyThatIsNoNameIsQuotedAndCutShort) {
 
 TEST(ReadScene, OfAnUnknownTypeTheOtherKeysAreNotJudged) {
   EXPECT_EQ(problemOf(R"({"type": "torus", "radius_mm": 1, "tube_mm": 2})"),
-            "2:10: constraints[0].type: The type \"torus\" is not known. There are \"point\", \"sphere\", \"line\", "
+            "2:10: constraints[0].type: The type \"torus\" is not known. Known types: \"point\", \"sphere\", \"line\", "
             "\"plane\", \"circle\", \"cylinder\", \"box\", \"virtual_manipulator\", \"mesh\" and \"curve\".\n");
 }
 
 TEST(ReadScene, WhatThisVersionDoesNotHaveIsSaidHonestly) {
   EXPECT_EQ(problemOf(R"({"type": "point", "position_mm": [0, 0, 0], "influence": {"t": 0.5}})"),
-            "2:45: constraints[0].influence: A point has no influence; a circle, a cylinder and a sphere have. Take it "
-            "away.\n");
+            "2:45: constraints[0].influence: A point has no influence; only a circle, a cylinder and a sphere have. "
+            "Remove it.\n");
   for (const char* key : {"friction", "search"}) {
-    EXPECT_NE(problemWith("\"" + std::string(key) + "\": {},").find("This is a part of a constraint, as in"),
+    EXPECT_NE(problemWith("\"" + std::string(key) + "\": {},").find("This belongs in a constraint, as in"),
               std::string::npos);
-    EXPECT_NE(problemWith("\"control\": {\"" + std::string(key) + "\": 1},").find("This is a part of a constraint"),
+    EXPECT_NE(problemWith("\"control\": {\"" + std::string(key) + "\": 1},").find("This belongs in a constraint"),
               std::string::npos);
   }
   for (const char* key : {"damping"}) {
@@ -243,10 +242,9 @@ TEST(ReadScene, WhatThisVersionDoesNotHaveIsSaidHonestly) {
     EXPECT_EQ(problemWith("\"control\": {\"" + std::string(key) + "\": 1},"),
               "1:14: control." + std::string(key) + sentence);
   }
-  EXPECT_EQ(
-      problemWith(R"("velocity": {"filter": "raw"},)"),
-      "1:2: velocity: This is a part of the control, as in \"control\": {\"law\": \"PD\", \"velocity\": {\"filter\": "
-      "\"kalman\"}}.\n");
+  EXPECT_EQ(problemWith(R"("velocity": {"filter": "raw"},)"),
+            "1:2: velocity: This belongs in the control, as in \"control\": {\"law\": \"PD\", \"velocity\": "
+            "{\"filter\": \"kalman\"}}.\n");
   EXPECT_EQ(problemWith(R"("control": {"passivity": "on"},)"),
             "1:27: control.passivity: This must be \"observe\", \"off\" or \"control\"; here it is \"on\".\n");
   EXPECT_EQ(problemWith(R"("control": {"space": "joint"},)"), "");
@@ -277,7 +275,8 @@ TEST(ReadScene, AVelocityFilterHasItsOwnSettingsAndNoOthers) {
   const auto problem = [](const std::string& velocity) {
     return problemWith(R"("control": {"velocity": )" + velocity + "},");
   };
-  EXPECT_EQ(problem(R"({})"), "1:26: control.velocity.filter: The key \"filter\" is missing; a velocity needs it.\n");
+  EXPECT_EQ(problem(R"({})"),
+            "1:26: control.velocity.filter: The key \"filter\" is missing; a velocity filter needs it.\n");
   EXPECT_EQ(problem(R"("kalman")"),
             "1:26: control.velocity: This must be an object, as in {\"filter\": \"kalman\"}; here it is text.\n");
   EXPECT_EQ(
@@ -285,8 +284,8 @@ TEST(ReadScene, AVelocityFilterHasItsOwnSettingsAndNoOthers) {
       "1:37: control.velocity.filter: This must be \"kalman\", \"low_pass\", \"adaptive_window\" or \"raw\"; here it "
       "is \"median\".\n");
   EXPECT_EQ(problem(R"({"filter": "raw", "noise_mm": 1})"),
-            "1:44: control.velocity.noise_mm: The filter \"raw\" does not use this; \"kalman\" and \"adaptive_window\" "
-            "would. Change the filter or take it away.\n");
+            "1:44: control.velocity.noise_mm: This is for \"kalman\" and \"adaptive_window\", not for the filter "
+            "\"raw\". Change the filter, or remove this.\n");
   EXPECT_EQ(problem(R"({"filter": "low_pass", "time_constant_ms": -1})"),
             "1:69: control.velocity.time_constant_ms: This must be from 0 to 1000; here it is -1.\n");
   EXPECT_EQ(problem(R"({"filter": "adaptive_window", "window": 2.5})"),
@@ -322,7 +321,7 @@ TEST(ReadScene, WrongKindsSayWhatIsAllowed) {
             "2:41: constraints[0].position_mm[1]: This must be a number; here it is null.\n"
             "2:47: constraints[0].position_mm[2]: This must be a number; here it is an object in { }.\n");
   EXPECT_EQ(problemOf(R"({"type": "point", "position_mm": [0, 0, 0], "name": ""})"),
-            "2:53: constraints[0].name: The name is empty; write one, or take the key away and one is made up.\n");
+            "2:53: constraints[0].name: The name is empty; write one, or remove the key to get a default name.\n");
   EXPECT_EQ(
       problemOf(R"({"type": 3})"),
       "2:10: constraints[0].type: This must be \"point\", \"sphere\", \"line\", \"plane\", \"circle\", \"cylinder\", "
@@ -345,7 +344,7 @@ TEST(ReadScene, ALongListOfProblemsIsCutAndSaysSo) {
   for (int i = 0; i < 100'000; ++i) keys += "\"zz" + std::to_string(i) + "\": 1, ";
   const std::vector<std::string> lines = problemsIn("{" + keys + "\"underact_scene\": 1}");
   ASSERT_EQ(lines.size(), 1001u);
-  EXPECT_NE(lines.back().find("The file holds 99002 more problems."), std::string::npos) << lines.back();
+  EXPECT_NE(lines.back().find("The file has 99002 more problems."), std::string::npos) << lines.back();
 }
 
 TEST(ReadSceneFile, SaysWhyAFileCannotBeRead) {
@@ -440,25 +439,26 @@ TEST(ReadScene, WhatIsWrongWithAVirtualManipulatorIsSaid) {
     const std::string all = joined(problemsIn(test::sceneWith(constraint)));
     EXPECT_NE(all.find(part), std::string::npos) << constraint << "\n" << all;
   };
-  said(robotWith(""), "joints: A virtual manipulator has 1 to 8 joints; here are 0.");
+  said(robotWith(""), "joints: A virtual robot has 1 to 8 joints; this one has 0.");
   said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "point_mm": [0, 0, 0]})"),
-       "joints[0].point_mm: A prismatic joint has a direction and no point");
+       "joints[0].point_mm: A prismatic joint has a direction but no point");
   said(robotWith(R"({"type": "revolute", "axis": [0, 0, 0], "point_mm": [0, 0, 0]})"),
        "joints[0].axis: A direction must not be [0, 0, 0]");
   said(robotWith(R"({"type": "revolute", "axis": [0, 0, 1]})"), "joints[0].point_mm: The key \"point_mm\" is missing");
   said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "min": 3, "max": 2})"),
-       "joints[0].min: The lower limit 3 is above the upper one, 2");
+       "joints[0].min: The lower limit 3 is above the upper limit 2");
   said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "stiffness_N_mm_per_rad": 2})"),
-       "The spring of a prismatic joint is \"stiffness_N_per_mm\".");
+       "The spring of a prismatic joint is called \"stiffness_N_per_mm\".");
   said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "rest": 2})"), "Without a spring the joint has no rest");
   said(robotWith(kTurning, "", "[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]"),
-       "A pose has 4 rows of 4 numbers; here are 3.");
-  said(robotWith(kTurning, "", "[[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"), "are no rotation");
+       "A pose has 4 rows of 4 numbers; this one has 3.");
+  said(robotWith(kTurning, "", "[[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"),
+       "are not a rotation matrix");
   said(robotWith(kTurning, "", "[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 1, 1]]"), "The last row of a pose");
-  said(robotWith(kTurning, R"(, "ko_N_mm_per_rad": 3)"), "With the orientation \"none\" nothing uses this");
+  said(robotWith(kTurning, R"(, "ko_N_mm_per_rad": 3)"), "The orientation \"none\" does not use this");
   said(robotWith(kTurning, R"(, "orientation": "angle", "ko_N_mm_per_rad": 3)"), "lies along the joint's axis");
   said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0]})", R"(, "orientation": "angle")"),
-       "takes a chain with just one revolute joint");
+       "needs a chain with just one revolute joint");
   said(robotWith(kTurning, R"(, "solver": {"max_steps": 1.5})"), "This must be a whole number from 1 to 100");
   said(robotWith(kTurning, R"(, "solver": {"method": "closed_form"}, "orientation": "full")"),
        "There is no closed form for this chain");

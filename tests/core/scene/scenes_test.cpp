@@ -130,11 +130,11 @@ std::set<std::string> wordsOf(const json::Value& list) {
   return words;
 }
 
-/// What the reader itself names when it meets a key that is near to none: 'Known are "a", "b" and "c".'
+/// What the reader itself names when it meets a key that is near to none: 'Known keys: "a", "b" and "c".'
 std::set<std::string> keysKnownIn(const std::string& text) {
   std::set<std::string> keys;
   for (const std::string& line : test::problemsIn(text)) {
-    const std::size_t start = line.find("Known are ");
+    const std::size_t start = line.find("Known keys: ");
     if (start == std::string::npos) continue;
     std::size_t at = start;
     while ((at = line.find('"', at)) != std::string::npos) {

@@ -233,7 +233,7 @@ TEST(Setting, ThatIsNotThereIsSaidSo) {
   EXPECT_EQ(wrong("/control/lawn", "P"), "There is no setting /control/lawn. Did you mean \"/control/law\"?");
   EXPECT_EQ(wrong("title", "x"), "There is no setting title.");
   EXPECT_EQ(wrong("/constraints/6/control/law", "P"), "The scene has 6 constraints, counted from 0.");
-  EXPECT_EQ(wrong("/constraints/0/influence/t", "0.5"), "The scene has nothing there that \"t\" is a setting of.");
+  EXPECT_EQ(wrong("/constraints/0/influence/t", "0.5"), "The scene has nothing there with a setting \"t\".");
   EXPECT_EQ(wrong("/control/law", "PI"), "This must be \"P\", \"PD\" or \"PID\"; here it is \"PI\".");
   EXPECT_EQ(wrong("/control/kp_N_per_mm", "much"),
             "This must be a number, or a list of 3 numbers for x, y and z; here it is text.");

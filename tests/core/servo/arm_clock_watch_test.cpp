@@ -67,10 +67,9 @@ TEST(ArmClockWatch, SaysHowFarEachOfTheTwoWent) {
   EXPECT_EQ(ahead.kind, FaultKind::OddClock);
   EXPECT_NEAR(ahead.seen, 3600.0, 1e-9);
   EXPECT_NEAR(ahead.allowed, 0.001, 1e-12);
-  EXPECT_EQ(
-      describe(ahead),
-      "The arm's clock advanced by 3600.00 s while 0.00 s passed. Force is off. Restart the servo, which opens the "
-      "arm again, then press Start.");
+  EXPECT_EQ(describe(ahead),
+            "The arm's clock advanced by 3600.00 s while 0.00 s passed. Force is off. Restart the servo to reopen the "
+            "arm, then press Start.");
   Fault behind;
   for (int tick = 0; behind.kind == FaultKind::None && tick < 1000; ++tick)
     behind = watch.look(3600 * system::kSecond_ns + tick * 10'000, tick * kMillisecond_ns, tick * kMillisecond_ns,

@@ -184,7 +184,7 @@ TEST(Asleep, AMachineThatSleptPushesOnStartAlone) {
   EXPECT_EQ(rig.fault().kind, FaultKind::Asleep);
   EXPECT_NEAR(rig.fault().seen, 7200.0, 0.01);
   EXPECT_EQ(describe({FaultKind::Asleep, 7200.0, 0.0}),
-            "The computer was asleep for 7200.0 s. Force is off. Press Start to go on.");
+            "The computer was asleep for 7200.0 s. Force is off. Press Start to continue.");
   rig.run(500);
   EXPECT_EQ(rig.seen.last_size_N, 0.0);
   rig.push();

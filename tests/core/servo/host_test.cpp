@@ -315,11 +315,11 @@ TEST(HostThread, TicksByItselfTakesCommandsAndEndsAtZeroForce) {  // under the t
   ScriptedPort::Seen seen;
   {
     Host host(std::make_unique<ScriptedPort>(seen), HostOptions{2000, Clock::Thread});
-    EXPECT_EQ(host.scheduling().name, "not begun");
+    EXPECT_EQ(host.scheduling().name, "not started");
     ASSERT_TRUE(host.load(sphereScene(50)).empty());
     host.start();
     host.begin();
-    EXPECT_NE(host.scheduling().name, "not begun");
+    EXPECT_NE(host.scheduling().name, "not started");
     const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(1500);
     std::int64_t rows = 0;
     for (int i = 0; std::chrono::steady_clock::now() < end; ++i) {

@@ -90,7 +90,7 @@ TEST_F(JournalFile, OfAnotherSweepIsRefusedAndStays) {
   const std::string before = text();
   EXPECT_EQ(refusal(sweep_), std::string("This journal is of another sweep (kind some, seed 2, version ") + kVersion +
                                  "), or of another build, other options or files. Choose "
-                                 "another --out, or remove the journal, and its cells with it.");
+                                 "another --out, or remove the journal, which discards its cells.");
   EXPECT_EQ(text(), before);
   EXPECT_EQ(opened(someSweep({}, 2)).rows().size(), 2U);
 }
@@ -107,13 +107,13 @@ TEST_F(JournalFile, WithLinesOfAnotherSweepLeavesThemOut) {
 
 TEST_F(JournalFile, ThatIsSomethingElseIsRefusedAndStays) {
   writeTo(path_, "my notes\nand more\n");
-  EXPECT_NE(refusal(sweep_).find("no sweep that can be known"), std::string::npos);
+  EXPECT_NE(refusal(sweep_).find("an unknown sweep"), std::string::npos);
   EXPECT_EQ(text(), "my notes\nand more\n");
 }
 
 TEST_F(JournalFile, WithoutAWholeLineIsRefusedUnlessItBeganAsOurs) {
   writeTo(path_, "my only note");
-  EXPECT_NE(refusal(sweep_).find("no sweep that can be known"), std::string::npos);
+  EXPECT_NE(refusal(sweep_).find("an unknown sweep"), std::string::npos);
   EXPECT_EQ(text(), "my only note");
 }
 
@@ -148,7 +148,7 @@ TEST_F(JournalFile, OnAFullDiskSaysSoAndKeepsWhatItHas) {
     for (std::size_t cell = 0; cell < 20 && problems.empty(); ++cell)
       problems = journal.add(cell, rowOf(sweep_, cell).value());
     ASSERT_FALSE(problems.empty());
-    EXPECT_NE(problems.front().sentence.find("takes no more"), std::string::npos);
+    EXPECT_NE(problems.front().sentence.find("cannot be extended"), std::string::npos);
   }
   const std::size_t kept = opened(sweep_).rows().size();
   EXPECT_GT(kept, 0U);

@@ -33,9 +33,9 @@ TEST(Options, TellOfEveryOneThatIsUnknownMissingOrSaidTwice) {
   const Result<Options> options = Options::from(kRows, {{"draw", {"1"}}, {"draws", {"1", "2"}}});
   ASSERT_FALSE(options);
   EXPECT_EQ(sentencesOf(options.problems()),
-            "--scene: Nothing is said. Scene files.\n"
-            "--draws: It takes one value, and has several here.\n"
-            "--draw: There is no such option. Is --draws meant?\n");
+            "--scene: A value is missing. Scene files.\n"
+            "--draws: It takes one value, but has several here.\n"
+            "--draw: There is no such option. Did you mean --draws?\n");
 }
 
 TEST(Options, TakeWholeNumbersWithinTheirBoundsAlone) {

@@ -23,8 +23,8 @@ TEST(NamedFile, WhatIsNoRegularFileIsRefusedAtOnceWithWhatToDo) {
   const test::Watchdog watchdog;
   const test::ScratchFolder folder;
   const std::string odd =
-      "This is a pipe, a device or a socket, not a regular file, so a scene is not read from it. Save what it gives as "
-      "a file, and name that.";
+      "This is a pipe, a device or a socket, not a regular file, so a scene is not read from it. Save its output to a "
+      "file, and give that file.";
   const std::vector<std::string> expected{odd,
                                           odd,
                                           odd,
@@ -66,7 +66,7 @@ TEST(NamedFile, WhatIsWrittenIntoMeanwhileIsNotTakenForWhole) {
   const Result<std::string> text = file.value().readAll(kMost);
   ASSERT_FALSE(text);
   EXPECT_EQ(text.problems()[0].sentence,
-            "Another program wrote into the file while it was read. Open it again once that program has saved it.");
+            "Another program wrote to the file while it was being read. Open it again once that program has saved it.");
 }
 
 TEST(NamedFile, OneByteTooManyIsTooLarge) {

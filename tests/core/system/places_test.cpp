@@ -92,9 +92,9 @@ TEST(FindResource, SaysEachPlaceWhereItIsNot) {
       findResource(Resource::Lessons, {.stated = "/nowhere/data", .here = "/nowhere/bin", .sources = "/nowhere/src"});
   ASSERT_FALSE(found);
   EXPECT_EQ(found.problems().front().sentence,
-            "The lessons that come with Underact were not found. They were looked for in: /nowhere/data/lessons, "
-            "/nowhere/data/resources/lessons, /nowhere/share/underact/lessons, /nowhere/src/resources/lessons. Install "
-            "Underact again, or set UNDERACT_DATA_DIR to its folder of data (share/underact) or to its sources.");
+            "The lessons that come with Underact were not found in /nowhere/data/lessons, "
+            "/nowhere/data/resources/lessons, /nowhere/share/underact/lessons, /nowhere/src/resources/lessons. "
+            "Reinstall Underact, or set UNDERACT_DATA_DIR to its data folder (share/underact) or its source folder.");
 }
 
 TEST(FindProgram, TakesOneThatMayBeRun) {
@@ -110,8 +110,8 @@ TEST(FindProgram, SaysEachPlaceWhereItIsNot) {
       findProgram("underact-guard", nullptr, {.here = "/nowhere/bin", .programs = "/nowhere/build"});
   ASSERT_FALSE(found);
   EXPECT_EQ(found.problems().front().sentence,
-            "underact-guard was not found (it was looked for at /nowhere/bin/underact-guard, "
-            "/nowhere/libexec/underact/underact-guard, /nowhere/build/underact-guard).");
+            "underact-guard was not found. Searched: /nowhere/bin/underact-guard, "
+            "/nowhere/libexec/underact/underact-guard, /nowhere/build/underact-guard.");
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST(MakeNew, NothingOfThatNameIsTouchedUnlessItIsToBeReplaced) {
   fs::create_symlink(folder.file("nowhere"), dangling);
   for (const std::string& path : {file, link, dangling}) {
     EXPECT_EQ(checkNew(path, Existing::Refuse).at(0).sentence,
-              "There is a file or a link of this name already; it was left as it is. Give another name.");
+              "A file or a link of this name already exists; it was left unchanged. Give another name.");
     EXPECT_FALSE(makeNew(path, Existing::Refuse).isOpen());
     EXPECT_EQ(errno, EEXIST);
   }

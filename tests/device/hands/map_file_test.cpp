@@ -64,7 +64,7 @@ TEST(HandMapFile, EveryProblemIsASentenceWithItsPlace) {
                "\"up\": {\"axis\": 0.5, \"buttons\": [1]},\n\"rihgt\": {}"));
   for (const char* part : {"hand.json:2", "ways.right.axis: This must be a whole number from 0 to 15",
                            "between 0 and 0.9", "between 0 and 500", "ways.right.exponent", "hand.json:3",
-                           "a list of two", "Only one of \"axis\"", "Did you mean \"right\"?"}) {
+                           "a list of two", "Give only one of \"axis\"", "Did you mean \"right\"?"}) {
     EXPECT_NE(all.find(part), std::string::npos) << part << "\n" << all;
   }
   EXPECT_NE(problemsOf(R"({"underact_hand_map": 2, "id": "x", "ways": {}})").find("version 1 only"), std::string::npos);

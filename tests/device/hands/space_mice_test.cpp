@@ -62,7 +62,7 @@ TEST_F(SpaceMiceTest, OneThatNobodyMayReadSaysTheCommandAndWorksOnceItWasGiven) 
   bus_.is_allowed = false;
   ASSERT_TRUE(comes([&] { return isThere(); }));
   ASSERT_EQ(first().missing.size(), 1U);
-  EXPECT_EQ(first().missing[0].sentence, "You may not read /dev/hidraw3.");
+  EXPECT_EQ(first().missing[0].sentence, "You do not have permission to read /dev/hidraw3.");
   EXPECT_NE(first().missing[0].command.find("ATTRS{idVendor}==\"046d\", ATTRS{idProduct}==\"c626\""),
             std::string::npos);
   bus_.is_allowed = true;

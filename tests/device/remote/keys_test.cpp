@@ -80,7 +80,7 @@ TEST(RemoteKeys, OfOthersInAFileThatOthersMayReadOrWriteAreNotUsed) {
     ASSERT_EQ(::chmod(scratch.file("arm_hosts").c_str(), mode), 0);
     const auto clients = folder.clients();
     ASSERT_FALSE(clients) << mode;
-    EXPECT_EQ(clients.problems().front().sentence.find("Others may read or change who may use your arm. Say chmod 600"),
+    EXPECT_EQ(clients.problems().front().sentence.find("Others may read or change who may use your arm. Run chmod 600"),
               0U)
         << clients.problems().front().sentence;
     EXPECT_FALSE(folder.allow(folder.own().value().public_key, "").empty())

@@ -40,7 +40,7 @@ struct Client {
     while (std::chrono::steady_clock::now() < end) {
       tick(f_T_W);
       if ((far.arm.force_N() - f_T_W).norm() < 0.01) return true;
-      if (arm->trouble().find("taken away") != std::string::npos) return false;
+      if (arm->trouble().find("was released") != std::string::npos) return false;
     }
     return false;
   }
@@ -92,7 +92,7 @@ TEST(RemoteArm, WithoutTicksItTellsZero) {
   ASSERT_TRUE(client.push());
   EXPECT_TRUE(comes([&] { return client.rests(); }));
   std::this_thread::sleep_for(500ms);
-  EXPECT_FALSE(says(far.told(), "fell silent")) << "it says zero all the while";
+  EXPECT_FALSE(says(far.told(), "stopped sending")) << "it says zero all the while";
   EXPECT_TRUE(client.push());
 }
 
@@ -148,7 +148,7 @@ TEST(RemoteArm, ALineThatIsHeldUpHasNoSampleAndTheArmNoForce) {
   far.cable().hold(true);
   EXPECT_TRUE(comes([&] { return !client.tick() && client.rests(); }));
   EXPECT_TRUE(comes([&] { return !client.tick() && !client.arm->trouble().empty(); }));
-  EXPECT_TRUE(says(client.arm->trouble(), "Nothing comes from the arm")) << client.arm->trouble();
+  EXPECT_TRUE(says(client.arm->trouble(), "no longer sends anything")) << client.arm->trouble();
 }
 
 TEST(RemoteArm, ALineThatIsHeldUpForAMomentComesBack) {
@@ -171,7 +171,7 @@ TEST(RemoteArm, ALostLineStaysLostUntilItIsOpenedAgain) {
   ASSERT_TRUE(client.push());
   far.cable().cut();
   EXPECT_TRUE(comes([&] { return !client.tick() && client.rests(); }));
-  EXPECT_TRUE(comes([&] { return says(client.arm->trouble(), "broke"); })) << client.arm->trouble();
+  EXPECT_TRUE(comes([&] { return says(client.arm->trouble(), "was lost"); })) << client.arm->trouble();
   const std::int64_t pushes = far.arm.pushes();
   for (int tick = 0; tick < 200; ++tick) EXPECT_FALSE(client.tick());
   EXPECT_EQ(far.arm.pushes(), pushes);
@@ -227,7 +227,7 @@ TEST(RemoteArm, OneAtATimeHasIt) {
   bool has_let_go = false;
   for (int round = 0; round < 5 && !has_let_go; ++round) {
     { EXPECT_TRUE(Client(far).push()); }
-    has_let_go = comes([&] { return says(far.told(), "has let go of it"); });
+    has_let_go = comes([&] { return says(far.told(), "has released it"); });
   }
   EXPECT_TRUE(has_let_go) << far.told();
 }
@@ -239,7 +239,7 @@ TEST(RemoteArm, OneWhoFellSilentLosesItsPlace) {
   ASSERT_TRUE(first->push());
   far.cable().pull();
   EXPECT_TRUE(comes([&] { return first->rests(); }));
-  EXPECT_TRUE(comes([&] { return says(far.told(), "fell silent"); }));
+  EXPECT_TRUE(comes([&] { return says(far.told(), "stopped sending"); }));
   far.cable().plug();
   Client second(far);
   EXPECT_TRUE(second.push());
@@ -250,12 +250,12 @@ TEST(RemoteArm, SaysWhyItCannotBeOpened) {
   Reach reach = far.reach();
   reach.own = far.stranger();
   EXPECT_TRUE(says(whyNot(RemoteArm::open(reach, far.arm.preset(), 1000)), "your key is not known there"));
-  EXPECT_TRUE(comes([&] { return says(far.told(), "turned away"); }));
+  EXPECT_TRUE(comes([&] { return says(far.told(), "was refused"); }));
   reach = far.reach();
   reach.server_key = far.stranger().public_key;
   EXPECT_TRUE(says(whyNot(RemoteArm::open(reach, far.arm.preset(), 1000)), "not the arm whose key is known here"));
   EXPECT_TRUE(says(whyNot(far.open("woodenhaptics")),
-                   "the joints of \"omni-thesis\", and the scene is for \"woodenhaptics\". Share it with --arm"));
+                   "the joints of \"omni-thesis\", but the scene is for \"woodenhaptics\". Share it with --arm"));
   far.cable().pull();
   EXPECT_TRUE(says(whyNot(far.open()), "No arm is shared at 127.0.0.1:"));
 }

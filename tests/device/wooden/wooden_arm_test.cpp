@@ -101,15 +101,16 @@ TEST(WoodenArm, BeyondTheReachOfTheOtherArmItDoesNotPush) {
 TEST(WoodenArm, TheAddressNamesModelAndSerialNumber) {
   WoodenRig rig(kBuiltV2);
   EXPECT_EQ(rig.whyNot("0043"),
-            "No WoodenHaptics arm with the serial number or path \"0043\" is plugged in. What may be one, and is taken "
-            "by name: 0042.");
+            "No WoodenHaptics arm with the serial number or path \"0043\" is plugged in. Devices that may be one, and "
+            "can be chosen by name: 0042.");
   EXPECT_EQ(rig.whyNot("woody-2019/0042"), "");
   EXPECT_EQ(rig.arm->info().title, "WoodenHaptics, 2019, serial 0042");
   EXPECT_EQ(rig.arm->info().serial, "0042");
   EXPECT_EQ(rig.whyNot("woody//dev/hidraw7"), "");
   EXPECT_EQ(rig.arm->info().title, "WoodenHaptics, 2015, serial 0042");
   EXPECT_EQ(rig.whyNot("polhem-v3"),
-            "How the arm \"Polhem, version 3\" moves is not published, so it cannot be used. WoodenHaptics arms can.");
+            "The kinematics of the arm \"Polhem, version 3\" are not published, so it cannot be used. WoodenHaptics "
+            "arms can.");
   rig.bus.unplug();
   EXPECT_EQ(rig.whyNot(), "No WoodenHaptics arm is plugged in.");
 }
@@ -117,7 +118,7 @@ TEST(WoodenArm, TheAddressNamesModelAndSerialNumber) {
 TEST(WoodenArm, ABoardThatMayBeAnythingIsTakenByNameAlone) {
   WoodenRig rig({2, 64, {0.321, 0.0603, 0.0603}});
   rig.bus.node.vendor = 0x16C0, rig.bus.node.product = 0x0486;
-  EXPECT_NE(rig.whyNot().find("taken by name: 0042."), std::string::npos);
+  EXPECT_NE(rig.whyNot().find("chosen by name: 0042."), std::string::npos);
   EXPECT_EQ(rig.whyNot("0042"), "");
   rig.bus.node.usage = 0x0100;  // a keyboard somebody built
   EXPECT_NE(rig.whyNot("0042"), "");
@@ -126,9 +127,9 @@ TEST(WoodenArm, ABoardThatMayBeAnythingIsTakenByNameAlone) {
 TEST(WoodenArm, SaysWhatIsWrongWithABoardThatDoesNotAnswer) {
   WoodenRig rig;
   rig.bus.silence(true);
-  EXPECT_EQ(rig.whyNot(),
-            "The WoodenHaptics arm at /dev/hidraw7 says nothing. Press the reset button of its board, or plug it in "
-            "anew.");
+  EXPECT_EQ(
+      rig.whyNot(),
+      "The WoodenHaptics arm at /dev/hidraw7 sends nothing. Press the reset button on its board, or plug it in again.");
   rig.bus.say(std::vector<std::uint8_t>(12, 0));
   EXPECT_EQ(rig.whyNot(), "/dev/hidraw7 sends reports of 12 bytes; those of a WoodenHaptics arm have 8, 14 or 64.");
 }
