@@ -6,7 +6,6 @@
 #include <set>
 #include <system_error>
 
-#include "app/page/html.h"
 #include "app/page/style.h"
 #include "core/json/json.h"
 #include "core/json/text.h"
@@ -15,31 +14,6 @@ namespace underact::guide {
 namespace {
 
 namespace fs = std::filesystem;
-using page::escaped;
-
-bool startsWith(const std::string& text, std::string_view start) {
-  return text.compare(0, start.size(), start) == 0;
-}
-
-std::string contents(const Guide& guide, const std::string& here) {
-  std::string made =
-      "<nav aria-label=\"Contents\">\n<p class=\"name\"><a href=\"index.html\">Underact</a></p>\n"
-      // Useless without the script, which shows it.
-      "<input id=\"search\" type=\"search\" placeholder=\"Search\" aria-label=\"Search the guide\" hidden>\n"
-      "<ol id=\"hits\" hidden></ol>\n<div id=\"contents\">\n";
-  for (const Chapter& chapter : guide.chapters) {
-    made += "<h2>" + escaped(chapter.title) + "</h2>\n<ul>\n";
-    for (const std::string& name : chapter.pages) {
-      const Entry* entry = guide.find(name);
-      if (entry == nullptr) continue;
-      made += name == here ? "<li class=\"here\">" : "<li>";
-      made += "<a href=\"" + name + ".html\"" + (name == here ? " aria-current=\"page\"" : "") + ">" +
-              escaped(entry->page.title) + "</a></li>\n";
-    }
-    made += "</ul>\n";
-  }
-  return made + "</div>\n</nav>\n";
-}
 
 /// The words of all sections, for the search of the pages.
 std::string searchIndex(const Guide& guide) {
@@ -62,8 +36,10 @@ std::string sheetOf(const page::Colours& colours) {
 }
 
 std::string styleSheet() {
-  return ":root { color-scheme: light dark; }\n" + sheetOf(page::lightColours()) +
-         "@media (prefers-color-scheme: dark) {\n" + sheetOf(page::darkColours()) + "}\n";
+  // Paper is light, whatever the screen is.
+  return ":root { color-scheme: light dark; }\n@media print { :root { color-scheme: light; } }\n" +
+         sheetOf(page::lightColours()) + "@media screen and (prefers-color-scheme: dark) {\n" +
+         sheetOf(page::darkColours()) + "}\n";
 }
 
 class Writer {
@@ -96,28 +72,6 @@ class Writer {
 
 }  // namespace
 
-std::string siteLink(const std::string& link) {
-  constexpr std::string_view kPictures = "../pictures/";
-  if (startsWith(link, kPictures)) return "pictures/" + link.substr(kPictures.size());
-  if (startsWith(link, "scene:")) return "scene_list.html#" + link.substr(6);
-  if (startsWith(link, "lesson:")) return "lessons.html";
-  if (startsWith(link, "action:")) return "window.html";
-  const Target target = targetOf(link);
-  if (!target.is_page) return link;
-  return (target.page.empty() ? "" : target.page + ".html") + (target.anchor.empty() ? "" : "#" + target.anchor);
-}
-
-std::string sitePage(const Guide& guide, const Entry& entry) {
-  const page::Page made = page::readPage(entry.markdown, entry.name, siteLink);
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-         escaped(made.title) +
-         " – Underact</title>\n<link rel=\"stylesheet\" href=\"style.css\">\n"
-         "<link rel=\"stylesheet\" href=\"site.css\">\n</head>\n<body class=\"" +
-         entry.name + "\">\n" + contents(guide, entry.name) + "<main>\n" + made.html +
-         "</main>\n<script src=\"search_index.js\"></script>\n<script src=\"search.js\"></script>\n</body>\n</html>\n";
-}
-
 Problems writeSite(const Guide& guide, const std::string& out) {
   Writer writer(out);
   std::set<std::string> pictures;
@@ -125,7 +79,9 @@ Problems writeSite(const Guide& guide, const std::string& out) {
     writer.write(entry.name + ".html", sitePage(guide, entry));
     for (const Problem& problem : entry.page.problems) writer.refuse(problem.sentence, problem.place.file);
     for (const page::Page::Link& link : entry.page.links) {
-      if (link.is_picture) pictures.insert(link.to);
+      if (!link.is_picture) continue;
+      pictures.insert(link.to);
+      if (const std::string dark = darkPicture(guide, link.to); !dark.empty()) pictures.insert(dark);
     }
   }
   if (!guide.entries.empty()) writer.write("index.html", sitePage(guide, guide.entries.front()));

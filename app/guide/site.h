@@ -10,11 +10,15 @@ namespace underact::guide {
 /// pictures that are missing.
 Problems writeSite(const Guide& guide, const std::string& out);
 
-/// A page's HTML in its frame: the contents, with this page marked, and the search.
+/// A page's HTML in its frame: the search, the contents with this page marked, and the pages before and after it.
 std::string sitePage(const Guide& guide, const Entry& entry);
 
 /// What a link of a page is among the static pages: a page of Markdown becomes its HTML, a scene its place in the list
 /// of scenes, a lesson the page of lessons, and what only the window can do the page of the window.
 std::string siteLink(const std::string& link);
+
+/// The picture for a dark screen that lies beside one of a page: NAME_dark beside NAME_light or NAME; empty where there
+/// is none.
+std::string darkPicture(const Guide& guide, const std::string& picture);
 
 }  // namespace underact::guide

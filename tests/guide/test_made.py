@@ -1,5 +1,6 @@
 """Pages that are made from something else are as it is now; and the static pages' search works."""
 
+import html.parser
 import json
 import os
 import pathlib
@@ -88,6 +89,89 @@ class Made(unittest.TestCase):
         self.assertEqual(describe("guide", "/no/such/folder", "/tmp").returncode, 1)
 
 
+class Page(html.parser.HTMLParser):
+    """What a browser is told of a page: its attributes by tag, and its title."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.tags, self.title, self.in_title = {}, "", False
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.setdefault(tag, []).append(dict(attrs))
+        self.in_title = tag == "title"
+
+    def handle_data(self, data):
+        self.title += data if self.in_title else ""
+        self.in_title = False
+
+    def all(self, tag, key):
+        return [found[key] for found in self.tags.get(tag, []) if key in found]
+
+    def ids(self):
+        return {found["id"] for tags in self.tags.values() for found in tags if "id" in found}
+
+
+class StaticPages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        done = describe("guide", str(GUIDE), cls.folder.name)
+        assert done.returncode == 0, done.stderr
+        paths = pathlib.Path(cls.folder.name).glob("*.html")
+        cls.pages = {path.name: Page(path) for path in paths}
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_each_says_its_title_its_language_and_that_it_fits_small_and_dark_screens(self):
+        self.assertGreater(len(self.pages), 60)
+        titles = [page.title for name, page in self.pages.items() if name != "index.html"]
+        self.assertEqual(len(set(titles)), len(titles), "two pages have the same title")
+        for name, page in self.pages.items():
+            self.assertTrue(page.title.endswith(" – Underact"), name)
+            self.assertEqual(page.all("html", "lang"), ["en"], name)
+            said = {meta.get("name"): meta["content"] for meta in page.tags["meta"][1:]}
+            self.assertIn("width=device-width", said["viewport"], name)
+            self.assertEqual(said["color-scheme"], "light dark", name)
+
+    def test_every_link_leads_to_a_page_and_to_a_place_on_it(self):
+        for name, page in self.pages.items():
+            for link in page.all("a", "href"):
+                if link.startswith("https://"):
+                    continue
+                to, _, anchor = link.partition("#")
+                self.assertIn(to or name, self.pages, f"{name}: {link}")
+                if anchor:
+                    self.assertIn(anchor, self.pages[to or name].ids(), f"{name}: {link}")
+
+    def test_whoever_has_read_a_page_can_go_on_to_the_next(self):
+        contents = json.loads((GUIDE / "contents.json").read_text(encoding="utf-8"))
+        order = [name for chapter in contents["chapters"] for name in chapter["pages"]]
+        for name, following in zip(order, order[1:]):
+            links = self.pages[f"{name}.html"].tags["a"]
+            to = [link["href"] for link in links if link.get("rel") == "next"]
+            self.assertEqual(to, [f"{following}.html"])
+
+    def test_the_first_page_has_four_doors_before_all_else(self):
+        doors = ["demonstrate.html", "teach.html", "research.html", "developers.html"]
+        links = self.pages["index.html"].all("a", "href")
+        first = links.index("scene_list.html#02_sphere")
+        self.assertEqual(links[first + 1 : first + 5], doors)
+
+    def test_a_picture_with_a_dark_one_beside_it_has_both(self):
+        pictures = self.pages["demonstrate.html"].tags["img"]
+        self.assertEqual(
+            [(picture["class"], picture["src"]) for picture in pictures],
+            [("light", "pictures/visitor_light.png"), ("dark", "pictures/visitor_dark.png")],
+        )
+        self.assertEqual(pictures[0]["alt"], pictures[1]["alt"])
+        for name, page in self.pages.items():
+            for picture in page.all("img", "src"):
+                self.assertTrue((pathlib.Path(self.folder.name) / picture).is_file(), name)
+
+
 class StaticSearch(unittest.TestCase):
     """The pages' own JavaScript, by an interpreter that knows no browser."""
 
@@ -107,12 +191,15 @@ class StaticSearch(unittest.TestCase):
             asks += "print(guideSearch.find(guideIndex, 'no such words here').length);"
             asks += "print(guideSearch.find(guideIndex, ' ').length);"
             asks += "print(guideSearch.find(guideIndex, 'buzz')[0].excerpt.length > 20);"
+            asks += "print(guideSearch.said(0, 'x').indexOf('Nothing'), guideSearch.said(1, 'x'));"
+            asks += "print(guideSearch.said(guideSearch.find(guideIndex, 'the').length, 'the'));"
             script.write_text("\n".join(parts) + asks)
             said = subprocess.run(["duk", script], capture_output=True, text=True, timeout=60)
         self.assertEqual(said.stderr, "")
         self.assertEqual(
             said.stdout.split(),
-            ["safety", "energy", "servo", "course_jacobian", "0", "0", "true"],
+            ["safety", "energy", "servo", "course_jacobian", "0", "0", "true"]
+            + "0 1 section. The best 60 sections.".split(),
         )
 
 

@@ -31,11 +31,13 @@ var guideSearch = (function () {
     var words = wordsOf(typed), hits = [];
     for (var row = 0; words.length > 0 && row < index.length; ++row) {
       var section = index[row], score = 0, hasAll = true;
-      var title = wordsOf(section[3]), text = wordsOf(section[4]), page = wordsOf(section[1] + " " + section[0]);
+      // Read once: what follows the first letter is to be there at once.
+      var known = section.words = section.words || {title: wordsOf(section[3]), text: wordsOf(section[4]),
+                                                    page: wordsOf(section[1] + " " + section[0])};
       for (var i = 0; i < words.length; ++i) {
-        var inTitle = countOf(words[i], title, 2), inText = countOf(words[i], text, 5);
+        var inTitle = countOf(words[i], known.title, 2), inText = countOf(words[i], known.text, 5);
         hasAll = hasAll && inTitle + inText > 0;
-        score += 12 * inTitle + inText + 5 * countOf(words[i], page, 2);
+        score += 12 * inTitle + inText + 5 * countOf(words[i], known.page, 2);
       }
       if (hasAll) hits.push({row: row, score: score, page: section[0], anchor: section[2], title: section[3],
                              pageTitle: section[1], excerpt: excerptOf(section[4], words)});
@@ -44,30 +46,81 @@ var guideSearch = (function () {
     return hits.slice(0, 60);
   }
 
-  return {find: find};
+  // What is said of them, to those who do not see the list, too.
+  function said(count, typed) {
+    if (count === 0) return "Nothing was found for “" + typed + "”.";
+    if (count === 60) return "The best 60 sections.";
+    return count === 1 ? "1 section." : count + " sections.";
+  }
+
+  return {find: find, said: said};
 })();
 
 if (typeof document !== "undefined") {
   (function () {
-    var field = document.getElementById("search"), list = document.getElementById("hits");
-    var contents = document.getElementById("contents");
-    field.hidden = false;
-    field.addEventListener("input", function () {
-      var hits = guideSearch.find(guideIndex, field.value);
+    function part(name) { return document.getElementById(name); }
+    var field = part("search"), found = part("found"), list = part("hits"), contents = part("contents");
+
+    function itemOf(hit) {
+      var item = document.createElement("li"), link = document.createElement("a");
+      link.href = hit.page + ".html" + (hit.anchor ? "#" + hit.anchor : "");
+      link.textContent = hit.title || hit.pageTitle;
+      var where = document.createElement("small");
+      where.textContent = hit.pageTitle + (hit.excerpt ? ": " + hit.excerpt : "");
+      item.appendChild(link);
+      item.appendChild(where);
+      return item;
+    }
+
+    function show() {
+      var typed = field.value.trim(), hits = guideSearch.find(guideIndex, typed);
       list.textContent = "";
-      list.hidden = field.value.trim() === "";
-      contents.hidden = !list.hidden;
-      for (var i = 0; i < hits.length; ++i) {
-        var item = document.createElement("li"), link = document.createElement("a");
-        link.href = hits[i].page + ".html" + (hits[i].anchor ? "#" + hits[i].anchor : "");
-        link.textContent = hits[i].title || hits[i].pageTitle;
-        var where = document.createElement("small");
-        where.textContent = hits[i].pageTitle + (hits[i].excerpt ? ": " + hits[i].excerpt : "");
-        item.appendChild(link);
-        item.appendChild(where);
-        list.appendChild(item);
-      }
-      if (hits.length === 0 && !list.hidden) list.textContent = "Nothing was found.";
+      for (var i = 0; i < hits.length; ++i) list.appendChild(itemOf(hits[i]));
+      list.hidden = hits.length === 0;
+      contents.hidden = typed !== "";
+      found.textContent = typed === "" ? "" : guideSearch.said(hits.length, typed);
+    }
+
+    // The arrows go from the field through what was found, and back.
+    function step(by) {
+      var links = Array.prototype.slice.call(list.getElementsByTagName("a"));
+      var next = links.indexOf(document.activeElement) + by;
+      if (next < 0) field.focus();
+      else if (next < links.length) links[next].focus();
+    }
+
+    function clear() {
+      field.value = "";
+      show();
+      field.focus();
+    }
+
+    function inSearch(event) {
+      if (event.key === "ArrowDown") step(1);
+      else if (event.key === "ArrowUp") step(-1);
+      else if (event.key === "Escape") clear();
+      else if (event.key === "Enter" && event.target === field && list.firstChild) list.getElementsByTagName("a")[0].click();
+      else return;
+      event.preventDefault();
+    }
+
+    part("find").hidden = false;
+    part("find").addEventListener("keydown", inSearch);
+    field.addEventListener("input", show);
+    window.addEventListener("pageshow", show);  // after going back a browser may have kept what was typed
+    document.addEventListener("keydown", function (event) {
+      if (event.key !== "/" || event.ctrlKey || event.altKey || event.metaKey || event.target === field) return;
+      event.preventDefault();
+      field.focus();
+      field.select();
     });
+
+    // Above the page of a narrow window the contents are folded up; beside it they show this page's line.
+    var narrow = window.matchMedia("(max-width: 900px)");
+    function fold() { contents.open = !narrow.matches; }
+    fold();
+    if (narrow.addEventListener) narrow.addEventListener("change", fold);
+    var guide = document.querySelector("nav.guide"), here = guide.querySelector("li.here");
+    if (here && !narrow.matches) guide.scrollTop = here.offsetTop - guide.clientHeight / 2;
   })();
 }
