@@ -91,7 +91,7 @@ class Session:
     def _look(self) -> None:
         version = bounds.attribute(self._file, "underact_session")
         if version is None:
-            raise SessionError(f"{self.path} is an HDF5 file, but no session of Underact.")
+            raise SessionError(f"{self.path} is an HDF5 file, but not a session of Underact.")
         if version != layout.VERSION:
             raise SessionError(
                 f"{self.path} has layout {version}; this program reads layout {layout.VERSION}. "
@@ -277,9 +277,10 @@ class Session:
         try:
             scene = json.loads(self._text(at, size))
         except (ValueError, RecursionError) as error:
-            raise SessionError(f"{self.path}: a scene in it is no JSON ({error}).") from error
+            words = f"{self.path}: a scene in it is not valid JSON ({error})."
+            raise SessionError(words) from error
         if not isinstance(scene, dict):
-            raise SessionError(f"{self.path}: a scene in it is no JSON object.")
+            raise SessionError(f"{self.path}: a scene in it is not a JSON object.")
         return scene
 
     def close(self) -> None:

@@ -35,7 +35,7 @@ def _size(view: View) -> np.ndarray:
 
 
 def point_sizes(view: View) -> Figure:
-    """4.2: distance from the point and size of the force over time."""
+    """4.2: distance from the point and magnitude of the force over time."""
     figure = _two_over_time(
         view,
         (view["error_mm"], "distance [mm]", style.STYLUS),
@@ -47,7 +47,7 @@ def point_sizes(view: View) -> Figure:
 
 
 def point_size_numbers(view: View) -> list[Number]:
-    """4.2: the size of the force is K_p times the distance, up to the clamp."""
+    """4.2: the magnitude of the force is K_p times the distance, up to the clamp."""
     rows = view["gate_level"] == 1
     due = np.minimum(KP_N_PER_MM * view["error_mm"], CLAMP_N)
     off = (_size(view) - due)[rows & np.isin(view["limits"], (0, 1))]
@@ -83,7 +83,7 @@ def point_x(view: View) -> Figure:
         markersize=2.5,
         label="limit or ramp",
     )
-    against.plot(x[rows], force[rows], ".", color=style.STYLUS, markersize=2, label="as asked")
+    against.plot(x[rows], force[rows], ".", color=style.STYLUS, markersize=2, label="unlimited")
     against.set_xlabel("displacement in x [mm]")
     against.set_ylabel("force in x [N]")
     against.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=2, markerscale=2)
@@ -113,7 +113,7 @@ def point_x_numbers(view: View) -> list[Number]:
 
 
 def sphere_path(view: View) -> Figure:
-    """4.5: the way of the stylus over the sphere."""
+    """4.5: the path of the stylus over the sphere."""
     return _path(view)
 
 
@@ -136,7 +136,7 @@ def sphere_path_numbers(view: View) -> list[Number]:
 
 
 def sphere_sizes(view: View) -> Figure:
-    """4.6: distance from the centre and size of the force over time."""
+    """4.6: distance from the centre and magnitude of the force over time."""
     distance = np.linalg.norm(view["p_WT_mm"], axis=1)
     upper, lower = (distance, "distance from the centre [mm]", style.STYLUS), (
         _size(view),

@@ -29,7 +29,7 @@ def angle_question() -> dict:
 
 
 def right_angle(answer: dict) -> Figure:
-    """5.6: the target lies on the short way from alpha to beta, not on the long one."""
+    """5.6: the target lies on the shorter arc from alpha to beta, not on the longer one."""
     figure = style.new_figure(3.5, 3.4)
     axes = figure.subplots()
     _rim(axes, RADIUS_MM)

@@ -88,11 +88,11 @@ def force_time(view: View, width_in: float) -> Figure:
     """
     figure, (sizes, parts) = _start(view, width_in, rows=2)
     sent = np.linalg.norm(view["force_sent_N"], axis=1)
-    line(sizes, view.time_s, sent, color=style.FORCE, label="size, as sent", linewidth=1.3)
+    line(sizes, view.time_s, sent, color=style.FORCE, label="magnitude, as sent", linewidth=1.3)
     cut = view["limits"] != 0
     if cut.any():
         height = np.where(cut, 1.04 * max(float(np.nanmax(sent)), 1e-6), np.nan)
-        line(sizes, view.time_s, height, color=style.LIMITED, linewidth=2.5, label="a limit cuts")
+        line(sizes, view.time_s, height, color=style.LIMITED, linewidth=2.5, label="limited")
     if (view["passive_N"] > 0).any():
         line(
             sizes,
