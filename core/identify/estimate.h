@@ -5,7 +5,7 @@ namespace underact::identify {
 // A quantity below so many standard deviations is not told from zero.
 inline constexpr double kTold = 2.0;
 
-/// A quantity with one standard deviation. What is not told from zero is said as "below limit()".
+/// A quantity with one standard deviation. One not distinguishable from zero is stated as "below limit()".
 struct Estimate {
   double value = 0.0;
   double uncertainty = 0.0;
