@@ -199,7 +199,7 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry(
         "B.4",
         "First order system step response",
-        "1 / (s + a) with a = 1: rise from 10 to 90 %, settling within 2 %.",
+        "1 / (s + a) with a = 1: rise from 10 to 90 %, settling to 2 %.",
         "step",
         draw=appendix_b.first_order_marks,
         check=appendix_b.first_order_mark_numbers,

@@ -28,12 +28,12 @@ def _start(view: View, width_in: float, rows: int = 1) -> tuple[Figure, list[Axe
 
 
 def _finish(view: View, figure: Figure, panels: list[Axes]) -> Figure:
-    """The time axis, and what happened when: faults as red crosses on a line, marks as lines with
-    their words.
+    """The time axis, and what happened when: faults as red crosses on a line, markers as lines with
+    their labels.
     """
     faults, marks = _some(view.faults), _some(view.marks)
     drawn, all_ = len(faults) + len(marks), len(view.faults) + len(view.marks)
-    left_out = f", {drawn:,} of {all_:,} marks and faults" if drawn < all_ else ""
+    left_out = f", {drawn:,} of {all_:,} markers and faults" if drawn < all_ else ""
     panels[-1].set_xlabel(f"time [s]{left_out}")
     if view.time_s[-1] > view.time_s[0]:
         panels[-1].set_xlim(view.time_s[0], view.time_s[-1])
