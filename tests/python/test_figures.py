@@ -137,9 +137,9 @@ class TheFigures(InFolder):
     def test_of_the_view_are_left_out_with_a_sentence_where_there_is_no_window(self):
         status, error, rows = self.make("--only", "4.4")
         self.assertEqual((status, rows[0]["pictures"]), (0, []))
-        self.assertIn("the window was not named", error)
+        self.assertIn("--window was not given", error)
         self.assertIn(
-            "the window was not named",
+            "--window was not given",
             (self.folder / "out" / "index.html").read_text(encoding="utf-8"),
         )
 
