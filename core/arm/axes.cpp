@@ -16,7 +16,7 @@ Axes axesOf(const Plane& plane, const JointAngles& q_rad) noexcept {
   const SinCos six = sinCosOfTwo(q_rad[5], 0.0).first;
   const double c1 = plane.turret.cos, s1 = plane.turret.sin;
   // x_W = y_B, y_W = z_B, z_W = x_B (eq. 3.1).
-  const Vec3 across_W(s1 * plane.shin.cos, plane.shin.sin, c1 * plane.shin.cos);  // frame 3's x, the twist taken in
+  const Vec3 across_W(s1 * plane.shin.cos, plane.shin.sin, c1 * plane.shin.cos);  // frame 3's x, including the twist
   Axes axes;
   axes.along_W = Vec3(s1 * plane.shin.sin, -plane.shin.cos, c1 * plane.shin.sin);
   axes.side_W = Vec3(-c1, 0.0, s1);

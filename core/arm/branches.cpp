@@ -11,10 +11,10 @@
 namespace underact::arm {
 namespace {
 
-// Under this distance from axis 1 no direction is left, m: joint 1 is set to 0, at an error of as much.
+// Below this distance from axis 1, m, no direction is left: joint 1 is set to 0, with an error no larger than this.
 constexpr double kNoDirection = 1e-12;
 
-double half(double angle_rad) noexcept UNDERACT_REAL_TIME {  // a half turn on, in (-pi, pi]
+double half(double angle_rad) noexcept UNDERACT_REAL_TIME {  // half a turn further, in (-pi, pi]
   return angle_rad > 0.0 ? angle_rad - kPi : angle_rad + kPi;
 }
 
@@ -23,7 +23,7 @@ double wrappedOnce(double angle_rad) noexcept UNDERACT_REAL_TIME {  // of an ang
   return angle_rad <= -kPi ? angle_rad + 2.0 * kPi : angle_rad;
 }
 
-/// Joints 1 to 3 of one branch, and what the wrist needs to know of them.
+/// Joints 1 to 3 of one branch, with what the wrist needs of them.
 struct Elbowed {
   double q1_rad, q2_rad, q3_rad;
   SinCos turret, shin;  // of q1, of q2 + q3
@@ -97,7 +97,7 @@ Solutions solveAll(const Geometry& geometry, const JointLimits& limits, const Po
   add({q1_rad, q2_up_rad, q3_rad, turret, up.shin}, 1, 1);
   if (!one_elbow) add({q1_rad, q2_down_rad, wrappedOnce(kPi - q3_rad), turret, down.shin}, 1, -1);
   if (!one_shoulder) {
-    // q2' = pi - q2 of the other elbow; then q2' + q3' = 2 pi - (q2 + q3), whose cosine stays and whose sine turns.
+    // q2' = pi - q2 of the other elbow; then q2' + q3' = 2 pi - (q2 + q3): the same cosine, the opposite sine.
     const auto opposite = [](const SinCos& of) { return SinCos{-of.sin, of.cos}; };
     add({half(q1_rad), wrappedOnce(kPi - q2_down_rad), q3_rad, away, opposite(down.shin)}, -1, 1);
     if (!one_elbow) {

@@ -26,7 +26,7 @@ double wayBetween(const JointAngles& a_rad, const JointAngles& b_rad) noexcept U
   return way_rad;
 }
 
-/// Of a family, the member nearest to where the joints were: joint 4 stays, joint 6 makes up for it.
+/// Chooses the member of a self-motion nearest to the last joint angles: joint 4 stays, joint 6 compensates.
 void choose(Solution& one, const JointAngles& last_rad) noexcept UNDERACT_REAL_TIME {
   if (one.family != Family::Q4PlusQ6 && one.family != Family::Q6MinusQ4) return;
   const double sum_sign = one.family == Family::Q4PlusQ6 ? 1.0 : -1.0;
@@ -59,8 +59,8 @@ Followed follow(const Geometry& geometry, const JointLimits& limits, const Follo
     if (one.branch == state.branch) own = &one, own_rad = way_rad;
     if (way_rad < nearest_rad) nearest = &one, nearest_rad = way_rad;
   }
-  // Where a singularity has made two branches one, the own one may have no entry: the one that stands for it is
-  // nearest.
+  // Where two branches coincide at a singularity, the present one may have no entry: then the one that represents it is
+  // the nearest.
   const bool stays = own != nullptr && state.begun && own_rad <= nearest_rad + kSwitch_rad;
   const Solution& taken = stays ? *own : *nearest;
   result.next = {taken.q_rad, taken.branch, true};
@@ -88,7 +88,7 @@ Followed followPosition(const Geometry& geometry, const FollowerState& state, co
   if (state.begun) {
     result.next.q_rad = solveOn(state.branch);
     least_rad = wayBetween(result.next.q_rad, state.q_rad) - kSwitch_rad;
-    if (least_rad <= 0.0) return result;  // no other way is shorter than none
+    if (least_rad <= 0.0) return result;  // nothing is nearer than no motion
   }
   for (const std::int8_t shoulder : {std::int8_t{1}, std::int8_t{-1}}) {
     for (const std::int8_t elbow : {std::int8_t{1}, std::int8_t{-1}}) {

@@ -20,7 +20,7 @@ Mat3 positionJacobian(const Plane& at) noexcept UNDERACT_REAL_TIME {
   return J;
 }
 
-/// One singular value decomposition of a 2x2 matrix M, of which only left vectors are asked.
+/// The singular value decomposition of a 2x2 matrix M, with its left vectors alone.
 struct Pair {
   double large, small;  // singular values
   SinCos direction;     // of the left vector of the large one
@@ -32,7 +32,7 @@ Pair decompose(double a, double b, double c, double d) noexcept UNDERACT_REAL_TI
   const double root = std::sqrt((p - r) * (p - r) + 4.0 * q * q);
   Pair result{};
   result.large = std::sqrt(0.5 * (p + r + root));
-  // By the determinant: a difference of squares would lose the small one near a singularity.
+  // By the determinant: a difference of squares would cancel near a singularity.
   result.small = result.large > 0.0 ? std::abs(a * d - b * c) / result.large : 0.0;
   result.direction = sinCos(0.5 * atan2Of(2.0 * q, p - r));
   return result;

@@ -5,7 +5,8 @@
 
 namespace underact::arm {
 
-/// J_p, 3x3, m/rad: v_WT = J_p (dq1, dq2, dq3)/dt, in W; joints 4 to 6 do not move the tip. Source: eq. 3.5 derived.
+/// J_p, 3x3, m/rad: v_WT = J_p (dq1, dq2, dq3)/dt, in W; joints 4 to 6 do not move the tip. Source: derivative of eq.
+/// 3.5.
 Mat3 positionJacobian(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
 /// p_WT and J_p from one set of sines.
@@ -13,19 +14,21 @@ struct Tip {
   Vec3 p_WT = Vec3::Zero();
   Mat3 J_p = Mat3::Zero();
 };
+/// From joints 1 to 3. Not finite in, not finite out. Source: as tipPosition() and positionJacobian().
 Tip tip(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
-/// X_WT and, as exact, the geometric Jacobian at the origin of frame 6, rows v (m/rad) then w (rad/rad), in W, from one
-/// set of sines. det J = det J_p times plus or minus sin q5.
+/// X_WT and the geometric Jacobian at the origin of frame 6, rows v (m/rad) then w (rad/rad), in W, from one set of
+/// sines. det J = det J_p times plus or minus sin q5.
 struct Kinematics {
   Pose X_WT = Pose::Identity();
   Mat6 J = Mat6::Zero();
 };
+/// Not finite in, not finite out. Source: eq. 3.5 and 3.6 (errata 3.5, 3.6); w by the axes of the joints.
 Kinematics kinematics(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
-/// What J_p does to a ball of joint rates: axes_W its principal directions in W (columns, right-handed), gain_m how far
-/// the tip goes along each per rad, largest first. A ball of joint torques becomes forces along the same axes, 1 / gain
-/// as strong.
+/// The image of a ball of joint rates under J_p: axes_W its principal directions in W (columns, right-handed), gain_m
+/// the displacement of the tip along each per rad, largest first. A ball of joint torques maps to forces along the same
+/// axes, with the factors 1 / gain.
 struct Dexterity {
   Mat3 J = Mat3::Zero();  // J_p itself
   Mat3 axes_W = Mat3::Identity();
@@ -37,12 +40,13 @@ struct Dexterity {
 /// In closed form: column 1 is at right angles to the other two, which lie in the plane of the arm.
 Dexterity dexterity(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
-/// How far each singularity is; 0 is on it.
+/// The distance from each singularity; 0 is on it.
 struct SingularityDistances {
   double shoulder_m = 0.0;  // of the wrist centre from axis 1
   double elbow_rad = 0.0;   // of q3 from +-90 degrees, stretched or folded
   double wrist_rad = 0.0;   // of q5 from 0 or pi
 };
+/// Each is 0 or above. From q1 to q3 and q5; joint limits do not matter. Not finite in, not finite out.
 SingularityDistances singularityDistances(const Geometry& geometry,
                                           const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 

@@ -8,7 +8,7 @@
 namespace underact::arm {
 namespace {
 
-/// sqrt(x^2 + y^2) without overflow; not std::hypot, whose last bit is each library's own, and replays want the same.
+/// sqrt(x^2 + y^2) without overflow; not std::hypot, whose last bit depends on the library, as replays must not.
 double lengthOf(double x, double y) noexcept UNDERACT_REAL_TIME {
   const double larger = std::max(std::abs(x), std::abs(y));
   if (!(larger > 0.0)) return 0.0;

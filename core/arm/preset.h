@@ -8,15 +8,15 @@
 
 namespace underact::arm {
 
-/// The lengths of the chain, and where frame 0 of the DH table stands in W. W's axes are fixed in B for every preset:
-/// x_W = y_B, y_W = z_B, z_W = x_B (thesis eq. 3.1).
+/// The lengths of the chain, and the position of frame 0 of the DH table in W. W's axes are fixed in B for every
+/// preset: x_W = y_B, y_W = z_B, z_W = x_B (thesis eq. 3.1).
 struct Geometry {
   double upper_m = 0.0;  // L1, shoulder to elbow (a_2)
   double fore_m = 0.0;   // L2, elbow to wrist centre (d_4); the tip is the wrist centre
   Vec3 p_WB = Vec3::Zero();
 };
 
-/// rad, DH angles. Joint 5 is limited by its size: the sign says which way the wrist is bent.
+/// rad, DH angles. Those of joint 5 are of its absolute value: its sign is the sense in which the wrist is bent.
 struct JointLimits {
   JointAngles min_rad{};
   JointAngles max_rad{};
@@ -40,7 +40,7 @@ struct Preset {
   double continuous_force_N = 0.0;
 };
 
-/// Those of the models (model.h) that are devices.
+/// The models (model.h) that are devices.
 std::span<const Preset> presets();
 
 /// The preset of that name, or null.

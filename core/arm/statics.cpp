@@ -20,7 +20,7 @@ ForceOfTorque forceOf(const Geometry& geometry, const JointAngles& q_rad, const 
   const double share = dexterity.gain_m[2] / kDampedBelow_m;
   ForceOfTorque result;
   if (share < 1.0) result.damping_m = kDamping_m * std::sqrt((1.0 - share) * (1.0 + share));
-  // In the principal axes the inverse is three divisions: no factorisation, and as exact as the axes are.
+  // In the principal axes the inverse is three divisions: no factorisation, and as accurate as the axes.
   const Vec3 pushed_W = dexterity.axes_W.transpose() * (J * torque_N_m);
   const double damping = result.damping_m * result.damping_m;
   Vec3 along;

@@ -5,13 +5,13 @@
 
 namespace underact::arm {
 
-/// Torques of joints 1 to 3, N m, that hold the force f_T_W, N, which the arm puts on the tip. Source: tau = J_p^T f.
+/// The torques of joints 1 to 3, N m, for a force f_T_W, N, of the arm on the tip. Source: tau = J_p^T f.
 Vec3 torqueOf(const Geometry& geometry, const JointAngles& q_rad, const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME;
 
 /// Torques of all six joints for the wrench (force, N; moment, N m) at the tip, in W: tau = J^T F.
 Vec6 torqueOf(const Mat6& J, const Vec6& wrench_T_W) noexcept UNDERACT_REAL_TIME;
 
-/// The force that torques of joints 1 to 3 put on the tip, and what is wrong with it.
+/// The force on the tip of torques of joints 1 to 3, and its error.
 struct ForceOfTorque {
   Vec3 f_T_W = Vec3::Zero();      // N
   double damping_m = 0.0;         // lambda; 0: exact
@@ -19,9 +19,9 @@ struct ForceOfTorque {
 };
 /// Exact where the smallest gain of J_p is at least kDampedBelow_m; closer to a singularity, damped least squares:
 /// f = (J_p J_p^T + lambda^2 I)^-1 J_p tau with lambda^2 = kDamping_m^2 (1 - (gain / kDampedBelow_m)^2), so that the
-/// force stays below |tau| / (2 lambda) instead of growing without end. It comes in without a step. At the singularity
-/// itself the force along the lost direction is 0. Within 16 ulp of |tau| g^3 / (s^2 + lambda^2)^2, g the largest and s
-/// the smallest gain. Source: Nakamura and Hanafusa 1986; Maciejewski and Klein 1988.
+/// force stays below |tau| / (2 lambda) and does not grow without bound. The damping sets in continuously. At the
+/// singularity itself the force along the lost direction is 0. Within 16 ulp of |tau| g^3 / (s^2 + lambda^2)^2, g the
+/// largest and s the smallest gain. Source: Nakamura and Hanafusa 1986; Maciejewski and Klein 1988.
 ForceOfTorque forceOf(const Geometry& geometry, const JointAngles& q_rad,
                       const Vec3& torque_N_m) noexcept UNDERACT_REAL_TIME;
 

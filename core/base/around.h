@@ -8,15 +8,16 @@
 
 namespace underact {
 
-/// v without its part along the unit axis_W; twice, since near the axis the first pass leaves an error of its own size.
+/// v without its component along the unit axis_W; projected twice, since near the axis the first projection leaves an
+/// error as large as its result.
 inline Vec3 across(const Vec3& axis_W, Vec3 v_W) noexcept UNDERACT_REAL_TIME {
   v_W -= v_W.dot(axis_W) * axis_W;
   v_W -= v_W.dot(axis_W) * axis_W;
   return v_W;
 }
 
-/// A unit direction across a unit axis, the same for all who ask: the coordinate axis that is most across it (the first
-/// of equals), made perpendicular.
+/// A unit vector at right angles to a unit axis, always the same: the coordinate axis nearest to a right angle with it
+/// (the first of equals), made perpendicular.
 inline Vec3 referenceAcross(const Vec3& axis_W) noexcept UNDERACT_REAL_TIME {
   Eigen::Index most = 0;
   for (Eigen::Index axis = 1; axis < 3; ++axis) {
@@ -34,7 +35,7 @@ inline double angleAround(const Vec3& axis_W, const Vec3& v_W) noexcept UNDERACT
   return atan2Of(v_W.dot(axis_W.cross(u_W)), v_W.dot(u_W));
 }
 
-/// The same angle in [-pi, pi], rad; one that is there already keeps its bits.
+/// The same angle in [-pi, pi], rad; one in that range keeps its bits.
 inline double wrapped(double angle_rad) noexcept UNDERACT_REAL_TIME {
   return std::abs(angle_rad) <= kPi ? angle_rad : angle_rad - 2.0 * kPi * std::floor(angle_rad / (2.0 * kPi) + 0.5);
 }

@@ -7,18 +7,19 @@
 
 namespace underact {
 
-/// While one lives, this thread's floating point takes numbers below the smallest normal one (2e-308) for zero, as
-/// operands and as results: on some processors a tick that meets them costs a hundred times more. It holds wherever
-/// the servo ticks, by its thread or by hand, since it decides last bits. On processors it does not know, it does
-/// nothing.
+/// While an object of this class exists, the floating-point arithmetic of this thread treats numbers below the smallest
+/// normal one (2e-308) as zero, as operands and as results: on some processors they make a tick a hundred times slower.
+/// Used wherever the servo ticks, by its thread or by hand, since it affects last bits. Without effect on unknown
+/// processors.
 class FlushDenormals {
  public:
+  /// Sets the mode of the calling thread; the destructor, on the same thread, restores what was set before.
   FlushDenormals() noexcept : before_(control()) { setControl(before_ | kFlush); }
   ~FlushDenormals() { setControl((control() & ~kFlush) | (before_ & kFlush)); }
   FlushDenormals(const FlushDenormals&) = delete;
   FlushDenormals& operator=(const FlushDenormals&) = delete;
 
-  /// Whether this processor is one of those it knows.
+  /// Whether this processor is a known one.
   static constexpr bool isKnown() noexcept { return kFlush != 0; }
 
  private:

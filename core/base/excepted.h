@@ -5,11 +5,11 @@
 
 namespace underact {
 
-/// Calls what the effect analysis cannot see through; only by UNDERACT_EXCEPTED.
 #if defined(__clang__) && __clang_major__ >= 20
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wfunction-effects"
 #endif
+/// Calls what the effect analysis cannot see through, and gives what that gives. Only UNDERACT_EXCEPTED uses it.
 template <class Call>
 [[gnu::always_inline]] inline decltype(auto) excepted(Call&& call) noexcept UNDERACT_REAL_TIME {
   return call();
@@ -20,7 +20,6 @@ template <class Call>
 
 }  // namespace underact
 
-// One expression in a function marked UNDERACT_REAL_TIME that calls what clang cannot know to keep off heap and locks,
-// with the reason why it does, and who counts. tests/house/tick_effects lists all of them; there is no other way past
-// it.
+// For one expression in a function marked UNDERACT_REAL_TIME whose callee clang cannot prove free of heap and locks.
+// why: the reason why it is. tests/house/tick_effects lists all of them; nothing else is excepted from the analysis.
 #define UNDERACT_EXCEPTED(why, ...) ::underact::excepted([&]() noexcept -> decltype(auto) { return __VA_ARGS__; })

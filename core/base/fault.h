@@ -10,16 +10,16 @@ enum class FaultKind : std::uint8_t {
   None,
   NoSample,     // the arm gave no sample in time; seen: ticks in a row without one
   StaleSample,  // the sample is not newer than the last one; seen: seconds since the last sample
-  NotFinite,    // a joint angle, or the force that came of it, is not a number
-  TooFast,      // the tip went further in one tick than any hand moves it; seen: m/s
+  NotFinite,    // a joint angle, or the force computed from it, is not finite
+  TooFast,      // the tip moved faster than any hand; seen: m/s
   TooLate,      // ticks in a row that started a whole period late; seen: how many
-  StoodStill,   // no tick at all for longer than the watchdog waits; seen: seconds
+  StoodStill,   // no tick for longer than the watchdog allows; seen: seconds
   OddClock,     // the arm's clock and the servo's disagree; seen: seconds by the arm's, allowed: by the servo's
   Asleep,       // the machine was suspended while the servo pushed; seen: seconds
 };
 inline constexpr int kFaultKinds = 9;
 
-/// Numbers only, so that the tick can make one; describe() turns it into words, outside the tick.
+/// A fault as numbers only, so that the tick can make one; describe() makes sentences of it, outside the tick.
 struct Fault {
   FaultKind kind = FaultKind::None;
   double seen = 0.0;

@@ -6,8 +6,8 @@
 
 namespace underact {
 
-/// A symmetric system a x = b of up to N unknowns, its lower half, on the stack. Eigen's own decompositions ask for
-/// memory, as far as clang can see. What is beyond size is never looked at, and so not set.
+/// A symmetric system a x = b of up to N unknowns, its lower half, on the stack. Eigen's own decompositions may
+/// allocate, as far as clang can see. Elements beyond size are not read, and not initialised.
 template <std::size_t N>
 struct SymmetricSystem {
   std::array<std::array<double, N>, N> a;
@@ -15,8 +15,8 @@ struct SymmetricSystem {
   std::size_t size = 0;
 };
 
-/// b := a^-1 b, by LDL^T; a is used up. False where a pivot is not above 0: a is not positive definite, or rounding
-/// leaves nothing of it. Cost: size^3 / 6 multiplications. Source: Golub and Van Loan, Matrix Computations, 4.1.
+/// b := a^-1 b, by LDL^T; a is overwritten. False where a pivot is not above 0: a is not positive definite to within
+/// rounding. Cost: size^3 / 6 multiplications. Source: Golub and Van Loan, Matrix Computations, 4.1.
 template <std::size_t N>
 bool solveInPlace(SymmetricSystem<N>& s) noexcept UNDERACT_REAL_TIME {
   for (std::size_t j = 0; j < s.size; ++j) {

@@ -7,7 +7,7 @@
 
 namespace underact {
 
-// Eigen's maxCoeff() and minCoeff() go through a pointer to a function, which the effect analysis cannot see through.
+// Eigen's maxCoeff() and minCoeff() call through a function pointer, which the effect analysis cannot see through.
 
 /// The largest absolute coordinate.
 inline double largestOf(const Vec3& v) noexcept UNDERACT_REAL_TIME {

@@ -5,8 +5,8 @@
 
 namespace underact {
 
-/// The next number of a sequence, of all 64 bits; state: its seed at first. SplitMix64 (Steele, Lea, Flood 2014): the
-/// same numbers with every compiler and library, unlike std's distributions. One to one: another state, another number.
+/// The next number of a pseudorandom sequence, 64 bits; state: at first its seed. SplitMix64 (Steele, Lea, Flood 2014):
+/// the same numbers with every compiler and library, unlike std's distributions. A bijection of the state.
 inline std::uint64_t nextBits(std::uint64_t& state) noexcept UNDERACT_REAL_TIME {
   std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
   z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;

@@ -3,10 +3,10 @@
 
 namespace underact {
 
-// Of numbers that came as bytes, out of a file: whether they may be used at all. Each kind of memory has its own
-// isSound() beside it, in the room that it belongs to; what a program wrote by itself always is.
+// For numbers read as bytes from a file: whether they can be used at all. Each kind of state has its isSound() beside
+// it, in its own room; it is always true for a state that the program made.
 
-/// A byte that is neither 0 nor 1 is no bool, and to read it as one is undefined.
+/// Whether a bool has a valid byte: one other than 0 and 1 is undefined to read.
 inline bool isFlag(const bool& flag) noexcept {
   unsigned char byte = 0;
   std::memcpy(&byte, &flag, 1);

@@ -1,5 +1,5 @@
 #pragma once
 
-// Marks a text for translators, whose tool looks for this name in the sources (packaging/languages); the text stands as
-// it is. context: "problem" for what sentence.h puts together.
+// Marks a text for translators; their tool looks for this name in the sources (packaging/languages). The text itself is
+// unchanged. context: "problem" for sentences of sentence.h.
 #define TRANSLATE_NOOP(context, text) text

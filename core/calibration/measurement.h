@@ -7,20 +7,21 @@
 
 namespace underact::calibration {
 
+/// A trial with the answer that it got.
 struct Answered {
   Trial trial;
   Beam answer = Beam::Left;
-  bool turned = false;  // the way of the staircase turned here
+  bool turned = false;  // a reversal of the staircase
 
+  /// Whether the answer names the stiffer beam.
   bool isRight() const { return answer == trial.stiffer; }
 };
 
-/// A whole measurement: the trial that waits for an answer, and those that have one. The same seed and answers give the
-/// same trials, whoever answers.
+/// A whole measurement: the trial to be answered, and those that were. The same seed and answers give the same trials.
 struct Measurement {
   double reference_N_per_mm = 0.0;
   Staircase staircase;
-  std::uint64_t sides = 1;  // of the draws of the stiffer side
+  std::uint64_t sides = 1;  // random state for the stiffer side
   Trial trial;
   std::vector<Answered> answers;
 };
@@ -28,17 +29,18 @@ struct Measurement {
 /// reference_N_per_mm: above 0.
 Measurement beginMeasurement(double reference_N_per_mm, std::uint64_t seed);
 
-/// The run after the answer to its trial.
+/// The measurement after the answer to its trial.
 Measurement answered(Measurement run, Beam answer);
 
+/// Whether its staircase has ended; no further trial is drawn then.
 bool isDone(const Measurement& run);
 
-/// The standard deviation, as a share, of one press of a hand that has this threshold: it compares two presses, and 2
-/// right answers in a row are met at 70.7 % right, so ln(1 + d) = 0.5450 sqrt(2) w.
+/// The standard deviation, as a share, of a single press of a hand with this threshold: two presses are compared, and
+/// two right answers in a row are expected at 70.7 % right, so ln(1 + d) = 0.5450 sqrt(2) w.
 double scatterOf(double threshold);
 
-/// The run as CSV: a line that begins with # and sums it up, a head, a line a trial. Numbers read back to the same
-/// double. answered_by: "a person"; without a comma.
+/// The measurement as CSV: a summary line that begins with #, a header, a line for each trial. Numbers read back to the
+/// same double. answered_by: "a person"; without a comma.
 std::string csvOf(const Measurement& run, const std::string& answered_by, std::uint64_t seed);
 
 }  // namespace underact::calibration

@@ -6,7 +6,7 @@
 
 namespace underact::calibration {
 
-constexpr std::size_t kRunIn = 2;  // reversals that only tell where it is about
+constexpr std::size_t kRunIn = 2;  // initial reversals that are not counted
 
 Staircase beginStaircase(const StaircaseRule& rule) {
   Staircase staircase;

@@ -13,12 +13,12 @@ namespace {
 
 using scene::VirtualManipulator;
 
-/// Its tip, mm.
+/// The position of its tip, mm.
 Vec3 tipOf(const VirtualManipulator& beam) {
   return beam.X_WV_home.topRightCorner<3, 1>();
 }
 
-/// The lever of the tip about its joint, squared, mm^2.
+/// The squared lever arm of the tip about its joint, mm^2.
 double squaredLever(const VirtualManipulator& beam) {
   return across(beam.joints[0].axis.normalized(), tipOf(beam) - beam.joints[0].point_mm).squaredNorm();
 }

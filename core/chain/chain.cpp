@@ -9,10 +9,10 @@
 namespace underact::chain {
 namespace {
 
-// A home pose read from text of 9 digits is a rotation to this much.
+// The tolerance for a home pose read from text with 9 digits.
 constexpr double kRotation = 1e-8;
 
-/// Leaves axis_W of length 1 where it has a direction.
+/// Checks a joint, and normalises axis_W where it has a direction.
 void check(Joint& joint, std::size_t number, const Place& place, Problems& problems) {
   const std::string which = std::to_string(number);
   const double length = joint.axis_W.stableNorm();

@@ -12,11 +12,11 @@ namespace underact::chain {
 
 inline constexpr std::size_t kMaxJoints = 16;
 
-/// One value for each joint, rad or m, of a chain of up to kMaxJoints joints; what is beyond the chain's joints is 0.
+/// One value for each joint, rad or m, of a chain of up to kMaxJoints joints; 0 beyond the chain's joints.
 using JointValues = std::array<double, kMaxJoints>;
 
-/// A joint, seen with all joints at 0 ("home"): the direction of its axis, |axis_W| = 1, and for a revolute joint a
-/// point J on it. min, max: the limits of its value, rad or m, infinite where there is none.
+/// A joint of a chain, with all joints at 0 ("home"): the direction of its axis, |axis_W| = 1, and for a revolute joint
+/// a point J on it. min, max: the limits of its value, rad or m, infinite where there is none.
 struct Joint {
   JointType type = JointType::Revolute;
   Vec3 axis_W = Vec3::UnitZ();
@@ -34,7 +34,7 @@ struct Chain {
 };
 
 /// axis_W: any length but zero. Problems: no joint or more than kMaxJoints, an axis without a direction, a number that
-/// is not finite (only limits may be infinite), limits that leave no room, a home pose whose linear part is no
+/// is not finite (only limits may be infinite), limits without a range, a home pose whose linear part is not a
 /// rotation.
 Result<Chain> makeChain(std::vector<Joint> joints, const Pose& X_WT_home, const Place& place);
 
@@ -42,9 +42,9 @@ Result<Chain> makeChain(std::vector<Joint> joints, const Pose& X_WT_home, const 
 /// (more are left out), of finite lengths and angles.
 Chain chainFromDh(std::span<const DhRow> rows, const Pose& X_WB, const Pose& X_NT);
 
-/// How far the tip can get from the first joint's point J at most, m: the sum of the lengths from each J to the next
-/// and on to the tip at home, and of what prismatic joints with limits can add. A scale for tolerances and weights, and
-/// exact for none but the simplest chains. 0 where everything is in one place.
+/// An upper bound of the tip's distance from the first joint's point J, m: the sum of the lengths from each J to the
+/// next and on to the tip at home, and of the ranges of prismatic joints with limits. A scale for tolerances and
+/// weights; exact only for the simplest chains. 0 where all points coincide.
 double reachOf(const Chain& chain) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::chain

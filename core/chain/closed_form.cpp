@@ -9,11 +9,11 @@
 namespace underact::chain {
 namespace {
 
-constexpr double kOutside = 1e-9;  // so far outside still counts as on the edge; of the reach, or rad
-constexpr double kMerged = 1e-12;  // and so far inside; a hundred times what rounding makes of it
+constexpr double kOutside = 1e-9;  // within this outside counts as on the boundary; of the reach, or rad
+constexpr double kMerged = 1e-12;  // and within this inside; a hundred times the rounding
 constexpr double kTooFar = 1e9;    // reaches
 
-/// The two answers of a step: middle + half (+1) and middle - half (-1), or one where merged.
+/// The two solutions of a step: middle + half (+1) and middle - half (-1), or one where they coincide.
 struct Branches {
   double middle_rad = 0.0;
   double half_rad = 0.0;
@@ -29,8 +29,8 @@ double wrappedOnce(double angle_rad) noexcept UNDERACT_REAL_TIME {  // of a sum 
   return angle_rad;
 }
 
-/// Joint 1 brings C to its own height along axis 2, which the other joints cannot change (IK-Geo, subproblem 4).
-/// p_J1C_W: where C shall be.
+/// Joint 1 brings C to its distance along axis 2, which the other joints cannot change (IK-Geo, subproblem 4).
+/// p_J1C_W: the wanted position of C.
 Branches shoulder(const SphericalWristArm& arm, const Vec3& p_J1C_W) noexcept {
   const Vec3 &axis_1_W = arm.axis_W[0], &axis_2_W = arm.axis_W[1];
   const double level_m = axis_1_W.dot(p_J1C_W) * axis_1_W.dot(axis_2_W);
@@ -56,7 +56,7 @@ Branches elbow(const SphericalWristArm& arm, double distance_m) noexcept {
   both.exact = inside_m >= -kOutside * arm.reach_m;
   both.merged = inside_m <= kMerged * arm.reach_m;
   both.middle_rad = arm.elbow_middle_rad;
-  // The law of cosines by its factors: near the edge their difference would be all rounding.
+  // The law of cosines in factors: near the boundary the plain difference would be all rounding.
   const double beyond = (far_m - distance_m) * (far_m + distance_m),
                within = (distance_m - near_m) * (distance_m + near_m);
   both.half_rad =
@@ -64,12 +64,13 @@ Branches elbow(const SphericalWristArm& arm, double distance_m) noexcept {
   return both;
 }
 
-/// Joint 5 gives axis 6 its angle to axis 4 (subproblem 4). axis_6_W: where axis 6 shall be, seen from the forearm.
+/// Joint 5 gives axis 6 its angle to axis 4 (subproblem 4). axis_6_W: the wanted direction of axis 6, seen from the
+/// forearm.
 Branches wrist(const SphericalWristArm& arm, const Vec3& axis_6_W) noexcept {
   const double cos_45 = arm.axis_W[3].dot(arm.axis_W[4]), cos_56 = arm.axis_W[4].dot(arm.axis_W[5]);
   const double cosine = arm.axis_W[3].dot(axis_6_W), sine_squared = arm.axis_W[3].cross(axis_6_W).squaredNorm();
-  // The squared triple product of the three axes, 1 - a^2 - b^2 - c^2 + 2abc, without the difference of what is nearly
-  // equal where axes 4 and 6 are nearly in line.
+  // The squared triple product of the three axes, 1 - a^2 - b^2 - c^2 + 2abc, without cancellation where axes 4 and 6
+  // are nearly in line.
   const double turn = cosine > 0.0 ? 1.0 : -1.0;
   const double gap = cos_45 - turn * cos_56;
   const double triple_squared =
@@ -82,13 +83,14 @@ Branches wrist(const SphericalWristArm& arm, const Vec3& axis_6_W) noexcept {
   return both;
 }
 
-/// What joints 1 to 3 leave to the wrist: axis 6, and the line across it, where they shall be, seen from the forearm.
+/// The task of the wrist after joints 1 to 3: the wanted axis 6, and the line at right angles to it, seen from the
+/// forearm.
 struct WristTask {
   Vec3 axis_6_W;
   Vec3 across_W;
 };
 
-/// Joints 4 to 6 (subproblem 1, twice), for each of joint 5's answers. so_far: joints 1 to 3 and what is known of them.
+/// Joints 4 to 6 (subproblem 1, twice), for each solution of joint 5. so_far: joints 1 to 3 and their branches.
 void addWrists(const SphericalWristArm& arm, const WristTask& task, const Solution& so_far, Solutions& found) noexcept {
   const Branches five = wrist(arm, task.axis_6_W);
   const auto [bend_of_first, bend_of_second] = sinCosOfTwo(five.answer(1), five.answer(-1));
@@ -109,7 +111,7 @@ void addWrists(const SphericalWristArm& arm, const WristTask& task, const Soluti
   }
 }
 
-/// Joints 2 and 3 for each of the elbow's answers, and then the wrist. p_C_W: C from axis 2, seen from link 1.
+/// Joints 2 and 3 for each solution of the elbow, then the wrist. p_C_W: C from axis 2, seen from link 1.
 void addElbows(const SphericalWristArm& arm, const Vec3& p_C_W, const WristTask& task, const Solution& so_far,
                Solutions& found) noexcept {
   const Vec3& axis_2_W = arm.axis_W[1];
@@ -128,7 +130,7 @@ void addElbows(const SphericalWristArm& arm, const Vec3& p_C_W, const WristTask&
   }
 }
 
-/// The exact ones first, each kind in its order.
+/// Puts the exact ones first, keeping the order of each kind.
 void sortExactFirst(Solutions& found) noexcept {
   for (std::size_t i = 0; i < found.count; ++i) {
     if (!found.all[i].exact) continue;

@@ -24,7 +24,7 @@ void framesOf(std::span<const DhRow> rows, const Pose& X_WB, std::span<const dou
   Pose X_WFrame = X_WB;
   for (std::size_t i = 0; i < count; ++i) {
     const Pose X_Next = rowPose(rows[i], q[i]);
-    // Part by part: the effect analysis cannot see through Eigen's product of two poses.
+    // In parts, since the effect analysis cannot see through Eigen's product of two poses.
     X_WFrame.translation() += X_WFrame.linear() * X_Next.translation();
     X_WFrame.linear() *= X_Next.linear();
     X_WFrames[i] = X_WFrame;

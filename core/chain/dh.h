@@ -7,6 +7,7 @@
 
 namespace underact::chain {
 
+/// Revolute: the joint rotates about its axis (rad). Prismatic: it slides along it (m).
 enum class JointType : std::uint8_t { Revolute, Prismatic };
 
 /// One row of a modified Denavit-Hartenberg table (Craig): from frame i-1 to frame i by Rx(alpha) Dx(a) Rz(theta)
@@ -26,8 +27,8 @@ struct DhRow {
 /// Source: Craig, Introduction to Robotics, 3rd ed., eq. 3.6.
 Pose rowPose(const DhRow& row, double q) noexcept UNDERACT_REAL_TIME;
 
-/// Each link frame 1..n in W. X_WB: frame 0 in W. Gives as many frames as the shortest of the three spans is long, and
-/// leaves what is beyond them alone.
+/// The link frames 1..n in W. X_WB: frame 0 in W. As many frames as the shortest of the three spans has; frames beyond
+/// them are not changed.
 void framesOf(std::span<const DhRow> rows, const Pose& X_WB, std::span<const double> q,
               std::span<Pose> X_WFrames) noexcept UNDERACT_REAL_TIME;
 

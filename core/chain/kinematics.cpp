@@ -7,19 +7,20 @@
 namespace underact::chain {
 namespace {
 
-/// The product of the exponentials so far: where home's points are now.
+/// The product of the exponentials so far, which maps points at home to where they are now.
 struct Motion {
   Mat3 R = Mat3::Identity();
   Vec3 p = Vec3::Zero();
 };
 
-/// A joint's axis, and a point J on it, as the joints before it have moved them.
+/// A joint's axis, and a point J on it, as moved by the joints before it.
 struct MovedAxis {
   Vec3 axis_W;
   Vec3 p_WJ;
 };
 
-/// motion := motion e^(S q). The exponential of a screw turns about J, so J stays: no translation of it is ever formed.
+/// motion := motion e^(S q). The exponential of a screw is a rotation about J, so J stays, and its translation need not
+/// be computed.
 MovedAxis advance(const Joint& joint, double q, const SinCos& turn, Motion& motion) noexcept {
   const Vec3& axis = joint.axis_W;
   const MovedAxis moved{motion.R * axis, motion.R * joint.p_WJ + motion.p};
@@ -37,7 +38,7 @@ MovedAxis advance(const Joint& joint, double q, const SinCos& turn, Motion& moti
   return moved;
 }
 
-/// Walks the chain from its base; each(i, moved axis, motion after joint i).
+/// Goes through the chain from its base; calls each(i, moved axis, motion after joint i).
 template <class Each>
 Motion walk(const Chain& chain, std::span<const double> q, const Each& each) noexcept {
   const std::size_t count = std::min(chain.joints.size(), kMaxJoints);
@@ -87,7 +88,7 @@ Kinematics kinematics(const Chain& chain, std::span<const double> q) noexcept {
   const Eigen::Index count = static_cast<Eigen::Index>(std::min(chain.joints.size(), kMaxJoints));
   Kinematics result;
   result.J.resize(6, count);
-  // First each axis, as (J, direction); the lever to the tip is known at the end of the walk alone.
+  // First each axis, as (J, direction); the lever arm to the tip is known only at the end.
   const Motion motion = walk(chain, q, [&](std::size_t i, const MovedAxis& moved, const Motion&) {
     result.J.col(static_cast<Eigen::Index>(i)).head<3>() = moved.p_WJ;
     result.J.col(static_cast<Eigen::Index>(i)).tail<3>() = moved.axis_W;

@@ -9,7 +9,7 @@ namespace {
 
 using System = SymmetricSystem<6>;
 
-/// The columns of the joints that may move, close together.
+/// The columns of the free joints, without gaps.
 struct Columns {
   std::array<std::array<double, 6>, kMaxJoints> column{};
   std::array<Eigen::Index, kMaxJoints> joint{};

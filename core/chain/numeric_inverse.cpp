@@ -14,14 +14,14 @@ namespace {
 
 constexpr double kFirstDamping = 0.01;  // of the squared residual; measured: from 1e-4 to 1 the steps change by a tenth
 constexpr double kLeastDamping = 1e-8, kMostDamping = 1e8;
-constexpr double kDampingFloor = 1e-14;  // of the squared length: keeps pivots positive in singular places
-constexpr double kDeadEnd = 1e-10;       // a step that promises less than this share of the squared residual
+constexpr double kDampingFloor = 1e-14;  // of the squared length: keeps pivots positive at singularities
+constexpr double kDeadEnd = 1e-10;       // a step whose predicted gain is below this share of the squared residual
 
 double draw(std::uint64_t& state, double low, double high) noexcept UNDERACT_REAL_TIME {
   return low + (high - low) * nextShare(state);
 }
 
-/// One start's state: joints, what is left to go, and the Jacobian there, with the turn scaled to a length.
+/// The state of one start: joints, residual, and the Jacobian there, with rotations scaled to a length.
 struct Place {
   JointValues q{};
   double residual_m = kInfinity;
@@ -61,7 +61,7 @@ class Search {
     at.J.bottomRows<3>() *= length_m_;
   }
 
-  /// From `at` to a solution, a dead end, or the end of the steps.
+  /// Descends from `at` to a solution, a local minimum, or the last step.
   void descend(Place& at, int& steps) const noexcept UNDERACT_REAL_TIME {
     double damping = kFirstDamping;
     JointStep dq;
@@ -77,7 +77,7 @@ class Search {
       if (solved) measure(next);
       const double gained = solved ? at.squared - next.squared : -1.0;
       if (gained > 0.0) at = next;
-      // The promise kept: trust it further. Broken: stay nearer to where it was made.
+      // Where the prediction holds, damp less; where it does not, damp more.
       if (gained > 0.75 * promised) damping = std::max(kLeastDamping, 0.1 * damping);
       if (!(gained > 0.25 * promised)) damping = 8.0 * std::max(damping, 1e-3);
       if (!(damping <= kMostDamping)) return;
@@ -115,7 +115,7 @@ class Search {
     return options_.within_limits ? std::clamp(value, chain_.joints[i].min, chain_.joints[i].max) : value;
   }
 
-  /// A bit for each joint that stands at a limit and would be driven beyond it.
+  /// A bit for each joint that is at a limit and would be driven beyond it.
   std::uint32_t heldAt(const Place& at) const noexcept UNDERACT_REAL_TIME {
     std::uint32_t bits = 0;
     if (!options_.within_limits) return bits;
@@ -127,7 +127,7 @@ class Search {
     return bits;
   }
 
-  /// next.q: the step, cut at the limits. Gives what the linear model promises of it.
+  /// next.q: the step, clamped to the limits. Gives the gain that the linear model predicts for it.
   double stepTo(const Place& at, const JointStep& dq, Place& next) const noexcept UNDERACT_REAL_TIME {
     Residual left = at.e;
     for (std::size_t i = 0; i < joints_; ++i) {

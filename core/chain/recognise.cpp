@@ -30,7 +30,7 @@ bool sixTurning(const std::vector<Joint>& joints) noexcept {
   return joints.size() == 6;
 }
 
-/// The angles between the axes are those of such an arm.
+/// Whether the angles between the axes are those of such an arm.
 bool hasTheAngles(const std::vector<Joint>& joints) noexcept {
   const auto areParallel = [&](std::size_t a, std::size_t b) {
     return parallel(joints[a - 1].axis_W, joints[b - 1].axis_W);

@@ -21,7 +21,7 @@ bool isParallel(double alpha_rad) {
   return std::abs(std::remainder(alpha_rad, kPi)) < kNothing_rad;
 }
 
-/// At a posture in which nothing lines up by chance.
+/// Whether a joint moves the tip, at a configuration in which nothing is aligned by chance.
 bool movesTip(std::span<const DhRow> rows) {
   const Chain chain = chainFromDh(rows, Pose::Identity(), Pose::Identity());
   JointValues q{};

@@ -8,13 +8,13 @@ namespace underact::chain {
 
 inline constexpr double kLongestLink_m = 1.0;  // of a table that is drawn beside a hand
 
-/// Why a DH table cannot be: no row or more than kMaxJoints, a number that is not finite or of no size a drawing has,
-/// limits that leave no room. All of them, each with its row in place.line, from 1.
+/// Errors of a DH table: no row or more than kMaxJoints, a number that is not finite or too large to draw, limits
+/// without a range. All at once, each with its row in place.line, from 1.
 Problems impossibleIn(std::span<const DhRow> rows);
 
-/// What can be and is hardly meant, row by row: a length below 0 along x, which the convention measures as a distance;
-/// two joints that turn about one axis, or slide along one direction, of which one adds nothing; a tip that no joint
-/// can move. Of a possible table. Source: Craig, Introduction to Robotics, 3rd ed., section 3.4.
+/// Doubtful rows of a valid DH table: a negative length along x, which the convention measures as a distance; two
+/// joints that rotate about one axis, or slide along one direction, so that one is redundant; a tip that no joint can
+/// move. Source: Craig, Introduction to Robotics, 3rd ed., section 3.4.
 Problems oddIn(std::span<const DhRow> rows);
 
 }  // namespace underact::chain

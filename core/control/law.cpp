@@ -12,7 +12,7 @@ void integrate(const PID& law, LawState& state, const Vec3& e_W, const Vec3& oth
     return;
   }
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    if (!(law.ki_N_per_m_s[axis] > 0.0)) {  // what nothing can unwind must not stay
+    if (!(law.ki_N_per_m_s[axis] > 0.0)) {  // without a gain nothing would unwind it
       state.integral_T_W[axis] = 0.0;
       continue;
     }
@@ -40,7 +40,7 @@ Vec3 force(const Law& law, LawState& state, const Vec3& e_W, const Moment& momen
   if (const P* p = std::get_if<P>(&law)) return force(*p, e_W);
   if (const PD* pd = std::get_if<PD>(&law)) {
     followRate(pd->velocity, state.velocity, e_W, moment.dt_s);
-    state.integral_T_W.setZero();  // of a PID before it: not to come back with the next one
+    state.integral_T_W.setZero();  // left by an earlier PID: must not return with the next one
     return springAndDamper(pd->kp_N_per_m, pd->kd_N_s_per_m, state.velocity, e_W);
   }
   if (const PID* pid = std::get_if<PID>(&law)) {

@@ -8,15 +8,17 @@
 namespace underact::control {
 namespace {
 
-// What was dissipated long ago does not pay for a burst now: 0.5 mJ moves 0.145 kg at 83 mm/s.
+// A limit of the surplus, so that energy dissipated long ago does not pay for a burst now: 0.5 mJ moves 0.145 kg at 83
+// mm/s.
 constexpr double kMostSurplus_J = 5e-4;
-// The apparent mass of the arm alone. A damper of m / dt stops it within a tick; a stronger one throws it back.
+// The apparent mass of the arm alone. A damping of m / dt stops it within a tick; a higher one reverses it.
 constexpr double kLeastMass_kg = 0.045;
-// An encoder shows an even way of 50 mm/s as 0.055 mm a tick, a slower one as steps and none between: a step is
-// remembered for two ticks or so, and one to and fro is none.
+// An encoder shows a uniform motion of 50 mm/s as 0.055 mm a tick, a slower one as steps with ticks without motion in
+// between: a step is remembered for about two ticks, and a step forth and back cancels.
 constexpr double kSmooth_s = 2e-3;
 
-/// It was given over, or is there for the first time: not by the way of the hand, as where a wall is touched or left.
+/// Whether the constraint took over from another one or is there for the first time, not by a motion of the hand, as
+/// where a wall is touched or left.
 bool isHandedOver(const EnergyState& state, const Passage& passage) noexcept UNDERACT_REAL_TIME {
   const bool by_hand = passage.untouched || state.untouched;
   return !state.begun || passage.edited || (state.pulled != passage.pulls && !by_hand);
@@ -27,8 +29,8 @@ Vec3 partAlong(const Vec3& v_W, const Vec3& direction_W) noexcept UNDERACT_REAL_
   return size2 > 0.0 && std::isfinite(size2) ? Vec3((v_W.dot(direction_W) / size2) * direction_W) : Vec3(Vec3::Zero());
 }
 
-/// A tip that is read in steps stands still until a step is full. The way then shown went on all the while, so the
-/// force that was in effect on it is the mean since the step before; where every tick moves, it is the last one.
+/// The mean force since the last encoder step: a tip measured in steps seems to rest until a step is complete, but
+/// moved all the while. Where every tick shows motion, it is the last force.
 Vec3 meanForce(EnergyState& state, const Passage& passage) noexcept UNDERACT_REAL_TIME {
   if (!state.begun) return Vec3::Zero();
   state.impulse_N_s += passage.dt_s * passage.f_T_W;
@@ -72,13 +74,13 @@ void observe(EnergyState& state, const Passage& passage) noexcept {
 
 Vec3 damper(const EnergyState& state, const Passage& passage) noexcept {
   if (!(state.balance_J < 0.0) || !(passage.dt_s > 0.0) || isHandedOver(state, passage)) return Vec3::Zero();
-  // Of the way that part which the spring feels: along its pull, or along the change of its error, whichever is more.
-  // The second counts where the pull turns, as on a ring about a point.
+  // The part of the displacement along which the spring acts: along its force, or along the change of its error,
+  // whichever is more. The second counts where the force rotates, as on a circle about a point.
   const Vec3 along_pull_W = partAlong(state.way_T_W, passage.e_W);
   const bool gives_way = state.change_W.dot(state.way_T_W) < 0.0;
   const Vec3 along_change_W = gives_way ? partAlong(state.way_T_W, state.change_W) : Vec3(Vec3::Zero());
   const Vec3& felt_W = along_change_W.squaredNorm() > along_pull_W.squaredNorm() ? along_change_W : along_pull_W;
-  // What a damper along it takes in the next tick: as now, or as of late where the encoders show no step now.
+  // What a damper along it dissipates in the next tick: as now, or as recently where the encoders show no step now.
   const double felt2_m2 = std::max(felt_W.squaredNorm(), felt_W.dot(passage.way_T_W));
   if (!(felt2_m2 > 0.0)) return Vec3::Zero();
   const double most_N_per_m = kLeastMass_kg / (passage.dt_s * passage.dt_s);

@@ -7,7 +7,7 @@
 namespace underact::control {
 namespace {
 
-constexpr double kWhite_s = 1e-3;  // so long an acceleration lasts that is drawn anew: Kalman's unit
+constexpr double kWhite_s = 1e-3;  // the time for which an acceleration holds in the Kalman model
 
 void filter(const LowPass& low_pass, VelocityState& state, const Vec3& e_W, double dt_s) noexcept UNDERACT_REAL_TIME {
   if (!state.has_last || !(dt_s > 0.0)) return;
@@ -37,13 +37,13 @@ void shift(Window& window, const Vec3& by_W) noexcept UNDERACT_REAL_TIME {
   }
 }
 
-/// The slope of one axis. A window of n ticks is good if the line through its ends passes every sample within noise:
-/// if its slope lies in the cone of slopes that every sample leaves open, seen from the newest one.
+/// The slope of one axis. A window of n ticks is good if the line through its ends passes every sample within noise,
+/// that is, if its slope lies in the intersection of the slopes that the samples allow, seen from the newest one.
 double slope(const Window& window, const Window::Row& past, int longest, double noise) noexcept UNDERACT_REAL_TIME {
   auto at = static_cast<std::size_t>(window.newest);
   const double newest = past[at];
   double lowest = -kInfinity, highest = kInfinity, back_s = 0.0;
-  // Of the samples so far, seen from the newest: sums for the least squares.
+  // Sums over the samples so far, relative to the newest, for the least squares.
   double count = 1.0, sum_t = 0.0, sum_e = 0.0, sum_tt = 0.0, sum_te = 0.0, best = 0.0;
   for (int n = 1; n <= longest && n < window.count; ++n) {
     back_s += window.after_s[at];
@@ -100,7 +100,8 @@ void filter(const Kalman& kalman, VelocityState& state, const Vec3& e_W, double 
   place *= 1.0 - gain_place;
 }
 
-/// What a filter finds that another one worked before it: the last place and rate, and a past that led there evenly.
+/// Prepares the state of a filter after a change of filters: the last position and rate, and a uniform motion before
+/// it.
 void takeOver(VelocityState& state, double dt_s) noexcept UNDERACT_REAL_TIME {
   state.place_W = state.e_last_W;
   state.spread[0] = 1.0;

@@ -24,8 +24,8 @@ std::int32_t pieceAt(const Curve& curve, double s_m) noexcept UNDERACT_REAL_TIME
   return low;
 }
 
-/// Where a cubic has come length_m far: Newton's steps, halvings where one leaves what is known or the two before it
-/// have not halved that.
+/// The parameter at which a cubic has the length length_m: Newton's steps, bisection where one leaves the bracket or
+/// the last two have not halved it.
 double placeAt(const Cubic& cubic, double length_m, double whole_m) noexcept UNDERACT_REAL_TIME {
   double low = 0.0, high = 1.0, u = length_m / whole_m, width = 1.0;
   for (int i = 0; i < kMostPlacings && low < high; ++i) {
@@ -65,7 +65,7 @@ Vec3 tangentOn(const Curve& curve, std::int32_t piece, double u) noexcept {
   if (curve.kind == Kind::Polyline) return unitOr(control(curve, piece + 1) - control(curve, piece), Vec3::UnitX());
   const Cubic cubic = cubicOf(curve, piece);
   const Vec3 velocity_W = velocityOf(cubic, u);
-  // Where the speed vanishes, as it does where a path turns back, the tangent is that of the chord to the other end.
+  // Where the speed vanishes, as where a path turns back, the tangent is that of the chord to the other end.
   const double share = velocity_W.norm(), chord_m = (cubic[3] - cubic[0]).norm();
   if (share > 1e-9 * chord_m) return velocity_W / share;
   return unitOr(cubic[3] - cubic[0], Vec3::UnitX());

@@ -45,14 +45,14 @@ Box boxOfNode(const Node& node) {
 }
 
 Box boundsOf(const std::vector<Vec3>& controls_W, int stride, const Boxes& boxes, std::size_t level, std::int32_t i) {
-  if (i >= boxes.counts[level]) return {};  // is not there: as far away as can be
+  if (i >= boxes.counts[level]) return {};  // does not exist: infinitely far away
   if (level < static_cast<std::size_t>(boxes.levels)) {
     return boxOfNode(boxes.nodes[static_cast<std::size_t>(boxes.begins[level] + i)]);
   }
   return boxOfPiece(&controls_W[static_cast<std::size_t>(i) * static_cast<std::size_t>(stride)], stride, boxes.p_WO);
 }
 
-/// How many nodes each level has, from the root down; each four are one in the level above.
+/// The number of nodes of each level, from the root down; four of them are one of the level above.
 void layOut(std::int32_t pieces, Boxes& boxes) {
   std::vector<std::int32_t> counts{pieces};
   do counts.push_back((counts.back() + 3) / 4);

@@ -8,16 +8,15 @@
 
 namespace underact::curve {
 
-/// Four boxes, axis by axis, so that one look at a node takes its lines of the cache together. Floats relative to the
-/// tree's own origin, widened so that each box holds what it must after every rounding.
+/// Four boxes, axis by axis, so that a node is read from adjacent cache lines. Floats relative to the tree's own
+/// origin, widened so that each box holds its contents after rounding.
 struct alignas(32) Node {
   std::array<std::array<float, 4>, 3> low_O;
   std::array<std::array<float, 4>, 3> high_O;
 };
 
-/// A tree over pieces in the order of the curve, which is why it needs no index: neighbours along a curve are
-/// neighbours in space. The children of node i of a level are the nodes (at the bottom: the pieces) 4 i to 4 i + 3 of
-/// the next.
+/// A tree over pieces in the order of the curve, which needs no index, since neighbours along a curve are neighbours in
+/// space. The children of node i of a level are the nodes (at the bottom: the pieces) 4 i to 4 i + 3 of the next.
 struct Boxes {
   static constexpr int kMostLevels = 15;  // 4^15 pieces
   Vec3 p_WO = Vec3::Zero();
@@ -31,7 +30,7 @@ struct Boxes {
 /// controls_W: finite, m; at least one piece.
 Boxes makeBoxes(const std::vector<Vec3>& controls_W, int stride);
 
-/// The squares of the distances of q_O from the four boxes of a node; each within 1e-15 of it.
+/// The squared distances of q_O from the four boxes of a node; each within a relative 1e-15.
 inline std::array<double, 4> squaresFrom(const Node& node, const Vec3& q_O) noexcept UNDERACT_REAL_TIME {
   std::array<double, 4> squares{};
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -20,7 +20,7 @@ constexpr std::array<Sample, 8> kGaussLegendre{{{0.019855071751231884158, 0.0506
                                                 {0.98014492824876811584, 0.050614268145188129576}}};
 
 Vec3 between(const Vec3& a, const Vec3& b, double u) noexcept UNDERACT_REAL_TIME {
-  return (1.0 - u) * a + u * b;  // both ends to the bit
+  return (1.0 - u) * a + u * b;  // exact at both ends
 }
 
 }  // namespace

@@ -8,13 +8,14 @@
 
 namespace underact::curve {
 
-/// Nodes of the tree and parts of pieces that one search looks at, at most: what bounds its time where very many are
-/// all but equally near (the centre of a circle).
+/// Nodes of the tree and parts of pieces that one search looks at, at most: it bounds the time where very many are
+/// nearly equally near (the centre of a circle).
 inline constexpr int kMostVisits = 2000;
 
-/// Two points are far apart where the pulls towards them differ by more than this, rad.
+/// Two points are far apart where their directions from the tip differ by more than this, rad.
 inline constexpr double kFarApart = 1e-3;
 
+/// A point of the curve as a search found it, m; piece -1: none.
 struct Candidate {
   double squared = kInfinity;  // of its distance
   Vec3 p_W = Vec3::Zero();
@@ -24,20 +25,21 @@ struct Candidate {
 
 /// What a search has found so far.
 struct Found {
-  double tie_m = 0.0;  // distances that differ by less are equal, for all that rounding tells
+  double tie_m = 0.0;  // distances that differ by less are equal within rounding
   Candidate best;
   Candidate rival;           // the nearest one that is far apart from the best
-  double limit = kInfinity;  // the square of a distance; what is farther matters no more
+  double limit = kInfinity;  // the squared distance beyond which nothing matters
   int visits = 0;
-  bool is_cut = false;  // something was left unseen that might be nearer
+  bool is_cut = false;  // something nearer may have been left out
 };
 
+/// Whether they are further apart than kFarApart times the greater of their distances from the tip.
 inline bool areFarApart(const Candidate& a, const Candidate& b) noexcept UNDERACT_REAL_TIME {
   return (a.p_W - b.p_W).squaredNorm() > kFarApart * kFarApart * (a.squared < b.squared ? b.squared : a.squared);
 }
 
-/// Takes the candidate in: the first of equals stays. The best before is nearer than any rival, so it takes the rival's
-/// place; unless it is beside the new best, and then the rival is as far apart as it was.
+/// Takes a candidate into account; of equals the first stays. The former best is nearer than any rival, so it becomes
+/// the rival; unless it is close to the new best, and then the rival is as far apart as before.
 inline void offer(Candidate candidate, Found& found) noexcept UNDERACT_REAL_TIME {
   if (candidate.squared < found.best.squared) {
     std::swap(candidate, found.best);
@@ -48,7 +50,7 @@ inline void offer(Candidate candidate, Found& found) noexcept UNDERACT_REAL_TIME
   if (areFarApart(candidate, found.best)) found.rival = candidate;
 }
 
-/// One visit more; false: there have been enough.
+/// Counts a visit. false: the maximum is reached.
 inline bool visit(Found& found) noexcept UNDERACT_REAL_TIME {
   if (found.visits >= kMostVisits) {
     found.is_cut = true;

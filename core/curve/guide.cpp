@@ -8,7 +8,7 @@
 namespace underact::curve {
 namespace {
 
-/// How far ahead of the hand the guide is after this tick, m, in the direction of the hint.
+/// The lead of the guide after this tick, m, in its direction.
 double aheadOf(const Curve& curve, const Guide& guide, double hand_s_m, double dt_s,
                const GuideState& state) noexcept UNDERACT_REAL_TIME {
   const double most_m = curve.is_closed ? std::min(guide.lead_m, kMostLeadShare * lengthOf(curve)) : guide.lead_m;
@@ -18,7 +18,7 @@ double aheadOf(const Curve& curve, const Guide& guide, double hand_s_m, double d
   return std::clamp(ahead_m, 0.0, most_m);
 }
 
-/// On from the last target to the new one, no farther than a tick allows.
+/// Moves from the last target to the new one, no farther than a tick allows.
 void slew(const Vec3& p_WT, double dt_s, const GuideState& state, Guided& guided) noexcept UNDERACT_REAL_TIME {
   if (!state.begun || !(dt_s > 0.0)) return;
   const double reach_m = kSlew_m_per_s * dt_s + (p_WT - state.p_WT).norm();
@@ -41,7 +41,7 @@ Guided guidedTarget(const Curve& curve, const Guide& guide, const Nearest& neare
     const double ahead_m = aheadOf(curve, guide, nearest.s_m, time_s, state);
     guided.guide_s_m = onCurve(curve, nearest.s_m + way * ahead_m);
     const double share_m = (1.0 - guide.t) * wayAlong(curve, nearest.s_m, guided.guide_s_m);
-    if (share_m != 0.0) {  // else the nearest point itself, to the bit
+    if (share_m != 0.0) {  // otherwise exactly the nearest point
       guided.s_m = onCurve(curve, nearest.s_m + share_m);
       guided.p_WP = pointAt(curve, guided.s_m);
     }

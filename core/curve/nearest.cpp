@@ -12,10 +12,10 @@
 namespace underact::curve {
 namespace {
 
-/// Of the largest coordinate: what rounding does to a distance, in the tree's boxes and the cubics' parts too.
+/// The rounding of a distance, relative to the largest coordinate, in the tree's boxes and the parts of cubics too.
 constexpr double kRounding = 0x1p-43;
 
-/// A node, or behind the bottom level a piece, that is still to be looked at.
+/// A node, or below the bottom level a piece, that is still to be looked at.
 struct Waiting {
   double squared = 0.0;  // nothing in it is nearer
   std::int32_t level = 0;
@@ -41,7 +41,7 @@ void pushChildren(const Boxes& boxes, const Waiting& node, const Vec3& q_O, doub
   }
 }
 
-/// The pieces that a walk has seen: so many ahead of the one it began at, and behind it.
+/// The pieces seen by a walk: so many ahead of its first one, and behind it.
 struct Walked {
   std::int32_t from = -1;
   std::int32_t ahead = 0;
@@ -80,8 +80,8 @@ std::int32_t neighbourOf(const Curve& curve, std::int32_t piece, std::int32_t by
   return curve.is_closed ? (next < 0 ? pieces - 1 : 0) : -1;
 }
 
-/// From a piece on both ways, as long as it gets nearer. Its neighbours are looked at even where the foot is inside it:
-/// behind a sharp corner it stays inside when the hand has gone round.
+/// Walks from a piece in both directions while the distance decreases. Its neighbours are looked at even where the foot
+/// is inside it: behind a sharp corner it stays inside when the hand has gone round.
 Walked walk(const Curve& curve, std::int32_t from, int most, const Vec3& q_W,
             Found& found) noexcept UNDERACT_REAL_TIME {
   Walked walked{from, 0, 0};
@@ -100,7 +100,7 @@ Walked walk(const Curve& curve, std::int32_t from, int most, const Vec3& q_W,
   return walked;
 }
 
-/// The length of a vector whose square no double may hold, and the largest double where none holds the length either.
+/// The length of a vector without overflow of its square; the largest double where the length itself overflows.
 double lengthOfAny(const Vec3& v) noexcept UNDERACT_REAL_TIME {
   const double largest = largestOf(v);
   if (!(largest > 0.0)) return 0.0;

@@ -8,11 +8,12 @@
 
 namespace underact::curve {
 
+/// See core/base/search.h.
 using underact::Search;
 
 /// What a search remembers from tick to tick.
 struct SearchState {
-  std::int32_t piece = -1;  // the nearest one then; -1: none yet
+  std::int32_t piece = -1;  // the nearest one of the last tick; -1: none yet
 };
 
 /// The point P of the curve nearest to a tip T.
@@ -23,25 +24,26 @@ struct Nearest {
   double distance_m = 0.0;
   std::int32_t piece = -1;
   double u = 0.0;          // on the piece, in [0, 1]
-  bool is_proved = false;  // none is nearer, for certain
-  bool is_unique = false;  // false: another point seen, far apart (kFarApart), is as near within rounding
+  bool is_proved = false;  // proved to be the global minimum
+  bool is_unique = false;  // false: another point, far apart (kFarApart), is as near within rounding
   int visits = 0;          // nodes and parts of pieces looked at; kMostVisits at most
 };
 
-/// Pieces that a walk goes each way along the curve, at most: for Local all there is, so that a tip which leaves the
-/// pieces of one tick behind is caught up with in the next ones; for Hybrid a first bound for the tree.
+/// The greatest number of pieces that a walk goes each way along the curve: for Local a bound, so that a faster tip is
+/// caught up with in the next ticks; for Hybrid enough for a first bound of the tree.
 inline constexpr int kLongestWalk = 256;
 inline constexpr int kHybridWalk = 8;
 
-/// A tip farther out is taken for the one at this distance on its ray: to it the whole curve is one direction.
+/// A tip beyond this is replaced by the point at this distance in its direction: from there the whole curve is one
+/// direction.
 inline constexpr double kFarthestTip_m = 1e6;
 
 /// The point of the curve nearest to p_WT, m, any finite point. Where is_proved its distance is the least within 2^-43
 /// of the largest coordinate (tip or curve) and 1e-13 of itself, of a polyline within 2^-49 of the largest coordinate.
-/// Local: within the same no farther than from the last piece, nor from those beside the one it is on.
-/// Of equals the one from the last piece stays, so that a tremble about a tie throws nobody about. The first local
-/// search is a global one. A tip that is not finite: the curve's begin, not proved, not unique; the state stays.
-/// Cost: bounded by kMostVisits; past it the best so far counts, and is_proved is false.
+/// Local: to the same precision no farther than the last piece, nor than those beside its own. Of equals the one from
+/// the last piece stays, so that a tremor about a tie makes no jump. The first local search is a global one. A tip that
+/// is not finite: the curve's begin, not proved, not unique; the state stays. Cost: bounded by kMostVisits; past it the
+/// best point so far counts, and is_proved is false.
 Nearest nearestPoint(const Curve& curve, Search search, const Vec3& p_WT,
                      SearchState& state) noexcept UNDERACT_REAL_TIME;
 

@@ -29,7 +29,7 @@ Quintic slopeOf(const Cubic& r) noexcept UNDERACT_REAL_TIME {
           h2.dot(r[3])};
 }
 
-/// No point of the part is nearer, squared: the least coefficient of the squared distance.
+/// A lower bound of the squared distance of the part: the least coefficient of it.
 double leastOfPiece(const Cubic& r, const Quintic& slope) noexcept UNDERACT_REAL_TIME {
   double sum = r[0].squaredNorm(), least = sum;
   for (const double g : slope) {
@@ -52,7 +52,7 @@ Value valueOf(Quintic g, double v) noexcept UNDERACT_REAL_TIME {
   return {g[0] + v * rise, 5.0 * rise};
 }
 
-/// Where a quintic whose coefficients rise from below to above 0 is 0.
+/// The root of a quintic whose coefficients increase from below to above 0.
 double rootOf(const Quintic& g) noexcept UNDERACT_REAL_TIME {
   double low = 0.0, high = 1.0, v = g[0] / (g[0] - g[5]), width = 1.0;
   for (int i = 0; i < 64; ++i) {
@@ -60,7 +60,7 @@ double rootOf(const Quintic& g) noexcept UNDERACT_REAL_TIME {
     if (at.value == 0.0) break;
     (at.value < 0.0 ? low : high) = v;
     double next = at.slope > 0.0 ? v - at.value / at.slope : 2.0;
-    if (i % 2 == 1) {  // two steps that have not halved what is left
+    if (i % 2 == 1) {  // two steps that did not halve the bracket
       if (high - low > 0.5 * width) next = 2.0;
       width = high - low;
     }
@@ -114,7 +114,7 @@ void seekOnCubic(const Curve& curve, std::int32_t piece, const Vec3& q_W, Found&
     } else {
       const Halves halves = halvesOf(part.r);
       const double width = 0.5 * part.width;
-      Part& first = parts[count + (ends_nearer ? 0 : 1)];  // the nearer half is looked at next, for its limit
+      Part& first = parts[count + (ends_nearer ? 0 : 1)];  // the nearer half next, for its limit
       Part& second = parts[count + (ends_nearer ? 1 : 0)];
       first = {halves.first, part.u, width};
       second = {halves.second, part.u + width, width};

@@ -21,7 +21,7 @@ bool isSeparator(char c) {
   return c == ',' || c == ';';
 }
 
-/// The number that a field is, and infinite where no double is large enough; nothing where it is none.
+/// The number in a field, infinite where it overflows; none where it is not a number.
 std::optional<double> numberOf(std::string_view field) {
   if (field.size() > 1 && field[0] == '+' && field[1] != '-') field.remove_prefix(1);  // from_chars takes no plus
   double number = 0.0;
@@ -31,7 +31,7 @@ std::optional<double> numberOf(std::string_view field) {
   return read.ec == std::errc::result_out_of_range ? json::numberOf(field) : number;
 }
 
-/// One line, cut into fields; more than three are counted, not kept.
+/// One line, split into fields; beyond three they are counted, not kept.
 struct Fields {
   std::array<std::string_view, 3> text;
   std::size_t count = 0;
@@ -59,7 +59,7 @@ Fields fieldsOf(std::string_view line) {
   return fields;
 }
 
-/// Names of columns: words, and not one number among them.
+/// Whether the fields are names of columns: no number among them.
 bool isHeader(const Fields& fields) {
   for (std::size_t i = 0; i < std::min(fields.count, fields.text.size()); ++i) {
     if (numberOf(fields.text[i])) return false;
@@ -71,7 +71,7 @@ class Reader {
  public:
   explicit Reader(const std::string& file) : file_(file) {}
 
-  /// False: there is no use in reading on.
+  /// Takes a line. False: further lines are not needed.
   bool take(std::string_view line) {
     ++line_;
     line = line.substr(0, line.find('#'));
@@ -137,7 +137,7 @@ class Reader {
 }  // namespace
 
 Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& file, const Watch& watch) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // some editors begin UTF-8 so
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark, which some editors write
   Reader reader(file);
   int until_look = 0;
   for (std::size_t at = 0; at < text.size();) {

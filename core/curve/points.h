@@ -11,14 +11,14 @@
 namespace underact::curve {
 
 inline constexpr std::size_t kMostPoints = 1'000'000;
-/// Of problems that one file is told; its reader has understood by then.
+/// The greatest number of problems reported for one file.
 inline constexpr std::size_t kMostProblems = 10;
 
-/// The points of a text in their order, in its own unit and frame: what scale and pose the scene gives them is not
-/// known here. A line holds x, y and z, separated by blanks, tabs, a comma or a semicolon, with decimal points whatever
-/// the locale; # begins a comment; a first line without any number is taken for names of columns. Lines may end with
-/// LF, CR LF or CR. A point equal to the one before it is left out. file: for the places of the problems. Problems,
-/// each with its line: not three finite numbers, more than kMostPoints; no point at all; cancelled. Any bytes may come.
+/// The points of a text in their order, in its own unit and frame, before the scene's scale and pose. A line holds x, y
+/// and z, separated by blanks, tabs, a comma or a semicolon, with decimal points whatever the locale; # begins a
+/// comment; a first line without any number is taken for column names. Lines may end with LF, CR LF or CR. A point
+/// equal to the one before it is left out. file: for the places of the problems. Problems, each with its line: not
+/// three finite numbers, more than kMostPoints; no point at all; cancelled. Any bytes are allowed.
 Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& file, const Watch& watch = {});
 
 /// parsePoints() of a file of at most 256 MiB.

@@ -9,15 +9,15 @@ namespace {
 
 constexpr double kLengthError = 1e-9;  // of the length of the piece between two points
 
-/// What is one third of the derivative by the piece's own parameter at the point between two chords, for the piece that
-/// the second chord is of: the handle of its Bezier form.
+/// A third of the derivative by the piece's own parameter at the point between two chords, for the piece of the second
+/// chord: the handle of its Bezier form.
 Vec3 handle(const Vec3& before, const Vec3& own) {
   const double d1 = std::sqrt(before.norm()), d2 = std::sqrt(own.norm());
   return (before.normalized() + own.normalized()) * (d1 * d2 * d2 / (3.0 * (d1 + d2)));
 }
 
-/// The controls of the cubic behind its first one, in as many pieces as its length needs. length_m: what the quadrature
-/// says of it.
+/// Appends the controls of the cubic after its first one, in as many pieces as its length needs. length_m: by
+/// quadrature.
 void append(const Cubic& cubic, double length_m, double error_m, int halvings, std::vector<Vec3>& controls_W) {
   const Halves halves = halvesOf(cubic);
   const double first_m = lengthUpTo(halves.first, 1.0), second_m = lengthUpTo(halves.second, 1.0);

@@ -10,11 +10,13 @@
 
 namespace underact::extremes {
 
-/// The numbers of one case, each with its name: drawn, or given again. Every input of the code under test goes through
-/// here, so that a saved case consists of these numbers and no seed, and stays the same however the draws change.
+/// The numbers of one case, each with its name: drawn, or given. All input of the code under test goes through here, so
+/// that a stored case consists of these numbers, not of a seed, and stays the same case when the draws change.
 class Input {
  public:
+  /// A case that is drawn from a seed; its numbers are kept as they are drawn.
   explicit Input(std::uint64_t seed) : dice_(seed) {}
+  /// A case from the numbers that numbers() of an earlier one gave, in the order in which they are asked for.
   explicit Input(std::vector<double> given) : dice_(0), numbers_(std::move(given)), is_given_(true) {}
 
   /// draw(dice) gives the number; it is not called where the numbers are given.
@@ -23,11 +25,13 @@ class Input {
     name_ += (name_.empty() ? "" : " ") + std::string(name);
     return next([&] { return static_cast<double>(draw(dice_)); });
   }
+  /// Three numbers, "name.x" and so on; draw(dice) gives a Vec3.
   template <class Draw>
   Vec3 vector(std::string_view name, const Draw& draw) {
     const Vec3 drawn = is_given_ ? Vec3(Vec3::Zero()) : Vec3(draw(dice_));
     return {part(name, ".x", drawn.x()), part(name, ".y", drawn.y()), part(name, ".z", drawn.z())};
   }
+  /// Nine numbers, column by column; draw(dice) gives a Mat3.
   template <class Draw>
   Mat3 matrix(std::string_view name, const Draw& draw) {
     const Mat3 drawn = is_given_ ? Mat3(Mat3::Zero()) : Mat3(draw(dice_));
@@ -47,10 +51,12 @@ class Input {
   std::size_t choice(std::string_view name, std::size_t count) {
     return choice(name, count, [count](Dice& dice) { return dice.below(count); });
   }
+  /// True or false, equally likely.
   bool flag(std::string_view name) { return choice(name, 2) == 1; }
 
+  /// All numbers so far, or those given.
   const std::vector<double>& numbers() const { return numbers_; }
-  /// More numbers were requested than given, or fewer.
+  /// Whether more or fewer numbers were asked for than given.
   bool isShort() const { return is_given_ && at_ != numbers_.size(); }
   /// "radius_m 0.5 p_WT.x 1e-300 ...", with as many digits as it takes.
   std::string words() const;

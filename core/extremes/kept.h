@@ -8,15 +8,15 @@
 
 namespace underact::extremes {
 
-/// A worst case that is saved: the row, its error when it was found, and its numbers.
+/// A worst case that is stored: its row, its error when it was found, and its numbers.
 struct Kept {
   std::string key;
   double error_ulp = 0.0;
   std::vector<double> input;
 };
 
-/// A table with a line for each: key, error_ulp, the numbers with blanks between them. Numbers read back to the same
-/// double; NaN is "nan".
+/// The cases as a table: key, error_ulp, and the numbers separated by blanks. Numbers read back to the same double; NaN
+/// is "nan".
 std::string textOf(std::span<const Kept> kept);
 
 /// Reads such a table. Problems, each with its line: not three columns, not a number.

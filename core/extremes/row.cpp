@@ -19,7 +19,7 @@ bool isBefore(const std::vector<double>& a, const std::vector<double>& b) {
                                       [](double x, double y) { return bitsOf(x) < bitsOf(y); });
 }
 
-/// An error that is no number is the worst there is.
+/// An error that is not a number counts as infinite.
 double plain(double error_ulp) {
   return std::isnan(error_ulp) ? kInfinity : error_ulp;
 }

@@ -9,24 +9,25 @@
 
 namespace underact::extremes {
 
-/// The error of a case, in the unit of the row's promise: ulp of a scale that the promise names.
-/// Infinite if the answer is wrong in kind (not finite, not unique where it is, ...).
+/// The error of a case, in ulp of the scale that the row's promise names. Infinite where the result is of the wrong
+/// kind (not finite, not unique although it should be, ...).
 struct Outcome {
   double error_ulp = 0.0;
-  bool is_degenerate = false;  // the code reported so, rightly: only that was judged
+  bool is_degenerate = false;  // the code reported it, correctly; nothing else was judged
 };
 
+/// The group that a row is listed with.
 enum class Kind : std::uint8_t { Base, Shape, Target, Arm, Chain, Solver, Law, Filter, Gate, Plant, Tick, Drift };
 
-/// One quantity that is tested at the extremes.
+/// One property that is tested at the extremes.
 struct Row {
   const char* key;
   Kind kind;
   const char* asked;
   const char* promise;       // ulp of what
   double promised_ulp;       // how many
-  int cost;                  // one case per this many of a cheap row
-  Outcome (*judge)(Input&);  // draws a case, asks the code and the oracle, compares
+  int cost;                  // relative cost: one case for so many of a cheap row
+  Outcome (*judge)(Input&);  // draws a case, evaluates code and oracle, compares
 };
 
 /// The worst of many cases, and their number.
@@ -37,20 +38,22 @@ struct Worst {
   std::int64_t degenerate = 0;
 };
 
-/// Both together: the greater error (of equals the smaller input, number by number), and the sums. So it is the same in
-/// whatever order many are put together.
+/// The worse of two results (the greater error, of equals the smaller input, number by number), with the sums of
+/// counts: so the order in which many are combined does not matter.
 Worst worse(const Worst& a, const Worst& b);
 
-/// count: of a cheap row; an expensive one runs count / cost cases, at least one. The same for the same arguments, on
-/// every machine and however calls are spread. stop: called before each case, true ends it early; may be empty.
+/// Runs cases of a row. count: for a cheap row; an expensive one runs count / cost cases, at least one. The same for
+/// the same arguments, on every machine and however calls are distributed. stop: asked before each case, true ends it
+/// early; may be empty.
 Worst measure(const Row& row, std::uint64_t seed, int count, const std::function<bool()>& stop = {});
 
-/// One case again, from its numbers. A problem if their number is not that of the row.
+/// Runs one case again, from its numbers. Problem: their count differs from what the row asks for.
 Result<Outcome> judgeAgain(const Row& row, const std::vector<double>& input);
 
 /// The case in words: the name of each number, and the number.
 std::string wordsOf(const Row& row, const std::vector<double>& input);
 
+/// "base", "shape" and so on: the enumerator in small letters.
 const char* name(Kind kind);
 
 }  // namespace underact::extremes

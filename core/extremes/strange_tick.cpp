@@ -15,7 +15,7 @@ namespace {
 constexpr std::int64_t kPeriod_ns = 1'000'000;
 constexpr int kBefore = 30, kAfter = 60;
 
-/// A motion through the workspace, and the stylus's turn with it.
+/// A motion through the workspace, with a rotation of the stylus.
 arm::JointAngles anglesAt(std::int64_t tick, double phase) {
   const double t_s = 1e-3 * static_cast<double>(tick);
   return {0.35 * sinCos(1.7 * t_s + phase).sin, 0.6 + 0.35 * sinCos(2.3 * t_s + 1.0).sin,
@@ -38,7 +38,7 @@ std::int64_t drawTime(Input& input, std::int64_t now_ns) {
   return which == kTimes.size() ? now_ns : which == kTimes.size() + 1 ? now_ns + 1 : now_ns - 1;
 }
 
-/// What no arm sends, in place of a tick's own.
+/// Replaces a tick's input by one that no arm sends.
 void spoil(Input& input, tick::TickInput& at) {
   const std::size_t field = input.choice("field", 10);  // an angle, all angles, the time, a fault, no sample
   const auto odd = [&] { return input.number("odd", drawOdd); };
@@ -65,7 +65,8 @@ struct Run {
   }
 };
 
-/// Ulp of the greatest force beyond it; infinite where the force is none, or is not zero where it ought to be.
+/// The excess over the greatest force in ulp; infinite where the force is not finite, or not zero although it should
+/// be.
 double forceError(const Run& run) {
   const Vec3& f_T_W = run.report->force.f_T_W();
   const double most_N = run.program.limits.max_force_N, size_N = f_T_W.norm();
@@ -123,7 +124,7 @@ bool isFinite(const tick::EntryState& entry) {
   return all;
 }
 
-/// The same force, target and fault, to the bit.
+/// Whether force, target and fault are identical, to the bit.
 bool isSame(const tick::TickReport& a, const tick::TickReport& b) {
   if (a.force.f_T_W() != b.force.f_T_W() || a.f_T_W != b.f_T_W || a.p_WT != b.p_WT) return false;
   if (a.fault.kind != b.fault.kind || a.held.size() != b.held.size()) return false;
@@ -172,11 +173,11 @@ Outcome judgeStrangeTick(const tick::TickProgram& program, Input& input) {
   for (std::size_t i = 0; i < strange; ++i) {
     spoil(input, at);
     go(run);
-    // A fault that stands sends nothing until the Start, which forgets what such a tick has left in the laws.
+    // A lasting fault sends nothing until the Start, which resets what such a tick has left in the laws.
     stays_finite = stays_finite && (run.state.gate.fault.kind != FaultKind::None || isFinite(run.state));
     advance();
   }
-  // The Start, beside a program that has not seen any of it but for the heat of its motors.
+  // The Start, compared with a program that never had that input, except for the heat of its motors.
   Run fresh{program, makeState(program)};
   fresh.state.gate.heat = run.state.gate.heat;
   at.restart = true;

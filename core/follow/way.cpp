@@ -9,7 +9,7 @@
 namespace underact::follow {
 namespace {
 
-constexpr double kNoDirection = 1e-6;  // shorter, between two that point away from each other: any would be as good
+constexpr double kNoDirection = 1e-6;  // below this two directions are opposite, and any in between is as good
 
 bool isFinite(const arm::JointAngles& q_rad) {
   return std::all_of(q_rad.begin(), q_rad.end(), [](double angle_rad) { return std::isfinite(angle_rad); });

@@ -7,7 +7,7 @@
 namespace underact::helper {
 namespace {
 
-constexpr int kPatience_ms = 2000;  // with one that has closed its output and goes on
+constexpr int kPatience_ms = 2000;  // for one that has closed its output and still runs
 
 }  // namespace
 

@@ -7,13 +7,13 @@
 
 namespace underact::helper {
 
-// Files of strangers are read in a process of its own that is shut off from all else (core/system/seal.h): whatever a
-// file does to its reader, it ends there. These are the starting program's side of it.
+// Files from elsewhere are read in a separate process that is sealed off from everything else (core/system/seal.h), so
+// that whatever a file does to its reader stays in there. This is the side of the program that starts it.
 
-/// What a helper ends with that could not shut itself off: it has not looked at the file then.
+/// The exit status of a helper that could not seal itself off; it has not looked at the file then.
 inline constexpr int kNotSealed = 77;
 
-/// What a process is started with; it inherits nothing else. The descriptors stay the caller's; below 0: none.
+/// How a helper is started; it inherits nothing else. The descriptors stay the caller's; below 0: none.
 struct Start {
   std::string program, argument;
   int input_fd = -1;   // becomes its standard input
@@ -22,7 +22,7 @@ struct Start {
 };
 inline constexpr int kFile = 3;
 
-/// TookTooLong: it computed on and on. Waited: no answer came, and it computed little of that time.
+/// How a helper ended. TookTooLong: it computed for too long. Waited: no answer came although it hardly computed.
 enum class Ending : std::uint8_t {
   Exited,
   Crashed,
@@ -38,13 +38,15 @@ enum class Ending : std::uint8_t {
 class Child {
  public:
   Child() = default;
+  /// Starts it. Does not wait; where it could not be started, runs() is false and error() says why.
   explicit Child(const Start& start);
 
   bool runs() const { return process_.runs(); }
   int error() const { return process_.error(); }  // errno, where it could not be started
-  /// That it has computed so far.
+  /// The processor time that it has used so far, s.
   double cpuSoFar_s() const { return process_.cpuSoFar_s(); }
-  /// Waits for its end; unless it is Exited, it is killed first. Exited becomes Crashed or NotSealed where it was so.
+  /// Waits for its end; for any ending other than Exited, it is killed first. Exited becomes Crashed or NotSealed where
+  /// that was so.
   Ending end(Ending ending);
   // After end().
   int code() const { return process_.end().code; }  // exit status, or the signal that ended it
@@ -54,13 +56,13 @@ class Child {
   system::Process process_;
 };
 
-/// "2.5 s": of a time in a sentence.
+/// "2.5 s": a duration for a sentence.
 std::string secondsText(double s);
 
-/// The sentence for Ending::Waited. most_time_s: that it was waited for.
+/// The sentence for Ending::Waited. most_time_s: the time limit.
 Sentence whyWaited(double most_time_s);
 
-/// The sentence for an ending that no file is to blame for; empty: there is none. program: its name; error: errno.
+/// The sentence for an ending that is not the fault of the file; empty: it is. program: its name; error: errno.
 Sentence whyNoHelper(Ending ending, const std::string& program, int error);
 
 }  // namespace underact::helper

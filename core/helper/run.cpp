@@ -12,9 +12,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kLook_ms = 10;  // how often cancel and the times are looked at
+constexpr int kLook_ms = 10;  // between checks of cancellation and time limits
 
-/// Takes what the program writes, until it ends or must end.
+/// Reads the output of the program, until it ends or has to end.
 class Listening {
  public:
   Listening(const Errand& errand, const Watch& watch, Answer& answer)

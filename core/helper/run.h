@@ -9,7 +9,7 @@
 
 namespace underact::helper {
 
-/// What a helper tells of how far it is: bytes of 1 to this, before its answer.
+/// The greatest byte that reports progress: a helper writes bytes from 1 to this before its answer.
 inline constexpr unsigned char kMostProgress = 100;
 
 /// A program that is started for one answer.
@@ -19,9 +19,10 @@ struct Errand {
   int input_fd = -1;  // becomes its standard input
   double most_cpu_s = 1.0, most_time_s = 10.0;
   std::uint64_t most_output = 0;
-  std::function<void(unsigned char percent)> progress = {};  // told by bytes up to kMostProgress before the answer
+  std::function<void(unsigned char percent)> progress = {};  // called with each byte of progress
 };
 
+/// How an errand ended, and what it wrote.
 struct Answer {
   Ending ending = Ending::NotStarted;
   int code = 0;                   // exit status, or the signal that ended it, or errno
@@ -29,8 +30,8 @@ struct Answer {
   double cpu_s = 0.0;
 };
 
-/// Runs it to its end, whatever that is: it does not outlive the call, and a cancelled one ends within 50 ms. It
-/// inherits no file but its input. Where there are no processes of POSIX, NotStarted.
+/// Runs a helper to its end: it does not outlive the call, and a cancelled one ends within 50 ms. It inherits no
+/// descriptor but its input. NotStarted on systems without POSIX processes.
 Answer run(const Errand& errand, const Watch& watch);
 
 }  // namespace underact::helper

@@ -18,7 +18,7 @@ double now_s() {
 
 }  // namespace
 
-// Two sockets that know each other alone: where a helper ends early, a pipe would end this process, too, by a signal.
+// A pair of sockets: with a pipe, a helper that ends early would end this process, too, by a signal.
 Talk::Talk(const std::string& program, int file_fd) {
   system::Line line = system::makeLine();
   if (!line.here.isOpen()) {
@@ -43,7 +43,7 @@ bool Talk::fail(Ending ending) {
 
 bool Talk::send(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
-    // A helper that reads no question has no room for it at some time: it is not waited for.
+    // A helper that does not read its questions has a full buffer at some time: it is not waited for.
     const std::ptrdiff_t sent = system::sendSome(here_.number(), bytes);
     if (sent <= 0) return fail(errno == EAGAIN ? Ending::TookTooLong : Ending::Exited);
     bytes = bytes.subspan(static_cast<std::size_t>(sent));

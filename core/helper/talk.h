@@ -9,23 +9,22 @@
 
 namespace underact::helper {
 
-/// How long one answer may take, s: of the processor, and in all, on a busy machine and a slow disk. And how long it
-/// may be.
+/// Limits of one answer: processor time and total time, s, on a busy machine and a slow disk, and its length.
 struct Bounds {
   double most_cpu_s = 2.0, most_time_s = 30.0;
   std::size_t most_bytes = std::size_t{1} << 20;
 };
 
-/// A helper that answers one question after another. One thread at a time. After a question that was not answered it is
-/// gone, and so is each later answer.
+/// A helper that answers one question after another. One thread at a time. After a question without an answer it has
+/// ended, and no further one is answered.
 class Talk {
  public:
   Talk() = default;
   /// file_fd: becomes the helper's descriptor kFile; stays the caller's.
   Talk(const std::string& program, int file_fd);
 
-  /// Sends the question as it stands and gives the answer, before which the helper writes its length: eight bytes.
-  /// None: why, ending() says.
+  /// Sends the question and gives the answer, before which the helper sends its length: eight bytes. None: ending()
+  /// says why.
   std::optional<std::vector<std::byte>> ask(std::span<const std::byte> question, const Bounds& bounds);
   Ending ending() const { return ending_; }
   int code() const { return code_; }  // exit status, the signal that ended it, or errno
@@ -41,10 +40,10 @@ class Talk {
   int code_ = 0;
 };
 
-/// The helper's side of it, on its standard input and output. The next question, of just so many bytes; false: there is
-/// none, and nobody asks any more.
+/// The helper's side, on its standard input and output. The next question, of exactly that many bytes; false: there are
+/// no more.
 bool nextQuestion(std::span<std::byte> question);
-/// false: nobody reads it.
+/// Sends an answer. false: it is no longer read.
 bool answer(std::span<const std::span<const std::byte>> parts);
 
 }  // namespace underact::helper

@@ -6,7 +6,7 @@
 namespace underact::helper {
 namespace {
 
-// How many places it has, its pattern, the end of the line; then the sentences in its places, likewise.
+// The format: number of places, pattern, end of line; then the sentences in its places, likewise.
 constexpr char kEnd = '\n';
 constexpr int kMostPlaces = 9;
 
@@ -22,7 +22,7 @@ std::string allLettersOf(const Sentence& sentence) {
   return text;
 }
 
-/// How long a pattern becomes, before it is made: each place may be filled many times.
+/// The length of a filled pattern, before it is filled: each place may occur many times.
 std::size_t lengthOf(std::string_view pattern, const std::vector<Sentence>& places) {
   std::size_t length = pattern.size();
   for (std::size_t at = 0; at + 1 < pattern.size(); ++at) {

@@ -7,15 +7,15 @@
 
 namespace underact::helper {
 
-/// Of a sentence on its way from a helper: no more letters than these, and none beyond those of plain English.
+/// The greatest number of characters of a sentence sent by a helper, all of them those of plain English.
 inline constexpr std::size_t kMostLetters = 500;
 
-/// The sentence with its patterns, so that a window can say it in its language. No more than kMostLetters: what is too
-/// long is cut, and is then plain English.
+/// The sentence with its patterns, so that a window can translate it. One longer than kMostLetters is cut, and is then
+/// plain English.
 std::string lettersOf(const Sentence& sentence);
 
-/// Trusts nothing: none where a sentence has sentences in its places more than kMostNested deep, or would grow to more
-/// than kLongestSentence when its places are filled, or where letters are left over. Empty of no letters.
+/// The sentence of such characters, which are not trusted: none where sentences are nested more than kMostNested deep,
+/// where it would grow beyond kLongestSentence, or where characters are left over. Of no characters, an empty one.
 std::optional<Sentence> sentenceOf(std::string_view letters);
 inline constexpr int kMostNested = 8;
 inline constexpr std::size_t kLongestSentence = 1000;

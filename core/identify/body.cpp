@@ -5,9 +5,9 @@
 namespace underact::identify {
 namespace {
 
-// Below it the series is as exact as a double; above it expm1 loses nothing. z^6 / 5040 at 0.01 is 2e-16.
+// Below this the series is as exact as a double; above it expm1 does not cancel. z^6 / 5040 at 0.01 is 2e-16.
 constexpr double kSmallDecay = 0.01;
-constexpr int kMostTurns = 4;  // a held force turns a body once at most; then it stays stuck or goes on
+constexpr int kMostTurns = 4;  // a constant force reverses a body at most once; then it sticks or moves on
 
 }  // namespace
 

@@ -14,11 +14,11 @@ namespace underact::identify {
 namespace {
 
 constexpr int kMostRounds = 60;
-// Where a body sticks is a kink of the sum of squares, with hollows of its own: several beginnings, the best one wins.
+// Sticking makes kinks and local minima in the sum of squares: several starts, of which the best counts.
 constexpr double kStarts[] = {1.0, 0.8, 1.2};
-constexpr double kWorst = 0.1;      // of the motion's own root mean square, that a fit may leave
-constexpr double kSettled = 1e-10;  // of the sum of squares, by which a round may still lower it
-constexpr double kNothing = 1e-12;  // added to what may be singular: a velocity that friction stops at once
+constexpr double kWorst = 0.1;      // the largest residual, relative to the motion's root mean square
+constexpr double kSettled = 1e-10;  // relative decrease of the sum of squares at convergence
+constexpr double kNothing = 1e-12;  // added to a matrix that may be singular: a velocity that friction stops at once
 constexpr double kLook_s = 0.01;    // from which the first velocity is guessed
 
 using Shared = Eigen::Vector4d;  // mass, friction, damping, bias
@@ -28,7 +28,7 @@ Body bodyOf(const Shared& shared) {
   return {shared[0], shared[1], shared[2], shared[3]};
 }
 
-/// Steps for the slopes: small against what is told apart, large against rounding.
+/// Steps for the derivatives: small against the uncertainties, large against rounding.
 const Shared kNudge(1e-6, 1e-5, 1e-4, 1e-5);
 constexpr double kNudge_m_per_s = 1e-5;
 
@@ -49,7 +49,7 @@ double squaresOf(const Window& window, const std::vector<double>& way_m) {
   return squares;
 }
 
-/// Root mean square of the ways about their means.
+/// The root mean square of the displacements about their means.
 double movedOf(std::span<const Window> windows) {
   double squares = 0.0, samples = 0.0;
   for (const Window& window : windows) {
@@ -61,7 +61,7 @@ double movedOf(std::span<const Window> windows) {
   return std::sqrt(squares / samples);
 }
 
-/// The normal equations of one window: of what is shared, of its own, and across.
+/// The normal equations of one window: of the shared unknowns, of its own, and mixed.
 struct Normal {
   Eigen::Matrix4d shared = Eigen::Matrix4d::Zero();
   Eigen::Matrix2d own = Eigen::Matrix2d::Zero();
@@ -126,7 +126,7 @@ class Fit {
         better = gain >= 0.0;
       }
       caution = std::max(caution, 1e-12);
-      if (!better || gain <= kSettled * squares_) return;  // it gets no better: a kink of friction, or the end
+      if (!better || gain <= kSettled * squares_) return;  // no further improvement: a kink of friction, or the minimum
     }
   }
   double squares() const { return squares_; }
@@ -156,7 +156,7 @@ class Fit {
   int rounds_ = 0;
 };
 
-/// By how much the step lowers the sum of squares, and takes it; below 0: it does not, and nothing has changed.
+/// Takes the step if it lowers the sum of squares, and gives by how much; below 0: not taken.
 double Fit::tryStep(double caution) {
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
   Shared pull = Shared::Zero();

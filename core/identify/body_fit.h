@@ -9,7 +9,7 @@
 
 namespace underact::identify {
 
-/// A body that moves as the windows show, under the force that was sent.
+/// The body whose motion fits the windows best, under the force that was sent.
 struct BodyFit {
   Body body;
   Body uncertainty;                        // one standard deviation each
@@ -18,12 +18,11 @@ struct BodyFit {
   int rounds = 0;
 };
 
-/// Least squares of the way (an output error: the force is known, the samples are not) over mass, friction, damping and
-/// bias, which all windows share, and over the place and the velocity with which each begins. Levenberg and Marquardt,
-/// each window's own two unknowns eliminated. The uncertainty is the larger one of that from the residual, and of that
-/// from how windows differ (each a cluster), which counts residuals that hang together. Problems: too little motion to
-/// begin with; it does not come to an end; it was stopped. stop: asked window by window, true ends it early; may be
-/// empty.
+/// Least squares of the displacement (an output error: the force is known, the samples are noisy) over mass, friction,
+/// damping and bias, which all windows share, and over the position and velocity at the start of each window. Levenberg
+/// and Marquardt, each window's own two unknowns eliminated. The uncertainty is the larger of that from the residual
+/// and that from the scatter between windows (each a cluster), which accounts for correlated residuals. Problems: too
+/// little motion; no convergence; stopped. stop: asked for each window, true ends the fit; may be empty.
 Result<BodyFit> fitBody(std::span<const Window> windows, const std::function<bool()>& stop = {});
 
 }  // namespace underact::identify

@@ -15,8 +15,8 @@ constexpr double kWhole = 0.05;       // a share of the step by which a change m
 constexpr double kMostParts = 100.0;  // of the smallest change seen, where one step alone never came
 constexpr double kStretch_s = 0.1, kLeastWay_m = 0.1e-3;
 
-/// The step nearest to guess of which all changes are multiples; none: they are not. Small ones first, so that each
-/// sharpens the step before a larger one needs it.
+/// The step nearest to guess of which all changes are multiples; none: there is no such step. Small changes first, so
+/// that each refines the step before a larger one needs it.
 std::optional<double> stepNear(double guess, const std::vector<double>& changes) {
   double of_both = 0.0, of_numbers = 0.0, step = guess;
   for (const double change : changes) {
@@ -29,8 +29,8 @@ std::optional<double> stepNear(double guess, const std::vector<double>& changes)
   return step;
 }
 
-/// What divides all changes, by Euclid's way: what is left of one change over a multiple of the guess is the next
-/// guess. None: it has become so small that there is no such step.
+/// A common divisor of all changes, by Euclid's algorithm: the remainder of a change is the next guess. None: it has
+/// become too small for a step.
 std::optional<double> dividerOf(const std::vector<double>& changes) {
   double guess = changes.front();
   for (std::size_t index = 0; index < changes.size();) {
@@ -46,7 +46,7 @@ std::optional<double> dividerOf(const std::vector<double>& changes) {
   return guess;
 }
 
-/// The slope of the values over their whole numbers, with its deviation: the whole range is as good as its ends.
+/// The slope of the values over their integers, with its deviation.
 Estimate sharpened(double step, std::span<const double> signal) {
   double numbers = 0.0, values = 0.0, of_numbers = 0.0, of_both = 0.0;
   const auto count = static_cast<double>(signal.size());

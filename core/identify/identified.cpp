@@ -22,7 +22,7 @@ std::vector<Row> rowsOf(const Plan& plan, const std::vector<Recorded>& recorded,
   return rows;
 }
 
-/// The sentence with the swing that it is about before it.
+/// The sentence, preceded by the swing that it is about.
 Sentence at(std::size_t place, int axis, const Sentence& sentence) {
   return said(TRANSLATE_NOOP("problem", "Along %1 at position %2: %3"),
               {std::string(1, "xyz"[axis]), std::to_string(place + 1), sentence});
@@ -46,7 +46,7 @@ Result<AxisSwings> swingsOf(const std::vector<Row>& rows, std::size_t place, int
   return swings;
 }
 
-/// All swings, axis by axis at each place. stops: true ends it; what is there then is a part.
+/// All swings, axis by axis at each position. stops: true ends it; the result is incomplete then.
 Problems addSwings(const Plan& plan, const std::vector<Recorded>& recorded, const std::function<bool()>& stops,
                    Identified& found) {
   Problems problems;
@@ -66,7 +66,7 @@ Problems addSwings(const Plan& plan, const std::vector<Recorded>& recorded, cons
   return problems;
 }
 
-/// stops: true ends it; what is there then is a part.
+/// The counts of the encoders. stops: true ends it; the result is incomplete then.
 std::array<std::optional<Estimate>, 6> countsOf(const std::vector<Recorded>& recorded,
                                                 const std::function<bool()>& stops) {
   std::array<std::vector<double>, 6> angles_rad;
@@ -82,7 +82,7 @@ std::array<std::optional<Estimate>, 6> countsOf(const std::vector<Recorded>& rec
   return counts;
 }
 
-/// Over all places along an axis, or (axis below 0) over all there is.
+/// The mean over all positions along an axis, or (axis below 0) over all swings.
 Estimate meanOver(const std::vector<AxisSwings>& all, int axis, double Body::*what) {
   std::vector<Estimate> estimates;
   for (const AxisSwings& one : all) {

@@ -13,7 +13,7 @@
 
 namespace underact::identify {
 
-/// The swings along one axis at one place, and the body that moves like them.
+/// The swings along one axis at one position, and the body fitted to them.
 struct AxisSwings {
   std::size_t place = 0;
   int axis = 0;
@@ -22,7 +22,7 @@ struct AxisSwings {
   std::optional<SwingStiffness> stiffness;  // asked: kSwing_N_per_mm
 };
 
-/// What was found of an arm.
+/// The results for an arm.
 struct Identified {
   std::string arm;  // preset
   int rate_hz = 0;
@@ -39,13 +39,12 @@ struct Identified {
   Problems notes;              // what could not be measured, and why
 };
 
-/// Evaluates a measurement that is done. Problems: along some axis nothing can be told; without mass and friction there
-/// is no result; it was stopped. stop: asked often, true ends it early; may be empty. Cost: some 0.1 s for each place
-/// at 1 kHz.
+/// Evaluates a finished measurement. Problems: no result along some axis (without mass and friction there is none);
+/// stopped. stop: asked often, true ends it early; may be empty. Cost: some 0.1 s for each position at 1 kHz.
 Result<Identified> evaluate(const Plan& plan, const std::vector<Recorded>& recorded, int rate_hz,
                             const std::function<bool()>& stop = {});
 
-/// Means of several estimates, each as much as its variance says, with what they scatter counted in.
+/// The mean of several estimates, each weighted by its variance; their scatter counts in the uncertainty.
 Estimate meanOf(const std::vector<Estimate>& estimates);
 
 }  // namespace underact::identify

@@ -18,7 +18,7 @@ Problems Measurement::go() {
   return state_ == State::Asks ? begin() : Problems{};
 }
 
-/// The stage's scene comes into effect.
+/// Puts the stage's scene into effect.
 Problems Measurement::begin() {
   const Result<std::uint64_t> revision = put_(stage().scene);
   if (!revision) return revision.problems();
@@ -32,7 +32,7 @@ Problems Measurement::begin() {
 
 void Measurement::add(const servo::TickRecord& record) {
   if (state_ != State::Runs || record.revision < revision_) return;
-  if ((record.input & servo::kHadSample) == 0U) return;  // the gap is seen by its time
+  if ((record.input & servo::kHadSample) == 0U) return;  // the gap shows in the times
   if (begun_ns_ < 0) begun_ns_ = record.time_ns;
   stage_s_ = kSecondPerNanosecond * static_cast<double>(record.time_ns - begun_ns_);
   if (stage().kind != StageKind::Settle) recorded_.back().rows.push_back(rowOf(record));

@@ -9,25 +9,28 @@
 
 namespace underact::identify {
 
-/// What a stage left: its rows, in order.
+/// The rows of a stage, in order.
 struct Recorded {
   std::size_t stage = 0;  // index into Plan::stages
   std::vector<Row> rows;
 };
 
-/// Runs a plan on a servo that somebody else drives: it says which scene comes next, and keeps the ticks. Time is that
-/// of the samples, so the same code measures live and as fast as a simulation goes.
+/// Runs a plan on a servo that the caller drives: it puts each scene into effect in turn and keeps the ticks. Time is
+/// that of the samples, so the same code measures a real arm and a simulation that runs faster than real time.
 class Measurement {
  public:
   /// Puts a scene into effect, as servo::Host::edit does; gives the revision that it will have.
   using Put = std::function<Result<std::uint64_t>(const scene::Description& scene)>;
-  /// Asks: the hand has to do something else first; go() says that it does. Runs; Stopped: interrupt() was called, and
-  /// repeat() goes on. Done: recorded() is whole.
+  /// Asks: the hand has to do something else first; go() says that it does. Stopped: interrupt() was called, and
+  /// repeat() continues. Done: recorded() is complete.
   enum class State : std::uint8_t { Asks, Runs, Stopped, Done };
 
+  /// plan: of makePlan(), one stage at least. put: called by go(), advance() and repeat(), on their thread.
   Measurement(Plan plan, Put put);
 
+  /// Where the measurement stands.
   State state() const { return state_; }
+  /// The stage that runs, or is next; when all are done, the last one.
   const Stage& stage() const { return plan_.stages[stage_ < plan_.stages.size() ? stage_ : stage_ - 1]; }
   double stageSeconds() const { return stage_s_; }  // since the stage began
   double share() const;                             // that is done, 0 to 1
@@ -40,11 +43,11 @@ class Measurement {
   Problems go();
   /// Each tick, in order.
   void add(const servo::TickRecord& record);
-  /// Between two ticks, often: puts the next scene into effect where the last one is over.
+  /// To be called often between ticks: puts the next scene into effect when the current stage is over.
   Problems advance();
-  /// The servo stopped: what this part of the measurement has kept is of no use. why: a sentence.
+  /// The servo stopped: the rows of the current part are discarded by repeat(). why: a sentence.
   void interrupt(const std::string& why);
-  /// Goes on with the part that was stopped, from its beginning; the servo runs again.
+  /// Repeats the interrupted part from its beginning, once the servo runs again.
   Problems repeat();
 
  private:

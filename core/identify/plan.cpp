@@ -13,13 +13,13 @@
 namespace underact::identify {
 namespace {
 
-// Large ones for what goes with speed (damping), small ones for what does not (friction); both ways.
+// Large swings for damping, which depends on speed, small ones for friction, which does not; both ways.
 constexpr std::array<double, 6> kSwings_mm{10.0, -10.0, 10.0, -6.0, 6.0, -10.0};
 constexpr double kSwing_s = 0.4;  // longer than 0.3 kg takes for 20 mm under 0.3 N net, 0.2 s
 constexpr double kArrive_s = 2.0, kSettle_s = 0.6, kRest_s = 1.2;
 constexpr double kPress_s = 9.0, kTurn_s = 4.0, kGrip_s = 1.0;
-constexpr double kReach_m = 0.02;  // about a place: the swings, and as much again by which they shoot over
-// Across the swing and on the way there: the rate's share, N s/mm. At 20 g and 1 kHz b T / m is 0.05, far from 1.
+constexpr double kReach_m = 0.02;  // about a position: the swings, and as much again for overshoot
+// Across the swing and on the way to it: the damping, N s/mm. At 20 g and 1 kHz b T / m is 0.05, far from 1.
 constexpr double kCalm_N_s_per_mm = 1e-3, kAcross_N_per_mm = 0.2;
 
 scene::Description held(const Wanted& wanted, const Vec3& p_W, const Vec3& kp_N_per_mm, const Vec3& kd_N_s_per_mm) {

@@ -8,12 +8,12 @@
 namespace underact::identify {
 namespace {
 
-constexpr double kLookBack_s = 0.1;    // over which a direction is told ...
+constexpr double kLookBack_s = 0.1;    // over which a direction is determined ...
 constexpr double kMoved_m = 0.1e-3;    // ... two encoder steps
 constexpr double kTouched_m = 0.1e-3;  // from which on it counts as pressed
 constexpr std::size_t kLeastRowsEachWay = 50;
 
-/// Least squares of force over way.
+/// Least squares of force over displacement.
 class Line {
  public:
   void add(double x_m, double f_N) {

@@ -8,7 +8,7 @@
 
 namespace underact::identify {
 
-/// A slow press away from the target and back: force against way.
+/// A slow press away from the target and back: force against displacement.
 struct Press {
   Estimate stiffness_N_per_m;               // mean of both ways
   double down_N_per_m = 0.0;                // on the way there ...

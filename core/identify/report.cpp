@@ -19,7 +19,7 @@ Estimate times(const Estimate& estimate, double factor) {
   return {factor * estimate.value, factor * estimate.uncertainty};
 }
 
-/// Fixed notation, so many digits behind the point.
+/// Fixed notation with so many digits behind the point.
 std::string fixed(double value, int digits) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", std::clamp(digits, 0, 9), value);

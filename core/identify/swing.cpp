@@ -14,8 +14,8 @@ constexpr double kStep_m = 0.055e-3;                       // of the encoders of
 constexpr double kTold_m = 8.0 * kStep_m;                  // a way that has a direction
 constexpr double kShortest_s = 0.004, kLongest_s = 0.016;  // over which it is looked for, before and after
 
-/// The direction of the tip at a row, from as many rows about it as it takes to tell one; where it hardly moves it is
-/// taken as along the axis. A way across of one encoder step is none.
+/// The share of the motion along along_W at a row, from as many rows about it as a direction needs; where the tip
+/// hardly moves, 1. A motion across it of one encoder step counts as none.
 double shareAt(std::span<const Row> rows, const Vec3& along_W, double period_s, std::size_t row) {
   double along_m = 0.0, across_m = 0.0;
   for (double look_s = kShortest_s; look_s <= kLongest_s; look_s *= 2.0) {

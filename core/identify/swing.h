@@ -9,7 +9,7 @@
 
 namespace underact::identify {
 
-/// What of a tick the measurement keeps.
+/// The part of a tick that the measurement keeps.
 struct Row {
   std::int64_t time_ns = 0;  // of the sample
   arm::JointAngles q_rad{};
@@ -19,6 +19,7 @@ struct Row {
   bool is_cut = false;        // the gate took something off
 };
 
+/// is_cut: where the gate took off more than 0 N.
 Row rowOf(const servo::TickRecord& record);
 
 /// A stretch of a motion along one direction, its samples evenly spaced.
@@ -33,11 +34,11 @@ struct Window {
   std::vector<bool> is_cut;
 };
 
-/// The rows in windows of `seconds`, seen along along_W (length 1), without those in which the tip hardly moves and so
-/// tells nothing; none goes over a gap between two samples. period_s: of the servo.
+/// The rows in windows of `seconds`, projected on along_W (length 1), without those in which the tip hardly moves; no
+/// window spans a gap between two samples. period_s: of the servo.
 std::vector<Window> windowsOf(std::span<const Row> rows, const Vec3& along_W, double period_s, double seconds = 0.25);
 
-// A tip that moves less in a window: ten encoder steps of the arms known.
+// Windows in which the tip moves less are left out: ten encoder steps of the known arms.
 inline constexpr double kLeastTravel_m = 0.5e-3;
 
 }  // namespace underact::identify

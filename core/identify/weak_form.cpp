@@ -9,14 +9,14 @@
 namespace underact::identify {
 namespace {
 
-constexpr double kLookAhead_s = 0.005;  // over which a direction is told
+constexpr double kLookAhead_s = 0.005;  // over which a direction is determined
 constexpr double kTurned_m = 0.11e-3;   // two encoder steps
-constexpr double kFade_s = 0.16;        // 8 time constants of the servo's way from one target to the next: 1 mN is left
+constexpr double kFade_s = 0.16;        // 8 time constants of the fade from one target to the next: 1 mN is left
 constexpr std::size_t kLeastTicks = 3;  // of a block: each begins a third of it later
 constexpr std::size_t kLeastBlocks = 8, kLeastSprings = 6;
-constexpr double kSure = 0.025;  // two deviations within 5 %: a stiffness less sure than that says nothing
+constexpr double kSure = 0.025;  // two deviations within 5 %: a less certain stiffness is of no use
 
-/// The direction of the motion in all of [from, to]; 0: it is not one, or not clear.
+/// The direction of the motion in all of [from, to]; 0: it reverses, or is not clear.
 double directionOf(const Window& window, std::size_t from, std::size_t to) {
   const auto look = static_cast<std::size_t>(std::lround(kLookAhead_s / window.period_s));
   double direction = 0.0;
@@ -30,7 +30,7 @@ double directionOf(const Window& window, std::size_t from, std::size_t to) {
 
 bool isSpring(const Window& window, std::size_t from, std::size_t to) {
   const auto fade = static_cast<std::size_t>(std::lround(kFade_s / window.period_s));
-  if (from < fade) return false;  // the window does not say when the target moved last
+  if (from < fade) return false;  // the time of the target's last move is before the window
   for (std::size_t index = from - fade; index <= to; ++index) {
     if (window.target_m[index] != window.target_m[to]) return false;
     if (index >= from && window.is_cut[index]) return false;
@@ -93,7 +93,7 @@ std::optional<Body> firstGuess(std::span<const Block> blocks) {
 
 std::optional<SwingStiffness> swingStiffness(std::span<const Row> rows, const Vec3& along_W, double period_s,
                                              const Body& body, double asked_N_per_m) {
-  // As long as motion one way lasts: the second derivative of encoder steps goes with 1 / length^2.
+  // As long as the motion in one direction: the noise of the second derivative of encoder steps goes with 1 / length^2.
   const double block_s = 0.5 * kPi * std::sqrt(body.mass_kg / asked_N_per_m);
   const std::vector<Block> blocks = blocksOf(windowsOf(rows, along_W, period_s, kInfinity), block_s);
   double of_stretch = 0.0, of_both = 0.0;
@@ -114,7 +114,7 @@ std::optional<SwingStiffness> swingStiffness(std::span<const Row> rows, const Ve
   for (const Block& block : blocks) {
     if (block.is_spring) squares += std::pow(needed(block) - found.value_N_per_m * block.stretch, 2);
   }
-  // Blocks overlap by two thirds: three of them tell no more than one.
+  // Blocks overlap by two thirds: three of them count as one.
   const double free = std::max(1.0, static_cast<double>(found.blocks) / 3.0 - 1.0);
   found.uncertainty_N_per_m = std::sqrt(squares / (3.0 * free) * 3.0 / of_stretch);
   if (!(found.uncertainty_N_per_m < kSure * found.value_N_per_m)) return {};

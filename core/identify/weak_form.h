@@ -11,7 +11,7 @@ namespace underact::identify {
 inline constexpr double kLeastMass_kg = 1e-4;  // of a body that is fitted
 
 /// A block of motion in one direction, weighted by a bump phi(t) that ends smoothly at both ends: the integrals of m
-/// x'' = f + bias - b x' - F sign(x') times phi, in parts, so that no sample is derived twice.
+/// x'' = f + bias - b x' - F sign(x') times phi, by parts, so that no sample is differentiated twice.
 struct Block {
   double inertia = 0.0;    // of phi'' x, for the mass
   double way = 0.0;        // of phi x', for the damping
@@ -20,22 +20,21 @@ struct Block {
   double force = 0.0;      // of phi f
   double stretch = 0.0;    // of phi (target - x), for a spring to the target
   double sign = 1.0;       // of x'
-  bool is_spring = false;  // nothing was cut, and the target stood still for some while: a spring is all that pulls
+  bool is_spring = false;  // nothing was cut, and the target has rested for a while: only the spring acts
 };
 
 // Shorter than half a swing of 20 g at 0.1 N/mm, 44 ms.
 inline constexpr double kBlock_s = 0.03;
 
-/// All blocks of so many seconds in which the tip clearly moves one way; each begins a third later than the last.
+/// All blocks of that length in which the tip clearly moves one way; each begins a third later than the last.
 std::vector<Block> blocksOf(std::span<const Window> windows, double seconds = kBlock_s);
 
-/// Mass, friction, damping and bias by linear least squares over the blocks: a first guess that needs none itself.
-/// None: too little motion.
+/// Mass, friction, damping and bias by linear least squares over the blocks: an initial guess for fitBody(). None: too
+/// little motion.
 std::optional<Body> firstGuess(std::span<const Block> blocks);
 
-/// A stiffness that the motion itself shows, whatever force was said to be sent: that of a spring to the target with
-/// which the body's inertia is in balance, m omega^2 of a free swing. None: nothing swung freely, or too little
-/// to tell it within 5 %.
+/// The stiffness shown by the motion itself, whatever force was reported as sent: that of a spring to the target which
+/// balances the body's inertia, m omega^2 of a free swing. None: no free swing, or one too short to find it within 5 %.
 struct SwingStiffness {
   double value_N_per_m = 0.0;
   double uncertainty_N_per_m = 0.0;

@@ -18,8 +18,8 @@ class ReaderMemory : public rapidjson::CrtAllocator {};  // a type of our own, t
 }  // namespace
 }  // namespace underact::json
 
-/// RapidJSON 1.1 adds to the null pointer of its empty stack, which the sanitizers rightly stop at. Corrected as later
-/// versions do, for our reader alone.
+/// RapidJSON 1.1 adds to the null pointer of its empty stack, which sanitizers report. Corrected as in later versions,
+/// for our reader alone.
 template <>
 template <class T>
 void rapidjson::internal::Stack<underact::json::ReaderMemory>::Reserve(std::size_t count) {

@@ -9,10 +9,10 @@
 
 namespace underact::json {
 
+/// The kinds of JSON values.
 enum class Kind { Null, Bool, Number, String, Array, Object };
 
-/// A JSON value with the place it was read from. Small and plain: files here are small, and every problem names its
-/// place.
+/// A JSON value with the line and column it was read from, which every problem names. Files here are small.
 struct Value {
   Kind kind = Kind::Null;
   bool boolean = false;

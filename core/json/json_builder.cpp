@@ -70,7 +70,8 @@ bool Builder::close() {
   return add(std::move(value));
 }
 
-/// The file's bytes are UTF-8 already, but RapidJSON lets the second half of a \u pair stand alone.
+/// Whether the text is valid: the bytes of the file are UTF-8 already, but RapidJSON accepts the second half of a \u
+/// pair alone.
 bool Builder::isWhole(std::string_view text) {
   for (std::size_t at = 0, length = 0; at < text.size(); at += length) {
     length = codePointLength(text, at);

@@ -16,13 +16,17 @@ struct Stop {
   Sentence sentence;
 };
 
-/// Builds the values as RapidJSON tells of them (its names, its order); false stops it.
+/// Builds the values from RapidJSON's events (its names, its order).
 class Builder {
  public:
+  /// source: the one that RapidJSON reads from, of the same text; both outlive the builder.
   Builder(const Source& source, std::string_view text) : source_(source), places_(text) {}
+  /// What was built, moved out; whole only after reading that ended without an error.
   Value takeRoot() { return std::move(root_); }
+  /// Why one of the calls below gave false; empty where none did.
   const Stop& refusal() const { return refusal_; }
 
+  // RapidJSON's handler, called in the order of the text. False stops the parse; refusal() says why.
   bool Null() { return add(start(Kind::Null, source_.Tell() - 4)); }
   bool Bool(bool value);
   bool Uint(unsigned);  // the lone 0 that Source shows for every number

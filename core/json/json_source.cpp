@@ -9,7 +9,7 @@ bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// Takes the digits at the front; false where there are none.
+/// Removes the digits at the front; false where there are none.
 bool takeDigits(std::string_view& text) {
   const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
   text.remove_prefix(count);

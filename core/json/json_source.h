@@ -9,6 +9,7 @@ namespace underact::json {
 /// double even when told to keep numbers as text, so a well-formed number is shown to it as a lone 0, and is read here.
 class Source {
  public:
+  // RapidJSON's stream concept, for reading only; the text outlives the source.
   using Ch = char;
   explicit Source(std::string_view text) : text_(text) { arrive(); }
   char Peek() const { return shown_; }
@@ -21,6 +22,7 @@ class Source {
 
   std::size_t stringStart() const { return string_start_; }  // of the last string
   std::size_t numberStart() const { return number_start_; }  // of the last number
+  /// The text of the last number.
   std::string_view number() const { return text_.substr(number_start_, number_end_ - number_start_); }
 
  private:
@@ -39,7 +41,9 @@ class Source {
 /// Line and column (in code points), from 1, of offsets asked for in growing order.
 class Places {
  public:
+  /// text: UTF-8; it outlives this.
   explicit Places(std::string_view text) : text_(text) {}
+  /// Line and column of a byte offset, not below the one asked for before; beyond the text: those of its end.
   std::pair<int, int> at(std::size_t offset);
 
  private:

@@ -12,16 +12,19 @@
 
 namespace underact::json {
 
-/// What is wrong with a file, and where each of its values stands.
+/// Collects the problems of a file, and remembers where each of its values stands.
 class Findings {
  public:
+  /// file: its name, for the places of the problems.
   explicit Findings(std::string file) : file_(std::move(file)) {}
+  /// A problem at a value, or at a line and column; key: the path of the value. Only counted where full().
   void add(const Value& value, const std::string& key, Sentence sentence);
   void add(std::pair<int, int> line_column, const std::string& key, Sentence sentence);
+  /// Where the value of a key stands, for problems that are found later.
   void remember(const std::string& key, const Value& value) { places_[key] = {value.line, value.column}; }
-  /// Takes in what check() says of the scene that was read, each problem at the value of its key.
+  /// Adds the problems that check() found in the scene, each at the place of its key.
   void add(const Problems& problems);
-  /// No more are kept, only counted: a file with so many is no scene, and nobody reads on.
+  /// So many are kept already that further ones are only counted.
   bool full() const;
   /// All, in the order of the file; of very many, the first found.
   Problems take();
@@ -34,7 +37,7 @@ class Findings {
   std::map<std::string, std::pair<int, int>> places_;
 };
 
-/// An object of the file, read key by key; what nobody asked for is wrong in the end.
+/// An object of the file, read key by key; finish() reports the keys that nothing asked for.
 class ObjectReader {
  public:
   /// what: for sentences, as "a sphere".
@@ -42,13 +45,16 @@ class ObjectReader {
       : object_(object), path_(std::move(path)), what_(std::move(what)), findings_(findings) {}
   /// The value of a key, or null; of a required one, null is a problem.
   const Value* find(const char* key, bool required = false);
-  /// A key that must not stand here, for a reason of its own.
+  /// Marks a key that is not allowed here, with the reason why.
   void refuse(const std::string& key, Sentence sentence) { refused_[key] = std::move(sentence); }
-  /// Keys of the scene reference that this version does not have.
+  /// Marks keys of the scene reference that this version does not support.
   void refuseLater(const std::vector<std::string>& keys);
-  /// Duplicate, refused and unknown keys; all_known false: not the unknown ones (of a type that is itself not known).
+  /// Reports duplicate, refused and unknown keys. all_known false: not the unknown ones (of a type that is itself
+  /// unknown).
   void finish(bool all_known = true);
+  /// Replaces the words for the object in sentences, once its type is known.
   void setWhat(Sentence what) { what_ = std::move(what); }
+  /// The path of one of its keys: "influence.t".
   std::string pathOf(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
   Findings& findings() { return findings_; }
 
@@ -65,7 +71,7 @@ class ObjectReader {
 /// "a number", "a list", ...
 Sentence kindName(Kind kind);
 
-/// The sentence for everything that the scene reference promises and this version does not have.
+/// The sentence for what the scene reference defines and this version does not support.
 Sentence notYet(const std::string& what);
 
 /// False, and a problem, where the value is of another kind. expected: "a number, as in 0.5".
@@ -74,10 +80,11 @@ bool isKind(const Value& value, Kind kind, const std::string& path, const Senten
 /// The problem of a value that is none of the words.
 void refuseWord(const Value& value, const std::string& path, const std::vector<std::string>& words, Findings& findings);
 
-/// What stands in the file; what cannot be read is a problem, and leaves `into` as it is or, in a list, at 1.
+/// Reads a number, or a list of them. What cannot be read is a problem, and leaves `into` as it is or, in a list, at 1.
 void readNumber(const Value& value, const std::string& path, double& into, Findings& findings);
 void readNumber(const Value& value, const std::string& path, Vec3& into, Findings& findings);
 void readNumber(const Value& value, const std::string& path, Mat3& into, Findings& findings);
+/// A string; a problem, and `into` as it was, where the value is none.
 void readText(const Value& value, const std::string& path, std::string& into, Findings& findings);
 
 /// One of the words; false, and a problem, where it is none of them.

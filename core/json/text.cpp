@@ -16,7 +16,7 @@ namespace underact::json {
 namespace {
 
 constexpr std::size_t kLongestShown = 40;  // code points
-constexpr std::size_t kLongestWord = 64;   // bytes; longer ones are no slip of the pen
+constexpr std::size_t kLongestWord = 64;   // bytes; longer ones are not typing errors
 
 std::size_t tailLength(unsigned char lead) {
   if (lead >= 0xC2 && lead <= 0xDF) return 1;
@@ -25,15 +25,15 @@ std::size_t tailLength(unsigned char lead) {
   return 0;
 }
 
-/// The second byte is what tells overlong forms, surrogates and code points beyond U+10FFFF. Source: RFC 3629,
-/// section 4.
+/// Whether the second byte is valid: it decides about overlong forms, surrogates and code points beyond U+10FFFF.
+/// Source: RFC 3629, section 4.
 bool secondFits(unsigned char lead, unsigned char second) {
   const unsigned char low = lead == 0xE0 ? 0xA0 : lead == 0xF0 ? 0x90 : 0x80;
   const unsigned char high = lead == 0xED ? 0x9F : lead == 0xF4 ? 0x8F : 0xBF;
   return second >= low && second <= high;
 }
 
-/// Whether a number that no double holds is too large rather than too small: where its first digit stands.
+/// Whether a number outside the range of double is too large rather than too small: by the position of its first digit.
 bool isLarge(std::string_view number) {
   const std::size_t exponent_at = std::min(number.find_first_of("eE"), number.size());
   const std::string_view digits = number.substr(0, exponent_at);
@@ -53,7 +53,7 @@ char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Levenshtein's distance, small and capital letters being equal.
+/// The Levenshtein distance, ignoring case.
 std::size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

@@ -9,7 +9,7 @@
 
 namespace underact::json {
 
-/// Bytes of the UTF-8 code point that starts at `at`; 0 where the bytes are none (overlong, half of a pair, cut off).
+/// Bytes of the UTF-8 code point that starts at `at`; 0 where it is invalid (overlong, a surrogate, cut off).
 std::size_t codePointLength(std::string_view text, std::size_t at);
 
 /// The double nearest to a number as JSON writes it, whatever the locale; infinite where it is too large, 0 where too
@@ -22,7 +22,7 @@ std::string shown(std::string_view text);
 /// A key as it stands in the path of a key: itself, or in quotes and cut short where it is no name.
 std::string plainKey(std::string_view key);
 
-/// The one of known that word was probably meant to be; empty where none is near.
+/// The known word nearest to `word`; empty where none is near.
 std::string nearestWord(std::string_view word, const std::vector<std::string>& known);
 
 /// "a", "b" or "c"; last: the word before the last of them, "or" or "and".

@@ -10,6 +10,7 @@ struct Word {
   Enum value;
 };
 
+/// The word of a value; of one that has none, the first.
 template <class Enum, std::size_t kCount>
 const char* wordOf(const Word<Enum> (&words)[kCount], Enum value) {
   for (const Word<Enum>& word : words) {

@@ -7,16 +7,16 @@
 namespace underact::lab {
 namespace {
 
-constexpr double kNone = 1e-9;  // overshoot below it is the rounding of a mean
+constexpr double kNone = 1e-9;  // below this an overshoot is rounding of the mean
 constexpr std::size_t kFewest = 10;
 constexpr std::size_t kLastShare = 5;  // the last fifth
 
-/// The time, in samples, at which the line from one sample to the next crosses level.
+/// The time, in samples, at which the line between two samples passes level.
 double between(const std::vector<double>& z, std::size_t before, double level) {
   return static_cast<double>(before) + (level - z[before]) / (z[before + 1] - z[before]);
 }
 
-/// The first time at which z is at level or above, in samples.
+/// The time at which z first reaches level, in samples.
 std::optional<double> firstAt(const std::vector<double>& z, double level) {
   if (z.front() >= level) return 0.0;
   for (std::size_t index = 1; index < z.size(); ++index) {

@@ -8,13 +8,13 @@
 namespace underact::lab {
 namespace {
 
-/// A result of a search of any kind.
+/// The result of a search of either kind.
 struct Answer {
   double distance_m = 0.0;
   bool is_proved = false;
 };
 
-/// ask(p_WT): with the search's memory of the last tick.
+/// ask(p_WT): a search that keeps its state from tick to tick.
 template <class Ask>
 SearchFigures figuresOf(Search search, const std::vector<Vec3>& way, const std::vector<Answer>& nearest, Ask ask) {
   SearchFigures figures{search};
@@ -38,7 +38,7 @@ SearchFigures figuresOf(Search search, const std::vector<Vec3>& way, const std::
   return figures;
 }
 
-/// asker(search) returns a search with its own memory.
+/// asker(search) gives a search with a state of its own.
 template <class MakeAsker>
 std::vector<SearchFigures> eachSearch(const std::vector<Vec3>& way, const MakeAsker& asker) {
   std::vector<Answer> nearest;

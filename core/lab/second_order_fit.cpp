@@ -12,7 +12,7 @@ namespace underact::lab {
 namespace {
 
 constexpr std::size_t kFewestToFit = 10;
-constexpr std::size_t kCoarse = 600;  // samples that the grid uses
+constexpr std::size_t kCoarse = 600;  // samples used by the grid
 constexpr int kFrequencies = 80, kDampings = 24;
 constexpr int kSteps = 100;
 constexpr double kLeastZeta = 1e-4, kMostZeta = 50.0;
@@ -22,7 +22,8 @@ double sinc(double x) {
   return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : sinCos(x).sin / x;
 }
 
-/// A curve relative to its first value, every stride-th sample of it, and the response for a pair of parameters.
+/// A curve relative to its first value, every stride-th sample of it, and its distance from the response for a pair of
+/// parameters.
 class Distance {
  public:
   using Parameters = Eigen::Vector2d;  // logarithms of omega_n and zeta
@@ -33,7 +34,7 @@ class Distance {
       value_.push_back(curve.value[index] - curve.value.front());
     }
   }
-  /// The gain that fits best; with it the sum of squares, and the fit as numbers.
+  /// The best gain, the sum of squares with it, and the fit as numbers.
   SecondOrderFit at(const Parameters& parameters) const {
     SecondOrderFit fit{std::exp(parameters[0]), std::exp(parameters[1])};
     const Eigen::VectorXd shape = shapeOf(parameters);
@@ -43,7 +44,7 @@ class Distance {
     fit.residual = std::sqrt((value - fit.gain * shape).squaredNorm() / static_cast<double>(shape.size()));
     return fit;
   }
-  /// One step of Levenberg and Marquardt over frequency, damping and gain.
+  /// One Levenberg-Marquardt step over frequency, damping and gain.
   Parameters step(const Parameters& parameters, double gain, double damping) const {
     constexpr double kNudge = 1e-6;
     const Eigen::VectorXd shape = shapeOf(parameters);

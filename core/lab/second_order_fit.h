@@ -17,9 +17,9 @@ struct SecondOrderFit {
   double residual = 0.0;  // root of the mean square of what is left, in the curve's unit
 };
 
-/// Least squares over all samples, from the best of a grid of frequencies and dampings on. None: fewer than ten
-/// samples, or the curve does not leave its first value. A frequency is looked for from a quarter turn in the whole
-/// curve to half a turn in a sample, a damping from 1e-4 to 50.
+/// Least squares over all samples, starting from the best of a grid of frequencies and dampings. None: fewer than ten
+/// samples, or the curve does not leave its first value. Frequencies from a quarter period in the whole curve to half a
+/// period in a sample, dampings from 1e-4 to 50.
 std::optional<SecondOrderFit> fitSecondOrder(const Curve& curve);
 
 }  // namespace underact::lab

@@ -11,10 +11,10 @@
 namespace underact::lab {
 namespace {
 
-constexpr double kGone = 1e-14;      // a fraction of the final value; a mode below it is ignored
-constexpr double kTold = 1e-9;       // a fraction of the sought value; a mode below it causes no other peak or crossing
-constexpr double kLargest = 1e18;    // of a mode's fraction; of equal poles it would be infinite, and they cancel
-constexpr double kPerTurn = 32.0;    // samples per period of the fastest active mode
+constexpr double kGone = 1e-14;      // relative to the final value; a mode below it is ignored
+constexpr double kTold = 1e-9;       // relative to the level sought; a mode below it adds no peak or crossing
+constexpr double kLargest = 1e18;    // of a mode's share; with equal poles it would be infinite, and they cancel
+constexpr double kPerTurn = 32.0;    // samples in a period of the fastest mode left
 constexpr int kBlock = 64;           // steps from one exact state to the next
 constexpr int kMostBlocks = 10'000;  // 640,000 samples
 constexpr int kSwings = 200;         // of the slowest undamped mode, if several beat against each other
@@ -41,37 +41,38 @@ std::vector<Mode> modesOf(const TransferFunction& transfer) {
   return modes;
 }
 
-/// A piece in which the response is monotonic. z: its value as a fraction of the final one, less 1.
+/// An interval in which the response is monotonic. z: its value, relative to the final one, less 1.
 struct Piece {
   double from_s, to_s, z_from, z_to;
 };
 
-/// Searches a response piece by piece.
+/// Searches a response interval by interval.
 class Search {
  public:
   explicit Search(const TransferFunction& transfer)
       : step_(transfer), modes_(modesOf(transfer)), final_(gainAtRest(transfer)) {}
 
-  /// A bound of the distance from the final value at t or later, as a fraction of it.
+  /// A bound of the relative distance from the final value at t and later.
   double mostFrom(double t_s) const {
     double sum = 0.0;
     for (const Mode& mode : modes_) sum += mode.share * std::exp(-mode.decay_per_s * t_s);
     return sum;
   }
-  /// The same for all time: the undamped modes.
+  /// The same for all times: that of the undamped modes.
   double mostForEver() const {
     double sum = 0.0;
     for (const Mode& mode : modes_) sum += mode.decay_per_s > 0.0 ? 0.0 : mode.share;
     return sum;
   }
   double z(double t_s) const { return zOf(step_.stagesAt(t_s)); }
-  /// The time in a piece at which z crosses level.
+  /// The time in an interval at which z passes level.
   double passing(const Piece& piece, double level) const {
     const bool above = piece.z_from > level;
     return boundary(piece.from_s, piece.to_s, [&](double t_s) { return (z(t_s) > level) == above; });
   }
-  /// The pieces of one block of samples from from_s on. matters: of a turn that reaches no farther than z, whether it
-  /// is to be found; another is left inside its piece. Most are too small, and each takes some fifty exact values.
+  /// The intervals of one block of samples from from_s on. matters: whether an extremum that reaches no farther than z
+  /// has to be found; others are left inside their interval. Most are too small, and each takes some fifty exact
+  /// values.
   std::vector<Piece> block(double from_s, double step_s, const std::function<bool(double z)>& matters) const {
     std::vector<Piece> pieces;
     const UnitStep::Matrix after = step_.stagesAfter(step_s);
@@ -82,7 +83,7 @@ class Search {
       const double rate = rateOf(stages), next_rate = rateOf(next), here = zOf(stages), there = zOf(next);
       double turn_s = t_s;
       if (rate * next_rate < 0.0) {
-        // The rate falls to 0 within at most the distance of a straight line: twice what it can add.
+        // The rate falls to 0 at most linearly, so the interval adds at most twice this.
         const double beyond = std::abs(rate) * step_s * rate / (rate - next_rate);
         const double farthest = rate > 0.0 ? std::max(here, there) + beyond : std::min(here, there) - std::abs(beyond);
         if (matters(farthest))
@@ -97,7 +98,7 @@ class Search {
     }
     return pieces;
   }
-  /// Short enough for the fastest mode that is still above least, a share of the final value; 0: none is.
+  /// A step short enough for the fastest mode that still exceeds least, relative to the final value; 0: none does.
   double stepAt(double t_s, double least) const {
     double fastest = 0.0;
     for (const Mode& mode : modes_) {
@@ -105,8 +106,7 @@ class Search {
     }
     return fastest > 0.0 ? 2.0 * kPi / (kPerTurn * fastest) : 0.0;
   }
-  /// The time from which only the undamped modes are left and have shown their whole pattern; infinite if there are
-  /// none.
+  /// The time from which only undamped modes are left and have completed their pattern; infinite where there are none.
   double seenAll() const {
     double alone_s = 0.0, slowest = kInfinity;
     int undamped = 0;
@@ -125,7 +125,7 @@ class Search {
  private:
   double zOf(const UnitStep::Vector& stages) const { return step_.deviation(stages) / final_; }
   double rateOf(const UnitStep::Vector& stages) const { return step_.rate(stages) / final_; }
-  /// The time at which holds, true at low, becomes false: to the last bit, by bisection.
+  /// The time at which `holds`, true at low, becomes false: to the last bit, by bisection.
   static double boundary(double low_s, double high_s, const std::function<bool(double)>& holds) {
     for (;;) {
       const double middle_s = 0.5 * (low_s + high_s);
@@ -139,7 +139,7 @@ class Search {
   double final_;
 };
 
-/// Rise and peak, forwards from the step.
+/// Finds rise and peak, forwards from the step.
 void findRiseAndPeak(const Search& search, StepMetrics& metrics) {
   const double z_first = search.z(0.0), seen_s = search.seenAll();
   std::optional<double> low_s, high_s;
@@ -168,7 +168,7 @@ void findRiseAndPeak(const Search& search, StepMetrics& metrics) {
   metrics.overshoot_fraction = metrics.peak_time_s ? most : 0.0;
 }
 
-/// Settling, backwards from the time at which it is certain.
+/// Finds settling, backwards from the time at which it is certain.
 void findSettling(const Search& search, StepMetrics& metrics) {
   double within_s = 0.0;
   if (search.mostFrom(0.0) >= kSettlingBand) {
@@ -186,7 +186,7 @@ void findSettling(const Search& search, StepMetrics& metrics) {
   }
   for (int block = 0; block < kMostBlocks && within_s > 0.0; ++block) {
     double begin_s = std::max(0.0, within_s - kBlock * search.stepAt(within_s, kTold * kSettlingBand));
-    // A faster mode may have been active at the start of the block: then a shorter one.
+    // A faster mode may be left at the beginning of the block: then a shorter block.
     while (within_s - begin_s > 1.0001 * kBlock * search.stepAt(begin_s, kTold * kSettlingBand))
       begin_s = 0.5 * (begin_s + within_s);
     const std::vector<Piece> pieces =
@@ -198,7 +198,7 @@ void findSettling(const Search& search, StepMetrics& metrics) {
     }
     within_s = begin_s;
   }
-  metrics.settling_2pct_s = within_s;  // from the start, or as far back as was searched
+  metrics.settling_2pct_s = within_s;  // from the beginning, or as far back as was searched
 }
 
 }  // namespace

@@ -19,15 +19,15 @@ struct StepMetrics {
 };
 
 /// Of the response to a unit step, each time to some 1e-12 of itself, as far as the poles determine it: found between
-/// samples by the zeros of the response and of its rate. An undamped response has the value about which it swings for
-/// its final value; a growing or drifting one, and one with a final value of 0, has no other metrics. Of peaks that are
-/// equally high the first counts. Overshoot below 1e-14 is none. Cost: some ms; more the less it is damped. It looks
-/// at 640,000 samples at most (some seconds), which only modes with hardly any damping beside far slower ones can ask
-/// for; then a rise or peak beyond them is not found, and the settling time may be too late.
+/// samples by the zeros of the response and of its rate. The final value of an undamped response is the one about which
+/// it oscillates; a growing or drifting one, and one with a final value of 0, has no other metrics. Of equal peaks the
+/// first counts; overshoot below 1e-14 is none. Cost: some ms, more for low damping. At most 640,000 samples (some
+/// seconds), which only nearly undamped modes beside far slower ones need; beyond them a rise or peak is not found, and
+/// the settling time may be too late.
 StepMetrics metricsOf(const TransferFunction& transfer);
 
-/// How long a picture of the response should be: half as long again as it takes to settle, six turns of what swings,
-/// what a drift or growth needs to be seen. Above 0, s.
+/// How long a plot of the response should be, s, above 0: one and a half times the settling time, six periods of an
+/// oscillation, or what it takes to see drift or growth.
 double secondsToSee(const TransferFunction& transfer);
 
 }  // namespace underact::lab

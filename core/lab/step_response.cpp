@@ -21,8 +21,8 @@ namespace {
 constexpr double kBefore_s = 0.5;  // the ramp takes 0.3 s
 constexpr double kShortest_s = 0.5, kLongest_s = 10.0;
 constexpr int kMostTicks = 20'000;  // so that it takes less than a second
-constexpr double kMissed = 1e-3;    // a fraction of the step by which a target may miss it
-constexpr double kNudge_m = 1e-4;   // for the slope of a force
+constexpr double kMissed = 1e-3;    // relative to the step, by which a target may miss it
+constexpr double kNudge_m = 1e-4;   // for the derivative of a force
 
 /// A scene before and after its step.
 struct Programs {
@@ -35,7 +35,7 @@ Result<tick::TickProgram> programOf(const scene::Description& scene, const StepS
   return program;
 }
 
-/// The effect of a control law along a direction with these gains instead of its stiffness: the slope of its force.
+/// The slope of the law's force along a direction, with these gains instead of its stiffness.
 double along(tick::TickProgram program, const sim::Plant& plant, const Vec3& gains, const Vec3& p_WP,
              const Vec3& along_W) {
   program.entries[0].law = control::P{gains};
@@ -59,8 +59,8 @@ HeldMass modelOf(const tick::TickProgram& program, const sim::Plant& plant, cons
   return held;
 }
 
-/// Long enough to see it come to rest: three times the model's settling time, and the periods in which friction stops
-/// it, losing 4 friction / kp of the amplitude in each.
+/// A duration long enough to see it come to rest: three times the model's settling time, and the periods that friction
+/// takes to stop it, with a loss of 4 friction / kp of the amplitude in each.
 double secondsFor(const ArmStep& step) {
   const StepMetrics model = metricsOf(step.analytic);
   double seconds = model.settling_2pct_s ? 3.0 * *model.settling_2pct_s : kLongest_s;
@@ -79,7 +79,7 @@ void record(const Programs& programs, const sim::Plant& plant, double seconds, A
   tick::TickState rest = makeState(before), state = makeState(after);
   for (int tick = 0; tick < static_cast<int>(kBefore_s * step.rate_hz); ++tick) loop.tick(before, rest);
   carryOver(rest, state, tick::Carry::ArmAndMovedLaws);
-  state.retuned = false;  // here, a step is intended
+  state.retuned = false;  // the step is intended here
   step.way_m.period_s = loop.period_s();
   const auto ticks = static_cast<int>(std::lround(seconds * step.rate_hz));
   Vec3 p_WBegin = Vec3::Zero(), p_WEnd = Vec3::Zero();
@@ -98,7 +98,7 @@ void record(const Programs& programs, const sim::Plant& plant, double seconds, A
   step.steady_error_m = step.step_m - (p_WEnd - step.p_WBefore).dot(step.along_W);
 }
 
-/// The direction of W's axis; of Axis::Held the one in which the error grows most, of a tip a little off the target.
+/// The direction of W's axis; of Axis::Held the one in which the error grows most for a tip slightly off the target.
 Vec3 directionOf(Axis axis, const tick::TickProgram& program, const sim::Plant& plant, const Vec3& p_WP) {
   if (axis != Axis::Held) return Vec3::Unit(static_cast<Eigen::Index>(axis));
   Mat3 growth = Mat3::Zero();
@@ -115,7 +115,7 @@ Vec3 directionOf(Axis axis, const tick::TickProgram& program, const sim::Plant& 
   return most_W[largest] < 0.0 ? Vec3(-most_W) : most_W;
 }
 
-/// The scene after a step along axis, if its target follows the whole step; none: it does not.
+/// The scene after a step along axis, if its target moves as a whole; none: it does not.
 Result<std::optional<Programs>> steppedAlong(const scene::Description& held, const tick::TickProgram& before,
                                              const sim::Plant& plant, const StepSetup& setup, ArmStep& step) {
   step.along_W = directionOf(step.axis, before, plant, step.p_WBefore);
@@ -135,7 +135,7 @@ Result<std::optional<Programs>> steppedAlong(const scene::Description& held, con
   return std::optional<Programs>({before, std::move(after).value()});
 }
 
-/// Along the first axis that holds. step: its axis and direction.
+/// The scene after a step along the first axis that holds. step: gets the axis and its direction.
 Result<Programs> stepped(const scene::Description& held, const tick::TickProgram& before, const sim::Plant& plant,
                          const StepSetup& setup, ArmStep& step) {
   for (const Axis axis : {Axis::X, Axis::Y, Axis::Z, Axis::Held}) {

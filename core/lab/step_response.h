@@ -18,20 +18,20 @@ enum class Axis : std::uint8_t { X, Y, Z, Held };
 /// "x", "y", "z", "held".
 const char* name(Axis axis);
 
-/// How the step of the simulated arm is measured.
+/// How a step of the simulated arm is measured.
 struct StepSetup {
   double step_m = 0.010;
   std::optional<Axis> axis = {};          // none: the first of them along which the constraint holds
   std::string constraint = {};            // by name; empty: the only one there is
-  Vec3 from_W = Vec3(0.0, 0.0, 0.06);     // the target nearest to here is where the tip rests before the step
+  Vec3 from_W = Vec3(0.0, 0.0, 0.06);     // the tip rests at the target nearest to here before the step
   sim::ArmModel arm = {};                 // what the arm is made of
-  sim::HandModel hand = {0.0, 0.0, 0.0};  // what stays on the stylus; usually the hand has let go
+  sim::HandModel hand = {0.0, 0.0, 0.0};  // what stays on the stylus; by default nothing
   int rate_hz = 1000;
   double seconds = 0.0;  // after the step; 0: as long as the model asks for, 0.5 to 10, 20,000 ticks
   bool limits = true;    // the gate's; false: the law alone
 };
 
-/// A step of the simulated arm, beside what a mass held by the law would do.
+/// A measured step of the simulated arm, beside the response of a mass held by the same law.
 struct ArmStep {
   std::string constraint;
   scene::LawType law = scene::LawType::P;
@@ -52,15 +52,15 @@ struct ArmStep {
   std::string fault;               // that ended it early; empty: none
 };
 
-/// Rests the tip at the target until the force is ramped up (0.5 s), moves the target by the step from one tick to the
-/// next (without the 60 ms over which the servo fades in an edit; a law's rate does not count the jump, as in eq.
-/// B.14), and records the tip. The same tick, gate and plant as a run, so the same numbers every time. Problems: those
-/// of the scene; no such constraint, or several and none named; a wall; a target that is not unique, or that the arm
-/// does not reach; a constraint that does not hold along the axis; nothing that has mass or damping. Cost: some 25 us
-/// a tick with its fit, so half a second for 20,000.
+/// Lets the tip rest at the target until the force is ramped up (0.5 s), moves the target by the step between two ticks
+/// (without the 60 ms over which the servo fades in an edit; a law's rate does not count the jump, as in eq. B.14), and
+/// records the tip. Tick, gate and plant are those of a run, so the results are the same every time. Problems: those of
+/// the scene; no such constraint, or several and none named; a wall; a target that is not unique, or that the arm does
+/// not reach; a constraint that does not hold along the axis; neither mass nor damping. Cost: some 25 us a tick with
+/// its fit, so half a second for 20,000.
 Result<ArmStep> measureStep(const scene::Description& scene, const StepSetup& setup);
 
-/// The scene with all that it holds the stylus to moved by by_mm, in W; what robots turn about and slide along, too.
+/// The scene with everything that holds the stylus moved by by_mm, in W, the joints of virtual robots included.
 scene::Description withTargetsMoved(scene::Description scene, const Vec3& by_mm);
 
 }  // namespace underact::lab

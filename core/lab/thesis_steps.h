@@ -8,6 +8,7 @@ namespace underact::lab {
 
 /// A figure of the thesis's appendix B: one step response, or several beside each other.
 struct ThesisStep {
+  /// One curve of a figure: its name, and the transfer function whose unit step it is.
   struct Response {
     const char* name;
     TransferFunction transfer;
@@ -19,7 +20,7 @@ struct ThesisStep {
   std::vector<Response> responses;  // the first is the one that is measured
 };
 
-/// Figures B.1 to B.5; B.3 with the signs that errata section 8 puts right.
+/// Figures B.1 to B.5; B.3 with the signs corrected by errata section 8.
 std::span<const ThesisStep> thesisSteps();
 
 }  // namespace underact::lab

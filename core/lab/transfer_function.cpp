@@ -10,8 +10,8 @@
 namespace underact::lab {
 namespace {
 
-constexpr double kOnTheAxis = 1e-12;      // relative, of the coefficients; typed ones have about as many digits
-constexpr double kTwiceOnTheAxis = 1e-6;  // its square root: the distance between two computed roots of a double one
+constexpr double kOnTheAxis = 1e-12;      // relative, of the coefficients, which are typed with about as many digits
+constexpr double kTwiceOnTheAxis = 1e-6;  // its square root: the distance of the two parts of a double root
 constexpr int kPolishes = 12;
 
 void dropLeadingZeros(std::vector<double>& coefficients) {
@@ -29,7 +29,7 @@ bool allFinite(const std::vector<double>& coefficients) {
   return std::all_of(coefficients.begin(), coefficients.end(), [](double one) { return std::isfinite(one); });
 }
 
-/// The sum of |a_i| |s|^i, to which the rounding of valueAt() is relative.
+/// The sum of |a_i| |s|^i, to which the rounding of valueAt() is proportional.
 double sizeAt(const std::vector<double>& coefficients, double size) {
   double sum = 0.0;
   for (const double one : coefficients) sum = sum * size + std::abs(one);
@@ -43,8 +43,8 @@ std::vector<double> derivative(const std::vector<double>& coefficients) {
   return result;
 }
 
-/// Steps of Ehrlich and Aberth, all roots at once, so that none is found twice; it ends when the value at a root is its
-/// rounding.
+/// The Ehrlich-Aberth iteration, on all roots at a time, so that none is found twice; it ends where the value at a root
+/// is within its rounding.
 void polish(const std::vector<double>& monic, std::vector<Complex>& roots) {
   const std::vector<double> slope = derivative(monic);
   for (int step = 0; step < kPolishes; ++step) {
@@ -62,7 +62,7 @@ void polish(const std::vector<double>& monic, std::vector<Complex>& roots) {
   }
 }
 
-/// Real roots real, the others in exact pairs side by side: each takes the partner nearest to its mirror image.
+/// Makes real roots real and the others exact adjacent pairs: each takes the partner nearest to its conjugate.
 std::vector<Complex> paired(std::vector<Complex> roots) {
   std::vector<Complex> result;
   while (!roots.empty()) {
@@ -144,7 +144,7 @@ std::vector<Complex> poles(const TransferFunction& transfer) {
   if (const std::size_t degree = monic.size() - 1; degree > 0) {
     const double lead = monic.front();
     for (double& one : monic) one /= lead;
-    // In a unit of time in which the roots' product is about 1; a power of two, so that nothing is rounded.
+    // In a unit of time in which the product of the roots is about 1; a power of two, to avoid rounding.
     const double unit = std::exp2(std::round(std::log2(std::abs(monic.back())) / static_cast<double>(degree)));
     double power = 1.0;
     for (double& one : monic) {

@@ -32,9 +32,9 @@ Complex slopeOfExponential(const Complex& a, const Complex& b) {
   return exponential(0.5 * (a + b)) * series;
 }
 
-/// e^(J t) of a lower bidiagonal J: the series of a 2^n-th of t, squared n times. What is known of it in closed form,
-/// the diagonal and the one below, is put in at each squaring: left to itself the error would double each time. Source:
-/// Higham 2008, Functions of Matrices, section 10.3.
+/// e^(J t) of a lower bidiagonal J: the series of a 2^n-th of t, squared n times. The diagonal and the one below, known
+/// in closed form, are inserted at each squaring; otherwise the error would double each time. Source: Higham 2008,
+/// Functions of Matrices, section 10.3.
 Matrix exponential(const Vector& diagonal, const Vector& below, double t_s) {
   const Eigen::Index size = diagonal.size();
   const double largest = diagonal.cwiseAbs().maxCoeff() + (size > 1 ? below.cwiseAbs().maxCoeff() : 0.0);
@@ -75,8 +75,7 @@ Complex divide(std::vector<Complex>& coefficients, const Complex& root) {
 
 UnitStep::UnitStep(const TransferFunction& transfer) {
   std::vector<Complex> roots = poles(transfer);
-  // Slow ones last, so that no stage after a slow one works on values that have nearly decayed; pairs stay
-  // together.
+  // Slow ones last, so that no stage follows one that is much slower; pairs stay together.
   std::stable_sort(roots.begin(), roots.end(),
                    [](const Complex& a, const Complex& b) { return std::abs(a) > std::abs(b); });
   const auto size = static_cast<Eigen::Index>(roots.size());

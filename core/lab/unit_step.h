@@ -5,23 +5,24 @@
 
 namespace underact::lab {
 
-/// The response of a transfer function to a unit step at t = 0 from rest, exact at any time. The poles stand in a row
+/// The response of a transfer function to a unit step at t = 0 from rest, exact at any time. The poles form a cascade
 /// of first-order stages, each with a gain of 1 at rest where its pole is not 0; the response is the exponential of the
-/// row's matrix, which repeated poles and ones that are far apart do not spoil as they do a sum of partial fractions.
+/// cascade's matrix, which stays accurate for repeated and widely spread poles where partial fractions do not.
 class UnitStep {
  public:
-  // Of as many stages as there are poles, and the step itself; in place, since a search multiplies millions of them.
+  // One stage for each pole, and the step itself; on the stack, since a search multiplies millions of them.
   static constexpr int kMost = static_cast<int>(kHighestDegree) + 1;
   using Matrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
   using Vector = Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, kMost, 1>;
   using Row = Eigen::Matrix<Complex, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMost>;
 
+  /// transfer: of makeTransferFunction(). Finds its poles, as poles() does.
   explicit UnitStep(const TransferFunction& transfer);
 
   /// y(t), t_s >= 0; at 0 the value just after the step. Not finite where it is beyond a double.
   double at(double t_s) const;
 
-  // Of functions without a pole at 0: the way to the value at rest. stages: what each stage still has to go, all 1 at
+  // Of functions without a pole at 0: the deviation from the final value. stages: what is left of each stage, all 1 at
   // first; times stagesAfter(t) gives them t later.
   Vector stagesAt(double t_s) const { return stagesAfter(t_s).rowwise().sum(); }
   Matrix stagesAfter(double t_s) const;
@@ -35,7 +36,7 @@ class UnitStep {
   Vector gains_;  // of what goes into each stage
   Row output_;
   Row rate_output_;
-  double direct_ = 0.0;  // what goes through at once
+  double direct_ = 0.0;  // direct feedthrough
 };
 
 }  // namespace underact::lab

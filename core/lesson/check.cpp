@@ -12,7 +12,7 @@ bool isBetween(double number, const Wanted& wanted) {
   return number >= wanted.above && number <= wanted.below;  // not for NaN
 }
 
-/// The number that decides whether it is there: the measure, or how far it is from where it should be.
+/// The number that decides whether the condition holds: the measure, or its distance from where it should be.
 double decidingNumber(const Wanted& wanted, const Values& values) {
   return wanted.near.empty() ? numberOf(wanted.measure, values) : distanceTo(wanted.measure, values, wanted.near);
 }
@@ -37,7 +37,7 @@ void forget(CheckState& state) {
   state.crossed_ns.clear();
 }
 
-/// Finds the first condition that fails meanwhile: see CheckState::missed.
+/// Finds the first condition of Check::meanwhile that does not hold: see CheckState::missed.
 void lookAside(const Check& check, CheckState& state, const Seen& seen) {
   state.missed = 0;
   for (std::size_t index = 0; index < check.meanwhile.size() && state.missed == 0; ++index) {
@@ -82,7 +82,7 @@ bool goOn(const Cross& cross, CheckState& state, double) {
          kSecondPerNanosecond * static_cast<double>(state.last_ns - state.crossed_ns.front()) > cross.in_s) {
     state.crossed_ns.pop_front();
   }
-  if (!(std::abs(beyond) > cross.by)) return false;  // too near to count as either side, or not known
+  if (!(std::abs(beyond) > cross.by)) return false;  // too near to be on either side, or not known
   const int side = beyond > 0.0 ? 1 : -1;
   if (state.side != 0 && side != state.side) state.crossed_ns.push_back(state.last_ns);
   state.side = side;

@@ -8,7 +8,7 @@
 
 namespace underact::lesson {
 
-/// What is known of a check so far. A new one knows nothing.
+/// The state of a check; a new one has seen nothing.
 struct CheckState {
   bool solved = false;
   Values now{};                         // what was measured last, or when it was solved; of a place, how far it is
@@ -26,20 +26,20 @@ struct CheckState {
   bool is_wrong = false;                // the answer was
 };
 
-/// The state after a tick. A solved one stays as it is. seen.tick.time_ns must not fall; where it jumps by more than
-/// kLongestGap_s (a pause, another session), what has to last begins anew.
+/// The state after a tick. A solved check stays as it is. seen.tick.time_ns must not decrease; where it jumps by more
+/// than kLongestGap_s (a pause, another session), durations begin again.
 CheckState afterTick(const Check& check, CheckState state, const Seen& seen);
 
 /// The state after an answer to the check's question: a number, or the number of a choice from 1. Where the answer is
-/// measured, it is what the last tick showed; before the first tick none is right.
+/// measured, the last tick counts; before the first tick no answer is right.
 CheckState afterAnswer(const Check& check, CheckState state, double answer);
 
 inline constexpr double kLongestGap_s = 0.5;
 
-/// The quantity as a number: its one value, the part that is meant, or the size of a whole.
+/// The quantity as a number: its one value, the part asked for, or the norm of all parts.
 double numberOf(const Measure& measure, const Values& values);
 
-/// How far values are from a place in the measure's own way.
+/// The distance of the values from a point, in the metric of the measure.
 double distanceTo(const Measure& measure, const Values& values, const std::vector<double>& place);
 
 /// Whether a step is done: each of its checks is.

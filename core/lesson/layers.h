@@ -16,8 +16,8 @@ struct Layers {
   bool influence = true;  // see InfluencePicture; where the scene has one
   bool robot = true;      // virtual manipulators
   bool path = true;       // of a recording that is replayed
-  bool desk = true;       // the marks by which the arm was registered, where it is
-  bool from_desk = true;  // front, right and up are those of the desk, not of the arm, where it is registered
+  bool desk = true;       // the reference points, where the arm is registered
+  bool from_desk = true;  // views are relative to the desk, not to the arm, where it is registered
   // Of meshes, see MeshPicture.
   bool wires = false;              // the edges of all triangles
   bool section = false;            // cut open, across an axis of W
@@ -35,6 +35,7 @@ struct Layers {
 /// A row of the table of layers, in the order of the menu: what a step of a lesson may ask for, the window's actions
 /// layer.NAME, and what it remembers. Text, tip and button are for translators, in the context "layer".
 struct Layer {
+  /// The part of the menu that it is in.
   enum class Group : std::uint8_t { Scene, Teaching, Mesh };
   const char* name;
   bool Layers::*shown;
@@ -43,6 +44,7 @@ struct Layer {
   const char* button = nullptr;  // a shorter text
 };
 
+/// All layers, in the order of the menu.
 std::span<const Layer> layers();
 
 }  // namespace underact::lesson

@@ -10,7 +10,7 @@
 
 namespace underact::lesson {
 
-// A lesson as a teacher writes it. What a student's hand has to show is a measured quantity and what it has to do.
+// A lesson as a teacher writes it. What a student's hand has to show is a measured quantity and a condition on it.
 
 /// What is measured: a quantity, or one value of it.
 struct Measure {
@@ -18,7 +18,7 @@ struct Measure {
   std::size_t part = 0;                // 1 to quantity->parts; 0: as a whole
 };
 
-/// Where a measure should be: between two numbers, or near a place.
+/// A condition on a measure: between two numbers, or near a point.
 struct Wanted {
   Measure measure;
   double above = -kInfinity;
@@ -27,26 +27,26 @@ struct Wanted {
   double within = 0.0;       // of near
 };
 
-/// It is there, and stays there for so long.
+/// The condition holds for a time without a break.
 struct Hold {
   Wanted wanted;
   double for_s = 0.0;
 };
 
-/// Each of some places is visited, in any order.
+/// Each of several points is visited, in any order.
 struct Visit {
   Measure measure;
   std::vector<std::vector<double>> places;
   double within = 0.0;
 };
 
-/// Its least and its most value are so far apart.
+/// The measure covers a range of this size.
 struct Span {
   Measure measure;
   double by = 0.0;
 };
 
-/// It swings through a value so many times within a while, further than `by` to either side.
+/// The measure oscillates about a value this often within a time, further than `by` to either side.
 struct Cross {
   Measure measure;
   double value = 0.0;
@@ -55,7 +55,7 @@ struct Cross {
   double in_s = 1.0;
 };
 
-/// A question that a number answers: one that the lesson knows, or one that is measured at that moment.
+/// A question whose answer is a number: a fixed one, or a measure at the moment of the answer.
 struct AskNumber {
   std::string question;
   std::string unit;
@@ -71,9 +71,10 @@ struct AskChoice {
   std::size_t right = 1;  // from 1
 };
 
+/// What a check asks for.
 using Task = std::variant<Hold, Visit, Span, Cross, AskNumber, AskChoice>;
 
-/// A task that counts as solved once it was, and what has to hold meanwhile.
+/// A task, which counts as solved for good once it was, and conditions that have to hold until then.
 struct Check {
   Task task;
   std::vector<Wanted> meanwhile;
@@ -81,6 +82,7 @@ struct Check {
   Place place;
 };
 
+/// A page of a lesson: what it says, what it shows and what it checks.
 struct Step {
   std::string title;
   std::string text;    // Markdown with $formulas$
@@ -93,6 +95,7 @@ struct Step {
   Place place;
 };
 
+/// A lesson file as it was read; see the guide, "Writing lessons".
 struct Lesson {
   std::string title;
   std::string group;
@@ -102,11 +105,11 @@ struct Lesson {
   std::string file;
 };
 
-/// Where the scene of the step is: its own, or that of the nearest step before it that has one. scene_folder: of the
-/// scenes that ship.
+/// The path of the step's scene: its own, or that of the last step before it that has one. scene_folder: of the scenes
+/// that ship with the program.
 std::string sceneFileOf(const Lesson& lesson, std::size_t step, const std::string& scene_folder);
 
-/// Whether one of its scenes is one that ships, so that their folder has to be found.
+/// Whether a step names a scene that ships with the program, whose folder has to be found then.
 bool namesShippedScene(const Lesson& lesson);
 
 /// A question of either kind; null: the check asks nothing.

@@ -60,7 +60,7 @@ Vec3 offset_m(const Seen& seen) {
   return seen.tick.p_WT - seen.tick.p_WP;
 }
 
-/// How far apart two sets of joint angles are: the largest of their differences, each the short way round.
+/// The largest difference of two sets of joint angles, each the short way round.
 double turnBetween(const arm::JointAngles& a_rad, const arm::JointAngles& b_rad) {
   double largest_rad = 0.0;
   for (std::size_t i = 0; i < a_rad.size(); ++i) {

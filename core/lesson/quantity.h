@@ -15,10 +15,10 @@
 namespace underact::lesson {
 
 inline constexpr std::size_t kMostParts = 8;
-/// The values of a quantity, those it has not are not a number; all of them are not where it cannot be told now.
+/// The values of a quantity; unused ones are not a number, and so are all where it is not defined now.
 using Values = std::array<double, kMostParts>;
 
-/// What there is to be measured in a tick.
+/// What quantities are computed from in a tick.
 struct Seen {
   const servo::TickRecord& tick;
   const scene::Description& scene;  // in effect
@@ -26,11 +26,11 @@ struct Seen {
   const target::Robot& robot;       // the scene's first virtual manipulator, of this tick or shortly before
 };
 
-/// How far two values of it are apart. Way: the root of the sum of squares. Largest: the largest difference, of angles
-/// in degrees. Turn: the angle between two directions, degrees.
+/// The distance of two values. Way: Euclidean. Largest: the largest difference, of angles in degrees. Turn: the angle
+/// between two directions, degrees.
 enum class Apart : std::uint8_t { Way, Largest, Turn };
 
-/// What a scene has to have for the quantity to be there.
+/// What the scene needs for the quantity to be defined.
 enum class Needs : std::uint8_t { Nothing, Influence, Robot, Energy };
 
 /// Something that is measured, in the units of scene files and of the screen.
@@ -38,7 +38,7 @@ struct Quantity {
   const char* key;   // of lesson files: "force_N"
   const char* name;  // in sentences, their first word: "The force"
   const char* unit;  // "N"; empty: it has none
-  int decimals;      // that are true
+  int decimals;      // that are significant
   std::size_t parts;
   Apart apart;
   Needs needs;

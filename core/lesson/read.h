@@ -7,19 +7,18 @@
 
 namespace underact::lesson {
 
-/// A lesson from JSON text: every problem at once, each with line, column and key. file_name: for the places. Unknown
-/// keys are problems (with the nearest known key suggested). What the lesson's scenes have is not looked at, see
-/// checkScenes().
+/// A lesson from JSON text. Problems: all at once, each with line, column and key; unknown keys are problems, with the
+/// nearest known key suggested. file_name: for the places. The scenes themselves are not read, see checkScenes().
 Result<Lesson> readLesson(std::string_view text, const std::string& file_name);
 
 /// The same from a file; one that cannot be read is a problem with line 0.
 Result<Lesson> readLessonFile(const std::string& path);
 
-/// Whether the text of a JSON file is meant as a lesson, right or wrong.
+/// Whether the text of a JSON file is meant as a lesson, valid or not.
 bool looksLikeLesson(std::string_view text);
 
-/// The scenes that the steps name: that they are there, are right, and have what the checks measure; each problem at
-/// its place in the lesson. scene_folder: of the scenes that ship. Empty: all is well.
+/// Checks that the scenes named by the steps exist, are valid, and have what the checks measure; each problem at its
+/// place in the lesson. scene_folder: of the scenes that ship with the program. Empty: no problem.
 Problems checkScenes(const Lesson& lesson, const std::string& scene_folder);
 
 inline constexpr std::size_t kMostSteps = 50, kMostChecks = 20, kMostPlaces = 50;

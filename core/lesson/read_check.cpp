@@ -69,7 +69,7 @@ std::vector<double> readPlace(const Value& value, const std::string& path, const
     return {value.number};
   }
   const std::size_t parts = measure.quantity->parts;
-  const bool may_be_fewer = measure.quantity->needs == Needs::Robot;  // as many as the robot has joints
+  const bool may_be_fewer = measure.quantity->needs == Needs::Robot;  // a robot may have fewer joints
   const Sentence expected = said(TRANSLATE_NOOP("problem", "a list of %1 numbers"), {std::to_string(parts)});
   if (!isKind(value, json::Kind::Array, path, expected, findings)) return {0.0};
   if (value.items.empty() || value.items.size() > parts || (value.items.size() < parts && !may_be_fewer))
@@ -214,7 +214,7 @@ AskChoice readChoiceQuestion(ObjectReader& object) {
   return ask;
 }
 
-/// The kind of a check is determined by the key that only this kind has.
+/// The kind of a check follows from a key that only this kind has.
 Task readTask(ObjectReader& object, const Value& value) {
   if (value.find("choices") != nullptr) return readChoiceQuestion(object);
   if (value.find("question") != nullptr) return readNumberQuestion(object, value);

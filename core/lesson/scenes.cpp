@@ -27,7 +27,7 @@ std::set<const Quantity*> quantitiesOf(const Check& check) {
   return all;
 }
 
-/// The scene's own problems, as one each of the lesson.
+/// The problems of a scene, each as a problem of the lesson.
 Problems toldAt(const Place& place, const std::string& scene_key, const Problems& problems) {
   Problems told;
   for (const Problem& problem : problems) {

@@ -7,7 +7,7 @@
 namespace underact::lesson {
 namespace {
 
-/// Describes the state of one check in a sentence.
+/// Describes one check.
 class Teller {
  public:
   explicit Teller(const CheckState& state) : state_(state) {}
@@ -72,7 +72,7 @@ class Teller {
   }
 
  private:
-  /// As many decimals as it was probably typed with.
+  /// The number of decimals with which it was probably typed.
   static int decimalsOf(double number) {
     int decimals = 0;
     for (double scaled = number; decimals < 4 && std::abs(scaled - std::round(scaled)) > 1e-9 * std::abs(scaled);) {

@@ -3,7 +3,7 @@
 
 namespace underact::lesson {
 
-// What a step may ask of the window, by the names that the window has for it (a story holds them against it).
+// What a step may ask of the window, by the names that the window uses (a test compares them).
 
 /// "front", ...: the actions view.NAME.
 std::span<const char* const> cameraNames();

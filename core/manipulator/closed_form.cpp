@@ -8,22 +8,22 @@
 namespace underact::manipulator {
 namespace {
 
-constexpr double kNoDirection = 8 * 0x1p-52;  // of the terms' sizes: what is left is their rounding
+constexpr double kNoDirection = 8 * 0x1p-52;  // relative to the terms: below it only rounding is left
 
-/// Along a sliding joint from home to the stylus, within its limits.
+/// The value of a prismatic joint nearest to the stylus, within its limits.
 double slideTo(const Manipulator& m, std::size_t i, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME {
   const chain::Joint& joint = m.chain.joints[i];
   return std::clamp(joint.axis_W.dot(p_WT - m.chain.X_WT_home.translation()), joint.min, joint.max);
 }
 
-/// Of best_rad + k 2 pi the value nearest to near_rad that the limits allow; where they allow none, the limit that is
-/// nearer to best_rad round the circle: the energy grows with the angle from it.
+/// The value best_rad + k 2 pi nearest to near_rad that the limits allow; if they allow none, the limit nearer to
+/// best_rad on the circle, as the energy grows with the angle from it.
 double turnTo(const chain::Joint& joint, double best_rad, double near_rad) noexcept UNDERACT_REAL_TIME {
   const double turn = 2.0 * kPi;
   if (joint.min == -kInfinity && joint.max == kInfinity) return wrapped(best_rad);
   const double value_rad = best_rad + turn * std::floor((near_rad - best_rad) / turn + 0.5);
   if (value_rad >= joint.min && value_rad <= joint.max) return value_rad;
-  // The nearest that is within: the first beyond the limit that it passed.
+  // The nearest allowed one: the first beyond the limit that was passed.
   const bool under = value_rad < joint.min;
   const double first_rad = under ? best_rad + turn * std::ceil((joint.min - best_rad) / turn)
                                  : best_rad + turn * std::floor((joint.max - best_rad) / turn);
@@ -36,7 +36,7 @@ Closed around(const Manipulator& m, const ClosedForm& form, const Pose& X_WT,
   const Vec3 p_CT_W = X_WT.translation() - form.p_WC;
   const double kp = m.kp_N_per_m.x(), ko = m.orientation == Orientation::Axis ? m.ko_N_m_per_rad : 0.0;
   const Vec3 z_W = X_WT.linear().col(2);
-  // V = const - a cos(theta) - b sin(theta): both parts are turned by the same joint.
+  // V = const - a cos(theta) - b sin(theta): one joint rotates both parts.
   const double a = kp * form.radial_W.dot(p_CT_W) + ko * form.z_W.dot(z_W);
   const double b = kp * form.axis_W.cross(form.radial_W).dot(p_CT_W) + ko * form.axis_W.cross(form.z_W).dot(z_W);
   const double size = kp * form.radial_W.norm() * (X_WT.translation().norm() + form.p_WC.norm()) + ko;
@@ -59,7 +59,7 @@ Closed onSphere(const Manipulator& m, const ClosedForm& form, const Pose& X_WT,
   const double size = kp * radius_m * (X_WT.translation().norm() + form.p_WC.norm()) + ko;
   Closed closed{near, n_W.norm() > kNoDirection * size};
   if (!closed.is_unique) return closed;
-  // Joint 2 lifts the tip in a plane with axis 1; joint 1 turns that plane.
+  // Joint 2 raises the tip in a plane with axis 1; joint 1 rotates that plane.
   const Vec3 &one_W = m.chain.joints[0].axis_W, &two_W = m.chain.joints[1].axis_W;
   const Vec3 out_W = one_W.cross(two_W);
   const double home_rad = atan2Of(form.radial_W.dot(one_W), form.radial_W.dot(out_W));

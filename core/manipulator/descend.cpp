@@ -12,14 +12,14 @@ namespace {
 
 using chain::JointType;
 
-constexpr double kFirstDamping = 1e-3;  // of a joint's spread, once an undamped step was no good
+constexpr double kFirstDamping = 1e-3;  // of a joint's spread, after an undamped step has failed
 constexpr double kLeastDamping = 1e-9;  // below it there is none
 constexpr double kFloor = 1e-13;        // of the spread: keeps pivots positive where the chain is singular
 constexpr double kLongestTurn_rad = 0.5;
 constexpr double kLongestSlide = 0.25;  // of the reach
-constexpr double kRounding = 0x1p-48;   // of the energy and what it is made of: a loss that says nothing
+constexpr double kRounding = 0x1p-48;   // relative to the energy and its terms: a loss within rounding
 
-/// One descent's fixed things.
+/// What is constant during a descent, and the present curvature.
 class Slope {
  public:
   Slope(const Manipulator& manipulator, const Pose& X_WT) noexcept UNDERACT_REAL_TIME
@@ -27,7 +27,7 @@ class Slope {
         X_WT_(X_WT),
         count_(std::min(manipulator.chain.joints.size(), kMaxJoints)) {}
 
-  /// Which joints a limit holds there.
+  /// Finds the joints that a limit holds there.
   void hold(const Energy& at) noexcept UNDERACT_REAL_TIME {
     for (std::size_t i = 0; i < count_; ++i) {
       const chain::Joint& joint = m_.chain.joints[i];
@@ -35,18 +35,18 @@ class Slope {
     }
   }
 
-  /// The curvature there.
+  /// Computes the curvature there.
   void bend(const Energy& at) noexcept UNDERACT_REAL_TIME {
     curvature(m_, at, m_.options.second_order, H_, spread_);
     double stiffest = 0.0;
     for (std::size_t i = 0; i < count_; ++i) stiffest = std::max(stiffest, spread_[i] / (unit(i) * unit(i)));
     for (std::size_t i = 0; i < count_; ++i) {
-      // A joint that moves nothing has no curvature of its own: it shares a trace of the others'.
+      // A joint that moves nothing has no curvature: it gets a trace of the others'.
       spread_[i] = std::max(spread_[i], 1e-12 * stiffest * unit(i) * unit(i));
     }
   }
 
-  /// The largest step that a joint would take by itself, by the curvature that was last looked at.
+  /// The largest step that a joint would take by itself, by the last curvature computed.
   double left(const Energy& at) const noexcept UNDERACT_REAL_TIME {
     double most = 0.0;
     for (std::size_t i = 0; i < count_; ++i) {
@@ -57,7 +57,8 @@ class Slope {
     return most;
   }
 
-  /// The damped step into next; false where the damped curvature is not positive. promised: what the model gains by it.
+  /// Computes the damped step into next; false where the damped curvature is not positive. promised: the predicted
+  /// gain.
   bool step(const Energy& at, double damping, Values& next, double& promised) const noexcept UNDERACT_REAL_TIME {
     Hessian s;
     std::array<std::size_t, kMaxJoints> joint;
@@ -103,7 +104,8 @@ class Slope {
   std::array<bool, kMaxJoints> held_{};
 };
 
-/// How much of the energy there is rounding: of its own, and of the places and turns whose difference is small.
+/// The rounding error of the energy there: its own, and that of the positions and orientations whose difference is
+/// small.
 double roundingOf(const Manipulator& m, const Pose& X_WT, const Energy& at) noexcept UNDERACT_REAL_TIME {
   const double place_m = m.reach_m + largestOf(X_WT.translation());
   return kRounding * (at.energy_J + largestOf(at.f_W) * place_m + largestOf(at.m_W));
@@ -116,7 +118,7 @@ Descent descend(const Manipulator& m, const Pose& X_WT, int max_steps, Energy& a
   Descent descent;
   double damping = 0.0, growth = 2.0;
   Energy other;
-  Energy *here = &at, *next = &other;  // evaluations are large: they change places
+  Energy *here = &at, *next = &other;  // evaluations are large, so they are swapped
   const auto arrive = [&] {
     if (here != &at) at = *here;
     return descent;
@@ -151,13 +153,13 @@ Descent descend(const Manipulator& m, const Pose& X_WT, int max_steps, Energy& a
     const bool stands = gained <= rounding_J;
     const double before = descent.left;
     std::swap(here, next);
-    // So near, the last curvature says as well as the one here whether a joint still moves.
+    // So close, the last curvature shows as well as a new one whether a joint still moves.
     slope.hold(*here);
     descent.left = slope.left(*here);
     if (descent.left <= m.options.tolerance || descent.steps >= max_steps) continue;
     slope.bend(*here);
     descent.left = slope.left(*here);
-    // Rounding alone moves it now: a tolerance below that is never met.
+    // Only rounding moves it now: a tolerance below that would never be reached.
     if (stands && descent.left > 0.5 * before) return arrive();
   }
 }

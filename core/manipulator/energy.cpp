@@ -22,7 +22,7 @@ Vec3 angular(const Energy& at, std::size_t i) noexcept UNDERACT_REAL_TIME {
   return at.tip.J.col(static_cast<Eigen::Index>(i)).tail<3>();
 }
 
-/// The turn's error, its energy, and the moment that belongs to it: dV = m . w dt where the tip turns by w.
+/// The error of the orientation, its energy, and its moment: dV = m . w dt where the tip rotates with w.
 double addTurn(const Manipulator& m, const Mat3& R_WT, Energy& at) noexcept UNDERACT_REAL_TIME {
   const Mat3& R_WV = at.tip.X_WT.linear();
   at.e_o_W.setZero();
@@ -49,8 +49,8 @@ double addTurn(const Manipulator& m, const Mat3& R_WT, Energy& at) noexcept UNDE
   return 0.5 * at.weight * m.ko_N_m_per_rad * at.e_o_W.squaredNorm();
 }
 
-/// J_l^-1(e) w: how the rotation vector e grows where the tip turns by w, with J_l^-1 = 1 - [e] / 2 + share [e]^2.
-/// Source: Sola et al. 2018, "A micro Lie theory for state estimation in robotics", eq. 146.
+/// J_l^-1(e) w: the rate of the rotation vector e where the tip rotates with w, with J_l^-1 = 1 - [e] / 2 + share
+/// [e]^2. Source: Sola et al. 2018, "A micro Lie theory for state estimation in robotics", eq. 146.
 double shareOf(const Vec3& e) noexcept UNDERACT_REAL_TIME {
   const double squared = e.squaredNorm();
   if (squared <= 1e-6) return 1.0 / 12.0;
@@ -59,8 +59,8 @@ double shareOf(const Vec3& e) noexcept UNDERACT_REAL_TIME {
   return 1.0 / squared - half.cos / (2.0 * angle * half.sin);
 }
 
-/// d2V/dtheta_i dtheta_j is a product with joint j's own (v_j, w_j) for all j from i on. Here that of joint i, in two
-/// parts: what Gauss and Newton keep, and the rest.
+/// d2V/dtheta_i dtheta_j is a product with joint j's own (v_j, w_j) for all j from i on. That of joint i, in two parts:
+/// that of Gauss and Newton, and the rest.
 struct Row {
   Vec3 kept_v, kept_w;
   Vec3 rest_v, rest_w;
@@ -68,7 +68,7 @@ struct Row {
   double rest(const Vec3& v, const Vec3& w) const noexcept UNDERACT_REAL_TIME { return rest_v.dot(v) + rest_w.dot(w); }
 };
 
-/// The turn's share of a row. share: of shareOf(), for a whole turn.
+/// Adds the part of the orientation to a row. share: of shareOf(), for Orientation::Full.
 void addTurn(const Manipulator& m, const Energy& at, double share, const Vec3& w_i,
              Row& row) noexcept UNDERACT_REAL_TIME {
   const double ko = m.ko_N_m_per_rad;
@@ -85,7 +85,7 @@ void addTurn(const Manipulator& m, const Energy& at, double share, const Vec3& w
       row.kept_w = at.weight * ko * w_i;
       return;
     case Orientation::Full: {
-      // Of J_l^-1 w less w, and of the later joint's axis, which turns with the earlier: e . (w_i x w_j).
+      // From J_l^-1 w less w, and from the later joint's axis, which rotates with the earlier: e . (w_i x w_j).
       const Vec3 once = at.e_o_W.cross(w_i);
       row.kept_w = ko * w_i;
       row.rest_w = ko * (0.5 * once + share * at.e_o_W.cross(once));
@@ -125,9 +125,9 @@ void curvature(const Manipulator& m, const Energy& at, bool second_order, Hessia
   for (std::size_t i = 0; i < count; ++i) v[i] = linear(at, i), w[i] = angular(at, i);
   H.size = count;
   spread.fill(0.0);
-  Values mixed{};  // of a joint that turns and one that slides: another unit
+  Values mixed{};  // of a revolute and a prismatic joint: a different unit
   for (std::size_t i = 0; i < count; ++i) {
-    // The later joint's tip is carried round the earlier one's axis; a sliding one has none.
+    // The tip of the later joint rotates about the earlier one's axis; a prismatic one has no rotation.
     Row row{m.kp_N_per_m.cwiseProduct(v[i]), Vec3::Zero(), at.f_W.cross(w[i]), Vec3::Zero()};
     if (turns) addTurn(m, at, share, w[i], row);
     for (std::size_t j = i; j < count; ++j) {
@@ -141,7 +141,7 @@ void curvature(const Manipulator& m, const Energy& at, bool second_order, Hessia
     H.a[i][i] += m.spring[i];
     spread[i] += own;
   }
-  // Where i turns and j slides, |2 x_i x_j| <= reach x_i^2 + x_j^2 / reach.
+  // Where i is revolute and j prismatic, |2 x_i x_j| <= reach x_i^2 + x_j^2 / reach.
   for (std::size_t i = 0; i < count; ++i) {
     const bool is_turning = m.chain.joints[i].type == chain::JointType::Revolute;
     spread[i] += is_turning ? mixed[i] * m.reach_m : mixed[i] / m.reach_m;

@@ -13,7 +13,7 @@
 namespace underact::manipulator {
 namespace {
 
-constexpr int kTicksAStep = 4;       // the watch's own pace: a quarter of a step a tick
+constexpr int kTicksAStep = 4;       // the pace of the second descent: a quarter of a step each tick
 constexpr int kStepsAStart = 25;     // then another start is tried
 constexpr double kSamePlace = 1e-4;  // of the reach
 constexpr double kStanding = 1e3;    // of the tolerance
@@ -27,7 +27,7 @@ Values drawn(const Manipulator& m, std::uint64_t& random) noexcept UNDERACT_REAL
   return theta;
 }
 
-/// A step of the watch. Gives what its minimum saves against `now`, 0 where nothing (yet).
+/// A step of the second descent. Gives what its minimum saves against `now`, 0 where nothing (yet).
 double look(const Manipulator& m, const Pose& X_WT, const Energy& now, Watch& watch) noexcept UNDERACT_REAL_TIME {
   if (!watch.begun) {
     watch.theta = drawn(m, watch.random);
@@ -42,11 +42,11 @@ double look(const Manipulator& m, const Pose& X_WT, const Energy& now, Watch& wa
   const bool elsewhere = (at.tip.X_WT.translation() - now.tip.X_WT.translation()).norm() > kSamePlace * m.reach_m ||
                          (at.e_o_W - now.e_o_W).norm() > kSamePlace;
   if (elsewhere && saves_J > kBetter_J && saves_J > kBetterShare * now.energy_J) return saves_J;
-  if (descent.steps == 0 || ++watch.steps >= kStepsAStart) watch.begun = false;  // this one is no better
+  if (descent.steps == 0 || ++watch.steps >= kStepsAStart) watch.begun = false;  // this start is no better
   return 0.0;
 }
 
-/// Watches for a better minimum and goes over to it; at: there, from then on.
+/// Searches for a better minimum and goes over to it; at: there, from then on.
 void keepWatch(const Manipulator& m, const Pose& X_WT, double dt_s, State& state,
                Followed& followed) noexcept UNDERACT_REAL_TIME {
   Watch& watch = state.watch;
@@ -74,7 +74,7 @@ void keepWatch(const Manipulator& m, const Pose& X_WT, double dt_s, State& state
   watch.begun = false;
 }
 
-/// The target on its way from the last one.
+/// Moves the target from the last one at a limited speed.
 void slew(const Vec3& p_WV, double dt_s, const State& state, Followed& followed) noexcept UNDERACT_REAL_TIME {
   followed.p_WP = p_WV;
   if (!state.begun || !(dt_s > 0.0)) return;
@@ -85,7 +85,7 @@ void slew(const Vec3& p_WV, double dt_s, const State& state, Followed& followed)
   followed.slewing = true;
 }
 
-/// The thesis's law: the joint nearest to the stylus's place, whatever its turn.
+/// The thesis's law: the joint nearest to the stylus's position, whatever its orientation.
 void byThesis(const Manipulator& m, const Pose& X_WT, Followed& followed) noexcept UNDERACT_REAL_TIME {
   const ThesisPull pull = thesisPull(m, X_WT);
   evaluate(m, X_WT, {pull.theta_rad}, followed.at);
@@ -95,8 +95,8 @@ void byThesis(const Manipulator& m, const Pose& X_WT, Followed& followed) noexce
   followed.moment_W = pull.moment_W;
 }
 
-/// Where the joints will be if they go on as they did: most often within a step of the minimum, not two. Nowhere where
-/// they stand but for the tolerance, nor where they go so fast that it might be another valley.
+/// The joints extrapolated by their last motion, which is mostly within one step of the minimum instead of two.
+/// Unchanged where they rest to within the tolerance, or move so fast that it could be another minimum.
 Values goneOn(const Manipulator& m, const State& state) noexcept UNDERACT_REAL_TIME {
   Values theta = state.theta;
   for (std::size_t i = 0; i < std::min(m.chain.joints.size(), kMaxJoints); ++i) {
@@ -111,7 +111,7 @@ void solve(const Manipulator& m, const Pose& X_WT, const State& state, Followed&
   if (m.closed) {
     const Closed closed = closedForm(m, X_WT, state.begun ? state.theta : allowed(m, {}));
     evaluate(m, X_WT, closed.theta, followed.at);
-    followed.is_unique = closed.is_unique || state.begun;  // with a past it stays where it was
+    followed.is_unique = closed.is_unique || state.begun;  // with a past, the last configuration is kept
     return;
   }
   evaluate(m, X_WT, state.begun ? goneOn(m, state) : allowed(m, {}), followed.at);
@@ -121,7 +121,7 @@ void solve(const Manipulator& m, const Pose& X_WT, const State& state, Followed&
 }
 
 bool isFinite(const Pose& X_WT) noexcept UNDERACT_REAL_TIME {
-  double nothing = 0.0;  // 0 times a number is 0, if it is one
+  double nothing = 0.0;  // 0 times a finite number is 0
   for (Eigen::Index column = 0; column < 4; ++column) {
     for (Eigen::Index row = 0; row < 3; ++row) nothing += 0.0 * X_WT.matrix()(row, column);
   }
@@ -172,7 +172,7 @@ Followed follow(const Manipulator& m, const Pose& X_WT, double dt_s, State& stat
 State standing(const Manipulator& m, const Pose& X_WT, int& steps) {
   State state;
   steps = 0;
-  if (m.law == ForceLaw::Thesis52) return state;  // it has no minima to choose from
+  if (m.law == ForceLaw::Thesis52) return state;  // it has no choice of minima
   const Global global = leastEnergy(m, X_WT);
   state.theta = global.at.theta;
   state.p_WP = global.at.tip.X_WT.translation();

@@ -3,7 +3,7 @@
 
 namespace underact::manipulator {
 
-/// A second descent that looks for better minima, a step every few ticks.
+/// A second descent in search of a better minimum, one step every few ticks.
 struct Watch {
   Values theta{};
   std::uint64_t random = 1;  // where the next start is drawn from
@@ -19,45 +19,45 @@ struct State {
   Values pace{};             // how far the joints went in the last tick
   Vec3 p_WP = Vec3::Zero();  // the last target
   bool begun = false;
-  bool lost = false;  // a cold start found that nothing says where the tip is
+  bool lost = false;  // a cold start found no unique minimum
   Watch watch;
 };
 
 /// Of bytes from a file.
 bool isSound(const State& state) noexcept;
 
-/// Where the tip is this tick, and what was found out.
+/// Where the end effector is in this tick, and how it was found.
 struct Followed {
-  Vec3 p_WP = Vec3::Zero();  // the target: the tip, or on the way to it
+  Vec3 p_WP = Vec3::Zero();  // the target: the end effector, or a point on the way to it
   Energy at;                 // at the joints of this tick
   int steps = 0;
-  double left = 0.0;                // what a joint would still move by itself, rad or shares of the reach: above the
+  double left = 0.0;                // the largest joint step left, rad or shares of the reach: above the
                                     // tolerance where the steps did not suffice
-  bool is_unique = true;            // false: every place is as good and there is no past; p_WP is the stylus
+  bool is_unique = true;            // false: all configurations are equal on a first tick; p_WP is the stylus
   bool slewing = false;             // the target is on its way to the tip
-  double better_J = 0.0;            // what another minimum is known to save; 0: none is known
+  double better_J = 0.0;            // what another known minimum would save; 0: none is known
   Vec3 f_along_T_W = Vec3::Zero();  // the thesis's law: what it adds to the pull towards the target
   Vec3 moment_W = Vec3::Zero();     // on the hand about the stylus's tip, N m; never sent
 };
 
-/// The target never moves faster than this, so that a minimum that vanishes or is left for a better one is no blow: at
-/// 0.5 N/mm the force grows by 1 N/ms at most.
+/// The target never moves faster than this, so that the change to another minimum is no jolt: at 0.5 N/mm the force
+/// grows by at most 1 N/ms.
 inline constexpr double kSlew_m_per_s = 2.0;
-/// Another minimum is better when it saves a tenth of the energy and a hundredth of a millijoule; it is taken once it
-/// has been for this long.
+/// Another minimum is better when it saves a tenth of the energy and a hundredth of a millijoule; the robot goes over
+/// to it once that has been so for kBetter_s.
 inline constexpr double kBetterShare = 0.1;
 inline constexpr double kBetter_J = 1e-5;
 inline constexpr double kBetterFor_s = 0.05;
 
-/// One tick: from the last tick's joints, and as far on as they went then, down to the minimum they are in, or the
-/// closed form; then the watch, then the slew. dt_s: since the last tick; 0: unknown. A first tick starts at home. A
-/// stylus that is not finite has no target, and leaves the state as it was. Deterministic. Cost: at most max_steps + 1
-/// steps of the solver.
+/// One tick: extrapolates the joints from the last tick and descends to the nearest minimum, or takes the closed form;
+/// then a step of the second descent, then the slew limit. dt_s: since the last tick; 0: unknown. A first tick starts
+/// at home. A stylus that is not finite has no target, and leaves the state as it was. Deterministic. Cost: at most
+/// max_steps + 1 steps of the solver.
 Followed follow(const Manipulator& manipulator, const Pose& X_WT, double dt_s,
                 State& state) noexcept UNDERACT_REAL_TIME;
 
-/// A state that stands at the minimum of least energy (or where the thesis's law has its tip), for a lone pose; not for
-/// the servo thread. steps: all it took.
+/// A state at the minimum of least energy (or where the thesis's law has its tip), for a single pose; not for the servo
+/// thread. steps: all that it took.
 State standing(const Manipulator& manipulator, const Pose& X_WT, int& steps);
 
 }  // namespace underact::manipulator

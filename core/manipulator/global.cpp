@@ -13,16 +13,16 @@ namespace {
 
 constexpr int kSteps = 200;            // of one descent
 constexpr double kSameMinimum = 1e-6;  // of the reach
-constexpr double kSettled = 1e-7;      // of the joints: a descent that still moves more has found no minimum
+constexpr double kSettled = 1e-7;      // of the joints: a descent that still moves by more has not converged
 constexpr double kSameEnergy = 1e-9;
-constexpr double kNothing = 1e-26;  // of the energy at a reach's distance: there is nothing below
+constexpr double kNothing = 1e-26;  // relative to the energy at a reach's distance: below it counts as 0
 
-/// How many starts along each joint: 64 and 16 by 16 on a grid; from 3 joints on as many as 160 for each.
+/// The number of starts: 64 for one joint and 16 by 16 for two, on a grid; from 3 joints on 160 for each.
 std::size_t startsOf(std::size_t joints) {
   return joints == 1 ? 64 : joints == 2 ? 256 : 160 * joints;
 }
 
-/// The fraction of index in a base, mirrored at the point. Source: Halton 1960.
+/// The radical inverse of index in a base. Source: Halton 1960.
 double halton(std::size_t index, std::size_t base) {
   double result = 0.0, digit = 1.0;
   for (; index > 0; index /= base) {
@@ -44,7 +44,7 @@ std::vector<Values> startsFor(const Manipulator& m, const Pose& X_WT) {
       starts.push_back(allowed(m, theta));
     }
   }
-  // As far as the stylus is, and beyond.
+  // As far as the stylus, and beyond.
   const double slide_m = m.reach_m + (X_WT.translation() - m.chain.X_WT_home.translation()).norm();
   for (std::size_t k = 0; k < startsOf(joints); ++k) {
     Values theta{};
@@ -66,7 +66,7 @@ struct Minimum {
   double energy_J = kInfinity;
 };
 
-/// How much more the best of the minima at another place of the tip costs.
+/// The excess energy of the best minimum at another position of the tip.
 double secondOf(const std::vector<Minimum>& minima, const Minimum& best, double near_m) {
   double second_J = kInfinity;
   for (const Minimum& one : minima) {
@@ -95,11 +95,11 @@ Global leastEnergy(const Manipulator& m, const Pose& X_WT) {
     best.steps += descent.steps;
     if (!(at.energy_J < kInfinity)) continue;
     if (descent.left <= kSettled) minima.push_back({at.theta, at.tip.X_WT.translation(), at.energy_J});
-    // Better by a rounding is no better: the first stays.
+    // An improvement within rounding does not count: the first stays.
     if (at.energy_J < (1.0 - 1e-12) * least.energy_J) least = {at.theta, at.tip.X_WT.translation(), at.energy_J};
-    if (at.energy_J <= kNothing * scale_J) break;  // none can be below
+    if (at.energy_J <= kNothing * scale_J) break;  // none can be lower
   }
-  // To the last bit that rounding leaves: nobody waits for a tick.
+  // To the last bit that rounding allows, as there is no time limit.
   Manipulator exact = m;
   exact.options.tolerance = 0.0;
   evaluate(exact, X_WT, allowed(m, least.theta), best.at);

@@ -13,7 +13,7 @@ namespace {
 
 using chain::JointType;
 
-constexpr double kAlongAxis = 1e-6;  // z of V is no nearer to the axis than this, where its angle is asked for
+constexpr double kAlongAxis = 1e-6;  // the least angle of z of V to the axis, where the angle about it counts
 
 bool isStiffness(double k) {
   return std::isfinite(k) && k >= 0.0;
@@ -49,7 +49,7 @@ void judgeNumbers(const Wanted& wanted, const Place& place, Problems& problems) 
   }
 }
 
-/// What an angle about a joint asks of the chain.
+/// Checks what Orientation::Angle requires of the chain.
 void judgeAngle(const Wanted& wanted, const Place& place, Problems& problems) {
   const bool by_thesis = wanted.law == ForceLaw::Thesis52;
   if (wanted.orientation != Orientation::Angle && !by_thesis) return;
@@ -86,7 +86,7 @@ Result<Manipulator> makeManipulator(Wanted wanted, const Place& place) {
   made.orientation = wanted.orientation;
   made.kp_N_per_m = wanted.kp_N_per_m;
   made.ko_N_m_per_rad = wanted.ko_N_m_per_rad;
-  // Without any gain the tip is still held to be somewhere: at the nearest place, as other constraints have it.
+  // Without any gain the tip still needs a target: the nearest position, as with other constraints.
   if (made.kp_N_per_m.isZero() && (made.orientation == Orientation::None || made.ko_N_m_per_rad == 0.0)) {
     made.kp_N_per_m.setOnes();
   }

@@ -12,10 +12,11 @@ inline constexpr std::size_t kMaxJoints = 8;
 /// One number for each joint, rad or m (or of their stiffness); what is beyond the chain's joints is 0.
 using Values = std::array<double, kMaxJoints>;
 
-/// What of the stylus's turn the tip is drawn to. Axis: the directions of both z. Angle: the angle of z about the one
-/// revolute joint's axis, as the thesis does. Full: the whole turn.
+/// What of the stylus's orientation the end effector V follows. Axis: the direction of z. Angle: the angle of z about
+/// the axis of the one revolute joint, as in the thesis. Full: all of it.
 enum class Orientation : std::uint8_t { None, Axis, Angle, Full };
 
+/// How the joints of least energy are found. ClosedForm: see ClosedForm. Iterative: by damped Newton steps.
 enum class Method : std::uint8_t { ClosedForm, Iterative };
 
 /// Energy: F = K e at the joints of least energy. Thesis52: code 5.2 as corrected, for comparison.
@@ -24,18 +25,19 @@ enum class ForceLaw : std::uint8_t { Energy, Thesis52 };
 /// The chains whose joints of least energy are known in closed form.
 enum class Kind : std::uint8_t { Circle, Sphere, Cylinder, Line, Plane };
 
-/// A closed form's own frame: centre C (a point on the axis), axis a, and for a turning tip the directions of the tip
-/// (u_W) and of its z (z_W) at home as they are drawn round.
+/// The geometry of a closed form: centre C (a point on the axis), axis a, and for a rotating end effector its position
+/// (u_W) and the direction of its z (z_W) at home, relative to the axis.
 struct ClosedForm {
   Kind kind = Kind::Line;
-  std::size_t turning = 0;  // which joint turns (Circle, Cylinder)
-  std::size_t sliding = 0;  // and which slides
+  std::size_t turning = 0;  // the revolute joint (Circle, Cylinder)
+  std::size_t sliding = 0;  // and the prismatic one
   Vec3 p_WC = Vec3::Zero();
   Vec3 axis_W = Vec3::UnitZ();
   Vec3 radial_W = Vec3::UnitX();  // from C to the tip at home, m, across the axis
   Vec3 z_W = Vec3::Zero();        // the tip's z at home, across the axis (Sphere: its part along radial_W)
 };
 
+/// How far the iteration goes in a tick.
 struct Options {
   Method method = Method::Iterative;
   int max_steps = 20;        // a tick, 1 to 100
@@ -43,7 +45,7 @@ struct Options {
   bool second_order = true;  // false: Gauss and Newton's approximation, for comparison
 };
 
-/// A serial chain in software whose tip V the stylus is drawn to. Made by makeManipulator().
+/// A virtual robot: a serial chain to whose end effector V the stylus is pulled. Made by makeManipulator().
 /// Its energy: V = 1/2 e^T K e + 1/2 sum k_i (theta_i - rest_i)^2 with e = (p_V - p_T; e_o), K = diag(kp, ko); the
 /// stylus is drawn to the tip at the joints of least energy. Source: Beckman 2007, section 5.2; errata section 6.
 struct Manipulator {
@@ -62,8 +64,7 @@ struct Manipulator {
   double home_rad = 0.0;             // Orientation::Angle: where z of V points at home, about its axis
 };
 
-/// What makeManipulator() is made from; as Manipulator's members of the same names. method none: a closed form where
-/// there is one.
+/// The input of makeManipulator(); members as those of Manipulator. method none: a closed form where there is one.
 struct Wanted {
   chain::Chain chain;
   Orientation orientation = Orientation::None;
@@ -77,8 +78,8 @@ struct Wanted {
   double tolerance = 1e-10;
 };
 
-/// Problems: more than kMaxJoints joints; a gain below 0 or not finite; orientation angle (and the thesis's law, which
-/// takes one joint alone) without just one revolute joint, or with z of V along its axis; a closed form asked for where
+/// Problems: more than kMaxJoints joints; a gain below 0 or not finite; orientation Angle (and the thesis's law, which
+/// takes one joint alone) without exactly one revolute joint, or with z of V along its axis; Method::ClosedForm where
 /// there is none.
 Result<Manipulator> makeManipulator(Wanted wanted, const Place& place);
 

@@ -24,7 +24,7 @@ bool unlimited(const Joint& joint) {
   return joint.min == -kInfinity && joint.max == kInfinity;
 }
 
-/// Circle and cylinder; none where the tip does not move and nothing else is asked of it.
+/// Circle and cylinder; none where the tip does not move and has no orientation to follow.
 std::optional<ClosedForm> circularForm(const Manipulator& m, std::size_t turning, std::size_t sliding, Kind kind) {
   if (m.orientation != Orientation::None && m.orientation != Orientation::Axis) return std::nullopt;
   const Joint& joint = m.chain.joints[turning];

@@ -3,7 +3,7 @@
 
 namespace underact::manipulator {
 
-/// What the thesis's own force law asks for: besides kp (p_P - p_T) a pull along the circle.
+/// The force law of the thesis: besides kp (p_P - p_T) a force along the circle.
 struct ThesisPull {
   double theta_rad = 0.0;           // the joint where its tip is nearest to the stylus
   double error_rad = 0.0;           // e_theta = theta - the stylus's own angle, in [-pi, pi]
@@ -13,11 +13,11 @@ struct ThesisPull {
   bool is_unique = false;           // false: the stylus is on the axis
 };
 
-/// manipulator: of one revolute joint. The pivot is the joint's point, L the tip's distance from it. This field
-/// is not conservative: it takes L where the arm is r, and it does work on a loop; for comparison with the energy's
-/// law. Source: Beckman 2007, code 5.2 and eq. 5.29, with their errata (pivot in theta_v, the wrap, the pivot's own
-/// plane). Within 16 ulp of places, of L and the angles times (largest coordinate / off the axis); of the force, of ko
-/// times that over L.
+/// manipulator: of one revolute joint. The pivot is the joint's point, L the distance of the end effector from it. The
+/// field is not conservative: its lever arm is L instead of r, and it does work on a loop; for comparison with the
+/// energy's law. Source: Beckman 2007, code 5.2 and eq. 5.29, with their errata (pivot in theta_v, the wrap, the
+/// pivot's own plane). Within 16 ulp of positions, of L and the angles times (largest coordinate / distance from the
+/// axis); of the force, of ko times that over L.
 ThesisPull thesisPull(const Manipulator& manipulator, const Pose& X_WT) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::manipulator

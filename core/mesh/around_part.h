@@ -5,13 +5,13 @@
 
 namespace underact::mesh {
 
-/// The place of a corner in its face.
+/// The index of a corner in its face.
 inline std::size_t placeOf(const Face& face, std::int32_t corner) noexcept UNDERACT_REAL_TIME {
   return face[0] == corner ? 0 : face[1] == corner ? 1 : 2;
 }
 
-/// Calls look(face) for the faces that meet the given one in the part where a point of it is: none inside, the one
-/// across an edge, those around a corner, first one way round and then, past a border, the other; until look gives
+/// Calls look(face) for the faces that share with the given one the part that a point is on: none inside, the one
+/// across an edge, those around a corner (first one way round, then, past a border, the other), until look returns
 /// false. Bounded: of a fan, the first hundred.
 template <class Look>
 void forNeighbours(const Surface& surface, std::int32_t face, Part part, const Look& look) noexcept UNDERACT_REAL_TIME {
@@ -30,7 +30,7 @@ void forNeighbours(const Surface& surface, std::int32_t face, Part part, const L
   for (const bool forward : {true, false}) {
     std::int32_t at = face;
     for (int count = 0; count < kMostOfFan; ++count) {
-      // Of a face whose corner this is at place k, side k leaves it and side k - 1 comes to it.
+      // Of a face that has this corner at index k, side k leaves it and side k - 1 arrives.
       const std::size_t place = placeOf(surface.triangles.faces[static_cast<std::size_t>(at)], corner);
       at = neighbourOf(at, forward ? place : (place + 2) % 3);
       if (at == face) return;  // all the way round

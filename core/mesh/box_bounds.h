@@ -9,24 +9,24 @@
 
 namespace underact::mesh {
 
-/// No point of box k is nearer to the point asked than the root of squared[k]; nearer has bit k where that may be below
+/// Lower bounds of the squared distance to the children's boxes. nearer: bit k is set where that of box k may be below
 /// the limit.
 struct alignas(16) BoxBounds {
   std::array<float, kWays> squared;
   unsigned nearer = 0;
 };
 
-/// In floats: the place of q in the frame is off by 3e-7 of its distance and of the box's size; the boxes are wider by
-/// more than the latter, a factor takes off the former. limit: of the squared distance; boxes without a child are
-/// infinitely far.
+/// In floats: the position of q in the frame is off by 3e-7 of its distance and of the box's size; the boxes are wider
+/// by more than the latter, and a factor allows for the former. limit: of the squared distance; boxes without a child
+/// are infinitely far.
 [[gnu::always_inline]] inline BoxBounds boundsOf(const Node& node, const Vec3& q_M,
                                                  double limit) noexcept UNDERACT_REAL_TIME {
   constexpr float kNearer = 1.0F - 0x1p-18F, kUp = 1.0F + 0x1p-17F;
-  constexpr double kLeast = 0x1p-120;  // below it floats hold nothing, and nothing would be nearer
+  constexpr double kLeast = 0x1p-120;  // below it floats lose precision, and no box could be nearer
   const float most = kUp * static_cast<float>(limit > kLeast ? limit : kLeast);
   BoxBounds bounds;
 #if defined(__SSE2__)  // the same operations, four at a time
-  // Four floats are read where three are meant; those after them are of the node, too.
+  // Four floats are read where three are needed; those after them belong to the node, too.
   const __m128 p_MN = _mm_loadu_ps(node.p_MN.data());
   const __m128d xy = _mm_sub_pd(_mm_loadu_pd(q_M.data()), _mm_cvtps_pd(p_MN));
   const __m128d z = _mm_sub_sd(_mm_load_sd(q_M.data() + 2), _mm_cvtps_pd(_mm_movehl_ps(p_MN, p_MN)));
@@ -73,8 +73,8 @@ struct alignas(16) BoxBounds {
   return bounds;
 }
 
-/// Writes those children of the node that bounds leave to list, which has room for all. How many they are. Without a
-/// branch a child, since nobody can tell beforehand which.
+/// Writes the children of the node that bounds leave to list, which has room for all. Gives how many they are. Without
+/// a branch for each child, since such branches cannot be predicted.
 [[gnu::always_inline]] inline std::size_t addChildren(const Node& node, unsigned nearer,
                                                       std::int32_t* list) noexcept UNDERACT_REAL_TIME {
   std::size_t size = 0;

@@ -7,10 +7,10 @@
 namespace underact::mesh {
 namespace {
 
-/// By more than what a float leaves of a coordinate of a point that is as far off as the box is large.
+/// More than the rounding of a float coordinate at a distance of the size of the box.
 constexpr double kFrameWider = 4e-6;
 
-/// Rows: the principal axes of the corners, the one of least spread last. The identity where they have none.
+/// Rows: the principal axes of the corners, that of the least spread last. The identity where there are none.
 Mat3 spreadAxes(const std::vector<Eigen::Vector3f>& corners, const Vec3& mean) {
   Mat3 spread = Mat3::Zero();
   for (const Eigen::Vector3f& corner : corners) {

@@ -11,8 +11,8 @@
 namespace underact::mesh {
 namespace {
 
-/// The way, sheared so that it runs along the axis in which it is longest: then a face is met where its corners, seen
-/// along that axis, go around 0. Corners that faces share are sheared alike, to the bit.
+/// The path, sheared so that it runs along its longest coordinate: then it passes through a face whose corners, seen
+/// along that axis, surround 0. Corners shared by faces are sheared identically, to the bit.
 class Sheared {
  public:
   Sheared(const Vec3& from_M, const Vec3& to_M) noexcept UNDERACT_REAL_TIME : from_M_(from_M) {
@@ -23,15 +23,15 @@ class Sheared {
     length_ = way_M[along_];
     shear_ = {way_M[(along_ + 1) % 3] / length_, way_M[(along_ + 2) % 3] / length_};
   }
-  /// Across, across, and the share of the way.
+  /// The two coordinates across the path, and the share along it.
   Vec3 of(const Vec3& p_M) const noexcept UNDERACT_REAL_TIME {
     const Vec3 v_M = p_M - from_M_;
     const double along = v_M[along_];
     return {v_M[(along_ + 1) % 3] - shear_[0] * along, v_M[(along_ + 2) % 3] - shear_[1] * along, along / length_};
   }
   double length() const noexcept UNDERACT_REAL_TIME { return length_; }
-  /// The share of the way that lies within the rounding of the coordinates. A tip that rests on a face must not come
-  /// through it, and whether it is behind is decided by other means than the crossing.
+  /// The share of the path within the rounding of the coordinates. A tip that rests on a face must not pass through it,
+  /// and which side it is on is decided by other means.
   double slack(const Surface& surface) const noexcept UNDERACT_REAL_TIME {
     constexpr double kRounding = 1e-12;
     const double largest = std::max(largestOf(surface.low_M.cast<double>()), largestOf(surface.high_M.cast<double>()));
@@ -45,7 +45,7 @@ class Sheared {
   std::array<double, 2> shear_{};
 };
 
-/// The share of the way at which it goes through the face; infinite where it does not.
+/// The share of the path at which it passes through the face; infinite where it does not.
 double shareAt(const Surface& surface, std::int32_t face, Way way, const Sheared& sheared,
                double slack) noexcept UNDERACT_REAL_TIME {
   const auto [a_M, b_M, c_M] = cornersOf(surface, face);
@@ -65,8 +65,8 @@ double shareAt(const Surface& surface, std::int32_t face, Way way, const Sheared
   return share >= -slack && share <= 1.0 + slack ? share : kInfinity;
 }
 
-/// Which of the node's boxes the way may meet, bit by bit: the boxes are widened by what floats round, and this widens
-/// them again by its own.
+/// The boxes of the node that the path may meet, one bit each: the boxes are wider by the rounding of floats, and are
+/// widened again by that of this test.
 unsigned metBy(const Node& node, const Vec3& from_M, const Vec3& to_M) noexcept UNDERACT_REAL_TIME {
   constexpr double kWider = 1e-6;
   std::array<double, 3> low{}, high{};

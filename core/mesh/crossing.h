@@ -4,17 +4,18 @@
 
 namespace underact::mesh {
 
-/// From which side of the faces a way goes through them: from the side that their normals point to, or from the other.
+/// The side from which a path passes through a face: Inwards from the side that the normal points to.
 enum class Way : std::uint8_t { Inwards, Outwards };
 
-/// The first face that the straight way from from_M to to_M goes through; -1: none. Watertight: what goes through an
-/// edge or a corner that faces share goes through one of them, for any rounding. Both ends finite. is_whole is false
-/// where very many faces lie along the way, and the rest was not looked at (kMostVisits).
+/// The first face that the straight path from from_M to to_M passes through; -1: none. Watertight: a path through a
+/// shared edge or corner passes through one of the faces, for any rounding. Both ends finite. is_whole is false where
+/// very many faces lie along the path, and the rest was not looked at (kMostVisits).
 /// Source: Woop, Benthin and Wald 2013, Watertight ray/triangle intersection.
 struct Crossing {
   std::int32_t face = -1;
   bool is_whole = true;
 };
+/// way: which crossings count. Equal ends: none. Cost: bounded by kMostVisits.
 Crossing firstCrossing(const Surface& surface, Way way, const Vec3& from_M,
                        const Vec3& to_M) noexcept UNDERACT_REAL_TIME;
 

@@ -9,7 +9,7 @@ namespace {
 
 using Level = std::array<std::int32_t, Cut::kMost + kWays>;
 
-/// Those children of the cut's nodes that are within its reach. How many; 0: they are faces, or too many.
+/// The children of the cut's nodes that are within its reach; gives their number. 0: they are faces, or too many.
 std::size_t levelBelow(const Surface& surface, const Cut& cut, Level& level, int& visits) noexcept UNDERACT_REAL_TIME {
   std::size_t size = 0;
   for (std::size_t place = 0; place < cut.size; ++place) {
@@ -22,7 +22,7 @@ std::size_t levelBelow(const Surface& surface, const Cut& cut, Level& level, int
   return size;
 }
 
-/// A state may come from a recording, and that may be broken.
+/// Whether the cut is of this surface: a state may come from a recording, which may be damaged.
 bool isOf(const Cut& cut, const Surface& surface) noexcept UNDERACT_REAL_TIME {
   // The highest bit of one of these is set where a node is below 0 or above the last: four at once.
   const auto last = static_cast<std::uint32_t>(surface.nodes.size() - 1);
@@ -41,7 +41,7 @@ bool holds(const Cut& cut, const Surface& surface, const Vec3& q_M, double dista
 
 Cut makeCut(const Surface& surface, const Vec3& q_M, double reach, int& visits) noexcept {
   Cut cut{q_M, reach, surface.mark, 0, 1, {}};
-  Level level;  // not set beforehand
+  Level level;  // not initialised
   while (const std::size_t size = levelBelow(surface, cut, level, visits)) {
     std::copy_n(level.begin(), size, cut.nodes.begin());
     cut.size = static_cast<std::uint32_t>(size);
@@ -50,7 +50,8 @@ Cut makeCut(const Surface& surface, const Vec3& q_M, double reach, int& visits) 
 }
 
 Cut nextCut(const Cut& cut, const Surface& surface, const Vec3& q_M, double distance, int& visits) noexcept {
-  // Fewer are made anew too often, for more the nodes are many: of 3 to 8 all were within 5 % along a hand's path.
+  // With fewer, cuts are renewed too often; with more, they have too many nodes: of 3 to 8 all were within 5 % along a
+  // hand's path.
   constexpr double kSearches = 5.0;
   const double step = cut.served > 0 ? (q_M - cut.q_M).norm() / cut.served : 0.0;
   return makeCut(surface, q_M, distance + kSearches * step, visits);

@@ -8,8 +8,8 @@
 
 namespace underact::mesh {
 
-/// Nodes of a surface's tree such that every face below none of them is at least as far from q as reach. About q a
-/// search may begin there and not at the root, level after level above them: what it finds is the least of all.
+/// A set of nodes of a surface's tree. Every face outside them is at least `reach` away from q, so that a search about
+/// q may begin at them and not at the root and still finds the global minimum.
 struct Cut {
   static constexpr std::size_t kMost = 12;
   Vec3 q_M = Vec3::Zero();
@@ -20,16 +20,16 @@ struct Cut {
   std::array<std::int32_t, kMost> nodes{};
 };
 
-/// Whether every face below none of the cut's nodes is at least as far from q_M as distance. False for any cut that
-/// was not made here for this surface.
+/// Whether every face outside the cut is at least as far from q_M as distance. False for any cut that was not made for
+/// this surface.
 bool holds(const Cut& cut, const Surface& surface, const Vec3& q_M, double distance) noexcept UNDERACT_REAL_TIME;
 
-/// The lowest level of which few enough nodes are within reach of q_M, or the root. visits: goes up by the nodes looked
-/// at. Cost: kMost nodes a level at most.
+/// The lowest level with few enough nodes within reach of q_M, or the root. visits: goes up by the nodes looked at.
+/// Cost: at most kMost nodes a level.
 Cut makeCut(const Surface& surface, const Vec3& q_M, double reach, int& visits) noexcept UNDERACT_REAL_TIME;
 
-/// The cut that follows when one no longer holds: for some more searches as far apart as those that it served.
-/// distance: of something on the surface.
+/// The next cut, when one no longer holds: for some more searches as far apart as those that it served. distance: of a
+/// point on the surface.
 Cut nextCut(const Cut& cut, const Surface& surface, const Vec3& q_M, double distance,
             int& visits) noexcept UNDERACT_REAL_TIME;
 

@@ -3,13 +3,13 @@
 namespace underact::mesh {
 namespace {
 
-/// Four floats, each of another face. Operators on them are those of floats, on every processor.
+/// Four floats, one for each face. Their operators are those of floats, on every processor.
 using Four = float __attribute__((vector_size(4 * kAtOnce)));
 
 Four fourOf(float x) noexcept UNDERACT_REAL_TIME {
   return Four{x, x, x, x};
 }
-/// y where one is not a number; likewise below.
+/// The lesser, y where one is not a number; the greater likewise below.
 Four lesser(Four x, Four y) noexcept UNDERACT_REAL_TIME {
   return x < y ? x : y;
 }
@@ -36,7 +36,7 @@ Vec3s cross(const Vec3s& u, const Vec3s& v) noexcept UNDERACT_REAL_TIME {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
-/// The square of the distance from 0 to the edge that goes from p along e.
+/// The squared distance from 0 to the edge from p along e.
 [[gnu::always_inline]] inline Four squaredToEdge(const Vec3s& p, const Vec3s& e,
                                                  Four e_squared) noexcept UNDERACT_REAL_TIME {
   const Four none = fourOf(0.0F);
@@ -72,7 +72,7 @@ std::array<float, kAtOnce> faceBounds(const Surface& surface, const std::array<s
   const Vec3s q_low{fourOf(low.x()), fourOf(low.y()), fourOf(low.z())};
   const Vec3s a_M = cornersAt(surface, faces, 0), b_M = cornersAt(surface, faces, 1),
               c_M = cornersAt(surface, faces, 2);
-  // Edges as the corners say, to the last bit; seen from q, what is short in them would be lost.
+  // Edges by the corners, to the last bit; relative to q, short ones would cancel.
   const Vec3s ab = b_M - a_M, ac = c_M - a_M, bc = c_M - b_M;
   const Vec3s a = (a_M - q_high) - q_low, b = a + ab;
   const Four ab_squared = dot(ab, ab), ac_squared = dot(ac, ac), bc_squared = dot(bc, bc);
@@ -86,7 +86,7 @@ std::array<float, kAtOnce> faceBounds(const Surface& surface, const std::array<s
       lesser(lesser(dot(cross(a, ab), normal), dot(cross(ac, a), normal)), dot(cross(b, bc), normal));
   const Four squared = least_share > none ? to_plane : to_edges;
   const Four longest = greater(greater(ab_squared, ac_squared), bc_squared);
-  // What splitting q leaves out, 2^-47 of it, by the same reckoning, and what squares of floats cannot hold.
+  // The remainder of splitting q, 2^-47 of it, and what squares of floats cannot represent.
   const float rest = 0x1p-74F * high.squaredNorm() + kSmallest;
   const Four bound = squared * fourOf(kLess) - longest * fourOf(kOfEdge) - fourOf(rest);
   const Four smallest = lesser(normal_squared, lesser(ab_squared, ac_squared));

@@ -6,12 +6,12 @@
 
 namespace underact::mesh {
 
-/// How many faces are looked at in one go.
+/// Faces that are bounded at once.
 inline constexpr std::size_t kAtOnce = 4;
 
-/// No point of faces[k] is nearer to q than the root of the k-th number, or that is not above 0 and says nothing, as
-/// where the angle at the first corner is sharp or floats do not hold the products. Else it lies below the squared
-/// distance by 2^-13 of that and 2^-14 of the longest edge's square at most. In floats, without a branch. q_M: finite.
+/// Lower bounds of the squared distances from q to the faces; a number that is not above 0 says nothing, as where the
+/// angle at the first corner is acute or floats do not hold the products. Otherwise it is below the squared distance by
+/// at most 2^-13 of it and 2^-14 of the longest edge squared. In floats, without a branch. q_M: finite.
 std::array<float, kAtOnce> faceBounds(const Surface& surface, const std::array<std::int32_t, kAtOnce>& faces,
                                       const Vec3& q_M) noexcept UNDERACT_REAL_TIME;
 

@@ -6,8 +6,8 @@
 
 namespace underact::mesh {
 
-/// Calls work(begin, end) for pieces of 0 to before count, in as many threads as there are processors. What each index
-/// gives must not depend on the others. Not for the servo thread.
+/// Calls work(begin, end) for pieces of [0, count), in as many threads as there are processors. The result for an index
+/// must not depend on the others. Not for the servo thread.
 template <class Work>
 void inParallel(std::size_t count, const Work& work) {
   constexpr std::size_t kWorthAThread = 4096;

@@ -10,14 +10,14 @@
 namespace underact::mesh {
 namespace {
 
-/// Unit, or otherwise where it has no length.
+/// The unit vector, or `otherwise` for one without a length.
 Vec3 unitOr(const Vec3& v, const Vec3& otherwise) noexcept UNDERACT_REAL_TIME {
   const double length = v.norm();
   return length > 0.0 ? Vec3(v / length) : otherwise;
 }
 
-/// What a face's normal counts for at its corner at `place`: the sine of the angle there over the sides' lengths, which
-/// needs no arc. Source: Max 1999, Weights for computing vertex normals from facet normals.
+/// The weight of a face's normal at its corner at `place`: the sine of the angle there over the lengths of the sides,
+/// which needs no arc tangent. Source: Max 1999, Weights for computing vertex normals from facet normals.
 double weightOf(const Surface& surface, std::int32_t face, std::size_t place) noexcept UNDERACT_REAL_TIME {
   const auto [a, b, c] = cornersOf(surface, face);
   const std::array<Vec3, 3> p{a, b, c};
@@ -26,14 +26,14 @@ double weightOf(const Surface& surface, std::int32_t face, std::size_t place) no
   return lengths > 0.0 ? to_next.cross(to_last).norm() / lengths : 0.0;
 }
 
-/// More faces than this around a corner are left alone: each keeps its own normal there.
+/// Corners with more faces than this are not smoothed.
 constexpr int kMostAround = 64;
 
-/// Calls look(face, its normal) for the faces around the corner at `place` that no sharp edge parts from the given one,
-/// whose normal is own_M and which comes first. Faces without an area part nothing and are passed over.
+/// Calls look(face, its normal) for the faces around the corner at `place` up to the next sharp edges, beginning with
+/// the given one, whose normal is own_M. Faces without an area make no sharp edge and are skipped.
 struct Around {
-  bool has_sharp = false;  // an edge that ends there
-  bool is_whole = true;    // false: there are too many faces, and not all were looked at
+  bool has_sharp = false;  // a sharp edge ends there
+  bool is_whole = true;    // false: too many faces, not all were looked at
 };
 template <class Look>
 Around lookAround(const Surface& surface, std::int32_t face, const Vec3& own_M, std::size_t place, const Lean& most,
@@ -49,7 +49,7 @@ Around lookAround(const Surface& surface, std::int32_t face, const Vec3& own_M, 
       // Of a face whose corner this is at place k, side k leaves it and side k - 1 comes to it.
       const std::size_t here = placeOf(surface.triangles.faces[static_cast<std::size_t>(at)], corner);
       at = surface.neighbours[static_cast<std::size_t>(at)][turn == 0 ? here : (here + 2) % 3];
-      if (at == face) return around;  // all the way round
+      if (at == face) return around;  // completely around
       if (at < 0) break;
       if (++count > kMostAround) {
         around.is_whole = false;
@@ -69,7 +69,7 @@ Around lookAround(const Surface& surface, std::int32_t face, const Vec3& own_M, 
 
 struct Round {
   Vec3 normal_M = Vec3::Zero();  // unit, or zero
-  bool is_sharp = false;         // an edge that ends there is, or there are too many faces
+  bool is_sharp = false;         // a sharp edge ends there, or there are too many faces
 };
 
 Round aroundCorner(const Surface& surface, std::int32_t face, const Vec3& own_M, std::size_t place,
@@ -84,7 +84,7 @@ Round aroundCorner(const Surface& surface, std::int32_t face, const Vec3& own_M,
   return {around.is_whole ? unitOr(sum, own_M) : own_M, around.has_sharp || !around.is_whole};
 }
 
-/// The least height of the faces' normals over that of the corner: no direction between them is lower.
+/// The least component of the faces' normals along that of the corner: no direction between them has less.
 double lowestAround(const Surface& surface, std::int32_t face, const Vec3& own_M, std::size_t place,
                     const Vec3& normal_M, const Lean& most) noexcept UNDERACT_REAL_TIME {
   double lowest = 1.0;
@@ -99,12 +99,12 @@ struct Shading {
   Vec3 true_M = Vec3::Zero(), smooth_M = Vec3::Zero();  // unit; zero: a face without an area
 };
 
-/// Of a face at its point p.
+/// The shading of a face at its point p.
 Shading shadingOf(const Surface& surface, std::int32_t face, const Vec3& p_M,
                   const Lean& most) noexcept UNDERACT_REAL_TIME {
   const auto [a, b, c] = cornersOf(surface, face);
   const Vec3 true_M = normalOf(surface, face);
-  // Twice the areas that p parts the face into, each across from its corner.
+  // Twice the areas into which p divides the face, each opposite its corner.
   const std::array<double, 3> areas{areaNormal(p_M, b, c).dot(true_M), areaNormal(a, p_M, c).dot(true_M),
                                     areaNormal(a, b, p_M).dot(true_M)};
   Vec3 sum = Vec3::Zero();
@@ -113,9 +113,9 @@ Shading shadingOf(const Surface& surface, std::int32_t face, const Vec3& p_M,
   return {true_M, unitOr(sum, true_M)};
 }
 
-/// Over an edge the true direction goes from one face's normal to the other's: a sum of both with the weights alpha and
-/// beta; the smooth normals take their places in it. Across a border only the one face counts; beside a face without an
-/// area the other one's corners know what is beyond it.
+/// Over an edge the true direction changes from one face's normal to the other's: a sum of both with the weights alpha
+/// and beta; the smooth normals replace them in it. At a border only the one face counts; beside a face without an area
+/// the corners of the other one determine it.
 Vec3 overEdge(const Surface& surface, const Hit& hit, const Vec3& u_M, const Lean& most) noexcept UNDERACT_REAL_TIME {
   const std::size_t side = static_cast<std::size_t>(hit.part) - static_cast<std::size_t>(Part::EdgeAB);
   const std::int32_t other = surface.neighbours[static_cast<std::size_t>(hit.face)][side];
@@ -126,14 +126,14 @@ Vec3 overEdge(const Surface& surface, const Hit& hit, const Vec3& u_M, const Lea
   const double b = u_M.dot(there.true_M), c = here.true_M.dot(there.true_M), sine_squared = 1.0 - c * c;
   if (there.true_M == Vec3::Zero()) return std::copysign(1.0, a) * here.smooth_M;
   if (here.true_M == Vec3::Zero()) return std::copysign(1.0, b) * there.smooth_M;
-  constexpr double kFlat = 1e-12;  // of a sine squared: the two faces are one
+  constexpr double kFlat = 1e-12;  // of a squared sine: the two faces are coplanar
   const double alpha = sine_squared > kFlat ? (a - b * c) / sine_squared : 0.5 * a;
   const double beta = sine_squared > kFlat ? (b - a * c) / sine_squared : 0.5 * b;
   return u_M + alpha * (here.smooth_M - here.true_M) + beta * (there.smooth_M - there.true_M);
 }
 
-/// At a corner where no sharp edge ends: its normal. A direction that is lower over it than every face's normal is
-/// beside a border's corner, and fades to itself: there the tip is on no side of the surface.
+/// At a corner without a sharp edge: its normal. A direction with a smaller component along it than every face's normal
+/// is beside the corner of a border, and fades to itself: there the tip is on no side of the surface.
 Vec3 atCorner(const Surface& surface, const Hit& hit, const Vec3& u_M, const Lean& most) noexcept UNDERACT_REAL_TIME {
   constexpr double kHalfRight = 0.7071;
   const std::size_t place = static_cast<std::size_t>(hit.part) - static_cast<std::size_t>(Part::CornerA);

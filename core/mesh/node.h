@@ -6,12 +6,11 @@ namespace underact::mesh {
 
 inline constexpr std::size_t kWays = 8;
 
-/// Of a child of a node that holds nothing.
+/// The index of a child that does not exist.
 inline constexpr std::int32_t kNoChild = INT32_MIN;
 
-/// Eight boxes, in a frame N of the node's own that lies along its part of the surface: so they are thin, and a ball
-/// that touches the surface meets few of them. Floats, widened so that each box holds what it must after every
-/// rounding.
+/// Eight boxes, in the node's own frame N, which is aligned with its part of the surface: so they are thin, and a ball
+/// that touches the surface intersects few of them. Floats, widened so that each box holds its faces after rounding.
 struct alignas(32) Node {
   std::array<float, 9> R_MN;                      // row by row; a rotation within 1e-6
   std::array<float, 3> p_MN;                      // the frame's origin

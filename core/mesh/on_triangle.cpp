@@ -5,12 +5,12 @@
 namespace underact::mesh {
 namespace {
 
-/// Square of the sine between two edges below which a triangle is a sliver: the shares are off by some ulp over that
-/// sine, so from here on by some ten of them.
+/// The squared sine between two edges below which a triangle counts as a sliver: the shares are off by some ulp over
+/// that sine, so from here on by some ten of them.
 constexpr double kThin = 1e-2;
 
-/// A product, and what rounding took from it, exactly. Source: Dekker 1971, A floating-point technique for extending
-/// the available precision.
+/// A product and its rounding error, exactly. Source: Dekker 1971, A floating-point technique for extending the
+/// available precision.
 struct Product {
   double rounded, rest;
 };
@@ -22,7 +22,7 @@ Product product(double x, double y) noexcept UNDERACT_REAL_TIME {
   return {rounded, ((x_high * y_high - rounded) + x_high * y_low + x_low * y_high) + x_low * y_low};
 }
 
-/// u x v for vectors that are almost parallel, within 2 ulp of itself: what cancels is not what counts.
+/// u x v for nearly parallel vectors, within 2 ulp of itself, in spite of cancellation.
 Vec3 exactCross(const Vec3& u, const Vec3& v) noexcept UNDERACT_REAL_TIME {
   const auto minor = [&](Eigen::Index i, Eigen::Index j) noexcept UNDERACT_REAL_TIME {
     const Product left = product(u[i], v[j]), right = product(u[j], v[i]);
@@ -35,7 +35,7 @@ double share(double part, double whole) noexcept UNDERACT_REAL_TIME {
   return whole > 0.0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0;
 }
 
-/// The point of AB nearest to q, where it is nearer than what was found so far.
+/// Takes the point of AB nearest to q, if it is nearer than the best so far.
 [[gnu::always_inline]] inline void tryEdge(const Vec3& a, const Vec3& b, const Vec3& q, Part edge, Part at_a, Part at_b,
                                            OnTriangle& best) noexcept UNDERACT_REAL_TIME {
   const Vec3 ab = b - a;
@@ -45,14 +45,14 @@ double share(double part, double whole) noexcept UNDERACT_REAL_TIME {
   if (squared < best.squared) best = {p, squared, t == 0.0 ? at_a : t == 1.0 ? at_b : edge};
 }
 
-/// Twice the area of the foot p with the edge AB, times |normal|. Seen from the nearer end: what rounds is then p's way
-/// to that end, which is short where it matters most, beyond the tip of a needle.
+/// Twice the area of the foot p with the edge AB, times |normal|. Relative to the nearer end, so that the rounding is
+/// that of p's distance from it, which is small where it matters most, beyond the tip of a needle.
 double areaWith(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& normal) noexcept UNDERACT_REAL_TIME {
   const Vec3 ap = p - a, bp = p - b;
   return (b - a).cross(ap.squaredNorm() <= bp.squaredNorm() ? ap : bp).dot(normal);
 }
 
-/// q's foot, and its shares.
+/// The foot of q, and its shares.
 struct Foot {
   Vec3 p;
   double share_a, share_b, share_c;
@@ -80,7 +80,7 @@ OnTriangle onTriangle(const Eigen::Vector3f& p_MA, const Eigen::Vector3f& p_MB, 
   // Twice the areas of q's foot with each edge, times |normal|: all above 0 where the foot is inside.
   double share_b = aq.cross(ac).dot(normal), share_c = ab.cross(aq).dot(normal);
   const double whole = normal.squaredNorm();
-  // Of a needle, what is left over is the rounding of the two others, as long as its length over its width.
+  // Of a needle, the difference would be the rounding of the two others, as large as its length over its width.
   double share_a = is_thin ? (c - b).cross(q - b).dot(normal) : whole - share_b - share_c;
   if (share_a > 0.0 && share_b > 0.0 && share_c > 0.0) {
     if (!is_thin) {

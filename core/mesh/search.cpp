@@ -13,15 +13,15 @@
 namespace underact::mesh {
 namespace {
 
-/// A walk's steps from face to face. A hand goes some tenths of a millimetre in a tick: one or two faces of a fine
-/// mesh.
+/// The greatest number of steps of a walk. A hand moves some tenths of a millimetre in a tick: one or two faces of a
+/// fine mesh.
 constexpr int kMostSteps = 256;
-/// Of a walk that the tree follows anyway: who is farther off is found from the root sooner.
+/// The same for a walk that the tree follows anyway: a farther point is found faster from the root.
 constexpr int kHybridSteps = 12;
-/// Further off than this many times its size a surface is looked at from nearer: floats hold the squares.
+/// A point further away than this many times the size of the surface is moved nearer, so that floats hold the squares.
 constexpr double kFar = 1e6;
 
-/// Whether it is nearer than what was found so far.
+/// Whether the face is nearer than the best so far.
 bool lookAtFace(const Surface& surface, std::int32_t face, const Vec3& q_M, Hit& hit) noexcept UNDERACT_REAL_TIME {
   const Face& corners = surface.triangles.faces[static_cast<std::size_t>(face)];
   const auto at = [&](std::size_t k) noexcept UNDERACT_REAL_TIME -> const Eigen::Vector3f& {
@@ -36,7 +36,7 @@ bool lookAtFace(const Surface& surface, std::int32_t face, const Vec3& q_M, Hit&
   return true;
 }
 
-/// The last few faces that a walk looked at: no search looks at them twice.
+/// The last few faces of a walk: no search looks at them twice.
 class Recent {
  public:
   void add(std::int32_t face) noexcept UNDERACT_REAL_TIME { faces_[count_++ % faces_.size()] = face; }
@@ -47,11 +47,12 @@ class Recent {
   }
 
  private:
-  std::array<std::int32_t, 4> faces_{-1, -1, -1, -1};  // along a hand's way a walk looks at three
+  std::array<std::int32_t, 4> faces_{-1, -1, -1, -1};  // along a hand's path a walk looks at three
   std::size_t count_ = 0;
 };
 
-/// From face to face, across edges and around corners, while it gets nearer. Whether it came to the end of that.
+/// Walks from face to face, across edges and around corners, while the distance decreases. Gives whether it reached a
+/// minimum.
 bool walk(const Surface& surface, const Vec3& q_M, int most_steps, Recent& recent,
           Hit& hit) noexcept UNDERACT_REAL_TIME {
   for (int step = 0; step < most_steps; ++step) {
@@ -66,13 +67,13 @@ bool walk(const Surface& surface, const Vec3& q_M, int most_steps, Recent& recen
   return false;
 }
 
-/// Room for what a sweep looks at, nodes or faces: along a hand's way some twenty are enough.
+/// The capacity of a sweep, nodes or faces: along a hand's path some twenty are enough.
 constexpr std::size_t kRoom = 256;
 using List = std::array<std::int32_t, kRoom + kWays>;
-/// How many nodes before its turn the memory of one is asked for; without, a path over a fine mesh takes 6 % longer.
+/// How many nodes ahead memory is prefetched; without it, a path over a fine mesh takes 6 % longer.
 constexpr std::size_t kAhead = 3;
 
-/// Four at a time; exactly only where a face may be nearer than what was found so far.
+/// Looks at faces, four at a time; exactly only where a face may be nearer than the best so far.
 void lookAtFaces(const Surface& surface, const List& faces, std::size_t count, const Recent& recent, const Vec3& q_M,
                  Hit& hit) noexcept UNDERACT_REAL_TIME {
   std::array<std::int32_t, kAtOnce> four{};
@@ -93,22 +94,22 @@ void lookAtFaces(const Surface& surface, const List& faces, std::size_t count, c
   if (size > 0) lookAtFour();
 }
 
-/// Asks for the memory of a node before it is looked at.
+/// Prefetches a node.
 void fetch(const Node& node) noexcept UNDERACT_REAL_TIME {
   constexpr std::size_t kCacheLine = 64;
   for (std::size_t byte = 0; byte < sizeof(Node); byte += kCacheLine)
     __builtin_prefetch(reinterpret_cast<const char*>(&node) + byte);
 }
 
-/// From the cut, level by level, with what was found so far as the limit. No node of a level waits for what another one
-/// gives, so that the processor does many at a time, which is faster than the nearest first where the limit is good.
-/// False: there is too much within the limit; then nothing is said.
+/// From the cut, level by level, with the best so far as the limit. The nodes of a level are independent of each other,
+/// so that the processor handles many at a time, which is faster than nearest first where the limit is good. False:
+/// there is too much within the limit, and no result.
 bool sweep(const Surface& surface, const Recent& recent, const Vec3& q_M, Cut& cut,
            Hit& hit) noexcept UNDERACT_REAL_TIME {
   const double distance = std::sqrt(hit.squared);
   if (!holds(cut, surface, q_M, distance)) cut = nextCut(cut, surface, q_M, distance, hit.visits);
   ++cut.served;
-  List nodes, faces;  // not set beforehand
+  List nodes, faces;  // not initialised
   std::copy(cut.nodes.begin(), cut.nodes.end(), nodes.begin());
   std::size_t waiting = cut.size, found = 0, place = 0;
   const auto nodeAt = [&](std::size_t at) noexcept UNDERACT_REAL_TIME -> const Node& {
@@ -132,7 +133,7 @@ bool sweep(const Surface& surface, const Recent& recent, const Vec3& q_M, Cut& c
   return true;
 }
 
-/// What is still to be looked at, the nearest last.
+/// A node still to be looked at; the nearest is last.
 struct Waiting {
   float squared;  // of the distance, at least
   std::int32_t child;

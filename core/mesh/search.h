@@ -9,11 +9,12 @@
 
 namespace underact::mesh {
 
+/// See core/base/search.h.
 using underact::Search;
 
 /// What a search remembers from tick to tick.
 struct SearchState {
-  std::int32_t face = -1;  // the nearest one then; -1: none yet
+  std::int32_t face = -1;  // the nearest one of the last tick; -1: none yet
   Cut cut = {};            // where the last hybrid searches began
 };
 
@@ -23,23 +24,23 @@ struct Hit {
   double squared = kInfinity;  // of the distance
   std::int32_t face = -1;
   Part part = Part::Inside;
-  bool is_proved = false;  // none is nearer, for certain
+  bool is_proved = false;  // proved to be the global minimum
   int visits = 0;          // nodes looked at
 };
 
-/// Nodes that one search looks at, at most: what bounds its time where very many faces are all but equally near (the
-/// centre of a sphere). Past it the best so far counts, and is_proved is false.
+/// Nodes that one search looks at, at most: it bounds the time where very many faces are nearly equally near (the
+/// centre of a sphere). Past it the best point so far counts, and is_proved is false.
 inline constexpr int kMostVisits = 4000;
 
-/// The point of the surface nearest to q_M, any finite point. Exact in doubles where is_proved: within 1e-15 of the
-/// largest coordinate; not from further off than 1e6 of the mesh's sizes. Local: within the same no farther than from
-/// the face of the last tick, nor from the faces that meet its own at the hit. Cost: bounded by kMostVisits.
+/// The point of the surface nearest to q_M, any finite point. Where is_proved, exact within 1e-15 of the largest
+/// coordinate, for a q_M within 1e6 times the size of the mesh. Local: to the same precision no farther than the face
+/// of the last tick, nor than the faces that meet the face of the hit there. Cost: bounded by kMostVisits.
 Hit nearestPoint(const Surface& surface, Search search, const Vec3& q_M,
                  SearchState& state) noexcept UNDERACT_REAL_TIME;
 
-/// Which way is out there: the normal of the face or edge that the hit is on, or the normal of the corner weighted by
-/// angle; unit, zero where there is none. Its sign tells inside from outside for any point that has the hit as the
-/// nearest. Source: Baerentzen and Aanaes 2005, Signed distance computation using the angle weighted pseudonormal.
+/// The outward direction at a hit: the normal of the face or edge it is on, or the angle-weighted normal of the corner;
+/// unit, zero where there is none. Its sign tells inside from outside for any point whose nearest point is the hit.
+/// Source: Baerentzen and Aanaes 2005, Signed distance computation using the angle weighted pseudonormal.
 Vec3 outwardAt(const Surface& surface, const Hit& hit) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::mesh

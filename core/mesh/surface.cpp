@@ -34,8 +34,8 @@ Problems whatIsWrong(const Triangles& triangles) {
   return {};
 }
 
-/// Faces in the tree's order, and corners in the order in which faces name them: what is near in space is near in
-/// memory. Corners that no face names are gone.
+/// Puts faces in the tree's order, and corners in the order of first use: what is near in space is near in memory.
+/// Unused corners are removed.
 Triangles inOrder(const Triangles& given, const std::vector<std::int32_t>& order) {
   Triangles triangles;
   triangles.faces.reserve(given.faces.size());
@@ -56,7 +56,7 @@ Triangles inOrder(const Triangles& given, const std::vector<std::int32_t>& order
   return triangles;
 }
 
-/// Another number for other faces or another tree, almost surely. Source of the constants: Vigna 2015, splitmix64.
+/// A hash of faces and tree. Source of the constants: Vigna 2015, splitmix64.
 std::uint64_t markOf(const Surface& surface) {
   const Triangles& triangles = surface.triangles;
   std::uint64_t mark = triangles.p_MV.size();

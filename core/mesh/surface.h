@@ -12,30 +12,31 @@ namespace underact::mesh {
 
 /// A mesh as the tick reads it; const from makeSurface() on. Unit and frame are those of its triangles.
 struct Surface {
-  Triangles triangles;                     // faces in the order of the tree, those of a bottom node in a row
+  Triangles triangles;                     // faces in the order of the tree, those of a leaf in a row
   std::vector<Face> neighbours;            // of each face across AB, BC, CA; -1: none (a border, or not manifold)
   std::vector<Eigen::Vector3f> normals_M;  // of each corner: the sum of its faces' normals weighted by angle, unit
   std::vector<Node> nodes;                 // the root first
-  bool is_closed = false;                  // parts the space: every edge has two faces that go along it oppositely
+  bool is_closed = false;                  // separates inside from outside: two consistently wound faces at every edge
   Eigen::Vector3f low_M, high_M;           // its bounds
-  std::uint64_t mark = 0;                  // of its corners and faces: tells it from others
+  std::uint64_t mark = 0;                  // a hash of corners and faces
 };
 
-/// triangles: 1 to 2^27 faces of three different corners that are there, finite. Allocates; seconds for millions of
-/// faces, in as many threads as there are processors; equal triangles give equal surfaces to the bit. Problems: none of
-/// these, cancelled.
+/// triangles: 1 to 2^27 faces, each of three different corners that exist and are finite. Allocates; takes seconds for
+/// millions of faces, in as many threads as there are processors; equal triangles give bit-identical surfaces.
+/// Problems: triangles as above are not given; cancelled.
 Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Watch& watch = {});
 
-/// Bounds and mark, from its corners (one at least) and faces.
+/// Fills in bounds and mark from the corners (one at least) and faces.
 void complete(Surface& surface);
 
-/// Of memory.
+/// How much memory it takes.
 std::size_t bytesOf(const Surface& surface);
 
 /// The corners of a face.
 struct Corners {
   Vec3 a, b, c;
 };
+/// face: an index of surface.triangles.faces, not checked. In the frame and the unit of the mesh.
 inline Corners cornersOf(const Surface& surface, std::int32_t face) noexcept UNDERACT_REAL_TIME {
   const Face& corners = surface.triangles.faces[static_cast<std::size_t>(face)];
   const auto at = [&](std::size_t k) noexcept UNDERACT_REAL_TIME -> Vec3 {

@@ -16,7 +16,7 @@ struct Header {
   std::uint64_t layout = kLayout, corners = 0, faces = 0, nodes = 0, is_closed = 0;
 };
 
-/// Every list of a surface, in one place for both ways.
+/// All lists of a surface, in one place for both directions.
 template <class Surface, class List>
 void eachList(Surface& surface, List&& list) {
   list(surface.triangles.p_MV);
@@ -30,8 +30,8 @@ bool areFinite(const std::vector<Eigen::Vector3f>& vectors) {
   return std::all_of(vectors.begin(), vectors.end(), [](const Eigen::Vector3f& v) { return v.allFinite(); });
 }
 
-/// Each face of corners that are there; each neighbour a face that shares the edge, so that a walk around a corner
-/// ends.
+/// Whether each face has existing corners, and each neighbour is a face that shares the edge, so that a walk around a
+/// corner ends.
 bool areFacesWell(const Surface& surface) {
   const auto corners = static_cast<std::int32_t>(surface.triangles.p_MV.size());
   const auto faces = static_cast<std::int32_t>(surface.triangles.faces.size());
@@ -55,9 +55,9 @@ bool isEmptyBox(const Node& node, std::size_t slot) {
   return is(node.low_N, kInfinite) && is(node.high_N, -kInfinite);
 }
 
-/// Each node but the root is the child of one before it, and each face of one node; none deeper than a search has room
-/// for. A place without a child has a box that nothing meets, since a search does not look whether a child is there.
-/// The numbers of other boxes may be any: they decide what is found, not whether it ends.
+/// Whether each node but the root is the child of one before it, and each face of one node; none deeper than a search
+/// has room for. A missing child needs a box that nothing intersects, since a search does not check for children. The
+/// numbers of other boxes may be any: they affect what is found, not whether it ends.
 bool areNodesWell(const Surface& surface) {
   std::vector<bool> has_node(surface.nodes.size(), false), has_face(surface.triangles.faces.size(), false);
   std::vector<int> depths(surface.nodes.size(), 1);
@@ -107,7 +107,7 @@ std::shared_ptr<const Surface> surfaceOfBytes(std::span<const std::byte> bytes) 
   Header header;
   if (bytes.size() < sizeof header) return nullptr;
   std::memcpy(&header, bytes.data(), sizeof header);
-  // Counts that the bytes cannot hold would overflow below.
+  // Counts beyond the number of bytes would overflow below.
   const bool is_likely = header.layout == kLayout && header.is_closed <= 1 && header.faces > 0 && header.nodes > 0 &&
                          std::max({header.corners, header.faces, header.nodes}) <= bytes.size();
   if (!is_likely) return nullptr;

@@ -8,11 +8,11 @@
 
 namespace underact::mesh {
 
-/// A surface as bytes, for a cache: for builds whose Node is laid out alike.
+/// A surface as bytes, for a cache: readable by builds whose Node has the same layout.
 std::vector<std::byte> surfaceBytes(const Surface& surface);
 
-/// Back again. Null where the bytes are none of a surface or any index in them leads nowhere: whatever they are, what
-/// comes back is safe in the tick.
+/// The surface of such bytes. Null where they are not of a surface, or an index in them is out of range: whatever the
+/// bytes, the result is safe in the tick.
 std::shared_ptr<const Surface> surfaceOfBytes(std::span<const std::byte> bytes);
 
 }  // namespace underact::mesh

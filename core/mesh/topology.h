@@ -7,8 +7,8 @@ namespace underact::mesh {
 
 /// How faces meet.
 struct Topology {
-  std::vector<Face> neighbours;  // of each face across AB, BC, CA; -1: none, or more than one, or one wound against it
-  bool is_closed = false;        // each edge has two faces that go along it oppositely
+  std::vector<Face> neighbours;  // of each face across AB, BC, CA; -1: none, several, or one wound inconsistently
+  bool is_closed = false;        // each edge has two consistently wound faces
 };
 
 /// faces: of three different corners each. Sorts the edges: n log n.

@@ -11,7 +11,7 @@
 namespace underact::mesh {
 namespace {
 
-constexpr auto kInBottom = static_cast<std::int32_t>(kWays);  // faces of a bottom node
+constexpr auto kInBottom = static_cast<std::int32_t>(kWays);  // faces of a leaf
 constexpr std::int32_t kWorthAThread = 50'000;                // faces
 using Centre = Eigen::Vector3f;                               // three times the centroid; only its order counts
 
@@ -20,7 +20,7 @@ struct Range {
   std::int32_t size() const { return end - begin; }
 };
 
-/// Where a range of more than a bottom node parts: so that all bottom nodes but the last are full.
+/// The first part of a range larger than a leaf: so that all leaves but the last are full.
 Range firstPart(const Range& range) {
   const std::int32_t eighths = (range.size() + 2 * kInBottom - 1) / (2 * kInBottom);
   return {range.begin, range.begin + kInBottom * eighths};
@@ -79,7 +79,7 @@ class Splitter {
 
 constexpr int kHalvings = std::countr_zero(kWays);  // of a node's faces among its children
 
-/// The parts that halving a range so often gives; what fits into a bottom node stays together.
+/// The parts of a range halved kHalvings times; what fits into a leaf stays together.
 template <class Use>
 void forParts(const Range& range, int halvings, const Use& use) {
   if (halvings == 0 || range.size() <= kInBottom) {
@@ -91,7 +91,7 @@ void forParts(const Range& range, int halvings, const Use& use) {
   forParts({first.end, range.end}, halvings - 1, use);
 }
 
-/// The nodes' places and what each child holds.
+/// The positions of the nodes and the contents of their children.
 class Layout {
  public:
   explicit Layout(std::int32_t faces) { place({0, faces}); }

@@ -10,14 +10,15 @@ namespace underact::mesh {
 /// Three corners, counterclockwise as seen from outside.
 using Face = std::array<std::int32_t, 3>;
 
-/// A triangle mesh as a file holds it: in its own frame M and its own unit (the scene's scale_mm_per_unit says how
-/// long that is), in floats, which is what the formats hold and OpenMesh reads. So what is computed from them in
-/// doubles is exact relative to the coordinates as loaded.
+/// A triangle mesh as a file holds it: in its own frame M and its own unit (the scene's scale_mm_per_unit gives its
+/// length), in floats, as the formats and OpenMesh have it. Results computed from them in doubles are exact relative to
+/// the coordinates as loaded.
 struct Triangles {
   std::vector<Eigen::Vector3f> p_MV;  // corners, units
   std::vector<Face> faces;            // indexes of p_MV
 };
 
+/// corner: an index of p_MV, not checked.
 inline Vec3 cornerAt(const Triangles& triangles, std::int32_t corner) {
   return triangles.p_MV[static_cast<std::size_t>(corner)].cast<double>();
 }

@@ -22,7 +22,7 @@ using FileClock = fs::file_time_type::clock;
 constexpr std::array<char, 8> kCacheMagic{'\x89', 'U', 'A', 'M', 'C', '1', '\r', '\n'};
 constexpr const char* kExtension = ".mesh";
 constexpr const char* kAside = ".part";
-constexpr auto kAsideLives = std::chrono::hours(1);  // what a program left that was killed while it wrote
+constexpr auto kAsideLives = std::chrono::hours(1);  // of a file whose writer was killed
 
 struct CacheHead {
   std::array<char, 8> magic = kCacheMagic;
@@ -37,13 +37,13 @@ fs::path defaultFolder() {
   };
   if (!variable("UNDERACT_CACHE_DIR").empty()) return variable("UNDERACT_CACHE_DIR");
   const std::string caches = variable("XDG_CACHE_HOME");
-  // A relative one is not to be used, says its specification.
+  // A relative path must not be used, by the specification.
   if (caches.starts_with('/')) return fs::path(caches) / "underact/meshes";
   const std::string home = variable("HOME");
   return home.empty() ? fs::path() : fs::path(home) / ".cache/underact/meshes";
 }
 
-/// Keys become names of files.
+/// Whether a key can be the name of a file.
 bool isName(const std::string& key) {
   return !key.empty() && key.size() <= 128 && std::all_of(key.begin(), key.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
@@ -71,7 +71,7 @@ class Writing {
   const Watch& watch_;
 };
 
-/// Whether the file has so many bytes more.
+/// Whether the file has that many more bytes.
 bool fills(const system::NamedFile& file, std::span<std::byte> into) {
   const Result<std::size_t> count = file.read({reinterpret_cast<char*>(into.data()), into.size()});
   return count && count.value() == into.size();
@@ -95,7 +95,7 @@ std::optional<std::vector<std::byte>> Cache::get(const std::string& key, const W
   const Result<system::NamedFile> file = system::NamedFile::open(path.string(), "a kept mesh");
   CacheHead head;
   if (!file || !fills(file.value(), std::as_writable_bytes(std::span(&head, 1)))) return {};
-  // The length is believed where the file has it.
+  // The stated length is accepted if the file has it.
   if (head.magic != kCacheMagic || file.value().bytes() != sizeof head + head.bytes) return {};
   std::vector<std::byte> bytes(head.bytes);
   for (std::size_t at = 0; at < bytes.size(); at += kBlock) {
@@ -149,11 +149,11 @@ void Cache::makeRoom() const {
   std::uint64_t sum = 0;
   std::error_code error;
   for (fs::directory_iterator at(folder_, error), end; !error && at != end; at.increment(error)) {
-    std::error_code gone;  // by another program, meanwhile
+    std::error_code gone;  // removed by another program meanwhile
     const Entry entry{at->path(), at->last_write_time(gone), gone ? 0 : at->file_size(gone)};
     if (gone) continue;
     if (entry.path.extension() == kAside && FileClock::now() - entry.used > kAsideLives) fs::remove(entry.path, gone);
-    if (entry.path.extension() != kExtension) continue;  // nothing of ours
+    if (entry.path.extension() != kExtension) continue;  // not of this program
     sum += entry.bytes;
     entries.push_back(entry);
   }

@@ -10,21 +10,21 @@
 
 namespace underact::mesh_file {
 
-/// What was built from files, kept between runs, so that a mesh opens at once the second time. Safe to delete at any
-/// time; what is damaged or of another version counts as not there. Several programs may use it at once: each entry is
-/// written aside and then renamed. A folder that is missing or may not be written is no error: then nothing is kept.
+/// Surfaces built from files, kept between runs, so that a mesh opens at once the second time. Safe to delete at any
+/// time; an entry that is damaged or of another version counts as missing. Several programs may use it at once: each
+/// entry is written aside and then renamed. A folder that is missing or not writable is no error: nothing is kept then.
 class Cache {
  public:
   /// folder empty: UNDERACT_CACHE_DIR, else underact/meshes in XDG_CACHE_HOME, else in ~/.cache. most_bytes: of all
-  /// entries; past it the ones used longest ago go.
+  /// entries; beyond it the least recently used ones are removed.
   explicit Cache(std::string folder = {}, std::uint64_t most_bytes = std::uint64_t{1} << 30);
 
   const std::string& folder() const { return folder_; }
 
-  /// What was put under the key; none where it is not there, not whole, or where it was cancelled.
+  /// The bytes under the key; none where they are missing or damaged, or where it was cancelled.
   std::optional<std::vector<std::byte>> get(const std::string& key, const Watch& watch = {}) const;
 
-  /// parts: one after the other, as one. false: not kept.
+  /// Stores the parts, one after the other, under the key. false: not stored.
   bool put(const std::string& key, std::span<const std::span<const std::byte>> parts, const Watch& watch = {}) const;
 
  private:

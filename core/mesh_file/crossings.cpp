@@ -24,8 +24,8 @@ bool shareACorner(const mesh::Face& a, const mesh::Face& b) {
 
 using Corners = std::array<Vec3, 3>;
 
-/// The segment PQ goes through the triangle, not along its plane. Through an edge as well: where a mesh meets its
-/// mirror image, edges meet edges alone.
+/// Whether the segment PQ passes through the triangle, not along its plane; also through an edge: where a mesh meets
+/// its mirror image, only edges meet edges.
 bool pierces(const Vec3& p, const Vec3& q, const Corners& t) {
   const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
   const double from = normal.dot(p - t[0]), to = normal.dot(q - t[0]);
@@ -36,7 +36,7 @@ bool pierces(const Vec3& p, const Vec3& q, const Corners& t) {
   return (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
 }
 
-/// Twice the area of ABC as seen along an axis; its sign says which way round.
+/// Twice the signed area of ABC as seen along an axis.
 double turn(const Vec3& a, const Vec3& b, const Vec3& c, Eigen::Index axis) {
   const Eigen::Index u = (axis + 1) % 3, v = (axis + 2) % 3;
   return (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
@@ -45,7 +45,7 @@ double turn(const Vec3& a, const Vec3& b, const Vec3& c, Eigen::Index axis) {
 bool overlapInPlane(const Corners& s, const Corners& t) {
   const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
   const double length = normal.norm();
-  // In one plane as far as floats tell: 2^-22 of their size.
+  // Coplanar within the precision of floats: 2^-22 of their size.
   const double size = std::max({(s[1] - s[0]).norm(), (t[1] - t[0]).norm(), (t[2] - t[0]).norm()});
   for (const Vec3& p : s) {
     if (!(std::abs(normal.dot(p - t[0])) <= 0x1p-22 * size * length)) return false;
@@ -79,7 +79,7 @@ Corners cornersOf(const mesh::Triangles& triangles, std::int32_t face) {
   return corners;
 }
 
-/// In order of where they begin along the mesh's longest axis, so that those that may meet are near each other.
+/// The boxes of the triangles, sorted along the mesh's longest axis, so that those that may meet are near each other.
 std::vector<Box> boxesOf(const mesh::Triangles& triangles, Eigen::Index& axis) {
   std::vector<Box> boxes(triangles.faces.size());
   Eigen::Vector3f low = Eigen::Vector3f::Constant(INFINITY), high = -low;

@@ -6,13 +6,15 @@
 
 namespace underact::mesh_file {
 
-/// XXH3 of 128 bits: tells contents apart, also those that differ by damage; no defence against forgery.
+/// XXH3 of 128 bits: detects different or damaged contents; no protection against forgery.
 class Digest {
  public:
+  /// The digest of no bytes.
   Digest();
   ~Digest();
   Digest(const Digest&) = delete;
   Digest& operator=(const Digest&) = delete;
+  /// Appends to what is digested; in one call or in many, the digest is the same.
   void add(std::span<const std::byte> bytes);
   std::string text() const;  // 32 hexadecimal digits
 

@@ -31,7 +31,7 @@ std::vector<Key> keysOf(const mesh::Triangles& triangles) {
   return keys;
 }
 
-/// In blocks that are merged, so that cancelling need not wait for all of it. false: cancelled.
+/// Sorts in blocks that are merged, so that cancelling need not wait for all of it. false: cancelled.
 bool sortKeys(std::vector<Key>& keys, const Watch& watch) {
   constexpr std::size_t kBlock = std::size_t{1} << 18;
   const auto at = [&keys](std::size_t place) {

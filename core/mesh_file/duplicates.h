@@ -7,7 +7,7 @@
 
 namespace underact::mesh_file {
 
-/// Of faces with the same three corners, whichever way round, leaves the first alone; how many went. None: cancelled.
+/// Removes all but the first of faces with the same three corners in any order; gives how many. None: cancelled.
 std::optional<std::int64_t> dropDuplicates(mesh::Triangles& triangles, const Watch& watch);
 
 }  // namespace underact::mesh_file

@@ -13,7 +13,7 @@ struct Entry {
   Side side;
 };
 
-/// All sides, those with the same lesser corner in a row, in order of the greater one and of themselves.
+/// All sides: those with the same lesser corner in a row, ordered by the greater one and by themselves.
 struct Sorted {
   std::vector<std::int32_t> begin;  // of each lesser corner; one more at the end
   std::vector<Entry> entries;
@@ -35,7 +35,7 @@ Sorted sorted(const mesh::Triangles& triangles) {
   return all;
 }
 
-/// Sides of one edge, first to last.
+/// Joins the sides of one edge, from first to last.
 void join(const Entry* first, const Entry* last, Edges& edges) {
   const auto across = [&](const Entry* entry) -> Side& { return edges.across[static_cast<std::size_t>(entry->side)]; };
   const auto count = last - first;

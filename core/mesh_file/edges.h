@@ -14,23 +14,27 @@ using Side = std::int32_t;
 inline constexpr Side kBorder = -1;   // the edge has this face alone
 inline constexpr Side kCrowded = -2;  // it has more than two
 
+/// How the faces of a mesh meet.
 struct Edges {
   std::vector<Side> across;  // of each side: the side of the other face at its edge, or one of the two above
   std::int64_t borders = 0;  // edges
   std::int64_t crowded = 0;
 };
 
+/// The face that the side belongs to. side: from 0 on.
 inline std::int32_t faceOf(Side side) {
   return side / 3;
 }
+/// The corner that the side begins at. side: from 0 on, not checked.
 inline std::int32_t startOf(const mesh::Triangles& triangles, Side side) {
   return triangles.faces[static_cast<std::size_t>(side / 3)][static_cast<std::size_t>(side % 3)];
 }
+/// The corner that the side ends at, the next one of its face.
 inline std::int32_t endOf(const mesh::Triangles& triangles, Side side) {
   return triangles.faces[static_cast<std::size_t>(side / 3)][static_cast<std::size_t>((side + 1) % 3)];
 }
 
-/// Which sides lie together. Faces of three different corners that are there. None: cancelled.
+/// Finds the sides that share an edge. Faces: of three different corners that exist. None: cancelled.
 std::optional<Edges> edgesOf(const mesh::Triangles& triangles, const Watch& watch);
 
 }  // namespace underact::mesh_file

@@ -4,39 +4,39 @@
 
 namespace underact::mesh_file {
 
-/// What was found in a mesh, what was done about it, and what it is now. Lengths in the mesh's own unit.
+/// What was found in a mesh, what was repaired, and what it is now. Lengths in the mesh's own unit.
 struct Facts {
   // As the file has it
   std::int64_t file_faces = 0;
   std::int64_t file_corners = 0;
-  std::int64_t normals = 0, normals_against = 0;  // that it gives for faces; against the order of the corners
+  std::int64_t normals = 0, normals_against = 0;  // given for faces; of these, against the winding
   // Left out, in faces
   std::int64_t not_finite = 0, out_of_range = 0, without_extent = 0, duplicates = 0;
   // Repaired
-  std::int64_t welded = 0;      // corners that were equal to another, or nearly
+  std::int64_t welded = 0;      // corners that were merged with another
   double weld_tolerance = 0.0;  // how near
-  std::int64_t turned = 0;      // faces whose corners were put in the other order
+  std::int64_t turned = 0;      // faces whose winding was reversed
   // As it is now
   std::int64_t faces = 0, corners = 0;
   std::int64_t parts = 0, closed_parts = 0, nested_parts = 0;  // nested: a closed one within another closed one
   std::int64_t borders = 0, border_edges = 0;                  // borders: connected ones
   double longest_border = 0.0;
   std::int64_t crowded_edges = 0;      // with more than two faces
-  std::int64_t clashing_edges = 0;     // with two faces that cannot agree on an outside, as on a Moebius strip
-  std::int64_t flat_faces = 0;         // three different corners on one line
+  std::int64_t clashing_edges = 0;     // with two faces that have no consistent outside, as on a Moebius strip
+  std::int64_t flat_faces = 0;         // three different collinear corners
   std::int64_t crossings = 0;          // pairs of faces, without a corner in common, that go through each other
-  std::int64_t crossings_checked = 0;  // 1: all of them were looked for; 0: too many faces
-  double thinnest = 0.0;  // of closed parts: twice the volume by the area, the mean thickness; 0: no such part
+  std::int64_t crossings_checked = 0;  // 1: all pairs were checked; 0: too many faces
+  double thinnest = 0.0;  // of closed parts: mean thickness, twice the volume over the area; 0: no such part
   std::array<double, 3> low{}, high{};
   double area = 0.0, volume = 0.0;  // volume: of the closed parts
 };
 
-/// Every edge has two faces that agree, so that there is an inside.
+/// Whether every edge has two faces of consistent winding, so that there is an inside.
 inline bool isClosed(const Facts& facts) {
   return facts.faces > 0 && facts.border_edges == 0 && facts.crowded_edges == 0 && facts.clashing_edges == 0;
 }
 
-/// Of its three extents; in the mesh's unit.
+/// The largest of its three extents, in the mesh's unit.
 inline double largestExtent(const Facts& facts) {
   double largest = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -24,7 +24,7 @@ std::string extensionOf(const std::string& path) {
   return lowered(std::filesystem::path(path).extension().string());
 }
 
-/// A line of an OBJ file that holds a corner, within the first of them.
+/// Whether a line among the first of them is a corner of an OBJ file.
 bool hasObjCorner(std::string_view head) {
   Scan lines(head);
   while (!lines.atEnd()) {

@@ -13,18 +13,18 @@ namespace underact::mesh_file {
 /// A mesh file that is open for reading.
 class Input {
  public:
-  /// Problems: it is not there, no file, too large, or none of the formats, by its first bytes.
+  /// Problems: no such file, not a regular file, too large, or none of the formats by its first bytes.
   static Result<Input> open(const std::string& path);
 
   const std::string& path() const { return file_.path(); }
   std::uint64_t bytes() const { return file_.bytes(); }
   Format format() const { return format_; }
-  /// At its beginning; the descriptor is this object's.
+  /// The descriptor, at the beginning of the file; this object closes it.
   int rewound() const;
   /// XXH3 of 128 bits over all it holds, as 32 hexadecimal digits; share: 0 to 1 of it. Problems: unreadable,
   /// cancelled.
   Result<std::string> checksum(const Watch& watch) const;
-  /// Somebody wrote into it since it was opened.
+  /// Whether the file was written since it was opened.
   bool hasChanged() const { return file_.hasChanged(); }
 
  private:

@@ -16,10 +16,10 @@
 namespace underact::mesh_file {
 namespace {
 
-// One more whenever reading, repairing, Facts or the bytes of a surface change: older entries are then not found.
+// To be increased whenever reading, repairing, Facts or the bytes of a surface change: older entries are then ignored.
 constexpr int kVersion = 2;
 
-// What each step takes of the whole, for 2 million faces as binary STL.
+// The progress at the end of each step, for 2 million faces as binary STL.
 constexpr double kHashed = 0.05, kRead = 0.40, kRepaired = 0.60, kBuilt = 0.95;
 
 static_assert(std::is_trivially_copyable_v<Facts>);
@@ -43,7 +43,7 @@ std::optional<Loaded> fromCache(const Cache& cache, const std::string& key, cons
   return loaded;
 }
 
-/// What the file gave besides triangles.
+/// Adds what the file contained besides triangles.
 void addRaw(const Raw& raw, Facts& facts) {
   facts.file_faces = raw.polygons;
   facts.normals = raw.normals;

@@ -20,9 +20,9 @@ struct Loaded {
   bool from_cache = false;
 };
 
-/// From a file, or from the cache where the same bytes were loaded before: reads, repairs, builds, keeps. Any thread
-/// but the servo's. Tells its steps with a share that only grows; a cancelled one ends within 0.2 s, with kCancelled.
-/// Problems: the file is none, is damaged, or has no face that can be felt.
+/// Reads, repairs and builds a mesh and stores it in the cache; or takes it from there if the same bytes were loaded
+/// before. Any thread but the servo's. Progress never decreases; a cancelled call returns within 0.2 s with kCancelled.
+/// Problems: not a mesh file, damaged, or without a face that can be felt.
 Result<Loaded> loadMesh(const std::string& path, const Watch& watch = {}, const Cache& cache = Cache());
 
 }  // namespace underact::mesh_file

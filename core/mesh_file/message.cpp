@@ -14,7 +14,7 @@
 namespace underact::mesh_file {
 namespace {
 
-constexpr std::array<char, 8> kMessageMagic{'\x89', 'M', 'E', 'S', 'H', '1', '\r', '\n'};  // the first is no progress
+constexpr std::array<char, 8> kMessageMagic{'\x89', 'M', 'E', 'S', 'H', '1', '\r', '\n'};  // no progress
 constexpr std::uint64_t kMostFaces = std::uint64_t{1} << 27;                               // as a surface takes them
 
 struct MessageHead {

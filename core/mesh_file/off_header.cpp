@@ -39,7 +39,7 @@ Result<OffHeader> readOffHeader(std::string_view head) {
                                "This is a binary OFF file, which cannot be read. Save it as text, or as STL or PLY.")),
            {}}};
     }
-    // The third, of edges, is read by nobody and left out by some.
+    // The third number, of edges, is not used, and some programs leave it out.
     if (counts[1].empty()) {
       if (words.size() > 4096) break;
       continue;

@@ -8,7 +8,7 @@
 namespace underact::mesh_file {
 namespace {
 
-// Which part is in which is looked for by a ray through all the faces of a part; no more of these than this.
+// Whether a part is within another is decided by a ray through all faces of a part; at most this many tests.
 constexpr double kMostRayTests = 1e8;
 constexpr std::size_t kMostNested = 1000;
 
@@ -34,7 +34,7 @@ class Finding {
   }
 
  private:
-  /// A new part, from one face on.
+  /// Grows a new part from one face.
   bool grow(std::int32_t seed) {
     Part& part = found_.parts.emplace_back();
     const auto number = static_cast<std::int32_t>(found_.parts.size() - 1);
@@ -100,7 +100,7 @@ class Finding {
         if (inner == outer || !((in.low - out.low).minCoeff() >= 0.0 && (out.high - in.high).minCoeff() >= 0.0))
           continue;
         tests += static_cast<double>(triangles_.faces.size());
-        // Past the bound, it stands as the file has it.
+        // Beyond the bound it stays as in the file.
         if (tests > kMostRayTests || isWithin(in.some_corner, static_cast<std::int32_t>(outer))) ++around;
         if (steps_.isCancelled()) return;
       }
@@ -108,8 +108,8 @@ class Finding {
     }
   }
 
-  /// The ray from a corner into a direction that no edge of ordinary meshes has crosses the part an odd number of
-  /// times.
+  /// Whether the ray from a corner, in a direction that no edge of ordinary meshes has, crosses the part an odd number
+  /// of times.
   bool isWithin(std::int32_t corner, std::int32_t part) {
     const Vec3 from = cornerAt(triangles_, corner), along(0.5773, 0.2113, 0.7887);
     bool is_within = false;

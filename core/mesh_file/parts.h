@@ -7,34 +7,36 @@
 
 namespace underact::mesh_file {
 
-/// Faces that hang together by edges of two faces.
+/// A connected part of a mesh: faces connected by edges of exactly two faces.
 struct Part {
   std::int64_t faces = 0;
-  std::int64_t against = 0;     // that stand the other way round than its first face, as it was
-  std::int64_t clashes = 0;     // edges whose faces cannot agree
+  std::int64_t against = 0;     // faces with the opposite winding of its first face, as read
+  std::int64_t clashes = 0;     // edges whose faces have no consistent winding
   bool is_open = false;         // a border, or an edge with more than two faces
-  bool is_turned_over = false;  // what stands as its first face is turned; else what stands against it
+  bool is_turned_over = false;  // faces wound as its first face are reversed; else the others
   bool is_nested = false;       // closed, and within another closed one
-  double volume = 0.0;          // as its first face stands
+  double volume = 0.0;          // signed by the winding of its first face
   double area = 0.0;
   Vec3 low = Vec3::Constant(kInfinity), high = Vec3::Constant(-kInfinity);
   std::int32_t some_corner = 0;
 };
 
+/// All parts of a mesh.
 struct Parts {
   std::vector<Part> parts;
   std::vector<std::int32_t> part_of;     // of each face
-  std::vector<std::uint8_t> is_against;  // of each face: it stands against the first of its part
+  std::vector<std::uint8_t> is_against;  // of each face: wound against the first of its part
   std::int64_t clashes = 0;              // edges
 };
 
+/// Whether it has no border, no edge of more than two faces, and a consistent winding.
 inline bool isClosed(const Part& part) {
   return !part.is_open && part.clashes == 0;
 }
 
-/// Which faces hang together and how each stands, and which must be turned: in a closed part, so that the outside is
-/// out; a part within another may be the wall of a hollow, so it stands as the file has most of it, and so does an open
-/// part. None: cancelled.
+/// Finds the connected parts, the winding of each face, and the faces to reverse: in a closed part, so that normals
+/// point outwards; in a part within another, which may be the wall of a cavity, and in an open part, so that the
+/// majority stays. None: cancelled.
 std::optional<Parts> partsOf(const mesh::Triangles& triangles, const Edges& edges, const Watch& watch);
 
 }  // namespace underact::mesh_file

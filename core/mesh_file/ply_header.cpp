@@ -15,12 +15,12 @@ constexpr std::size_t kMostProperties = 256;
 
 struct Type {
   const char* word;
-  const char* known;  // OpenMesh knows some of the words only
+  const char* known;  // OpenMesh knows only some of the words
   const char* known_length;
   int bytes;
 };
 
-// A length of 2^31 or more fits into no file that is read here, so that signed or not makes no difference to it.
+// A length of 2^31 or more does not fit into any file that is read here, so signed and unsigned are equivalent.
 constexpr std::array<Type, 16> kTypes{{{"char", "char", "uchar", 1},
                                        {"int8", "char", "uchar", 1},
                                        {"uchar", "uchar", "uchar", 1},
@@ -86,7 +86,7 @@ bool isTwice(const PlyHeader& header, const char* name) {
                        [name](const PlyElement& element) { return element.name == name; }) > 1;
 }
 
-/// Nothing where the header is one of a surface.
+/// Empty where the header is of a surface.
 Problems checkSurface(const PlyHeader& header) {
   const PlyElement* corners = elementOf(header, "vertex");
   const PlyElement* faces = elementOf(header, "face");

@@ -8,6 +8,7 @@
 
 namespace underact::mesh_file {
 
+/// How the body of the file holds its numbers.
 enum class PlyEncoding : std::uint8_t { Text, LittleEndian, BigEndian };
 
 /// One property of an element: a number, or a list of them with its length before it.
@@ -20,22 +21,24 @@ struct PlyProperty {
   int length_bytes = 0;
 };
 
+/// One kind of thing that the body lists: "vertex", "face", ...
 struct PlyElement {
   std::string name;
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
 };
 
+/// What the head of a PLY file states.
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::Text;
   std::vector<PlyElement> elements;
   std::size_t bytes = 0;  // where the body begins
 };
 
-/// Problems: one, without a file: it is no such header, or not one of a surface that can be read.
+/// Reads the head of a PLY file. Problems: one, whose place has no file: not a PLY head, or not of a readable surface.
 Result<PlyHeader> readPlyHeader(std::string_view head);
 
-/// Bytes that the body takes at the least.
+/// The least number of bytes of a body with these elements.
 double leastBytes(const PlyHeader& header);
 
 }  // namespace underact::mesh_file

@@ -7,22 +7,22 @@
 
 namespace underact::mesh_file {
 
-/// What was left out while a file was read, in faces as the file has them.
+/// What was left out while a file was read, counted in faces.
 struct Dropped {
-  std::int64_t not_finite = 0;      // a corner is no finite point
-  std::int64_t out_of_range = 0;    // a corner that is not there
+  std::int64_t not_finite = 0;      // a corner is not finite
+  std::int64_t out_of_range = 0;    // a corner does not exist
   std::int64_t without_extent = 0;  // fewer than three different corners
 };
 
-/// A mesh as it stands in its file, its polygons cut into triangles.
+/// A mesh as read from its file, its polygons split into triangles.
 struct Raw {
   mesh::Triangles triangles;  // finite, indexes in range
   Dropped dropped;
-  std::int64_t polygons = 0;         // faces as the file has them, those left out among them
+  std::int64_t polygons = 0;         // faces of the file, including those left out
   std::int64_t normals = 0;          // that the file gives for faces, and
-  std::int64_t normals_against = 0;  // of these, how many point against the order of the corners
-  double cpu_s = 0.0;                // that the reading program took
-  std::int64_t peak_bytes = 0;       // that it had in memory at once, as it says; 0: unknown
+  std::int64_t normals_against = 0;  // of these, how many are against the winding
+  double cpu_s = 0.0;                // processor time of the reader
+  std::int64_t peak_bytes = 0;       // its greatest memory use, as reported by itself; 0: unknown
 };
 
 }  // namespace underact::mesh_file

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kReader = "underact-mesh-reader";
 
-/// Why there is no mesh; empty: there is an answer.
+/// The reason why there is no mesh; empty: there is an answer.
 Sentence whyNone(const helper::Answer& answer, const helper::Errand& errand) {
   using helper::Ending;
   switch (answer.ending) {

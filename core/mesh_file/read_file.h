@@ -4,12 +4,12 @@
 
 namespace underact::mesh_file {
 
-/// Of Problems, where somebody asked for the end.
+/// The sentence of a problem where the call was cancelled.
 inline constexpr const char* kCancelled = "Cancelled.";
 
-/// Reads a mesh in a process of its own, underact-mesh-reader, which is shut off from all else: whatever the file does
-/// to the reader, it ends there. Bounded by limits.h in memory and time. Problems: one, with the file; also where the
-/// reader was not found (UNDERACT_MESH_READER says where it is), crashed, took too long, or was cancelled.
+/// Reads a mesh in a separate process, underact-mesh-reader, which is sealed off from everything else: whatever the
+/// file does to the reader stays there. Bounded by limits.h in memory and time. Problems: one, with the file; also
+/// where the reader was not found (UNDERACT_MESH_READER says where it is), crashed, took too long, or was cancelled.
 Result<Raw> readFile(const Input& input, const Watch& watch = {});
 Result<Raw> readFile(const std::string& path, const Watch& watch = {});
 

@@ -22,7 +22,7 @@ bool isFinite(const Eigen::Vector3f& p) {
   return std::abs(p.x()) < kBeyondAll && std::abs(p.y()) < kBeyondAll && std::abs(p.z()) < kBeyondAll;
 }
 
-/// Faces whose corners are all there and finite; corners that none of them uses are gone.
+/// Removes faces with corners that are missing or not finite, and unused corners.
 void dropUnusable(Triangles& triangles, Facts& facts) {
   const auto count = static_cast<std::int64_t>(triangles.p_MV.size());
   std::erase_if(triangles.faces, [&](const Face& face) {
@@ -36,7 +36,7 @@ void dropUnusable(Triangles& triangles, Facts& facts) {
   });
 }
 
-/// Corners in the order of their first use, and those alone.
+/// Puts corners in the order of their first use, and removes unused ones.
 void compact(Triangles& triangles) {
   std::vector<std::int32_t> now(triangles.p_MV.size(), -1);
   std::vector<Eigen::Vector3f> p_MV;
@@ -80,8 +80,8 @@ bool weldAll(Triangles& triangles, Facts& facts, const Watch& watch) {
   return true;
 }
 
-/// Faces with fewer than three different corners. One whose corners are different and on a line stays: it may be what
-/// keeps two others together, and the nearest point on it is well defined.
+/// Removes faces with fewer than three different corners. One with three different collinear corners stays: it may
+/// connect two others, and the nearest point on it is well defined.
 void dropEmpty(Triangles& triangles, Facts& facts) {
   const auto before = triangles.faces.size();
   std::erase_if(triangles.faces, [](const Face& f) { return f[0] == f[1] || f[1] == f[2] || f[2] == f[0]; });
@@ -111,7 +111,7 @@ void describeParts(const Parts& parts, Facts& facts) {
   }
 }
 
-/// Borders that hang together by their corners, each a hole or the rim of an open surface, and the longest of them.
+/// Counts the connected borders, each a hole or the rim of an open surface, and measures the longest of them.
 void describeBorders(const Triangles& triangles, const Edges& edges, Facts& facts) {
   std::vector<std::int32_t> leader(triangles.p_MV.size());
   std::iota(leader.begin(), leader.end(), 0);
@@ -149,7 +149,7 @@ void countFlat(const Triangles& triangles, Facts& facts) {
     const Vec3 ab = cornerAt(triangles, face[1]) - cornerAt(triangles, face[0]),
                ac = cornerAt(triangles, face[2]) - cornerAt(triangles, face[0]);
     const double longest = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
-    // Of floats the differences are exact in doubles, so 8 epsilon of the products is on a line, for all that is known.
+    // The differences of floats are exact in doubles, so within 8 epsilon of the products the corners are collinear.
     if (ab.cross(ac).norm() <= 0x1p-49 * longest) ++facts.flat_faces;
   }
 }
@@ -182,7 +182,7 @@ std::optional<Repaired> repair(Triangles triangles, const Watch& watch) {
   const std::optional<Parts> parts = partsOf(triangles, *edges, watch);
   if (!parts) return {};
   describeBorders(triangles, *edges, facts);
-  turnFaces(triangles, *parts, facts);  // from here on the edges' sides are others
+  turnFaces(triangles, *parts, facts);  // the sides of the edges change with it
   facts.faces = static_cast<std::int64_t>(triangles.faces.size());
   facts.corners = static_cast<std::int64_t>(triangles.p_MV.size());
   facts.border_edges = edges->borders;

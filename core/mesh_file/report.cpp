@@ -9,7 +9,7 @@
 namespace underact::mesh_file {
 namespace {
 
-/// With three digits that count, never as a power of ten.
+/// A number with three significant digits, never with an exponent.
 std::string figure(double value) {
   if (!(std::isfinite(value) && std::abs(value) > 0.0)) return "0";
   const int decimals = 2 - static_cast<int>(std::floor(std::log10(std::abs(value))));
@@ -30,7 +30,7 @@ Sentence lengthText(double units, double mm_per_unit) {
   return said(TRANSLATE_NOOP("problem", "%1 mm"), {shownNumber(figure(units * mm_per_unit))});
 }
 
-/// A pattern for one and a pattern for more, with the number as %1.
+/// A sentence for one or for several, with the number as %1.
 Sentence counted(std::int64_t count, const char* one, const char* more, const Sentence& second = {}) {
   return said(count == 1 ? one : more, {std::to_string(count), second});
 }
@@ -141,7 +141,7 @@ void addWhatIsLeft(const Facts& facts, double mm_per_unit, std::vector<Sentence>
   }
 }
 
-/// The stylus is pushed out on the side that is nearer, so through a thin part.
+/// Below this thickness the stylus is pushed out on the nearer side, and so through the part.
 constexpr double kThin_mm = 1.0;
 
 void addWhatItMeans(const Facts& facts, double mm_per_unit, std::vector<Sentence>& report) {

@@ -7,14 +7,14 @@
 
 namespace underact::mesh_file {
 
-/// What was repaired, what is left, and what it means for the hand: plain sentences, the ones about the hand last.
-/// mm_per_unit: as the scene has it.
+/// What was repaired, what is left, and what it means for the hand: sentences, those about the hand last. mm_per_unit:
+/// of the scene.
 std::vector<Sentence> reportOf(const Facts& facts, double mm_per_unit);
 
-/// side "outside" and "inside" may be asked of it, beside "both".
+/// Whether side "outside" and "inside" are possible, besides "both".
 bool allowsWalls(const Facts& facts);
 
-/// Why they may not; empty: they may.
+/// Why they are not; empty: they are.
 Sentence whyNoWalls(const Facts& facts);
 
 /// A unit that the file may have been written in.
@@ -24,16 +24,17 @@ struct Unit {
   double size_mm;      // how long the mesh would be
 };
 
+/// What to ask about the unit of a file.
 struct Proposal {
   Sentence sentence;        // "Read as millimetres, the mesh is 0.12 mm long. In metres it would be 120 mm."
   std::vector<Unit> units;  // those that make it a plausible size, the likeliest first; may be empty
 };
 
-/// Sizes that a hand can feel as a whole, or in good part, mm.
+/// The range of sizes that a hand can feel as a whole, or in good part, mm.
 inline constexpr double kSmallest_mm = 5.0;
 inline constexpr double kLargest_mm = 2000.0;
 
-/// What to ask where the largest extent, with the file's unit taken as mm, is none of these sizes; else nothing.
+/// The question about the unit, if the largest extent, with the file's unit taken as mm, is outside that range.
 std::optional<Proposal> implausible(double largest_mm);
 
 }  // namespace underact::mesh_file

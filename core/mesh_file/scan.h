@@ -5,10 +5,12 @@
 
 namespace underact::mesh_file {
 
+/// White space of ASCII, whatever the locale.
 inline bool isSpace(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f';
 }
 
+/// The letters A to Z in lower case, whatever the locale; others stay.
 inline std::string lowered(std::string_view text) {
   std::string lower(text);
   for (char& c : lower) {
@@ -20,6 +22,7 @@ inline std::string lowered(std::string_view text) {
 /// Words of a text between blanks, with the line that each is on.
 class Scan {
  public:
+  /// text: outlives this and the words that it gives.
   explicit Scan(std::string_view text) : text_(text) {}
 
   /// The next word; empty: there is none.
@@ -43,7 +46,9 @@ class Scan {
     return rest;
   }
 
+  /// Whether all was read; blanks at the end count as not read.
   bool atEnd() const { return at_ >= text_.size(); }
+  /// The byte offset of what comes next, and the number of its line, from 1.
   std::size_t place() const { return at_; }
   int lineNumber() const { return line_; }
 

@@ -6,11 +6,12 @@
 
 namespace underact::mesh_file {
 
-/// Looks at the watch now and then within a loop, so that asking costs nothing.
+/// Checks a watch now and then within a loop, so that the check costs nothing.
 class Steps {
  public:
+  /// watch: outlives this.
   explicit Steps(const Watch& watch) : watch_(watch) {}
-  /// true: give up.
+  /// Whether to stop; to be called once an iteration.
   bool isCancelled() {
     if ((++count_ & 0x3FFFU) == 0) is_cancelled_ = is_cancelled_ || watch_.isCancelled();
     return is_cancelled_;
@@ -22,7 +23,7 @@ class Steps {
   bool is_cancelled_ = false;
 };
 
-/// A part of a work as a work of its own, whose shares are those of the part.
+/// A watch for a part of the work, whose progress is that from `from` to `to` of the whole.
 inline Watch partOf(const Watch& watch, double from, double to) {
   Watch part;
   part.cancelled = watch.cancelled;

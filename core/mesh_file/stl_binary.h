@@ -5,11 +5,12 @@
 
 namespace underact::mesh_file {
 
-// 80 bytes of anything, the count of faces, and of each face its normal, three corners and two bytes of anything; all
-// of it with the low byte first.
+// 80 arbitrary bytes, the number of faces, and for each face its normal, three corners and two arbitrary bytes;
+// little-endian.
 inline constexpr std::uint64_t kStlHeadBytes = 84;
 inline constexpr std::uint64_t kStlFaceBytes = 50;
 
+/// The count of faces that the head of a file states; 0 where the head is shorter than kStlHeadBytes.
 inline std::uint64_t stlBinaryCount(std::string_view head) {
   if (head.size() < kStlHeadBytes) return 0;
   std::uint64_t count = 0;
@@ -19,7 +20,7 @@ inline std::uint64_t stlBinaryCount(std::string_view head) {
   return count;
 }
 
-/// The size is that of as many faces as are stated: what tells it from text, which may begin alike.
+/// Whether the size fits the stated number of faces: this tells it from text, which may begin alike.
 inline bool isWholeStlBinary(std::string_view head, std::uint64_t file_bytes) {
   return file_bytes >= kStlHeadBytes && file_bytes == kStlHeadBytes + stlBinaryCount(head) * kStlFaceBytes;
 }

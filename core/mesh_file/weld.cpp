@@ -9,8 +9,8 @@
 namespace underact::mesh_file {
 namespace {
 
-// Cells of twice the tolerance: what is within the tolerance of a point is in its cell or in the one beside it, on each
-// axis on the side that the point is nearer to; so in 8 cells.
+// Cells of twice the tolerance: what is within the tolerance of a point is in its cell or in the adjacent one, on each
+// axis on the side to which the point is nearer; so in 8 cells.
 using Cell = std::array<std::int64_t, 3>;
 
 std::uint64_t mixed(std::uint64_t z) {  // SplitMix64's (Steele, Lea, Flood 2014)
@@ -25,7 +25,7 @@ std::uint64_t hashOf(const Cell& cell) {
   return hash;
 }
 
-/// First corners by their cells. Which slot one has is nothing to anybody: all in a cell are looked at.
+/// First corners by their cells. Their order does not matter: all in a cell are looked at.
 class Cells {
  public:
   explicit Cells(std::size_t corners) : slots_(std::bit_ceil(2 * corners + 2), -1), next_(corners, -1) {}

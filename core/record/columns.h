@@ -7,7 +7,7 @@
 
 namespace underact::record {
 
-/// The columns of a row of ticks, in the order of a CSV recording: lengths mm, angles rad, forces N, time s.
+/// The columns of a tick, in the order of a CSV recording: lengths mm, angles rad, forces N, time s.
 inline constexpr std::array<std::string_view, 34> kColumns{
     "tick",
     "time_s",
@@ -45,7 +45,7 @@ inline constexpr std::array<std::string_view, 34> kColumns{
     "passive_N",
 };
 
-/// Passes the fields of a tick to a row in the order of kColumns, each by row.integer(), row.number() or row.word().
+/// Passes the fields of a tick to a row in the order of kColumns, by row.integer(), row.number() or row.word().
 template <class Row>
 void fillRow(const servo::TickRecord& record, Row& row) {
   constexpr double kMicrosecondPerNanosecond = 1e-3;

@@ -28,7 +28,7 @@ class Row {
     end_ = std::to_chars(end_, text_.data() + text_.size(), value).ptr;
     separate();
   }
-  /// An empty field if it is not finite: every reader of tables takes that as "missing".
+  /// An empty field where it is not finite: every reader of tables takes it for a missing value.
   void number(double value) {
     if (std::isfinite(value)) end_ = std::to_chars(end_, text_.data() + text_.size(), value).ptr;
     separate();

@@ -13,21 +13,21 @@
 
 namespace underact::record {
 
-/// A session as CSV: a header with units, a row per tick, lengths mm, angles rad, forces N, time s; numbers read back
-/// to the same double. Not for the servo thread. Errors (a full disk) are kept and reported by close().
+/// A session as CSV: a header with units, a row for each tick, lengths mm, angles rad, forces N, time s; numbers read
+/// back to the same double. Not for the servo thread. Errors (a full disk) are kept and reported by close().
 class CsvWriter {
  public:
-  /// Replaces what is there, even a pipe or the standard output: an export. A new file is readable by its owner only;
-  /// an existing one keeps its permissions. Problems: it cannot be created.
+  /// For an export: replaces what is at path, which may be a pipe or the standard output. A new file is readable by its
+  /// owner alone; an existing one keeps its permissions. Problems: it cannot be made.
   static Result<CsvWriter> open(const std::string& path);
-  /// A new file that only its owner may read and write: a recording. Problems: those of checkNew(); it cannot be
-  /// created.
+  /// For a recording: a new file that its owner alone may read and write. Problems: those of checkNew(); it cannot be
+  /// made.
   static Result<CsvWriter> create(const std::string& path, system::Existing existing);
-  /// After a failure nothing more is written.
+  /// Writes a row. After a failure nothing more is written.
   void add(const servo::TickRecord& record);
-  /// A write failed; close() gives the sentence.
+  /// Whether something could not be written; close() says why.
   bool hasFailed() const { return error_ != 0; }
-  /// Flushes and closes. Problems: a write failed; the file is complete up to a line.
+  /// Flushes and closes. Problems: something could not be written; the file ends with a complete line.
   Problems close();
 
  private:
@@ -43,19 +43,19 @@ class CsvWriter {
   int error_ = 0;  // errno of the first failure
 };
 
-/// The outcome of an export.
+/// The result of an export.
 struct CsvExport {
   std::int64_t rows = 0;     // written
-  std::int64_t missing = 0;  // that are damaged in the session
-  bool is_stopped = false;   // before its end, as was asked
-  Problems unread;           // why no more was read
+  std::int64_t missing = 0;  // rows that are damaged in the session
+  bool is_stopped = false;   // ended early by goes_on
+  Problems unread;           // why not all was read
   Problems unwritten;        // what is there is whole up to a line
   /// Whether every tick of the session was written.
   bool isWhole() const { return missing == 0 && !is_stopped && unread.empty() && unwritten.empty(); }
 };
 
-/// Writes the ticks of a session as CSV and closes the file. goes_on: called after each block with the share done so
-/// far; false stops the export.
+/// Writes the ticks of a session as CSV and closes the file. goes_on: called after each block with the share that is
+/// done; false ends the export there.
 CsvExport exportCsv(Session& session, CsvWriter& csv, const std::function<bool(double share)>& goes_on);
 
 }  // namespace underact::record

@@ -16,7 +16,7 @@
 namespace underact::record {
 namespace {
 
-/// The settings of an access list for the driver; the library copies them byte by byte.
+/// What an access list passes to the driver; the library copies it byte by byte.
 struct Given {
   int fd = -1;
   std::int64_t at_least = 0;
@@ -45,7 +45,7 @@ H5FD_t* openGiven(const char* name, unsigned flags, hid_t access, haddr_t /*most
 }
 
 herr_t closeGiven(H5FD_t* file) {
-  const std::unique_ptr<GivenFile> gone(fileOf(file));  // the descriptor stays with its owner
+  const std::unique_ptr<GivenFile> gone(fileOf(file));  // the descriptor stays the caller's
   return 0;
 }
 
@@ -92,7 +92,7 @@ herr_t writeToGiven(H5FD_t* /*file*/, H5FD_mem_t /*kind*/, hid_t /*transfer*/, h
   return -1;
 }
 
-// Whoever opened the descriptor has locked it.
+// The file was locked when its descriptor was opened.
 herr_t lockGiven(H5FD_t* /*file*/, hbool_t /*writes*/) {
   return 0;
 }
@@ -104,7 +104,7 @@ H5FD_class_t givenDriver() {
   H5FD_class_t made{};
 #if H5_VERSION_GE(1, 13, 0)
   made.version = H5FD_CLASS_VERSION;
-  made.value = static_cast<H5FD_class_value_t>(511);  // of those that are free for testing and prototypes
+  made.value = static_cast<H5FD_class_value_t>(511);  // one of the numbers reserved for testing
 #endif
   made.name = "given";
   made.maxaddr = static_cast<haddr_t>(INT64_MAX);

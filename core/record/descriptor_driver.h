@@ -5,12 +5,12 @@
 
 namespace underact::record {
 
-/// The only name that a file access list of accessThrough() opens; all others, from links and external storage, are
+/// The one name that a file access list of accessThrough() opens; every other one, as of links and external storage, is
 /// refused.
 inline constexpr const char* kGivenFile = "/session";
 
-/// Makes an access list use an open descriptor, for reading only: no file is ever opened by name. at_least: the file is
-/// taken to be at least this long, with zeros where it was truncated. false: the library refused.
+/// Makes a file access list read through a descriptor that is open already: no file is ever opened by name. at_least:
+/// the length that the file is taken to have at least, with zeros where it was truncated. false: the library refused.
 bool accessThrough(Handle access, int fd, std::int64_t at_least);
 
 }  // namespace underact::record

@@ -39,7 +39,7 @@ void SetAside::giveBack(const std::string& path) const {
   if (until_ > 0) std::filesystem::resize_file(path, static_cast<std::uintmax_t>(sizeOf(path)), ignored);
 }
 
-// Version 3 of the superblock: 8 bytes from the 28th on.
+// In version 3 of the superblock: 8 bytes from offset 28 on.
 std::int64_t statedSize(int fd) {
   std::array<char, 36> head{};
   if (system::readAllAt(fd, 0, std::as_writable_bytes(std::span(head))) != head.size() || head[8] != 3) return 0;
@@ -59,7 +59,7 @@ std::int64_t sizeOf(const std::string& path) {
 }
 
 std::int64_t lengthToGrowTo(std::int64_t size, std::int64_t stated) {
-  // A beginning without the rest is of no use, and what a file states must not fill a disk.
+  // A beginning without the rest is worth no more, and the length stated by a file must not fill the disk.
   constexpr std::int64_t kTimes = 16, kAtLeast = std::int64_t{1} << 26;
   return stated > size && stated / kTimes <= std::max(size, kAtLeast / kTimes) ? stated : size;
 }

@@ -6,31 +6,32 @@
 
 namespace underact::record {
 
-/// Others may read a file that is being recorded, but not write it, until this process ends, however it ends: HDF5's
-/// own lock is gone once readers may follow.
+/// Marks a file as being recorded: others may read but not write it, until this process ends in any way. HDF5's own
+/// lock is released once readers may follow.
 class Presence {
  public:
   Presence() = default;
+  /// Marks the file at path as one that is being recorded, by a shared lock. No such file: no mark.
   explicit Presence(const std::string& path);
-  /// Another program is recording into that file.
+  /// Whether a program is recording into that file.
   static bool isAt(const std::string& path);
 
  private:
   system::Descriptor file_;
 };
 
-/// Reserves disk space beyond what is written, so that a full disk is noticed before the library meets it, and there is
-/// space to end in order.
+/// Reserves disk space ahead of the writer, so that a full disk is noticed before the library meets it, and a recording
+/// can still be ended in order.
 class SetAside {
  public:
-  /// false: the disk has no space for that many more bytes. Where the file system cannot reserve space, it reports this
-  /// only when the disk is full.
+  /// Reserves space for so many bytes more. false: the disk is full. A file system that cannot reserve space reports a
+  /// full disk only when it is full.
   bool forMore(std::int64_t bytes, int fd);
-  /// Gives back the unused space, once the file is closed.
+  /// Frees the unused part, once the file is closed.
   void giveBack(const std::string& path) const;
 
  private:
-  std::int64_t until_ = 0;  // the file can grow to this size without asking the disk
+  std::int64_t until_ = 0;  // space is reserved up to this length
 };
 
 std::int64_t sizeOf(const std::string& path);  // 0 if it does not exist
@@ -39,10 +40,10 @@ std::int64_t sizeOf(const std::string& path);  // 0 if it does not exist
 std::int64_t statedSize(const std::string& path);
 std::int64_t statedSize(int fd);
 
-/// How long a truncated file is made: as long as it states, within reason; otherwise as long as it is.
+/// The length to which a truncated file is extended: the one it states, within reason; otherwise its own.
 std::int64_t lengthToGrowTo(std::int64_t size, std::int64_t stated);
 
-/// Gives a truncated file its length back, with zeros: the checksums then show what is missing.
+/// Extends a truncated file to the length it states, with zeros; checksums then show what is missing.
 void growToStatedSize(const std::string& path);
 
 }  // namespace underact::record

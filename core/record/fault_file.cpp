@@ -100,7 +100,7 @@ struct Closer {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// The faults stored in a folder, by name: the time comes first in it, so the oldest is first.
+/// The faults saved in a folder, by name: names begin with the time, so the oldest is first.
 std::vector<std::filesystem::path> faultsIn(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> found;
   std::error_code error;
@@ -112,7 +112,7 @@ std::vector<std::filesystem::path> faultsIn(const std::filesystem::path& folder)
   return found;
 }
 
-/// If a clock was set back, the newest looks old: it is kept nevertheless.
+/// Removes the oldest faults, but never the newest one, which looks old if the clock was set back.
 void removeOldest(const std::filesystem::path& folder, const std::filesystem::path& newest) {
   const std::vector<std::filesystem::path> found = faultsIn(folder);
   std::size_t kept = found.size();
@@ -182,7 +182,7 @@ std::string faultText(const servo::FaultReport& report, const FaultWords& words)
 
 Problems writeFaultFile(std::string_view text, const std::string& path) {
   const std::string part = path + ".part";
-  // It tells who felt what, and when: readable by its owner only.
+  // Readable by its owner alone, as it says who felt what, and when.
   const int reason =
       system::putInPlace(system::makeNew(part, system::Existing::Replace), part, path, text, system::Lasting::Written);
   return reason == 0 ? Problems{} : cannotBeKept(path, reason);

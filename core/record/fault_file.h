@@ -9,29 +9,30 @@ namespace underact::record {
 
 inline constexpr std::size_t kFaultFilesKept = 20;
 
-/// What is reported of a fault.
+/// The texts for a fault.
 struct FaultWords {
   std::string kind;  // "no_sample"
   Sentence what;
   Sentence what_to_do;
 };
+/// The sentences of whatHappened() and whatToDo(), and the word of name().
 FaultWords wordsOf(const Fault& fault);
-/// With what the arm itself reports.
+/// The same, followed by what the device reports, see DevicePort::trouble().
 FaultWords wordsOf(const servo::FaultReport& report);
 
 /// A time as ISO 8601 in UTC: "2026-11-21T19:56:47Z". unix_time_s: from year 1 to 9999.
 std::string isoTime(std::int64_t unix_time_s);
 
-/// A fault with everything around it, as a JSON object: texts, time, servo, scene, and the last second of ticks with
-/// the columns of a CSV recording. Numbers read back to the same double; one that is not finite is null.
+/// A fault report as a JSON object: texts, time, servo, scene, and the last second of ticks with the columns of a CSV
+/// recording. Numbers read back to the same double; one that is not finite is null.
 std::string faultText(const servo::FaultReport& report, const FaultWords& words);
 
 /// Writes text beside path, then renames over path; only its owner may read it. Problems: why it cannot be written;
 /// then nothing is left behind.
 Problems writeFaultFile(std::string_view text, const std::string& path);
 
-/// Saves a fault as a new file in folder, which is created if missing, and removes the oldest faults beyond
-/// kFaultFilesKept; other files in the folder are not touched. Returns the path. Problems: it cannot be written.
+/// Saves a fault as a new file of folder, which is made if necessary, and removes the oldest faults beyond
+/// kFaultFilesKept; other files of the folder are not touched. Gives the path. Problems: it cannot be written.
 Result<std::string> keepFault(const servo::FaultReport& report, const FaultWords& words, const std::string& folder);
 
 }  // namespace underact::record

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kSessionReader = "underact-session-reader";
 constexpr std::size_t kLongestAttribute = (std::size_t{1} << 20) + 1;
 
-/// An attribute's name in a question; an empty one is not an attribute.
+/// A question about an attribute; an empty name is of no attribute.
 Question questionOf(Asks what, std::string_view name) {
   Question question;
   question.what = what;
@@ -33,7 +33,7 @@ std::optional<Number> numberIn(std::span<const std::byte> bytes) {
   return number;
 }
 
-/// A helper is trusted as little as the file that it reads.
+/// Whether an answer is plausible: a helper is trusted as little as the file that it reads.
 bool fits(const Shape& shape, std::span<const Table> tables, std::int64_t bytes) {
   for (std::size_t index = 0; index < tables.size(); ++index) {
     const Table& table = tables[index];
@@ -59,7 +59,7 @@ struct ForeignFile::Impl {
   Problems unreadable() const {
     return problem(said(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
   }
-  /// Why there was no answer.
+  /// The reason why there was no answer.
   Problems whySilent(const helper::Bounds& bounds) const {
     using helper::Ending;
     switch (talk.ending()) {
@@ -80,7 +80,7 @@ struct ForeignFile::Impl {
         return unreadable();
     }
   }
-  /// What follows a yes. Problems: what follows a no, and why there was no answer.
+  /// The answer after a yes. Problems: the sentence after a no, and why there was no answer.
   Result<std::vector<std::byte>> ask(const Question& question, std::size_t most_bytes) {
     helper::Bounds bounds;
     bounds.most_bytes = std::max(most_bytes, helper::kMostLetters) + 1;
@@ -171,7 +171,7 @@ Result<std::vector<Block>> ForeignFile::read(std::size_t table, std::int64_t fir
 }
 
 void ForeignFile::refresh() {
-  (void)impl_->look(Asks::Refresh);  // if that fails, the old state stays, and reading reports why
+  (void)impl_->look(Asks::Refresh);  // on failure the old state stays, and reading it reports why
 }
 
 std::string ForeignFile::text(std::string_view attribute) {

@@ -15,14 +15,14 @@ namespace underact::record {
 /// its place meanwhile.
 class ForeignInput {
  public:
-  /// follows: also if path is a link to another file. Problems: it does not exist, is not a regular file, or another
-  /// program has it open for writing without letting others read.
+  /// follows: whether path may be a link. Problems: no such file, not a regular file, or locked by another program that
+  /// writes it.
   static Result<ForeignInput> open(const std::string& path, bool follows = true);
   int fd() const { return file_.number(); }
   const std::string& path() const { return path_; }
   /// Its size now; 0 where the system does not tell.
   std::int64_t bytes() const;
-  /// From here on others may write it.
+  /// Releases the lock, so that others may write the file.
   void unlock() const;
 
  private:
@@ -37,8 +37,8 @@ class ForeignInput {
 /// own, so that several threads may each read one; one thread at a time.
 class ForeignFile {
  public:
-  /// at_least: see accessThrough(). Problems: as Hdf5File::open(); the reader is missing (UNDERACT_SESSION_READER gives
-  /// its path), could not be isolated, crashed, took too long.
+  /// at_least: see accessThrough(). Problems: as Hdf5File::open(); the reader is missing (UNDERACT_SESSION_READER says
+  /// where it is), could not be sealed off, ended early, took too long.
   static Result<ForeignFile> open(std::shared_ptr<const ForeignInput> input, std::span<const Table> tables,
                                   std::int64_t at_least = 0);
   // One that was moved from may only be assigned to or destroyed.

@@ -9,11 +9,13 @@
 
 namespace underact::record {
 
-// The questions of a program to underact-session-reader, and the answers. Both are this program's: numbers are sent as
-// they are in memory.
+// The questions to underact-session-reader, and its answers. Both are builds of this program: numbers have the layout
+// of memory.
 
+/// What can be asked.
 enum class Asks : std::uint8_t { Open, Refresh, Read, Text, Integer, Real };
 
+/// One question, as it is sent.
 struct Question {
   Asks what = Asks::Open;
   std::array<char, 31> name{};        // of an attribute, padded with zeros
@@ -26,11 +28,12 @@ struct Question {
 static_assert(std::is_trivially_copyable_v<Question> && sizeof(Question) == 80);
 
 // Each answer begins with one of these. No: a sentence follows, see helper/words.h. Yes: to Open and Refresh, a Shape;
-// to Read, a byte per block, 1 if it is intact, then the bytes of the intact ones; to Text, its characters; to Integer
+// to Read, a byte for each block, 1 where it is whole, then the bytes of the whole ones; to Text, its bytes; to Integer
 // and Real, the number.
 inline constexpr std::byte kNo{0}, kYes{1};
 
 inline constexpr std::size_t kMostForeignTables = 8;
+/// Of each table, in their order: its rows, and the rows of its blocks.
 struct Shape {
   std::array<std::int64_t, kMostForeignTables> rows{}, block_rows{};
   std::int64_t is_open_elsewhere = 0;

@@ -18,8 +18,8 @@
 namespace underact::record {
 namespace {
 
-// What a writer is just changing is read again, each time after twice the pause: 24 times take 20 ms. The library's
-// default of 100 would take forever on a damaged file.
+// What a writer is just changing is read again, after a pause that doubles each time: 24 times take 20 ms. The
+// library's own 100 would never end where the file is damaged.
 constexpr unsigned kAttempts = 24;
 
 Problems problemAt(const std::string& path, Sentence sentence) {
@@ -32,7 +32,7 @@ Sentence reason() {
   return said(TRANSLATE_NOOP("problem", "the HDF5 library gives no reason"));
 }
 
-/// None: a file of that name exists. The library would wait for the writer of a pipe.
+/// None: the file exists. The library would wait for the writer of a pipe.
 Problems notThere(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error))
@@ -43,8 +43,8 @@ Problems notThere(const std::string& path) {
 
 Id accessList(bool locks = true) {
   Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);  // required by SWMR
-  H5Pset_file_locking(access, locks, true);                        // not if the file system has no locks
+  H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);  // what SWMR takes
+  H5Pset_file_locking(access, locks, true);                        // not on file systems without locks
   return access;
 }
 
@@ -63,7 +63,7 @@ struct Hdf5File::Impl {
   std::int64_t unflushed_bytes = 0;  // in the library's memory, not yet in the size of the file
   Problems failure;                  // the first
 
-  /// pattern: with a placeholder for the reason.
+  /// Remembers a failure. pattern: with a placeholder for the reason.
   Problems fail(const char* pattern) {
     failed = true;
     failure = problemAt(path, said(pattern, {reason()}));
@@ -75,12 +75,12 @@ struct Hdf5File::Impl {
     void* handle = nullptr;
     return file.isGood() && H5Fget_vfd_handle(file, H5P_DEFAULT, &handle) >= 0 ? *static_cast<int*>(handle) : -1;
   }
-  /// From here on the library writes nothing: its memory is ahead of the disk, and half of it there would damage what
-  /// is intact.
+  /// Makes the library write to nothing from here on: what it has in memory is ahead of the disk, and a half-written
+  /// part would damage what is intact.
   void letBe() const {
     if (writes && descriptor() >= 0) system::leadNowhere(descriptor());
   }
-  /// The present size of the file.
+  /// The size of the file now.
   std::int64_t bytes() const {
     return by_descriptor ? std::max(system::lengthOf(descriptor()), at_least) : sizeOf(opened);
   }
@@ -99,7 +99,7 @@ struct Hdf5File::Impl {
     }
     return {};
   }
-  /// Opened for reading, as one that is closed or else as one that is being written. access: made ready.
+  /// Opens for reading, as a closed file or else as one that is being written. access: prepared.
   Problems openToRead(const char* name, Handle access, std::int64_t there, std::int64_t stated) {
     file = Id(H5Fopen(name, H5F_ACC_RDONLY, access), H5Fclose);
     if (!file.isGood()) {
@@ -154,7 +154,7 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
   if (!good) {
     Problems problems = impl->fail(TRANSLATE_NOOP("problem", "The recording cannot be started: %1."));
     std::error_code ignored;
-    std::filesystem::remove(path, ignored);  // nothing is in it, and it would be in the way of the next one
+    std::filesystem::remove(path, ignored);  // it is empty, and would be in the way of the next attempt
     return problems;
   }
   impl->presence = Presence(path);

@@ -8,31 +8,37 @@
 
 namespace underact::record {
 
-// What the sources that use HDF5 share. None of our headers includes the library's: its hid_t is this.
+// What the sources that use HDF5 share. No header of ours includes the library's: its hid_t is this.
 using Handle = std::int64_t;
 
-/// Initializes the library, which otherwise happens on first use: for a process that loses rights later. It then loads
-/// no plugins. false: the library is not available.
+/// Initialises the library now, which it otherwise does at first use: for a process that loses rights later. No plugins
+/// are loaded then. false: the library is not available.
 bool startHdf5();
 
-/// An identifier of the library, closed at the end.
+/// An identifier of the library, closed by the destructor.
 class Id {
  public:
+  /// A function of the library that closes an identifier; below 0: it could not.
   using Close = int (*)(Handle);
   Id() = default;
+  /// id: taken over; below 0: none. closer: the function of the library that closes such an identifier.
   Id(Handle id, Close closer) : id_(id), close_(closer) {}
+  /// Takes the identifier over; the other is left with none.
   Id(Id&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  /// The same; the other gets this one's to close.
   Id& operator=(Id&& other) noexcept {
     std::swap(id_, other.id_);
     std::swap(close_, other.close_);
     return *this;
   }
   ~Id() { close(); }
+  /// Closes it now. false: the library could not. Nothing to close: true.
   bool close() {
     const Handle id = std::exchange(id_, -1);
     return id < 0 || close_(id) >= 0;
   }
   operator Handle() const { return id_; }
+  /// Whether there is an identifier.
   bool isGood() const { return id_ >= 0; }
 
  private:
@@ -40,7 +46,7 @@ class Id {
   Close close_ = nullptr;
 };
 
-/// Switches the library's own error output off: sentences are ours. It is per thread, so every entry point calls it.
+/// Switches off the library's own error output. It is a setting of each thread, so each entry point calls this.
 void quiet();
 
 /// An attribute of a file: text or a number.
@@ -49,9 +55,10 @@ struct Attribute {
   std::variant<std::string, std::int64_t, double> value;
 };
 
-/// Whether a name in a group is the object itself, not a link to one that may be in another file.
+/// Whether a name in a group is an object of this file, not a link to another one.
 bool isOwn(Handle group, std::string_view name);
 
+/// A new attribute of the object. false: the library refused.
 bool writeAttribute(Handle object, const Attribute& attribute);
 
 // None if it is missing, of another kind, or a text of more than a mebibyte.

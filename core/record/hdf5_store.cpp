@@ -23,7 +23,7 @@ hid_t typeOf(Kind kind) {
   return -1;
 }
 
-/// The filters of a dataset: 0 none, 1 those of copies that h5repack packs, -1 any other. None is a plugin.
+/// The filters of a dataset: 0 none, 1 those of copies packed by h5repack, -1 any other. None is a plugin.
 int packingOf(hid_t made) {
   const int filters = H5Pget_nfilters(made);
   for (int index = 0; index < filters; ++index) {
@@ -36,7 +36,7 @@ int packingOf(hid_t made) {
   return filters < 0 ? -1 : filters > 0 ? 1 : 0;
 }
 
-/// Whether its numbers are stored in this file, in chunks as createStore() makes them.
+/// Whether its numbers are in this file, in chunks as createStore() makes them.
 bool isLaidOutAsOurs(Store& store, hsize_t chunk_rows) {
   const Id made(H5Dget_create_plist(store.id), H5Pclose);
   hsize_t chunk[2] = {0, store.width};
@@ -48,7 +48,7 @@ bool isLaidOutAsOurs(Store& store, hsize_t chunk_rows) {
          H5Pget_chunk(made, 2, chunk) == store.rank() && chunk[0] == chunk_rows && chunk[1] == store.width;
 }
 
-/// Selects rows of a store, and memory for as many.
+/// A selection of rows of a store, and memory for as many.
 struct Selection {
   Selection(const Store& store, hsize_t first, hsize_t rows) : file(H5Dget_space(store.id), H5Sclose) {
     const hsize_t begin[2] = {first, 0};

@@ -9,16 +9,18 @@ namespace underact::record {
 
 /// A dataset that grows by rows of `width` numbers: a column of a table.
 struct Store {
-  Id id;  // not good: it is missing, or of another kind
+  Id id;  // not good: missing, or of another type
   Kind kind = Kind::Real;
   std::uint64_t width = 1;
   bool is_packed = false;  // shuffled or compressed by zlib, as h5repack makes copies; never by this program
+  /// Dimensions of the dataset: rows, and numbers a row where they are several.
   int rank() const { return width > 1 ? 2 : 1; }
 };
 
+/// A new dataset without rows, unit and meaning as its attributes; not good where the library refused.
 Store createStore(Handle group, const Column& column, std::uint64_t chunk_rows);
-/// As createStore() makes it, with chunks of that many rows; not good if it differs in any way: another type, a link,
-/// another filter, another layout, numbers stored in another file.
+/// A dataset as createStore() makes it, with chunks of so many rows; not good where it differs in any way: another
+/// type, a link, another filter, the layout of another program, data in another file.
 Store openStore(Handle group, const Column& column, std::uint64_t chunk_rows);
 std::uint64_t rowsOf(const Store& store);  // 0 if it does not say
 

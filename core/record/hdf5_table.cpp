@@ -56,7 +56,7 @@ std::optional<OpenTable> openTable(Handle group, const Table& wanted, bool write
     good = good && store.id.isGood();
     table.is_packed = table.is_packed || store.is_packed;
   }
-  // To write into a packed file, its data would have to be unpacked in this process.
+  // Writing into a packed file would require unpacking it in this process.
   if (!good || (writes && (table.is_packed || table.crc.is_packed))) return {};
   const auto most = static_cast<std::uint64_t>(mostRows(table, file_bytes));
   const auto fits = [most](const Store& store) { return rowsOf(store) <= most; };

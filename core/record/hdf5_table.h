@@ -19,12 +19,12 @@ struct OpenTable {
 
 /// A new table; none: the library refused.
 std::optional<OpenTable> createTable(Handle file, const Table& wanted);
-/// As createTable() makes it; none: it differs, states more rows than file_bytes bytes can hold, or is packed and to be
-/// written.
+/// A table as createTable() makes it. None: it differs, states more rows than file_bytes bytes can hold, or is packed
+/// and opened for writing.
 std::optional<OpenTable> openTable(Handle group, const Table& wanted, bool writes, std::int64_t file_bytes);
 
-/// Rows that a file of that many bytes can hold: each takes its own. What a writer is just adding counts before it is
-/// in the file.
+/// The greatest number of rows that a file of so many bytes can hold; rows that a writer is just adding are allowed
+/// for.
 std::int64_t mostRows(const OpenTable& table, std::int64_t file_bytes);
 /// Rows that all columns have, with a checksum for each of their blocks.
 std::int64_t rowsOf(const OpenTable& table);
@@ -33,10 +33,11 @@ std::int64_t rowsOf(const OpenTable& table);
 bool appendBlock(const OpenTable& table, const Block& block);
 bool cutTo(const OpenTable& table, std::int64_t rows);
 
-/// The rows from begin, which is the start of a block, to before end; a damaged block has no bytes. None: the library
+/// The rows from begin up to end, where begin is the start of a block; a damaged block has no bytes. None: the library
 /// refused.
 std::optional<std::vector<Block>> readBlocks(const OpenTable& table, std::int64_t begin, std::int64_t end);
 
+/// Reader: sees the rows that were written since.
 void refresh(const OpenTable& table);
 /// false: what is in memory could not be written.
 bool close(OpenTable& table);

@@ -58,7 +58,7 @@ struct Recorder::Impl {
 
   void run() {
     while (!failed() && !tap->ended() && !ends.load()) {
-      const bool busy = room() < 0.5;  // a run at full speed is not slowed down
+      const bool busy = room() < 0.5;  // a run at full speed must not wait
       takeAll();
       if (!failed()) lookAtDisk();
       if (!busy) std::this_thread::sleep_for(kPause);
@@ -70,7 +70,7 @@ struct Recorder::Impl {
   double room() const { return static_cast<double>(tap->room()) / static_cast<double>(capacity); }
   bool failed() const { return !problems.empty(); }
 
-  /// What belongs to a tick is written before it, so that a truncated file can be replayed to its end.
+  /// What belongs to a tick is written before it, so that a truncated file can be replayed up to its end.
   void takeAll() {
     if (!tap->begun()) return;
     if (!begun) {
@@ -157,7 +157,7 @@ struct Recorder::Impl {
   std::shared_ptr<servo::Tap> tap;
   std::size_t capacity = tap->room();
   std::vector<servo::TickRecord> batch;
-  Problems problems;  // the recorder's thread; others read shown
+  Problems problems;  // of the recorder's thread; others read shown
   bool disk_full = false;
   std::atomic<EndReason> wished_reason{EndReason::Stopped};
   bool begun = false;
@@ -203,7 +203,7 @@ Problems Recorder::stop(EndReason reason) {
     impl_->host.endRecord();
     const auto limit = steady_clock::now() + kWaitForEnd;
     while (!impl_->tap->ended() && steady_clock::now() < limit) {
-      impl_->host.snapshot();  // passes on what is waiting
+      impl_->host.snapshot();  // sends commands that are waiting
       std::this_thread::sleep_for(milliseconds(1));
     }
     impl_->ends = true;

@@ -9,6 +9,7 @@
 
 namespace underact::record {
 
+/// When a recording ends by itself, and how its file is written.
 struct RecorderOptions {
   std::int64_t most_ticks = 0;                           // at most; 0: until stop()
   std::int64_t reserve_bytes = 64LL << 20;               // with less left on the disk the recording ends in order
@@ -29,7 +30,7 @@ struct RecorderStatus {
 };
 
 /// Records a servo into a session file, in a thread of its own. The servo never waits for it. The file can be read
-/// while it grows; after a kill at most the last 0.25 s are missing.
+/// while it grows; if the program is killed, at most the last 0.25 s are missing.
 class Recorder {
  public:
   /// Begins with the next tick. The host must outlive the recorder. Problems: the file cannot be created.
@@ -46,6 +47,7 @@ class Recorder {
   Problems stop(EndReason reason = EndReason::Stopped);
   /// Any thread.
   RecorderStatus status() const;
+  /// Of the file. Any thread.
   const std::string& path() const;
 
  private:
@@ -54,13 +56,13 @@ class Recorder {
   std::unique_ptr<Impl> impl_;
 };
 
-/// For a file of this program that could not be closed in order: as recover(), without examining it first.
+/// Completes a file of this program that could not be ended in order: as recover(), without checking it first.
 Result<std::int64_t> makeWhole(const std::string& path);
 
-/// Repairs, in place, a file that a killed program left: cuts it after the last block that all tables have and marks it
-/// as recovered, so that every program can open it. A session that ended in order stays as it is. Returns the number of
-/// ticks. Problems: not a session, or not one that a recording can be, see ForeignFile; a link; being recorded; it
-/// cannot be written.
+/// Completes a file that a killed program left: truncates it to the last block that all tables have and marks it as
+/// recovered, so that every program opens it. In place. A session that ended in order stays as it is. Gives the number
+/// of ticks. Problems: not a session, or damaged beyond what a recording can be, see ForeignFile; a link; being
+/// recorded; it cannot be written.
 Result<std::int64_t> recover(const std::string& path);
 
 }  // namespace underact::record

@@ -9,7 +9,7 @@
 namespace underact::record {
 namespace {
 
-/// Rows up to the last readable block.
+/// The rows up to the last readable block.
 Result<std::int64_t> wholeRows(Hdf5File& file, std::size_t table) {
   std::int64_t rows = file.rows(table);
   const std::int64_t block_rows = file.blockRows(table);
@@ -55,8 +55,7 @@ Result<std::int64_t> makeWhole(const std::string& path) {
 }
 
 Result<std::int64_t> recover(const std::string& path) {
-  // It is untrusted. So it is first checked in the separate process, as far as it can be read, and then exactly that
-  // file is changed.
+  // The file may come from anybody, so it is checked in the sealed reader first, and then exactly that file is changed.
   Result<ForeignInput> opened = ForeignInput::open(path, false);
   if (!opened) return opened.problems();
   const auto input = std::make_shared<const ForeignInput>(std::move(opened).value());

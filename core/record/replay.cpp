@@ -26,7 +26,7 @@ Result<tick::TickProgram> programOf(scene::Description scene, const SessionHeade
   return program;
 }
 
-/// 0: its gate used the arm's clock.
+/// The period of the servo; 0: its gate used the arm's clock.
 std::int64_t periodOf(const SessionHeader& header) {
   return header.gate_time == GateTime::Servo ? 1'000'000'000 / header.rate_hz : 0;
 }
@@ -35,7 +35,7 @@ bool isMeasured(const Column& column) {
   return column.name == "lateness_us" || column.name == "tick_us";
 }
 
-/// The first row, and in it the first column, whose bytes differ.
+/// The first row and column whose bytes differ.
 std::optional<std::pair<std::int64_t, std::string>> firstDifference(const Block& a, const Block& b) {
   std::optional<std::pair<std::int64_t, std::string>> first;
   std::size_t at = 0;
@@ -53,7 +53,7 @@ std::optional<std::pair<std::int64_t, std::string>> firstDifference(const Block&
   return first;
 }
 
-/// The faults reported to ticks, tick by tick.
+/// The faults that were reported to ticks, tick by tick.
 class ToldFaults {
  public:
   explicit ToldFaults(const std::vector<servo::FaultMark>& faults) {
@@ -79,7 +79,7 @@ class Verification {
         packer_(tickColumns()),
         files_in_(files_in) {}
 
-  /// false: the result is known.
+  /// Compares a block. false: the result is known.
   bool compare(const Block& recorded) {
     packer_.begin(session_.blockRows());
     std::int64_t rows = 0;
@@ -111,7 +111,7 @@ class Verification {
   bool isNext(const servo::TickRecord& record) {
     const bool next = !last_tick_ || (record.tick > *last_tick_ && record.tick - 1 == *last_tick_);
     if (!next) {
-      // A file may contain any two numbers: their difference is computed so that it cannot overflow.
+      // A file may hold any two numbers, so the difference is computed without overflow.
       const auto missing = static_cast<std::int64_t>(static_cast<std::uint64_t>(record.tick) -
                                                      static_cast<std::uint64_t>(*last_tick_) - 1);
       result_.unknown =
@@ -154,7 +154,7 @@ class Verification {
   ToldFaults faults_;
   Packer packer_;
   const std::vector<std::string>& files_in_;
-  std::size_t next_change_ = 1;  // the rerun began with the first
+  std::size_t next_change_ = 1;  // the first one is the beginning of the rerun
   std::optional<std::int64_t> last_tick_;
   Verified result_;
   Problems problems_;

@@ -21,14 +21,14 @@ constexpr std::int64_t kMostMarkers = 1LL << 16;    // each of which has a text 
 constexpr std::int64_t kLongestWords = 64LL << 20;  // bytes of one text
 constexpr std::int64_t kLongestStart = 16LL << 20;
 constexpr std::int64_t kMostLate = 1'000'000;
-constexpr std::int64_t kMostGaps = 100'000;  // blocks that are damaged, one after the other or not
+constexpr std::int64_t kMostGaps = 100'000;  // damaged blocks, adjacent or not
 
 Problems damagedAt(const std::string& path, Sentence what) {
   return {{std::move(what), {path}}};
 }
 
-/// The texts follow one another in their table, so all together are no longer than it. One that does not is dropped.
-/// left: bytes that the remaining ones may have.
+/// Texts are adjacent in their table, so all together are no longer than it; one that is not within it is dropped.
+/// left: the bytes that remain for later ones.
 void keepWithin(std::int64_t all, std::int64_t longest, std::int64_t& left, Words& words) {
   const bool is_within = words.bytes >= 0 && words.bytes <= longest && words.at >= 0 && words.at <= all &&
                          words.bytes <= all - words.at && words.bytes <= left;
@@ -43,7 +43,7 @@ bool isAnyDamaged(const std::vector<Block>& blocks) {
   return std::any_of(blocks.begin(), blocks.end(), [](const Block& block) { return block.bytes.empty(); });
 }
 
-/// A file that shrank meanwhile may have none at all.
+/// Whether there are blocks: a file that has shrunk may give none.
 bool areThere(const std::vector<Block>& blocks) {
   return !blocks.empty() && !isAnyDamaged(blocks);
 }
@@ -58,7 +58,7 @@ Result<Session> Session::open(const std::string& path) {
 
 Result<Session> Session::open(std::shared_ptr<const ForeignInput> input, std::int64_t at_least) {
   const std::string path = input->path();
-  const std::array tables = sessionTables(1000);  // the number of rows in a block of ticks is read from the file
+  const std::array tables = sessionTables(1000);  // the rows of a block of ticks are read from the file
   Result<ForeignFile> file = ForeignFile::open(std::move(input), tables, at_least);
   if (!file) return file.problems();
   Session session(std::move(file).value());
@@ -151,10 +151,10 @@ void Session::readSmallTables() {
   const double by_clock_s =
       kSecondPerNanosecond * (static_cast<double>(unpackTicks(last.value().back()).back().time_ns) -
                               static_cast<double>(unpackTicks(first.value().front()).front().time_ns));
-  if (by_clock_s > by_count_s) info_.duration_s = by_clock_s;  // it is less if an arm was reopened
+  if (by_clock_s > by_count_s) info_.duration_s = by_clock_s;  // it is less where an arm was reopened
 }
 
-/// Of a table of bytes. Problems: some of them are damaged.
+/// The bytes of a table. Problems: some of them are damaged.
 Result<std::vector<std::byte>> Session::bytesOf(TableIndex table, std::int64_t begin, std::int64_t end) {
   std::vector<std::byte> bytes;
   const std::int64_t block_rows = file_.blockRows(table), from = begin / block_rows;

@@ -14,7 +14,7 @@
 
 namespace underact::record {
 
-/// What a session states about itself.
+/// The properties of a session.
 struct SessionInfo {
   std::string path;
   std::string program_version;
@@ -24,10 +24,12 @@ struct SessionInfo {
   std::int64_t dropped = 0;   // ticks that the recorder missed; known if the session ended in order
   std::optional<EndRow> end;  // none: it is being recorded, or was when the program died
   std::int64_t bytes = 0;     // of the file
-  Problems damage;            // what could not be read of the small tables
+  Problems damage;            // parts of the small tables that cannot be read
+  /// Whether the recording was ended in order, or made whole by recover().
   bool isComplete() const { return end.has_value(); }
 };
 
+/// A named moment in a session.
 struct Marker {
   std::int64_t tick = 0;
   std::string label;
@@ -39,36 +41,42 @@ struct Gap {
   std::int64_t rows = 0;
 };
 
-/// A recorded session, for reading; even one that is still growing, and one whose writer was killed. It is untrusted:
-/// see ForeignFile; its numbers are checked to be ones that a recording can have.
+/// A recorded session, for reading; also one that is still growing, and one whose writer was killed. The file may come
+/// from anybody: see ForeignFile; numbers that no recording can have are refused.
 class Session {
  public:
-  /// Problems: no such file; not a session; another version of the layout; a damaged beginning; as ForeignFile::open().
+  /// Problems: no such file; not a session; another version of the layout; damaged at its beginning; as
+  /// ForeignFile::open().
   static Result<Session> open(const std::string& path);
   /// The same for an open file. at_least: see accessThrough().
   static Result<Session> open(std::shared_ptr<const ForeignInput> input, std::int64_t at_least = 0);
 
+  // As they were read by open() or the last refresh(); valid until the next one.
   const SessionInfo& info() const { return info_; }
   const std::vector<ChangeRow>& changes() const { return changes_; }
   const std::vector<Marker>& markers() const { return markers_; }
   const std::vector<servo::FaultMark>& faults() const { return faults_; }
 
-  /// The scene of a change, as JSON; empty: the servo had none. Problems: that text is damaged.
+  /// The scene of a change, as JSON; empty: the servo had none. Problems: the text is damaged.
   Result<std::string> sceneText(const ChangeRow& change);
+  /// The same, read; an empty scene where the servo had none. Problems, too: those of readScene().
   Result<scene::Description> scene(const ChangeRow& change);
   /// The servo's state at the first row. Problems: damaged, or another layout.
   Result<tick::TickState> start(const tick::TickProgram& program);
 
+  /// Ticks of a block; the last one may have fewer.
   std::int64_t blockRows() const { return file_.blockRows(kTicks); }
+  /// Blocks of ticks that can be read, damaged ones included.
   std::int64_t blocks() const { return (info_.ticks + blockRows() - 1) / blockRows(); }
   /// Whole blocks of ticks; a damaged one has no bytes.
   Result<std::vector<Block>> readTicks(std::int64_t first_block, std::int64_t count);
-  /// Every block in order, a damaged one as a gap, until visit() returns false. progress: 0 to 1; may be empty.
+  /// Calls visit() for each block in order, and damaged() for each damaged one, until visit() returns false. progress:
+  /// 0 to 1; may be empty.
   Problems eachBlock(const std::function<bool(const Block&, std::int64_t first_row)>& visit,
                      const std::function<void(const Gap&)>& damaged, const std::function<void(double)>& progress = {});
-  /// Takes in what was written since.
+  /// Takes in what was written since it was opened or last refreshed.
   void refresh();
-  /// Its writer had not closed it when it was opened: it is being recorded, or its program was killed.
+  /// Whether its writer had not closed it when it was opened: it is being recorded, or the program was killed.
   bool isOpenElsewhere() const { return file_.isOpenElsewhere(); }
 
  private:

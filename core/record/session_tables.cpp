@@ -61,7 +61,7 @@ Words unpackWords(Unpacker& unpacker) {
 
 }  // namespace
 
-// For the longest block at the highest rate of a session.
+// The rows of the longest block at the highest rate of a session.
 constexpr std::int64_t kMostBlockRows = 200'000;
 static_assert(kMostBlockRows >= kLongestBlock_s * 1e6);
 

@@ -17,36 +17,39 @@ inline constexpr std::int64_t kSessionVersion = 1;
 inline constexpr const char *kServosTime = "servo", *kArmsTime = "arm";  // the attribute gate_time; absent: the arm's
 inline constexpr std::int64_t kTextBlock = 64;     // bytes; texts are padded to whole blocks with zeros
 inline constexpr std::int64_t kStartBlock = 4096;  // bytes
-// Of markers, in bytes; a reader keeps them all. One label, and all labels of a session.
+// Limits for the labels of markers, bytes, since a reader keeps all of them: one label, and all of a session.
 inline constexpr std::int64_t kLongestLabel = 64LL << 10, kAllLabels = 16LL << 20;
 
-// A block of ticks: the most that a kill loses, apart from the time between two polls of the recorder. The lab's page
-// has the cost of each length.
+// The length of a block of ticks: what is lost at most if the program is killed, besides the time between two runs of
+// the recorder. The lab's page has the cost of each length.
 inline constexpr double kBlock_s = 0.1, kShortestBlock_s = 0.01, kLongestBlock_s = 0.2;
 
-/// A block of ticks is block_s long, at least one row.
+/// The tables of a session. A block of ticks is block_s long, and one row at least.
 std::array<Table, kTables> sessionTables(std::int64_t rate_hz, double block_s = kBlock_s);
 
 /// Why a recording ended.
 enum class EndReason : std::uint8_t { Stopped, ProgramEnded, DiskFull, Recovered };
 const char* name(EndReason reason);  // "stopped", "program_ended", "disk_full", "recovered"
 
-/// Where in /text.
+/// A range of bytes of /text.
 struct Words {
   std::int64_t at = 0;
   std::int64_t bytes = 0;
 };
 
+/// A row of /changes: from this tick on another scene was in effect.
 struct ChangeRow {
   std::int64_t tick = 0;
   std::uint64_t revision = 0;
   tick::Carry carry = tick::Carry::Arm;
   Words scene;
 };
+/// A row of /markers.
 struct MarkerRow {
   std::int64_t tick = 0;
   Words label;
 };
+/// The row of /end, which a recording that ended in order has.
 struct EndRow {
   std::int64_t tick = 0;  // the last one
   std::int64_t dropped = 0;
@@ -54,14 +57,15 @@ struct EndRow {
   EndReason reason = EndReason::Stopped;
 };
 
+// One row, packed as a block of its table.
 Block blockOf(const ChangeRow& row);
 Block blockOf(const MarkerRow& row);
 Block blockOf(const servo::FaultMark& row);
 Block blockOf(const EndRow& row);
-/// Padded to whole blocks of kTextBlock.
+/// The text, padded with zeros to whole blocks of kTextBlock.
 Block textBlock(std::string_view text);
 
-// Of an intact block; a value beyond the enumerations is taken as the first.
+// The rows of a whole block; a value outside an enumeration is read as its first one.
 std::vector<ChangeRow> unpackChanges(const Block& block);
 std::vector<MarkerRow> unpackMarkers(const Block& block);
 std::vector<servo::FaultMark> unpackFaults(const Block& block);

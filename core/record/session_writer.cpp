@@ -45,7 +45,7 @@ arm::Geometry geometryOf(const std::string& arm) {
   return preset != nullptr ? preset->geometry : arm::findPreset(arm::kDefaultArm)->geometry;
 }
 
-/// In UTF-8: not the first byte of a character.
+/// Whether it is a continuation byte of UTF-8.
 bool isWithinLetter(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
 }
@@ -144,7 +144,7 @@ Problems SessionWriter::end(const EndRow& row) {
 }
 
 Problems rewriteWords(const std::string& path, const SessionWords& words) {
-  // It is untrusted: first checked in the separate process, and then exactly that file is changed.
+  // The file may come from anybody: it is checked in the sealed reader first, and then exactly that file is changed.
   Result<ForeignInput> opened = ForeignInput::open(path, false);
   if (!opened) return opened.problems();
   const auto input = std::make_shared<const ForeignInput>(std::move(opened).value());

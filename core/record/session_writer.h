@@ -19,8 +19,8 @@ struct SessionWords {
   std::string consent = {};  // what the person agreed to, and how: version and date of a form; empty: not recorded
 };
 
-/// The time that the gate's ramps, slew, heat and frozen time used: the servo's own periods, or, as in version 0.1.0,
-/// the arm's clock.
+/// The clock of the gate's ramps, slew, heat and frozen time: the servo's own periods, or, as in version 0.1.0, the
+/// arm's clock.
 enum class GateTime : std::uint8_t { Servo, Arm };
 
 /// What is known at the start of a session.
@@ -38,31 +38,31 @@ struct SessionHeader {
   double block_s = kBlock_s;
 };
 
-/// Writes a session: rows go to the file a block at a time. One thread at a time. After a failure nothing more is
-/// written, and each call reports it again.
+/// Writes a session, block by block. One thread at a time. After a failure nothing more is written, and each call
+/// reports it again.
 class SessionWriter {
  public:
-  /// A file that only its owner may read and write. Problems: the name exists, unless it is to be replaced; it cannot
-  /// be created.
+  /// A file that its owner alone may read and write. Problems: one of that name exists, unless it is to be replaced; it
+  /// cannot be made.
   static Result<SessionWriter> create(const std::string& path, const SessionHeader& header,
                                       system::Existing existing = system::Existing::Refuse);
-  /// Once, before the first tick. A servo without a scene has a scene without constraints.
+  /// To be called once, before the first tick. A servo without a scene has the scene without constraints.
   Problems begin(std::int64_t tick, std::uint64_t revision, const tick::TickState& state,
                  const scene::Description& scene);
-  /// Before the tick in which it takes effect.
+  /// To be called before the tick from which it is in effect.
   Problems add(const servo::Change& change, const scene::Description& scene);
   Problems add(const servo::TickRecord& record);
   Problems add(const servo::FaultMark& fault);
-  /// A label longer than kLongestLabel is cut between two characters.
+  /// Writes a marker. A label longer than kLongestLabel is cut between two characters.
   Problems mark(std::int64_t tick, std::string_view label);
-  /// Full blocks written so far can be read by others, and outlive the program.
+  /// Makes full blocks readable by others; they then outlive the program.
   Problems flush();
   /// Writes the remaining rows and the end, and closes the file.
   Problems end(const EndRow& row);
   /// Closes the file as it is.
   void abandon() { file_.close(); }
   std::int64_t ticks() const { return ticks_; }
-  /// The disk is full: it accepts no more, and end() closes it in order.
+  /// Whether the disk is full: no more is written, and end() closes the file in order.
   bool isFull() const { return file_.isFull(); }
 
  private:
@@ -79,8 +79,7 @@ class SessionWriter {
   bool unflushed_ = false;
 };
 
-/// The attributes of a session that people may change later. Problems: the file cannot be written (it may be
-/// recording).
+/// Replaces those attributes of a session. Problems: the file cannot be written (it may be being recorded).
 Problems rewriteWords(const std::string& path, const SessionWords& words);
 
 }  // namespace underact::record

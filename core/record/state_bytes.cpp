@@ -8,7 +8,8 @@
 namespace underact::record {
 namespace {
 
-/// The memory of each target of a kind. An entry of another kind has none; its bytes are those of a fresh one.
+/// The state of each target of a kind. An entry of another kind has none; its bytes are those of a state before a first
+/// tick.
 template <class Memory, class Entries, class Part>
 void eachMemory(Entries& entries, Part&& part) {
   for (auto& entry : entries) {
@@ -18,7 +19,7 @@ void eachMemory(Entries& entries, Part&& part) {
   }
 }
 
-/// Every part of a state, in one place for both directions, including all that carryOver() passes between two ticks.
+/// All parts of a state, in one place for both directions: everything that carryOver() copies is among them.
 template <class State, class Part>
 void eachPart(State& state, Part&& part) {
   part(state.time_ns);
@@ -43,7 +44,7 @@ void eachPart(State& state, Part&& part) {
   each(state.needs.joints, [&](auto& entry) { part(entry.follower); });
 }
 
-/// Eigen's fixed sizes contain no pointers, although the standard does not call them trivial.
+/// Eigen's fixed-size types have no pointers, although the standard does not call them trivial.
 template <class T>
 constexpr bool kIsPlain = std::is_trivially_destructible_v<T>&& std::is_standard_layout_v<T>;
 
@@ -60,7 +61,7 @@ std::vector<std::byte> bytesOfState(const tick::TickState& state) {
 }
 
 std::string stateLayout() {
-  // Files state 488 for a state without entries, its size in memory when the first files were written.
+  // Files state 488 for a state without entries, its size in memory in version 1 of the layout.
   std::size_t bytes = 488 - 275;
   const tick::TickState none;
   eachPart(none, [&bytes](const auto& part) { bytes += sizeof part; });
@@ -86,7 +87,7 @@ Result<tick::TickState> stateOfBytes(const std::vector<std::byte>& bytes, const 
     std::memcpy(static_cast<void*>(&part), next, sizeof part);
     next += sizeof part;
   });
-  // A changed byte may mean anything, and its checksum may have been adjusted.
+  // A modified byte may have any value, and a correct checksum.
   if (!isSound(state, program))
     return Problems{{said(TRANSLATE_NOOP(
         "problem",

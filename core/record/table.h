@@ -10,6 +10,7 @@ namespace underact::record {
 /// The type of a column's numbers; little-endian in the file.
 enum class Kind : std::uint8_t { Byte, Unsigned, Integer, Real };  // 1, 4, 8, 8 bytes
 
+/// A column of a table: its name and unit in the file, and what its numbers are.
 struct Column {
   std::string_view name;
   std::string_view unit;  // empty: a number without unit
@@ -29,6 +30,7 @@ struct Table {
   std::int64_t most_block_rows = 0;  // that a file may have, each block a chunk; 0: only block_rows and chunk_rows
 };
 
+/// Bytes of one row over all columns.
 std::size_t rowBytes(const Table& table);
 
 /// Rows, column after column, as in the file; its CRC-32 is the block's.
@@ -37,38 +39,42 @@ struct Block {
   std::vector<std::byte> bytes;
 };
 
-/// As zlib and PNG compute it.
+/// CRC-32 as in zlib and PNG.
 std::uint32_t crcOf(std::span<const std::byte> bytes);
 
-/// How many more rows than its bytes hold a repacked file may have: the worst case is an arm at rest, in the longest
-/// blocks.
+/// The greatest compression ratio of a file that was packed by another program: of an arm that stands still, in the
+/// longest blocks.
 inline constexpr std::int64_t kMostPacked = 256;
 
-/// The length that a file is taken to have at most, bytes: a file may state a length far beyond what is on the disk.
+/// The greatest length that a file is taken to have, bytes: a sparse file may state any.
 inline constexpr std::int64_t kLongestFile = std::int64_t{1} << 44;
 
-/// Rows of a table, from one up to another.
+/// Rows of a table, from begin up to end.
 struct RowRange {
   std::int64_t begin = 0, end = 0;
+  /// Blocks that the rows take; the last one may not be full. block_rows: above 0.
   std::int64_t blocks(std::int64_t block_rows) const { return (end - begin + block_rows - 1) / block_rows; }
 };
-/// Rows of the blocks from first on, at most count; of a table with that many rows in all. None if first is beyond
-/// them.
+/// The rows of at most count blocks from first on, in a table of so many rows. Empty where first is beyond them.
 RowRange rangeOf(std::int64_t first, std::int64_t count, std::int64_t block_rows, std::int64_t all);
 
-/// Writes rows into a block, number by number: row by row, each row column by column. At most as many rows as begin()
-/// was told.
+/// Writes rows into a block, number by number: row by row, and in a row column by column. For at most as many rows as
+/// begin() was told.
 class Packer {
  public:
+  /// columns: they outlive this.
   explicit Packer(std::span<const Column> columns);
+  /// Begins a block of no rows. Allocates where most_rows is another than before.
   void begin(std::int64_t most_rows);
+  // The next number: one of the kind that its column has; not checked, nor that there is room.
   void integer(std::int64_t value) { put(&value, sizeof value); }
   void unsigned32(std::uint32_t value) { put(&value, sizeof value); }
   void byte(std::uint8_t value) { put(&value, sizeof value); }
   void real(double value) { put(&value, sizeof value); }
   std::int64_t rows() const { return rows_; }
+  /// Whether there are as many rows as begin() was told.
   bool isFull() const { return rows_ == most_rows_; }
-  /// What was written so far, without gaps.
+  /// The rows written so far, without gaps.
   Block block() const;
 
  private:
@@ -80,11 +86,14 @@ class Packer {
   std::size_t column_ = 0, in_row_ = 0;  // the next number
 };
 
-/// Reads them back the same way.
+/// Reads rows back in the same order.
 class Unpacker {
  public:
+  /// columns and block: they outlive this; the block is whole and was packed with these columns.
   Unpacker(std::span<const Column> columns, const Block& block);
+  /// Whether all rows were read.
   bool isDone() const { return row_ == block_.rows; }
+  // The next number, as its column has it; to be called only until isDone().
   std::int64_t integer() { return take<std::int64_t>(); }
   std::uint32_t unsigned32() { return take<std::uint32_t>(); }
   std::uint8_t byte() { return take<std::uint8_t>(); }

@@ -7,7 +7,7 @@
 
 namespace underact::record {
 
-/// Error and force over a stretch of ticks. Not a number without ticks.
+/// Statistics of error and force over a range of ticks. Without a tick they are not numbers.
 class TickFigures {
  public:
   /// error_m: between tip and target; force_N: magnitude of the force that was sent.
@@ -18,8 +18,11 @@ class TickFigures {
     peak_force_N_ = std::max(peak_force_N_, force_N);
   }
   std::int64_t ticks() const { return ticks_; }
+  /// Root of the mean square of the error.
   double rmsError_m() const { return std::sqrt(sum_square_error_m2_ / static_cast<double>(ticks_)); }
+  /// The mean of the forces' lengths.
   double meanForce_N() const { return sum_force_N_ / static_cast<double>(ticks_); }
+  /// The largest force.
   double peakForce_N() const { return ticks_ == 0 ? kNotANumber : peak_force_N_; }
 
  private:
@@ -27,10 +30,11 @@ class TickFigures {
   double sum_square_error_m2_ = 0.0, sum_force_N_ = 0.0, peak_force_N_ = 0.0;
 };
 
-/// The work of the force on the hand. A step of the tip is paired with the force in effect during it: the one sent a
-/// tick before.
+/// The work of the force on the hand. A displacement of the tip counts with the force that was in effect during it: the
+/// one sent a tick before.
 class Work {
  public:
+  /// A tick: the force that was sent, N, and the tip when it was sampled, m.
   void add(const Vec3& f_T_W, const Vec3& p_WT) {
     if (begun_) all_J_ += f_T_W_.dot(p_WT - p_WT_);
     most_J_ = std::max(most_J_, all_J_);
@@ -38,6 +42,7 @@ class Work {
     f_T_W_ = f_T_W;
     p_WT_ = p_WT;
   }
+  /// Since the first tick; positive where the force moved the hand.
   double all_J() const { return all_J_; }
   double most_J() const { return most_J_; }   // the largest so far
   const Vec3& p_WT() const { return p_WT_; }  // of the last tick

@@ -10,7 +10,8 @@ namespace underact::record {
 /// The columns of /ticks. Lengths mm, angles rad, forces N.
 std::span<const Column> tickColumns();
 
-/// One row. geometry: of the arm, for the stylus's orientation, which the servo computes only where a scene needs it.
+/// Packs one row. geometry: of the arm, for the stylus's orientation, which the servo computes only where a scene needs
+/// it.
 void pack(const servo::TickRecord& record, const arm::Geometry& geometry, Packer& packer);
 
 /// The rows of a block. Lengths come back in m; what the file does not hold keeps its default.

@@ -9,7 +9,7 @@
 namespace underact::registration {
 namespace {
 
-/// About 0 with a standard deviation of 1: the sum of twelve even draws, alike on every system.
+/// A number with mean 0 and standard deviation 1: the sum of twelve uniform draws, identical on every system.
 double bellDraw(std::uint64_t& random) {
   double sum = -6.0;
   for (int draw = 0; draw < 12; ++draw) sum += nextShare(random);
@@ -31,7 +31,7 @@ Accuracy accuracyOf(const std::vector<Vec3>& marks_D, double touching_m, int dra
     for (const Vec3& mark_D : marks_D) {
       Vec3 error = Vec3::Zero();
       for (int axis = 0; axis < 3; ++axis) error[axis] = each_m * bellDraw(random);
-      touches.push_back({mark_D, mark_D - kMiddle_D + error, 0.0});  // an arm that stands straight: any other is alike
+      touches.push_back({mark_D, mark_D - kMiddle_D + error, 0.0});  // stands straight: any other gives the same
     }
     const Result<Fit> fit = fitTouches(touches);
     if (!fit) continue;

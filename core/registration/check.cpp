@@ -10,18 +10,18 @@
 namespace underact::registration {
 namespace {
 
-constexpr double kNearLine_m = 10e-3;   // 1 mm of error turns the arm by 6 degrees
-constexpr double kNearMarks_m = 20e-3;  // 1 mm of error turns the line between them by 3 degrees
-constexpr double kMuch_m = 3e-3;        // no tip that rests in its mark, of an arm that is calibrated
-constexpr double kMuchBetter = 0.25;    // of the residual: an order that is the right one
-constexpr double kAlike_m = 1.5e-3;     // residuals of two orders that are equally good
+constexpr double kNearLine_m = 10e-3;   // 1 mm of error rotates the arm by 6 degrees
+constexpr double kNearMarks_m = 20e-3;  // 1 mm of error rotates the line between them by 3 degrees
+constexpr double kMuch_m = 3e-3;        // more than a calibrated arm whose tip rests on its reference point
+constexpr double kMuchBetter = 0.25;    // relative residual of the right order
+constexpr double kAlike_m = 1.5e-3;     // difference of the residuals of two equally good orders
 constexpr double kRestless_m = 0.5e-3;  // of a tip that was held
 
 Sentence millimetres(double length_m) {
   return said(TRANSLATE_NOOP("problem", "%1 mm"), {shownNumber(length_m * kMillimetrePerMetre, 1)});
 }
 
-/// "2", "2 and 3", "1, 2 and 3": as people count.
+/// "2", "2 and 3", "1, 2 and 3": counted from 1.
 Sentence listOf(const std::vector<std::size_t>& marks) {
   Sentence text;
   for (std::size_t at = 0; at < marks.size(); ++at) {
@@ -38,8 +38,8 @@ std::vector<Touch> reordered(const std::vector<Touch>& touches, const std::vecto
   return touched;
 }
 
-/// How much the distances between marks and those between touched points differ, m: small only where an order fits,
-/// mirrored ones with it; thousands of times cheaper than a fit.
+/// The differences of the distances between reference points and between touched points, m: small only for a fitting
+/// order, also a mirrored one; thousands of times faster than a fit.
 class Distances {
  public:
   explicit Distances(const std::vector<Touch>& touches) : count_(touches.size()) {
@@ -148,8 +148,8 @@ std::vector<std::size_t> likelyOrder(const std::vector<Touch>& touches, const Fi
   const bool is_wrong = fit.rms_m > kMuch_m || !isUpright(fit);
   if (!is_wrong) return as_they_stand;
   const Distances distances(touches);
-  // The distance between two points that are each off by no more than r is off by no more than 2 r, and no point is
-  // farther off than sqrt(N) times the root mean square.
+  // The distance of two points with an error of at most r each has an error of at most 2 r, and no point is off by more
+  // than sqrt(N) times the root mean square.
   double allowed_m = std::max(kMuchBetter * fit.rms_m, kAlike_m);
   if (!isUpright(fit)) allowed_m = std::max(allowed_m, fit.rms_m + kAlike_m);
   const double distance_m = 2.0 * allowed_m * std::sqrt(static_cast<double>(touches.size()));

@@ -9,7 +9,7 @@
 namespace underact::registration {
 namespace {
 
-/// What chi-square falls below in one of 20, for 3, 6, 9, ... 18 degrees of freedom.
+/// The 5 % quantiles of chi-square for 3, 6, 9, ... 18 degrees of freedom.
 constexpr std::array<double, 6> kLowTwentieth{0.351846, 1.635383, 3.325113, 5.226029, 7.260944, 9.390455};
 
 }  // namespace

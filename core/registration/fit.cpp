@@ -11,9 +11,8 @@
 namespace underact::registration {
 namespace {
 
-constexpr double kSame_m = 1e-3;  // nearer than any hand can tell two marks apart
-constexpr double kOnLine_m =
-    2e-3;  // an error of 1 mm would turn the arm about the line by more than half a right angle
+constexpr double kSame_m = 1e-3;     // nearer than a hand can distinguish two points
+constexpr double kOnLine_m = 2e-3;   // an error of 1 mm would rotate the arm about the line by more than 45 degrees
 constexpr double kFarthest_m = 1e3;  // beyond it a millimetre is lost in rounding, and no desk is so large
 
 Eigen::Matrix3Xd columnsOf(const std::vector<Vec3>& points) {
@@ -22,7 +21,7 @@ Eigen::Matrix3Xd columnsOf(const std::vector<Vec3>& points) {
   return columns;
 }
 
-/// What is said of points that cannot be used.
+/// The sentences for points that cannot be used.
 struct Words {
   const char* not_finite;
   const char* same;
@@ -85,7 +84,7 @@ Layout layoutOf(const std::vector<Vec3>& points) {
   }
   Eigen::Matrix3Xd away = columnsOf(points);
   away.colwise() -= away.rowwise().mean().eval();
-  // Of the scatter: off by 1e-8 of the longest way between them, which is far below what a hand can point at.
+  // Of the scatter matrix: with an error of 1e-8 of the longest distance, far below what a hand can point at.
   const Vec3 squares_m2 = principalAxes(away * away.transpose()).values;
   layout.off_line_m = std::sqrt(std::max(0.0, squares_m2[0] + squares_m2[1]) / static_cast<double>(points.size()));
   return layout;

@@ -7,32 +7,33 @@
 
 namespace underact::registration {
 
-// Where an arm stands on the desk. Frame D: the desk, its origin at the first mark, x to the right, y up, z to the
-// person in front of it: the axes of the arm's own frame W where the arm stands straight before that person.
+// Where an arm stands on the desk. Frame D: the desk, its origin at the first reference point, x to the right, y up, z
+// towards the person in front of it: parallel to the arm's own frame W where the arm stands straight before that
+// person.
 
 inline constexpr std::size_t kFewestMarks = 3, kMostMarks = 8;
 
-/// A mark on the desk, and where the arm saw its tip while that rested in it.
+/// A reference point on the desk, and where the arm measured its tip while that rested on it.
 struct Touch {
   Vec3 p_DM = Vec3::Zero();
   Vec3 p_WM = Vec3::Zero();
-  double spread_m = 0.0;  // of the samples about p_WM, root of the mean square; 0: not known
+  double spread_m = 0.0;  // of the samples about p_WM, root mean square; 0: unknown
 };
 
-/// The pose of the arm on the desk that brings the touched points nearest to their marks.
+/// The pose of the arm on the desk that brings the touched points nearest to the reference points.
 struct Fit {
   Pose X_DW = Pose::Identity();
-  std::vector<Vec3> off_D;  // of each mark: from the mark to where the touched point comes to lie
+  std::vector<Vec3> off_D;  // for each reference point: from it to the touched point
   double rms_m = 0.0;       // root of the mean square of their lengths
 };
 
-/// By least squares, turn and place without scale, never a mirror image.
-/// Problems: fewer than 3 marks or more than 8, a number that is not finite, marks or touched points that are the same
-/// or lie on one line: then nothing says how the arm is turned about it.
+/// By least squares, rotation and translation without scale, never a mirror image.
+/// Problems: fewer than 3 reference points or more than 8, a number that is not finite, reference points or touched
+/// points that coincide or lie on one line: then the rotation about it is undetermined.
 /// Source: Arun, Huang, Blostein 1987; Umeyama 1991 for the mirrored case.
 Result<Fit> fitTouches(const std::vector<Touch>& touches);
 
-/// How the marks lie.
+/// The arrangement of the reference points.
 struct Layout {
   double off_line_m = 0.0;     // root mean square distance from the line that fits them best
   double least_apart_m = 0.0;  // of the two that are nearest to each other

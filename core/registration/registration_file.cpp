@@ -25,7 +25,8 @@ void readWords(ObjectReader& object, const char* key, bool required, std::string
     json::readText(*value, object.pathOf(key), text, object.findings());
 }
 
-/// A coordinate in mm keeps its bits on the way to m and back: not every one does, so the text is made to.
+/// Reads a position in mm that keeps its bits when converted to m and back: not every number does, so the text is
+/// written accordingly.
 void readPlace(ObjectReader& object, const char* key, Vec3& p) {
   Vec3 p_mm = Vec3::Zero();
   const Value* const value = object.find(key, true);
@@ -72,7 +73,7 @@ std::vector<Touch> readTouches(const Value& list, Findings& findings) {
   return touches;
 }
 
-/// What is wrong with an X_DW beside the fit.
+/// The problems of an X_DW that differs from the fit.
 void compare(const Value& value, const Pose& X_DW, Findings& findings) {
   const char* const kKey = "X_DW";
   const Sentence expected =
@@ -124,7 +125,7 @@ Registration readWhole(const Value& root, Findings& findings) {
   return registration;
 }
 
-/// A length as text in mm, so that reading it gives the same bits: of the doubles near 1000 l one does, mostly.
+/// A length as text in mm that reads back to the same bits: mostly one of the doubles near 1000 l does.
 std::string lengthText(double length_m) {
   const double length_mm = kMillimetrePerMetre * length_m;
   for (const double one_mm : {length_mm, std::nextafter(length_mm, kInfinity), std::nextafter(length_mm, -kInfinity)}) {

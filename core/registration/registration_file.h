@@ -8,7 +8,7 @@
 
 namespace underact::registration {
 
-/// Where an arm stands, and from what that is known.
+/// The registration of an arm, and the touches it was made from.
 struct Registration {
   std::string arm;      // which one: see device::armKey()
   std::string date;     // 2026-11-22
@@ -18,9 +18,10 @@ struct Registration {
 };
 
 /// {"underact_registration": 1, "arm", "date", "program", "marks": [{"p_DM_mm", "p_WM_mm", "spread_mm"}, ...], "X_DW"};
-/// keys: the guide, "Register the arm". The fit is made of the marks; an X_DW that says otherwise is a problem, and may
-/// be left out. Every problem at once, with places.
+/// keys: the guide, "Register the arm". The fit is computed from the reference points; X_DW may be left out, and is a
+/// problem where it disagrees. Problems: all at once, with places.
 Result<Registration> readRegistration(std::string_view text, const std::string& file_name);
+/// The same of a file. Problems, too: it cannot be read, or is too large.
 Result<Registration> readRegistrationFile(const std::string& path);
 
 /// The text of the file; readRegistration() reads the same back, number by number.

@@ -14,7 +14,7 @@ struct Mark {
 };
 
 // Within 120 x 80 mm, which the tip of an Omni reaches (its workspace is 160 x 120 x 70 mm), and mostly at the rim: the
-// farther apart, the less an error turns.
+// further apart, the less an error rotates.
 constexpr std::array<Mark, kMostMarks> kMarks{
     {{0, 0}, {120, 0}, {0, 80}, {120, 60}, {70, 80}, {50, 0}, {0, 30}, {90, 30}}};
 

@@ -6,8 +6,8 @@
 namespace underact::registration {
 namespace {
 
-constexpr double kSpread_m = 1e-3, kDrift_m = 1e-3;  // a tip that rests in a mark keeps within a tenth of it
-constexpr double kGap_s = 0.1;                       // an arm that was silent for so long was elsewhere, perhaps
+constexpr double kSpread_m = 1e-3, kDrift_m = 1e-3;  // a tip at rest on its point stays within a tenth of this
+constexpr double kGap_s = 0.1;                       // after such a gap the tip may have moved
 constexpr double kNanosecond_s = 1e-9;
 
 }  // namespace
@@ -21,7 +21,7 @@ std::optional<Held> Still::add(std::int64_t time_ns, const Vec3& p_WT) {
     began_ns_ = time_ns;
     p_WOrigin_ = p_WT;
   } else if (since_s == 0.0) {
-    return {};  // the same sample once more
+    return {};  // the same sample again
   }
   last_ns_ = time_ns;
   Sums& half = share() < 0.5 ? first_ : second_;

@@ -60,7 +60,7 @@ Problems keep(const Registration& registration, const std::string& folder) {
   file << registrationText(registration);
   file.close();
   if (!file) return cannotKeep(fresh, {});
-  fs::rename(fresh, path, error);  // whole or not at all
+  fs::rename(fresh, path, error);  // atomic
   if (error) return cannotKeep(path, error);
   return {};
 }

@@ -6,20 +6,20 @@
 
 namespace underact::registration {
 
-/// Where registrations are kept, a file an arm, for the window and the command line alike: UNDERACT_REGISTRATION_DIR,
-/// else underact/registrations in XDG_DATA_HOME (Windows: APPDATA), else in ~/.local/share.
+/// The folder of registrations, a file for each arm, shared by window and command line: UNDERACT_REGISTRATION_DIR, else
+/// underact/registrations in XDG_DATA_HOME (Windows: APPDATA), else in ~/.local/share.
 std::string storeFolder();
 
-/// The file of that arm; what no file name may have stands as %XX.
+/// The file of that arm; characters that file names may not have are written as %XX.
 std::string storePath(const std::string& arm, const std::string& folder);
 
-/// Keeps it as that of its arm; the one before is gone. Problems: it cannot be written; then the one before stays.
+/// Saves it for its arm in place of an earlier one. Problems: it cannot be written; then the earlier one stays.
 Problems keep(const Registration& registration, const std::string& folder);
 
-/// That of the arm; none: the arm is not registered. Problems: the file cannot be read, or is of another arm.
+/// The registration of the arm; none: it is not registered. Problems: the file cannot be read, or is of another arm.
 Result<std::optional<Registration>> recall(const std::string& arm, const std::string& folder);
 
-/// The arm is not registered any more. Problems: the file cannot be removed.
+/// Removes the registration of the arm. Problems: the file cannot be removed.
 Problems forget(const std::string& arm, const std::string& folder);
 
 }  // namespace underact::registration

@@ -13,7 +13,8 @@ bool isMissing(const Fault& fault) noexcept UNDERACT_REAL_TIME {
   return fault.kind == FaultKind::NoSample || fault.kind == FaultKind::StaleSample;
 }
 
-/// Time that stands, goes back or is not a number moves nothing; a ramp of 0 s is a jump.
+/// The level of a ramp after dt_s. Time that stands, goes back or is not finite changes nothing; a ramp of 0 s is a
+/// step.
 double moved(double level, bool up, double dt_s, double ramp_s) noexcept UNDERACT_REAL_TIME {
   if (!(dt_s > 0.0)) return level;
   if (!(ramp_s > 0.0)) return up ? 1.0 : 0.0;
@@ -39,7 +40,7 @@ Vec3 clampForce(const Vec3& f_T_W, double max_force_N) noexcept {
 
 namespace {
 
-/// The sample's own fault, or what is wrong with what came of it.
+/// The fault of the sample, or one found from it.
 Fault faultNow(const Limits& limits, const Asked& asked) noexcept UNDERACT_REAL_TIME {
   if (asked.fault.kind != FaultKind::None) return asked.fault;
   if (!isFinite(asked.f_T_W)) return {FaultKind::NotFinite, 0.0, 0.0};
@@ -49,14 +50,14 @@ Fault faultNow(const Limits& limits, const Asked& asked) noexcept UNDERACT_REAL_
   return {};
 }
 
-/// Counts late ticks while there is a force to let go, and says when there were too many.
+/// Counts late ticks while there is a force to release, and reports when there were too many.
 void watchLateness(const Limits& limits, bool late, GateState& next) noexcept UNDERACT_REAL_TIME {
   next.late = late && next.level > 0.0 ? std::min(next.late, limits.max_late) + 1 : 0;
   if (next.late > limits.max_late && next.letting_go.kind == FaultKind::None)
     next.letting_go = {FaultKind::TooLate, static_cast<double>(next.late), static_cast<double>(limits.max_late)};
 }
 
-/// Through one limit: what is left of the force, and how much that one took off.
+/// Applies one limit: the remaining force, and how much it took off.
 Vec3 through(const Vec3& before_T_W, const Vec3& after_T_W, double& cut_N) noexcept UNDERACT_REAL_TIME {
   cut_N = after_T_W == before_T_W ? 0.0 : sizeOf(before_T_W - after_T_W);
   return after_T_W;
@@ -118,9 +119,9 @@ Gated gate(const Limits& limits, const GateState& state, const Asked& asked, dou
   const Vec3 ramped_T_W = next.level * f_T_W;
   Vec3 last_T_W = next.f_T_W;
   if (last_T_W.squaredNorm() > limits.max_force_N * limits.max_force_N)
-    last_T_W = clampForce(last_T_W, limits.max_force_N);  // another scene allows less
+    last_T_W = clampForce(last_T_W, limits.max_force_N);  // the limit may be lower in another scene
   next.f_T_W = ramped_T_W;
-  if (next.level > 0.0)  // a release ends with its ramp, whatever the slew limit would keep
+  if (next.level > 0.0)  // a release ends with its ramp, whatever the slew limit
     next.f_T_W = through(ramped_T_W, limitSlew(limits, last_T_W, ramped_T_W, engage ? dt_s : passed_s), cuts.slew_N);
   next.heat = heated(limits.thermal, next.heat, motion.J_p, next.f_T_W, passed_s);
   return {GatedForce{next.f_T_W}, next, cuts, Fault{}};

@@ -16,24 +16,24 @@ struct GateState {
   double still_s = 0.0;       // how long the sample has been the same to the bit
   Vec3 v_WT = Vec3::Zero();   // the tip's velocity, filtered
   Vec3 f_T_W = Vec3::Zero();  // sent last
-  Vec3 heat = Vec3::Zero();   // of motors 1 to 3: 0 cold, 1 what they bear for good
-  Fault letting_go = {};      // why the force is on its way to zero; becomes the fault when it is there
+  Vec3 heat = Vec3::Zero();   // of motors 1 to 3: 0 cold, 1 at their continuous torque
+  Fault letting_go = {};      // why the force is being ramped to zero; becomes the fault at zero
   Fault fault = {};           // what stopped the servo; stays until it is started again
 };
 
-/// Of bytes from a file: what the gate keeps is finite, a share is one, a fault one that there is.
+/// For bytes from a file: whether the gate's state is finite, shares are within 0 to 1, and faults exist.
 bool isSound(const GateState& state) noexcept;
 
-/// How the arm stands and moves in this tick.
+/// Configuration and motion of the arm in this tick.
 struct Motion {
   Vec3 v_WT = Vec3::Zero();  // of the tip since the last sample, m/s
-  bool moved = true;         // some joint is not where it was to the bit
-  Mat3 J_p = Mat3::Zero();   // v_WT of the rates of joints 1 to 3; zero: heat and edge are not looked at
+  bool moved = true;         // some joint angle has changed, by at least a bit
+  Mat3 J_p = Mat3::Zero();   // from the rates of joints 1 to 3 to v_WT; zero: no limits of heat and edge
   Vec3 room_below_rad = Vec3::Constant(kInfinity);  // of joints 1 to 3, to their stops
   Vec3 room_above_rad = Vec3::Constant(kInfinity);
 };
 
-/// What is asked of the gate this tick.
+/// The input of the gate in this tick.
 struct Asked {
   Vec3 f_T_W = Vec3::Zero();
   bool engage = false;   // the servo is to push; false: it lets go
@@ -59,6 +59,7 @@ class GatedForce {
   Vec3 f_T_W_ = Vec3::Zero();
 };
 
+/// The result of gate().
 struct Gated {
   GatedForce force;
   GateState next;
@@ -66,20 +67,20 @@ struct Gated {
   Fault fault = {};  // why the force is zero, if a fault is why
 };
 
-/// Finite check, then the limits in the order of Cuts, soft start and release between heat and slew. A sample that is
-/// missing or old gives zero force and, more than max_missed times in a row, a fault that lasts; a force or sample that
-/// is not a number, or a jump, gives such a fault at once; too many late ticks in a row let the force go first. dt_s:
-/// a period of the servo, >= 0. What protects by being slow (soft start, slew) goes on by it alone, however late the
-/// tick; what protects by going on (release, heat, frozen time) counts what was waited, too. Gives |force| <=
-/// max_force_N (1 + 4 ulp), finite whatever comes in. Cost: constant.
+/// Checks for finite numbers, then applies the limits in the order of Cuts, with soft start and release between heat
+/// and slew. A missing or old sample gives zero force and, more than max_missed times in a row, a lasting fault; a
+/// force or sample that is not finite, or a jump, gives such a fault at once; too many late ticks in a row first ramp
+/// the force to zero. dt_s: a period of the servo, >= 0. What protects by slowness (soft start, slew) advances by dt_s
+/// alone, however late the tick; what protects by elapsed time (release, heat, frozen time) also counts waited_s. Gives
+/// |force| <= max_force_N (1 + 4 ulp), finite for any input. Cost: constant.
 Gated gate(const Limits& limits, const GateState& state, const Asked& asked, double dt_s) noexcept UNDERACT_REAL_TIME;
 
-/// In what time the tip went its way since the last sample, s, for the limits on its speed. By the arm's clock, which
-/// knows best when a sample was taken; but no more than four times what the servo counted, which is what a read that
-/// waits two periods, twice over, may be off by: a clock that leaps ahead cannot make a leap of the tip look slow.
+/// The time of the tip's motion since the last sample, s, for the limits on its speed: by the arm's clock, which is the
+/// most accurate, but at most four times what the servo counted, which is the greatest error of a read that waits two
+/// periods, twice in a row: so a jump of the arm's clock cannot make a jump of the tip look slow.
 double wayTime_s(double by_arm_s, double by_servo_s) noexcept UNDERACT_REAL_TIME;
 
-/// f_T_W cut to max_force_N with its direction kept, each coordinate within 4 ulp of the size; zero where it is not
+/// f_T_W limited to max_force_N in its direction, each coordinate within 4 ulp of the length; zero where it is not
 /// finite. No overflow up to 1e308. Source: Beckman 2007, code 3.4; erratum (test for a number first: NaN passes |F| >
 /// clamp).
 Vec3 clampForce(const Vec3& f_T_W, double max_force_N) noexcept UNDERACT_REAL_TIME;

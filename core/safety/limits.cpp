@@ -3,11 +3,11 @@
 namespace underact::safety {
 namespace {
 
-// 1 N/ms, whatever the rate: a wall of 0.5 N/mm met at 2 m/s asks for as much, one encoder step for a fortieth of it.
+// 1 N/ms, whatever the rate: a wall of 0.5 N/mm hit at 2 m/s needs as much, one encoder step a fortieth of it.
 constexpr double kSlew_N_per_s = 1000.0;
-// A hand follows shapes at up to 1 m/s or so; an arm that its own force throws is beyond 2.
+// A hand follows shapes at up to about 1 m/s; an arm accelerated by its own force exceeds 2.
 constexpr double kCalmSpeed_m_per_s = 1.0, kMaxSpeed_m_per_s = 2.0;
-// A fist reaches 10 m/s: what is faster by as much again was no hand, but a lost count or a mixed-up sample.
+// A fist reaches 10 m/s: twice that was no hand, but a lost count or a corrupted sample.
 constexpr double kMaxJump_m_per_s = 20.0;
 constexpr double kEdge_rad = 0.05;  // 3 degrees: 7 mm at the tip
 

@@ -4,30 +4,30 @@
 
 namespace underact::safety {
 
-/// The motors of joints 1 to 3 as one warms up: heat 1 is what they bear for good.
+/// The thermal model of motors 1 to 3: heat 1 is the steady state at the continuous torque.
 struct Thermal {
-  Vec3 continuous_N_m = Vec3::Zero();  // torque borne for good; a motor of 0 is not watched
-  double time_constant_s = 60.0;       // assumed: no sheet of the arm says
+  Vec3 continuous_N_m = Vec3::Zero();  // continuous torque; a motor of 0 is not watched
+  double time_constant_s = 60.0;       // assumed: no data sheet of the arm states it
 };
 
-/// What the gate lets through. A limit that is infinite, or 0 where it says so, is off.
+/// The limits of the gate. One that is infinite, or 0 where so stated, is off.
 struct Limits {
   double max_force_N = 0.0;               // the arm's continuous force
   double rise_s = 0.3;                    // soft start: from nothing to the whole force
   double fall_s = 0.05;                   // soft release
-  int max_missed = 20;                    // ticks in a row without a new sample, then the servo stops for good
-  int max_late = 20;                      // ticks in a row a whole period late, then the force is let go
+  int max_missed = 20;                    // ticks in a row without a new sample, then the servo stops
+  int max_late = 20;                      // ticks in a row a whole period late, then the force is released
   double max_slew_N_per_s = kInfinity;    // how fast the force itself may change
-  double calm_speed_m_per_s = kInfinity;  // up to here a force may drive the stylus along ...
-  double max_speed_m_per_s = kInfinity;   // ... and from here on none may; a force against the motion is not touched
-  double max_jump_m_per_s = kInfinity;    // between two samples: beyond it, it is no hand that moved
-  double frozen_s = 0.0;                  // joints the same to the bit for so long: let go; 0: off
-  double edge_rad = 0.0;                  // so far from a joint's stop a force towards it fades; 0: off
+  double calm_speed_m_per_s = kInfinity;  // up to this speed a force may drive the stylus along ...
+  double max_speed_m_per_s = kInfinity;   // ... and from this one on none may; forces against the motion pass
+  double max_jump_m_per_s = kInfinity;    // between two samples: beyond it, no hand moved the tip
+  double frozen_s = 0.0;                  // joints bit-identical for so long: release; 0: off
+  double edge_rad = 0.0;                  // within this of a joint's stop a force towards it fades; 0: off
   Thermal thermal = {};
 };
 
-/// The limits for a hand on an arm: all of the above on, but frozen_s, which depends on the device (a real encoder
-/// trembles, a simulated one need not). max_force_N, continuous_N_m: of the arm.
+/// The limits for a hand on an arm: all of them on except frozen_s, which depends on the device (a real encoder shows
+/// noise, a simulated one need not). max_force_N, continuous_N_m: of the arm.
 Limits limitsForHands(double max_force_N, const Vec3& continuous_N_m);
 
 /// What each limit took off the force this tick, N, in the order in which they act.
@@ -42,6 +42,7 @@ struct Cuts {
 
 /// The same as bits, for a row of a recording.
 enum CutBit : unsigned { kClampBit = 1, kSpeedBit = 2, kEdgeBit = 4, kHeatBit = 8, kSlewBit = 16, kFrozenBit = 32 };
+/// The CutBits of the limits that took something off. A cut that is not a number counts as none.
 unsigned bitsOf(const Cuts& cuts) noexcept UNDERACT_REAL_TIME;
 
 /// All that was taken off, N.

@@ -88,7 +88,7 @@ Vec3 limitSlew(const Limits& limits, const Vec3& last_T_W, const Vec3& f_T_W, do
   const double most_N = limits.max_slew_N_per_s * std::max(0.0, dt_s);
   const Vec3 way_N = f_T_W - last_T_W;
   const double square = way_N.squaredNorm();
-  if (!(square > most_N * most_N)) return f_T_W;  // an infinite limit times no time is no number, and limits nothing
+  if (!(square > most_N * most_N)) return f_T_W;  // an infinite limit times 0 s is not a number, and limits nothing
   return last_T_W + (most_N / std::sqrt(square)) * way_N;
 }
 

@@ -18,7 +18,7 @@
 namespace underact::scene {
 namespace {
 
-// In the gains' own metric the half axes of a shape scale with the square root of the ratio of the gains.
+// The half axes of a shape in the metric of the gains go with the root of the ratio.
 constexpr double kSmallestGainRatio = 1e-12;
 
 using json::numberText;
@@ -27,7 +27,7 @@ bool allSame(const Vec3& v) {
   return v.x() == v.y() && v.y() == v.z();
 }
 
-/// Walks over a scene, keeping the place and the key of what it examines.
+/// Checks a scene part by part, with the place and the key of each.
 class Checker {
  public:
   explicit Checker(const Description& scene) : scene_(scene) {}
@@ -96,10 +96,11 @@ void Checker::checkControl(const std::string& key, const Control& control) {
   checkAll(key + ".velocity", control.velocity);
 }
 
-/// The metric of unequal gains: a zero gain flattens the shape to nothing. Source: target/target.h, makeConstraint().
+/// Checks the metric of unequal gains: zero gains flatten the shape to nothing. Source: target/target.h,
+/// makeConstraint().
 void Checker::checkMetric(const std::string& key, const Control& control, const Shape& shape) {
   const Vec3& kp = control.gains.kp_N_per_mm;
-  if (control.space == tick::Space::Joint) return;  // gains of joints define no metric of the workspace
+  if (control.space == tick::Space::Joint) return;  // gains of joints are no metric of the workspace
   if (control.anisotropy == Anisotropy::Euclidean || allSame(kp) || std::holds_alternative<Point>(shape) ||
       std::holds_alternative<Mesh>(shape) || std::holds_alternative<Curve>(shape)) {
     return;

@@ -44,12 +44,12 @@ Result<shape::Box> make(const Box& box, const Place& place) {
   return shape::makeBox(metres(box.center_mm), metres(box.size_mm), box.R_WB, place);
 }
 
-/// For each joint the displacement of the tip for a rotation of 1 rad, m, with the tip in the middle of the workspace.
+/// For each joint the displacement of the tip per rad, m, with the tip in the middle of the workspace.
 Vec3 leversOf(const arm::Geometry& geometry) {
   return arm::positionJacobian(geometry, arm::reach(geometry, Vec3::Zero()).q_rad).colwise().norm();
 }
 
-/// Noise and acceleration of a joint are those of the tip at the end of its lever.
+/// The filter of a joint: noise and acceleration are those of the tip at the end of its lever arm.
 control::Velocity velocityOf(const Velocity& velocity, const Vec3& lever_m) {
   if (const auto* low_pass = std::get_if<LowPassFilter>(&velocity))
     return control::LowPass{kSecondPerMillisecond * low_pass->time_constant_ms};
@@ -62,8 +62,8 @@ control::Velocity velocityOf(const Velocity& velocity, const Vec3& lever_m) {
   return control::RawDifference{};
 }
 
-/// lever_m: 1 if the control law works in Cartesian space. A joint's gain is that of the file if its lever is the one
-/// in the middle of the workspace: kp of 0.5 N/mm on a lever of 0.176 m is 15.5 N m/rad.
+/// The law in SI. lever_m: 1 for Cartesian space. A joint's gain is that of the file times its lever arm in the middle
+/// of the workspace, squared: kp of 0.5 N/mm with 0.176 m is 15.5 N m/rad.
 control::Law lawOf(const Control& control, double max_force_N, const Vec3& lever_m) {
   const Vec3 per_turn = kNewtonPerMetre * lever_m.cwiseAbs2();
   const Vec3 kp_N_per_m = per_turn.cwiseProduct(control.gains.kp_N_per_mm);
@@ -82,7 +82,7 @@ control::Law lawOf(const Control& control, double max_force_N, const Vec3& lever
   return control::P{};
 }
 
-/// The gains whose metric defines the nearest point; equal gains mean the Euclidean metric, and so do gains of joints.
+/// The gains whose metric defines the nearest point; equal ones, and those of joints, mean the Euclidean metric.
 Vec3 metricOf(const Control& control) {
   const bool weighted = control.anisotropy == Anisotropy::Weighted && control.space == tick::Space::Cartesian;
   return weighted ? control.gains.kp_N_per_mm : Vec3::Ones();
@@ -93,7 +93,7 @@ target::Influence influenceOf(const Influence& influence) {
   return {influence.t, sign, kRadPerDegree * influence.blend_deg};
 }
 
-/// What the stylus is held to in the tick, without friction.
+/// The constraint of the tick, without friction.
 Result<target::Constraint> heldTo(const Constraint& constraint, const Control& control) {
   const target::Side side = constraint.side;
   const auto held = [](auto made, target::Side on) -> Result<target::Constraint> {

@@ -6,12 +6,12 @@
 
 namespace underact::scene {
 
-/// The tick program of a scene: SI, immutable, computing only the quantities it needs. Problems: those of check(); none
-/// for a scene from readScene(). The arm must be a known preset.
+/// The tick program of a scene: SI, immutable, with the quantities it needs and no others. Problems: those of check(),
+/// none for a scene of readScene(); an arm that is not a known preset.
 Result<tick::TickProgram> compile(const Description& scene);
 
-/// A curve as the tick uses it: in W, m. Shared while anyone holds one with the same points, kind, scale and placement,
-/// so that an edit of gains does not build it again. Problems: its file was not loaded; too few points.
+/// A curve as the tick has it: in W, m. The same object while one of the same points, kind, scale and pose is held
+/// anywhere, so that an edit of gains does not rebuild it. Problems: its file was not loaded; too few points.
 Result<target::CurvePath> makeCurvePath(const Curve& curve, const Place& place = {});
 
 }  // namespace underact::scene

@@ -14,7 +14,7 @@
 namespace underact::scene {
 
 // A scene as people write it: the numbers of the file, in the file's units (mm, N/mm), so that saving writes back what
-// was read. Format: the scene reference in resources/guide. compile() turns it into SI and into a tick program.
+// was read. Keys and ranges: the scene reference in resources/guide. compile() makes a tick program in SI of it.
 
 /// A point; every direction is held.
 struct Point {
@@ -69,11 +69,11 @@ struct Joint {
   std::optional<double> min = {};
   std::optional<double> max = {};
   double stiffness = 0.0;  // of the joint's own spring, N mm/rad or N/mm; 0: it moves freely
-  double rest = 0.0;       // where that spring exerts no force
+  double rest = 0.0;       // where that spring is relaxed
   bool operator==(const Joint&) const = default;
 };
 
-/// How the joint values are found.
+/// The method by which the joints are found.
 enum class SolverMethod : std::uint8_t { Auto, ClosedForm, Iterative };
 /// How a virtual robot's joints of least energy are found.
 struct Solver {
@@ -94,7 +94,7 @@ struct VirtualManipulator {
   bool operator==(const VirtualManipulator&) const = default;
 };
 
-inline constexpr double kMostSmooth_deg = 45.0;  // sharper bends are edges that one wants to feel
+inline constexpr double kMostSmooth_deg = 45.0;  // sharper bends are meant to be felt as edges
 
 /// A mesh from a file, placed in the workspace.
 struct Mesh {
@@ -102,15 +102,15 @@ struct Mesh {
   double scale_mm_per_unit = 1.0;
   Eigen::Matrix4d X_WM = Eigen::Matrix4d::Identity();  // translation in mm
   mesh::Search search = mesh::Search::Hybrid;
-  double smooth_deg = 0.0;    // how far the force may tilt from the faces' own normals, so that bends feel round
-  std::string checksum = {};  // of the file's content, where the scene states it (recorded ones do)
-  std::shared_ptr<const mesh::Surface> surface = {};  // loaded from the file by loadMeshes(); null before
-  std::string loaded_checksum = {};                   // of the loaded file
-  /// Compares what the scene states; what was loaded from the file does not count.
+  double smooth_deg = 0.0;    // how far the force may lean from the faces' own normals, so that bends feel round
+  std::string checksum = {};  // of the file's content, where the scene says it (recorded ones do)
+  std::shared_ptr<const mesh::Surface> surface = {};  // what loadMeshes() found in the file; null before
+  std::string loaded_checksum = {};                   // of what was found there
+  /// Equal by what the scene file states; the loaded surface does not count.
   bool operator==(const Mesh& other) const;
 };
 
-/// How a curve leads the hand along it.
+/// Guidance along a curve.
 struct CurveGuide {
   double t = 0.0;               // 0: guide only, 1: nearest point only
   double speed_mm_per_s = 0.0;  // of the guide; below 0: backwards
@@ -140,7 +140,7 @@ const char* typeName(const Shape& shape);
 
 /// The control law; each uses the gains of the one before it, too.
 enum class LawType : std::uint8_t { P, PD, PID };
-/// Which point is nearest when the gains are unequal.
+/// The metric of the nearest point with unequal gains.
 enum class Anisotropy : std::uint8_t { Weighted, Euclidean };
 
 /// Per axis of W: x, y, z.
@@ -151,8 +151,8 @@ struct Gains {
   bool operator==(const Gains&) const = default;
 };
 
-// How the rate of the error is estimated, with the settings of each filter. The first is the default; the guide's page
-// velocity.md has the measurements behind that choice and its numbers.
+// The filters of the error's rate, with their settings. The first is the default; the guide's page velocity.md has the
+// measurements from which it and its numbers were chosen.
 struct KalmanFilter {
   double noise_mm = 0.016;
   double acceleration_mm_per_s2 = 8000.0;
@@ -197,7 +197,7 @@ struct Influence {
   bool operator==(const Influence&) const = default;
 };
 
-/// Coefficients of friction: force along the surface over force across it.
+/// Coefficients of friction, tangential over normal force; of a shape or a mesh.
 struct Friction {
   double static_share = 0.0, dynamic_share = 0.0;
   bool operator==(const Friction&) const = default;
@@ -205,7 +205,7 @@ struct Friction {
 
 /// One thing that the stylus is held to, or kept out of.
 struct Constraint {
-  std::string name;  // unique in the scene; formed from type and number where the file gives none
+  std::string name;  // unique in the scene; type and number where the file gives none
   Shape shape;
   target::Side side = target::Side::Both;
   std::optional<Control> control;           // its own; else the scene's
@@ -214,7 +214,7 @@ struct Constraint {
   std::optional<Friction> friction = {};    // none: smooth
 };
 
-/// How the simulated arm is integrated; without effect on other arms.
+/// How the simulated arm is integrated.
 struct Simulation {
   Integrator integrator = Integrator::Trapezoidal;
   double substep_us = 1e-3 * kSubstep_ns;
@@ -237,7 +237,7 @@ struct Description {
   std::string file;  // where it was read from; empty: not from a file
 };
 
-/// The control in effect for the constraint at index: its own or the scene's.
+/// The control of the constraint at index: its own or the scene's.
 const Control& controlOf(const Description& scene, std::size_t index);
 
 }  // namespace underact::scene

@@ -69,7 +69,7 @@ void compare(const Value* one, const Value* other, const std::string& key, std::
   }
 }
 
-/// Adds what a file leaves out of its control and a reader wants to see.
+/// Adds the values that a file leaves out of its control and a reader wants to see.
 void addUsual(Value& control) {
   control.kind = Kind::Object;
   for (const SettingOf<Control>& row : rowsOf<Control>()) {
@@ -83,7 +83,7 @@ void addUsual(Value& control) {
   }
 }
 
-/// The scene without what is not felt, and with its complete control.
+/// The scene without what cannot be felt, and with all of its control.
 Value feltPartOf(Description scene) {
   scene.title.clear();
   scene.about.clear();

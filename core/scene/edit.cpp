@@ -6,8 +6,8 @@
 namespace underact::scene {
 namespace {
 
-/// What determines where the targets are. Unequal gains do so, too; but they are tuned by feel, and change smoothly.
-/// The simulation belongs to the arm, not to what it is held to.
+/// Whether everything that determines the targets is equal. Unequal gains do, too; but they are tuned while running,
+/// and change smoothly. The simulation is of the arm, not of a target.
 bool haveSameTargets(const Description& a, const Description& b) {
   const auto have_same_target = [](const Constraint& one, const Constraint& other) {
     return one.name == other.name && one.shape == other.shape && one.side == other.side &&
@@ -18,7 +18,8 @@ bool haveSameTargets(const Description& a, const Description& b) {
                     have_same_target);
 }
 
-/// The same kind joint by joint, so that their values continue; the same triangles, so that the proxy's face exists.
+/// Whether the states of the two are compatible: joint by joint the same kind, so that their values continue; the same
+/// triangles, so that the proxy's face exists.
 bool goTogether(const Shape& a, const Shape& b) {
   if (const auto* mesh = std::get_if<Mesh>(&a), *next = std::get_if<Mesh>(&b); mesh != nullptr && next != nullptr)
     return mesh->surface == next->surface;

@@ -6,14 +6,16 @@
 
 namespace underact::scene {
 
-// What a scene file states for each type: one list for the reader, the checks and the writer. A new type without its
-// Fields does not compile.
+// The keys of each type of shape: one list for reader, checks and writer. A new type without its Fields does not
+// compile.
 
-/// What a number of a shape means, and therefore which values are allowed.
+/// The meaning of a shape's number, which decides the allowed values.
 enum class Meaning : std::uint8_t { Position, Direction, Length, Rotation };
 
+/// One key of a shape: the member that it stands for, and what the number means.
 template <class Shape, class Number>
 struct Field {
+  /// its_key: as in the file; it lives as long as the field.
   constexpr Field(const char* its_key, Number Shape::*its_member, Meaning its_meaning, bool is_required = true)
       : key(its_key), member(its_member), meaning(its_meaning), required(is_required) {}
   const char* key;
@@ -22,6 +24,7 @@ struct Field {
   bool required;
 };
 
+/// The word for a shape's type, whether it has an inside and an outside, and its keys; one specialisation a type.
 template <class Shape>
 struct Fields;
 
@@ -83,7 +86,7 @@ struct Fields<Box> {
                                    Field{"R_WB", &Box::R_WB, Meaning::Rotation, false}};
 };
 
-/// Joints, home pose and solver are not plain numbers: manipulators.cpp reads, checks and writes them.
+/// Joints, home and solver are not plain numbers: manipulators.cpp reads, checks and writes them.
 template <>
 struct Fields<VirtualManipulator> {
   static constexpr const char* kType = "virtual_manipulator";
@@ -99,7 +102,7 @@ struct Fields<Mesh> {
   static constexpr std::tuple<> kAll{};
 };
 
-/// As for a mesh; for guidance along it see curves.cpp.
+/// As of a mesh, with its guidance: curves.cpp.
 template <>
 struct Fields<Curve> {
   static constexpr const char* kType = "curve";
@@ -117,6 +120,7 @@ void eachField(Shape& shape, Visit&& visit) {
 /// The word for the filter in a scene file: "kalman", ...
 const char* filterName(const Velocity& velocity);
 
+/// See core/json/words.h.
 using json::Word;
 
 inline constexpr Word<LawType> kLawWords[] = {{"P", LawType::P}, {"PD", LawType::PD}, {"PID", LawType::PID}};
@@ -164,7 +168,7 @@ bool takesInfluence(const Shape& shape);
 /// Whether the type can have friction: everything that the stylus can slide along.
 bool takesFriction(const Shape& shape);
 
-/// Whether the type divides the workspace into an inside and an outside.
+/// Whether the type separates the workspace into an inside and an outside.
 bool hasSides(const Shape& shape);
 
 /// The default name of the constraint at index: type and number, "sphere 2".

@@ -10,7 +10,7 @@
 namespace underact::scene {
 namespace {
 
-/// What a curve is made of, and the result, held weakly.
+/// All input of a curve, and the curve made of it, which this does not keep alive.
 struct Kept {
   std::weak_ptr<const std::vector<Vec3>> points;
   curve::Kind kind = curve::Kind::Spline;

@@ -8,8 +8,8 @@ namespace underact::scene {
 
 // Internal to the room: a curve of a million points takes a second to build, and an edit of gains does not change it.
 
-/// The curve as the tick uses it, in W, m: an existing one with the same points, kind, scale and placement while anyone
-/// holds it, otherwise a new one. Its points must be loaded. Not for the servo thread. Problems: those of
+/// The curve as the tick has it, in W, m: the existing one of the same points, kind, scale and pose while it is held
+/// anywhere; else a new one. Its points must be loaded. Any thread but the servo's. Problems: those of
 /// curve::makeCurve().
 Result<std::shared_ptr<const curve::Curve>> keptCurve(const Curve& curve, const Place& place);
 

@@ -17,8 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a surface in use was made of. A replay compiles the same mesh again for every edit; a scene may contain it
-/// twice.
+/// The origin of a surface in use. A replay compiles the same mesh for every edit; a scene may have it twice.
 struct InUse {
   std::uintmax_t bytes = 0;
   fs::file_time_type written;
@@ -28,7 +27,7 @@ struct InUse {
 
 class SurfacesInUse {
  public:
-  /// Empty if the file has changed, or nobody holds its surface.
+  /// Finds the surface of a file; false where the file has changed, or the surface is no longer held.
   bool find(const std::string& path, Mesh& mesh) {
     const std::scoped_lock lock(mutex_);
     const auto found = by_path_.find(path);
@@ -63,7 +62,7 @@ SurfacesInUse& surfacesInUse() {
   return surfaces;
 }
 
-/// Checks that the mesh is the one that the scene means; if not, its surface is removed again.
+/// Checks that the mesh is the one that the scene means; else it loses its surface again.
 Problems checked(Mesh& mesh, const Place& place) {
   if (mesh.checksum.empty() || mesh.checksum == mesh.loaded_checksum) return {};
   mesh.surface.reset();
@@ -77,7 +76,7 @@ Problems checked(Mesh& mesh, const Place& place) {
 Problems load(Mesh& mesh, const Description& scene, const Place& place, const Watch& watch) {
   const std::string path = pathOf(mesh.file, scene);
   if (surfacesInUse().find(path, mesh)) return checked(mesh, place);
-  InUse stamp = SurfacesInUse::stampOf(path);  // before reading: a file that changes meanwhile is read again next time
+  InUse stamp = SurfacesInUse::stampOf(path);  // before reading: a file that changes meanwhile is read again
   Result<mesh_file::Loaded> loaded = mesh_file::loadMesh(path, watch);
   if (!loaded) {
     Problems problems = loaded.problems();
@@ -155,7 +154,7 @@ bool lacksFile(const Shape& shape) {
   return (mesh != nullptr && mesh->surface == nullptr) || (curve != nullptr && curve->points == nullptr);
 }
 
-/// Calls load(shape, place, watch) for each mesh and curve that is not loaded, with its share of the progress.
+/// Calls load(shape, place, watch) for each mesh and each curve that is not loaded, with its share of the whole.
 template <class Load>
 Problems loadEach(Description& scene, const Watch& watch, const Load& load_one) {
   Problems problems;

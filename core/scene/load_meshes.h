@@ -9,18 +9,19 @@
 
 namespace underact::scene {
 
-/// The path of a mesh's or a curve's file: as given if absolute, otherwise relative to the folder of the scene's file.
+/// The path of the file of a mesh or a curve: as stated, where that is absolute; else relative to the folder of the
+/// scene's own file.
 std::string pathOf(const std::string& file, const Description& scene);
 
-/// Loads the surface of each mesh of the scene that has none, from its file or from the cache, and the points of each
-/// curve. Takes seconds for millions of triangles: reports its steps, and ends early on request. Not for the servo
-/// thread. Problems, each with its constraint's place: those of mesh_file::loadMesh(); a checksum that differs.
+/// Loads the surface of each mesh that has none, from its file or from the cache, and the points of each curve. Takes
+/// seconds for millions of triangles; reports progress and can be cancelled. Any thread but the servo's. Problems, each
+/// with its constraint's place: those of mesh_file::loadMesh(); contents that do not match the checksum.
 Problems loadMeshes(Description& scene, const Watch& watch = {});
 
-/// The same for a recorded scene, which names its meshes and curves without their folders: they are searched for beside
-/// the session, then in each of the folders, by their whole name and by its last part. Of several candidates the first
-/// that can be read and has the checksum is taken, and its path replaces the name. Problems: as loadMeshes(); a file
-/// that is in none of the folders, with the way out.
+/// The same for a recorded scene, which names its meshes and curves without their folders: they are looked for beside
+/// the session, then in each of the folders, by their whole name and by its last part. The first file that can be read
+/// and matches the checksum is taken, and its path replaces the name. Problems: as loadMeshes(); a file that is in none
+/// of the folders, with the way out.
 Problems loadRecordedMeshes(Description& scene, const std::vector<std::string>& folders, const Watch& watch = {});
 
 /// Whether a mesh of the scene has no surface yet, or a curve no points.
@@ -29,8 +30,9 @@ bool lacksMeshes(const Description& scene);
 /// loadMeshes() and compile() in one.
 Result<tick::TickProgram> loadAndCompile(Description& scene, const Watch& watch = {});
 
-/// The scene as a recording stores it: each mesh with its checksum, and no folder of the person's disk. A file below
-/// the scene's folder keeps its relative path; of any other only the name is kept. A replay finds it by pathOf().
+/// The scene as a recording keeps it: each mesh with its checksum, and without folders of the person's disk. A file
+/// below the scene's own folder keeps its relative path; of any other only the name is kept. A replay finds it by
+/// pathOf().
 Description withoutFolders(Description scene);
 
 }  // namespace underact::scene

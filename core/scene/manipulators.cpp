@@ -111,7 +111,7 @@ Result<manipulator::Manipulator> makeManipulator(const VirtualManipulator& robot
     wanted.rest[i] = unit * joint.rest;
   }
   Pose X_WV_home = Pose::Identity();
-  // Makes a rotation written with a few digits orthonormal to the last bit.
+  // A rotation written with a few digits is made exact.
   X_WV_home.linear() = Eigen::Quaterniond(Mat3(robot.X_WV_home.topLeftCorner<3, 3>())).normalized().toRotationMatrix();
   X_WV_home.translation() = kMetrePerMillimetre * robot.X_WV_home.topRightCorner<3, 1>();
   Result<chain::Chain> made = chain::makeChain(std::move(joints), X_WV_home, place);

@@ -12,14 +12,14 @@ namespace underact::scene {
 /// Four rows of four numbers.
 void readPose(const json::Value& value, const std::string& path, Eigen::Matrix4d& into, Findings& findings);
 
-/// Joints, home pose, orientation, solver and force law of an object of the file.
+/// Reads joints, home, orientation, solver and force law of an object of the file.
 void readManipulator(ObjectReader& object, VirtualManipulator& into);
 
-/// Calls add(key within the constraint, sentence) for each number that breaks a rule. True: there was none.
+/// Calls add(key within the constraint, sentence) for each number that is not allowed. True where there was none.
 bool checkManipulator(const VirtualManipulator& robot, const Control& control,
                       const std::function<void(const std::string&, Sentence)>& add);
 
-/// What it compiles to, in SI. Problems: those between its parts (an angle without a joint for it, ...).
+/// The virtual robot in SI. Problems: those between its parts (an angle without a joint for it, ...).
 Result<manipulator::Manipulator> makeManipulator(const VirtualManipulator& robot, const Control& control,
                                                  const Place& place);
 

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The most "../" in a name. More would only tell where on this disk the mesh happens to be.
+/// The greatest number of steps up in a relative path. More of them only reflect where on this disk the mesh is.
 constexpr std::ptrdiff_t kMostStepsUp = 2;
 
 }  // namespace

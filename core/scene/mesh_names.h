@@ -5,8 +5,8 @@
 
 namespace underact::scene {
 
-/// The scene as it is written to file, an absolute path: each mesh and curve is named relative to that file, so that
-/// both can move together, or by its absolute path where it is far away on the disk, or on another one.
+/// The scene as it is written to file, an absolute path: meshes and curves are named relative to it, so that both can
+/// be moved together; by an absolute path where they are in an unrelated folder, or on another disk.
 Description namedFrom(Description scene, const std::string& file);
 
 }  // namespace underact::scene

@@ -9,10 +9,10 @@ namespace underact::scene {
 
 // Internal to the room: what is particular to meshes and curves.
 
-/// file, checksum, scale_mm_per_unit, X_WM, search and smooth_deg of an object of the file.
+/// Reads file, checksum, scale_mm_per_unit, X_WM, search and smooth_deg of an object of the file.
 void readMesh(ObjectReader& object, Mesh& into);
 
-/// file, scale_mm_per_unit and X_WM: the placement of the file's content in the workspace; and the settings.
+/// Reads file, scale_mm_per_unit and X_WM, which place the contents of a file in the workspace, and the settings.
 template <class FromFile>
 void readPlacement(ObjectReader& object, FromFile& into) {
   Findings& findings = object.findings();
@@ -28,20 +28,22 @@ void readPlacement(ObjectReader& object, FromFile& into) {
   readSettings(object, into);
 }
 
+/// Called with a key and what is wrong with it.
 using Say = std::function<void(const std::string& key, Sentence sentence)>;
 
-/// The same, checked. what: the content of the file, "a mesh".
+/// Checks them; what: "mesh" or "curve", for sentences.
 void checkPlacement(const std::string& what, const std::string& file, double scale_mm_per_unit,
                     const Eigen::Matrix4d& X_WM, const Control& control, const Say& say);
 
-/// Those of a curve.
+/// Reads a curve.
 void readCurve(ObjectReader& object, Curve& into);
+/// Checks a curve and its guidance.
 void checkCurve(const Curve& curve, const Control& control, const Say& say);
 
-/// Calls add(key within the constraint, sentence) for each number that breaks a rule.
+/// Checks a mesh: calls say(key within the constraint, sentence) for each number that is not allowed.
 void checkMesh(const Mesh& mesh, target::Side side, const Control& control, const Say& say);
 
-/// What it compiles to, in SI. Problems: its file was not loaded; it is a wall, and its mesh is not closed.
+/// The mesh in SI. Problems: its file was not loaded; a wall of a mesh that is not closed.
 Result<target::MeshPlace> makeMeshPlace(const Mesh& mesh, target::Side side, const Place& place);
 
 }  // namespace underact::scene

@@ -7,21 +7,21 @@ namespace {
 
 using Signs = Vec3;  // 1 or -1 each: the diagonal of a reflection
 
-const Signs kMirror{-1.0, 1.0, 1.0};  // S, the mirror
-// The arm's own: in its mirror image y of frame 6 is reversed, so that the frame stays right-handed.
+const Signs kMirror{-1.0, 1.0, 1.0};  // S of the header
+// That of the arm: in its reflection y of frame 6 is reversed, so that the frame stays right-handed.
 const Signs kTip{1.0, -1.0, 1.0};
 
 double flipped(double number) {
   return number == 0.0 ? number : -number;  // a file should not say -0
 }
 
-/// For a position, or a direction that has a front and a back.
+/// The reflection of a position, or of a direction with a sense.
 Vec3 seen(const Vec3& v) {
   return {flipped(v.x()), v.y(), v.z()};
 }
 
-/// For an axis of rotation: a mirror turns a right-handed screw into a left-handed one, so its component across the
-/// mirror stays, and that along the mirror is reversed. Angles keep their sign, and so do limits, rest positions and
+/// The reflection of an axis of rotation: a right-handed screw becomes left-handed, so that an axis at right angles to
+/// the mirror stays, and one parallel to it is reversed. Angles keep their sign, and so do limits, rest positions and
 /// springs.
 Vec3 seenTurning(const Vec3& axis) {
   return {axis.x(), flipped(axis.y()), flipped(axis.z())};
@@ -53,7 +53,7 @@ void mirror(Plane& plane) {
 }
 void mirror(Circle& circle) {
   circle.center_mm = seen(circle.center_mm);
-  circle.normal = seen(circle.normal);  // its line, either way: nothing turns about it
+  circle.normal = seen(circle.normal);  // as a line: nothing rotates about it
 }
 void mirror(Cylinder& cylinder) {
   cylinder.point_mm = seen(cylinder.point_mm);
@@ -69,11 +69,11 @@ void mirror(VirtualManipulator& robot) {
     joint.axis = joint.type == chain::JointType::Revolute ? seenTurning(joint.axis) : seen(joint.axis);
     joint.point_mm = seen(joint.point_mm);
   }
-  reflect(robot.X_WV_home, kMirror, kTip);  // compared with the arm's own tip
+  reflect(robot.X_WV_home, kMirror, kTip);  // compared with the arm's tip
   robot.X_WV_home(0, 3) = flipped(robot.X_WV_home(0, 3));
 }
 
-/// S (p_WM + s R p_M) = S p_WM + (-s) (-S R) p_M: the negative scale does what no rotation can.
+/// S (p_WM + s R p_M) = S p_WM + (-s) (-S R) p_M: a negative scale is the part that a rotation cannot do.
 template <class FromFile>
 void mirrorPlacement(FromFile& placed) {
   placed.scale_mm_per_unit = -placed.scale_mm_per_unit;
@@ -84,7 +84,7 @@ void mirror(Mesh& mesh) {
   mirrorPlacement(mesh);
 }
 void mirror(Curve& curve) {
-  mirrorPlacement(curve);  // its points keep their order, so the guide still starts at the same end
+  mirrorPlacement(curve);  // its points keep their order, so the guide starts from the same end
 }
 
 }  // namespace

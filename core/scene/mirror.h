@@ -3,10 +3,10 @@
 
 namespace underact::scene {
 
-/// The scene mirrored across the plane x = 0 of W: for a stylus in the left hand. A stylus whose tip and orientation
-/// are mirrored, R_WT -> S R_WT diag(1, -1, 1) with S = diag(-1, 1, 1), feels the mirror image of the force; so does
-/// the arm whose joints 1, 4 and 6 turn the other way. What was loaded of a mesh or a curve stays: its scale becomes
-/// negative. Mirroring twice gives the scene itself, to the last bit.
+/// The scene reflected across the plane x = 0 of W: for a stylus in the left hand. A stylus whose position and
+/// orientation are reflected, R_WT -> S R_WT diag(1, -1, 1) with S = diag(-1, 1, 1), feels the reflected force; so does
+/// the arm with joints 1, 4 and 6 negated. The loaded contents of a mesh or a curve stay: its scale becomes negative.
+/// Twice is the scene itself, to the last bit.
 Description mirrored(Description scene);
 Constraint mirrored(Constraint constraint);
 

@@ -32,7 +32,7 @@ void readVersion(ObjectReader& object) {
   }
 }
 
-/// Names each constraint that has no name, without duplicates.
+/// Gives a unique name to each constraint that has none.
 void makeUpNames(std::vector<Constraint>& constraints) {
   std::set<std::string> taken;
   for (const Constraint& constraint : constraints) taken.insert(constraint.name);

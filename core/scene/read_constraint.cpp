@@ -10,8 +10,6 @@
 namespace underact::scene {
 namespace {
 
-// In the contract, but not in this version.
-
 template <std::size_t... kIndex>
 std::vector<std::string> typesOf(std::index_sequence<kIndex...>) {
   return {Fields<std::variant_alternative_t<kIndex, Shape>>::kType...};
@@ -44,7 +42,7 @@ std::optional<Shape> shapeOfType(const json::Value& value, const std::string& pa
   return std::nullopt;
 }
 
-/// A valid placeholder for what could not be read, so that check() reports only what was.
+/// A value that passes all checks, in place of one that could not be read, so that check() reports only what was read.
 void setHarmless(double& number) {
   number = 1.0;
 }
@@ -65,7 +63,7 @@ void readFields(ObjectReader& object, Shape& shape) {
   std::visit([&](auto& chosen) { eachField(chosen, read); }, shape);
 }
 
-/// Empty if it cannot be read.
+/// Reads a name; empty where it cannot be read.
 void readName(const json::Value& value, const std::string& path, std::string& into, Findings& findings) {
   if (value.kind == json::Kind::String && value.text.empty()) {
     findings.add(

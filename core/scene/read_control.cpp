@@ -16,7 +16,7 @@ Control readControl(const json::Value& value, const std::string& path, Findings&
     return control;
   }
   ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a control")), findings);
-  // PID uses every gain: if the law cannot be read, no gain is reported as unused.
+  // PID uses every gain: where the law cannot be read, unused gains are not reported.
   if (value.find("law") != nullptr) control.law = LawType::PID;
   readSettings(object, control);
   if (const json::Value* velocity = object.find("velocity")) {

@@ -17,25 +17,25 @@ using json::notYet;
 using json::ObjectReader;
 using json::shown;
 
-/// Keys of a scene, a constraint or a control that the format has, but not this version.
+/// Keys of a scene, a constraint or a control that the format has and this version does not support.
 inline const std::vector<std::string> kLaterKeys{"damping"};
 
-/// For "velocity" in the wrong object.
+/// The problem with "velocity" in the wrong object.
 Sentence belongsToControl();
 
-/// For "friction" and "search" in the wrong object.
+/// The same for "friction" and "search".
 Sentence belongsToConstraint();
 
-/// A constraint; its name stays empty where the file gives none.
+/// Reads a constraint; its name stays empty where the file gives none.
 void readConstraint(const json::Value& value, const std::string& path, Constraint& into, Findings& findings);
 
-/// "velocity" of a control.
+/// Reads "velocity" of a control.
 Velocity readVelocity(const json::Value& value, const std::string& path, Findings& findings);
 
-/// "teach" of the scene.
+/// Reads "teach" of the scene.
 Teaching readTeaching(const json::Value& value, Findings& findings);
 
-/// "control" of the scene or of one constraint.
+/// Reads "control" of the scene or of one constraint.
 Control readControl(const json::Value& value, const std::string& path, Findings& findings);
 
 }  // namespace underact::scene

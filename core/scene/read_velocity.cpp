@@ -7,7 +7,7 @@
 namespace underact::scene {
 namespace {
 
-/// A setting that only another filter has: not unknown, but not used.
+/// Refuses settings of other filters: not unknown, but not used.
 void refuseOthers(ObjectReader& object, const Velocity& chosen) {
   std::map<std::string, std::vector<std::string>> users;
   for (const SettingOf<Velocity>& row : rowsOf<Velocity>()) {
@@ -37,7 +37,7 @@ Velocity readVelocity(const json::Value& value, const std::string& path, Finding
     return velocity;
   ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a velocity filter")), findings);
   const std::span<const SettingOf<Velocity>> rows = rowsOf<Velocity>();
-  const bool is_known = readSetting(object, rows.front(), velocity);  // the filter decides which others exist
+  const bool is_known = readSetting(object, rows.front(), velocity);  // the filter, which decides about the others
   if (is_known) {
     refuseOthers(object, velocity);
     for (const SettingOf<Velocity>& row : rows.subspan(1)) {

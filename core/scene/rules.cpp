@@ -9,7 +9,7 @@ namespace underact::scene {
 
 using json::numberText;
 
-constexpr double kSmallest_mm = 1e-100;  // the tick squares lengths in metres: far above where a square underflows
+constexpr double kSmallest_mm = 1e-100;  // the tick squares lengths in metres: far above underflow
 constexpr double kFarthestTurn_rad = 1e3;
 constexpr double kRotationError = 1e-6;
 

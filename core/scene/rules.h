@@ -5,24 +5,27 @@
 
 namespace underact::scene {
 
-// Internal to the room: which numbers a scene may have. Each function returns what is wrong; empty: nothing.
+// Inside the room: the allowed numbers of a scene. Each gives a sentence for one that is not allowed; empty: it is.
 
 inline constexpr double kFarthest_mm = 1e6;
 inline constexpr double kHighestGain = 1e12;  // far beyond any arm; keeps newtons finite wherever the tip is
 
+/// Of a shape. Not finite, a length not above 0 or below 1e-100 mm, a length or position beyond kFarthest_mm.
 Sentence judge(Meaning meaning, double number);
+/// Not finite, below 0 or above kHighestGain.
 Sentence judgeGain(double gain);
-/// A value of the joint: a limit or its rest position.
+/// A limit of the joint, or its rest position.
 Sentence judgeJoint(const Joint& joint, double value);
 
-/// For a number or a direction that is not finite.
+/// The sentence for a number that is not finite.
 Sentence notFinite();
+/// The sentence for a direction that is zero.
 Sentence pointsNowhere();
 
-/// A rotation, and a translation in mm.
+/// A pose whose translation is in mm.
 Sentence judgePose(const Eigen::Matrix4d& X);
 
-/// To 1e-6 of each number, as shape::makeBox().
+/// Whether R is a rotation, each number within 1e-6, as in shape::makeBox().
 bool isRotation(const Mat3& R);
 
 }  // namespace underact::scene

@@ -21,7 +21,7 @@ Problems problem(const std::string& path, Sentence sentence) {
   return {{std::move(sentence), {path, 0, 0, ""}}};
 }
 
-/// The target of a link, so that the link stays a link.
+/// The target of a link at path, so that the link stays a link.
 std::string withoutLinks(const std::string& path) {
   std::error_code error;
   const std::filesystem::path real = std::filesystem::canonical(path, error);

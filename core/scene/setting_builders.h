@@ -12,12 +12,15 @@ namespace underact::scene::row {
 
 // Internal to the room: makes a row of the table from a member of an object of the description.
 
+/// The object that a pointer to a member belongs to.
 template <class Member>
 struct MemberOf;
+/// Of a member of any type.
 template <class Its, class Type>
 struct MemberOf<Type Its::*> {
-  using Object = Its;
+  using Object = Its;  // the class
 };
+/// The same from the pointer itself.
 template <auto kMember>
 using ObjectOf = typename MemberOf<decltype(kMember)>::Object;
 
@@ -42,52 +45,67 @@ constexpr const char* kObject<Solver> = "/constraints/*/solver";
 template <>
 constexpr const char* kObject<Joint> = "/constraints/*/joints/*";
 
+// The value of a member, and a value into a member. The value is of the member's kind: std::get throws otherwise.
+/// A number.
 inline SettingValue valueOf(double number) {
   return number;
 }
+/// A whole number, as a double.
 inline SettingValue valueOf(int number) {
   return static_cast<double>(number);
 }
+/// A flag.
 inline SettingValue valueOf(bool flag) {
   return flag;
 }
+/// A number for each axis.
 inline SettingValue valueOf(const Vec3& axes) {
   return axes;
 }
+/// A number, or none.
 inline SettingValue valueOf(const std::optional<double>& number) {
   return number ? SettingValue(*number) : SettingValue();
 }
 
+/// The number.
 inline void put(const SettingValue& value, double& into) {
   into = std::get<double>(value);
 }
+/// The number, whose fraction is dropped.
 inline void put(const SettingValue& value, int& into) {
   into = static_cast<int>(std::get<double>(value));
 }
+/// The flag.
 inline void put(const SettingValue& value, bool& into) {
   into = std::get<bool>(value);
 }
+/// The number of each axis.
 inline void put(const SettingValue& value, Vec3& into) {
   into = std::get<Vec3>(value);
 }
+/// The number, or none.
 inline void put(const SettingValue& value, std::optional<double>& into) {
   into = isNone(value) ? std::nullopt : std::optional(std::get<double>(value));
 }
 
+/// The kind that goes with a member's type.
 constexpr SettingKind kindOf(double) {
   return SettingKind::Number;
 }
+/// As of a number.
 constexpr SettingKind kindOf(const std::optional<double>&) {
   return SettingKind::Number;
 }
+/// A whole number.
 constexpr SettingKind kindOf(int) {
   return SettingKind::Whole;
 }
+/// A flag.
 constexpr SettingKind kindOf(bool) {
   return SettingKind::Flag;
 }
 
-/// A member of the object.
+/// The row of a member, whose type gives the kind.
 template <auto kMember>
 constexpr SettingOf<ObjectOf<kMember>> member(Setting setting) {
   using Object = ObjectOf<kMember>;
@@ -102,6 +120,7 @@ constexpr SettingOf<ObjectOf<kMember>> member(Setting setting) {
           [](const Object&) { return valueOf(Object{}.*kMember); }};
 }
 
+/// The words of a table, in its order.
 template <const auto& kWords>
 std::vector<std::string> wordsOf() {
   std::vector<std::string> all;
@@ -109,6 +128,7 @@ std::vector<std::string> wordsOf() {
   return all;
 }
 
+/// The enumerator of a word; a word that the table does not have changes nothing.
 template <const auto& kWords, class Enum>
 void putWord(const SettingValue& value, Enum& into) {
   for (const auto& word : kWords) {
@@ -116,7 +136,7 @@ void putWord(const SettingValue& value, Enum& into) {
   }
 }
 
-/// A member that is one of the words. kShown: what panels show for each; without it, the words.
+/// The row of a member that is one of the words. kShown: the labels of the words in panels; by default the words.
 template <auto kMember, const auto& kWords, const auto&... kShown>
 constexpr SettingOf<ObjectOf<kMember>> oneOf(Setting setting) {
   static_assert(((std::size(kShown) == std::size(kWords)) && ...));
@@ -130,7 +150,7 @@ constexpr SettingOf<ObjectOf<kMember>> oneOf(Setting setting) {
           [](const Object&) -> SettingValue { return std::string(wordOf(kWords, Object{}.*kMember)); }};
 }
 
-/// A number of one of the filters.
+/// The row of a number of one of the filters.
 template <auto kMember>
 constexpr SettingOf<Velocity> ofFilter(Setting setting, SettingKind kind = SettingKind::Number) {
   using Filter = ObjectOf<kMember>;
@@ -144,6 +164,7 @@ constexpr SettingOf<Velocity> ofFilter(Setting setting, SettingKind kind = Setti
           [](const Velocity& velocity) { return std::holds_alternative<Filter>(velocity); }};
 }
 
+/// Which filter it is; a change to another one takes that one's default settings.
 constexpr SettingOf<Velocity> filter(Setting setting) {
   setting.kind = SettingKind::Choice;
   setting.words = &wordsOf<kFilterWords>;
@@ -158,23 +179,26 @@ constexpr SettingOf<Velocity> filter(Setting setting) {
           [](const Velocity&) -> SettingValue { return std::string(filterName({})); }};
 }
 
+/// The row with a rule of its own in place of its range.
 template <class Object>
 constexpr SettingOf<Object> judgedBy(Sentence (*judge)(const Object&, double), SettingOf<Object> row) {
   row.judge = judge;
   return row;
 }
+/// The row for those objects alone for which is_there() is true.
 template <class Object>
 constexpr SettingOf<Object> thereWhere(bool (*is_there)(const Object&), SettingOf<Object> row) {
   row.is_there = is_there;
   return row;
 }
 
+/// judgeGain(), as a rule of a row.
 template <class Object>
 Sentence judgeAsGain(const Object&, double number) {
   return judgeGain(number);
 }
 
-/// A gain. from: the first control law that uses it; the later ones do, too.
+/// The row of a gain. kFrom: the first law that uses it; the later ones do, too.
 template <auto kMember, LawType kFrom>
 constexpr SettingOf<Control> gain(Setting setting) {
   setting.least = 0.0;

@@ -1,4 +1,4 @@
-// Finds what a path leads to.
+// Settings by their paths.
 #include <algorithm>
 #include <charconv>
 #include <optional>
@@ -37,8 +37,8 @@ std::optional<std::size_t> numberOfStep(const std::string& step) {
   return number;
 }
 
-// Each calls visit(row, object) for the setting that the steps lead to; false: they lead nowhere. Optional parts come
-// as std::optional.
+// Each calls visit(row, object) for the setting at the end of the steps; false: there is none. Optional objects are
+// passed as std::optional.
 
 template <class Object, class Visit>
 bool atKey(Object& object, const std::string& key, const Visit& visit) {
@@ -114,7 +114,7 @@ Problems problemAt(const std::string& path, Sentence sentence) {
   return {{std::move(sentence), {{}, 0, 0, path}}};
 }
 
-/// Why the path leads nowhere in the scene.
+/// The problem of a path without a setting in the scene.
 Problems nowhere(const Description& scene, const std::string& path) {
   const Setting* const setting = findSetting(path);
   if (setting == nullptr) {
@@ -153,7 +153,7 @@ json::Value jsonOf(const SettingValue& value) {
   return made;
 }
 
-/// Sets what a file would have there.
+/// Sets a value as a file would have it.
 class Putting {
  public:
   Putting(const json::Value& value, const std::string& path, Findings& findings)
@@ -204,7 +204,7 @@ Result<Description> withJson(const Description& scene, const std::string& path, 
   return edited;
 }
 
-/// Every place that the path stands for and that has a value.
+/// Adds each place of the scene that matches the path and has a value.
 void addPlaces(const Description& scene, const std::vector<std::string>& steps, std::vector<std::string>& places) {
   const auto star = std::find(steps.begin(), steps.end(), "*");
   if (star == steps.end()) {

@@ -11,31 +11,36 @@
 
 namespace underact::scene {
 
-// The rows of each object of a file, for callers that have the object.
+// The rows of each kind of object, for code that has the object at hand.
 
+/// A setting, and how an object that has it gives and takes its value.
 template <class Object>
 struct SettingOf {
   Setting is;
   SettingValue (*get)(const Object& object);
-  void (*set)(Object& object, const SettingValue& value);
-  SettingValue (*usual)(const Object& object);
+  void (*set)(Object& object, const SettingValue& value);            // value: of the setting's kind
+  SettingValue (*usual)(const Object& object);                       // the default, where the key is left out
   Sentence (*judge)(const Object& object, double number) = nullptr;  // null: by the range
   bool (*is_there)(const Object& object) = nullptr;                  // whether the object can have it; null: always
-  bool (*is_used)(const Object& object) = nullptr;                   // whether it has any effect; null: always
+  bool (*is_used)(const Object& object) = nullptr;                   // whether it has an effect; null: always
 };
 
+/// The rows of several kinds of objects; kHas: whether an object is one of them.
 template <class... Object>
 struct RowsFor {
   std::tuple<std::span<const SettingOf<Object>>...> rows;
+  /// The rows outlive it.
   constexpr explicit RowsFor(std::span<const SettingOf<Object>>... its_rows) : rows(its_rows...) {}
   template <class One>
   static constexpr bool kHas = (std::is_same_v<One, Object> || ...);
 };
+/// The objects of a scene that have settings.
 using AllRows = RowsFor<Description, Simulation, Control, Velocity, Constraint, Influence, Friction, Mesh, Curve,
                         CurveGuide, VirtualManipulator, Solver, Joint>;
+/// The table of settings.cpp.
 const AllRows& allRows();
 
-/// The rows of an object, in the order of a file; empty for objects without settings.
+/// The rows of an object, in the order of a file; empty for any other type.
 template <class Object>
 std::span<const SettingOf<Object>> rowsOf() {
   if constexpr (AllRows::kHas<Object>)
@@ -44,19 +49,20 @@ std::span<const SettingOf<Object>> rowsOf() {
     return {};
 }
 
+/// Whether this object may have the setting.
 template <class Object>
 bool isThere(const SettingOf<Object>& row, const Object& object) {
   return row.is_there == nullptr || row.is_there(object);
 }
 
-/// Bitwise, so that -0 is not 0: what is left out of a file reads back as it was.
+/// Whether both are bit-identical: -0 is not 0, so that a value left out of a file reads back as it was.
 bool isSameValue(const SettingValue& a, const SettingValue& b);
 
-/// Takes the value from a file; false, and a problem, if it is not of the right kind.
+/// Reads a value; false, and a problem, where it is not of the setting's kind.
 bool readValue(const Setting& is, const json::Value& value, const std::string& path, SettingValue& into,
                Findings& findings);
 
-/// What is wrong with a number outside the range; empty: nothing.
+/// The problem of a number outside the range; empty: none.
 Sentence judgeRange(const Setting& is, double number);
 
 /// Calls say(part, sentence) for each number of the value that is not allowed; part: "", or "[1]" of a list.
@@ -84,7 +90,7 @@ void checkSettings(const Object& object, const Say& say) {
   }
 }
 
-/// False: the key is missing, or its value cannot be read.
+/// Reads one setting. False: the key is missing, or its value cannot be read.
 template <class Object>
 bool readSetting(ObjectReader& reader, const SettingOf<Object>& row, Object& into) {
   const json::Value* const found = reader.find(row.is.key, row.is.said == Said::Required);
@@ -105,7 +111,7 @@ bool readSetting(ObjectReader& reader, const SettingOf<Object>& row, Object& int
   return is_good;
 }
 
-/// All settings of an object; those that decide which others exist are read first.
+/// Reads all settings of an object; a choice on which others depend is read before them.
 template <class Object>
 void readSettings(ObjectReader& reader, Object& into) {
   for (const SettingOf<Object>& row : rowsOf<Object>()) {
@@ -113,7 +119,7 @@ void readSettings(ObjectReader& reader, Object& into) {
   }
 }
 
-/// An object of a file that holds settings and nothing else. what: "an influence"; example: such an object.
+/// Reads an object of a file that has settings only. what: "an influence"; example: of such an object.
 template <class Object>
 void readObject(const json::Value& value, const std::string& path, const Sentence& what, const char* example,
                 Object& into, Findings& findings) {
@@ -125,7 +131,7 @@ void readObject(const json::Value& value, const std::string& path, const Sentenc
   reader.finish();
 }
 
-/// Whether all settings of the object are at their defaults, so that a file can leave it out.
+/// Whether all settings have their defaults, so that a file may leave the object out.
 template <class Object>
 bool isUsual(const Object& object) {
   for (const SettingOf<Object>& row : rowsOf<Object>()) {

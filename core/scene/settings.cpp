@@ -13,7 +13,7 @@ using enum Said;
 constexpr double kMostFriction = 5.0;  // rubber on rubber is about 1.2
 constexpr double kFastest_mm_per_s = kMillimetrePerMetre * curve::kFastestGuide_m_per_s;
 
-/// A side that is not allowed still counts, so that it is noticed.
+/// Whether the constraint can have a side; a side that it must not have counts as well, so that it is shown.
 bool partsSpace(const Constraint& constraint) {
   return hasSides(constraint.shape) || constraint.side != target::Side::Both;
 }
@@ -24,7 +24,7 @@ bool slides(const Joint& joint) {
   return !turns(joint);
 }
 
-/// At most the static friction, if that is valid.
+/// At most the static coefficient, where that is valid.
 Sentence judgeDynamic(const Friction& friction, double number) {
   const double most = friction.static_share;
   if (!(most >= 0.0 && most <= kMostFriction) || (number >= 0.0 && number <= most)) return {};
@@ -32,14 +32,14 @@ Sentence judgeDynamic(const Friction& friction, double number) {
               {json::numberText(most), json::numberText(number)});
 }
 
-/// The default is the static friction.
+/// By default equal to the static coefficient.
 constexpr SettingOf<Friction> dynamicShare(Setting setting) {
   SettingOf<Friction> made = row::member<&Friction::dynamic_share>(setting);
   made.usual = [](const Friction& friction) { return row::valueOf(friction.static_share); };
   return made;
 }
 
-// What panels show for the words of a choice, in their order.
+// The labels in panels for the words of a choice, in their order.
 constexpr const char* kLawShown[] = {TRANSLATE_NOOP("setting", "P, proportional"),
                                      TRANSLATE_NOOP("setting", "PD, with damping"),
                                      TRANSLATE_NOOP("setting", "PID, with integral")};

@@ -14,8 +14,7 @@ namespace underact::scene {
 // What a person can change of a scene while it runs, a row of settings.cpp for each. Reading, checking and writing of
 // scenes go by these rows, and so do edits by path.
 
-/// The value of a setting. None: the key is left out and there is no default (a joint without that limit; no
-/// influence).
+/// A value. None: the key is left out, and nothing replaces it (a joint without that limit; no influence).
 using SettingValue = std::variant<std::monostate, bool, double, Vec3, std::string>;
 
 /// Whether it stands for a key that is left out.
@@ -26,17 +25,17 @@ inline bool isNone(const SettingValue& value) {
 /// Gain: one number for all axes, or one each. Choice: one of words.
 enum class SettingKind : std::uint8_t { Number, Whole, Gain, Choice, Flag };
 
-/// When its key is in a file. Always: where its object is; Required: its object must have it.
+/// When its key is in a file. Always: whenever its object is; Required: the object needs it.
 enum class Said : std::uint8_t { IfUnusual, Always, Required };
 
 /// A row of the table: one setting, and all that texts, checks and panels need to know of it.
 struct Setting {
   const char* key;
-  const char* label;  // in the middle of a sentence, such as what is undone: "blend width"
+  const char* label;  // for use in a sentence, as for undo: "blend width"
   const char* tip;    // a sentence or two
   const char* unit = "";
   double least = -kInfinity, most = kInfinity;
-  bool is_above_least = false;  // the least itself is too small
+  bool is_above_least = false;  // least itself is not allowed
   Said said = Said::IfUnusual;
   const char* wrong = nullptr;  // for a number outside the range: its last placeholders are least, most and the number
   const char* const* shown = nullptr;  // of a choice: what a panel shows for each word; null: the words
@@ -46,38 +45,38 @@ struct Setting {
   std::vector<std::string> (*words)() = nullptr;  // of a choice, as in a file; the first is the default
 };
 
-/// Every setting once, in the order of the table.
+/// All settings, in the order of the table.
 const std::vector<Setting>& settings();
 
-/// "/constraints/*/influence/t".
+/// The path with stars: "/constraints/*/influence/t".
 std::string pathOf(const Setting& setting);
 
-/// The row of a path, with numbers or with stars; null: there is none. For noise_mm, which two filters have, the first.
+/// The row of a path, with numbers or with stars; null: none. Of noise_mm, which two filters have, the first.
 const Setting* findSetting(std::string_view path);
 
 // A path is the JSON pointer of the value in the file: "/constraints/0/influence/t". A constraint without a control of
 // its own uses the scene's; setting one gives it its own. Problems: no such setting; the scene has no such object.
 Result<Setting> settingAt(const Description& scene, const std::string& path);
 Result<SettingValue> valueAt(const Description& scene, const std::string& path);
-/// The default where the file leaves the key out; none: there is no default.
+/// The default where the file leaves the key out; none: there is none.
 Result<SettingValue> usualAt(const Description& scene, const std::string& path);
 
-/// The scene with another value there. None removes a limit, or, for a required key, its whole object: t the influence.
-/// A value for a missing object creates it. A value that no file may have is a problem, too; whether it fits with the
-/// others is for check().
+/// The scene with another value at path. None removes a limit, or, for the key that its object needs, the whole object:
+/// t the influence. A value for a missing object adds the object. Problems: also a value that a file may not have;
+/// whether it is compatible with the others, check() says.
 Result<Description> withValue(const Description& scene, const std::string& path, const SettingValue& value);
 
-/// The same from text: as in a file, words without quotes, "none" for none. A star stands for every constraint or joint
-/// that has a value there, and a key alone for its path with stars; a problem where none has one.
+/// The same from a text: as in a file, words without quotes, "none" for none. A star stands for each constraint, or
+/// joint, that has the setting, and a key alone for its path with stars; a problem where none has it.
 Result<Description> withText(const Description& scene, const std::string& path, const std::string& text);
 
-/// The path with stars of a key: "/constraints/*/control/law", "/constraints/*/influence/t". Empty: there is none.
+/// The path with stars of a key: "/constraints/*/control/law", "/constraints/*/influence/t". Empty: no such key.
 std::string everywhere(std::string_view key);
 
-/// Where the control in effect at index is changed: the scene's where it serves a single constraint, otherwise its own.
+/// The path of the control of the constraint at index: the scene's where it is of a single constraint, else its own.
 std::string controlPath(const Description& scene, std::size_t index);
 
-/// As written in a file.
+/// The value as text in a file.
 std::string fileTextOf(const SettingValue& value);
 
 }  // namespace underact::scene

@@ -7,7 +7,7 @@
 
 namespace underact::scene {
 
-/// The group of a scene within a course, in this order.
+/// The part of a course that a scene belongs to, in this order.
 enum class Group : std::uint8_t { Shapes, Walls, Orientation, Robots, Meshes, Curves, Stability };
 
 inline constexpr json::Word<Group> kGroupWords[] = {{"shapes", Group::Shapes},           {"walls", Group::Walls},
@@ -15,15 +15,15 @@ inline constexpr json::Word<Group> kGroupWords[] = {{"shapes", Group::Shapes},  
                                                     {"meshes", Group::Meshes},           {"curves", Group::Curves},
                                                     {"stability", Group::Stability}};
 
-/// What a class reads about a scene, in Markdown with formulas between dollars. It does not run, so it is not part of
-/// the Description: edits and recordings do without it.
+/// Text for a class about a scene, in Markdown with formulas between dollars. It does not affect the simulation, so it
+/// is not part of the Description, and edits and recordings leave it out.
 struct Teaching {
   Group group = Group::Shapes;
   std::string feel, try_this, equation;
   bool operator==(const Teaching&) const = default;
 };
 
-/// What "teach" in the text of a scene states; none where it is missing or cannot be read (readScene() says why).
+/// "teach" of the text of a scene; none where it is missing or cannot be read (readScene() says why).
 std::optional<Teaching> teachingIn(std::string_view text);
 /// The same of a file.
 std::optional<Teaching> teachingOf(const std::string& path);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kLineWidth = 110;
 
-/// Compares bits: -0 is not 0 here, so that what is left out reads back to the last bit.
+/// Compares bits, not values: -0 is not 0 here, so that what is left out reads back to the last bit.
 template <class Matrix>
 bool sameBits(const Matrix& a, const Matrix& b) {
   return std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(double)) == 0;
@@ -35,7 +35,7 @@ std::string text(const Mat3& numbers) {
 /// Keys with the text of their values.
 using Members = std::vector<std::pair<std::string, std::string>>;
 
-/// On one line if it fits, otherwise one key per line.
+/// On one line if it fits, else a line for each key.
 std::string objectText(const Members& members, std::size_t indent) {
   std::string line;
   for (const auto& [key, value] : members) line += (line.empty() ? "" : ", ") + json::quotedText(key) + ": " + value;
@@ -48,7 +48,7 @@ std::string objectText(const Members& members, std::size_t indent) {
   return "{" + lines + "\n" + margin + "}";
 }
 
-/// The object's settings as in a file; between() adds its part before the key of that name.
+/// The settings of an object as in a file; between() adds other keys before the key of that name.
 template <class Object, class Between>
 void addSettings(Members& members, const Object& object, std::string_view before, const Between& between) {
   for (const SettingOf<Object>& row : rowsOf<Object>()) {
@@ -65,7 +65,7 @@ void addSettings(Members& members, const Object& object) {
   addSettings(members, object, {}, [] {});
 }
 
-/// For an object that holds nothing else.
+/// The text of an object with settings only.
 template <class Object>
 std::string settingsText(const Object& object, std::size_t indent) {
   Members members;

@@ -7,11 +7,11 @@
 
 namespace underact::scene {
 
-/// The scene as a file that readScene() reads back to the same description, to the last bit; keys at their defaults are
-/// left out. teaching: what a class reads about it.
+/// The scene as the text of a file, which readScene() reads back to the same description, to the last bit; keys with
+/// default values are left out. teaching: text for a class.
 std::string writeScene(const Description& scene, const std::optional<Teaching>& teaching = {});
 
-/// Writes beside path, then renames over path, so that a full disk loses nothing. Empty: done.
+/// Writes it beside path and renames it over path, so that a full disk loses nothing. Empty: no problem.
 Problems writeSceneFile(const Description& scene, const std::string& path,
                         const std::optional<Teaching>& teaching = {});
 

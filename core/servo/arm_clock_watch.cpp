@@ -7,10 +7,10 @@
 namespace underact::servo {
 namespace {
 
-// Where a leap is as long as this nobody asks how long; the sums stay far from overflowing.
+// Jumps are limited to this, so that the sums cannot overflow.
 constexpr std::int64_t kFar_ns = 1'000'000'000'000'000'000;  // 32 years
 
-/// Wraps instead of overflowing; what wraps is told by its size, or is not newer.
+/// The difference, which wraps instead of overflowing; a wrapped one is found by its size, or is not newer.
 std::int64_t stepOf(std::int64_t from_ns, std::int64_t to_ns) noexcept UNDERACT_REAL_TIME {
   const auto step_ns =
       static_cast<std::int64_t>(static_cast<std::uint64_t>(to_ns) - static_cast<std::uint64_t>(from_ns));

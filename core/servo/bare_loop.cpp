@@ -38,7 +38,7 @@ void BareLoop::tell(Wish wish) {
 void BareLoop::run(int rate_hz, const system::SchedulingWanted& wanted, std::binary_semaphore& ready) {
   system::nameThread("underact-bare");
   system::askForRealTime(wanted, rate_hz);
-  ready.release();  // from here on neither ready nor wanted may be there any more
+  ready.release();  // from here on ready and wanted may be gone
   while (wish_ != Wish::End) {
     wish_.wait(Wish::Rest);
     wakeWhileWished(1'000'000'000 / rate_hz);

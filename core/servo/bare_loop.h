@@ -8,18 +8,20 @@
 
 namespace underact::servo {
 
-/// A thread that wakes on deadlines as the servo thread does, notes how late it is, and does nothing else: what this
-/// machine can do at best. It shares the port to the system with the servo thread, and no other line of code. At rest
-/// until resume().
+/// A thread that wakes on deadlines as the servo thread does, measures its latency and does nothing else: the best that
+/// this machine can do. It shares only the operating system calls with the servo thread. Idle until resume().
 class BareLoop {
  public:
+  /// rate_hz: 100 to 10000. Returns when the thread has its scheduling.
   BareLoop(int rate_hz, const system::SchedulingWanted& wanted);
   ~BareLoop();
   BareLoop(const BareLoop&) = delete;
   BareLoop& operator=(const BareLoop&) = delete;
+  /// Begins to wake, with a fresh deadline. Does not wait.
   void resume();
+  /// No further wake until resume(). Does not wait: one that is due may still come.
   void rest();
-  /// Ends the thread; the lateness of each wake.
+  /// Ends the thread; gives the latency of each wake.
   const Histogram& end();
 
  private:

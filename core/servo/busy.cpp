@@ -21,7 +21,7 @@ Busy::~Busy() {
 
 void Busy::work(int core) {
   system::nameThread("underact-busy");
-  system::runOnCore(core);  // refused: the system spreads them
+  system::runOnCore(core);  // where it is refused, the system distributes them
   std::vector<double> numbers(kNumbers, 1.0);
   double sum = 1.0;
   while (!ends_.load(std::memory_order_relaxed)) {

@@ -5,14 +5,16 @@
 
 namespace underact::servo {
 
-/// While one lives, each core has a thread that computes and moves memory without a pause, at normal priority.
+/// While an object of this class exists, each core has a thread that computes and moves memory without a pause, at
+/// normal priority.
 class Busy {
  public:
+  /// Starts the threads, one for each core; the destructor ends them and waits.
   Busy();
   ~Busy();
   Busy(const Busy&) = delete;
   Busy& operator=(const Busy&) = delete;
-  /// How often the threads have gone through their memory.
+  /// How often the threads have gone through their memory. Any thread.
   long rounds() const { return rounds_.load(std::memory_order_relaxed); }
 
  private:

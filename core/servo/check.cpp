@@ -16,9 +16,9 @@
 namespace underact::servo {
 namespace {
 
-constexpr std::chrono::milliseconds kPause{50};  // between two looks at the servo: some 500 ticks at 10 kHz
+constexpr std::chrono::milliseconds kPause{50};  // between two readings of the servo: some 500 ticks at 10 kHz
 
-/// The servo's half: a loop of its own, and what its ticks were like.
+/// The servo's part: a loop of its own, and the statistics of its ticks.
 class Servo {
  public:
   Servo(DevicePort& device, tick::TickProgram program, const CheckOptions& options)
@@ -37,7 +37,7 @@ class Servo {
       tick_time_.add(record.tick_ns);
     });
     loop_.reap();
-    // A fault (late ticks in a row, say) lets go of the arm; the ticks to be measured are those that push.
+    // A fault (late ticks in a row, say) releases the arm, but the ticks to be measured are those with a force.
     if (pushes_ && loop_.snapshot().mode == Mode::Faulted) loop_.send({Order::Start});
   }
   CheckResult end() {

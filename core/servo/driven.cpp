@@ -29,7 +29,7 @@ Driven::Driven(Loop& loop, DevicePort& device, int rate_hz, std::int64_t patienc
       heard_ns_(system::monotonicNow_ns()) {}
 
 Driven::~Driven() {
-  if (!stand_in_.joinable()) return;  // it has never driven
+  if (!stand_in_.joinable()) return;  // it never drove the servo
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     ends_ = true;
@@ -47,12 +47,12 @@ void Driven::tick() noexcept {
 }
 
 void Driven::tickOnce(std::int64_t now_ns) noexcept {
-  if (is_ticking_.exchange(true, std::memory_order_acquire)) return;  // the other one is at it
-  const FlushDenormals flush;  // the thread may be the arm's: as it was, afterwards
+  if (is_ticking_.exchange(true, std::memory_order_acquire)) return;  // the other thread is ticking
+  const FlushDenormals flush;  // restored afterwards, since the thread may be the arm's
   Wake wake;
   wake.at_ns = now_ns;
   if (before_ns_ != 0) {
-    // Early by what the tick before was late.
+    // A tick after a late one comes early by as much.
     const std::int64_t lateness_ns = std::max<std::int64_t>(0, now_ns - before_ns_ - period_ns_);
     wake.lateness_ns = lateness_ns;
     wake.left_out = lateness_ns / period_ns_;

@@ -10,10 +10,10 @@
 
 namespace underact::servo {
 
-/// Ticks a loop from an arm's own clock (see DevicePort::drive()), in the place of the servo's thread. What is late is
-/// measured against a period after the tick before: the arm's deadlines are its own. Where that clock stands still, a
-/// thread of ours ticks in its place now and then, without a sample, so that the servo finds its fault, takes up
-/// commands, and everyone sees it.
+/// Ticks a loop from an arm's own clock (see DevicePort::drive()), instead of the servo's thread. Latency is measured
+/// against a period after the last tick, as the arm's deadlines are its own. While that clock stands still, a thread of
+/// this class ticks now and then without a sample, so that the fault is found, commands are taken up, and the state
+/// stays visible.
 class Driven final : public Ticks {
  public:
   /// patience_ns: how long the clock may be silent; 0 or less: 0.1 s. Null where the arm has no clock of its own.
@@ -33,8 +33,8 @@ class Driven final : public Ticks {
   DevicePort& device_;
   const std::int64_t period_ns_, patience_ns_;
   std::atomic<std::int64_t> heard_ns_;   // when the arm's clock called last
-  std::atomic<bool> is_ticking_{false};  // by one of the two
-  std::int64_t before_ns_ = 0;           // when the last tick began; of whoever ticks
+  std::atomic<bool> is_ticking_{false};  // one of the two threads
+  std::int64_t before_ns_ = 0;           // when the last tick began; used by the thread that ticks
   std::mutex mutex_;
   std::condition_variable wake_;
   bool ends_ = false;

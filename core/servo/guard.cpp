@@ -34,9 +34,9 @@ Sentence nothingGuards(const Sentence& gap) {
 namespace {
 
 constexpr int kLookAfterGuard_ms = 250;
-// A busy machine may hold a guard up for a while; then another one would be held up, too.
+// A busy machine may delay a guard for a while; another one would be delayed, too.
 constexpr std::int64_t kGuardStands_ns = 2'000'000'000;
-constexpr int kLimitsInPatience = 10;  // in each of which it looks five times
+constexpr int kLimitsInPatience = 10;  // in each of which it checks five times
 
 }  // namespace
 
@@ -87,7 +87,7 @@ void Guard::setGap(Sentence gap) {
 
 void Guard::watch() {
   system::nameThread("underact-warden");
-  system::setOwnUrgency({});  // whoever made it may be real-time
+  system::setOwnUrgency({});  // the creating thread may be real-time
   while (waitUntilItEnds()) {
     setGap(said(TRANSLATE_NOOP("problem", "the guard has ended and is being restarted")));
     if (!startAnother()) return;
@@ -96,7 +96,7 @@ void Guard::watch() {
   }
 }
 
-/// true: the guard is gone, false: the watching is to end. One that stands still is no guard, and is killed.
+/// true: the guard has ended; false: the watching is to end. A guard that hangs is killed.
 bool Guard::waitUntilItEnds() {
   const std::atomic<std::int64_t>& looks = process_->line()->looks;
   std::int64_t seen = looks.load(std::memory_order_relaxed), seen_ns = system::monotonicNow_ns();
@@ -110,7 +110,7 @@ bool Guard::waitUntilItEnds() {
   }
 }
 
-/// As soon as the pace allows; false: the watching is to end.
+/// Starts another guard as soon as the pace allows; false: the watching is to end.
 bool Guard::startAnother() {
   for (;;) {
     if (isToldToEnd(pace_.next_ns(system::monotonicNow_ns()))) return false;
@@ -120,7 +120,7 @@ bool Guard::startAnother() {
   }
 }
 
-/// Waits until then, or until it is told to end.
+/// Waits until then; true: it is told to end.
 bool Guard::isToldToEnd(std::int64_t until_ns) const {
   for (std::int64_t left_ns = 0; (left_ns = until_ns - system::monotonicNow_ns()) > 0;) {
     if (system::waitToRead(wake_.descriptor(), static_cast<int>(left_ns / 1'000'000 + 1))) return true;

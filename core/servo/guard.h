@@ -14,24 +14,24 @@ namespace underact::servo {
 
 class GuardProcess;
 
-/// A process beside the program that outlives it: when the program dies, however it dies, or its ticks stop, the guard
-/// writes the arm's last word. It holds a copy of the arm's file descriptor, sees the ticks in shared memory and the
-/// program's life at the other end of a pipe. It is watched in turn, by a thread of its own: one that ends, or stands
-/// still, is replaced (see RestartPace). The force goes on meanwhile: gate and watchdog work without a guard, and an
-/// arm that lets go of a hand without need is no safer.
+/// A separate process that outlives the program: when the program dies in any way, or its ticks stop, the guard sends
+/// the arm its message of zero force. It holds a copy of the arm's file descriptor, sees the ticks in shared memory and
+/// the end of the program by a pipe. A thread of this class watches it in turn: a guard that ends or hangs is replaced
+/// (see RestartPace). The force stays on meanwhile: gate and watchdog work without a guard, and releasing a hand
+/// without need would not be safer.
 class Guard {
  public:
-  /// Starts it. program: where underact-guard is; empty: beside this program, or in libexec/underact. Null where there
-  /// is none, where it does not start, or where the arm has no last word; then why says so.
+  /// Starts it. program: the path of underact-guard; empty: beside this program, or in libexec/underact. Null where it
+  /// is missing or does not start, or where the arm has no such message; then why says so.
   static std::unique_ptr<Guard> start(const LastWord& word, std::int64_t limit_ns, const std::string& program,
                                       Sentence& why);
-  ~Guard();  // an orderly end: the guard leaves without a word
+  ~Guard();  // an orderly end: the guard ends without sending anything
   Guard(const Guard&) = delete;
   Guard& operator=(const Guard&) = delete;
 
-  /// What the servo counts up each tick; lives as long as this, whatever process looks at it.
+  /// The counter of ticks, in shared memory; lives as long as this object.
   std::atomic<std::int64_t>& beats();
-  /// Empty: it guards. Else why it does not just now, as a phrase. Any thread but the tick's.
+  /// Why the arm is not guarded right now, as a phrase; empty: it is. Any thread but the tick's.
   Sentence gap() const;
   /// How many times it was replaced. Any thread.
   int replaced() const { return replaced_.load(std::memory_order_relaxed); }
@@ -45,8 +45,8 @@ class Guard {
   void setGap(Sentence gap);
 
   const std::unique_ptr<GuardProcess> process_;
-  const std::int64_t patience_ns_;  // with a guard that does not look
-  system::Doorbell wake_;           // rung: the watching ends
+  const std::int64_t patience_ns_;  // how long a guard may be unresponsive
+  system::Doorbell wake_;           // rung: the watching thread ends
   RestartPace pace_;
   mutable std::mutex gap_mutex_;
   Sentence gap_;

@@ -7,7 +7,7 @@
 namespace underact::servo {
 namespace {
 
-constexpr int kLeave_ms = 1000;  // in which a guard that was told to has left
+constexpr int kLeave_ms = 1000;  // the time for a guard to end when told to
 
 std::string hexOf(const std::string& bytes) {
   constexpr const char* kDigits = "0123456789abcdef";
@@ -38,7 +38,7 @@ GuardProcess::GuardProcess(const LastWord& word, std::int64_t limit_ns, std::str
 GuardProcess::~GuardProcess() {
   if (line_ != nullptr) line_->farewell = 1;
   life_.writes.close();
-  process_.waitForEnd(kLeave_ms);  // stopped, or held up by the arm: it must not hold up the program
+  process_.waitForEnd(kLeave_ms);  // it may be stopped, or blocked by the arm, and must not block the program
 }
 
 bool GuardProcess::start() {

@@ -10,27 +10,27 @@
 
 namespace underact::servo {
 
-/// What one guard after the other is given, and the one that is at work. One thread at a time.
+/// The current guard process, and what each of them is given. One thread at a time.
 class GuardProcess {
  public:
-  /// program: where underact-guard is.
+  /// program: the path of underact-guard.
   GuardProcess(const LastWord& word, std::int64_t limit_ns, std::string program);
-  ~GuardProcess();  // an orderly end: the guard leaves without a word; one that does not leave is killed
+  ~GuardProcess();  // an orderly end: the guard ends without sending anything; one that does not end is killed
   GuardProcess(const GuardProcess&) = delete;
   GuardProcess& operator=(const GuardProcess&) = delete;
 
-  /// The same for all guards; null: what guards are given could not be made, and failure() says why.
+  /// The shared memory, the same for all guards; null: it could not be made, and failure() says why.
   GuardLine* line() const { return line_; }
-  /// Starts one; before, and after the one before has ended. false: failure() says why.
+  /// Starts a guard, when the last one has ended. false: failure() says why.
   bool start();
-  /// Of the system, an error number.
+  /// The error number of the system.
   int failure() const { return failure_; }
   /// Readable once it has ended; below 0: this system has no such descriptor, and hasEnded() is to be asked now and
   /// then.
   int endFd() const { return process_.endDescriptor(); }
-  /// It is gone, or there was none.
+  /// Whether it has ended, or there was none.
   bool hasEnded() { return process_.hasEnded(); }
-  /// At once, wherever it hangs.
+  /// Ends it at once, whatever it does.
   void kill() { process_.kill(); }
 
  private:

@@ -4,6 +4,7 @@
 
 namespace underact::servo {
 
+/// Durations that 50, 99 and 99.9 % keep within, and the longest.
 struct Percentiles {
   double p50_us = 0.0;
   double p99_us = 0.0;
@@ -11,11 +12,14 @@ struct Percentiles {
   double max_us = 0.0;
 };
 
-/// Counts of durations, each within 1/32 of its value; 0 to 68 s. Not for two threads at once.
+/// Counts of durations, each within 1/32 of its value; 0 to 34 s. Not for two threads at once.
 class Histogram {
  public:
+  /// A duration; below 0 it counts as 0, above 2^35 ns (34 s) as 2^35 ns.
   void add(std::int64_t duration_ns) noexcept;
+  /// All durations of another one.
   void add(const Histogram& other) noexcept;
+  /// As constructed.
   void clear() noexcept { *this = Histogram{}; }
   std::int64_t count() const noexcept { return count_; }
   /// The upper edge of the bucket that holds each share; the maximum exactly. All 0 while empty.

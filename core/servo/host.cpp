@@ -21,7 +21,7 @@
 
 namespace underact::servo {
 
-// Four times what the gate takes to let go.
+// Four times the duration of the gate's release.
 constexpr double kLongestRelease_s = 0.2;
 
 struct Host::Impl {
@@ -38,7 +38,7 @@ struct Host::Impl {
     for (const Command& command : backlog) delete command.instance;
   }
 
-  /// The watchers go first: a thread that ends in order has not stood still.
+  /// The watching threads end first, so that the orderly end of the servo thread is not taken for a stall.
   void end() {
     watchdog.reset();
     thread.reset();
@@ -62,7 +62,7 @@ struct Host::Impl {
 
   bool ticksByItself() const { return thread.has_value() || driven != nullptr; }
   bool pushes() { return loop.snapshot().mode == Mode::Running || loop.snapshot().mode == Mode::Stopping; }
-  /// The force ramps to zero. An arm that hangs is not waited for longer: then it is cut by its thread's end.
+  /// Ramps the force to zero. An arm that hangs is not waited for any longer: the end of its thread cuts the force.
   void letGo() {
     send({Order::Stop});
     if (!ticksByItself()) {
@@ -91,7 +91,7 @@ struct Host::Impl {
     return why.empty() ? Problems{} : Problems{{why, {}}};
   }
 
-  /// In order, and never lost: what finds no room now goes out with the next call.
+  /// Sends commands in order, without losing any: what finds no room now is sent with the next call.
   void send(const Command& command) {
     backlog.push_back(command);
     flush();
@@ -121,7 +121,7 @@ struct Host::Impl {
     return {};
   }
 
-  /// Of the program in effect and of all that came after it: whoever begins to record is told of them.
+  /// Keeps the scenes of the program in effect and of all later ones, for a recorder that begins.
   void keepScene() {
     scenes[revision] = scene;
     scenes.erase(scenes.begin(), scenes.lower_bound(loop.snapshot().revision));
@@ -140,7 +140,7 @@ struct Host::Impl {
     send(command);
     if (!ticksByItself()) loop.takeUpCommands();
   }
-  /// A recorder that is behind is waited for; one that is gone is not.
+  /// Waits for a recorder that is behind, not for one that has given up.
   void waitForRoom(std::size_t ticks) const {
     while (tap && tap->room() < ticks && !tap->givenUp()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -151,20 +151,20 @@ struct Host::Impl {
   std::unique_ptr<Guard> guard;
   Sentence no_guard;  // why none was started
   bool can_be_guarded = false;
-  std::optional<Thread> thread;  // one of these two ticks
+  std::optional<Thread> thread;  // one of the two ticks
   std::unique_ptr<Driven> driven;
   std::optional<Watchdog> watchdog;
   std::deque<Command> backlog;
   scene::Description scene;
   std::uint64_t revision = 0;
   std::map<std::uint64_t, scene::Description> scenes;
-  std::shared_ptr<Tap> tap;                  // who records
+  std::shared_ptr<Tap> tap;                  // the recorder's
   std::vector<std::shared_ptr<Tap>> ending;  // the servo may still write into them
   bool started = false;
   bool hold_to_run = false;
   double force_share = 1.0;
   Timing timing;
-  std::int64_t timed_from = 0;  // the tick before the first one that timing is about
+  std::int64_t timed_from = 0;  // the tick before the first one in timing
 };
 
 Host::Host(std::unique_ptr<DevicePort> device, const HostOptions& options)
@@ -245,7 +245,7 @@ Problems Host::restart() {
   impl_->end();
   const double frozen_s = impl_->device->info().frozen_s;
   Problems problems = impl_->device->reopen();
-  // Another arm may be in its place, and the program was compiled for the one before: it is known to compile.
+  // Another arm may have been connected, while the program was compiled for the last one: it is known to compile.
   if (impl_->revision > 0 && impl_->device->info().frozen_s != frozen_s) load(scene::Description(impl_->scene));
   if (was_begun) begin();
   return problems;
@@ -263,7 +263,7 @@ Problems Host::setRate(int rate_hz) {
   impl_->loop.setPeriod(1'000'000'000 / rate_hz);
   impl_->timing = Timing(rate_hz);
   impl_->timed_from = impl_->loop.snapshot().ticks;
-  // What went wrong while the force was let go is no less a fault: then it takes a Start, as ever.
+  // A fault during the release remains a fault, and needs a Start as always.
   const bool went_well = !impl_->pushes() && impl_->loop.snapshot().mode != Mode::Faulted;
   impl_->started = false;
   if (was_begun) begin();
@@ -283,7 +283,7 @@ std::optional<FaultReport> Host::takeFault() {
                      device(),
                      trouble(),
                      scheduling(),
-                     static_cast<int>(1'000'000'000 / history->period_ns()),  // exact for every rate there is
+                     static_cast<int>(1'000'000'000 / history->period_ns()),  // exact for every possible rate
                      history->late()};
   impl_->loop.giveBack(history);
   return report;

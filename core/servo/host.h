@@ -17,111 +17,120 @@
 
 namespace underact::servo {
 
-/// Thread: once begun, the servo runs by itself on absolute deadlines. Manual: it ticks when run() is called, as fast
-/// as it can.
+/// Thread: the servo runs by itself on absolute deadlines, from begin() on. Manual: it ticks when run() is called, as
+/// fast as it can.
 enum class Clock : std::uint8_t { Thread, Manual };
 
+/// How the servo is to run.
 struct HostOptions {
   int rate_hz = 1000;  // 100 to 10000
   Clock clock = Clock::Thread;
   system::SchedulingWanted scheduling = {};
-  double watchdog_s = 0.1;  // no tick for so long: the arm gets zero force from outside the servo thread, and a fault
-  int max_late = 20;        // ticks in a row a whole period late that are borne; more let the force go, and are a fault
-  std::string guard_program = {};  // underact-guard, for an arm that has a last word; empty: it is looked for
+  double watchdog_s = 0.1;         // no tick for so long: the watchdog writes zero force, and it is a fault
+  int max_late = 20;               // ticks in a row a whole period late; more release the force and are a fault
+  std::string guard_program = {};  // the path of underact-guard; empty: it is looked for
   system::Clocks clocks = {};
 };
 
-/// Everything a fault leaves behind.
+/// A fault, and the circumstances in which it occurred.
 struct FaultReport {
   Fault fault;
   std::int64_t tick = 0;
   std::int64_t unix_time_s = 0;         // when it was fetched from the servo
-  std::vector<TickRecord> last_second;  // up to and with the tick that found it, oldest first
+  std::vector<TickRecord> last_second;  // up to and including the tick that found it, oldest first
   scene::Description scene;             // as it was run
   DeviceInfo device;
-  Sentence trouble;  // what the arm's side said of it, see DevicePort::trouble()
+  Sentence trouble;  // what the device reported, see DevicePort::trouble()
   system::Scheduling scheduling;
   int rate_hz = 0;  // then
   LateTicks late;
 };
 
 /// The servo as the rest of the program sees it: owns device, loop and thread; keeps the scene, compiles it and every
-/// edit, and hands them to the servo between two ticks. One thread (the window's, or the command line's) calls it;
-/// nothing waits.
+/// edit, and hands them to the servo between two ticks. To be called by one thread (the window's, or the command
+/// line's); unless stated, no call waits.
 class Host {
  public:
+  /// device: open; it is closed with the host. Nothing ticks before begin() or run().
   Host(std::unique_ptr<DevicePort> device, const HostOptions& options);
   ~Host();
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  /// Loads a scene: the old one is released, the swap made between two ticks at zero force, the new one ramped up
-  /// (where the servo runs). Problems: those of compile(); then the old scene stays.
+  /// Loads a scene: the force is ramped down, the scene replaced between two ticks at zero force, and, where the servo
+  /// runs, the force ramped up again. Problems: those of compile(); then the old scene stays.
   Problems load(const scene::Description& scene);
-  /// Puts an edited scene in place of the one there is. Where both go together (see scene::changeBetween) it is taken
-  /// up by the next tick, without a ramp, and the laws keep what they remember; else it is ramped down and up like a
-  /// load. Problems: as load(); then the old scene stays.
+  /// Replaces the scene by an edited one. Where the two are compatible (see scene::changeBetween()) the next tick takes
+  /// it up without a ramp, and the laws keep their state; otherwise as load(). Problems: as load(); then the old scene
+  /// stays.
   Problems edit(const scene::Description& edited);
-  /// What load() would run: for somebody who reckons beside the servo. Problems: as load().
+  /// The program that load() would run, for computations outside the servo. Problems: as load().
   Result<tick::TickProgram> programOf(const scene::Description& scene) const;
   /// The scene as loaded and edited.
   const scene::Description& scene() const;
-  /// Counts up by one with each load and edit that was taken; Snapshot::revision says which one is in effect.
+  /// Goes up by one with each load and edit that was accepted; Snapshot::revision says which one is in effect.
   std::uint64_t revision() const;
 
   void start();          // also after a fault
   void stop();           // the force ramps to zero
   bool running() const;  // start() was called last, and no fault since
-  /// Hold to run: from then on the servo pushes only while the stylus button nearer to the tip is held.
+  /// Hold to run: the servo pushes only while the stylus button nearer to the tip is held.
   void setHoldToRun(bool on);
+  /// As set last.
   bool holdToRun() const;
-  /// Of the force that the arm bears for good, only this share is let through from the next tick on, 0 to 1, whatever
-  /// scene comes; the clamp that there always is does it. Problems: a session is being recorded, and would replay with
-  /// another limit; no such share. Then nothing was done.
+  /// Limits the force to this share of the arm's continuous force, 0 to 1, from the next tick on and for every scene to
+  /// come; the gate's clamp does it. Problems: a session is being recorded, and would replay with another limit; a
+  /// share outside 0 to 1. Then nothing changes.
   Problems setForceShare(double share);
+  /// As set last; 1 at first.
   double forceShare() const;
-  /// The servo thread ends and begins anew, the arm is asked to open itself again, the scene stays; the servo is
-  /// stopped then, and Start goes on. Problems: why the arm did not open.
+  /// Restarts the servo thread and reopens the arm; the scene stays. The servo is stopped then; start() continues.
+  /// Problems: why the arm did not open. Waits for it.
   Problems restart();
-  /// The servo ticks so many times a second from now on, 100 to 10000. It lets go first (the force ramps to zero, which
-  /// is waited for: 0.05 s), its thread ends and begins anew, and where it ran it starts again; what counts in ticks
-  /// begins anew (see Loop::setPeriod), and so does timing(). Manual clock: it ticks until it has let go. Problems: a
-  /// session is being recorded; the arm has one rate alone; no such rate. Then nothing was done.
+  /// Changes the rate, 100 to 10000 ticks a second. The force is ramped to zero first, which takes 0.05 s and is waited
+  /// for; then the thread is restarted, and the servo started again if it ran. What counts in ticks begins anew (see
+  /// Loop::setPeriod()), and so does timing(). Manual clock: ticks are run until the force is zero. Problems: a session
+  /// is being recorded; the arm has a fixed rate; a rate out of range. Then nothing changes.
   Problems setRate(int rate_hz);
-  /// The oldest fault that was not taken yet.
+  /// The oldest fault that was not taken yet, and the next one with the next call.
   std::optional<FaultReport> takeFault();
 
-  /// The newest, as a copy: it stays what it was whatever is called then.
+  /// The newest snapshot, as a copy.
   Snapshot snapshot();
-  /// Lateness and tick times of what drain() has seen, at the present rate.
+  /// Latency and tick times of what drain() has seen, at the present rate.
   const Timing& timing() const;
-  /// Calls row() for every tick since the last call, in order. Call it about 30 times a second, or rows drop (counted).
+  /// Calls row() for every tick since the last call, in order. To be called about 30 times a second, or rows are
+  /// dropped (and counted).
   void drain(const std::function<void(const TickRecord&)>& row);
-  /// Thread clock only: the servo thread starts to tick. What was told the host before is taken up by its first tick.
+  /// Thread clock only: starts the servo thread. Its first tick takes up all earlier calls.
   void begin();
-  /// Manual clock only.
+  /// Manual clock only: runs so many ticks.
   void run(std::int64_t ticks);
 
-  /// From the next tick on everything goes to the tap, too; one at a time, the one before it ends. Manual clock: run()
+  /// Copies everything to the tap from the next tick on; one tap at a time, an earlier one ends. Manual clock: run()
   /// waits while the tap is full.
   void record(std::shared_ptr<Tap> tap);
-  /// No more goes to the tap; it has ended when Tap::ended() says so.
+  /// Ends the copying to the tap; Tap::ended() says when it has ended.
   void endRecord();
-  /// A tap is being filled.
+  /// Whether there is a tap.
   bool records() const;
 
+  /// Ticks a second, as set last.
   int rateHz() const;
+  /// What the system granted to the servo thread, or by what else it ticks.
   system::Scheduling scheduling() const;
+  /// What was asked for.
   const system::SchedulingWanted& schedulingWanted() const;
   /// Whether a process guards the arm, or why none does: a phrase, as in Scheduling::also. Empty: no tick yet.
   Sentence guarding() const;
-  /// Why nothing would tell the arm zero if the program died, with a way out, where an arm can be told: its guard has
-  /// ended or did not start. Empty: it is guarded, or there is no such way (the simulated arm), or no tick yet.
+  /// Why nothing would release the force if the program died, with a way out, for an arm that can be guarded: its guard
+  /// has ended or did not start. Empty: it is guarded, or cannot be (the simulated arm), or no tick yet.
   Sentence unguarded() const;
-  /// After so many late ticks in a row the force is let go.
+  /// The number of late ticks in a row after which the force is released.
   int maxLate() const;
+  /// What the arm says of itself, see DevicePort::info().
   DeviceInfo device() const;
-  /// What the arm's side says is wrong now; empty: nothing.
+  /// What the device reports as wrong now; empty: nothing.
   Sentence trouble() const;
 
  private:

@@ -10,7 +10,7 @@ namespace underact::servo {
 namespace {
 
 constexpr std::size_t kCommands = 64;
-// Each instance comes with a command, one is in use and one waits; the Host reaps before it sends.
+// Each instance comes with a command, one is in use and one waits; the Host calls reap() before it sends.
 constexpr std::size_t kRetired = 2 * kCommands;
 // How long a window may be busy before a plot loses ticks: 4 s at any rate, 16 at 1 kHz.
 constexpr std::int64_t kKept_ns = 4'000'000'000;
@@ -95,7 +95,7 @@ void Loop::setPeriod(std::int64_t period_ns) {
   records_->consume_all([this](const TickRecord& record) { left_.push_back(record); });
   records_ = roomForRows(period_ns);
   *history_ = roomForASecond(period_ns);
-  std::vector<History*> spares;  // those that wait to be fetched stay as they are
+  std::vector<History*> spares;  // those that wait to be taken stay
   spare_.consume_all([&spares](History* spare) { spares.push_back(spare); });
   for (History* spare : spares) {
     *spare = roomForASecond(period_ns);
@@ -136,7 +136,7 @@ void Loop::takeUpCommands() noexcept {
         break;
       case Order::Record:
       case Order::EndRecord:
-        letIn();  // a recording begins with the scene that was asked for before it, where that can be
+        letIn();  // a recording begins with the scene loaded before it, where possible
         listen(command.tap);
         break;
       case Order::Load:
@@ -145,7 +145,7 @@ void Loop::takeUpCommands() noexcept {
         break;
       case Order::Retune:
       case Order::Move:
-        if (waiting_ != nullptr) {  // an edit of a scene that is not in yet
+        if (waiting_ != nullptr) {  // an edit of a scene that is still waiting
           retire(waiting_);
           waiting_ = command.instance;
         } else {
@@ -174,7 +174,7 @@ bool Loop::pushes() const noexcept {
   return engaged_ || current_->state.gate.level > 0.0;
 }
 
-/// A pause is told once: by the watchdog, or, where that was not fast enough either, by the lateness itself.
+/// A pause is reported once: by the watchdog, or, where that was not fast enough, by the latency itself.
 Fault Loop::faultOf(const Wake& wake) noexcept {
   const std::int64_t told_ns = stood_still_ns_.exchange(0, std::memory_order_relaxed);
   const std::int64_t pause_ns = std::max(told_ns, wake.lateness_ns);
@@ -184,8 +184,8 @@ Fault Loop::faultOf(const Wake& wake) noexcept {
           kSecondPerNanosecond * static_cast<double>(watchdog_ns_)};
 }
 
-/// What the servo finds by other clocks than its own, with the sample in hand, now, and before any force follows from
-/// it. Where nothing pushes it is no fault, and said by none; where the servo's time is counted no machine sleeps.
+/// Faults found by comparing clocks, with the sample at hand and before any force follows from it. Without a force they
+/// are no faults and not reported; where the servo's time is counted, sleep does not matter.
 Fault Loop::faultOfClocks(const Wake& wake, const tick::TickInput& input, std::int64_t now_ns,
                           std::int64_t with_sleep_ns) noexcept {
   counted_ns_ += (1 + wake.left_out) * period_ns_;
@@ -208,7 +208,7 @@ void Loop::countLate(const Wake& wake) noexcept {
   ++late_.by_cause[static_cast<std::size_t>(wake.cause)];
 }
 
-/// The last second leaves with the fault that ended it; while three wait to be fetched, a fourth is let go.
+/// Hands on the last second with the fault that ended it; while three wait to be taken, a fourth is dropped.
 void Loop::remember(const Snapshot& snapshot) noexcept {
   const TickRecord record = recordOf(snapshot);
   if (!records_->push(record)) ++dropped_;
@@ -257,11 +257,11 @@ void Loop::tick(const Wake& wake) noexcept {
   tick::step(current_->program, input, current_->state, snapshot.report);
   device_.write(snapshot.report.force);
   snapshot.tick_ns = clocks_.now_ns() - begin_ns;
-  // A machine may be suspended between any two instructions: one that fell asleep since it was asked last wakes with
-  // this tick's force under its hands. That is taken back here; the next tick says why.
+  // A machine may be suspended between any two instructions: if that happened since the last check, it wakes with this
+  // tick's force on the hand. The force is taken back here; the next tick reports the reason.
   if (wake.at_ns != 0) slept_ns_ += sleep_.look(clocks_);
   if (slept_ns_ > 0) device_.write(safety::GatedForce{});
-  if (current_->state.gate.fault.kind != FaultKind::None) engaged_ = false;  // it takes a Start to push again
+  if (current_->state.gate.fault.kind != FaultKind::None) engaged_ = false;  // only a Start makes it push again
   snapshot.ticks = ++ticks_;
   snapshot.revision = current_->revision;
   snapshot.mode = mode();
@@ -277,7 +277,7 @@ void Loop::tick(const Wake& wake) noexcept {
 
 void Loop::release() noexcept {
   device_.write(safety::GatedForce{});
-  sleep_.forget();  // until it ticks again a machine may sleep as it likes
+  sleep_.forget();  // sleep does not matter until it ticks again
   slept_ns_ = 0;
 }
 

@@ -19,62 +19,67 @@
 
 namespace underact::servo {
 
-/// A tick program with its memory, made outside the servo thread, and the number by which the Host knows it.
+/// A tick program with its state, made outside the servo thread, and the Host's number for it.
 struct Instance {
   tick::TickProgram program;
   tick::TickState state;
   std::uint64_t revision = 0;
 };
 
-/// What the servo can be told. Load: another scene, swapped in once the force has ramped to zero. Retune: the same
-/// scene with other gains, swapped in before the next tick. Move: so is the same scene with its targets elsewhere.
-/// HoldToRun and RunFreely: whether the stylus button has to be held. Record and EndRecord: ticks go to a tap, too.
+/// Orders to the servo. Load: another scene, swapped in once the force has ramped to zero. Retune: the same scene with
+/// other gains, swapped in before the next tick. Move: likewise, with the targets moved. HoldToRun and RunFreely:
+/// whether the stylus button has to be held. Record and EndRecord: whether ticks are copied to a tap.
 enum class Order : std::uint8_t { Start, Stop, Load, Retune, Move, HoldToRun, RunFreely, Record, EndRecord };
 
+/// An order, and what it needs.
 struct Command {
   Order order = Order::Stop;
   Instance* instance = nullptr;  // owned by the loop from here on; given back by reap()
   Tap* tap = nullptr;            // Record: lives until it has ended
 };
 
-/// What the servo thread does each period: take up commands, read the arm, tick, write the force, hand the results on.
-/// It waits for nothing and allocates nothing; the queues have one writer and one reader each and their room from the
-/// start.
+/// What the servo thread does each period: takes up commands, reads the arm, ticks, writes the force and hands the
+/// results on. It never waits and never allocates; each queue has one writer, one reader and a fixed capacity.
 class Loop {
  public:
+  /// device: outlives it. period_ns: above 0; watchdog_ns: no tick for so long is a fault, 0: never. Allocates all that
+  /// ticks need.
   Loop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns, const system::Clocks& clocks = {});
   ~Loop();
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
 
   // The servo thread, or whoever stands in for it.
+  /// One tick. wake: when it was due, and when it began.
   void tick(const Wake& wake) noexcept UNDERACT_REAL_TIME;
-  /// Does what it was told without a tick: where no thread ticks.
+  /// Takes up commands without a tick, where no thread ticks.
   void takeUpCommands() noexcept UNDERACT_REAL_TIME;
-  /// Zero force, for the end.
+  /// Writes zero force, at the end.
   void release() noexcept UNDERACT_REAL_TIME;
-  /// How long the last tick waited for the arm's sample.
+  /// How long the last tick waited for the arm's sample. The thread that ticks.
   std::int64_t lastRead_ns() const noexcept { return read_ns_; }
 
   // The other side: one thread.
   bool send(const Command& command);  // false: no room; try again later
   void reap();                        // frees the instances that are out of use
-  /// Until the next call: whoever keeps it copies it.
+  /// The newest snapshot; the reference holds until the next call.
   const Snapshot& snapshot() { return snapshots_.latest(); }
+  /// Calls row() for each tick since the last call, in order. Rows that found no room are left out, and counted.
   void drain(const std::function<void(const TickRecord&)>& row);
-  /// The history of the oldest fault that was not taken yet, or null; it is given back by giveBack().
+  /// The history of the oldest fault that was not taken yet, or null; to be given back by giveBack().
   const History* takeHistory();
+  /// Makes room for another fault. history: of takeHistory(); not to be read afterwards. May allocate.
   void giveBack(const History* history);
-  /// Ticks come so far apart from now on. What counts in ticks begins anew: the last second, and late ticks; rows that
-  /// nobody has drained are kept. Not while it ticks; allocates.
+  /// Sets the period of the ticks. What counts in ticks begins anew: the last second, and late ticks; rows that were
+  /// not drained are kept. Not while it ticks; allocates.
   void setPeriod(std::int64_t period_ns);
 
   // Any thread.
-  /// Counts up with each tick: what a watchdog looks at.
+  /// The number of ticks, for a watchdog.
   std::int64_t beats() const noexcept { return beats_->load(std::memory_order_relaxed); }
-  /// Counts in memory of somebody else's from now on; null: in its own again. Not while it ticks.
+  /// Counts ticks in the given memory from now on; null: in its own again. Not while it ticks.
   void beatInto(std::atomic<std::int64_t>* beats) noexcept { beats_ = beats != nullptr ? beats : &own_beats_; }
-  /// The watchdog has cut the force: the tick that follows is a fault.
+  /// Called by the watchdog when it has cut the force: the next tick is a fault.
   void stoodStill(std::int64_t pause_ns) noexcept { stood_still_ns_.store(pause_ns, std::memory_order_relaxed); }
 
  private:
@@ -92,8 +97,8 @@ class Loop {
 
   DevicePort& device_;
   Instance* current_;
-  Instance* waiting_ = nullptr;  // to come in at zero force
-  Tap* tap_ = nullptr;           // who listens
+  Instance* waiting_ = nullptr;  // to be swapped in at zero force
+  Tap* tap_ = nullptr;           // null: none
   bool engaged_ = false;
   bool restart_ = false;
   std::uint32_t epoch_ = 0;  // of the last sample
@@ -102,7 +107,7 @@ class Loop {
   std::int64_t period_ns_, watchdog_ns_;
   system::Clocks clocks_;
   SleepWatch sleep_;
-  std::int64_t slept_ns_ = 0;  // that no tick was told of yet
+  std::int64_t slept_ns_ = 0;  // not reported to a tick yet
   ArmClockWatch arm_clock_;
   std::int64_t counted_ns_ = 0;  // the servo's time where it has no clock
   LateTicks late_;

@@ -5,15 +5,15 @@
 
 namespace underact::servo {
 
-/// How soon a process that ended is started again: almost at once, then each time twice as late, and never more than
-/// kMost times within kWindow_ns, so that one that dies at once each time costs nothing. One that lasted is forgiven.
+/// The delay before a process that ended is started again: nearly none at first, doubled each time, and at most kMost
+/// starts within kWindow_ns, so that one that dies at once costs nothing. A process that lasted resets it.
 class RestartPace {
  public:
   static constexpr int kMost = 6;
   static constexpr std::int64_t kWindow_ns = 60'000'000'000;
   static constexpr std::int64_t kFirst_ns = 20'000'000;
 
-  /// It ended at now_ns, or did not start: when to start it, on the same clock; it is taken to be started then.
+  /// It ended at now_ns, or did not start: gives when to start it, on the same clock, and counts that start.
   std::int64_t next_ns(std::int64_t now_ns) noexcept;
 
  private:

@@ -6,23 +6,23 @@
 
 namespace underact::servo {
 
-/// Whether the machine was suspended: the clock that goes on meanwhile is further ahead of the other one than it was.
+/// Detects that the machine was suspended: the clock that continues during sleep has moved ahead of the other one.
 class SleepWatch {
  public:
-  /// A machine sleeps for seconds; Windows' clocks know of each other to within 16 ms.
+  /// The shortest sleep that is reported: a machine sleeps for seconds; Windows' clocks agree to within 16 ms.
   static constexpr std::int64_t kShortest_ns = 50'000'000;
 
-  /// What was before says nothing: the next look is the first one.
+  /// Forgets the past: the next look is the first one.
   void forget() noexcept UNDERACT_REAL_TIME { knows_ = false; }
 
-  /// How long it slept since the last look; 0: it was awake. The clock with sleep is read first: a thread that is held
-  /// up between the two sees them nearer to each other than they are, and never takes that for sleep. For the same
-  /// reason the first look, which all others are held against, is three.
+  /// How long it slept since the last look; 0: it was awake. The clock with sleep is read first: a thread that is
+  /// delayed between the two readings sees too small a difference, which is never taken for sleep. For the same reason
+  /// the first look, the reference for all others, takes the greatest of three.
   std::int64_t look(const system::Clocks& clocks) noexcept UNDERACT_REAL_TIME {
     return look(clocks, aheadNow_ns(clocks));
   }
 
-  /// The same for who has read both, in that order: how far the one with sleep was ahead.
+  /// The same where both were read already, in that order: how far the one with sleep was ahead.
   std::int64_t look(const system::Clocks& clocks, std::int64_t ahead_ns) noexcept UNDERACT_REAL_TIME {
     if (!knows_) {
       knows_ = true;

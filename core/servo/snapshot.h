@@ -6,11 +6,11 @@
 
 namespace underact::servo {
 
-/// Idle: no force is asked for. Running: the servo pushes. Stopping: the force is on its way to zero. Faulted: it
-/// stopped by itself; report.fault says why.
+/// Idle: no force is asked for. Running: the servo pushes. Stopping: the force is ramping to zero. Faulted: it stopped
+/// by itself; report.fault says why.
 enum class Mode : std::uint8_t { Idle, Running, Stopping, Faulted };
 
-/// What came into a tick besides the sample; bits of Snapshot::input.
+/// The input of a tick besides the sample; bits of Snapshot::input.
 enum InputBit : unsigned {
   kHadSample = 1,  // the arm gave one
   kEngaged = 2,    // the servo was to push
@@ -18,7 +18,7 @@ enum InputBit : unsigned {
   kLate = 8,       // the tick started a whole period late
 };
 
-/// What anyone outside the servo thread knows of the servo: the last tick, and the loop's own state.
+/// The state of the servo for other threads: the last tick, and the loop's own state.
 struct Snapshot {
   tick::TickReport report;
   std::int64_t ticks = 0;      // since the loop was made
@@ -27,7 +27,7 @@ struct Snapshot {
   unsigned input = 0;            // InputBit
   std::int64_t lateness_ns = 0;  // of this tick's start
   std::int64_t tick_ns = 0;      // that the last tick took
-  std::int64_t dropped = 0;      // records that found no room, because nobody fetched them
+  std::int64_t dropped = 0;      // records lost because they were not drained in time
   LateTicks late;
   bool waits_for_button = false;  // hold to run: the servo would push if the stylus button were held
 };

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t kRoom_ns = 4'000'000'000;
 constexpr std::int64_t kRoomAtLeast = 16384;
-constexpr std::size_t kEvents = 1024;  // edits or faults between two visits of the recorder
+constexpr std::size_t kEvents = 1024;  // edits or faults between two readings of the recorder
 
 }  // namespace
 
@@ -57,7 +57,7 @@ scene::Description Tap::takeScene(std::uint64_t revision) {
   const auto found = scenes_.find(revision);
   if (found == scenes_.end()) return {};
   scene::Description scene = std::move(found->second);
-  scenes_.erase(scenes_.begin(), std::next(found));  // older ones never came in
+  scenes_.erase(scenes_.begin(), std::next(found));  // older ones never came into effect
   return scene;
 }
 

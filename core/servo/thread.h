@@ -9,7 +9,7 @@
 namespace underact::servo {
 
 /// The servo thread: ticks a loop on absolute deadlines of monotonicNow_ns(), with the best scheduling that the system
-/// grants. A late tick is not caught up in a burst: the deadlines that passed are left out.
+/// grants. After a late tick there is no burst: the deadlines that passed are left out.
 class Thread {
  public:
   /// rate_hz: 100 to 10000.
@@ -21,6 +21,7 @@ class Thread {
 
   /// Zero force within a period, and no tick until resume(), which begins with a fresh deadline.
   void rest();
+  /// Ticks again. Does not wait.
   void resume();
 
  private:

@@ -6,13 +6,16 @@
 
 namespace underact::servo {
 
-/// Lateness and tick time of every tick since the start, and lateness of the last 10 s, in steps of a second. One
-/// thread; 100 KB.
+/// Latency and duration of every tick since the start, and latency of the last 10 s, in steps of a second. One thread;
+/// 100 KB.
 class Timing {
  public:
+  /// rate_hz: of the ticks, above 0.
   explicit Timing(int rate_hz) : ticks_a_second_(rate_hz) {}
+  /// The next tick.
   void add(const TickRecord& record) noexcept;
   Percentiles lateness() const noexcept { return lateness_.percentiles(); }
+  /// Latency of the last 10 s, counted by ticks at rate_hz.
   Percentiles lateLately() const noexcept;
   Percentiles tickTime() const noexcept { return tick_time_.percentiles(); }
   const Histogram& latenessHistogram() const noexcept { return lateness_; }

@@ -3,7 +3,7 @@
 
 namespace underact::servo {
 
-/// Writes every page of an empty queue once, so that the servo thread meets no page fault there.
+/// Writes to every page of an empty queue once, so that the servo thread has no page fault there.
 template <class T>
 void touchPages(boost::lockfree::spsc_queue<T>& queue) {
   while (queue.push(T{})) {

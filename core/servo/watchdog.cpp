@@ -6,7 +6,7 @@
 
 namespace underact::servo {
 
-constexpr int kLooksInLimit = 5;  // how often it looks within the limit, so that it is late by a fifth at most
+constexpr int kLooksInLimit = 5;  // checks within the limit, so that it is late by a fifth at most
 
 Watchdog::Watchdog(Loop& loop, DevicePort& device, std::int64_t limit_ns)
     : loop_(loop), device_(device), limit_ns_(limit_ns), thread_(&Watchdog::run, this) {}

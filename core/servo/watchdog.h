@@ -9,10 +9,11 @@
 
 namespace underact::servo {
 
-/// Looks at a loop's ticks from a thread of its own. When none came for limit_ns, the device gets zero force, again and
-/// again for as long as ticks are missing, and the loop is told how long that was.
+/// Watches a loop's ticks from a thread of its own. After limit_ns without a tick it writes zero force to the device,
+/// repeatedly while ticks are missing, and reports the length of the pause to the loop.
 class Watchdog {
  public:
+  /// Starts the thread; the destructor ends it and waits. loop and device outlive it. limit_ns: above 0.
   Watchdog(Loop& loop, DevicePort& device, std::int64_t limit_ns);
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;

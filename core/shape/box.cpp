@@ -9,7 +9,7 @@
 namespace underact::shape {
 namespace {
 
-/// From inside: the nearest of the six faces, unless two of them are equally near. d_B: the tip in the box's own axes.
+/// The nearest of the six faces from inside, unless two of them are equally near. d_B: the tip in the box's own axes.
 Nearest fromInside(const Box& box, const Vec3& d_B, const Vec3& p_WT) noexcept {
   const Vec3 to_face_m = box.half_m - d_B.cwiseAbs();
   Eigen::Index nearest = to_face_m[1] < to_face_m[0] ? 1 : 0;

@@ -23,7 +23,7 @@ Nearest closestPoint(const Circle& circle, const Vec3& p_WT) noexcept {
   const Vec3 p_CT_W = p_WT - circle.p_WC;
   const double along_m = p_CT_W.dot(circle.axis_W);
   Vec3 radial_W = p_CT_W - along_m * circle.axis_W;  // eq. 4.19, seen from C
-  // Once more: near the axis the first pass leaves an error along the axis as long as radial_W itself.
+  // Projected again: near the axis the first projection leaves an error along the axis as large as radial_W itself.
   radial_W -= radial_W.dot(circle.axis_W) * circle.axis_W;
   const double off_axis_m = radial_W.norm();
   const double from_rim_m = off_axis_m - circle.radius_m;

@@ -23,7 +23,7 @@ Nearest closestPoint(const Cylinder& cylinder, const Vec3& p_WT) noexcept {
   const Vec3 p_CT_W = p_WT - cylinder.p_WC;
   const double along_m = p_CT_W.dot(cylinder.axis_W);
   Vec3 radial_W = p_CT_W - along_m * cylinder.axis_W;           // eq. 4.25, seen from C
-  radial_W -= radial_W.dot(cylinder.axis_W) * cylinder.axis_W;  // once more, as on the circle
+  radial_W -= radial_W.dot(cylinder.axis_W) * cylinder.axis_W;  // again, as on the circle
   const double off_axis_m = radial_W.norm();
   const double height_m = off_axis_m - cylinder.radius_m;
   if (isOnAxis(off_axis_m, cylinder.p_WC, p_WT)) {

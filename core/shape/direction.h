@@ -6,7 +6,7 @@
 
 namespace underact::shape {
 
-/// vector made a unit vector, whatever its length (1e-300 to 1e300); nothing where it is zero or not finite.
+/// The unit vector of a vector of length 1e-300 to 1e300; none where it is zero or not finite.
 inline std::optional<Vec3> unitOf(const Vec3& vector) {
   const double largest = largestOf(vector);
   if (!(vector.allFinite() && largest > 0.0)) return std::nullopt;

@@ -10,7 +10,7 @@ namespace {
 
 using Span = Eigen::Matrix<double, 3, 2>;  // the ellipse p_WC + span (cos a, sin a)
 
-/// The two vectors R u, R v that span a circle across axis_W.
+/// The two vectors R u, R v that span a circle at right angles to axis_W.
 Span spanAcross(const Vec3& axis_W, double radius_m) {
   const Vec3 u_W = axis_W.unitOrthogonal();
   Span span;
@@ -44,7 +44,7 @@ Ellipse scaled(const Circle& circle, const Vec3& scale) {
 EllipticCylinder scaled(const Cylinder& cylinder, const Vec3& scale) {
   const Vec3 axis_W = scale.cwiseProduct(cylinder.axis_W).normalized();
   Span span_W = scale.asDiagonal() * spanAcross(cylinder.axis_W, cylinder.radius_m);
-  for (int pass = 0; pass < 2; ++pass) span_W -= axis_W * (axis_W.transpose() * span_W);  // once more, as on the circle
+  for (int pass = 0; pass < 2; ++pass) span_W -= axis_W * (axis_W.transpose() * span_W);  // again, as on the circle
   return {fromSpan(scale.cwiseProduct(cylinder.p_WC), span_W)};
 }
 

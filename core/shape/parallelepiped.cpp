@@ -12,8 +12,7 @@ namespace {
 /// edges.
 Vec3 onParallelogram(const Vec3& u, const Vec3& v, const Vec3& d) noexcept {
   const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), ud = u.dot(d), vd = v.dot(d);
-  Vec3 across =
-      v - (uv / uu) * u;  // by Gram and Schmidt, twice: a determinant of squares loses all digits of a thin face
+  Vec3 across = v - (uv / uu) * u;  // by Gram-Schmidt, twice: a determinant of squares cancels for a thin face
   across -= (across.dot(u) / uu) * u;
   const double b = across.dot(d) / across.dot(across), a = u.dot(d - b * v) / uu;
   if (std::abs(a) <= 1.0 && std::abs(b) <= 1.0) return a * u + b * v;

@@ -17,11 +17,7 @@ struct OnQuadric {
   double apart = 0.0;  // NotUnique: how far the mirrored points are
 };
 
-/// semi: the half axes, > 0; y: finite, same unit. NotUnique where mirrored points are equally near (the middle of the
-/// thinnest axis). Cost: at most kQuadricSteps steps of Newton, 4 to 8 in practice.
-/// Source: Eberly, Distance from a point to an ellipse, an ellipsoid, or a hyperellipsoid (2013), with the unknown
-/// counted from the pole of the smallest axis, so that nothing cancels there, and Newton from the left of the root,
-/// where the function is convex and falls, so that no step overshoots.
+/// Newton's steps, at most; 4 to 8 in practice.
 inline constexpr int kQuadricSteps = 40;
 
 /// A lower bound of the s > 0 with (pole / s)^2 + beyond - slope s = 1, within a factor of 16.
@@ -36,6 +32,11 @@ inline double quadricStart(double pole, double beyond, double slope) noexcept UN
   return std::isfinite(start) ? start : 0.0;
 }
 
+/// semi: the half axes, > 0; y: finite, same unit. NotUnique where mirrored points are equally near (the middle of the
+/// thinnest axis). Cost: at most kQuadricSteps steps of Newton.
+/// Source: Eberly, Distance from a point to an ellipse, an ellipsoid, or a hyperellipsoid (2013), with the unknown
+/// counted from the pole of the smallest axis, to avoid cancellation there, and Newton from the left of the root, where
+/// the function is convex and decreasing, so that no step overshoots.
 template <std::size_t N>
 OnQuadric<N> nearestOnQuadric(const std::array<double, N>& semi,
                               const std::array<double, N>& y) noexcept UNDERACT_REAL_TIME {

@@ -6,7 +6,7 @@
 namespace underact::shape {
 namespace {
 
-// By get_if, not std::visit: Clang's effect analysis cannot see that visit does not throw.
+// By get_if, not std::visit: clang's effect analysis cannot see that visit does not throw.
 template <std::size_t... kIndex>
 Nearest choose(const Shape& shape, const Vec3& p_WT, std::index_sequence<kIndex...>) noexcept UNDERACT_REAL_TIME {
   Nearest nearest{p_WT, Status::NotUnique, 0.0};
@@ -47,7 +47,7 @@ Shape scaled(const Shape& shape, const Vec3& scale) {
         } else if constexpr (kIsOf<Chosen, Sphere, Circle, Cylinder, Box>) {
           return shape::scaled(chosen, scale);
         } else {
-          return chosen;  // scaled already
+          return chosen;  // already scaled
         }
       },
       shape);

@@ -14,18 +14,19 @@
 
 namespace underact::shape {
 
-/// Everything the stylus can be held to. The last four are what unequal gains make of the others (see scaled()).
+/// All shapes that the stylus can be held to. The last four are the others in the metric of unequal gains, see
+/// scaled().
 using Shape = std::variant<Point, Sphere, Line, Plane, Circle, Cylinder, Box, Ellipsoid, Ellipse, EllipticCylinder,
                            Parallelepiped>;
 
 /// The point of the shape nearest to p_WT (m, finite): see each shape's own closestPoint().
 Nearest closestPoint(const Shape& shape, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;
 
-/// Whether the shape parts the workspace into an inner and an outer side, so that it can be a wall.
+/// Whether the shape separates the workspace into inside and outside, so that it can be a wall.
 bool hasSides(const Shape& shape);
 
-/// The shape with each coordinate of W multiplied by scale (each > 0): nearest there is nearest in the metric of
-/// scale^2.
+/// The shape with each coordinate of W multiplied by scale (each > 0): the nearest point of it is the nearest one in
+/// the metric of scale^2.
 Shape scaled(const Shape& shape, const Vec3& scale);
 
 }  // namespace underact::shape

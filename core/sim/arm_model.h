@@ -8,7 +8,7 @@
 
 namespace underact::sim {
 
-/// What the simulated arm is made of, as felt at the tip.
+/// The dynamics of the simulated arm, as felt at the tip.
 struct ArmModel {
   std::string name = {};
   std::string title = {};
@@ -20,9 +20,10 @@ struct ArmModel {
   std::optional<arm::EncoderCounts> counts_per_turn = {};  // as measured, 0 where not; none: those of the preset
 };
 
-/// Those measured, and where there is none (0) that of the preset.
+/// The measured counts; where one was not measured (0), that of the preset.
 arm::EncoderCounts countsOf(const arm::EncoderCounts& measured, const arm::EncoderCounts& preset);
 
+/// The models that ship with the program.
 std::span<const ArmModel> armModels();
 
 /// The model of that name, or null.

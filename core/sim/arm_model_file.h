@@ -10,7 +10,7 @@
 
 namespace underact::sim {
 
-/// Where the numbers of a measured arm come from.
+/// The provenance of a measured arm model.
 struct Provenance {
   std::string device;   // "Simulated arm"
   std::string serial;   // empty: it has none
@@ -36,8 +36,9 @@ struct ArmModelFile {
 };
 
 /// {"underact_arm_model": 1, "name", "title", "provenance": {...}, "mass_kg", "friction_N", ...}; keys: the guide,
-/// "Measure the arm". Every problem at once, with places.
+/// "Measure the arm". Problems: all at once, with places.
 Result<ArmModelFile> readArmModel(std::string_view text, const std::string& file_name);
+/// The same of a file. Problems, too: it cannot be read.
 Result<ArmModelFile> readArmModelFile(const std::string& path);
 
 /// The text of the file; readArmModel() reads the same back, number by number.

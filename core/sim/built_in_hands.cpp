@@ -7,8 +7,8 @@
 namespace underact::sim {
 namespace {
 
-// The shipped scenes have their shapes around the origin of W, 40 to 50 mm wide; the hands are made for them, and stay
-// inside reach and joint limits of every arm (hand_script_test).
+// The shapes of the shipped scenes are around the origin of W, 40 to 50 mm wide; the hands are made for them, and stay
+// within reach and joint limits of every arm (hand_script_test).
 constexpr double kTremor_m = 0.5e-3;
 
 struct Stop {
@@ -43,7 +43,7 @@ HandScript sweep() {
                16.0);
 }
 
-/// In to 12 mm from the origin and out again, along each half axis; never from one to its opposite, which would lead
+/// To 12 mm from the origin and back, along each half axis; never from one to the opposite one, which would pass
 /// through the origin, where a sphere has no nearest point.
 HandScript probe() {
   return along({{0, 0, 0, 60},

@@ -3,7 +3,7 @@
 
 namespace underact::sim {
 
-/// A person at the stylus: mass, damper and spring to where the hand wants the tip. The demo figures are assumed.
+/// A hand at the stylus: mass, damper, and spring to where the hand wants the tip. The demo's values are assumed.
 struct HandModel {
   double mass_kg = 0.1;
   double damping_N_s_per_m = 4.0;
@@ -15,7 +15,7 @@ struct HandWish {
   Vec3 p_WT = Vec3::Zero();  // m
   Vec3 v_WT = Vec3::Zero();  // m/s
   Mat3 R_WT = Mat3::Identity();
-  bool turns = false;  // R_WT is meant; false: the wrist stays as it is
+  bool turns = false;  // R_WT counts; false: the wrist stays as it is
 };
 
 }  // namespace underact::sim

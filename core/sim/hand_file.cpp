@@ -23,7 +23,7 @@ bool isRotation(const Mat3& R) {
   return (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= kRotationError && R.determinant() > 0.0;
 }
 
-/// False, and a problem, for a number that no double holds.
+/// False, and a problem, for a number beyond the range of double.
 bool checkFinite(const Value& value, const std::string& path, double number, Findings& findings) {
   if (std::isfinite(number)) return true;
   findings.add(value, path,
@@ -87,7 +87,7 @@ void readTurn(const Value& value, const std::string& path, Mat3& R_WT, Findings&
 /// before_s: the latest time before it.
 HandPoint readPoint(const Value& value, const std::string& path, double before_s, Findings& findings) {
   HandPoint point;
-  point.t_s = kNotANumber;  // stays where the file says none
+  point.t_s = kNotANumber;  // remains where the file gives none
   const Sentence expected =
       said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"t_s\": 0, \"p_mm\": [0, 0, 60]}"});
   if (!isKind(value, json::Kind::Object, path, expected, findings)) return point;
@@ -106,7 +106,7 @@ HandPoint readPoint(const Value& value, const std::string& path, double before_s
   return point;
 }
 
-/// A point that says nothing of its turn keeps that of the one before it, the first ones that of the first that does.
+/// A point without an orientation keeps that of the one before it, the first ones that of the first that has one.
 void carryTurns(std::vector<HandPoint>& path) {
   const auto first = std::find_if(path.begin(), path.end(), [](const HandPoint& point) { return point.turns; });
   if (first == path.end()) return;

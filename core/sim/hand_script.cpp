@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 
-/// Share of the way and its rate, for a share s of the time. Source: Flash and Hogan 1985.
+/// The share of the displacement and its rate, for a share s of the time. Source: Flash and Hogan 1985.
 struct Profile {
   double share;
   double rate;
@@ -21,9 +21,8 @@ Profile minimumJerk(double s) noexcept UNDERACT_REAL_TIME {
   return {s * s * s * (10.0 + s * (6.0 * s - 15.0)), 30.0 * s * s * (1.0 - s) * (1.0 - s)};
 }
 
-/// R_WA turned by a share of the shortest turn to R_WB. Not Eigen's slerp: the last bit of libm's acos and sin is
-/// another on other machines. Half a turn has two shortest ways; which one it takes is fixed, but nothing else says
-/// which.
+/// R_WA rotated by a share of the shortest rotation to R_WB. Not Eigen's slerp: the last bit of libm's acos and sin
+/// differs between machines. For half a turn there are two shortest rotations; the choice is fixed but arbitrary.
 Mat3 turned(const Mat3& R_WA, const Mat3& R_WB, double share) noexcept UNDERACT_REAL_TIME {
   Eigen::Quaterniond q_AB(R_WA.transpose() * R_WB);
   if (q_AB.w() < 0.0) q_AB.coeffs() = -q_AB.coeffs();
@@ -41,7 +40,7 @@ HandWish standAt(const HandPoint& point) noexcept UNDERACT_REAL_TIME {
 HandWish onPath(const std::vector<HandPoint>& path, double t_s) noexcept UNDERACT_REAL_TIME {
   if (path.empty()) return {};
   std::size_t next = 0;
-  for (std::size_t count = path.size(); count > 0;) {  // the first point later than t_s, by halving
+  for (std::size_t count = path.size(); count > 0;) {  // the first point later than t_s, by bisection
     const std::size_t half = count / 2;
     if (path[next + half].t_s <= t_s) {
       next += half + 1;
@@ -62,8 +61,8 @@ HandWish onPath(const std::vector<HandPoint>& path, double t_s) noexcept UNDERAC
   return wish;
 }
 
-/// Three sinusoids an axis, where a hand's tremor lies (8 to 12 Hz). All their periods fit in 2 s, so time is taken
-/// modulo that, and a long run is as exact as a short one.
+/// Three sinusoids for each axis, in the range of a hand's tremor (8 to 12 Hz). All their periods divide 2 s, so time
+/// is taken modulo that, and a long run is as exact as a short one.
 void addTremor(const HandScript& script, std::int64_t time_ns, HandWish& wish) noexcept UNDERACT_REAL_TIME {
   constexpr std::array<double, 3> kFrequencies_Hz{8.0, 9.5, 11.0};
   const double t_s = static_cast<double>(time_ns % (2 * kSecond_ns)) / static_cast<double>(kSecond_ns);
@@ -85,7 +84,7 @@ HandWish wishAt(const HandScript& script, std::int64_t time_ns) noexcept {
   std::int64_t path_ns = time_ns;
   const auto repeat_ns = static_cast<std::int64_t>(script.repeat_s * static_cast<double>(kSecond_ns));
   if (repeat_ns > 0) path_ns %= repeat_ns;
-  // Divided, not multiplied by 1e-9: so a point's own time, written in decimals, is met exactly.
+  // Divided, not multiplied by 1e-9: so a point's own time, written in decimals, is exact.
   HandWish wish = onPath(script.path, static_cast<double>(path_ns) / static_cast<double>(kSecond_ns));
   if (script.tremor_m != 0.0) addTremor(script, time_ns, wish);
   return wish;

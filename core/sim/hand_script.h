@@ -16,7 +16,7 @@ struct HandPoint {
   double t_s = 0.0;
   Vec3 p_WT = Vec3::Zero();  // m
   Mat3 R_WT = Mat3::Identity();
-  bool turns = false;  // R_WT is meant; between two points the stylus is turned where both turn
+  bool turns = false;  // R_WT counts; the stylus rotates between two points that both have it
 };
 
 /// What a scripted hand does: minimum-jerk motion from point to point (the last one held), plus a tremor.
@@ -28,11 +28,12 @@ struct HandScript {
   std::uint64_t seed = 0;       // of the tremor's phases
 };
 
-/// Where the script wants the hand at time_ns since its start; a pure function, the same bits on every machine.
-/// Before the first point it waits there. Source of the profile: Flash and Hogan 1985, 10 s^3 - 15 s^4 + 6 s^5; the
-/// stylus turns about one axis by the same profile.
+/// Where the script wants the hand at time_ns since its start; a pure function, bit-identical on every machine. Before
+/// the first point it waits there. Source of the profile: Flash and Hogan 1985, 10 s^3 - 15 s^4 + 6 s^5; the stylus
+/// rotates about one axis by the same profile.
 HandWish wishAt(const HandScript& script, std::int64_t time_ns) noexcept UNDERACT_REAL_TIME;
 
+/// A hand that ships with the program.
 struct BuiltInHand {
   const char* name;
   const char* what;  // one sentence
@@ -42,9 +43,10 @@ std::span<const BuiltInHand> builtInHands();  // still, sweep, probe, tremor, st
 /// A built-in script by name. Problems: no such name (the names are in the sentence).
 Result<HandScript> builtInHand(std::string_view name, std::uint64_t seed);
 
-/// {"underact_hand": 1, "hand": {...}, "path": [{"t_s", "p_mm", "R_WT"}, ...]}; every problem at once, with places. A
-/// point without R_WT keeps the turn of the one before it (before the first that has one: that one's).
+/// {"underact_hand": 1, "hand": {...}, "path": [{"t_s", "p_mm", "R_WT"}, ...]}. A point without R_WT keeps the
+/// orientation of the one before it (before the first that has one: that one's). Problems: all at once, with places.
 Result<HandScript> readHand(std::string_view text, const std::string& file_name);
+/// The same of a file. Problems, too: it cannot be read.
 Result<HandScript> readHandFile(const std::string& path);
 
 }  // namespace underact::sim

@@ -12,7 +12,7 @@
 namespace underact::sim {
 namespace {
 
-constexpr double kLeastLever_m = 1e-3;  // a joint that moves the tip less than this a radian brings it nowhere
+constexpr double kLeastLever_m = 1e-3;  // a joint that moves the tip less than this per radian is not used
 
 bool isFinite(const Vec3& v) noexcept UNDERACT_REAL_TIME {
   return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
@@ -22,7 +22,7 @@ bool isFinite(const Mat3& m) noexcept UNDERACT_REAL_TIME {
   return isFinite(Vec3(m.col(0))) && isFinite(Vec3(m.col(1))) && isFinite(Vec3(m.col(2)));
 }
 
-/// What acts on the tip over a substep besides the arm's force.
+/// The forces on the tip over a substep besides the arm's.
 struct Pull {
   double mass_kg;
   double own_damping_N_s_per_m;  // of the arm: against its velocity
@@ -31,29 +31,28 @@ struct Pull {
   double friction_N;
 };
 
-/// What the velocities v at a substep's begin and v' at its end count, shares that sum to 1: for the way, and for the
-/// dampers.
+/// The weights of the velocities v at the beginning and v' at the end of a substep, which sum to 1: for the
+/// displacement, and for the dampers.
 struct Shares {
   double way_begin, damping_begin;
 };
 
-/// Without a mass there is no velocity to start from, and v' alone counts.
+/// Without a mass there is no initial velocity, and v' alone counts.
 Shares sharesOf(Integrator integrator, double mass_kg) noexcept UNDERACT_REAL_TIME {
   if (integrator == Integrator::EndVelocity || !(mass_kg > 0.0)) return {0.0, 0.0};
   return {0.5, integrator == Integrator::Trapezoidal ? 0.5 : 0.0};
 }
 
-/// One substep: the momentum equation, solved for the velocity at its end. With w the share of v in the way and d its
-/// share in the dampers (1 - w and 1 - d those of v'), b_a the arm's own damping and b the hand's:
-///   x' = x + dt (w v + (1 - w) v')
-///   M (v' - v) = dt (f - b_a (d v + (1 - d) v') + b (v_w - d v - (1 - d) v') + k (x_w - x_s)) - r, |r| <= mu dt
-/// r against v', and x_s where the spring is taken: x', or with d = 1/2 the middle of x and x' (v_w, x_w: there, too).
-/// The way by v' alone has a force act half a substep early. The solution is exact: an impulse below the friction
-/// leaves v' = 0, and no direction is ever reversed by it.
+/// One substep: the momentum equation, solved for the velocity at its end. With w the share of v in the displacement
+/// and d its share in the dampers (1 - w and 1 - d those of v'), b_a the arm's own damping and b the hand's:   x' = x +
+/// dt (w v + (1 - w) v')   M (v' - v) = dt (f - b_a (d v + (1 - d) v') + b (v_w - d v - (1 - d) v') + k (x_w - x_s)) -
+/// r, |r| <= mu dt r against v', and x_s where the spring is evaluated: x', or with d = 1/2 the middle of x and x'
+/// (v_w, x_w: there, too). A displacement by v' alone makes a force act half a substep early. The solution is exact: an
+/// impulse below the friction leaves v' = 0, and friction never reverses a direction.
 void substep(const Pull& pull, const Shares& shares, const Vec3& f_T_W, const Vec3& p_WH, const Vec3& v_WH, double dt_s,
              PlantState& state) noexcept UNDERACT_REAL_TIME {
   const double begin_s = dt_s * shares.way_begin, end_s = dt_s - begin_s;
-  const double spring = 1.0 - shares.damping_begin;  // share of the way after which the spring is taken
+  const double spring = 1.0 - shares.damping_begin;  // share of the displacement after which the spring is evaluated
   const double b = pull.own_damping_N_s_per_m + pull.damping_N_s_per_m, k = pull.stiffness_N_per_m;
   const Vec3 p_WFree = state.p_WT + begin_s * state.v_WT;
   const Vec3 p_WSpring = state.p_WT + (spring * begin_s) * state.v_WT;
@@ -71,11 +70,11 @@ void substep(const Pull& pull, const Shares& shares, const Vec3& f_T_W, const Ve
   state.p_WT = p_WFree + end_s * state.v_WT;
 }
 
-/// Joints 1 to 3 within their limits that bring the tip near to p_WT, a place that they cannot reach: one joint after
-/// the other, from q_rad on, which is the nearer of where they are and of where p_WT's own joints end up when they are
-/// cut. (Cut joints alone point 30 mm beside it where the elbow is nearly straight.)
+/// Joints 1 to 3 within their limits that bring the tip near to p_WT, which they cannot reach: one joint after the
+/// other, beginning at q_rad, the better of the present joints and the clamped joints for p_WT. (Clamped joints alone
+/// are off by 30 mm where the elbow is nearly straight.)
 void slideAtStop(const arm::Preset& arm, const Vec3& p_WT, arm::JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
-  constexpr int kSweeps = 8;  // joint 1 moves across the plane of 2 and 3, of which mostly one is at its stop
+  constexpr int kSweeps = 8;  // joint 1 is independent of 2 and 3, of which mostly one is at its stop
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (std::size_t joint = 0; joint < 3; ++joint) {
       const arm::Tip tip = arm::tip(arm.geometry, q_rad);
@@ -88,7 +87,7 @@ void slideAtStop(const arm::Preset& arm, const Vec3& p_WT, arm::JointAngles& q_r
   }
 }
 
-/// Brings tip and joints 1 to 3 together, inside reach and limits; the wrist stays.
+/// Makes tip and joints 1 to 3 consistent, within reach and limits; the wrist stays.
 void holdInLimits(const arm::Preset& arm, PlantState& state) noexcept UNDERACT_REAL_TIME {
   const arm::Reach reach = arm::reach(arm.geometry, state.p_WT);
   const arm::JointAngles held_rad = arm::withinLimits(arm.limits, reach.q_rad);
@@ -147,7 +146,7 @@ PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, cons
     const Vec3 p_WH = p_WEnd - (kSecondPerNanosecond * static_cast<double>(left_ns)) * v_WH;
     substep(pull, shares, force_N, p_WH, v_WH, kSecondPerNanosecond * static_cast<double>(step_ns), state);
   }
-  if (!isFinite(state.p_WT) || !isFinite(state.v_WT)) {  // beyond what a double holds
+  if (!isFinite(state.p_WT) || !isFinite(state.v_WT)) {  // an overflow
     state = before;
     state.v_WT.setZero();
     return state;

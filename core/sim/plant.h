@@ -22,7 +22,7 @@ struct Plant {
 Plant makePlant(const arm::Preset& arm, const ArmModel& model, const HandModel& hand,
                 const Integration& integration = {});
 
-/// All memory of it.
+/// The state of a plant.
 struct PlantState {
   Vec3 p_WT = Vec3::Zero();  // m
   Vec3 v_WT = Vec3::Zero();  // m/s
@@ -34,11 +34,11 @@ PlantState restAt(const Plant& plant, const Vec3& p_WT) noexcept;
 
 /// The state after period_ns under the arm's force f_T_W (held over the period) and the hand's wish, in substeps as
 /// plant.integration says; with the mean velocity a force is neither early nor late. The dampers, the hand's spring and
-/// the Coulomb friction are taken implicitly, so that it sticks without chatter at any step. wish: at the end of the
-/// period; on the way there it moves evenly at its v_WT. Where reach or a joint limit cuts the motion, the tip stands
+/// the Coulomb friction are implicit, so that sticking does not chatter at any step size. wish: at the end of the
+/// period; until then it moves uniformly at its v_WT. Where the reach or a joint limit stops the motion, the tip stays
 /// at the limit and keeps only the velocity along it. A force that is not finite counts as none, a wish that is not
-/// finite as one to stay here. Within reach exact to 4 ulp of way and speed a substep in free flight, and to 64 ulp of
-/// all impulses otherwise. Finite in, finite out; the same bits every time. Cost: linear in period_ns.
+/// finite as one to stay. Within reach exact to 4 ulp of displacement and speed for each substep in free motion, and to
+/// 64 ulp of all impulses otherwise. Finite in, finite out; deterministic to the bit. Cost: linear in period_ns.
 PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, const HandWish& wish,
                    std::int64_t period_ns) noexcept UNDERACT_REAL_TIME;
 

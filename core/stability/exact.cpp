@@ -22,7 +22,7 @@ struct LinearFilter {
   double d = 0.0;
 };
 
-/// First order of the raw difference, backward Euler; time_constant_s 0: the raw difference. s: the last x, the rate.
+/// First order on the raw difference, backward Euler; time_constant_s 0: the raw difference. s: the last x, the rate.
 LinearFilter lowPass(double time_constant_s, double period_s) {
   const double share = period_s / (period_s + time_constant_s);
   LinearFilter filter;
@@ -34,8 +34,8 @@ LinearFilter lowPass(double time_constant_s, double period_s) {
   return filter;
 }
 
-/// Kalman's filter with the gains at which it settles, by iterating its covariance (in units of the noise's).
-/// Source: Kalman 1960; the white acceleration of 1 ms is the law's own (control/velocity.h).
+/// The Kalman filter with its steady-state gains, by iteration of its covariance (in units of the noise's).
+/// Source: Kalman 1960; the white acceleration of 1 ms is that of the law (control/velocity.h).
 LinearFilter kalman(const control::Kalman& settings, double period_s) {
   const double T = period_s, ratio = settings.acceleration / settings.noise, q = ratio * ratio * 1e-3;
   const Eigen::Matrix2d F{{1.0, T}, {0.0, 1.0}}, Q{{q * T * T * T / 3, q * T * T / 2}, {q * T * T / 2, q * T}};
@@ -49,7 +49,7 @@ LinearFilter kalman(const control::Kalman& settings, double period_s) {
     gain = next;
     if (settled) break;
   }
-  LinearFilter filter;  // s: place and rate
+  LinearFilter filter;  // s: position and rate
   filter.A = F - gain * F.row(0);
   filter.b = gain;
   filter.c = filter.A.row(1);
@@ -64,14 +64,14 @@ LinearFilter filterOf(const SampledWall& wall) {
   return lowPass(0.0, wall.period_s());
 }
 
-/// dx/dt over x of a way x = z^n.
+/// The transfer function from x to dx/dt for x = z^n.
 std::complex<double> rateOf(const LinearFilter& filter, const std::complex<double>& z) {
   const Eigen::MatrixXcd zI_A = z * Eigen::MatrixXcd::Identity(filter.b.size(), filter.b.size()) - filter.A;
   const Eigen::VectorXcd memory = zI_A.partialPivLu().solve(filter.b.cast<std::complex<double>>());
   return (filter.c.cast<std::complex<double>>() * memory)(0) + filter.d;
 }
 
-/// What a period makes of x, v and a force that is held.
+/// The map over a period of x, v and a constant force.
 Mat3 motionOver(const SampledWall& wall) {
   Mat3 motion = Mat3::Zero();
   motion(0, 1) = 1.0;
@@ -88,7 +88,7 @@ Mat3 motionOver(const SampledWall& wall) {
   return period;
 }
 
-/// The greatest K up to which is_well holds, which it does at 0; none: it holds up to the most there is.
+/// The greatest K up to which is_well holds, which it does at 0; none: it holds up to the maximum.
 template <class IsWell>
 std::optional<double> greatest(const IsWell& is_well) {
   if (!is_well(0.0)) return 0.0;
@@ -105,7 +105,7 @@ std::optional<double> greatest(const IsWell& is_well) {
   return well;
 }
 
-/// All of a wall's loop but its stiffness.
+/// The loop of a wall without its stiffness.
 struct Loop {
   const SampledWall& wall;
   LinearFilter filter;
@@ -145,7 +145,7 @@ double spectralRadius(const SampledWall& wall, double stiffness_N_per_m) {
 
 std::optional<double> exactLimit(const SampledWall& wall) {
   if (!wall.isLinear()) return std::nullopt;
-  // Free, a mass keeps its place and is no swing: what counts begins with the least stiffness.
+  // A free mass keeps its position and does not oscillate: the search begins with the least stiffness.
   return greatest([loop = loopOf(wall)](double K) { return radiusOf(loop, std::max(K, 1e-3)) < 1.0; });
 }
 
@@ -157,7 +157,7 @@ double passiveLimit(const SampledWall& wall) {
   for (int n = 1; n <= kFrequencies; ++n) {
     const double omega = kPi / T * n / kFrequencies;
     const std::complex<double> z = std::polar(1.0, omega * T);
-    // b >= T/2 / (1 - cos omega T) Re((1 - 1/z) H), H = (K + B rate) / z^d: what each of K and B asks of the damping.
+    // b >= T/2 / (1 - cos omega T) Re((1 - 1/z) H), H = (K + B rate) / z^d: the damping required by each of K and B.
     const std::complex<double> asks =
         0.5 * T / (1.0 - std::cos(omega * T)) * (1.0 - 1.0 / z) * std::pow(z, -wall.delay_ticks);
     const double left = wall.damping_N_s_per_m - wall.kd_N_s_per_m * (asks * rateOf(filter, z)).real();

@@ -15,7 +15,7 @@ Variant variant(std::string name, Change change) {
   return made;
 }
 
-/// The wall in a hand of so much, beside the arm's own mass and damping.
+/// The wall with such a hand, besides the arm's own mass and damping.
 Variant held(std::string name, const sim::HandModel& hand) {
   return variant(std::move(name), [&](SampledWall& wall) {
     wall.mass_kg += hand.mass_kg;

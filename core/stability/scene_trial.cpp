@@ -13,13 +13,13 @@
 namespace underact::stability {
 namespace {
 
-constexpr double kSpeed_m_per_s = 5e-3;  // 0.05 mm of way at 500 N/m: robots are still straight
+constexpr double kSpeed_m_per_s = 5e-3;  // 0.05 mm of motion at 500 N/m: robots are still linear
 constexpr double kRamps_s = 0.5;         // the gate's take 0.3 s
-constexpr double kSettling = 30.0;       // swings over 2 pi, critically damped: 1e-12 is left
-constexpr int kLooks = 16;               // times as long it may take, while hardly anything changes
+constexpr double kSettling = 30.0;       // periods over 2 pi, critically damped: 1e-12 is left
+constexpr int kLooks = 16;               // times as long at most, while hardly anything changes
 constexpr double kTells = 5e-3;          // there is no noise in it
-constexpr double kHolds = 0.05;          // of the swing, that a tip which is held at all leaves its target by
-constexpr double kActive_J = 1e-12;      // rounding of the observer's sum, of some 1e-7 J that go to and fro
+constexpr double kHolds = 0.05;          // relative to the motion: the least distance of a held tip from its target
+constexpr double kActive_J = 1e-12;      // rounding of the observer's sum, of some 1e-7 J exchanged
 
 scene::Description withStiffness(scene::Description scene, const SceneWall& wall, double stiffness_N_per_m) {
   scene::Control& control = *scene.constraints[0].control;  // onlyOne() gave it one
@@ -43,9 +43,9 @@ int ticksIn(double seconds, const SceneWall& wall) {
   return static_cast<int>(seconds * wall.rate_hz);
 }
 
-/// Where the tip comes to rest from from_W on, under damping enough. A robot whose turn counts, too, is not drawn to
-/// the tip itself, so that its target can not be followed there step by step, and where it rests depends on the
-/// stiffness: from 10 to 5000 N/m some mm apart.
+/// The rest position of the tip, starting from from_W with enough damping. The target of a robot with orientation
+/// depends on the stylus, too, so that it cannot be found by iteration, and the rest position depends on the stiffness:
+/// from 10 to 5000 N/m by some mm.
 Result<Vec3> restingPlace(const SceneWall& wall, const tick::TickProgram& program, sim::Plant plant,
                           double stiffness_N_per_m) {
   const double swing_s = std::sqrt(wall.mass_kg / stiffness_N_per_m);
@@ -62,7 +62,7 @@ Result<Vec3> restingPlace(const SceneWall& wall, const tick::TickProgram& progra
   return loop.arm().p_WT;
 }
 
-/// The tip where it rests, the gate's ramps done.
+/// The tip at rest, with the gate's ramps completed.
 struct AtRest {
   lab::Loop loop;
   tick::TickState state;
@@ -99,11 +99,11 @@ SceneTrial follow(const SceneWall& wall, const tick::TickProgram& program, AtRes
   return result;
 }
 
-// A way oblique to all axes, and back, since a rim holds only on its way out; and another, which may stir what the
-// first does not.
+// A direction oblique to all axes, and the opposite one, since a rim holds in one direction only; and another one,
+// which may excite what the first does not.
 const Vec3 kWays_W[]{{0.9, -0.5, 0.6}, {-0.9, 0.5, -0.6}, {1.0, 0.8, -0.6}};
 
-/// one: the scene with nothing but the constraint that is asked.
+/// one: the scene with the constraint in question alone.
 Result<SceneTrial> tryOne(const SceneWall& wall, const scene::Description& one, double stiffness_N_per_m) {
   Result<tick::TickProgram> program = scene::compile(withStiffness(one, wall, stiffness_N_per_m));
   if (!program) return program.problems();
@@ -146,7 +146,7 @@ Result<double> simulatedLimit(const SceneWall& wall, double share) {
   if (soft.value().trial.behaviour == Behaviour::Grows) return 0.0;
   Problems problems;
   const auto is_calm = [&](double K) {
-    if (!problems.empty()) return false;  // all that follows would be the answer of another question
+    if (!problems.empty()) return false;  // further results would be meaningless
     const Result<SceneTrial> trial = tryOne(wall, one.value(), K);
     if (!trial) problems = trial.problems();
     return trial && trial.value().trial.behaviour != Behaviour::Grows;

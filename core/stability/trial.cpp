@@ -12,14 +12,14 @@
 namespace underact::stability {
 namespace {
 
-constexpr double kLinearPush_m = 1e-6;  // so far that rounding is no part of it, so near that the arm is a mass
-constexpr double kBeyond = 5.0;         // pushes: it will not come back
+constexpr double kLinearPush_m = 1e-6;  // large against rounding, small enough for the arm to be a mass
+constexpr double kBeyond = 5.0;         // pushes: it will not return
 constexpr double kAtRest = 1e-4;        // of the push
-constexpr double kSeconds = 0.5;        // before the first look, at least
-constexpr double kSwings = 6.0;         // of the stiffness alone, before the first look: more than one in a quarter
-constexpr double kMostTicks = 4e6;      // before the first look; what is slower than that is judged too soon
-constexpr double kLeast_N_per_m = 1e-2, kUsualLeast_N_per_m = 1.0;  // where the search begins
-constexpr int kLinearLooks = 256, kOtherLooks = 16;  // times as long it may take, while hardly anything changes
+constexpr double kSeconds = 0.5;        // before the first judgement, at least
+constexpr double kSwings = 6.0;         // periods before the first judgement: more than one in a quarter
+constexpr double kMostTicks = 4e6;      // before the first judgement; slower motions are judged too early
+constexpr double kLeast_N_per_m = 1e-2, kUsualLeast_N_per_m = 1.0;  // the start of the search
+constexpr int kLinearLooks = 256, kOtherLooks = 16;  // times as long at most, while hardly anything changes
 
 }  // namespace
 
@@ -69,7 +69,7 @@ bool Watch::goesOn(double off_m) {
   trial_.behaviour = judge();
   trial_.amplitude_m = late_m;
   if (told) return false;
-  early_ = late_;  // this last quarter is the end of the second quarter of twice as many ticks
+  early_ = late_;  // the last quarter becomes the end of the second quarter of twice as many ticks
   late_ = {};
   next_ *= 2;
   return true;
@@ -99,7 +99,7 @@ Trial tryWall(const SampledWall& wall, double stiffness_N_per_m, double push_m) 
     state = advance(plant, state, asked[(tick + 1) % (late + 1)], wish, wall.period_ns);
     if (watch.goesOn(state.p_WT.x() - p_WP.x())) continue;
     Trial trial = watch.trial();
-    trial.amplitude_m *= push_m / off_m;  // of a linear wall it goes with the push
+    trial.amplitude_m *= push_m / off_m;  // of a linear wall it is proportional to the push
     return trial;
   }
 }

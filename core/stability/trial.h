@@ -5,8 +5,8 @@
 
 namespace underact::stability {
 
-/// What becomes of a push. Rest: it dies out. LimitCycle: it goes on, no larger than the push. Grows: it goes beyond
-/// the push; where no steps or friction sustain a swing: it grows at all.
+/// The outcome of a push. Rest: it decays. LimitCycle: it persists, no larger than the push. Grows: it exceeds the
+/// push, or, where no steps or friction sustain an oscillation, it grows at all.
 enum class Behaviour : std::uint8_t { Rest, LimitCycle, Grows };
 
 /// "rest", "limit_cycle", "grows".
@@ -15,26 +15,27 @@ const char* name(Behaviour behaviour);
 /// How one trial ended.
 struct Trial {
   Behaviour behaviour = Behaviour::Rest;
-  double amplitude_m = 0.0;  // at the end: half of the span that is swung over; a tip that is stuck swings over none
+  double amplitude_m = 0.0;  // at the end: half of the range of the oscillation; 0 for a stuck tip
   int ticks = 0;             // simulated
 };
 
-/// Linear: one swing, that grows for good or dies out. Smooth: several at once, slow ones among them, of which one may
-/// hide another for a while. Stepped: steps of encoders or friction may sustain a swing, up to some size.
+/// Linear: one oscillation, which grows or decays. Smooth: several at once, slow ones among them, which may hide each
+/// other for a while. Stepped: encoder steps or friction may sustain an oscillation of bounded size.
 enum class Motion : std::uint8_t { Linear, Smooth, Stepped };
 
-/// Follows the swings of anything, tick by tick, until it can tell what becomes of them.
+/// Observes an oscillation, tick by tick, until its outcome is clear.
 class Watch {
  public:
+  /// When the oscillation is judged, and of which kind it is.
   struct Rules {
-    int least_ticks = 0;  // before the first look; then as many again, twice as many, ...
-    int most_ticks = 0;   // then the last look decides
+    int least_ticks = 0;  // before the first judgement; then as many again, twice as many, ...
+    int most_ticks = 0;   // then the last judgement counts
     Motion motion = Motion::Linear;
-    double tells = 0.02;  // a change by this share, from one look to the next, says where it goes
+    double tells = 0.02;  // a relative change by this, from one judgement to the next, is decisive
   };
-  /// push_m: how far off it starts, above 0.
+  /// push_m: the initial distance, above 0.
   Watch(double push_m, const Rules& rules);
-  /// off_m: how far it is from where it should rest, this tick, with or without a sign. false: it is told; see trial().
+  /// off_m: the distance from rest in this tick, with or without a sign. false: the outcome is clear; see trial().
   bool goesOn(double off_m);
   const Trial& trial() const { return trial_; }
 
@@ -54,18 +55,18 @@ class Watch {
   Trial trial_;
 };
 
-/// Ticks before the first look, so that each quarter of them holds a swing: half a second at least.
+/// Ticks before the first judgement, so that each quarter of them contains an oscillation: half a second at least.
 int ticksToSee(double mass_kg, double stiffness_N_per_m, double period_s);
 
-/// A trial in the simulated loop: the simulated arm under the program's own law, pushed along x by push_m: with
-/// friction the answer depends on it. Linear walls are pushed by a micrometre, and their amplitude told as of push_m.
+/// A trial with the simulated arm under the program's own law, pushed along x by push_m: with friction the outcome
+/// depends on it. Linear walls are pushed by a micrometre, and their amplitude scaled to push_m.
 Trial tryWall(const SampledWall& wall, double stiffness_N_per_m, double push_m = 1e-3);
 
-/// The greatest K, N/m, to `share` of itself, up to which a trial does not grow: by doubling, then by halving. 0: below
-/// 0.01; kMostStiffness_N_per_m: all.
+/// The greatest K, N/m, to `share` of itself, up to which a trial does not grow: by doubling, then by bisection. 0:
+/// below 0.01; kMostStiffness_N_per_m: all.
 double simulatedLimit(const SampledWall& wall, double share = 2e-3);
 
-/// The same search over anything that can be tried at a stiffness, and is calm at the least.
+/// The same search for any trial at a stiffness that does not grow at the least one.
 template <class IsCalm>
 double limitBySearch(const IsCalm& is_calm, double least, double most, double share) {
   double calm = least, wild = 2.0 * least;

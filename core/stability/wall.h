@@ -4,8 +4,8 @@
 
 namespace underact::stability {
 
-/// A mass with damping in a hand, held by a virtual wall that is felt through samples: F = -(K x + B dx/dt), held over
-/// a period, late by some periods. K is what is asked for.
+/// A mass with damping in a hand, held by a sampled virtual wall: F = -(K x + B dx/dt), held over a period and delayed
+/// by some periods. K is the unknown.
 struct SampledWall {
   double mass_kg = 0.045;          // of arm and hand; above 0
   double damping_N_s_per_m = 0.1;  // of arm and hand, from 0 on
@@ -17,17 +17,18 @@ struct SampledWall {
   double friction_N = 0.0;  // Coulomb's
   double coarseness = 0.0;  // of the encoders: 1 in steps of the arm's own, 2 in steps twice as long; 0: exact
 
+  /// Of a tick.
   double period_s() const { return 1e-9 * static_cast<double>(period_ns); }
-  /// Whether eigenvalues say all: no friction, no steps, a linear filter.
+  /// Whether the wall is linear, so that eigenvalues decide: no friction, no steps, a linear filter.
   bool isLinear() const;
 };
 
 inline constexpr int kMostDelay = 16;
 
-/// The velocity that the encoders' own filter would have at its usual settings, in m.
+/// The default Kalman filter, in m.
 control::Velocity usualKalman();
 
-/// The simulated arm that is as heavy and as damped, its tip free but for the hand's spring.
+/// A simulated arm of the same mass and damping, its tip free apart from the hand's spring.
 sim::Plant plantOf(const SampledWall& wall);
 
 }  // namespace underact::stability

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kLargestProgram = std::size_t{4} << 30U;
 
-/// Whether an object in memory decides what numbers come out: the program, first and without a name, and the libraries
-/// of trigonometry and of powers. Others (MPI's parts, what the kernel puts in) may differ from rank to rank.
+/// Whether a loaded object affects the results: the program, first and without a name, and the libraries of
+/// trigonometry and powers. Others (parts of MPI, of the kernel) may differ between ranks.
 bool computes(std::string_view path, bool is_program) {
   const std::string_view name = path.substr(path.rfind('/') + 1);
   return is_program || name.starts_with("libsleef.") || name.starts_with("libm.");
@@ -35,7 +35,7 @@ const std::string& buildOf() {
     for (const system::Loaded& object : system::loadedHere()) {
       if (computes(object.path, found.empty())) found.push_back(identityOf(object));
     }
-    std::sort(found.begin(), found.end());  // libraries come in the order in which they were loaded
+    std::sort(found.begin(), found.end());  // libraries are in the order of loading
     std::string all;
     for (const std::string& one : found) all += one + "\n";
     return checksumOf(all);

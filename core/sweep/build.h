@@ -4,12 +4,12 @@
 
 namespace underact::sweep {
 
-/// 32 hexadecimal digits of what computes the rows: this program, and the libraries of mathematics that it was started
-/// with. Another build has others, also where its version is the same. By the linker's build ids, which neither strip
-/// nor an installation changes; of a program without one, by its bytes.
+/// 32 hexadecimal digits that identify what computes the rows: this program, and the mathematical libraries that it was
+/// started with. They differ for another build, even of the same version. From the linker's build ids, which neither
+/// strip nor an installation changes; for a program without one, from its bytes.
 const std::string& buildOf();
 
-/// 32 hexadecimal digits that tell contents apart, also those that differ by damage; no defence against forgery.
+/// 32 hexadecimal digits that detect different or damaged contents; no protection against forgery.
 std::string checksumOf(std::string_view bytes);
 
 }  // namespace underact::sweep

@@ -11,7 +11,7 @@
 namespace underact::sweep {
 namespace {
 
-/// A rank that runs what it is handed.
+/// A rank that runs the cells it is given.
 class Follower {
  public:
   Follower(const Sweep& sweep, Team& team, int threads, const std::function<bool()>& interrupted)
@@ -62,7 +62,7 @@ class Follower {
   Team& team_;
   const std::function<bool()>& interrupted_;
   Workers workers_;
-  std::size_t asked_ = 0;  // cells asked for that have not come
+  std::size_t asked_ = 0;  // cells asked for and not yet received
   bool stopping_ = false;
   bool told_interrupt_ = false;
 };

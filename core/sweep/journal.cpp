@@ -16,16 +16,16 @@
 namespace underact::sweep {
 namespace {
 
-constexpr std::size_t kChecksum = 16;  // digits of a line: one in 2^64 damaged ones is not seen
-constexpr std::size_t kLargestJournal = std::size_t{8} << 30U;  // beyond any result that a table program opens
+constexpr std::size_t kChecksum = 16;  // digits for each line: one in 2^64 damaged lines is not detected
+constexpr std::size_t kLargestJournal = std::size_t{8} << 30U;  // larger than any result that a table program opens
 constexpr std::string_view kFirst = "underact-sweep-journal 1 ";
 
-/// The sweep's fingerprint is in every line's checksum, so that no line of another sweep counts.
+/// A line of the journal. The checksum includes the sweep's fingerprint, so that no line of another sweep counts.
 std::string lineOf(const std::string& fingerprint, const std::string& text) {
   return checksumOf(fingerprint + text).substr(0, kChecksum) + " " + text + "\n";
 }
 
-/// What stands in a line without its end; none: it is damaged.
+/// The text of a line without its end; none: it is damaged.
 std::optional<std::string> textIn(const std::string& fingerprint, std::string_view line) {
   if (line.size() <= kChecksum) return {};
   std::string text(line.substr(kChecksum + 1));
@@ -42,7 +42,7 @@ Problems systemProblem(const std::string& path, const std::string& what, int err
   return problemAt(path, what + ": " + std::generic_category().message(error) + ".");
 }
 
-/// Cell and row of "CELL ROW"; none: it is no such text.
+/// Cell and row of "CELL ROW"; none: another format.
 std::optional<std::pair<std::size_t, std::string>> cellIn(const std::string& text) {
   std::size_t cell = 0;
   const char* const end = text.data() + text.size();
@@ -51,7 +51,7 @@ std::optional<std::pair<std::size_t, std::string>> cellIn(const std::string& tex
   return std::pair{cell, std::string(at + 1, end)};
 }
 
-/// Why a journal is not used. first: its first line, with its end.
+/// Why a journal cannot be used. first: its first line, with its end.
 std::string refusal(std::string_view first, std::size_t fingerprint) {
   const std::size_t words = kFirst.size() + fingerprint + 1;
   const bool is_known = first.starts_with(kFirst) && first.size() > words;
@@ -91,7 +91,7 @@ Problems Journal::read(const Sweep& sweep) {
   const std::string_view here = std::string_view(text).substr(0, text.find('\n') + 1);
   const bool is_torn_first = here.empty() && (text.starts_with(kFirst) || kFirst.starts_with(text));
   if (here != first && !is_torn_first) return problemAt(path_, refusal(here, sweep.fingerprint.size()));
-  const std::size_t whole = text.rfind('\n') + 1;  // what comes behind was torn by a kill; of none, 0
+  const std::size_t whole = text.rfind('\n') + 1;  // what follows is an incomplete line; without a line, 0
   if (const int reason = system::cutTo(file_.number(), whole); reason != 0)
     return systemProblem(path_, "The journal of finished cells cannot be written", reason);
   if (whole == 0) return write(first);

@@ -16,13 +16,12 @@ namespace underact::sweep {
 struct Cells {
   std::size_t count = 0;
   std::vector<std::string> columns;  // of a row, without the cell's number and seed, which every result begins with
-  /// The files that were read and a checksum of what was in each, as checksumOf() gives it (core/sweep/build.h): a
-  /// sweep that goes on with other content would mix two.
+  /// The files that were read and a checksum of each, as checksumOf() gives it (core/sweep/build.h): a sweep that is
+  /// continued with other contents would mix the two.
   std::vector<std::pair<std::string, std::string>> files;
-  /// Runs one cell. A function of index (below count) and seed alone: no clock, thread, rank or order of calls may have
-  /// a part in it. Called by several threads at once, so it must not change what it shares. Problems end the sweep;
-  /// what merely went wrong inside a simulation (a fault, a limit that was not found) is a result and belongs in the
-  /// row.
+  /// Runs one cell. A function of index (below count) and seed alone: independent of clock, thread, rank and order of
+  /// calls. Called by several threads at once, so it must not change what they share. Problems end the sweep; a failure
+  /// within a simulation (a fault, a limit that was not found) is a result and belongs in the row.
   std::function<Result<Row>(std::size_t index, std::uint64_t seed)> run;
 };
 
@@ -31,7 +30,7 @@ struct Kind {
   std::string key;       // "hands": its name on the command line, in files and results
   std::string question;  // that it answers, one sentence
   std::vector<Option> options;
-  /// Reads what the options name. Problems: all there are, options.problems() among them.
+  /// Reads the files named by the options and makes the cells. Problems: all at once, options.problems() among them.
   Result<Cells> (*make)(Options& options);
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::chrono::microseconds kLookAround{200'000};
 
-/// One sweep on its way, as the leader sees it.
+/// A running sweep, as seen by the leader.
 class Leader {
  public:
   Leader(const Sweep& sweep, Journal& journal, Team* team, int threads, const Watcher& watcher)
@@ -44,7 +44,7 @@ class Leader {
   }
 
  private:
-  /// The next cells to those who want some: one each in turn, so that the last ones are spread.
+  /// Gives the next cells to those who want some: one each in turn, so that the last ones are distributed.
   void handOut() {
     std::vector<std::vector<std::size_t>> shares(wanted_.size());
     bool gave = true;
@@ -111,7 +111,7 @@ class Leader {
   }
 
   void fail(Problems problems) {
-    // The first says why; what follows mostly follows from it.
+    // The first problem is the reason; later ones mostly follow from it.
     if (outcome_.problems.empty()) outcome_.problems = std::move(problems);
     if (!stopping_) stop();
   }
@@ -134,8 +134,8 @@ class Leader {
   const Watcher& watcher_;
   Workers workers_;
   std::vector<std::size_t> open_;    // the next one last
-  std::vector<std::size_t> wanted_;  // by rank: cells it asked for and has not got
-  std::size_t others_ = 0;           // that have not said good-bye
+  std::vector<std::size_t> wanted_;  // by rank: cells it asked for and has not received
+  std::size_t others_ = 0;           // that have not said goodbye
   bool stopping_ = false;
   bool is_full_ = false;
   Outcome outcome_;

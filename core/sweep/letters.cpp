@@ -10,7 +10,8 @@ namespace {
 constexpr std::array<std::string_view, 5> kWords{"hello", "done", "trouble", "interrupted", "bye"};
 constexpr std::string_view kStop = "stop", kCells = "cells";
 
-/// Takes what stands before the next `at` (all, where there is none), and it, off the front of text.
+/// Removes the part up to the next `at` (all, if there is none), and that character, from the front of text, and gives
+/// it.
 std::string_view takeUntil(std::string_view& text, char at) {
   const std::size_t found = text.find(at);
   const std::string_view taken = text.substr(0, found);

@@ -6,12 +6,15 @@
 
 namespace underact::sweep {
 
-// What is in the letters between the leader and the other ranks.
+// The contents of the letters between the leader and the other ranks.
 
-/// From a rank to the leader. Hello: its first, with the fingerprint of its sweep. Done: what it has finished, and how
-/// many more cells it wants. Trouble: why it cannot go on. Interrupted: it was asked to end. Bye: its last, after Stop.
+/// From a rank to the leader. Hello: the first one, with the fingerprint of its sweep. Done: finished cells, and how
+/// many more it wants. Trouble: why it cannot continue. Interrupted: it was asked to end. Bye: the last one, after
+/// Stop.
 enum class Word { Hello, Done, Trouble, Interrupted, Bye };
+/// A letter from a rank.
 struct Report {
+  /// A cell that is done, and its row of the journal.
   struct Line {
     std::size_t cell = 0;
     std::string row;
@@ -28,10 +31,12 @@ struct Order {
   std::vector<std::size_t> cells = {};
 };
 
+// The text of a letter, which the two functions below read back.
 std::string write(const Report& report);
 std::string write(const Order& order);
 /// None: it is no such letter.
 std::optional<Report> readReport(const std::string& letter);
+/// None: it is no such letter.
 std::optional<Order> readOrder(const std::string& letter);
 
 }  // namespace underact::sweep

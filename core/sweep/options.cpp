@@ -11,7 +11,7 @@
 namespace underact::sweep {
 namespace {
 
-/// All of text as a number; none: it is something else.
+/// The whole text as a number; none: it is not one.
 template <class Number>
 std::optional<Number> whole(std::string_view text) {
   Number value{};

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLargestResult = std::size_t{8} << 30U;
 const std::string kGoOn = "Move it away and run the same command again: the cells are kept.";
 
-/// Makes way for the file `beside`, where a program that was killed has left a part of text. Problems: it is something
+/// Removes the file `beside`, if it is a part of text left by a program that was killed. Problems: it is something
 /// else.
 Problems removeTorn(const std::string& beside, std::string_view text) {
   std::error_code ignored;
@@ -62,11 +62,11 @@ Problems writeResult(const Sweep& sweep, const Rows& rows, const std::string& pa
   int error = is_made ? system::writeAll(made.number(), std::as_bytes(std::span(text))) : errno;
   if (error == 0) error = system::sync(made.number());
   if (const int late = made.close(); error == 0) error = late;
-  // On the disk before it has its name: a name without content would pass for a result.
+  // On the disk before it has its name: a name without contents would pass for a result.
   if (error == 0) error = system::renameIfFree(beside, path);
   if (is_made && error != 0) std::remove(beside.c_str());
   if (error == 0) {
-    system::syncFolderOf(path);  // before anybody removes the journal
+    system::syncFolderOf(path);  // before the journal is removed
     return {};
   }
   if (error == EEXIST)

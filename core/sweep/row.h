@@ -6,13 +6,13 @@
 
 namespace underact::sweep {
 
-/// One line of the result, field by field, as CSV has it.
+/// One line of the result, built field by field, as CSV.
 class Row {
  public:
-  /// Reads back to the same double; "nan", "inf" and "-inf" where it is not finite.
+  /// A number that reads back to the same double; "nan", "inf" and "-inf" where it is not finite.
   void add(double value);
   void add(std::integral auto value) { addRaw(std::to_string(value)); }
-  /// In quotes where a comma, a quote or a space at an end asks for them (RFC 4180). An end of line becomes a space: a
+  /// A text, in quotes where it has a comma, a quote or a space at an end (RFC 4180). Line ends become spaces, since a
   /// row is one line.
   void add(std::string_view text);
   void add(const char* text) { add(std::string_view(text)); }

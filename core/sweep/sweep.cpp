@@ -11,7 +11,7 @@
 namespace underact::sweep {
 namespace {
 
-constexpr std::size_t kMostCells = 10'000'000;  // whose rows fit in the memory of any machine
+constexpr std::size_t kMostCells = 10'000'000;  // their rows fit into the memory of any machine
 
 std::string headerOf(const Kind& kind, const Options& options, std::uint64_t seed, const Cells& cells) {
   std::string text = "# underact-sweep: 1\n";
@@ -25,7 +25,7 @@ std::string headerOf(const Kind& kind, const Options& options, std::uint64_t see
   add("seed", std::to_string(seed));
   add("options", options.canonical());
   for (const auto& [file, checksum] : cells.files) {
-    Row name;  // so that no name of a file makes a second line
+    Row name;  // so that a file name cannot make a second line
     name.add(file);
     add("file", checksum + " " + name.text());
   }
@@ -65,7 +65,7 @@ Result<Sweep> makeSweep(const Kind& kind, const Options::Values& said, std::uint
 }
 
 std::uint64_t seedOf(std::uint64_t sweep_seed, std::size_t cell) {
-  // The sweep's seed is mixed first: with plain sums cell 1 of seed 7 would be cell 0 of seed 8.
+  // The sweep's seed is mixed first: with plain sums cell 1 of seed 7 would equal cell 0 of seed 8.
   std::uint64_t state = sweep_seed;
   std::uint64_t mixed = nextBits(state) + cell;
   return nextBits(mixed) >> 11U;

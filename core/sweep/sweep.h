@@ -17,16 +17,18 @@ struct Sweep {
   std::string fingerprint;  // of the header: sweeps with the same have the same result
 };
 
-/// Problems: those of the options; of the kind; of a kind that makes no cells.
+/// Makes a sweep of that kind. Problems: those of the options and of the kind; no cells.
 Result<Sweep> makeSweep(const Kind& kind, const Options::Values& said, std::uint64_t seed);
 
-/// The seed of a cell: below 2^53, so that a table read as doubles has it exactly. Of no rank, thread or order.
+/// The seed of a cell: below 2^53, so that a table read as doubles has it exactly. Independent of rank, thread and
+/// order.
 std::uint64_t seedOf(std::uint64_t sweep_seed, std::size_t cell);
 
-/// Runs a cell. The line of the result, without its end. Any thread. Problems: those of the cell; an exception in it.
+/// Runs a cell and gives its line of the result, without the line end. Any thread. Problems: those of the cell; an
+/// exception in it.
 Result<std::string> rowOf(const Sweep& sweep, std::size_t cell);
 
-/// Of a file as a whole.
+/// A problem with a file as a whole.
 inline Problems problemAt(const std::string& path, const std::string& sentence) {
   return {{sentence, {path, 0, 0, {}}}};
 }

@@ -4,7 +4,7 @@
 
 namespace underact::sweep {
 
-/// What one rank wrote to another.
+/// A message from another rank.
 struct Letter {
   int from = 0;
   std::string text;
@@ -16,10 +16,11 @@ class Team {
  public:
   virtual ~Team() = default;
   virtual int rank() const = 0;  // from 0, who leads
+  /// How many ranks there are, this one included.
   virtual int size() const = 0;
-  /// Returns at once.
+  /// Sends a letter; returns at once.
   virtual void send(int to, const std::string& text) = 0;
-  /// The next letter, where one has come.
+  /// The next letter, if one has arrived.
   virtual std::optional<Letter> receive() = 0;
 };
 

@@ -7,7 +7,8 @@
 namespace underact::sweep {
 namespace {
 
-// A hand-out takes a rank's next look at its messages, about 1 ms, twice; so much work in store hides it.
+// Giving cells takes twice the interval at which a rank reads its messages, about 1 ms; this much work in store hides
+// it.
 constexpr double kInStore_s = 0.02;
 constexpr double kMostInStore = 256.0;  // cells a thread
 

@@ -22,21 +22,22 @@ struct Finished {
 /// Threads that run the cells they are given; one thread owns them and takes what they finish.
 class Workers {
  public:
-  /// sweep lives longer than they do.
+  /// sweep: it outlives this. threads: above 0.
   Workers(const Sweep& sweep, int threads);
-  ~Workers();  // what runs is waited for
+  ~Workers();  // waits for running cells
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  /// How many more cells they should have: one a thread, and where cells are short so many more that a thread does not
-  /// wait for the next ones to come from another machine.
+  /// How many more cells to give: one for each thread, and for short cells as many more as keep a thread from waiting
+  /// for cells from another machine.
   std::size_t wants() const;
+  /// Cells to run, after those that were given before. Does not wait.
   void give(std::span<const std::size_t> cells);
-  /// Gives up the cells that nobody began.
+  /// Drops the cells that were not begun.
   void drop();
-  /// Cells given whose row was not taken.
+  /// The number of cells that were given and whose row was not taken.
   std::size_t held() const;
-  /// What was finished since the last call; where there is nothing yet, waits so long for the next one.
+  /// The cells finished since the last call; where there is none yet, waits up to `wait` for one.
   std::vector<Finished> take(std::chrono::microseconds wait);
 
  private:

@@ -4,32 +4,40 @@
 
 #include "core/system/descriptor.h"
 
-// What goes from one process, or thread, to another. Reasons are left in errno.
+// Communication between processes or threads. On failure, errno says why.
 namespace underact::system {
 
+/// The two ends of a pipe.
 struct Pipe {
-  Descriptor reads, writes;  // none where there is none
+  Descriptor reads, writes;  // both none on failure
 };
-/// most_bytes: that it holds unread, as far as the system grants that; 0: as usual.
+/// most_bytes: its capacity, as far as the system grants it; 0: the default.
 Pipe makePipe(std::size_t most_bytes = 0);
 
-/// Two ends that know each other alone, each for both directions. Where the other end is gone, no signal comes.
+/// A connected pair of ends, each for both directions. Writing to a closed end raises no signal.
 struct Line {
   Descriptor here, there;
 };
+/// Both ends closed (isOpen() false) where the system refuses.
 Line makeLine();
 
-/// The first of them that there is something to read from, or that has ended; below 0: none within time_ms. Numbers
-/// below 0 are passed over.
+/// The index of the first descriptor that is readable or has ended; below 0: none within time_ms. Descriptors below 0
+/// are ignored.
 int waitForAny(std::span<const int> descriptors, int time_ms);
+/// Whether there is something to read, or the other end has closed, within time_ms; below 0: as long as it takes.
+/// false, too, where a signal ended the wait.
 bool waitToRead(int descriptor, int time_ms);
+/// The same for something that can be written.
 bool waitToWrite(int descriptor, int time_ms);
 
-/// How many bytes went, as far as they go at once; 0: it has ended; below 0: it failed, and EAGAIN says not now.
+/// Reads the bytes that are available; gives their number. 0: the end; below 0: failed, with EAGAIN where there are
+/// none now.
 std::ptrdiff_t readSome(int descriptor, std::span<std::byte> into);
+/// Writes as many bytes as are accepted; gives their number. Below 0: failed, with EAGAIN where none are accepted now.
 std::ptrdiff_t writeSome(int descriptor, std::span<const char> bytes);
-/// The same of an end of a Line, never waiting.
+/// readSome() for an end of a Line, never waiting.
 std::ptrdiff_t receiveSome(int end, std::span<std::byte> into);
+/// writeSome() for an end of a Line, never waiting; where the other end is closed, EPIPE and no signal.
 std::ptrdiff_t sendSome(int end, std::span<const std::byte> bytes);
 
 }  // namespace underact::system

@@ -4,7 +4,7 @@
 
 namespace underact::system {
 
-/// The first core of a list as Linux writes them ("2-3,7"); none where the list is empty or no such list.
+/// The first core of a list in the format of Linux ("2-3,7"); none where the list is empty or malformed.
 std::optional<int> firstCore(std::string_view list);
 
 }  // namespace underact::system

@@ -7,7 +7,7 @@
 namespace underact::system {
 namespace {
 
-/// What programs, Python, Qt, VTK, HDF5, OpenGL and GTK (Qt's looks on some desktops) look into for code.
+/// The variables by which programs, Python, Qt, VTK, HDF5, OpenGL and GTK (for Qt's styles on some desktops) find code.
 constexpr const char* kLists[] = {"PATH",
                                   "LD_LIBRARY_PATH",
                                   "PYTHONPATH",
@@ -20,7 +20,7 @@ constexpr const char* kLists[] = {"PATH",
                                   "LIBGL_DRIVERS_PATH",
                                   "GTK_PATH",
                                   "GIO_EXTRA_MODULES"};
-constexpr const char* kPlainPath = "/usr/local/bin:/usr/bin:/bin";  // where nothing else is left of PATH
+constexpr const char* kPlainPath = "/usr/local/bin:/usr/bin:/bin";  // if nothing else is left of PATH
 
 }  // namespace
 

@@ -4,12 +4,12 @@
 
 namespace underact::system {
 
-/// A list of folders, a colon between two, without those that are empty or relative.
+/// A colon-separated list of folders, without those that are empty or relative.
 std::string absoluteFolders(std::string_view list);
 
-/// Takes the folder that one stands in out of the environment's lists of folders with programs, libraries and plugins,
-/// for this process and what it starts: a session or a scene may lie there, and so may a stranger's file with the name
-/// of a program. First in main(): no thread may run yet.
+/// Removes the current folder from the environment's lists of folders with programs, libraries and plugins, for this
+/// process and those it starts: a session or a scene may lie there, and so may a file from elsewhere with the name of a
+/// program. To be called first in main(), before any thread is started.
 void keepOutCurrentFolder();
 
 }  // namespace underact::system

@@ -3,28 +3,30 @@
 
 namespace underact::system {
 
-/// What every program has open.
+/// The standard descriptors.
 inline constexpr int kInput = 0, kOutput = 1, kErrors = 2;
 
-/// What the system has opened for this process, by its number; closed with the object.
+/// A file descriptor of this process; closed with the object.
 class Descriptor {
  public:
   Descriptor() = default;  // none
   explicit Descriptor(int number) : number_(number) {}
   Descriptor(Descriptor&& other) noexcept : number_(other.release()) {}
+  /// Takes it over; what this one had is closed with the other.
   Descriptor& operator=(Descriptor&& other) noexcept {
     std::swap(number_, other.number_);
     return *this;
   }
   ~Descriptor() { close(); }
 
+  /// Whether there is one.
   bool isOpen() const { return number_ >= 0; }
   int number() const { return number_; }
-  /// The caller closes it.
+  /// Gives it up: the caller closes it.
   int release() { return std::exchange(number_, -1); }
-  /// 0, or the system's reason: some file systems tell of a full disk only here.
+  /// Closes it. 0, or the system's error number: some file systems report a full disk only here.
   int close();
-  /// Open on the same as that one, below 0: on nothing; not passed on to programs that are started.
+  /// A copy of a descriptor; below 0: none. Not inherited by programs that are started.
   static Descriptor copyOf(int number);
 
  private:

@@ -9,88 +9,104 @@
 
 #include "core/system/descriptor.h"
 
-// Files as the system has them. What gives a descriptor, a status or a number of bytes leaves the system's reason in
-// errno where it gives none; what gives an int gives 0 or that reason.
+// Files by the operating system. A function that gives a descriptor, a status or a number of bytes leaves the reason of
+// a failure in errno; one that gives an int gives 0 or that reason.
 namespace underact::system {
 
-/// Of a file, a pipe or a socket, in one go: kernels that do not preempt themselves let nobody run on that processor
-/// before a read is done, not even the servo. Of 38 MB at once that was 6 ms.
+/// Bytes read at once from a file, a pipe or a socket: a kernel without preemption lets nothing else run on that
+/// processor before a read is done, not even the servo. For 38 MB at once that was 6 ms.
 inline constexpr std::size_t kAtOnce = std::size_t{1} << 18;
 
+/// Whether a link at the path is followed, or is a reason not to open it.
 enum class Links : std::uint8_t { Follow, Refuse };
 
-/// For reading. Waits for no writer of a pipe, and takes no terminal.
+/// Opens for reading. Does not wait for a writer of a pipe, and never makes a terminal the controlling one.
 Descriptor openToRead(const std::string& path, Links links = Links::Follow);
 
-/// For writing, what is there.
+/// Opens an existing file for writing.
 Descriptor openToWrite(const std::string& path);
 
-/// New: nothing may have the name, not even a link that leads nowhere. Emptied: what is there loses what it holds.
-/// Further: what is there stays, and each write goes to its end.
+/// New: the name must be free, even of a dangling link. Emptied: an existing file is emptied. Further: an existing file
+/// stays, and each write appends.
 enum class Making : std::uint8_t { New, Emptied, Further };
-/// Whom the umask lets; or its owner, whatever that is.
+/// Who may read a new file: as the umask allows, or its owner alone in any case.
 enum class Readers : std::uint8_t { AsUsual, OwnerAlone };
 
-/// For writing, and but for Emptied for reading, too.
+/// Makes a file and opens it for writing, and, except for Emptied, for reading, too.
 Descriptor makeFile(const std::string& path, Making making, Readers readers);
+/// Makes a folder that its owner alone may enter; its parent exists.
 int makeOwnersFolder(const std::string& path);
 
+/// The kind of an entry of a folder.
 enum class Kind : std::uint8_t { File, Folder, Link, Other };
 
+/// What the system says of a file.
 struct Status {
   Kind kind = Kind::Other;
   std::uint64_t bytes = 0;
   std::int64_t changed_ns = 0;
-  std::uint64_t disk = 0, number = 0;  // no two files that are there have both in common
+  std::uint64_t disk = 0, number = 0;  // together unique among existing files
   unsigned rights = 0;                 // as chmod has them
   bool is_trusted = false;             // it belongs to this user or to the system
 };
-/// Links::Refuse: of a link, the link's own.
+/// None where it does not exist. Links::Refuse: of a link itself.
 std::optional<Status> statusOf(const std::string& path, Links links = Links::Follow);
 std::optional<Status> statusOf(int descriptor);
+/// Whether both exist and are the same file.
 bool areTheSame(const std::optional<Status>& one, const std::optional<Status>& other);
+/// rights: as chmod has them.
 int setRights(int descriptor, unsigned rights);
+/// Whether this user may read and write it; false where it does not exist.
 bool mayReadAndWrite(const std::string& path);
+/// Whether this user may run it; false where it does not exist.
 bool mayExecute(const std::string& path);
 
-/// A name that opens just this file, whatever has come to stand at its path; path where the system has no such names.
+/// A path that opens exactly this file, whatever is at its own path now; `path` where the system has no such names.
 std::string nameOf(int descriptor, const std::string& path);
 
-/// Fills into, or up to the end; gives how many bytes.
+/// Reads until `into` is full or the file ends; gives the number of bytes.
 std::optional<std::size_t> readAll(int descriptor, std::span<std::byte> into);
-/// The same from a place on, which the next read does not move.
+/// The same from an offset, without moving the position of the next read.
 std::optional<std::size_t> readAllAt(int descriptor, std::uint64_t from, std::span<std::byte> into);
-/// Where nothing more goes in, the disk is full.
+/// Writes all bytes; a write that makes no progress counts as a full disk.
 int writeAll(int descriptor, std::span<const std::byte> bytes);
+/// The next read or write is at its beginning.
 void rewind(int descriptor);
-/// Where the file ends; 0 where that is unknown. By the one system call that a sealed process may make for it.
+/// The length of the file; 0 where it is unknown. By the one system call for it that a sealed process may make.
 std::int64_t lengthOf(int descriptor);
+/// Makes the file this long; where it was shorter, zeros are added.
 int cutTo(int descriptor, std::uint64_t bytes);
-/// On the disk, also after a power cut.
+/// Waits until the file is on the disk, safe from a power cut.
 int sync(int descriptor);
-/// The same of the names in the folder of a file; what a file system cannot do is left.
+/// The same for the names in the folder of a file, as far as the file system supports it.
 void syncFolderOf(const std::string& path);
 
+/// Shared: several may hold it at once. Alone: nobody else may.
 enum class Lock : std::uint8_t { Shared, Alone };
-/// false: somebody else holds it. Until all copies of the descriptor are closed. A file system without locks has none.
+/// Takes a lock, until all copies of the descriptor are closed. false: another process holds it. Without effect on a
+/// file system without locks.
 bool lock(int descriptor, Lock how);
+/// Releases the lock; without effect where there is none.
 void unlock(int descriptor);
 
+/// Whether room was set aside. Unknown: the file system cannot. None: the disk is full.
 enum class Room : std::uint8_t { SetAside, Unknown, None };
-/// On the disk, from the file's byte `from` on, without changing its length.
+/// Reserves disk space from the file's byte `from` on, without changing its length.
 Room setAside(int descriptor, std::int64_t from, std::int64_t bytes);
 
-/// What is written to it from now on goes nowhere.
+/// Discards everything that is written to it from now on.
 void leadNowhere(int descriptor);
 
-/// To write through. null: none; then the descriptor is closed.
+/// A stream for writing, which takes the descriptor over. Null: failed; then the descriptor is closed.
 std::FILE* streamOf(Descriptor descriptor);
 
-/// from gets the name `to`, if nothing has it.
+/// Renames a file, if the name `to` is free.
 int renameIfFree(const std::string& from, const std::string& to);
 
+/// OnDisk: also after a power cut, see sync().
 enum class Lasting : std::uint8_t { Written, OnDisk };
-/// made, a new file at part, gets the text and then path for its name; or what is at path stays, and part is gone.
+/// Writes the text to `made`, a new file at part, and renames it to path; or, on failure, leaves path as it is and
+/// removes part.
 int putInPlace(Descriptor made, const std::string& part, const std::string& path, std::string_view text, Lasting how);
 
 }  // namespace underact::system

@@ -35,7 +35,7 @@ std::optional<Status> statusFrom(int result, const struct stat& file) {
   return status;
 }
 
-/// move: gives what one call moved of so many bytes, from the first that is left on.
+/// Moves all bytes. move: moves some, from the first one left, and gives their number.
 template <class Move>
 std::optional<std::size_t> movedAll(std::size_t bytes, Move&& move) {
   std::size_t done = 0;
@@ -183,7 +183,7 @@ int renameIfFree(const std::string& from, const std::string& to) {
     return 0;
   }
   if (errno == EEXIST) return EEXIST;
-  // File systems without second names, as memory cards have them.
+  // On file systems without hard links, as on memory cards.
   return reasonOf(::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE));
 }
 

@@ -4,19 +4,19 @@
 
 namespace underact::system {
 
-/// Another maker's library, for the life of the process. null: it could not be loaded, and why is what the system says.
+/// Loads a third-party library, for the life of the process. Null: it could not be loaded; why: the system's message.
 void* openLibrary(const std::string& name, std::string& why);
 
-/// Of what it exports; an address of a function is one of these, too. null: there is none of that name.
+/// The address of an exported symbol, also of a function. Null: none of that name.
 void* addressIn(void* library, const char* name);
 
-/// The program or a library, as it is in memory.
+/// The program or a loaded library.
 struct Loaded {
   std::string path;
-  std::string build_id;  // bytes with which the linker told builds apart; empty: there are none
+  std::string build_id;  // the linker's build id, as bytes; empty: none
 };
 
-/// The program first, then what was loaded with it and since.
+/// The program, then all loaded libraries.
 std::vector<Loaded> loadedHere();
 
 }  // namespace underact::system

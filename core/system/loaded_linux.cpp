@@ -11,7 +11,7 @@
 namespace underact::system {
 namespace {
 
-/// The content of the note with which the linker told builds apart; empty: there is none.
+/// The linker's build id in the notes; empty: none.
 std::string_view buildIdIn(const char* notes, std::size_t size, std::size_t align) {
   const auto padded = [align](std::size_t bytes) { return (bytes + align - 1) / align * align; };
   while (size >= sizeof(ElfW(Nhdr))) {

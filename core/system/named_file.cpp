@@ -20,7 +20,7 @@ Problems failed(const std::string& path, const char* pattern) {
   return problemOf(path, said(pattern, {std::generic_category().message(errno)}));
 }
 
-/// None: it may be opened.
+/// The problem of opening such a file; none: it may be opened.
 Problems judge(const Status& file, const std::string& path, const Sentence& what) {
   if (file.kind == Kind::Folder)
     return problemOf(path, said(TRANSLATE_NOOP("problem", "This is a folder, not %1 file."), {what}));
@@ -39,7 +39,7 @@ Result<NamedFile> NamedFile::open(const std::string& path, const Sentence& what)
   if (!found) return failed(path, kUnopened);
   if (Problems problems = judge(*found, path, what); !problems.empty()) return problems;  // before it is touched
   NamedFile file(path, what);
-  file.file_ = openToRead(path);  // without a wait: the name may be another's by now
+  file.file_ = openToRead(path);  // without waiting: it may be another file by now
   found = file.file_.isOpen() ? statusOf(file.descriptor()) : std::nullopt;
   if (!found) return failed(path, kUnopened);
   if (Problems problems = judge(*found, path, what); !problems.empty()) return problems;

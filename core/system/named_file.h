@@ -10,26 +10,26 @@
 
 namespace underact::system {
 
-/// A regular file that a person or another file named, open for reading. Opening never waits, whatever lies at that
-/// name: a pipe would wait for its writer, a device may begin to work. Those and sockets are refused unopened, also at
-/// the end of links.
+/// A regular file named by a person or another file, open for reading. Opening never waits: a pipe would wait for its
+/// writer, and a device may start to operate. Those and sockets are refused without being opened, also at the end of
+/// links.
 class NamedFile {
  public:
-  /// what: for the sentences, as "a scene". Problems, one, at path without a line: not there, a folder, no regular
-  /// file.
+  /// what: for the sentences, as "a scene". Problems: one, at path without a line: it does not exist, is a folder, or
+  /// not a regular file.
   static Result<NamedFile> open(const std::string& path, const Sentence& what);
   const std::string& path() const { return path_; }
-  /// When it was opened.
+  /// Its size when it was opened.
   std::uint64_t bytes() const { return bytes_; }
-  /// This object's.
+  /// The descriptor; this object closes it.
   int descriptor() const { return file_.number(); }
-  /// Goes back to its beginning.
+  /// Moves the position of the next read to the beginning.
   void rewind() const;
-  /// Fills into, or up to the end of the file; gives how many bytes. Problems: the disk's.
+  /// Reads until `into` is full or the file ends; gives the number of bytes. Problems: the disk's.
   Result<std::size_t> read(std::span<char> into) const;
-  /// All from here on, of which at most most_bytes. Problems: larger; unreadable; somebody wrote into it meanwhile.
+  /// Reads the rest, at most most_bytes. Problems: larger; unreadable; modified meanwhile.
   Result<std::string> readAll(std::uint64_t most_bytes) const;
-  /// Somebody wrote into it since it was opened.
+  /// Whether the file was modified since it was opened.
   bool hasChanged() const;
 
  private:

@@ -18,10 +18,10 @@ namespace fs = std::filesystem;
 
 struct Row {
   Resource resource;
-  const char* installed;   // below the folder of data
-  const char* in_sources;  // below that of the sources
-  const char* mark;        // a file in it; null: any of JSON that is no schema
-  const char* lost;        // what is said where there is none
+  const char* installed;   // relative to the data folder
+  const char* in_sources;  // relative to that of the sources
+  const char* mark;        // a file in it; null: any JSON file that is not a schema
+  const char* lost;        // the sentence if there is none
 };
 
 constexpr Row kRows[] = {
@@ -77,7 +77,7 @@ Standpoint standpoint() {
   Standpoint from;
   if (const char* stated = std::getenv("UNDERACT_DATA_DIR")) from.stated = absoluteOr(stated, "");
   from.here = fs::path(ownProgram()).parent_path().string();
-  // Only beside the program itself: whoever may write there may change the program, too.
+  // Only beside the program itself: who can write there can change the program, too.
   std::ifstream file(fs::path(from.here) / "underact-places");
   std::string line;
   if (std::getline(file, line)) from.sources = absoluteOr(line, "");

@@ -6,31 +6,32 @@
 
 namespace underact::system {
 
-/// What comes with the program as files that it opens: scenes, lessons, the guide's pages, the Python package.
+/// The folders of files that come with the program.
 enum class Resource { Scenes, Lessons, Guide, Python };
 
-/// From where a program looks for what belongs to it. Absolute folders; empty: there is none.
+/// The folders from which a program looks for its files and helpers. Absolute; empty: none.
 struct Standpoint {
   std::string stated = {};    // $UNDERACT_DATA_DIR: an installed program's data, or the sources
   std::string here = {};      // of the running program's own file
-  std::string sources = {};   // that it was built from; known in a build folder alone, from the file underact-places
+  std::string sources = {};   // of the sources; known only in a build folder, from the file underact-places
   std::string programs = {};  // that build folder
 };
 
-/// Of this process. A relative UNDERACT_DATA_DIR counts as none: it would mean whatever folder one stands in.
+/// That of this process. A relative UNDERACT_DATA_DIR is ignored, since it would depend on the current folder.
 Standpoint standpoint();
 
-/// Where a resource may lie, in the order in which it is looked for.
+/// The folders that may hold a resource, in the order of the search.
 std::vector<std::string> placesOf(Resource resource, const Standpoint& from);
 
-/// The same of a program of ours: beside the running one, where an installed one has its helpers, in the build folder.
+/// The same for a helper program: beside the running one, in the helpers' folder of an installation, in the build
+/// folder.
 std::vector<std::string> placesOf(const std::string& program, const Standpoint& from);
 
-/// The folder that holds the resource, without links in it. Problem: none does; names all places.
+/// The folder that holds the resource, with links resolved. Problem: none; names all places.
 Result<std::string> findResource(Resource resource, const Standpoint& from = standpoint());
 
-/// The path of a program of ours. variable: of the environment, which says it instead where it is set. Problem: it is
-/// not there; names all places.
+/// The path of a helper program. variable: of the environment, whose value is used instead where it is set. Problem:
+/// not found; names all places.
 Result<std::string> findProgram(const std::string& program, const char* variable = nullptr,
                                 const Standpoint& from = standpoint());
 

@@ -18,7 +18,7 @@ bool mayBeReplaced(const Status& there) {
 
 Problems checkNew(const std::string& path, Existing existing) {
   const std::optional<Status> there = statusOf(path, Links::Refuse);
-  if (!there) return {};  // none; if another thing is wrong, making it says what
+  if (!there) return {};  // missing; any other problem shows when it is made
   if (!mayBeReplaced(*there))
     return {{said(TRANSLATE_NOOP("problem",
                                  "A folder, a pipe or a device has this name and is not replaced. Give another "
@@ -44,7 +44,7 @@ int makePrivateFolder(const std::string& path) {
   for (const std::filesystem::path& part : whole) {
     at /= part;
     const int reason = makeOwnersFolder(at.string());
-    // One that is there; where nothing may be made, it may be there, too.
+    // It may exist already, also where nothing can be made.
     if (reason != 0 && !std::filesystem::is_directory(at, error)) return reason == EEXIST ? ENOTDIR : reason;
   }
   return 0;

@@ -6,20 +6,20 @@
 
 namespace underact::system {
 
-/// What is done where there is something of the name already.
+/// What to do with an existing file of the same name.
 enum class Existing { Refuse, Replace };
 
-/// Whether a new file may be made at path. Problems: Refuse and there is a file or a link, also one that leads nowhere;
-/// a folder, a pipe or a device, which are never replaced. Touches nothing.
+/// Whether a new file may be made at path; changes nothing. Problems: with Refuse an existing file or link, even a
+/// dangling one; a folder, a pipe or a device, which are never replaced.
 Problems checkNew(const std::string& path, Existing existing);
 
-/// A file of its own at path, open for reading and writing, which its owner alone may read and write, whatever the
-/// umask is; never what stood there: with Replace a file or a link of that name is taken away first, and what a link
-/// led to stays. None where that fails: errno says why, and EEXIST that somebody was quicker.
+/// Makes a new file at path, open for reading and writing, for its owner alone, whatever the umask; never an existing
+/// one: with Replace a file or a link of that name is removed first, and the target of a link stays. None on failure:
+/// errno says why, EEXIST that another process was quicker.
 Descriptor makeNew(const std::string& path, Existing existing);
 
-/// Makes a folder and those above it that are missing; into each that is made its owner alone can look, whatever the
-/// umask is. One that is there stays as it is. 0, or the system's reason.
+/// Makes a folder and its missing parents, each for its owner alone, whatever the umask. An existing one stays as it
+/// is. 0, or the system's error number.
 int makePrivateFolder(const std::string& path);
 
 }  // namespace underact::system

@@ -9,15 +9,15 @@
 
 namespace underact::system {
 
-/// What a process is started with; it inherits nothing else that is open, and reads and writes nothing where it is
-/// given nothing. No signal is blocked or ignored in it.
+/// How a process is started. It inherits no other open descriptors; those of standard input and output that are not
+/// given are connected to nothing. No signal is blocked or ignored in it.
 struct Launch {
   std::string program;                      // its path
   std::vector<std::string> arguments = {};  // behind its name
-  /// A descriptor of ours, which stays so, and its number there; from 0 on, one after the other. Below 0: nothing.
+  /// Descriptors for the process, numbered there from 0 on; ours stay open. Below 0: connected to nothing.
   std::vector<int> given = {};
-  /// Of its own session, so that a Ctrl+C or Ctrl+Z of the program is not its; and never real-time, whichever thread
-  /// starts it.
+  /// In a session of its own, so that Ctrl+C and Ctrl+Z for the program do not affect it; and never with real-time
+  /// scheduling, whichever thread starts it.
   bool is_apart = false;
 };
 
@@ -32,8 +32,10 @@ struct End {
 class Process {
  public:
   Process() = default;  // none
+  /// Starts it. Where it could not be started, runs() is false and error() says why.
   explicit Process(const Launch& launch);
   Process(Process&& other) noexcept { *this = std::move(other); }
+  /// Takes it over; the process that this one had ends with the other.
   Process& operator=(Process&& other) noexcept {
     std::swap(id_, other.id_);
     std::swap(error_, other.error_);
@@ -43,20 +45,20 @@ class Process {
   }
   ~Process();
 
-  /// It was started, and hasEnded() has not yet said that it ended.
+  /// Whether it was started, and hasEnded() has not yet said that it ended.
   bool runs() const { return id_ > 0; }
   int error() const { return error_; }  // why it could not be started
-  /// Readable once it has ended; below 0: this system has no such descriptor.
+  /// Readable once it has ended; below 0: the system has no such descriptor.
   int endDescriptor() const { return ending_.number(); }
-  /// Also where there was none.
+  /// Whether it has ended; true where there was none.
   bool hasEnded();
-  /// false: it did not end in time. Below 0: as long as it takes.
+  /// Waits for its end. false: it did not end in time_ms; below 0: as long as it takes.
   bool waitForEnd(int time_ms);
-  /// At once, wherever it hangs.
+  /// Ends it at once, whatever it does.
   void kill() const;
-  /// That it has computed so far.
+  /// The processor time that it has used so far, s.
   double cpuSoFar_s() const;
-  /// Once it has ended.
+  /// How it ended; to be called after that.
   const End& end() const { return end_; }
 
  private:
@@ -65,13 +67,13 @@ class Process {
   End end_;
 };
 
-/// Runs a program of PATH to its end, with all that this one has but for one variable of the environment. words: its
-/// name and arguments. None: it could not be started, and errno says why.
+/// Runs a program of PATH to its end, with everything inherited except one variable of the environment. words: its name
+/// and arguments. None: it could not be started, and errno says why.
 std::optional<End> runHere(std::vector<std::string> words, const char* variable);
 
-/// Called in a process that is just starting: it leads a group of its own, and steps back (see stepBack()).
+/// Makes a process that is just starting the leader of a group of its own, with lower priority (see stepBack()).
 void leadGroup(int more);
-/// All processes of the group that one leads.
+/// Ends all processes of the group that `process` leads.
 void killGroup(std::int64_t process);
 
 }  // namespace underact::system

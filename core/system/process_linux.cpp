@@ -18,7 +18,7 @@
 namespace underact::system {
 namespace {
 
-constexpr int kLook_ms = 10;  // where the system has no descriptor of a process
+constexpr int kLook_ms = 10;  // on systems without process descriptors
 
 double secondsOf(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
@@ -31,7 +31,8 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
   return pointers;
 }
 
-/// Whatever this thread blocks or ignores and, where it is to be apart, however urgent it is.
+/// Sets the attributes of a new process, whatever this thread blocks or ignores and, if is_apart, whatever its
+/// scheduling.
 void setAttributes(posix_spawnattr_t& attributes, bool is_apart) {
   sigset_t none{}, all{};
   sigemptyset(&none);
@@ -56,11 +57,11 @@ End endOf(int status, const rusage& usage) {
 
 Process::Process(const Launch& launch) {
   const int numbers = std::max(static_cast<int>(launch.given.size()), kErrors + 1);
-  std::vector<Descriptor> copies;  // beyond its numbers: one of these given as another would be closed by it
+  std::vector<Descriptor> copies;  // above its numbers: otherwise a later one could replace it
   for (const int given : launch.given) {
     copies.emplace_back(given < 0 ? -1 : ::fcntl(given, F_DUPFD_CLOEXEC, numbers));
     if (given < 0 || copies.back().isOpen()) continue;
-    error_ = errno;  // without its own it would have this program's
+    error_ = errno;  // otherwise it would get the one of this program
     return;
   }
   copies.resize(static_cast<std::size_t>(numbers));

@@ -21,9 +21,9 @@ namespace underact::system {
 namespace {
 
 constexpr int kPriority = 80;                    // above what a desktop runs, below the kernel's own threads (99)
-constexpr std::size_t kStackBytes = 256 * 1024;  // several times what the deepest tick takes
+constexpr std::size_t kStackBytes = 256 * 1024;  // several times the need of the deepest tick
 
-/// Where it is granted: FIFO at kPriority, or as near to it as the limit of this login allows. 0: not granted.
+/// Requests FIFO at kPriority, or as near to it as the limit of this login allows. 0: not granted.
 int askForFifo() {
   rlimit limit{};
   getrlimit(RLIMIT_RTPRIO, &limit);
@@ -34,8 +34,8 @@ int askForFifo() {
   return 0;
 }
 
-/// Whether this process may lock more than its limit says: unlimited, or privileged. Tried on pages nobody may touch,
-/// which therefore cost nothing.
+/// Whether this process may lock more than its limit: unlimited, or privileged. Tried on inaccessible pages, which cost
+/// nothing.
 bool mayLockEverything() {
   rlimit limit{};
   if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0) return false;
@@ -47,7 +47,7 @@ bool mayLockEverything() {
   return true;
 }
 
-/// Where there is a limit, MCL_FUTURE would make allocations fail once it is reached, long after this.
+/// Locks the memory. With a limit, MCL_FUTURE would make allocations fail once it is reached, long after this call.
 bool lockMemory() {
   return mayLockEverything() && mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;
 }
@@ -74,7 +74,7 @@ CoreChoice takeCore(int wanted, std::vector<Sentence>& also) {
   }
   if (!runOnCore(core)) {
     also.push_back(said(TRANSLATE_NOOP("problem", "core %1 refused"), {std::to_string(core)}));
-    return wanted >= 0 ? CoreChoice::Refused : CoreChoice::AllCores;  // an isolated one that is not for us
+    return wanted >= 0 ? CoreChoice::Refused : CoreChoice::AllCores;  // an isolated core was not granted
   }
   if (wanted >= 0) {
     also.push_back(said(TRANSLATE_NOOP("problem", "core %1"), {std::to_string(core)}));
@@ -84,9 +84,9 @@ CoreChoice takeCore(int wanted, std::vector<Sentence>& also) {
   return CoreChoice::IsolatedCore;
 }
 
-/// The name of what was granted. priority: that of FIFO, else 0.
+/// Requests the scheduling, and gives the name of what was granted. priority: that of FIFO, else 0.
 Sentence takeWay(Way way, std::vector<Sentence>& also, int& priority) {
-  setOwnUrgency({});  // a new thread inherits what its maker has
+  setOwnUrgency({});  // a new thread inherits the scheduling of its creator
   priority = way == Way::Auto || way == Way::Fifo ? askForFifo() : 0;
   if (priority > 0) return "FIFO " + std::to_string(priority);
   if (way == Way::Auto || way == Way::Rtkit) {
@@ -138,7 +138,7 @@ Scheduling askForRealTime(const SchedulingWanted& wanted, int /*rate_hz*/) {
   const bool locked = wanted.lock_memory && lockMemory();
   granted.also.push_back(
       said(locked ? TRANSLATE_NOOP("problem", "memory locked") : TRANSLATE_NOOP("problem", "memory not locked")));
-  // Without real time the kernel puts every wait off by 50 us, so as to wake less often.
+  // Without real-time scheduling the kernel delays every wait by 50 us, so as to wake less often.
   granted.also.push_back(said(prctl(PR_SET_TIMERSLACK, 1UL) == 0 ? TRANSLATE_NOOP("problem", "timer slack 1 ns")
                                                                  : TRANSLATE_NOOP("problem", "timer slack unchanged")));
   touchStack();

@@ -16,8 +16,8 @@
 namespace underact::system {
 namespace {
 
-constexpr int kMostByRtkit = 20;                // what rtkit grants at most, as it is shipped
-constexpr std::uint64_t kLongest_us = 200'000;  // without a rest, as it is shipped
+constexpr int kMostByRtkit = 20;                // rtkit's default maximum
+constexpr std::uint64_t kLongest_us = 200'000;  // of uninterrupted computation, rtkit's default
 constexpr std::uint64_t kPatience_us = 1000'000;
 
 constexpr const char* kService = "org.freedesktop.RealtimeKit1";
@@ -27,7 +27,7 @@ struct Release {
   void operator()(sd_bus* bus) const { sd_bus_flush_close_unref(bus); }
 };
 
-/// An error of a call, with the words of who refused it.
+/// The error of a call, with the message of the refusing side.
 class CallError {
  public:
   CallError() = default;
@@ -41,7 +41,7 @@ class CallError {
   sd_bus_error error_ = SD_BUS_ERROR_NULL;
 };
 
-/// Never raised: what is stricter already stays.
+/// Lowers the limit, never raises it: a stricter one stays.
 bool limitTimeWithoutRest(std::uint64_t longest_us) {
   rlimit limit{};
   if (getrlimit(RLIMIT_RTTIME, &limit) != 0) return false;
@@ -70,7 +70,7 @@ RtkitAnswer askRtkit() {
       code < 0) {
     return {0, said(TRANSLATE_NOOP("problem", "it does not answer: %1"), {absent.words(code)})};
   }
-  std::int64_t longest_us = 0;  // older ones do not tell
+  std::int64_t longest_us = 0;  // older versions do not state it
   if (sd_bus_get_property_trivial(bus.get(), kService, kObject, kService, "RTTimeUSecMax", nullptr, 'x', &longest_us) <
           0 ||
       longest_us <= 0) {

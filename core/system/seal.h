@@ -3,13 +3,13 @@
 
 namespace underact::system {
 
-/// From here on this process reads and writes what it has open, takes memory up to so many bytes, computes up to so
-/// many seconds, and ends; nothing else: no file, no socket, no process, no thread. By limits and a filter of system
-/// calls. false: the system refused a part of it; then the process must look at no
-/// file, and end with helper::kNotSealed.
+/// Seals this process off: from here on it can only read and write its open descriptors, allocate up to most_bytes,
+/// compute up to most_cpu_s, and end: no file, socket, process or thread. By limits and a filter of system calls.
+/// false: the system refused a part of it; then the process must not read any file, and has to end with
+/// helper::kNotSealed.
 [[nodiscard]] bool seal(std::uint64_t most_bytes, double most_cpu_s);
 
-/// Before seal(): this process ends when the thread ends that started it.
+/// Ends this process when the thread that started it ends; to be called before seal().
 void endWithStarter();
 
 }  // namespace underact::system

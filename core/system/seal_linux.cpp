@@ -17,14 +17,14 @@
 #include "core/system/seal.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define UNDERACT_SANITIZED 1  // their shadow takes terabytes of addresses, and they ask more of the system
+#define UNDERACT_SANITIZED 1  // their shadow memory takes terabytes of addresses, and they need more system calls
 #endif
 
 namespace underact::system {
 namespace {
 
 bool limit(int resource, rlim_t most) {
-  // Where somebody has set less already, that is well, too: more may not be asked for.
+  // A lower existing limit is fine, and cannot be raised.
   rlimit both{};
   if (::getrlimit(static_cast<decltype(RLIMIT_CORE)>(resource), &both) != 0) return false;
   both.rlim_max = std::min(both.rlim_max, most);
@@ -34,7 +34,7 @@ bool limit(int resource, rlim_t most) {
 
 bool setLimits(std::uint64_t most_bytes, double most_cpu_s) {
   bool is_well = limit(RLIMIT_CORE, 0);
-  // In whole seconds, and the next one ends it for certain. The program that started this one looks more closely.
+  // In whole seconds, and one more to be sure. The starting program checks more closely.
   is_well = limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(most_cpu_s)) + 1) && is_well;
 #ifdef UNDERACT_SANITIZED
   static_cast<void>(most_bytes);
@@ -53,7 +53,7 @@ constexpr std::uint32_t kMachine = AUDIT_ARCH_AARCH64;
 constexpr std::uint32_t kMachine = 0;
 #endif
 
-// What reading, writing, memory and the end take; by the C library of Debian 12 and its kin.
+// The calls for reading, writing, memory and the end, with the C library of Debian 12 and its relatives.
 constexpr std::initializer_list<long> kAllowed{
     SYS_read,
     SYS_pread64,
@@ -70,14 +70,14 @@ constexpr std::initializer_list<long> kAllowed{
     SYS_futex,
     SYS_getrandom,
     SYS_clock_gettime,
-    SYS_clock_nanosleep,  // the HDF5 library waits for a writer that is just changing what it reads
+    SYS_clock_nanosleep,  // the HDF5 library waits for a writer that is changing what it reads
     SYS_exit,
     SYS_exit_group,
     SYS_rt_sigreturn,
     SYS_rt_sigprocmask,
     SYS_sigaltstack,
 #ifdef UNDERACT_SANITIZED
-    // To look (through a pipe) whether memory is there, and to tell what they found.
+    // To check (through a pipe) whether memory exists, and to report findings.
     SYS_pipe2,
     SYS_close,
     SYS_getpid,
@@ -90,8 +90,7 @@ constexpr std::initializer_list<long> kAllowed{
     SYS_prlimit64,
 #endif
 };
-// OpenMesh opens the materials that an OBJ file names, HDF5 what a link or a filter names; both go on where there are
-// none.
+// OpenMesh opens the materials named in an OBJ file, HDF5 what a link or a filter names; both continue without them.
 constexpr std::initializer_list<long> kRefused{SYS_openat, SYS_newfstatat, SYS_close, SYS_ioctl, SYS_getcwd};
 
 bool setFilter() {

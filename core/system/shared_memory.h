@@ -6,14 +6,15 @@
 
 namespace underact::system {
 
-/// Memory that several processes see, all zeros at first, by a descriptor that is passed on.
+/// Memory shared by several processes, zero at first, by a descriptor that is passed on.
 class SharedMemory {
  public:
   SharedMemory() = default;  // none
-  /// None where the system has none; errno says why. name: for who looks at the process.
+  /// None on failure; errno says why. name: shown by tools that look at the process.
   static SharedMemory make(const char* name, std::size_t bytes);
-  /// The same of a descriptor that was passed on, and is this object's from then on.
+  /// The same memory in another process, by the passed descriptor, which this object takes over.
   static SharedMemory of(Descriptor passed, std::size_t bytes);
+  /// Takes the memory over; the other has none.
   SharedMemory(SharedMemory&& other) noexcept
       : file_(std::move(other.file_)), bytes_(other.bytes_), begin_(std::exchange(other.begin_, nullptr)) {}
   SharedMemory& operator=(SharedMemory&&) = delete;

@@ -5,28 +5,30 @@
 
 namespace underact::system {
 
-/// What happens when nobody reads the results any more (a pipe into head, a terminal that is gone). Needed: the program
-/// ends there and then. MayGo: it goes on, for it holds an arm, and what it says is lost.
+/// What happens when the output is no longer read (a pipe into head, a closed terminal). Needed: the program ends.
+/// MayGo: it continues, since it holds an arm, and its output is lost.
 enum class Reader : std::uint8_t { Needed, MayGo };
 
-/// While one lives, what asks the program to end (Ctrl+C, Ctrl+\, SIGTERM, a terminal that is closed) sets a flag
-/// instead, so that forces are let go and results still printed. One at a time.
+/// While an object of this class exists, signals that ask the program to end (Ctrl+C, Ctrl+\, SIGTERM, a closed
+/// terminal) set a flag instead, so that the force is released and results are still printed. One object at a time.
 class Interrupt {
  public:
+  /// reader: what happens on SIGPIPE.
   explicit Interrupt(Reader reader = Reader::Needed);
-  ~Interrupt();  // as it was
+  ~Interrupt();  // restores the handlers
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
+  /// Whether such a signal came since this was made.
   bool came() const;
 
  private:
   std::vector<std::pair<int, void (*)(int)>> before_;
 };
 
-/// What asks a program to end is not heard from here on: it ends when its starter does.
+/// Ignores signals that ask the program to end: it ends when its starter does.
 void outliveStarter();
 
-/// A file that may not grow is told of as a disk that is full.
+/// Ignores the signal of a file-size limit, so that exceeding it is an error like a full disk.
 void tellOfFullFiles();
 
 }  // namespace underact::system

@@ -12,7 +12,8 @@ void onSignal(int /*number*/) {
   signal_came = 1;
 }
 
-/// What the process was started with holds where it is to ignore the end of its terminal (nohup).
+/// Takes over a signal; but if the process was started to ignore the end of its terminal (nohup), it goes on to ignore
+/// it.
 void takeOver(int signal, void (*handler)(int), std::vector<std::pair<int, void (*)(int)>>& before) {
   void (*const old)(int) = std::signal(signal, handler);
   if (old == SIG_ERR) return;

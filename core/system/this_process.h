@@ -6,20 +6,23 @@ namespace underact::system {
 
 /// The path of the running program; empty: the system does not say.
 std::string ownProgram();
+/// The number of this process, as the system has it.
 std::int64_t processId();
-/// A word that no other program at work has, and this one once.
+/// A word that no other running program has; a new one with each call.
 std::string unusedWord();
+/// The name of this computer; "this-computer" where the system does not say.
 std::string computerName();
-/// In the environment of this process and what it starts. Empty: taken out of it. No other thread may look.
+/// Sets a variable in the environment of this process and those it starts; empty: removes it. No other thread may read
+/// the environment meanwhile.
 void setVariable(const char* name, const std::string& value);
-/// It is somebody at a terminal who reads or types there.
+/// Whether the descriptor is a terminal.
 bool isTerminal(int descriptor);
-/// At once: nothing is put in order.
+/// Ends the process at once, without any cleaning up.
 [[noreturn]] void end(int status);
-/// Others have more need of the processor; more: of more of them.
+/// Lowers the priority of this process; more: by how much.
 void stepBack(int more);
-/// Blocks as large as a picture's go back to the system when they are freed. The C library would keep them once it has
-/// seen one, and where memory is locked it cannot give them back later: 13 MB after the start on Debian 13.
+/// Makes the C library return large blocks, such as pictures, to the system when they are freed. It would keep them
+/// once it has seen one, and with locked memory it cannot return them later: 13 MB after the start on Debian 13.
 void giveLargeBlocksBack();
 
 }  // namespace underact::system

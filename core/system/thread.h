@@ -4,8 +4,8 @@
 #include "core/system/clock.h"
 #include "core/system/scheduling.h"
 
-// What the servo asks of the operating system: thread_linux.cpp, thread_windows.cpp and thread_macos.cpp each answer
-// all of it (monotonicNow_ns() of clock.h, too). Only Linux is tested.
+// What the servo needs of the operating system, in thread_linux.cpp, thread_windows.cpp and thread_macos.cpp (with
+// monotonicNow_ns() of clock.h). Only Linux is tested.
 namespace underact::system {
 
 /// Returns once monotonicNow_ns() has reached deadline_ns; at once where it has passed.
@@ -17,15 +17,16 @@ void nameThread(const char* name) noexcept;
 /// Runs the calling thread on one core alone. false: refused, or there is no such core.
 bool runOnCore(int core) noexcept;
 
-/// Asks for all that is wanted, for the calling thread, which is to tick rate_hz times a second, and touches its stack.
+/// Requests the scheduling for the calling thread, which is to tick rate_hz times a second, and touches its stack.
 /// Gives what the system granted. May wait some 3 s for another process to answer (rtkit).
 Scheduling askForRealTime(const SchedulingWanted& wanted, int rate_hz);
 
-/// What the system has done to the calling thread since it began; 0 where a system does not count by thread.
+/// Interruptions of the calling thread since it began; 0 where a system does not count by thread.
 struct Interruptions {
   std::int64_t page_faults = 0;
   std::int64_t preemptions = 0;  // the core was taken away from it
 };
+/// Of the calling thread, by a system call. Counted on Linux alone.
 Interruptions interruptions() noexcept;
 
 }  // namespace underact::system

@@ -22,7 +22,7 @@ mach_timebase_info_data_t timebase() noexcept {
   return kBase;
 }
 
-// 128 bits: on Apple's own processors a step is 125/3 ns, and the product would overflow after some years.
+// 128 bits: on Apple's processors a step is 125/3 ns, and a 64-bit product would overflow after some years.
 std::int64_t fromMach_ns(std::uint64_t steps) noexcept {
   const mach_timebase_info_data_t base = timebase();
   return static_cast<std::int64_t>(static_cast<unsigned __int128>(steps) * base.numer / base.denom);

@@ -50,11 +50,11 @@ std::int64_t monotonicNow_ns() noexcept {
   LARGE_INTEGER now{};
   QueryPerformanceCounter(&now);
   const std::int64_t ticks = ticksASecond();
-  // In two parts: the product would overflow after some minutes.
+  // In two parts: a single product would overflow after some minutes.
   return now.QuadPart / ticks * kSecond_ns + now.QuadPart % ticks * kSecond_ns / ticks;
 }
 
-// The counter above goes on in some kinds of sleep and not in others; how long there was any, these two know.
+// The counter above continues in some kinds of sleep and not in others; these two clocks show how long it slept.
 std::int64_t withSleepNow_ns() noexcept {
   ULONGLONG awake = 0;  // in steps of 100 ns
   QueryUnbiasedInterruptTime(&awake);

@@ -4,21 +4,21 @@
 
 namespace underact::system {
 
-/// A scheduling of the system's; by itself that of any program.
+/// A scheduling policy and priority; by default those of any program.
 struct Urgency {
   int policy = 0, priority = 0;
 };
 
-/// One less than the servo's, where the system grants it to this program's threads.
+/// Just below the servo's, where the system grants it to this program's threads.
 std::optional<Urgency> urgencyGranted();
 
-/// The calling thread's.
+/// That of the calling thread.
 Urgency ownUrgency();
-/// false: the system does not grant it.
+/// Sets that of the calling thread. false: the system does not grant it.
 bool setOwnUrgency(const Urgency& wanted);
 
-/// Gives this program's threads of that name (at most 15 characters) the urgency that is granted, or (on: false) that
-/// of any program. Where nothing is granted, or there is no such thread, nothing happens.
+/// Gives this program's threads of that name (at most 15 characters) the urgency that is granted, or (on: false) the
+/// default one. Without effect where nothing is granted, or there is no such thread.
 void setUrgency(const std::string& thread_name, bool on);
 
 }  // namespace underact::system

@@ -7,7 +7,7 @@ namespace {
 
 static_assert(std::variant_size_v<Goal> == std::variant_size_v<Memory>);
 
-// std::visit may throw, so clang's analysis of the tick refuses it: the kind is chosen by std::get_if.
+// std::visit may throw, which clang's analysis of the tick refuses: the kind is selected by std::get_if.
 
 Target influencedTarget(const InfluencedShape& held, const Vec3& p_WT, const Vec3& stylus_W, double dt_s,
                         InfluenceState& state, Details& details) noexcept UNDERACT_REAL_TIME {
@@ -17,7 +17,7 @@ Target influencedTarget(const InfluencedShape& held, const Vec3& p_WT, const Vec
   return {found.p_WP, found.is_unique ? Status::Unique : Status::Degenerate, found.distance_m};
 }
 
-/// Without friction, and what leans.
+/// The target without friction and smoothing of normals.
 Target smoothTarget(const Constraint& constraint, const Vec3& p_WT, const Mat3& R_WT, double dt_s, Memory& memory,
                     Details& details) noexcept UNDERACT_REAL_TIME {
   const Goal& goal = constraint.goal;
@@ -32,7 +32,7 @@ Target smoothTarget(const Constraint& constraint, const Vec3& p_WT, const Mat3& 
                            *std::get_if<manipulator::State>(&memory), details.robot);
 }
 
-/// p_WG, which slid from p_WP on, brought back onto what the stylus is held to.
+/// p_WG, which slid from p_WP, put back onto the constraint.
 Vec3 onto(const Goal& goal, const Memory& memory, const Vec3& p_WG, const Vec3& p_WP) noexcept UNDERACT_REAL_TIME {
   if (const auto* held = std::get_if<NearestOnShape>(&goal)) return ontoShape(*held, p_WG, p_WP);
   if (const auto* held = std::get_if<InfluencedShape>(&goal)) return ontoShape(*held, p_WG, p_WP);
@@ -43,7 +43,7 @@ Vec3 onto(const Goal& goal, const Memory& memory, const Vec3& p_WG, const Vec3& 
   return p_WP;
 }
 
-/// The point where the target holds on to what the stylus is held to. smooth: the target without friction.
+/// The point to which friction holds the target. smooth: the target without friction.
 Vec3 heldPoint(const Constraint& constraint, const Vec3& p_WT, const Target& smooth,
                State& state) noexcept UNDERACT_REAL_TIME {
   Grip& grip = state.grip;
@@ -101,7 +101,7 @@ Target targetOf(const Constraint& constraint, const Vec3& p_WT, const Mat3& R_WT
                 Details& details) noexcept {
   const Goal& goal = constraint.goal;
   if (details.kind !=
-      goal.index()) {  // each tells all of its own; of another kind, an earlier program's may stand here
+      goal.index()) {  // each kind fills in all of its own; details of another kind may be left from before
     details = Details{};
     details.kind = goal.index();
   }

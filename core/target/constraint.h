@@ -11,8 +11,9 @@
 
 namespace underact::target {
 
-/// The kinds of targets, and what each remembers from tick to tick: one list beside the other.
+/// The kinds of targets.
 using Goal = std::variant<NearestOnShape, InfluencedShape, MeshPlace, CurvePath, manipulator::Manipulator>;
+/// The state of each kind of Goal between ticks, at the same index.
 using Memory = std::variant<std::monostate, InfluenceState, MeshState, CurveState, manipulator::State>;
 
 /// What the stylus is held to.
@@ -22,45 +23,46 @@ struct Constraint {
   Friction friction = {};  // of all but a virtual manipulator
 };
 
-/// All that it remembers. Made by makeState().
+/// The state of a constraint between ticks. Made by makeState().
 struct State {
   Memory memory;  // of the kind of the constraint's goal, always
   Grip grip;
 };
 
-/// What a target of some kinds tells beside its place.
+/// What a target of some kinds gives besides its position.
 struct Details {
-  std::size_t kind = 0;  // which one of Goal's told it
+  std::size_t kind = 0;  // the index of the kind in Goal
   Angles angles = {};    // of an influenced shape
   Arc arc = {};          // of an influenced shape
   Robot robot = {};      // of a virtual manipulator
 };
 
-/// To the point of a shape that is nearest, see nearestOn().
+/// The constraint to the nearest point of a shape, see nearestOn().
 Constraint makeConstraint(const shape::Shape& shape, Side side, const Vec3& stiffness);
 
+/// The state before a first tick, of the kind of the goal. May allocate.
 State makeState(const Goal& goal);
 
-/// Whether the stylus's turn has a part in the target.
+/// Whether the target depends on the orientation of the stylus.
 bool asksForTurn(const Goal& goal);
 
-/// Where the constraint draws a stylus whose tip is in p_WT (m, finite), turned by R_WT. dt_s: since the last tick, 0:
-/// unknown. details: what stands there of another kind goes.
+/// The target for a stylus with its tip at p_WT (m, finite) and the orientation R_WT. dt_s: since the last tick, 0:
+/// unknown. details: what another kind has left there is cleared.
 Target targetOf(const Constraint& constraint, const Vec3& p_WT, const Mat3& R_WT, double dt_s, State& state,
                 Details& details) noexcept UNDERACT_REAL_TIME;
 
-/// As on a first tick.
+/// Resets the state to that before a first tick.
 void forget(State& state) noexcept UNDERACT_REAL_TIME;
-/// What a target of the same kind remembers goes over to the next one. The grip stays out of it.
+/// Copies the state of a target of the same kind; without effect between different kinds. The grip is not part of it.
 void carryOver(const Memory& last, Memory& next) noexcept UNDERACT_REAL_TIME;
-/// The target was moved by an edit, and that way is none of the hand's: it leads through no wall that was elsewhere.
-/// And where a target held on, its surface may be no longer.
+/// To be called when an edit has moved the target: this is no motion of the hand, and must not lead it through a wall
+/// that was elsewhere. The grip is released, since its surface may be gone.
 void forgetWay(State& state) noexcept UNDERACT_REAL_TIME;
 
-/// Of bytes from a file. goal: that the state was made for.
+/// For bytes from a file: whether the state can be used. goal: for which it was made.
 bool isSound(const State& state, const Goal& goal);
 
-/// Of what the kind remembers.
+/// The size of the state of its kind.
 std::size_t bytesOf(const Memory& memory);
 
 }  // namespace underact::target

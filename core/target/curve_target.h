@@ -8,7 +8,7 @@
 
 namespace underact::target {
 
-/// A curve that the stylus is held to, and led along where there is a guide.
+/// A curve that the stylus is held to, with guidance along it where there is any.
 struct CurvePath {
   std::shared_ptr<const curve::Curve> curve;  // in W; never null
   Search search = Search::Hybrid;
@@ -21,14 +21,14 @@ struct CurveState {
   curve::GuideState guide;
 };
 
-/// Of bytes from a file. curve: that the state is for.
+/// For bytes from a file: whether the state can be used. curve: for which it was made.
 bool isSound(const CurveState& state, const curve::Curve& curve) noexcept;
 
-/// The point of the curve that the guide leads to; without a guide the nearest one. dt_s: since the last tick, 0:
-/// unknown. Where two far-apart points are as near it is the one of the last tick, so it is never degenerate.
+/// The target of the guidance; without it the nearest point of the curve. dt_s: since the last tick, 0: unknown. Where
+/// two points far apart are equally near it is the one of the last tick, so it is never degenerate.
 Target curveTarget(const CurvePath& path, const Vec3& p_WT, double dt_s, CurveState& state) noexcept UNDERACT_REAL_TIME;
 
-/// The point of the curve near p_W, found along it from where the target is.
+/// The point of the curve near p_W, found along it from the target.
 Vec3 ontoCurve(const CurvePath& path, const CurveState& state, const Vec3& p_W) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::target

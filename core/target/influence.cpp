@@ -9,31 +9,31 @@
 namespace underact::target {
 namespace {
 
-/// Under this a cross product of unit vectors has no direction left.
+/// Below this a cross product of unit vectors has no direction.
 constexpr double kNoDirection = 8 * 0x1p-52;
 
-/// 0 to 1 over [0, 1] with no slope at both ends.
+/// A smooth step from 0 to 1 over [0, 1], with slope 0 at both ends.
 double smooth(double share) noexcept UNDERACT_REAL_TIME {
   const double x = std::clamp(share, 0.0, 1.0);
   return x * x * (3.0 - 2.0 * x);
 }
 
-/// How much the stylus's direction counts, 1 or less: by its angle from the shape's axis.
+/// The weight of the stylus's direction, at most 1, by its angle from the shape's axis.
 double weightOf(const Influence& influence, double across_axis, double along_axis) noexcept UNDERACT_REAL_TIME {
   if (across_axis <= kNoDirection) return 0.0;
   if (!(influence.blend_rad > 0.0)) return 1.0;
   return smooth(atan2Of(across_axis, std::abs(along_axis)) / influence.blend_rad);
 }
 
-/// delta on the side where the last one was, if both are near half a turn.
+/// delta on the side of the last one, if both are near half a turn.
 double onTheSameSide(double delta_rad, const InfluenceState& state) noexcept UNDERACT_REAL_TIME {
   const bool near_tie = std::abs(delta_rad) > kPi - kTie_rad && std::abs(state.delta_rad) > 0.5 * kPi;
   if (!state.begun || !near_tie || delta_rad * state.delta_rad >= 0.0) return delta_rad;
   return delta_rad + std::copysign(2.0 * kPi, state.delta_rad);
 }
 
-/// The direction across the axis from the centre to the target, and what is known of it. on_axis: the tip's says
-/// nothing.
+/// The direction from the centre to the target, at right angles to the axis, and what is known of it. on_axis: that of
+/// the tip is undefined.
 struct Around {
   Vec3 n_W = Vec3::Zero();
   Angles angles;
@@ -78,7 +78,7 @@ Around around(const Vec3& axis_W, const Influence& influence, const Vec3& tip_W,
     const double delta_rad = onTheSameSide(atan2Of(axis_W.dot(stylus_n_W.cross(tip_W)), stylus_n_W.dot(tip_W)), state);
     state.delta_rad = delta_rad;
     state.begun = true;
-    // Counted from the tip: position alone is then exact, and so is what the blend goes over to.
+    // Measured from the tip, so that position alone is exact, and so is the end of the blend.
     const double back = weight * (1.0 - influence.t), back_rad = back * delta_rad;
     result.arc.turn_rad = delta_rad;
     result.arc.share = 1.0 - back;
@@ -116,8 +116,8 @@ Influenced onCylinder(const shape::Cylinder& cylinder, const Influence& influenc
   return {p_WU + cylinder.radius_m * at.n_W, at.angles, true, distance_m, placed(at.arc, p_WU, cylinder.radius_m)};
 }
 
-/// The axis of the arc from the stylus's direction to the tip's. Near half a turn theirs goes about with every tremble,
-/// and the last one that did not keeps its place, giving way as they part from the tie.
+/// The axis of the arc from the stylus's direction to the tip's. Near half a turn it is not determined within a tremor;
+/// then the last determined axis is kept, and faded out as the directions leave the tie.
 Vec3 arcAxis(const Vec3& from_W, const Vec3& to_W, double beta_rad, InfluenceState& state) noexcept UNDERACT_REAL_TIME {
   const Vec3 normal_W = from_W.cross(to_W);
   const double sine = normal_W.norm();
@@ -176,7 +176,7 @@ Influenced unslewed(const shape::Shape& shape, const Influence& influence, const
   return {p_WT, {}, false, 0.0, {}};
 }
 
-/// The direction from last_W towards to_W, by most_rad at most; the way round a half turn goes about about_W.
+/// last_W rotated towards to_W by at most most_rad; near half a turn the rotation is about about_W.
 Vec3 turnedTowards(const Vec3& last_W, const Vec3& to_W, const Vec3& about_W,
                    double most_rad) noexcept UNDERACT_REAL_TIME {
   const Vec3 normal_W = last_W.cross(to_W);
@@ -190,12 +190,12 @@ Vec3 turnedTowards(const Vec3& last_W, const Vec3& to_W, const Vec3& about_W,
   return n_W / n_W.norm();
 }
 
-/// The target no further round than dt_s allows from the last one, and its angle there.
+/// Limits the target to the arc that dt_s allows from the last one, and gives its angle there.
 void slew(const shape::Shape& shape, const Influence& influence, const Vec3& stylus_W, double dt_s,
           InfluenceState& state, Influenced& found) noexcept UNDERACT_REAL_TIME {
   const Vec3 p_CP_W = found.p_WP - found.arc.p_WC;
   const double radius_m = p_CP_W.norm();
-  if (!(radius_m > 0.0)) {  // lost in the rounding of a far place: there is no way round to go
+  if (!(radius_m > 0.0)) {  // lost in the rounding of a far position: there is no arc
     state.aims = false;
     return;
   }

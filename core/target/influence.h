@@ -5,11 +5,11 @@
 
 namespace underact::target {
 
-/// How much of the stylus's turn goes into the target on a circle, a cylinder or a sphere.
+/// How position and orientation of the stylus are weighed in the target on a circle, a cylinder or a sphere.
 struct Influence {
   double t = 1.0;            // 0: the orientation-nearest point alone, 1: the position-nearest point alone
   double stylus_sign = 1.0;  // the stylus's direction is +z of frame 6, or -z
-  double blend_rad = 0.0;    // within it of the shape's axis the stylus's direction says less and less
+  double blend_rad = 0.0;    // within this of the shape's axis the stylus's direction fades out
 };
 
 /// The angles of figure 5.7 about the shape's axis, rad, from the reference direction referenceAcross(); for a sphere
@@ -32,39 +32,40 @@ struct Arc {
   double share = 0.0;     // of the turn, that the target has from p_WPo on: t, or more in the blend
 };
 
-/// All memory: which way round the last target went, and where it was.
+/// The state between ticks: the sense of the last arc, and the last target.
 struct InfluenceState {
   double delta_rad = 0.0;       // from alpha to beta, unwrapped by up to kTie_rad
   Vec3 about_W = Vec3::Zero();  // of a sphere: the axis of the last arc that was no tie
   bool begun = false;
   Vec3 n_W = Vec3::Zero();  // from the arc's centre to the last target, unit
-  bool aims = false;        // there was one
+  bool aims = false;        // there was a target
 };
 
-/// Of bytes from a file.
+/// For bytes from a file: whether the state can be used.
 inline bool isSound(const InfluenceState& state) noexcept {
   return isFlag(state.begun) && isFlag(state.aims);
 }
 
-/// Past half a turn the target goes on along the arc it is on by as much as this, so that a tremble about the tie does
-/// not throw it to the other side.
+/// The hysteresis about half a turn, by which the target stays on its arc, so that a tremor does not throw it to the
+/// other side.
 inline constexpr double kTie_rad = 0.2;
 
+/// What influencedTarget() gives.
 struct Influenced {
   Vec3 p_WP = Vec3::Zero();
   Angles angles;
-  bool is_unique = false;   // false: neither the tip nor the stylus says where; p_WP is the tip
+  bool is_unique = false;   // false: neither tip nor stylus determines it; p_WP is the tip
   double distance_m = 0.0;  // of the tip from the shape
   Arc arc;
 };
 
-/// The target between orientation- and position-nearest point, along the shorter arc: theta = alpha + t wrap(beta -
-/// alpha). p_WT: m, finite; stylus_W: z of frame 6, unit. Along the axis the stylus says nothing, and the target goes
-/// over to position smoothly within blend_rad; tip on the axis: orientation alone; both: not unique. Any other shape:
-/// not unique. dt_s: since the last one; the target goes round no faster than manipulator::kSlew_m_per_s, so that a
-/// change of side is no blow; 0: at once. Within 64 ulp of the largest
-/// coordinate, and of R over how far tip and stylus are off the axis. Cost: constant. Source: Beckman 2007, eq. 5.1-5.4
-/// (errata 5.3, 5.4; 3-D form of errata section 4).
+/// The target between orientation-nearest and position-nearest point, along the shorter arc: theta = alpha + t
+/// wrap(beta - alpha). p_WT: m, finite; stylus_W: z of frame 6, unit. A stylus along the axis has no direction, so the
+/// target goes over to position smoothly within blend_rad; with the tip on the axis, orientation alone counts; both:
+/// not unique. Any other shape: not unique. dt_s: since the last tick; the target moves along the arc no faster than
+/// manipulator::kSlew_m_per_s, so that a change of sides is no jolt; 0: at once. Within 64 ulp of the largest
+/// coordinate, and of R over the distance of tip and stylus from the axis. Cost: constant. Source: Beckman 2007, eq.
+/// 5.1-5.4 (errata 5.3, 5.4; 3-D form of errata section 4).
 Influenced influencedTarget(const shape::Shape& shape, const Influence& influence, const Vec3& p_WT,
                             const Vec3& stylus_W, double dt_s, InfluenceState& state) noexcept UNDERACT_REAL_TIME;
 

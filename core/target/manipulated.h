@@ -4,21 +4,21 @@
 
 namespace underact::target {
 
-/// What a virtual manipulator did this tick.
+/// The result of a virtual robot in a tick.
 struct Robot {
   std::size_t joints = 0;           // 0: the constraint is none
   manipulator::Values theta{};      // rad or m
   Vec3 n_W = Vec3::Zero();          // z of its tip V
-  Vec3 moment_W = Vec3::Zero();     // the moment that belongs to the force, N m; never sent
+  Vec3 moment_W = Vec3::Zero();     // the moment of the force, N m; never sent
   Vec3 f_along_T_W = Vec3::Zero();  // the thesis's law: what it adds to the control's force
   double energy_J = 0.0;
   double left = 0.0;  // see manipulator::Followed
   int steps = 0;
   bool slewing = false;
-  double better_J = 0.0;  // what another minimum is known to save
+  double better_J = 0.0;  // what another known minimum would save
 };
 
-/// The target that a virtual manipulator's tip is, and the robot. dt_s: since the last tick, 0: unknown.
+/// The target that is the end effector of a virtual robot, and the robot. dt_s: since the last tick, 0: unknown.
 Target manipulatedTarget(const manipulator::Manipulator& manipulator, const Vec3& p_WT, const Mat3& R_WT, double dt_s,
                          manipulator::State& state, Robot& robot) noexcept UNDERACT_REAL_TIME;
 

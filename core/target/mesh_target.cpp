@@ -7,7 +7,7 @@
 namespace underact::target {
 namespace {
 
-/// The point near p_W, from the face that the target is on.
+/// The point of the surface near p_W, from the face that the target is on.
 mesh::Hit alongSurface(const MeshPlace& place, const MeshState& state, const Vec3& p_W) noexcept UNDERACT_REAL_TIME {
   mesh::SearchState search{state.touch.face >= 0 ? state.touch.face : state.search.face};
   return nearestPoint(*place.surface, mesh::Search::Local, toMesh(place, p_W), search);
@@ -19,7 +19,7 @@ bool isSound(const MeshState& state, const mesh::Surface& surface) noexcept {
   const std::size_t faces = surface.triangles.faces.size();
   const auto isFace = [faces](std::int32_t face) { return face >= -1 && face < static_cast<std::int64_t>(faces); };
   return isFace(state.search.face) && isFace(state.touch.face) && isFlag(state.touch.knows_last) &&
-         state.search.cut.size <= mesh::Cut::kMost;  // whose nodes each search looks at before it goes by them
+         state.search.cut.size <= mesh::Cut::kMost;  // each search looks at its nodes before using them
 }
 
 Target meshTarget(const MeshPlace& place, Side side, const Vec3& p_WT, MeshState& state) noexcept {
@@ -44,7 +44,7 @@ Vec3 leanOfMesh(const MeshPlace& place, const MeshState& state, const Vec3& p_WT
   const Vec3 way_W = p_WT - p_WP;
   const double length_m = way_W.norm();
   if (!place.lean.isThere() || !(length_m > 0.0)) return Vec3::Zero();
-  // A scale below 0 turns it over, and what leans with it: the way across the surface is the same.
+  // A scale below 0 reflects both directions, so the displacement along the surface is the same.
   const Vec3 u_M = place.R_WM.transpose() * (way_W / length_m);
   const Vec3 leaning_M = leaning(*place.surface, alongSurface(place, state, p_WT), u_M, place.lean);
   return length_m * (place.R_WM * (u_M - leaning_M));

@@ -9,7 +9,7 @@ bool isFree(Side side, double height_m) noexcept UNDERACT_REAL_TIME {
   return (side == Side::Outside && height_m >= 0.0) || (side == Side::Inside && height_m <= 0.0);
 }
 
-/// In W; the height in the metric.
+/// The nearest point in W, with the height in the metric.
 shape::Nearest nearestOf(const NearestOnShape& held, const Vec3& p_W) noexcept UNDERACT_REAL_TIME {
   if (!held.weighted) return closestPoint(held.shape, p_W);
   shape::Nearest nearest = closestPoint(held.shape, held.scale.cwiseProduct(p_W));

@@ -13,17 +13,17 @@ struct NearestOnShape {
   Vec3 scale = Vec3::Ones();
 };
 
-/// A shape on which the stylus's turn has a part in the target.
+/// A shape whose target depends on the orientation of the stylus, too.
 struct InfluencedShape {
   shape::Shape shape;  // in W
   Influence influence = {};
 };
 
-/// stiffness: the gains, any unit, whose metric decides what is nearest; all equal means the Euclidean metric. Each
-/// must be above 0 unless all are equal or the shape is a point; the scene's check sees to that.
+/// stiffness: the gains, any unit, whose metric defines the nearest point; all equal: the Euclidean metric. Each must
+/// be above 0 unless all are equal or the shape is a point; the scene's check guarantees that.
 NearestOnShape nearestOn(const shape::Shape& shape, const Vec3& stiffness);
 
-/// p_WT: m, finite. Cost: constant for each shape.
+/// The target for a tip at p_WT, m, finite. Cost: constant for each shape.
 /// Source of the weighted metric: errata section 6, a position-only virtual manipulator with W = K.
 Target nearestTarget(const NearestOnShape& held, Side side, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;
 

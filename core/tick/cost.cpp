@@ -16,11 +16,11 @@ constexpr double kPlane_ns = 3.0;
 constexpr double kCircle_ns = 18.0;
 constexpr double kCylinder_ns = 15.0;
 constexpr double kBox_ns = 7.0;
-constexpr double kByIteration_ns = 165.0;  // what unequal gains make of sphere, circle, cylinder and box
+constexpr double kByIteration_ns = 165.0;  // sphere, circle, cylinder and box with unequal gains
 constexpr double kP_ns = 1.0;
 constexpr double kPD_ns = 11.0;
 constexpr double kPID_ns = 18.0;
-constexpr double kKalman_ns = 14.0;        // beside the low-pass, which is in the law's
+constexpr double kKalman_ns = 14.0;        // beyond the low-pass, which is in that of the law
 constexpr double kWindowOfTick_ns = 15.0;  // of an adaptive window, for each of its ticks
 constexpr double kObserve_ns = 28.0;
 constexpr double kPassive_ns = 60.0;     // observed and damped
@@ -29,12 +29,12 @@ constexpr double kWrist_ns = 60.0;
 constexpr double kClosedForm_ns = 130.0;    // of a virtual manipulator
 constexpr double kStepsOf_ns = 60.0;        // by iteration: the two evaluations and the step of a warm start ...
 constexpr double kStepsOfJoint_ns = 160.0;  // ... for each joint
-constexpr double kJoints_ns = 250.0;        // the joints that a target asks for, and the force of their torques
+constexpr double kJoints_ns = 250.0;        // the joint angles of a target, and the force of their torques
 
 constexpr double kFriction_ns = 12.0;
 constexpr double kCurve_ns = 450.0, kCurveOfDoubling_ns = 40.0;  // a spline of 100 points, and each doubling
-// Of a mesh (underact-mesh-tick-bench): a search at 1000 triangles, and what each doubling adds, warm and by the tree
-// alone; the local search and a wall's proxy; where the force leans.
+// Of a mesh (underact-mesh-tick-bench): a search at 1000 triangles, and the increase with each doubling, warm and in
+// the tree alone; the local search and a wall's proxy; smoothing of the force.
 constexpr double kSearch_ns = 100.0, kHybridOfDoubling_ns = 55.0, kGlobalOfDoubling_ns = 150.0, kWalk_ns = 100.0;
 constexpr double kLean_ns = 900.0;
 

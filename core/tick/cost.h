@@ -3,8 +3,8 @@
 
 namespace underact::tick {
 
-/// What a tick of the program is expected to take, ns: median on the machine named in the guide's figures. A sum over
-/// its parts, so it tells which of two scenes is dearer and by about how much; it is no promise for another machine.
+/// The expected duration of a tick of the program, ns: median on the machine named with the guide's figures. A sum over
+/// its parts, to compare scenes; no prediction for another machine.
 double predictedCost_ns(const TickProgram& program);
 
 }  // namespace underact::tick

@@ -8,7 +8,7 @@
 namespace underact::tick {
 namespace {
 
-/// What its spring holds, as far as the clamp lets its force through.
+/// The energy in its spring, for the force that the clamp lets through.
 double storedIn(const TickProgram& program, const TickReport& report, const TickState& state,
                 std::size_t index) noexcept UNDERACT_REAL_TIME {
   const Entry& entry = program.entries[index];
@@ -26,8 +26,8 @@ double storedIn(const TickProgram& program, const TickReport& report, const Tick
   return control::clampedEnergy(0.5 * kp.cwiseProduct(e_rad).dot(e_rad), held.f_T_W.norm(), most_N);
 }
 
-/// The part of the force sent last that belongs to a constraint which asked for f_T_W of it. A lone one has it all;
-/// several share it as they asked for it, and what the gate's slew limit adds beside that belongs to none.
+/// The part of the force sent last that belongs to a constraint which asked for f_T_W of it. A single one has all of
+/// it; several share it in proportion, and what the gate's slew limit adds belongs to none.
 Vec3 partOf(const TickState& state, const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME {
   if (state.entries.size() == 1) return state.gate.f_T_W;
   const double asked2_N2 = state.asked_T_W.squaredNorm();
@@ -62,10 +62,10 @@ void watchEnergy(const TickProgram& program, const control::Moment& moment, cons
   if (passage.pulls && entry.passivity == control::Passivity::Control) {
     const Vec3 f_T_W = held.f_T_W, damper_T_W = control::damper(energy, passage);
     if (damper_T_W != Vec3::Zero()) {
-      // Beside a force beyond what the gate lets through, a damper would be nothing.
+      // The damper would be negligible beside a force beyond the gate's limit.
       const Vec3 pushed_T_W = safety::clampForce(f_T_W, program.limits.max_force_N);
       held.f_T_W = pushed_T_W + damper_T_W;
-      if (held.f_T_W.dot(passage.e_W) < 0.0) held.f_T_W.setZero();  // nor is the arm to be thrown the other way
+      if (held.f_T_W.dot(passage.e_W) < 0.0) held.f_T_W.setZero();  // nor must it push the arm back
       held.f_passive_T_W = held.f_T_W - pushed_T_W;
     }
   }

@@ -11,16 +11,16 @@
 namespace underact::tick {
 namespace {
 
-constexpr double kBumpOver_N = 1e-9;  // what is left of a smoothed step when it is forgotten
+constexpr double kBumpOver_N = 1e-9;  // the remainder of a smoothed step that is dropped
 
-/// What a tick hands down to each of its constraints.
+/// The input that a tick gives to each of its constraints.
 struct Around {
   const TickProgram& program;
   const control::Moment& moment;
   TickReport& report;
 };
 
-/// The force of the torques that draw joints 1 to 3 to those that the target asks for.
+/// The force of the torques that pull joints 1 to 3 towards the joint angles of the target.
 /// Source: Beckman 2007, section 4.1 (its joint-space scheme), with errata section 2's inverse; tau = J_p^T f.
 Vec3 forceByJoints(const Around& around, const Entry& entry, const Vec3& p_WP,
                    EntryState& state) noexcept UNDERACT_REAL_TIME {
@@ -38,14 +38,14 @@ Vec3 forceByJoints(const Around& around, const Entry& entry, const Vec3& p_WP,
   return pushed.f_T_W;
 }
 
-/// What the law asks for.
+/// The force of the law.
 Vec3 pushOf(const Around& around, const Entry& entry, const Held& held, EntryState& state) noexcept UNDERACT_REAL_TIME {
   const Vec3 e_W = held.p_WP - around.report.p_WT;
   const Vec3 f_T_W = entry.space == Space::Joint ? forceByJoints(around, entry, held.p_WP, state)
                                                  : control::force(entry.law, state.law, e_W, around.moment);
   if (held.robot.joints > 0) return f_T_W + held.robot.f_along_T_W;
   const bool pulls = entry.constraint.side != target::Side::Both && f_T_W.dot(e_W) < 0.0;
-  return pulls ? Vec3(Vec3::Zero()) : f_T_W;  // a wall never does
+  return pulls ? Vec3(Vec3::Zero()) : f_T_W;  // a wall never pulls
 }
 
 /// The force of one constraint; zero where it is free, degenerate or not chosen.
@@ -58,7 +58,7 @@ Vec3 forceOf(const Around& around, const Entry& entry, const Held& held,
     control::rest(state.law, held.status == target::Status::Degenerate);
     if (around.moment.idle) state.law.integral_T_W.setZero();
   } else {
-    control::forget(state.law);  // another is nearer: an old integral would come back as a jump
+    control::forget(state.law);  // another one is nearer: an old integral would return as a jump
   }
   return Vec3::Zero();
 }

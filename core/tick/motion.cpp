@@ -13,7 +13,7 @@ double secondsSince(const TickState& state, std::int64_t time_ns) noexcept {
 }
 
 GateTime gateTimeOf(const TickInput& input, const TickState& before, double by_arm_s, double law_dt_s) noexcept {
-  if (!(input.period_s > 0.0)) return {law_dt_s, 0.0, law_dt_s};  // as in version 0.1.0: by the sample's clock
+  if (!(input.period_s > 0.0)) return {law_dt_s, 0.0, law_dt_s};  // as in version 0.1.0: the sample's clock
   if (!before.has_time) return {};
   const double since_s = (before.gate.missed + 1) * input.period_s + input.waited_s;
   return {input.period_s, input.waited_s, safety::wayTime_s(by_arm_s, since_s)};

@@ -27,15 +27,16 @@ struct Needs {
   bool meshes = false;       // the last face and the proxy of each mesh
   bool curves = false;       // the last piece and the guide of each curve
   bool friction = false;     // where each target holds on
-  bool joints = false;       // the joints that the target asks for, and J_p (space: joint)
-  bool energy = false;       // what each constraint was given and gave back (passivity)
+  bool joints = false;       // the joint angles of the target, and J_p (space: joint)
+  bool energy = false;       // the energy of each constraint (passivity)
   bool motors = false;       // J_p for the gate: the heat of the motors, and the joints' stops
 };
 
-/// Where a law works. Cartesian: force from the error, N from m. Joint: torques of joints 1 to 3 from their errors,
-/// N m from rad, and the force that these torques put on the tip.
+/// The space of a law. Cartesian: force from the error, N from m. Joint: torques of joints 1 to 3 from their errors, N
+/// m from rad, and the force that these torques put on the tip.
 enum class Space : std::uint8_t { Cartesian, Joint };
 
+/// A constraint of the program with the law that holds the stylus to it.
 struct Entry {
   target::Constraint constraint;
   control::Law law;  // in N and m, or in N m and rad, as the space says

@@ -9,14 +9,14 @@
 
 namespace underact::tick {
 
-/// What one constraint did in a tick.
+/// The result for one constraint in a tick.
 struct Held : target::Details {
   Vec3 p_WP = Vec3::Zero();   // the target; the tip itself unless status is Unique
   Vec3 f_T_W = Vec3::Zero();  // its own force, before the gate
   target::Status status = target::Status::Free;
   double distance_m = 0.0;
-  bool acts = false;                  // it has a part in the force (not where it is free or another is nearer)
-  double energy_J = 0.0;              // that the stylus has put into it and not got back; below 0: it is active
+  bool acts = false;                  // it contributes to the force (not where it is free or another is nearer)
+  double energy_J = 0.0;              // net energy that the stylus has put into it; below 0: it is active
   Vec3 f_passive_T_W = Vec3::Zero();  // what the passivity controller adds; part of f_T_W
 };
 
@@ -24,7 +24,9 @@ struct Held : target::Details {
 class HeldList {
  public:
   HeldList() = default;
+  /// Copies those in use alone; what lies beyond stays as it was.
   HeldList(const HeldList& other) noexcept UNDERACT_REAL_TIME { *this = other; }
+  /// The same.
   HeldList& operator=(const HeldList& other) noexcept UNDERACT_REAL_TIME {
     resize(other.size_);
     for (std::size_t index = 0; index < size_; ++index) held_[index] = other.held_[index];
@@ -32,10 +34,14 @@ class HeldList {
   }
   ~HeldList() = default;
   std::size_t size() const noexcept UNDERACT_REAL_TIME { return size_; }
+  /// Held to kMaxConstraints; entries that come into use are as they were left.
   void resize(std::size_t size) noexcept UNDERACT_REAL_TIME { size_ = size < kMaxConstraints ? size : kMaxConstraints; }
+  /// index: below size(), not checked.
   Held& operator[](std::size_t index) noexcept UNDERACT_REAL_TIME { return held_[index]; }
   const Held& operator[](std::size_t index) const noexcept UNDERACT_REAL_TIME { return held_[index]; }
+  /// Those in use, for a loop over them.
   const Held* begin() const noexcept UNDERACT_REAL_TIME { return held_.data(); }
+  /// Behind the last of them.
   const Held* end() const noexcept UNDERACT_REAL_TIME { return held_.data() + size_; }
 
  private:
@@ -43,23 +49,23 @@ class HeldList {
   std::array<Held, kMaxConstraints> held_{};
 };
 
-/// All results of a tick: what view, plots and recorder know of it is in here.
+/// All results of a tick, for view, plots and recorder.
 struct TickReport {
   arm::Sample sample;
   Vec3 p_WT = Vec3::Zero();      // the tip
-  Mat3 R_WT = Mat3::Identity();  // its turn; the identity where the program does not need it
+  Mat3 R_WT = Mat3::Identity();  // its orientation; the identity where the program does not need it
   Vec3 stylus_W = Vec3::Zero();  // its direction, z of frame 6; zero where the program does not need it
   HeldList held;                 // in the order of the scene
   Vec3 f_T_W = Vec3::Zero();     // asked, before the gate
   safety::GatedForce force;      // sent
   double level = 0.0;            // share that the ramps let through
   safety::Cuts cuts;             // which limits act
-  double cut_N = 0.0;            // what they took away in all
+  double cut_N = 0.0;            // what they took off in all
   Vec3 v_WT = Vec3::Zero();      // the tip's velocity, filtered by the gate
-  Vec3 heat = Vec3::Zero();      // of motors 1 to 3; 1: what they bear for good
+  Vec3 heat = Vec3::Zero();      // of motors 1 to 3; 1: at their continuous torque
   Fault fault;                   // why the force is zero, if a fault is why
-  int branch_changes = 0;        // space joint: joints asked for that went over to another branch of the arm this tick
-  bool out_of_reach = false;     // space joint: a target that the arm cannot reach; its joints are the nearest ones
+  int branch_changes = 0;        // space joint: targets whose joints changed to another branch of the arm
+  bool out_of_reach = false;     // space joint: a target is out of reach; its joints are the nearest ones
   double damping_m = 0.0;        // space joint: how far torques were damped near a singularity; 0: exact
 };
 

@@ -11,8 +11,8 @@ TickReport answerAtRest(const TickProgram& program, const Vec3& p_WT, const Mat3
   if (program.needs.joints) {
     input.sample.q_rad = arm::reach(program.geometry, p_WT).q_rad;
   } else {
-    // An arm without length whose base stands where the tip is meant to be: its tip is there to the last bit, for
-    // places that the real arm cannot reach, too.
+    // An arm of length 0 whose base is at the position of the tip: its tip is there to the last bit, also for positions
+    // that the real arm cannot reach.
     there.geometry = {0.0, 0.0, p_WT};
   }
   if (program.needs.orientation) input.sample.q_rad = arm::withWrist(input.sample.q_rad, R_WT);

@@ -4,13 +4,12 @@
 
 namespace underact::tick {
 
-/// What a tick finds for a stylus that rests at p_WT (m, finite), turned by R_WT, and has no past: no rate, no
-/// integral. held and f_T_W (asked, before the gate) are what is meant; force is zero, since the ramp has not begun. It
-/// is step() that answers, so nothing here can differ from what the servo does. A program that works on joints (space:
-/// joint) answers for the arm's own joints there, and so for p_WT within 1e-15 m; out of the arm's reach, for the
-/// nearest place. A
-/// virtual manipulator answers from a cold start with the least energy of all; where two places have as little, it is
-/// degenerate. Allocates; not for the servo thread.
+/// The result of a tick for a stylus that rests at p_WT (m, finite) with the orientation R_WT and has no past: no rate,
+/// no integral. held and f_T_W (before the gate) count; force is zero, since the ramp has not begun. Computed by
+/// step(), so it cannot differ from the servo. A program in joint space (space: joint) is evaluated at the arm's own
+/// joints there, and so for p_WT within 1e-15 m; out of the arm's reach, at the nearest position. A virtual robot
+/// starts cold and has the global minimum of energy; where two minima are equal, it is degenerate. Allocates; not for
+/// the servo thread.
 TickReport answerAtRest(const TickProgram& program, const Vec3& p_WT, const Mat3& R_WT);
 
 }  // namespace underact::tick

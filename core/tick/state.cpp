@@ -8,7 +8,7 @@
 namespace underact::tick {
 namespace {
 
-/// What both programs need: what one of them left as it was made says nothing to the other.
+/// Carries over what both programs need; what one of them left untouched means nothing to the other.
 void carryEntry(const Needs& of_last, const EntryState& last, const Needs& of_next,
                 EntryState& next) noexcept UNDERACT_REAL_TIME {
   target::carryOver(last.target.memory, next.target.memory);

@@ -8,7 +8,7 @@
 namespace underact::tick {
 namespace {
 
-/// A law is not let loose on a longer pause than this: after one, rate and integral start as on a first tick.
+/// The longest pause that a law sees: after a longer one, rate and integral start as on a first tick.
 constexpr double kLongestTick_s = 0.1;
 
 Fault judge(const TickInput& input, const TickState& state, double dt_s) noexcept UNDERACT_REAL_TIME {
@@ -17,13 +17,13 @@ Fault judge(const TickInput& input, const TickState& state, double dt_s) noexcep
   for (const double angle_rad : input.sample.q_rad) {
     if (!std::isfinite(angle_rad)) return {FaultKind::NotFinite, angle_rad, 0.0};
   }
-  const double shin_rad = input.sample.q_rad[1] + input.sample.q_rad[2];  // two finite ones may overflow
+  const double shin_rad = input.sample.q_rad[1] + input.sample.q_rad[2];  // the sum of two finite angles may overflow
   if (!std::isfinite(shin_rad)) return {FaultKind::NotFinite, shin_rad, 0.0};
   if (state.has_time && dt_s <= 0.0) return {FaultKind::StaleSample, dt_s, 0.0};
   return {};
 }
 
-/// Nothing was found out yet.
+/// Resets the report to that of a tick without results.
 void begin(const arm::Sample& sample, TickReport& report) noexcept UNDERACT_REAL_TIME {
   report.sample = sample;
   report.held.resize(0);
@@ -63,13 +63,13 @@ void keepNearest(HeldList& held) noexcept UNDERACT_REAL_TIME {
   if (nearest < held.size()) held[nearest].acts = true;
 }
 
-/// No force is sent at all.
+/// Whether no force is sent at all.
 bool isIdle(const TickInput& input, const safety::GateState& gate) noexcept UNDERACT_REAL_TIME {
   const bool stopped = gate.fault.kind != FaultKind::None && !input.restart;
   return stopped || (!input.engage && gate.level == 0.0);
 }
 
-/// What the next tick is compared with.
+/// Stores what the next tick is compared with.
 void remember(const TickReport& report, TickState& state) noexcept UNDERACT_REAL_TIME {
   state.p_WT = report.p_WT;
   state.q_rad = report.sample.q_rad;
@@ -90,7 +90,7 @@ void tell(const safety::Gated& gated, TickReport& report) noexcept UNDERACT_REAL
 }  // namespace
 
 void step(const TickProgram& program, const TickInput& input, TickState& state, TickReport& report) noexcept {
-  if (input.restart) {  // begins anew in all: an arm that was unplugged counts its time from 0 again
+  if (input.restart) {  // a complete new start: an arm that was unplugged counts its time from 0 again
     state.has_time = false;
     forget(state);
   }
@@ -103,7 +103,7 @@ void step(const TickProgram& program, const TickInput& input, TickState& state, 
   begin(input.sample, report);
   if (is_good) {
     if (dt_s > kLongestTick_s) forget(state);
-    lookAtArm(program, input.sample.q_rad, report, motion);  // the targets are found from it
+    lookAtArm(program, input.sample.q_rad, report, motion);  // the targets depend on it
     lookAtMotion(program, input.sample.q_rad, state, time.way_s, report.p_WT, motion);
     findTargets(program, law_dt_s, state, report);
     if (program.needs.choice) keepNearest(report.held);

@@ -12,7 +12,7 @@ bool always(const scene::Description&) {
   return true;
 }
 
-/// A control law in joint space has joint rates, which are not compared here.
+/// Whether a law damps in Cartesian space: one in joint space has joint rates, for which there is no reference here.
 bool dampsInPlace(const scene::Description& scene) {
   for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
     const scene::Control& control = controlOf(scene, index);

@@ -8,26 +8,26 @@
 namespace underact::trade {
 namespace {
 
-// What a period of the simulated arm takes, with the hand and two looks at the clock, and a substep of it: from lab
-// trade's front of 05_circle, 373 us for 1000 periods of one substep with a tick of 275 ns, and 23 ns a substep more.
+// A period of the simulated arm with the hand and two readings of the clock, and a substep of it: from lab trade's
+// front of 05_circle, 373 us for 1000 periods of one substep with a tick of 275 ns, and 23 ns for each further substep.
 constexpr double kArmPeriod_ns = 300.0, kArmSubstep_ns = 23.0;
-// Measured choice by choice on six scenes: the joints for a place of the hand; what a walk keeps of a tick; a pose's
-// joints, most of them by iteration; a block of a recording, and a row in it.
+// Measured for each choice on six scenes: the joints for a position of the hand; what a walk stores for a tick; the
+// joints for a pose, most of them by iteration; a block of a recording, and a row in it.
 constexpr double kJoints_ns = 400.0, kKept_ns = 150.0, kPose_ns = 1000.0, kBlock_ns = 160'000.0, kRow_ns = 400.0;
 
-/// Of a second of one run.
+/// The duration of a second of one run.
 double runOf_ns(const Settings& settings, double tick_ns) {
   const double substeps = std::max(1.0, 1e6 / settings.rate_hz / settings.simulation.substep_us);
   return settings.rate_hz * (tick_ns + kArmPeriod_ns + kArmSubstep_ns * substeps);
 }
 
-/// Of a run of so many seconds, the mean over them.
+/// The duration of the blocks for a run of so many seconds, per second.
 double blocksOf_ns(const Settings& settings, double seconds) {
   const double blocks = std::max(kFewestBlocks / seconds, 1.0 / settings.block_s);
   return blocks * (kBlock_ns + kRow_ns * settings.block_s * settings.rate_hz);
 }
 
-/// The reference for all options, for a second.
+/// The duration of the reference for all options, per second.
 double oracleOf_ns(const Choice& choice, Settings base, double tick_ns) {
   if (choice.measureOn == inverseOn) return base.rate_hz * kJoints_ns;
   if (choice.measureOn == blocksOn) return 0.0;

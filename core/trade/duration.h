@@ -3,8 +3,8 @@
 
 namespace underact::trade {
 
-/// How long measurePoints() and measureStandings() take together on a machine like that of the figures in the guide, s:
-/// for a sentence that says "about". tick_ns: what a tick of the scene takes.
+/// The expected duration of measurePoints() and measureStandings() together, s, on the machine of the guide's figures:
+/// for a sentence that says "about". tick_ns: the duration of a tick of the scene.
 double secondsToMeasure(const scene::Description& scene, std::size_t hands, double seconds, int rate_hz,
                         double tick_ns);
 

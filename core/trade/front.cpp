@@ -10,7 +10,7 @@ namespace {
 
 using Ways = std::vector<Settings>;
 
-/// Each configuration with each of the choices.
+/// All combinations of the settings with the values of one choice.
 template <class Value>
 Ways times(const Ways& ways, std::initializer_list<Value> values, Value Settings::*field) {
   Ways all;
@@ -29,11 +29,11 @@ Settings oracleOf(Settings own) {
   own.simulation = {Integrator::Trapezoidal, scene::kShortestSubstep_us};
   own.search = Search::Global;
   own.solver = kOracleSolver;
-  own.velocity = scene::RawFilter{};  // of exact angles
+  own.velocity = scene::RawFilter{};  // for exact angles
   return own;
 }
 
-/// One configuration with all the hands; empty: a run ended early, or it is not possible.
+/// The result of one set of settings for all hands; none: a run ended early, or is not possible.
 std::optional<Point> measured(const std::vector<Bench>& benches, const std::vector<Run>& oracles, const Settings& way) {
   Point point;
   point.settings = way;

@@ -9,7 +9,7 @@
 namespace underact::trade {
 namespace {
 
-/// A temporary file, deleted with the object.
+/// A temporary file, removed with the object.
 class Scratch {
  public:
   Scratch() : path_(std::filesystem::temp_directory_path() / ("underact-trade-" + system::unusedWord() + ".h5")) {}
@@ -25,7 +25,7 @@ class Scratch {
   std::filesystem::path path_;
 };
 
-/// A block is assembled row by row, written, and handed to the system.
+/// Times the packing, writing and flushing of blocks.
 Result<Figures> figuresOf(const Bench& bench, const Settings& settings) {
   const Scratch scratch;
   record::SessionHeader header;

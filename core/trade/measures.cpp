@@ -13,12 +13,12 @@
 namespace underact::trade {
 namespace {
 
-constexpr double kLeap_m_per_s2 = 100.0;  // above the hands' own (30): the target jumped
-constexpr double kSameTarget_m = 1e-3;    // within it, it is the same one; an encoder step may select another
-constexpr double kSettled_s = 0.05;       // after a jump, or a touch: the transient of a filter
+constexpr double kLeap_m_per_s2 = 100.0;  // above that of the hands (30): the target has jumped
+constexpr double kSameTarget_m = 1e-3;    // within this it is the same target; an encoder step may select another one
+constexpr double kSettled_s = 0.05;       // after a jump, or a touch: the start of a filter
 constexpr double kEitherWay_s = 10e-6;    // of a difference quotient
 
-/// Root of the mean square, and the largest, of what is added.
+/// The root mean square and the largest of the values added.
 class Errors {
  public:
   void add(double error) {
@@ -41,7 +41,7 @@ class Errors {
 const Problems kEndedEarly{
     {said(TRANSLATE_NOOP("problem", "The run ended in a fault, so what it measured means nothing."))}};
 
-/// The path of the tip, compared with that of the finest run. cost: the part of an option's run that is timed.
+/// The motion of the tip against that of the finest run. cost: which part of an option's own run is timed.
 Measure againstRun(const Bench& bench, const Settings& finest, lab::Cost Run::*cost) {
   return [bench, fine = run(bench, finest), cost](const Settings& settings) -> Result<Figures> {
     if (!fine) return fine.problems();
@@ -56,7 +56,7 @@ Measure againstRun(const Bench& bench, const Settings& finest, lab::Cost Run::*c
   };
 }
 
-/// What the ticks find along one path, the same for all options, compared with what exact ones found there.
+/// Compares the results of ticks along one path, the same for all options, with exact ones.
 using Compare = Errors (*)(const Bench& bench, const Settings& settings, const Walk& found, const Walk& exact);
 Measure againstWalk(const Bench& bench, Way way, Result<Walk> exact, Compare errorsOf) {
   return [bench, way = std::move(way), exact = std::move(exact), errorsOf](const Settings& s) -> Result<Figures> {
@@ -88,13 +88,13 @@ Errors besideTarget(const Bench&, const Settings&, const Walk& one, const Walk& 
   return errors;
 }
 
-/// exact: of two ticks around each of those of felt.
+/// exact: with two ticks around each of those of felt.
 Errors besideRate(const Bench& bench, const Settings& settings, const Walk& felt, const Walk& exact) {
   const auto settled = static_cast<int>(kSettled_s * settings.rate_hz);
   Errors errors;
   for (std::size_t index = 0; index < felt.rate_W.size(); ++index) {
     const scene::Control& control = controlOf(bench.scene, index);
-    // Joint rates are not rates of the tip, and a P law has no rate.
+    // Joint rates are not rates of the tip, and a P law has none.
     if (control.space == tick::Space::Joint || control.law == scene::LawType::P) continue;
     const std::vector<Vec3>& e_W = exact.e_W[index];
     Vec3 last_W = Vec3::Zero();
@@ -153,7 +153,7 @@ Measure velocityOn(const Bench& bench, const Settings& base) {
 
 Measure inverseOn(const Bench& bench, const Settings& base) {
   const arm::Preset& preset = *arm::findPreset(bench.scene.arm);
-  std::vector<Pose> poses;  // those to which the hand moves and that the arm reaches
+  std::vector<Pose> poses;  // those that the hand wants and the arm reaches
   for (const double time_s : timesOf(bench, base.rate_hz)) {
     const sim::HandWish wish = wishAt(bench.hand, std::llround(1e9 * time_s));
     const arm::Reach reach = arm::reach(preset.geometry, wish.p_WT);
@@ -188,7 +188,7 @@ bool measureEach(const Choice& choice, const Bench& bench, const Settings& base,
   Measure measure;
   for (const Entry& entry : entries) {
     if (!goes_on()) return false;
-    if (!measure) measure = choice.measureOn(bench, base);  // not before the first is requested
+    if (!measure) measure = choice.measureOn(bench, base);  // only when the first is asked for
     const Result<Figures> figures = measure(entry.settings);
     if (figures) add(entry, figures.value());
   }

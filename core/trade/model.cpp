@@ -14,7 +14,7 @@ namespace {
 constexpr int kRounds = 7;
 constexpr int kRate_hz = 1000;
 
-/// A quantity: how the scene or its program is changed so that it is computed. false: it cannot be.
+/// A quantity: how to change the scene or its program so that it is computed. false: not possible.
 struct Need {
   const char* key;
   const char* what;
@@ -92,7 +92,7 @@ const std::array<Need, 7> kNeeds{{
      }},
 }};
 
-/// Position, targets and P laws in the space and the metric of the scene: nothing that another quantity adds.
+/// The scene with tip position, targets and P laws alone, in its space and metric.
 scene::Description bareOf(scene::Description scene) {
   anyControl(scene, [](scene::Control& control) {
     control.law = scene::LawType::P;
@@ -114,7 +114,7 @@ Result<tick::TickProgram> bareProgram(const scene::Description& scene) {
   return program;
 }
 
-/// The minimal scene with the rows that `wanted` selects; none: one of them is not possible.
+/// The bare scene with the rows that `wanted` selects; none: one of them is not possible.
 template <class Wanted>
 std::optional<tick::TickProgram> programWith(const scene::Description& bare, const Wanted& wanted) {
   scene::Description scene = bare;

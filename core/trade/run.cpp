@@ -85,7 +85,7 @@ Way wayOf(const Bench& bench, const std::vector<double>& at_s, bool encoders) {
   const sim::Plant plant = plantOf(bench, bench.scene, !encoders);
   Way way(at_s.size());
   for (std::size_t tick = 0; tick < at_s.size(); ++tick) {
-    way[tick].time_ns = nanosecondsAt(at_s[tick]) + 1;  // a first one at 0 would have no duration
+    way[tick].time_ns = nanosecondsAt(at_s[tick]) + 1;  // a first one at 0 would count as no time
     way[tick].q_rad = jointsAt(plant, wishAt(bench.hand, nanosecondsAt(at_s[tick])));
   }
   return way;
@@ -120,7 +120,7 @@ Result<Walk> walk(const Bench& bench, const Settings& settings, const Way& way) 
 
 namespace {
 
-/// At a time between two ticks; on one of them its own value, to the bit.
+/// The value between two ticks, by interpolation; at a tick exactly its own.
 Vec3 between(const std::vector<Vec3>& values, std::size_t tick, double share) {
   if (share == 0.0) return values[tick];
   return values[tick] + share * (values[tick + 1] - values[tick]);
@@ -135,7 +135,7 @@ Apart apart(const Run& coarse, const Run& fine) {
   double sum_m2 = 0.0, sum_N2 = 0.0;
   std::size_t count = 0;
   for (std::size_t tick = 0; tick < coarse.p_WT.size(); ++tick) {
-    // Both begin a period after 0. The rate of a servo may be one that the finer one is no multiple of.
+    // Both begin a period after 0. The finer rate need not be a multiple of the servo's.
     const std::size_t other = (tick + 1) * fine_hz / coarse_hz - 1;
     const double share = static_cast<double>((tick + 1) * fine_hz % coarse_hz) / static_cast<double>(coarse_hz);
     if (other + (share > 0.0 ? 1 : 0) >= fine.p_WT.size()) break;

@@ -30,7 +30,7 @@ const scene::Control* firstControl(const scene::Description& scene, const IsMean
   return nullptr;
 }
 
-/// A wall's proxy follows the surface of a mesh; nothing is searched there.
+/// Whether there is a search: a wall's proxy follows the surface of a mesh without one.
 bool isSought(const scene::Constraint& one) {
   return std::holds_alternative<scene::Curve>(one.shape) ||
          (std::holds_alternative<scene::Mesh>(one.shape) && one.side == target::Side::Both);

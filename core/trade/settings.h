@@ -6,7 +6,7 @@
 
 namespace underact::trade {
 
-/// All that the program lets one choose between speed and accuracy. Each is the program's own default at first.
+/// All choices between speed and accuracy; at first the program's defaults.
 struct Settings {
   int rate_hz = 1000;
   Search search = Search::Hybrid;  // of meshes and curves
@@ -18,23 +18,23 @@ struct Settings {
   bool operator==(const Settings&) const = default;
 };
 
-/// What a scene says, at the rate of the servo; of several meshes, robots or laws the first that there is.
+/// The settings of a scene, at the rate of the servo; of several meshes, robots or laws those of the first.
 Settings settingsOf(const scene::Description& scene, int rate_hz);
 
-/// The scene with these, for all its constraints alike.
+/// The scene with these settings, the same for all its constraints.
 scene::Description withSettings(scene::Description scene, const Settings& settings);
 
-// What a scene has that a setting is of.
+// Whether a setting applies to a scene.
 bool hasSearch(const scene::Description& scene);
 bool hasSolver(const scene::Description& scene);
 bool hasVelocity(const scene::Description& scene);
 
-/// One thing that differs, in words: "servo rate", "1000 Hz", "4000 Hz".
+/// One difference in words: "servo rate", "1000 Hz", "4000 Hz".
 struct Difference {
   std::string what, before, after;
 };
 
-/// What differs for the scene between two settings; what it has no use for is left out.
+/// The differences between two settings that apply to the scene.
 std::vector<Difference> differences(const scene::Description& scene, const Settings& before, const Settings& after);
 
 }  // namespace underact::trade

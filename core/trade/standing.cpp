@@ -7,7 +7,7 @@
 namespace underact::trade {
 namespace {
 
-/// The scene's own configuration is run as it is: "auto" is more than the closed form that it is like.
+/// The options, with the scene's own settings as they are: "auto" is more than the closed form that it resembles.
 std::vector<Entry> entriesWithOwn(const Choice& choice, const Settings& base) {
   std::vector<Entry> entries;
   bool has_own = false;

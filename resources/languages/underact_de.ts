@@ -9,7 +9,7 @@
     </message>
     <message>
         <source>The comparison has ended: each tick of the other scene takes too long. Choose a simpler scene or a lower servo rate.</source>
-        <translation>Der Vergleich wurde beendet: Jeder Takt der anderen Szene dauert zu lange. Wählen Sie eine einfachere Szene oder eine niedrigere Servorate.</translation>
+        <translation>Der Vergleich wurde beendet: Jeder Takt der anderen Szene dauert zu lange. Wählen Sie eine einfachere Szene oder eine niedrigere Servo-Taktrate.</translation>
     </message>
 </context>
 <context>
@@ -220,11 +220,11 @@ z [mm]</translation>
     </message>
     <message>
         <source>all %1 numbers pass</source>
-        <translation>alle %1 Zahlen erfüllt</translation>
+        <translation>alle %1 Zahlen stimmen</translation>
     </message>
     <message>
         <source>%1 of %2 numbers fail</source>
-        <translation>%1 von %2 Zahlen verfehlt</translation>
+        <translation>%1 von %2 Zahlen weichen ab</translation>
     </message>
     <message>
         <source>%1 figures, %2 numbers checked, %3.</source>
@@ -232,11 +232,11 @@ z [mm]</translation>
     </message>
     <message>
         <source>all pass</source>
-        <translation>alle erfüllt</translation>
+        <translation>alle stimmen</translation>
     </message>
     <message>
         <source>%1 failed</source>
-        <translation>%1 verfehlt</translation>
+        <translation>%1 abweichend</translation>
     </message>
     <message>
         <source>Figures left out: %1.</source>
@@ -624,7 +624,7 @@ Grenze: %4 (%5).</translation>
     </message>
     <message>
         <source>%1 ticks are missing: the computer was too busy to write them. The servo kept running.</source>
-        <translation>%1 Takte fehlen: Der Rechner war zu beschäftigt, um sie zu schreiben. Der Servo lief weiter.</translation>
+        <translation>%1 Takte fehlen: Der Rechner war zu stark ausgelastet, um sie zu schreiben. Der Servo lief weiter.</translation>
     </message>
     <message>
         <source>The disk is nearly full: there is room for another %1. Free some space; otherwise the recording stops and is saved.</source>
@@ -748,19 +748,19 @@ Grenze: %4 (%5).</translation>
     </message>
     <message>
         <source>position only</source>
-        <translation>nur dem Ort</translation>
+        <translation>nur der Position</translation>
     </message>
     <message>
         <source>position and direction</source>
-        <translation>Ort und Richtung</translation>
+        <translation>Position und Richtung</translation>
     </message>
     <message>
         <source>position and angle</source>
-        <translation>Ort und Winkel</translation>
+        <translation>Position und Winkel</translation>
     </message>
     <message>
         <source>position and orientation</source>
-        <translation>Ort und Orientierung</translation>
+        <translation>Position und Orientierung</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -1219,7 +1219,7 @@ Grenze: %4 (%5).</translation>
     </message>
     <message>
         <source>One position of the tip, seen from two frames.</source>
-        <translation>Ein Ort der Spitze, aus zwei Koordinatensystemen gesehen.</translation>
+        <translation>Eine Position der Spitze, aus zwei Koordinatensystemen gesehen.</translation>
     </message>
     <message>
         <source>The frame W</source>
@@ -1239,11 +1239,11 @@ Ziehen Sie den Stift mit der Maus, oder drücken Sie F2 und benutzen Sie die Pfe
     </message>
     <message>
         <source>The panel *Arm* shows the position of the tip. With Shift, an arrow key moves it by 10 mm.</source>
-        <translation>Der Bereich *Arm* zeigt den Ort der Spitze. Mit Umschalt bewegt eine Pfeiltaste sie um 10 mm.</translation>
+        <translation>Der Bereich *Arm* zeigt die Position der Spitze. Mit Umschalt bewegt eine Pfeiltaste sie um 10 mm.</translation>
     </message>
     <message>
         <source>The same position in B</source>
-        <translation>Derselbe Ort in B</translation>
+        <translation>Dieselbe Position in B</translation>
     </message>
     <message>
         <source>The arm has its own base frame **B**, frame 0 of its DH table. It is rotated and translated with respect to W. A
@@ -1309,7 +1309,7 @@ Führen Sie die Spitze an den Ort, der **in B** die Koordinaten $(216, 0, 10)$ m
     </message>
     <message>
         <source>In W that point is $(0, 40, 40)$ mm.</source>
-        <translation>In W ist dieser Ort $(0, 40, 40)$ mm.</translation>
+        <translation>In W ist diese Position $(0, 40, 40)$ mm.</translation>
     </message>
     <message>
         <source>A rotated frame</source>
@@ -1529,7 +1529,7 @@ Halten Sie den Arm in einer beliebigen Stellung. Berechnen Sie aus $\theta_2$ un
     </message>
     <message>
         <source>From joint angles to the position of the tip.</source>
-        <translation>Von den Gelenkwinkeln zum Ort der Spitze.</translation>
+        <translation>Von den Gelenkwinkeln zur Position der Spitze.</translation>
     </message>
     <message>
         <source>The arm in its plane</source>
@@ -2482,7 +2482,7 @@ never sent: the arm has no motors in its wrist.
 
 Move to $(50, 0, 0)$: the stylus still points up, and the two springs pull the robot in different directions. Turn
 the stylus to the right until the moment is below 40 N mm, and hold it for half a second.</source>
-        <translation>Das Gelenk macht die Energie zweier Federn möglichst klein, einer für den Ort und einer für die Orientierung:
+        <translation>Das Gelenk macht die Energie zweier Federn möglichst klein, einer für die Position und einer für die Orientierung:
 
 $$V = \frac{1}{2} k_p |e_p|^2 + \frac{1}{2} K_\theta e_\theta^2$$
 
@@ -2674,7 +2674,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Joint angles, tip position and faults of the arm.</source>
-        <translation>Gelenkwinkel, Ort der Spitze und Störungen des Arms.</translation>
+        <translation>Gelenkwinkel, Position der Spitze und Störungen des Arms.</translation>
     </message>
     <message>
         <source>Calibration</source>
@@ -2845,7 +2845,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Save the scene under another name, then press Start. If the error occurs again, quit the program and send the fault file to its developers.</source>
-        <translation>Speichern Sie die Szene unter einem anderen Namen und drücken Sie dann Start. Tritt der Fehler wieder auf, beenden Sie das Programm und senden Sie die Datei der Störung an die Entwickler.</translation>
+        <translation>Speichern Sie die Szene unter einem anderen Namen und drücken Sie dann Start. Tritt der Fehler wieder auf, beenden Sie das Programm und senden Sie die Störungsdatei an die Entwickler.</translation>
     </message>
     <message>
         <source>The figures have not been made yet.</source>
@@ -2945,7 +2945,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The file is damaged: line %1 does not end a face (endfacet).</source>
-        <translation>Die Datei ist beschädigt: Zeile %1 beendet keine Fläche (endfacet).</translation>
+        <translation>Die Datei ist beschädigt: In Zeile %1 endet keine Fläche (endfacet).</translation>
     </message>
     <message>
         <source>The file is damaged: it is too short for its faces.</source>
@@ -2953,7 +2953,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The file is damaged: line %1 does not begin a face (facet).</source>
-        <translation>Die Datei ist beschädigt: Zeile %1 beginnt keine Fläche (facet).</translation>
+        <translation>Die Datei ist beschädigt: In Zeile %1 beginnt keine Fläche (facet).</translation>
     </message>
     <message>
         <source>The file is damaged: line %1 is not a vertex (v x y z).</source>
@@ -3093,11 +3093,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The arm sent the same sample twice.</source>
-        <translation>Der Arm hat dieselbe Messung zweimal geschickt.</translation>
+        <translation>Der Arm hat denselben Messwert zweimal gesendet.</translation>
     </message>
     <message>
         <source>The arm sent a position that is not a number.</source>
-        <translation>Der Arm hat eine Lage geschickt, die keine Zahl ist.</translation>
+        <translation>Der Arm hat eine Position gesendet, die keine Zahl ist.</translation>
     </message>
     <message>
         <source>The arm's position jumped at %1 m/s; a hand reaches at most %2 m/s.</source>
@@ -3121,11 +3121,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Check the cable, then press Start.</source>
-        <translation>Kabel prüfen, dann Start drücken.</translation>
+        <translation>Prüfen Sie das Kabel und drücken Sie dann Start.</translation>
     </message>
     <message>
         <source>Press Start to try again.</source>
-        <translation>Start drücken, um es wieder zu versuchen.</translation>
+        <translation>Drücken Sie Start, um es erneut zu versuchen.</translation>
     </message>
     <message>
         <source>Close programs that keep the computer busy or choose a lower rate, then press Start.</source>
@@ -3177,7 +3177,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The position of the home pose is not a finite point.</source>
-        <translation>Der Ort in der Lage der Grundstellung ist kein endlicher Punkt.</translation>
+        <translation>Die Position in der Lage der Grundstellung ist kein endlicher Punkt.</translation>
     </message>
     <message>
         <source>A table needs at least one row: a chain without joints cannot move.</source>
@@ -3313,7 +3313,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Along %1 at position %2: %3</source>
-        <translation>Entlang %1 am Ort %2: %3</translation>
+        <translation>Entlang %1 an der Position %2: %3</translation>
     </message>
     <message>
         <source>Hold the stylus. Press it down slowly by 3 mm and let it come back just as slowly, four times, two seconds each.</source>
@@ -3329,7 +3329,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The tip moves to its position</source>
-        <translation>Die Spitze fährt an ihren Ort</translation>
+        <translation>Die Spitze fährt an ihre Position</translation>
     </message>
     <message>
         <source>The hand grips the stylus</source>
@@ -3345,7 +3345,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Slow press</source>
-        <translation>Langsamer Druck</translation>
+        <translation>Langsames Drücken</translation>
     </message>
     <message>
         <source>Rotations of the stylus</source>
@@ -3357,11 +3357,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>State one to three positions.</source>
-        <translation>Geben Sie ein bis drei Orte an.</translation>
+        <translation>Geben Sie ein bis drei Positionen an.</translation>
     </message>
     <message>
         <source>Around (%1, %2, %3) mm the arm cannot move 20 mm in every direction. Choose a position nearer to the middle of the workspace.</source>
-        <translation>Um (%1, %2, %3) mm herum kann sich der Arm nicht in jede Richtung 20 mm weit bewegen. Wählen Sie einen Ort näher an der Mitte des Arbeitsraums.</translation>
+        <translation>Um (%1, %2, %3) mm herum kann sich der Arm nicht in jede Richtung 20 mm weit bewegen. Wählen Sie eine Position näher an der Mitte des Arbeitsraums.</translation>
     </message>
     <message>
         <source>The stylus was not pressed down and let back slowly. Press it down by about 3 mm in two seconds, and let it come back just as slowly.</source>
@@ -3397,11 +3397,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Stiffness in a slow press</source>
-        <translation>Steifigkeit im langsamen Druck</translation>
+        <translation>Steifigkeit beim langsamen Drücken</translation>
     </message>
     <message>
         <source>Hysteresis of the press</source>
-        <translation>Hysterese des Drucks</translation>
+        <translation>Hysterese beim Drücken</translation>
     </message>
     <message>
         <source>Linear up to the clamp, at</source>
@@ -3621,15 +3621,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>From there no single target is nearest. Start from another position.</source>
-        <translation>Von dort aus ist kein einzelnes Ziel das nächste. Beginnen Sie an einem anderen Ort.</translation>
+        <translation>Von dort aus ist kein einzelnes Ziel das nächste. Beginnen Sie an einer anderen Position.</translation>
     </message>
     <message>
         <source>The arm does not reach the target there. Start from another position.</source>
-        <translation>Dort erreicht der Arm das Ziel nicht. Beginnen Sie an einem anderen Ort.</translation>
+        <translation>Dort erreicht der Arm das Ziel nicht. Beginnen Sie an einer anderen Position.</translation>
     </message>
     <message>
         <source>The target moves while the tip approaches it. Start from another position.</source>
-        <translation>Das Ziel bewegt sich, während sich die Spitze ihm nähert. Beginnen Sie an einem anderen Ort.</translation>
+        <translation>Das Ziel bewegt sich, während sich die Spitze ihm nähert. Beginnen Sie an einer anderen Position.</translation>
     </message>
     <message>
         <source>The scene has no constraint "%1"; choose one of its names.</source>
@@ -3857,7 +3857,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Name a scene, as in "02_sphere" or "my_scene.json".</source>
-        <translation>Nennen Sie eine Szene, etwa "02_sphere" oder "meine_szene.json".</translation>
+        <translation>Nennen Sie eine Szene, etwa „02_sphere“ oder „meine_szene.json“.</translation>
     </message>
     <message>
         <source>layer</source>
@@ -3905,7 +3905,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>"above" must be less than "below".</source>
-        <translation>"above" muss kleiner sein als "below".</translation>
+        <translation>„above“ muss kleiner sein als „below“.</translation>
     </message>
     <message>
         <source>a list of conditions</source>
@@ -4389,7 +4389,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>its faces cannot agree on an outside</source>
-        <translation>Seine Flächen können sich nicht auf ein Außen einigen</translation>
+        <translation>Die Außenseiten seiner Flächen passen nicht zusammen</translation>
     </message>
     <message>
         <source>edges with more than two faces leave the inside undefined</source>
@@ -5009,7 +5009,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The position must lie within 1e6 mm (1 km).</source>
-        <translation>Der Ort muss innerhalb von 1e6 mm (1 km) liegen.</translation>
+        <translation>Die Position muss innerhalb von 1e6 mm (1 km) liegen.</translation>
     </message>
     <message>
         <source>This is a folder; a scene needs a file name.</source>
@@ -5129,7 +5129,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>the watchdog is switched off</source>
-        <translation>die Überwachung der Takte ist abgeschaltet</translation>
+        <translation>Die Überwachung der Takte ist abgeschaltet</translation>
     </message>
     <message>
         <source>The servo rate must be from 100 to 10000 Hz, not %1.</source>
@@ -5225,7 +5225,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>a list of positions</source>
-        <translation>eine Liste von Orten</translation>
+        <translation>eine Liste von Positionen</translation>
     </message>
     <message>
         <source>Each coordinate must lie within 1e6 mm (1 km).</source>
@@ -5277,7 +5277,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>a point of a hand's path</source>
-        <translation>ein Punkt im Weg einer Hand</translation>
+        <translation>ein Punkt auf dem Weg einer Hand</translation>
     </message>
     <message>
         <source>a list of points</source>
@@ -5677,7 +5677,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The stylus moved faster than the arm allows, so its driver cut the force.</source>
-        <translation>Der Stift bewegte sich schneller, als der Arm es zulässt; deshalb hat sein Treiber die Kraft weggenommen.</translation>
+        <translation>Der Stift bewegte sich schneller, als der Arm es zulässt; deshalb hat sein Treiber die Kraft abgeschaltet.</translation>
     </message>
     <message>
         <source>The arm's driver cut the force. Start again; if that does not help, restart the servo.</source>
@@ -5705,7 +5705,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The arm's driver could not finish a frame. Restart the servo.</source>
-        <translation>Der Treiber des Arms konnte einen Frame nicht beenden. Starten Sie den Servo neu.</translation>
+        <translation>Der Treiber des Arms konnte einen Takt nicht beenden. Starten Sie den Servo neu.</translation>
     </message>
     <message>
         <source>The arm's driver refused access to its scheduler. Restart the servo.</source>
@@ -6372,7 +6372,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The target depends half on the position of the tip, half on where the stylus points: turn the stylus without moving it, and it is pulled around the rim. Point it along the axis of the circle, and only the position counts. Thesis section 5.1, figures 5.6 and 5.7.</source>
-        <translation>Das Ziel hängt zur Hälfte vom Ort der Spitze ab und zur Hälfte davon, wohin der Stift zeigt: Drehen Sie den Stift, ohne ihn zu verschieben, und er wird am Rand herumgezogen. Richten Sie ihn entlang der Achse des Kreises, so zählt nur der Ort. Thesis, Abschnitt 5.1, Abbildungen 5.6 und 5.7.</translation>
+        <translation>Das Ziel hängt zur Hälfte von der Position der Spitze ab und zur Hälfte davon, wohin der Stift zeigt: Drehen Sie den Stift, ohne ihn zu verschieben, und er wird am Rand herumgezogen. Richten Sie ihn entlang der Achse des Kreises, so zählt nur der Ort. Thesis, Abschnitt 5.1, Abbildungen 5.6 und 5.7.</translation>
     </message>
     <message>
         <source>A target halfway between where you point and where you are: turn the stylus, and it pulls you around the ring.</source>
@@ -6412,7 +6412,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The end effector of a virtual robot with one joint and a link of 50 mm. It follows the position and the orientation of the stylus, each with its own stiffness, 0.5 N/mm and 250 N mm/rad as in the thesis (section 5.2). Turn the stylus, and you are pulled around the rim; the corresponding moment is shown but never sent.</source>
-        <translation>Der Endeffektor eines virtuellen Roboters mit einem Gelenk und einem Glied von 50 mm. Er folgt dem Ort und der Orientierung des Stifts, jeweils mit eigener Steifigkeit, 0,5 N/mm und 250 N mm/rad wie in der Thesis (Abschnitt 5.2). Drehen Sie den Stift, und Sie werden am Rand herumgezogen; das zugehörige Moment wird angezeigt, aber nie gesendet.</translation>
+        <translation>Der Endeffektor eines virtuellen Roboters mit einem Gelenk und einem Glied von 50 mm. Er folgt der Position und der Orientierung des Stifts, jeweils mit eigener Steifigkeit, 0,5 N/mm und 250 N mm/rad wie in der Thesis (Abschnitt 5.2). Drehen Sie den Stift, und Sie werden am Rand herumgezogen; das zugehörige Moment wird angezeigt, aber nie gesendet.</translation>
     </message>
     <message>
         <source>The end effector of a robot with one joint, which turns to where you are and to where you point.</source>
@@ -6934,7 +6934,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>How the rate de/dt is estimated from positions in encoder steps: each filter trades delay for noise in another way.</source>
-        <translation>Wie die Rate de/dt aus Orten in Encoderschritten geschätzt wird: Jeder Filter wägt Verzögerung und Rauschen anders ab.</translation>
+        <translation>Wie die Rate de/dt aus Positionen in Encoderschritten geschätzt wird: Jeder Filter wägt Verzögerung und Rauschen anders ab.</translation>
     </message>
     <message>
         <source>noise</source>
@@ -7338,7 +7338,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The constraints to feel, in teaching order. Below the list you read what to feel, what to try, and the equation.</source>
-        <translation>Die Bindungen zum Fühlen, in Lehrreihenfolge. Unter der Liste lesen Sie, was zu fühlen ist, was Sie probieren können und die Gleichung.</translation>
+        <translation>Die Bindungen zum Fühlen, in Lehrreihenfolge. Unter der Liste lesen Sie, was zu fühlen ist, was Sie probieren können, und die Gleichung.</translation>
     </message>
     <message>
         <source>Feel</source>
@@ -7389,7 +7389,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The difference of each trial. Filled: right; hollow: wrong; ringed: reversal.</source>
-        <translation>Der Unterschied jedes Versuchs. Gefüllt: richtig; hohl: falsch; umringt: Umkehrung.</translation>
+        <translation>Der Unterschied jedes Versuchs. Gefüllt: richtig; leer: falsch; mit Ring: Umkehrung.</translation>
     </message>
     <message>
         <source>%1 trials; the threshold is %2</source>
@@ -7465,11 +7465,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>&amp;Play or pause</source>
-        <translation>A&amp;bspielen oder anhalten</translation>
+        <translation>A&amp;bspielen oder pausieren</translation>
     </message>
     <message>
         <source>Plays or pauses the ghost.</source>
-        <translation>Spielt das Geisterbild ab oder hält es an.</translation>
+        <translation>Spielt das Geisterbild ab oder pausiert es.</translation>
     </message>
     <message>
         <source>From the &amp;beginning</source>
@@ -7509,7 +7509,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The ghost is paused. Press Play to continue.</source>
-        <translation>Das Geisterbild steht still. Mit „Abspielen“ geht es weiter.</translation>
+        <translation>Das Geisterbild ist pausiert. Mit „Abspielen“ geht es weiter.</translation>
     </message>
     <message>
         <source>The ghost waits until you are within %1 mm.</source>
@@ -7661,15 +7661,15 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Error of the tip's path against processor time</source>
-        <translation>Fehler des Spitzenwegs gegen Prozessorzeit</translation>
+        <translation>Bahnfehler der Spitze gegen Prozessorzeit</translation>
     </message>
     <message>
         <source>Every combination of choices for this scene: the processor time per second of tick and simulated arm, and the deviation of the tip from its path at 16 kHz, root mean square over all hands. On the front are the combinations that no other one beats in both.</source>
-        <translation>Jede Kombination der Wahlmöglichkeiten für diese Szene: die Prozessorzeit je Sekunde für Takt und simulierten Arm und die Abweichung der Spitze von ihrem Weg bei 16 kHz, quadratisches Mittel über alle Hände. Auf der Front liegen die Kombinationen, die keine andere in beidem übertrifft.</translation>
+        <translation>Jede Kombination der Wahlmöglichkeiten für diese Szene: die Prozessorzeit je Sekunde für Takt und simulierten Arm und die Abweichung der Spitze von ihrer Bahn bei 16 kHz, quadratisches Mittel über alle Hände. Auf der Front liegen die Kombinationen, die keine andere in beidem übertrifft.</translation>
     </message>
     <message>
         <source>error of the tip's path</source>
-        <translation>Fehler des Spitzenwegs</translation>
+        <translation>Bahnfehler der Spitze</translation>
     </message>
     <message>
         <source>processor time per second</source>
@@ -7677,7 +7677,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>○ combination  ● on the front  ■ as it was  ◎ chosen</source>
-        <translation>○ Kombination  ● auf der Front  ■ wie es war  ◎ gewählt</translation>
+        <translation>○ Kombination  ● auf der Front  ■ wie vorher  ◎ gewählt</translation>
     </message>
     <message>
         <source>Follow the &amp;system</source>
@@ -8013,7 +8013,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Follows the light or dark theme of the desktop, also while the program runs.</source>
-        <translation>Folgt dem hellen oder dunklen Thema der Arbeitsumgebung, auch während des Betriebs.</translation>
+        <translation>Folgt dem hellen oder dunklen Thema der Arbeitsumgebung, auch während das Programm läuft.</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -8367,7 +8367,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Position of the stylus tip in the workspace frame W: p_WT (x, y, z).</source>
-        <translation>Ort der Stiftspitze im Koordinatensystem W des Arbeitsraums: p_WT (x, y, z).</translation>
+        <translation>Position der Stiftspitze im Koordinatensystem W des Arbeitsraums: p_WT (x, y, z).</translation>
     </message>
     <message>
         <source>Joints 1–3</source>
@@ -9421,7 +9421,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>The position of the tip computed from the table, ⁰T₁ ¹T₂ …, in the workspace frame.</source>
-        <translation>Der Ort der Spitze nach der Tabelle, ⁰T₁ ¹T₂ …, im Koordinatensystem des Arbeitsraums.</translation>
+        <translation>Die Position der Spitze nach der Tabelle, ⁰T₁ ¹T₂ …, im Koordinatensystem des Arbeitsraums.</translation>
     </message>
     <message>
         <source>Offset from arm</source>
@@ -9565,7 +9565,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Fault file</source>
-        <translation>Datei der Störung</translation>
+        <translation>Störungsdatei</translation>
     </message>
     <message>
         <source>The servo has stopped</source>
@@ -9667,7 +9667,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Shows what last stopped the servo, and where the fault file is.</source>
-        <translation>Zeigt, was den Servo zuletzt gestoppt hat und wo die Datei der Störung liegt.</translation>
+        <translation>Zeigt, was den Servo zuletzt gestoppt hat und wo die Störungsdatei liegt.</translation>
     </message>
 </context>
 <context>
@@ -9689,11 +9689,11 @@ und %2 weitere</translation>
     <name>underact::gui::FeelPanel</name>
     <message>
         <source>Constraint whose gains are shown</source>
-        <translation>Bindung, deren Verstärkungen gezeigt sind</translation>
+        <translation>Bindung, deren Verstärkungen angezeigt werden</translation>
     </message>
     <message>
         <source>Selects the constraint whose gains are shown below.</source>
-        <translation>Wählt die Bindung, deren Verstärkungen unten gezeigt sind.</translation>
+        <translation>Wählt die Bindung, deren Verstärkungen unten angezeigt werden.</translation>
     </message>
     <message>
         <source>&amp;Constraint</source>
@@ -9849,7 +9849,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Se&amp;arch</source>
-        <translation>&amp;Suche</translation>
+        <translation>S&amp;uche</translation>
     </message>
     <message>
         <source>Search for the nearest point of the mesh</source>
@@ -9897,7 +9897,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Influence of the hand's position on the curve</source>
-        <translation>Einfluss des Orts der Hand auf der Kurve</translation>
+        <translation>Einfluss der Position der Hand auf der Kurve</translation>
     </message>
     <message>
         <source>nearest</source>
@@ -10017,11 +10017,11 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>✓ pass</source>
-        <translation>✓ erfüllt</translation>
+        <translation>✓ stimmt</translation>
     </message>
     <message>
         <source>✗ fail</source>
-        <translation>✗ verfehlt</translation>
+        <translation>✗ weicht ab</translation>
     </message>
 </context>
 <context>
@@ -10173,7 +10173,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Swings along %1 at position %2, residual of the fit %3 µm</source>
-        <translation>Schwingungen entlang %1 an Ort %2, Residuum der Anpassung %3 µm</translation>
+        <translation>Schwingungen entlang %1 an Position %2, Residuum der Anpassung %3 µm</translation>
     </message>
 </context>
 <context>
@@ -10283,7 +10283,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Underact runs each scene of the thesis with a scripted hand, draws the figures and checks their numbers. Press “Make the figures”; this takes about a minute.</source>
-        <translation>Underact führt jede Szene der Thesis mit einer Hand nach Skript aus, zeichnet die Abbildungen und prüft ihre Zahlen. Drücken Sie „Abbildungen erstellen“; das dauert etwa eine Minute.</translation>
+        <translation>Underact führt jede Szene der Thesis mit einer skriptgesteuerten Hand aus, zeichnet die Abbildungen und prüft ihre Zahlen. Drücken Sie „Abbildungen erstellen“; das dauert etwa eine Minute.</translation>
     </message>
     <message>
         <source>Made by Underact %1 on %2.</source>
@@ -10373,7 +10373,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>The ghost waits while you are farther away than this, and continues when you are within half the distance.</source>
-        <translation>Das Geisterbild wartet, solange die Spitze weiter weg ist, und geht weiter, wenn sie auf die Hälfte heran ist.</translation>
+        <translation>Das Geisterbild wartet, solange die Spitze weiter entfernt ist, und läuft weiter, sobald sie auf den halben Abstand heran ist.</translation>
     </message>
     <message>
         <source>Distance beyond which the ghost waits</source>
@@ -10437,7 +10437,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Pause the ghost</source>
-        <translation>Geisterbild anhalten</translation>
+        <translation>Geisterbild pausieren</translation>
     </message>
 </context>
 <context>
@@ -10638,7 +10638,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Pose of the end effector V with all joints at 0: its position, and its orientation as rotations about x, then y, then z of W, R = Rz Ry Rx. The tip of the stylus is pulled towards V; the z axis of V can follow that of the stylus.</source>
-        <translation>Lage des Endeffektors V, wenn alle Gelenke auf 0 stehen: sein Ort und seine Orientierung als Drehungen um x, dann y, dann z von W, R = Rz Ry Rx. Die Spitze des Stifts wird zu V gezogen; die z-Achse von V kann der des Stifts folgen.</translation>
+        <translation>Lage des Endeffektors V, wenn alle Gelenke auf 0 stehen: seine Position und seine Orientierung als Drehungen um x, dann y, dann z von W, R = Rz Ry Rx. Die Spitze des Stifts wird zu V gezogen; die z-Achse von V kann der des Stifts folgen.</translation>
     </message>
     <message>
         <source>Home pose of the end effector</source>
@@ -10650,7 +10650,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>position [mm]</source>
-        <translation>Ort [mm]</translation>
+        <translation>Position [mm]</translation>
     </message>
     <message>
         <source>orientation [°]</source>
@@ -10658,11 +10658,11 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>home position, %1, mm</source>
-        <translation>Ort in Grundstellung, %1, mm</translation>
+        <translation>Position in Grundstellung, %1, mm</translation>
     </message>
     <message>
         <source>Position of the end effector with all joints at 0, in W.</source>
-        <translation>Ort des Endeffektors in W, wenn alle Gelenke auf 0 stehen.</translation>
+        <translation>Position des Endeffektors in W, wenn alle Gelenke auf 0 stehen.</translation>
     </message>
     <message>
         <source>home orientation, rotation about %1, degrees</source>
@@ -11115,7 +11115,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Cancelled. Nothing was kept, since partial results would be misleading.</source>
-        <translation>Abgebrochen. Nichts wurde behalten, da ein Teil der Ergebnisse irreführend wäre.</translation>
+        <translation>Abgebrochen. Nichts wurde behalten, da Teilergebnisse irreführend wären.</translation>
     </message>
     <message>
         <source>The scene was changed during the measurement, so the results do not apply to it. Measure again.</source>
@@ -11159,7 +11159,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Processor time per second: %1. Error of the tip's path: %2, of the force: %3 N.</source>
-        <translation>Prozessorzeit je Sekunde: %1. Fehler des Spitzenwegs: %2, der Kraft: %3 N.</translation>
+        <translation>Prozessorzeit je Sekunde: %1. Bahnfehler der Spitze: %2, Kraftfehler: %3 N.</translation>
     </message>
     <message>
         <source>The rate changes to %1 Hz when you let go of the slider; the force is off for a moment then.</source>
@@ -11687,7 +11687,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Right becomes left, up becomes down.</source>
-        <translation>Rechts wird links, oben wird unten.</translation>
+        <translation>Rechts wird zu links, oben zu unten.</translation>
     </message>
     <message>
         <source>Dead zone</source>
@@ -11719,7 +11719,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Rotational speed at full deflection.</source>
-        <translation>Drehtempo bei voller Auslenkung.</translation>
+        <translation>Drehgeschwindigkeit bei voller Auslenkung.</translation>
     </message>
     <message>
         <source>°/s</source>
@@ -11797,7 +11797,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Why the measurement has stopped</source>
-        <translation>Warum die Messung stillsteht</translation>
+        <translation>Warum die Messung unterbrochen ist</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -12016,23 +12016,23 @@ und %2 weitere</translation>
     <name>underact::gui::PlacePage</name>
     <message>
         <source>Also at &amp;two more positions, to the left and to the right</source>
-        <translation>Auch an zwei &amp;weiteren Orten, links und rechts</translation>
+        <translation>Auch an zwei &amp;weiteren Positionen, links und rechts</translation>
     </message>
     <message>
         <source>Position and arm</source>
-        <translation>Ort und Arm</translation>
+        <translation>Position und Arm</translation>
     </message>
     <message>
         <source>Position &amp;x</source>
-        <translation>Ort &amp;x</translation>
+        <translation>Position &amp;x</translation>
     </message>
     <message>
         <source>Position &amp;y</source>
-        <translation>Ort &amp;y</translation>
+        <translation>Position &amp;y</translation>
     </message>
     <message>
         <source>Position &amp;z</source>
-        <translation>Ort &amp;z</translation>
+        <translation>Position &amp;z</translation>
     </message>
     <message>
         <source> mm</source>
@@ -12040,15 +12040,15 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>The tip swings about this position, in the workspace frame W.</source>
-        <translation>Die Spitze schwingt um diesen Ort, im Koordinatensystem W des Arbeitsraums.</translation>
+        <translation>Die Spitze schwingt um diese Position, im Koordinatensystem W des Arbeitsraums.</translation>
     </message>
     <message>
         <source>Also at two more positions</source>
-        <translation>Auch an zwei weiteren Orten</translation>
+        <translation>Auch an zwei weiteren Positionen</translation>
     </message>
     <message>
         <source>Shows whether the results depend on the position; takes three times as long.</source>
-        <translation>Zeigt, ob die Ergebnisse vom Ort abhängen; dauert dreimal so lange.</translation>
+        <translation>Zeigt, ob die Ergebnisse von der Position abhängen; dauert dreimal so lange.</translation>
     </message>
     <message>
         <source>Arm</source>
@@ -12164,7 +12164,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>You touch reference points on the desk, whose positions are known, with the tip of the stylus. From these the program finds the pose of the arm: the view is turned so that left on the desk is left in the picture, and two arms are drawn where they stand. Tape the sheet to the desk, and then move neither the sheet nor the arm. The scene and its forces stay where they are in the arm's own frame.</source>
-        <translation>Sie berühren mit der Spitze des Stifts Messpunkte auf dem Tisch, deren Orte bekannt sind. Daraus ermittelt das Programm die Lage des Arms: Die Ansicht wird so gedreht, dass links auf dem Tisch auch im Bild links ist, und zwei Arme werden dort gezeichnet, wo sie stehen. Kleben Sie das Blatt auf den Tisch, und bewegen Sie danach weder Blatt noch Arm. Die Szene und ihre Kräfte bleiben, wo sie im eigenen Koordinatensystem des Arms sind.</translation>
+        <translation>Sie berühren mit der Spitze des Stifts Messpunkte auf dem Tisch, deren Positionen bekannt sind. Daraus ermittelt das Programm die Lage des Arms: Die Ansicht wird so gedreht, dass links auf dem Tisch auch im Bild links ist, und zwei Arme werden dort gezeichnet, wo sie stehen. Kleben Sie das Blatt auf den Tisch, und bewegen Sie danach weder Blatt noch Arm. Die Szene und ihre Kräfte bleiben, wo sie im eigenen Koordinatensystem des Arms sind.</translation>
     </message>
     <message>
         <source>Arm</source>
@@ -12184,7 +12184,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>&amp;Forget this registration</source>
-        <translation>Diese Registrierung &amp;vergessen</translation>
+        <translation>Diese Registrierung &amp;löschen</translation>
     </message>
     <message>
         <source>Deletes the registration of this arm. The view then shows the arm as if it stood straight.</source>
@@ -12196,7 +12196,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>More reference points make the error smaller, and better known. Restores the positions of the printed sheet.</source>
-        <translation>Mehr Messpunkte machen den Fehler kleiner und besser bekannt. Setzt die Orte des gedruckten Blatts wieder ein.</translation>
+        <translation>Mehr Messpunkte machen den Fehler kleiner und besser bekannt. Setzt die Positionen des gedruckten Blatts wieder ein.</translation>
     </message>
     <message>
         <source> points</source>
@@ -12228,7 +12228,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Positions of the reference points, mm from point 1</source>
-        <translation>Orte der Messpunkte, mm ab Messpunkt 1</translation>
+        <translation>Positionen der Messpunkte, mm ab Messpunkt 1</translation>
     </message>
     <message>
         <source>Point</source>
@@ -12248,7 +12248,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Positions of the reference points, from point 1: to the right, away from you, up. You can type in points of your own.</source>
-        <translation>Orte der Messpunkte, von Messpunkt 1 aus: nach rechts, von Ihnen weg, nach oben. Sie können eigene Messpunkte eintippen.</translation>
+        <translation>Positionen der Messpunkte, von Messpunkt 1 aus: nach rechts, von Ihnen weg, nach oben. Sie können eigene Messpunkte eintippen.</translation>
     </message>
     <message>
         <source>Layout of the reference points</source>
@@ -12392,7 +12392,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Ticks per second. Changing the rate releases the force for a moment; a running servo restarts with its soft start.</source>
-        <translation>Takte je Sekunde. Eine Änderung der Taktrate lässt die Kraft kurz los; ein laufender Servo startet danach sanft wieder.</translation>
+        <translation>Takte je Sekunde. Eine Änderung der Taktrate schaltet die Kraft kurz ab; ein laufender Servo startet danach sanft wieder.</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -12560,7 +12560,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>No scene is open. Open one, so that the position of the tip is known.</source>
-        <translation>Es ist keine Szene geöffnet. Öffnen Sie eine, damit der Ort der Spitze bekannt ist.</translation>
+        <translation>Es ist keine Szene geöffnet. Öffnen Sie eine, damit die Position der Spitze bekannt ist.</translation>
     </message>
     <message>
         <source>Not registered: %1</source>
@@ -12737,7 +12737,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Scatter w of a single press that gives this JND when two are compared: ln(1 + JND) = 0.771 w.</source>
-        <translation>Streuung w eines einzelnen Drucks, die beim Vergleich von zweien diesen JND ergibt: ln(1 + JND) = 0.771 w.</translation>
+        <translation>Streuung w eines einzelnen Drückens, die beim Vergleich von zweien diesen JND ergibt: ln(1 + JND) = 0.771 w.</translation>
     </message>
     <message>
         <source>Answered by</source>
@@ -12808,7 +12808,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>home position</source>
-        <translation>Ort in Grundstellung</translation>
+        <translation>Position in Grundstellung</translation>
     </message>
     <message>
         <source>home orientation</source>
@@ -12875,7 +12875,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>At the end effector, or moving there at no more than 2 m/s after a minimum has vanished or a better one was adopted. Not unique: every position is equally good.</source>
-        <translation>Am Endeffektor oder auf dem Weg dorthin, mit höchstens 2 m/s, nachdem ein Minimum verschwunden ist oder ein besseres übernommen wurde. Nicht eindeutig: Jeder Ort ist gleich gut.</translation>
+        <translation>Am Endeffektor oder auf dem Weg dorthin, mit höchstens 2 m/s, nachdem ein Minimum verschwunden ist oder ein besseres übernommen wurde. Nicht eindeutig: Jede Position ist gleich gut.</translation>
     </message>
     <message>
         <source>Better pose</source>
@@ -13349,7 +13349,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Position of its tip in its own frame W.</source>
-        <translation>Ort seiner Spitze in seinem eigenen Koordinatensystem W.</translation>
+        <translation>Position seiner Spitze in seinem eigenen Koordinatensystem W.</translation>
     </message>
     <message>
         <source>A s&amp;econd arm</source>
@@ -13487,11 +13487,11 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Position of the cut</source>
-        <translation>Ort des Schnitts</translation>
+        <translation>Position des Schnitts</translation>
     </message>
     <message>
         <source>Position of the cut along its axis. Double-click to let it follow the stylus again.</source>
-        <translation>Ort des Schnitts entlang seiner Achse. Nach einem Doppelklick folgt er wieder dem Stift.</translation>
+        <translation>Position des Schnitts entlang seiner Achse. Nach einem Doppelklick folgt er wieder dem Stift.</translation>
     </message>
     <message>
         <source> mm</source>
@@ -14726,11 +14726,11 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Result of the last press</source>
-        <translation>Ergebnis des letzten Drucks</translation>
+        <translation>Ergebnis des letzten Tastendrucks</translation>
     </message>
     <message>
         <source>Position of the tip</source>
-        <translation>Ort der Spitze</translation>
+        <translation>Position der Spitze</translation>
     </message>
     <message>
         <source>&amp;Hold (Space)</source>
@@ -14738,7 +14738,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Records the position of the tip for half a second.</source>
-        <translation>Erfasst eine halbe Sekunde lang den Ort der Spitze.</translation>
+        <translation>Erfasst eine halbe Sekunde lang die Position der Spitze.</translation>
     </message>
     <message>
         <source>&amp;Touch this point again</source>
@@ -14750,7 +14750,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Reference points and positions of the tip</source>
-        <translation>Messpunkte und Orte der Spitze</translation>
+        <translation>Messpunkte und Positionen der Spitze</translation>
     </message>
     <message>
         <source>Point</source>
@@ -14856,7 +14856,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Components along %1 of W of the frame's axes and of its position.</source>
-        <translation>Komponenten der Achsen des Koordinatensystems und seines Orts entlang %1 von W.</translation>
+        <translation>Komponenten der Achsen des Koordinatensystems und seiner Position entlang %1 von W.</translation>
     </message>
     <message>
         <source>Axes that the steps refer to</source>
@@ -15139,7 +15139,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>Three things to try first: push, move a slider, turn the stylus.</source>
-        <translation>Drei Dinge zum ersten Probieren: drücken, einen Schieberegler bewegen, den Stift drehen.</translation>
+        <translation>Drei Dinge zum Einstieg: drücken, einen Schieberegler bewegen, den Stift drehen.</translation>
     </message>
     <message>
         <source>Try one of these</source>

@@ -53,7 +53,7 @@ std::array<Real3, 6> armTurning(const arm::Geometry& geometry, const arm::JointA
   std::array<Real3, 6> axes;
   for (std::size_t joint = 0; joint < 6; ++joint) {
     const auto [before, after] = difference([&](const auto& q) { return armPose(geometry, q); }, realOf(q_rad), joint);
-    // R after of R before transposed is I + 2 tiny [w]: w is half the sum of the columns' own cross products.
+    // R_after R_before^T is I + 2 tiny [w]: w is half the sum of the cross products of the columns.
     Real3 sum{0, 0, 0};
     for (std::size_t i = 0; i < 3; ++i) sum = sum + cross(before.R_WT[i], after.R_WT[i]);
     axes[joint] = (1 / (4 * tiny())) * sum;

@@ -11,7 +11,7 @@ const Nearest& nearer(const Nearest& a, const Nearest& b) {
   return b.distance < a.distance ? b : a;
 }
 
-/// Any direction across axis.
+/// Any direction at right angles to the axis.
 Real3 anyAcross(const Real3& axis) {
   const bool x_least = abs(axis.x) <= abs(axis.y) && abs(axis.x) <= abs(axis.z);
   const Real3 other = x_least ? Real3{1, 0, 0} : abs(axis.y) <= abs(axis.z) ? Real3{0, 1, 0} : Real3{0, 0, 1};
@@ -39,7 +39,7 @@ Real offAxis(const Real3& p_WC, const Real3& axis_W, const Real3& p_WT) {
 }
 
 Nearest onCircle(const Real3& p_WC, const Real3& axis_W, const Real& radius, const Real3& p_WT) {
-  // By two cross products: across the axis, and turned back into the plane of axis and tip.
+  // By two cross products: at right angles to the axis, then back into the plane of axis and tip.
   const Real3 out = cross(axis_W, cross(p_WT - p_WC, axis_W));
   const Real length = norm(out);
   return at(p_WC + (length > 0 ? Real(radius / length) * out : radius * anyAcross(axis_W)), p_WT);
@@ -102,8 +102,8 @@ Real toQuadric(const std::array<Real, 3>& semi, const std::array<Real, 3>& y, in
   const auto end = static_cast<std::size_t>(count);
   Real least = semi[0], beyond = 0;
   for (std::size_t i = 1; i < end; ++i) least = std::min(least, semi[i]);
-  // x_i = semi_i^2 y_i / (semi_i^2 + t); on the shape for one t above -least^2, unless the middle of the thin axes is
-  // asked, where the sum stays below 1 up to there and the rest goes along a thin axis.
+  // x_i = semi_i^2 y_i / (semi_i^2 + t); on the shape for one t above -least^2, except in the middle of the thin axes,
+  // where the sum stays below 1 up to there and the remainder goes along a thin axis.
   const Real pole = -least * least;
   // By s = t + least^2, which may be 1e-300 of it.
   const auto sumAt = [&](const Real& s) {
@@ -128,7 +128,7 @@ Real toQuadric(const std::array<Real, 3>& semi, const std::array<Real, 3>& y, in
     aside += (x - y[i]) * (x - y[i]);
   }
   if (is_thin && beyond <= 1) return sqrt(aside + least * least * (1 - beyond));
-  // Bisect the logarithm of s, which may be anything: from below the rounding of a hundred digits to size.
+  // Bisects the logarithm of s, which spans from below the rounding of a hundred digits up to size.
   Real low = ldexp(least * least, -2300), high = 2 * size + least * least;
   while (sumAt(high) > 0) high *= 4;
   for (int step = 0; step < 400 && high > low * (1 + ldexp(Real(1), -40)); ++step) {
@@ -136,7 +136,7 @@ Real toQuadric(const std::array<Real, 3>& semi, const std::array<Real, 3>& y, in
     (sumAt(middle) > 0 ? low : high) = middle;
   }
   Real s = low;
-  for (int step = 0; step < 6; ++step) {  // the sum falls and is convex: from the left Newton does not overshoot
+  for (int step = 0; step < 6; ++step) {  // the sum decreases and is convex: from the left Newton does not overshoot
     Real slope = 0;
     for (std::size_t i = 0; i < end; ++i) {
       if (y[i] == 0) continue;

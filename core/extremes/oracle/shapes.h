@@ -5,13 +5,15 @@
 
 namespace underact::extremes::oracle {
 
-// The nearest points of shapes, from what a shape is. Axes need not be unit. None looks at core/shape.
+// The nearest points of shapes, from their definitions, independent of core/shape. Axes need not be unit.
 
+/// The nearest point, and how far the tip is from it; same unit as the arguments.
 struct Nearest {
   Real3 p_WP;
   Real distance;  // never negative
 };
 
+// Lengths in one unit, positions in W. Where several points are nearest, one of them. Axes and normals: not 0.
 Nearest onSphere(const Real3& p_WC, const Real& radius, const Real3& p_WT);
 Nearest onLine(const Real3& p_WC, const Real3& axis_W, const Real3& p_WT);
 Nearest onPlane(const Real3& p_WC, const Real3& normal_W, const Real3& p_WT);
@@ -34,11 +36,11 @@ Nearest onSolid(const Real3& c, const std::array<Real3, 3>& edges, const Real3& 
 /// Whether q is inside of it.
 bool isInSolid(const Real3& c, const std::array<Real3, 3>& edges, const Real3& q);
 
-/// The distance of y from the ellipse or ellipsoid sum (x_i / semi_i)^2 = 1 about the origin: count 2 or 3.
-/// By bisection of the multiplier, then Newton: no start to choose, no case to tell apart but the middle.
+/// The distance of y from the ellipse or ellipsoid sum (x_i / semi_i)^2 = 1 about the origin: count 2 or 3. By
+/// bisection of the multiplier, then Newton: no start value is needed, and only the centre is a special case.
 Real toQuadric(const std::array<Real, 3>& semi, const std::array<Real, 3>& y, int count);
 
-/// Three unit vectors at right angles near to those of R, by Gram and Schmidt.
+/// Three orthonormal vectors near the columns of R, by Gram-Schmidt.
 std::array<Real3, 3> axesOf(const Mat3& R);
 
 }  // namespace underact::extremes::oracle

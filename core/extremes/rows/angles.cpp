@@ -18,7 +18,7 @@ using manipulator::Manipulator;
 
 constexpr double kSteepestBlend = 17.2;  // of the weight over 5 degrees: 1.5 / (pi / 36)
 
-/// A robot of which one joint turns, slides before and behind it; none where it is refused.
+/// A robot with one revolute joint, with prismatic ones before and after it; none where it is refused.
 struct Drawn {
   std::optional<Manipulator> made;
   Outcome refused;  // right where z of V lies along the axis
@@ -52,7 +52,7 @@ Drawn drawTurning(Input& input, std::size_t most_slides, manipulator::ForceLaw l
   return {made.value(), {}};
 }
 
-/// How well an angle between directions about an axis is known, in ulp: the shorter a part across it, the worse.
+/// The uncertainty of an angle between directions about an axis, in ulp: it grows as a component across it shrinks.
 Real lostAbout(const Real3& axis, const Real3& direction) {
   return norm(direction) / norm(without(direction, axis));
 }
@@ -62,7 +62,7 @@ struct Turned {
   Real lost = 0;        // ulp of weight times angle
   bool is_tie = false;  // half a turn: either way round
 };
-/// z_V: of the tip. aside: what else is lost of the angle, in ulp.
+/// z_V: of the tip. aside: further uncertainty of the angle, in ulp.
 Turned turnedBy(const Manipulator& m, const Real3& z_V, const Real3& z_T, const Real& aside) {
   const Real3 axis = unit(real(m.chain.joints[m.turning].axis_W));
   Turned turned{oracle::turnAbout(axis, z_T, z_V), oracle::weightAbout(axis, z_T)};
@@ -72,7 +72,7 @@ Turned turnedBy(const Manipulator& m, const Real3& z_V, const Real3& z_T, const 
   return turned;
 }
 
-/// The stylus's z along the axis but for 2^-k, within the blend, or anywhere.
+/// A stylus whose z is along the axis except for 2^-k, within the blend, or anywhere.
 Pose drawTurnedStylus(Input& input, const Manipulator& m) {
   const Vec3 axis_W = m.chain.joints[m.turning].axis_W;
   Pose X_WT = Pose::Identity();
@@ -120,7 +120,7 @@ Outcome judgeAngle(Input& input) {
   return {worst, false};
 }
 
-/// By the angle between the tip's own radius and the stylus's place: no cosine, no reference direction.
+/// By the angle between the radius of the tip and the position of the stylus: no cosine, no reference direction.
 Outcome judgeThesis(Input& input) {
   const Drawn drawn = drawTurning(input, 0, manipulator::ForceLaw::Thesis52);
   if (!drawn.made) return drawn.refused;
@@ -135,7 +135,7 @@ Outcome judgeThesis(Input& input) {
   const Real place = std::max(largestOf(joint.p_WJ), largestOf(p_WT)),
              rest = std::max(largestOf(joint.p_WJ), largestOf(p_WV));
   if (!got.p_WP.allFinite() || !got.f_along_T_W.allFinite() || !got.moment_W.allFinite()) return {kInfinity, false};
-  if (!got.is_unique)  // on the axis, as far as coordinates say
+  if (!got.is_unique)  // on the axis, within the rounding of coordinates
     return {off <= ldexp(place, -47) + 1e-300 || home_off <= ldexp(rest, -47) + 1e-300 ? 0.0 : kInfinity, true};
   if (home_off <= ldexp(rest, -50) || off <= ldexp(place, -50)) return {0.0, true};
   const Real by_place = place / off, by_home = rest / home_off;

@@ -12,7 +12,8 @@
 namespace underact::extremes {
 namespace arm_rows {
 
-/// Of the turns: each angle is known to an ulp of itself, and joints 2 and 3 are added before their sine is taken.
+/// The scale of rotations: each angle is known to an ulp of itself, and joints 2 and 3 are added before the sine is
+/// taken.
 Real turnScale(const arm::JointAngles& q_rad) {
   double largest_rad = 1.0;
   for (const double angle_rad : q_rad) largest_rad = std::max(largest_rad, std::abs(angle_rad));
@@ -56,8 +57,8 @@ Outcome judgeJacobian(Input& input) {
   return {worst, false};
 }
 
-/// f = (J J^T + damping)^-1 J tau by Cramer's rule. damping follows from the smallest gain, which is that of the
-/// characteristic polynomial's least root, by Newton from below.
+/// f = (J J^T + damping)^-1 J tau by Cramer's rule. damping follows from the smallest gain, the root of the least root
+/// of the characteristic polynomial, by Newton from below.
 struct RightForce {
   Real3 f;
   Real least_gain, damping, weakest;  // weakest: the smallest eigenvalue of what is inverted
@@ -111,11 +112,12 @@ Outcome judgeForce(Input& input) {
   const Vec3 torque_N_m = input.vector("torque_N_m", [](Dice& dice) { return dice.inBox(dice.scale()); });
   const arm::ForceOfTorque got = asTheServo([&] { return arm::forceOf(geometry, q_rad, torque_N_m); });
   const RightForce right = rightForce(oracle::armJacobian(geometry, q_rad), real(torque_N_m));
-  // J is known to an ulp of its largest gain, and so is what it inverts, over its own smallest.
+  // J is known to an ulp of its largest gain, and so is the inverted matrix, over its own smallest one.
   const Real scale = norm(real(torque_N_m)) * turnScale(q_rad) * right.largest_gain * right.largest_gain *
                      right.largest_gain / (right.weakest * right.weakest);
   return {std::max(ulpsOf(got.f_T_W, right.f, scale),
-                   // At a share of 1 the root turns an ulp into 1e-8 of itself: its square is what the force knows.
+                   // At a share of 1 the square root turns an ulp into 1e-8 of itself, but the force depends on its
+                   // square.
                    ulpsOf(Real(Real(got.damping_m) * got.damping_m - right.damping),
                           Real(arm::kDamping_m) * arm::kDamping_m * turnScale(q_rad) *
                               (right.largest_gain / Real(arm::kDampedBelow_m) + 1))),

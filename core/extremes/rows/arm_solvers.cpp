@@ -13,7 +13,7 @@
 namespace underact::extremes {
 namespace arm_solvers_rows {
 
-// Of 1 cm to 100 m: what counts as in line or on axis 1 is said in m.
+// Arms of 1 cm to 100 m, since the tolerances for "in line" and "on axis 1" are in m.
 constexpr int kArmSize = 7;
 
 Real reachOf(const arm::Geometry& geometry) {
@@ -23,7 +23,7 @@ Real placeScale(const arm::Geometry& geometry, const Vec3& p_WT) {
   return reachOf(geometry) + std::max(largestOf(geometry.p_WB), largestOf(p_WT));
 }
 
-/// A place inside the reach, on its edges but for 2^-k, beside axis 1, or anywhere.
+/// A position inside the reach, on its boundary except for 2^-k, near axis 1, or anywhere.
 Vec3 drawPlace(Input& input, const arm::Geometry& geometry) {
   return input.vector("p_WT", [&](Dice& dice) {
     const double outer_m = geometry.upper_m + geometry.fore_m, inner_m = std::abs(geometry.upper_m - geometry.fore_m);
@@ -41,7 +41,7 @@ Vec3 drawPlace(Input& input, const arm::Geometry& geometry) {
   });
 }
 
-/// Near the shoulder the elbow is folded, and an ulp of reach^2 is many of a short distance.
+/// Near the shoulder the elbow is folded, and an ulp of reach^2 is many ulp of a short distance.
 Real foldedScale(const arm::Geometry& geometry, const Vec3& p_WT) {
   const Real away = norm(real(p_WT) - real(geometry.p_WB)), reach = reachOf(geometry);
   return placeScale(geometry, p_WT) + (away > 0 ? Real(reach * reach / away) : Real(0));
@@ -56,7 +56,7 @@ double placeUlps(const arm::Geometry& geometry, const arm::JointAngles& q_rad, c
   return ulpsOf(off > lost ? Real(off - lost) : Real(0), foldedScale(geometry, p_WT));
 }
 
-/// Whether the place can be reached for certain, or cannot.
+/// Whether the position can be reached for certain, or certainly cannot.
 enum class Reachable { Yes, No, OnTheEdge };
 Reachable reachable(const arm::Geometry& geometry, const Vec3& p_WT, const Real& band) {
   const Real away = norm(real(p_WT) - real(geometry.p_WB)), outer = reachOf(geometry);
@@ -82,7 +82,7 @@ Outcome judgeReach(Input& input) {
   return {placeUlps(geometry, got.q_rad, p_WT), false};
 }
 
-/// A pose that some joints have, and those joints: near every singularity there is.
+/// A pose of given joints, and those joints: near all singularities.
 struct Posed {
   Pose X_WT = Pose::Identity();
 };
@@ -91,7 +91,7 @@ Posed drawPose(Input& input, const arm::Geometry& geometry) {
   posed.X_WT.translation() = drawPlace(input, geometry);
   posed.X_WT.linear() = input.matrix("R_WT", [&](Dice& dice) {
     if (dice.one(2)) return dice.turn();
-    // The wrist in line but for 2^-k: along the forearm, at the joints that reach the place.
+    // The wrist in line except for 2^-k: along the forearm, at the joints that reach the position.
     const arm::JointAngles q_rad = arm::reach(geometry, posed.X_WT.translation()).q_rad;
     const SinCos turret = sinCos(q_rad[0]), shin = sinCos(q_rad[1] + q_rad[2]);
     const Vec3 along_W(turret.sin * shin.sin, -shin.cos, turret.cos * shin.sin);
@@ -113,8 +113,8 @@ Outcome judgeSolveAll(Input& input) {
   if (got.reachable != (got.count > 0)) return {kInfinity, false};
   if (!got.reachable) return {right == Reachable::Yes ? kInfinity : 0.0, true};
   if (right == Reachable::No) return {kInfinity, false};
-  // On the edge, and a little outside of it, as near as the arm gets; beside a singularity within twice the 1e-12 under
-  // which a direction counts for none.
+  // On the boundary, and slightly outside, as near as the arm gets; near a singularity within twice the 1e-12 below
+  // which a direction counts as undefined.
   const Real away = norm(real(p_WT) - real(geometry.p_WB)), outer = reachOf(geometry);
   const Real inner = abs(Real(geometry.upper_m) - geometry.fore_m);
   const Real beyond = std::max({Real(away - outer), Real(inner - away), Real(0)});
@@ -134,7 +134,7 @@ Outcome judgeSolveAll(Input& input) {
   return {worst, got.singular()};
 }
 
-/// A way of the tip that goes through and beside singularities; each step's joints bring it where it is.
+/// A path of the tip through and near singularities; the joints of each step bring it to its position.
 Outcome judgeFollower(Input& input) {
   const arm::Geometry geometry = drawArm(input, kArmSize);
   const auto outer_m = static_cast<double>(reachOf(geometry));
@@ -163,7 +163,7 @@ Outcome judgeFollower(Input& input) {
         return {kInfinity, false};
       continue;
     }
-    // On axis 1 joint 1 stays where it was, and the tip is on the other side of the axis at worst.
+    // On axis 1 joint 1 stays, and the tip is on the other side of the axis at worst.
     const Vec3 from_base = p_WT - geometry.p_WB;
     const bool on_axis = std::hypot(from_base.x(), from_base.z()) <= 1.01 * arm::kSingularDistance_m;
     worst = std::max(worst, placeUlps(geometry, state.q_rad, p_WT, on_axis ? 2.02 * arm::kSingularDistance_m : 0.0));

@@ -9,7 +9,7 @@
 namespace underact::extremes {
 namespace base_rows {
 
-/// In ulp of the value itself, that of the denormals' place below them.
+/// The error in ulp of the value itself, or of the smallest normal number for values below it.
 double ownUlps(double got, const Real& right) {
   return ulpsOf(got, right, Real(abs(right)));
 }
@@ -45,14 +45,14 @@ Outcome judgeRotationVector(Input& input) {
   const Mat3 R = Eigen::AngleAxisd(angle_rad, axis.normalized()).toRotationMatrix();
   const Vec3 got = asTheServo([&] { return rotationVector(R); });
   if (!got.allFinite()) return {kInfinity, false};
-  // Judged by the turn that it gives back: at half a turn two vectors are right.
+  // Judged by the rotation that results: at half a turn two vectors are right.
   const Real3 vector = real(got);
   const Real length = norm(vector);
   if (length == 0) return {oracle::ulpsOf(R, oracle::columnsOf(oracle::Quaternion{}), piReal()), false};
   return {oracle::ulpsOf(R, oracle::columnsOf(oracle::about(unit(vector), length)), piReal()), false};
 }
 
-/// L D L^T and its right side against the right answer's residual: backward stable, whatever the condition.
+/// L D L^T and its right side by the residual of the result: backward stable, whatever the condition.
 Outcome judgeSystem(Input& input) {
   constexpr std::size_t kMost = 8;
   const std::size_t size = 1 + input.choice("size", kMost);

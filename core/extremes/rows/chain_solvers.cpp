@@ -11,7 +11,7 @@
 namespace underact::extremes {
 namespace chain_solvers_rows {
 
-/// Of the shipped arms, as chains, scaled.
+/// One of the shipped arms, as a chain, scaled.
 chain::Chain drawShippedArm(Input& input) {
   const std::span<const arm::Model> models = arm::models();
   const std::size_t which = input.choice("arm", models.size());
@@ -22,7 +22,7 @@ chain::Chain drawShippedArm(Input& input) {
   return chain;
 }
 
-/// The pose of some joints, near singular ones often; rounded, so that there need be no exact answer.
+/// The pose of given joints, often near singular ones; rounded, so that an exact solution need not exist.
 struct Asked {
   Pose X_WT;
   std::vector<double> q;
@@ -55,7 +55,7 @@ Outcome judgeClosedForm(Input& input) {
   const std::optional<chain::SphericalWristArm> arm = chain::recognise(chain);
   if (!arm) return {kInfinity, false};
   const chain::Solutions found = asTheServo([&] { return chain::solveAll(*arm, asked.X_WT); });
-  if (found.exact == 0) return {kInfinity, false};  // the joints that it was made from are an answer
+  if (found.exact == 0) return {kInfinity, false};  // the joints that it was made from are a solution
   const Real reach = Real(arm->reach_m) + largestOf(Vec3(asked.X_WT.translation()));
   const bool is_regular = found.exact == 8;
   const Real unit_of = is_regular ? Real(1) : Real(kEdge) / (Real(0x1p-52) * kClosedPromised);
@@ -81,12 +81,12 @@ Outcome judgeNumeric(Input& input) {
   for (const double value : got.q) {
     if (!std::isfinite(value)) return {kInfinity, false};
   }
-  // Reached or not, what it says of the answer is so; and what it calls reached is within the tolerances.
+  // Reached or not, the reported residual is right; and what is reported as reached is within the tolerances.
   const Off off = offOf(chain, std::span<const double>(got.q).first(chain.joints.size()), X_WT);
   Real turn = 1, place = largestOf(Vec3(X_WT.translation()));
   for (std::size_t i = 0; i < chain.joints.size(); ++i) {
     const bool turns = chain.joints[i].type == chain::JointType::Revolute;
-    // It says what was left before the angles were wrapped.
+    // The residual is that before the angles were wrapped.
     turn += turns ? std::max(std::abs(got.q[i]), std::abs(start[i])) : 0.0;
     place += turns ? 0.0 : std::max(std::abs(got.q[i]), std::abs(start[i]));
     place = std::max(place, Real(largestOf(chain.joints[i].p_WJ)));

@@ -10,7 +10,8 @@
 namespace underact::extremes {
 namespace chains_rows {
 
-/// What rounding of the angles does at the tip: the lengths of all links, times the sum of the angles (1 rad at least).
+/// The effect of rounding of the angles at the tip: the lengths of all links, times the sum of the angles (1 rad at
+/// least).
 struct Scales {
   Real place, turn;
 };

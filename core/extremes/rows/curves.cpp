@@ -15,7 +15,7 @@ struct Drawn {
   double largest_m = 0.0;  // of all coordinates
 };
 
-/// 2 to 12 points: any, on one line, turning back, or very near to each other. At most 1e3 m out.
+/// A curve of 2 to 12 points: any, collinear, turning back, or very near to each other. At most 1e3 m out.
 Drawn drawCurve(Input& input, curve::Kind kind) {
   const double size_m = input.number("size_m", [](Dice& dice) { return dice.power(-20, 9); });
   const std::size_t count = 2 + input.choice("points", 11);
@@ -83,7 +83,7 @@ Powers powersOf(const Vec3* p) {
   return {{a, Real(3) * (b - a), Real(3) * (a - Real(2) * b + c), d - a + Real(3) * (b - c)}};
 }
 
-/// The least distance of a piece that a row of starts and Newton's steps from its lowest ones find: never too small.
+/// The least distance of a piece, by Newton from the lowest of a row of starts: never too small.
 Real toCubic(const Powers& cubic, const Real3& q) {
   constexpr int kStarts = 24;
   std::array<Real, kStarts + 1> squared;
@@ -123,7 +123,7 @@ Outcome judgeSpline(Input& input) {
   const auto pieceOf = [&](std::int32_t piece) {
     return powersOf(&drawn.curve->controls_W[3 * static_cast<std::size_t>(piece)]);
   };
-  // 1e-13 of the distance, beside 2^-43 of the largest coordinate, which is 512 ulp.
+  // 1e-13 of the distance, and 2^-43 of the largest coordinate, which is 512 ulp.
   const Real distance = norm(found - tip), scale = drawn.largest_m + Real(1e-13) * distance / ldexp(Real(1), -43);
   double worst = std::max(ulpsOf(norm(pieceOf(got.piece).at(got.u) - found), drawn.largest_m),
                           ulpsOf(got.distance_m, distance, drawn.largest_m));
@@ -135,8 +135,8 @@ Outcome judgeSpline(Input& input) {
   return {worst, false};
 }
 
-/// Along the curve from a piece: on the piece that it says, as far as it says, no farther than from the piece where it
-/// began, and no farther than from the pieces beside the one where it ends.
+/// A local search from a piece: its point is on the piece and at the distance that it states, no farther than the first
+/// piece, nor than those beside the last one.
 Outcome judgeLocal(Input& input, curve::Kind kind) {
   const Drawn drawn = drawCurve(input, kind);
   if (!drawn.curve || drawn.p_WT.norm() > curve::kFarthestTip_m) return {0.0, true};

@@ -16,7 +16,7 @@ double sizeOf(const Manipulator& m) {
   return size_m;
 }
 
-/// Gains, and the orientation's beside the place's: of the same weight, or of none.
+/// Gains, and that of the orientation relative to the position's: of the same weight, or 0.
 void drawGains(Input& input, double size_m, manipulator::Wanted& wanted) {
   const double kp = input.number("kp_N_per_m", [](Dice& dice) { return dice.one(8) ? 0.0 : dice.power(-20, 20); });
   wanted.kp_N_per_m.setConstant(kp);
@@ -108,7 +108,7 @@ Manipulator drawClosedManipulator(Input& input) {
   const double size_m = input.number("size_m", [](Dice& dice) { return dice.scale(); });
   const std::size_t kind = input.choice("kind", 5);  // circle, sphere, cylinder, line, plane
   const Mat3 R = input.matrix("R", [](Dice& dice) { return dice.turn(); });
-  // A sphere's z counts as along its radius up to 1e-9; here it is, to some ulp.
+  // A sphere's z counts as along its radius up to 1e-9; here it is exact to some ulp.
   const Vec3 p_WC = input.vector("p_WC", [&](Dice& dice) {
     return dice.one(2) ? Vec3(Vec3::Zero()) : dice.inBox(size_m * (kind == 1 ? 2.0 : dice.ratio()));
   });

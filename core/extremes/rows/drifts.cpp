@@ -12,8 +12,8 @@
 namespace underact::extremes {
 namespace drifts_rows {
 
-// Hours of simulated time. What N additions may lose is N half ulp of the largest sum; what was promised is that, so
-// each row's unit is N half ulp and its promise a few. A hundred digits are not needed here: 113 bits lose 2^-89 of it.
+// Hours of simulated time. N additions may lose N half ulp of the largest sum; that is what is promised, so the unit of
+// each row is N half ulp and its promise a few. A hundred digits are not needed here: 113 bits lose 2^-89 of it.
 using Long = boost::multiprecision::cpp_bin_float_quad;
 
 double drawTicks(Input& input) {
@@ -26,7 +26,7 @@ double unitsOf(double got, const Long& right, const Long& largest, double ticks)
   return static_cast<double>(Long(abs(Long(got) - right) / (kHalfUlp * ticks * largest)));
 }
 
-/// How long nothing has moved, as the gate adds it up from the device's nanoseconds.
+/// The time without motion, as the gate sums it from the device's nanoseconds.
 Outcome judgeTime(Input& input) {
   const double ticks = drawTicks(input);
   const auto period_ns = static_cast<std::int64_t>(
@@ -72,7 +72,7 @@ Outcome judgeIntegral(Input& input) {
   return {worst, false};
 }
 
-/// A spring is pressed and let go, over and over.
+/// A spring that is pressed and released, again and again.
 Outcome judgeEnergy(Input& input) {
   const double ticks = drawTicks(input);
   const double k = input.number("k", [](Dice& dice) { return dice.power(0, 20); });
@@ -105,7 +105,7 @@ Outcome judgeEnergy(Input& input) {
   return {unitsOf(state.energy_J, energy, largest, ticks), false};
 }
 
-/// The low-pass forgets, so nothing adds up but over its time constant.
+/// The low-pass has a finite memory, so errors accumulate only over its time constant.
 Outcome judgeRate(Input& input) {
   const double ticks = drawTicks(input);
   const double tau_s = input.number("time_constant_s", [](Dice& dice) { return dice.power(-10, 3); });
@@ -130,7 +130,7 @@ Outcome judgeRate(Input& input) {
   return {unitsOf(state.rate_W.x(), rate, fastest, 1.0 + 1.0 / static_cast<double>(share)), false};
 }
 
-/// The same of a motor's heat, whose time constant is a minute: 60 000 ticks of memory.
+/// The same for a motor's heat, whose time constant is a minute: 60 000 ticks of memory.
 Outcome judgeHeat(Input& input) {
   const double ticks = drawTicks(input);
   const double bears_N_m = input.number("continuous_N_m", [](Dice& dice) { return dice.power(-10, 3); });
@@ -151,7 +151,7 @@ Outcome judgeHeat(Input& input) {
   return {unitsOf(heat.x(), right, largest, 1.0 + 1.0 / static_cast<double>(share)), false};
 }
 
-/// A grip that is dragged to and fro: it stays within its share of the surface's point, however long.
+/// A grip that is dragged back and forth: it stays within its share of the surface's point, for any time.
 Outcome judgeGrip(Input& input) {
   const double ticks = drawTicks(input);
   target::Friction friction;
@@ -182,7 +182,7 @@ Outcome judgeGrip(Input& input) {
           false};
 }
 
-// One case for each seed, whatever the count: an hour is many.
+// One case for each seed, whatever the count, as an hour is long.
 constexpr int kOnce = 1'000'000'000;
 
 constexpr std::array<Row, 6> kRows{{

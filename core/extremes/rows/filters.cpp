@@ -13,7 +13,7 @@ using control::VelocityState;
 
 constexpr int kSamples = 96;
 
-/// One axis of a signal as the oracles see it; and what its differences are worth.
+/// One axis of a signal for the oracles, and the scale of its differences.
 struct Samples {
   std::vector<Real> e, dt;
   Real fastest = 0;  // of all differences over their time
@@ -58,7 +58,7 @@ Outcome judgeLowPass(Input& input) {
       input.number("time_constant_s", [](Dice& dice) { return dice.one(2) ? 1.6e-3 : dice.power(-20, 4); });
   const Signal signal = drawSignal(input, kSamples);
   return compareRates(control::LowPass{tau_s}, signal, [&](const Samples& samples, Eigen::Index) {
-    // Not step by step: each difference, and what the steps after it have left of it.
+    // Not step by step: each difference, with what the later steps have left of it.
     Real right = 0, left = 1;
     for (std::size_t i = samples.e.size() - 1; i > 0; --i) {
       if (samples.dt[i] == 0) continue;
@@ -126,7 +126,7 @@ Outcome judgeWindow(Input& input) {
       if (e.empty() || samples.dt[i + 1] > 0) t.push_back(back), e.push_back(samples.e[i]);
       back -= samples.dt[i];
     }
-    // The longest good window; where rounding decides on a sample, either choice is right.
+    // The longest good window; where rounding decides about a sample, either choice is right.
     const Real lenient = ldexp(samples.largest, -44) + ldexp(Real(noise), -44) + 1e-300;
     double best = kInfinity;
     const auto longest = static_cast<std::size_t>(window.window);
@@ -141,7 +141,7 @@ Outcome judgeWindow(Input& input) {
   return {worst, false};
 }
 
-/// The textbook's: P = F P F^T + Q, gain, and P by Joseph's form; in units of the noise.
+/// The textbook filter: P = F P F^T + Q, gain, and P in Joseph's form; in units of the noise.
 Real kalmanRate(const Samples& samples, const Real& ratio) {
   const Real white = ratio * ratio * Real(1e-3);
   Real place = samples.e[0], rate = 0, a = 1, b = 0, d = 0;

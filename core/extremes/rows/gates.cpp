@@ -20,7 +20,7 @@ Outcome judgeClamp(Input& input) {
                     : Vec3{size * dice.between(-1, 1), dice.scale() * dice.between(-1, 1), size * dice.closeness()});
   });
   const double max_N = input.number("max_force_N", [&](Dice& dice) {
-    if (dice.one(2)) return std::clamp(dice.between(0.5, 2.0) * largestOf(f_T_W), 1e-12, 1e300);  // the edge itself
+    if (dice.one(2)) return std::clamp(dice.between(0.5, 2.0) * largestOf(f_T_W), 1e-12, 1e300);  // at the limit itself
     return dice.one(2) ? 0.88 : dice.scale();
   });
   const Vec3 got = asTheServo([&] { return safety::clampForce(f_T_W, max_N); });
@@ -73,8 +73,8 @@ Vec3 drawAny(Dice& dice) {
   return v;
 }
 
-/// Whatever is asked of the gate, tick after tick: what it lets through is a number and within its limit. Then Start is
-/// pressed, and it goes on as a new one would.
+/// Any input of the gate, tick after tick: its output is finite and within its limit. Then Start is pressed, and it
+/// continues like a new one.
 Outcome judgeAny(Input& input) {
   Limits limits = safety::limitsForHands(
       input.number("max_force_N", [](Dice& dice) { return dice.one(2) ? 0.88 : dice.scale(); }), Vec3::Constant(0.1));

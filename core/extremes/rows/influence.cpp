@@ -51,13 +51,13 @@ Real smooth(const Real& share) {
   return x * x * (3 - 2 * x);
 }
 
-/// Where the target is on the ring about the axis through the tip's foot, by angles: theta = alpha + t wrap(beta -
-/// alpha), the stylus's part less as it comes along the axis. lost: how much what is said of a direction is worth.
+/// The target on the ring about the axis through the tip's foot, by angles: theta = alpha + t wrap(beta - alpha), with
+/// the weight of the stylus fading along the axis. lost: the uncertainty of a direction.
 struct OnRing {
   Real3 direction;
-  Real lost = 0;         // ulp of the direction, by how badly it is known
-  bool is_tie = false;   // half a turn apart: either way round
-  bool is_known = true;  // false: beside what the code calls degenerate
+  Real lost = 0;         // uncertainty of the direction, ulp
+  bool is_tie = false;   // half a turn apart: either sense
+  bool is_known = true;  // false: near what the code calls degenerate
 };
 OnRing onRing(const Drawn& drawn, const Vec3& unit_axis_W) {
   const Real3 axis = unit(real(unit_axis_W)), away = real(drawn.p_WT) - real(drawn.p_WC);
@@ -76,7 +76,7 @@ OnRing onRing(const Drawn& drawn, const Vec3& unit_axis_W) {
   ring.is_tie = abs(alpha) > piReal() - ldexp(norm(away) / off + 1 / across, -48);
   const Real theta = alpha * weight * (1 - Real(drawn.influence.t));
   ring.direction = Real(cos(theta)) * u + Real(sin(theta)) * v;
-  // The blend turns an error of the stylus's angle into one of the weight, 1.5 / blend of it at most.
+  // The blend turns an error of the stylus's angle into one of the weight, at most 1.5 / blend of it.
   const Real blend = drawn.influence.blend_rad > 0.0 ? Real(abs(alpha) * 2 / drawn.influence.blend_rad) : Real(0);
   ring.lost = 1 + norm(away) / off + 1 / across + (weight < 1 ? blend : Real(0));
   return ring;
@@ -121,7 +121,7 @@ Outcome judgeSphere(Input& input) {
   const Real theta = Real(drawn.influence.t) * angle;
   const Real3 ahead = unit(without(to, from));
   const Real3 direction = Real(cos(theta)) * from + Real(sin(theta)) * ahead;
-  // Near half a turn the great circle is decided by the rounding.
+  // Near half a turn rounding decides the great circle.
   const Real lost = dot(from, to) > 0 ? Real(1) : Real(1 / sine);
   return {ulpsOf(got.p_WP, real(drawn.p_WC) + Real(drawn.radius_m) * direction, largest + drawn.radius_m * lost),
           false};

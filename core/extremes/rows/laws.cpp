@@ -13,7 +13,7 @@ namespace laws_rows {
 using control::LawState;
 using control::Moment;
 
-/// 0 to 1e6, each axis its own now and then.
+/// Gains from 0 to 1e6, sometimes different for each axis.
 Vec3 drawGains(Input& input, const char* name) {
   return input.vector(name, [](Dice& dice) {
     const auto one = [&] { return dice.one(6) ? 0.0 : std::min(dice.power(-20, 20), 1e6); };
@@ -36,8 +36,8 @@ Outcome judgeP(Input& input) {
   return {worst, false};
 }
 
-/// Spring, damper and integral over a signal. The rate is the filter's own (judged by itself); the integral is summed
-/// here again, with what stops it.
+/// Spring, damper and integral over a signal. The rate is the filter's (tested by itself); the integral is summed again
+/// here, with its limits.
 template <class Law>
 Outcome judgeLaw(const Law& law, const Vec3& ki, double limit_N, const Signal& signal, Dice dice) {
   LawState state;
@@ -55,7 +55,7 @@ Outcome judgeLaw(const Law& law, const Vec3& ki, double limit_N, const Signal& s
       return Real(abs(Real(law.kp_N_per_m[axis]) * e_W[axis]) +
                   abs(Real(law.kd_N_s_per_m[axis]) * state.velocity.rate_W[axis]));
     };
-    // Where rounding decides which way the force goes, so it does whether the integral grows: such a tick is not
+    // Where rounding decides the direction of the force, it also decides whether the integral grows: such a tick is not
     // limited.
     if (moment.limited) {
       bool unsure = false;
@@ -86,7 +86,7 @@ Outcome judgeLaw(const Law& law, const Vec3& ki, double limit_N, const Signal& s
       const Real keep = limit_N / sqrt(squared);
       for (Real& one : integral) one *= keep;
     }
-    Real together = 0;  // the limit is one of all axes, so each one's rounding is the others'
+    Real together = 0;  // the limit is common to all axes, so each one's rounding affects the others
     for (std::size_t at = 0; at < 3; ++at) together += moved[at];
     for (std::size_t at = 0; at < 3; ++at) {
       const auto axis = static_cast<Eigen::Index>(at);
@@ -129,7 +129,7 @@ Outcome judgePID(Input& input) {
   return judgeLaw(law, law.ki_N_per_m_s, law.integral_limit_N, signal, drawFlags(input));
 }
 
-/// What a constraint was given and gave, added up as the observer's comment says it.
+/// The energy of a constraint, summed as the observer's comment defines it.
 Outcome judgePassivity(Input& input) {
   const Signal way = drawSignal(input, 60), force = drawSignal(input, 60);
   Dice dice = drawFlags(input);

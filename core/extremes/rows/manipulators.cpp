@@ -18,8 +18,8 @@ std::vector<Real> realOf(const Manipulator& m, const manipulator::Values& theta)
   return {theta.begin(), theta.begin() + static_cast<std::ptrdiff_t>(m.chain.joints.size())};
 }
 
-/// Sizes that errors are shares of: a length (all lengths there are, times what the angles make of their rounding), the
-/// energy and its slopes.
+/// The scales of errors: a length (all lengths involved, times the effect of the angles' rounding), the energy and its
+/// gradient.
 struct Sizes {
   Real length, turn, energy, springs;
   Real slope(bool turns) const { return turns ? energy : Real(energy / length); }
@@ -56,7 +56,7 @@ Outcome judgeEnergy(Input& input) {
     return 0;
   });
   const std::vector<Real> joints = realOf(m, theta);
-  if (m.orientation == Orientation::Full) {  // at half a turn the error turns over: no slope
+  if (m.orientation == Orientation::Full) {  // at half a turn the error changes sign: no derivative
     const oracle::ChainPose tip = oracle::chainPose(m.chain, joints);
     if (oracle::angleOf(oracle::columnsOf(X_WT.linear()), tip.R_WT) > 3) return {0.0, true};
   }
@@ -69,8 +69,8 @@ Outcome judgeEnergy(Input& input) {
   return {worst, false};
 }
 
-/// The least energy of a chain with a closed form, by how the energy goes with each joint: a parabola of one that
-/// slides, a sine of one that turns; three values say which.
+/// The least energy of a chain with a closed form, from the form of the energy over each joint: a parabola for a
+/// prismatic one, a sine for a revolute one; three values determine it.
 Real leastEnergy(const Manipulator& m, const Pose& X_WT) {
   const std::size_t count = m.chain.joints.size();
   std::vector<Real> zero(count, 0);
@@ -85,7 +85,7 @@ Real leastEnergy(const Manipulator& m, const Pose& X_WT) {
     };
     if (joint.type == chain::JointType::Prismatic) {
       const Real step = 1, bend = at(step) - 2 * start + at(-step), slope = (at(step) - at(-step)) / 2;
-      if (bend == 0) continue;  // no gain for the place
+      if (bend == 0) continue;  // no gain for the position
       const Real best = clamped(Real(-slope / bend), joint.min, joint.max);
       least += best * (slope + bend * best / 2);
       continue;
@@ -106,7 +106,7 @@ Real leastEnergy(const Manipulator& m, const Pose& X_WT) {
   return least;
 }
 
-/// Two joints that turn about one point: c - |kp r d +- ko z|, whatever the joints.
+/// Two revolute joints about one point: c - |kp r d +- ko z|, whatever the joints.
 Real leastOnSphere(const Manipulator& m, const Pose& X_WT) {
   const manipulator::ClosedForm& form = *m.closed;
   const Real3 radial = real(m.chain.X_WT_home.translation()) - real(form.p_WC);
@@ -156,7 +156,7 @@ Outcome judgeDescent(Input& input) {
   }
   const Sizes sizes = sizesOf(m, X_WT, at.theta, m.reach_m);  // of which its tolerance is a share
   const Real energy = oracle::energyOf(m, X_WT, joints);
-  // Never up, but for the rounding of the energies that were compared.
+  // The energy never increases, except by the rounding of the energies compared.
   if (energy > before_J + ldexp(Real(sizes.energy + sizesOf(m, X_WT, start).energy), -44)) return {kInfinity, false};
   if (!got.converged) return {0.0, true};
   double worst = 0.0;

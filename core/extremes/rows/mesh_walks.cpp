@@ -10,7 +10,7 @@
 #include "core/mesh/search.h"
 #include "core/mesh/touch.h"
 
-// What goes along a mesh from where it was: local searches, and the proxies of walls.
+// Searches along a mesh from the last result: local ones, and the proxies of walls.
 namespace underact::extremes {
 namespace mesh_walks_rows {
 
@@ -48,8 +48,8 @@ bool meets(const Surface& surface, std::int32_t face, std::int32_t other, Part p
   return has(of[side]) && has(of[(side + 1) % 3]);
 }
 
-/// The end of a walk: on the face that it says, no farther than from where it began, nor than from any face that meets
-/// it there. from -1: it began nowhere.
+/// The end of a walk: on the stated face, no farther than its beginning, nor than any face that meets it there. from
+/// -1: it has no beginning.
 double judgeEnd(const Surface& surface, std::int32_t face, const mesh::Hit& hit, std::int32_t from, const Vec3& q) {
   if (!hit.p_M.allFinite() || face < 0 || face >= facesOf(surface)) return kInfinity;
   const Real scale = std::max(largestIn(surface), largestOf(q));
@@ -65,7 +65,7 @@ double judgeEnd(const Surface& surface, std::int32_t face, const mesh::Hit& hit,
   return worst;
 }
 
-/// The distance of q from what two faces share: an edge, a corner (or all); -1: nothing.
+/// The distance of q from the common part of two faces: an edge, a corner (or all); -1: none.
 Real toShared(const Surface& surface, std::int32_t face, std::int32_t other, const Real3& q) {
   const mesh::Face& in = surface.triangles.faces[static_cast<std::size_t>(other)];
   std::vector<Real3> shared;
@@ -77,8 +77,8 @@ Real toShared(const Surface& surface, std::int32_t face, std::int32_t other, con
   return oracle::onTriangle(shared.front(), shared[shared.size() / 2], shared.back(), q).distance;
 }
 
-/// Whether somebody can end at p who goes from face to face over what they share, where no point of the face is nearer
-/// to q, and only to a nearer face: all as far as rounding lets one tell.
+/// Whether a walk from face to face over their common parts, only ever to nearer faces, can end at p, where no point of
+/// the face is nearer to q: within rounding.
 bool isReached(const Surface& surface, std::vector<std::int32_t> from, const Vec3& p, const Vec3& q) {
   const Real rounding = ldexp(Real(std::max(largestIn(surface), largestOf(q))), -46);
   const Real3 rq = real(q), end = real(p);
@@ -99,12 +99,12 @@ bool isReached(const Surface& surface, std::vector<std::int32_t> from, const Vec
   return false;
 }
 
-/// From farther off a search looks from nearer, and promises a point of the mesh alone.
+/// Whether q is so far away that the search moves it nearer, and promises only a point of the mesh.
 bool isFar(const Surface& surface, const Vec3& q) {
   return std::max(largestIn(surface), largestOf(q)) > 1e5 * extentOf(surface);
 }
 
-/// A sheet of 2 to 4 by 2 to 4 corners, bent, crumpled and with needles, and beside it another that it does not meet.
+/// A sheet of 2 to 4 by 2 to 4 corners, bent, crumpled and with needles, and a second, separate one beside it.
 mesh::Triangles drawSheets(Input& input, double size) {
   mesh::Triangles sheets;
   const std::size_t columns = 2 + input.choice("columns", 3), rows = 2 + input.choice("rows", 3);
@@ -157,7 +157,7 @@ Outcome judgeLocal(Input& input) {
   return {std::isfinite(worst) && isReached(surface, {from}, got.p_M, q) ? worst : kInfinity, false};
 }
 
-/// Two tips over and under a ring of 3 to 8 corners: closed and star-shaped, down to a plate 2^-8 thick.
+/// Two apices above and below a ring of 3 to 8 corners: closed and star-shaped, as thin as a plate of 2^-8.
 mesh::Triangles drawSolid(Input& input, double size) {
   const Mat3 R = input.matrix("R", [](Dice& dice) { return dice.turn(); });
   const Vec3 middle = input.vector(
@@ -200,12 +200,12 @@ Real toSurface(const Surface& surface, const Real3& q) {
   return best;
 }
 
-/// A wall on its way through a row of ticks, as the oracle sees it.
+/// A wall over a sequence of ticks, as seen by the oracle.
 class WallWatch {
  public:
   WallWatch(const Surface& surface, mesh::Free free, double size) : surface_(surface), free_(free), size_(size) {}
 
-  /// What is off in this tick. before, after: the wall's memory; hit: what it gave.
+  /// The error in this tick. before, after: the wall's state; hit: its result.
   double judge(const mesh::TouchState& before, const mesh::TouchState& after, const mesh::Hit& hit, const Vec3& q) {
     const Real3 rq = real(q);
     const Real off = toSurface(surface_, rq);
@@ -213,7 +213,7 @@ class WallWatch {
     const bool came_through = knows_free_ && is_sure && is_barred;
     knows_free_ = is_sure && !is_barred && after.face < 0;
     if (after.face != hit.face) return kInfinity;
-    if (hit.squared == kInfinity) return came_through ? kInfinity : 0.0;  // it was free, and met no face on its way
+    if (hit.squared == kInfinity) return came_through ? kInfinity : 0.0;  // it was free, and passed through no face
     const Real scale = std::max(largestIn(surface_), largestOf(q));
     const Real farther = norm(real(hit.p_M) - rq) - off;
     double worst = hit.face >= 0 ? judgeEnd(surface_, hit.face, hit, before.face, q)
@@ -231,9 +231,9 @@ class WallWatch {
  private:
   bool isBarred(const Real3& q) const { return isInside(surface_, q) == (free_ == mesh::Free::Outside); }
 
-  /// The faces that the straight way from q to r may first go through into what is barred: the first one that it meets
-  /// well inside, and those before it whose edges it meets, of which rounding decides. A tip that rests on a face,
-  /// within 1e-12 of the coordinates, may have come through it or not.
+  /// The faces through which the straight path from q to r may first enter the barred side: the first one that it meets
+  /// well inside, and those before it whose edges it meets, where rounding decides. A tip that rests on a face, within
+  /// 1e-12 of the coordinates, may have passed through it or not.
   std::vector<std::int32_t> facesEntered(const Vec3& q, const Vec3& r, const Real& scale) const {
     const Real3 begin = real(q), way = real(r) - begin;
     const Real resting = ldexp(scale, -38), length = norm(way);
@@ -259,8 +259,8 @@ class WallWatch {
     return entered;
   }
 
-  /// From the proxy a little towards the tip is in what is barred, if and only if the wall is touched. Not asked where
-  /// the tip is at the proxy, or a part of the surface that the proxy is not on is as near as that little way.
+  /// Whether a point slightly off the proxy towards the tip is on the wrong side: it must be barred exactly if the wall
+  /// is touched. Not tested where the tip is at the proxy, or another part of the surface is equally near.
   bool isWrongSide(const mesh::Hit& hit, const Real3& q, const Real& scale) const {
     const Real3 p = real(hit.p_M), way = q - p;
     const Real little = ldexp(Real(size_), -24), rounding = ldexp(scale, -46);
@@ -275,7 +275,7 @@ class WallWatch {
   const Surface& surface_;
   mesh::Free free_;
   double size_;
-  bool knows_free_ = false;  // the last tip was for certain where it may be, and touched nothing
+  bool knows_free_ = false;  // the last tip was certainly on the free side, and touched nothing
 };
 
 Outcome judgeWall(Input& input) {

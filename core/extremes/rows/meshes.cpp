@@ -17,7 +17,7 @@ Vec3 asFloats(const Vec3& v) {
   return {asFloat(v.x()), asFloat(v.y()), asFloat(v.z())};
 }
 
-/// Three corners: any, on one line but for 2^-k, two of them one, or in a plane of the axes.
+/// Three corners: any, collinear except for 2^-k, two of them equal, or in a coordinate plane.
 std::array<Vec3, 3> drawTriangle(Input& input, double size, const Vec3& about) {
   const Vec3 a = input.vector("a", [&](Dice& dice) { return asFloats(about + dice.inBox(size)); });
   const Vec3 b = input.vector("b", [&](Dice& dice) {
@@ -33,7 +33,7 @@ std::array<Vec3, 3> drawTriangle(Input& input, double size, const Vec3& about) {
   return {a, b, c};
 }
 
-/// Beside a corner, an edge, the face or far.
+/// A point near a corner, an edge or the face, or far away.
 Vec3 drawPoint(Input& input, const std::array<Vec3, 3>& corners, double size) {
   return input.vector("q", [&](Dice& dice) {
     const double u = dice.one(3) ? 0.0 : dice.between(-0.5, 1.5), v = dice.one(3) ? 0.0 : dice.between(-0.5, 1.5);
@@ -54,7 +54,7 @@ Outcome judgeTriangle(Input& input) {
   const double size = input.number("size", [](Dice& dice) { return dice.scale(); });
   const std::array<Vec3, 3> corners = drawTriangle(input, size, Vec3::Zero());
   const Vec3 q = drawPoint(input, corners, size);
-  // No binding: Clang 14 cannot take its parts into a lambda.
+  // No structured binding: Clang 14 cannot capture its parts in a lambda.
   const Vec3 &a = corners[0], &b = corners[1], &c = corners[2];
   const mesh::OnTriangle got =
       asTheServo([&] { return mesh::onTriangle(a.cast<float>(), b.cast<float>(), c.cast<float>(), q); });

@@ -12,7 +12,7 @@ namespace plants_rows {
 using sim::Plant;
 using sim::PlantState;
 
-/// An arm without stops, as light or heavy as may be.
+/// An arm without stops, of any mass.
 Plant drawPlant(Input& input) {
   Plant plant;
   plant.arm = *arm::findPreset(arm::kDefaultArm);
@@ -24,7 +24,7 @@ Plant drawPlant(Input& input) {
 
 const Vec3 kMiddle{0.0, 0.0, 0.03};  // of the workspace: 50 mm each way are within reach
 
-/// Flies free under a held force: x + v t + f t^2 / 2 m.
+/// Free motion under a constant force: x + v t + f t^2 / 2 m.
 Outcome judgeFlight(Input& input) {
   Plant plant = drawPlant(input);
   plant.hand = {0.0, 0.0, 0.0};
@@ -48,7 +48,7 @@ Outcome judgeFlight(Input& input) {
           false};
 }
 
-/// One substep: what is left of the momentum equation once its answer is put in, of any dampers, springs and friction.
+/// One substep: the residual of the momentum equation for its result, with any dampers, springs and friction.
 Outcome judgeSubstep(Input& input) {
   Plant plant = drawPlant(input);
   const auto draw = [](Dice& dice) { return dice.one(4) ? 0.0 : dice.power(-20, 20); };
@@ -79,13 +79,13 @@ Outcome judgeSubstep(Input& input) {
   const Real t = Real(plant.integration.substep_ns) / 1000000000, w = ends ? Real(0) : Real(0.5),
              d = halves ? Real(0.5) : Real(0);
   const Real3 x = real(before.p_WT), v = real(before.v_WT), v2 = real(state.v_WT), way = t * (w * v + Real(1 - w) * v2);
-  if (norm(real(state.p_WT) - real(kMiddle)) > Real(0.05)) return {0.0, true};  // carried off beyond what is judged
+  if (norm(real(state.p_WT) - real(kMiddle)) > Real(0.05)) return {0.0, true};  // outside the region that is tested
   const Real b = plant.hand.damping_N_s_per_m, own = plant.model.damping_N_s_per_m, k = plant.hand.stiffness_N_per_m;
-  // v_w is the hand's all along; the spring is taken at the end, or (trapezoidal) in the middle of way and wish.
+  // v_w is constant; the spring is evaluated at the end, or (trapezoidal) in the middle of displacement and wish.
   const Real3 spring_at = halves ? x + Real(0.5) * way : x + way;
   const Real3 meant = real(wish.p_WT) - Real(d * t) * real(wish.v_WT), mean_v = d * v + Real(1 - d) * v2;
   const Real3 pushed = t * (real(f_T_W) - own * mean_v + b * (real(wish.v_WT) - mean_v) + k * (meant - spring_at));
-  const Real3 rubbed = pushed - Real(mass_kg) * (v2 - v);  // what friction must have taken
+  const Real3 rubbed = pushed - Real(mass_kg) * (v2 - v);  // the impulse of friction
   const Real most = t * plant.model.friction_N, taken = norm(rubbed);
   const Real size = t * norm(real(f_T_W)) + t * (own + b) * (norm(v) + norm(v2) + norm(real(wish.v_WT))) +
                     t * k * (norm(meant) + norm(x) + norm(way)) + Real(mass_kg) * (norm(v) + norm(v2)) + most;

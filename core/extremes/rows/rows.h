@@ -5,8 +5,7 @@
 
 namespace underact::extremes {
 
-// The parts of the catalogue, each in the source file that its name says. A new part is a line here and in
-// catalogue.cpp.
+// The parts of the catalogue, each in the source file of its name. A new part is a line here and in catalogue.cpp.
 extern const std::span<const Row> kBaseRows;
 extern const std::span<const Row> kShapeRows;
 extern const std::span<const Row> kWeightedShapeRows;

@@ -12,7 +12,7 @@ namespace shapes_rows {
 using shape::Nearest;
 using shape::Status;
 
-/// A shape's place and size, and a tip beside it.
+/// The position and size of a shape, and a tip near it.
 struct Drawn {
   Vec3 p_WC, axis_W, p_WT;
   double size_m = 0.0;
@@ -31,7 +31,7 @@ Drawn drawShape(Input& input) {
   drawn.p_WC = drawCentre(input, drawn.size_m);
   drawn.axis_W = input.vector("axis_W", [](Dice& dice) { return dice.direction(); });
   drawn.p_WT = input.vector("p_WT", [&](Dice& dice) {
-    // On the shape but for 2^-k, or anywhere.
+    // On the shape except for 2^-k, or anywhere.
     if (dice.one(5)) return Vec3(drawn.p_WC + drawn.size_m * (1.0 + dice.closeness()) * referenceAcross(drawn.axis_W));
     return dice.oddPlaceAbout(drawn.p_WC, drawn.axis_W, drawn.size_m);
   });
@@ -44,8 +44,8 @@ Outcome compare(const Nearest& got, const oracle::Nearest& right, const Real& he
   return {std::max(ulpsOf(got.p_WP, right.p_WP, scale), ulpsOf(got.height_m, height, scale)), false};
 }
 
-/// Where the code says that many points are as near: its height, and that the tip is so near to the middle that the
-/// rounding of the coordinates hides it. within: how near it may be.
+/// A result that is reported as not unique: its height, and that the tip is within the rounding of the coordinates of
+/// the middle. within: how near it may be.
 Outcome compareDegenerate(const Nearest& got, const Vec3& p_WT, const Real& off, const Real& within, const Real& height,
                           const Real& scale) {
   if (off > within || got.p_WP != p_WT) return {kInfinity, true};
@@ -88,8 +88,8 @@ Outcome judgePlane(Input& input) {
   return compare(got, right, dot(real(drawn.p_WT) - real(drawn.p_WC), normal), drawn.largest());
 }
 
-/// Circle and cylinder. Their direction from the axis turns by the rounding of the way from C to the tip over the
-/// distance from the axis, and the point by R times that.
+/// Circle and cylinder. Their direction from the axis has the rounding of the vector from C to the tip over the
+/// distance from the axis, and the point R times that.
 template <class Round, class Right>
 Outcome judgeRound(const Drawn& drawn, const Round& round, const Right& rightOf) {
   const Nearest got = asTheServo([&] { return closestPoint(round, drawn.p_WT); });
@@ -123,7 +123,7 @@ Outcome judgeCylinder(Input& input) {
   });
 }
 
-/// How far a point is off the surface, and how much farther from the tip than the nearest one.
+/// The distance of a point from the surface, and its excess distance from the tip over the nearest point.
 double offAndFarther(const Vec3& p_WP, const Real3& p_WT, const Real& off, const Real& nearest, const Real& scale) {
   if (!p_WP.allFinite()) return kInfinity;
   const Real farther = norm(real(p_WP) - p_WT) - nearest;
@@ -160,7 +160,7 @@ Outcome judgeBox(Input& input) {
   if (!got.p_WP.allFinite()) return {kInfinity, false};
   const Real off = oracle::onSolid(centre, edges, real(got.p_WP)).distance;
   double point_ulp = offAndFarther(got.p_WP, tip, off, right.distance, scale);
-  if (!inside) point_ulp = std::max(point_ulp, ulpsOf(got.p_WP, right.p_WP, scale));  // convex: there is one alone
+  if (!inside) point_ulp = std::max(point_ulp, ulpsOf(got.p_WP, right.p_WP, scale));  // convex: it is unique
   return {std::max(point_ulp, height_ulp), false};
 }
 

@@ -10,7 +10,7 @@
 namespace underact::extremes {
 namespace ticks_rows {
 
-/// One scene for each kind of memory that a tick has. Those that ship are asked in the tests.
+/// One scene for each kind of state that a tick has. The shipped ones are covered by the tests.
 constexpr std::array<const char*, 9> kConstraints{
     R"("control": {"law": "P", "kp_N_per_mm": 0.5}, "constraints": [{"name": "a", "type": "point", "position_mm": [10, 20, 30]}])",
     R"("control": {"law": "PD", "kp_N_per_mm": 0.5, "kd_N_s_per_mm": 0.002, "velocity": {"filter": "adaptive_window"}},

@@ -16,7 +16,7 @@ struct Drawn {
   double size_m = 0.0;
 };
 
-/// The plain shape, and what unequal gains make of its coordinates: 1e-6 to 1.
+/// The plain shape, and the scales of unequal gains: 1e-6 to 1.
 Drawn drawScaled(Input& input) {
   Drawn drawn;
   drawn.size_m = input.number("size_m", [](Dice& dice) { return dice.scale(); });
@@ -31,7 +31,7 @@ Drawn drawScaled(Input& input) {
   return drawn;
 }
 
-/// About the scaled shape's middle: anywhere, in the middle of a thin axis but for 2^-k, or along one axis.
+/// A tip near the scaled shape: anywhere, in the middle of a thin axis except for 2^-k, or along one axis.
 Vec3 drawTip(Input& input, const Vec3& p_WC, const Mat3& axes, const Vec3& sizes) {
   return input.vector("p_WT", [&](Dice& dice) {
     if (dice.one(5)) return dice.oddPlaceAbout(p_WC, axes.col(0), largestOf(sizes));
