@@ -92,7 +92,7 @@ class TheFigures(InFolder):
         with mock.patch.object(Programs, "answers", turned):
             status, error, rows = self.make("--only", "5.6")
         self.assertEqual(status, 1)
-        self.assertIn("Figure 5.6: force, off K_p e", error)
+        self.assertIn("Figure 5.6: force: maximum deviation from K_p e", error)
         self.assertEqual([number["passed"] for number in rows[0]["numbers"]], [True, True, False])
         self.assertIn("✗ fail", (self.folder / "out" / "index.html").read_text(encoding="utf-8"))
 
