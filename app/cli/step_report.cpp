@@ -151,7 +151,7 @@ void printStep(const lab::ArmStep& step, std::ostream& out) {
   }
   row(out, "constraint") << step.constraint << ", " << wordOf(step.law) << ", " << mm(step.step_m) << " along "
                          << (step.axis == lab::Axis::Held ? "the held direction" : name(step.axis)) << '\n';
-  line("", "measured", "its fit", "model");
+  line("", "measured", "fit", "model");
   const std::optional<double> model_final =
       model.final_value ? std::optional(step.step_m * *model.final_value) : std::nullopt;
   line("final", mm(step.measured.final_value), mm(fit_final), mm(model_final));
@@ -175,12 +175,13 @@ void printStep(const lab::ArmStep& step, std::ostream& out) {
 std::string noteOn(const lab::TransferFunction& transfer) {
   switch (lab::behaviourOf(transfer)) {
     case lab::Behaviour::Grows:
-      return "The response grows without bound: a pole is to the right of the imaginary axis, or a double pole on it. "
-             "Nothing can be measured.";
+      return "The response grows without bound: a pole lies to the right of the imaginary axis, or a double pole on "
+             "it. Nothing can be measured.";
     case lab::Behaviour::Drifts:
-      return "The response drifts for ever: a pole is at 0 (an integrator). It has no final value.";
+      return "The response drifts for ever: a pole lies at 0 (an integrator). It has no final value.";
     case lab::Behaviour::Swings:
-      return "The response oscillates for ever (undamped): the final value is the one about which it oscillates.";
+      return "The response oscillates for ever: there is no damping. The final value is the one about which it "
+             "oscillates.";
     case lab::Behaviour::Settles:
       break;
   }

@@ -10164,7 +10164,7 @@ und %2 weitere</translation>
         <translation>Gezeigte Schwingungen</translation>
     </message>
     <message>
-        <source>Uncertainty: one standard deviation. “below”: cannot be told from zero.</source>
+        <source>Uncertainty: one standard deviation. “below”: not distinguishable from zero.</source>
         <translation>Unsicherheit: eine Standardabweichung. „unter“: nicht von null zu unterscheiden.</translation>
     </message>
     <message>
@@ -13412,8 +13412,8 @@ und %2 weitere</translation>
         <translation>Bewegt einen simulierten zweiten Arm als Spiegelbild der ersten Hand.</translation>
     </message>
     <message>
-        <source>What is being opened</source>
-        <translation>Was geöffnet wird</translation>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
     </message>
     <message>
         <source>Scene</source>
@@ -14110,7 +14110,7 @@ und %2 weitere</translation>
         <translation>Servo-Taktrate</translation>
     </message>
     <message>
-        <source>Ticks a second.</source>
+        <source>Ticks per second.</source>
         <translation>Takte je Sekunde.</translation>
     </message>
     <message>
@@ -14415,7 +14415,7 @@ und %2 weitere</translation>
         <translation>Die Spitze hat sich nicht bewegt: %1 N überwinden die Reibung des Arms von %2 N nicht. Machen Sie den Sprung größer.</translation>
     </message>
     <message>
-        <source>The safety gate cut the force in %1 ticks, so the response is not linear. Make the step smaller, or measure without the limits.</source>
+        <source>The safety gate reduced the force in %1 ticks, so the response is not linear. Make the step smaller, or measure without the limits.</source>
         <translation>Die Kraftschleuse hat die Kraft in %1 Takten begrenzt, die Antwort ist daher nicht linear. Machen Sie den Sprung kleiner oder messen Sie ohne die Grenzen.</translation>
     </message>
     <message>

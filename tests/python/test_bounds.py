@@ -235,7 +235,7 @@ class APlot(Bounded):
         with Session(self.folder / "b.h5") as session:
             view = view_of(session)
         figure = draw("error", view)
-        self.assertEqual(figure.axes[0].get_xlabel(), "time [s], 200 of 299 marks and faults")
+        self.assertEqual(figure.axes[0].get_xlabel(), "time [s], 200 of 299 markers and faults")
         self.assertLess(len(figure.axes[0].texts), 201)
         figure.canvas.draw()
 

@@ -92,7 +92,7 @@ class TheFigures(InFolder):
         with mock.patch.object(Programs, "answers", turned):
             status, error, rows = self.make("--only", "5.6")
         self.assertEqual(status, 1)
-        self.assertIn("Figure 5.6: force, off K_p e", error)
+        self.assertIn("Figure 5.6: force: maximum deviation from K_p e", error)
         self.assertEqual([number["passed"] for number in rows[0]["numbers"]], [True, True, False])
         self.assertIn("✗ fail", (self.folder / "out" / "index.html").read_text(encoding="utf-8"))
 
@@ -137,9 +137,9 @@ class TheFigures(InFolder):
     def test_of_the_view_are_left_out_with_a_sentence_where_there_is_no_window(self):
         status, error, rows = self.make("--only", "4.4")
         self.assertEqual((status, rows[0]["pictures"]), (0, []))
-        self.assertIn("the window was not named", error)
+        self.assertIn("--window was not given", error)
         self.assertIn(
-            "the window was not named",
+            "--window was not given",
             (self.folder / "out" / "index.html").read_text(encoding="utf-8"),
         )
 

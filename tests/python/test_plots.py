@@ -31,7 +31,7 @@ LABELS = {  # of the panels from the top, x after the last
     "joints": ["joint angle [deg]", "time [s]"],
     "energy": ["energy put in [mJ]", "time [s]"],
     "spectrum": ["error [mm/√Hz]", "force [N/√Hz]", "frequency [Hz]"],
-    "lateness": ["lateness, time of a tick [µs]", "ticks"],
+    "lateness": ["latency, time of a tick [µs]", "ticks"],
 }
 
 

@@ -129,7 +129,7 @@ class NoSession(InFolder):
     def test_that_is_a_pipe_is_refused_at_once(self):
         os.mkfifo(self.folder / "a.h5")
         signal.alarm(20)  # a hang is a failure
-        self.refused("no regular file", Unreadable)
+        self.refused("not a regular file", Unreadable)
         signal.alarm(0)
 
     def test_says_what_was_agreed_to(self):
@@ -155,7 +155,7 @@ class NoSession(InFolder):
     def test_of_somebody_else(self):
         with h5py.File(self.folder / "a.h5", "w") as file:
             file["measurements"] = np.arange(3)
-        self.refused("no session of Underact")
+        self.refused("not a session of Underact")
 
     def test_of_another_version(self):
         self.changed(lambda file: file.attrs.__setitem__("underact_session", 2))
@@ -196,7 +196,7 @@ class NoSession(InFolder):
         )
         writer.end(0)
         with Session(self.folder / "a.h5") as session, self.assertRaisesRegex(
-            SessionError, "no JSON"
+            SessionError, "not valid JSON"
         ):
             session.changes
 

@@ -123,7 +123,7 @@ TEST(LessonsStory, TheFirstLessonIsSolvedByTheKeyboardAlone) {
   typeAnswer(story, 1, QString::number(p_mm.z() + 176.0));
   typeAnswer(story, 2, QString::number(p_mm.x()));
   typeAnswer(story, 3, "much");
-  EXPECT_EQ(saidOf(story, 3), "“much” is no number.");
+  EXPECT_EQ(saidOf(story, 3), "“much” is not a number.");
   typeAnswer(story, 3, QString::number(p_mm.y() - 30.0));
   EXPECT_TRUE(title(story).contains("✓")) << saidOf(story, 3).toStdString();
   story.key(Qt::Key_F8);

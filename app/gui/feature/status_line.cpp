@@ -40,7 +40,7 @@ StatusLine::StatusLine(ServoFacts servo, double force_limit_N, QWidget* parent)
   mode_ = field("status.mode", tr("Servo"), tr("The state of the servo."), tr("Stopping"));
   device_ = field("status.device", tr("Arm"), {}, {});
   presentDevice();
-  rate_ = field("status.rate", tr("Servo rate"), tr("Ticks a second."), tr("4000 Hz"));
+  rate_ = field("status.rate", tr("Servo rate"), tr("Ticks per second."), tr("4000 Hz"));
   late_ = field("status.late", tr("Latency"),
                 tr("99 % of the ticks in the last 10 s began no later than this after their deadline."),
                 tr("latency p99 9999 µs"));

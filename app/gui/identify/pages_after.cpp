@@ -82,7 +82,7 @@ void FoundPage::initializePage() {
     }
   }
   table_->setColumnHidden(5, given == nullptr);
-  QString text = tr("Uncertainty: one standard deviation. “below”: cannot be told from zero.");
+  QString text = tr("Uncertainty: one standard deviation. “below”: not distinguishable from zero.");
   if (given != nullptr) text += tr(" Given: the value of the simulated arm, or the stiffness that was commanded.");
   for (const Problem& note : run_.found().notes) text += QLatin1Char('\n') + sentenceText(note.sentence);
   what_->setText(text);

@@ -124,7 +124,7 @@ QWidget* SecondPanel::buildChoices() {
   mirrors_ = new QCheckBox(tr("Mirrors my hand"), box);
   nameWidget(mirrors_, "panel.second.mirror", tr("Mirrors my hand"),
              tr("Moves a simulated second arm as the mirror image of the first hand."));
-  opening_ = toldLabel("panel.second.opening", tr("What is being opened"), "quiet", box);
+  opening_ = toldLabel("panel.second.opening", tr("Progress"), "quiet", box);
   form->addRow(tr("Arm"), arm_);
   form->addRow(tr("Scene"), scene_);
   form->addRow(file_);

@@ -289,7 +289,7 @@ QString StepPanel::noteOnMeasured() const {
         .arg(numberText(pull_N, 2))
         .arg(numberText(step.friction_N, 2));
   if (step.limited_ticks > 0)
-    return tr("The safety gate cut the force in %1 ticks, so the response is not linear. Make the step smaller, or "
+    return tr("The safety gate reduced the force in %1 ticks, so the response is not linear. Make the step smaller, or "
               "measure without the limits.")
         .arg(step.limited_ticks);
   const QString arm = QString::fromStdString(parts_.arm_in_use.model().name);

@@ -36,7 +36,7 @@ def plot(options: argparse.Namespace) -> int:
 
 
 def export(options: argparse.Namespace) -> int:
-    """Writes the ticks in another form."""
+    """Writes the ticks in another format."""
     from . import export as forms
     from .session import Session
 
@@ -94,10 +94,10 @@ def parser() -> argparse.ArgumentParser:
             )
         return one
 
-    one = command("info", info, "What a session file holds.")
+    one = command("info", info, "Shows what a session file contains.")
     one.add_argument("--json", action="store_true", help="as one JSON object")
 
-    one = command("plot", plot, "Draws a session.")
+    one = command("plot", plot, "Plots a session.")
     kinds = "error force displacement-force path angles joints energy spectrum lateness all".split()
     one.add_argument("--kind", choices=kinds, required=True)
     one.add_argument(
@@ -109,14 +109,14 @@ def parser() -> argparse.ArgumentParser:
     one.add_argument("--from", dest="from_s", type=float, help="s since the first tick")
     one.add_argument("--to", dest="to_s", type=float, help="s since the first tick")
 
-    one = command("export", export, "Writes the ticks of a session in another form.")
+    one = command("export", export, "Writes the ticks of a session in another format.")
     one.add_argument("--format", choices=("csv", "parquet", "mcap"), required=True)
     one.add_argument("--out", type=Path, required=True)
 
-    one = command("lab", lab, "Draws the tables of `underact-cli lab`.", file=False)
+    one = command("lab", lab, "Plots the tables of `underact-cli lab`.", file=False)
     one.add_argument("what", choices=("stability", "trade"))
     one.add_argument("--tables", type=Path, required=True, help="the folder of the tables")
-    one.add_argument("--out", type=Path, required=True, help="a folder; made where there is none")
+    one.add_argument("--out", type=Path, required=True, help="a folder; created if missing")
     one.add_argument("--width", type=float, default=7.0, help="inches: 3.5 or 7 (a page)")
 
     one = command(
@@ -129,12 +129,12 @@ def parser() -> argparse.ArgumentParser:
     one.add_argument(
         "--window", type=Path, help="the program underact, for pictures of the 3D view"
     )
-    one.add_argument("--out", type=Path, required=True, help="a folder; made where there is none")
-    one.add_argument("--only", help="figures with commas between, as 4.2,5.7")
+    one.add_argument("--out", type=Path, required=True, help="a folder; created if missing")
+    one.add_argument("--only", help="comma-separated figures, such as 4.2,5.7")
     one.add_argument(
         "--progress-lines",
         action="store_true",
-        help="say on standard error which figure is made, as one JSON object a line",
+        help="report progress on standard error, one JSON object per line",
     )
     return top
 
@@ -162,7 +162,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"{error.filename or ''}: {error.strerror or error}.".lstrip(": "), file=sys.stderr)
         return FILE
     except MemoryError:
-        print("There is not enough memory for so long a session.", file=sys.stderr)
+        print("There is not enough memory for a session of this length.", file=sys.stderr)
         return FILE
     except KeyboardInterrupt:
         return 130

@@ -24,13 +24,13 @@ def open_file(path: Path) -> h5py.File:
         kind = os.stat(path).st_mode
         # Opening a pipe would wait for its writer.
         if not (stat.S_ISREG(kind) or stat.S_ISDIR(kind)):
-            raise Unreadable(f"{path} cannot be read: it is no regular file.")
+            raise Unreadable(f"{path} cannot be read: it is not a regular file.")
         with open(path, "rb") as file:
             start = file.read(16)
     except OSError as error:
         raise Unreadable(f"{path} cannot be read: {error.strerror}.") from error
     if not h5py.is_hdf5(path):
-        raise SessionError(f"{path} is no session: it is not an HDF5 file.")
+        raise SessionError(f"{path} is not a session: it is not an HDF5 file.")
     try:
         return h5py.File(path, "r")
     except (OSError, RuntimeError, ValueError) as error:

@@ -82,7 +82,7 @@ class Session:
         self._damaged = damaged
         self._file = open_file(self.path)
         try:
-            with library_errors(f"{self.path}: what is in it"):
+            with library_errors(f"{self.path}: its content"):
                 self._look()
         except BaseException:
             self._file.close()
@@ -91,7 +91,7 @@ class Session:
     def _look(self) -> None:
         version = bounds.attribute(self._file, "underact_session")
         if version is None:
-            raise SessionError(f"{self.path} is an HDF5 file, but no session of Underact.")
+            raise SessionError(f"{self.path} is an HDF5 file, but not a session of Underact.")
         if version != layout.VERSION:
             raise SessionError(
                 f"{self.path} has layout {version}; this program reads layout {layout.VERSION}. "
@@ -135,7 +135,7 @@ class Session:
 
     @property
     def markers(self) -> list[Marker]:
-        """The marks that somebody set, in the order of ticks. With damaged="skip" a label that
+        """The markers that somebody set, in the order of ticks. With damaged="skip" a label that
         cannot be had is "?".
         """
         left, marks = layout.ALL_LABELS, []
@@ -143,8 +143,8 @@ class Session:
             try:
                 if size > min(layout.LONGEST_LABEL, left):
                     raise DamagedSession(
-                        f"{self.path}: the label of the mark at tick {tick} is longer than a label "
-                        f"may be ({layout.LONGEST_LABEL >> 10} KiB, all together "
+                        f"{self.path}: the label of the marker at tick {tick} is longer than a "
+                        f"label may be ({layout.LONGEST_LABEL >> 10} KiB, all together "
                         f"{layout.ALL_LABELS >> 20} MiB). The file is damaged: copy it anew from "
                         'where it came; Session(path, damaged="skip") reads the rest.',
                         "markers",
@@ -277,9 +277,10 @@ class Session:
         try:
             scene = json.loads(self._text(at, size))
         except (ValueError, RecursionError) as error:
-            raise SessionError(f"{self.path}: a scene in it is no JSON ({error}).") from error
+            words = f"{self.path}: a scene in it is not valid JSON ({error})."
+            raise SessionError(words) from error
         if not isinstance(scene, dict):
-            raise SessionError(f"{self.path}: a scene in it is no JSON object.")
+            raise SessionError(f"{self.path}: a scene in it is not a JSON object.")
         return scene
 
     def close(self) -> None:

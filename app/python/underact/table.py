@@ -40,12 +40,12 @@ class Table(Mapping):
         group = file.get(name) if bounds.is_own(file, name) else None
         where = f"{file.filename}: the table /{name}"
         if not isinstance(group, h5py.Group):
-            raise SessionError(f"{where} is missing. The file is no whole session: record it anew.")
+            raise SessionError(f"{where} is missing. The session is incomplete: record it again.")
         order = _columns_of(group)
         foreign = {name for name in [*order, "crc32"] if not bounds.is_own(group, name)}
         lost = sorted(set(wanted) - set(order) | foreign)
         if lost:
-            raise SessionError(f"{where} lacks {', '.join(lost)}. The file is no whole session.")
+            raise SessionError(f"{where} lacks {', '.join(lost)}. The session is incomplete.")
         self._datasets = {column: group[column] for column in order}
         self._crc32 = group["crc32"]
         self._file = file
@@ -74,7 +74,7 @@ class Table(Mapping):
             rows = self.block_rows if self.name == "ticks" else chunk_rows
             bounds.check_layout(where, column, dataset, rows)
         if not isinstance(self._crc32, h5py.Dataset) or self._crc32.ndim != 1:
-            raise SessionError(f"{where} has no checksums. The file is no whole session.")
+            raise SessionError(f"{where} has no checksums. The session is incomplete.")
         bounds.check_layout(where, "crc32", self._crc32, layout.CHECKS_CHUNK)
         columns = [*self._datasets.values()]
         block_bytes = self.block_rows * sum(map(bounds.row_bytes, columns))

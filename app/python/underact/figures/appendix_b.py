@@ -81,7 +81,7 @@ def first_order_numbers(programs: Programs | None) -> list[Number]:
             Number(f"a = {a:g}: overshoot", found.overshoot_fraction, 0.0, 1e-9),
             worst(
                 response - (1 - np.exp(-a * time_s)),
-                f"a = {a:g}: curve, off 1 - exp(-a t), at most",
+                f"a = {a:g}: maximum deviation from 1 - exp(-a t)",
                 1e-9,
             ),
         ]
@@ -155,8 +155,8 @@ def third_order_numbers(programs: Programs | None) -> list[Number]:
     found = program_marks(programs, *_THIRD, 20.0)
     return [
         Number("third order: final value", found.final_value, 1 / 12, 1e-9),
-        worst(full - reduced, "difference, at most (the thesis: 3e-3)", 3e-3),
-        Number("greatest difference", float(np.abs(full - reduced).max()), 2.0525e-4, 2e-8),
+        worst(full - reduced, "difference, bound (the thesis: 3e-3)", 3e-3),
+        Number("maximum difference", float(np.abs(full - reduced).max()), 2.0525e-4, 2e-8),
     ]
 
 
@@ -197,7 +197,7 @@ def first_order_mark_numbers(programs: Programs | None) -> list[Number]:
             Number(f"a = {a:g}: final value", found.final_value, 1 / a, 1e-9),
             Number(f"a = {a:g}: rise, 10 to 90 %", found.rise_10_90_s, math.log(9) / a, 1e-4, "s"),
             Number(
-                f"a = {a:g}: settling within 2 %",
+                f"a = {a:g}: settling to 2 %",
                 found.settling_2pct_s,
                 math.log(50) / a,
                 1e-4,
@@ -256,6 +256,6 @@ def second_order_mark_numbers(programs: Programs | None) -> list[Number]:
         Number("overshoot", found.overshoot_fraction, 0.38, 1e-5),
         Number("peak time", found.peak_time_s, math.pi / damped, 1e-3, "s"),
         Number("rise, 10 to 90 %", found.rise_10_90_s, own.rise_10_90_s, 1e-4, "s"),
-        Number("settling within 2 %", found.settling_2pct_s, own.settling_2pct_s, 1e-3, "s"),
+        Number("settling to 2 %", found.settling_2pct_s, own.settling_2pct_s, 1e-3, "s"),
         Number("final value", found.final_value, 1.0, 1e-9),
     ]

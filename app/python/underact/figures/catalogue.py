@@ -47,8 +47,8 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry(
         "4.2",
         "Results for point constraint",
-        "Distance of the stylus from (0, 0, 0) and size of the force. Pulls of 4 mm along each "
-        "half axis, then two of 14 mm; the force stops growing at the arm's continuous 0.88 N.",
+        "Distance of the stylus from (0, 0, 0) and magnitude of the force. Pulls of 4 mm along "
+        "each half axis, then two of 14 mm; the force stops at the arm's continuous 0.88 N.",
         "run",
         "point",
         13.5,
@@ -69,7 +69,7 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry(
         "4.5",
         "Results of the sphere constraint, in space",
-        "A sphere of 50 mm about (0, 0, 0): the way of the stylus, coloured by the force.",
+        "A sphere of 50 mm about (0, 0, 0): the path of the stylus, coloured by the force.",
         "run",
         "sphere",
         11.5,
@@ -79,7 +79,7 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry(
         "4.6",
         "Results of the sphere constraint, over time",
-        "Distance from (0, 0, 0) and size of the force. At the end the hand presses deep into "
+        "Distance from (0, 0, 0) and magnitude of the force. At the end the hand presses deep into "
         "the sphere, and comes out.",
         "run",
         "sphere",
@@ -139,7 +139,7 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry(
         "5.6",
         "Choosing the right angle for combination constraint",
-        "Stylus at α = -5π/6, tip at β = π/2, t = 0.4: the target is at 0.9π on the short way, "
+        "Stylus at α = -5π/6, tip at β = π/2, t = 0.4: the target is at 0.9π on the shorter arc, "
         "not at -0.3π.",
         "target",
         "influence_angles",
@@ -199,7 +199,7 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry(
         "B.4",
         "First order system step response",
-        "1 / (s + a) with a = 1: rise from 10 to 90 %, settling within 2 %.",
+        "1 / (s + a) with a = 1: rise from 10 to 90 %, settling to 2 %.",
         "step",
         draw=appendix_b.first_order_marks,
         check=appendix_b.first_order_mark_numbers,

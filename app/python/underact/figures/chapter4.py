@@ -35,7 +35,7 @@ def _size(view: View) -> np.ndarray:
 
 
 def point_sizes(view: View) -> Figure:
-    """4.2: distance from the point and size of the force over time."""
+    """4.2: distance from the point and magnitude of the force over time."""
     figure = _two_over_time(
         view,
         (view["error_mm"], "distance [mm]", style.STYLUS),
@@ -47,14 +47,14 @@ def point_sizes(view: View) -> Figure:
 
 
 def point_size_numbers(view: View) -> list[Number]:
-    """4.2: the size of the force is K_p times the distance, up to the clamp."""
+    """4.2: the magnitude of the force is K_p times the distance, up to the clamp."""
     rows = view["gate_level"] == 1
     due = np.minimum(KP_N_PER_MM * view["error_mm"], CLAMP_N)
     off = (_size(view) - due)[rows & np.isin(view["limits"], (0, 1))]
     return [
         *common_numbers(view),
-        worst(off, "size of force, off min(K_p |e|, clamp), at most", 1e-9, "N"),
-        Number("greatest force", float(_size(view).max()), CLAMP_N, 1e-9, "N"),
+        worst(off, "force magnitude: maximum deviation from min(K_p |e|, clamp)", 1e-9, "N"),
+        Number("maximum force", float(_size(view).max()), CLAMP_N, 1e-9, "N"),
     ]
 
 
@@ -81,9 +81,9 @@ def point_x(view: View) -> Figure:
         mec=style.LIMITED,
         mew=0.3,
         markersize=2.5,
-        label="limit or ramp",
+        label="limited",
     )
-    against.plot(x[rows], force[rows], ".", color=style.STYLUS, markersize=2, label="as asked")
+    against.plot(x[rows], force[rows], ".", color=style.STYLUS, markersize=2, label="unlimited")
     against.set_xlabel("displacement in x [mm]")
     against.set_ylabel("force in x [N]")
     against.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=2, markerscale=2)
@@ -100,20 +100,24 @@ def point_x_numbers(view: View) -> list[Number]:
     slope = float(np.polyfit(x[rows], force[rows], 1)[0])
     return [
         Number(
-            "ticks with x displaced whose force in x points back",
+            "ticks with displaced x whose force in x points back",
             float(np.mean(force[moved] * x[moved] < 0)),
             1,
             0,
         ),
-        Number("slope of force in x against x, no limit acting", slope, -KP_N_PER_MM, 1e-6, "N/mm"),
+        Number("slope of force in x against x, without limits", slope, -KP_N_PER_MM, 1e-6, "N/mm"),
         Number(
-            "reach of x to both sides, the lesser", min(float(x.max()), -float(x.min())), 6, 5, "mm"
+            "excursion of x, the smaller of both sides",
+            min(float(x.max()), -float(x.min())),
+            6,
+            5,
+            "mm",
         ),
     ]
 
 
 def sphere_path(view: View) -> Figure:
-    """4.5: the way of the stylus over the sphere."""
+    """4.5: the path of the stylus over the sphere."""
     return _path(view)
 
 
@@ -124,9 +128,9 @@ def sphere_path_numbers(view: View) -> list[Number]:
     off = np.sqrt(np.mean((np.linalg.norm(view["p_WT_mm"], axis=1)[rows] - 50) ** 2))
     return [
         *common_numbers(view),
-        worst(radius - 50, "target, off the sphere of 50 mm, at most", 1e-9, "mm"),
+        worst(radius - 50, "target: maximum distance from the sphere of 50 mm", 1e-9, "mm"),
         Number(
-            "stylus off the sphere while it slides (rms)",
+            "stylus: distance from the sphere while it slides (rms)",
             float(off),
             0,
             CLAMP_N / KP_N_PER_MM,
@@ -136,7 +140,7 @@ def sphere_path_numbers(view: View) -> list[Number]:
 
 
 def sphere_sizes(view: View) -> Figure:
-    """4.6: distance from the centre and size of the force over time."""
+    """4.6: distance from the centre and magnitude of the force over time."""
     distance = np.linalg.norm(view["p_WT_mm"], axis=1)
     upper, lower = (distance, "distance from the centre [mm]", style.STYLUS), (
         _size(view),
@@ -156,8 +160,10 @@ def sphere_size_numbers(view: View) -> list[Number]:
     off = (_size(view) - np.minimum(KP_N_PER_MM * np.abs(distance - 50), CLAMP_N))[rows]
     clamped = float(_size(view)[rows & (distance < 45)].min(initial=np.inf))
     return [
-        worst(off, "size of force, off min(K_p |r - 50 mm|, clamp), at most", 1e-9, "N"),
-        Number("force deep inside the sphere, the least", clamped, CLAMP_N, 1e-6, "N"),
+        worst(
+            off, "force magnitude: maximum deviation from min(K_p |r - 50 mm|, clamp)", 1e-9, "N"
+        ),
+        Number("minimum force deep inside the sphere", clamped, CLAMP_N, 1e-6, "N"),
     ]
 
 
@@ -200,10 +206,12 @@ def line_numbers(view: View) -> list[Number]:
     pull = view["force_sent_N"] @ V
     return [
         *common_numbers(view),
-        Number("angle between the run of the targets and V", turn_deg, 0, 1e-6, "deg"),
-        worst(pull, "force along the line, at most", 1e-9, "N"),
-        Number("way along the line", float(np.ptp(along)), 60, 30, "mm"),
-        Number("stylus off the line once it is there (rms)", held_rms_mm(view, 2.5), 0, 2.0, "mm"),
+        Number("angle between the line of the targets and V", turn_deg, 0, 1e-6, "deg"),
+        worst(pull, "maximum force along the line", 1e-9, "N"),
+        Number("travel along the line", float(np.ptp(along)), 60, 30, "mm"),
+        Number(
+            "stylus: distance from the line once on it (rms)", held_rms_mm(view, 2.5), 0, 2.0, "mm"
+        ),
     ]
 
 
@@ -219,10 +227,12 @@ def plane_numbers(view: View) -> list[Number]:
     in_plane = view["p_WT_mm"] - np.outer(view["p_WT_mm"] @ n, n)
     return [
         *common_numbers(view),
-        worst((sent - np.outer(sent @ n, n)).ravel(), "force in the plane, at most", 1e-9, "N"),
-        Number("stylus off the plane once it is there (rms)", held_rms_mm(view, 2.0), 0, 2.0, "mm"),
+        worst((sent - np.outer(sent @ n, n)).ravel(), "maximum force in the plane", 1e-9, "N"),
         Number(
-            "way in the plane (diagonal of its extent)",
+            "stylus: distance from the plane once on it (rms)", held_rms_mm(view, 2.0), 0, 2.0, "mm"
+        ),
+        Number(
+            "travel in the plane (diagonal of its extent)",
             float(np.linalg.norm(np.ptp(in_plane, axis=0))),
             90,
             45,
@@ -246,17 +256,22 @@ def circle_numbers(view: View) -> list[Number]:
     return [
         *common_numbers(view),
         worst(
-            np.linalg.norm(off, axis=1) - 40, "target, off the radius of 40 mm, at most", 1e-9, "mm"
+            np.linalg.norm(off, axis=1) - 40,
+            "target: maximum deviation from the radius of 40 mm",
+            1e-9,
+            "mm",
         ),
-        worst(off @ a, "target, out of the circle's plane, at most", 1e-9, "mm"),
+        worst(off @ a, "target: maximum distance from the circle's plane", 1e-9, "mm"),
         worst(
             np.sum(view["force_sent_N"] * tangent, axis=1),
-            "force along the circle, at most",
+            "maximum force along the circle",
             1e-9,
             "N",
         ),
-        Number("turn around the circle", float(np.degrees(np.ptp(turned))), 390, 30, "deg"),
-        Number("stylus off the circle (rms)", held_rms_mm(view, 1.0), 0, 2.0, "mm"),
+        Number(
+            "angle travelled around the circle", float(np.degrees(np.ptp(turned))), 390, 30, "deg"
+        ),
+        Number("stylus: distance from the circle (rms)", held_rms_mm(view, 1.0), 0, 2.0, "mm"),
     ]
 
 
@@ -276,12 +291,14 @@ def cylinder_numbers(view: View) -> list[Number]:
         *common_numbers(view),
         worst(
             np.linalg.norm(radial, axis=1) - 30,
-            "target, off the radius of 30 mm, at most",
+            "target: maximum deviation from the radius of 30 mm",
             1e-9,
             "mm",
         ),
-        worst(view["force_sent_N"] @ a, "force along the axis, at most", 1e-9, "N"),
-        Number("way along the axis", float(np.ptp(off @ a)), 45, 10, "mm"),
-        Number("turn around the axis", float(np.degrees(np.ptp(turned))), 720, 40, "deg"),
-        Number("stylus off the cylinder (rms)", held_rms_mm(view, 1.0), 0, 2.0, "mm"),
+        worst(view["force_sent_N"] @ a, "maximum force along the axis", 1e-9, "N"),
+        Number("travel along the axis", float(np.ptp(off @ a)), 45, 10, "mm"),
+        Number(
+            "angle travelled around the axis", float(np.degrees(np.ptp(turned))), 720, 40, "deg"
+        ),
+        Number("stylus: distance from the cylinder (rms)", held_rms_mm(view, 1.0), 0, 2.0, "mm"),
     ]

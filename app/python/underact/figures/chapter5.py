@@ -29,7 +29,7 @@ def angle_question() -> dict:
 
 
 def right_angle(answer: dict) -> Figure:
-    """5.6: the target lies on the short way from alpha to beta, not on the long one."""
+    """5.6: the target lies on the shorter arc from alpha to beta, not on the longer one."""
     figure = style.new_figure(3.5, 3.4)
     axes = figure.subplots()
     _rim(axes, RADIUS_MM)
@@ -64,10 +64,16 @@ def right_angle_numbers(answer: dict) -> list[Number]:
             1e-12,
             "rad",
         ),
-        Number("target, from the centre", float(np.linalg.norm(q)), RADIUS_MM, 1e-9, "mm"),
+        Number(
+            "distance of the target from the centre",
+            float(np.linalg.norm(q)),
+            RADIUS_MM,
+            1e-9,
+            "mm",
+        ),
         worst(
             np.asarray(answer["force_N"]) - KP * (q - angle_question()["p_mm"]),
-            "force, off K_p e, at most",
+            "force: maximum deviation from K_p e",
             1e-9,
             "N",
         ),
@@ -102,30 +108,35 @@ def angle_history_numbers(view: View) -> list[Number]:
     target = RADIUS_MM * np.stack([np.cos(due), np.sin(due), 0 * due], axis=1)
     along = (view.time_s > 8.2) & (view.time_s < 9.0)
     return [
-        worst(wrap(theta - due), "θ, off α + t wrap(β − α), at most", 1e-9, "rad"),
+        worst(wrap(theta - due), "θ: maximum deviation from α + t wrap(β − α)", 1e-9, "rad"),
         worst(
             wrap(alpha - np.arctan2(z[:, 1], z[:, 0])),
-            "α, off atan2 of z of frame 6, at most",
+            "α: maximum deviation from atan2 of z of frame 6",
             1e-9,
             "rad",
         ),
         worst(
             wrap(beta - np.arctan2(p[:, 1], p[:, 0])),
-            "β, off atan2 of the tip, at most",
+            "β: maximum deviation from atan2 of the tip",
             1e-9,
             "rad",
         ),
         worst(
-            (view["p_WP_mm"] - target).ravel(), "target, off the point at θ, at most", 1e-9, "mm"
+            (view["p_WP_mm"] - target).ravel(),
+            "target: maximum distance from the point at θ",
+            1e-9,
+            "mm",
         ),
         Number(
-            "α and β apart at most",
+            "maximum difference of α and β",
             float(np.degrees(np.abs(wrap(beta - alpha)).max())),
             60,
             40,
             "deg",
         ),
-        Number("α and β apart, 8.2 s to 9 s, at most", _apart(alpha, beta, along), 0, 5, "deg"),
+        Number(
+            "maximum difference of α and β, 8.2 s to 9 s", _apart(alpha, beta, along), 0, 5, "deg"
+        ),
     ]
 
 
@@ -162,7 +173,7 @@ def manipulator_moments(view: View) -> Figure:
 
 
 def manipulator_numbers(view: View) -> list[Number]:
-    """5.8: the force asked for is that of code 5.2 as corrected, and turns the stylus's way with
+    """5.8: the commanded force is that of code 5.2 as corrected, and turns the stylus's way with
     k_theta / L.
     """
     p, asked = view["p_WT_mm"], view["force_asked_N"]
@@ -179,22 +190,25 @@ def manipulator_numbers(view: View) -> list[Number]:
     return [
         worst(
             (asked - code_5_2(p, z)).ravel(),
-            "force asked, off code 5.2 (corrected), at most",
+            "commanded force: maximum deviation from code 5.2 (corrected)",
             1e-9,
             "N",
         ),
         Number(
-            "slope of tangential force against error of turn",
+            "slope of tangential force against orientation error",
             slope,
             -K_ROTATE / LENGTH_MM,
             1e-6,
             "N/rad",
         ),
         Number(
-            "least cosine between force sent and asked", float(cosine.min(initial=np.inf)), 1, 1e-9
+            "minimum cosine between force sent and commanded",
+            float(cosine.min(initial=np.inf)),
+            1,
+            1e-9,
         ),
-        Number("greatest error of turn", float(np.degrees(np.abs(turned).max())), 20, 17, "deg"),
-        Number("greatest force", float(np.linalg.norm(sent, axis=1).max()), 0.88, 1e-6, "N"),
+        Number("maximum orientation error", float(np.degrees(np.abs(turned).max())), 20, 17, "deg"),
+        Number("maximum force", float(np.linalg.norm(sent, axis=1).max()), 0.88, 1e-6, "N"),
     ]
 
 

@@ -93,11 +93,15 @@ def numbers(answer: dict) -> list[Number]:
         Number("solutions that differ", len(different), 8, 0),
         worst(
             np.ravel([forward(q) - pose for q in joints]),
-            "pose reached, off by at most",
+            "maximum error of the poses reached",
             1e-9,
             "mm, 1",
         ),
         Number(
-            "joints that the pose was made from, off the nearest solution", known, 0, 1e-9, "rad"
+            "distance of the nearest solution from the joints that made the pose",
+            known,
+            0,
+            1e-9,
+            "rad",
         ),
     ]

@@ -40,27 +40,27 @@ def common_numbers(view: View) -> list[Number]:
     return [
         worst(
             (target - expected).ravel(),
-            "target, off the thesis's nearest point, at most",
+            "target: maximum distance from the thesis's nearest point",
             1e-9,
             "mm",
         ),
         worst(
             (view["force_asked_N"] - KP_N_PER_MM * error).ravel(),
-            "force asked, off K_p e, at most",
+            "commanded force: maximum deviation from K_p e",
             1e-9,
             "N",
         ),
         Number(
-            "slope of force against displacement, no limit acting",
+            "slope of force against displacement, without limits",
             slope,
             -KP_N_PER_MM,
             1e-6,
             "N/mm",
         ),
-        worst(angle_deg, "force, off the direction to the target, at most", 0.01, "deg"),
+        worst(angle_deg, "force: maximum angle from the direction to the target", 0.01, "deg"),
         worst(
             np.maximum(size - CLAMP_N, 0),
-            "force beyond the arm's continuous 0.88 N, at most",
+            "maximum force beyond the arm's continuous 0.88 N",
             1e-9,
             "N",
         ),

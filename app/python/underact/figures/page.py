@@ -32,7 +32,7 @@ def _table(numbers: list[dict]) -> str:
             f"<td>{escape(n['unit'])}</td><td "
             f"class={'pass' if n['passed'] else 'fail'}>{sign}</td></tr>"
         )
-    head = "<tr><th>number<th class=n>measured<th class=n>expected<th class=n>within<th>unit<th>"
+    head = "<tr><th>number<th class=n>measured<th class=n>expected<th class=n>tolerance<th>unit<th>"
     return f"<table>{head}</tr>{''.join(rows)}</table>" if rows else ""
 
 
@@ -70,11 +70,10 @@ def page(rows: list[dict]) -> str:
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         f"<title>Figures of the thesis, remade</title><style>{_STYLE}</style></head><body>"
         "<h1>Figures of the thesis, remade</h1>"
-        "<p>Beckman 2007, each figure that holds data, by the program, with the thesis's own "
-        "settings, and numbers that "
-        "say whether it shows what it should. The arm and the hand are simulated; nothing here "
+        "<p>Beckman 2007: every figure that shows data, remade by the program with the settings of "
+        "the thesis, and numbers that check it. The arm and the hand are simulated; nothing here "
         "was measured on a device. "
-        "Where the thesis has a misprint, the corrected equation is meant.</p>"
+        "Where the thesis has a misprint, the corrected equation is used.</p>"
         f"<p class={'fail' if failed else 'pass'}>{count}{verdict}</p><nav>{links}</nav>"
         + "\n".join(_section(row) for row in rows)
         + "</body></html>\n"

@@ -87,9 +87,9 @@ class Programs:
     def picture(self, scene: Path, out: Path) -> str:
         """Draws the 3D view of a scene; gives "" or, where that cannot be done here, why."""
         if self.window is None:
-            return "Left out: the window was not named (--window), and it draws this picture."
+            return "Left out: the window draws this picture, and --window was not given."
         if not self.window.is_file():
-            return f"Left out: there is no {self.window.name} here, the window that draws it."
+            return f"Left out: {self.window.name}, which draws it, was not found."
         command, surroundings = [
             str(self.window),
             "--picture",
@@ -99,7 +99,7 @@ class Programs:
         ], dict(os.environ)
         if not (surroundings.get("DISPLAY") or surroundings.get("WAYLAND_DISPLAY")):
             if shutil.which("xvfb-run") is None:
-                return "Left out: there is no display here, nor xvfb-run, and the window draws it."
+                return "Left out: drawing it needs a display or xvfb-run."
             command = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", *command]
             surroundings.update(QT_QPA_PLATFORM="xcb", LIBGL_ALWAYS_SOFTWARE="1")
         try:

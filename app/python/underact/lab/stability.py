@@ -167,7 +167,7 @@ def scenes(rows: list[dict], width_in: float = 7.0) -> Figure:
     )
     style.footer(
         figure,
-        "largest stable stiffness, whole tick without limits · dotted: the arm's nominal 500 N/m",
+        "largest stable stiffness, full tick without limits · dotted: the arm's nominal 500 N/m",
     )
     return figure
 

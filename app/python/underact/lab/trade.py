@@ -1,4 +1,4 @@
-"""What each choice costs against how exact it is, and the fronts of whole ways to run a scene."""
+"""The cost of each choice against its accuracy, and the fronts of combinations of choices."""
 
 from __future__ import annotations
 
@@ -53,10 +53,10 @@ def choices(rows: list[dict], width_in: float = 7.0) -> Figure:
         zero = " (lowest: none)" if any(row["error"] == 0.0 for row in options) else ""
         axes.set_ylabel(f"error [{options[0]['unit']}]{zero}")
         axes.set_title(key, loc="left")
-        axes.set_xlabel("processor time [us a second]")
+        axes.set_xlabel("processor time [us per second]")
     style.footer(
         figure,
-        "error: root of the mean square that nine of ten runs keep within · "
+        "error: root mean square that nine of ten runs do not exceed · "
         "dashed: bound · square: default · star: recommended",
     )
     return figure
@@ -64,7 +64,7 @@ def choices(rows: list[dict], width_in: float = 7.0) -> Figure:
 
 @style.styled
 def fronts(rows: list[dict], width_in: float = 7.0) -> Figure:
-    """Whole ways to run each scene: processor time against the error of the tip's way."""
+    """All combinations of choices for each scene: processor time against the error of the path."""
     scenes = groups(rows, "scene")
     figure, all_axes = _grid(width_in, len(scenes), 4, 0.2)
     for index, (axes, (name, points)) in enumerate(zip(all_axes, scenes.items())):
@@ -86,7 +86,7 @@ def fronts(rows: list[dict], width_in: float = 7.0) -> Figure:
         if index % 4 == 0:
             axes.set_ylabel("error [mm]", fontsize=6.0)
         if index >= len(scenes) - 4:
-            axes.set_xlabel("us a second", fontsize=6.0)
+            axes.set_xlabel("us per second", fontsize=6.0)
     style.footer(
         figure,
         "tick and simulated arm, the median over five hands · line: the front · "

@@ -1,4 +1,4 @@
-"""Plots in space: force against displacement, and the way of the stylus over the shapes."""
+"""Plots in space: force against displacement, and the path of the stylus over the shapes."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ _DRAWN = [2, 0, 1]
 
 
 def displacement_force(view: View, width_in: float) -> Figure:
-    """Force sent against displacement from the target, for x, y and z of W; where a limit cuts,
-    hollow.
+    """Force sent against displacement from the target, for x, y and z of W; hollow where
+    it was limited.
     """
     figure = style.new_figure(width_in, 0.42 * width_in + 0.7 if width_in > 5 else 2.0 * width_in)
     narrow = width_in < 5
@@ -32,7 +32,7 @@ def displacement_force(view: View, width_in: float) -> Figure:
     cut = (view["limits"][rows] != 0) | (view["gate_level"][rows] < 1)
     for index, (axes, (name, color, _)) in enumerate(zip(panels, style.AXES)):
         x, y = away[rows, index], view["force_sent_N"][rows, index]
-        axes.plot(x[~cut], y[~cut], ".", color=color, markersize=2, label="as asked")
+        axes.plot(x[~cut], y[~cut], ".", color=color, markersize=2, label="unlimited")
         if cut.any():
             axes.plot(
                 x[cut],
@@ -42,7 +42,7 @@ def displacement_force(view: View, width_in: float) -> Figure:
                 mec=style.LIMITED,
                 mew=0.3,
                 markersize=2.5,
-                label="a limit cuts",
+                label="limited",
             )
         axes.set_xlabel(f"displacement in {name} [mm]")
         if axes is panels[0] or narrow:
@@ -53,7 +53,7 @@ def displacement_force(view: View, width_in: float) -> Figure:
 
 
 def draw_path(axes: Axes, view: View, figure: Figure, bar: bool = True) -> None:
-    """The shapes of the scene in blue, over them the way of the tip, coloured and thickened by the
+    """The shapes of the scene in blue, over them the path of the tip, coloured and thickened by the
     force.
     """
     p_mm = view["p_WT_mm"]

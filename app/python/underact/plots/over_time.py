@@ -28,12 +28,12 @@ def _start(view: View, width_in: float, rows: int = 1) -> tuple[Figure, list[Axe
 
 
 def _finish(view: View, figure: Figure, panels: list[Axes]) -> Figure:
-    """The time axis, and what happened when: faults as red crosses on a line, marks as lines with
-    their words.
+    """The time axis, and what happened when: faults as red crosses on a line, markers as lines with
+    their labels.
     """
     faults, marks = _some(view.faults), _some(view.marks)
     drawn, all_ = len(faults) + len(marks), len(view.faults) + len(view.marks)
-    left_out = f", {drawn:,} of {all_:,} marks and faults" if drawn < all_ else ""
+    left_out = f", {drawn:,} of {all_:,} markers and faults" if drawn < all_ else ""
     panels[-1].set_xlabel(f"time [s]{left_out}")
     if view.time_s[-1] > view.time_s[0]:
         panels[-1].set_xlim(view.time_s[0], view.time_s[-1])
@@ -88,11 +88,11 @@ def force_time(view: View, width_in: float) -> Figure:
     """
     figure, (sizes, parts) = _start(view, width_in, rows=2)
     sent = np.linalg.norm(view["force_sent_N"], axis=1)
-    line(sizes, view.time_s, sent, color=style.FORCE, label="size, as sent", linewidth=1.3)
+    line(sizes, view.time_s, sent, color=style.FORCE, label="magnitude, as sent", linewidth=1.3)
     cut = view["limits"] != 0
     if cut.any():
         height = np.where(cut, 1.04 * max(float(np.nanmax(sent)), 1e-6), np.nan)
-        line(sizes, view.time_s, height, color=style.LIMITED, linewidth=2.5, label="a limit cuts")
+        line(sizes, view.time_s, height, color=style.LIMITED, linewidth=2.5, label="limited")
     if (view["passive_N"] > 0).any():
         line(
             sizes,

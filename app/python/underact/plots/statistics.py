@@ -1,4 +1,4 @@
-"""Plots of how often: spectra, lateness."""
+"""Plots of distributions: spectra, latency."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ def density(
 
 
 def spectrum(view: View, width_in: float) -> Figure:
-    """Amplitude spectral densities of error (mm / sqrt Hz) and size of the force sent (N / sqrt
-    Hz).
+    """Amplitude spectral densities of error (mm / sqrt Hz) and magnitude of the force sent
+    (N / sqrt Hz).
     """
     figure = style.new_figure(width_in, 0.62 * width_in + 0.5)
     panels = figure.subplots(2, 1, sharex=True).tolist()
@@ -66,7 +66,7 @@ def lateness(view: View, width_in: float) -> Figure:
     late, took = view["lateness_us"], view["tick_us"]
     edges = np.logspace(-1, 6, 141)
     if (late > 0).any():
-        axes.hist(np.maximum(late, edges[0]), edges, color=style.SKY, label="lateness")
+        axes.hist(np.maximum(late, edges[0]), edges, color=style.SKY, label="latency")
     axes.hist(
         np.maximum(took, edges[0]),
         edges,
@@ -79,10 +79,10 @@ def lateness(view: View, width_in: float) -> Figure:
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_xlim(edges[0], max(2 * period_us, 1.3 * float(max(late.max(), took.max()))))
-    axes.set_xlabel("lateness, time of a tick [µs]")
+    axes.set_xlabel("latency, time of a tick [µs]")
     axes.set_ylabel("ticks")
     if not (late > 0).any():
-        axes.set_title("No lateness: it ran as fast as possible.", color=style.GREY)
+        axes.set_title("No latency: it ran as fast as possible.", color=style.GREY)
     style.legend_outside(axes)
     style.footer(figure, view.footer)
     return figure
