@@ -92,5 +92,5 @@ class Archive(unittest.TestCase):
             for arguments in (["--check"], ["cli", "--version"]):
                 answer = self.call(*arguments, file=damaged)
                 self.assertEqual(answer.returncode, 4, change)
-                self.assertIn("did not come whole", answer.stderr)
+                self.assertIn("is incomplete or damaged", answer.stderr)
         self.assertEqual(self.unpacked(), [])

@@ -91,7 +91,7 @@ class Missing(Moved):
             file.write("libnosuchdisplay.so.1 libnosuchdisplay1\n")
         answer = call(self.app_run)
         self.assertEqual(answer.returncode, 2)
-        self.assertIn("lacks libnosuchdisplay.so.1", answer.stderr)
+        self.assertIn("are missing: libnosuchdisplay.so.1", answer.stderr)
         self.assertIn("sudo apt install libnosuchdisplay1\n", answer.stderr)
 
     def test_a_bundle_that_is_not_whole_says_so(self):
@@ -100,7 +100,7 @@ class Missing(Moved):
         subprocess.run(["patchelf", "--add-needed", "libnosuchpart.so.1", program], check=True)
         answer = call(self.app_run, "cli", "--version")
         self.assertEqual(answer.returncode, 4)
-        self.assertIn("not whole: libnosuchpart.so.1 is missing", answer.stderr)
+        self.assertIn("incomplete: libnosuchpart.so.1 is missing", answer.stderr)
 
     def test_a_desktop_without_x_is_told_of_xwayland(self):
         answer = call(self.app_run, WAYLAND_DISPLAY="wayland-0", QT_QPA_PLATFORM="wayland")

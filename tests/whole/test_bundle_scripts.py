@@ -54,4 +54,4 @@ class BundleScripts(unittest.TestCase):
         for path in PATHS:
             done = self.run_there(file, "--check", path=path)
             self.assertEqual(done.returncode, 4)
-            self.assertIn("did not come whole", done.stderr)
+            self.assertIn("is incomplete or damaged", done.stderr)
