@@ -21,7 +21,7 @@ def rows():
 
 def texts():
     """What people read: pages, texts of the window, scenes and lessons, and of the programs."""
-    files = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "resources/languages/underact_de.ts"]
+    files = [ROOT / "README.md", ROOT / "CHANGELOG.md", ROOT / "CONTRIBUTING.md", ROOT / "resources/languages/underact_de.ts"]
     files += [page for page in (ROOT / "resources/guide").glob("*.md") if page != GLOSSARY]
     for folder, ending in [("scenes", "*.json"), ("resources/lessons", "*.json")]:
         files += (ROOT / folder).glob(ending)

@@ -30,7 +30,7 @@ def prose(markdown):
 
 def pages():
     """Name and prose of each page of the guide, the README and CONTRIBUTING."""
-    files = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "resources/guide").glob("*.md"))]
+    files = [ROOT / "README.md", ROOT / "CHANGELOG.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "resources/guide").glob("*.md"))]
     return [(str(path.relative_to(ROOT)), prose(path.read_text(encoding="utf-8"))) for path in files]
 
 
