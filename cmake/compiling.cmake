@@ -1,7 +1,7 @@
 # How the compiler gets our files. Reading headers is most of what compiling costs here, so what nearly all include is read once
 # (precompiled), and the files of a folder go through the compiler together. The sources know nothing of either: each compiles by
 # itself, as -DCMAKE_UNITY_BUILD=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON has it, and names in unnamed namespaces differ within a
-# folder (tests/house/hidden_names.py). So a new file can only be wrong itself, wherever the border of a unit then falls.
+# folder (tests/architecture/hidden_names.py). So a new file can only be wrong itself, wherever the border of a unit then falls.
 include_guard()
 
 if(UNDERACT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

@@ -7,7 +7,7 @@
 #include "device/openhaptics/openhaptics_arm.h"
 #include "device/remote/remote.h"
 #include "device/simulated_arm.h"
-#include "device/wooden/wooden.h"
+#include "device/wooden_haptics/wooden.h"
 
 namespace underact::device {
 namespace {
@@ -22,17 +22,17 @@ Result<std::unique_ptr<servo::DevicePort>> openSimulated(const Request& request)
 
 constexpr const char* kSimulated = TRANSLATE_NOOP("problem", "Simulated arm");
 
-std::vector<Found> lookForSimulated() {
+std::vector<Found> searchSimulated() {
   return {{said(kSimulated), "", {}}};
 }
 
 // One kind of arm per line.
 constexpr std::array kRows{
-    Row{"simulated", kSimulated, openSimulated, lookForSimulated},
+    Row{"simulated", kSimulated, openSimulated, searchSimulated},
     Row{"openhaptics", TRANSLATE_NOOP("problem", "Touch, Omni (vendor's driver)"), openhaptics::openRow,
-        openhaptics::lookRow},
-    Row{"wooden", TRANSLATE_NOOP("problem", "WoodenHaptics (HID)"), openWooden, lookForWooden},
-    Row{"remote", TRANSLATE_NOOP("problem", "Arm over the network"), remote::openRow, remote::lookRow},
+        openhaptics::searchRow},
+    Row{"wooden", TRANSLATE_NOOP("problem", "WoodenHaptics (HID)"), openWooden, searchWooden},
+    Row{"remote", TRANSLATE_NOOP("problem", "Arm over the network"), remote::openRow, remote::searchRow},
 };
 
 }  // namespace

@@ -41,7 +41,7 @@ struct Row {
   /// The open arm. Problems: why it cannot be opened, and what to do.
   Result<std::unique_ptr<servo::DevicePort>> (*open)(const Request& request);
   /// What is plugged in of this kind, and what is missing to use it. Opens nothing; may take some 10 ms.
-  std::vector<Found> (*look)();
+  std::vector<Found> (*search)();
 };
 
 std::span<const Row> catalogue();

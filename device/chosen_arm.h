@@ -21,10 +21,10 @@ class ChosenArm final : public servo::DevicePort {
   void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME override { arm_->write(force); }
   void cut() noexcept UNDERACT_REAL_TIME override { arm_->cut(); }
   Problems reopen() override;
-  Sentence fixedRate() const override { return arm_->fixedRate(); }
-  Sentence refusesRate(int rate_hz) const override { return arm_->refusesRate(rate_hz); }
+  Sentence fixedRateReason() const override { return arm_->fixedRateReason(); }
+  Sentence rateRefusal(int rate_hz) const override { return arm_->rateRefusal(rate_hz); }
   void setRate(int rate_hz) override;
-  servo::LastWord lastWord() const override { return arm_->lastWord(); }
+  servo::ZeroForceMessage zeroForceMessage() const override { return arm_->zeroForceMessage(); }
   bool drive(servo::Ticks& ticks, int rate_hz) override { return arm_->drive(ticks, rate_hz); }
   void endDrive() override { arm_->endDrive(); }
   Sentence trouble() const override { return arm_->trouble(); }

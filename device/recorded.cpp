@@ -81,7 +81,8 @@ class Rows {
   std::int64_t missing_left_;
 };
 
-std::vector<RecordedMark> marksOf(const record::Session& session, std::int64_t first_tick, std::int64_t rows) {
+std::vector<RecordedMark> referencePointsOf(const record::Session& session, std::int64_t first_tick,
+                                            std::int64_t rows) {
   const auto rowOf = [&](std::int64_t tick) { return std::min(ticksFrom(first_tick, tick), rows - 1); };
   std::vector<RecordedMark> marks;
   for (const record::Marker& marker : session.markers()) marks.push_back({rowOf(marker.tick), marker.label, false});
@@ -93,7 +94,7 @@ std::vector<RecordedMark> marksOf(const record::Session& session, std::int64_t f
 
 /// A scene whose mesh is missing is kept, and reports it when it is run.
 void loadMeshes(scene::Description& scene, const LoadWatch& load, Problems& damage) {
-  Watch watch;
+  TaskMonitor watch;
   watch.cancelled = load.cancelled;
   const Problems problems = scene::loadRecordedMeshes(scene, load.files_in, watch);
   damage.insert(damage.end(), problems.begin(), problems.end());
@@ -170,7 +171,7 @@ Result<std::shared_ptr<const Recorded>> loadRecorded(record::Session& session, c
   if (recorded->rows.empty())
     return Problems{
         {said(TRANSLATE_NOOP("problem", "This session contains no ticks, so there is nothing to replay.")), {path}}};
-  recorded->marks = marksOf(session, rows.firstTick(), static_cast<std::int64_t>(recorded->rows.size()));
+  recorded->marks = referencePointsOf(session, rows.firstTick(), static_cast<std::int64_t>(recorded->rows.size()));
   readScenes(session, rows.firstTick(), watch, *recorded);
   return std::shared_ptr<const Recorded>(std::move(recorded));
 }

@@ -37,14 +37,14 @@ servo::DeviceInfo ReplayedArm::info() const {
   return {said(TRANSLATE_NOOP("problem", "Recorded arm: %1"), {title_}), true, false, 0.0};
 }
 
-Sentence ReplayedArm::fixedRate() const {
+Sentence ReplayedArm::fixedRateReason() const {
   if (isReplaying())
     return said(TRANSLATE_NOOP("problem", "A recording is being replayed. Close it, then change the rate."));
-  return inner_->fixedRate();
+  return inner_->fixedRateReason();
 }
 
-Sentence ReplayedArm::refusesRate(int rate_hz) const {
-  return isReplaying() ? fixedRate() : inner_->refusesRate(rate_hz);
+Sentence ReplayedArm::rateRefusal(int rate_hz) const {
+  return isReplaying() ? fixedRateReason() : inner_->rateRefusal(rate_hz);
 }
 
 void ReplayedArm::setRate(int rate_hz) {

@@ -27,14 +27,14 @@ class ReplayedArm final : public servo::DevicePort {
   void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME override;
   void cut() noexcept UNDERACT_REAL_TIME override { inner_->cut(); }
   Problems reopen() override { return inner_->reopen(); }
-  servo::LastWord lastWord() const override { return inner_->lastWord(); }
+  servo::ZeroForceMessage zeroForceMessage() const override { return inner_->zeroForceMessage(); }
   bool drive(servo::Ticks& ticks, int rate_hz) override { return inner_->drive(ticks, rate_hz); }
   void endDrive() override { inner_->endDrive(); }
   Sentence trouble() const override { return inner_->trouble(); }
   std::vector<std::string> listing() const override { return inner_->listing(); }
   servo::DeviceInfo info() const override;
-  Sentence fixedRate() const override;
-  Sentence refusesRate(int rate_hz) const override;
+  Sentence fixedRateReason() const override;
+  Sentence rateRefusal(int rate_hz) const override;
   void setRate(int rate_hz) override;
 
   // One thread, the window's; nothing waits for the servo. Orders take effect at the next read().
@@ -55,13 +55,13 @@ class ReplayedArm final : public servo::DevicePort {
   void setLoop(const std::optional<std::pair<std::int64_t, std::int64_t>>& rows);
 
   /// The origin of a sample.
-  struct Place {
+  struct SampleOrigin {
     std::int64_t time_ns = 0;  // of the sample
     double row = 0.0;
     bool moves = false;  // the row differs from that of the read before
   };
   /// Each replayed sample, in order; 4 s of them are kept until asked for.
-  bool take(Place& place) { return places_.pop(place); }
+  bool take(SampleOrigin& place) { return places_.pop(place); }
   /// As of the last read() or the last order.
   double row() const { return isTaken(sought_number_) ? row_.load() : static_cast<double>(orders_.row); }
   bool isPlaying() const { return isTaken(moved_number_) ? playing_.load() : orders_.plays; }
@@ -105,7 +105,7 @@ class ReplayedArm final : public servo::DevicePort {
   std::atomic<std::uint64_t> taken_{0};
   std::atomic<double> row_{0.0};
   std::atomic<bool> playing_{false};
-  boost::lockfree::spsc_queue<Place> places_;
+  boost::lockfree::spsc_queue<SampleOrigin> places_;
   // The servo's thread.
   Orders now_;
   double at_ = 0.0;  // row

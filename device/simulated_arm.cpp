@@ -12,9 +12,9 @@ namespace {
 // A mouse reports its position some 60 to 125 times a second: 15 ms bridge the time between two reports.
 constexpr double kMouseFilter_s = 0.015;
 
-/// One period of the way to a wish that jumps: a first-order filter (backward Euler), with the matching velocity.
-sim::HandWish approach(const sim::HandWish& heeded, const sim::HandWish& goal,
-                       double dt_s) noexcept UNDERACT_REAL_TIME {
+/// One period of the way to a setpoint that jumps: a first-order filter (backward Euler), with the matching velocity.
+sim::HandSetpoint approach(const sim::HandSetpoint& heeded, const sim::HandSetpoint& goal,
+                           double dt_s) noexcept UNDERACT_REAL_TIME {
   const Vec3 way_W = (goal.p_WT - heeded.p_WT) * (dt_s / (kMouseFilter_s + dt_s));
   return {heeded.p_WT + way_W, way_W / dt_s, goal.R_WT, goal.turns};
 }
@@ -39,18 +39,18 @@ SimulatedArm::SimulatedArm(const Options& options)
       preset_counts_(options.arm.counts_per_turn),
       hand_(options.hand),
       integration_(packed(options.integration)),
-      state_(sim::restAt(plant_, options.start_p_WT)),
+      state_(sim::restingState(plant_, options.start_p_WT)),
       period_ns_(periodOf(options.rate_hz)) {
   heeded_.p_WT = state_.p_WT;
-  wished_.p_WT = state_.p_WT;
+  last_setpoint_.p_WT = state_.p_WT;
 }
 
 bool SimulatedArm::read(arm::Sample& sample) noexcept {
   time_ns_ += period_ns_;
-  if (has_wish_.load(std::memory_order_acquire)) {
+  if (has_setpoint_.load(std::memory_order_acquire)) {
     heeded_ = approach(heeded_, wishes_.latest(), kSecondPerNanosecond * static_cast<double>(period_ns_));
   } else if (scripted_) {
-    heeded_ = sim::wishAt(script_, time_ns_ - script_start_ns_);
+    heeded_ = sim::setpointAt(script_, time_ns_ - script_start_ns_);
   }
   Vec3 f_T_W = f_T_W_;
   if (is_cut_.load(std::memory_order_relaxed)) f_T_W.setZero();
@@ -109,17 +109,17 @@ void SimulatedArm::follow(sim::HandScript script) {
   scripted_ = true;
   script_start_ns_ = time_ns_;
   if (time_ns_ > 0) return;
-  state_ = sim::restAt(plant_, sim::wishAt(script_, 0).p_WT);
+  state_ = sim::restingState(plant_, sim::setpointAt(script_, 0).p_WT);
   heeded_.p_WT = state_.p_WT;
-  wished_.p_WT = state_.p_WT;
+  last_setpoint_.p_WT = state_.p_WT;
 }
 
-void SimulatedArm::wish(const sim::HandWish& wish) {
-  if (!wish.p_WT.allFinite()) return;  // no valid position: the last wish stays
-  wished_ = wish;
-  wishes_.back() = wish;
+void SimulatedArm::setSetpoint(const sim::HandSetpoint& setpoint) {
+  if (!setpoint.p_WT.allFinite()) return;  // no valid position: the last setpoint stays
+  last_setpoint_ = setpoint;
+  wishes_.back() = setpoint;
   wishes_.publish();
-  has_wish_.store(true, std::memory_order_release);
+  has_setpoint_.store(true, std::memory_order_release);
 }
 
 }  // namespace underact::device

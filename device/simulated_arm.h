@@ -27,7 +27,7 @@ class SimulatedArm final : public servo::DevicePort {
   void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME override;
   void cut() noexcept UNDERACT_REAL_TIME override;
   servo::DeviceInfo info() const override;
-  Sentence fixedRate() const override { return {}; }
+  Sentence fixedRateReason() const override { return {}; }
   void setRate(int rate_hz) override;
 
   /// Whether the stylus button nearer to the tip (bit 0 of a sample's buttons) is held, from the next read() on. Any
@@ -50,9 +50,9 @@ class SimulatedArm final : public servo::DevicePort {
   /// Where the hand wants to be from the next read() on: the input of the mouse. It gets there within some 15 ms, so
   /// that a jump of the mouse is not an infinite velocity; wish.v_WT is not used. Any one thread, never blocks the
   /// servo; ends a script.
-  void wish(const sim::HandWish& wish);
-  /// Where the hand wants to be by the last wish(), or where the arm starts. The thread that calls wish().
-  const sim::HandWish& wished() const { return wished_; }
+  void setSetpoint(const sim::HandSetpoint& setpoint);
+  /// Where the hand wants to be by the last setpoint(), or where the arm starts. The thread that calls setpoint().
+  const sim::HandSetpoint& setpoint() const { return last_setpoint_; }
 
  private:
   /// The numbers of a model, without its texts.
@@ -80,10 +80,10 @@ class SimulatedArm final : public servo::DevicePort {
   sim::HandScript script_;
   std::int64_t script_start_ns_ = 0;
   bool scripted_ = false;
-  sim::HandWish heeded_;  // the hand's wish in this period: from the script, or from the mouse, smoothed
-  sim::HandWish wished_;
-  servo::Slot<sim::HandWish> wishes_;
-  std::atomic<bool> has_wish_{false};
+  sim::HandSetpoint heeded_;  // the hand's wish in this period: from the script, or from the mouse, smoothed
+  sim::HandSetpoint last_setpoint_;
+  servo::Slot<sim::HandSetpoint> wishes_;
+  std::atomic<bool> has_setpoint_{false};
 };
 
 }  // namespace underact::device

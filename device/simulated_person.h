@@ -23,9 +23,9 @@ class SimulatedPerson {
  private:
   SimulatedArm& arm_;
   arm::Geometry geometry_;
-  sim::HandWish before_;
-  std::optional<sim::HandWish> own_;  // the last one
-  Mat3 R_WT_ = Mat3::Identity();      // before it is turned
+  sim::HandSetpoint before_;
+  std::optional<sim::HandSetpoint> own_;  // the last one
+  Mat3 R_WT_ = Mat3::Identity();          // before it is turned
   bool turning_ = false;
 };
 

@@ -6,7 +6,7 @@
 #include "app/cli/scene_file.h"
 #include "core/system/signals.h"
 #include "device/catalogue.h"
-#include "device/trial.h"
+#include "device/device_check.h"
 
 namespace underact::cli {
 namespace {
@@ -55,8 +55,8 @@ Exit writeReport(const DevicesOptions& options, const Streams& streams) {
   if (!arm) return fail(arm.problems(), Exit::Fault, streams);
   const system::Interrupt interrupt;
   streams.err << "Move the stylus around and press its buttons. No force is sent.\n";
-  const device::Trial trial = device::tryOut(std::move(arm).value(), preset, kRate_hz, options.seconds,
-                                             [&interrupt] { return !interrupt.came(); });
+  const device::DeviceCheck trial = device::checkDevice(std::move(arm).value(), preset, kRate_hz, options.seconds,
+                                                        [&interrupt] { return !interrupt.came(); });
   const std::string text = device::reportText(trial, options.report, options.words);
   if (options.out.empty()) {
     streams.out << text;
@@ -89,7 +89,7 @@ void addDevices(Command program, const Streams& streams, Exit& exit) {
       return;
     }
     for (const device::Row& row : device::catalogue())
-      (options->json ? printJson : printWords)(row, row.look(), streams.out);
+      (options->json ? printJson : printWords)(row, row.search(), streams.out);
   });
 }
 

@@ -3,7 +3,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/python.h"
-#include "core/system/places.h"
+#include "core/system/resource_paths.h"
 
 namespace underact::cli {
 
@@ -19,7 +19,7 @@ void addFigures(Command program, const Streams& streams, Exit& exit) {
                "Report on standard error which figure is being made, one JSON object per line: {\"number\": 3, \"of\": "
                "27, \"figure\": \"4.2\"}");
   command.whenChosen([out, only, progress_lines, &streams, &exit] {
-    const std::filesystem::path folder = system::standpoint().here;
+    const std::filesystem::path folder = system::searchRoots().here;
     std::vector<std::string> arguments{
         "figures", "--cli", (folder / "underact-cli").string(), "--window", (folder / "underact").string(),
         "--out",   *out};

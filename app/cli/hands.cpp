@@ -15,19 +15,19 @@ bool isBuiltIn(const std::string& hand) {
 }
 
 /// Text that does not look like a file is taken as a name, so that the answer to a typo lists the names.
-bool looksLikeFile(const std::string& hand) {
+bool isFileName(const std::string& hand) {
   return hand.find_first_of("./\\") != std::string::npos || std::filesystem::exists(hand);
 }
 
 }  // namespace
 
 Result<sim::HandScript> findHand(const std::string& hand, std::uint64_t seed) {
-  if (isBuiltIn(hand) || !looksLikeFile(hand)) return sim::builtInHand(hand, seed);
+  if (isBuiltIn(hand) || !isFileName(hand)) return sim::builtInHand(hand, seed);
   return sim::readHandFile(hand);
 }
 
 Exit exitOfHand(const std::string& hand, const Problems& problems) {
-  return looksLikeFile(hand) ? exitOf(problems) : Exit::Usage;
+  return isFileName(hand) ? exitOf(problems) : Exit::Usage;
 }
 
 }  // namespace underact::cli

@@ -39,7 +39,7 @@ JsonObject rowObject(const identify::ReportRow& row) {
   object.addText("unit", row.unit);
   object.addNumber("value", row.estimate.value);
   object.addNumber("uncertainty", row.estimate.uncertainty);
-  object.addBool("told_from_zero", row.estimate.isTold());
+  object.addBool("told_from_zero", row.estimate.isSignificant());
   row.given ? object.addNumber("given", *row.given) : object.addNull("given");
   return object;
 }
@@ -101,7 +101,7 @@ Exit writeFiles(const IdentifyOptions& options, const identify::Identified& foun
   return exit;
 }
 
-Exit identifyIt(const IdentifyOptions& options, const Streams& streams) {
+Exit runIdentification(const IdentifyOptions& options, const Streams& streams) {
   const arm::Preset* const preset = arm::findPreset(options.arm);
   const Result<sim::ArmModel> model = sim::chooseArmModel(options.arm_model);
   if (!model) return fail(model.problems(), streams);
@@ -167,7 +167,7 @@ void addIdentify(Command program, const Streams& streams, Exit& exit) {
       "not distinguishable from zero.");
   command.whenChosen([options, &streams, &exit] {
     if (options->at_mm.size() % 3 != 0) options::refuse("--at_mm: takes 3, 6 or 9 numbers");
-    exit = identifyIt(*options, streams);
+    exit = runIdentification(*options, streams);
   });
 }
 

@@ -12,16 +12,16 @@
 #include "app/cli/progress.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/step_report.h"
-#include "core/extremes/catalogue.h"
-#include "core/extremes/kept.h"
+#include "core/error_bounds/catalogue.h"
+#include "core/error_bounds/regression_cases.h"
 #include "core/json/text.h"
 #include "core/system/signals.h"
 
 namespace underact::cli {
 namespace {
 
-using extremes::Row;
-using extremes::Worst;
+using error_bounds::Row;
+using error_bounds::Worst;
 
 struct ExtremesOptions {
   std::vector<std::string> only;
@@ -42,9 +42,9 @@ struct Measured {
 /// The requested rows, in the order of the catalogue; none, and a sentence, if a key is unknown.
 std::vector<const Row*> rowsOf(const ExtremesOptions& options, const Streams& streams) {
   std::vector<std::string> known;
-  for (const Row& row : extremes::catalogue()) known.emplace_back(row.key);
+  for (const Row& row : error_bounds::catalogue()) known.emplace_back(row.key);
   for (const std::string& key : options.only) {
-    if (extremes::findRow(key) != nullptr) continue;
+    if (error_bounds::findRow(key) != nullptr) continue;
     const std::string near = json::nearestWord(key, known);
     streams.err << "--only: there is no row " << json::shown(key) << "."
                 << (near.empty() ? "" : " Did you mean \"" + near + "\"?") << " Rows: " << json::listed(known, "and")
@@ -52,7 +52,7 @@ std::vector<const Row*> rowsOf(const ExtremesOptions& options, const Streams& st
     return {};
   }
   std::vector<const Row*> rows;
-  for (const Row& row : extremes::catalogue()) {
+  for (const Row& row : error_bounds::catalogue()) {
     const bool asked =
         options.only.empty() || std::find(options.only.begin(), options.only.end(), row.key) != options.only.end();
     if (asked) rows.push_back(&row);
@@ -90,9 +90,9 @@ void printMeasured(const Measured& measured, const ExtremesOptions& options, std
   if (options.json) {
     out << measuredObject(measured).text() << '\n';
   } else if (options.csv) {
-    out << row.key << ',' << name(row.kind) << ",\"" << row.asked << "\"," << extremes::textOf(worst.error_ulp) << ','
-        << extremes::textOf(row.promised_ulp) << ",\"" << row.promise << "\"," << worst.cases << ',' << worst.degenerate
-        << ',' << shortly(measured.seconds) << ",\"" << wordsOf(row, worst.input) << "\"\n";
+    out << row.key << ',' << name(row.kind) << ",\"" << row.asked << "\"," << error_bounds::textOf(worst.error_ulp)
+        << ',' << error_bounds::textOf(row.promised_ulp) << ",\"" << row.promise << "\"," << worst.cases << ','
+        << worst.degenerate << ',' << shortly(measured.seconds) << ",\"" << wordsOf(row, worst.input) << "\"\n";
   } else {
     out << std::left << std::setw(24) << row.key << std::right << std::setw(10) << shortly(worst.error_ulp)
         << std::setw(10) << shortly(row.promised_ulp) << std::setw(9) << worst.cases << std::setw(8)
@@ -119,7 +119,7 @@ Exit measureAll(const ExtremesOptions& options, const Streams& streams) {
   if (rows.empty()) return Exit::Usage;
   const system::Interrupt interrupt;
   Progress progress(streams);
-  std::vector<extremes::Kept> kept;
+  std::vector<error_bounds::RegressionCase> kept;
   int broken = 0;
   printHead(options, streams.out);
   for (std::size_t index = 0; index < rows.size() && !interrupt.came(); ++index) {

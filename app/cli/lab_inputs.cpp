@@ -22,14 +22,14 @@ std::vector<std::string> builtInNames() {
 
 }  // namespace
 
-std::optional<std::vector<trade::NamedScene>> labScenes(const std::vector<std::string>& files, const Streams& streams,
-                                                        Exit& exit) {
+std::optional<std::vector<tradeoff::NamedScene>> labScenes(const std::vector<std::string>& files,
+                                                           const Streams& streams, Exit& exit) {
   const Result<std::vector<std::string>> chosen = files.empty() ? shippedScenes() : files;
   if (!chosen) {
     exit = fail(chosen.problems(), Exit::File, streams);
     return {};
   }
-  std::vector<trade::NamedScene> scenes;
+  std::vector<tradeoff::NamedScene> scenes;
   for (const std::string& file : chosen.value()) {
     Result<LoadedScene> loaded = loadScene(file, streams);
     if (!loaded) {
@@ -41,9 +41,9 @@ std::optional<std::vector<trade::NamedScene>> labScenes(const std::vector<std::s
   return scenes;
 }
 
-std::optional<std::vector<trade::NamedHand>> labHands(const std::vector<std::string>& names, std::uint64_t seed,
-                                                      const Streams& streams, Exit& exit) {
-  std::vector<trade::NamedHand> hands;
+std::optional<std::vector<tradeoff::NamedHand>> labHands(const std::vector<std::string>& names, std::uint64_t seed,
+                                                         const Streams& streams, Exit& exit) {
+  std::vector<tradeoff::NamedHand> hands;
   for (const std::string& name : names.empty() ? builtInNames() : names) {
     Result<sim::HandScript> hand = findHand(name, seed);
     if (!hand) {

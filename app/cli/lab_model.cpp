@@ -7,7 +7,7 @@
 #include "app/cli/scene_file.h"
 #include "app/cli/table.h"
 #include "core/system/signals.h"
-#include "core/trade/model.h"
+#include "core/tradeoff/model.h"
 
 namespace underact::cli {
 namespace {
@@ -24,12 +24,12 @@ Table::Field fieldOf(const std::optional<double>& number) {
 }
 
 /// One row per quantity, and one for each of the three whole ticks.
-void addModel(const std::string& scene, const trade::Model& model, Table& table) {
+void addModel(const std::string& scene, const tradeoff::Model& model, Table& table) {
   const auto add = [&](const char* key, const char* what, bool required, const std::optional<double>& ns) {
     table.add({scene, std::string(key), std::string(what), required, fieldOf(ns)});
   };
   add("bare", "position, targets and P laws alone", true, model.bare_ns);
-  for (const trade::Quantity& one : model.quantities) add(one.key, one.what, one.required, one.adds_ns);
+  for (const tradeoff::Quantity& one : model.quantities) add(one.key, one.what, one.required, one.adds_ns);
   add("as_it_is", "the tick that the scene compiles to", true, model.as_it_is_ns);
   add("everything", "a tick that computes all of it", false, model.everything_ns);
   add("saved", "what computing only what is required saves", true, model.everything_ns - model.as_it_is_ns);
@@ -45,8 +45,8 @@ Exit models(const ModelOptions& options, const Streams& streams) {
   Progress progress(streams);
   Table table{{"scene", "quantity", "what", "required", "ns"}};
   for (std::size_t index = 0; index < scenes->size() && !interrupt.came(); ++index) {
-    const trade::NamedScene& scene = (*scenes)[index];
-    const Result<trade::Model> model = trade::modelOf({scene.scene, hands->front().hand, options.seconds});
+    const tradeoff::NamedScene& scene = (*scenes)[index];
+    const Result<tradeoff::Model> model = tradeoff::modelOf({scene.scene, hands->front().hand, options.seconds});
     if (!model) return fail(model.problems(), streams);
     addModel(scene.name, model.value(), table);
     progress.show(static_cast<double>(index + 1) / static_cast<double>(scenes->size()));

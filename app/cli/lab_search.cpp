@@ -7,7 +7,7 @@
 #include "app/cli/json_object.h"
 #include "app/cli/scene_file.h"
 #include "core/base/units.h"
-#include "core/lab/search_trade.h"
+#include "core/lab/search_tradeoff.h"
 #include "core/scene/fields.h"
 
 namespace underact::cli {
@@ -35,7 +35,7 @@ JsonObject figuresObject(const lab::SearchFigures& figures) {
   return object;
 }
 
-void printTrade(const std::string& name, const lab::SearchTrade& trade, std::ostream& out) {
+void printTrade(const std::string& name, const lab::SearchTradeoff& trade, std::ostream& out) {
   out << name << ", " << trade.pieces << (trade.is_mesh ? " triangles\n" : " pieces\n");
   out << "search     p50 us   p99 us   max us   worst error mm   beside   not proved\n";
   for (const lab::SearchFigures& figures : trade.searches) {
@@ -53,13 +53,13 @@ Exit searches(const SearchOptions& options, const Streams& streams) {
   const Result<sim::HandScript> hand = findHand(options.hand, options.seed);
   if (!hand) return fail(hand.problems(), exitOfHand(options.hand, hand.problems()), streams);
   const auto ticks = static_cast<int>(options.seconds * options.rate_hz);
-  const std::vector<lab::SearchTrade> trades =
-      lab::searchTrade(loaded.value().program, hand.value(), options.rate_hz, ticks);
+  const std::vector<lab::SearchTradeoff> trades =
+      lab::measureSearchTradeoff(loaded.value().program, hand.value(), options.rate_hz, ticks);
   if (trades.empty()) {
     streams.err << options.scene << ": This scene has no mesh and no curve, so there is nothing to search.\n";
     return Exit::BadInput;
   }
-  for (const lab::SearchTrade& trade : trades) {
+  for (const lab::SearchTradeoff& trade : trades) {
     const std::string& name = loaded.value().description.constraints[trade.constraint].name;
     if (!options.json) {
       printTrade(name, trade, streams.out);

@@ -125,9 +125,9 @@ Problems from(const std::string& file, Problems problems) {
 
 /// nominal: the trial at the nominal stiffness, which is one of the cells.
 Problems addSceneLabels(const std::string& file, const stability::SceneWall& wall,
-                        const Result<stability::SceneTrial>& nominal, StabilityTables& tables) {
+                        const Result<stability::SceneTrialResult>& nominal, StabilityTables& tables) {
   for (const double K : stability::sceneStiffnesses_N_per_m()) {
-    const Result<stability::SceneTrial> trial =
+    const Result<stability::SceneTrialResult> trial =
         K == stability::kNominal_N_per_m ? nominal : stability::tryScene(wall, K);
     if (!trial) return from(file, trial.problems());
     tables.scene_labels.add({std::filesystem::path(file).stem().string(), std::int64_t{wall.rate_hz}, wall.kd_N_s_per_m,
@@ -140,7 +140,7 @@ Problems addSceneLabels(const std::string& file, const stability::SceneWall& wal
 Problems addScene(const std::string& file, const stability::SceneWall& wall, bool labels, StabilityTables& tables) {
   const Result<double> limit = stability::simulatedLimit(wall);
   if (!limit) return from(file, limit.problems());
-  const Result<stability::SceneTrial> nominal = stability::tryScene(wall, stability::kNominal_N_per_m);
+  const Result<stability::SceneTrialResult> nominal = stability::tryScene(wall, stability::kNominal_N_per_m);
   if (!nominal) return from(file, nominal.problems());
   const scene::Constraint& one = wall.scene.constraints.front();
   const bool joints = scene::controlOf(wall.scene, 0).space == tick::Space::Joint;
@@ -157,7 +157,7 @@ void addSceneSteps(const std::string& file, scene::Description scene, bool label
   stability::SceneWall wall;
   wall.scene = std::move(scene);
   wall.constraint = wall.scene.constraints.front().name;
-  const Result<stability::SceneTrial> soft = stability::tryScene(wall, kSoft_N_per_m);
+  const Result<stability::SceneTrialResult> soft = stability::tryScene(wall, kSoft_N_per_m);
   if (!soft) {
     print(from(file, soft.problems()), streams.err);
     return;

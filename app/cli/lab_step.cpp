@@ -6,7 +6,7 @@
 #include "app/cli/arm_choice.h"
 #include "app/cli/command.h"
 #include "app/cli/scene_file.h"
-#include "app/cli/setting_wishes.h"
+#include "app/cli/setting_overrides.h"
 #include "app/cli/step_report.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
@@ -53,15 +53,15 @@ Exit stepFunction(const StepOptions& options, const Streams& streams) {
 
 /// The scene with the control law and the gains of the command line instead of its own.
 Result<scene::Description> retuned(const scene::Description& scene, const StepOptions& options) {
-  std::vector<std::string> wishes;
-  const auto add = [&wishes](const char* key, double number) {
-    if (number >= 0.0) wishes.push_back(std::string(key) + "=" + json::numberText(number));
+  std::vector<std::string> overrides;
+  const auto add = [&overrides](const char* key, double number) {
+    if (number >= 0.0) overrides.push_back(std::string(key) + "=" + json::numberText(number));
   };
-  if (!options.law.empty()) wishes.push_back("law=" + options.law);
+  if (!options.law.empty()) overrides.push_back("law=" + options.law);
   add("kp_N_per_mm", options.kp_N_per_mm);
   add("kd_N_s_per_mm", options.kd_N_s_per_mm);
   add("ki_N_per_mm_s", options.ki_N_per_mm_s);
-  return withWishes(scene, wishes);
+  return withOverrides(scene, overrides);
 }
 
 lab::StepSetup setupOf(const StepOptions& options, const sim::ArmModel& model) {

@@ -9,7 +9,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/table.h"
 #include "core/system/signals.h"
-#include "core/trade/front.h"
+#include "core/tradeoff/front.h"
 
 namespace underact::cli {
 namespace {
@@ -33,20 +33,20 @@ struct TradeTables {
   Table fronts{{"scene", "us_per_s", "error_mm", "error_N", "on_front", "own", "settings"}};
 };
 
-const trade::Choice& choiceOf(const std::string& key) {
-  const auto all = trade::choices();
-  return *std::find_if(all.begin(), all.end(), [&](const trade::Choice& choice) { return key == choice.key; });
+const tradeoff::Choice& choiceOf(const std::string& key) {
+  const auto all = tradeoff::choices();
+  return *std::find_if(all.begin(), all.end(), [&](const tradeoff::Choice& choice) { return key == choice.key; });
 }
 
-void addRows(const std::vector<trade::Row>& rows, TradeTables& tables) {
-  for (const trade::Row& row : rows) {
-    const trade::Figures& figures = row.figures;
+void addRows(const std::vector<tradeoff::Row>& rows, TradeTables& tables) {
+  for (const tradeoff::Row& row : rows) {
+    const tradeoff::Figures& figures = row.figures;
     tables.rows.add({row.scene, row.hand, row.choice, row.option, figures.cost.p50_ns, figures.cost.p99_ns,
                      figures.cost_us_per_s, figures.error, figures.worst, std::string(choiceOf(row.choice).unit),
                      row.is_default});
   }
-  for (const trade::Summary& one : trade::summaryOf(rows)) {
-    const trade::Choice& choice = choiceOf(one.choice);
+  for (const tradeoff::Summary& one : tradeoff::summaryOf(rows)) {
+    const tradeoff::Choice& choice = choiceOf(one.choice);
     tables.choices.add({one.choice, one.option, std::int64_t{one.runs}, one.p50_ns, one.p99_ns, one.cost_us_per_s,
                         one.error, one.worst, std::string(choice.unit), choice.bound, one.is_default,
                         one.is_recommended, std::string(choice.question), std::string(choice.cost),
@@ -55,28 +55,29 @@ void addRows(const std::vector<trade::Row>& rows, TradeTables& tables) {
 }
 
 /// "servo rate 4000 Hz; simulated arm trapezoidal, 50 us": what differs from the scene's own, or "as it is".
-std::string settingsText(const scene::Description& scene, const trade::Settings& own, const trade::Settings& settings) {
+std::string settingsText(const scene::Description& scene, const tradeoff::Settings& own,
+                         const tradeoff::Settings& settings) {
   std::string text;
-  for (const trade::Difference& one : trade::differences(scene, own, settings))
+  for (const tradeoff::Difference& one : tradeoff::differences(scene, own, settings))
     text += (text.empty() ? "" : "; ") + one.what + " " + one.after;
   return text.empty() ? "as it is" : text;
 }
 
-void addFront(const trade::NamedScene& scene, const std::vector<trade::Point>& points, TradeTables& tables) {
-  const trade::Settings own = trade::settingsOf(scene.scene, trade::Settings{}.rate_hz);
-  for (const trade::Point& point : points) {
+void addFront(const tradeoff::NamedScene& scene, const std::vector<tradeoff::Point>& points, TradeTables& tables) {
+  const tradeoff::Settings own = tradeoff::settingsOf(scene.scene, tradeoff::Settings{}.rate_hz);
+  for (const tradeoff::Point& point : points) {
     tables.fronts.add({scene.name, point.cost_us_per_s, point.error_mm, point.error_N, point.on_front, point.is_own,
                        settingsText(scene.scene, own, point.settings)});
   }
 }
 
 /// Empty: something could not be read; the problem has been printed, and exit is its status.
-std::optional<trade::Plan> planOf(const TradeOptions& options, const Streams& streams, Exit& exit) {
+std::optional<tradeoff::Plan> planOf(const TradeOptions& options, const Streams& streams, Exit& exit) {
   auto hands = labHands(options.hands, options.seed, streams, exit);
   if (!hands) return {};
   auto scenes = labScenes(options.scenes, streams, exit);
   if (!scenes) return {};
-  return trade::Plan{std::move(*scenes), std::move(*hands), options.choices, options.seconds};
+  return tradeoff::Plan{std::move(*scenes), std::move(*hands), options.choices, options.seconds};
 }
 
 /// The progress of the work; each part has its share.
@@ -84,7 +85,7 @@ class Work {
  public:
   Work(double parts, const system::Interrupt& interrupt, const Streams& streams)
       : parts_(parts), interrupt_(interrupt), progress_(streams) {}
-  trade::Progress part(double share) {
+  tradeoff::Progress part(double share) {
     const double begun = done_;
     done_ += share;
     return [this, begun, share](double now) {
@@ -107,18 +108,19 @@ struct Asked {
         fronts(!options.out.empty() || options.table == "fronts") {}
 };
 
-TradeTables measure(const trade::Plan& plan, const Asked& asked, const system::Interrupt& interrupt,
+TradeTables measure(const tradeoff::Plan& plan, const Asked& asked, const system::Interrupt& interrupt,
                     const Streams& streams) {
   TradeTables tables;
   const auto scenes = static_cast<double>(plan.scenes.size());
   Work work((asked.rows ? scenes : 0.0) + (asked.fronts ? scenes : 0.0), interrupt, streams);
-  if (asked.rows) addRows(trade::measureRows(plan, work.part(scenes)), tables);
+  if (asked.rows) addRows(tradeoff::measureRows(plan, work.part(scenes)), tables);
   if (!asked.fronts || (asked.rows && tables.rows.isEmpty())) return tables;
-  for (const trade::NamedScene& scene : plan.scenes) {
+  for (const tradeoff::NamedScene& scene : plan.scenes) {
     if (interrupt.came()) break;
-    addFront(scene,
-             trade::measurePoints(scene.scene, plan.hands, plan.seconds, trade::Settings{}.rate_hz, work.part(1.0)),
-             tables);
+    addFront(
+        scene,
+        tradeoff::measurePoints(scene.scene, plan.hands, plan.seconds, tradeoff::Settings{}.rate_hz, work.part(1.0)),
+        tables);
   }
   return tables;
 }
@@ -136,7 +138,7 @@ std::string whatIsMissing(const TradeTables& tables, const Asked& asked) {
 
 Exit tradeOf(const TradeOptions& options, const Streams& streams) {
   Exit exit = Exit::Well;
-  const std::optional<trade::Plan> plan = planOf(options, streams, exit);
+  const std::optional<tradeoff::Plan> plan = planOf(options, streams, exit);
   if (!plan) return exit;
   const system::Interrupt interrupt;
   const Asked asked(options);
@@ -169,7 +171,7 @@ void addLabTrade(Command lab, const Streams& streams, Exit& exit) {
   const Command command =
       lab.add("trade", "Cost and accuracy of each choice between speed and accuracy, for each scene and each hand");
   std::vector<std::string> keys;
-  for (const trade::Choice& choice : trade::choices()) keys.emplace_back(choice.key);
+  for (const tradeoff::Choice& choice : tradeoff::choices()) keys.emplace_back(choice.key);
   command.option("--scenes", options->scenes, "Scene files, instead of those that ship");
   command.option("--hands", options->hands, "Hands, separated by commas; by default all built-in hands").withCommas();
   command.option("--choices", options->choices, "Choices, separated by commas; by default all")

@@ -9,7 +9,7 @@
 #include "app/cli/scene_file.h"
 #include "app/cli/shipped.h"
 #include "core/lesson/read.h"
-#include "core/system/places.h"
+#include "core/system/resource_paths.h"
 
 namespace underact::cli {
 namespace {
@@ -56,7 +56,7 @@ Exit list(bool json, const Streams& streams) {
   return Exit::Well;
 }
 
-Exit tellQuantities(bool json, const Streams& streams) {
+Exit printQuantities(bool json, const Streams& streams) {
   for (const lesson::Quantity& quantity : lesson::quantities()) {
     if (json) {
       JsonObject object;
@@ -94,7 +94,7 @@ void addLesson(Command program, const Streams& streams, Exit& exit) {
   const Command telling = command.add("quantities", "List what a lesson can measure: key, unit, meaning");
   const auto json_too = std::make_shared<bool>(false);
   telling.flag("--json", *json_too, "One JSON object per line instead of a table");
-  telling.whenChosen([json_too, &streams, &exit] { exit = tellQuantities(*json_too, streams); });
+  telling.whenChosen([json_too, &streams, &exit] { exit = printQuantities(*json_too, streams); });
 
   addLessonTry(command, streams, exit);
 }

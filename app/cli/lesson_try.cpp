@@ -8,12 +8,12 @@
 #include "app/cli/hands.h"
 #include "app/cli/json_object.h"
 #include "app/cli/scene_file.h"
-#include "app/cli/setting_wishes.h"
+#include "app/cli/setting_overrides.h"
 #include "app/cli/shipped.h"
+#include "core/lesson/check_text.h"
 #include "core/lesson/read.h"
-#include "core/lesson/tell.h"
-#include "core/system/places.h"
-#include "device/lesson_trial.h"
+#include "core/system/resource_paths.h"
+#include "device/lesson_attempt.h"
 
 namespace underact::cli {
 namespace {
@@ -72,8 +72,8 @@ Exit tryStep(const TryOptions& options, const Streams& streams) {
     return Exit::Usage;
   }
   device::LessonAttempt attempt;
-  for (const std::string& wish : options.settings) {
-    const auto [key, value] = sidesOf(wish);
+  for (const std::string& text : options.settings) {
+    const auto [key, value] = sidesOf(text);
     attempt.settings.push_back({key, value});
   }
   Result<sim::HandScript> hand = findHand(options.hand, options.seed);

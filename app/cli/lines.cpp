@@ -15,7 +15,7 @@ namespace underact::cli {
 namespace {
 
 constexpr std::chrono::milliseconds kFarewell{1000};
-constexpr int kLook_ms = 50;
+constexpr int kPoll_ms = 50;
 // A pipe with any room accepts this many bytes without blocking.
 constexpr std::size_t kAtOnce = 512;
 
@@ -49,7 +49,7 @@ bool Lines::State::write(std::string_view text) {
     return true;
   }
   while (!text.empty()) {
-    if (!system::waitToWrite(fd, kLook_ms)) {
+    if (!system::waitToWrite(fd, kPoll_ms)) {
       if (isOver()) return false;
       continue;
     }

@@ -134,14 +134,14 @@ Exit showMeshes(const MeshOptions& options, const Streams& streams) {
   std::atomic<bool> cancelled = false;
   for (const std::string& path : options.files) {
     Progress progress(streams);
-    Watch watch;
-    watch.cancelled = &cancelled;
-    watch.progress = [&](const char* /*step*/, double share) {
+    TaskMonitor monitor;
+    monitor.cancelled = &cancelled;
+    monitor.progress = [&](const char* /*step*/, double share) {
       progress.show(share);
       cancelled = cancelled || interrupt.came();
     };
     const auto start = std::chrono::steady_clock::now();
-    Result<mesh_file::Loaded> loaded = mesh_file::loadMesh(path, watch);
+    Result<mesh_file::Loaded> loaded = mesh_file::loadMesh(path, monitor);
     if (!loaded) {
       print(loaded.problems(), streams.err);
       const Exit now = exitOfMesh(path);

@@ -6,8 +6,8 @@
 #include <ostream>
 
 #include "core/system/file.h"
-#include "core/system/places.h"
 #include "core/system/process.h"
+#include "core/system/resource_paths.h"
 
 namespace underact::cli {
 namespace {

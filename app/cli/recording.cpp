@@ -13,7 +13,7 @@ Problems Recording::check(const std::string& path, system::Existing existing) {
   return problems;
 }
 
-Result<Recording> Recording::start(servo::Host& host, const std::string& path, const record::SessionWords& words,
+Result<Recording> Recording::start(servo::Host& host, const std::string& path, const record::SessionMetadata& words,
                                    const record::RecorderOptions& options) {
   Recording recording;
   if (path.ends_with(".csv")) {

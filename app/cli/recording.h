@@ -14,7 +14,7 @@ class Recording {
   /// Whether a file may be made at path, before anything runs. Problems: those of checkNew(), with the way out.
   static Problems check(const std::string& path, system::Existing existing);
   /// Before the first tick. options: of a session; existing of both. Problems: the file could not be created.
-  static Result<Recording> start(servo::Host& host, const std::string& path, const record::SessionWords& words,
+  static Result<Recording> start(servo::Host& host, const std::string& path, const record::SessionMetadata& words,
                                  const record::RecorderOptions& options);
   /// For a CSV file; a session gets the ticks from the servo itself.
   void add(const servo::TickRecord& record) {

@@ -11,12 +11,12 @@
 #include "core/base/units.h"
 #include "core/curve/points.h"
 #include "core/registration/check.h"
+#include "core/registration/registration_store.h"
 #include "core/registration/sheet.h"
-#include "core/registration/store.h"
 #include "core/system/signals.h"
 #include "device/arm_key.h"
 #include "device/catalogue.h"
-#include "device/touch_marks.h"
+#include "device/touch_reference_points.h"
 #include "underact/version.h"
 
 namespace underact::cli {
@@ -40,42 +40,43 @@ bool isCount(const std::string& marks) {
          marks[0] <= '0' + static_cast<char>(registration::kMostMarks);
 }
 
-Result<std::vector<Vec3>> marksOf(const std::string& marks) {
-  if (isCount(marks)) return registration::sheetMarks(static_cast<std::size_t>(marks[0] - '0'));
+Result<std::vector<Vec3>> referencePointsOf(const std::string& marks) {
+  if (isCount(marks)) return registration::sheetPoints(static_cast<std::size_t>(marks[0] - '0'));
   const Result<std::vector<Vec3>> read = curve::readPoints(marks);
   if (!read) return read.problems();
-  std::vector<Vec3> marks_D;
+  std::vector<Vec3> points_D;
   for (const Vec3& mark_mm : read.value()) {
     const Vec3 mark_m = kMetrePerMillimetre * mark_mm;
-    marks_D.push_back(registration::onDesk(mark_m[0], mark_m[1], mark_m[2]));
+    points_D.push_back(registration::onDesk(mark_m[0], mark_m[1], mark_m[2]));
   }
-  return marks_D;
+  return points_D;
 }
 
 /// From a file: of points, or of a registration.
 Result<Registration> fromFile(const RegisterOptions& options) {
   if (options.points.ends_with(".json")) return registration::readRegistrationFile(options.points);
-  const Result<std::vector<Vec3>> marks_D = marksOf(options.marks), points_mm = curve::readPoints(options.points);
-  Problems problems = marks_D ? Problems{} : marks_D.problems();
+  const Result<std::vector<Vec3>> points_D = referencePointsOf(options.marks),
+                                  points_mm = curve::readPoints(options.points);
+  Problems problems = points_D ? Problems{} : points_D.problems();
   if (!points_mm) problems.insert(problems.end(), points_mm.problems().begin(), points_mm.problems().end());
   if (!problems.empty()) return problems;
-  if (marks_D.value().size() != points_mm.value().size()) {
-    return Problems{{"There are " + std::to_string(marks_D.value().size()) + " reference points and " +
+  if (points_D.value().size() != points_mm.value().size()) {
+    return Problems{{"There are " + std::to_string(points_D.value().size()) + " reference points and " +
                          std::to_string(points_mm.value().size()) +
                          " touched points. Give one line per reference point, in order.",
                      {options.points, 1, 1}}};
   }
   Registration registration;
-  for (std::size_t at = 0; at < marks_D.value().size(); ++at)
-    registration.touches.push_back({marks_D.value()[at], kMetrePerMillimetre * points_mm.value()[at], 0.0});
+  for (std::size_t at = 0; at < points_D.value().size(); ++at)
+    registration.touches.push_back({points_D.value()[at], kMetrePerMillimetre * points_mm.value()[at], 0.0});
   return registration;
 }
 
 /// From an arm that a person moves.
 Result<Registration> fromArm(const RegisterOptions& options, const Streams& streams, Exit& wrong) {
   constexpr int kRate_hz = 1000;
-  const Result<std::vector<Vec3>> marks_D = marksOf(options.marks);
-  if (!marks_D) return marks_D.problems();
+  const Result<std::vector<Vec3>> points_D = referencePointsOf(options.marks);
+  if (!points_D) return points_D.problems();
   const arm::Preset& preset = *arm::findPreset(options.arm);
   wrong = Exit::Fault;
   Result<std::unique_ptr<servo::DevicePort>> arm = device::openDevice(options.device, {preset, {}, kRate_hz, {}});
@@ -85,9 +86,9 @@ Result<Registration> fromArm(const RegisterOptions& options, const Streams& stre
   const system::Interrupt interrupt(system::Reader::MayGo);
   streams.err << "No force is sent. Touch the reference points in the order of their numbers.\n";
   Result<std::vector<Touch>> touches =
-      device::touchMarks(std::move(arm).value(), preset, kRate_hz, marks_D.value(),
-                         {[&streams](const std::string& sentence) { streams.err << sentence << std::endl; },
-                          [&interrupt] { return !interrupt.came(); }, options.wait_s});
+      device::touchReferencePoints(std::move(arm).value(), preset, kRate_hz, points_D.value(),
+                                   {[&streams](const std::string& sentence) { streams.err << sentence << std::endl; },
+                                    [&interrupt] { return !interrupt.came(); }, options.wait_s});
   if (!touches) return touches.problems();
   wrong = Exit::BadInput;
   registration.touches = std::move(touches).value();
@@ -105,14 +106,14 @@ Exit keepIt(const RegisterOptions& options, const Registration& registration, co
   Problems problems;
   if (!options.out.empty()) problems = writeText(options.out, registrationText(registration));
   if (options.keep) {
-    const Problems more = registration::keep(registration, registration::storeFolder());
+    const Problems more = registration::saveRegistration(registration, registration::registrationFolder());
     problems.insert(problems.end(), more.begin(), more.end());
   }
   print(problems, streams.err);
   return problems.empty() ? Exit::Well : Exit::File;
 }
 
-Exit registerIt(const RegisterOptions& options, const Streams& streams) {
+Exit runRegistration(const RegisterOptions& options, const Streams& streams) {
   Exit wrong = Exit::BadInput;
   Result<Registration> touched = options.device.empty() ? fromFile(options) : fromArm(options, streams, wrong);
   if (!touched) {
@@ -190,7 +191,7 @@ void addRegister(Command program, const Streams& streams, Exit& exit) {
     }
     if (options->points.empty() && options->device.empty())
       options::refuse("register: give --points, --device or --accuracy");
-    exit = registerIt(*options, streams);
+    exit = runRegistration(*options, streams);
   });
 }
 

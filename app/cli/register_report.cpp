@@ -92,7 +92,7 @@ void printAccuracy(int draws, std::uint64_t seed, bool json, std::ostream& out) 
   for (const std::size_t marks : {3U, 4U, 6U, 8U}) {
     for (const double touching_m : {0.1e-3, 0.2e-3, 0.5e-3, 1.0e-3}) {
       const registration::Accuracy row =
-          registration::accuracyOf(registration::sheetMarks(marks), touching_m, draws, seed);
+          registration::accuracyOf(registration::sheetPoints(marks), touching_m, draws, seed);
       table.add({static_cast<std::int64_t>(row.marks), mm(row.touching_m), mm(row.left_m), mm(row.expected_m),
                  mm(row.seen_m), mm(row.twentieth_m)});
     }

@@ -11,7 +11,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/recording.h"
 #include "app/cli/scene_file.h"
-#include "app/cli/setting_wishes.h"
+#include "app/cli/setting_overrides.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
 #include "core/record/csv.h"
@@ -20,7 +20,7 @@
 #include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
 #include "core/scene/settings.h"
-#include "core/system/places.h"
+#include "core/system/resource_paths.h"
 #include "core/system/signals.h"
 
 namespace underact::cli {
@@ -33,24 +33,24 @@ struct ReplayOptions {
   std::optional<double> kp_N_per_mm, kd_N_s_per_mm, ki_N_per_mm_s, t;
   std::optional<std::size_t> law;  // index among the words
   system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
-  bool isWhatIf() const { return !scene.empty() || !wishesFor({}).empty() || t; }
+  bool isWhatIf() const { return !scene.empty() || !overridesFor({}).empty() || t; }
   /// Each option that stands for a setting, then those of --set. An influence is set only if the scene has one.
-  std::vector<std::string> wishesFor(const scene::Description& scene) const;
+  std::vector<std::string> overridesFor(const scene::Description& scene) const;
 };
 
-std::vector<std::string> ReplayOptions::wishesFor(const scene::Description& wanted) const {
-  std::vector<std::string> wishes;
-  const auto add = [&wishes](const char* key, const std::optional<double>& number) {
-    if (number) wishes.push_back(std::string(key) + "=" + json::numberText(*number));
+std::vector<std::string> ReplayOptions::overridesFor(const scene::Description& wanted) const {
+  std::vector<std::string> overrides;
+  const auto add = [&overrides](const char* key, const std::optional<double>& number) {
+    if (number) overrides.push_back(std::string(key) + "=" + json::numberText(*number));
   };
-  if (law) wishes.push_back("law=" + scene::findSetting("/control/law")->words()[*law]);
+  if (law) overrides.push_back("law=" + scene::findSetting("/control/law")->words()[*law]);
   add("kp_N_per_mm", kp_N_per_mm);
   add("kd_N_s_per_mm", kd_N_s_per_mm);
   add("ki_N_per_mm_s", ki_N_per_mm_s);
   const auto has_influence = [](const scene::Constraint& one) { return one.influence.has_value(); };
   if (std::any_of(wanted.constraints.begin(), wanted.constraints.end(), has_influence)) add("t", t);
-  wishes.insert(wishes.end(), settings.begin(), settings.end());
-  return wishes;
+  overrides.insert(overrides.end(), settings.begin(), settings.end());
+  return overrides;
 }
 
 /// One side of the comparison.
@@ -147,7 +147,7 @@ Result<scene::Description> wantedScene(const ReplayOptions& options, record::Ses
     Problems unfound = scene::loadRecordedMeshes(scene, foldersOf(options));
     if (!unfound.empty()) return unfound;
   }
-  Result<scene::Description> edited = withWishes(scene, options.wishesFor(scene));
+  Result<scene::Description> edited = withOverrides(scene, options.overridesFor(scene));
   if (!edited) return edited;
   const Problems problems = scene::check(edited.value());
   if (!problems.empty()) return problems;

@@ -47,7 +47,7 @@ struct RunOptions {
   std::uint64_t seed = 1;
   std::string record;
   bool overwrite = false;
-  record::SessionWords words;  // of the recording
+  record::SessionMetadata words;  // of the recording
   double block_s = record::kBlock_s;
   std::string stream;  // empty: none
   std::string fault_file;
@@ -55,7 +55,7 @@ struct RunOptions {
   bool left_handed = false;
   std::string arm_model{sim::kDefaultArmModel};
   std::string device{kSimulated};
-  system::SchedulingWanted scheduling;
+  system::SchedulingRequest scheduling;
   bool isSimulated() const { return device == kSimulated; }
   system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
 };
@@ -122,7 +122,7 @@ void runInRealTime(servo::Host& host, Run& run, const system::Interrupt& interru
 }
 
 /// Adds every fault to the summary, and writes the first to a file if requested.
-Problems tellFaults(servo::Host& host, Run& run, const std::string& file, const Streams& streams) {
+Problems reportFaults(servo::Host& host, Run& run, const std::string& file, const Streams& streams) {
   Problems problems;
   bool first = run.summary().faulted();  // one after the last requested tick does not belong to this run
   while (const std::optional<servo::FaultReport> report = host.takeFault()) {
@@ -211,8 +211,8 @@ Result<std::unique_ptr<servo::DevicePort>> makeArm(const RunOptions& options, co
 }
 
 /// The name of an unnamed session: what was run.
-record::SessionWords wordsOf(const RunOptions& options) {
-  record::SessionWords words = options.words;
+record::SessionMetadata wordsOf(const RunOptions& options) {
+  record::SessionMetadata words = options.words;
   if (words.name.empty()) words.name = std::filesystem::path(options.scene).stem().string();
   if (words.notes.empty() && options.isSimulated()) {
     const auto named = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
@@ -274,7 +274,7 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   if (const std::int64_t dropped = host.snapshot().dropped; dropped > 0) {
     streams.err << dropped << " ticks were not received, because the machine was too busy.\n";
   }
-  const Problems unkept = tellFaults(host, run, options.fault_file, streams);
+  const Problems unkept = reportFaults(host, run, options.fault_file, streams);
   const std::string scheduling = options.fast ? "as fast as possible" : host.scheduling().name;
   streams.out << run.summary().json({options.rate_hz, options.seed, options.fast, scheduling, host.guarding()}).text()
               << '\n';

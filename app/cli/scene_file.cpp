@@ -14,9 +14,9 @@ Result<LoadedScene> loadScene(const std::string& path, const Streams& streams) {
   Result<scene::Description> description = scene::readSceneFile(path);
   if (!description) return description.problems();
   Progress progress(streams);
-  Watch watch;
-  watch.progress = [&progress](const char*, double share) { progress.show(share); };
-  Result<tick::TickProgram> program = scene::loadAndCompile(description.value(), watch);
+  TaskMonitor monitor;
+  monitor.progress = [&progress](const char*, double share) { progress.show(share); };
+  Result<tick::TickProgram> program = scene::loadAndCompile(description.value(), monitor);
   if (!program) return program.problems();
   return LoadedScene{std::move(description).value(), std::move(program).value()};
 }

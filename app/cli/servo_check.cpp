@@ -133,7 +133,7 @@ std::function<bool(double)> reporter(const Streams& streams, const system::Inter
   };
 }
 
-Exit checkIt(const ServoCheckOptions& options, const Streams& streams) {
+Exit runCheck(const ServoCheckOptions& options, const Streams& streams) {
   Result<LoadedScene> scene = sceneOf(options, streams);
   if (!scene) return fail(scene.problems(), streams);
   const Result<sim::ArmModel> model = sim::chooseArmModel(options.arm_model);
@@ -168,7 +168,7 @@ void addServoCheck(Command program, const Streams& streams, Exit& exit) {
   addArmModelOption(command, options->arm_model);
   options::addSchedulingOptions(command, options->check.scheduling);
   command.flag("--json", options->json, "One JSON object instead of the table");
-  command.whenChosen([options, &streams, &exit] { exit = checkIt(*options, streams); });
+  command.whenChosen([options, &streams, &exit] { exit = runCheck(*options, streams); });
 }
 
 }  // namespace underact::cli

@@ -61,8 +61,8 @@ Exit allow(const KeyFolder& folder, const std::string& words, const Streams& str
   return Exit::Well;
 }
 
-void sayWhatIsShared(const device::remote::ShareOptions& options, const Address& address, const std::string& title,
-                     Lines& say) {
+void printSharedArm(const device::remote::ShareOptions& options, const Address& address, const std::string& title,
+                    Lines& say) {
   say(title + " is shared at " + address.text() + ", " + std::to_string(options.rate_hz) + " Hz, joints of " +
       options.arm.name + (options.allows_force ? ", with force" : ", without force (--force allows it)") +
       (options.is_passive ? ", with passivity control." : ", without passivity control."));
@@ -95,7 +95,7 @@ Exit share(const ShareArmOptions& asked, const KeyFolder& folder, const KeyPair&
   Result<std::unique_ptr<device::remote::Share>> shared = device::remote::Share::open(
       std::move(arm).value(), options, [&say](const std::string& sentence) { say(sentence); });
   if (!shared) return fail(shared.problems(), Exit::Fault, streams);
-  sayWhatIsShared(options, shared.value()->address(), title, say);
+  printSharedArm(options, shared.value()->address(), title, say);
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(asked.seconds);
   while (!interrupt.came() && (asked.seconds == 0.0 || std::chrono::steady_clock::now() < end))
     std::this_thread::sleep_for(kBetweenLooks);

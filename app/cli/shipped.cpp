@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/system/places.h"
+#include "core/system/resource_paths.h"
 
 namespace underact::cli {
 namespace {

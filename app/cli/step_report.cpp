@@ -202,7 +202,7 @@ std::vector<std::string> notesOn(const lab::ArmStep& step) {
 }
 
 std::string csvOf(const lab::TransferFunction& transfer, double seconds) {
-  if (!(seconds > 0.0)) seconds = lab::secondsToSee(transfer);
+  if (!(seconds > 0.0)) seconds = lab::plotDuration_s(transfer);
   const lab::UnitStep step(transfer);
   std::string text = "t_s,y\n";
   for (int index = 0; index <= kCurveSteps; ++index) {

@@ -42,9 +42,9 @@ void addRobot(JsonObject& object, const target::Robot& robot, const chain::Chain
 }
 
 /// The status of all constraints together: unique if one acts and pulls the stylus, free if none is touched.
-Status statusOf(const tick::HeldList& held) {
+Status statusOf(const tick::ConstraintReports& held) {
   Status status = Status::Free;
-  for (const tick::Held& one : held) {
+  for (const tick::ConstraintReport& one : held) {
     if (one.acts && one.status == Status::Unique) return Status::Unique;
     if (one.status == Status::Degenerate) status = Status::Degenerate;
   }
@@ -52,11 +52,11 @@ Status statusOf(const tick::HeldList& held) {
 }
 
 JsonObject answer(const LoadedScene& loaded, const PoseLine& pose) {
-  const tick::TickReport report = tick::answerAtRest(loaded.program, pose.p_WT, pose.R_WT);
+  const tick::TickReport report = tick::evaluateAtRest(loaded.program, pose.p_WT, pose.R_WT);
   const double max_force_N = loaded.program.limits.max_force_N;
   std::vector<JsonObject> constraints;
   for (std::size_t index = 0; index < report.held.size(); ++index) {
-    const tick::Held& held = report.held[index];
+    const tick::ConstraintReport& held = report.held[index];
     JsonObject& one = constraints.emplace_back();
     one.addText("name", loaded.description.constraints[index].name);
     addAnswer(one, held.status, &held.p_WP, held.f_T_W, max_force_N);
@@ -80,7 +80,7 @@ Exit answerPoses(const std::string& path, const Streams& streams) {
     const Result<PoseLine> pose = readPoseLine(line);
     if (!pose) return pose.problems();
     const tick::TickProgram& program = loaded.value().program;
-    if (program.needs.joints && !arm::reach(program.geometry, pose.value().p_WT).reachable) {
+    if (program.needs.joints && !arm::solvePosition(program.geometry, pose.value().p_WT).reachable) {
       return Problems{{"The arm cannot reach this position, and the scene controls it in joint space.", {}}};
     }
     return answer(loaded.value(), pose.value());

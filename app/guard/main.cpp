@@ -10,6 +10,6 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "underact-guard is started by underact; by hand it does nothing.\n");
     return 2;
   }
-  underact::system::outliveStarter();
+  underact::system::endWithParentOnly();
   return underact::guard::watch(*duty);
 }

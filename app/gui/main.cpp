@@ -7,10 +7,10 @@
 #include <ctime>
 #include <utility>
 
+#include "app/gui/kit/accessible_widgets.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/application.h"
 #include "app/gui/kit/focus_style.h"
-#include "app/gui/kit/spoken.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/language.h"
 #include "app/gui/model/scene_library.h"
@@ -22,9 +22,9 @@
 #include "app/options/window_options.h"
 #include "core/system/current_folder.h"
 #include "core/system/this_process.h"
-#include "device/hands/controllers.h"
-#include "device/hands/space_mice.h"
-#include "device/wooden/hid_bus.h"
+#include "device/input/controllers.h"
+#include "device/input/space_mice.h"
+#include "device/wooden_haptics/hid_bus.h"
 #include "underact/version.h"
 
 namespace underact::gui {
@@ -65,8 +65,8 @@ int runWindow(const options::WindowOptions& options, const Began& began) {
                                                .scheduling = options.scheduling,
                                                .max_late = options.max_late});
   ThemeWatcher theme;
-  device::hands::Controllers controllers;
-  device::hands::SpaceMice space_mice(device::hidapiBus());
+  device::input::Controllers controllers;
+  device::input::SpaceMice space_mice(device::hidapiBus());
   MainWindow window(
       {*simulated.host, simulated.arm, theme, simulated.replay, simulated.chosen, {&controllers, &space_mice}});
   if (qEnvironmentVariableIsSet("UNDERACT_TIMING")) {
@@ -101,7 +101,7 @@ int runWindow(const options::WindowOptions& options, const Began& began) {
 int run(int argc, char** argv) {
   Began began;
   began.clock.start();
-  system::giveLargeBlocksBack();
+  system::returnLargeBlocks();
   const options::WindowOptions options = options::parseWindowOptions({argv + 1, argv + argc});
   if (!options.said.empty()) {
     std::fputs(options.said.c_str(), options.exit == 0 ? stdout : stderr);
@@ -122,7 +122,7 @@ int run(int argc, char** argv) {
   Application application(argc, argv);
   QApplication::setWindowIcon(QIcon::fromTheme("underact"));  // if it is installed
   QApplication::setStyle(new FocusStyle);
-  speakOwnWidgets();
+  makeWidgetsAccessible();
   // Pictures are for the guide.
   speak(options.picture.empty() && options.small_pictures.empty() ? chosenLanguage() : "en");
   if (!options.picture.empty()) return drawPicture(options.picture, options.out);

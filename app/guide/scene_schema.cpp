@@ -77,7 +77,7 @@ Value schemaOf(const Setting& setting, const scene::SettingValue& usual) {
       if (setting.most < kInfinity) set(made, "maximum", numberValue(setting.most));
       break;
   }
-  if (setting.said != scene::Said::Required && !scene::isNone(usual)) set(made, "default", asJson(usual));
+  if (setting.said != scene::KeyPresence::Required && !scene::isNone(usual)) set(made, "default", asJson(usual));
   set(made, "description", textValue(descriptionOf(setting)));
   return made;
 }
@@ -105,7 +105,7 @@ class Schema {
         set(ref, "$ref", textValue(std::string(kDefs) + setting.key));
         set(*keys, setting.key, std::move(ref));
       }
-      if (setting.said == scene::Said::Required) require(*object, setting.key);
+      if (setting.said == scene::KeyPresence::Required) require(*object, setting.key);
     }
     return true;
   }

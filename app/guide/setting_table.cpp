@@ -105,10 +105,11 @@ SettingUse useOf(const Setting& setting) {
     const Result<Setting> found = settingAt(one.scene, place);
     if (!found || found.value().tip != setting.tip || found.value().unit != setting.unit) continue;
     use.of.push_back(one.name);
-    usual.push_back(usualAt(one.scene, place).value());
+    usual.push_back(defaultAt(one.scene, place).value());
   }
   use.is_of_all = use.of.size() == samples.size();
-  const bool is_one = std::count(usual.begin(), usual.end(), usual.front()) == static_cast<std::ptrdiff_t>(usual.size());
+  const bool is_one =
+      std::count(usual.begin(), usual.end(), usual.front()) == static_cast<std::ptrdiff_t>(usual.size());
   if (is_one) use.usual = usual.front();
   return use;
 }

@@ -102,8 +102,8 @@ void cutIntoTriangles(const std::vector<Eigen::Vector3f>& p_MV, std::span<const 
   }
 }
 
-mesh_file::Raw trianglesOf(Polygons polygons) {
-  mesh_file::Raw raw;
+mesh_file::RawMesh trianglesOf(Polygons polygons) {
+  mesh_file::RawMesh raw;
   raw.polygons = static_cast<std::int64_t>(polygons.ends.size());
   const auto count = static_cast<std::int32_t>(polygons.p_MV.size());
   raw.triangles.faces.reserve(polygons.ends.size());

@@ -22,6 +22,6 @@ void cutIntoTriangles(const std::vector<Eigen::Vector3f>& p_MV, std::span<const 
 
 /// Divides all faces, and leaves out invalid ones: a face with a vertex that is missing or not finite is left out
 /// completely. Vertices that are not finite are set to zero; no face uses them.
-mesh_file::Raw trianglesOf(Polygons polygons);
+mesh_file::RawMesh trianglesOf(Polygons polygons);
 
 }  // namespace underact::mesh_reader

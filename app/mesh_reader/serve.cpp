@@ -12,7 +12,7 @@
 #include "core/mesh_file/message.h"
 #include "core/mesh_file/scan.h"
 #include "core/system/file.h"
-#include "core/system/seal.h"
+#include "core/system/sandbox.h"
 #include "core/system/this_process.h"
 
 namespace underact::mesh_reader {
@@ -93,10 +93,10 @@ int serve(const std::string& word) {
   const std::optional<system::Status> file = system::statusOf(system::kInput);
   if (!format || !file || file->bytes == 0) return 2;
   const std::uint64_t bytes = file->bytes;
-  system::stepBack(kNice);
+  system::lowerPriority(kNice);
   const system::Descriptor status = system::openToRead("/proc/self/status");
-  system::endWithStarter();  // the program that asked is gone
-  if (!system::seal(mesh_file::mostMemory(bytes), mesh_file::mostCpu_s(bytes))) return helper::kNotSealed;
+  system::endWithParent();  // the program that asked is gone
+  if (!system::enterSandbox(mesh_file::mostMemory(bytes), mesh_file::mostCpu_s(bytes))) return helper::kNotSealed;
   Message message = read(*format, bytes);
   message.raw.peak_bytes = peakBytes(status);
   return mesh_file::writeMessage(message, write) ? 0 : 1;

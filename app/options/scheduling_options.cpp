@@ -4,11 +4,11 @@
 
 namespace underact::options {
 
-void addSchedulingOptions(Command command, system::SchedulingWanted& wanted) {
-  static const std::map<std::string, system::Way> kWays{{"auto", system::Way::Auto},
-                                                        {"fifo", system::Way::Fifo},
-                                                        {"rtkit", system::Way::Rtkit},
-                                                        {"normal", system::Way::Normal}};
+void addSchedulingOptions(Command command, system::SchedulingRequest& wanted) {
+  static const std::map<std::string, system::SchedulingMethod> kWays{{"auto", system::SchedulingMethod::Auto},
+                                                                     {"fifo", system::SchedulingMethod::Fifo},
+                                                                     {"rtkit", system::SchedulingMethod::Rtkit},
+                                                                     {"normal", system::SchedulingMethod::Normal}};
   std::vector<std::string> names;
   for (const auto& [name, way] : kWays) names.push_back(name);
   command

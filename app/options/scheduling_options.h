@@ -5,6 +5,6 @@
 namespace underact::options {
 
 /// --scheduling and --core.
-void addSchedulingOptions(Command command, system::SchedulingWanted& wanted);
+void addSchedulingOptions(Command command, system::SchedulingRequest& wanted);
 
 }  // namespace underact::options

@@ -18,7 +18,7 @@ struct WindowOptions {
   std::vector<std::string> visitor_scenes;
   std::string device;          // KIND or KIND:ADDRESS; empty: the one used last
   std::optional<int> rate_hz;  // none: the window's choice
-  system::SchedulingWanted scheduling;
+  system::SchedulingRequest scheduling;
   int max_late = 20;  // ticks in a row
   // Help, the version, or what is wrong with the command line, and the exit status that goes with it; empty: go on.
   std::string said;

@@ -222,7 +222,7 @@ class Display {
 
 }  // namespace
 
-Result<std::string> texToHtml(std::string_view tex, bool display, const Place& place) {
+Result<std::string> texToHtml(std::string_view tex, bool display, const SourceLocation& place) {
   Result<TexNode> tree = parseTex(tex, place);
   if (!tree) return tree.problems();
   if (!display) return "<span class=\"formula\">" + Line(" ").of(tree.value()) + "</span>";

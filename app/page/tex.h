@@ -10,6 +10,6 @@ namespace underact::page {
 /// table. The classes it names are those of pageStyle(). tex: the text between the dollar signs. display: a formula on
 /// a line of its own, a block; else one inside a sentence, where a fraction is a/b and a matrix [a, b; c, d]. Problems:
 /// as parseTex().
-Result<std::string> texToHtml(std::string_view tex, bool display, const Place& place);
+Result<std::string> texToHtml(std::string_view tex, bool display, const SourceLocation& place);
 
 }  // namespace underact::page

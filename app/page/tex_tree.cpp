@@ -21,7 +21,7 @@ bool isLetter(char c) {
 /// Reads the formula from left to right; a problem of its structure ends it, an unknown command does not.
 class TexParser {
  public:
-  TexParser(std::string_view tex, const Place& place) : tex_(tex), place_(place) {}
+  TexParser(std::string_view tex, const SourceLocation& place) : tex_(tex), place_(place) {}
 
   Result<TexNode> parse() {
     if (tex_.size() > kLongest) return Problems{{"A formula is at most 4000 bytes long.", place_}};
@@ -218,7 +218,7 @@ class TexParser {
   }
 
   std::string_view tex_;
-  Place place_;
+  SourceLocation place_;
   std::size_t at_ = 0;
   int depth_ = 0;
   bool stopped_ = false;
@@ -227,7 +227,7 @@ class TexParser {
 
 }  // namespace
 
-Result<TexNode> parseTex(std::string_view tex, const Place& place) {
+Result<TexNode> parseTex(std::string_view tex, const SourceLocation& place) {
   return TexParser(tex, place).parse();
 }
 

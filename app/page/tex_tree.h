@@ -34,6 +34,6 @@ struct TexNode {
 /// The formula as a tree. tex: the text between the dollar signs, in the small subset of TeX that is supported.
 /// Problems: commands that are not known, each by its name; or one, where braces or environments do not match, or where
 /// it is longer than 4000 bytes or deeper than 24.
-Result<TexNode> parseTex(std::string_view tex, const Place& place);
+Result<TexNode> parseTex(std::string_view tex, const SourceLocation& place);
 
 }  // namespace underact::page

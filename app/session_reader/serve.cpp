@@ -9,21 +9,21 @@
 #include <vector>
 
 #include "core/base/translate.h"
-#include "core/helper/talk.h"
-#include "core/helper/words.h"
-#include "core/record/foreign_protocol.h"
+#include "core/helper/connection.h"
+#include "core/helper/sentence_codec.h"
 #include "core/record/hdf5_file.h"
+#include "core/record/reader_protocol.h"
 #include "core/record/session_tables.h"
-#include "core/system/seal.h"
+#include "core/system/sandbox.h"
 #include "core/system/this_process.h"
 
 namespace underact::session_reader {
 namespace {
 
-using record::Asks;
 using record::Block;
 using record::Hdf5File;
 using record::Question;
+using record::QuestionKind;
 
 // A program that renders a surface meanwhile needs the processor more.
 constexpr int kNice = 5;
@@ -45,7 +45,7 @@ bool sayYes(std::initializer_list<Bytes> parts) {
 }
 
 bool sayNo(const Problems& problems) {
-  const std::string letters = problems.empty() ? std::string() : helper::lettersOf(problems.front().sentence);
+  const std::string letters = problems.empty() ? std::string() : helper::encodeSentence(problems.front().sentence);
   const std::array parts{bytesOf(record::kNo), std::as_bytes(std::span(letters))};
   return helper::answer(parts);
 }
@@ -73,7 +73,7 @@ class Service {
  public:
   /// false: nobody reads the answer.
   bool answer(const Question& question) {
-    if (question.what == Asks::Open) return open(question);
+    if (question.what == QuestionKind::Open) return open(question);
     return file_ ? answer(*file_, question) : sayNo({});
   }
 
@@ -88,25 +88,25 @@ class Service {
   static bool answer(Hdf5File& file, const Question& question) {
     const std::string name(question.name.data(), strnlen(question.name.data(), question.name.size()));
     switch (question.what) {
-      case Asks::Open:
+      case QuestionKind::Open:
         break;
-      case Asks::Refresh:
+      case QuestionKind::Refresh:
         file.refresh();
         return sayShape(file);
-      case Asks::Read: {
+      case QuestionKind::Read: {
         if (question.table >= record::kTables) return sayNo({});
         const Result<std::vector<Block>> blocks = file.read(question.table, question.first, question.count);
         return blocks ? sayBlocks(blocks.value()) : sayNo(blocks.problems());
       }
-      case Asks::Text: {
+      case QuestionKind::Text: {
         const std::string text = file.text(name);
         return sayYes({std::as_bytes(std::span(text))});
       }
-      case Asks::Integer: {
+      case QuestionKind::Integer: {
         const std::int64_t number = file.integer(name, question.fallback);
         return sayYes({bytesOf(number)});
       }
-      case Asks::Real: {
+      case QuestionKind::Real: {
         const double number = file.real(name, question.real_fallback);
         return sayYes({bytesOf(number)});
       }
@@ -119,8 +119,8 @@ class Service {
 }  // namespace
 
 int serve() {
-  system::stepBack(kNice);
-  if (!record::startHdf5() || !system::seal(kMostMemory, kMostCpu_s)) return helper::kNotSealed;
+  system::lowerPriority(kNice);
+  if (!record::startHdf5() || !system::enterSandbox(kMostMemory, kMostCpu_s)) return helper::kNotSealed;
   Service service;
   Question question;
   while (helper::nextQuestion(std::as_writable_bytes(std::span(&question, 1)))) {

@@ -1,7 +1,7 @@
 #include <memory>
 
 #include "app/sweeper/catalogue.h"
-#include "core/extremes/catalogue.h"
+#include "core/error_bounds/catalogue.h"
 #include "core/json/text.h"
 
 namespace underact::sweep {
@@ -10,14 +10,14 @@ namespace extremes_kind {
 constexpr std::int64_t kMostSeeds = 10'000'000, kMostCases = 100'000'000;
 
 struct Plan {
-  std::vector<const extremes::Row*> rows;
+  std::vector<const error_bounds::Row*> rows;
   std::size_t seeds = 0;
   int count = 0;
 };
 
 Result<Row> runCell(const Plan& plan, std::size_t index, std::uint64_t seed) {
-  const extremes::Row& asked = *plan.rows[index / plan.seeds];
-  const extremes::Worst worst = extremes::measure(asked, seed, plan.count);
+  const error_bounds::Row& asked = *plan.rows[index / plan.seeds];
+  const error_bounds::Worst worst = error_bounds::measure(asked, seed, plan.count);
   Row row;
   row.add(asked.key);
   row.add(worst.error_ulp);
@@ -33,7 +33,7 @@ void readRows(Options& options, Plan& plan) {
   for (const std::string& wanted : options.texts("only")) {
     bool found = false;
     std::vector<std::string> known{"all"};
-    for (const extremes::Row& row : extremes::catalogue()) {
+    for (const error_bounds::Row& row : error_bounds::catalogue()) {
       known.emplace_back(row.key);
       if (wanted != "all" && wanted != row.key) continue;
       plan.rows.push_back(&row);

@@ -14,7 +14,7 @@ namespace {
 
 /// Accepts everything and stores nothing.
 class Nothing : public std::streambuf {
-  int overflow(int letter) override { return traits_type::not_eof(letter); }
+  int overflow(int message) override { return traits_type::not_eof(message); }
 };
 
 }  // namespace
@@ -22,7 +22,7 @@ class Nothing : public std::streambuf {
 int main(int argc, char** argv) {
   using underact::sweep::Team;
   underact::system::keepOutCurrentFolder();
-  underact::system::tellOfFullFiles();
+  underact::system::reportFullFiles();
   std::unique_ptr<Team> team;
   if (underact::sweep::isOneOfTeam()) {
     underact::Result<std::unique_ptr<Team>> joined = underact::sweep::joinTeam();

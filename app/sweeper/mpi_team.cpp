@@ -50,7 +50,7 @@ class MpiTeam final : public Team {
     MPI_Isend(sent.text.data(), static_cast<int>(sent.text.size()), MPI_BYTE, to, kTag, MPI_COMM_WORLD, &sent.request);
   }
 
-  std::optional<Letter> receive() override {
+  std::optional<Message> receive() override {
     forgetArrived();
     int is_here = 0;
     MPI_Status status;
@@ -58,9 +58,9 @@ class MpiTeam final : public Team {
     if (is_here == 0) return {};
     int length = 0;
     MPI_Get_count(&status, MPI_BYTE, &length);
-    Letter letter{status.MPI_SOURCE, std::string(static_cast<std::size_t>(length), '\0')};
-    MPI_Recv(letter.text.data(), length, MPI_BYTE, letter.from, kTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-    return letter;
+    Message message{status.MPI_SOURCE, std::string(static_cast<std::size_t>(length), '\0')};
+    MPI_Recv(message.text.data(), length, MPI_BYTE, message.from, kTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    return message;
   }
 
  private:

@@ -29,7 +29,7 @@ int threadsOf(const Request& request, const Team* team) {
 }
 
 /// The exit status of a sweep that ended early: File if a file is the reason, else bad input.
-Exit failAtWork(const Problems& problems, const cli::Streams& streams) {
+Exit failWhileRunning(const Problems& problems, const cli::Streams& streams) {
   cli::print(problems, streams.err);
   return problems.front().place.file.empty() ? Exit::BadInput : Exit::File;
 }
@@ -66,7 +66,7 @@ std::string twoDigits(double value) {
 }
 
 /// Runs a few cells, spread over all, one after the other, and predicts the time for all of them.
-Exit tellCost(const Sweep& sweep, int threads, const cli::Streams& streams) {
+Exit printCost(const Sweep& sweep, int threads, const cli::Streams& streams) {
   constexpr std::size_t kMostMeasured = 8;
   constexpr std::chrono::seconds kEnough{5};
   const std::size_t wanted = std::min(kMostMeasured, sweep.cells.count);
@@ -75,7 +75,7 @@ Exit tellCost(const Sweep& sweep, int threads, const cli::Streams& streams) {
   std::size_t measured = 0;
   while (measured < wanted && now - begin < kEnough) {
     const Result<std::string> row = rowOf(sweep, measured * sweep.cells.count / wanted);
-    if (!row) return failAtWork(row.problems(), streams);
+    if (!row) return failWhileRunning(row.problems(), streams);
     ++measured;
     now = Clock::now();
   }
@@ -105,7 +105,7 @@ Outcome runCells(const Sweep& sweep, Journal& journal, const Request& request, c
   return outcome;
 }
 
-void tellDone(const Sweep& sweep, std::size_t run_now, const Request& request, const cli::Streams& streams) {
+void printDone(const Sweep& sweep, std::size_t run_now, const Request& request, const cli::Streams& streams) {
   if (request.quiet) return;
   streams.err << request.out << ": " << sweep.cells.count << " cells, " << run_now << " of them run now.\n";
 }
@@ -116,9 +116,9 @@ Exit leadToResult(const Sweep& sweep, const Request& request, const cli::Streams
   Result<Journal> opened = is_there ? Journal::open(sweep, request.out) : is_there.problems();
   if (!opened || is_there.value()) {
     if (team != nullptr) dismiss(*team);
-    if (!opened) return failAtWork(opened.problems(), streams);
+    if (!opened) return failWhileRunning(opened.problems(), streams);
     opened.value().remove();  // of a program that was killed when the result was written already
-    tellDone(sweep, 0, request, streams);
+    printDone(sweep, 0, request, streams);
     return Exit::Well;
   }
   Journal& journal = opened.value();
@@ -128,10 +128,10 @@ Exit leadToResult(const Sweep& sweep, const Request& request, const cli::Streams
     outcome.problems = writeResult(sweep, journal.rows(), request.out);
   if (outcome.problems.empty() && !outcome.interrupted) {
     journal.remove();
-    tellDone(sweep, sweep.cells.count - before, request, streams);
+    printDone(sweep, sweep.cells.count - before, request, streams);
     return Exit::Well;
   }
-  const Exit exit = outcome.problems.empty() ? Exit::File : failAtWork(outcome.problems, streams);
+  const Exit exit = outcome.problems.empty() ? Exit::File : failWhileRunning(outcome.problems, streams);
   streams.err << journal.rows().size() << " of " << sweep.cells.count << " cells are done and saved in "
               << journal.path() << ". The same command continues from there.\n";
   return exit;
@@ -155,7 +155,7 @@ Exit runSweep(const Request& request, const cli::Streams& streams, Team* team) {
     return refuse(sweep.problems(), streams);
   }
   if (request.dry_run)
-    return tellCost(sweep.value(), threadsOf(request, team) * (team == nullptr ? 1 : team->size()), streams);
+    return printCost(sweep.value(), threadsOf(request, team) * (team == nullptr ? 1 : team->size()), streams);
   return leadToResult(sweep.value(), request, streams, team);
 }
 

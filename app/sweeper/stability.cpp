@@ -61,7 +61,7 @@ Result<Row> runCell(const Plan& plan, std::size_t index, std::uint64_t seed) {
   const stability::Variant variant = is_drawn ? drawnWall(plan, seed) : plan.walls[index].second;
   const stability::SampledWall& wall = variant.wall;
   const stability::Limits limits = stability::limitsOf(wall);
-  const stability::Trial nominal = stability::tryWall(wall, stability::kNominal_N_per_m);
+  const stability::TrialResult nominal = stability::tryWall(wall, stability::kNominal_N_per_m);
   Row row;
   row.add(is_drawn ? kDrawn : plan.walls[index].first);
   row.add(variant.name);

@@ -60,9 +60,9 @@ struct Solutions {
   const Solution* end() const noexcept UNDERACT_REAL_TIME { return all.data() + count; }
 };
 
-/// The forward kinematics of each is X_WT within 32 ulp of the reach and the coordinates (see reach()) and of 1 rad,
-/// and near a singularity 2e-12 m and rad more; on the boundary as near as the arm gets. The thresholds are for arms of
-/// 1 cm to 100 m. X_WT: finite, a rotation. Gives no NaN for any finite input. Cost: 16 arc tangents, no other
+/// The forward kinematics of each is X_WT within 32 ulp of the reach and the coordinates (see solvePosition()) and of 1
+/// rad, and near a singularity 2e-12 m and rad more; on the boundary as near as the arm gets. The thresholds are for
+/// arms of 1 cm to 100 m. X_WT: finite, a rotation. Gives no NaN for any finite input. Cost: 16 arc tangents, no other
 /// trigonometry. Source: Beckman 2007, eq. 3.11-3.20 and figure 3.4 as errata section 2 corrects them (twists,
 /// 3.11-3.16, 3.18-3.20).
 Solutions solveAll(const Geometry& geometry, const JointLimits& limits, const Pose& X_WT) noexcept UNDERACT_REAL_TIME;

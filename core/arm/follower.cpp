@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/arm/planar.h"
-#include "core/base/sound.h"
 #include "core/base/units.h"
+#include "core/base/valid_bytes.h"
 
 namespace underact::arm {
 namespace {
@@ -20,7 +20,7 @@ JointAngles nearestTurns(JointAngles q_rad, const JointAngles& last_rad) noexcep
   return q_rad;
 }
 
-double wayBetween(const JointAngles& a_rad, const JointAngles& b_rad) noexcept UNDERACT_REAL_TIME {
+double distanceBetween(const JointAngles& a_rad, const JointAngles& b_rad) noexcept UNDERACT_REAL_TIME {
   double way_rad = 0.0;
   for (std::size_t joint = 0; joint < a_rad.size(); ++joint) way_rad += std::abs(a_rad[joint] - b_rad[joint]);
   return way_rad;
@@ -37,7 +37,7 @@ void choose(Solution& one, const JointAngles& last_rad) noexcept UNDERACT_REAL_T
 
 }  // namespace
 
-bool isSound(const FollowerState& state) noexcept {
+bool isValid(const FollowerState& state) noexcept {
   const auto isSide = [](std::int8_t side) { return side == 1 || side == -1; };
   return isFlag(state.begun) && isSide(state.branch.shoulder) && isSide(state.branch.elbow) &&
          isSide(state.branch.wrist);
@@ -55,7 +55,7 @@ Followed follow(const Geometry& geometry, const JointLimits& limits, const Follo
     Solution& one = solutions.all[index];
     choose(one, state.q_rad);
     one.q_rad = nearestTurns(one.q_rad, state.q_rad);
-    const double way_rad = wayBetween(one.q_rad, state.q_rad);
+    const double way_rad = distanceBetween(one.q_rad, state.q_rad);
     if (one.branch == state.branch) own = &one, own_rad = way_rad;
     if (way_rad < nearest_rad) nearest = &one, nearest_rad = way_rad;
   }
@@ -87,14 +87,14 @@ Followed followPosition(const Geometry& geometry, const FollowerState& state, co
   double least_rad = kInfinity;
   if (state.begun) {
     result.next.q_rad = solveOn(state.branch);
-    least_rad = wayBetween(result.next.q_rad, state.q_rad) - kSwitch_rad;
+    least_rad = distanceBetween(result.next.q_rad, state.q_rad) - kSwitch_rad;
     if (least_rad <= 0.0) return result;  // nothing is nearer than no motion
   }
   for (const std::int8_t shoulder : {std::int8_t{1}, std::int8_t{-1}}) {
     for (const std::int8_t elbow : {std::int8_t{1}, std::int8_t{-1}}) {
       const Branch branch{shoulder, elbow, state.branch.wrist};
       const JointAngles q_rad = solveOn(branch);
-      const double way_rad = wayBetween(q_rad, state.q_rad);
+      const double way_rad = distanceBetween(q_rad, state.q_rad);
       if (!(way_rad < least_rad)) continue;
       least_rad = way_rad;
       result.next = {q_rad, branch, true};

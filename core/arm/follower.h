@@ -12,7 +12,7 @@ struct FollowerState {
 };
 
 /// For bytes from a file: whether the state can be used.
-bool isSound(const FollowerState& state) noexcept;
+bool isValid(const FollowerState& state) noexcept;
 
 /// What a step of follow() or followPosition() gives.
 struct Followed {

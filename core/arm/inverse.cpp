@@ -10,10 +10,10 @@
 
 namespace underact::arm {
 
-Reach reach(const Geometry& geometry, const Vec3& p_WT) noexcept {
+PositionSolution solvePosition(const Geometry& geometry, const Vec3& p_WT) noexcept {
   const PlanarReach at = planarReach(geometry, p_WT);
   const SinCos thigh = scaledThigh(geometry, at, 1.0);
-  Reach result;
+  PositionSolution result;
   result.q_rad[0] = at.off_axis_m > 0.0 ? atan2Of(at.y_m, at.x_m) : 0.0;  // erratum 3.11
   result.q_rad[1] = atan2Of(thigh.sin, thigh.cos);                        // eq. 3.16
   result.q_rad[2] = atan2Of(at.elbow.sin, at.elbow.cos);                  // erratum 3.12
@@ -21,7 +21,7 @@ Reach reach(const Geometry& geometry, const Vec3& p_WT) noexcept {
   return result;
 }
 
-JointAngles withWrist(JointAngles q_rad, const Mat3& R_WT) noexcept {
+JointAngles solveWrist(JointAngles q_rad, const Mat3& R_WT) noexcept {
   const Mat3 R_BT = workspaceFromBase().transpose() * R_WT;
   const Wrist wrist = wristOf(baseFromForearm(q_rad).transpose() * R_BT);
   q_rad[3] = wrist.q4_rad, q_rad[4] = wrist.q5_rad, q_rad[5] = wrist.q6_rad;

@@ -6,7 +6,7 @@
 
 namespace underact::arm {
 
-JointAngles onTheWay(const JointAngles& from_rad, const JointAngles& to_rad, double share) noexcept {
+JointAngles interpolated(const JointAngles& from_rad, const JointAngles& to_rad, double share) noexcept {
   const double held = std::clamp(share, 0.0, 1.0);
   JointAngles at_rad{};
   for (std::size_t joint = 0; joint < at_rad.size(); ++joint) {

@@ -27,6 +27,7 @@ JointAngles deviceFromDh(const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 /// The joint angles between two configurations, share 0 to 1 (clamped). Each joint moves linearly through the angles in
 /// between, never the other way round past half a turn, which joint limits would not allow. Not finite in, not finite
 /// out. Cost: constant.
-JointAngles onTheWay(const JointAngles& from_rad, const JointAngles& to_rad, double share) noexcept UNDERACT_REAL_TIME;
+JointAngles interpolated(const JointAngles& from_rad, const JointAngles& to_rad,
+                         double share) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::arm

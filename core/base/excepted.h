@@ -21,5 +21,6 @@ template <class Call>
 }  // namespace underact
 
 // For one expression in a function marked UNDERACT_REAL_TIME whose callee clang cannot prove free of heap and locks.
-// why: the reason why it is. tests/house/tick_effects lists all of them; nothing else is excepted from the analysis.
+// why: the reason why it is. tests/architecture/tick_effects lists all of them; nothing else is excepted from the
+// analysis.
 #define UNDERACT_EXCEPTED(why, ...) ::underact::excepted([&]() noexcept -> decltype(auto) { return __VA_ARGS__; })

@@ -9,7 +9,7 @@
 namespace underact {
 
 /// The place of a problem: a file (or its substitute), line and column from 1 (0: none), and the path of a key.
-struct Place {
+struct SourceLocation {
   std::string file = {};
   int line = 0;
   int column = 0;
@@ -19,7 +19,7 @@ struct Place {
 /// What is wrong, in a sentence that its reader can act on, and where.
 struct Problem {
   Sentence sentence;
-  Place place = {};
+  SourceLocation place = {};
 };
 
 /// All problems at once, not only the first.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/around.h"
+#include "core/base/axis_geometry.h"
 #include "core/base/random.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
@@ -20,7 +20,7 @@ Vec3 tipOf(const VirtualManipulator& beam) {
 
 /// The squared lever arm of the tip about its joint, mm^2.
 double squaredLever(const VirtualManipulator& beam) {
-  return across(beam.joints[0].axis.normalized(), tipOf(beam) - beam.joints[0].point_mm).squaredNorm();
+  return perpendicularPart(beam.joints[0].axis.normalized(), tipOf(beam) - beam.joints[0].point_mm).squaredNorm();
 }
 
 bool isBeam(const scene::Constraint& constraint) {

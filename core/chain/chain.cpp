@@ -13,7 +13,7 @@ namespace {
 constexpr double kRotation = 1e-8;
 
 /// Checks a joint, and normalises axis_W where it has a direction.
-void check(Joint& joint, std::size_t number, const Place& place, Problems& problems) {
+void check(Joint& joint, std::size_t number, const SourceLocation& place, Problems& problems) {
   const std::string which = std::to_string(number);
   const double length = joint.axis_W.stableNorm();
   if (length > 0.0 && std::isfinite(length)) {
@@ -38,7 +38,7 @@ bool isRotation(const Mat3& R) {
 
 }  // namespace
 
-Result<Chain> makeChain(std::vector<Joint> joints, const Pose& X_WT_home, const Place& place) {
+Result<Chain> makeChain(std::vector<Joint> joints, const Pose& X_WT_home, const SourceLocation& place) {
   Problems problems;
   if (joints.empty()) problems.push_back({said(TRANSLATE_NOOP("problem", "A chain needs at least one joint.")), place});
   if (joints.size() > kMaxJoints) {

@@ -36,7 +36,7 @@ struct Chain {
 /// axis_W: any length but zero. Problems: no joint or more than kMaxJoints, an axis without a direction, a number that
 /// is not finite (only limits may be infinite), limits without a range, a home pose whose linear part is not a
 /// rotation.
-Result<Chain> makeChain(std::vector<Joint> joints, const Pose& X_WT_home, const Place& place);
+Result<Chain> makeChain(std::vector<Joint> joints, const Pose& X_WT_home, const SourceLocation& place);
 
 /// The chain of a DH table. X_WB: frame 0 in W; X_NT: the tool T in the last frame N. rows: 1 to kMaxJoints of them
 /// (more are left out), of finite lengths and angles.

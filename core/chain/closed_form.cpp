@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "core/chain/turn.h"
+#include "core/chain/rotation.h"
 
 namespace underact::chain {
 namespace {
@@ -101,12 +101,12 @@ void addWrists(const SphericalWristArm& arm, const WristTask& task, const Soluti
     one.wrist = 1 - 2 * i;
     one.exact = one.exact && five.exact;
     one.q[4] = wrappedOnce(five.answer(one.wrist));
-    const Vec3 axis_6_W = turned(arm.axis_W[5], arm.axis_W[4], bend);
+    const Vec3 axis_6_W = rotated(arm.axis_W[5], arm.axis_W[4], bend);
     const bool straight = five.merged && arm.axis_W[3].cross(axis_6_W).squaredNorm() <= kOutside * kOutside;
-    const Turn four = straight ? Turn{} : turnAbout(arm.axis_W[3], axis_6_W, task.axis_6_W);
+    const AxisRotation four = straight ? AxisRotation{} : rotationAbout(arm.axis_W[3], axis_6_W, task.axis_6_W);
     one.q[3] = four.angle_rad;
     const Vec3 across_W =
-        turned(turned(task.across_W, arm.axis_W[3], reversed(four.turn)), arm.axis_W[4], reversed(bend));
+        rotated(rotated(task.across_W, arm.axis_W[3], reversed(four.turn)), arm.axis_W[4], reversed(bend));
     one.q[5] = angleAbout(arm.axis_W[5], arm.across_W, across_W);
   }
 }
@@ -123,10 +123,10 @@ void addElbows(const SphericalWristArm& arm, const Vec3& p_C_W, const WristTask&
     one.elbow = 1 - 2 * i;
     one.exact = one.exact && three.exact;
     one.q[2] = wrappedOnce(three.answer(one.elbow));
-    const Vec3 bent_W = arm.upper_W + turned(arm.fore_W, arm.axis_W[2], i == 0 ? bend_of_first : bend_of_second);
+    const Vec3 bent_W = arm.upper_W + rotated(arm.fore_W, arm.axis_W[2], i == 0 ? bend_of_first : bend_of_second);
     one.q[1] = distance_m > kMerged * arm.reach_m ? angleAbout(axis_2_W, bent_W, p_C_W) : 0.0;
     const SinCos back = reversed(sinCos(one.q[1] + arm.sense * one.q[2]));
-    addWrists(arm, {turned(task.axis_6_W, axis_2_W, back), turned(task.across_W, axis_2_W, back)}, one, found);
+    addWrists(arm, {rotated(task.axis_6_W, axis_2_W, back), rotated(task.across_W, axis_2_W, back)}, one, found);
   }
 }
 
@@ -156,8 +156,8 @@ Solutions solveAll(const SphericalWristArm& arm, const Pose& X_WT) noexcept {
     so_far.exact = one.exact;
     so_far.q[0] = wrappedOnce(one.answer(so_far.shoulder));
     const SinCos back = reversed(sinCos(so_far.q[0]));
-    const WristTask from_link_1{turned(task.axis_6_W, axis_1_W, back), turned(task.across_W, axis_1_W, back)};
-    addElbows(arm, turned(p_J1C_W, axis_1_W, back) - arm.offset_W, from_link_1, so_far, found);
+    const WristTask from_link_1{rotated(task.axis_6_W, axis_1_W, back), rotated(task.across_W, axis_1_W, back)};
+    addElbows(arm, rotated(p_J1C_W, axis_1_W, back) - arm.offset_W, from_link_1, so_far, found);
   }
   sortExactFirst(found);
   return found;

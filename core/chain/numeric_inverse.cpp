@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/around.h"
+#include "core/base/axis_geometry.h"
 #include "core/base/random.h"
 #include "core/base/rotation.h"
 #include "core/base/units.h"

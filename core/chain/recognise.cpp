@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "core/base/around.h"
+#include "core/base/axis_geometry.h"
 #include "core/chain/closed_form.h"
-#include "core/chain/turn.h"
+#include "core/chain/rotation.h"
 
 namespace underact::chain {
 namespace {
@@ -20,7 +20,7 @@ Vec3 nearestOn(const Joint& a, const Joint& b) noexcept {
 }
 
 bool onAxis(const Vec3& p_W, const Joint& joint, double near_m) noexcept {
-  return across(joint.axis_W, p_W - joint.p_WJ).norm() <= near_m;
+  return perpendicularPart(joint.axis_W, p_W - joint.p_WJ).norm() <= near_m;
 }
 
 bool sixTurning(const std::vector<Joint>& joints) noexcept {
@@ -51,9 +51,9 @@ std::optional<SphericalWristArm> recognise(const Chain& chain) noexcept {
   for (std::size_t i = 0; i < 6; ++i) arm.axis_W[i] = joints[i].axis_W;
   const Vec3 &axis_2_W = arm.axis_W[1], &axis_5_W = arm.axis_W[4], &axis_6_W = arm.axis_W[5];
   arm.p_WJ1 = nearestOn(joints[0], joints[1]);
-  arm.offset_W = across(axis_2_W, joints[1].p_WJ - arm.p_WJ1);
-  arm.upper_W = across(axis_2_W, joints[2].p_WJ - joints[1].p_WJ);
-  arm.fore_W = across(axis_2_W, p_WC - joints[2].p_WJ);
+  arm.offset_W = perpendicularPart(axis_2_W, joints[1].p_WJ - arm.p_WJ1);
+  arm.upper_W = perpendicularPart(axis_2_W, joints[2].p_WJ - joints[1].p_WJ);
+  arm.fore_W = perpendicularPart(axis_2_W, p_WC - joints[2].p_WJ);
   arm.upper_m = arm.upper_W.norm();
   arm.fore_m = arm.fore_W.norm();
   if (!(arm.upper_m > near_m && arm.fore_m > near_m)) return std::nullopt;

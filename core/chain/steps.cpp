@@ -7,7 +7,7 @@ namespace underact::chain {
 Pose poseOf(const Step& step) noexcept {
   const auto axis = static_cast<Eigen::Index>(step.kind) % 3;
   Pose X = Pose::Identity();
-  if (!isTurn(step.kind)) {
+  if (!isRotationStep(step.kind)) {
     X.translation()[axis] = step.amount;
     return X;
   }

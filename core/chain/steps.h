@@ -11,7 +11,7 @@ namespace underact::chain {
 enum class StepKind : std::uint8_t { TurnX, TurnY, TurnZ, ShiftX, ShiftY, ShiftZ };
 inline constexpr std::size_t kStepKinds = 6;
 /// Whether the amount of such a step is an angle.
-inline bool isTurn(StepKind kind) {
+inline bool isRotationStep(StepKind kind) {
   return kind <= StepKind::TurnZ;
 }
 

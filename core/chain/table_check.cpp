@@ -31,7 +31,7 @@ bool movesTip(std::span<const DhRow> rows) {
 
 }  // namespace
 
-Problems impossibleIn(std::span<const DhRow> rows) {
+Problems tableErrors(std::span<const DhRow> rows) {
   Problems problems;
   if (rows.empty())
     problems.push_back(
@@ -67,7 +67,7 @@ Problems impossibleIn(std::span<const DhRow> rows) {
   return problems;
 }
 
-Problems oddIn(std::span<const DhRow> rows) {
+Problems tableWarnings(std::span<const DhRow> rows) {
   Problems problems;
   const auto say = [&](std::size_t index, const char* key, const Sentence& sentence) {
     problems.push_back({sentence, {{}, static_cast<int>(index) + 1, 0, key}});

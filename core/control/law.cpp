@@ -6,7 +6,7 @@ namespace underact::control {
 namespace {
 
 void integrate(const PID& law, LawState& state, const Vec3& e_W, const Vec3& others_T_W,
-               const Moment& moment) noexcept UNDERACT_REAL_TIME {
+               const LawInput& moment) noexcept UNDERACT_REAL_TIME {
   if (moment.idle) {
     state.integral_T_W.setZero();
     return;
@@ -36,15 +36,15 @@ Vec3 force(const P& law, const Vec3& e_W) noexcept {
   return law.kp_N_per_m.cwiseProduct(e_W);
 }
 
-Vec3 force(const Law& law, LawState& state, const Vec3& e_W, const Moment& moment) noexcept {
+Vec3 force(const Law& law, LawState& state, const Vec3& e_W, const LawInput& moment) noexcept {
   if (const P* p = std::get_if<P>(&law)) return force(*p, e_W);
   if (const PD* pd = std::get_if<PD>(&law)) {
-    followRate(pd->velocity, state.velocity, e_W, moment.dt_s);
+    updateRate(pd->velocity, state.velocity, e_W, moment.dt_s);
     state.integral_T_W.setZero();  // left by an earlier PID: must not return with the next one
     return springAndDamper(pd->kp_N_per_m, pd->kd_N_s_per_m, state.velocity, e_W);
   }
   if (const PID* pid = std::get_if<PID>(&law)) {
-    followRate(pid->velocity, state.velocity, e_W, moment.dt_s);
+    updateRate(pid->velocity, state.velocity, e_W, moment.dt_s);
     const Vec3 others_T_W = springAndDamper(pid->kp_N_per_m, pid->kd_N_s_per_m, state.velocity, e_W);
     integrate(*pid, state, e_W, others_T_W, moment);
     return others_T_W + state.integral_T_W;
@@ -54,15 +54,15 @@ Vec3 force(const Law& law, LawState& state, const Vec3& e_W, const Moment& momen
 
 void rest(LawState& state, bool lost) noexcept {
   if (lost) {
-    forget(state.velocity);
+    reset(state.velocity);
     return;
   }
-  standAtZero(state.velocity);
+  resetToZero(state.velocity);
   state.integral_T_W.setZero();
 }
 
-void forget(LawState& state) noexcept {
-  forget(state.velocity);
+void reset(LawState& state) noexcept {
+  reset(state.velocity);
   state.integral_T_W.setZero();
 }
 

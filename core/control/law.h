@@ -41,7 +41,7 @@ struct LawState {
 };
 
 /// The input of a law besides the error.
-struct Moment {
+struct LawInput {
   double dt_s = 0.0;     // since the last tick; 0: the first
   bool limited = false;  // the gate cut or ramped the last force: do not wind up
   bool idle = false;     // no force is sent at all
@@ -51,19 +51,19 @@ struct Moment {
 /// that the integral has moved (P: 1 ulp, PD: 8). Finite in, finite out (up to overflow, which the gate refuses). state
 /// is not touched by P. Cost: constant.
 Vec3 force(const P& law, const Vec3& e_W) noexcept UNDERACT_REAL_TIME;
-Vec3 force(const Law& law, LawState& state, const Vec3& e_W, const Moment& moment) noexcept UNDERACT_REAL_TIME;
+Vec3 force(const Law& law, LawState& state, const Vec3& e_W, const LawInput& moment) noexcept UNDERACT_REAL_TIME;
 
 /// To be called instead of force() when there is no error. lost: its rate is unknown, too (a degenerate target);
 /// otherwise the error is zero (an untouched wall), from which a contact starts.
 void rest(LawState& state, bool lost) noexcept UNDERACT_REAL_TIME;
 
 /// Resets the state to that before a first tick.
-void forget(LawState& state) noexcept UNDERACT_REAL_TIME;
+void reset(LawState& state) noexcept UNDERACT_REAL_TIME;
 
 /// For bytes from a file: whether the state can be used. Its forces may be not finite, as requested forces may: the
 /// gate refuses those.
-inline bool isSound(const LawState& state) noexcept {
-  return isSound(state.velocity);
+inline bool isValid(const LawState& state) noexcept {
+  return isValid(state.velocity);
 }
 
 /// Whether the law has a derivative part, which needs the rate of the error.

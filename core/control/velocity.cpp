@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/sound.h"
+#include "core/base/valid_bytes.h"
 
 namespace underact::control {
 namespace {
@@ -113,7 +113,7 @@ void takeOver(VelocityState& state, double dt_s) noexcept UNDERACT_REAL_TIME {
 
 }  // namespace
 
-void followRate(const Velocity& velocity, VelocityState& state, const Vec3& e_W, double dt_s) noexcept {
+void updateRate(const Velocity& velocity, VelocityState& state, const Vec3& e_W, double dt_s) noexcept {
   const auto filter_now = static_cast<std::uint8_t>(velocity.index());
   if (filter_now != state.filter) takeOver(state, dt_s);
   state.filter = filter_now;
@@ -125,7 +125,7 @@ void followRate(const Velocity& velocity, VelocityState& state, const Vec3& e_W,
   state.has_last = true;
 }
 
-void standAtZero(VelocityState& state) noexcept {
+void resetToZero(VelocityState& state) noexcept {
   state.e_last_W.setZero();
   state.rate_W.setZero();
   state.has_last = true;
@@ -134,7 +134,7 @@ void standAtZero(VelocityState& state) noexcept {
   push(state.window, Vec3::Zero(), 0.0);
 }
 
-void forget(VelocityState& state) noexcept {
+void reset(VelocityState& state) noexcept {
   state.e_last_W.setZero();
   state.rate_W.setZero();
   state.has_last = false;
@@ -144,7 +144,7 @@ void forget(VelocityState& state) noexcept {
   state.window.count = 0;
 }
 
-bool isSound(const VelocityState& state) noexcept {
+bool isValid(const VelocityState& state) noexcept {
   const Window& window = state.window;
   return isFlag(state.has_last) && state.filter < std::variant_size_v<Velocity> && window.newest >= 0 &&
          window.newest <= kLongestWindow && window.count >= 0 && window.count <= kLongestWindow + 1;

@@ -68,16 +68,16 @@ struct VelocityState {
 /// Where has_last is false the rate stays, too, and the past is shifted to the present signal. Finite in, finite out,
 /// up to overflow. Exact to some ulp of the largest sample over the time it looks back (the guide, extremes.md). Cost:
 /// constant; for AdaptiveWindow linear in its window.
-void followRate(const Velocity& velocity, VelocityState& state, const Vec3& e_W,
+void updateRate(const Velocity& velocity, VelocityState& state, const Vec3& e_W,
                 double dt_s) noexcept UNDERACT_REAL_TIME;
 
 /// Sets the signal to rest at zero, as at an untouched wall, from which a motion may start.
-void standAtZero(VelocityState& state) noexcept UNDERACT_REAL_TIME;
+void resetToZero(VelocityState& state) noexcept UNDERACT_REAL_TIME;
 
 /// Resets the state to that before a first tick.
-void forget(VelocityState& state) noexcept UNDERACT_REAL_TIME;
+void reset(VelocityState& state) noexcept UNDERACT_REAL_TIME;
 
 /// For bytes from a file: whether its counts and indexes keep a filter within its memory.
-bool isSound(const VelocityState& state) noexcept;
+bool isValid(const VelocityState& state) noexcept;
 
 }  // namespace underact::control

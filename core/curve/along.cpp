@@ -92,13 +92,13 @@ Vec3 pointAt(const Curve& curve, double s_m) noexcept {
   return pointOn(curve, piece, placeAt(cubicOf(curve, piece), length_m, whole_m));
 }
 
-double wayAlong(const Curve& curve, double from_s_m, double to_s_m) noexcept {
+double arcLengthBetween(const Curve& curve, double from_s_m, double to_s_m) noexcept {
   const double way_m = to_s_m - from_s_m, whole_m = lengthOf(curve);
   if (!curve.is_closed || std::abs(way_m) <= 0.5 * whole_m) return way_m;
   return way_m - whole_m * std::floor(way_m / whole_m + 0.5);
 }
 
-double onCurve(const Curve& curve, double s_m) noexcept {
+double wrappedArcLength(const Curve& curve, double s_m) noexcept {
   const double whole_m = lengthOf(curve);
   if (!curve.is_closed) return std::clamp(s_m, 0.0, whole_m);
   const double round_m = s_m >= 0.0 && s_m < whole_m ? s_m : s_m - whole_m * std::floor(s_m / whole_m);

@@ -32,9 +32,9 @@ inline constexpr int kMostPlacings = 64;
 
 /// The signed distance from one arc length to another, m: of a closed curve the shorter one, in [-half, half] of its
 /// length.
-double wayAlong(const Curve& curve, double from_s_m, double to_s_m) noexcept UNDERACT_REAL_TIME;
+double arcLengthBetween(const Curve& curve, double from_s_m, double to_s_m) noexcept UNDERACT_REAL_TIME;
 
 /// An arc length brought into the curve's range: clamped to its ends, or wrapped round a closed one.
-double onCurve(const Curve& curve, double s_m) noexcept UNDERACT_REAL_TIME;
+double wrappedArcLength(const Curve& curve, double s_m) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::curve

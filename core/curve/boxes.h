@@ -31,7 +31,7 @@ struct Boxes {
 Boxes makeBoxes(const std::vector<Vec3>& controls_W, int stride);
 
 /// The squared distances of q_O from the four boxes of a node; each within a relative 1e-15.
-inline std::array<double, 4> squaresFrom(const Node& node, const Vec3& q_O) noexcept UNDERACT_REAL_TIME {
+inline std::array<double, 4> squaredDistances(const Node& node, const Vec3& q_O) noexcept UNDERACT_REAL_TIME {
   std::array<double, 4> squares{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double q = q_O[static_cast<Eigen::Index>(axis)];

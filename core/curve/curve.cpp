@@ -14,7 +14,7 @@
 namespace underact::curve {
 namespace {
 
-Problems problemsOf(const std::vector<Vec3>& points_W, const Place& place) {
+Problems problemsOf(const std::vector<Vec3>& points_W, const SourceLocation& place) {
   Problems problems;
   if (points_W.size() > kMostPoints)
     problems.push_back({said(TRANSLATE_NOOP("problem", "A curve has at most 1000000 points.")), place});
@@ -55,7 +55,8 @@ void addUp(Curve& curve) {
 
 }  // namespace
 
-Result<std::shared_ptr<const Curve>> makeCurve(std::vector<Vec3> points_W, Kind kind, bool closed, const Place& place) {
+Result<std::shared_ptr<const Curve>> makeCurve(std::vector<Vec3> points_W, Kind kind, bool closed,
+                                               const SourceLocation& place) {
   const Problems problems = problemsOf(points_W, place);
   if (!problems.empty()) return problems;
   auto curve = std::make_shared<Curve>();

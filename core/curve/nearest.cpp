@@ -29,7 +29,7 @@ void pushChildren(const Boxes& boxes, const Waiting& node, const Vec3& q_O, doub
                   std::array<Waiting, kMostWaiting>& stack, std::size_t& count) noexcept UNDERACT_REAL_TIME {
   const auto level = static_cast<std::size_t>(node.level);
   const Node& boxed = boxes.nodes[static_cast<std::size_t>(boxes.begins[level] + node.index)];
-  const std::array<double, 4> squares = squaresFrom(boxed, q_O);
+  const std::array<double, 4> squares = squaredDistances(boxed, q_O);
   const std::size_t bottom = count;
   const std::int32_t children = std::min(4, boxes.counts[level + 1] - 4 * node.index);
   for (std::int32_t i = 0; i < children; ++i) {

@@ -136,16 +136,16 @@ class Reader {
 
 }  // namespace
 
-Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& file, const Watch& watch) {
+Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& file, const TaskMonitor& monitor) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark, which some editors write
   Reader reader(file);
   int until_look = 0;
   for (std::size_t at = 0; at < text.size();) {
     if (--until_look < 0) {
-      if (watch.isCancelled())
+      if (monitor.isCancelled())
         return Problems{{said(TRANSLATE_NOOP("problem", "Reading was cancelled.")), {file, 0, 0, ""}}};
-      watch.tell(TRANSLATE_NOOP("step of work", "reading points"),
-                 static_cast<double>(at) / static_cast<double>(text.size()));
+      monitor.report(TRANSLATE_NOOP("step of work", "reading points"),
+                     static_cast<double>(at) / static_cast<double>(text.size()));
       until_look = kLinesBetweenLooks;
     }
     const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
@@ -155,10 +155,10 @@ Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& 
   return std::move(reader).finished();
 }
 
-Result<std::vector<Vec3>> readPoints(const std::string& path, const Watch& watch) {
+Result<std::vector<Vec3>> readPoints(const std::string& path, const TaskMonitor& monitor) {
   const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "a curve")), kLargestFile);
   if (!text) return text.problems();
-  return parsePoints(text.value(), path, watch);
+  return parsePoints(text.value(), path, monitor);
 }
 
 }  // namespace underact::curve

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/base/task_monitor.h"
 #include "core/base/types.h"
-#include "core/base/watch.h"
 
 namespace underact::curve {
 
@@ -19,9 +19,9 @@ inline constexpr std::size_t kMostProblems = 10;
 /// comment; a first line without any number is taken for column names. Lines may end with LF, CR LF or CR. A point
 /// equal to the one before it is left out. file: for the places of the problems. Problems, each with its line: not
 /// three finite numbers, more than kMostPoints; no point at all; cancelled. Any bytes are allowed.
-Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& file, const Watch& watch = {});
+Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& file, const TaskMonitor& monitor = {});
 
 /// parsePoints() of a file of at most 256 MiB.
-Result<std::vector<Vec3>> readPoints(const std::string& path, const Watch& watch = {});
+Result<std::vector<Vec3>> readPoints(const std::string& path, const TaskMonitor& monitor = {});
 
 }  // namespace underact::curve

@@ -23,7 +23,7 @@ Ending Child::end(Ending ending) {
   if (ending != Ending::Exited || !process_.waitForEnd(kPatience_ms)) process_.kill();
   process_.waitForEnd(-1);
   if (ending != Ending::Exited) return ending;
-  return process_.end().by_signal ? Ending::Crashed : code() == kNotSealed ? Ending::NotSealed : Ending::Exited;
+  return process_.end().by_signal ? Ending::Crashed : code() == kNotSealed ? Ending::NotSandboxed : Ending::Exited;
 }
 
 std::string secondsText(double s) {
@@ -32,18 +32,18 @@ std::string secondsText(double s) {
                   : std::to_string(static_cast<int>(s)) + " s";
 }
 
-Sentence whyWaited(double most_time_s) {
+Sentence timeoutText(double most_time_s) {
   return said(TRANSLATE_NOOP("problem",
                              "Reading the file took longer than %1, although there was little to compute: the disk or "
                              "the network may be slow. Copy the file to this computer, and open the copy."),
               {secondsText(most_time_s)});
 }
 
-Sentence whyNoHelper(Ending ending, const std::string& program, int error) {
+Sentence helperFailureText(Ending ending, const std::string& program, int error) {
   if (ending == Ending::NotStarted)
     return said(TRANSLATE_NOOP("problem", "%1 cannot be started: %2."),
                 {program, std::generic_category().message(error)});
-  if (ending == Ending::NotSealed)
+  if (ending == Ending::NotSandboxed)
     return said(
         TRANSLATE_NOOP(
             "problem",

@@ -7,8 +7,8 @@
 
 namespace underact::helper {
 
-// Files from elsewhere are read in a separate process that is sealed off from everything else (core/system/seal.h), so
-// that whatever a file does to its reader stays in there. This is the side of the program that starts it.
+// Files from elsewhere are read in a separate process that is sealed off from everything else (core/system/sandbox.h),
+// so that whatever a file does to its reader stays in there. This is the side of the program that starts it.
 
 /// The exit status of a helper that could not seal itself off; it has not looked at the file then.
 inline constexpr int kNotSealed = 77;
@@ -31,7 +31,7 @@ enum class Ending : std::uint8_t {
   WroteTooMuch,
   Cancelled,
   NotStarted,
-  NotSealed
+  NotSandboxed
 };
 
 /// A process that does not outlive its object.
@@ -45,8 +45,8 @@ class Child {
   int error() const { return process_.error(); }  // errno, where it could not be started
   /// The processor time that it has used so far, s.
   double cpuSoFar_s() const { return process_.cpuSoFar_s(); }
-  /// Waits for its end; for any ending other than Exited, it is killed first. Exited becomes Crashed or NotSealed where
-  /// that was so.
+  /// Waits for its end; for any ending other than Exited, it is killed first. Exited becomes Crashed or NotSandboxed
+  /// where that was so.
   Ending end(Ending ending);
   // After end().
   int code() const { return process_.end().code; }  // exit status, or the signal that ended it
@@ -60,9 +60,9 @@ class Child {
 std::string secondsText(double s);
 
 /// The sentence for Ending::Waited. most_time_s: the time limit.
-Sentence whyWaited(double most_time_s);
+Sentence timeoutText(double most_time_s);
 
 /// The sentence for an ending that is not the fault of the file; empty: it is. program: its name; error: errno.
-Sentence whyNoHelper(Ending ending, const std::string& program, int error);
+Sentence helperFailureText(Ending ending, const std::string& program, int error);
 
 }  // namespace underact::helper

@@ -12,13 +12,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kLook_ms = 10;  // between checks of cancellation and time limits
+constexpr int kPoll_ms = 10;  // between checks of cancellation and time limits
 
 /// Reads the output of the program, until it ends or has to end.
 class Listening {
  public:
-  Listening(const Errand& errand, const Watch& watch, Answer& answer)
-      : errand_(errand), watch_(watch), answer_(answer), block_(system::kAtOnce) {}
+  Listening(const HelperCall& errand, const TaskMonitor& monitor, Answer& answer)
+      : errand_(errand), watch_(monitor), answer_(answer), block_(system::kAtOnce) {}
 
   Ending until(int fd, const Child& child) {
     const Clock::time_point start = Clock::now();
@@ -27,7 +27,7 @@ class Listening {
       const double time_s = std::chrono::duration<double>(Clock::now() - start).count();
       if (child.cpuSoFar_s() > errand_.most_cpu_s) return Ending::TookTooLong;
       if (time_s > errand_.most_time_s) return Ending::Waited;
-      if (!system::waitToRead(fd, kLook_ms)) continue;
+      if (!system::waitToRead(fd, kPoll_ms)) continue;
       const std::ptrdiff_t count = system::readSome(fd, block_);
       if (count == 0) return Ending::Exited;
       if (count < 0) return Ending::Crashed;
@@ -46,15 +46,15 @@ class Listening {
     }
     answer_.output.insert(answer_.output.end(), bytes.begin(), bytes.end());
   }
-  const Errand& errand_;
-  const Watch& watch_;
+  const HelperCall& errand_;
+  const TaskMonitor& watch_;
   Answer& answer_;
   std::vector<std::byte> block_;
 };
 
 }  // namespace
 
-Answer run(const Errand& errand, const Watch& watch) {
+Answer run(const HelperCall& errand, const TaskMonitor& monitor) {
   Answer answer;
   system::Pipe pipe = system::makePipe(4 * system::kAtOnce);
   Child child;
@@ -68,7 +68,7 @@ Answer run(const Errand& errand, const Watch& watch) {
     return answer;
   }
   pipe.writes.close();
-  const Ending ending = Listening(errand, watch, answer).until(pipe.reads.number(), child);
+  const Ending ending = Listening(errand, monitor, answer).until(pipe.reads.number(), child);
   pipe.reads.close();
   answer.ending = child.end(ending);
   answer.code = child.code();

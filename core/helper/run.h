@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/watch.h"
+#include "core/base/task_monitor.h"
 #include "core/helper/child.h"
 
 namespace underact::helper {
@@ -13,7 +13,7 @@ namespace underact::helper {
 inline constexpr unsigned char kMostProgress = 100;
 
 /// A program that is started for one answer.
-struct Errand {
+struct HelperCall {
   std::string program;
   std::string argument;
   int input_fd = -1;  // becomes its standard input
@@ -32,6 +32,6 @@ struct Answer {
 
 /// Runs a helper to its end: it does not outlive the call, and a cancelled one ends within 50 ms. It inherits no
 /// descriptor but its input. NotStarted on systems without POSIX processes.
-Answer run(const Errand& errand, const Watch& watch);
+Answer run(const HelperCall& errand, const TaskMonitor& monitor);
 
 }  // namespace underact::helper

@@ -19,7 +19,7 @@ constexpr double kStarts[] = {1.0, 0.8, 1.2};
 constexpr double kWorst = 0.1;      // the largest residual, relative to the motion's root mean square
 constexpr double kSettled = 1e-10;  // relative decrease of the sum of squares at convergence
 constexpr double kNothing = 1e-12;  // added to a matrix that may be singular: a velocity that friction stops at once
-constexpr double kLook_s = 0.01;    // from which the first velocity is guessed
+constexpr double kPoll_s = 0.01;    // from which the first velocity is guessed
 
 using Shared = Eigen::Vector4d;  // mass, friction, damping, bias
 using Own = Eigen::Vector2d;     // place and velocity at a window's beginning
@@ -97,7 +97,7 @@ Normal normalOf(const Shared& shared, const Window& window, const Own& own) {
 }
 
 Own guessOf(const Window& window) {
-  const auto look = std::min(window.way_m.size() - 1, static_cast<std::size_t>(std::lround(kLook_s / window.period_s)));
+  const auto look = std::min(window.way_m.size() - 1, static_cast<std::size_t>(std::lround(kPoll_s / window.period_s)));
   const double way_m = window.way_m[look] - window.way_m[0];
   return {window.way_m[0], way_m / (window.period_s * static_cast<double>(look))};
 }

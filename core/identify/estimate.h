@@ -10,7 +10,7 @@ struct Estimate {
   double value = 0.0;
   double uncertainty = 0.0;
   /// Whether it is above zero by more than kTold standard deviations.
-  bool isTold() const { return value > kTold * uncertainty; }
+  bool isSignificant() const { return value > kTold * uncertainty; }
   /// The upper bound, kTold standard deviations above the value; a value below 0 counts as 0.
   double limit() const { return (value > 0.0 ? value : 0.0) + kTold * uncertainty; }
 };

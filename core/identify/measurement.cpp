@@ -41,7 +41,7 @@ void Measurement::add(const servo::TickRecord& record) {
 Problems Measurement::advance() {
   if (state_ != State::Runs || stage_s_ < stage().seconds) return {};
   before_s_ += stage().seconds;
-  const HandDoes hand = stage().hand;
+  const HandTask hand = stage().hand;
   if (++stage_ == plan_.stages.size()) {
     state_ = State::Done;
     return {};
@@ -66,16 +66,16 @@ Problems Measurement::repeat() {
   return begin();
 }
 
-Sentence promptOf(HandDoes hand) {
+Sentence promptOf(HandTask hand) {
   switch (hand) {
-    case HandDoes::Presses:
+    case HandTask::Presses:
       return said(TRANSLATE_NOOP("problem",
                                  "Hold the stylus. Press it down slowly by 3 mm and let it come back just as slowly, "
                                  "four times, two seconds each."));
-    case HandDoes::Turns:
+    case HandTask::Turns:
       return said(TRANSLATE_NOOP("problem",
                                  "Slowly turn the stylus about its own axis in your fingers, and tilt it both ways."));
-    case HandDoes::LetsGo:
+    case HandTask::LetsGo:
       break;
   }
   return said(TRANSLATE_NOOP(
@@ -85,7 +85,7 @@ Sentence promptOf(HandDoes hand) {
 Sentence titleOf(const Stage& stage) {
   switch (stage.kind) {
     case StageKind::Settle:
-      return said(stage.hand == HandDoes::LetsGo ? TRANSLATE_NOOP("problem", "The tip moves to its position")
+      return said(stage.hand == HandTask::LetsGo ? TRANSLATE_NOOP("problem", "The tip moves to its position")
                                                  : TRANSLATE_NOOP("problem", "The hand grips the stylus"));
     case StageKind::Swing:
       return said(TRANSLATE_NOOP("problem", "Swings along %1"), {std::string(1, "xyz"[stage.axis])});

@@ -65,7 +65,7 @@ class Measurement {
 };
 
 /// What the hand has to do now, a sentence or two.
-Sentence promptOf(HandDoes hand);
+Sentence promptOf(HandTask hand);
 /// What is measured in a stage: "Swings along x".
 Sentence titleOf(const Stage& stage);
 

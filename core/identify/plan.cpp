@@ -41,26 +41,26 @@ class Maker {
     const Vec3 kp = kAcross_N_per_mm * Vec3::Ones() + (kSwing_N_per_mm - kAcross_N_per_mm) * along_W;
     const Vec3 kd = kCalm_N_s_per_mm * (Vec3::Ones() - along_W);
     const Vec3 calm = Vec3::Constant(kCalm_N_s_per_mm);
-    add({StageKind::Settle, HandDoes::LetsGo, axis, place, axis == 0 ? kArrive_s : kSettle_s,
+    add({StageKind::Settle, HandTask::LetsGo, axis, place, axis == 0 ? kArrive_s : kSettle_s,
          held(wanted_, p_W, kp, calm), true});
     for (int repeat = 0; repeat < wanted_.repeats; ++repeat) {
       for (const double swing_mm : kSwings_mm)
-        add({StageKind::Swing, HandDoes::LetsGo, axis, place, kSwing_s,
+        add({StageKind::Swing, HandTask::LetsGo, axis, place, kSwing_s,
              held(wanted_, p_W + kMetrePerMillimetre * swing_mm * along_W, kp, kd)});
     }
   }
   void addRest(std::size_t place) {
     const Vec3 kp = Vec3::Constant(kSwing_N_per_mm), calm = Vec3::Constant(kCalm_N_s_per_mm);
-    add({StageKind::Settle, HandDoes::LetsGo, 0, place, kSettle_s, held(wanted_, wanted_.places_W[place], kp, calm),
+    add({StageKind::Settle, HandTask::LetsGo, 0, place, kSettle_s, held(wanted_, wanted_.places_W[place], kp, calm),
          true});
-    add({StageKind::Rest, HandDoes::LetsGo, 0, place, kRest_s, plan_.stages.back().scene});
+    add({StageKind::Rest, HandTask::LetsGo, 0, place, kRest_s, plan_.stages.back().scene});
   }
   void addHandWork() {
     scene::Description scene = held(wanted_, wanted_.places_W[0], Vec3::Constant(kPress_N_per_mm), Vec3::Zero());
     scene.control.law = scene::LawType::P;
-    add({StageKind::Settle, HandDoes::Presses, 0, 0, kGrip_s, scene, true});
-    add({StageKind::Press, HandDoes::Presses, 0, 0, kPress_s, scene});
-    add({StageKind::Turn, HandDoes::Turns, 0, 0, kTurn_s, scene, true});
+    add({StageKind::Settle, HandTask::Presses, 0, 0, kGrip_s, scene, true});
+    add({StageKind::Press, HandTask::Presses, 0, 0, kPress_s, scene});
+    add({StageKind::Turn, HandTask::Turns, 0, 0, kTurn_s, scene, true});
   }
   Plan take() { return std::move(plan_); }
 
@@ -71,7 +71,7 @@ class Maker {
 };
 
 bool isReached(const arm::Preset& arm, const Vec3& p_WT) {
-  const arm::Reach reach = arm::reach(arm.geometry, p_WT);
+  const arm::PositionSolution reach = arm::solvePosition(arm.geometry, p_WT);
   const arm::JointAngles held_rad = arm::withinLimits(arm.limits, reach.q_rad);
   return reach.reachable && std::equal(held_rad.begin(), held_rad.begin() + 3, reach.q_rad.begin());
 }

@@ -9,7 +9,7 @@
 namespace underact::identify {
 
 /// What the hand does during a stage.
-enum class HandDoes : std::uint8_t { LetsGo, Presses, Turns };
+enum class HandTask : std::uint8_t { LetsGo, Presses, Turns };
 
 /// What a stage measures. Settle: nothing is recorded.
 enum class StageKind : std::uint8_t { Settle, Swing, Rest, Press, Turn };
@@ -17,7 +17,7 @@ enum class StageKind : std::uint8_t { Settle, Swing, Rest, Press, Turn };
 /// One scene for some time.
 struct Stage {
   StageKind kind = StageKind::Settle;
-  HandDoes hand = HandDoes::LetsGo;
+  HandTask hand = HandTask::LetsGo;
   int axis = 0;           // x, y, z of a swing
   std::size_t place = 0;  // index into Plan::places_W
   double seconds = 0.0;

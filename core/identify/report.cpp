@@ -104,7 +104,7 @@ Sentence valueText(const ReportRow& row) {
   if (!std::isfinite(estimate.value)) return said(TRANSLATE_NOOP("problem", "none"));
   if (estimate.uncertainty == 0.0) return shownNumber(fixed(estimate.value, std::min(row.most_digits, 2)));
   const int digits = std::min(digitsOf(estimate.uncertainty), row.most_digits);
-  if (estimate.isTold()) return shownNumber(fixed(estimate.value, digits));
+  if (estimate.isSignificant()) return shownNumber(fixed(estimate.value, digits));
   const double unit = std::pow(10.0, -digits);
   return said(TRANSLATE_NOOP("problem", "below %1"),
               {shownNumber(fixed(std::ceil(estimate.limit() / unit) * unit, digits))});
@@ -119,7 +119,7 @@ Sentence uncertaintyText(const ReportRow& row) {
 }
 
 Sentence differenceText(const ReportRow& row) {
-  if (!row.given || *row.given == 0.0 || !row.estimate.isTold()) return "";
+  if (!row.given || *row.given == 0.0 || !row.estimate.isSignificant()) return "";
   char text[32];
   std::snprintf(text, sizeof text, "%+.2f %%", 100.0 * (row.estimate.value / *row.given - 1.0));
   return shownNumber(text);
@@ -132,7 +132,7 @@ std::string methodSentence() {
 
 sim::ArmModelFile modelFileOf(const Identified& found, const std::string& name, const std::string& title,
                               sim::Provenance provenance) {
-  const auto told = [](const Estimate& estimate) { return estimate.isTold() ? estimate.value : 0.0; };
+  const auto told = [](const Estimate& estimate) { return estimate.isSignificant() ? estimate.value : 0.0; };
   sim::ArmModelFile file;
   file.arm.name = name;
   file.arm.title = title;

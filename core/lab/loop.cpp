@@ -14,8 +14,8 @@ constexpr double kNotReached_m = 1e-6;
 }  // namespace
 
 Loop::Loop(const sim::Plant& plant, const Vec3& p_WT, int rate_hz)
-    : plant_(plant), arm_(sim::restAt(plant, p_WT)), period_ns_(1'000'000'000 / rate_hz) {
-  wish_.p_WT = arm_.p_WT;
+    : plant_(plant), arm_(sim::restingState(plant, p_WT)), period_ns_(1'000'000'000 / rate_hz) {
+  setpoint_.p_WT = arm_.p_WT;
   input_.engage = true;
   input_.restart = true;
 }
@@ -26,7 +26,7 @@ const tick::TickReport& Loop::tick(const tick::TickProgram& program, tick::TickS
 }
 
 void Loop::move() {
-  arm_ = advance(plant_, arm_, report_.force.f_T_W(), wish_, period_ns_);
+  arm_ = advance(plant_, arm_, report_.force.f_T_W(), setpoint_, period_ns_);
   input_.sample.time_ns += period_ns_;
   input_.sample.q_rad = shownAngles(plant_, arm_);
 }
@@ -54,13 +54,13 @@ tick::TickReport firstTick(const tick::TickProgram& program, const sim::Plant& p
   tick::TickReport report;
   tick::TickInput input;
   input.engage = input.restart = true;
-  input.sample.q_rad = sim::restAt(plant, p_WT).q_rad;
+  input.sample.q_rad = sim::restingState(plant, p_WT).q_rad;
   step(program, input, state, report);
   return report;
 }
 
 bool isWithinReach(const sim::Plant& plant, const Vec3& p_WT) {
-  return (sim::restAt(plant, p_WT).p_WT - p_WT).norm() <= kNotReached_m;
+  return (sim::restingState(plant, p_WT).p_WT - p_WT).norm() <= kNotReached_m;
 }
 
 Result<Vec3> restingPlace(const tick::TickProgram& program, const sim::Plant& plant, Vec3 p_WT) {

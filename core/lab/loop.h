@@ -18,7 +18,7 @@ class Loop {
   void move();
   const tick::TickReport& think(const tick::TickProgram& program, tick::TickState& state);
   /// Where the hand wants the tip at the end of the next period.
-  void wish(const sim::HandWish& wish) { wish_ = wish; }
+  void setSetpoint(const sim::HandSetpoint& setpoint) { setpoint_ = setpoint; }
   /// Sets the velocity of the tip.
   void nudge(const Vec3& v_WT) { arm_.v_WT = v_WT; }
 
@@ -30,7 +30,7 @@ class Loop {
  private:
   sim::Plant plant_;
   sim::PlantState arm_;
-  sim::HandWish wish_;
+  sim::HandSetpoint setpoint_;
   std::int64_t period_ns_;
   tick::TickInput input_;
   tick::TickReport report_;

@@ -28,7 +28,7 @@ class Distance {
  public:
   using Parameters = Eigen::Vector2d;  // logarithms of omega_n and zeta
 
-  Distance(const Curve& curve, std::size_t stride) {
+  Distance(const SampledResponse& curve, std::size_t stride) {
     for (std::size_t index = 0; index < curve.value.size(); index += stride) {
       time_s_.push_back(curve.period_s * static_cast<double>(index));
       value_.push_back(curve.value[index] - curve.value.front());
@@ -108,7 +108,7 @@ double secondOrderAt(double omega_n_rad_per_s, double zeta, double t_s) noexcept
   return 1.0 - (fast * std::exp(-slow * x) - slow * std::exp(-fast * x)) / (fast - slow);
 }
 
-std::optional<SecondOrderFit> fitSecondOrder(const Curve& curve) {
+std::optional<SecondOrderFit> fitSecondOrder(const SampledResponse& curve) {
   const std::vector<double>& value = curve.value;
   if (value.size() < kFewestToFit) return {};
   const auto [least, most] = std::minmax_element(value.begin(), value.end());

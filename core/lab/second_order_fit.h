@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "core/lab/curve.h"
+#include "core/lab/sampled_response.h"
 
 namespace underact::lab {
 
@@ -20,6 +20,6 @@ struct SecondOrderFit {
 /// Least squares over all samples, starting from the best of a grid of frequencies and dampings. None: fewer than ten
 /// samples, or the curve does not leave its first value. Frequencies from a quarter period in the whole curve to half a
 /// period in a sample, dampings from 1e-4 to 50.
-std::optional<SecondOrderFit> fitSecondOrder(const Curve& curve);
+std::optional<SecondOrderFit> fitSecondOrder(const SampledResponse& curve);
 
 }  // namespace underact::lab

@@ -215,7 +215,7 @@ StepMetrics metricsOf(const TransferFunction& transfer) {
   return metrics;
 }
 
-double secondsToSee(const TransferFunction& transfer) {
+double plotDuration_s(const TransferFunction& transfer) {
   const StepMetrics metrics = metricsOf(transfer);
   if (metrics.settling_2pct_s.value_or(0.0) > 0.0) return 1.5 * *metrics.settling_2pct_s;
   double slowest = kInfinity, growth = 0.0;

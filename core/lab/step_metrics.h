@@ -28,6 +28,6 @@ StepMetrics metricsOf(const TransferFunction& transfer);
 
 /// How long a plot of the response should be, s, above 0: one and a half times the settling time, six periods of an
 /// oscillation, or what it takes to see drift or growth.
-double secondsToSee(const TransferFunction& transfer);
+double plotDuration_s(const TransferFunction& transfer);
 
 }  // namespace underact::lab

@@ -8,16 +8,16 @@
 namespace underact::lesson {
 namespace {
 
-bool isBetween(double number, const Wanted& wanted) {
+bool isBetween(double number, const Criterion& wanted) {
   return number >= wanted.above && number <= wanted.below;  // not for NaN
 }
 
 /// The number that decides whether the condition holds: the measure, or its distance from where it should be.
-double decidingNumber(const Wanted& wanted, const Values& values) {
+double decidingNumber(const Criterion& wanted, const Values& values) {
   return wanted.near.empty() ? numberOf(wanted.measure, values) : distanceTo(wanted.measure, values, wanted.near);
 }
 
-bool isThere(const Wanted& wanted, double deciding) {
+bool isThere(const Criterion& wanted, double deciding) {
   return wanted.near.empty() ? isBetween(deciding, wanted) : deciding <= wanted.within;
 }
 
@@ -30,7 +30,7 @@ const Measure* measureOf(const Task& task) {
   return number != nullptr && number->measure.quantity != nullptr ? &number->measure : nullptr;
 }
 
-void forget(CheckState& state) {
+void reset(CheckState& state) {
   state.held_s = 0.0;
   state.spanning = false;
   state.side = 0;
@@ -38,10 +38,10 @@ void forget(CheckState& state) {
 }
 
 /// Finds the first condition of Check::meanwhile that does not hold: see CheckState::missed.
-void lookAside(const Check& check, CheckState& state, const Seen& seen) {
+void lookAside(const Check& check, CheckState& state, const Observation& seen) {
   state.missed = 0;
   for (std::size_t index = 0; index < check.meanwhile.size() && state.missed == 0; ++index) {
-    const Wanted& wanted = check.meanwhile[index];
+    const Criterion& wanted = check.meanwhile[index];
     const double number = decidingNumber(wanted, wanted.measure.quantity->of(seen));
     if (isThere(wanted, number)) continue;
     state.missed = index + 1;
@@ -49,7 +49,7 @@ void lookAside(const Check& check, CheckState& state, const Seen& seen) {
   }
 }
 
-bool goOn(const Hold& hold, CheckState& state, double gone_s) {
+bool advance(const Hold& hold, CheckState& state, double gone_s) {
   if (!isThere(hold.wanted, decidingNumber(hold.wanted, state.now))) {
     state.held_s = 0.0;
     return false;
@@ -59,7 +59,7 @@ bool goOn(const Hold& hold, CheckState& state, double gone_s) {
   return state.held_s >= hold.for_s;
 }
 
-bool goOn(const Visit& visit, CheckState& state, double) {
+bool advance(const Visit& visit, CheckState& state, double) {
   state.visited.resize(visit.places.size(), false);
   for (std::size_t place = 0; place < visit.places.size(); ++place) {
     if (distanceTo(visit.measure, state.now, visit.places[place]) <= visit.within) state.visited[place] = true;
@@ -67,7 +67,7 @@ bool goOn(const Visit& visit, CheckState& state, double) {
   return std::find(state.visited.begin(), state.visited.end(), false) == state.visited.end();
 }
 
-bool goOn(const Span& span, CheckState& state, double) {
+bool advance(const Span& span, CheckState& state, double) {
   const double number = numberOf(span.measure, state.now);
   if (std::isnan(number)) return false;
   state.least = state.spanning ? std::min(state.least, number) : number;
@@ -76,7 +76,7 @@ bool goOn(const Span& span, CheckState& state, double) {
   return state.most - state.least >= span.by;
 }
 
-bool goOn(const Cross& cross, CheckState& state, double) {
+bool advance(const Cross& cross, CheckState& state, double) {
   const double beyond = numberOf(cross.measure, state.now) - cross.value;
   while (!state.crossed_ns.empty() &&
          kSecondPerNanosecond * static_cast<double>(state.last_ns - state.crossed_ns.front()) > cross.in_s) {
@@ -89,11 +89,11 @@ bool goOn(const Cross& cross, CheckState& state, double) {
   return state.crossed_ns.size() >= static_cast<std::size_t>(cross.times);
 }
 
-bool goOn(const AskNumber&, CheckState&, double) {
+bool advance(const AskNumber&, CheckState&, double) {
   return false;
 }
 
-bool goOn(const AskChoice&, CheckState&, double) {
+bool advance(const AskChoice&, CheckState&, double) {
   return false;
 }
 
@@ -110,9 +110,9 @@ double numberOf(const Measure& measure, const Values& values) {
 double distanceTo(const Measure& measure, const Values& values, const std::vector<double>& place) {
   if (measure.part > 0 || measure.quantity->parts == 1) {
     const double way = numberOf(measure, values) - place.at(0);
-    return std::abs(measure.quantity->apart == Apart::Largest ? std::remainder(way, 360.0) : way);
+    return std::abs(measure.quantity->apart == DistanceMetric::Largest ? std::remainder(way, 360.0) : way);
   }
-  if (measure.quantity->apart == Apart::Turn) {
+  if (measure.quantity->apart == DistanceMetric::Angle) {
     const Vec3 is(values[0], values[1], values[2]), wanted(place.at(0), place.at(1), place.at(2));
     return std::atan2(is.cross(wanted).norm(), is.dot(wanted)) / kRadPerDegree;
   }
@@ -124,13 +124,13 @@ double distanceTo(const Measure& measure, const Values& values, const std::vecto
     if (std::isnan(way)) return kNotANumber;
     largest = std::max(largest, std::abs(std::remainder(way, 360.0)));
   }
-  return measure.quantity->apart == Apart::Way ? std::sqrt(sum) : largest;
+  return measure.quantity->apart == DistanceMetric::Euclidean ? std::sqrt(sum) : largest;
 }
 
-CheckState afterTick(const Check& check, CheckState state, const Seen& seen) {
+CheckState afterTick(const Check& check, CheckState state, const Observation& seen) {
   if (state.solved) return state;
   const double gone_s = kSecondPerNanosecond * static_cast<double>(seen.tick.time_ns - state.last_ns);
-  if (!(gone_s >= 0.0 && gone_s <= kLongestGap_s)) forget(state);
+  if (!(gone_s >= 0.0 && gone_s <= kLongestGap_s)) reset(state);
   state.last_ns = seen.tick.time_ns;
   if (const Measure* const measure = measureOf(check.task)) {
     state.now = measure->quantity->of(seen);
@@ -138,10 +138,10 @@ CheckState afterTick(const Check& check, CheckState state, const Seen& seen) {
   }
   lookAside(check, state, seen);
   if (state.missed > 0) {
-    forget(state);
+    reset(state);
     return state;
   }
-  state.solved = std::visit([&state, gone_s](const auto& task) { return goOn(task, state, gone_s); }, check.task);
+  state.solved = std::visit([&state, gone_s](const auto& task) { return advance(task, state, gone_s); }, check.task);
   return state;
 }
 

@@ -28,7 +28,7 @@ struct CheckState {
 
 /// The state after a tick. A solved check stays as it is. seen.tick.time_ns must not decrease; where it jumps by more
 /// than kLongestGap_s (a pause, another session), durations begin again.
-CheckState afterTick(const Check& check, CheckState state, const Seen& seen);
+CheckState afterTick(const Check& check, CheckState state, const Observation& seen);
 
 /// The state after an answer to the check's question: a number, or the number of a choice from 1. Where the answer is
 /// measured, the last tick counts; before the first tick no answer is right.

@@ -19,7 +19,7 @@ struct Measure {
 };
 
 /// A condition on a measure: between two numbers, or near a point.
-struct Wanted {
+struct Criterion {
   Measure measure;
   double above = -kInfinity;
   double below = kInfinity;
@@ -29,7 +29,7 @@ struct Wanted {
 
 /// The condition holds for a time without a break.
 struct Hold {
-  Wanted wanted;
+  Criterion wanted;
   double for_s = 0.0;
 };
 
@@ -77,9 +77,9 @@ using Task = std::variant<Hold, Visit, Span, Cross, AskNumber, AskChoice>;
 /// A task, which counts as solved for good once it was, and conditions that have to hold until then.
 struct Check {
   Task task;
-  std::vector<Wanted> meanwhile;
+  std::vector<Criterion> meanwhile;
   std::string say;  // the teacher's own words while it is not solved; empty: none
-  Place place;
+  SourceLocation place;
 };
 
 /// A page of a lesson: what it says, what it shows and what it checks.
@@ -92,7 +92,7 @@ struct Step {
   std::vector<std::string> layers;  // that are shown besides
   std::vector<std::string> panels;  // that are brought forward
   std::vector<Check> checks;        // none: it is read only
-  Place place;
+  SourceLocation place;
 };
 
 /// A lesson file as it was read; see the guide, "Writing lessons".

@@ -42,21 +42,21 @@ Values inDegrees(const arm::JointAngles& angles_rad) {
   return values;
 }
 
-arm::Solutions solutionsOf(const Seen& seen) {
+arm::Solutions solutionsOf(const Observation& seen) {
   const arm::Geometry& geometry = seen.arm.geometry;
   return arm::solveAll(geometry, seen.arm.limits, arm::tipPose(geometry, seen.tick.q_rad));
 }
 
-arm::Dexterity dexterityOf(const Seen& seen) {
+arm::Dexterity dexterityOf(const Observation& seen) {
   return arm::dexterity(seen.arm.geometry, seen.tick.q_rad);
 }
 
-arm::SingularityDistances distancesOf(const Seen& seen) {
+arm::SingularityDistances distancesOf(const Observation& seen) {
   return arm::singularityDistances(seen.arm.geometry, seen.tick.q_rad);
 }
 
 /// From the target to the tip; NaN if no target is active.
-Vec3 offset_m(const Seen& seen) {
+Vec3 offset_m(const Observation& seen) {
   return seen.tick.p_WT - seen.tick.p_WP;
 }
 
@@ -69,7 +69,7 @@ double turnBetween(const arm::JointAngles& a_rad, const arm::JointAngles& b_rad)
   return largest_rad;
 }
 
-const scene::Control& control(const Seen& seen) {
+const scene::Control& control(const Observation& seen) {
   return scene::controlOf(seen.scene, 0);
 }
 
@@ -80,13 +80,13 @@ const scene::VirtualManipulator* robotOf(const scene::Description& scene) {
   return nullptr;
 }
 
-Values tipInBase_mm(const Seen& seen) {
+Values tipInBase_mm(const Observation& seen) {
   const Vec3 p_BT_W = seen.tick.p_WT - seen.arm.geometry.p_WB;
   return three(kMillimetrePerMetre * (arm::workspaceFromBase().transpose() * p_BT_W));
 }
 
 // In the order in which the solutions are numbered everywhere: shoulder, elbow, wrist, + before -.
-Values branch(const Seen& seen) {
+Values branch(const Observation& seen) {
   const arm::Solutions all = solutionsOf(seen);
   const arm::Solution* const nearest =
       std::min_element(all.begin(), all.end(), [&seen](const arm::Solution& a, const arm::Solution& b) {
@@ -97,13 +97,13 @@ Values branch(const Seen& seen) {
   return one(1.0 + (is.shoulder < 0 ? 4.0 : 0.0) + (is.elbow < 0 ? 2.0 : 0.0) + (is.wrist < 0 ? 1.0 : 0.0));
 }
 
-Values solutionsWithin(const Seen& seen) {
+Values solutionsWithin(const Observation& seen) {
   const arm::Solutions all = solutionsOf(seen);
   return one(static_cast<double>(
       std::count_if(all.begin(), all.end(), [](const arm::Solution& one) { return one.within_limits; })));
 }
 
-Values limit_deg(const Seen& seen) {
+Values limit_deg(const Observation& seen) {
   double least_rad = kInfinity;
   for (std::size_t joint = 0; joint < 3; ++joint) {
     const double q_rad = seen.tick.q_rad[joint];
@@ -112,36 +112,36 @@ Values limit_deg(const Seen& seen) {
   return one(std::max(least_rad, 0.0) / kRadPerDegree);
 }
 
-Values stiffness_N_per_mm(const Seen& seen) {
+Values stiffness_N_per_mm(const Observation& seen) {
   if (seen.tick.error_m < kLeastError_m) return unknown();
   return one(seen.tick.f_asked_T_W.norm() / (kMillimetrePerMetre * seen.tick.error_m));
 }
 
-Values lean_deg(const Seen& seen) {
+Values lean_deg(const Observation& seen) {
   const Vec3 way_m = -offset_m(seen);
   const Vec3& f_N = seen.tick.f_asked_T_W;
   if (!(way_m.norm() >= kLeastError_m && f_N.norm() >= kNoForce_N)) return unknown();
   return one(std::atan2(way_m.cross(f_N).norm(), way_m.dot(f_N)) / kRadPerDegree);
 }
 
-Values kd_N_s_per_mm(const Seen& seen) {
+Values kd_N_s_per_mm(const Observation& seen) {
   if (control(seen).law == scene::LawType::P) return three(Vec3::Zero());
   return three(control(seen).gains.kd_N_s_per_mm);
 }
 
-Values influence_t(const Seen& seen) {
+Values influence_t(const Observation& seen) {
   for (const scene::Constraint& constraint : seen.scene.constraints) {
     if (constraint.influence) return one(constraint.influence->t);
   }
   return one(1.0);  // switched off: position only
 }
 
-Values influence_deg(const Seen& seen) {
+Values influence_deg(const Observation& seen) {
   const target::Angles& angles = seen.tick.angles;
   return three(Vec3(angles.alpha_rad, angles.beta_rad, angles.theta_rad) / kRadPerDegree);
 }
 
-Values robotJoints(const Seen& seen) {
+Values robotJoints(const Observation& seen) {
   const scene::VirtualManipulator* const robot = robotOf(seen.scene);
   Values values = unknown();
   if (robot == nullptr || robot->joints.size() != seen.robot.joints) return values;  // just edited
@@ -155,106 +155,106 @@ Values robotJoints(const Seen& seen) {
 }  // namespace
 
 std::span<const Quantity> quantities() {
-  using enum Apart;
+  using enum DistanceMetric;
   using enum Needs;
   static constexpr Quantity kAll[] = {
-      {"tip_mm", TRANSLATE_NOOP("problem", "The tip"), "mm", 1, 3, Way, Nothing,
+      {"tip_mm", TRANSLATE_NOOP("problem", "The tip"), "mm", 1, 3, Euclidean, Nothing,
        "Position of the tip in the workspace frame W.",
-       [](const Seen& seen) { return three(kMillimetrePerMetre * seen.tick.p_WT); }},
-      {"tip_in_base_mm", TRANSLATE_NOOP("problem", "The tip in B"), "mm", 1, 3, Way, Nothing,
+       [](const Observation& seen) { return three(kMillimetrePerMetre * seen.tick.p_WT); }},
+      {"tip_in_base_mm", TRANSLATE_NOOP("problem", "The tip in B"), "mm", 1, 3, Euclidean, Nothing,
        "Position of the tip in B, frame 0 of the DH table.", tipInBase_mm},
-      {"velocity_mm_per_s", TRANSLATE_NOOP("problem", "The velocity"), "mm/s", 1, 3, Way, Nothing,
+      {"velocity_mm_per_s", TRANSLATE_NOOP("problem", "The velocity"), "mm/s", 1, 3, Euclidean, Nothing,
        "Velocity of the tip in W, filtered.",
-       [](const Seen& seen) { return three(kMillimetrePerMetre * seen.tick.v_WT); }},
-      {"speed_mm_per_s", TRANSLATE_NOOP("problem", "The speed"), "mm/s", 1, 1, Way, Nothing,
-       "Magnitude of the velocity.", [](const Seen& seen) { return one(kMillimetrePerMetre * seen.tick.v_WT.norm()); }},
-      {"stylus", TRANSLATE_NOOP("problem", "The direction of the stylus"), "", 2, 3, Turn, Nothing,
+       [](const Observation& seen) { return three(kMillimetrePerMetre * seen.tick.v_WT); }},
+      {"speed_mm_per_s", TRANSLATE_NOOP("problem", "The speed"), "mm/s", 1, 1, Euclidean, Nothing,
+       "Magnitude of the velocity.", [](const Observation& seen) { return one(kMillimetrePerMetre * seen.tick.v_WT.norm()); }},
+      {"stylus", TRANSLATE_NOOP("problem", "The direction of the stylus"), "", 2, 3, Angle, Nothing,
        "Direction of the stylus: z of frame 6 in W. The distance between two directions is an angle.",
-       [](const Seen& seen) { return three(arm::tipPose(seen.arm.geometry, seen.tick.q_rad).linear().col(2)); }},
+       [](const Observation& seen) { return three(arm::tipPose(seen.arm.geometry, seen.tick.q_rad).linear().col(2)); }},
       {"q_deg", TRANSLATE_NOOP("problem", "The joint angle"), "°", 1, 6, Largest, Nothing,
-       "Joint angles of the DH table.", [](const Seen& seen) { return inDegrees(seen.tick.q_rad); }},
+       "Joint angles of the DH table.", [](const Observation& seen) { return inDegrees(seen.tick.q_rad); }},
       {"device_deg", TRANSLATE_NOOP("problem", "The device's angle"), "°", 1, 6, Largest, Nothing,
        "The device's own angles: turret, thigh, shin (from the base), gimbal 1 to 3.",
-       [](const Seen& seen) { return inDegrees(arm::deviceFromDh(seen.tick.q_rad)); }},
-      {"branch", TRANSLATE_NOOP("problem", "The solution"), "", 0, 1, Way, Nothing,
+       [](const Observation& seen) { return inDegrees(arm::deviceFromDh(seen.tick.q_rad)); }},
+      {"branch", TRANSLATE_NOOP("problem", "The solution"), "", 0, 1, Euclidean, Nothing,
        "Number of the arm's current inverse solution, as in the panel Kinematics.", branch},
-      {"solutions", TRANSLATE_NOOP("problem", "The number of inverse solutions"), "", 0, 1, Way, Nothing,
+      {"solutions", TRANSLATE_NOOP("problem", "The number of inverse solutions"), "", 0, 1, Euclidean, Nothing,
        "Number of inverse solutions of the pose.",
-       [](const Seen& seen) { return one(static_cast<double>(solutionsOf(seen).count)); }},
-      {"solutions_within", TRANSLATE_NOOP("problem", "The number of solutions within the limits"), "", 0, 1, Way,
+       [](const Observation& seen) { return one(static_cast<double>(solutionsOf(seen).count)); }},
+      {"solutions_within", TRANSLATE_NOOP("problem", "The number of solutions within the limits"), "", 0, 1, Euclidean,
        Nothing, "Number of them with every joint within its limits.", solutionsWithin},
-      {"det_Jp_cm3", TRANSLATE_NOOP("problem", "The determinant of J_p"), "cm³", 1, 1, Way, Nothing,
+      {"det_Jp_cm3", TRANSLATE_NOOP("problem", "The determinant of J_p"), "cm³", 1, 1, Euclidean, Nothing,
        "Determinant of the 3x3 Jacobian J_p.",
-       [](const Seen& seen) { return one(kCubicCentimetres * dexterityOf(seen).det_m3); }},
-      {"manipulability_cm3", TRANSLATE_NOOP("problem", "The manipulability"), "cm³", 1, 1, Way, Nothing,
+       [](const Observation& seen) { return one(kCubicCentimetres * dexterityOf(seen).det_m3); }},
+      {"manipulability_cm3", TRANSLATE_NOOP("problem", "The manipulability"), "cm³", 1, 1, Euclidean, Nothing,
        "Its absolute value (Yoshikawa).",
-       [](const Seen& seen) { return one(kCubicCentimetres * dexterityOf(seen).manipulability_m3); }},
-      {"gains_mm", TRANSLATE_NOOP("problem", "The singular value of J_p"), "mm", 1, 3, Way, Nothing,
+       [](const Observation& seen) { return one(kCubicCentimetres * dexterityOf(seen).manipulability_m3); }},
+      {"gains_mm", TRANSLATE_NOOP("problem", "The singular value of J_p"), "mm", 1, 3, Euclidean, Nothing,
        "Singular values of J_p: motion of the tip per radian, largest first.",
-       [](const Seen& seen) { return three(kMillimetrePerMetre * dexterityOf(seen).gain_m); }},
-      {"shoulder_mm", TRANSLATE_NOOP("problem", "The distance from axis 1"), "mm", 1, 1, Way, Nothing,
+       [](const Observation& seen) { return three(kMillimetrePerMetre * dexterityOf(seen).gain_m); }},
+      {"shoulder_mm", TRANSLATE_NOOP("problem", "The distance from axis 1"), "mm", 1, 1, Euclidean, Nothing,
        "Distance of the wrist centre from axis 1; 0 is the shoulder singularity.",
-       [](const Seen& seen) { return one(kMillimetrePerMetre * distancesOf(seen).shoulder_m); }},
+       [](const Observation& seen) { return one(kMillimetrePerMetre * distancesOf(seen).shoulder_m); }},
       {"elbow_deg", TRANSLATE_NOOP("problem", "The distance from a stretched or folded elbow"), "°", 1, 1, Largest,
        Nothing, "Distance of q3 from 90 or -90 degrees; 0 is the elbow singularity.",
-       [](const Seen& seen) { return one(distancesOf(seen).elbow_rad / kRadPerDegree); }},
+       [](const Observation& seen) { return one(distancesOf(seen).elbow_rad / kRadPerDegree); }},
       {"wrist_deg", TRANSLATE_NOOP("problem", "The distance from aligned axes 4 and 6"), "°", 1, 1, Largest, Nothing,
        "Distance of q5 from 0 or 180 degrees; 0 is the wrist singularity.",
-       [](const Seen& seen) { return one(distancesOf(seen).wrist_rad / kRadPerDegree); }},
+       [](const Observation& seen) { return one(distancesOf(seen).wrist_rad / kRadPerDegree); }},
       {"limit_deg", TRANSLATE_NOOP("problem", "The distance to the nearest joint limit"), "°", 1, 1, Largest, Nothing,
        "Distance to the nearest joint limit of joints 1 to 3.", limit_deg},
-      {"force_N", TRANSLATE_NOOP("problem", "The force"), "N", 2, 1, Way, Nothing,
-       "Magnitude of the force that is sent.", [](const Seen& seen) { return one(seen.tick.f_sent_T_W.norm()); }},
-      {"force_vector_N", TRANSLATE_NOOP("problem", "The force"), "N", 2, 3, Way, Nothing,
-       "The force that is sent, in W.", [](const Seen& seen) { return three(seen.tick.f_sent_T_W); }},
-      {"asked_N", TRANSLATE_NOOP("problem", "The commanded force"), "N", 2, 1, Way, Nothing,
+      {"force_N", TRANSLATE_NOOP("problem", "The force"), "N", 2, 1, Euclidean, Nothing,
+       "Magnitude of the force that is sent.", [](const Observation& seen) { return one(seen.tick.f_sent_T_W.norm()); }},
+      {"force_vector_N", TRANSLATE_NOOP("problem", "The force"), "N", 2, 3, Euclidean, Nothing,
+       "The force that is sent, in W.", [](const Observation& seen) { return three(seen.tick.f_sent_T_W); }},
+      {"asked_N", TRANSLATE_NOOP("problem", "The commanded force"), "N", 2, 1, Euclidean, Nothing,
        "Magnitude of the commanded force, before the limits.",
-       [](const Seen& seen) { return one(seen.tick.f_asked_T_W.norm()); }},
-      {"torque_N_mm", TRANSLATE_NOOP("problem", "The joint torque"), "N mm", 1, 3, Way, Nothing,
+       [](const Observation& seen) { return one(seen.tick.f_asked_T_W.norm()); }},
+      {"torque_N_mm", TRANSLATE_NOOP("problem", "The joint torque"), "N mm", 1, 3, Euclidean, Nothing,
        "Torques of joints 1 to 3 for the force that is sent: J_p transposed times f.",
-       [](const Seen& seen) {
+       [](const Observation& seen) {
          return three(kMillimetrePerMetre * arm::torqueOf(seen.arm.geometry, seen.tick.q_rad, seen.tick.f_sent_T_W));
        }},
-      {"error_mm", TRANSLATE_NOOP("problem", "The error"), "mm", 1, 1, Way, Nothing,
+      {"error_mm", TRANSLATE_NOOP("problem", "The error"), "mm", 1, 1, Euclidean, Nothing,
        "Distance from the tip to the target, over all active constraints.",
-       [](const Seen& seen) { return one(kMillimetrePerMetre * seen.tick.error_m); }},
-      {"offset_mm", TRANSLATE_NOOP("problem", "The displacement from target to tip"), "mm", 1, 3, Way, Nothing,
+       [](const Observation& seen) { return one(kMillimetrePerMetre * seen.tick.error_m); }},
+      {"offset_mm", TRANSLATE_NOOP("problem", "The displacement from target to tip"), "mm", 1, 3, Euclidean, Nothing,
        "From the target to the tip, for the first active constraint, in W.",
-       [](const Seen& seen) { return three(kMillimetrePerMetre * offset_m(seen)); }},
-      {"stiffness_N_per_mm", TRANSLATE_NOOP("problem", "The stiffness felt"), "N/mm", 2, 1, Way, Nothing,
+       [](const Observation& seen) { return three(kMillimetrePerMetre * offset_m(seen)); }},
+      {"stiffness_N_per_mm", TRANSLATE_NOOP("problem", "The stiffness felt"), "N/mm", 2, 1, Euclidean, Nothing,
        "Commanded force divided by the error, for errors of 0.2 mm or more.", stiffness_N_per_mm},
       {"lean_deg", TRANSLATE_NOOP("problem", "The angle between the force and the direction to the target"), "°", 1, 1,
        Largest, Nothing, "Angle between the force and the direction to the target; 0: straight to it.", lean_deg},
-      {"cut_N", TRANSLATE_NOOP("problem", "The force that the limits take off"), "N", 2, 1, Way, Nothing,
+      {"cut_N", TRANSLATE_NOOP("problem", "The force that the limits take off"), "N", 2, 1, Euclidean, Nothing,
        "The part of the commanded force that the limits take off.",
-       [](const Seen& seen) { return one(seen.tick.cut_N); }},
-      {"energy_mJ", TRANSLATE_NOOP("problem", "The energy"), "mJ", 2, 1, Way, Energy,
+       [](const Observation& seen) { return one(seen.tick.cut_N); }},
+      {"energy_mJ", TRANSLATE_NOOP("problem", "The energy"), "mJ", 2, 1, Euclidean, Energy,
        "Energy that the stylus has put in and not got back; below 0 the scene is active.",
-       [](const Seen& seen) { return one(kMillijoules * seen.tick.energy_J); }},
-      {"passive_N", TRANSLATE_NOOP("problem", "The damping force of the passivity controller"), "N", 2, 1, Way, Energy,
-       "Damping force of the passivity controllers.", [](const Seen& seen) { return one(seen.tick.passive_N); }},
-      {"kp_N_per_mm", TRANSLATE_NOOP("problem", "The stiffness kp"), "N/mm", 2, 3, Way, Nothing,
+       [](const Observation& seen) { return one(kMillijoules * seen.tick.energy_J); }},
+      {"passive_N", TRANSLATE_NOOP("problem", "The damping force of the passivity controller"), "N", 2, 1, Euclidean, Energy,
+       "Damping force of the passivity controllers.", [](const Observation& seen) { return one(seen.tick.passive_N); }},
+      {"kp_N_per_mm", TRANSLATE_NOOP("problem", "The stiffness kp"), "N/mm", 2, 3, Euclidean, Nothing,
        "Stiffness of the first constraint, along x, y, z.",
-       [](const Seen& seen) { return three(control(seen).gains.kp_N_per_mm); }},
-      {"kd_N_s_per_mm", TRANSLATE_NOOP("problem", "The damping kd"), "N s/mm", 4, 3, Way, Nothing,
+       [](const Observation& seen) { return three(control(seen).gains.kp_N_per_mm); }},
+      {"kd_N_s_per_mm", TRANSLATE_NOOP("problem", "The damping kd"), "N s/mm", 4, 3, Euclidean, Nothing,
        "Damping of the first constraint; 0 if the control law has none.", kd_N_s_per_mm},
-      {"influence_t", TRANSLATE_NOOP("problem", "The influence factor t"), "", 2, 1, Way, Influence,
+      {"influence_t", TRANSLATE_NOOP("problem", "The influence factor t"), "", 2, 1, Euclidean, Influence,
        "Influence factor; 0: orientation only, 1: position only.", influence_t},
       {"influence_deg", TRANSLATE_NOOP("problem", "The angle about the shape's axis"), "°", 1, 3, Largest, Influence,
        "Angles of the stylus (alpha), the tip (beta) and the target (theta).", influence_deg},
       {"robot", TRANSLATE_NOOP("problem", "The virtual robot's joint"), "°", 1, 8, Largest, Robot,
        "Joints of the first virtual robot; prismatic joints in mm.", robotJoints},
-      {"robot_energy_mJ", TRANSLATE_NOOP("problem", "The robot's energy"), "mJ", 2, 1, Way, Robot,
+      {"robot_energy_mJ", TRANSLATE_NOOP("problem", "The robot's energy"), "mJ", 2, 1, Euclidean, Robot,
        "Energy of the robot's springs.",
-       [](const Seen& seen) { return seen.robot.joints == 0 ? unknown() : one(kMillijoules * seen.robot.energy_J); }},
-      {"moment_N_mm", TRANSLATE_NOOP("problem", "The moment that is not sent"), "N mm", 1, 1, Way, Robot,
+       [](const Observation& seen) { return seen.robot.joints == 0 ? unknown() : one(kMillijoules * seen.robot.energy_J); }},
+      {"moment_N_mm", TRANSLATE_NOOP("problem", "The moment that is not sent"), "N mm", 1, 1, Euclidean, Robot,
        "Magnitude of the moment, which is not sent.",
-       [](const Seen& seen) {
+       [](const Observation& seen) {
          return seen.robot.joints == 0 ? unknown() : one(kMillimetrePerMetre * seen.robot.moment_W.norm());
        }},
-      {"button", TRANSLATE_NOOP("problem", "The stylus button"), "", 0, 1, Way, Nothing,
+      {"button", TRANSLATE_NOOP("problem", "The stylus button"), "", 0, 1, Euclidean, Nothing,
        "1 while the stylus button is held.",
-       [](const Seen& seen) { return one((seen.tick.buttons & 1U) != 0 ? 1.0 : 0.0); }},
+       [](const Observation& seen) { return one((seen.tick.buttons & 1U) != 0 ? 1.0 : 0.0); }},
   };
   return kAll;
 }

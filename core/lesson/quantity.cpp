@@ -24,10 +24,10 @@ const Quantity* findQuantity(std::string_view key) {
 }
 
 const char* unitOfDistance(const Quantity& quantity) {
-  return quantity.apart == Apart::Turn ? "°" : quantity.unit;
+  return quantity.apart == DistanceMetric::Angle ? "°" : quantity.unit;
 }
 
-Sentence whyMissing(const Quantity& quantity, const scene::Description& scene) {
+Sentence missingReason(const Quantity& quantity, const scene::Description& scene) {
   const auto has = [&scene](bool (*is)(const scene::Constraint&)) {
     return std::any_of(scene.constraints.begin(), scene.constraints.end(), is);
   };

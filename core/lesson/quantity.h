@@ -19,7 +19,7 @@ inline constexpr std::size_t kMostParts = 8;
 using Values = std::array<double, kMostParts>;
 
 /// What quantities are computed from in a tick.
-struct Seen {
+struct Observation {
   const servo::TickRecord& tick;
   const scene::Description& scene;  // in effect
   const arm::Preset& arm;           // that it names
@@ -28,7 +28,7 @@ struct Seen {
 
 /// The distance of two values. Way: Euclidean. Largest: the largest difference, of angles in degrees. Turn: the angle
 /// between two directions, degrees.
-enum class Apart : std::uint8_t { Way, Largest, Turn };
+enum class DistanceMetric : std::uint8_t { Euclidean, Largest, Angle };
 
 /// What the scene needs for the quantity to be defined.
 enum class Needs : std::uint8_t { Nothing, Influence, Robot, Energy };
@@ -40,10 +40,10 @@ struct Quantity {
   const char* unit;  // "N"; empty: it has none
   int decimals;      // that are significant
   std::size_t parts;
-  Apart apart;
+  DistanceMetric apart;
   Needs needs;
   const char* what;  // one sentence
-  Values (*of)(const Seen& seen);
+  Values (*of)(const Observation& seen);
 };
 
 /// All there are, in the order of the guide.
@@ -56,6 +56,6 @@ const Quantity* findQuantity(std::string_view key);
 const char* unitOfDistance(const Quantity& quantity);
 
 /// Why the scene cannot have it, in a sentence; empty: it can.
-Sentence whyMissing(const Quantity& quantity, const scene::Description& scene);
+Sentence missingReason(const Quantity& quantity, const scene::Description& scene);
 
 }  // namespace underact::lesson

@@ -134,7 +134,7 @@ Result<Lesson> readLessonFile(const std::string& path) {
   return readLesson(text.value(), path);
 }
 
-bool looksLikeLesson(std::string_view text) {
+bool isLessonText(std::string_view text) {
   return text.find("\"underact_lesson\"") != std::string_view::npos;
 }
 

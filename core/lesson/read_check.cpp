@@ -78,7 +78,7 @@ std::vector<double> readPlace(const Value& value, const std::string& path, const
                       {expected, std::to_string(value.items.size())}));
   std::vector<double> place;
   for (const Value& item : value.items) {
-    const bool is_whichever = item.kind == json::Kind::Null && measure.quantity->apart != Apart::Turn;
+    const bool is_whichever = item.kind == json::Kind::Null && measure.quantity->apart != DistanceMetric::Angle;
     if (!is_whichever)
       isKind(item, json::Kind::Number, path, said(TRANSLATE_NOOP("problem", "a number, or null for any value")),
              findings);
@@ -91,8 +91,8 @@ std::vector<double> readPlace(const Value& value, const std::string& path, const
 }
 
 /// above, below, near and within.
-Wanted readWanted(ObjectReader& object, const Value& whole) {
-  Wanted wanted;
+Criterion readWanted(ObjectReader& object, const Value& whole) {
+  Criterion wanted;
   wanted.measure = readMeasure(object, true);
   const std::optional<double> above = readAmount(object, "above", false), below = readAmount(object, "below", false);
   const Value* const near = object.find("near");
@@ -113,8 +113,8 @@ Wanted readWanted(ObjectReader& object, const Value& whole) {
   return wanted;
 }
 
-std::vector<Wanted> readMeanwhile(ObjectReader& object) {
-  std::vector<Wanted> all;
+std::vector<Criterion> readMeanwhile(ObjectReader& object) {
+  std::vector<Criterion> all;
   const Value* const list = object.find("while");
   const std::string path = object.pathOf("while");
   if (list == nullptr || !isKind(*list, json::Kind::Array, path,

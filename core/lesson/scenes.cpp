@@ -22,16 +22,16 @@ std::set<const Quantity*> quantitiesOf(const Check& check) {
         }
       },
       check.task);
-  for (const Wanted& wanted : check.meanwhile) all.insert(wanted.measure.quantity);
+  for (const Criterion& wanted : check.meanwhile) all.insert(wanted.measure.quantity);
   all.erase(nullptr);  // a question whose answer is given
   return all;
 }
 
 /// The problems of a scene, each as a problem of the lesson.
-Problems toldAt(const Place& place, const std::string& scene_key, const Problems& problems) {
+Problems toldAt(const SourceLocation& place, const std::string& scene_key, const Problems& problems) {
   Problems told;
   for (const Problem& problem : problems) {
-    Place at = place;
+    SourceLocation at = place;
     at.key += "." + scene_key;
     told.push_back({said(TRANSLATE_NOOP("problem", "The scene has an error: %1"), {describe(problem)}), at});
   }
@@ -54,7 +54,7 @@ Problems checkScenes(const Lesson& lesson, const std::string& scene_folder) {
     }
     for (const Check& check : step.checks) {
       for (const Quantity* const quantity : quantitiesOf(check)) {
-        if (const Sentence why = whyMissing(*quantity, scene.value()); !why.empty())
+        if (const Sentence why = missingReason(*quantity, scene.value()); !why.empty())
           problems.push_back({why, check.place});
       }
     }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/around.h"
+#include "core/base/axis_geometry.h"
 #include "core/base/norms.h"
 
 namespace underact::manipulator {
@@ -164,7 +164,7 @@ Descent descend(const Manipulator& m, const Pose& X_WT, int max_steps, Energy& a
   }
 }
 
-Values allowed(const Manipulator& m, Values theta) noexcept {
+Values clampedToLimits(const Manipulator& m, Values theta) noexcept {
   for (std::size_t i = 0; i < std::min(m.chain.joints.size(), kMaxJoints); ++i) {
     const chain::Joint& joint = m.chain.joints[i];
     const bool free = joint.min == -kInfinity && joint.max == kInfinity && m.spring[i] == 0.0;

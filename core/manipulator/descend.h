@@ -20,7 +20,7 @@ Descent descend(const Manipulator& manipulator, const Pose& X_WT, int max_steps,
                 Energy& at) noexcept UNDERACT_REAL_TIME;
 
 /// theta within the limits of the joints; a joint without limits that turns, in [-pi, pi].
-Values allowed(const Manipulator& manipulator, Values theta) noexcept UNDERACT_REAL_TIME;
+Values clampedToLimits(const Manipulator& manipulator, Values theta) noexcept UNDERACT_REAL_TIME;
 
 /// A joint's value at a share, 0 to 1, of its range: from limit to limit; where one is missing, a whole turn or twice
 /// slide_m, about home if the other limit allows it.

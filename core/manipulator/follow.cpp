@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/base/sound.h"
 #include "core/base/units.h"
+#include "core/base/valid_bytes.h"
 #include "core/manipulator/closed_form.h"
 #include "core/manipulator/global.h"
 #include "core/manipulator/thesis_law.h"
@@ -28,50 +28,51 @@ Values drawn(const Manipulator& m, std::uint64_t& random) noexcept UNDERACT_REAL
 }
 
 /// A step of the second descent. Gives what its minimum saves against `now`, 0 where nothing (yet).
-double look(const Manipulator& m, const Pose& X_WT, const Energy& now, Watch& watch) noexcept UNDERACT_REAL_TIME {
-  if (!watch.begun) {
-    watch.theta = drawn(m, watch.random);
-    watch.steps = 0;
-    watch.begun = true;
+double searchStep(const Manipulator& m, const Pose& X_WT, const Energy& now,
+                  BackgroundSearch& background) noexcept UNDERACT_REAL_TIME {
+  if (!background.begun) {
+    background.theta = drawn(m, background.random);
+    background.steps = 0;
+    background.begun = true;
   }
   Energy at;
-  evaluate(m, X_WT, watch.theta, at);
+  evaluate(m, X_WT, background.theta, at);
   const Descent descent = descend(m, X_WT, 1, at);
-  watch.theta = allowed(m, at.theta);
+  background.theta = clampedToLimits(m, at.theta);
   const double saves_J = now.energy_J - at.energy_J;
   const bool elsewhere = (at.tip.X_WT.translation() - now.tip.X_WT.translation()).norm() > kSamePlace * m.reach_m ||
                          (at.e_o_W - now.e_o_W).norm() > kSamePlace;
   if (elsewhere && saves_J > kBetter_J && saves_J > kBetterShare * now.energy_J) return saves_J;
-  if (descent.steps == 0 || ++watch.steps >= kStepsAStart) watch.begun = false;  // this start is no better
+  if (descent.steps == 0 || ++background.steps >= kStepsAStart) background.begun = false;  // this start is no better
   return 0.0;
 }
 
 /// Searches for a better minimum and goes over to it; at: there, from then on.
-void keepWatch(const Manipulator& m, const Pose& X_WT, double dt_s, State& state,
-               Followed& followed) noexcept UNDERACT_REAL_TIME {
-  Watch& watch = state.watch;
+void searchInBackground(const Manipulator& m, const Pose& X_WT, double dt_s, State& state,
+                        Followed& followed) noexcept UNDERACT_REAL_TIME {
+  BackgroundSearch& background = state.background;
   if (followed.at.energy_J <= kBetter_J) {  // none can be better by the margin
-    watch.better_s = 0.0;
-    watch.begun = false;
+    background.better_s = 0.0;
+    background.begun = false;
     return;
   }
-  const bool known = watch.better_s > 0.0;
-  if (known || ++watch.ticks >= kTicksAStep) {
-    watch.ticks = 0;
-    followed.better_J = look(m, X_WT, followed.at, watch);
+  const bool known = background.better_s > 0.0;
+  if (known || ++background.ticks >= kTicksAStep) {
+    background.ticks = 0;
+    followed.better_J = searchStep(m, X_WT, followed.at, background);
     if (followed.better_J > 0.0) {
-      watch.better_s += std::max(dt_s, 1e-9);
+      background.better_s += std::max(dt_s, 1e-9);
     } else {
-      watch.better_s = 0.0;
+      background.better_s = 0.0;
     }
   }
-  if (watch.better_s < kBetterFor_s) return;
-  evaluate(m, X_WT, watch.theta, followed.at);
+  if (background.better_s < kBetterFor_s) return;
+  evaluate(m, X_WT, background.theta, followed.at);
   const Descent descent = descend(m, X_WT, m.options.max_steps - followed.steps, followed.at);
   followed.steps += descent.steps;
   followed.left = descent.left;
-  watch.better_s = 0.0;
-  watch.begun = false;
+  background.better_s = 0.0;
+  background.begun = false;
 }
 
 /// Moves the target from the last one at a limited speed.
@@ -104,17 +105,17 @@ Values goneOn(const Manipulator& m, const State& state) noexcept UNDERACT_REAL_T
     const double far = std::abs(state.pace[i]);
     if (far > kStanding * m.options.tolerance * unit && far < kFurthest * unit) theta[i] += state.pace[i];
   }
-  return allowed(m, theta);
+  return clampedToLimits(m, theta);
 }
 
 void solve(const Manipulator& m, const Pose& X_WT, const State& state, Followed& followed) noexcept UNDERACT_REAL_TIME {
   if (m.closed) {
-    const Closed closed = closedForm(m, X_WT, state.begun ? state.theta : allowed(m, {}));
+    const Closed closed = closedForm(m, X_WT, state.begun ? state.theta : clampedToLimits(m, {}));
     evaluate(m, X_WT, closed.theta, followed.at);
     followed.is_unique = closed.is_unique || state.begun;  // with a past, the last configuration is kept
     return;
   }
-  evaluate(m, X_WT, state.begun ? goneOn(m, state) : allowed(m, {}), followed.at);
+  evaluate(m, X_WT, state.begun ? goneOn(m, state) : clampedToLimits(m, {}), followed.at);
   const Descent descent = descend(m, X_WT, m.options.max_steps, followed.at);
   followed.steps = descent.steps;
   followed.left = descent.left;
@@ -130,16 +131,16 @@ bool isFinite(const Pose& X_WT) noexcept UNDERACT_REAL_TIME {
 
 }  // namespace
 
-bool isSound(const State& state) noexcept {
-  const Watch& watch = state.watch;
-  return isFlag(state.begun) && isFlag(state.lost) && isFlag(watch.begun) && watch.steps >= 0 &&
-         watch.steps <= kStepsAStart && watch.ticks >= 0 && watch.ticks <= kTicksAStep;
+bool isValid(const State& state) noexcept {
+  const BackgroundSearch& background = state.background;
+  return isFlag(state.begun) && isFlag(state.lost) && isFlag(background.begun) && background.steps >= 0 &&
+         background.steps <= kStepsAStart && background.ticks >= 0 && background.ticks <= kTicksAStep;
 }
 
 Followed follow(const Manipulator& m, const Pose& X_WT, double dt_s, State& state) noexcept {
   Followed followed;
   if (!isFinite(X_WT)) {
-    evaluate(m, X_WT, state.begun ? state.theta : allowed(m, {}), followed.at);
+    evaluate(m, X_WT, state.begun ? state.theta : clampedToLimits(m, {}), followed.at);
     followed.is_unique = false;
     followed.p_WP = X_WT.translation();
     return followed;
@@ -158,10 +159,10 @@ Followed follow(const Manipulator& m, const Pose& X_WT, double dt_s, State& stat
     state.begun = false;
     return followed;
   }
-  if (!by_thesis && !m.closed && state.begun) keepWatch(m, X_WT, dt_s, state, followed);
+  if (!by_thesis && !m.closed && state.begun) searchInBackground(m, X_WT, dt_s, state, followed);
   if (!by_thesis) followed.moment_W = followed.at.m_W;
   slew(by_thesis ? followed.p_WP : Vec3(followed.at.tip.X_WT.translation()), dt_s, state, followed);
-  const Values theta = allowed(m, followed.at.theta);
+  const Values theta = clampedToLimits(m, followed.at.theta);
   for (std::size_t i = 0; i < theta.size(); ++i) state.pace[i] = state.begun ? theta[i] - state.theta[i] : 0.0;
   state.theta = theta;
   state.p_WP = followed.p_WP;
@@ -169,7 +170,7 @@ Followed follow(const Manipulator& m, const Pose& X_WT, double dt_s, State& stat
   return followed;
 }
 
-State standing(const Manipulator& m, const Pose& X_WT, int& steps) {
+State settledState(const Manipulator& m, const Pose& X_WT, int& steps) {
   State state;
   steps = 0;
   if (m.law == ForceLaw::Thesis52) return state;  // it has no choice of minima

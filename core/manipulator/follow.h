@@ -4,7 +4,7 @@
 namespace underact::manipulator {
 
 /// A second descent in search of a better minimum, one step every few ticks.
-struct Watch {
+struct BackgroundSearch {
   Values theta{};
   std::uint64_t random = 1;  // where the next start is drawn from
   int steps = 0;             // of this start
@@ -20,11 +20,11 @@ struct State {
   Vec3 p_WP = Vec3::Zero();  // the last target
   bool begun = false;
   bool lost = false;  // a cold start found no unique minimum
-  Watch watch;
+  BackgroundSearch background;
 };
 
 /// Of bytes from a file.
-bool isSound(const State& state) noexcept;
+bool isValid(const State& state) noexcept;
 
 /// Where the end effector is in this tick, and how it was found.
 struct Followed {
@@ -58,6 +58,6 @@ Followed follow(const Manipulator& manipulator, const Pose& X_WT, double dt_s,
 
 /// A state at the minimum of least energy (or where the thesis's law has its tip), for a single pose; not for the servo
 /// thread. steps: all that it took.
-State standing(const Manipulator& manipulator, const Pose& X_WT, int& steps);
+State settledState(const Manipulator& manipulator, const Pose& X_WT, int& steps);
 
 }  // namespace underact::manipulator

@@ -35,13 +35,13 @@ double halton(std::size_t index, std::size_t base) {
 std::vector<Values> startsFor(const Manipulator& m, const Pose& X_WT) {
   constexpr std::array<std::size_t, kMaxJoints> kBases{2, 3, 5, 7, 11, 13, 17, 19};
   const std::size_t joints = m.chain.joints.size();
-  std::vector<Values> starts{allowed(m, {})};
+  std::vector<Values> starts{clampedToLimits(m, {})};
   if (const auto arm = chain::recognise(m.chain)) {
     const chain::Solutions solutions = chain::solveAll(*arm, X_WT);
     for (std::size_t k = 0; k < solutions.count; ++k) {
       Values theta{};
       std::copy(solutions.all[k].q.begin(), solutions.all[k].q.end(), theta.begin());
-      starts.push_back(allowed(m, theta));
+      starts.push_back(clampedToLimits(m, theta));
     }
   }
   // As far as the stylus, and beyond.
@@ -54,7 +54,7 @@ std::vector<Values> startsFor(const Manipulator& m, const Pose& X_WT) {
                                          : halton(k + 1, kBases[i]);
       theta[i] = valueAt(m.chain.joints[i], share, slide_m);
     }
-    starts.push_back(allowed(m, theta));
+    starts.push_back(clampedToLimits(m, theta));
   }
   return starts;
 }
@@ -80,7 +80,7 @@ double secondOf(const std::vector<Minimum>& minima, const Minimum& best, double 
 Global leastEnergy(const Manipulator& m, const Pose& X_WT) {
   Global best;
   if (m.closed) {
-    const Closed closed = closedForm(m, X_WT, allowed(m, {}));
+    const Closed closed = closedForm(m, X_WT, clampedToLimits(m, {}));
     evaluate(m, X_WT, closed.theta, best.at);
     best.is_unique = closed.is_unique;
     return best;
@@ -102,7 +102,7 @@ Global leastEnergy(const Manipulator& m, const Pose& X_WT) {
   // To the last bit that rounding allows, as there is no time limit.
   Manipulator exact = m;
   exact.options.tolerance = 0.0;
-  evaluate(exact, X_WT, allowed(m, least.theta), best.at);
+  evaluate(exact, X_WT, clampedToLimits(m, least.theta), best.at);
   best.steps += descend(exact, X_WT, kSteps, best.at).steps;
   best.second_J = secondOf(minima, least, kSameMinimum * m.reach_m);
   best.is_unique = least.energy_J < kInfinity && best.second_J > kSameEnergy * (least.energy_J + 1e-6 * scale_J);

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "core/base/around.h"
+#include "core/base/axis_geometry.h"
 #include "core/base/translate.h"
 
 namespace underact::manipulator {
@@ -25,7 +25,7 @@ std::size_t turningJoints(const chain::Chain& chain) {
                     [](const chain::Joint& joint) { return joint.type == JointType::Revolute; }));
 }
 
-void judgeNumbers(const Wanted& wanted, const Place& place, Problems& problems) {
+void judgeNumbers(const Wanted& wanted, const SourceLocation& place, Problems& problems) {
   if (wanted.chain.joints.size() > kMaxJoints) {
     problems.push_back({said(TRANSLATE_NOOP("problem", "A virtual robot has at most %1 joints, not %2."),
                              {std::to_string(kMaxJoints), std::to_string(wanted.chain.joints.size())}),
@@ -50,7 +50,7 @@ void judgeNumbers(const Wanted& wanted, const Place& place, Problems& problems) 
 }
 
 /// Checks what Orientation::Angle requires of the chain.
-void judgeAngle(const Wanted& wanted, const Place& place, Problems& problems) {
+void judgeAngle(const Wanted& wanted, const SourceLocation& place, Problems& problems) {
   const bool by_thesis = wanted.law == ForceLaw::Thesis52;
   if (wanted.orientation != Orientation::Angle && !by_thesis) return;
   const std::vector<chain::Joint>& joints = wanted.chain.joints;
@@ -76,7 +76,7 @@ void judgeAngle(const Wanted& wanted, const Place& place, Problems& problems) {
 
 }  // namespace
 
-Result<Manipulator> makeManipulator(Wanted wanted, const Place& place) {
+Result<Manipulator> makeManipulator(Wanted wanted, const SourceLocation& place) {
   Problems problems;
   judgeNumbers(wanted, place, problems);
   judgeAngle(wanted, place, problems);

@@ -81,7 +81,7 @@ struct Wanted {
 /// Problems: more than kMaxJoints joints; a gain below 0 or not finite; orientation Angle (and the thesis's law, which
 /// takes one joint alone) without exactly one revolute joint, or with z of V along its axis; Method::ClosedForm where
 /// there is none.
-Result<Manipulator> makeManipulator(Wanted wanted, const Place& place);
+Result<Manipulator> makeManipulator(Wanted wanted, const SourceLocation& place);
 
 /// The closed form of a chain with equal gains and no springs: one joint or two, as 1R (circle), 2R with crossing axes
 /// at right angles and without limits (sphere), RP along one axis (cylinder), P (line), PP at right angles (plane).

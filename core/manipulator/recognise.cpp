@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "core/base/around.h"
+#include "core/base/axis_geometry.h"
 #include "core/manipulator/manipulator.h"
 
 namespace underact::manipulator {
@@ -30,8 +30,8 @@ std::optional<ClosedForm> circularForm(const Manipulator& m, std::size_t turning
   const Joint& joint = m.chain.joints[turning];
   ClosedForm form{kind, turning, sliding, joint.p_WJ, joint.axis_W};
   const Vec3 tip_W = m.chain.X_WT_home.translation() - joint.p_WJ;
-  form.radial_W = across(joint.axis_W, tip_W);
-  form.z_W = across(joint.axis_W, m.chain.X_WT_home.linear().col(2));
+  form.radial_W = perpendicularPart(joint.axis_W, tip_W);
+  form.z_W = perpendicularPart(joint.axis_W, m.chain.X_WT_home.linear().col(2));
   return form;
 }
 

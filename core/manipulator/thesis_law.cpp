@@ -1,6 +1,6 @@
 #include "core/manipulator/thesis_law.h"
 
-#include "core/base/around.h"
+#include "core/base/axis_geometry.h"
 #include "core/manipulator/energy.h"
 
 namespace underact::manipulator {
@@ -8,8 +8,8 @@ namespace underact::manipulator {
 ThesisPull thesisPull(const Manipulator& m, const Pose& X_WT) noexcept {
   const chain::Joint& joint = m.chain.joints[0];
   const Vec3& axis_W = joint.axis_W;
-  const Vec3 p_JV_W = m.chain.X_WT_home.translation() - joint.p_WJ, home_W = across(axis_W, p_JV_W);
-  const Vec3 radial_W = across(axis_W, X_WT.translation() - joint.p_WJ);
+  const Vec3 p_JV_W = m.chain.X_WT_home.translation() - joint.p_WJ, home_W = perpendicularPart(axis_W, p_JV_W);
+  const Vec3 radial_W = perpendicularPart(axis_W, X_WT.translation() - joint.p_WJ);
   const double length_m = p_JV_W.norm(), off_m = radial_W.norm();
   ThesisPull pull;
   pull.p_WP = X_WT.translation();

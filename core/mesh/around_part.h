@@ -10,11 +10,12 @@ inline std::size_t placeOf(const Face& face, std::int32_t corner) noexcept UNDER
   return face[0] == corner ? 0 : face[1] == corner ? 1 : 2;
 }
 
-/// Calls look(face) for the faces that share with the given one the part that a point is on: none inside, the one
+/// Calls poll(face) for the faces that share with the given one the part that a point is on: none inside, the one
 /// across an edge, those around a corner (first one way round, then, past a border, the other), until look returns
 /// false. Bounded: of a fan, the first hundred.
-template <class Look>
-void forNeighbours(const Surface& surface, std::int32_t face, Part part, const Look& look) noexcept UNDERACT_REAL_TIME {
+template <class Visit>
+void forNeighbours(const Surface& surface, std::int32_t face, Part part,
+                   const Visit& visit) noexcept UNDERACT_REAL_TIME {
   constexpr int kMostOfFan = 100;
   if (part == Part::Inside) return;
   const auto neighbourOf = [&](std::int32_t of, std::size_t side) noexcept UNDERACT_REAL_TIME {
@@ -22,7 +23,7 @@ void forNeighbours(const Surface& surface, std::int32_t face, Part part, const L
   };
   if (part < Part::CornerA) {
     const auto side = static_cast<std::size_t>(part) - static_cast<std::size_t>(Part::EdgeAB);
-    if (const std::int32_t other = neighbourOf(face, side); other >= 0) (void)look(other);
+    if (const std::int32_t other = neighbourOf(face, side); other >= 0) (void)visit(other);
     return;
   }
   const auto start = static_cast<std::size_t>(part) - static_cast<std::size_t>(Part::CornerA);
@@ -35,7 +36,7 @@ void forNeighbours(const Surface& surface, std::int32_t face, Part part, const L
       at = neighbourOf(at, forward ? place : (place + 2) % 3);
       if (at == face) return;  // all the way round
       if (at < 0) break;
-      if (!look(at)) return;
+      if (!visit(at)) return;
     }
   }
 }

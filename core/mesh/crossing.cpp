@@ -46,7 +46,7 @@ class Sheared {
 };
 
 /// The share of the path at which it passes through the face; infinite where it does not.
-double shareAt(const Surface& surface, std::int32_t face, Way way, const Sheared& sheared,
+double shareAt(const Surface& surface, std::int32_t face, CrossingDirection way, const Sheared& sheared,
                double slack) noexcept UNDERACT_REAL_TIME {
   const auto [a_M, b_M, c_M] = cornersOf(surface, face);
   const Vec3 a = sheared.of(a_M), b = sheared.of(b_M), c = sheared.of(c_M);
@@ -57,7 +57,7 @@ double shareAt(const Surface& surface, std::int32_t face, Way way, const Sheared
   const double whole = at_a + at_b + at_c;
   // Counterclockwise as seen from the end of the axis: the normal points along it.
   const bool is_against = (whole < 0.0) == (sheared.length() > 0.0);
-  if (whole == 0.0 || is_against != (way == Way::Inwards)) return kInfinity;
+  if (whole == 0.0 || is_against != (way == CrossingDirection::Inwards)) return kInfinity;
   const bool is_through =
       whole > 0.0 ? at_a >= 0.0 && at_b >= 0.0 && at_c >= 0.0 : at_a <= 0.0 && at_b <= 0.0 && at_c <= 0.0;
   if (!is_through) return kInfinity;
@@ -98,7 +98,7 @@ unsigned metBy(const Node& node, const Vec3& from_M, const Vec3& to_M) noexcept 
 
 }  // namespace
 
-Crossing firstCrossing(const Surface& surface, Way way, const Vec3& from_M, const Vec3& to_M) noexcept {
+Crossing firstCrossing(const Surface& surface, CrossingDirection way, const Vec3& from_M, const Vec3& to_M) noexcept {
   Crossing crossing;
   if (from_M == to_M) return crossing;
   const Sheared sheared(from_M, to_M);

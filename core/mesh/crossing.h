@@ -5,7 +5,7 @@
 namespace underact::mesh {
 
 /// The side from which a path passes through a face: Inwards from the side that the normal points to.
-enum class Way : std::uint8_t { Inwards, Outwards };
+enum class CrossingDirection : std::uint8_t { Inwards, Outwards };
 
 /// The first face that the straight path from from_M to to_M passes through; -1: none. Watertight: a path through a
 /// shared edge or corner passes through one of the faces, for any rounding. Both ends finite. is_whole is false where
@@ -16,7 +16,7 @@ struct Crossing {
   bool is_whole = true;
 };
 /// way: which crossings count. Equal ends: none. Cost: bounded by kMostVisits.
-Crossing firstCrossing(const Surface& surface, Way way, const Vec3& from_M,
+Crossing firstCrossing(const Surface& surface, CrossingDirection way, const Vec3& from_M,
                        const Vec3& to_M) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::mesh

@@ -22,7 +22,7 @@ constexpr int kHybridSteps = 12;
 constexpr double kFar = 1e6;
 
 /// Whether the face is nearer than the best so far.
-bool lookAtFace(const Surface& surface, std::int32_t face, const Vec3& q_M, Hit& hit) noexcept UNDERACT_REAL_TIME {
+bool visitFace(const Surface& surface, std::int32_t face, const Vec3& q_M, Hit& hit) noexcept UNDERACT_REAL_TIME {
   const Face& corners = surface.triangles.faces[static_cast<std::size_t>(face)];
   const auto at = [&](std::size_t k) noexcept UNDERACT_REAL_TIME -> const Eigen::Vector3f& {
     return surface.triangles.p_MV[static_cast<std::size_t>(corners[k])];
@@ -60,7 +60,7 @@ bool walk(const Surface& surface, const Vec3& q_M, int most_steps, Recent& recen
     if (face < 0) return false;
     forNeighbours(surface, face, hit.part, [&](std::int32_t other) noexcept UNDERACT_REAL_TIME {
       recent.add(other);
-      return !lookAtFace(surface, other, q_M, hit);
+      return !visitFace(surface, other, q_M, hit);
     });
     if (hit.face == face) return true;
   }
@@ -74,15 +74,15 @@ using List = std::array<std::int32_t, kRoom + kWays>;
 constexpr std::size_t kAhead = 3;
 
 /// Looks at faces, four at a time; exactly only where a face may be nearer than the best so far.
-void lookAtFaces(const Surface& surface, const List& faces, std::size_t count, const Recent& recent, const Vec3& q_M,
-                 Hit& hit) noexcept UNDERACT_REAL_TIME {
+void visitFaces(const Surface& surface, const List& faces, std::size_t count, const Recent& recent, const Vec3& q_M,
+                Hit& hit) noexcept UNDERACT_REAL_TIME {
   std::array<std::int32_t, kAtOnce> four{};
   std::size_t size = 0;
   const auto lookAtFour = [&]() noexcept UNDERACT_REAL_TIME {
     for (std::size_t k = size; k < kAtOnce; ++k) four[k] = four[0];
     const std::array<float, kAtOnce> bounds = faceBounds(surface, four, q_M);
     for (std::size_t k = 0; k < size; ++k) {
-      if (static_cast<double>(bounds[k]) < hit.squared) lookAtFace(surface, four[k], q_M, hit);
+      if (static_cast<double>(bounds[k]) < hit.squared) visitFace(surface, four[k], q_M, hit);
     }
     size = 0;
   };
@@ -128,7 +128,7 @@ bool sweep(const Surface& surface, const Recent& recent, const Vec3& q_M, Cut& c
   }
   hit.visits += static_cast<int>(place);
   if (place < waiting) return false;
-  lookAtFaces(surface, faces, found, recent, q_M, hit);
+  visitFaces(surface, faces, found, recent, q_M, hit);
   hit.is_proved = true;
   return true;
 }
@@ -149,7 +149,7 @@ void searchBestFirst(const Surface& surface, const Vec3& q_M, Hit& hit) noexcept
     const Waiting next = stack[--waiting];
     if (!(static_cast<double>(next.squared) < hit.squared)) continue;
     if (next.child < 0) {
-      lookAtFace(surface, -1 - next.child, q_M, hit);
+      visitFace(surface, -1 - next.child, q_M, hit);
       continue;
     }
     if (hit.visits >= kMostVisits) return;
@@ -183,7 +183,7 @@ Hit nearestPoint(const Surface& surface, Search search, const Vec3& q_M, SearchS
   Recent recent;
   if (knows && search != Search::Global) {
     recent.add(state.face);
-    lookAtFace(surface, state.face, at, hit);
+    visitFace(surface, state.face, at, hit);
     is_near = walk(surface, at, search == Search::Local ? kMostSteps : kHybridSteps, recent, hit);
   }
   const bool is_done = search == Search::Local ? hit.face >= 0 : is_near && sweep(surface, recent, at, state.cut, hit);

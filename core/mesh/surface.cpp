@@ -87,12 +87,12 @@ void complete(Surface& surface) {
   }
 }
 
-Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Watch& watch) {
+Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const TaskMonitor& monitor) {
   Problems problems = whatIsWrong(triangles);
   if (!problems.empty()) return problems;
   const Problems cancelled{{said(TRANSLATE_NOOP("problem", "Cancelled.")), {}}};
-  watch.tell(TRANSLATE_NOOP("step of work", "Building the tree"), 0.0);
-  std::optional<Tree> tree = makeTree(triangles, watch);
+  monitor.report(TRANSLATE_NOOP("step of work", "Building the tree"), 0.0);
+  std::optional<Tree> tree = makeTree(triangles, monitor);
   if (!tree) return cancelled;
   auto surface = std::make_shared<Surface>();
   surface->triangles = inOrder(triangles, tree->order);

@@ -4,7 +4,7 @@
 
 #include "core/base/real_time.h"
 #include "core/base/result.h"
-#include "core/base/watch.h"
+#include "core/base/task_monitor.h"
 #include "core/mesh/node.h"
 #include "core/mesh/triangles.h"
 
@@ -24,7 +24,7 @@ struct Surface {
 /// triangles: 1 to 2^27 faces, each of three different corners that exist and are finite. Allocates; takes seconds for
 /// millions of faces, in as many threads as there are processors; equal triangles give bit-identical surfaces.
 /// Problems: triangles as above are not given; cancelled.
-Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Watch& watch = {});
+Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const TaskMonitor& monitor = {});
 
 /// Fills in bounds and mark from the corners (one at least) and faces.
 void complete(Surface& surface);

@@ -28,7 +28,7 @@ Range firstPart(const Range& range) {
 
 class Splitter {
  public:
-  Splitter(const Triangles& triangles, const Watch& watch) : watch_(watch), centres_(triangles.faces.size()) {
+  Splitter(const Triangles& triangles, const TaskMonitor& monitor) : watch_(monitor), centres_(triangles.faces.size()) {
     order_.resize(triangles.faces.size());
     std::iota(order_.begin(), order_.end(), 0);
     for (std::size_t face = 0; face < centres_.size(); ++face) {
@@ -72,7 +72,7 @@ class Splitter {
   const Centre& centreAt(std::int32_t place) const {
     return centres_[static_cast<std::size_t>(order_[static_cast<std::size_t>(place)])];
   }
-  const Watch& watch_;
+  const TaskMonitor& watch_;
   std::vector<Centre> centres_;
   std::vector<std::int32_t> order_;
 };
@@ -121,14 +121,14 @@ class Layout {
 
 }  // namespace
 
-std::optional<Tree> makeTree(const Triangles& triangles, const Watch& watch) {
-  Tree tree{Splitter(triangles, watch).split(), {}};
-  if (watch.isCancelled()) return {};
+std::optional<Tree> makeTree(const Triangles& triangles, const TaskMonitor& monitor) {
+  Tree tree{Splitter(triangles, monitor).split(), {}};
+  if (monitor.isCancelled()) return {};
   Layout layout(static_cast<std::int32_t>(tree.order.size()));
   inParallel(layout.nodes.size(), [&](std::size_t begin, std::size_t end) {
     std::vector<Eigen::Vector3f> corners;
     std::array<std::size_t, kWays + 1> begins{};
-    for (std::size_t index = begin; index < end && !watch.isCancelled(); ++index) {
+    for (std::size_t index = begin; index < end && !monitor.isCancelled(); ++index) {
       corners.clear();
       for (std::size_t child = 0; child < kWays; ++child) {
         begins[child] = corners.size();
@@ -143,7 +143,7 @@ std::optional<Tree> makeTree(const Triangles& triangles, const Watch& watch) {
       setBoxes(corners, begins, layout.nodes[index]);
     }
   });
-  if (watch.isCancelled()) return {};
+  if (monitor.isCancelled()) return {};
   tree.nodes = std::move(layout.nodes);
   return tree;
 }

@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/watch.h"
+#include "core/base/task_monitor.h"
 #include "core/mesh/node.h"
 #include "core/mesh/triangles.h"
 
@@ -16,7 +16,7 @@ struct Tree {
 
 /// Split at the median of the longest extent, three times a node, so that the tree is balanced for any mesh. Empty
 /// where it was cancelled.
-std::optional<Tree> makeTree(const Triangles& triangles, const Watch& watch);
+std::optional<Tree> makeTree(const Triangles& triangles, const TaskMonitor& monitor);
 
 /// The greatest depth with 2^27 faces: a leaf holds 8, each node above halves three times, except for the lowest.
 inline constexpr int kMostDepth = 10;

@@ -52,7 +52,7 @@ bool isName(const std::string& key) {
 
 class Writing {
  public:
-  Writing(const fs::path& path, const Watch& watch) : file_(path, std::ios::binary), watch_(watch) {}
+  Writing(const fs::path& path, const TaskMonitor& monitor) : file_(path, std::ios::binary), watch_(monitor) {}
   bool add(std::span<const std::byte> bytes) {
     while (!bytes.empty() && file_ && !watch_.isCancelled()) {
       const std::span<const std::byte> block = bytes.first(std::min(bytes.size(), kBlock));
@@ -68,7 +68,7 @@ class Writing {
 
  private:
   std::ofstream file_;
-  const Watch& watch_;
+  const TaskMonitor& watch_;
 };
 
 /// Whether the file has that many more bytes.
@@ -77,8 +77,8 @@ bool fills(const system::NamedFile& file, std::span<std::byte> into) {
   return count && count.value() == into.size();
 }
 
-bool digestAll(Digest& digest, std::span<const std::byte> bytes, const Watch& watch) {
-  for (; !bytes.empty() && !watch.isCancelled(); bytes = bytes.subspan(std::min(bytes.size(), kBlock))) {
+bool digestAll(Digest& digest, std::span<const std::byte> bytes, const TaskMonitor& monitor) {
+  for (; !bytes.empty() && !monitor.isCancelled(); bytes = bytes.subspan(std::min(bytes.size(), kBlock))) {
     digest.add(bytes.first(std::min(bytes.size(), kBlock)));
   }
   return bytes.empty();
@@ -89,7 +89,7 @@ bool digestAll(Digest& digest, std::span<const std::byte> bytes, const Watch& wa
 Cache::Cache(std::string folder, std::uint64_t most_bytes)
     : folder_(folder.empty() ? defaultFolder().string() : std::move(folder)), most_bytes_(most_bytes) {}
 
-std::optional<std::vector<std::byte>> Cache::get(const std::string& key, const Watch& watch) const {
+std::optional<std::vector<std::byte>> Cache::get(const std::string& key, const TaskMonitor& monitor) const {
   if (folder_.empty() || !isName(key)) return {};
   const fs::path path = fs::path(folder_) / (key + kExtension);
   const Result<system::NamedFile> file = system::NamedFile::open(path.string(), "a kept mesh");
@@ -99,34 +99,35 @@ std::optional<std::vector<std::byte>> Cache::get(const std::string& key, const W
   if (head.magic != kCacheMagic || file.value().bytes() != sizeof head + head.bytes) return {};
   std::vector<std::byte> bytes(head.bytes);
   for (std::size_t at = 0; at < bytes.size(); at += kBlock) {
-    if (watch.isCancelled()) return {};
+    if (monitor.isCancelled()) return {};
     if (!fills(file.value(), std::span(bytes).subspan(at, std::min(kBlock, bytes.size() - at)))) return {};
   }
   Digest digest;
   digest.add(std::as_bytes(std::span(key)));
-  if (!digestAll(digest, bytes, watch)) return {};
+  if (!digestAll(digest, bytes, monitor)) return {};
   if (digest.text() != std::string_view(head.digest.data(), head.digest.size())) return {};
   std::error_code error;
   fs::last_write_time(path, FileClock::now(), error);  // used last, now
   return bytes;
 }
 
-bool Cache::put(const std::string& key, std::span<const std::span<const std::byte>> parts, const Watch& watch) const {
+bool Cache::put(const std::string& key, std::span<const std::span<const std::byte>> parts,
+                const TaskMonitor& monitor) const {
   if (folder_.empty() || !isName(key)) return false;
   CacheHead head;
   Digest digest;
   digest.add(std::as_bytes(std::span(key)));
   for (const std::span<const std::byte> part : parts) {
     head.bytes += part.size();
-    if (!digestAll(digest, part, watch)) return false;
+    if (!digestAll(digest, part, monitor)) return false;
   }
   if (head.bytes + sizeof head > most_bytes_) return false;
   const std::string text = digest.text();
   std::copy(text.begin(), text.end(), head.digest.begin());
   std::error_code error;
   fs::create_directories(folder_, error);
-  const fs::path aside = fs::path(folder_) / (key + "." + system::unusedWord() + kAside);
-  Writing writing(aside, watch);
+  const fs::path aside = fs::path(folder_) / (key + "." + system::uniqueWord() + kAside);
+  Writing writing(aside, monitor);
   bool is_well = writing.add(std::as_bytes(std::span(&head, 1)));
   for (const std::span<const std::byte> part : parts) is_well = is_well && writing.add(part);
   is_well = writing.close() && is_well;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/watch.h"
+#include "core/base/task_monitor.h"
 
 namespace underact::mesh_file {
 
@@ -22,10 +22,11 @@ class Cache {
   const std::string& folder() const { return folder_; }
 
   /// The bytes under the key; none where they are missing or damaged, or where it was cancelled.
-  std::optional<std::vector<std::byte>> get(const std::string& key, const Watch& watch = {}) const;
+  std::optional<std::vector<std::byte>> get(const std::string& key, const TaskMonitor& monitor = {}) const;
 
   /// Stores the parts, one after the other, under the key. false: not stored.
-  bool put(const std::string& key, std::span<const std::span<const std::byte>> parts, const Watch& watch = {}) const;
+  bool put(const std::string& key, std::span<const std::span<const std::byte>> parts,
+           const TaskMonitor& monitor = {}) const;
 
  private:
   void makeRoom() const;

@@ -105,13 +105,13 @@ bool overlap(const Box& a, const Box& b) {
 
 }  // namespace
 
-Crossings crossingsOf(const mesh::Triangles& triangles, const Watch& watch) {
+Crossings crossingsOf(const mesh::Triangles& triangles, const TaskMonitor& monitor) {
   Crossings found;
   if (triangles.faces.size() > kMostFacesForCrossings) return found;
   Eigen::Index axis = 0;
   const std::vector<Box> boxes = boxesOf(triangles, axis);
   std::int64_t compared = 0, tested = 0;
-  Steps steps(watch);
+  Steps steps(monitor);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Corners corners = cornersOf(triangles, boxes[i].face);
     for (std::size_t j = i + 1; j < boxes.size() && boxes[j].low[axis] <= boxes[i].high[axis]; ++j) {

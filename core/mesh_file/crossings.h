@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "core/base/watch.h"
+#include "core/base/task_monitor.h"
 #include "core/mesh/triangles.h"
 
 namespace underact::mesh_file {
@@ -18,6 +18,6 @@ inline constexpr std::size_t kMostFacesForCrossings = 200'000;
 /// Pairs of faces without a common corner that cross: an edge of one passes through the other. In doubles, without
 /// exact arithmetic: a mere touch may count or not. Coplanar faces that overlap count where an edge of one crosses an
 /// edge of the other. The work is bounded.
-Crossings crossingsOf(const mesh::Triangles& triangles, const Watch& watch);
+Crossings crossingsOf(const mesh::Triangles& triangles, const TaskMonitor& monitor);
 
 }  // namespace underact::mesh_file

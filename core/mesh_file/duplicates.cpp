@@ -32,18 +32,18 @@ std::vector<Key> keysOf(const mesh::Triangles& triangles) {
 }
 
 /// Sorts in blocks that are merged, so that cancelling need not wait for all of it. false: cancelled.
-bool sortKeys(std::vector<Key>& keys, const Watch& watch) {
+bool sortKeys(std::vector<Key>& keys, const TaskMonitor& monitor) {
   constexpr std::size_t kBlock = std::size_t{1} << 18;
   const auto at = [&keys](std::size_t place) {
     return keys.begin() + static_cast<std::ptrdiff_t>(std::min(place, keys.size()));
   };
   for (std::size_t from = 0; from < keys.size(); from += kBlock) {
-    if (watch.isCancelled()) return false;
+    if (monitor.isCancelled()) return false;
     std::sort(at(from), at(from + kBlock));
   }
   for (std::size_t width = kBlock; width < keys.size(); width *= 2) {
     for (std::size_t from = 0; from + width < keys.size(); from += 2 * width) {
-      if (watch.isCancelled()) return false;
+      if (monitor.isCancelled()) return false;
       std::inplace_merge(at(from), at(from + width), at(from + 2 * width));
     }
   }
@@ -52,9 +52,9 @@ bool sortKeys(std::vector<Key>& keys, const Watch& watch) {
 
 }  // namespace
 
-std::optional<std::int64_t> dropDuplicates(mesh::Triangles& triangles, const Watch& watch) {
+std::optional<std::int64_t> dropDuplicates(mesh::Triangles& triangles, const TaskMonitor& monitor) {
   std::vector<Key> keys = keysOf(triangles);
-  if (!sortKeys(keys, watch)) return {};
+  if (!sortKeys(keys, monitor)) return {};
   std::vector<std::uint8_t> is_twice(keys.size(), 0);
   for (std::size_t k = 1; k < keys.size(); ++k) {
     if (haveSameCorners(keys[k - 1], keys[k])) is_twice[static_cast<std::size_t>(keys[k].face)] = 1;

@@ -2,12 +2,12 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/base/watch.h"
+#include "core/base/task_monitor.h"
 #include "core/mesh/triangles.h"
 
 namespace underact::mesh_file {
 
 /// Removes all but the first of faces with the same three corners in any order; gives how many. None: cancelled.
-std::optional<std::int64_t> dropDuplicates(mesh::Triangles& triangles, const Watch& watch);
+std::optional<std::int64_t> dropDuplicates(mesh::Triangles& triangles, const TaskMonitor& monitor);
 
 }  // namespace underact::mesh_file

@@ -53,11 +53,11 @@ void join(const Entry* first, const Entry* last, Edges& edges) {
 
 }  // namespace
 
-std::optional<Edges> edgesOf(const mesh::Triangles& triangles, const Watch& watch) {
+std::optional<Edges> edgesOf(const mesh::Triangles& triangles, const TaskMonitor& monitor) {
   Edges edges;
   edges.across.assign(3 * triangles.faces.size(), kBorder);
   Sorted all = sorted(triangles);
-  Steps steps(watch);
+  Steps steps(monitor);
   for (std::size_t corner = 0; corner + 1 < all.begin.size(); ++corner) {
     if (steps.isCancelled()) return {};
     Entry* begin = all.entries.data() + all.begin[corner];

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/watch.h"
+#include "core/base/task_monitor.h"
 #include "core/mesh/triangles.h"
 
 namespace underact::mesh_file {
@@ -35,6 +35,6 @@ inline std::int32_t endOf(const mesh::Triangles& triangles, Side side) {
 }
 
 /// Finds the sides that share an edge. Faces: of three different corners that exist. None: cancelled.
-std::optional<Edges> edgesOf(const mesh::Triangles& triangles, const Watch& watch);
+std::optional<Edges> edgesOf(const mesh::Triangles& triangles, const TaskMonitor& monitor);
 
 }  // namespace underact::mesh_file

@@ -42,20 +42,20 @@ int Input::rewound() const {
   return file_.descriptor();
 }
 
-Result<std::string> Input::checksum(const Watch& watch) const {
+Result<std::string> Input::checksum(const TaskMonitor& monitor) const {
   file_.rewind();
   Digest digest;
   std::vector<char> block(kBlock);
   std::uint64_t done = 0;
   for (;;) {
-    if (watch.isCancelled()) return problemAt(path(), said(TRANSLATE_NOOP("problem", "Cancelled.")));
+    if (monitor.isCancelled()) return problemAt(path(), said(TRANSLATE_NOOP("problem", "Cancelled.")));
     const Result<std::size_t> count = file_.read(block);
     if (!count) return count.problems();
     if (count.value() == 0) break;
     digest.add(std::as_bytes(std::span(block).first(count.value())));
     done += count.value();
-    watch.tell(TRANSLATE_NOOP("step of work", "Reading the file"),
-               bytes() == 0 ? 1.0 : std::min(1.0, double(done) / double(bytes())));
+    monitor.report(TRANSLATE_NOOP("step of work", "Reading the file"),
+                   bytes() == 0 ? 1.0 : std::min(1.0, double(done) / double(bytes())));
   }
   return digest.text();
 }

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/base/result.h"
-#include "core/base/watch.h"
+#include "core/base/task_monitor.h"
 #include "core/mesh_file/format.h"
 #include "core/system/named_file.h"
 
@@ -23,7 +23,7 @@ class Input {
   int rewound() const;
   /// XXH3 of 128 bits over all it holds, as 32 hexadecimal digits; share: 0 to 1 of it. Problems: unreadable,
   /// cancelled.
-  Result<std::string> checksum(const Watch& watch) const;
+  Result<std::string> checksum(const TaskMonitor& monitor) const;
   /// Whether the file was written since it was opened.
   bool hasChanged() const { return file_.hasChanged(); }
 

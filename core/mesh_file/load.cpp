@@ -32,8 +32,8 @@ Problems problemOf(const Input& input, const Sentence& sentence) {
   return {{sentence, {input.path()}}};
 }
 
-std::optional<Loaded> fromCache(const Cache& cache, const std::string& key, const Watch& watch) {
-  const std::optional<std::vector<std::byte>> bytes = cache.get(key, watch);
+std::optional<Loaded> fromCache(const Cache& cache, const std::string& key, const TaskMonitor& monitor) {
+  const std::optional<std::vector<std::byte>> bytes = cache.get(key, monitor);
   if (!bytes || bytes->size() < sizeof(Facts)) return {};
   Loaded loaded;
   std::memcpy(&loaded.facts, bytes->data(), sizeof(Facts));
@@ -44,7 +44,7 @@ std::optional<Loaded> fromCache(const Cache& cache, const std::string& key, cons
 }
 
 /// Adds what the file contained besides triangles.
-void addRaw(const Raw& raw, Facts& facts) {
+void addRaw(const RawMesh& raw, Facts& facts) {
   facts.file_faces = raw.polygons;
   facts.normals = raw.normals;
   facts.normals_against = raw.normals_against;
@@ -59,16 +59,16 @@ Sentence nothingLeft(const Facts& facts) {
   return sentence;
 }
 
-Result<Loaded> build(const Input& input, const Watch& watch) {
-  Result<Raw> raw = readFile(input, partOf(watch, kHashed, kRead));
+Result<Loaded> build(const Input& input, const TaskMonitor& monitor) {
+  Result<RawMesh> raw = readFile(input, partOf(monitor, kHashed, kRead));
   if (!raw) return raw.problems();
-  std::optional<Repaired> repaired = repair(std::move(raw.value().triangles), partOf(watch, kRead, kRepaired));
+  std::optional<Repaired> repaired = repair(std::move(raw.value().triangles), partOf(monitor, kRead, kRepaired));
   if (!repaired) return problemOf(input, kCancelled);
   addRaw(raw.value(), repaired->facts);
   if (repaired->facts.faces == 0) return problemOf(input, nothingLeft(repaired->facts));
   Result<std::shared_ptr<const mesh::Surface>> surface =
-      mesh::makeSurface(std::move(repaired->triangles), partOf(watch, kRepaired, kBuilt));
-  if (watch.isCancelled()) return problemOf(input, kCancelled);
+      mesh::makeSurface(std::move(repaired->triangles), partOf(monitor, kRepaired, kBuilt));
+  if (monitor.isCancelled()) return problemOf(input, kCancelled);
   if (!surface) return problemOf(input, surface.problems()[0].sentence);
   Loaded loaded;
   loaded.surface = std::move(surface).value();
@@ -78,26 +78,26 @@ Result<Loaded> build(const Input& input, const Watch& watch) {
 
 }  // namespace
 
-Result<Loaded> loadMesh(const std::string& path, const Watch& watch, const Cache& cache) {
+Result<Loaded> loadMesh(const std::string& path, const TaskMonitor& monitor, const Cache& cache) {
   const Result<Input> input = Input::open(path);
   if (!input) return input.problems();
-  const Result<std::string> checksum = input.value().checksum(partOf(watch, 0.0, kHashed));
+  const Result<std::string> checksum = input.value().checksum(partOf(monitor, 0.0, kHashed));
   if (!checksum) return checksum.problems();
   const std::string key = keyOf(input.value(), checksum.value());
-  std::optional<Loaded> kept = fromCache(cache, key, watch);
-  if (watch.isCancelled()) return problemOf(input.value(), kCancelled);
-  Result<Loaded> loaded = kept ? Result<Loaded>(std::move(*kept)) : build(input.value(), watch);
+  std::optional<Loaded> kept = fromCache(cache, key, monitor);
+  if (monitor.isCancelled()) return problemOf(input.value(), kCancelled);
+  Result<Loaded> loaded = kept ? Result<Loaded>(std::move(*kept)) : build(input.value(), monitor);
   if (!loaded) return loaded;
   loaded.value().format = input.value().format();
   loaded.value().checksum = checksum.value();
   if (!loaded.value().from_cache && !input.value().hasChanged()) {
-    watch.tell(TRANSLATE_NOOP("step of work", "Storing"), kBuilt);
+    monitor.report(TRANSLATE_NOOP("step of work", "Storing"), kBuilt);
     const std::vector<std::byte> bytes = mesh::surfaceBytes(*loaded.value().surface);
     const std::array parts{std::as_bytes(std::span(&loaded.value().facts, 1)), std::span<const std::byte>(bytes)};
-    cache.put(key, parts, watch);
+    cache.put(key, parts, monitor);
   }
-  if (watch.isCancelled()) return problemOf(input.value(), kCancelled);
-  watch.tell(TRANSLATE_NOOP("step of work", "Ready"), 1.0);
+  if (monitor.isCancelled()) return problemOf(input.value(), kCancelled);
+  monitor.report(TRANSLATE_NOOP("step of work", "Ready"), 1.0);
   return loaded;
 }
 

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/helper/words.h"
+#include "core/helper/sentence_codec.h"
 #include "core/mesh_file/limits.h"
 
 namespace underact::mesh_file {
@@ -26,7 +26,7 @@ struct MessageHead {
 static_assert(std::is_trivially_copyable_v<MessageHead>);
 static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(mesh::Face) == 12);
 
-bool isWhole(const Raw& raw) {
+bool isWhole(const RawMesh& raw) {
   const auto count = static_cast<std::int32_t>(raw.triangles.p_MV.size());
   for (const Eigen::Vector3f& p_MV : raw.triangles.p_MV) {
     for (const float x : {p_MV.x(), p_MV.y(), p_MV.z()}) {
@@ -47,8 +47,8 @@ bool isWhole(const Raw& raw) {
 }  // namespace
 
 bool writeMessage(const Message& message, const std::function<bool(std::span<const std::byte>)>& write) {
-  const Raw& raw = message.raw;
-  const std::string problem = helper::lettersOf(message.problem);
+  const RawMesh& raw = message.raw;
+  const std::string problem = helper::encodeSentence(message.problem);
   MessageHead head;
   head.problem_bytes = problem.size();
   head.corners = raw.triangles.p_MV.size();
@@ -76,11 +76,11 @@ std::optional<Message> readMessage(std::span<const std::byte> bytes) {
   Message message;
   bytes = bytes.subspan(sizeof head);
   std::string_view letters{reinterpret_cast<const char*>(bytes.data()), head.problem_bytes};
-  std::optional<Sentence> problem = helper::sentenceOf(letters);
+  std::optional<Sentence> problem = helper::decodeSentence(letters);
   if (!problem) return {};
   message.problem = std::move(*problem);
   bytes = bytes.subspan(head.problem_bytes);
-  Raw& raw = message.raw;
+  RawMesh& raw = message.raw;
   raw.triangles.p_MV.resize(head.corners);
   raw.triangles.faces.resize(head.faces);
   std::ranges::copy(bytes.first(12 * head.corners), std::as_writable_bytes(std::span(raw.triangles.p_MV)).begin());

@@ -13,7 +13,7 @@ namespace underact::mesh_file {
 /// What the reader writes to its standard output: bytes of progress, see helper/run.h, then one message.
 struct Message {
   Sentence problem;  // empty: the file was read
-  Raw raw;
+  RawMesh raw;
 };
 
 /// Writes it part by part, of the problem the pattern and the words in its places. false: the callback returned false.

@@ -14,8 +14,8 @@ constexpr std::size_t kMostNested = 1000;
 
 class Finding {
  public:
-  Finding(const mesh::Triangles& triangles, const Edges& edges, const Watch& watch)
-      : triangles_(triangles), edges_(edges), steps_(watch) {
+  Finding(const mesh::Triangles& triangles, const Edges& edges, const TaskMonitor& monitor)
+      : triangles_(triangles), edges_(edges), steps_(monitor) {
     found_.part_of.assign(triangles.faces.size(), -1);
     found_.is_against.assign(triangles.faces.size(), 0);
   }
@@ -138,8 +138,8 @@ class Finding {
 
 }  // namespace
 
-std::optional<Parts> partsOf(const mesh::Triangles& triangles, const Edges& edges, const Watch& watch) {
-  return Finding(triangles, edges, watch).all();
+std::optional<Parts> partsOf(const mesh::Triangles& triangles, const Edges& edges, const TaskMonitor& monitor) {
+  return Finding(triangles, edges, monitor).all();
 }
 
 }  // namespace underact::mesh_file

@@ -37,6 +37,6 @@ inline bool isClosed(const Part& part) {
 /// Finds the connected parts, the winding of each face, and the faces to reverse: in a closed part, so that normals
 /// point outwards; in a part within another, which may be the wall of a cavity, and in an open part, so that the
 /// majority stays. None: cancelled.
-std::optional<Parts> partsOf(const mesh::Triangles& triangles, const Edges& edges, const Watch& watch);
+std::optional<Parts> partsOf(const mesh::Triangles& triangles, const Edges& edges, const TaskMonitor& monitor);
 
 }  // namespace underact::mesh_file

@@ -15,7 +15,7 @@ struct Dropped {
 };
 
 /// A mesh as read from its file, its polygons split into triangles.
-struct Raw {
+struct RawMesh {
   mesh::Triangles triangles;  // finite, indexes in range
   Dropped dropped;
   std::int64_t polygons = 0;         // faces of the file, including those left out

@@ -4,7 +4,7 @@
 #include "core/helper/run.h"
 #include "core/mesh_file/limits.h"
 #include "core/mesh_file/message.h"
-#include "core/system/places.h"
+#include "core/system/resource_paths.h"
 
 namespace underact::mesh_file {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kReader = "underact-mesh-reader";
 
 /// The reason why there is no mesh; empty: there is an answer.
-Sentence whyNone(const helper::Answer& answer, const helper::Errand& errand) {
+Sentence noneReason(const helper::Answer& answer, const helper::HelperCall& errand) {
   using helper::Ending;
   switch (answer.ending) {
     case Ending::Exited:
@@ -29,39 +29,39 @@ Sentence whyNone(const helper::Answer& answer, const helper::Errand& errand) {
                                  "which is enough for a file of its size."),
                   {helper::secondsText(errand.most_cpu_s)});
     case Ending::Waited:
-      return helper::whyWaited(errand.most_time_s);
+      return helper::timeoutText(errand.most_time_s);
     case Ending::WroteTooMuch:
       return said(
           TRANSLATE_NOOP("problem", "The file is damaged: it declares more faces than a file of its size can hold."));
     case Ending::Cancelled:
       return kCancelled;
     case Ending::NotStarted:
-    case Ending::NotSealed:
-      return helper::whyNoHelper(answer.ending, kReader, answer.code);
+    case Ending::NotSandboxed:
+      return helper::helperFailureText(answer.ending, kReader, answer.code);
   }
   return {};
 }
 
 }  // namespace
 
-Result<Raw> readFile(const Input& input, const Watch& watch) {
+Result<RawMesh> readFile(const Input& input, const TaskMonitor& monitor) {
   const auto problem = [&](const Sentence& sentence) { return Problems{{sentence, {input.path()}}}; };
   const Result<std::string> reader = system::findProgram(kReader, "UNDERACT_MESH_READER");
   if (!reader)
     return problem(oneAfterAnother(
         {reader.problems().front().sentence, said(TRANSLATE_NOOP("problem", "It reads meshes: reinstall Underact."))}));
-  helper::Errand errand;
+  helper::HelperCall errand;
   errand.program = reader.value();
   errand.argument = wordOf(input.format());
   errand.input_fd = input.rewound();
   errand.most_cpu_s = mostCpu_s(input.bytes());
   errand.most_time_s = mostTime_s(input.bytes());
   errand.most_output = mostMemory(input.bytes());
-  errand.progress = [&watch](unsigned char percent) {
-    watch.tell(TRANSLATE_NOOP("step of work", "Reading the mesh"), percent / 100.0);
+  errand.progress = [&monitor](unsigned char percent) {
+    monitor.report(TRANSLATE_NOOP("step of work", "Reading the mesh"), percent / 100.0);
   };
-  const helper::Answer answer = run(errand, watch);
-  const Sentence why = whyNone(answer, errand);
+  const helper::Answer answer = run(errand, monitor);
+  const Sentence why = noneReason(answer, errand);
   if (!why.empty()) return problem(why);
   std::optional<Message> message = readMessage(answer.output);
   if (!message)
@@ -74,10 +74,10 @@ Result<Raw> readFile(const Input& input, const Watch& watch) {
   return std::move(message->raw);
 }
 
-Result<Raw> readFile(const std::string& path, const Watch& watch) {
+Result<RawMesh> readFile(const std::string& path, const TaskMonitor& monitor) {
   const Result<Input> input = Input::open(path);
   if (!input) return input.problems();
-  return readFile(input.value(), watch);
+  return readFile(input.value(), monitor);
 }
 
 }  // namespace underact::mesh_file

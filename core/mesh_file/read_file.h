@@ -10,7 +10,7 @@ inline constexpr const char* kCancelled = "Cancelled.";
 /// Reads a mesh in a separate process, underact-mesh-reader, which is sealed off from everything else: whatever the
 /// file does to the reader stays there. Bounded by limits.h in memory and time. Problems: one, with the file; also
 /// where the reader was not found (UNDERACT_MESH_READER says where it is), crashed, took too long, or was cancelled.
-Result<Raw> readFile(const Input& input, const Watch& watch = {});
-Result<Raw> readFile(const std::string& path, const Watch& watch = {});
+Result<RawMesh> readFile(const Input& input, const TaskMonitor& monitor = {});
+Result<RawMesh> readFile(const std::string& path, const TaskMonitor& monitor = {});
 
 }  // namespace underact::mesh_file

@@ -66,10 +66,10 @@ void setBounds(const Triangles& triangles, Facts& facts) {
   }
 }
 
-bool weldAll(Triangles& triangles, Facts& facts, const Watch& watch) {
+bool weldAll(Triangles& triangles, Facts& facts, const TaskMonitor& monitor) {
   const Eigen::Map<const Vec3> low(facts.low.data()), high(facts.high.data());
   facts.weld_tolerance = kWeldShare * (high - low).norm();
-  const auto firsts = weld(triangles.p_MV, facts.weld_tolerance, watch);
+  const auto firsts = weld(triangles.p_MV, facts.weld_tolerance, monitor);
   if (!firsts) return false;
   for (std::size_t corner = 0; corner < firsts->size(); ++corner) {
     facts.welded += (*firsts)[corner] == static_cast<std::int32_t>(corner) ? 0 : 1;
@@ -156,30 +156,30 @@ void countFlat(const Triangles& triangles, Facts& facts) {
 
 }  // namespace
 
-std::optional<Repaired> repair(Triangles triangles, const Watch& watch) {
+std::optional<Repaired> repair(Triangles triangles, const TaskMonitor& monitor) {
   constexpr const char* kStep = "Repairing";
   Facts facts;
   facts.file_faces = static_cast<std::int64_t>(triangles.faces.size());
   facts.file_corners = static_cast<std::int64_t>(triangles.p_MV.size());
-  watch.tell(kStep, 0.0);
+  monitor.report(kStep, 0.0);
   dropUnusable(triangles, facts);
-  if (watch.isCancelled()) return {};
+  if (monitor.isCancelled()) return {};
   compact(triangles);
   setBounds(triangles, facts);
-  if (watch.isCancelled() || !weldAll(triangles, facts, watch)) return {};
-  watch.tell(kStep, 0.3);
+  if (monitor.isCancelled() || !weldAll(triangles, facts, monitor)) return {};
+  monitor.report(kStep, 0.3);
   dropEmpty(triangles, facts);
-  const std::optional<std::int64_t> duplicates = dropDuplicates(triangles, watch);
+  const std::optional<std::int64_t> duplicates = dropDuplicates(triangles, monitor);
   if (!duplicates) return {};
   facts.duplicates = *duplicates;
   compact(triangles);
   setBounds(triangles, facts);
-  watch.tell(kStep, 0.5);
-  if (watch.isCancelled()) return {};
-  const std::optional<Edges> edges = edgesOf(triangles, watch);
+  monitor.report(kStep, 0.5);
+  if (monitor.isCancelled()) return {};
+  const std::optional<Edges> edges = edgesOf(triangles, monitor);
   if (!edges) return {};
-  watch.tell(kStep, 0.7);
-  const std::optional<Parts> parts = partsOf(triangles, *edges, watch);
+  monitor.report(kStep, 0.7);
+  const std::optional<Parts> parts = partsOf(triangles, *edges, monitor);
   if (!parts) return {};
   describeBorders(triangles, *edges, facts);
   turnFaces(triangles, *parts, facts);  // the sides of the edges change with it
@@ -189,12 +189,12 @@ std::optional<Repaired> repair(Triangles triangles, const Watch& watch) {
   facts.crowded_edges = edges->crowded;
   describeParts(*parts, facts);
   countFlat(triangles, facts);
-  watch.tell(kStep, 0.9);
-  const Crossings crossings = crossingsOf(triangles, watch);
+  monitor.report(kStep, 0.9);
+  const Crossings crossings = crossingsOf(triangles, monitor);
   facts.crossings = crossings.pairs;
   facts.crossings_checked = crossings.is_whole ? 1 : 0;
-  if (watch.isCancelled()) return {};
-  watch.tell(kStep, 1.0);
+  if (monitor.isCancelled()) return {};
+  monitor.report(kStep, 1.0);
   return Repaired{std::move(triangles), facts};
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "core/base/watch.h"
+#include "core/base/task_monitor.h"
 #include "core/mesh/triangles.h"
 #include "core/mesh_file/facts.h"
 
@@ -19,6 +19,6 @@ inline constexpr double kWeldShare = 1e-6;
 /// Welds corners; removes degenerate and duplicate faces; reverses faces for a consistent winding with normals pointing
 /// out of closed parts; then analyses the result. Any triangles, also none. Deterministic to the bit. None: cancelled.
 /// Cost: nearly linear; measured: 1.4 s for 2 million faces.
-std::optional<Repaired> repair(mesh::Triangles triangles, const Watch& watch = {});
+std::optional<Repaired> repair(mesh::Triangles triangles, const TaskMonitor& monitor = {});
 
 }  // namespace underact::mesh_file

@@ -104,7 +104,7 @@ Sentence crossingsOf(const Facts& facts) {
           "The surface intersects itself, at %1 pairs of faces. Near there, outside and inside may be wrong."));
 }
 
-void addWhatIsLeft(const Facts& facts, double mm_per_unit, std::vector<Sentence>& report) {
+void addRemaining(const Facts& facts, double mm_per_unit, std::vector<Sentence>& report) {
   if (facts.parts > 1) report.push_back(partsOf(facts));
   if (facts.borders > 0) {
     report.push_back(counted(
@@ -144,7 +144,7 @@ void addWhatIsLeft(const Facts& facts, double mm_per_unit, std::vector<Sentence>
 /// Below this thickness the stylus is pushed out on the nearer side, and so through the part.
 constexpr double kThin_mm = 1.0;
 
-void addWhatItMeans(const Facts& facts, double mm_per_unit, std::vector<Sentence>& report) {
+void addConsequences(const Facts& facts, double mm_per_unit, std::vector<Sentence>& report) {
   if (facts.thinnest > 0.0 && facts.thinnest * mm_per_unit < kThin_mm) {
     report.push_back(said(
         TRANSLATE_NOOP("problem", "Part of it is thin, %1 on average: you may be able to push the stylus through."),
@@ -154,7 +154,7 @@ void addWhatItMeans(const Facts& facts, double mm_per_unit, std::vector<Sentence
       allowsWalls(facts)
           ? said(TRANSLATE_NOOP(
                 "problem", "The mesh is closed: it can be felt from both sides, or as a wall from outside or inside."))
-          : said(TRANSLATE_NOOP("problem", "The mesh can be felt from both sides only: %1."), {whyNoWalls(facts)}));
+          : said(TRANSLATE_NOOP("problem", "The mesh can be felt from both sides only: %1."), {noWallsReason(facts)}));
 }
 
 }  // namespace
@@ -163,7 +163,7 @@ bool allowsWalls(const Facts& facts) {
   return isClosed(facts);
 }
 
-Sentence whyNoWalls(const Facts& facts) {
+Sentence noWallsReason(const Facts& facts) {
   if (facts.faces == 0) return said(TRANSLATE_NOOP("problem", "it has no faces"));
   if (facts.border_edges > 0) return said(TRANSLATE_NOOP("problem", "it is open, so it has no inside"));
   if (facts.clashing_edges > 0) return said(TRANSLATE_NOOP("problem", "its faces cannot agree on an outside"));
@@ -180,8 +180,8 @@ std::vector<Sentence> reportOf(const Facts& facts, double mm_per_unit) {
     report.push_back(said(TRANSLATE_NOOP("problem", "No face is left, so there is nothing to feel.")));
     return report;
   }
-  addWhatIsLeft(facts, mm_per_unit, report);
-  addWhatItMeans(facts, mm_per_unit, report);
+  addRemaining(facts, mm_per_unit, report);
+  addConsequences(facts, mm_per_unit, report);
   return report;
 }
 

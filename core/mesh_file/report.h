@@ -15,7 +15,7 @@ std::vector<Sentence> reportOf(const Facts& facts, double mm_per_unit);
 bool allowsWalls(const Facts& facts);
 
 /// Why they are not; empty: they are.
-Sentence whyNoWalls(const Facts& facts);
+Sentence noWallsReason(const Facts& facts);
 
 /// A unit that the file may have been written in.
 struct Unit {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/base/watch.h"
+#include "core/base/task_monitor.h"
 
 namespace underact::mesh_file {
 
@@ -10,7 +10,7 @@ namespace underact::mesh_file {
 class Steps {
  public:
   /// watch: outlives this.
-  explicit Steps(const Watch& watch) : watch_(watch) {}
+  explicit Steps(const TaskMonitor& monitor) : watch_(monitor) {}
   /// Whether to stop; to be called once an iteration.
   bool isCancelled() {
     if ((++count_ & 0x3FFFU) == 0) is_cancelled_ = is_cancelled_ || watch_.isCancelled();
@@ -18,18 +18,18 @@ class Steps {
   }
 
  private:
-  const Watch& watch_;
+  const TaskMonitor& watch_;
   std::uint32_t count_ = 0;
   bool is_cancelled_ = false;
 };
 
 /// A watch for a part of the work, whose progress is that from `from` to `to` of the whole.
-inline Watch partOf(const Watch& watch, double from, double to) {
-  Watch part;
-  part.cancelled = watch.cancelled;
-  if (watch.progress) {
-    part.progress = [&watch, from, to](const char* step, double share) {
-      watch.tell(step, from + (to - from) * std::clamp(share, 0.0, 1.0));
+inline TaskMonitor partOf(const TaskMonitor& monitor, double from, double to) {
+  TaskMonitor part;
+  part.cancelled = monitor.cancelled;
+  if (monitor.progress) {
+    part.progress = [&monitor, from, to](const char* step, double share) {
+      monitor.report(step, from + (to - from) * std::clamp(share, 0.0, 1.0));
     };
   }
   return part;

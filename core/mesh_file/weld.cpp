@@ -89,9 +89,9 @@ class Welding {
 }  // namespace
 
 std::optional<std::vector<std::int32_t>> weld(const std::vector<Eigen::Vector3f>& p_MV, double tolerance,
-                                              const Watch& watch) {
+                                              const TaskMonitor& monitor) {
   Welding welding(p_MV, tolerance);
-  Steps steps(watch);
+  Steps steps(monitor);
   std::vector<std::int32_t> firsts(p_MV.size());
   for (std::size_t corner = 0; corner < p_MV.size(); ++corner) {
     if (steps.isCancelled()) return {};

@@ -15,26 +15,26 @@ constexpr std::int64_t kSetAsideAtLeast = 4 << 20;
 
 }  // namespace
 
-Presence::Presence(const std::string& path) : file_(system::openToRead(path)) {
+RecordingLock::RecordingLock(const std::string& path) : file_(system::openToRead(path)) {
   if (file_.isOpen()) (void)system::lock(file_.number(), system::Lock::Shared);
 }
 
-bool Presence::isAt(const std::string& path) {
+bool RecordingLock::isAt(const std::string& path) {
   const system::Descriptor file = system::openToRead(path);
   return file.isOpen() && !system::lock(file.number(), system::Lock::Alone);
 }
 
-bool SetAside::forMore(std::int64_t bytes, int fd) {
+bool DiskReserve::reserve(std::int64_t bytes, int fd) {
   const std::optional<system::Status> now = system::statusOf(fd);
   const auto there = static_cast<std::int64_t>(now ? now->bytes : 0);
   if (!now || there + bytes + kSetAsideAtLeast <= until_) return true;
   const std::int64_t more = bytes + kSetAside;
   const system::Room room = system::setAside(fd, there, more);
-  if (room == system::Room::SetAside) until_ = there + more;
+  if (room == system::Room::DiskReserve) until_ = there + more;
   return room != system::Room::None;
 }
 
-void SetAside::giveBack(const std::string& path) const {
+void DiskReserve::giveBack(const std::string& path) const {
   std::error_code ignored;
   if (until_ > 0) std::filesystem::resize_file(path, static_cast<std::uintmax_t>(sizeOf(path)), ignored);
 }

@@ -8,11 +8,11 @@ namespace underact::record {
 
 /// Marks a file as being recorded: others may read but not write it, until this process ends in any way. HDF5's own
 /// lock is released once readers may follow.
-class Presence {
+class RecordingLock {
  public:
-  Presence() = default;
+  RecordingLock() = default;
   /// Marks the file at path as one that is being recorded, by a shared lock. No such file: no mark.
-  explicit Presence(const std::string& path);
+  explicit RecordingLock(const std::string& path);
   /// Whether a program is recording into that file.
   static bool isAt(const std::string& path);
 
@@ -22,11 +22,11 @@ class Presence {
 
 /// Reserves disk space ahead of the writer, so that a full disk is noticed before the library meets it, and a recording
 /// can still be ended in order.
-class SetAside {
+class DiskReserve {
  public:
   /// Reserves space for so many bytes more. false: the disk is full. A file system that cannot reserve space reports a
   /// full disk only when it is full.
-  bool forMore(std::int64_t bytes, int fd);
+  bool reserve(std::int64_t bytes, int fd);
   /// Frees the unused part, once the file is closed.
   void giveBack(const std::string& path) const;
 

@@ -91,7 +91,7 @@ std::string twoDigits(int value) {
   return (value < 10 ? "0" : "") + std::to_string(value);
 }
 
-Problems cannotBeKept(const std::string& path, int error) {
+Problems cannotBeSaved(const std::string& path, int error) {
   return {
       {said(TRANSLATE_NOOP("problem", "The fault cannot be written to a file: %1."), {std::strerror(error)}), {path}}};
 }
@@ -185,11 +185,11 @@ Problems writeFaultFile(std::string_view text, const std::string& path) {
   // Readable by its owner alone, as it says who felt what, and when.
   const int reason =
       system::putInPlace(system::makeNew(part, system::Existing::Replace), part, path, text, system::Lasting::Written);
-  return reason == 0 ? Problems{} : cannotBeKept(path, reason);
+  return reason == 0 ? Problems{} : cannotBeSaved(path, reason);
 }
 
-Result<std::string> keepFault(const servo::FaultReport& report, const FaultWords& words, const std::string& folder) {
-  if (const int reason = system::makePrivateFolder(folder); reason != 0) return cannotBeKept(folder, reason);
+Result<std::string> saveFault(const servo::FaultReport& report, const FaultWords& words, const std::string& folder) {
+  if (const int reason = system::makePrivateFolder(folder); reason != 0) return cannotBeSaved(folder, reason);
   std::string time = isoTime(report.unix_time_s);
   std::erase_if(time, [](char letter) { return letter == '-' || letter == ':'; });
   int number = 1;  // of the faults of that second

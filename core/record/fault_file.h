@@ -33,6 +33,6 @@ Problems writeFaultFile(std::string_view text, const std::string& path);
 
 /// Saves a fault as a new file of folder, which is made if necessary, and removes the oldest faults beyond
 /// kFaultFilesKept; other files of the folder are not touched. Gives the path. Problems: it cannot be written.
-Result<std::string> keepFault(const servo::FaultReport& report, const FaultWords& words, const std::string& folder);
+Result<std::string> saveFault(const servo::FaultReport& report, const FaultWords& words, const std::string& folder);
 
 }  // namespace underact::record

@@ -55,11 +55,11 @@ struct Hdf5File::Impl {
   std::string opened;  // and as the system does
   bool by_descriptor = false;
   std::int64_t at_least = 0;  // see accessThrough()
-  Presence presence;
+  RecordingLock presence;
   Id file;
   std::vector<OpenTable> tables;
   bool writes = false, failed = false, full = false, elsewhere = false;
-  SetAside set_aside;
+  DiskReserve set_aside;
   std::int64_t unflushed_bytes = 0;  // in the library's memory, not yet in the size of the file
   Problems failure;                  // the first
 
@@ -78,7 +78,7 @@ struct Hdf5File::Impl {
   /// Makes the library write to nothing from here on: what it has in memory is ahead of the disk, and a half-written
   /// part would damage what is intact.
   void letBe() const {
-    if (writes && descriptor() >= 0) system::leadNowhere(descriptor());
+    if (writes && descriptor() >= 0) system::redirectToNull(descriptor());
   }
   /// The size of the file now.
   std::int64_t bytes() const {
@@ -107,9 +107,9 @@ struct Hdf5File::Impl {
       file = Id(H5Fopen(name, H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access), H5Fclose);
       elsewhere = true;
     }
-    return file.isGood() ? Problems{} : whyNoSession(there, stated);
+    return file.isGood() ? Problems{} : noSessionReason(there, stated);
   }
-  Problems whyNoSession(std::int64_t there, std::int64_t stated) const {
+  Problems noSessionReason(std::int64_t there, std::int64_t stated) const {
     if (there < stated)
       return problemAt(
           path, said(TRANSLATE_NOOP("problem",
@@ -134,7 +134,7 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
   impl->path = impl->opened = path;
   impl->writes = true;
   if (Problems problems = system::checkNew(path, existing); !problems.empty()) return problems;
-  if (existing == system::Existing::Replace && Presence::isAt(path))
+  if (existing == system::Existing::Replace && RecordingLock::isAt(path))
     return problemAt(
         path, said(TRANSLATE_NOOP("problem", "Another program is recording into this file. Give another name.")));
   const system::Descriptor made = system::makeNew(path, existing);  // the library would let others read it
@@ -157,7 +157,7 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
     std::filesystem::remove(path, ignored);  // it is empty, and would be in the way of the next attempt
     return problems;
   }
-  impl->presence = Presence(path);
+  impl->presence = RecordingLock(path);
   return Hdf5File(std::move(impl));
 }
 
@@ -180,7 +180,7 @@ Result<Hdf5File> Hdf5File::openAt(int fd, std::span<const Table> tables, std::in
   const Id access = accessList();
   const std::int64_t there = std::max(system::lengthOf(fd), at_least);
   Problems problems = accessThrough(access, fd, at_least) ? impl->openToRead(kGivenFile, access, there, statedSize(fd))
-                                                          : impl->whyNoSession(0, 0);
+                                                          : impl->noSessionReason(0, 0);
   if (problems.empty()) problems = impl->openTables(tables);
   if (!problems.empty()) return problems;
   return Hdf5File(std::move(impl));
@@ -200,12 +200,12 @@ Result<Hdf5File> Hdf5File::reopen(const std::string& path, std::span<const Table
   H5Pset(access, "clear_status_flags", &clear);  // as h5clear does
   impl->file = Id(H5Fopen(impl->opened.c_str(), H5F_ACC_RDWR, access), H5Fclose);
   if (!impl->file.isGood()) {
-    if (Presence::isAt(impl->opened))  // not by errno: HDF5 1.14 asks for other things after the lock was refused
+    if (RecordingLock::isAt(impl->opened))  // not by errno: HDF5 1.14 asks for other things after the lock was refused
       return problemAt(path,
                        said(TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")));
     return impl->fail(TRANSLATE_NOOP("problem", "The file cannot be opened for writing: %1."));
   }
-  if (fd >= 0 && !system::areTheSame(system::statusOf(fd), system::statusOf(impl->descriptor())))
+  if (fd >= 0 && !system::isSameFile(system::statusOf(fd), system::statusOf(impl->descriptor())))
     return problemAt(
         path,
         said(TRANSLATE_NOOP(
@@ -222,7 +222,7 @@ Problems Hdf5File::append(std::size_t table, const Block& block) {
   if (impl_->failed || block.rows == 0) return impl_->failure;
   quiet();
   impl_->unflushed_bytes += static_cast<std::int64_t>(block.bytes.size());
-  impl_->full = impl_->full || !impl_->set_aside.forMore(impl_->unflushed_bytes, impl_->descriptor());
+  impl_->full = impl_->full || !impl_->set_aside.reserve(impl_->unflushed_bytes, impl_->descriptor());
   if (impl_->full)
     return problemAt(impl_->path,
                      said(TRANSLATE_NOOP("problem",

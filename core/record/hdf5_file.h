@@ -15,7 +15,7 @@ namespace underact::record {
 
 /// Tables in an HDF5 file, with one writer and many concurrent readers (SWMR). One thread at a time. Problems are
 /// sentences for users; their place is the file. Tables that this program would not write are refused: another layout
-/// (see openStore()), more rows than the file can hold. For files from elsewhere: see ForeignFile.
+/// (see openStore()), more rows than the file can hold. For files from elsewhere: see UntrustedFile.
 class Hdf5File {
  public:
   ~Hdf5File();

@@ -27,7 +27,7 @@ std::int64_t unixNow_ns() {
   return std::int64_t{1'000'000'000} * now.tv_sec + now.tv_nsec;
 }
 
-SessionHeader headerOf(const servo::Host& host, const SessionWords& words) {
+SessionHeader headerOf(const servo::Host& host, const SessionMetadata& words) {
   SessionHeader header;
   header.words = words;
   header.scene_title = host.scene().title;
@@ -60,7 +60,7 @@ struct Recorder::Impl {
     while (!failed() && !tap->ended() && !ends.load()) {
       const bool busy = room() < 0.5;  // a run at full speed must not wait
       takeAll();
-      if (!failed()) lookAtDisk();
+      if (!failed()) checkDisk();
       if (!busy) std::this_thread::sleep_for(kPause);
     }
     tap->giveUp();
@@ -100,7 +100,7 @@ struct Recorder::Impl {
     disk_full = disk_full || writer.isFull();
   }
 
-  void lookAtDisk() {
+  void checkDisk() {
     if (steady_clock::now() < next_look) return;
     next_look = steady_clock::now() + kLookAtDisk;
     std::error_code error;
@@ -137,7 +137,7 @@ struct Recorder::Impl {
     }
     if (!in_order) {
       writer.abandon();
-      const Result<std::int64_t> whole = makeWhole(path);
+      const Result<std::int64_t> whole = completeFile(path);
       Sentence& sentence = problems.front().sentence;
       if (whole)
         sentence = oneAfterAnother({sentence, said(TRANSLATE_NOOP("problem", "Everything up to then was saved."))});
@@ -177,8 +177,8 @@ Recorder::~Recorder() {
   stop(EndReason::ProgramEnded);
 }
 
-Result<std::unique_ptr<Recorder>> Recorder::start(servo::Host& host, const std::string& path, const SessionWords& words,
-                                                  const RecorderOptions& options) {
+Result<std::unique_ptr<Recorder>> Recorder::start(servo::Host& host, const std::string& path,
+                                                  const SessionMetadata& words, const RecorderOptions& options) {
   SessionHeader header = headerOf(host, words);
   header.block_s = options.block_s;
   Result<SessionWriter> writer = SessionWriter::create(path, header, options.existing);

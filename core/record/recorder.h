@@ -34,8 +34,8 @@ struct RecorderStatus {
 class Recorder {
  public:
   /// Begins with the next tick. The host must outlive the recorder. Problems: the file cannot be created.
-  static Result<std::unique_ptr<Recorder>> start(servo::Host& host, const std::string& path, const SessionWords& words,
-                                                 const RecorderOptions& options = {});
+  static Result<std::unique_ptr<Recorder>> start(servo::Host& host, const std::string& path,
+                                                 const SessionMetadata& words, const RecorderOptions& options = {});
   ~Recorder();  // as stop(), if that was not called
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -57,11 +57,11 @@ class Recorder {
 };
 
 /// Completes a file of this program that could not be ended in order: as recover(), without checking it first.
-Result<std::int64_t> makeWhole(const std::string& path);
+Result<std::int64_t> completeFile(const std::string& path);
 
 /// Completes a file that a killed program left: truncates it to the last block that all tables have and marks it as
 /// recovered, so that every program opens it. In place. A session that ended in order stays as it is. Gives the number
-/// of ticks. Problems: not a session, or damaged beyond what a recording can be, see ForeignFile; a link; being
+/// of ticks. Problems: not a session, or damaged beyond what a recording can be, see UntrustedFile; a link; being
 /// recorded; it cannot be written.
 Result<std::int64_t> recover(const std::string& path);
 

@@ -24,7 +24,7 @@ Result<std::int64_t> wholeRows(Hdf5File& file, std::size_t table) {
 }
 
 /// fd: see Hdf5File::reopen().
-Result<std::int64_t> makeWholeAt(const std::string& path, int fd) {
+Result<std::int64_t> completeFileAt(const std::string& path, int fd) {
   const std::array tables = sessionTables(1000);
   Result<Hdf5File> file = Hdf5File::reopen(path, tables, true, fd);
   if (!file) return file.problems();
@@ -50,15 +50,15 @@ Result<std::int64_t> makeWholeAt(const std::string& path, int fd) {
 
 }  // namespace
 
-Result<std::int64_t> makeWhole(const std::string& path) {
-  return makeWholeAt(path, -1);
+Result<std::int64_t> completeFile(const std::string& path) {
+  return completeFileAt(path, -1);
 }
 
 Result<std::int64_t> recover(const std::string& path) {
   // The file may come from anybody, so it is checked in the sealed reader first, and then exactly that file is changed.
-  Result<ForeignInput> opened = ForeignInput::open(path, false);
+  Result<UntrustedInput> opened = UntrustedInput::open(path, false);
   if (!opened) return opened.problems();
-  const auto input = std::make_shared<const ForeignInput>(std::move(opened).value());
+  const auto input = std::make_shared<const UntrustedInput>(std::move(opened).value());
   const std::int64_t length = lengthToGrowTo(input->bytes(), statedSize(input->fd()));
   {
     const Result<Session> session = Session::open(input, length);
@@ -67,7 +67,7 @@ Result<std::int64_t> recover(const std::string& path) {
       return session.value().info().ticks;
   }  // closed here: it is opened for writing now
   input->unlock();
-  return makeWholeAt(path, input->fd());
+  return completeFileAt(path, input->fd());
 }
 
 }  // namespace underact::record

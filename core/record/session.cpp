@@ -51,15 +51,15 @@ bool areThere(const std::vector<Block>& blocks) {
 }  // namespace
 
 Result<Session> Session::open(const std::string& path) {
-  Result<ForeignInput> input = ForeignInput::open(path);
+  Result<UntrustedInput> input = UntrustedInput::open(path);
   if (!input) return input.problems();
-  return open(std::make_shared<const ForeignInput>(std::move(input).value()));
+  return open(std::make_shared<const UntrustedInput>(std::move(input).value()));
 }
 
-Result<Session> Session::open(std::shared_ptr<const ForeignInput> input, std::int64_t at_least) {
+Result<Session> Session::open(std::shared_ptr<const UntrustedInput> input, std::int64_t at_least) {
   const std::string path = input->path();
   const std::array tables = sessionTables(1000);  // the rows of a block of ticks are read from the file
-  Result<ForeignFile> file = ForeignFile::open(std::move(input), tables, at_least);
+  Result<UntrustedFile> file = UntrustedFile::open(std::move(input), tables, at_least);
   if (!file) return file.problems();
   Session session(std::move(file).value());
   Problems problems = session.readInfo(path);

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/record/foreign_file.h"
 #include "core/record/session_tables.h"
 #include "core/record/session_writer.h"
+#include "core/record/untrusted_file.h"
 #include "core/scene/description.h"
 
 namespace underact::record {
@@ -42,14 +42,14 @@ struct Gap {
 };
 
 /// A recorded session, for reading; also one that is still growing, and one whose writer was killed. The file may come
-/// from anybody: see ForeignFile; numbers that no recording can have are refused.
+/// from anybody: see UntrustedFile; numbers that no recording can have are refused.
 class Session {
  public:
   /// Problems: no such file; not a session; another version of the layout; damaged at its beginning; as
-  /// ForeignFile::open().
+  /// UntrustedFile::open().
   static Result<Session> open(const std::string& path);
   /// The same for an open file. at_least: see accessThrough().
-  static Result<Session> open(std::shared_ptr<const ForeignInput> input, std::int64_t at_least = 0);
+  static Result<Session> open(std::shared_ptr<const UntrustedInput> input, std::int64_t at_least = 0);
 
   // As they were read by open() or the last refresh(); valid until the next one.
   const SessionInfo& info() const { return info_; }
@@ -80,7 +80,7 @@ class Session {
   bool isOpenElsewhere() const { return file_.isOpenElsewhere(); }
 
  private:
-  explicit Session(ForeignFile file) : file_(std::move(file)) {}
+  explicit Session(UntrustedFile file) : file_(std::move(file)) {}
   Problems readInfo(const std::string& path);
   void readSmallTables();
   Result<std::vector<std::byte>> bytesOf(TableIndex table, std::int64_t begin, std::int64_t end);
@@ -88,7 +88,7 @@ class Session {
   template <class Row>
   std::vector<Row> rowsOf(TableIndex table, std::vector<Row> (*unpack)(const Block&));
 
-  ForeignFile file_;
+  UntrustedFile file_;
   SessionInfo info_;
   std::vector<ChangeRow> changes_;
   std::vector<Marker> markers_;

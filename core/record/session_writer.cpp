@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/arm/model.h"
-#include "core/record/foreign_file.h"
 #include "core/record/state_bytes.h"
+#include "core/record/untrusted_file.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/write.h"
 
@@ -143,14 +143,14 @@ Problems SessionWriter::end(const EndRow& row) {
   return problems;
 }
 
-Problems rewriteWords(const std::string& path, const SessionWords& words) {
+Problems rewriteMetadata(const std::string& path, const SessionMetadata& words) {
   // The file may come from anybody: it is checked in the sealed reader first, and then exactly that file is changed.
-  Result<ForeignInput> opened = ForeignInput::open(path, false);
+  Result<UntrustedInput> opened = UntrustedInput::open(path, false);
   if (!opened) return opened.problems();
-  const auto input = std::make_shared<const ForeignInput>(std::move(opened).value());
+  const auto input = std::make_shared<const UntrustedInput>(std::move(opened).value());
   const std::array tables = sessionTables(1000);
   {
-    const Result<ForeignFile> checked = ForeignFile::open(input, tables);
+    const Result<UntrustedFile> checked = UntrustedFile::open(input, tables);
     if (!checked) return checked.problems();
   }
   input->unlock();

@@ -11,7 +11,7 @@
 namespace underact::record {
 
 /// What a person states about a session. subject: a code; no name, no date of birth.
-struct SessionWords {
+struct SessionMetadata {
   std::string name = {};
   std::string notes = {};
   std::string tags = {};  // words separated by commas
@@ -25,7 +25,7 @@ enum class GateTime : std::uint8_t { Servo, Arm };
 
 /// What is known at the start of a session.
 struct SessionHeader {
-  SessionWords words;
+  SessionMetadata words;
   std::string scene_title;
   std::string arm{arm::kDefaultArm};
   std::string device;
@@ -80,6 +80,6 @@ class SessionWriter {
 };
 
 /// Replaces those attributes of a session. Problems: the file cannot be written (it may be being recorded).
-Problems rewriteWords(const std::string& path, const SessionWords& words);
+Problems rewriteMetadata(const std::string& path, const SessionMetadata& words);
 
 }  // namespace underact::record

@@ -88,7 +88,7 @@ Result<tick::TickState> stateOfBytes(const std::vector<std::byte>& bytes, const 
     next += sizeof part;
   });
   // A modified byte may have any value, and a correct checksum.
-  if (!isSound(state, program))
+  if (!isValid(state, program))
     return Problems{{said(TRANSLATE_NOOP(
         "problem",
         "The servo's state at the beginning of this session is not valid: the file is damaged, or was changed."))}};

@@ -18,9 +18,9 @@ double bellDraw(std::uint64_t& random) {
 
 }  // namespace
 
-Accuracy accuracyOf(const std::vector<Vec3>& marks_D, double touching_m, int draws, std::uint64_t seed) {
-  Accuracy accuracy{marks_D.size(), touching_m};
-  accuracy.expected_m = expectedError_m(marks_D, touching_m, kMiddle_D);
+Accuracy accuracyOf(const std::vector<Vec3>& points_D, double touching_m, int draws, std::uint64_t seed) {
+  Accuracy accuracy{points_D.size(), touching_m};
+  accuracy.expected_m = expectedError_m(points_D, touching_m, kMiddle_D);
   const double each_m = touching_m / std::sqrt(3.0);
   std::uint64_t random = seed;
   std::vector<double> off_m;
@@ -28,7 +28,7 @@ Accuracy accuracyOf(const std::vector<Vec3>& marks_D, double touching_m, int dra
   int covered = 0;
   for (int draw = 0; draw < draws; ++draw) {
     std::vector<Touch> touches;
-    for (const Vec3& mark_D : marks_D) {
+    for (const Vec3& mark_D : points_D) {
       Vec3 error = Vec3::Zero();
       for (int axis = 0; axis < 3; ++axis) error[axis] = each_m * bellDraw(random);
       touches.push_back({mark_D, mark_D - kMiddle_D + error, 0.0});  // stands straight: any other gives the same

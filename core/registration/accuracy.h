@@ -19,7 +19,7 @@ struct Accuracy {
 
 /// Simulates registrations with isotropic Gaussian errors, of an arm whose workspace has its middle at kMiddle_D, and
 /// measures the error there. The same numbers for the same seed.
-Accuracy accuracyOf(const std::vector<Vec3>& marks_D, double touching_m, int draws, std::uint64_t seed);
+Accuracy accuracyOf(const std::vector<Vec3>& points_D, double touching_m, int draws, std::uint64_t seed);
 
 /// The middle of the workspace 110 mm above the middle of the sheet.
 inline const Vec3 kMiddle_D{0.060, 0.110, -0.040};

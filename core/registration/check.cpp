@@ -67,7 +67,7 @@ class Distances {
 };
 
 void warnOfLayout(const std::vector<Touch>& touches, std::vector<Warning>& warnings) {
-  const Layout layout = layoutOf(marksOf(touches));
+  const Layout layout = layoutOf(referencePointsOf(touches));
   if (layout.off_line_m < kNearLine_m) {
     warnings.push_back(
         {Warning::Kind::NearLine,
@@ -123,7 +123,7 @@ bool isUpright(const Fit& fit) {
   return fit.X_DW.linear()(1, 1) > 0.0;
 }
 
-std::size_t worstMark(const std::vector<Touch>& touches, const Fit& fit) {
+std::size_t worstPoint(const std::vector<Touch>& touches, const Fit& fit) {
   std::size_t worst = 0;
   double least_m = kInfinity;
   for (std::size_t at = 0; at < touches.size(); ++at) {
@@ -172,7 +172,7 @@ std::vector<Warning> warningsOf(const std::vector<Touch>& touches, const Fit& fi
   const bool order_is_wrong = std::any_of(warnings.begin(), warnings.end(),
                                           [](const Warning& one) { return one.kind == Warning::Kind::Order; });
   if (fit.rms_m > kMuch_m && !order_is_wrong) {
-    const std::size_t worst = worstMark(touches, fit);
+    const std::size_t worst = worstPoint(touches, fit);
     warnings.push_back(
         {Warning::Kind::Residual,
          said(TRANSLATE_NOOP(

@@ -25,7 +25,7 @@ std::vector<std::size_t> likelyOrder(const std::vector<Touch>& touches, const Fi
 
 /// The index of the reference point that was most probably touched inaccurately: the others fit best without it; of
 /// three, the one with the largest residual.
-std::size_t worstMark(const std::vector<Touch>& touches, const Fit& fit);
+std::size_t worstPoint(const std::vector<Touch>& touches, const Fit& fit);
 
 /// Whether the arm's own "up" points up from the desk.
 bool isUpright(const Fit& fit);

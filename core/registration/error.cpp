@@ -25,12 +25,12 @@ double likelyMost_m(double rms_m, std::size_t marks) {
   return touchingError_m(rms_m, marks) * std::sqrt(freedom / kLowTwentieth[row]);
 }
 
-double expectedError_m(const std::vector<Vec3>& marks_D, double touching_m, const Vec3& p_D) {
-  const auto count = static_cast<double>(marks_D.size());
+double expectedError_m(const std::vector<Vec3>& points_D, double touching_m, const Vec3& p_D) {
+  const auto count = static_cast<double>(points_D.size());
   Vec3 middle_D = Vec3::Zero();
-  for (const Vec3& mark_D : marks_D) middle_D += mark_D / count;
+  for (const Vec3& mark_D : points_D) middle_D += mark_D / count;
   Mat3 spread = Mat3::Zero();
-  for (const Vec3& mark_D : marks_D) spread += (mark_D - middle_D) * (mark_D - middle_D).transpose() / count;
+  for (const Vec3& mark_D : points_D) spread += (mark_D - middle_D) * (mark_D - middle_D).transpose() / count;
   const PrincipalAxes principal = principalAxes(spread);
   const Vec3 along_m2 = principal.values.cwiseMax(0.0);
   const Vec3 point = principal.axes.transpose() * (p_D - middle_D);
@@ -43,8 +43,8 @@ double expectedError_m(const std::vector<Vec3>& marks_D, double touching_m, cons
 }
 
 ErrorInTheMiddle errorInTheMiddle(const std::vector<Touch>& touches, const Fit& fit) {
-  const std::vector<Vec3> marks_D = marksOf(touches);
-  const double unit = expectedError_m(marks_D, 1.0, fit.X_DW.translation());
+  const std::vector<Vec3> points_D = referencePointsOf(touches);
+  const double unit = expectedError_m(points_D, 1.0, fit.X_DW.translation());
   return {unit * touchingError_m(fit.rms_m, touches.size()), unit * likelyMost_m(fit.rms_m, touches.size())};
 }
 

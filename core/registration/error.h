@@ -18,9 +18,9 @@ double likelyMost_m(double rms_m, std::size_t marks);
 
 /// The expected error at a point of the desk, m, root mean square, where each reference point was touched with that
 /// error: e^2 / N (1 + (d1^2 / f1^2 + d2^2 / f2^2 + d3^2 / f3^2) / 3), with d the point's and f the reference points'
-/// root mean square distance from each principal axis of the reference points. marks_D: as fitTouches() takes them.
+/// root mean square distance from each principal axis of the reference points. points_D: as fitTouches() takes them.
 /// Source: Fitzpatrick, West, Maurer 1998, eq. 46.
-double expectedError_m(const std::vector<Vec3>& marks_D, double touching_m, const Vec3& p_D);
+double expectedError_m(const std::vector<Vec3>& points_D, double touching_m, const Vec3& p_D);
 
 /// The expected error at the middle of the workspace, p_W = 0, m.
 struct ErrorInTheMiddle {

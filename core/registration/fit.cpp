@@ -61,7 +61,7 @@ void judge(const std::vector<Vec3>& points, const Words& words, Problems& proble
 
 }  // namespace
 
-std::vector<Vec3> marksOf(const std::vector<Touch>& touches) {
+std::vector<Vec3> referencePointsOf(const std::vector<Touch>& touches) {
   std::vector<Vec3> points;
   for (const Touch& touch : touches) points.push_back(touch.p_DM);
   return points;
@@ -97,11 +97,11 @@ Result<Fit> fitTouches(const std::vector<Touch>& touches) {
                      {}}};
   }
   Problems problems;
-  judge(marksOf(touches), kOfMarks, problems);
+  judge(referencePointsOf(touches), kOfMarks, problems);
   judge(touchedOf(touches), kTouchedPoints, problems);
   if (!problems.empty()) return problems;
   Fit fit;
-  fit.X_DW.matrix() = Eigen::umeyama(columnsOf(touchedOf(touches)), columnsOf(marksOf(touches)), false);
+  fit.X_DW.matrix() = Eigen::umeyama(columnsOf(touchedOf(touches)), columnsOf(referencePointsOf(touches)), false);
   double sum_m2 = 0.0;
   for (const Touch& touch : touches) {
     fit.off_D.push_back(fit.X_DW * touch.p_WM - touch.p_DM);

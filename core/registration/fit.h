@@ -42,7 +42,7 @@ struct Layout {
 /// points: three at least, finite.
 Layout layoutOf(const std::vector<Vec3>& points);
 
-std::vector<Vec3> marksOf(const std::vector<Touch>& touches);    // in D
-std::vector<Vec3> touchedOf(const std::vector<Touch>& touches);  // in W
+std::vector<Vec3> referencePointsOf(const std::vector<Touch>& touches);  // in D
+std::vector<Vec3> touchedOf(const std::vector<Touch>& touches);          // in W
 
 }  // namespace underact::registration

@@ -20,11 +20,12 @@ constexpr std::array<Mark, kMostMarks> kMarks{
 
 }  // namespace
 
-std::vector<Vec3> sheetMarks(std::size_t count) {
-  std::vector<Vec3> marks_D;
+std::vector<Vec3> sheetPoints(std::size_t count) {
+  std::vector<Vec3> points_D;
   for (std::size_t at = 0; at < std::clamp(count, kFewestMarks, kMostMarks); ++at)
-    marks_D.push_back(onDesk(kMetrePerMillimetre * kMarks[at].right_mm, kMetrePerMillimetre * kMarks[at].away_mm, 0.0));
-  return marks_D;
+    points_D.push_back(
+        onDesk(kMetrePerMillimetre * kMarks[at].right_mm, kMetrePerMillimetre * kMarks[at].away_mm, 0.0));
+  return points_D;
 }
 
 Vec3 onDesk(double right_m, double away_m, double up_m) {

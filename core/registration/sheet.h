@@ -8,7 +8,7 @@ namespace underact::registration {
 
 /// The reference points of the printed sheet, p_DM, m: the first is the origin of D. The first `count` of them, 3 to 8.
 /// No two distances between the first three are equal, so that only the right order fits.
-std::vector<Vec3> sheetMarks(std::size_t count = 3);
+std::vector<Vec3> sheetPoints(std::size_t count = 3);
 
 /// A position on the desk as measured from the first reference point: to the right, away from the person, up.
 Vec3 onDesk(double right_m, double away_m, double up_m);

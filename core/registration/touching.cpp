@@ -5,7 +5,7 @@
 
 namespace underact::registration {
 
-Touching::Touching(std::vector<Vec3> marks_D) : marks_D_(std::move(marks_D)), held_(marks_D_.size()) {}
+Touching::Touching(std::vector<Vec3> points_D) : marks_D_(std::move(points_D)), held_(marks_D_.size()) {}
 
 Touching::Event Touching::add(std::int64_t time_ns, const Vec3& p_WT, bool pressed) {
   const bool goes_down = !std::exchange(was_pressed_, pressed) && pressed;
@@ -14,7 +14,7 @@ Touching::Event Touching::add(std::int64_t time_ns, const Vec3& p_WT, bool press
     press();
     event = Event::Began;
   }
-  const std::optional<Held> held = still_.add(time_ns, p_WT);
+  const std::optional<HeldTip> held = still_.add(time_ns, p_WT);
   if (!held) return event;
   if (held->moved) return Event::Moved;
   held_[due_] = held;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/registration/fit.h"
-#include "core/registration/still.h"
+#include "core/registration/steady_tip.h"
 
 namespace underact::registration {
 
@@ -14,8 +14,8 @@ class Touching {
   /// What a sample did: a hold began, the tip moved too much (it has to be pressed again), or the point was touched.
   enum class Event { None, Began, Moved, Touched };
 
-  /// marks_D: at least one.
-  explicit Touching(std::vector<Vec3> marks_D);
+  /// points_D: at least one.
+  explicit Touching(std::vector<Vec3> points_D);
 
   /// A sample of the arm, every tick. pressed: its button is down; one that is down at the first sample has no effect
   /// until it was released.
@@ -23,18 +23,18 @@ class Touching {
   /// The key: holds the point that is due from the next sample on.
   void press();
   /// Ends the hold; what was touched stays.
-  void letGo() { still_.end(); }
+  void release() { still_.end(); }
   /// Makes that point due, whether it was touched or not; after it comes the first untouched one.
   void choose(std::size_t mark);
 
-  const std::vector<Vec3>& marks_D() const { return marks_D_; }
+  const std::vector<Vec3>& points_D() const { return marks_D_; }
   std::size_t due() const { return due_; }  // the number of points: none
-  bool isHolding() const { return still_.isAtWork(); }
+  bool isHolding() const { return still_.isRunning(); }
   double share() const { return still_.share(); }  // of the time that it is held
   /// Whether every reference point was touched, and none is due again.
   bool isDone() const;
   /// How it was touched; empty: not yet. mark: below the number of marks, not checked.
-  const std::optional<Held>& held(std::size_t mark) const { return held_[mark]; }
+  const std::optional<HeldTip>& held(std::size_t mark) const { return held_[mark]; }
   /// The touches so far, in the order of the points.
   std::vector<Touch> touches() const;
 
@@ -42,9 +42,9 @@ class Touching {
   std::size_t firstUntouched() const;
 
   std::vector<Vec3> marks_D_;
-  std::vector<std::optional<Held>> held_;
+  std::vector<std::optional<HeldTip>> held_;
   std::size_t due_ = 0;
-  Still still_;
+  SteadyTip still_;
   bool was_pressed_ = true;
 };
 

@@ -23,7 +23,7 @@ double moved(double level, bool up, double dt_s, double ramp_s) noexcept UNDERAC
 
 }  // namespace
 
-double wayTime_s(double by_arm_s, double by_servo_s) noexcept {
+double travelTime_s(double by_arm_s, double by_servo_s) noexcept {
   constexpr double kMost = 4.0;
   return std::min(by_arm_s, kMost * by_servo_s);
 }
@@ -41,7 +41,7 @@ Vec3 clampForce(const Vec3& f_T_W, double max_force_N) noexcept {
 namespace {
 
 /// The fault of the sample, or one found from it.
-Fault faultNow(const Limits& limits, const Asked& asked) noexcept UNDERACT_REAL_TIME {
+Fault faultNow(const Limits& limits, const GateInput& asked) noexcept UNDERACT_REAL_TIME {
   if (asked.fault.kind != FaultKind::None) return asked.fault;
   if (!isFinite(asked.f_T_W)) return {FaultKind::NotFinite, 0.0, 0.0};
   const Vec3& v_WT = asked.motion.v_WT;
@@ -63,7 +63,7 @@ Vec3 through(const Vec3& before_T_W, const Vec3& after_T_W, double& cut_N) noexc
   return after_T_W;
 }
 
-Gated stopped(const Limits& limits, GateState next, const Asked& asked, const Fault& now,
+Gated stopped(const Limits& limits, GateState next, const GateInput& asked, const Fault& now,
               double passed_s) noexcept UNDERACT_REAL_TIME {
   next.level = 0.0;
   next.late = 0;
@@ -75,14 +75,14 @@ Gated stopped(const Limits& limits, GateState next, const Asked& asked, const Fa
 
 }  // namespace
 
-bool isSound(const GateState& state) noexcept {
+bool isValid(const GateState& state) noexcept {
   const auto isKind = [](const Fault& fault) { return static_cast<int>(fault.kind) < kFaultKinds; };
   return state.level >= 0.0 && state.level <= 1.0 && state.missed >= 0 && state.late >= 0 && state.still_s >= 0.0 &&
          std::isfinite(state.still_s) && state.v_WT.allFinite() && state.f_T_W.allFinite() && state.heat.allFinite() &&
          isKind(state.letting_go) && isKind(state.fault);
 }
 
-Gated gate(const Limits& limits, const GateState& state, const Asked& asked, double dt_s) noexcept {
+Gated gate(const Limits& limits, const GateState& state, const GateInput& asked, double dt_s) noexcept {
   const double passed_s = dt_s + asked.waited_s;
   GateState next = state;
   if (asked.restart) {

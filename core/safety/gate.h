@@ -22,7 +22,7 @@ struct GateState {
 };
 
 /// For bytes from a file: whether the gate's state is finite, shares are within 0 to 1, and faults exist.
-bool isSound(const GateState& state) noexcept;
+bool isValid(const GateState& state) noexcept;
 
 /// Configuration and motion of the arm in this tick.
 struct Motion {
@@ -34,7 +34,7 @@ struct Motion {
 };
 
 /// The input of the gate in this tick.
-struct Asked {
+struct GateInput {
   Vec3 f_T_W = Vec3::Zero();
   bool engage = false;   // the servo is to push; false: it lets go
   bool restart = false;  // Start was pressed: forget the last fault
@@ -53,7 +53,7 @@ class GatedForce {
   const Vec3& f_T_W() const noexcept UNDERACT_REAL_TIME { return f_T_W_; }
 
  private:
-  friend Gated gate(const Limits& limits, const GateState& state, const Asked& asked,
+  friend Gated gate(const Limits& limits, const GateState& state, const GateInput& asked,
                     double dt_s) noexcept UNDERACT_REAL_TIME;
   explicit GatedForce(const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME : f_T_W_(f_T_W) {}
   Vec3 f_T_W_ = Vec3::Zero();
@@ -73,12 +73,13 @@ struct Gated {
 /// the force to zero. dt_s: a period of the servo, >= 0. What protects by slowness (soft start, slew) advances by dt_s
 /// alone, however late the tick; what protects by elapsed time (release, heat, frozen time) also counts waited_s. Gives
 /// |force| <= max_force_N (1 + 4 ulp), finite for any input. Cost: constant.
-Gated gate(const Limits& limits, const GateState& state, const Asked& asked, double dt_s) noexcept UNDERACT_REAL_TIME;
+Gated gate(const Limits& limits, const GateState& state, const GateInput& asked,
+           double dt_s) noexcept UNDERACT_REAL_TIME;
 
 /// The time of the tip's motion since the last sample, s, for the limits on its speed: by the arm's clock, which is the
 /// most accurate, but at most four times what the servo counted, which is the greatest error of a read that waits two
 /// periods, twice in a row: so a jump of the arm's clock cannot make a jump of the tip look slow.
-double wayTime_s(double by_arm_s, double by_servo_s) noexcept UNDERACT_REAL_TIME;
+double travelTime_s(double by_arm_s, double by_servo_s) noexcept UNDERACT_REAL_TIME;
 
 /// f_T_W limited to max_force_N in its direction, each coordinate within 4 ulp of the length; zero where it is not
 /// finite. No overflow up to 1e308. Source: Beckman 2007, code 3.4; erratum (test for a number first: NaN passes |F| >

@@ -37,7 +37,7 @@ class Checker {
   void add(const std::string& key, Sentence sentence) {
     if (!sentence.empty()) problems_.push_back({std::move(sentence), {scene_.file, line_, column_, key}});
   }
-  void checkField(const std::string& key, Meaning meaning, double number) { add(key, judge(meaning, number)); }
+  void checkField(const std::string& key, Meaning meaning, double number) { add(key, valueProblem(meaning, number)); }
   void checkField(const std::string& key, Meaning meaning, const Vec3& numbers);
   void checkField(const std::string& key, Meaning meaning, const Mat3& numbers);
   void checkControl(const std::string& key, const Control& control);
@@ -62,10 +62,10 @@ class Checker {
 
 void Checker::checkField(const std::string& key, Meaning meaning, const Vec3& numbers) {
   for (Eigen::Index index = 0; index < 3; ++index) {
-    add(key + "[" + std::to_string(index) + "]", judge(meaning, numbers[index]));
+    add(key + "[" + std::to_string(index) + "]", valueProblem(meaning, numbers[index]));
   }
   if (meaning == Meaning::Direction && numbers == Vec3::Zero()) {
-    add(key, pointsNowhere());
+    add(key, hasNoDirection());
   }
 }
 

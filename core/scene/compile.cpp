@@ -22,31 +22,31 @@ double metres(double length_mm) {
   return kMetrePerMillimetre * length_mm;
 }
 
-Result<shape::Point> make(const Point& point, const Place& place) {
+Result<shape::Point> make(const Point& point, const SourceLocation& place) {
   return shape::makePoint(metres(point.position_mm), place);
 }
-Result<shape::Sphere> make(const Sphere& sphere, const Place& place) {
+Result<shape::Sphere> make(const Sphere& sphere, const SourceLocation& place) {
   return shape::makeSphere(metres(sphere.center_mm), metres(sphere.radius_mm), place);
 }
-Result<shape::Line> make(const Line& line, const Place& place) {
+Result<shape::Line> make(const Line& line, const SourceLocation& place) {
   return shape::makeLine(metres(line.point_mm), line.direction, place);
 }
-Result<shape::Plane> make(const Plane& plane, const Place& place) {
+Result<shape::Plane> make(const Plane& plane, const SourceLocation& place) {
   return shape::makePlane(metres(plane.point_mm), plane.normal, place);
 }
-Result<shape::Circle> make(const Circle& circle, const Place& place) {
+Result<shape::Circle> make(const Circle& circle, const SourceLocation& place) {
   return shape::makeCircle(metres(circle.center_mm), circle.normal, metres(circle.radius_mm), place);
 }
-Result<shape::Cylinder> make(const Cylinder& cylinder, const Place& place) {
+Result<shape::Cylinder> make(const Cylinder& cylinder, const SourceLocation& place) {
   return shape::makeCylinder(metres(cylinder.point_mm), cylinder.axis, metres(cylinder.radius_mm), place);
 }
-Result<shape::Box> make(const Box& box, const Place& place) {
+Result<shape::Box> make(const Box& box, const SourceLocation& place) {
   return shape::makeBox(metres(box.center_mm), metres(box.size_mm), box.R_WB, place);
 }
 
 /// For each joint the displacement of the tip per rad, m, with the tip in the middle of the workspace.
 Vec3 leversOf(const arm::Geometry& geometry) {
-  return arm::positionJacobian(geometry, arm::reach(geometry, Vec3::Zero()).q_rad).colwise().norm();
+  return arm::positionJacobian(geometry, arm::solvePosition(geometry, Vec3::Zero()).q_rad).colwise().norm();
 }
 
 /// The filter of a joint: noise and acceleration are those of the tip at the end of its lever arm.

@@ -12,6 +12,6 @@ Result<tick::TickProgram> compile(const Description& scene);
 
 /// A curve as the tick has it: in W, m. The same object while one of the same points, kind, scale and pose is held
 /// anywhere, so that an edit of gains does not rebuild it. Problems: its file was not loaded; too few points.
-Result<target::CurvePath> makeCurvePath(const Curve& curve, const Place& place = {});
+Result<target::CurvePath> makeCurvePath(const Curve& curve, const SourceLocation& place = {});
 
 }  // namespace underact::scene

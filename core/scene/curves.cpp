@@ -1,7 +1,7 @@
 #include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/scene/compile.h"
-#include "core/scene/kept_curves.h"
+#include "core/scene/curve_cache.h"
 #include "core/scene/meshes.h"
 #include "core/scene/setting_rows.h"
 
@@ -20,10 +20,10 @@ void checkCurve(const Curve& curve, const Control& control, const Say& say) {
     checkSettings(*curve.guide, [&](const std::string& key, Sentence wrong) { say("guide." + key, std::move(wrong)); });
 }
 
-Result<target::CurvePath> makeCurvePath(const Curve& curve, const Place& place) {
+Result<target::CurvePath> makeCurvePath(const Curve& curve, const SourceLocation& place) {
   if (curve.points == nullptr)
     return Problems{{said(TRANSLATE_NOOP("problem", "The curve %1 is not loaded."), {json::shown(curve.file)}), place}};
-  auto made = keptCurve(curve, place);
+  auto made = cachedCurve(curve, place);
   if (!made) return made.problems();
   target::CurvePath path{std::move(made).value(), curve.search, {}};
   if (curve.guide) {

@@ -51,7 +51,7 @@ const char* stiffnessKey(chain::JointType type) {
   return type == chain::JointType::Revolute ? "stiffness_N_mm_per_rad" : "stiffness_N_per_mm";
 }
 
-std::string madeUpName(const Constraint& constraint, std::size_t index) {
+std::string defaultName(const Constraint& constraint, std::size_t index) {
   return std::string(typeName(constraint.shape)) + " " + std::to_string(index + 1);
 }
 

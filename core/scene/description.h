@@ -111,11 +111,11 @@ struct Mesh {
 };
 
 /// Guidance along a curve.
-struct CurveGuide {
+struct CurveGuidance {
   double t = 0.0;               // 0: guide only, 1: nearest point only
   double speed_mm_per_s = 0.0;  // of the guide; below 0: backwards
   double lead_mm = 10.0;        // how far ahead of the hand it goes at most
-  bool operator==(const CurveGuide&) const = default;
+  bool operator==(const CurveGuidance&) const = default;
 };
 
 /// A path through the points of a file.
@@ -126,7 +126,7 @@ struct Curve {
   curve::Kind kind = curve::Kind::Spline;
   bool closed = false;
   Search search = Search::Hybrid;
-  std::optional<CurveGuide> guide = {};                  // none: the target is the nearest point
+  std::optional<CurveGuidance> guide = {};               // none: the target is the nearest point
   std::shared_ptr<const std::vector<Vec3>> points = {};  // of the file, in its units; null before loadMeshes()
   /// As in Mesh.
   bool operator==(const Curve& other) const;
@@ -209,7 +209,7 @@ struct Constraint {
   Shape shape;
   target::Side side = target::Side::Both;
   std::optional<Control> control;           // its own; else the scene's
-  Place place = {};                         // of the constraint in its file
+  SourceLocation place = {};                // of the constraint in its file
   std::optional<Influence> influence = {};  // none: position only
   std::optional<Friction> friction = {};    // none: smooth
 };

@@ -70,7 +70,7 @@ void compare(const Value* one, const Value* other, const std::string& key, std::
 }
 
 /// Adds the values that a file leaves out of its control and a reader wants to see.
-void addUsual(Value& control) {
+void addDefault(Value& control) {
   control.kind = Kind::Object;
   for (const SettingOf<Control>& row : rowsOf<Control>()) {
     if (control.find(row.is.key) != nullptr) continue;
@@ -95,7 +95,7 @@ Value feltPartOf(Description scene) {
     value.items.emplace_back();
   }
   const auto at = std::find(value.keys.begin(), value.keys.end(), "control") - value.keys.begin();
-  addUsual(value.items[static_cast<std::size_t>(at)]);
+  addDefault(value.items[static_cast<std::size_t>(at)]);
   return value;
 }
 

@@ -49,8 +49,8 @@ Description withAdded(Description scene, Constraint constraint) {
     return std::any_of(scene.constraints.begin(), scene.constraints.end(),
                        [&name](const Constraint& other) { return other.name == name; });
   };
-  const std::string wish = constraint.name;
-  for (int number = 2; is_taken(constraint.name); ++number) constraint.name = wish + " " + std::to_string(number);
+  const std::string first_name = constraint.name;
+  for (int number = 2; is_taken(constraint.name); ++number) constraint.name = first_name + " " + std::to_string(number);
   scene.constraints.push_back(std::move(constraint));
   return scene;
 }

@@ -172,6 +172,6 @@ bool takesFriction(const Shape& shape);
 bool hasSides(const Shape& shape);
 
 /// The default name of the constraint at index: type and number, "sphere 2".
-std::string madeUpName(const Constraint& constraint, std::size_t index);
+std::string defaultName(const Constraint& constraint, std::size_t index);
 
 }  // namespace underact::scene

@@ -63,7 +63,7 @@ SurfacesInUse& surfacesInUse() {
 }
 
 /// Checks that the mesh is the one that the scene means; else it loses its surface again.
-Problems checked(Mesh& mesh, const Place& place) {
+Problems checked(Mesh& mesh, const SourceLocation& place) {
   if (mesh.checksum.empty() || mesh.checksum == mesh.loaded_checksum) return {};
   mesh.surface.reset();
   return {{said(TRANSLATE_NOOP("problem",
@@ -73,11 +73,11 @@ Problems checked(Mesh& mesh, const Place& place) {
            place}};
 }
 
-Problems load(Mesh& mesh, const Description& scene, const Place& place, const Watch& watch) {
+Problems load(Mesh& mesh, const Description& scene, const SourceLocation& place, const TaskMonitor& monitor) {
   const std::string path = pathOf(mesh.file, scene);
   if (surfacesInUse().find(path, mesh)) return checked(mesh, place);
   InUse stamp = SurfacesInUse::stampOf(path);  // before reading: a file that changes meanwhile is read again
-  Result<mesh_file::Loaded> loaded = mesh_file::loadMesh(path, watch);
+  Result<mesh_file::Loaded> loaded = mesh_file::loadMesh(path, monitor);
   if (!loaded) {
     Problems problems = loaded.problems();
     for (Problem& problem : problems) {
@@ -93,8 +93,8 @@ Problems load(Mesh& mesh, const Description& scene, const Place& place, const Wa
   return checked(mesh, place);
 }
 
-Problems load(Curve& curve, const Description& scene, const Place&, const Watch& watch) {
-  Result<std::vector<Vec3>> points = curve::readPoints(pathOf(curve.file, scene), watch);
+Problems load(Curve& curve, const Description& scene, const SourceLocation&, const TaskMonitor& monitor) {
+  Result<std::vector<Vec3>> points = curve::readPoints(pathOf(curve.file, scene), monitor);
   if (!points) return points.problems();  // each with its line
   curve.points = std::make_shared<const std::vector<Vec3>>(std::move(points).value());
   return {};
@@ -133,15 +133,15 @@ Problems notFound(const std::string& name, const Description& scene, const std::
 }
 
 template <class FromFile>
-Problems loadFound(FromFile& shape, const Description& scene, const Place& place,
-                   const std::vector<std::string>& folders, const Watch& watch) {
+Problems loadFound(FromFile& shape, const Description& scene, const SourceLocation& place,
+                   const std::vector<std::string>& folders, const TaskMonitor& monitor) {
   const std::string name = shape.file;
   Problems first = notFound(name, scene, folders);
   bool any = false;
   for (const std::string& path : foundOf(name, scene, folders)) {
     shape.file = fs::absolute(path).string();
-    Problems problems = load(shape, scene, place, watch);
-    if (problems.empty() || watch.isCancelled()) return problems;
+    Problems problems = load(shape, scene, place, monitor);
+    if (problems.empty() || monitor.isCancelled()) return problems;
     if (!std::exchange(any, true)) first = std::move(problems);
     shape.file = name;
   }
@@ -156,7 +156,7 @@ bool lacksFile(const Shape& shape) {
 
 /// Calls load(shape, place, watch) for each mesh and each curve that is not loaded, with its share of the whole.
 template <class Load>
-Problems loadEach(Description& scene, const Watch& watch, const Load& load_one) {
+Problems loadEach(Description& scene, const TaskMonitor& monitor, const Load& load_one) {
   Problems problems;
   double count = 0.0, done = 0.0;
   for (const Constraint& constraint : scene.constraints) {
@@ -166,12 +166,12 @@ Problems loadEach(Description& scene, const Watch& watch, const Load& load_one) 
     if (!lacksFile(constraint.shape)) continue;
     auto* const mesh = std::get_if<Mesh>(&constraint.shape);
     auto* const curve = std::get_if<Curve>(&constraint.shape);
-    Watch part = watch;
-    part.progress = [&](const char* step, double share) { watch.tell(step, (done + share) / count); };
+    TaskMonitor part = monitor;
+    part.progress = [&](const char* step, double share) { monitor.report(step, (done + share) / count); };
     const Problems found =
         mesh != nullptr ? load_one(*mesh, constraint.place, part) : load_one(*curve, constraint.place, part);
     problems.insert(problems.end(), found.begin(), found.end());
-    if (watch.isCancelled()) break;
+    if (monitor.isCancelled()) break;
     done += 1.0;
   }
   return problems;
@@ -195,19 +195,20 @@ bool lacksMeshes(const Description& scene) {
                      [](const Constraint& constraint) { return lacksFile(constraint.shape); });
 }
 
-Problems loadMeshes(Description& scene, const Watch& watch) {
-  return loadEach(scene, watch,
-                  [&](auto& shape, const Place& place, const Watch& part) { return load(shape, scene, place, part); });
+Problems loadMeshes(Description& scene, const TaskMonitor& monitor) {
+  return loadEach(scene, monitor, [&](auto& shape, const SourceLocation& place, const TaskMonitor& part) {
+    return load(shape, scene, place, part);
+  });
 }
 
-Problems loadRecordedMeshes(Description& scene, const std::vector<std::string>& folders, const Watch& watch) {
-  return loadEach(scene, watch, [&](auto& shape, const Place& place, const Watch& part) {
+Problems loadRecordedMeshes(Description& scene, const std::vector<std::string>& folders, const TaskMonitor& monitor) {
+  return loadEach(scene, monitor, [&](auto& shape, const SourceLocation& place, const TaskMonitor& part) {
     return loadFound(shape, scene, place, folders, part);
   });
 }
 
-Result<tick::TickProgram> loadAndCompile(Description& scene, const Watch& watch) {
-  Problems problems = loadMeshes(scene, watch);
+Result<tick::TickProgram> loadAndCompile(Description& scene, const TaskMonitor& monitor) {
+  Problems problems = loadMeshes(scene, monitor);
   if (!problems.empty()) return problems;
   return compile(scene);
 }

@@ -28,11 +28,11 @@ class JointChecker {
       say(key + ".axis",
           said(TRANSLATE_NOOP("problem", "This is not a finite direction; the largest number is about 1.8e308.")));
     } else if (joint.axis.isZero(0.0)) {
-      say(key + ".axis", pointsNowhere());
+      say(key + ".axis", hasNoDirection());
     }
     if (isTurning(joint)) {
       for (Eigen::Index i = 0; i < 3; ++i) {
-        say(key + ".point_mm[" + std::to_string(i) + "]", judge(Meaning::Position, joint.point_mm[i]));
+        say(key + ".point_mm[" + std::to_string(i) + "]", valueProblem(Meaning::Position, joint.point_mm[i]));
       }
     }
     checkSettings(joint, [&](const std::string& its, Sentence wrong) { say(key + "." + its, std::move(wrong)); });
@@ -72,7 +72,7 @@ bool checkManipulator(const VirtualManipulator& robot, const Control& control,
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     checker.check("joints[" + std::to_string(i) + "]", robot.joints[i]);
   }
-  checker.say("X_WV_home", judgePose(robot.X_WV_home));
+  checker.say("X_WV_home", poseProblem(robot.X_WV_home));
   const auto say = [&](const std::string& key, Sentence wrong) { checker.say(key, std::move(wrong)); };
   checkSettings(robot, say);
   if (robot.orientation == manipulator::Orientation::None && robot.ko_N_mm_per_rad != 0.0) {
@@ -99,7 +99,7 @@ bool checkManipulator(const VirtualManipulator& robot, const Control& control,
 }
 
 Result<manipulator::Manipulator> makeManipulator(const VirtualManipulator& robot, const Control& control,
-                                                 const Place& place) {
+                                                 const SourceLocation& place) {
   manipulator::Wanted wanted;
   std::vector<chain::Joint> joints;
   for (std::size_t i = 0; i < robot.joints.size() && i < manipulator::kMaxJoints; ++i) {

@@ -21,6 +21,6 @@ bool checkManipulator(const VirtualManipulator& robot, const Control& control,
 
 /// The virtual robot in SI. Problems: those between its parts (an angle without a joint for it, ...).
 Result<manipulator::Manipulator> makeManipulator(const VirtualManipulator& robot, const Control& control,
-                                                 const Place& place);
+                                                 const SourceLocation& place);
 
 }  // namespace underact::scene

@@ -34,7 +34,7 @@ void checkPlacement(const std::string& what, const std::string& file, double sca
                             "negative to mirror at the file's origin; here it is %1."),
              {numberText(scale_mm_per_unit)}));
   }
-  if (const Sentence sentence = judgePose(X_WM); !sentence.empty()) say("X_WM", sentence);
+  if (const Sentence sentence = poseProblem(X_WM); !sentence.empty()) say("X_WM", sentence);
   const Vec3& kp = control.gains.kp_N_per_mm;
   const bool weighted = control.space == tick::Space::Cartesian && control.anisotropy == Anisotropy::Weighted;
   if (weighted && !(kp.x() == kp.y() && kp.y() == kp.z())) {
@@ -53,7 +53,7 @@ void checkMesh(const Mesh& mesh, target::Side side, const Control& control, cons
       said(TRANSLATE_NOOP("problem", "A wall's proxy follows the surface and needs no search. Remove \"search\".")));
 }
 
-Result<target::MeshPlace> makeMeshPlace(const Mesh& mesh, target::Side side, const Place& place) {
+Result<target::MeshPlace> makeMeshPlace(const Mesh& mesh, target::Side side, const SourceLocation& place) {
   if (mesh.surface == nullptr)
     return Problems{{said(TRANSLATE_NOOP("problem", "The mesh %1 is not loaded."), {json::shown(mesh.file)}), place}};
   if (side != target::Side::Both && !mesh.surface->is_closed) {
@@ -69,7 +69,7 @@ Result<target::MeshPlace> makeMeshPlace(const Mesh& mesh, target::Side side, con
   placed.p_WM = kMetrePerMillimetre * mesh.X_WM.topRightCorner<3, 1>();
   placed.scale_m = kMetrePerMillimetre * mesh.scale_mm_per_unit;
   placed.search = mesh.search;
-  placed.lean = mesh::leanOf(kRadPerDegree * mesh.smooth_deg);
+  placed.lean = mesh::forceShadingOf(kRadPerDegree * mesh.smooth_deg);
   return placed;
 }
 

@@ -44,6 +44,6 @@ void checkCurve(const Curve& curve, const Control& control, const Say& say);
 void checkMesh(const Mesh& mesh, target::Side side, const Control& control, const Say& say);
 
 /// The mesh in SI. Problems: its file was not loaded; a wall of a mesh that is not closed.
-Result<target::MeshPlace> makeMeshPlace(const Mesh& mesh, target::Side side, const Place& place);
+Result<target::MeshPlace> makeMeshPlace(const Mesh& mesh, target::Side side, const SourceLocation& place);
 
 }  // namespace underact::scene

@@ -39,7 +39,7 @@ void makeUpNames(std::vector<Constraint>& constraints) {
   for (std::size_t index = 0; index < constraints.size(); ++index) {
     std::string& name = constraints[index].name;
     if (!name.empty()) continue;
-    name = madeUpName(constraints[index], index);
+    name = defaultName(constraints[index], index);
     while (!taken.insert(name).second) name += "'";
   }
 }

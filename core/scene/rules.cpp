@@ -17,11 +17,11 @@ Sentence notFinite() {
   return said(TRANSLATE_NOOP("problem", "This is not a finite number; the largest is about 1.8e308."));
 }
 
-Sentence pointsNowhere() {
+Sentence hasNoDirection() {
   return said(TRANSLATE_NOOP("problem", "A direction must not be [0, 0, 0]; any other length will do."));
 }
 
-Sentence judge(Meaning meaning, double number) {
+Sentence valueProblem(Meaning meaning, double number) {
   if (!std::isfinite(number)) return notFinite();
   if (meaning == Meaning::Length && number <= 0.0)
     return said(TRANSLATE_NOOP("problem", "This must be above 0 mm; here it is %1."), {numberText(number)});
@@ -33,7 +33,7 @@ Sentence judge(Meaning meaning, double number) {
   return {};
 }
 
-Sentence judgeGain(double gain) {
+Sentence gainProblem(double gain) {
   if (!std::isfinite(gain)) return notFinite();
   if (gain < 0.0)
     return said(TRANSLATE_NOOP("problem", "A gain must be 0 or above, otherwise the arm pushes away; here it is %1."),
@@ -43,7 +43,7 @@ Sentence judgeGain(double gain) {
   return {};
 }
 
-Sentence judgeJoint(const Joint& joint, double value) {
+Sentence jointProblem(const Joint& joint, double value) {
   const bool turns = joint.type == chain::JointType::Revolute;
   if (!std::isfinite(value)) return notFinite();
   if (std::abs(value) <= (turns ? kFarthestTurn_rad : kFarthest_mm)) return {};
@@ -55,7 +55,7 @@ bool isRotation(const Mat3& R) {
   return (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= kRotationError && R.determinant() > 0.0;
 }
 
-Sentence judgePose(const Eigen::Matrix4d& X) {
+Sentence poseProblem(const Eigen::Matrix4d& X) {
   if (!X.allFinite())
     return said(TRANSLATE_NOOP("problem", "This is not a finite pose; the largest number is about 1.8e308."));
   if (X.row(3) != Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0))

@@ -11,19 +11,19 @@ inline constexpr double kFarthest_mm = 1e6;
 inline constexpr double kHighestGain = 1e12;  // far beyond any arm; keeps newtons finite wherever the tip is
 
 /// Of a shape. Not finite, a length not above 0 or below 1e-100 mm, a length or position beyond kFarthest_mm.
-Sentence judge(Meaning meaning, double number);
+Sentence valueProblem(Meaning meaning, double number);
 /// Not finite, below 0 or above kHighestGain.
-Sentence judgeGain(double gain);
+Sentence gainProblem(double gain);
 /// A limit of the joint, or its rest position.
-Sentence judgeJoint(const Joint& joint, double value);
+Sentence jointProblem(const Joint& joint, double value);
 
 /// The sentence for a number that is not finite.
 Sentence notFinite();
 /// The sentence for a direction that is zero.
-Sentence pointsNowhere();
+Sentence hasNoDirection();
 
 /// A pose whose translation is in mm.
-Sentence judgePose(const Eigen::Matrix4d& X);
+Sentence poseProblem(const Eigen::Matrix4d& X);
 
 /// Whether R is a rotation, each number within 1e-6, as in shape::makeBox().
 bool isRotation(const Mat3& R);

@@ -38,7 +38,7 @@ Result<Description> readSceneFile(const std::string& path) {
 
 Problems writeSceneFile(const Description& scene, const std::string& path, const std::optional<Teaching>& teaching) {
   const std::string target = withoutLinks(path);
-  const std::string part = target + "." + system::unusedWord() + ".part";
+  const std::string part = target + "." + system::uniqueWord() + ".part";
   const std::optional<system::Status> old = system::statusOf(target);
   if (old && old->kind == system::Kind::Folder)
     return problem(path, said(TRANSLATE_NOOP("problem", "This is a folder; a scene needs a file name.")));

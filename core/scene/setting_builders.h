@@ -39,7 +39,7 @@ constexpr const char* kObject<Influence> = "/constraints/*/influence";
 template <>
 constexpr const char* kObject<Friction> = "/constraints/*/friction";
 template <>
-constexpr const char* kObject<CurveGuide> = "/constraints/*/guide";
+constexpr const char* kObject<CurveGuidance> = "/constraints/*/guide";
 template <>
 constexpr const char* kObject<Solver> = "/constraints/*/solver";
 template <>
@@ -181,21 +181,21 @@ constexpr SettingOf<Velocity> filter(Setting setting) {
 
 /// The row with a rule of its own in place of its range.
 template <class Object>
-constexpr SettingOf<Object> judgedBy(Sentence (*judge)(const Object&, double), SettingOf<Object> row) {
-  row.judge = judge;
+constexpr SettingOf<Object> checkedBy(Sentence (*valueProblem)(const Object&, double), SettingOf<Object> row) {
+  row.valueProblem = valueProblem;
   return row;
 }
 /// The row for those objects alone for which is_there() is true.
 template <class Object>
-constexpr SettingOf<Object> thereWhere(bool (*is_there)(const Object&), SettingOf<Object> row) {
+constexpr SettingOf<Object> presentIf(bool (*is_there)(const Object&), SettingOf<Object> row) {
   row.is_there = is_there;
   return row;
 }
 
-/// judgeGain(), as a rule of a row.
+/// gainProblem(), as a rule of a row.
 template <class Object>
-Sentence judgeAsGain(const Object&, double number) {
-  return judgeGain(number);
+Sentence checkedAsGain(const Object&, double number) {
+  return gainProblem(number);
 }
 
 /// The row of a gain. kFrom: the first law that uses it; the later ones do, too.
@@ -207,7 +207,7 @@ constexpr SettingOf<Control> gain(Setting setting) {
                          [](const Control& control) { return valueOf(control.gains.*kMember); },
                          [](Control& control, const SettingValue& value) { put(value, control.gains.*kMember); },
                          [](const Control&) { return valueOf(Gains{}.*kMember); },
-                         judgeAsGain<Control>,
+                         checkedAsGain<Control>,
                          nullptr,
                          [](const Control& control) { return control.law >= kFrom; }};
   row.is.kind = SettingKind::Gain;

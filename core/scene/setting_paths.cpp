@@ -71,7 +71,7 @@ bool inShape(Its& shape, Steps steps, const Visit& visit) {
   if (steps.size() == 1) return atKey(shape, steps[0], visit);
   using Plain = std::remove_const_t<Its>;
   if constexpr (std::is_same_v<Plain, Curve>)
-    return steps.size() == 2 && steps[0] == "guide" && atOptional<CurveGuide>(shape.guide, steps[1], visit);
+    return steps.size() == 2 && steps[0] == "guide" && atOptional<CurveGuidance>(shape.guide, steps[1], visit);
   if constexpr (std::is_same_v<Plain, VirtualManipulator>) {
     if (steps.size() == 2 && steps[0] == "solver") return atKey(shape.solver, steps[1], visit);
     const std::optional<std::size_t> joint =
@@ -168,7 +168,7 @@ class Putting {
     SettingValue value = row.get(into);
     if (!readValue(row.is, value_, path_, value, findings_)) return;
     bool is_good = true;
-    judge(row, std::as_const(into), value, [&](const std::string& part, Sentence wrong) {
+    valueProblem(row, std::as_const(into), value, [&](const std::string& part, Sentence wrong) {
       findings_.add(value_, path_ + part, std::move(wrong));
       is_good = false;
     });
@@ -177,7 +177,7 @@ class Putting {
 
   template <class Object>
   void operator()(const SettingOf<Object>& row, std::optional<Object>& into) const {
-    if (value_.kind == json::Kind::Null && row.is.said == Said::Required) {
+    if (value_.kind == json::Kind::Null && row.is.said == KeyPresence::Required) {
       into.reset();
     } else if (into) {
       (*this)(row, *into);
@@ -270,10 +270,10 @@ Result<SettingValue> valueAt(const Description& scene, const std::string& path) 
   return value;
 }
 
-Result<SettingValue> usualAt(const Description& scene, const std::string& path) {
+Result<SettingValue> defaultAt(const Description& scene, const std::string& path) {
   SettingValue value;
   const auto take = [&value]<class Object>(const SettingOf<Object>& row, const auto& from) {
-    if (row.is.said == Said::Required) return;
+    if (row.is.said == KeyPresence::Required) return;
     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(from)>, Object>)
       value = row.usual(from);
     else

@@ -18,11 +18,11 @@ template <class Object>
 struct SettingOf {
   Setting is;
   SettingValue (*get)(const Object& object);
-  void (*set)(Object& object, const SettingValue& value);            // value: of the setting's kind
-  SettingValue (*usual)(const Object& object);                       // the default, where the key is left out
-  Sentence (*judge)(const Object& object, double number) = nullptr;  // null: by the range
-  bool (*is_there)(const Object& object) = nullptr;                  // whether the object can have it; null: always
-  bool (*is_used)(const Object& object) = nullptr;                   // whether it has an effect; null: always
+  void (*set)(Object& object, const SettingValue& value);                   // value: of the setting's kind
+  SettingValue (*usual)(const Object& object);                              // the default, where the key is left out
+  Sentence (*valueProblem)(const Object& object, double number) = nullptr;  // null: by the range
+  bool (*is_there)(const Object& object) = nullptr;  // whether the object can have it; null: always
+  bool (*is_used)(const Object& object) = nullptr;   // whether it has an effect; null: always
 };
 
 /// The rows of several kinds of objects; kHas: whether an object is one of them.
@@ -36,7 +36,7 @@ struct RowsFor {
 };
 /// The objects of a scene that have settings.
 using AllRows = RowsFor<Description, Simulation, Control, Velocity, Constraint, Influence, Friction, Mesh, Curve,
-                        CurveGuide, VirtualManipulator, Solver, Joint>;
+                        CurveGuidance, VirtualManipulator, Solver, Joint>;
 /// The table of settings.cpp.
 const AllRows& allRows();
 
@@ -63,13 +63,13 @@ bool readValue(const Setting& is, const json::Value& value, const std::string& p
                Findings& findings);
 
 /// The problem of a number outside the range; empty: none.
-Sentence judgeRange(const Setting& is, double number);
+Sentence rangeProblem(const Setting& is, double number);
 
 /// Calls say(part, sentence) for each number of the value that is not allowed; part: "", or "[1]" of a list.
 template <class Object, class Say>
-void judge(const SettingOf<Object>& row, const Object& object, const SettingValue& value, const Say& say) {
+void valueProblem(const SettingOf<Object>& row, const Object& object, const SettingValue& value, const Say& say) {
   const auto look = [&](const std::string& part, double number) {
-    Sentence wrong = row.judge != nullptr ? row.judge(object, number) : judgeRange(row.is, number);
+    Sentence wrong = row.valueProblem != nullptr ? row.valueProblem(object, number) : rangeProblem(row.is, number);
     if (!wrong.empty()) say(part, std::move(wrong));
   };
   if (const double* number = std::get_if<double>(&value)) look("", *number);
@@ -85,24 +85,24 @@ template <class Object, class Say>
 void checkSettings(const Object& object, const Say& say) {
   for (const SettingOf<Object>& row : rowsOf<Object>()) {
     if (!isThere(row, object)) continue;
-    judge(row, object, row.get(object),
-          [&](const std::string& part, Sentence wrong) { say(row.is.key + part, std::move(wrong)); });
+    valueProblem(row, object, row.get(object),
+                 [&](const std::string& part, Sentence wrong) { say(row.is.key + part, std::move(wrong)); });
   }
 }
 
 /// Reads one setting. False: the key is missing, or its value cannot be read.
 template <class Object>
 bool readSetting(ObjectReader& reader, const SettingOf<Object>& row, Object& into) {
-  const json::Value* const found = reader.find(row.is.key, row.is.said == Said::Required);
+  const json::Value* const found = reader.find(row.is.key, row.is.said == KeyPresence::Required);
   if (found == nullptr) {
-    if (row.is.said != Said::Required) row.set(into, row.usual(into));
+    if (row.is.said != KeyPresence::Required) row.set(into, row.usual(into));
     return false;
   }
   const std::string path = reader.pathOf(row.is.key);
   SettingValue value = row.get(into);
   bool is_good = readValue(row.is, *found, path, value, reader.findings());
   if (is_good && row.is.kind == SettingKind::Whole) {  // what is no whole number has no place in the scene
-    judge(row, into, value, [&](const std::string&, Sentence wrong) {
+    valueProblem(row, into, value, [&](const std::string&, Sentence wrong) {
       reader.findings().add(*found, path, std::move(wrong));
       is_good = false;
     });
@@ -133,7 +133,7 @@ void readObject(const json::Value& value, const std::string& path, const Sentenc
 
 /// Whether all settings have their defaults, so that a file may leave the object out.
 template <class Object>
-bool isUsual(const Object& object) {
+bool isDefault(const Object& object) {
   for (const SettingOf<Object>& row : rowsOf<Object>()) {
     if (isThere(row, object) && !isSameValue(row.get(object), row.usual(object))) return false;
   }

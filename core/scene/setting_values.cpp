@@ -63,7 +63,7 @@ bool readValue(const Setting& is, const json::Value& value, const std::string& p
   return isKind(value, kind, path, json::kindName(kind), findings);
 }
 
-Sentence judgeRange(const Setting& is, double number) {
+Sentence rangeProblem(const Setting& is, double number) {
   const bool is_whole = is.kind == SettingKind::Whole;
   const bool is_inside = (is.is_above_least ? number > is.least : number >= is.least) && number <= is.most;
   if (is_inside && (!is_whole || number == std::floor(number))) return {};

@@ -8,10 +8,10 @@
 namespace underact::scene {
 namespace {
 
-using enum Said;
+using enum KeyPresence;
 
 constexpr double kMostFriction = 5.0;  // rubber on rubber is about 1.2
-constexpr double kFastest_mm_per_s = kMillimetrePerMetre * curve::kFastestGuide_m_per_s;
+constexpr double kFastest_mm_per_s = kMillimetrePerMetre * curve::kFastestGuidance_m_per_s;
 
 /// Whether the constraint can have a side; a side that it must not have counts as well, so that it is shown.
 bool partsSpace(const Constraint& constraint) {
@@ -177,7 +177,7 @@ constexpr SettingOf<Velocity> kOfVelocity[] = {
          .least = 0.0,
          .most = 1e3})};
 
-constexpr SettingOf<Constraint> kOfConstraint[] = {row::thereWhere<Constraint>(
+constexpr SettingOf<Constraint> kOfConstraint[] = {row::presentIf<Constraint>(
     &partsSpace, row::oneOf<&Constraint::side, kSideWords>(
                      {.key = "side",
                       .label = TRANSLATE_NOOP("setting", "side"),
@@ -225,7 +225,7 @@ constexpr SettingOf<Friction> kOfFriction[] = {
          .most = kMostFriction,
          .said = Required,
          .wrong = TRANSLATE_NOOP("problem", "This must be from 0 (smooth) to %1; here it is %2.")}),
-    row::judgedBy<Friction>(
+    row::checkedBy<Friction>(
         &judgeDynamic, dynamicShare({.key = "dynamic",
                                      .label = TRANSLATE_NOOP("setting", "dynamic friction"),
                                      .tip = TRANSLATE_NOOP("setting",
@@ -263,8 +263,8 @@ constexpr SettingOf<Curve> kOfCurve[] = {
                                  .label = TRANSLATE_NOOP("setting", "closed curve"),
                                  .tip = TRANSLATE_NOOP("setting", "The curve returns to its first point.")})};
 
-constexpr SettingOf<CurveGuide> kOfGuide[] = {
-    row::member<&CurveGuide::speed_mm_per_s>(
+constexpr SettingOf<CurveGuidance> kOfGuide[] = {
+    row::member<&CurveGuidance::speed_mm_per_s>(
         {.key = "speed_mm_per_s",
          .label = TRANSLATE_NOOP("setting", "speed of the guide"),
          .tip = TRANSLATE_NOOP("setting", "How fast the guide moves along the curve."),
@@ -273,7 +273,7 @@ constexpr SettingOf<CurveGuide> kOfGuide[] = {
          .most = kFastest_mm_per_s,
          .said = Required,
          .wrong = TRANSLATE_NOOP("problem", "This must be from -2000 to 2000 mm/s; here it is %1.")}),
-    row::member<&CurveGuide::t>(
+    row::member<&CurveGuidance::t>(
         {.key = "t",
          .label = TRANSLATE_NOOP("setting", "guide t"),
          .tip = TRANSLATE_NOOP("setting",
@@ -283,7 +283,7 @@ constexpr SettingOf<CurveGuide> kOfGuide[] = {
          .most = 1.0,
          .wrong =
              TRANSLATE_NOOP("problem", "This must be from 0 (guide only) to 1 (nearest point only); here it is %1.")}),
-    row::member<&CurveGuide::lead_mm>(
+    row::member<&CurveGuidance::lead_mm>(
         {.key = "lead_mm",
          .label = TRANSLATE_NOOP("setting", "lead of the guide"),
          .tip = TRANSLATE_NOOP("setting", "How far ahead of the hand the guide may go before it waits."),
@@ -300,8 +300,8 @@ constexpr SettingOf<VirtualManipulator> kOfRobot[] = {
          .tip = TRANSLATE_NOOP("setting",
                                "None: e = (p, 0). Direction of z: e_o = z_V − z_T. Angle about the one revolute joint, "
                                "as in the thesis. Full orientation: e_o is the rotation vector.")}),
-    row::judgedBy<VirtualManipulator>(
-        &row::judgeAsGain,
+    row::checkedBy<VirtualManipulator>(
+        &row::checkedAsGain,
         row::member<&VirtualManipulator::ko_N_mm_per_rad>(
             {.key = "ko_N_mm_per_rad",
              .label = TRANSLATE_NOOP("setting", "rotational stiffness"),
@@ -362,19 +362,20 @@ constexpr Setting turningSpring() {
 }
 
 constexpr SettingOf<Joint> kOfJoint[] = {
-    row::judgedBy<Joint>(&judgeJoint, row::member<&Joint::min>(
-                                          {.key = "min",
-                                           .label = TRANSLATE_NOOP("setting", "lower limit of the joint"),
-                                           .tip = TRANSLATE_NOOP("setting", "The smallest value; none: no limit.")})),
-    row::judgedBy<Joint>(&judgeJoint, row::member<&Joint::max>(
-                                          {.key = "max",
-                                           .label = TRANSLATE_NOOP("setting", "upper limit of the joint"),
-                                           .tip = TRANSLATE_NOOP("setting", "The largest value; none: no limit.")})),
-    row::judgedBy<Joint>(&row::judgeAsGain,
-                         row::thereWhere<Joint>(&turns, row::member<&Joint::stiffness>(turningSpring()))),
-    row::judgedBy<Joint>(&row::judgeAsGain, row::thereWhere<Joint>(&slides, row::member<&Joint::stiffness>(kSpring))),
-    row::judgedBy<Joint>(
-        &judgeJoint,
+    row::checkedBy<Joint>(
+        &jointProblem,
+        row::member<&Joint::min>({.key = "min",
+                                  .label = TRANSLATE_NOOP("setting", "lower limit of the joint"),
+                                  .tip = TRANSLATE_NOOP("setting", "The smallest value; none: no limit.")})),
+    row::checkedBy<Joint>(&jointProblem, row::member<&Joint::max>(
+                                             {.key = "max",
+                                              .label = TRANSLATE_NOOP("setting", "upper limit of the joint"),
+                                              .tip = TRANSLATE_NOOP("setting", "The largest value; none: no limit.")})),
+    row::checkedBy<Joint>(&row::checkedAsGain,
+                          row::presentIf<Joint>(&turns, row::member<&Joint::stiffness>(turningSpring()))),
+    row::checkedBy<Joint>(&row::checkedAsGain, row::presentIf<Joint>(&slides, row::member<&Joint::stiffness>(kSpring))),
+    row::checkedBy<Joint>(
+        &jointProblem,
         row::member<&Joint::rest>({.key = "rest",
                                    .label = TRANSLATE_NOOP("setting", "rest position of the joint"),
                                    .tip = TRANSLATE_NOOP("setting", "Where the joint's spring exerts no force.")}))};

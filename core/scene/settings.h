@@ -26,7 +26,7 @@ inline bool isNone(const SettingValue& value) {
 enum class SettingKind : std::uint8_t { Number, Whole, Gain, Choice, Flag };
 
 /// When its key is in a file. Always: whenever its object is; Required: the object needs it.
-enum class Said : std::uint8_t { IfUnusual, Always, Required };
+enum class KeyPresence : std::uint8_t { IfUnusual, Always, Required };
 
 /// A row of the table: one setting, and all that texts, checks and panels need to know of it.
 struct Setting {
@@ -36,7 +36,7 @@ struct Setting {
   const char* unit = "";
   double least = -kInfinity, most = kInfinity;
   bool is_above_least = false;  // least itself is not allowed
-  Said said = Said::IfUnusual;
+  KeyPresence said = KeyPresence::IfUnusual;
   const char* wrong = nullptr;  // for a number outside the range: its last placeholders are least, most and the number
   const char* const* shown = nullptr;  // of a choice: what a panel shows for each word; null: the words
 
@@ -59,7 +59,7 @@ const Setting* findSetting(std::string_view path);
 Result<Setting> settingAt(const Description& scene, const std::string& path);
 Result<SettingValue> valueAt(const Description& scene, const std::string& path);
 /// The default where the file leaves the key out; none: there is none.
-Result<SettingValue> usualAt(const Description& scene, const std::string& path);
+Result<SettingValue> defaultAt(const Description& scene, const std::string& path);
 
 /// The scene with another value at path. None removes a limit, or, for the key that its object needs, the whole object:
 /// t the influence. A value for a missing object adds the object. Problems: also a value that a file may not have;

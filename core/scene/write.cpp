@@ -55,7 +55,7 @@ void addSettings(Members& members, const Object& object, std::string_view before
     if (row.is.key == before) between();
     if (!isThere(row, object)) continue;
     const SettingValue value = row.get(object);
-    if (row.is.said == Said::IfUnusual && isSameValue(value, row.usual(object))) continue;
+    if (row.is.said == KeyPresence::IfUnusual && isSameValue(value, row.usual(object))) continue;
     members.emplace_back(row.is.key, fileTextOf(value));
   }
 }
@@ -133,7 +133,8 @@ void addCurve(Members& members, const Curve& curve) {
 
 std::string constraintText(const Constraint& constraint, std::size_t index) {
   Members members;
-  if (constraint.name != madeUpName(constraint, index)) members.emplace_back("name", json::quotedText(constraint.name));
+  if (constraint.name != defaultName(constraint, index))
+    members.emplace_back("name", json::quotedText(constraint.name));
   members.emplace_back("type", json::quotedText(typeName(constraint.shape)));
   if (const auto* robot = std::get_if<VirtualManipulator>(&constraint.shape)) addManipulator(members, *robot);
   if (const auto* mesh = std::get_if<Mesh>(&constraint.shape)) addMesh(members, *mesh);
@@ -172,12 +173,12 @@ std::string writeScene(const Description& scene, const std::optional<Teaching>& 
   if (scene.about != usual.about) result += ",\n  \"about\": " + json::quotedText(scene.about);
   if (teaching) result += ",\n  \"teach\": " + teachingText(*teaching);
   if (scene.arm != usual.arm) result += ",\n  \"arm\": " + json::quotedText(scene.arm);
-  if (!isUsual(scene.control) || !(scene.control.velocity == Velocity{}))
+  if (!isDefault(scene.control) || !(scene.control.velocity == Velocity{}))
     result += ",\n  \"control\": " + controlText(scene.control, 2);
   Members settings;
   addSettings(settings, scene);
   for (const auto& [key, value] : settings) result += ",\n  " + json::quotedText(key) + ": " + value;
-  if (!isUsual(scene.simulation)) result += ",\n  \"simulation\": " + settingsText(scene.simulation, 2);
+  if (!isDefault(scene.simulation)) result += ",\n  \"simulation\": " + settingsText(scene.simulation, 2);
   result += ",\n  \"constraints\": [";
   for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
     result += (index == 0 ? "\n    " : ",\n    ") + constraintText(scene.constraints[index], index);

@@ -27,8 +27,8 @@ void ArmClockWatch::begin(std::int64_t sample_ns, std::int64_t earliest_ns, std:
   advanced_ns_ = counted_ns_ = 0;
 }
 
-Fault ArmClockWatch::look(std::int64_t sample_ns, std::int64_t earliest_ns, std::int64_t latest_ns,
-                          std::int64_t period_ns) noexcept {
+Fault ArmClockWatch::check(std::int64_t sample_ns, std::int64_t earliest_ns, std::int64_t latest_ns,
+                           std::int64_t period_ns) noexcept {
   if (!has_begun_) {
     begin(sample_ns, earliest_ns, latest_ns);
     return {};

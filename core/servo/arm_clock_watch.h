@@ -18,13 +18,13 @@ class ArmClockWatch {
   static constexpr std::int64_t kWindow_ns = 1'000'000'000;
 
   /// Forgets the past: at a Start, when an arm begins anew, or with another period.
-  void forget() noexcept UNDERACT_REAL_TIME { has_begun_ = false; }
+  void reset() noexcept UNDERACT_REAL_TIME { has_begun_ = false; }
 
   /// Takes a sample. sample_ns: by the arm's clock, any number. earliest_ns, latest_ns: the bounds of the moment in the
   /// servo's time at which it was taken, so that a delayed servo thread is not blamed on the arm. Gives OddClock where
   /// the clocks disagree, and begins anew then.
-  Fault look(std::int64_t sample_ns, std::int64_t earliest_ns, std::int64_t latest_ns,
-             std::int64_t period_ns) noexcept UNDERACT_REAL_TIME;
+  Fault check(std::int64_t sample_ns, std::int64_t earliest_ns, std::int64_t latest_ns,
+              std::int64_t period_ns) noexcept UNDERACT_REAL_TIME;
 
  private:
   void begin(std::int64_t sample_ns, std::int64_t earliest_ns, std::int64_t latest_ns) noexcept UNDERACT_REAL_TIME;

@@ -13,7 +13,7 @@ namespace underact::servo {
 class BareLoop {
  public:
   /// rate_hz: 100 to 10000. Returns when the thread has its scheduling.
-  BareLoop(int rate_hz, const system::SchedulingWanted& wanted);
+  BareLoop(int rate_hz, const system::SchedulingRequest& wanted);
   ~BareLoop();
   BareLoop(const BareLoop&) = delete;
   BareLoop& operator=(const BareLoop&) = delete;
@@ -25,12 +25,12 @@ class BareLoop {
   const Histogram& end();
 
  private:
-  enum class Wish : std::uint8_t { Rest, Wake, End };
-  void tell(Wish wish);
-  void run(int rate_hz, const system::SchedulingWanted& wanted, std::binary_semaphore& ready);
-  void wakeWhileWished(std::int64_t period_ns);
+  enum class Request : std::uint8_t { Rest, Wake, End };
+  void setRequest(Request request);
+  void run(int rate_hz, const system::SchedulingRequest& wanted, std::binary_semaphore& ready);
+  void wakeWhileRequested(std::int64_t period_ns);
 
-  std::atomic<Wish> wish_{Wish::Rest};
+  std::atomic<Request> request_{Request::Rest};
   Histogram lateness_;
   std::thread thread_;
 };

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/servo/bare_loop.h"
-#include "core/servo/busy.h"
+#include "core/servo/cpu_load.h"
 #include "core/servo/loop.h"
 #include "core/servo/thread.h"
 #include "core/system/clock.h"
@@ -68,7 +68,7 @@ CheckResult checkServo(DevicePort& device, tick::TickProgram program, const Chec
   const auto servo = std::make_unique<Servo>(device, std::move(program), options);
   servo->rest();
   BareLoop bare(options.rate_hz, options.scheduling);
-  std::optional<Busy> busy;
+  std::optional<CpuLoad> busy;
   if (options.load) busy.emplace();
   const std::int64_t begin_ns = system::monotonicNow_ns();
   std::int64_t past_ns = 0;

@@ -15,7 +15,7 @@ struct CheckOptions {
   int seconds = 60;    // in all
   int rate_hz = 1000;  // 100 to 10000
   bool load = false;   // with a load on each core, see Busy
-  system::SchedulingWanted scheduling = {};
+  system::SchedulingRequest scheduling = {};
 };
 
 /// floor: latency of a loop that does nothing but wake; servo: latency of the servo's ticks; tick_time: their duration.

@@ -4,7 +4,7 @@
 
 namespace underact::servo {
 
-Sentence DevicePort::fixedRate() const {
+Sentence DevicePort::fixedRateReason() const {
   return said(TRANSLATE_NOOP("problem", "This arm keeps the rate that it was opened with."));
 }
 

@@ -23,7 +23,7 @@ struct DeviceInfo {
 };
 
 /// The message that tells an arm zero force, and where to write it.
-struct LastWord {
+struct ZeroForceMessage {
   int fd = -1;
   std::string bytes;
 };
@@ -52,15 +52,15 @@ class DevicePort {
   /// Opens a lost arm again; the servo thread does not run meanwhile. Problems: why it cannot be opened.
   virtual Problems reopen() { return {}; }
   /// Why the rate is fixed to that with which the arm was opened; empty: it is not. The thread that owns the arm.
-  virtual Sentence fixedRate() const;
+  virtual Sentence fixedRateReason() const;
   /// Why this rate is not possible, where some others are; empty: it is.
-  virtual Sentence refusesRate(int /*rate_hz*/) const { return fixedRate(); }
-  /// Changes the rate from the next read() on; the arm's clock goes on without a jump. Only where refusesRate() is
+  virtual Sentence rateRefusal(int /*rate_hz*/) const { return fixedRateReason(); }
+  /// Changes the rate from the next read() on; the arm's clock goes on without a jump. Only where rateRefusal() is
   /// empty, and while the servo thread does not run.
   virtual void setRate(int /*rate_hz*/) {}
   /// The message of zero force, for an arm behind a file descriptor: a guard sends it when the program dies. fd < 0:
   /// there is none.
-  virtual LastWord lastWord() const { return {}; }
+  virtual ZeroForceMessage zeroForceMessage() const { return {}; }
   /// For an arm whose driver has a scheduler of its own: until endDrive() it calls tick() once a period, in its thread,
   /// and the servo's own thread is not used. false: it has none. The thread that owns the arm.
   virtual bool drive(Ticks& /*ticks*/, int /*rate_hz*/) { return false; }

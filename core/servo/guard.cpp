@@ -9,9 +9,9 @@
 #include "core/base/translate.h"
 #include "core/servo/guard_process.h"
 #include "core/system/channel.h"
-#include "core/system/places.h"
+#include "core/system/resource_paths.h"
 #include "core/system/thread.h"
-#include "core/system/urgency.h"
+#include "core/system/thread_priority.h"
 
 namespace underact::servo {
 
@@ -23,7 +23,7 @@ Sentence guardPhrase(const Guard* guard, const Sentence& why_none) {
               {std::to_string(guard->replaced())});
 }
 
-Sentence nothingGuards(const Sentence& gap) {
+Sentence noGuardText(const Sentence& gap) {
   return said(
       TRANSLATE_NOOP("problem",
                      "Nothing guards the arm: %1. If this program crashed now, the arm could hold its last force. "
@@ -40,7 +40,7 @@ constexpr int kLimitsInPatience = 10;  // in each of which it checks five times
 
 }  // namespace
 
-std::unique_ptr<Guard> Guard::start(const LastWord& word, std::int64_t limit_ns, const std::string& program,
+std::unique_ptr<Guard> Guard::start(const ZeroForceMessage& word, std::int64_t limit_ns, const std::string& program,
                                     Sentence& why) {
   if (word.fd < 0) {
     why = said(TRANSLATE_NOOP("problem", "this arm cannot be reached from outside the program"));
@@ -87,7 +87,7 @@ void Guard::setGap(Sentence gap) {
 
 void Guard::watch() {
   system::nameThread("underact-warden");
-  system::setOwnUrgency({});  // the creating thread may be real-time
+  system::setOwnPriority({});  // the creating thread may be real-time
   while (waitUntilItEnds()) {
     setGap(said(TRANSLATE_NOOP("problem", "the guard has ended and is being restarted")));
     if (!startAnother()) return;
@@ -113,7 +113,7 @@ bool Guard::waitUntilItEnds() {
 /// Starts another guard as soon as the pace allows; false: the watching is to end.
 bool Guard::startAnother() {
   for (;;) {
-    if (isToldToEnd(pace_.next_ns(system::monotonicNow_ns()))) return false;
+    if (isStopRequested(pace_.next_ns(system::monotonicNow_ns()))) return false;
     if (process_->start()) return true;
     setGap(said(TRANSLATE_NOOP("problem", "the guard has ended and does not restart (%1)"),
                 {std::string(std::strerror(process_->failure()))}));
@@ -121,7 +121,7 @@ bool Guard::startAnother() {
 }
 
 /// Waits until then; true: it is told to end.
-bool Guard::isToldToEnd(std::int64_t until_ns) const {
+bool Guard::isStopRequested(std::int64_t until_ns) const {
   for (std::int64_t left_ns = 0; (left_ns = until_ns - system::monotonicNow_ns()) > 0;) {
     if (system::waitToRead(wake_.descriptor(), static_cast<int>(left_ns / 1'000'000 + 1))) return true;
   }

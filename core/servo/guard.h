@@ -23,7 +23,7 @@ class Guard {
  public:
   /// Starts it. program: the path of underact-guard; empty: beside this program, or in libexec/underact. Null where it
   /// is missing or does not start, or where the arm has no such message; then why says so.
-  static std::unique_ptr<Guard> start(const LastWord& word, std::int64_t limit_ns, const std::string& program,
+  static std::unique_ptr<Guard> start(const ZeroForceMessage& word, std::int64_t limit_ns, const std::string& program,
                                       Sentence& why);
   ~Guard();  // an orderly end: the guard ends without sending anything
   Guard(const Guard&) = delete;
@@ -41,7 +41,7 @@ class Guard {
   void watch();
   bool waitUntilItEnds();
   bool startAnother();
-  bool isToldToEnd(std::int64_t until_ns) const;
+  bool isStopRequested(std::int64_t until_ns) const;
   void setGap(Sentence gap);
 
   const std::unique_ptr<GuardProcess> process_;
@@ -59,6 +59,6 @@ class Guard {
 Sentence guardPhrase(const Guard* guard, const Sentence& why_none);
 
 /// For a person, with a way out. gap: see Guard::gap(), or why no guard was started.
-Sentence nothingGuards(const Sentence& gap);
+Sentence noGuardText(const Sentence& gap);
 
 }  // namespace underact::servo

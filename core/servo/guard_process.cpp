@@ -21,7 +21,7 @@ std::string hexOf(const std::string& bytes) {
 
 }  // namespace
 
-GuardProcess::GuardProcess(const LastWord& word, std::int64_t limit_ns, std::string program)
+GuardProcess::GuardProcess(const ZeroForceMessage& word, std::int64_t limit_ns, std::string program)
     : limit_ns_(limit_ns),
       program_(std::move(program)),
       word_(word.bytes),

@@ -14,7 +14,7 @@ namespace underact::servo {
 class GuardProcess {
  public:
   /// program: the path of underact-guard.
-  GuardProcess(const LastWord& word, std::int64_t limit_ns, std::string program);
+  GuardProcess(const ZeroForceMessage& word, std::int64_t limit_ns, std::string program);
   ~GuardProcess();  // an orderly end: the guard ends without sending anything; one that does not end is killed
   GuardProcess(const GuardProcess&) = delete;
   GuardProcess& operator=(const GuardProcess&) = delete;

@@ -13,7 +13,7 @@
 #include "core/base/translate.h"
 #include "core/scene/compile.h"
 #include "core/scene/edit.h"
-#include "core/servo/driven.h"
+#include "core/servo/device_clocked_loop.h"
 #include "core/servo/guard.h"
 #include "core/servo/loop.h"
 #include "core/servo/thread.h"
@@ -43,19 +43,19 @@ struct Host::Impl {
     watchdog.reset();
     thread.reset();
     driven.reset();
-    loop.beatInto(nullptr);
+    loop.countInto(nullptr);
     guard.reset();
   }
   void begin() {
     const auto limit_ns = static_cast<std::int64_t>(1e9 * options.watchdog_s);
-    const LastWord word = device->lastWord();
+    const ZeroForceMessage word = device->zeroForceMessage();
     can_be_guarded = limit_ns > 0 && word.fd >= 0;
     if (limit_ns > 0)
       guard = Guard::start(word, limit_ns, options.guard_program, no_guard);
     else
       no_guard = said(TRANSLATE_NOOP("problem", "the watchdog is switched off"));
-    if (guard) loop.beatInto(&guard->beats());
-    driven = Driven::start(loop, *device, options.rate_hz, limit_ns);
+    if (guard) loop.countInto(&guard->beats());
+    driven = DeviceClockedLoop::start(loop, *device, options.rate_hz, limit_ns);
     if (!driven) thread.emplace(loop, options.rate_hz, options.scheduling);
     if (limit_ns > 0) watchdog.emplace(loop, *device, limit_ns);
   }
@@ -87,7 +87,7 @@ struct Host::Impl {
       return {{said(TRANSLATE_NOOP(
                    "problem", "A session is recorded at a single rate. Stop the recording, then change the rate.")),
                {}}};
-    const Sentence why = device->refusesRate(rate_hz);
+    const Sentence why = device->rateRefusal(rate_hz);
     return why.empty() ? Problems{} : Problems{{why, {}}};
   }
 
@@ -138,7 +138,7 @@ struct Host::Impl {
       for (const auto& [number, kept] : scenes) tap->announce(number, kept);
     }
     send(command);
-    if (!ticksByItself()) loop.takeUpCommands();
+    if (!ticksByItself()) loop.applyCommands();
   }
   /// Waits for a recorder that is behind, not for one that has given up.
   void waitForRoom(std::size_t ticks) const {
@@ -152,7 +152,7 @@ struct Host::Impl {
   Sentence no_guard;  // why none was started
   bool can_be_guarded = false;
   std::optional<Thread> thread;  // one of the two ticks
-  std::unique_ptr<Driven> driven;
+  std::unique_ptr<DeviceClockedLoop> driven;
   std::optional<Watchdog> watchdog;
   std::deque<Command> backlog;
   scene::Description scene;
@@ -349,7 +349,7 @@ system::Scheduling Host::scheduling() const {
           {}};
 }
 
-const system::SchedulingWanted& Host::schedulingWanted() const {
+const system::SchedulingRequest& Host::schedulingWanted() const {
   return impl_->options.scheduling;
 }
 
@@ -364,7 +364,7 @@ Sentence Host::guarding() const {
 Sentence Host::unguarded() const {
   if (!impl_->ticksByItself() || !impl_->can_be_guarded) return {};
   const Sentence gap = impl_->guard ? impl_->guard->gap() : impl_->no_guard;
-  return gap.empty() ? gap : nothingGuards(gap);
+  return gap.empty() ? gap : noGuardText(gap);
 }
 
 DeviceInfo Host::device() const {

@@ -25,7 +25,7 @@ enum class Clock : std::uint8_t { Thread, Manual };
 struct HostOptions {
   int rate_hz = 1000;  // 100 to 10000
   Clock clock = Clock::Thread;
-  system::SchedulingWanted scheduling = {};
+  system::SchedulingRequest scheduling = {};
   double watchdog_s = 0.1;         // no tick for so long: the watchdog writes zero force, and it is a fault
   int max_late = 20;               // ticks in a row a whole period late; more release the force and are a fault
   std::string guard_program = {};  // the path of underact-guard; empty: it is looked for
@@ -120,7 +120,7 @@ class Host {
   /// What the system granted to the servo thread, or by what else it ticks.
   system::Scheduling scheduling() const;
   /// What was asked for.
-  const system::SchedulingWanted& schedulingWanted() const;
+  const system::SchedulingRequest& schedulingWanted() const;
   /// Whether a process guards the arm, or why none does: a phrase, as in Scheduling::also. Empty: no tick yet.
   Sentence guarding() const;
   /// Why nothing would release the force if the program died, with a way out, for an arm that can be guarded: its guard

@@ -91,7 +91,7 @@ void Loop::giveBack(const History* history) {
 void Loop::setPeriod(std::int64_t period_ns) {
   period_ns_ = period_ns;
   late_ = {};
-  arm_clock_.forget();
+  arm_clock_.reset();
   records_->consume_all([this](const TickRecord& record) { left_.push_back(record); });
   records_ = roomForRows(period_ns);
   *history_ = roomForASecond(period_ns);
@@ -120,7 +120,7 @@ void Loop::listen(Tap* tap) noexcept {
   if (tap_ != nullptr) tap_->begin(ticks_ + 1, current_->revision, current_->state);
 }
 
-void Loop::takeUpCommands() noexcept {
+void Loop::applyCommands() noexcept {
   Command command;
   while (commands_.pop(command)) {
     switch (command.order) {
@@ -192,9 +192,9 @@ Fault Loop::faultOfClocks(const Wake& wake, const tick::TickInput& input, std::i
   const bool counts = wake.at_ns == 0;
   Fault odd;
   if (input.has_sample)
-    odd = arm_clock_.look(input.sample.time_ns, counts ? counted_ns_ : wake.at_ns, counts ? counted_ns_ : now_ns,
-                          period_ns_);
-  if (!counts) slept_ns_ += sleep_.look(clocks_, with_sleep_ns - now_ns);
+    odd = arm_clock_.check(input.sample.time_ns, counts ? counted_ns_ : wake.at_ns, counts ? counted_ns_ : now_ns,
+                           period_ns_);
+  if (!counts) slept_ns_ += sleep_.poll(clocks_, with_sleep_ns - now_ns);
   const std::int64_t slept_ns = std::exchange(slept_ns_, 0);
   if (!pushes()) return {};
   if (slept_ns > 0) return {FaultKind::Asleep, kSecondPerNanosecond * static_cast<double>(slept_ns), 0.0};
@@ -231,7 +231,7 @@ void Loop::remember(const Snapshot& snapshot) noexcept {
 }
 
 void Loop::tick(const Wake& wake) noexcept {
-  takeUpCommands();
+  applyCommands();
   countLate(wake);
   tick::TickInput input;
   input.fault = faultOf(wake);
@@ -250,7 +250,7 @@ void Loop::tick(const Wake& wake) noexcept {
   const std::int64_t with_sleep_ns = wake.at_ns != 0 ? clocks_.with_sleep_ns() : 0;  // first: see SleepWatch
   const std::int64_t begin_ns = clocks_.now_ns();
   read_ns_ = begin_ns - asked_ns;
-  if (input.restart) arm_clock_.forget();
+  if (input.restart) arm_clock_.reset();
   const Fault by_clocks = faultOfClocks(wake, input, begin_ns, with_sleep_ns);
   if (input.fault.kind == FaultKind::None) input.fault = by_clocks;
   if (tap_ != nullptr && input.fault.kind != FaultKind::None) tap_->add(FaultMark{ticks_ + 1, input.fault, true});
@@ -259,7 +259,7 @@ void Loop::tick(const Wake& wake) noexcept {
   snapshot.tick_ns = clocks_.now_ns() - begin_ns;
   // A machine may be suspended between any two instructions: if that happened since the last check, it wakes with this
   // tick's force on the hand. The force is taken back here; the next tick reports the reason.
-  if (wake.at_ns != 0) slept_ns_ += sleep_.look(clocks_);
+  if (wake.at_ns != 0) slept_ns_ += sleep_.poll(clocks_);
   if (slept_ns_ > 0) device_.write(safety::GatedForce{});
   if (current_->state.gate.fault.kind != FaultKind::None) engaged_ = false;  // only a Start makes it push again
   snapshot.ticks = ++ticks_;
@@ -277,7 +277,7 @@ void Loop::tick(const Wake& wake) noexcept {
 
 void Loop::release() noexcept {
   device_.write(safety::GatedForce{});
-  sleep_.forget();  // sleep does not matter until it ticks again
+  sleep_.reset();  // sleep does not matter until it ticks again
   slept_ns_ = 0;
 }
 

@@ -53,7 +53,7 @@ class Loop {
   /// One tick. wake: when it was due, and when it began.
   void tick(const Wake& wake) noexcept UNDERACT_REAL_TIME;
   /// Takes up commands without a tick, where no thread ticks.
-  void takeUpCommands() noexcept UNDERACT_REAL_TIME;
+  void applyCommands() noexcept UNDERACT_REAL_TIME;
   /// Writes zero force, at the end.
   void release() noexcept UNDERACT_REAL_TIME;
   /// How long the last tick waited for the arm's sample. The thread that ticks.
@@ -78,9 +78,9 @@ class Loop {
   /// The number of ticks, for a watchdog.
   std::int64_t beats() const noexcept { return beats_->load(std::memory_order_relaxed); }
   /// Counts ticks in the given memory from now on; null: in its own again. Not while it ticks.
-  void beatInto(std::atomic<std::int64_t>* beats) noexcept { beats_ = beats != nullptr ? beats : &own_beats_; }
+  void countInto(std::atomic<std::int64_t>* beats) noexcept { beats_ = beats != nullptr ? beats : &own_beats_; }
   /// Called by the watchdog when it has cut the force: the next tick is a fault.
-  void stoodStill(std::int64_t pause_ns) noexcept { stood_still_ns_.store(pause_ns, std::memory_order_relaxed); }
+  void reportStall(std::int64_t pause_ns) noexcept { stood_still_ns_.store(pause_ns, std::memory_order_relaxed); }
 
  private:
   void letIn() noexcept UNDERACT_REAL_TIME;

@@ -13,17 +13,17 @@ class SleepWatch {
   static constexpr std::int64_t kShortest_ns = 50'000'000;
 
   /// Forgets the past: the next look is the first one.
-  void forget() noexcept UNDERACT_REAL_TIME { knows_ = false; }
+  void reset() noexcept UNDERACT_REAL_TIME { knows_ = false; }
 
   /// How long it slept since the last look; 0: it was awake. The clock with sleep is read first: a thread that is
   /// delayed between the two readings sees too small a difference, which is never taken for sleep. For the same reason
   /// the first look, the reference for all others, takes the greatest of three.
-  std::int64_t look(const system::Clocks& clocks) noexcept UNDERACT_REAL_TIME {
-    return look(clocks, aheadNow_ns(clocks));
+  std::int64_t poll(const system::Clocks& clocks) noexcept UNDERACT_REAL_TIME {
+    return poll(clocks, aheadNow_ns(clocks));
   }
 
   /// The same where both were read already, in that order: how far the one with sleep was ahead.
-  std::int64_t look(const system::Clocks& clocks, std::int64_t ahead_ns) noexcept UNDERACT_REAL_TIME {
+  std::int64_t poll(const system::Clocks& clocks, std::int64_t ahead_ns) noexcept UNDERACT_REAL_TIME {
     if (!knows_) {
       knows_ = true;
       most_ahead_ns_ = std::max({ahead_ns, aheadNow_ns(clocks), aheadNow_ns(clocks)});

@@ -13,12 +13,12 @@ TickRecord recordOf(const Snapshot& snapshot) noexcept {
   record.buttons = report.sample.buttons;
   record.p_WT = report.p_WT;
   record.p_WP.setConstant(kNotANumber);
-  for (const tick::Held& held : report.held) {
+  for (const tick::ConstraintReport& held : report.held) {
     if (!held.acts || held.status != target::Status::Unique) continue;
     record.p_WP = held.p_WP;
     break;
   }
-  for (const tick::Held& held : report.held) {
+  for (const tick::ConstraintReport& held : report.held) {
     if (!held.acts || !std::isfinite(held.angles.theta_rad)) continue;
     record.angles = held.angles;
     break;
@@ -32,7 +32,7 @@ TickRecord recordOf(const Snapshot& snapshot) noexcept {
   record.heat = report.heat;
   record.limits = safety::bitsOf(report.cuts);
   Vec3 passive_T_W = Vec3::Zero();
-  for (const tick::Held& held : report.held) {
+  for (const tick::ConstraintReport& held : report.held) {
     record.energy_J += held.energy_J;
     passive_T_W += held.f_passive_T_W;
   }

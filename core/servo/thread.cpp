@@ -7,7 +7,7 @@
 
 namespace underact::servo {
 
-Thread::Thread(Loop& loop, int rate_hz, const system::SchedulingWanted& wanted)
+Thread::Thread(Loop& loop, int rate_hz, const system::SchedulingRequest& wanted)
     : loop_(loop), rate_hz_(rate_hz), wanted_(wanted) {
   std::promise<system::Scheduling> granted;
   std::future<system::Scheduling> scheduling = granted.get_future();
@@ -16,21 +16,21 @@ Thread::Thread(Loop& loop, int rate_hz, const system::SchedulingWanted& wanted)
 }
 
 Thread::~Thread() {
-  tell(Wish::End);
+  setRequest(Request::End);
   thread_.join();
 }
 
 void Thread::rest() {
-  tell(Wish::Rest);
+  setRequest(Request::Rest);
 }
 
 void Thread::resume() {
-  tell(Wish::Tick);
+  setRequest(Request::Tick);
 }
 
-void Thread::tell(Wish wish) {
-  wish_ = wish;
-  wish_.notify_one();
+void Thread::setRequest(Request request) {
+  request_ = request;
+  request_.notify_one();
 }
 
 void Thread::run(std::promise<system::Scheduling> granted) {
@@ -40,18 +40,18 @@ void Thread::run(std::promise<system::Scheduling> granted) {
   scheduling.also.push_back(said(FlushDenormals::isKnown() ? TRANSLATE_NOOP("problem", "denormals flushed")
                                                            : TRANSLATE_NOOP("problem", "denormals kept")));
   granted.set_value(std::move(scheduling));
-  while (wish_ != Wish::End) {
-    tickWhileWished();
+  while (request_ != Request::End) {
+    tickWhileRequested();
     loop_.release();
-    wish_.wait(Wish::Rest);
+    request_.wait(Request::Rest);
   }
 }
 
-void Thread::tickWhileWished() {
+void Thread::tickWhileRequested() {
   const std::int64_t period_ns = 1'000'000'000 / rate_hz_;
   std::int64_t now_ns = system::monotonicNow_ns();
   Deadlines deadlines(period_ns, now_ns, system::interruptions());
-  while (wish_.load(std::memory_order_relaxed) == Wish::Tick) {
+  while (request_.load(std::memory_order_relaxed) == Request::Tick) {
     system::sleepUntil(deadlines.wakeAt_ns(now_ns));
     const std::int64_t begin_ns = system::monotonicNow_ns();
     Wake wake = deadlines.begin(begin_ns);

@@ -13,7 +13,7 @@ namespace underact::servo {
 class Thread {
  public:
   /// rate_hz: 100 to 10000.
-  Thread(Loop& loop, int rate_hz, const system::SchedulingWanted& wanted);
+  Thread(Loop& loop, int rate_hz, const system::SchedulingRequest& wanted);
   ~Thread();  // zero force, then the thread ends
   Thread(const Thread&) = delete;
   Thread& operator=(const Thread&) = delete;
@@ -25,15 +25,15 @@ class Thread {
   void resume();
 
  private:
-  enum class Wish : std::uint8_t { Tick, Rest, End };
-  void tell(Wish wish);
+  enum class Request : std::uint8_t { Tick, Rest, End };
+  void setRequest(Request request);
   void run(std::promise<system::Scheduling> granted);
-  void tickWhileWished();
+  void tickWhileRequested();
 
   Loop& loop_;
   int rate_hz_;
-  system::SchedulingWanted wanted_;
-  std::atomic<Wish> wish_{Wish::Tick};
+  system::SchedulingRequest wanted_;
+  std::atomic<Request> request_{Request::Tick};
   system::Scheduling scheduling_;
   std::thread thread_;
 };

@@ -30,7 +30,7 @@ void Watchdog::run() {
       seen = beats;
       seen_ns = now_ns;
     } else if (now_ns - seen_ns >= limit_ns_) {
-      loop_.stoodStill(now_ns - seen_ns);
+      loop_.reportStall(now_ns - seen_ns);
       device_.cut();
     }
   }

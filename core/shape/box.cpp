@@ -28,7 +28,7 @@ Nearest fromInside(const Box& box, const Vec3& d_B, const Vec3& p_WT) noexcept {
 
 }  // namespace
 
-Result<Box> makeBox(const Vec3& p_WC, const Vec3& size_m, const Mat3& R_WB, const Place& place) {
+Result<Box> makeBox(const Vec3& p_WC, const Vec3& size_m, const Mat3& R_WB, const SourceLocation& place) {
   Problems problems;
   if (!p_WC.allFinite())
     problems.push_back({said(TRANSLATE_NOOP("problem", "The centre is not a finite point.")), place});

@@ -13,7 +13,7 @@ struct Box {
 };
 /// Problems: a size not above 0, R_WB no rotation (R R^T off identity by more than 1e-6, or left-handed), a number that
 /// is not finite. R_WB is made orthonormal to the last bit.
-Result<Box> makeBox(const Vec3& p_WC, const Vec3& size_m, const Mat3& R_WB, const Place& place);
+Result<Box> makeBox(const Vec3& p_WC, const Vec3& size_m, const Mat3& R_WB, const SourceLocation& place);
 /// p_WT: m, finite. NotUnique inside where two faces are equally near. Within 64 ulp of the largest coordinate. Cost:
 /// constant.
 Nearest closestPoint(const Box& box, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;

@@ -7,7 +7,7 @@
 
 namespace underact::shape {
 
-Result<Circle> makeCircle(const Vec3& p_WC, const Vec3& normal_W, double radius_m, const Place& place) {
+Result<Circle> makeCircle(const Vec3& p_WC, const Vec3& normal_W, double radius_m, const SourceLocation& place) {
   Problems problems;
   const std::optional<Vec3> axis_W = unitOf(normal_W);
   if (!p_WC.allFinite())

@@ -7,7 +7,7 @@
 
 namespace underact::shape {
 
-Result<Cylinder> makeCylinder(const Vec3& p_WC, const Vec3& axis_W, double radius_m, const Place& place) {
+Result<Cylinder> makeCylinder(const Vec3& p_WC, const Vec3& axis_W, double radius_m, const SourceLocation& place) {
   Problems problems;
   const std::optional<Vec3> unit_W = unitOf(axis_W);
   if (!p_WC.allFinite())

@@ -12,7 +12,7 @@ struct Cylinder {
   double radius_m;
 };
 /// axis_W: any length but zero. Problems: a radius not above 0, no direction, a number that is not finite.
-Result<Cylinder> makeCylinder(const Vec3& p_WC, const Vec3& axis_W, double radius_m, const Place& place);
+Result<Cylinder> makeCylinder(const Vec3& p_WC, const Vec3& axis_W, double radius_m, const SourceLocation& place);
 /// p_WT: m, finite. NotUnique on the axis. Within 64 ulp of the largest coordinate, and near the axis 8 R ulp(|CT|) /
 /// the distance from it more. Cost: constant. Source: Beckman 2007, eq. 4.22-4.26 (E points from the axis to the tip).
 Nearest closestPoint(const Cylinder& cylinder, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;

@@ -5,7 +5,7 @@
 
 namespace underact::shape {
 
-Result<Line> makeLine(const Vec3& p_WC, const Vec3& direction_W, const Place& place) {
+Result<Line> makeLine(const Vec3& p_WC, const Vec3& direction_W, const SourceLocation& place) {
   Problems problems;
   const std::optional<Vec3> axis_W = unitOf(direction_W);
   if (!p_WC.allFinite())

@@ -11,7 +11,7 @@ struct Line {
   Vec3 axis_W;
 };
 /// direction_W: any length but zero. Problems: no direction, a number that is not finite.
-Result<Line> makeLine(const Vec3& p_WC, const Vec3& direction_W, const Place& place);
+Result<Line> makeLine(const Vec3& p_WC, const Vec3& direction_W, const SourceLocation& place);
 /// p_WT: m, finite. Always Unique. Within 64 ulp of the largest coordinate. Cost: constant.
 /// Source: Beckman 2007, eq. 4.5-4.9; erratum 4.7-4.9 (the printed sign mirrors the foot through the line's point).
 Nearest closestPoint(const Line& line, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;

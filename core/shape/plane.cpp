@@ -5,7 +5,7 @@
 
 namespace underact::shape {
 
-Result<Plane> makePlane(const Vec3& p_WC, const Vec3& normal_W, const Place& place) {
+Result<Plane> makePlane(const Vec3& p_WC, const Vec3& normal_W, const SourceLocation& place) {
   Problems problems;
   const std::optional<Vec3> unit_W = unitOf(normal_W);
   if (!p_WC.allFinite())

@@ -11,7 +11,7 @@ struct Plane {
   Vec3 normal_W;
 };
 /// normal_W: any length but zero. Problems: no direction, a number that is not finite.
-Result<Plane> makePlane(const Vec3& p_WC, const Vec3& normal_W, const Place& place);
+Result<Plane> makePlane(const Vec3& p_WC, const Vec3& normal_W, const SourceLocation& place);
 /// p_WT: m, finite. Always Unique. Within 64 ulp of the largest coordinate. Cost: constant.
 /// Source: Beckman 2007, eq. 4.11-4.14; erratum code 4.4 (divide by |N| squared; unit normals here).
 Nearest closestPoint(const Plane& plane, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;

@@ -10,7 +10,7 @@ struct Point {
   Vec3 p_WC;
 };
 /// Problems: a coordinate that is not finite.
-Result<Point> makePoint(const Vec3& p_WC, const Place& place);
+Result<Point> makePoint(const Vec3& p_WC, const SourceLocation& place);
 /// The point itself, always Unique. Source: Beckman 2007, eq. 4.1.
 Nearest closestPoint(const Point& point, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;
 

@@ -6,7 +6,7 @@
 
 namespace underact::shape {
 
-Result<Sphere> makeSphere(const Vec3& p_WC, double radius_m, const Place& place) {
+Result<Sphere> makeSphere(const Vec3& p_WC, double radius_m, const SourceLocation& place) {
   Problems problems;
   if (!p_WC.allFinite())
     problems.push_back({said(TRANSLATE_NOOP("problem", "The centre is not a finite point.")), place});

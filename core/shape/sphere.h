@@ -11,7 +11,7 @@ struct Sphere {
   double radius_m;
 };
 /// Problems: a radius not above 0, a number that is not finite.
-Result<Sphere> makeSphere(const Vec3& p_WC, double radius_m, const Place& place);
+Result<Sphere> makeSphere(const Vec3& p_WC, double radius_m, const SourceLocation& place);
 /// p_WT: m, finite. NotUnique at the centre. Within 64 ulp of the largest coordinate. Cost: constant.
 /// Source: Beckman 2007, eq. 4.2, 4.3.
 Nearest closestPoint(const Sphere& sphere, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;

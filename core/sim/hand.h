@@ -11,7 +11,7 @@ struct HandModel {
 };
 
 /// Where the hand wants the stylus at one moment.
-struct HandWish {
+struct HandSetpoint {
   Vec3 p_WT = Vec3::Zero();  // m
   Vec3 v_WT = Vec3::Zero();  // m/s
   Mat3 R_WT = Mat3::Identity();

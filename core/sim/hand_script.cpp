@@ -33,11 +33,11 @@ Mat3 turned(const Mat3& R_WA, const Mat3& R_WB, double share) noexcept UNDERACT_
   return R_WA * Eigen::Quaterniond(half.cos, vec.x(), vec.y(), vec.z()).toRotationMatrix();
 }
 
-HandWish standAt(const HandPoint& point) noexcept UNDERACT_REAL_TIME {
+HandSetpoint standAt(const HandPoint& point) noexcept UNDERACT_REAL_TIME {
   return {point.p_WT, Vec3::Zero(), point.R_WT, point.turns};
 }
 
-HandWish onPath(const std::vector<HandPoint>& path, double t_s) noexcept UNDERACT_REAL_TIME {
+HandSetpoint onPath(const std::vector<HandPoint>& path, double t_s) noexcept UNDERACT_REAL_TIME {
   if (path.empty()) return {};
   std::size_t next = 0;
   for (std::size_t count = path.size(); count > 0;) {  // the first point later than t_s, by bisection
@@ -56,14 +56,15 @@ HandWish onPath(const std::vector<HandPoint>& path, double t_s) noexcept UNDERAC
   const double leg_s = to.t_s - from.t_s;
   const Profile profile = minimumJerk((t_s - from.t_s) / leg_s);
   const Vec3 way_W = to.p_WT - from.p_WT;
-  HandWish wish{from.p_WT + profile.share * way_W, (profile.rate / leg_s) * way_W, from.R_WT, from.turns && to.turns};
-  if (wish.turns) wish.R_WT = turned(from.R_WT, to.R_WT, profile.share);
-  return wish;
+  HandSetpoint setpoint{from.p_WT + profile.share * way_W, (profile.rate / leg_s) * way_W, from.R_WT,
+                        from.turns && to.turns};
+  if (setpoint.turns) setpoint.R_WT = turned(from.R_WT, to.R_WT, profile.share);
+  return setpoint;
 }
 
 /// Three sinusoids for each axis, in the range of a hand's tremor (8 to 12 Hz). All their periods divide 2 s, so time
 /// is taken modulo that, and a long run is as exact as a short one.
-void addTremor(const HandScript& script, std::int64_t time_ns, HandWish& wish) noexcept UNDERACT_REAL_TIME {
+void addTremor(const HandScript& script, std::int64_t time_ns, HandSetpoint& setpoint) noexcept UNDERACT_REAL_TIME {
   constexpr std::array<double, 3> kFrequencies_Hz{8.0, 9.5, 11.0};
   const double t_s = static_cast<double>(time_ns % (2 * kSecond_ns)) / static_cast<double>(kSecond_ns);
   const double part_m = script.tremor_m / static_cast<double>(kFrequencies_Hz.size());
@@ -72,22 +73,22 @@ void addTremor(const HandScript& script, std::int64_t time_ns, HandWish& wish) n
     for (const double frequency_Hz : kFrequencies_Hz) {
       const double omega_rad_per_s = 2.0 * kPi * frequency_Hz;
       const SinCos wave = sinCos(omega_rad_per_s * t_s + 2.0 * kPi * nextShare(state));
-      wish.p_WT[axis] += part_m * wave.sin;
-      wish.v_WT[axis] += part_m * omega_rad_per_s * wave.cos;
+      setpoint.p_WT[axis] += part_m * wave.sin;
+      setpoint.v_WT[axis] += part_m * omega_rad_per_s * wave.cos;
     }
   }
 }
 
 }  // namespace
 
-HandWish wishAt(const HandScript& script, std::int64_t time_ns) noexcept {
+HandSetpoint setpointAt(const HandScript& script, std::int64_t time_ns) noexcept {
   std::int64_t path_ns = time_ns;
   const auto repeat_ns = static_cast<std::int64_t>(script.repeat_s * static_cast<double>(kSecond_ns));
   if (repeat_ns > 0) path_ns %= repeat_ns;
   // Divided, not multiplied by 1e-9: so a point's own time, written in decimals, is exact.
-  HandWish wish = onPath(script.path, static_cast<double>(path_ns) / static_cast<double>(kSecond_ns));
-  if (script.tremor_m != 0.0) addTremor(script, time_ns, wish);
-  return wish;
+  HandSetpoint setpoint = onPath(script.path, static_cast<double>(path_ns) / static_cast<double>(kSecond_ns));
+  if (script.tremor_m != 0.0) addTremor(script, time_ns, setpoint);
+  return setpoint;
 }
 
 }  // namespace underact::sim

@@ -31,7 +31,7 @@ struct HandScript {
 /// Where the script wants the hand at time_ns since its start; a pure function, bit-identical on every machine. Before
 /// the first point it waits there. Source of the profile: Flash and Hogan 1985, 10 s^3 - 15 s^4 + 6 s^5; the stylus
 /// rotates about one axis by the same profile.
-HandWish wishAt(const HandScript& script, std::int64_t time_ns) noexcept UNDERACT_REAL_TIME;
+HandSetpoint setpointAt(const HandScript& script, std::int64_t time_ns) noexcept UNDERACT_REAL_TIME;
 
 /// A hand that ships with the program.
 struct BuiltInHand {

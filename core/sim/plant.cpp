@@ -89,7 +89,7 @@ void slideAtStop(const arm::Preset& arm, const Vec3& p_WT, arm::JointAngles& q_r
 
 /// Makes tip and joints 1 to 3 consistent, within reach and limits; the wrist stays.
 void holdInLimits(const arm::Preset& arm, PlantState& state) noexcept UNDERACT_REAL_TIME {
-  const arm::Reach reach = arm::reach(arm.geometry, state.p_WT);
+  const arm::PositionSolution reach = arm::solvePosition(arm.geometry, state.p_WT);
   const arm::JointAngles held_rad = arm::withinLimits(arm.limits, reach.q_rad);
   const arm::JointAngles before_rad = state.q_rad;
   bool at_stop = false;
@@ -122,7 +122,7 @@ Plant makePlant(const arm::Preset& arm, const ArmModel& model, const HandModel& 
   return plant;
 }
 
-PlantState restAt(const Plant& plant, const Vec3& p_WT) noexcept {
+PlantState restingState(const Plant& plant, const Vec3& p_WT) noexcept {
   PlantState state;
   state.p_WT = p_WT;
   state.q_rad = arm::withinLimits(plant.arm.limits, arm::dhFromDevice({}));
@@ -130,12 +130,12 @@ PlantState restAt(const Plant& plant, const Vec3& p_WT) noexcept {
   return state;
 }
 
-PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, const HandWish& wish,
+PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, const HandSetpoint& setpoint,
                    std::int64_t period_ns) noexcept {
   const PlantState before = state;
-  const bool knows_where = isFinite(wish.p_WT) && isFinite(wish.v_WT);
-  const Vec3 p_WEnd = knows_where ? wish.p_WT : state.p_WT;
-  const Vec3 v_WH = knows_where ? wish.v_WT : Vec3::Zero();
+  const bool knows_where = isFinite(setpoint.p_WT) && isFinite(setpoint.v_WT);
+  const Vec3 p_WEnd = knows_where ? setpoint.p_WT : state.p_WT;
+  const Vec3 v_WH = knows_where ? setpoint.v_WT : Vec3::Zero();
   const Vec3 force_N = isFinite(f_T_W) ? f_T_W : Vec3::Zero();
   const Pull pull{plant.model.mass_kg + plant.hand.mass_kg, plant.model.damping_N_s_per_m, plant.hand.damping_N_s_per_m,
                   plant.hand.stiffness_N_per_m, plant.model.friction_N};
@@ -152,13 +152,13 @@ PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, cons
     return state;
   }
   holdInLimits(plant.arm, state);
-  if (wish.turns && isFinite(wish.R_WT)) {
-    state.q_rad = arm::withinLimits(plant.arm.limits, arm::withWrist(state.q_rad, wish.R_WT));
+  if (setpoint.turns && isFinite(setpoint.R_WT)) {
+    state.q_rad = arm::withinLimits(plant.arm.limits, arm::solveWrist(state.q_rad, setpoint.R_WT));
   }
   return state;
 }
 
-arm::JointAngles throughEncoders(const arm::EncoderCounts& counts_per_turn, const arm::JointAngles& q_rad) noexcept {
+arm::JointAngles quantized(const arm::EncoderCounts& counts_per_turn, const arm::JointAngles& q_rad) noexcept {
   arm::JointAngles device_rad = arm::deviceFromDh(q_rad);
   for (std::size_t joint = 0; joint < device_rad.size(); ++joint) {
     const double step_rad = 2.0 * kPi / counts_per_turn[joint];
@@ -168,7 +168,7 @@ arm::JointAngles throughEncoders(const arm::EncoderCounts& counts_per_turn, cons
 }
 
 arm::JointAngles shownAngles(const Plant& plant, const PlantState& state) noexcept {
-  return plant.model.encoders ? throughEncoders(plant.arm.counts_per_turn, state.q_rad) : state.q_rad;
+  return plant.model.encoders ? quantized(plant.arm.counts_per_turn, state.q_rad) : state.q_rad;
 }
 
 }  // namespace underact::sim

@@ -30,21 +30,21 @@ struct PlantState {
 };
 
 /// At rest at p_WT, finite (brought inside reach and joint limits), the wrist in the middle of its gimbal.
-PlantState restAt(const Plant& plant, const Vec3& p_WT) noexcept;
+PlantState restingState(const Plant& plant, const Vec3& p_WT) noexcept;
 
 /// The state after period_ns under the arm's force f_T_W (held over the period) and the hand's wish, in substeps as
 /// plant.integration says; with the mean velocity a force is neither early nor late. The dampers, the hand's spring and
 /// the Coulomb friction are implicit, so that sticking does not chatter at any step size. wish: at the end of the
 /// period; until then it moves uniformly at its v_WT. Where the reach or a joint limit stops the motion, the tip stays
-/// at the limit and keeps only the velocity along it. A force that is not finite counts as none, a wish that is not
+/// at the limit and keeps only the velocity along it. A force that is not finite counts as none, a setpoint that is not
 /// finite as one to stay. Within reach exact to 4 ulp of displacement and speed for each substep in free motion, and to
 /// 64 ulp of all impulses otherwise. Finite in, finite out; deterministic to the bit. Cost: linear in period_ns.
-PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, const HandWish& wish,
+PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, const HandSetpoint& setpoint,
                    std::int64_t period_ns) noexcept UNDERACT_REAL_TIME;
 
 /// The joints as the encoders show them: steps of turret, thigh and shin, and of the gimbal.
-arm::JointAngles throughEncoders(const arm::EncoderCounts& counts_per_turn,
-                                 const arm::JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
+arm::JointAngles quantized(const arm::EncoderCounts& counts_per_turn,
+                           const arm::JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
 /// The joints as the plant shows them: through its encoders, or exact where it has none.
 arm::JointAngles shownAngles(const Plant& plant, const PlantState& state) noexcept UNDERACT_REAL_TIME;

@@ -47,7 +47,7 @@ Limits limitsOf(const SampledWall& wall);
 
 /// The result for one cell of B and K.
 struct Label {
-  Trial trial;
+  TrialResult trial;
   bool is_passive = false;  // of the linear wall, for any hand
 };
 /// wall as in limitsOf(), which gave the limits; K: above 0. Takes one simulated trial, see tryWall().

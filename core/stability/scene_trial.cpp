@@ -75,15 +75,15 @@ AtRest atRest(const SceneWall& wall, const tick::TickProgram& program, const sim
   return rest;
 }
 
-SceneTrial follow(const SceneWall& wall, const tick::TickProgram& program, AtRest rest, const Vec3& way_W,
-                  double stiffness_N_per_m) {
+SceneTrialResult follow(const SceneWall& wall, const tick::TickProgram& program, AtRest rest, const Vec3& way_W,
+                        double stiffness_N_per_m) {
   auto& [loop, state, rest_m] = rest;
   loop.nudge(kSpeed_m_per_s * way_W.normalized());
   const double swing_m = kSpeed_m_per_s * std::sqrt(wall.mass_kg / stiffness_N_per_m);
-  const int least = ticksToSee(wall.mass_kg, stiffness_N_per_m, loop.period_s());
+  const int least = ticksToObserve(wall.mass_kg, stiffness_N_per_m, loop.period_s());
   const bool is_smooth = wall.friction_N == 0.0 && !wall.encoders;
-  Watch watch(swing_m, {least, kLooks * least, is_smooth ? Motion::Smooth : Motion::Stepped, kTells});
-  SceneTrial result;
+  SwingObserver observer(swing_m, {least, kLooks * least, is_smooth ? Motion::Smooth : Motion::Stepped, kTells});
+  SceneTrialResult result;
   double farthest_m = 0.0;
   for (bool goes_on = true; goes_on;) {
     const tick::TickReport& report = loop.tick(program, state);
@@ -91,9 +91,9 @@ SceneTrial follow(const SceneWall& wall, const tick::TickProgram& program, AtRes
     const double off_m = is_lost ? kNotANumber : errorOf(report) - rest_m;
     result.least_energy_J = std::min(result.least_energy_J, is_lost ? 0.0 : report.held[0].energy_J);
     farthest_m = is_lost ? kInfinity : std::max(farthest_m, std::abs(off_m));
-    goes_on = watch.goesOn(off_m);
+    goes_on = observer.goesOn(off_m);
   }
-  result.trial = watch.trial();
+  result.trial = observer.trial();
   result.holds = !(farthest_m < kHolds * swing_m);
   result.is_passive = result.least_energy_J >= -kActive_J;
   return result;
@@ -104,7 +104,7 @@ SceneTrial follow(const SceneWall& wall, const tick::TickProgram& program, AtRes
 const Vec3 kWays_W[]{{0.9, -0.5, 0.6}, {-0.9, 0.5, -0.6}, {1.0, 0.8, -0.6}};
 
 /// one: the scene with the constraint in question alone.
-Result<SceneTrial> tryOne(const SceneWall& wall, const scene::Description& one, double stiffness_N_per_m) {
+Result<SceneTrialResult> tryOne(const SceneWall& wall, const scene::Description& one, double stiffness_N_per_m) {
   Result<tick::TickProgram> program = scene::compile(withStiffness(one, wall, stiffness_N_per_m));
   if (!program) return program.problems();
   program.value().limits = lab::withoutLimits(program.value().limits);
@@ -112,9 +112,9 @@ Result<SceneTrial> tryOne(const SceneWall& wall, const scene::Description& one, 
   const Result<Vec3> p_WRest = restingPlace(wall, program.value(), plant, stiffness_N_per_m);
   if (!p_WRest) return p_WRest.problems();
   const AtRest rest = atRest(wall, program.value(), plant, p_WRest.value());
-  SceneTrial worst;
+  SceneTrialResult worst;
   for (const Vec3& way_W : kWays_W) {
-    const SceneTrial trial = follow(wall, program.value(), rest, way_W, stiffness_N_per_m);
+    const SceneTrialResult trial = follow(wall, program.value(), rest, way_W, stiffness_N_per_m);
     if (&way_W != &kWays_W[2]) worst.holds = worst.holds && trial.holds;
     worst.least_energy_J = std::min(worst.least_energy_J, trial.least_energy_J);
     worst.is_passive = worst.is_passive && trial.is_passive;
@@ -128,7 +128,7 @@ Result<SceneTrial> tryOne(const SceneWall& wall, const scene::Description& one, 
 
 }  // namespace
 
-Result<SceneTrial> tryScene(const SceneWall& wall, double stiffness_N_per_m) {
+Result<SceneTrialResult> tryScene(const SceneWall& wall, double stiffness_N_per_m) {
   const Result<scene::Description> one = lab::onlyOne(wall.scene, wall.constraint);
   if (!one) return one.problems();
   return tryOne(wall, one.value(), stiffness_N_per_m);
@@ -138,7 +138,7 @@ Result<double> simulatedLimit(const SceneWall& wall, double share) {
   constexpr double kLeast_N_per_m = 10.0, kMost_N_per_m = 1e6;
   const Result<scene::Description> one = lab::onlyOne(wall.scene, wall.constraint);
   if (!one) return one.problems();
-  const Result<SceneTrial> soft = tryOne(wall, one.value(), kLeast_N_per_m);
+  const Result<SceneTrialResult> soft = tryOne(wall, one.value(), kLeast_N_per_m);
   if (!soft) return soft.problems();
   if (!soft.value().holds)
     return Problems{{said(TRANSLATE_NOOP(
@@ -147,7 +147,7 @@ Result<double> simulatedLimit(const SceneWall& wall, double share) {
   Problems problems;
   const auto is_calm = [&](double K) {
     if (!problems.empty()) return false;  // further results would be meaningless
-    const Result<SceneTrial> trial = tryOne(wall, one.value(), K);
+    const Result<SceneTrialResult> trial = tryOne(wall, one.value(), K);
     if (!trial) problems = trial.problems();
     return trial && trial.value().trial.behaviour != Behaviour::Grows;
   };

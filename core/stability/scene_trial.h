@@ -20,8 +20,8 @@ struct SceneWall {
 };
 
 /// How a trial of a scene ended.
-struct SceneTrial {
-  Trial trial;
+struct SceneTrialResult {
+  TrialResult trial;
   double least_energy_J = 0.0;  // the least energy of the constraint at any time: below 0 it was active
   bool is_passive = true;       // never active beyond the observer's rounding
   bool holds = true;            // false: the target follows the tip wherever it goes
@@ -30,7 +30,7 @@ struct SceneTrial {
 /// Trials in the whole tick, of which the worst counts: the tip rests until the ramps are done, is given 5 mm/s in one
 /// of three directions oblique to all axes, and its distance to the target is followed. Problems: those of the scene;
 /// no such constraint, or several and none named; a wall, a target that is not unique or not within reach.
-Result<SceneTrial> tryScene(const SceneWall& wall, double stiffness_N_per_m);
+Result<SceneTrialResult> tryScene(const SceneWall& wall, double stiffness_N_per_m);
 
 /// As simulatedLimit(): the greatest kp, N/m (in joint space as felt in the middle of the workspace), the same for x, y
 /// and z, to `share` of itself. Rotational stiffness and joint springs stay. Problems: also where nothing holds the

@@ -28,20 +28,20 @@ const char* name(Behaviour behaviour) {
   return kNames[static_cast<std::size_t>(behaviour)];
 }
 
-int ticksToSee(double mass_kg, double stiffness_N_per_m, double period_s) {
+int ticksToObserve(double mass_kg, double stiffness_N_per_m, double period_s) {
   const double swing_s = 2.0 * kPi * std::sqrt(mass_kg / stiffness_N_per_m);
   return static_cast<int>(std::min(std::max(kSeconds, kSwings * swing_s) / period_s, kMostTicks));
 }
 
-Watch::Watch(double push_m, const Rules& rules)
+SwingObserver::SwingObserver(double push_m, const Rules& rules)
     : push_m_(push_m), rules_(rules), next_(std::max(rules.least_ticks, 16)) {}
 
-void Watch::Span::add(double off_m) {
+void SwingObserver::Span::add(double off_m) {
   least_m = std::min(least_m, off_m);
   most_m = std::max(most_m, off_m);
 }
 
-Behaviour Watch::judge() const {
+Behaviour SwingObserver::judge() const {
   const double early_m = early_.amplitude_m(), late_m = late_.amplitude_m();
   if (late_m <= kAtRest * push_m_) return Behaviour::Rest;
   if (rules_.motion == Motion::Linear) return late_m < early_m ? Behaviour::Rest : Behaviour::Grows;
@@ -50,7 +50,7 @@ Behaviour Watch::judge() const {
   return may_last && late_m <= push_m_ ? Behaviour::LimitCycle : Behaviour::Grows;
 }
 
-bool Watch::goesOn(double off_m) {
+bool SwingObserver::goesOn(double off_m) {
   const int tick = trial_.ticks++;
   if (!(std::abs(off_m) <= kBeyond * push_m_)) {
     trial_.behaviour = Behaviour::Grows;
@@ -75,20 +75,21 @@ bool Watch::goesOn(double off_m) {
   return true;
 }
 
-Trial tryWall(const SampledWall& wall, double stiffness_N_per_m, double push_m) {
+TrialResult tryWall(const SampledWall& wall, double stiffness_N_per_m, double push_m) {
   const bool linear = wall.isLinear();
   const double off_m = linear ? kLinearPush_m : push_m;
-  const int least = ticksToSee(wall.mass_kg, stiffness_N_per_m + wall.hand_stiffness_N_per_m, wall.period_s());
-  Watch watch(off_m, {least, least * (linear ? kLinearLooks : kOtherLooks), linear ? Motion::Linear : Motion::Stepped});
+  const int least = ticksToObserve(wall.mass_kg, stiffness_N_per_m + wall.hand_stiffness_N_per_m, wall.period_s());
+  SwingObserver observer(
+      off_m, {least, least * (linear ? kLinearLooks : kOtherLooks), linear ? Motion::Linear : Motion::Stepped});
   const sim::Plant plant = plantOf(wall);
   const Vec3 p_WP(0.0, 0.0, 0.03);
   const control::Law law =
       control::PD{Vec3::Constant(stiffness_N_per_m), Vec3::Constant(wall.kd_N_s_per_m), wall.velocity};
   control::LawState memory;
-  sim::PlantState state = restAt(plant, p_WP);
+  sim::PlantState state = restingState(plant, p_WP);
   state.p_WT.x() += off_m;
-  sim::HandWish wish;
-  wish.p_WT = p_WP;
+  sim::HandSetpoint setpoint;
+  setpoint.p_WT = p_WP;
   std::array<Vec3, kMostDelay + 1> asked;
   asked.fill(Vec3::Zero());
   const auto late = static_cast<std::size_t>(std::clamp(wall.delay_ticks, 0, kMostDelay));
@@ -96,9 +97,9 @@ Trial tryWall(const SampledWall& wall, double stiffness_N_per_m, double push_m) 
     const Vec3 p_WSeen =
         plant.model.encoders ? arm::tipPosition(plant.arm.geometry, shownAngles(plant, state)) : state.p_WT;
     asked[tick % (late + 1)] = control::force(law, memory, p_WP - p_WSeen, {wall.period_s(), false, false});
-    state = advance(plant, state, asked[(tick + 1) % (late + 1)], wish, wall.period_ns);
-    if (watch.goesOn(state.p_WT.x() - p_WP.x())) continue;
-    Trial trial = watch.trial();
+    state = advance(plant, state, asked[(tick + 1) % (late + 1)], setpoint, wall.period_ns);
+    if (observer.goesOn(state.p_WT.x() - p_WP.x())) continue;
+    TrialResult trial = observer.trial();
     trial.amplitude_m *= push_m / off_m;  // of a linear wall it is proportional to the push
     return trial;
   }

@@ -13,7 +13,7 @@ enum class Behaviour : std::uint8_t { Rest, LimitCycle, Grows };
 const char* name(Behaviour behaviour);
 
 /// How one trial ended.
-struct Trial {
+struct TrialResult {
   Behaviour behaviour = Behaviour::Rest;
   double amplitude_m = 0.0;  // at the end: half of the range of the oscillation; 0 for a stuck tip
   int ticks = 0;             // simulated
@@ -24,7 +24,7 @@ struct Trial {
 enum class Motion : std::uint8_t { Linear, Smooth, Stepped };
 
 /// Observes an oscillation, tick by tick, until its outcome is clear.
-class Watch {
+class SwingObserver {
  public:
   /// When the oscillation is judged, and of which kind it is.
   struct Rules {
@@ -34,10 +34,10 @@ class Watch {
     double tells = 0.02;  // a relative change by this, from one judgement to the next, is decisive
   };
   /// push_m: the initial distance, above 0.
-  Watch(double push_m, const Rules& rules);
+  SwingObserver(double push_m, const Rules& rules);
   /// off_m: the distance from rest in this tick, with or without a sign. false: the outcome is clear; see trial().
   bool goesOn(double off_m);
-  const Trial& trial() const { return trial_; }
+  const TrialResult& trial() const { return trial_; }
 
  private:
   struct Span {
@@ -52,15 +52,15 @@ class Watch {
   int next_;
   Span early_, late_;    // of the second and of the last quarter of the ticks up to next_
   bool steady_ = false;  // at the last look, too
-  Trial trial_;
+  TrialResult trial_;
 };
 
 /// Ticks before the first judgement, so that each quarter of them contains an oscillation: half a second at least.
-int ticksToSee(double mass_kg, double stiffness_N_per_m, double period_s);
+int ticksToObserve(double mass_kg, double stiffness_N_per_m, double period_s);
 
 /// A trial with the simulated arm under the program's own law, pushed along x by push_m: with friction the outcome
 /// depends on it. Linear walls are pushed by a micrometre, and their amplitude scaled to push_m.
-Trial tryWall(const SampledWall& wall, double stiffness_N_per_m, double push_m = 1e-3);
+TrialResult tryWall(const SampledWall& wall, double stiffness_N_per_m, double push_m = 1e-3);
 
 /// The greatest K, N/m, to `share` of itself, up to which a trial does not grow: by doubling, then by bisection. 0:
 /// below 0.01; kMostStiffness_N_per_m: all.

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/sweep/lead.h"
-#include "core/sweep/letters.h"
+#include "core/sweep/messages.h"
 #include "core/sweep/workers.h"
 
 namespace underact::sweep {
@@ -16,31 +16,31 @@ class Follower {
  public:
   Follower(const Sweep& sweep, Team& team, int threads, const std::function<bool()>& interrupted)
       : team_(team), interrupted_(interrupted), workers_(sweep, threads) {
-    tell({Word::Hello, sweep.fingerprint});
+    tell({MessageKind::Hello, sweep.fingerprint});
   }
 
   void run() {
     while (!stopping_ || workers_.held() > 0) {
       report(workers_.take(kLookAtLetters));
-      while (const std::optional<Letter> letter = team_.receive()) obey(readOrder(letter->text));
+      while (const std::optional<Message> message = team_.receive()) obey(readOrder(message->text));
       if (!told_interrupt_ && interrupted_()) {
         told_interrupt_ = true;
-        tell({Word::Interrupted});
+        tell({MessageKind::Interrupted});
       }
     }
-    tell({Word::Bye});
+    tell({MessageKind::Bye});
   }
 
  private:
   void tell(const Report& report) { team_.send(0, write(report)); }
 
   void report(const std::vector<Finished>& finished) {
-    Report rows{Word::Done};
+    Report rows{MessageKind::Done};
     for (const Finished& one : finished) {
       if (one.row) {
         rows.rows.push_back({one.cell, one.row.value()});
       } else {
-        tell({Word::Trouble, one.row.problems().front().sentence});
+        tell({MessageKind::Trouble, one.row.problems().front().sentence});
       }
     }
     const std::size_t wants = workers_.wants();
@@ -74,13 +74,13 @@ void follow(const Result<Sweep>& sweep, Team& team, int threads, const std::func
     Follower(sweep.value(), team, threads, interrupted).run();
     return;
   }
-  team.send(0, write(Report{Word::Trouble, describe(sweep.problems().front())}));
+  team.send(0, write(Report{MessageKind::Trouble, describe(sweep.problems().front())}));
   for (bool stopped = false; !stopped;) {
-    const std::optional<Letter> letter = team.receive();
-    stopped = letter.has_value() && readOrder(letter->text).value_or(Order{true}).stop;
-    if (!letter) std::this_thread::sleep_for(kLookAtLetters);
+    const std::optional<Message> message = team.receive();
+    stopped = message.has_value() && readOrder(message->text).value_or(Order{true}).stop;
+    if (!message) std::this_thread::sleep_for(kLookAtLetters);
   }
-  team.send(0, write(Report{Word::Bye}));
+  team.send(0, write(Report{MessageKind::Bye}));
 }
 
 }  // namespace underact::sweep

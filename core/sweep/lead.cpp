@@ -5,7 +5,7 @@
 #include <thread>
 #include <utility>
 
-#include "core/sweep/letters.h"
+#include "core/sweep/messages.h"
 #include "core/sweep/workers.h"
 
 namespace underact::sweep {
@@ -66,35 +66,35 @@ class Leader {
 
   void readLetters() {
     if (team_ == nullptr) return;
-    while (const std::optional<Letter> letter = team_->receive()) {
-      const std::optional<Report> report = readReport(letter->text);
+    while (const std::optional<Message> message = team_->receive()) {
+      const std::optional<Report> report = readReport(message->text);
       if (report) {
-        hear(letter->from, *report);
+        hear(message->from, *report);
       } else {
-        fail({{rankOf(letter->from) + " wrote something that is not a message of a sweep."}});
+        fail({{rankOf(message->from) + " wrote something that is not a message of a sweep."}});
       }
     }
   }
 
   void hear(int from, const Report& report) {
     switch (report.word) {
-      case Word::Hello:
+      case MessageKind::Hello:
         if (report.text != sweep_.fingerprint)
           fail({{rankOf(from) + " runs another build of the program, or sees other files or options."}});
         break;
-      case Word::Done:
+      case MessageKind::Done:
         wanted_[static_cast<std::size_t>(from)] += report.wants;
         for (const Report::Line& line : report.rows) {
           if (line.cell < sweep_.cells.count) keep(line.cell, line.row);
         }
         break;
-      case Word::Trouble:
+      case MessageKind::Trouble:
         fail({{rankOf(from) + ": " + report.text}});
         break;
-      case Word::Interrupted:
+      case MessageKind::Interrupted:
         if (!stopping_) interrupt();
         break;
-      case Word::Bye:
+      case MessageKind::Bye:
         --others_;
         break;
     }
@@ -150,13 +150,13 @@ Outcome lead(const Sweep& sweep, Journal& journal, Team* team, int threads, cons
 void dismiss(Team& team) {
   for (int rank = 1; rank < team.size(); ++rank) team.send(rank, write(Order{true}));
   for (int left = team.size() - 1; left > 0;) {
-    const std::optional<Letter> letter = team.receive();
-    if (!letter) {
+    const std::optional<Message> message = team.receive();
+    if (!message) {
       std::this_thread::sleep_for(kLookAtLetters);
       continue;
     }
-    const std::optional<Report> report = readReport(letter->text);
-    if (report && report->word == Word::Bye) --left;
+    const std::optional<Report> report = readReport(message->text);
+    if (report && report->word == MessageKind::Bye) --left;
   }
 }
 

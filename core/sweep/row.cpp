@@ -9,7 +9,7 @@ namespace {
 
 std::string inQuotes(std::string_view text) {
   std::string field = "\"";
-  for (const char letter : text) field += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  for (const char message : text) field += message == '"' ? std::string("\"\"") : std::string(1, message);
   return field + "\"";
 }
 
@@ -27,8 +27,8 @@ void Row::add(double value) {
 
 void Row::add(std::string_view text) {
   std::string line(text);
-  for (char& letter : line) {
-    if (static_cast<unsigned char>(letter) < 0x20U) letter = ' ';
+  for (char& message : line) {
+    if (static_cast<unsigned char>(message) < 0x20U) message = ' ';
   }
   const bool plain =
       line.find_first_of(",\"") == std::string::npos && (line.empty() || (line.front() != ' ' && line.back() != ' '));

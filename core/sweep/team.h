@@ -5,7 +5,7 @@
 namespace underact::sweep {
 
 /// A message from another rank.
-struct Letter {
+struct Message {
   int from = 0;
   std::string text;
 };
@@ -21,7 +21,7 @@ class Team {
   /// Sends a letter; returns at once.
   virtual void send(int to, const std::string& text) = 0;
   /// The next letter, if one has arrived.
-  virtual std::optional<Letter> receive() = 0;
+  virtual std::optional<Message> receive() = 0;
 };
 
 }  // namespace underact::sweep

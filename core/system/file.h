@@ -53,7 +53,7 @@ struct Status {
 std::optional<Status> statusOf(const std::string& path, Links links = Links::Follow);
 std::optional<Status> statusOf(int descriptor);
 /// Whether both exist and are the same file.
-bool areTheSame(const std::optional<Status>& one, const std::optional<Status>& other);
+bool isSameFile(const std::optional<Status>& one, const std::optional<Status>& other);
 /// rights: as chmod has them.
 int setRights(int descriptor, unsigned rights);
 /// Whether this user may read and write it; false where it does not exist.
@@ -90,12 +90,12 @@ bool lock(int descriptor, Lock how);
 void unlock(int descriptor);
 
 /// Whether room was set aside. Unknown: the file system cannot. None: the disk is full.
-enum class Room : std::uint8_t { SetAside, Unknown, None };
+enum class Room : std::uint8_t { DiskReserve, Unknown, None };
 /// Reserves disk space from the file's byte `from` on, without changing its length.
 Room setAside(int descriptor, std::int64_t from, std::int64_t bytes);
 
 /// Discards everything that is written to it from now on.
-void leadNowhere(int descriptor);
+void redirectToNull(int descriptor);
 
 /// A stream for writing, which takes the descriptor over. Null: failed; then the descriptor is closed.
 std::FILE* streamOf(Descriptor descriptor);

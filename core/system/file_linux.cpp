@@ -92,7 +92,7 @@ std::optional<Status> statusOf(int descriptor) {
   return statusFrom(result, file);
 }
 
-bool areTheSame(const std::optional<Status>& one, const std::optional<Status>& other) {
+bool isSameFile(const std::optional<Status>& one, const std::optional<Status>& other) {
   return one && other && one->disk == other->disk && one->number == other->number;
 }
 
@@ -110,7 +110,7 @@ bool mayExecute(const std::string& path) {
 
 std::string nameOf(int descriptor, const std::string& path) {
   const std::string by_number = "/proc/self/fd/" + std::to_string(descriptor);
-  return areTheSame(statusOf(descriptor), statusOf(by_number)) ? by_number : path;
+  return isSameFile(statusOf(descriptor), statusOf(by_number)) ? by_number : path;
 }
 
 std::optional<std::size_t> readAll(int descriptor, std::span<std::byte> into) {
@@ -162,11 +162,11 @@ void unlock(int descriptor) {
 }
 
 Room setAside(int descriptor, std::int64_t from, std::int64_t bytes) {
-  if (::fallocate(descriptor, FALLOC_FL_KEEP_SIZE, from, bytes) == 0) return Room::SetAside;
+  if (::fallocate(descriptor, FALLOC_FL_KEEP_SIZE, from, bytes) == 0) return Room::DiskReserve;
   return errno == ENOSPC || errno == EDQUOT ? Room::None : Room::Unknown;
 }
 
-void leadNowhere(int descriptor) {
+void redirectToNull(int descriptor) {
   const Descriptor nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
   if (nothing.isOpen()) ::dup2(nothing.number(), descriptor);
 }

@@ -71,7 +71,7 @@ class Process {
 /// and arguments. None: it could not be started, and errno says why.
 std::optional<End> runHere(std::vector<std::string> words, const char* variable);
 
-/// Makes a process that is just starting the leader of a group of its own, with lower priority (see stepBack()).
+/// Makes a process that is just starting the leader of a group of its own, with lower priority (see lowerPriority()).
 void leadGroup(int more);
 /// Ends all processes of the group that `process` leads.
 void killGroup(std::int64_t process);

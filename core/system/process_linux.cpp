@@ -18,7 +18,7 @@
 namespace underact::system {
 namespace {
 
-constexpr int kLook_ms = 10;  // on systems without process descriptors
+constexpr int kPoll_ms = 10;  // on systems without process descriptors
 
 double secondsOf(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
@@ -112,7 +112,7 @@ bool Process::waitForEnd(int time_ms) {
   while (!hasEnded()) {
     if (time_ms >= 0 && std::chrono::steady_clock::now() >= until) return false;
     pollfd end{ending_.number(), POLLIN, 0};
-    ::poll(&end, 1, kLook_ms);
+    ::poll(&end, 1, kPoll_ms);
   }
   return true;
 }

@@ -15,7 +15,7 @@
 #include "core/system/cores.h"
 #include "core/system/rtkit.h"
 #include "core/system/thread.h"
-#include "core/system/urgency.h"
+#include "core/system/thread_priority.h"
 
 namespace underact::system {
 namespace {
@@ -29,7 +29,7 @@ int askForFifo() {
   getrlimit(RLIMIT_RTPRIO, &limit);
   const int allowed = static_cast<int>(std::min<rlim_t>(limit.rlim_cur, kPriority));
   for (const int priority : {kPriority, allowed}) {
-    if (priority > 0 && setOwnUrgency({SCHED_FIFO, priority})) return priority;
+    if (priority > 0 && setOwnPriority({SCHED_FIFO, priority})) return priority;
   }
   return 0;
 }
@@ -85,11 +85,11 @@ CoreChoice takeCore(int wanted, std::vector<Sentence>& also) {
 }
 
 /// Requests the scheduling, and gives the name of what was granted. priority: that of FIFO, else 0.
-Sentence takeWay(Way way, std::vector<Sentence>& also, int& priority) {
-  setOwnUrgency({});  // a new thread inherits the scheduling of its creator
-  priority = way == Way::Auto || way == Way::Fifo ? askForFifo() : 0;
+Sentence takeWay(SchedulingMethod way, std::vector<Sentence>& also, int& priority) {
+  setOwnPriority({});  // a new thread inherits the scheduling of its creator
+  priority = way == SchedulingMethod::Auto || way == SchedulingMethod::Fifo ? askForFifo() : 0;
   if (priority > 0) return "FIFO " + std::to_string(priority);
-  if (way == Way::Auto || way == Way::Rtkit) {
+  if (way == SchedulingMethod::Auto || way == SchedulingMethod::Rtkit) {
     const RtkitAnswer answer = askRtkit();
     if (answer.priority > 0) return "rtkit " + std::to_string(answer.priority);
     also.push_back(said(TRANSLATE_NOOP("problem", "rtkit: %1"), {answer.refusal}));
@@ -97,11 +97,11 @@ Sentence takeWay(Way way, std::vector<Sentence>& also, int& priority) {
   return said(TRANSLATE_NOOP("problem", "normal"));
 }
 
-Sentence hintFor(const Scheduling& granted, const SchedulingWanted& wanted, int priority, bool locked,
+Sentence hintFor(const Scheduling& granted, const SchedulingRequest& wanted, int priority, bool locked,
                  CoreChoice place) {
   if (place == CoreChoice::Refused)
     return said(TRANSLATE_NOOP("problem", "The requested core does not exist, or is not available to this program."));
-  if (granted.name == "normal" && wanted.way == Way::Normal)
+  if (granted.name == "normal" && wanted.way == SchedulingMethod::Normal)
     return said(
         TRANSLATE_NOOP("problem", "Real time was not requested, so ticks can be late when the computer is busy."));
   if (granted.name == "normal") {
@@ -131,7 +131,7 @@ Sentence hintFor(const Scheduling& granted, const SchedulingWanted& wanted, int 
 
 }  // namespace
 
-Scheduling askForRealTime(const SchedulingWanted& wanted, int /*rate_hz*/) {
+Scheduling askForRealTime(const SchedulingRequest& wanted, int /*rate_hz*/) {
   Scheduling granted;
   int priority = 0;
   const CoreChoice place = takeCore(wanted.core, granted.also);

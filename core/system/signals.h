@@ -26,9 +26,9 @@ class Interrupt {
 };
 
 /// Ignores signals that ask the program to end: it ends when its starter does.
-void outliveStarter();
+void endWithParentOnly();
 
 /// Ignores the signal of a file-size limit, so that exceeding it is an error like a full disk.
-void tellOfFullFiles();
+void reportFullFiles();
 
 }  // namespace underact::system

@@ -37,11 +37,11 @@ bool Interrupt::came() const {
   return signal_came != 0;
 }
 
-void outliveStarter() {
+void endWithParentOnly() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) std::signal(signal, SIG_IGN);
 }
 
-void tellOfFullFiles() {
+void reportFullFiles() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 

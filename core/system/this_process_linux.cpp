@@ -23,7 +23,7 @@ std::int64_t processId() {
   return ::getpid();
 }
 
-std::string unusedWord() {
+std::string uniqueWord() {
   static std::atomic<unsigned> count{0};
   return std::to_string(processId()) + "-" + std::to_string(count++);
 }
@@ -45,11 +45,11 @@ void end(int status) {
   ::_exit(status);
 }
 
-void stepBack(int more) {
+void lowerPriority(int more) {
   [[maybe_unused]] const int nice_now = ::nice(more);
 }
 
-void giveLargeBlocksBack() {
+void returnLargeBlocks() {
 #ifdef __GLIBC__
   ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
 #endif

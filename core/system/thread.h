@@ -19,7 +19,7 @@ bool runOnCore(int core) noexcept;
 
 /// Requests the scheduling for the calling thread, which is to tick rate_hz times a second, and touches its stack.
 /// Gives what the system granted. May wait some 3 s for another process to answer (rtkit).
-Scheduling askForRealTime(const SchedulingWanted& wanted, int rate_hz);
+Scheduling askForRealTime(const SchedulingRequest& wanted, int rate_hz);
 
 /// Interruptions of the calling thread since it began; 0 where a system does not count by thread.
 struct Interruptions {

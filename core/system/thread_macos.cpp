@@ -55,7 +55,7 @@ bool runOnCore(int /*core*/) noexcept {
   return false;  // macOS lets no thread choose its core
 }
 
-Scheduling askForRealTime(const SchedulingWanted& wanted, int rate_hz) {
+Scheduling askForRealTime(const SchedulingRequest& wanted, int rate_hz) {
   Scheduling granted{
       said(TRANSLATE_NOOP("problem", "normal")),
       said(TRANSLATE_NOOP(
@@ -65,7 +65,7 @@ Scheduling askForRealTime(const SchedulingWanted& wanted, int rate_hz) {
                              ? said(TRANSLATE_NOOP("problem", "core %1 refused"), {std::to_string(wanted.core)})
                              : said(TRANSLATE_NOOP("problem", "all cores")));
   granted.also.push_back(said(TRANSLATE_NOOP("problem", "memory not locked")));
-  if (wanted.way != Way::Normal) {
+  if (wanted.way != SchedulingMethod::Normal) {
     const std::int64_t period_ns = 1'000'000'000 / rate_hz;
     thread_time_constraint_policy_data_t policy{};
     policy.period = static_cast<std::uint32_t>(toMach(period_ns));

@@ -85,7 +85,7 @@ bool runOnCore(int core) noexcept {
   return SetThreadAffinityMask(GetCurrentThread(), DWORD_PTR{1} << core) != 0;
 }
 
-Scheduling askForRealTime(const SchedulingWanted& wanted, int /*rate_hz*/) {
+Scheduling askForRealTime(const SchedulingRequest& wanted, int /*rate_hz*/) {
   Scheduling granted{
       said(TRANSLATE_NOOP("problem", "normal")),
       said(TRANSLATE_NOOP(
@@ -100,7 +100,7 @@ Scheduling askForRealTime(const SchedulingWanted& wanted, int /*rate_hz*/) {
     granted.also.push_back(said(TRANSLATE_NOOP("problem", "all cores")));
   }
   granted.also.push_back(said(TRANSLATE_NOOP("problem", "memory not locked")));
-  if (wanted.way != Way::Normal) {
+  if (wanted.way != SchedulingMethod::Normal) {
     DWORD task = 0;
     const HANDLE mmcss = AvSetMmThreadCharacteristicsW(L"Pro Audio", &task);  // given back when the thread ends
     if (mmcss != nullptr) {

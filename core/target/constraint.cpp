@@ -91,7 +91,7 @@ State makeState(const Goal& goal) {
   return {memoryOf(goal.index(), std::make_index_sequence<std::variant_size_v<Memory>>()), {}};
 }
 
-bool asksForTurn(const Goal& goal) {
+bool needsOrientation(const Goal& goal) {
   const auto* robot = std::get_if<manipulator::Manipulator>(&goal);
   return std::holds_alternative<InfluencedShape>(goal) ||
          (robot != nullptr && robot->orientation != manipulator::Orientation::None);
@@ -108,13 +108,13 @@ Target targetOf(const Constraint& constraint, const Vec3& p_WT, const Mat3& R_WT
   Target target = smoothTarget(constraint, p_WT, R_WT, dt_s, state.memory, details);
   Vec3 lean_W = Vec3::Zero();
   if (const auto* place = std::get_if<MeshPlace>(&goal); place != nullptr && target.status == Status::Unique)
-    lean_W = leanOfMesh(*place, *std::get_if<MeshState>(&state.memory), p_WT, target.p_WP);
+    lean_W = shadingOffset(*place, *std::get_if<MeshState>(&state.memory), p_WT, target.p_WP);
   if (constraint.friction.isThere()) target.p_WP = heldPoint(constraint, p_WT, target, state);
   target.p_WP += lean_W;
   return target;
 }
 
-void forget(State& state) noexcept {
+void reset(State& state) noexcept {
   makeAnew(state.memory);
   state.grip.holds = false;
 }
@@ -123,18 +123,18 @@ void carryOver(const Memory& last, Memory& next) noexcept {
   copy(last, next);
 }
 
-void forgetWay(State& state) noexcept {
+void forgetPath(State& state) noexcept {
   if (auto* mesh = std::get_if<MeshState>(&state.memory)) mesh->touch.knows_last = false;
   state.grip.holds = false;
 }
 
-bool isSound(const State& state, const Goal& goal) {
+bool isValid(const State& state, const Goal& goal) {
   const Memory& memory = state.memory;
-  if (memory.index() != goal.index() || !isSound(state.grip)) return false;
-  if (const auto* influence = std::get_if<InfluenceState>(&memory)) return isSound(*influence);
-  if (const auto* robot = std::get_if<manipulator::State>(&memory)) return isSound(*robot);
-  if (const auto* mesh = std::get_if<MeshState>(&memory)) return isSound(*mesh, *std::get<MeshPlace>(goal).surface);
-  if (const auto* curve = std::get_if<CurveState>(&memory)) return isSound(*curve, *std::get<CurvePath>(goal).curve);
+  if (memory.index() != goal.index() || !isValid(state.grip)) return false;
+  if (const auto* influence = std::get_if<InfluenceState>(&memory)) return isValid(*influence);
+  if (const auto* robot = std::get_if<manipulator::State>(&memory)) return isValid(*robot);
+  if (const auto* mesh = std::get_if<MeshState>(&memory)) return isValid(*mesh, *std::get<MeshPlace>(goal).surface);
+  if (const auto* curve = std::get_if<CurveState>(&memory)) return isValid(*curve, *std::get<CurvePath>(goal).curve);
   return true;
 }
 

@@ -44,7 +44,7 @@ Constraint makeConstraint(const shape::Shape& shape, Side side, const Vec3& stif
 State makeState(const Goal& goal);
 
 /// Whether the target depends on the orientation of the stylus.
-bool asksForTurn(const Goal& goal);
+bool needsOrientation(const Goal& goal);
 
 /// The target for a stylus with its tip at p_WT (m, finite) and the orientation R_WT. dt_s: since the last tick, 0:
 /// unknown. details: what another kind has left there is cleared.
@@ -52,15 +52,15 @@ Target targetOf(const Constraint& constraint, const Vec3& p_WT, const Mat3& R_WT
                 Details& details) noexcept UNDERACT_REAL_TIME;
 
 /// Resets the state to that before a first tick.
-void forget(State& state) noexcept UNDERACT_REAL_TIME;
+void reset(State& state) noexcept UNDERACT_REAL_TIME;
 /// Copies the state of a target of the same kind; without effect between different kinds. The grip is not part of it.
 void carryOver(const Memory& last, Memory& next) noexcept UNDERACT_REAL_TIME;
 /// To be called when an edit has moved the target: this is no motion of the hand, and must not lead it through a wall
 /// that was elsewhere. The grip is released, since its surface may be gone.
-void forgetWay(State& state) noexcept UNDERACT_REAL_TIME;
+void forgetPath(State& state) noexcept UNDERACT_REAL_TIME;
 
 /// For bytes from a file: whether the state can be used. goal: for which it was made.
-bool isSound(const State& state, const Goal& goal);
+bool isValid(const State& state, const Goal& goal);
 
 /// The size of the state of its kind.
 std::size_t bytesOf(const Memory& memory);

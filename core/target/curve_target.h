@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "core/base/real_time.h"
-#include "core/curve/guide.h"
+#include "core/curve/guidance.h"
 #include "core/curve/nearest.h"
 #include "core/target/target.h"
 
@@ -12,17 +12,17 @@ namespace underact::target {
 struct CurvePath {
   std::shared_ptr<const curve::Curve> curve;  // in W; never null
   Search search = Search::Hybrid;
-  curve::Guide guide = {};
+  curve::Guidance guide = {};
 };
 
 /// What a curve remembers from tick to tick.
 struct CurveState {
   curve::SearchState search;
-  curve::GuideState guide;
+  curve::GuidanceState guide;
 };
 
 /// For bytes from a file: whether the state can be used. curve: for which it was made.
-bool isSound(const CurveState& state, const curve::Curve& curve) noexcept;
+bool isValid(const CurveState& state, const curve::Curve& curve) noexcept;
 
 /// The target of the guidance; without it the nearest point of the curve. dt_s: since the last tick, 0: unknown. Where
 /// two points far apart are equally near it is the one of the last tick, so it is never degenerate.

@@ -1,7 +1,7 @@
 #pragma once
 #include "core/base/real_time.h"
-#include "core/base/sound.h"
 #include "core/base/types.h"
+#include "core/base/valid_bytes.h"
 
 namespace underact::target {
 
@@ -20,7 +20,7 @@ struct Grip {
 };
 
 /// For bytes from a file: whether the state can be used.
-inline bool isSound(const Grip& grip) noexcept {
+inline bool isValid(const Grip& grip) noexcept {
   return isFlag(grip.holds);
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/around.h"
+#include "core/base/axis_geometry.h"
 #include "core/manipulator/follow.h"
 
 namespace underact::target {
@@ -47,7 +47,7 @@ Arc placed(const Arc& arc, const Vec3& p_WC, double radius_m) noexcept UNDERACT_
 
 Around around(const Vec3& axis_W, const Influence& influence, const Vec3& tip_W, bool on_axis, const Vec3& stylus_W,
               InfluenceState& state) noexcept UNDERACT_REAL_TIME {
-  const Vec3 turned_W = across(axis_W, influence.stylus_sign * stylus_W);
+  const Vec3 turned_W = perpendicularPart(axis_W, influence.stylus_sign * stylus_W);
   const double turned = turned_W.norm();
   const double weight = weightOf(influence, turned, stylus_W.dot(axis_W));
   Around result;
@@ -55,7 +55,7 @@ Around around(const Vec3& axis_W, const Influence& influence, const Vec3& tip_W,
     state.begun = false;
     return result;
   }
-  const Vec3 u_W = referenceAcross(axis_W), v_W = axis_W.cross(u_W);
+  const Vec3 u_W = referencePerpendicular(axis_W), v_W = axis_W.cross(u_W);
   const auto angleOf = [&](const Vec3& n_W) { return atan2Of(n_W.dot(v_W), n_W.dot(u_W)); };
   const Vec3 stylus_n_W = turned > kNoDirection ? Vec3(turned_W / turned) : Vec3::Zero();
   result.is_unique = true;
@@ -91,7 +91,7 @@ Around around(const Vec3& axis_W, const Influence& influence, const Vec3& tip_W,
 
 Influenced onCircle(const shape::Circle& circle, const Influence& influence, const Vec3& p_WT, const Vec3& stylus_W,
                     InfluenceState& state) noexcept UNDERACT_REAL_TIME {
-  const Vec3 p_CT_W = p_WT - circle.p_WC, radial_W = across(circle.axis_W, p_CT_W);
+  const Vec3 p_CT_W = p_WT - circle.p_WC, radial_W = perpendicularPart(circle.axis_W, p_CT_W);
   const double off_axis_m = radial_W.norm(), along_m = p_CT_W.dot(circle.axis_W);
   const bool on_axis = shape::isOnAxis(off_axis_m, circle.p_WC, p_WT);
   const Vec3 tip_W = on_axis ? Vec3::Zero() : Vec3(radial_W / off_axis_m);
@@ -105,7 +105,7 @@ Influenced onCircle(const shape::Circle& circle, const Influence& influence, con
 
 Influenced onCylinder(const shape::Cylinder& cylinder, const Influence& influence, const Vec3& p_WT,
                       const Vec3& stylus_W, InfluenceState& state) noexcept UNDERACT_REAL_TIME {
-  const Vec3 p_CT_W = p_WT - cylinder.p_WC, radial_W = across(cylinder.axis_W, p_CT_W);
+  const Vec3 p_CT_W = p_WT - cylinder.p_WC, radial_W = perpendicularPart(cylinder.axis_W, p_CT_W);
   const double off_axis_m = radial_W.norm();
   const bool on_axis = shape::isOnAxis(off_axis_m, cylinder.p_WC, p_WT);
   const Vec3 tip_W = on_axis ? Vec3::Zero() : Vec3(radial_W / off_axis_m);
@@ -124,18 +124,18 @@ Vec3 arcAxis(const Vec3& from_W, const Vec3& to_W, double beta_rad, InfluenceSta
   const double known = sine > kNoDirection ? smooth((kPi - beta_rad) / kTie_rad) : 0.0;
   Vec3 about_W = known > 0.0 ? Vec3((known / sine) * normal_W) : Vec3::Zero();
   if (known < 1.0) {
-    const Vec3 last_W = state.begun ? across(to_W, state.about_W) : Vec3::Zero();
+    const Vec3 last_W = state.begun ? perpendicularPart(to_W, state.about_W) : Vec3::Zero();
     const double length = last_W.norm();
     if (length > 0.5) {
       about_W += ((1.0 - known) / length) * last_W;
     } else if (known > 0.0) {
       about_W = normal_W / sine;
     } else {
-      about_W = referenceAcross(to_W);
+      about_W = referencePerpendicular(to_W);
     }
   }
   const double length = about_W.norm();
-  if (!(length > kNoDirection)) return referenceAcross(to_W);
+  if (!(length > kNoDirection)) return referencePerpendicular(to_W);
   if (known >= 1.0 || !state.begun) state.about_W = about_W / length;
   return about_W / length;
 }
@@ -182,9 +182,9 @@ Vec3 turnedTowards(const Vec3& last_W, const Vec3& to_W, const Vec3& about_W,
   const Vec3 normal_W = last_W.cross(to_W);
   const double sine = normal_W.norm();
   if (atan2Of(sine, last_W.dot(to_W)) <= most_rad) return to_W;
-  Vec3 axis_W = sine > kNoDirection ? Vec3(normal_W / sine) : across(last_W, about_W);
+  Vec3 axis_W = sine > kNoDirection ? Vec3(normal_W / sine) : perpendicularPart(last_W, about_W);
   const double length = axis_W.norm();
-  axis_W = length > 0.5 ? Vec3(axis_W / length) : referenceAcross(last_W);
+  axis_W = length > 0.5 ? Vec3(axis_W / length) : referencePerpendicular(last_W);
   const SinCos turn = sinCos(most_rad);
   const Vec3 n_W = turn.cos * last_W + turn.sin * axis_W.cross(last_W);
   return n_W / n_W.norm();

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/base/real_time.h"
-#include "core/base/sound.h"
+#include "core/base/valid_bytes.h"
 #include "core/shape/shape.h"
 
 namespace underact::target {
@@ -12,8 +12,8 @@ struct Influence {
   double blend_rad = 0.0;    // within this of the shape's axis the stylus's direction fades out
 };
 
-/// The angles of figure 5.7 about the shape's axis, rad, from the reference direction referenceAcross(); for a sphere
-/// alpha is 0, beta the angle from the stylus's direction to the tip's, theta the target's between them. NaN:
+/// The angles of figure 5.7 about the shape's axis, rad, from the reference direction referencePerpendicular(); for a
+/// sphere alpha is 0, beta the angle from the stylus's direction to the tip's, theta the target's between them. NaN:
 /// undefined.
 struct Angles {
   double alpha_rad = kNotANumber;  // of the stylus
@@ -42,7 +42,7 @@ struct InfluenceState {
 };
 
 /// For bytes from a file: whether the state can be used.
-inline bool isSound(const InfluenceState& state) noexcept {
+inline bool isValid(const InfluenceState& state) noexcept {
   return isFlag(state.begun) && isFlag(state.aims);
 }
 

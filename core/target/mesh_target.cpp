@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/base/sound.h"
+#include "core/base/valid_bytes.h"
 
 namespace underact::target {
 namespace {
@@ -15,7 +15,7 @@ mesh::Hit alongSurface(const MeshPlace& place, const MeshState& state, const Vec
 
 }  // namespace
 
-bool isSound(const MeshState& state, const mesh::Surface& surface) noexcept {
+bool isValid(const MeshState& state, const mesh::Surface& surface) noexcept {
   const std::size_t faces = surface.triangles.faces.size();
   const auto isFace = [faces](std::int32_t face) { return face >= -1 && face < static_cast<std::int64_t>(faces); };
   return isFace(state.search.face) && isFace(state.touch.face) && isFlag(state.touch.knows_last) &&
@@ -29,8 +29,8 @@ Target meshTarget(const MeshPlace& place, Side side, const Vec3& p_WT, MeshState
     if (hit.face < 0) return {p_WT, Status::Degenerate, 0.0};
     return {toWorkspace(place, hit.p_M), Status::Unique, std::abs(place.scale_m) * std::sqrt(hit.squared)};
   }
-  const mesh::Free free = side == Side::Outside ? mesh::Free::Outside : mesh::Free::Inside;
-  const mesh::Hit hit = touch(*place.surface, free, q_M, state.touch);
+  const mesh::FreeSide free = side == Side::Outside ? mesh::FreeSide::Outside : mesh::FreeSide::Inside;
+  const mesh::Hit hit = followProxy(*place.surface, free, q_M, state.touch);
   if (hit.face < 0) return {p_WT, Status::Free, 0.0};
   return {toWorkspace(place, hit.p_M), Status::Unique, std::abs(place.scale_m) * std::sqrt(hit.squared)};
 }
@@ -40,13 +40,13 @@ Vec3 ontoMesh(const MeshPlace& place, const MeshState& state, const Vec3& p_W) n
   return hit.face < 0 ? p_W : toWorkspace(place, hit.p_M);
 }
 
-Vec3 leanOfMesh(const MeshPlace& place, const MeshState& state, const Vec3& p_WT, const Vec3& p_WP) noexcept {
+Vec3 shadingOffset(const MeshPlace& place, const MeshState& state, const Vec3& p_WT, const Vec3& p_WP) noexcept {
   const Vec3 way_W = p_WT - p_WP;
   const double length_m = way_W.norm();
   if (!place.lean.isThere() || !(length_m > 0.0)) return Vec3::Zero();
   // A scale below 0 reflects both directions, so the displacement along the surface is the same.
   const Vec3 u_M = place.R_WM.transpose() * (way_W / length_m);
-  const Vec3 leaning_M = leaning(*place.surface, alongSurface(place, state, p_WT), u_M, place.lean);
+  const Vec3 leaning_M = shadedDirection(*place.surface, alongSurface(place, state, p_WT), u_M, place.lean);
   return length_m * (place.R_WM * (u_M - leaning_M));
 }
 

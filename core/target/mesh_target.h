@@ -2,8 +2,8 @@
 #include <memory>
 
 #include "core/base/real_time.h"
-#include "core/mesh/lean.h"
-#include "core/mesh/touch.h"
+#include "core/mesh/force_shading.h"
+#include "core/mesh/proxy.h"
 #include "core/target/target.h"
 
 namespace underact::target {
@@ -15,17 +15,17 @@ struct MeshPlace {
   Vec3 p_WM = Vec3::Zero();
   double scale_m = 1.0;  // of a unit of the mesh, not 0; below 0: of its mirror image
   mesh::Search search = mesh::Search::Hybrid;
-  mesh::Lean lean = {};  // smoothing of the force, so that edges feel round
+  mesh::ForceShading lean = {};  // smoothing of the force, so that edges feel round
 };
 
 /// What a mesh remembers from tick to tick.
 struct MeshState {
   mesh::SearchState search;  // of the nearest point
-  mesh::TouchState touch;    // of a wall's proxy
+  mesh::ProxyState touch;    // of a wall's proxy
 };
 
 /// For bytes from a file: whether the state can be used. surface: for which it was made.
-bool isSound(const MeshState& state, const mesh::Surface& surface) noexcept;
+bool isValid(const MeshState& state, const mesh::Surface& surface) noexcept;
 
 /// A point of the workspace, m, in the mesh's frame and unit.
 inline Vec3 toMesh(const MeshPlace& place, const Vec3& p_W) noexcept UNDERACT_REAL_TIME {
@@ -45,7 +45,7 @@ Vec3 ontoMesh(const MeshPlace& place, const MeshState& state, const Vec3& p_W) n
 
 /// The displacement of the target p_WP that turns the force towards the smoothed normal. Zero without smoothing, or
 /// where the tip is on the surface.
-Vec3 leanOfMesh(const MeshPlace& place, const MeshState& state, const Vec3& p_WT,
-                const Vec3& p_WP) noexcept UNDERACT_REAL_TIME;
+Vec3 shadingOffset(const MeshPlace& place, const MeshState& state, const Vec3& p_WT,
+                   const Vec3& p_WP) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::target

@@ -12,7 +12,7 @@ namespace {
 double storedIn(const TickProgram& program, const TickReport& report, const TickState& state,
                 std::size_t index) noexcept UNDERACT_REAL_TIME {
   const Entry& entry = program.entries[index];
-  const Held& held = report.held[index];
+  const ConstraintReport& held = report.held[index];
   const double most_N = program.limits.max_force_N;
   if (held.robot.joints > 0) return control::clampedEnergy(held.robot.energy_J, held.f_T_W.norm(), most_N);
   const Vec3& kp = control::stiffness(entry.law);
@@ -37,17 +37,17 @@ Vec3 partOf(const TickState& state, const Vec3& f_T_W) noexcept UNDERACT_REAL_TI
 
 }  // namespace
 
-void watchEnergy(const TickProgram& program, const control::Moment& moment, const Vec3& way_T_W, std::size_t index,
-                 TickState& state, TickReport& report) noexcept {
+void observeEnergy(const TickProgram& program, const control::LawInput& moment, const Vec3& displacement_T_W,
+                   std::size_t index, TickState& state, TickReport& report) noexcept {
   const Entry& entry = program.entries[index];
-  Held& held = report.held[index];
+  ConstraintReport& held = report.held[index];
   control::EnergyState& energy = state.entries[index].energy;
   if (moment.idle || entry.passivity == control::Passivity::Off) {
     energy = control::EnergyState{};
     return;
   }
-  control::Passage passage;
-  passage.way_T_W = way_T_W;
+  control::PassivityInput passage;
+  passage.displacement_T_W = displacement_T_W;
   passage.f_T_W = partOf(state, energy.f_T_W);
   passage.level = state.gate.level;
   passage.dt_s = moment.dt_s;

@@ -9,10 +9,10 @@ namespace underact::tick {
 
 // Inside the room: the energy of each constraint in step(), see core/control/passivity.h.
 
-/// Updates the energy of the constraint at index and, where it is to stay passive, adds to its force. way_T_W: the
-/// displacement of the tip since the last tick, m; zero where there was none. report.held[index] has the force of its
-/// law.
-void watchEnergy(const TickProgram& program, const control::Moment& moment, const Vec3& way_T_W, std::size_t index,
-                 TickState& state, TickReport& report) noexcept UNDERACT_REAL_TIME;
+/// Updates the energy of the constraint at index and, where it is to stay passive, adds to its force. displacement_T_W:
+/// the displacement of the tip since the last tick, m; zero where there was none. report.held[index] has the force of
+/// its law.
+void observeEnergy(const TickProgram& program, const control::LawInput& moment, const Vec3& displacement_T_W,
+                   std::size_t index, TickState& state, TickReport& report) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::tick

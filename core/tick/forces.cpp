@@ -16,7 +16,7 @@ constexpr double kBumpOver_N = 1e-9;  // the remainder of a smoothed step that i
 /// The input that a tick gives to each of its constraints.
 struct Around {
   const TickProgram& program;
-  const control::Moment& moment;
+  const control::LawInput& moment;
   TickReport& report;
 };
 
@@ -39,7 +39,8 @@ Vec3 forceByJoints(const Around& around, const Entry& entry, const Vec3& p_WP,
 }
 
 /// The force of the law.
-Vec3 pushOf(const Around& around, const Entry& entry, const Held& held, EntryState& state) noexcept UNDERACT_REAL_TIME {
+Vec3 pushOf(const Around& around, const Entry& entry, const ConstraintReport& held,
+            EntryState& state) noexcept UNDERACT_REAL_TIME {
   const Vec3 e_W = held.p_WP - around.report.p_WT;
   const Vec3 f_T_W = entry.space == Space::Joint ? forceByJoints(around, entry, held.p_WP, state)
                                                  : control::force(entry.law, state.law, e_W, around.moment);
@@ -49,7 +50,7 @@ Vec3 pushOf(const Around& around, const Entry& entry, const Held& held, EntrySta
 }
 
 /// The force of one constraint; zero where it is free, degenerate or not chosen.
-Vec3 forceOf(const Around& around, const Entry& entry, const Held& held,
+Vec3 forceOf(const Around& around, const Entry& entry, const ConstraintReport& held,
              EntryState& state) noexcept UNDERACT_REAL_TIME {
   if (held.status == target::Status::Unique && held.acts) return pushOf(around, entry, held, state);
   if (around.program.needs.joints) state.follower.begun = false;
@@ -58,27 +59,27 @@ Vec3 forceOf(const Around& around, const Entry& entry, const Held& held,
     control::rest(state.law, held.status == target::Status::Degenerate);
     if (around.moment.idle) state.law.integral_T_W.setZero();
   } else {
-    control::forget(state.law);  // another one is nearer: an old integral would return as a jump
+    control::reset(state.law);  // another one is nearer: an old integral would return as a jump
   }
   return Vec3::Zero();
 }
 
 }  // namespace
 
-Vec3 sumForces(const TickProgram& program, const control::Moment& moment, const Vec3& way_T_W, TickState& state,
-               TickReport& report) noexcept {
+Vec3 sumForces(const TickProgram& program, const control::LawInput& moment, const Vec3& displacement_T_W,
+               TickState& state, TickReport& report) noexcept {
   const Around around{program, moment, report};
   Vec3 sum_T_W = Vec3::Zero();
   for (std::size_t index = 0; index < report.held.size(); ++index) {
-    Held& held = report.held[index];
+    ConstraintReport& held = report.held[index];
     held.f_T_W = forceOf(around, program.entries[index], held, state.entries[index]);
-    if (program.needs.energy) watchEnergy(program, moment, way_T_W, index, state, report);
+    if (program.needs.energy) observeEnergy(program, moment, displacement_T_W, index, state, report);
     sum_T_W += held.f_T_W;
   }
   return sum_T_W;
 }
 
-void smoothOver(const control::Moment& moment, TickState& state, Vec3& f_T_W) noexcept {
+void smoothForce(const control::LawInput& moment, TickState& state, Vec3& f_T_W) noexcept {
   if (moment.idle) {
     state.bump_T_W.setZero();
   } else if (state.retuned) {

@@ -8,11 +8,11 @@ namespace underact::tick {
 // Inside the room: the forces of step().
 
 /// The force of all constraints, and of each in report.held; zero for one that is free, degenerate or not chosen.
-/// way_T_W: the displacement of the tip since the last tick, m; zero where there was none.
-Vec3 sumForces(const TickProgram& program, const control::Moment& moment, const Vec3& way_T_W, TickState& state,
-               TickReport& report) noexcept UNDERACT_REAL_TIME;
+/// displacement_T_W: the displacement of the tip since the last tick, m; zero where there was none.
+Vec3 sumForces(const TickProgram& program, const control::LawInput& moment, const Vec3& displacement_T_W,
+               TickState& state, TickReport& report) noexcept UNDERACT_REAL_TIME;
 
 /// Removes the step in the force after a change of gains or targets: the difference is added and fades out.
-void smoothOver(const control::Moment& moment, TickState& state, Vec3& f_T_W) noexcept UNDERACT_REAL_TIME;
+void smoothForce(const control::LawInput& moment, TickState& state, Vec3& f_T_W) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::tick

@@ -16,11 +16,11 @@ GateTime gateTimeOf(const TickInput& input, const TickState& before, double by_a
   if (!(input.period_s > 0.0)) return {law_dt_s, 0.0, law_dt_s};  // as in version 0.1.0: the sample's clock
   if (!before.has_time) return {};
   const double since_s = (before.gate.missed + 1) * input.period_s + input.waited_s;
-  return {input.period_s, input.waited_s, safety::wayTime_s(by_arm_s, since_s)};
+  return {input.period_s, input.waited_s, safety::travelTime_s(by_arm_s, since_s)};
 }
 
-void lookAtArm(const TickProgram& program, const arm::JointAngles& q_rad, TickReport& report,
-               safety::Motion& motion) noexcept {
+void computeKinematics(const TickProgram& program, const arm::JointAngles& q_rad, TickReport& report,
+                       safety::Motion& motion) noexcept {
   if (!program.needs.orientation) {
     if (!program.needs.motors) {
       report.p_WT = arm::tipPosition(program.geometry, q_rad);
@@ -38,8 +38,8 @@ void lookAtArm(const TickProgram& program, const arm::JointAngles& q_rad, TickRe
   if (program.needs.motors) motion.J_p = arm::positionJacobian(program.geometry, q_rad);
 }
 
-void lookAtMotion(const TickProgram& program, const arm::JointAngles& q_rad, const TickState& before, double dt_s,
-                  const Vec3& p_WT, safety::Motion& motion) noexcept {
+void computeMotion(const TickProgram& program, const arm::JointAngles& q_rad, const TickState& before, double dt_s,
+                   const Vec3& p_WT, safety::Motion& motion) noexcept {
   if (dt_s > 0.0) motion.v_WT = (p_WT - before.p_WT) / dt_s;
   motion.moved = !(dt_s > 0.0) || q_rad != before.q_rad;
   for (std::size_t joint = 0; joint < 3; ++joint) {

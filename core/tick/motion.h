@@ -26,12 +26,12 @@ GateTime gateTimeOf(const TickInput& input, const TickState& before, double by_a
                     double law_dt_s) noexcept UNDERACT_REAL_TIME;
 
 /// Computes the position of the tip, and the direction of the stylus where a target needs it.
-void lookAtArm(const TickProgram& program, const arm::JointAngles& q_rad, TickReport& report,
-               safety::Motion& motion) noexcept UNDERACT_REAL_TIME;
+void computeKinematics(const TickProgram& program, const arm::JointAngles& q_rad, TickReport& report,
+                       safety::Motion& motion) noexcept UNDERACT_REAL_TIME;
 
 /// Computes the motion of the arm since the last sample, and the distance of its driven joints from their stops. dt_s:
 /// 0 where there is no last sample.
-void lookAtMotion(const TickProgram& program, const arm::JointAngles& q_rad, const TickState& before, double dt_s,
-                  const Vec3& p_WT, safety::Motion& motion) noexcept UNDERACT_REAL_TIME;
+void computeMotion(const TickProgram& program, const arm::JointAngles& q_rad, const TickState& before, double dt_s,
+                   const Vec3& p_WT, safety::Motion& motion) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::tick

@@ -13,7 +13,7 @@ TickProgram makeProgram(const arm::Geometry& geometry, std::vector<Entry> entrie
     const target::Constraint& constraint = entry.constraint;
     const auto* nearest = std::get_if<target::NearestOnShape>(&constraint.goal);
     program.needs.metric |= nearest != nullptr && nearest->weighted;
-    program.needs.orientation |= target::asksForTurn(constraint.goal);
+    program.needs.orientation |= target::needsOrientation(constraint.goal);
     program.needs.robots |= std::holds_alternative<manipulator::Manipulator>(constraint.goal);
     program.needs.meshes |= std::holds_alternative<target::MeshPlace>(constraint.goal);
     program.needs.curves |= std::holds_alternative<target::CurvePath>(constraint.goal);

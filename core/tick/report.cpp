@@ -6,7 +6,7 @@ namespace underact::tick {
 
 double errorOf(const TickReport& report) noexcept {
   double sum = 0.0;
-  for (const Held& held : report.held) {
+  for (const ConstraintReport& held : report.held) {
     if (held.acts) sum += (held.p_WP - report.p_WT).squaredNorm();
   }
   return std::sqrt(sum);

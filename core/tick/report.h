@@ -10,7 +10,7 @@
 namespace underact::tick {
 
 /// The result for one constraint in a tick.
-struct Held : target::Details {
+struct ConstraintReport : target::Details {
   Vec3 p_WP = Vec3::Zero();   // the target; the tip itself unless status is Unique
   Vec3 f_T_W = Vec3::Zero();  // its own force, before the gate
   target::Status status = target::Status::Free;
@@ -21,32 +21,32 @@ struct Held : target::Details {
 };
 
 /// Up to kMaxConstraints of them, in place; a copy copies only those in use.
-class HeldList {
+class ConstraintReports {
  public:
-  HeldList() = default;
+  ConstraintReports() = default;
   /// Copies those in use alone; what lies beyond stays as it was.
-  HeldList(const HeldList& other) noexcept UNDERACT_REAL_TIME { *this = other; }
+  ConstraintReports(const ConstraintReports& other) noexcept UNDERACT_REAL_TIME { *this = other; }
   /// The same.
-  HeldList& operator=(const HeldList& other) noexcept UNDERACT_REAL_TIME {
+  ConstraintReports& operator=(const ConstraintReports& other) noexcept UNDERACT_REAL_TIME {
     resize(other.size_);
     for (std::size_t index = 0; index < size_; ++index) held_[index] = other.held_[index];
     return *this;
   }
-  ~HeldList() = default;
+  ~ConstraintReports() = default;
   std::size_t size() const noexcept UNDERACT_REAL_TIME { return size_; }
   /// Held to kMaxConstraints; entries that come into use are as they were left.
   void resize(std::size_t size) noexcept UNDERACT_REAL_TIME { size_ = size < kMaxConstraints ? size : kMaxConstraints; }
   /// index: below size(), not checked.
-  Held& operator[](std::size_t index) noexcept UNDERACT_REAL_TIME { return held_[index]; }
-  const Held& operator[](std::size_t index) const noexcept UNDERACT_REAL_TIME { return held_[index]; }
+  ConstraintReport& operator[](std::size_t index) noexcept UNDERACT_REAL_TIME { return held_[index]; }
+  const ConstraintReport& operator[](std::size_t index) const noexcept UNDERACT_REAL_TIME { return held_[index]; }
   /// Those in use, for a loop over them.
-  const Held* begin() const noexcept UNDERACT_REAL_TIME { return held_.data(); }
+  const ConstraintReport* begin() const noexcept UNDERACT_REAL_TIME { return held_.data(); }
   /// Behind the last of them.
-  const Held* end() const noexcept UNDERACT_REAL_TIME { return held_.data() + size_; }
+  const ConstraintReport* end() const noexcept UNDERACT_REAL_TIME { return held_.data() + size_; }
 
  private:
   std::size_t size_ = 0;
-  std::array<Held, kMaxConstraints> held_{};
+  std::array<ConstraintReport, kMaxConstraints> held_{};
 };
 
 /// All results of a tick, for view, plots and recorder.
@@ -55,7 +55,7 @@ struct TickReport {
   Vec3 p_WT = Vec3::Zero();      // the tip
   Mat3 R_WT = Mat3::Identity();  // its orientation; the identity where the program does not need it
   Vec3 stylus_W = Vec3::Zero();  // its direction, z of frame 6; zero where the program does not need it
-  HeldList held;                 // in the order of the scene
+  ConstraintReports held;        // in the order of the scene
   Vec3 f_T_W = Vec3::Zero();     // asked, before the gate
   safety::GatedForce force;      // sent
   double level = 0.0;            // share that the ramps let through

@@ -5,17 +5,17 @@
 
 namespace underact::tick {
 
-TickReport answerAtRest(const TickProgram& program, const Vec3& p_WT, const Mat3& R_WT) {
+TickReport evaluateAtRest(const TickProgram& program, const Vec3& p_WT, const Mat3& R_WT) {
   TickProgram there = program;
   TickInput input;
   if (program.needs.joints) {
-    input.sample.q_rad = arm::reach(program.geometry, p_WT).q_rad;
+    input.sample.q_rad = arm::solvePosition(program.geometry, p_WT).q_rad;
   } else {
     // An arm of length 0 whose base is at the position of the tip: its tip is there to the last bit, also for positions
     // that the real arm cannot reach.
     there.geometry = {0.0, 0.0, p_WT};
   }
-  if (program.needs.orientation) input.sample.q_rad = arm::withWrist(input.sample.q_rad, R_WT);
+  if (program.needs.orientation) input.sample.q_rad = arm::solveWrist(input.sample.q_rad, R_WT);
   TickState state = makeState(there);
   Pose X_WT = Pose::Identity();
   X_WT.linear() = R_WT;
@@ -23,7 +23,7 @@ TickReport answerAtRest(const TickProgram& program, const Vec3& p_WT, const Mat3
   std::vector<int> steps(state.entries.size(), 0);
   for (std::size_t index = 0; index < state.entries.size(); ++index) {
     const auto* robot = std::get_if<manipulator::Manipulator>(&program.entries[index].constraint.goal);
-    if (robot != nullptr) state.entries[index].target.memory = standing(*robot, X_WT, steps[index]);
+    if (robot != nullptr) state.entries[index].target.memory = settledState(*robot, X_WT, steps[index]);
   }
   TickReport report;
   step(there, input, state, report);

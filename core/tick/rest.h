@@ -10,6 +10,6 @@ namespace underact::tick {
 /// joints there, and so for p_WT within 1e-15 m; out of the arm's reach, at the nearest position. A virtual robot
 /// starts cold and has the global minimum of energy; where two minima are equal, it is degenerate. Allocates; not for
 /// the servo thread.
-TickReport answerAtRest(const TickProgram& program, const Vec3& p_WT, const Mat3& R_WT);
+TickReport evaluateAtRest(const TickProgram& program, const Vec3& p_WT, const Mat3& R_WT);
 
 }  // namespace underact::tick

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/sound.h"
+#include "core/base/valid_bytes.h"
 
 namespace underact::tick {
 namespace {
@@ -29,26 +29,26 @@ TickState makeState(const TickProgram& program) {
   return state;
 }
 
-void forget(TickState& state) noexcept {
+void reset(TickState& state) noexcept {
   for (EntryState& entry : state.entries) {
-    target::forget(entry.target);
+    target::reset(entry.target);
     entry.energy = control::EnergyState{};
     entry.follower.begun = false;
-    control::forget(entry.law);
+    control::reset(entry.law);
   }
   state.bump_T_W.setZero();
   state.retuned = false;
 }
 
-bool isSound(const TickState& state, const TickProgram& program) {
+bool isValid(const TickState& state, const TickProgram& program) {
   for (std::size_t index = 0; index < program.entries.size(); ++index) {
     const EntryState& entry = state.entries[index];
-    if (!isSound(entry.target, program.entries[index].constraint.goal)) return false;
-    if (!isSound(entry.energy) || !isSound(entry.follower) || !isSound(entry.law)) return false;
+    if (!isValid(entry.target, program.entries[index].constraint.goal)) return false;
+    if (!isValid(entry.energy) || !isValid(entry.follower) || !isValid(entry.law)) return false;
   }
   const auto isNumber = [](double angle_rad) { return std::isfinite(angle_rad); };
   return isFlag(state.has_time) && isFlag(state.limited) && isFlag(state.retuned) && state.p_WT.allFinite() &&
-         std::all_of(state.q_rad.begin(), state.q_rad.end(), isNumber) && isSound(state.gate);
+         std::all_of(state.q_rad.begin(), state.q_rad.end(), isNumber) && isValid(state.gate);
 }
 
 std::size_t bytesOf(const TickState& state) {
@@ -80,7 +80,7 @@ void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
   if (what != Carry::ArmAndMovedLaws) return;
   for (EntryState& entry : next.entries) {
     entry.law.velocity.has_last = false;
-    target::forgetWay(entry.target);
+    target::forgetPath(entry.target);
   }
 }
 

@@ -38,11 +38,11 @@ struct TickState {
 TickState makeState(const TickProgram& program);
 
 /// Resets laws and targets to the state before a first tick. Time, tip and gate stay.
-void forget(TickState& state) noexcept UNDERACT_REAL_TIME;
+void reset(TickState& state) noexcept UNDERACT_REAL_TIME;
 
 /// For bytes from a file: whether no index, count or flag in it can lead a tick of this program out of bounds, and
 /// everything that is always finite is finite. The state of a running servo is always sound.
-bool isSound(const TickState& state, const TickProgram& program);
+bool isValid(const TickState& state, const TickProgram& program);
 
 /// The size of the parts that the program needs.
 std::size_t bytesOf(const TickState& state);

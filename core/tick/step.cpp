@@ -39,7 +39,7 @@ void findTargets(const TickProgram& program, double dt_s, TickState& state,
                  TickReport& report) noexcept UNDERACT_REAL_TIME {
   report.held.resize(program.entries.size());
   for (std::size_t index = 0; index < report.held.size(); ++index) {
-    Held& held = report.held[index];
+    ConstraintReport& held = report.held[index];
     const target::Target target =
         targetOf(program.entries[index].constraint, report.p_WT, report.R_WT, dt_s, state.entries[index].target, held);
     held.p_WP = target.p_WP;
@@ -53,7 +53,7 @@ void findTargets(const TickProgram& program, double dt_s, TickState& state,
 }
 
 /// Leaves `acts` only at the nearest of the constraints that are touched; the first of equals.
-void keepNearest(HeldList& held) noexcept UNDERACT_REAL_TIME {
+void keepNearest(ConstraintReports& held) noexcept UNDERACT_REAL_TIME {
   std::size_t nearest = held.size();
   for (std::size_t index = 0; index < held.size(); ++index) {
     held[index].acts = false;
@@ -92,7 +92,7 @@ void tell(const safety::Gated& gated, TickReport& report) noexcept UNDERACT_REAL
 void step(const TickProgram& program, const TickInput& input, TickState& state, TickReport& report) noexcept {
   if (input.restart) {  // a complete new start: an arm that was unplugged counts its time from 0 again
     state.has_time = false;
-    forget(state);
+    reset(state);
   }
   const double dt_s = secondsSince(state, input.sample.time_ns);
   const Fault fault = judge(input, state, dt_s);
@@ -102,19 +102,19 @@ void step(const TickProgram& program, const TickInput& input, TickState& state, 
   safety::Motion motion;
   begin(input.sample, report);
   if (is_good) {
-    if (dt_s > kLongestTick_s) forget(state);
-    lookAtArm(program, input.sample.q_rad, report, motion);  // the targets depend on it
-    lookAtMotion(program, input.sample.q_rad, state, time.way_s, report.p_WT, motion);
+    if (dt_s > kLongestTick_s) reset(state);
+    computeKinematics(program, input.sample.q_rad, report, motion);  // the targets depend on it
+    computeMotion(program, input.sample.q_rad, state, time.way_s, report.p_WT, motion);
     findTargets(program, law_dt_s, state, report);
     if (program.needs.choice) keepNearest(report.held);
-    const Vec3 way_T_W = law_dt_s > 0.0 ? Vec3(report.p_WT - state.p_WT) : Vec3(Vec3::Zero());
-    const control::Moment moment{law_dt_s, state.limited, isIdle(input, state.gate)};
-    report.f_T_W = sumForces(program, moment, way_T_W, state, report);
-    smoothOver(moment, state, report.f_T_W);
+    const Vec3 displacement_T_W = law_dt_s > 0.0 ? Vec3(report.p_WT - state.p_WT) : Vec3(Vec3::Zero());
+    const control::LawInput moment{law_dt_s, state.limited, isIdle(input, state.gate)};
+    report.f_T_W = sumForces(program, moment, displacement_T_W, state, report);
+    smoothForce(moment, state, report.f_T_W);
     remember(report, state);
   }
   report.p_WT = state.p_WT;
-  const safety::Asked asked{report.f_T_W, input.engage, input.restart, fault, input.late, motion, time.waited_s};
+  const safety::GateInput asked{report.f_T_W, input.engage, input.restart, fault, input.late, motion, time.waited_s};
   const safety::Gated gated = safety::gate(program.limits, state.gate, asked, time.dt_s);
   state.gate = gated.next;
   tell(gated, report);

@@ -21,7 +21,7 @@ bool isOne(std::uint32_t style) noexcept {
 
 Calibration::Calibration(std::uint32_t styles) noexcept : styles_(styles), style_(easiest(styles)) {}
 
-void Calibration::look(const Calls& hd, bool pressed) noexcept {
+void Calibration::poll(const Calls& hd, bool pressed) noexcept {
   status_ = hd.hdCheckCalibration();
   if (status_ == kCalibrated) return;
   const std::uint32_t style = hd.hdCheckCalibrationStyle();

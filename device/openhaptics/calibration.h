@@ -14,7 +14,7 @@ class Calibration {
 
   /// Checks the calibration, and has the driver take it over when it is ready. pressed: a button went down, by which
   /// the person confirms that the arm is in its reset position. Inside a frame; its errors are left to the caller.
-  void look(const Calls& hd, bool pressed) noexcept;
+  void poll(const Calls& hd, bool pressed) noexcept;
 
   bool done() const noexcept { return status_ == kCalibrated; }
   std::uint32_t status() const noexcept { return status_; }

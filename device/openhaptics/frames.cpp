@@ -46,7 +46,7 @@ Ticket* newTicket() {
 
 Frames::Frames(const Calls& hd, const arm::Preset& arm)
     : hd_(hd), geometry_(arm.geometry), preset_force_N_(arm.continuous_force_N), opened_ns_(system::monotonicNow_ns()) {
-  standing_.begin();
+  arm_status_.begin();
 }
 
 std::uint32_t Frames::callback(void* ticket) {
@@ -61,7 +61,7 @@ std::uint32_t Frames::callback(void* ticket) {
 void Frames::run() noexcept {
   count_.fetch_add(1, std::memory_order_release);
   began_ns_.store(system::monotonicNow_ns(), std::memory_order_relaxed);
-  if (standing_.stopped()) {
+  if (arm_status_.stopped()) {
     rest();
   } else {
     frame();
@@ -72,7 +72,7 @@ Ticket* Frames::begin(Handle device) {
   ticket_ = newTicket();
   ticket_->frames.store(this);
   device_ = device;
-  standing_.begin();
+  arm_status_.begin();
   exchange_.cut();
   closes_ = false;
   known_ = false;
@@ -96,7 +96,7 @@ void Frames::attach(servo::Ticks* ticks) noexcept {
 void Frames::close() noexcept {
   closes_.store(true);
   (void)waitFor(std::chrono::milliseconds(100),
-                [this] { return zeros_.load() >= 2 || (standing_.stopped() && farewells_.load() == 0); });
+                [this] { return zeros_.load() >= 2 || (arm_status_.stopped() && farewells_.load() == 0); });
 }
 
 bool Frames::retire() noexcept {
@@ -110,7 +110,7 @@ void Frames::frame() noexcept {
   judge(drain(hd_), false, now_ns);  // left over from others
   hd_.hdBeginFrame(device_);
   if (!known_.load(std::memory_order_relaxed)) learn();
-  const Seen seen = look(now_ns);
+  const Seen seen = poll(now_ns);
   if (count_.load(std::memory_order_relaxed) % kLooksApart == 1 || (seen.pressed != 0 && !calibration_.done())) {
     watchCalibration(seen.pressed != 0);
     watchInkwell();
@@ -122,7 +122,7 @@ void Frames::frame() noexcept {
   send(f_T_W);
   hd_.hdEndFrame(device_);
   judge(drain(hd_), false, now_ns);
-  switchOutput(now_ns >= quiet_until_ns_ && !standing_.stopped());
+  switchOutput(now_ns >= quiet_until_ns_ && !arm_status_.stopped());
   if (closes_.load()) zeros_.fetch_add(1);
   known_.store(true, std::memory_order_release);
 }
@@ -130,13 +130,13 @@ void Frames::frame() noexcept {
 void Frames::learn() noexcept {
   Drained worst;
   capabilities_ = readCapabilities(hd_, worst);
-  if (worst.worst == Severity::Stop) standing_.stop(worst.code);
+  if (worst.worst == Severity::Stop) arm_status_.stop(worst.code);
   const double cap_N = capabilities_.max_continuous_force_N.value_or(0.0);
   cap_N_ = cap_N > 0.0 ? cap_N : preset_force_N_;
   calibration_ = Calibration(static_cast<std::uint32_t>(capabilities_.calibration_styles.value_or(kInkwell)));
 }
 
-Frames::Seen Frames::look(std::int64_t now_ns) noexcept {
+Frames::Seen Frames::poll(std::int64_t now_ns) noexcept {
   std::array<double, kRoom> joints_rad{}, gimbal_rad{}, p_mm{};
   std::array<std::int32_t, kRoom> now{}, before{};
   hd_.hdGetDoublev(kJointAngles, joints_rad.data());
@@ -163,13 +163,13 @@ Frames::Seen Frames::look(std::int64_t now_ns) noexcept {
                                      [](double angle) { return std::fabs(angle) < kMostTurns_rad; });
   seen.is_fresh = drained.worst == Severity::None && is_finite;
   without_sample_ = seen.is_fresh ? 0 : without_sample_ + 1;
-  standing_.withoutSample(without_sample_, is_finite && drained.code != 0 ? drained.code : kNotANumberSent);
+  arm_status_.withoutSample(without_sample_, is_finite && drained.code != 0 ? drained.code : kNotANumberSent);
   if (seen.is_fresh) watchDeviation(seen.off_m);
   return seen;
 }
 
 Vec3 Frames::force(const Seen& seen, std::int64_t now_ns) noexcept {
-  const bool may = mayPush(now_ns);
+  const bool may = isForceAllowed(now_ns);
   // It may push again: the arm begins anew, so that the servo's gate starts softly. What answers a sample from before
   // is no force any more.
   if (may && !could_push_) ++epoch_;
@@ -178,14 +178,14 @@ Vec3 Frames::force(const Seen& seen, std::int64_t now_ns) noexcept {
   return may && seen.is_fresh ? safety::clampForce(wanted_W, cap_N_) : Vec3::Zero();
 }
 
-bool Frames::mayPush(std::int64_t now_ns) const noexcept {
-  return calibration_.done() && !is_docked_ && !is_wrong_arm_ && now_ns >= quiet_until_ns_ && !standing_.stopped() &&
+bool Frames::isForceAllowed(std::int64_t now_ns) const noexcept {
+  return calibration_.done() && !is_docked_ && !is_wrong_arm_ && now_ns >= quiet_until_ns_ && !arm_status_.stopped() &&
          !closes_.load();
 }
 
 void Frames::watchCalibration(bool pressed) noexcept {
-  calibration_.look(hd_, pressed);
-  standing_.calibration(calibration_.status(), calibration_.style());
+  calibration_.poll(hd_, pressed);
+  arm_status_.calibration(calibration_.status(), calibration_.style());
 }
 
 /// The switch says 0 of a stylus in the inkwell (so two public programs have it). One that has never said otherwise may
@@ -196,7 +196,7 @@ void Frames::watchInkwell() noexcept {
   hd_.hdGetBooleanv(kInkwellSwitch, is_out.data());
   inkwell_works_ = inkwell_works_ || is_out[0] != 0;
   is_docked_ = inkwell_works_ && is_out[0] == 0;
-  standing_.docked(is_docked_);
+  arm_status_.docked(is_docked_);
 }
 
 void Frames::watchDeviation(double off_m) noexcept {
@@ -207,14 +207,14 @@ void Frames::watchDeviation(double off_m) noexcept {
     is_wrong_arm_ = is_off;
     off_frames_ = 0;
   }
-  standing_.deviation(off_m, is_wrong_arm_);
+  arm_status_.deviation(off_m, is_wrong_arm_);
 }
 
 void Frames::judge(const Drained& drained, bool of_sample, std::int64_t now_ns) noexcept {
-  if (drained.worst == Severity::Stop) standing_.stop(drained.code);
+  if (drained.worst == Severity::Stop) arm_status_.stop(drained.code);
   // A question refused around the force: nobody knows what the arm has made of the force.
   if (drained.worst == Severity::Force || (drained.worst == Severity::Question && !of_sample)) {
-    standing_.forceError(drained.code, drained.count, now_ns);
+    arm_status_.forceError(drained.code, drained.count, now_ns);
     quiet_until_ns_ = now_ns + kQuiet_ns;
   }
 }

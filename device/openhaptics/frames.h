@@ -5,11 +5,11 @@
 #include "core/arm/preset.h"
 #include "core/servo/device_port.h"
 #include "device/openhaptics/abi.h"
+#include "device/openhaptics/arm_status.h"
 #include "device/openhaptics/calibration.h"
 #include "device/openhaptics/capabilities.h"
 #include "device/openhaptics/errors.h"
 #include "device/openhaptics/exchange.h"
-#include "device/openhaptics/standing.h"
 
 namespace underact::device::openhaptics {
 
@@ -50,8 +50,8 @@ class Frames {
   }
 
   Exchange& exchange() noexcept { return exchange_; }
-  Standing& standing() noexcept { return standing_; }
-  const Standing& standing() const noexcept { return standing_; }
+  ArmStatus& armStatus() noexcept { return arm_status_; }
+  const ArmStatus& armStatus() const noexcept { return arm_status_; }
 
  private:
   void run() noexcept;
@@ -63,10 +63,10 @@ class Frames {
   };
   void frame() noexcept;
   void learn() noexcept;
-  Seen look(std::int64_t now_ns) noexcept;
+  Seen poll(std::int64_t now_ns) noexcept;
   /// The force to send in this frame; zero for any reason there is.
   Vec3 force(const Seen& seen, std::int64_t now_ns) noexcept;
-  bool mayPush(std::int64_t now_ns) const noexcept;
+  bool isForceAllowed(std::int64_t now_ns) const noexcept;
   void watchCalibration(bool pressed) noexcept;
   void watchInkwell() noexcept;
   void watchDeviation(double off_m) noexcept;
@@ -81,7 +81,7 @@ class Frames {
   const arm::Geometry geometry_;
   const double preset_force_N_;
   Exchange exchange_;
-  Standing standing_;
+  ArmStatus arm_status_;
 
   Ticket* ticket_ = nullptr;
   std::atomic<servo::Ticks*> ticks_{nullptr};

@@ -8,8 +8,8 @@
 
 #include "core/base/translate.h"
 #include "core/system/clock.h"
+#include "device/openhaptics/find_arms.h"
 #include "device/openhaptics/library.h"
-#include "device/openhaptics/look.h"
 #include "device/openhaptics/scheduler.h"
 #include "device/openhaptics/settings.h"
 
@@ -131,11 +131,11 @@ Problems OpenHapticsArm::initialise() {
 
 Problems OpenHapticsArm::awaitFirstFrame() {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
-  while (frames_->capabilities() == nullptr && !frames_->standing().stopped()) {
+  while (frames_->capabilities() == nullptr && !frames_->armStatus().stopped()) {
     if (std::chrono::steady_clock::now() > end) return {{said(kStandsStill), {}}};
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
-  if (frames_->standing().stopped()) return {{frames_->standing().sentence(0, options_.arm.name), {}}};
+  if (frames_->armStatus().stopped()) return {{frames_->armStatus().sentence(0, options_.arm.name), {}}};
   const std::scoped_lock lock(mutex_);
   capabilities_ = *frames_->capabilities();
   return {};
@@ -183,14 +183,14 @@ Problems OpenHapticsArm::reopen() {
   return problems;
 }
 
-Sentence OpenHapticsArm::fixedRate() const {
+Sentence OpenHapticsArm::fixedRateReason() const {
   const std::vector<int> rates = Scheduler::theOne().rates();
-  if (Scheduler::theOne().users() > 1) return refusesRate(0);
+  if (Scheduler::theOne().users() > 1) return rateRefusal(0);
   if (rates.size() > 1) return {};
   return said(TRANSLATE_NOOP("problem", "The arm's driver supports only one rate, %1 Hz."), {std::to_string(rate_hz_)});
 }
 
-Sentence OpenHapticsArm::refusesRate(int rate_hz) const {
+Sentence OpenHapticsArm::rateRefusal(int rate_hz) const {
   return Scheduler::theOne().refuses(rate_hz);
 }
 
@@ -216,7 +216,7 @@ Sentence OpenHapticsArm::trouble() const {
   const std::scoped_lock lock(mutex_);
   if (!trouble_.empty()) return trouble_;
   const std::int64_t now_ns = system::monotonicNow_ns();
-  const Sentence sentence = frames_->standing().sentence(now_ns, options_.arm.name);
+  const Sentence sentence = frames_->armStatus().sentence(now_ns, options_.arm.name);
   return sentence.empty() && now_ns - frames_->began_ns() > kSilence_ns ? said(kStandsStill) : sentence;
 }
 
@@ -239,8 +239,8 @@ Result<std::unique_ptr<servo::DevicePort>> openRow(const Request& request) {
   return std::unique_ptr<servo::DevicePort>(std::move(arm).value());
 }
 
-std::vector<Found> lookRow() {
-  return look(places(), missing());
+std::vector<Found> searchRow() {
+  return findArms(places(), missing());
 }
 
 }  // namespace underact::device::openhaptics

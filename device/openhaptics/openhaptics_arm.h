@@ -30,8 +30,8 @@ class OpenHapticsArm final : public servo::DevicePort {
   /// Takes effect in the next frame. If the driver's scheduler has stopped, nothing in this process can.
   void cut() noexcept UNDERACT_REAL_TIME override;
   Problems reopen() override;
-  Sentence fixedRate() const override;
-  Sentence refusesRate(int rate_hz) const override;
+  Sentence fixedRateReason() const override;
+  Sentence rateRefusal(int rate_hz) const override;
   void setRate(int rate_hz) override;
   bool drive(servo::Ticks& ticks, int rate_hz) override;
   void endDrive() override;
@@ -39,7 +39,7 @@ class OpenHapticsArm final : public servo::DevicePort {
   servo::DeviceInfo info() const override;
   std::vector<std::string> listing() const override;
   /// Force errors since it was made.
-  std::int64_t forceErrors() const { return frames_->standing().forceErrors(); }
+  std::int64_t forceErrors() const { return frames_->armStatus().forceErrors(); }
 
  private:
   OpenHapticsArm(const Calls& hd, const Options& options);
@@ -65,6 +65,6 @@ class OpenHapticsArm final : public servo::DevicePort {
 
 /// For the catalogue.
 Result<std::unique_ptr<servo::DevicePort>> openRow(const Request& request);
-std::vector<Found> lookRow();
+std::vector<Found> searchRow();
 
 }  // namespace underact::device::openhaptics

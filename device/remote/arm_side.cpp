@@ -51,10 +51,10 @@ void ArmSide::seat(bool is_taken) {
   seat_.store(next, std::memory_order_release);
 }
 
-void ArmSide::forget() noexcept {
+void ArmSide::reset() noexcept {
   energy_ = control::EnergyState{};
   has_last_ = false;
-  arm_clock_.forget();
+  arm_clock_.reset();
 }
 
 /// Whether the newest force may go out. Counts how long none arrived.
@@ -90,9 +90,9 @@ Fault ArmSide::judge(bool has, double dt_s) const noexcept {
 
 /// The force with enough damping to take out what the remote spring has generated. Only the forces that arrived are
 /// used: the spring itself is not known here.
-Vec3 ArmSide::keepPassive(const Vec3& way_T_W, double dt_s, const Vec3& f_T_W) noexcept {
-  control::Passage passage;
-  passage.way_T_W = way_T_W;
+Vec3 ArmSide::keepPassive(const Vec3& displacement_T_W, double dt_s, const Vec3& f_T_W) noexcept {
+  control::PassivityInput passage;
+  passage.displacement_T_W = displacement_T_W;
   passage.f_T_W = now_.f_T_W;
   passage.e_W = safety::clampForce(f_T_W, options_.limits.max_force_N);
   passage.level = 1.0;
@@ -124,7 +124,7 @@ double ArmSide::beginTick() noexcept {
 }
 
 void ArmSide::noticeSleep() noexcept {
-  if (!options_.counts_time) slept_ns_ += sleep_.look(options_.clocks);
+  if (!options_.counts_time) slept_ns_ += sleep_.poll(options_.clocks);
 }
 
 /// What other clocks than this computer's report wrong, as in the servo's loop, with the sample at hand and before a
@@ -133,7 +133,7 @@ Fault ArmSide::faultOfClocks(bool has) noexcept {
   const arm::Sample& sample = now_.sample.sample;
   const std::int64_t now_ns = options_.counts_time ? at_ns_ : options_.clocks.now_ns();
   Fault odd;
-  if (has) odd = arm_clock_.look(sample.time_ns, at_ns_, now_ns, options_.period_ns);
+  if (has) odd = arm_clock_.check(sample.time_ns, at_ns_, now_ns, options_.period_ns);
   noticeSleep();
   const std::int64_t slept_ns = std::exchange(slept_ns_, 0);
   if (now_.f_T_W == Vec3::Zero() && gate_.level == 0.0) return {};
@@ -146,7 +146,7 @@ void ArmSide::tick() noexcept {
   SampleMessage& message = now_.sample;
   arm::Sample sample = message.sample;
   const bool has = port_.read(sample);
-  if (has && sample.epoch != message.sample.epoch) forget();
+  if (has && sample.epoch != message.sample.epoch) reset();
   if (has) message.sample = sample;
   ++message.sequence;
   const double since_s =
@@ -159,14 +159,14 @@ void ArmSide::tick() noexcept {
   since_s_ += period_s + waited_s;
 
   safety::Motion motion;
-  Vec3 way_T_W = Vec3::Zero();
+  Vec3 displacement_T_W = Vec3::Zero();
   if (fault.kind == FaultKind::None) {
     const Vec3 p_WT = arm::tipPosition(options_.geometry, message.sample.q_rad);
     motion.J_p = arm::positionJacobian(options_.geometry, message.sample.q_rad);
     if (has_last_) {
       const Vec3 gone_T_W = p_WT - p_WT_;
-      if (dt_s > 0.0) way_T_W = gone_T_W;
-      motion.v_WT = gone_T_W / safety::wayTime_s(since_s, since_s_);
+      if (dt_s > 0.0) displacement_T_W = gone_T_W;
+      motion.v_WT = gone_T_W / safety::travelTime_s(since_s, since_s_);
       motion.moved = message.sample.q_rad != q_rad_;
     }
     for (std::size_t joint = 0; joint < 3; ++joint) {
@@ -186,7 +186,7 @@ void ArmSide::tick() noexcept {
   const Vec3 asked_T_W = is_heard && came.message.pushes ? came.message.f_T_W : Vec3(Vec3::Zero());
   // A fault here lasts until the remote servo lets go, too.
   const bool restart = gate_.fault.kind != FaultKind::None && is_heard && asked_T_W == Vec3::Zero();
-  const Vec3 kept_T_W = fault.kind == FaultKind::None ? keepPassive(way_T_W, dt_s, asked_T_W) : asked_T_W;
+  const Vec3 kept_T_W = fault.kind == FaultKind::None ? keepPassive(displacement_T_W, dt_s, asked_T_W) : asked_T_W;
   if (fault.kind == FaultKind::None && !is_heard) fault = {FaultKind::StaleSample, 0.0, 0.0};  // zero, at once
   const safety::Gated gated =
       safety::gate(options_.limits, gate_, {kept_T_W, true, restart, fault, false, motion, waited_s}, period_s);

@@ -63,7 +63,7 @@ class ArmSide final : public servo::Ticks {
   std::int64_t beats() const { return beats_->load(std::memory_order_relaxed); }
 
   /// Where ticks are counted from now on; no tick is at work. Outlives them.
-  void beatInto(std::atomic<std::int64_t>& beats) { beats_ = &beats; }
+  void countInto(std::atomic<std::int64_t>& beats) { beats_ = &beats; }
 
  private:
   struct Came {
@@ -76,8 +76,8 @@ class ArmSide final : public servo::Ticks {
   double beginTick() noexcept UNDERACT_REAL_TIME;
   Fault faultOfClocks(bool has) noexcept UNDERACT_REAL_TIME;
   void noticeSleep() noexcept UNDERACT_REAL_TIME;
-  Vec3 keepPassive(const Vec3& way_T_W, double dt_s, const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME;
-  void forget() noexcept UNDERACT_REAL_TIME;
+  Vec3 keepPassive(const Vec3& displacement_T_W, double dt_s, const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME;
+  void reset() noexcept UNDERACT_REAL_TIME;
 
   servo::DevicePort& port_;
   const Options options_;

@@ -40,7 +40,7 @@ class Writer {
   void putVector(const Vec3& v) {
     for (int axis = 0; axis < 3; ++axis) putNumber(v[axis]);
   }
-  void putText(const std::string& text) {
+  void updateText(const std::string& text) {
     const std::size_t size = std::min(text.size(), kLongestText);
     put(static_cast<std::uint16_t>(size));
     for (std::size_t at = 0; at < size; ++at) {
@@ -52,7 +52,7 @@ class Writer {
     putNumber(arm.geometry.upper_m);
     putNumber(arm.geometry.fore_m);
     putVector(arm.geometry.p_WB);
-    putText(arm.preset);
+    updateText(arm.preset);
   }
   std::vector<std::uint8_t> bytes;
 };
@@ -152,14 +152,14 @@ std::vector<std::uint8_t> written(const Welcome& message) {
   writer.putNumber(message.max_force_N);
   writer.putNumber(message.frozen_s);
   writer.putArm(message.arm);
-  writer.putText(message.title);
+  writer.updateText(message.title);
   return writer.bytes;
 }
 
 std::vector<std::uint8_t> written(const Words& message) {
   Writer writer(kWords);
   writer.put(static_cast<std::uint8_t>(message.about));
-  writer.putText(message.text);
+  writer.updateText(message.text);
   return writer.bytes;
 }
 

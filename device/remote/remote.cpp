@@ -1,32 +1,32 @@
 #include "device/remote/remote.h"
 
 #include "core/base/translate.h"
-#include "device/remote/reach.h"
+#include "device/remote/endpoint.h"
 #include "device/remote/remote_arm.h"
 
 namespace underact::device::remote {
 namespace {
 
-constexpr int kLook_ms = 60;  // for the handshake on a busy computer; if nobody listens it is known at once
+constexpr int kPoll_ms = 60;  // for the handshake on a busy computer; if nobody listens it is known at once
 
 }  // namespace
 
 Result<std::unique_ptr<servo::DevicePort>> openRow(const Request& request) {
   const Result<Address> address = readAddress(request.address);
   if (!address) return address.problems();
-  const Result<Reach> reach = reachOf(address.value(), KeyFolder());
-  if (!reach) return reach.problems();
-  Result<std::unique_ptr<RemoteArm>> arm = RemoteArm::open(reach.value(), request.arm, request.rate_hz);
+  const Result<Endpoint> endpoint = endpointOf(address.value(), KeyFolder());
+  if (!endpoint) return endpoint.problems();
+  Result<std::unique_ptr<RemoteArm>> arm = RemoteArm::open(endpoint.value(), request.arm, request.rate_hz);
   if (!arm) return arm.problems();
   return std::unique_ptr<servo::DevicePort>(std::move(arm).value());
 }
 
-std::vector<Found> lookRow() {
+std::vector<Found> searchRow() {
   const Address here;
   if (!KeyFolder().hasOwn()) return {};  // a user without a key shares nothing, and looking creates none
-  const Result<Reach> reach = reachOf(here, KeyFolder());
-  if (!reach) return {};
-  const Result<Welcome> welcome = askWhat(reach.value(), kLook_ms);
+  const Result<Endpoint> endpoint = endpointOf(here, KeyFolder());
+  if (!endpoint) return {};
+  const Result<Welcome> welcome = queryArm(endpoint.value(), kPoll_ms);
   if (!welcome) return {};
   const char* const title = welcome.value().allows_force
                                 ? TRANSLATE_NOOP("problem", "%1, shared on this computer")

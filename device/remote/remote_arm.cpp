@@ -17,15 +17,15 @@ constexpr int kSilentReads = 20;                    // in a row without a sample
 
 }  // namespace
 
-Result<std::unique_ptr<RemoteArm>> RemoteArm::open(const Reach& reach, const arm::Preset& arm, int rate_hz) {
-  std::unique_ptr<RemoteArm> opened(new RemoteArm(reach, arm, rate_hz));
+Result<std::unique_ptr<RemoteArm>> RemoteArm::open(const Endpoint& endpoint, const arm::Preset& arm, int rate_hz) {
+  std::unique_ptr<RemoteArm> opened(new RemoteArm(endpoint, arm, rate_hz));
   const Problems problems = opened->connect();
   if (!problems.empty()) return problems;
   return opened;
 }
 
-RemoteArm::RemoteArm(Reach reach, const arm::Preset& arm, int rate_hz)
-    : reach_(std::move(reach)), arm_(arm), rate_hz_(rate_hz), period_ns_(1'000'000'000 / std::max(rate_hz, 1)) {
+RemoteArm::RemoteArm(Endpoint endpoint, const arm::Preset& arm, int rate_hz)
+    : endpoint_(std::move(endpoint)), arm_(arm), rate_hz_(rate_hz), period_ns_(1'000'000'000 / std::max(rate_hz, 1)) {
   std::random_device random;  // not a secret: it tells one program from another
   token_ = (static_cast<std::uint64_t>(random()) << 32U) | random();
 }
@@ -35,13 +35,13 @@ RemoteArm::~RemoteArm() {
 }
 
 Problems RemoteArm::connect() {
-  Result<std::unique_ptr<Wire>> wire = reached(reach_, kConnect_ms);
+  Result<std::unique_ptr<Wire>> wire = connectTo(endpoint_, kConnect_ms);
   if (!wire) return wire.problems();
   Result<Welcome> welcome = ask(*wire.value());
   if (!welcome) return welcome.problems();
   if (welcome.value().rate_hz != rate_hz_)
     return {{said(TRANSLATE_NOOP("problem", "The arm at %1 ticks at %2 Hz, not at %3 Hz."),
-                  {reach_.address.text(), std::to_string(welcome.value().rate_hz), std::to_string(rate_hz_)}),
+                  {endpoint_.address.text(), std::to_string(welcome.value().rate_hz), std::to_string(rate_hz_)}),
              {}}};
   wire_ = std::move(wire).value();
   {
@@ -65,7 +65,7 @@ Result<Welcome> RemoteArm::ask(Wire& wire) {
   Result<Welcome> welcome = Problems{};
   for (int ask = 0; ask < kBusyAsks; ++ask) {
     bool is_busy = false;
-    welcome = welcomed(wire, hello, reach_.address, kConnect_ms, is_busy);
+    welcome = awaitWelcome(wire, hello, endpoint_.address, kConnect_ms, is_busy);
     if (!is_busy) break;
     wire.wait(-1, 0);
     system::sleepUntil(system::monotonicNow_ns() + kBusyPause_ms * kMillisecond_ns);
@@ -118,12 +118,12 @@ void RemoteArm::run() {
       lose(said(TRANSLATE_NOOP("problem",
                                "The connection to the arm at %1 was lost. Check the network and the sharing program on "
                                "its computer, then press Restart."),
-                {reach_.address.text()}));
+                {endpoint_.address.text()}));
     else if (now_ns - came_ns_ > kLost_ns)
       lose(said(TRANSLATE_NOOP("problem",
                                "The arm at %1 no longer sends anything. Check the network and the sharing program on "
                                "its computer, then press Restart."),
-                {reach_.address.text()}));
+                {endpoint_.address.text()}));
   }
   if (is_lost_) wire_.reset();  // late messages are ignored
 }
@@ -153,7 +153,7 @@ void RemoteArm::hear() {
 }
 
 void RemoteArm::hear(const Words& words) {
-  if (words.about != About::Trouble) return lose(ofArmAt(reach_.address, words.text));
+  if (words.about != About::Trouble) return lose(ofArmAt(endpoint_.address, words.text));
   const std::scoped_lock lock(words_mutex_);
   trouble_ = words.text;
 }
@@ -223,28 +223,28 @@ void RemoteArm::cut() noexcept {
   wrote_.ring();
 }
 
-Sentence RemoteArm::fixedRate() const {
+Sentence RemoteArm::fixedRateReason() const {
   return said(TRANSLATE_NOOP("problem",
                              "The arm at %1 keeps the rate that it was opened with. Choose the simulated arm, then "
                              "the rate, and open it again."),
-              {reach_.address.text()});
+              {endpoint_.address.text()});
 }
 
 Sentence RemoteArm::trouble() const {
   const std::scoped_lock lock(words_mutex_);
   if (!loss_.empty()) return loss_;
-  if (!trouble_.empty()) return ofArmAt(reach_.address, trouble_);
+  if (!trouble_.empty()) return ofArmAt(endpoint_.address, trouble_);
   if (missed_ >= kSilentReads)
     return said(
         TRANSLATE_NOOP("problem",
                        "The arm at %1 sends nothing. Check the network and the sharing program on its computer."),
-        {reach_.address.text()});
+        {endpoint_.address.text()});
   return {};
 }
 
 std::vector<std::string> RemoteArm::listing() const {
   const std::scoped_lock lock(words_mutex_);
-  return {"shared at " + reach_.address.text() + ", " + std::to_string(welcome_.rate_hz) + " Hz",
+  return {"shared at " + endpoint_.address.text() + ", " + std::to_string(welcome_.rate_hz) + " Hz",
           welcome_.allows_force ? "force allowed" : "no force allowed",
           welcome_.is_passive ? "kept passive at the arm" : "not kept passive", "joints of " + welcome_.arm.preset};
 }
@@ -253,7 +253,7 @@ servo::DeviceInfo RemoteArm::info() const {
   const std::scoped_lock lock(words_mutex_);
   const char* const title = welcome_.allows_force ? TRANSLATE_NOOP("problem", "%1 at %2")
                                                   : TRANSLATE_NOOP("problem", "%1 at %2, without force");
-  return {said(title, {welcome_.title, reach_.address.text()}), false, true, welcome_.frozen_s};
+  return {said(title, {welcome_.title, endpoint_.address.text()}), false, true, welcome_.frozen_s};
 }
 
 }  // namespace underact::device::remote

@@ -9,8 +9,8 @@
 #include "core/servo/device_port.h"
 #include "core/servo/slot.h"
 #include "core/system/doorbell.h"
+#include "device/remote/endpoint.h"
 #include "device/remote/message.h"
-#include "device/remote/reach.h"
 
 namespace underact::device::remote {
 
@@ -24,14 +24,14 @@ class RemoteArm final : public servo::DevicePort {
   static constexpr int kStalePeriods = 5, kQuietTicks = 5;
 
   /// Problems: not reachable; the wrong key; in use; another version; another arm; another rate.
-  static Result<std::unique_ptr<RemoteArm>> open(const Reach& reach, const arm::Preset& arm, int rate_hz);
+  static Result<std::unique_ptr<RemoteArm>> open(const Endpoint& endpoint, const arm::Preset& arm, int rate_hz);
   ~RemoteArm() override;
 
   bool read(arm::Sample& sample) noexcept UNDERACT_REAL_TIME override;
   void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME override;
   void cut() noexcept UNDERACT_REAL_TIME override;
   Problems reopen() override;
-  Sentence fixedRate() const override;
+  Sentence fixedRateReason() const override;
   Sentence trouble() const override;
   std::vector<std::string> listing() const override;
   servo::DeviceInfo info() const override;
@@ -44,7 +44,7 @@ class RemoteArm final : public servo::DevicePort {
     SampleMessage message;
     std::uint32_t line = 0;  // counts connections to the arm
   };
-  RemoteArm(Reach reach, const arm::Preset& arm, int rate_hz);
+  RemoteArm(Endpoint endpoint, const arm::Preset& arm, int rate_hz);
   Problems connect();
   Result<Welcome> ask(Wire& wire);
   void disconnect();
@@ -55,7 +55,7 @@ class RemoteArm final : public servo::DevicePort {
   void lose(Sentence sentence);
   std::int64_t staleAfter_ns() const noexcept;
 
-  const Reach reach_;
+  const Endpoint endpoint_;
   const arm::Preset arm_;
   const int rate_hz_;
   const std::int64_t period_ns_;

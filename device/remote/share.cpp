@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kWait_ms = 5;
 constexpr std::int64_t kSilent_ns = 200'000'000;       // then the arm is free for others
-constexpr std::int64_t kLookEvery_ns = 50'000'000;     // at the trouble that the arm reports
+constexpr std::int64_t kPollEvery_ns = 50'000'000;     // at the trouble that the arm reports
 constexpr std::int64_t kStandsStill_ns = 100'000'000;  // as the servo's watchdog
 constexpr std::int64_t kFarewell_ns = 50'000'000;      // time for the last messages to get through
 constexpr std::int64_t kTellEvery_ns = 1'000'000'000;  // how many were refused
@@ -37,7 +37,7 @@ Result<std::unique_ptr<Share>> Share::open(std::unique_ptr<servo::DevicePort> po
   std::unique_ptr<Share> share(new Share(std::move(port), options, std::move(tell), std::move(hub).value()));
   const Problems problems = share->tickAt(options.rate_hz);
   if (!problems.empty()) return problems;
-  share->tellOfGuard();
+  share->reportGuard();
   share->thread_ = std::thread(&Share::run, share.get());
   return share;
 }
@@ -78,8 +78,8 @@ Problems Share::tickAt(int rate_hz) {
   rate_hz_ = rate_hz;
   guard_.reset();  // another arm may be in its place, with another descriptor
   side_ = std::make_unique<ArmSide>(*port_, options.value(), bell_);
-  guard_ = servo::Guard::start(port_->lastWord(), kStandsStill_ns, options_.guard_program, no_guard_);
-  if (guard_) side_->beatInto(guard_->beats());
+  guard_ = servo::Guard::start(port_->zeroForceMessage(), kStandsStill_ns, options_.guard_program, no_guard_);
+  if (guard_) side_->countInto(guard_->beats());
   replaced_ = 0;
   shown_ = 0;
   pauses_ = 0;
@@ -98,12 +98,12 @@ void Share::putBackRate() {
   if (!problems.empty()) tell_(problems.front().sentence);  // impossible: it has ticked at this rate
 }
 
-void Share::tellOfGuard() {
+void Share::reportGuard() {
   is_guarded_ = guard_ != nullptr;
   if (guard_)
     tell_("A guard watches the arm: if this program crashes, the guard still commands zero force.");
-  else if (port_->lastWord().fd >= 0)
-    tell_(servo::nothingGuards(no_guard_));
+  else if (port_->zeroForceMessage().fd >= 0)
+    tell_(servo::noGuardText(no_guard_));
 }
 
 void Share::run() {
@@ -116,14 +116,14 @@ void Share::run() {
     show();
     const std::int64_t now_ns = system::monotonicNow_ns();
     if (!seat_.empty() && now_ns - heard_ns_ > kSilent_ns) leave("The program that had the arm stopped sending.");
-    if (now_ns - looked_ns_ > kLookEvery_ns) {
+    if (now_ns - looked_ns_ > kPollEvery_ns) {
       looked_ns_ = now_ns;
-      look();
-      lookAfterStrangers(now_ns);
-      lookAfterGuard();
+      poll();
+      countStrangers(now_ns);
+      checkGuard();
     }
     const bool is_urgent = !seat_.empty() && !is_storm_;
-    if (std::exchange(is_hurried_, is_urgent) != is_urgent) hub_->hurry(is_urgent);
+    if (std::exchange(is_hurried_, is_urgent) != is_urgent) hub_->setUrgent(is_urgent);
   }
 }
 
@@ -217,7 +217,7 @@ Problems Share::makeReady(const Hello& hello) {
                  ". Choose another rate there.",
              {}}};
   if (hello.rate_hz != rate_hz_) {
-    const std::string why = port_->refusesRate(hello.rate_hz);
+    const std::string why = port_->rateRefusal(hello.rate_hz);
     if (!why.empty())
       return {{"It is shared at " + std::to_string(rate_hz_) + " Hz, but the program that asks ticks at " +
                    std::to_string(hello.rate_hz) + " Hz. " + why,
@@ -261,7 +261,7 @@ std::string Share::troubleNow() {
 }
 
 /// The arm's trouble; and a watchdog for its ticks.
-void Share::look() {
+void Share::poll() {
   const std::int64_t now_ns = system::monotonicNow_ns();
   const std::int64_t beats = side_->beats();
   if (std::exchange(beats_, beats) != beats) beat_ns_ = now_ns;
@@ -274,18 +274,18 @@ void Share::look() {
 }
 
 /// While there are too many, refusing them is not urgent work either. Reported at most once a second.
-void Share::lookAfterStrangers(std::int64_t now_ns) {
-  knocks_.count(hub_->connections(), now_ns);
-  const bool is_storm = knocks_.areTooMany();
+void Share::countStrangers(std::int64_t now_ns) {
+  connection_limit_.count(hub_->connections(), now_ns);
+  const bool is_storm = connection_limit_.areTooMany();
   if (std::exchange(is_storm_, is_storm) != is_storm) {
     if (is_storm) {
-      before_storm_ = system::ownUrgency();
-      system::setOwnUrgency({});
-    } else if (!system::setOwnUrgency(before_storm_)) {
+      before_storm_ = system::ownPriority();
+      system::setOwnPriority({});
+    } else if (!system::setOwnPriority(before_storm_)) {
       system::askForRealTime({}, rate_hz_);  // the other program could take it away
     }
   }
-  turned_away_ += hub_->turnedAway();
+  turned_away_ += hub_->rejected();
   if (turned_away_ == 0 || now_ns - told_away_ns_ < kTellEvery_ns) return;
   told_away_ns_ = now_ns;
   const int times = std::exchange(turned_away_, 0);
@@ -294,12 +294,12 @@ void Share::lookAfterStrangers(std::int64_t now_ns) {
 }
 
 /// A gap may be over before it is seen here: then who was replaced says so. After another rate there may be none.
-void Share::lookAfterGuard() {
-  if (guard_ == nullptr && port_->lastWord().fd < 0) return;
+void Share::checkGuard() {
+  if (guard_ == nullptr && port_->zeroForceMessage().fd < 0) return;
   const Sentence gap = guard_ ? guard_->gap() : no_guard_;
   const int replaced = guard_ ? guard_->replaced() : 0;
   if (!gap.empty()) {
-    if (std::exchange(is_guarded_, false)) tell_(servo::nothingGuards(gap));
+    if (std::exchange(is_guarded_, false)) tell_(servo::noGuardText(gap));
     return;
   }
   const bool was_replaced = std::exchange(replaced_, replaced) != replaced;

@@ -9,12 +9,12 @@
 #include "core/arm/preset.h"
 #include "core/servo/device_port.h"
 #include "core/servo/guard.h"
-#include "core/system/urgency.h"
+#include "core/system/thread_priority.h"
 #include "device/remote/address.h"
 #include "device/remote/arm_clock.h"
 #include "device/remote/arm_side.h"
+#include "device/remote/connection_limit.h"
 #include "device/remote/keys.h"
-#include "device/remote/knocks.h"
 #include "device/remote/message.h"
 #include "device/remote/wire.h"
 
@@ -51,7 +51,7 @@ class Share {
         std::function<void(const std::string&)> tell, std::unique_ptr<Hub> hub);
   Problems tickAt(int rate_hz);
   void putBackRate();
-  void tellOfGuard();
+  void reportGuard();
   void run();
   void hear();
   void answer(const std::string& from, const Message& message);
@@ -60,9 +60,9 @@ class Share {
   void refuse(const std::string& to, About about, const std::string& sentence);
   void leave(const std::string& sentence);
   void show();
-  void look();
-  void lookAfterStrangers(std::int64_t now_ns);
-  void lookAfterGuard();
+  void poll();
+  void countStrangers(std::int64_t now_ns);
+  void checkGuard();
   std::string troubleNow();
   Welcome words() const;
 
@@ -89,9 +89,9 @@ class Share {
   std::string trouble_;     // as reported
   bool is_guarded_ = true;  // as reported
   int replaced_ = 0;        // of the reported guards
-  Knocks knocks_;
-  bool is_storm_ = false;         // too many connections
-  system::Urgency before_storm_;  // of this thread
+  ConnectionLimit connection_limit_;
+  bool is_storm_ = false;                // too many connections
+  system::ThreadPriority before_storm_;  // of this thread
   bool is_hurried_ = false;
   int turned_away_ = 0;  // and not yet reported
   std::int64_t told_away_ns_ = 0;

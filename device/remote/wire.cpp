@@ -7,7 +7,7 @@
 #include <zmq.hpp>
 
 #include "core/base/translate.h"
-#include "core/system/urgency.h"
+#include "core/system/thread_priority.h"
 #include "device/remote/message.h"
 
 namespace underact::device::remote {
@@ -20,8 +20,8 @@ constexpr int kHandshake_ms = 2000, kHeartbeat_ms = 1000, kSilence_ms = 3000;
 
 /// ZeroMQ handles messages in threads of its own: on a busy computer they need the priority of the threads that wait
 /// for them. Requested only if it is granted: otherwise the library ends the program.
-void hurry(zmq::context_t& context) {
-  const std::optional<system::Urgency> granted = system::urgencyGranted();
+void setUrgent(zmq::context_t& context) {
+  const std::optional<system::ThreadPriority> granted = system::grantedPriority();
   if (!granted) return;
   zmq_ctx_set(context.handle(), ZMQ_THREAD_SCHED_POLICY, granted->policy);
   zmq_ctx_set(context.handle(), ZMQ_THREAD_PRIORITY, granted->priority);
@@ -29,7 +29,7 @@ void hurry(zmq::context_t& context) {
 
 zmq::context_t hurried() {
   zmq::context_t context;
-  hurry(context);
+  setUrgent(context);
   return context;
 }
 
@@ -275,7 +275,7 @@ bool Hub::send(const std::string& to, std::span<const std::uint8_t> bytes) {
   }
 }
 
-int Hub::turnedAway() {
+int Hub::rejected() {
   return std::exchange(impl_->turned_away, 0);
 }
 
@@ -287,8 +287,8 @@ int Hub::connections() {
   }
 }
 
-void Hub::hurry(bool on) {
-  system::setUrgency(std::to_string(impl_->prefix) + "/ZMQbg/IO/0", on);
+void Hub::setUrgent(bool on) {
+  system::setThreadPriority(std::to_string(impl_->prefix) + "/ZMQbg/IO/0", on);
 }
 
 }  // namespace underact::device::remote

@@ -64,12 +64,12 @@ class Hub {
   bool receive(std::string& from, Bytes& bytes);
   bool send(const std::string& to, std::span<const std::uint8_t> bytes);
   /// Those refused for their key since the last call.
-  int turnedAway();
+  int rejected();
   /// Those that have connected since the last call, admitted or not.
   int connections();
   /// Whether messages are handled with the priority that the system grants, or with the normal one. Normal by default:
   /// otherwise anybody who can connect could keep the real-time threads busy.
-  void hurry(bool on);
+  void setUrgent(bool on);
 
  private:
   struct Impl;

@@ -8590,7 +8590,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
 </context>
 <context>
-    <name>underact::gui::CalibrationSession</name>
+    <name>underact::gui::CalibrationRun</name>
     <message>
         <source>Another scene was opened, so the measurement was cancelled.</source>
         <translation>Eine andere Szene wurde geöffnet, daher wurde die Messung abgebrochen.</translation>
@@ -10545,7 +10545,7 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::HandsPanel</name>
+    <name>underact::gui::InputDevicesPanel</name>
     <message>
         <source>not ready</source>
         <translation>nicht bereit</translation>
@@ -11759,7 +11759,7 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::MarksPicture</name>
+    <name>underact::gui::ReferencePointsPicture</name>
     <message>
         <source>The reference points on the desk, from above</source>
         <translation>Die Messpunkte auf dem Tisch, von oben</translation>
@@ -11987,7 +11987,7 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::MovingHands</name>
+    <name>underact::gui::InputDevices</name>
     <message>
         <source>The input devices have no effect now: they move the simulated arm, which is not in use.</source>
         <translation>Die Eingabegeräte sind jetzt ohne Wirkung: Sie bewegen den simulierten Arm, und der ist nicht in Gebrauch.</translation>
@@ -13294,7 +13294,7 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::SecondPanel</name>
+    <name>underact::gui::SecondArmPanel</name>
     <message>
         <source>stopped</source>
         <translation>gestoppt</translation>
@@ -15199,7 +15199,7 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::WordsDialog</name>
+    <name>underact::gui::MetadataDialog</name>
     <message>
         <source>Error message</source>
         <translation>Fehlermeldung</translation>
@@ -15218,7 +15218,7 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::WordsForm</name>
+    <name>underact::gui::MetadataForm</name>
     <message>
         <source>&amp;Name</source>
         <translation>&amp;Name</translation>

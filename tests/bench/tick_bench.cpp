@@ -28,7 +28,8 @@ std::vector<arm::JointAngles> jointPath(const arm::Geometry& geometry) {
   std::vector<arm::JointAngles> joints;
   for (std::size_t i = 0; i < kPath; ++i) {
     const double a = 2 * kPi * static_cast<double>(i) / static_cast<double>(kPath);
-    joints.push_back(arm::reach(geometry, Vec3(0.05 * std::cos(a), 0.04 * std::sin(a), 0.03 * std::cos(2 * a))).q_rad);
+    joints.push_back(
+        arm::solvePosition(geometry, Vec3(0.05 * std::cos(a), 0.04 * std::sin(a), 0.03 * std::cos(2 * a))).q_rad);
   }
   return joints;
 }

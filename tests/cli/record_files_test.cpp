@@ -105,7 +105,7 @@ TEST(RecordFiles, ConsentIsAmongTheWordsAndOldSessionsLackIt) {
             "form 2.1, 2026-11-20, in writing");
   EXPECT_EQ(textAt(lines(runCli({"log", "info", none, "--json"}).out).at(0), "consent"), "");
   EXPECT_NE(runCli({"log", "info", none}).out.find("consent       not recorded"), std::string::npos);
-  EXPECT_TRUE(record::rewriteWords(none, {.name = "n", .consent = "given later"}).empty());
+  EXPECT_TRUE(record::rewriteMetadata(none, {.name = "n", .consent = "given later"}).empty());
   EXPECT_EQ(textAt(lines(runCli({"log", "info", none, "--json"}).out).at(0), "consent"), "given later");
   EXPECT_EQ(runCli({"log", "info", UNDERACT_TEST_DATA "/golden/session.h5"}).exit, Exit::Well);  // of before
 }
@@ -116,7 +116,7 @@ TEST(RecordFiles, OtherWordsAreWrittenIntoNoFileThatALinkLeadsTo) {
   ASSERT_EQ(recordTo(session).exit, Exit::Well);
   fs::create_symlink(session, link);
   const std::string before = fileContent(session);
-  const Problems problems = record::rewriteWords(link, {.name = "Another"});
+  const Problems problems = record::rewriteMetadata(link, {.name = "Another"});
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_NE(describe(problems[0]).find("This is a link to another file"), std::string::npos) << describe(problems[0]);
   EXPECT_EQ(fileContent(session), before);
@@ -166,7 +166,7 @@ TEST(RecordFiles, HoldNoFolderOfThePerson) {
     EXPECT_NE(scene.find("\"patella.obj\""), std::string::npos) << scene;
     EXPECT_NE(scene.find("\"walk.txt\""), std::string::npos) << scene;
   }
-  const record::SessionWords& words = read.value().info().header.words;
+  const record::SessionMetadata& words = read.value().info().header.words;
   EXPECT_EQ(words.notes, "Hand leap.json, seed 1, arm model ideal.");
 }
 

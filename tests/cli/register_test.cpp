@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "core/registration/registration_file.h"
-#include "core/registration/store.h"
+#include "core/registration/registration_store.h"
 #include "tests/cli/session.h"
 #include "tests/support/scratch_folder.h"
 
@@ -17,7 +17,7 @@ using json::Value;
 const char* const kPoints = "x,y,z\n-60,-50,30\n60,-50,30\n-60,-50,-50\n";
 const char* const kExchanged = "60,-50,30\n-60,-50,30\n-60,-50,-50\n";
 
-Outcome registerIt(const std::string& points, std::vector<std::string> more = {}) {
+Outcome runRegistration(const std::string& points, std::vector<std::string> more = {}) {
   const ScratchFile file(points, "points.csv");
   std::vector<std::string> arguments{"register", "--points", file.path()};
   arguments.insert(arguments.end(), more.begin(), more.end());
@@ -25,7 +25,7 @@ Outcome registerIt(const std::string& points, std::vector<std::string> more = {}
 }
 
 TEST(Register, PointsOfTheSheetGiveThePoseOfTheArm) {
-  const Outcome outcome = registerIt(kPoints, {"--json"});
+  const Outcome outcome = runRegistration(kPoints, {"--json"});
   ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
   const Value result = lines(outcome.out).at(0);
   const double expected[4][4] = {{1, 0, 0, 60}, {0, 1, 0, 50}, {0, 0, 1, -30}, {0, 0, 0, 1}};
@@ -41,16 +41,17 @@ TEST(Register, PointsOfTheSheetGiveThePoseOfTheArm) {
 }
 
 TEST(Register, ResidualsAndTheExpectedErrorAreATable) {
-  const Outcome outcome = registerIt("-60,-50,31\n60,-50,30\n-60,-50,-50\n");
+  const Outcome outcome = runRegistration("-60,-50,31\n60,-50,30\n-60,-50,-50\n");
   ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
   EXPECT_NE(outcome.out.find("residual_mm"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("Distance of the points from their reference points: 0."), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("Distance of the points from their reference points: 0."), std::string::npos)
+      << outcome.out;
   EXPECT_NE(outcome.out.find("Expected error in the middle of the workspace: "), std::string::npos);
 }
 
 TEST(Register, MarksInExchangeAreNamedAndNothingIsKept) {
   const ScratchFolder scratch;
-  const Outcome outcome = registerIt(kExchanged, {"--json", "--out", scratch.file("r.json")});
+  const Outcome outcome = runRegistration(kExchanged, {"--json", "--out", scratch.file("r.json")});
   EXPECT_EQ(outcome.exit, Exit::BadInput);
   EXPECT_NE(outcome.err.find("The reference points 1 and 2 were probably swapped"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("It was not saved."), std::string::npos);
@@ -63,9 +64,10 @@ TEST(Register, MarksInExchangeAreNamedAndNothingIsKept) {
 TEST(Register, ItIsKeptForItsArmAndReadAgain) {
   const ScratchFolder scratch;
   setenv("UNDERACT_REGISTRATION_DIR", scratch.file("kept").c_str(), 1);
-  EXPECT_EQ(registerIt(kPoints, {"--keep"}).exit, Exit::Usage);  // of which arm?
-  ASSERT_EQ(registerIt(kPoints, {"--keep", "--of", "wooden:0042", "--out", scratch.file("r.json")}).exit, Exit::Well);
-  const auto kept = registration::recall("wooden:0042", scratch.file("kept"));
+  EXPECT_EQ(runRegistration(kPoints, {"--keep"}).exit, Exit::Usage);  // of which arm?
+  ASSERT_EQ(runRegistration(kPoints, {"--keep", "--of", "wooden:0042", "--out", scratch.file("r.json")}).exit,
+            Exit::Well);
+  const auto kept = registration::loadRegistration("wooden:0042", scratch.file("kept"));
   ASSERT_TRUE(kept && kept.value());
   EXPECT_EQ(kept.value()->touches.size(), 3U);
   EXPECT_EQ(kept.value()->date.size(), 10U);
@@ -77,7 +79,8 @@ TEST(Register, ItIsKeptForItsArmAndReadAgain) {
 
 TEST(Register, OwnMarksComeFromAFile) {
   const ScratchFile marks("# right away up\n0 0 0\n200 0 0\n0 150 0\n100 50 40\n", "marks.txt");
-  const Outcome outcome = registerIt("0 0 0\n200 0 0\n0 0 -150\n100 40 -50\n", {"--marks", marks.path(), "--json"});
+  const Outcome outcome =
+      runRegistration("0 0 0\n200 0 0\n0 0 -150\n100 40 -50\n", {"--marks", marks.path(), "--json"});
   ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
   EXPECT_LT(numberAt(lines(outcome.out).at(0), "rms_mm"), 1e-12);
 }
@@ -87,15 +90,15 @@ TEST(Register, WhatIsWrongIsSaidWithItsStatus) {
   EXPECT_EQ(runCli({"register", "--points", "a.csv", "--device", "simulated"}).exit, Exit::Usage);
   EXPECT_EQ(runCli({"register", "--points", "/nowhere/a.csv"}).exit, Exit::File);
   EXPECT_EQ(runCli({"register", "--points", "/nowhere/a.json"}).exit, Exit::File);
-  const Outcome few = registerIt("0 0 0\n1 2 3\n");
+  const Outcome few = runRegistration("0 0 0\n1 2 3\n");
   EXPECT_EQ(few.exit, Exit::BadInput);
   EXPECT_NE(few.err.find("3 reference points and 2 touched points"), std::string::npos) << few.err;
-  const Outcome line = registerIt("0 0 0\n100 0 0\n200 0 0\n");
+  const Outcome line = runRegistration("0 0 0\n100 0 0\n200 0 0\n");
   EXPECT_EQ(line.exit, Exit::BadInput);
   EXPECT_NE(line.err.find("one line"), std::string::npos) << line.err;
-  EXPECT_EQ(registerIt("0 0 zero\n").exit, Exit::BadInput);
-  EXPECT_EQ(registerIt(kPoints, {"--out", "/nowhere/r.json"}).exit, Exit::File);
-  EXPECT_EQ(registerIt(kPoints, {"--marks", "9"}).exit, Exit::File);  // no file of that name
+  EXPECT_EQ(runRegistration("0 0 zero\n").exit, Exit::BadInput);
+  EXPECT_EQ(runRegistration(kPoints, {"--out", "/nowhere/r.json"}).exit, Exit::File);
+  EXPECT_EQ(runRegistration(kPoints, {"--marks", "9"}).exit, Exit::File);  // no file of that name
 }
 
 TEST(Register, AnArmThatNobodyTouchesWithIsSaid) {

@@ -39,7 +39,7 @@ class Watched final : public servo::DevicePort {
     arm_.cut();
   }
   servo::DeviceInfo info() const override { return arm_.info(); }
-  Sentence fixedRate() const override { return arm_.fixedRate(); }
+  Sentence fixedRateReason() const override { return arm_.fixedRateReason(); }
   void setRate(int rate_hz) override { arm_.setRate(rate_hz); }
 
  private:
@@ -74,7 +74,7 @@ class SimulatedFarSide final : public FarSide {
     return motors_.f_N;
   }
   std::int64_t forces() const override { return motors_.forces; }
-  void placeTip(const Vec3& p_WT) override { arm_->wish({p_WT, Vec3::Zero(), Mat3::Identity(), false}); }
+  void placeTip(const Vec3& p_WT) override { arm_->setSetpoint({p_WT, Vec3::Zero(), Mat3::Identity(), false}); }
   void holdButton(bool held) override { arm_->holdButton(held); }
   bool hasCable() const override { return false; }
   bool mustMove() const override { return false; }

@@ -1,5 +1,5 @@
 #include "core/system/clock.h"
-#include "device/wooden/wooden_arm.h"
+#include "device/wooden_haptics/wooden_arm.h"
 #include "tests/contract/drivers.h"
 #include "tests/support/hid_double.h"
 

@@ -1,4 +1,4 @@
-#include "device/hands/controllers.h"
+#include "device/input/controllers.h"
 
 #include <gtest/gtest.h>
 #include <linux/input.h>
@@ -6,7 +6,7 @@
 #include "tests/controllers/kernel_pad.h"
 #include "tests/support/comes.h"
 
-namespace underact::device::hands {
+namespace underact::device::input {
 namespace {
 
 using test::comes;
@@ -34,11 +34,11 @@ constexpr double kCount = 2.0 / 65535.0;  // of a stick whose ends stand 65535 c
 
 class ControllersTest : public testing::Test {
  protected:
-  Seen first() {
-    const std::vector<Seen> seen = controllers_.look();
-    return seen.empty() ? Seen{} : seen.front();
+  DeviceState first() {
+    const std::vector<DeviceState> seen = controllers_.poll();
+    return seen.empty() ? DeviceState{} : seen.front();
   }
-  bool isThere() { return !controllers_.look().empty(); }
+  bool isThere() { return !controllers_.poll().empty(); }
   Readings readings() { return first().readings; }
 
   Controllers controllers_;
@@ -47,7 +47,7 @@ class ControllersTest : public testing::Test {
 }  // namespace
 
 TEST_F(ControllersTest, NothingIsPluggedInAndNothingIsWrong) {
-  EXPECT_TRUE(controllers_.look().empty());
+  EXPECT_TRUE(controllers_.poll().empty());
   EXPECT_EQ(controllers_.trouble(), "");
 }
 
@@ -113,7 +113,7 @@ TEST_F(ControllersTest, AJoystickOfNoKnownLayoutIsReadByNumbers) {
 TEST_F(ControllersTest, ASpaceMouseIsLeftToItsOwnDriver) {
   KernelPad mouse(kSpaceMouse);
   mouse.plugIn();
-  EXPECT_TRUE(controllers_.look().empty());
+  EXPECT_TRUE(controllers_.poll().empty());
 }
 
-}  // namespace underact::device::hands
+}  // namespace underact::device::input

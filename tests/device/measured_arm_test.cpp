@@ -67,9 +67,9 @@ TEST(SimulatedArm, AHandThatLetsGoMovesNothingUntilItHoldsAgain) {
   ASSERT_TRUE(arm.read(sample));
   const arm::JointAngles before = sample.q_rad;
   arm.holdStylus(false);
-  sim::HandWish wish;
-  wish.p_WT = Vec3(0.02, 0.02, 0.04);
-  arm.wish(wish);
+  sim::HandSetpoint setpoint;
+  setpoint.p_WT = Vec3(0.02, 0.02, 0.04);
+  arm.setSetpoint(setpoint);
   for (int tick = 0; tick < 500; ++tick) ASSERT_TRUE(arm.read(sample));
   EXPECT_EQ(sample.q_rad, before);
   arm.holdStylus(true);

@@ -17,7 +17,7 @@
 #include "core/scene/teaching.h"
 #include "core/sim/arm_model_file.h"
 #include "core/sim/hand_script.h"
-#include "device/hands/map_file.h"
+#include "device/input/map_file.h"
 #include "device/recorded.h"
 #include "device/remote/keys.h"
 #include "tests/support/odd_files.h"
@@ -78,11 +78,11 @@ INSTANTIATE_TEST_SUITE_P(
         Kind{"hand", ".json", [](const std::string& path) { return problemsOf(sim::readHandFile(path)); }},
         Kind{"registration", ".json",
              [](const std::string& path) { return problemsOf(registration::readRegistrationFile(path)); }},
-        Kind{"map", ".json", [](const std::string& path) { return problemsOf(device::hands::readMapFile(path)); }},
+        Kind{"map", ".json", [](const std::string& path) { return problemsOf(device::input::readMapFile(path)); }},
         Kind{"session", ".h5", [](const std::string& path) { return problemsOf(record::Session::open(path)); }},
         Kind{"session_recovered", ".h5", [](const std::string& path) { return problemsOf(record::recover(path)); }},
         Kind{"session_with_other_words", ".h5",
-             [](const std::string& path) { return record::rewriteWords(path, {.name = "Other"}); }}),
+             [](const std::string& path) { return record::rewriteMetadata(path, {.name = "Other"}); }}),
     [](const testing::TestParamInfo<Kind>& one) { return std::string(one.param.name); });
 
 TEST(NamedFiles, AFileOfKeysIsReadInTheSameWay) {

@@ -69,7 +69,7 @@ struct ReplayRig {
 safety::GatedForce pushing() {
   safety::GateState state;
   state.level = 1.0;
-  safety::Asked asked;
+  safety::GateInput asked;
   asked.f_T_W = Vec3(0.3, 0.0, 0.0);
   asked.engage = true;
   return safety::gate({0.88}, state, asked, 0.001).force;
@@ -77,12 +77,12 @@ safety::GatedForce pushing() {
 
 TEST(ReplayedArm, TakesTheRatesOfTheArmBehindItButNotDuringAReplay) {
   ReplayRig still;
-  EXPECT_NE(still.arm.fixedRate(), "") << "that arm has one alone";
+  EXPECT_NE(still.arm.fixedRateReason(), "") << "that arm has one alone";
   SimulatedArm::Options options;
   options.arm = *arm::findPreset(arm::kDefaultArm);
   options.model = *sim::findArmModel("ideal");
   ReplayedArm arm(std::make_unique<SimulatedArm>(options), 1000);
-  EXPECT_EQ(arm.fixedRate(), "");
+  EXPECT_EQ(arm.fixedRateReason(), "");
   arm::Sample sample;
   arm.read(sample);
   arm.setRate(4000);
@@ -90,7 +90,7 @@ TEST(ReplayedArm, TakesTheRatesOfTheArmBehindItButNotDuringAReplay) {
   EXPECT_EQ(sample.time_ns, 1'250'000);
   const auto recorded = recordingOf(40, 1000);
   arm.replay(recorded);
-  EXPECT_NE(arm.fixedRate().find("replayed"), std::string::npos);
+  EXPECT_NE(arm.fixedRateReason().find("replayed"), std::string::npos);
   arm.play();
   for (int read = 0; read < 5; ++read) arm.read(sample);
   EXPECT_EQ(sample.q_rad[0], recorded->rows[1].q_rad[0]) << "a row of 1000 Hz is four ticks of 4000";
@@ -98,7 +98,7 @@ TEST(ReplayedArm, TakesTheRatesOfTheArmBehindItButNotDuringAReplay) {
   arm.replay(nullptr);
   arm.read(sample);
   EXPECT_EQ(sample.time_ns, 1'250'000 + 6 * 250'000);
-  EXPECT_EQ(arm.fixedRate(), "");
+  EXPECT_EQ(arm.fixedRateReason(), "");
 }
 
 TEST(ReplayedArm, HandsEverythingThroughWhileNothingIsReplayed) {
@@ -285,7 +285,7 @@ TEST(ReplayedArm, EachSampleSaysWhereItCameFrom) {
   rig.read(2);
   rig.arm.pause();
   rig.read();
-  ReplayedArm::Place place;
+  ReplayedArm::SampleOrigin place;
   for (const auto& [row, moves] : {std::pair{0.0, true}, {1.0, true}, {2.0, true}, {2.0, false}}) {
     ASSERT_TRUE(rig.arm.take(place));
     EXPECT_EQ(place.row, row);

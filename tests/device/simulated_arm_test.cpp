@@ -29,7 +29,7 @@ Vec3 tipOf(const arm::Sample& sample) {
 safety::GatedForce gated(const Vec3& f_T_W) {
   safety::GateState state;
   state.level = 1.0;
-  safety::Asked asked;
+  safety::GateInput asked;
   asked.f_T_W = f_T_W;
   asked.engage = true;
   return safety::gate({0.88}, state, asked, 0.001).force;
@@ -67,7 +67,7 @@ TEST(SimulatedArm, EachReadIsOnePeriodLater) {
 }
 
 TEST(SimulatedArm, AtAnotherRateItsTimeAndItsHandGoOn) {
-  EXPECT_EQ(SimulatedArm(touchOptions("ideal")).fixedRate(), "");
+  EXPECT_EQ(SimulatedArm(touchOptions("ideal")).fixedRateReason(), "");
   SimulatedArm arm(touchOptions("ideal"));
   arm.follow(sim::builtInHand("sweep", 1).value());
   arm::Sample sample;
@@ -93,7 +93,7 @@ TEST(SimulatedArm, LeftAloneItRestsWhereItStarted) {
   arm::Sample sample;
   for (int read = 0; read < 1000; ++read) arm.read(sample);
   EXPECT_LE((tipOf(sample) - Vec3(0.0, 0.0, 0.06)).norm(), 2e-15);  // inverse_test: a tip found again
-  EXPECT_EQ(arm.wished().p_WT, Vec3(0.0, 0.0, 0.06));
+  EXPECT_EQ(arm.setpoint().p_WT, Vec3(0.0, 0.0, 0.06));
 }
 
 TEST(SimulatedArm, ShowsStepsOrExactAnglesAsItsModelSays) {
@@ -101,7 +101,7 @@ TEST(SimulatedArm, ShowsStepsOrExactAnglesAsItsModelSays) {
   arm::Sample coarse, fine;
   stepped.read(coarse);
   exact.read(fine);
-  EXPECT_EQ(coarse.q_rad, sim::throughEncoders(arm::findPreset("touch-measured")->counts_per_turn, fine.q_rad));
+  EXPECT_EQ(coarse.q_rad, sim::quantized(arm::findPreset("touch-measured")->counts_per_turn, fine.q_rad));
   EXPECT_NE(coarse.q_rad, fine.q_rad);
 }
 
@@ -113,7 +113,7 @@ TEST(SimulatedArm, StartsWhereItsScriptStarts) {
   arm::Sample sample;
   arm.read(sample);
   EXPECT_LE((tipOf(sample) - Vec3(0.02, 0.01, 0.04)).norm(), 2e-15);
-  EXPECT_EQ(arm.wished().p_WT, Vec3(0.02, 0.01, 0.04));
+  EXPECT_EQ(arm.setpoint().p_WT, Vec3(0.02, 0.01, 0.04));
 }
 
 TEST(SimulatedArm, FollowsAScriptFromThenOnWithTheScriptsHand) {
@@ -144,10 +144,10 @@ TEST(SimulatedArm, AForceStaysInEffectUntilTheNextIsWritten) {
 
 TEST(SimulatedArm, AMouseThatJumpsIsFollowedAtAFiniteSpeed) {
   SimulatedArm arm(touchOptions("ideal"));
-  sim::HandWish wish;
-  wish.p_WT = Vec3(0.04, 0.0, 0.06);
-  arm.wish(wish);
-  EXPECT_EQ(arm.wished().p_WT, wish.p_WT);
+  sim::HandSetpoint setpoint;
+  setpoint.p_WT = Vec3(0.04, 0.0, 0.06);
+  arm.setSetpoint(setpoint);
+  EXPECT_EQ(arm.setpoint().p_WT, setpoint.p_WT);
   arm::Sample sample;
   Vec3 last = Vec3(0.0, 0.0, 0.06);
   double fastest_m_per_s = 0.0;
@@ -160,31 +160,31 @@ TEST(SimulatedArm, AMouseThatJumpsIsFollowedAtAFiniteSpeed) {
   EXPECT_LT(fastest_m_per_s, 2.5);
   EXPECT_GT(fastest_m_per_s, 0.5);
   // After 0.5 s: 33 time constants of the filter, 10 of the hand (2 M / b = 50 ms): e^-10 of 40 mm.
-  EXPECT_LE((last - wish.p_WT).norm(), 0.04 * 1e-4);
+  EXPECT_LE((last - setpoint.p_WT).norm(), 0.04 * 1e-4);
 }
 
 TEST(SimulatedArm, BehindAMouseThatMovesEvenlyItLagsByTheFilterAlone) {
   SimulatedArm arm(touchOptions("ideal"));
   arm::Sample sample;
-  sim::HandWish wish;
+  sim::HandSetpoint setpoint;
   for (int read = 1; read <= 800; ++read) {  // 50 mm/s, from -20 mm to 20 mm
-    wish.p_WT = Vec3(-0.020 + 50e-6 * read, 0.0, 0.06);
-    arm.wish(wish);
+    setpoint.p_WT = Vec3(-0.020 + 50e-6 * read, 0.0, 0.06);
+    arm.setSetpoint(setpoint);
     arm.read(sample);
   }
   // 15 ms of 50 mm/s. The start has died down: 0.8 s, 16 time constants of the hand (2 M / b), e^-16 of 20 mm.
-  EXPECT_NEAR(wish.p_WT.x() - tipOf(sample).x(), 0.015 * 0.05, 2e-8);
+  EXPECT_NEAR(setpoint.p_WT.x() - tipOf(sample).x(), 0.015 * 0.05, 2e-8);
 }
 
 TEST(SimulatedArm, AWishThatIsNoPlaceIsNotHeard) {
   SimulatedArm arm(touchOptions("ideal"));
-  sim::HandWish wish;
-  wish.p_WT = Vec3(0.0, kNotANumber, 0.0);
-  arm.wish(wish);
+  sim::HandSetpoint setpoint;
+  setpoint.p_WT = Vec3(0.0, kNotANumber, 0.0);
+  arm.setSetpoint(setpoint);
   arm::Sample sample;
   arm.read(sample);
   EXPECT_LE((tipOf(sample) - Vec3(0.0, 0.0, 0.06)).norm(), 2e-15);
-  EXPECT_TRUE(arm.wished().p_WT.allFinite());
+  EXPECT_TRUE(arm.setpoint().p_WT.allFinite());
 }
 
 TEST(SimulatedArm, AWishTakesTheStylusFromAScriptWithoutAJump) {
@@ -193,18 +193,18 @@ TEST(SimulatedArm, AWishTakesTheStylusFromAScriptWithoutAJump) {
   arm::Sample sample;
   for (int read = 0; read < 3000; ++read) arm.read(sample);
   const Vec3 held = tipOf(sample);
-  sim::HandWish wish;
-  wish.p_WT = held;
-  arm.wish(wish);
+  sim::HandSetpoint setpoint;
+  setpoint.p_WT = held;
+  arm.setSetpoint(setpoint);
   for (int read = 0; read < 3000; ++read) {
     arm.read(sample);
     ASSERT_LE((tipOf(sample) - held).norm(), 1e-12)
         << read;  // what is left of the approach: e^-40 of 51 mm, and rounding
   }
-  wish.p_WT = Vec3(0.0, 0.0, 0.05);
-  arm.wish(wish);
+  setpoint.p_WT = Vec3(0.0, 0.0, 0.05);
+  arm.setSetpoint(setpoint);
   for (int read = 0; read < 3000; ++read) arm.read(sample);
-  EXPECT_LE((tipOf(sample) - wish.p_WT).norm(), 1e-12);
+  EXPECT_LE((tipOf(sample) - setpoint.p_WT).norm(), 1e-12);
 }
 
 TEST(SimulatedArm, GivesTheSameNumbersLiveAndFast) {
@@ -228,9 +228,9 @@ TEST(SimulatedArm, WishesComeFromAnotherThreadWhole) {  // and ThreadSanitizer w
   std::atomic<bool> done{false};
   std::thread mouse([&] {
     for (int step = 0; !done.load(); ++step) {
-      sim::HandWish wish;
-      wish.p_WT = Vec3::Constant(0.0001 * (step % 200)) + Vec3(0.0, 0.0, 0.02);
-      arm.wish(wish);
+      sim::HandSetpoint setpoint;
+      setpoint.p_WT = Vec3::Constant(0.0001 * (step % 200)) + Vec3(0.0, 0.0, 0.02);
+      arm.setSetpoint(setpoint);
     }
   });
   arm::Sample sample;
@@ -271,7 +271,7 @@ TEST(Catalogue, OfAnArmThatIsNotThereEachRowSaysSoInASentence) {
   EXPECT_EQ(findDevice("omni"), nullptr);
   for (const Row& row : catalogue()) {
     ASSERT_EQ(findDevice(row.key), &row);
-    for (const Found& found : row.look()) EXPECT_NE(found.title, "") << row.key;
+    for (const Found& found : row.search()) EXPECT_NE(found.title, "") << row.key;
     if (std::string_view(row.key) == "simulated") continue;
     const Result<std::unique_ptr<servo::DevicePort>> port = row.open(requestFor("nobody has an arm of this name"));
     ASSERT_FALSE(port) << row.key;

@@ -59,7 +59,7 @@ std::string judgeAccepted(const Lesson& lesson) {
       CheckState state;
       for (int tick = 0; tick < 3; ++tick) state = afterTick(check, std::move(state), moment.at(0.1 * tick).seen());
       state = afterAnswer(check, std::move(state), 1.0);
-      if (tell(check, state).empty()) return "Nothing to tell.";
+      if (describeCheck(check, state).empty()) return "Nothing to tell.";
     }
   }
   return {};

@@ -13,7 +13,7 @@
 namespace underact::test {
 namespace {
 
-using mesh_file::Raw;
+using mesh_file::RawMesh;
 
 constexpr std::size_t kLongestMesh = 40'000;
 
@@ -176,7 +176,7 @@ class MeshMutator {
 };
 
 /// What is wrong with how a file was taken; empty: nothing.
-std::string judgeRaw(const Result<Raw>& raw) {
+std::string judgeRaw(const Result<RawMesh>& raw) {
   if (!raw) {
     if (raw.problems().size() != 1 || raw.problems()[0].sentence.size() < 15) return "no sentence";
     const Sentence& sentence = raw.problems()[0].sentence;
@@ -200,9 +200,9 @@ std::string judgeRaw(const Result<Raw>& raw) {
   return {};
 }
 
-Result<Raw> timedRead(const std::string& path, double& seconds) {
+Result<RawMesh> timedRead(const std::string& path, double& seconds) {
   const auto start = std::chrono::steady_clock::now();
-  Result<Raw> raw = mesh_file::readFile(path);
+  Result<RawMesh> raw = mesh_file::readFile(path);
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return raw;
 }
@@ -223,7 +223,7 @@ TEST_P(MeshMutations, AreReadOrRefusedInTimeAndInMemory) {
     const std::string bytes = mutator.next();
     const std::string path = folder.write(std::string("m.") + kind.extension, bytes);
     double seconds = 0.0;
-    Result<Raw> raw = timedRead(path, seconds);
+    Result<RawMesh> raw = timedRead(path, seconds);
     if (seconds > 1.0) raw = timedRead(path, seconds);  // on a busy machine; what hangs, hangs again
     longest_s = std::max(longest_s, seconds);
     ASSERT_EQ(judgeRaw(raw), "") << "mutation " << draw;

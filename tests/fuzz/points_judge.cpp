@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/curve/guide.h"
+#include "core/curve/guidance.h"
 #include "core/curve/points.h"
 
 namespace underact::test {
@@ -32,7 +32,7 @@ std::string judgeCurve(const std::vector<Vec3>& points_W, curve::Kind kind, bool
   if (!made) return made.problems().empty() ? "No curve without a problem." : "";
   const curve::Curve& path = *made.value();
   curve::SearchState search;
-  curve::GuideState state;
+  curve::GuidanceState state;
   for (const Vec3& p_WT : {Vec3(0, 0, 0), Vec3(1e-3, -0.2, 0.1), points_W.back()}) {
     const curve::Nearest nearest = nearestPoint(path, curve::Search::Hybrid, p_WT, search);
     const curve::Guided guided = guidedTarget(path, {0.3, 0.1, 0.02}, nearest, p_WT, 1e-3, state);

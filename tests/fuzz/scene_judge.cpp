@@ -24,7 +24,7 @@ std::string judgeProblems(const Problems& problems, std::string_view text) {
   if (problems.empty()) return "Refused without a problem.";
   const auto lines = static_cast<int>(std::count(text.begin(), text.end(), '\n')) + 1;
   for (const Problem& problem : problems) {
-    const Place& place = problem.place;
+    const SourceLocation& place = problem.place;
     const std::string said = describe(problem);
     if (place.line < 1 || place.line > lines || place.column < 1) return "No place of the file: " + said;
     if (problem.sentence.size() < 10 || std::string_view(".?").find(problem.sentence.back()) == std::string_view::npos)

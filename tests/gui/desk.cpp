@@ -34,16 +34,16 @@ Desk::Desk(FeatureRow row, const QString& scene, const Settings& settings)
   const std::vector<FeatureRow> rows{std::move(row)};
   addWindowActions(parts, rows, [] {});
   addViewActions(*services_->actions, *services_->view, theme_);
-  if (rows.front().make != nullptr) rows.front().make(parts, followers_);
+  if (rows.front().make != nullptr) rows.front().make(parts, listeners_);
   docks_ = std::make_unique<Docks>(rows, parts);
-  followers_.insert(followers_.begin(), docks_->panels().begin(), docks_->panels().end());
-  for (Follower* follower : followers_) follower->setTheme(Theme::light());
+  listeners_.insert(listeners_.begin(), docks_->panels().begin(), docks_->panels().end());
+  for (ServoListener* listener : listeners_) listener->setTheme(Theme::light());
   if (!scene.isEmpty()) open(scene);
   run(1);  // a servo always ticks: it knows where the stylus is
 }
 
 Desk::~Desk() {
-  for (Follower* follower : followers_) follower->finish();
+  for (ServoListener* listener : listeners_) listener->finish();
   services_->document->undoStack().setClean();
   docks_.reset();
   window_.reset();
@@ -57,20 +57,20 @@ void Desk::open(const QString& scene) {
 }
 
 void Desk::frame() {
-  services_->player->look();
-  for (Follower* follower : followers_) follower->before();
+  services_->player->poll();
+  for (ServoListener* listener : listeners_) listener->before();
   const servo::Snapshot snapshot = host().snapshot();
   host().drain([this](const servo::TickRecord& record) {
     services_->player->add(record);
-    for (Follower* follower : followers_) follower->add(record);
+    for (ServoListener* listener : listeners_) listener->add(record);
   });
   services_->hand->present(snapshot);
   present(snapshot);
 }
 
 void Desk::present(const servo::Snapshot& snapshot) {
-  for (Follower* follower : followers_) follower->present(snapshot);
-  for (Follower* follower : followers_) follower->look(snapshot);
+  for (ServoListener* listener : listeners_) listener->present(snapshot);
+  for (ServoListener* listener : listeners_) listener->poll(snapshot);
 }
 
 void Desk::run(int ticks) {
@@ -82,9 +82,9 @@ void Desk::run(int ticks) {
 }
 
 void Desk::handTo(const Vec3& p_WT, int ticks) {
-  sim::HandWish wish = arm().wished();
-  wish.p_WT = p_WT;
-  arm().wish(wish);
+  sim::HandSetpoint setpoint = arm().setpoint();
+  setpoint.p_WT = p_WT;
+  arm().setSetpoint(setpoint);
   run(ticks);
 }
 

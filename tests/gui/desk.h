@@ -46,12 +46,12 @@ class Desk {
     return *dynamic_cast<Kind*>(docks_->panels().front());
   }
   template <class Kind>
-  Kind& follower() {
-    for (Follower* follower : followers_)
-      if (auto* found = dynamic_cast<Kind*>(follower)) return *found;
+  Kind& listener() {
+    for (ServoListener* listener : listeners_)
+      if (auto* found = dynamic_cast<Kind*>(listener)) return *found;
     std::abort();
   }
-  const Followers& followers() const { return followers_; }
+  const ServoListeners& listeners() const { return listeners_; }
 
   Document& document() { return *services_->document; }
   const scene::Description& scene() { return services_->document->scene(); }
@@ -76,7 +76,7 @@ class Desk {
   std::unique_ptr<QMainWindow> window_;
   std::unique_ptr<Services> services_;
   std::unique_ptr<Docks> docks_;
-  Followers followers_;
+  ServoListeners listeners_;
 };
 
 QString shippedScene(const QString& name);

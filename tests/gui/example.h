@@ -32,7 +32,7 @@ inline servo::Snapshot snapshotAt(const Vec3& p_WT, const Vec3& p_WP, const Vec3
   servo::Snapshot snapshot;
   snapshot.mode = servo::Mode::Running;
   tick::TickReport& report = snapshot.report;
-  report.sample.q_rad = arm::reach(preset().geometry, p_WT).q_rad;
+  report.sample.q_rad = arm::solvePosition(preset().geometry, p_WT).q_rad;
   report.sample.q_rad[4] = 1.6;  // the stylus points at the user
   report.p_WT = p_WT;
   report.held.resize(1);
@@ -57,10 +57,10 @@ class Shown {
     view.resize(800, 600);
     view.show();
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&view));
-    look(camera);
+    moveCamera(camera);
   }
-  void look(Camera camera) {
-    view.look(camera);
+  void moveCamera(Camera camera) {
+    view.moveCamera(camera);
     EXPECT_TRUE(QTest::qWaitFor([this] { return !view.moving(); }));
   }
   void send(QEvent::Type type, const QPointF& at, Qt::MouseButton button, Qt::MouseButtons buttons,

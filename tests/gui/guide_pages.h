@@ -5,7 +5,7 @@
 
 #include "app/gui/window/features.h"
 #include "app/guide/guide.h"
-#include "core/system/places.h"
+#include "core/system/resource_paths.h"
 
 namespace underact::gui::test {
 

@@ -9,11 +9,11 @@
 #include "core/arm/jacobian.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
+#include "core/lesson/check_text.h"
 #include "core/lesson/read.h"
-#include "core/lesson/tell.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
-#include "device/lesson_trial.h"
+#include "device/lesson_attempt.h"
 
 namespace underact::test {
 namespace {

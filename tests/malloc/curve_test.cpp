@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "core/curve/guide.h"
+#include "core/curve/guidance.h"
 #include "tests/malloc/counter.h"
 
 namespace underact::curve {
@@ -29,7 +29,7 @@ TEST(Curve, AllocatesFreesAndLocksNothing) {
     const std::shared_ptr<const Curve> curve = knot(kind);
     for (const Search search : {Search::Hybrid, Search::Global, Search::Local}) {
       SearchState state;
-      GuideState guide;
+      GuidanceState guide;
       test::Watch watch;
       for (int tick = 0; tick < 1000; ++tick) {
         Vec3 p_WT(1e-4 * (tick % 311), 2e-4 * (tick % 97), 1e-4 * (tick % 53));

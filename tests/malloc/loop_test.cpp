@@ -47,7 +47,7 @@ TEST(Loop, AllocatesFreesAndLocksNothingThroughSwapsEditsFaultsLateTicksAndRecor
         loop.tick({late_ns, late_ns / 1'000'000, LateCause::Woken});
         if (round % 2 == 0) tap->take(record);  // else it fills up
       }
-      loop.stoodStill(200'000'000);
+      loop.reportStall(200'000'000);
       loop.tick({});
       EXPECT_EQ(watch.allocations(), 0) << round;
       EXPECT_EQ(watch.frees(), 0) << round;

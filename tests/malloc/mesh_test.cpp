@@ -11,14 +11,14 @@ std::vector<Entry> meshesAndCurve() {
   target::MeshPlace ball;
   ball.surface = mesh::makeSurface(mesh_maker::bumpySphere(20000)).value();
   ball.scale_m = 1e-3;
-  ball.lean = mesh::leanOf(0.3);
+  ball.lean = mesh::forceShadingOf(0.3);
   std::vector<Entry> entries(3, Entry{{}, control::P{Vec3::Constant(500.0)}});
   for (Entry& entry : entries) entry.constraint.friction = {0.4, 0.3};
   entries[0].constraint.goal = entries[1].constraint.goal = ball;
   entries[0].constraint.side = target::Side::Outside;
   const std::vector<Vec3> points{{0.04, 0, 0}, {0, 0.04, 0}, {-0.04, 0, 0.01}, {0, -0.04, 0}};
   entries[2].constraint.goal = target::CurvePath{curve::makeCurve(points, curve::Kind::Spline, true).value(),
-                                                 Search::Hybrid, curve::Guide{0.25, 0.05, 0.01}};
+                                                 Search::Hybrid, curve::Guidance{0.25, 0.05, 0.01}};
   return entries;
 }
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/safety/gate.h"
-#include "device/wooden/wooden_arm.h"
+#include "device/wooden_haptics/wooden_arm.h"
 #include "tests/malloc/counter.h"
 #include "tests/support/hid_double.h"
 

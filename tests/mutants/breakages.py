@@ -67,9 +67,9 @@ BREAKAGES = [
     ),
     Breakage(
         says="a mesh felt from outside is entered through its back",
-        file="core/mesh/touch.cpp",
-        old="? Way::Inwards : Way::Outwards",
-        new="? Way::Outwards : Way::Inwards",
+        file="core/mesh/proxy.cpp",
+        old="? CrossingDirection::Inwards : CrossingDirection::Outwards",
+        new="? CrossingDirection::Outwards : CrossingDirection::Inwards",
         program="mesh_test",
         test="mesh_test",
         only="Touch.*",
@@ -100,11 +100,11 @@ BREAKAGES = [
     ),
     Breakage(
         says="a ghost that waits goes on at the distance at which it stopped",
-        file="core/follow/follow.cpp",
+        file="core/ghost/follow.cpp",
         old="distance_m <= 0.5 * options.waits_beyond_m",
         new="distance_m <= options.waits_beyond_m",
-        program="follow_test",
-        test="follow_test",
+        program="ghost_test",
+        test="ghost_test",
     ),
     Breakage(
         says="a robot's axis is pushed away from the stylus",
@@ -158,7 +158,7 @@ BREAKAGES = [
     Breakage(
         says="the second arm's hand goes the way of the first one's, not that in a mirror",
         file="app/gui/arms/second_arm.cpp",
-        old="wish.p_WT = flip.cwiseProduct(wish.p_WT);",
+        old="setpoint.p_WT = flip.cwiseProduct(setpoint.p_WT);",
         new="",
         program="stories",
         test="stories.SecondArmStory",
@@ -176,7 +176,7 @@ BREAKAGES = [
     Breakage(
         says="after a pause of the arm the laws go on with what they remember",
         file="core/tick/step.cpp",
-        old="if (dt_s > kLongestTick_s) forget(state);",
+        old="if (dt_s > kLongestTick_s) reset(state);",
         new="",
         program="tick_test",
         test="tick_test",
@@ -208,7 +208,7 @@ BREAKAGES = [
     ),
     Breakage(
         says="a touch goes on across a gap in which the arm was silent",
-        file="core/registration/still.cpp",
+        file="core/registration/steady_tip.cpp",
         old=" || since_s > kGap_s",
         new="",
         program="registration_test",
@@ -242,7 +242,7 @@ BREAKAGES = [
     Breakage(
         says="what was held before a gap counts for a lesson after it",
         file="core/lesson/check.cpp",
-        old="if (!(gone_s >= 0.0 && gone_s <= kLongestGap_s)) forget(state);",
+        old="if (!(gone_s >= 0.0 && gone_s <= kLongestGap_s)) reset(state);",
         new="",
         program="lesson_test",
         test="lesson_test",
@@ -258,7 +258,7 @@ BREAKAGES = [
     ),
     Breakage(
         says="a step that settles from below is told to have settled too early",
-        file="core/lab/curve.cpp",
+        file="core/lab/sampled_response.cpp",
         old="1.0 + std::copysign(kSettlingBand, z[index] - 1.0)",
         new="1.0 + kSettlingBand",
         program="lab_test",
@@ -274,16 +274,16 @@ BREAKAGES = [
     ),
     Breakage(
         says="the front keeps points that cost the same and err more",
-        file="core/trade/front.cpp",
+        file="core/tradeoff/front.cpp",
         old="other.cost_us_per_s <= point.cost_us_per_s && other.error_mm",
         new="other.cost_us_per_s < point.cost_us_per_s && other.error_mm",
-        program="trade_test",
-        test="trade_test",
+        program="tradeoff_test",
+        test="tradeoff_test",
         only="Front.IsWhat*",
     ),
     Breakage(
         says="a letter between workers with a torn number is taken",
-        file="core/sweep/letters.cpp",
+        file="core/sweep/messages.cpp",
         old="if (error != std::errc() || end != text.data() + text.size()) return {};",
         new="if (error != std::errc() || end == text.data()) return {};",
         program="sweep_test",
@@ -292,11 +292,11 @@ BREAKAGES = [
     ),
     Breakage(
         says="an answer that is no number counts as exact",
-        file="core/extremes/row.cpp",
+        file="core/error_bounds/row.cpp",
         old="std::isnan(error_ulp) ? kInfinity",
         new="std::isnan(error_ulp) ? 0.0",
-        program="extremes_test",
-        test="extremes_test",
+        program="error_bounds_test",
+        test="error_bounds_test",
         only="Measure.*:Worst.*",
     ),
     Breakage(
@@ -311,7 +311,7 @@ BREAKAGES = [
     # ----------------------------------------------------------------------------------- device
     Breakage(
         says="a current below zero is not cut to what the motors bear",
-        file="device/wooden/kinematics.cpp",
+        file="device/wooden_haptics/kinematics.cpp",
         old="std::max(largest_mA, std::abs(wanted_mA[body]))",
         new="std::max(largest_mA, wanted_mA[body])",
         program="device_test",
@@ -346,7 +346,7 @@ BREAKAGES = [
     ),
     Breakage(
         says="after a pause a controller throws the hand",
-        file="device/hands/motion.cpp",
+        file="device/input/motion.cpp",
         old="std::min(dt_s, kLongestStep_s)",
         new="dt_s",
         program="device_test",
@@ -359,17 +359,17 @@ BREAKAGES = [
         file="app/guard/watch.cpp",
         old="      seen_ns = time_ns;\n",
         new="",
-        program="border_test",
-        test="border_test",
-        only="Border.*Still*:Guard.Killed*:Guard.*InTime*",
+        program="process_test",
+        test="process_test",
+        only="ProcessEnd.*Still*:Guard.Killed*:Guard.*InTime*",
     ),
     Breakage(
         says="a sealed helper may open files",
-        file="core/system/seal_linux.cpp",
+        file="core/system/sandbox_linux.cpp",
         old="    SYS_lseek,\n",
         new="    SYS_lseek,\n    SYS_openat,\n",
-        program="seal_test",
-        test="seal_test",
+        program="sandbox_test",
+        test="sandbox_test",
         only="Seal.*",
     ),
     Breakage(
@@ -471,7 +471,7 @@ BREAKAGES = [
     Breakage(
         says="for the left hand the ghost goes its way unmirrored",
         file="app/gui/ghost/ghost_hand.cpp",
-        old="ghost_->way = follow::mirrored(std::move(ghost_->way));",
+        old="ghost_->way = ghost::mirrored(std::move(ghost_->way));",
         new="",
         program="stories",
         test="stories.GhostStory",
@@ -524,7 +524,7 @@ BREAKAGES = [
     ),
     Breakage(
         says="a beam held since the trial before counts as pressed",
-        file="app/gui/calibration/session.cpp",
+        file="app/gui/calibration/calibration_run.cpp",
         old="(let_go_[side] && feels && is_bent)",
         new="(feels && is_bent)",
         program="stories",

@@ -15,7 +15,7 @@ namespace underact::device::openhaptics {
 inline safety::GatedForce wholeForce() {
   safety::Limits limits;
   limits.max_force_N = 0.88;
-  safety::Asked asked;
+  safety::GateInput asked;
   asked.f_T_W = Vec3(5.0, 0.0, 0.0);
   asked.engage = true;
   safety::Gated gated;

@@ -217,8 +217,8 @@ TEST_F(OpenHapticsArmTest, TicksAtTheRatesThatItsDriverTakesAndSaysWhichTheseAre
   EXPECT_EQ(refused.problems().front().sentence,
             "The arm's driver supports 500, 1000, 1600, 2000, 4000 Hz, not 8000. Choose one of these rates.");
   open();
-  EXPECT_EQ(arm->fixedRate(), "");
-  EXPECT_TRUE(contains(arm->refusesRate(300), "500, 1000"));
+  EXPECT_EQ(arm->fixedRateReason(), "");
+  EXPECT_TRUE(contains(arm->rateRefusal(300), "500, 1000"));
   servo::Host host(std::move(arm), servo::HostOptions{.max_late = 1'000'000});
   host.begin();
   EXPECT_FALSE(host.setRate(300).empty());

@@ -46,7 +46,7 @@ class Run(Scripts):
         rooms = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
         programs = set(re.findall(r"PROGRAM (\S+) COMPONENT", rooms))
         self.assertGreaterEqual(len(programs), 3)
-        self.assertEqual(targets, programs)  # and whole_built_with, that each brings its helpers
+        self.assertEqual(targets, programs)  # and build_products_built_with, that each brings its helpers
 
     def test_started_again_it_configures_nothing(self):
         self.run_it()

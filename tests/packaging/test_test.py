@@ -36,7 +36,7 @@ class Test(Scripts):
     STAND_INS = {
         "packaging/install-deps": CALLED + "exit ${INSTALLED:-0}\n",
         "packaging/compile": BUILD,
-        "tests/house/each_alone": CALLED + '[ "${BREAK:-}" != alone ]\n',
+        "tests/architecture/each_alone": CALLED + '[ "${BREAK:-}" != alone ]\n',
         "bin/cmake": CALLED,
         "bin/ctest": CTEST,
     }

@@ -53,7 +53,7 @@ TEST(Replay, OfASessionFullOfFaultsIsTheSameToTheBit) {
   for (int tick = 0; tick < 5000; ++tick) {
     const bool late = tick % 50 == 7 || tick % 900 < 30;  // now and then, and so often in a row that it is a fault
     const std::int64_t late_ns = late ? 2'500'000 : 40'000;
-    if (tick % 1111 == 500) loop.stoodStill(200'000'000);
+    if (tick % 1111 == 500) loop.reportStall(200'000'000);
     loop.tick({late_ns, late_ns / 1'000'000, servo::LateCause::Woken});
     if (tick % 150 == 0) loop.send({servo::Order::Start});
   }

@@ -14,7 +14,7 @@
 #include <QSpinBox>
 #include <cmath>
 
-#include "app/gui/calibration/session.h"
+#include "app/gui/calibration/calibration_run.h"
 #include "app/gui/calibration/staircase_chart.h"
 #include "core/scene/edit.h"
 #include "core/scene/read.h"
@@ -25,7 +25,7 @@ namespace underact::gui::test {
 namespace {
 
 using calibration::Beam;
-using State = CalibrationSession::State;
+using State = CalibrationRun::State;
 
 /// A window with the panel open on the two beams, the servo running.
 struct CalibrationLab : Story {
@@ -36,13 +36,13 @@ struct CalibrationLab : Story {
     run(500);
     settle();
   }
-  const CalibrationSession& session() { return *window().findChild<CalibrationSession*>(); }
+  const CalibrationRun& session() { return *window().findChild<CalibrationRun*>(); }
   QString text(const QString& name) { return find<QLabel>("panel.calibration." + name)->text(); }
   QAbstractButton* button(const QString& name) { return find<QAbstractButton>("panel.calibration." + name); }
   void holdAt(const Vec3& p_W, int ticks) {
-    sim::HandWish wish;
-    wish.p_WT = p_W;
-    arm().wish(wish);
+    sim::HandSetpoint setpoint;
+    setpoint.p_WT = p_W;
+    arm().setSetpoint(setpoint);
     run(ticks);
   }
   void press(Beam beam) {  // from rest, 6 mm down, and back

@@ -20,7 +20,7 @@ QString sceneOfAnotherArm() {
 struct CompareDesk {
   explicit CompareDesk(const QString& scene = "02_sphere")
       : story(scene), tool(*story.window().findChild<CompareTool*>()) {
-    story.arm().wish({.p_WT = Vec3(0.0, 0.0, 0.048)});
+    story.arm().setSetpoint({.p_WT = Vec3(0.0, 0.0, 0.048)});
     story.perform("session.start");
     story.run(1000);
     EXPECT_TRUE(story.perform("compare.on", true));
@@ -180,7 +180,7 @@ TEST(CompareStory, ItStopsAndStartsWithWhatIsFelt) {
 
 TEST(CompareStory, OneThatTakesTooLongEndsAndSaysSo) {
   CompareDesk desk;
-  Beside beside(desk.story.host(), 0.0);  // no time at all
+  ComparedScene beside(desk.story.host(), 0.0);  // no time at all
   ASSERT_TRUE(beside.setScene(desk.story.window().document().scene()).empty());
   Problems problems;
   int ticks = 0;

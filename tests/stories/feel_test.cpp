@@ -30,9 +30,9 @@ const scene::Gains& gainsOf(Story& story) {
 
 // A stylus that rests where the sphere pulls it along z only, and below the clamp.
 void restAgainstTheSphere(Story& story) {
-  sim::HandWish wish;
-  wish.p_WT = Vec3(0.0, 0.0, 0.0515);
-  story.arm().wish(wish);
+  sim::HandSetpoint setpoint;
+  setpoint.p_WT = Vec3(0.0, 0.0, 0.0515);
+  story.arm().setSetpoint(setpoint);
   story.perform("session.start");
   story.run(3000);
 }
@@ -144,7 +144,7 @@ TEST(FeelStory, TheLawBringsItsGains) {
 TEST(FeelStory, TheSameGainsOnTheJointsFeelAndReadOtherwise) {
   Story story("02_sphere");
   ASSERT_TRUE(story.perform("session.start"));
-  story.arm().wish({Vec3(0.02, 0.01, 0.055), Vec3::Zero(), Mat3::Identity(), false});
+  story.arm().setSetpoint({Vec3(0.02, 0.01, 0.055), Vec3::Zero(), Mat3::Identity(), false});
   story.run(1500);
   const Vec3 on_the_tip = story.snapshot().report.f_T_W;
   ASSERT_TRUE(story.perform("space.set", "joint"));

@@ -47,10 +47,10 @@ double largestLag_m(int lag) {
   return largest_m;
 }
 
-void wish(device::SimulatedArm& arm, const Vec3& p_W) {
-  sim::HandWish wished = arm.wished();
-  wished.p_WT = p_W;
-  arm.wish(wished);
+void moveHand(device::SimulatedArm& arm, const Vec3& p_W) {
+  sim::HandSetpoint setpoint = arm.setpoint();
+  setpoint.p_WT = p_W;
+  arm.setSetpoint(setpoint);
 }
 
 /// A session of 3 s beside the sphere.
@@ -60,12 +60,12 @@ QString teacherSession() {
     SimulatedHost simulated = makeSimulatedHost({.clock = servo::Clock::Manual});
     Document document(*simulated.host);
     EXPECT_TRUE(document.open(scene::readSceneFile(shippedScene("02_sphere").toStdString()).value()).empty());
-    wish(*simulated.arm, teacherAt(0));
+    moveHand(*simulated.arm, teacherAt(0));
     simulated.host->run(500);
     auto recorder = record::Recorder::start(*simulated.host, path.toStdString(), {.name = "Round the ball"});
     EXPECT_TRUE(static_cast<bool>(recorder));
     for (int tick = 0; tick < kTeacherTicks; tick += kStep) {
-      wish(*simulated.arm, teacherAt(tick));
+      moveHand(*simulated.arm, teacherAt(tick));
       simulated.host->run(kStep);
     }
     EXPECT_TRUE(recorder.value()->stop().empty());
@@ -82,17 +82,17 @@ bool waitFor(const std::function<bool()>& what) {
 /// A window with the teacher's ghost in it.
 struct Class : Story {
   explicit Class(const QString& scene = "02_sphere", const QString& path = teacherSession()) : Story(scene) {
-    wish(arm(), teacherAt(0));
+    moveHand(arm(), teacherAt(0));
     run(500);
     EXPECT_TRUE(perform("ghost.open", path));
     EXPECT_TRUE(waitFor([this] { return ghost().isOpen(); }));
   }
   GhostHand& ghost() { return *window().findChild<GhostHand*>(); }
-  const follow::State& state() { return ghost().state(); }
+  const ghost::State& state() { return ghost().state(); }
   /// The student's hand does what the teacher's did from one tick to another, so many ticks later.
   void follow(int from, int to, int lag = 0) {
     for (int tick = from; tick < to; tick += kStep) {
-      wish(arm(), teacherAt(tick - lag));
+      moveHand(arm(), teacherAt(tick - lag));
       run(kStep);
     }
   }
@@ -106,11 +106,11 @@ TEST(GhostStory, WhoFollowsExactlyIsNearAllTheWayAndIsToldSo) {
   EXPECT_TRUE(story.find("ghost")->isVisible());
   EXPECT_EQ(story.text("ghost.time"), "00:00 / 00:03");
   story.follow(0, kTeacherTicks / 2);
-  EXPECT_EQ(story.state().phase, follow::Phase::Going);
+  EXPECT_EQ(story.state().phase, ghost::Phase::Going);
   EXPECT_TRUE(story.text("ghost.told").startsWith("Average 0.")) << story.text("ghost.told").toStdString();
   EXPECT_FALSE(story.find("ghost.copy")->isVisible()) << "there is no result yet";
   story.follow(kTeacherTicks / 2, kAll);
-  ASSERT_EQ(story.state().phase, follow::Phase::Ended);
+  ASSERT_EQ(story.state().phase, ghost::Phase::Ended);
   EXPECT_LT(story.state().last_round->largest_m, 0.001);
   EXPECT_EQ(story.state().last_round->nearShare(), 1.0);
   const QString result = story.text("ghost.told");
@@ -133,20 +133,20 @@ TEST(GhostStory, WhoLagsIsFartherAway) {
 TEST(GhostStory, ItWaitsForWhoStaysBehindAndGoesOnWhenHeIsThere) {
   Class story;
   story.run(1500);
-  EXPECT_EQ(story.state().phase, follow::Phase::Waiting);
+  EXPECT_EQ(story.state().phase, ghost::Phase::Waiting);
   EXPECT_EQ(story.text("ghost.told"), "The ghost waits until you are within 10 mm.");
   EXPECT_NEAR(story.state().distance_m, 0.020, 0.001);
   const double waited_at_s = story.state().time_s;
-  wish(story.arm(), story.state().ghost.p_WG);
+  moveHand(story.arm(), story.state().ghost.p_WG);
   story.run(500);
-  EXPECT_EQ(story.state().phase, follow::Phase::Going);
+  EXPECT_EQ(story.state().phase, ghost::Phase::Going);
   EXPECT_GT(story.state().time_s, waited_at_s);
   EXPECT_TRUE(story.text("ghost.told").startsWith("Average ")) << story.text("ghost.told").toStdString();
   story.type(story.find("ghost.wait_beyond"), "50");
   EXPECT_NEAR(story.ghost().options().waits_beyond_m, 0.050, 1e-12);
-  wish(story.arm(), teacherAt(0));
+  moveHand(story.arm(), teacherAt(0));
   story.run(4000);
-  EXPECT_EQ(story.state().phase, follow::Phase::Ended) << "30 mm are not too far";
+  EXPECT_EQ(story.state().phase, ghost::Phase::Ended) << "30 mm are not too far";
   EXPECT_TRUE(story.text("ghost.told").endsWith("The ghost waited for 1 s.")) << story.text("ghost.told").toStdString();
 }
 
@@ -174,21 +174,21 @@ TEST(GhostStory, SpeedLoopAndWaitingAreChosenInTheStrip) {
 TEST(GhostStory, ItBeginsWithTheOneWhoFollows) {
   Class story;
   story.perform("ghost.play", false);
-  wish(story.arm(), {-0.03, 0.0, 0.06});
+  moveHand(story.arm(), {-0.03, 0.0, 0.06});
   story.run(1000);
   EXPECT_TRUE(story.text("ghost.told").startsWith("The ghost is paused."));
   story.perform("ghost.play", true);
   story.run(1000);
-  EXPECT_EQ(story.state().phase, follow::Phase::Ready);
+  EXPECT_EQ(story.state().phase, ghost::Phase::Ready);
   EXPECT_EQ(story.text("ghost.told"), "Move to the ghost: it starts when you are within 10 mm.");
-  wish(story.arm(), teacherAt(0));
+  moveHand(story.arm(), teacherAt(0));
   story.run(500);
-  EXPECT_EQ(story.state().phase, follow::Phase::Going);
+  EXPECT_EQ(story.state().phase, ghost::Phase::Going);
   ASSERT_TRUE(story.perform("ghost.restart"));
   ASSERT_TRUE(story.perform("ghost.near", false));
-  wish(story.arm(), {-0.01, 0.0, 0.06});
+  moveHand(story.arm(), {-0.01, 0.0, 0.06});
   story.run(250);
-  EXPECT_NE(story.state().phase, follow::Phase::Ready);
+  EXPECT_NE(story.state().phase, ghost::Phase::Ready);
 }
 
 TEST(GhostStory, TheSceneStaysAndTheOneItWasRecordedInIsOffered) {
@@ -212,7 +212,7 @@ TEST(GhostStory, ForTheLeftHandItGoesInTheSameMirrorAsTheScenes) {
   constexpr double kBehind_m = 0.002;  // of its wish the recorded hand was; the mirror image is 50 mm away
   Class story;
   EXPECT_FALSE(story.find("ghost.mirror")->isVisible());
-  wish(story.arm(), {-0.020, 0.0, 0.06});
+  moveHand(story.arm(), {-0.020, 0.0, 0.06});
   ASSERT_TRUE(story.perform("scene.left_handed", true));
   EXPECT_TRUE(story.find<QCheckBox>("ghost.mirror")->isChecked());
   ASSERT_TRUE(story.perform("ghost.near", false));
@@ -261,7 +261,7 @@ TEST(GhostStory, NothingOfItIsDrawnWhenItIsClosed) {
   };
   Class story;
   ASSERT_TRUE(story.perform("ghost.play", false));
-  wish(story.arm(), {-0.02, 0.01, 0.06});
+  moveHand(story.arm(), {-0.02, 0.01, 0.06});
   story.run(1000);
   EXPECT_GT(ghostly(story.view().picture()), 300);
   ASSERT_TRUE(story.perform("ghost.close"));
@@ -297,7 +297,7 @@ TEST(GhostStory, WhatIsDamagedIsSaidAndTheRestIsFollowed) {
   EXPECT_TRUE(box->text().endsWith("is damaged. You follow the part that could be read.")) << box->text().toStdString();
   box->close();
   story.run(250);
-  EXPECT_EQ(story.state().phase, follow::Phase::Going);
+  EXPECT_EQ(story.state().phase, ghost::Phase::Going);
 }
 
 TEST(GhostStory, ReadingCanBeCancelledAndNothingChanges) {
@@ -380,7 +380,7 @@ TEST(GhostStory, AScreenReaderGetsTheResultOnceAndEachPartHasANameAndAPage) {
   EXPECT_EQ(story.find("ghost.told")->accessibleDescription(), story.text("ghost.told"));
   for (const QWidget* part : story.find("ghost")->findChildren<QWidget*>(QRegularExpression("^ghost\\.")))
     EXPECT_FALSE(part->accessibleName().isEmpty()) << part->objectName().toStdString();
-  EXPECT_EQ(helpPlaceOf(story.find("ghost.speed"), helpPages(features())), "following");
+  EXPECT_EQ(helpPageOf(story.find("ghost.speed"), helpPages(features())), "following");
 }
 
 TEST(GhostStory, NothingOfItIsCutInASmallWindowAndInGerman) {

@@ -10,7 +10,7 @@
 namespace underact::gui::test {
 namespace {
 
-const std::optional<scene::CurveGuide>& guideOf(Story& story) {
+const std::optional<scene::CurveGuidance>& guideOf(Story& story) {
   return std::get<scene::Curve>(story.host().scene().constraints[0].shape).guide;
 }
 
@@ -27,9 +27,9 @@ QString pathScene() {
 void openPath(Story& story) {
   ASSERT_TRUE(story.perform("scene.open", pathScene()));
   ASSERT_TRUE(waitForMeshes(story));
-  sim::HandWish wish;
-  wish.p_WT = Vec3(-0.02, 0.001, 0.0);
-  story.arm().wish(wish);
+  sim::HandSetpoint setpoint;
+  setpoint.p_WT = Vec3(-0.02, 0.001, 0.0);
+  story.arm().setSetpoint(setpoint);
   story.run(1500);  // it is there
   story.perform("session.start");
 }

@@ -71,9 +71,9 @@ TEST(GuideWindowStory, EveryPanelAndEveryWidgetInItHasAPageThatIsThere) {
                                      [&](const HelpPage& page) { return name == QLatin1String(page.part); });
     EXPECT_TRUE(has_row) << name.toStdString() << ": the feature.cpp of its room names its page";
     const QWidget* panel = story.find(name);
-    EXPECT_TRUE(isPlace(helpPlaceOf(panel, allPages()))) << name.toStdString();
+    EXPECT_TRUE(isPlace(helpPageOf(panel, allPages()))) << name.toStdString();
     for (const QWidget* part : panel->findChildren<QWidget*>())
-      EXPECT_TRUE(isPlace(helpPlaceOf(part, allPages()))) << part->objectName().toStdString();
+      EXPECT_TRUE(isPlace(helpPageOf(part, allPages()))) << part->objectName().toStdString();
   }
 }
 

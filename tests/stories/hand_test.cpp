@@ -13,7 +13,7 @@ TEST(HandStory, DraggingTheStylusIntoTheSphereRaisesTheForce) {
   story.dragHandTo({0.0, 0.0, 0.050});
   story.run(1500);
   const double at_the_surface_N = story.force_N();
-  EXPECT_NEAR(story.arm().wished().p_WT.z(), 0.050, 0.001);
+  EXPECT_NEAR(story.arm().setpoint().p_WT.z(), 0.050, 0.001);
   story.dragHandTo({0.0, 0.0, 0.044});
   story.run(1500);
   EXPECT_GT(story.force_N(), at_the_surface_N + 0.3);
@@ -26,10 +26,10 @@ TEST(HandStory, TheArrowKeysMoveTheHand) {
   story.perform("view.front");
   story.settle(400);
   story.perform("view.focus");
-  const Vec3 before = story.arm().wished().p_WT;
+  const Vec3 before = story.arm().setpoint().p_WT;
   story.key(Qt::Key_Right);
   story.key(Qt::Key_Up, Qt::ShiftModifier);
-  const Vec3 moved = story.arm().wished().p_WT - before;
+  const Vec3 moved = story.arm().setpoint().p_WT - before;
   EXPECT_NEAR(moved.x(), 0.002, 1e-9);
   EXPECT_NEAR(moved.y(), 0.010, 1e-9);
 }

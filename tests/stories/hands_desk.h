@@ -5,30 +5,30 @@
 #include <QLabel>
 #include <QStandardPaths>
 
-#include "app/gui/hands/moving_hands.h"
-#include "device/hands/usual.h"
+#include "app/gui/input_devices/input_devices.h"
+#include "device/input/default_maps.h"
 #include "device/simulated_arm.h"
 #include "tests/stories/story.h"
 
 namespace underact::gui::test {
 
-using namespace device::hands;
+using namespace device::input;
 
 inline constexpr const char* kPad = "030000005e0400008e02000010010000";
 
 /// A game controller that does what a story says.
-class ScriptedPad final : public Port {
+class ScriptedPad final : public DeviceEnumerator {
  public:
   ScriptedPad() {
     pad.id = kPad;
     pad.name = "Xbox 360 Controller";
-    pad.kind = device::hands::Kind::Controller;
+    pad.kind = device::input::Kind::Controller;
     pad.readings.axes = 6;
     pad.readings.buttons = 15;
     describeController(pad);
     rest();
   }
-  std::vector<Seen> look() override { return is_plugged ? std::vector{pad} : std::vector<Seen>{}; }
+  std::vector<DeviceState> poll() override { return is_plugged ? std::vector{pad} : std::vector<DeviceState>{}; }
   Sentence trouble() const override { return its_trouble; }
   void push(std::size_t axis, double value) { pad.readings.axis[axis] = value; }
   void press(unsigned bits) { pad.readings.pressed = bits; }
@@ -36,7 +36,7 @@ class ScriptedPad final : public Port {
     pad.readings.axis = {0, 0, 0, 0, -1, -1};
     pad.readings.pressed = 0;
   }
-  Seen pad;
+  DeviceState pad;
   bool is_plugged = true;
   std::string its_trouble;
 };
@@ -58,9 +58,9 @@ struct HandsDesk {
     return std::make_unique<Story>("02_sphere", Beginning{.first_start = first_start, .hands = {&pad}});
   }
   Story& story() { return *story_; }
-  MovingHands& hands() { return *story().window().findChild<MovingHands*>(); }
+  InputDevices& hands() { return *story().window().findChild<InputDevices*>(); }
   const Map& map() { return hands().find(kPad)->map; }
-  Vec3 wish() { return story().arm().wished().p_WT; }
+  Vec3 setpoint() { return story().arm().setpoint().p_WT; }
   QString label(const char* name) { return story().find<QLabel>(name)->text(); }
   /// The pad as it is now for so many ticks.
   void hold(int ticks) { story().run(ticks); }

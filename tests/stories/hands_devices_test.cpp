@@ -3,8 +3,8 @@
 #include <QPlainTextEdit>
 
 #include "app/gui/arms/fix_dialog.h"
-#include "device/hands/controllers.h"
-#include "device/hands/space_mice.h"
+#include "device/input/controllers.h"
+#include "device/input/space_mice.h"
 #include "tests/openhaptics/stand_in.h"
 #include "tests/stories/hands_desk.h"
 #include "tests/support/space_mouse_double.h"
@@ -15,7 +15,7 @@ TEST(HandDevicesStory, WithoutAScreenForGlfwItIsSaidAndTheKeysWork) {
   const QByteArray display = qgetenv("DISPLAY");
   qputenv("DISPLAY", ":987");  // where nobody listens
   Controllers controllers;     // the real ones
-  EXPECT_TRUE(controllers.look().empty());
+  EXPECT_TRUE(controllers.poll().empty());
   qputenv("DISPLAY", display);
   Story story("02_sphere", {.hands = {&controllers}});
   story.perform("dock.hands", true);
@@ -27,15 +27,15 @@ TEST(HandDevicesStory, WithoutAScreenForGlfwItIsSaidAndTheKeysWork) {
   story.perform("view.front");
   story.settle(400);
   story.perform("view.focus");
-  const Vec3 before = story.arm().wished().p_WT;
+  const Vec3 before = story.arm().setpoint().p_WT;
   story.key(Qt::Key_Right);
-  EXPECT_NEAR(story.arm().wished().p_WT.x(), before.x() + 0.002, 1e-9);
+  EXPECT_NEAR(story.arm().setpoint().p_WT.x(), before.x() + 0.002, 1e-9);
 }
 
 TEST(HandDevicesStory, WithAScreenGlfwBegins) {
   for (int round = 0; round < 2; ++round) {  // a second window, too
     Controllers controllers;
-    controllers.look();
+    controllers.poll();
     EXPECT_EQ(controllers.trouble(), "");
   }
 }
@@ -47,26 +47,26 @@ TEST(HandDevicesStory, A3dMouseMovesAndTurnsTheStylus) {
   Story story("02_sphere", {.hands = {&mice}});
   story.perform("dock.hands", true);
   const auto axis = [&](std::size_t number) {
-    const std::vector<Seen> seen = mice.look();
+    const std::vector<DeviceState> seen = mice.poll();
     return seen.empty() ? 0.0 : seen[0].readings.axis[number];
   };
-  ASSERT_TRUE(comes([&] { return !mice.look().empty(); }));
+  ASSERT_TRUE(comes([&] { return !mice.poll().empty(); }));
   story.run(10);
-  const sim::HandWish before = story.arm().wished();
+  const sim::HandSetpoint before = story.arm().setpoint();
   bus.hold({350, 0, -350}, {0, 0, 0});  // to the right and up
   ASSERT_TRUE(comes([&] { return axis(0) == 1.0 && axis(2) == -1.0; }));
   story.run(100);
-  const sim::HandWish shifted = story.arm().wished();
+  const sim::HandSetpoint shifted = story.arm().setpoint();
   EXPECT_NEAR(shifted.p_WT.x(), before.p_WT.x() + 0.012, 1e-9);
   EXPECT_NEAR(shifted.p_WT.y(), before.p_WT.y() + 0.012, 1e-9);
   EXPECT_FALSE(shifted.turns);
   bus.hold({0, 0, 0}, {0, 350, 0});
   ASSERT_TRUE(comes([&] { return axis(0) == 0.0 && axis(4) == 1.0; }));
   story.run(100);
-  const sim::HandWish turned = story.arm().wished();
+  const sim::HandSetpoint turned = story.arm().setpoint();
   EXPECT_TRUE(turned.turns);
   story.run(100);
-  const double turn_rad = Eigen::AngleAxisd(turned.R_WT.transpose() * story.arm().wished().R_WT).angle();
+  const double turn_rad = Eigen::AngleAxisd(turned.R_WT.transpose() * story.arm().setpoint().R_WT).angle();
   EXPECT_NEAR(turn_rad, 0.15, 1e-9);  // 1.5 rad/s for 0.1 s
   bus.rest();
   ASSERT_TRUE(comes([&] { return axis(4) == 0.0; }));
@@ -100,10 +100,10 @@ TEST(HandDevicesStory, WhileAnotherArmIsInPlaceNothingMoves) {
   story.perform("dock.hands", true);
   ASSERT_TRUE(story.perform("devices.use", QString("openhaptics")));
   ASSERT_TRUE(comes([&] { return story.find<QLabel>("panel.devices.in_use")->text().contains("Untested"); }));
-  const Vec3 before = story.arm().wished().p_WT;
+  const Vec3 before = story.arm().setpoint().p_WT;
   pad.push(0, 1.0);
   story.run(500);
-  EXPECT_EQ(story.arm().wished().p_WT, before);
+  EXPECT_EQ(story.arm().setpoint().p_WT, before);
   EXPECT_TRUE(comes(
       [&] { return story.find<QLabel>("panel.hands.state")->text().startsWith("The input devices have no effect"); }));
   story.perform("session.start");
@@ -114,7 +114,7 @@ TEST(HandDevicesStory, WhileAnotherArmIsInPlaceNothingMoves) {
   story.perform("devices.simulated");
   story.run(100);
   pad.push(0, 1.0);
-  EXPECT_TRUE(comes([&] { return story.arm().wished().p_WT.x() > before.x(); }));
+  EXPECT_TRUE(comes([&] { return story.arm().setpoint().p_WT.x() > before.x(); }));
   library->reset();
 }
 

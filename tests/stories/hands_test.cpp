@@ -3,65 +3,65 @@
 #include <QDoubleSpinBox>
 #include <QListWidget>
 
-#include "app/gui/hands/axis_bar.h"
-#include "app/gui/hands/map_store.h"
+#include "app/gui/input_devices/axis_bar.h"
+#include "app/gui/input_devices/map_store.h"
 #include "tests/stories/hands_desk.h"
 
 namespace underact::gui::test {
 
 TEST(HandsStory, AControllerPushesIntoTheSphereAsFastAsItsMapSays) {
   HandsDesk desk;
-  const Vec3 before = desk.wish();
+  const Vec3 before = desk.setpoint();
   desk.pad.push(1, -1.0);  // the left stick away from the person: into the sphere
   desk.hold(100);
-  EXPECT_NEAR(desk.wish().z(), before.z() - 0.012, 1e-9);  // 120 mm/s for 0.1 s
-  EXPECT_EQ(desk.wish().x(), before.x());
+  EXPECT_NEAR(desk.setpoint().z(), before.z() - 0.012, 1e-9);  // 120 mm/s for 0.1 s
+  EXPECT_EQ(desk.setpoint().x(), before.x());
   desk.pad.rest();
   desk.hold(1500);
   EXPECT_GT(desk.story().force_N(), 0.3);
   EXPECT_LE(desk.story().force_N(), 0.88 + 1e-9);
   EXPECT_GT(desk.story().snapshot().report.force.f_T_W().z(), 0.0);  // outwards: it pushes back
-  EXPECT_NEAR(desk.wish().z(), before.z() - 0.012, 1e-9);            // nobody moves it any more
+  EXPECT_NEAR(desk.setpoint().z(), before.z() - 0.012, 1e-9);        // nobody moves it any more
 }
 
 TEST(HandsStory, WithinTheDeadZoneNothingMovesAndBeyondItBeginsAtZero) {
   HandsDesk desk;
-  const Vec3 before = desk.wish();
+  const Vec3 before = desk.setpoint();
   desk.pad.push(0, 0.12);
   desk.hold(1000);
-  EXPECT_EQ(desk.wish(), before);
+  EXPECT_EQ(desk.setpoint(), before);
   desk.pad.push(0, 0.13);
   desk.hold(1000);
-  EXPECT_GT(desk.wish().x(), before.x());
-  EXPECT_LT(desk.wish().x(), before.x() + 1e-4);
+  EXPECT_GT(desk.setpoint().x(), before.x());
+  EXPECT_LT(desk.setpoint().x(), before.x() + 1e-4);
   ASSERT_TRUE(desk.story().perform("hands.set", QString("right.dead_zone"), 0.5));
   desk.pad.rest();
   desk.hold(1);
-  const double there = desk.wish().x();
+  const double there = desk.setpoint().x();
   desk.pad.push(0, 0.49);
   desk.hold(1000);
-  EXPECT_EQ(desk.wish().x(), there);
+  EXPECT_EQ(desk.setpoint().x(), there);
 }
 
 TEST(HandsStory, WhileAnotherWindowHasTheKeyboardNothingMovesAndWhatIsHeldThenMovesNothingAfter) {
   HandsDesk desk;
-  const Vec3 before = desk.wish();
+  const Vec3 before = desk.setpoint();
   QWidget other;
   other.show();
   desk.story().bringToFront(&other);
   ASSERT_TRUE(comes([&] { return !desk.story().window().isActiveWindow(); }));
   desk.pad.push(0, 1.0);
   desk.hold(500);
-  EXPECT_EQ(desk.wish(), before);
+  EXPECT_EQ(desk.setpoint(), before);
   desk.story().bringToFront(&desk.story().window());
   ASSERT_TRUE(comes([&] { return desk.story().window().isActiveWindow(); }));
   desk.hold(500);
-  EXPECT_EQ(desk.wish(), before);  // held from before
+  EXPECT_EQ(desk.setpoint(), before);  // held from before
   desk.pad.rest();
   desk.hold(1);
   desk.pad.push(0, 1.0);
   desk.hold(100);
-  EXPECT_NEAR(desk.wish().x(), before.x() + 0.012, 1e-9);
+  EXPECT_NEAR(desk.setpoint().x(), before.x() + 0.012, 1e-9);
 }
 
 TEST(HandsStory, AMappingIsLearntKeptAndThereInTheNextWindow) {
@@ -70,22 +70,22 @@ TEST(HandsStory, AMappingIsLearntKeptAndThereInTheNextWindow) {
     desk.story().click(desk.story().find("panel.hands.way.up"));
     desk.story().click(desk.story().find("panel.hands.learn"));
     EXPECT_TRUE(desk.label("panel.hands.asked").contains("moves the stylus up"));
-    const Vec3 before = desk.wish();
+    const Vec3 before = desk.setpoint();
     desk.pad.push(3, -0.9);  // the right stick away
     desk.hold(250);
-    EXPECT_EQ(desk.wish(), before);  // it is looked at, not moved by
-    EXPECT_FALSE(desk.story().arm().wished().turns);
+    EXPECT_EQ(desk.setpoint(), before);  // it is looked at, not moved by
+    EXPECT_FALSE(desk.story().arm().setpoint().turns);
     EXPECT_EQ(desk.map().ways[1].source, (Source{SourceKind::Axis, 3, -1}));
     EXPECT_TRUE(desk.map().ways[1].inverted);
     EXPECT_FALSE(desk.story().find("panel.hands.asked")->isVisible());
     EXPECT_EQ(desk.story().find<QComboBox>("panel.hands.source")->currentText(), "right stick, down");
     desk.story().run(250);
-    EXPECT_EQ(desk.wish(), before);  // still held from before
+    EXPECT_EQ(desk.setpoint(), before);  // still held from before
     desk.pad.rest();
     desk.hold(1);
     desk.pad.push(3, -1.0);
     desk.hold(100);
-    EXPECT_NEAR(desk.wish().y(), before.y() + 0.012, 1e-9);
+    EXPECT_NEAR(desk.setpoint().y(), before.y() + 0.012, 1e-9);
   }
   HandsDesk desk(false);
   EXPECT_EQ(desk.map().ways[1].source, (Source{SourceKind::Axis, 3, -1}));
@@ -135,11 +135,11 @@ TEST(HandsStory, TheEditorChangesWhatItSays) {
   EXPECT_FALSE(story.perform("hands.set", QString("right.dead_zone"), 1.5));
   EXPECT_FALSE(story.perform("hands.set", QString("right.source"), QString("axis 77")));
   EXPECT_FALSE(story.perform("hands.set", QString("left.inverted"), true));
-  const Vec3 before = desk.wish();
+  const Vec3 before = desk.setpoint();
   desk.hold(1);            // at rest once, since its map is another
   desk.pad.push(0, 0.65);  // half of what is left of its way
   desk.hold(200);
-  EXPECT_NEAR(desk.wish().x(), before.x() - 0.005, 1e-9);
+  EXPECT_NEAR(desk.setpoint().x(), before.x() - 0.005, 1e-9);
   EXPECT_NEAR(story.find<AxisBar>("panel.hands.bar.right")->share(), -0.5, 1e-12);
   story.click(story.find("panel.hands.undo"));
   EXPECT_FALSE(desk.map().ways[0].inverted);
@@ -151,19 +151,19 @@ TEST(HandsStory, UnpluggedInTheMidstOfAPushTheHandRests) {
   desk.hold(80);
   desk.pad.is_plugged = false;
   desk.hold(1);
-  const Vec3 left = desk.wish();
+  const Vec3 left = desk.setpoint();
   desk.hold(2000);
-  EXPECT_EQ(desk.wish(), left);
+  EXPECT_EQ(desk.setpoint(), left);
   EXPECT_LE(desk.story().force_N(), 0.88 + 1e-9);
   EXPECT_EQ(desk.story().find<QListWidget>("panel.hands.list")->count(), 1);
   desk.pad.is_plugged = true;  // with the stick where it was
   desk.hold(1000);
-  EXPECT_EQ(desk.wish(), left);
+  EXPECT_EQ(desk.setpoint(), left);
   desk.pad.rest();
   desk.hold(1);
   desk.pad.push(1, 1.0);
   desk.hold(100);
-  EXPECT_GT(desk.wish().z(), left.z());
+  EXPECT_GT(desk.setpoint().z(), left.z());
 }
 
 TEST(HandsStory, OneThatIsSwitchedOffMovesNothingAndStaysSo) {
@@ -172,20 +172,20 @@ TEST(HandsStory, OneThatIsSwitchedOffMovesNothingAndStaysSo) {
     auto* list = desk.story().find<QListWidget>("panel.hands.list");
     ASSERT_EQ(list->count(), 2);
     list->item(1)->setCheckState(Qt::Unchecked);
-    const Vec3 before = desk.wish();
+    const Vec3 before = desk.setpoint();
     desk.pad.push(0, 1.0);
     desk.hold(500);
-    EXPECT_EQ(desk.wish(), before);
+    EXPECT_EQ(desk.setpoint(), before);
     EXPECT_TRUE(list->item(1)->text().endsWith("switched off")) << list->item(1)->text().toStdString();
   }
   HandsDesk desk(false);
   EXPECT_FALSE(desk.hands().find(kPad)->used);
   desk.story().perform("hands.use", QString(kPad), true);
   desk.hold(1);  // at rest once, since it was switched off
-  const Vec3 before = desk.wish();
+  const Vec3 before = desk.setpoint();
   desk.pad.push(0, 1.0);
   desk.hold(100);
-  EXPECT_GT(desk.wish().x(), before.x());
+  EXPECT_GT(desk.setpoint().x(), before.x());
 }
 
 TEST(HandsStory, ItsButtonsAreTheStylusButtonsAndOneStopsAndNoneStarts) {

@@ -277,11 +277,11 @@ TEST(IdentifyInterruptedStory, TheHandKeepsAWishThatCameMeanwhile) {
   IdentifyDesk desk;
   desk.wizard.begin();
   desk.run(5000);
-  sim::HandWish wish;
-  wish.p_WT = Vec3(0.0, 0.01, 0.07);
-  desk.arm().wish(wish);
+  sim::HandSetpoint setpoint;
+  setpoint.p_WT = Vec3(0.0, 0.01, 0.07);
+  desk.arm().setSetpoint(setpoint);
   desk.wizard.press("identify.cancel");
-  EXPECT_EQ(desk.arm().wished().p_WT, wish.p_WT);
+  EXPECT_EQ(desk.arm().setpoint().p_WT, setpoint.p_WT);
 }
 
 TEST(IdentifyInterruptedStory, OnAnotherArmItAsksThePersonAndAFaultMidwayIsTakenUpAgain) {

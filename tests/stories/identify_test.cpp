@@ -17,7 +17,7 @@ namespace underact::gui::test {
 TEST(IdentifyStory, TheWizardFindsWhatTheSimulatedArmIsMadeOfAndEndsWithAFile) {
   IdentifyDesk desk;
   const scene::Description before = desk.host().scene();
-  const Vec3 wished_W = desk.arm().wished().p_WT;
+  const Vec3 setpoint_W = desk.arm().setpoint().p_WT;
   ASSERT_NE(desk.wizard.dialog(), nullptr);
   EXPECT_FALSE(desk.wizard.dialog()->isModal()) << "Esc must stop the arm, whatever is open";
   desk.wizard.keepPicture("identify_intro");
@@ -56,7 +56,7 @@ TEST(IdentifyStory, TheWizardFindsWhatTheSimulatedArmIsMadeOfAndEndsWithAFile) {
   EXPECT_TRUE(scene::isSame(desk.host().scene(), before));
   EXPECT_FALSE(desk.document().isTryingOut());
   EXPECT_FALSE(desk.document().modified());
-  EXPECT_EQ(desk.arm().wished().p_WT, wished_W) << "the hand wants what it wanted before";
+  EXPECT_EQ(desk.arm().setpoint().p_WT, setpoint_W) << "the hand wants what it wanted before";
   desk.run(1000);
   EXPECT_EQ(desk.snapshot().mode, servo::Mode::Running);
   EXPECT_GT(desk.snapshot().report.level, 0.99);
@@ -135,9 +135,9 @@ TEST(IdentifyStory, CancellingPutsSceneAndHandBack) {
   EXPECT_TRUE(scene::isSame(desk.host().scene(), before));
   desk.run(2000);
   EXPECT_EQ(desk.snapshot().mode, servo::Mode::Running);
-  sim::HandWish wish;  // the hand holds the stylus again
-  wish.p_WT = Vec3(0.0, 0.0, 0.07);
-  desk.arm().wish(wish);
+  sim::HandSetpoint setpoint;  // the hand holds the stylus again
+  setpoint.p_WT = Vec3(0.0, 0.0, 0.07);
+  desk.arm().setSetpoint(setpoint);
   desk.run(2000);
   EXPECT_GT(desk.snapshot().report.p_WT.z(), 0.055);
 }

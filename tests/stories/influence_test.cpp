@@ -16,12 +16,12 @@ namespace underact::gui::test {
 namespace {
 
 // The stylus leans to +x, the tip is held above the ring's +y: what it points at and where it is stand apart.
-void leanAcross(Story& story, const Vec3& p_WT = Vec3(0.004, 0.046, 0.006)) {
-  sim::HandWish wish;
-  wish.p_WT = p_WT;
-  wish.R_WT = Eigen::AngleAxisd(0.7, Vec3::UnitY()).toRotationMatrix();
-  wish.turns = true;
-  story.arm().wish(wish);
+void shadedAcross(Story& story, const Vec3& p_WT = Vec3(0.004, 0.046, 0.006)) {
+  sim::HandSetpoint setpoint;
+  setpoint.p_WT = p_WT;
+  setpoint.R_WT = Eigen::AngleAxisd(0.7, Vec3::UnitY()).toRotationMatrix();
+  setpoint.turns = true;
+  story.arm().setSetpoint(setpoint);
   story.perform("session.start");
   story.run(3000);
 }
@@ -30,7 +30,7 @@ const std::optional<scene::Influence>& influenceOf(Story& story) {
   return story.host().scene().constraints[0].influence;
 }
 
-tick::Held heldOf(Story& story) {
+tick::ConstraintReport heldOf(Story& story) {
   return story.snapshot().report.held[0];
 }
 
@@ -57,7 +57,7 @@ void clickBox(Story& story, const QString& name) {
 
 TEST(InfluenceStory, AKeyOnTheSliderTurnsTheTargetAndTheForceAtTheNextTick) {
   Story story("14_circle_influence");
-  leanAcross(story);
+  shadedAcross(story);
   expectThetaAt(story, 0.5);
   const Vec3 before_W = heldOf(story).p_WP;
   story.find("panel.influence.t.slider")->setFocus();
@@ -76,7 +76,7 @@ TEST(InfluenceStory, AKeyOnTheSliderTurnsTheTargetAndTheForceAtTheNextTick) {
 
 TEST(InfluenceStory, ADragTakesEffectWhileDraggingAndIsOneStepBack) {
   Story story("14_circle_influence");
-  leanAcross(story);
+  shadedAcross(story);
   auto* slider = story.find<QSlider>("panel.influence.t.slider");
   const QPoint from(slider->width() / 2, slider->height() / 2);
   story.press(slider, from);
@@ -96,7 +96,7 @@ TEST(InfluenceStory, ADragTakesEffectWhileDraggingAndIsOneStepBack) {
 
 TEST(InfluenceStory, OneIsPositionOnlyAndADoubleClickGoesBackToTheScenesOwn) {
   Story story("14_circle_influence");
-  leanAcross(story);
+  shadedAcross(story);
   auto* number = story.find<QDoubleSpinBox>("panel.influence.t.number");
   story.type(number, "1");
   story.run(kArrived);
@@ -128,7 +128,7 @@ TEST(InfluenceStory, WhatIsHalfTypedOutlivesTheNextPicture) {
 
 TEST(InfluenceStory, TheOtherEndOfTheStylusPointsTheOtherWayAndTheBlendIsTyped) {
   Story story("14_circle_influence");
-  leanAcross(story);
+  shadedAcross(story);
   const double alpha_rad = heldOf(story).angles.alpha_rad;
   story.find("panel.influence.axis")->setFocus();
   story.key(Qt::Key_Down);
@@ -145,7 +145,7 @@ TEST(InfluenceStory, ACircleWithoutOneIsGivenOneAndBack) {
   auto* slider = story.find("panel.influence.t.slider");
   EXPECT_FALSE(slider->isVisible());
   EXPECT_FALSE(plot->showsAngles());
-  leanAcross(story);
+  shadedAcross(story);
   EXPECT_FALSE(heldOf(story).arc.p_WPo.allFinite());
   clickBox(story, "panel.influence.on");
   ASSERT_TRUE(influenceOf(story).has_value());
@@ -197,7 +197,7 @@ TEST(InfluenceStory, LooksAsItDid) {
   for (const char* theme : {"light", "dark"}) {
     Story story("14_circle_influence");
     story.perform(QString("view.theme.") + theme);
-    leanAcross(story);
+    shadedAcross(story);
     EXPECT_TRUE(story.picture().save(QString("%1/pictures/influence_window_%2.png").arg(UNDERACT_BINARY, theme)));
     EXPECT_LT(story.imageDifference(QString("influence_") + theme), kTolerance);
   }
@@ -208,14 +208,14 @@ TEST(InfluenceStory, TheSphereShowsTheGreatCircleAndTheCylinderItsOwn) {
     Story story(name);
     story.perform("view.theme.light");
     story.perform("influence.on", true);
-    leanAcross(story, Vec3(0.000, -0.010, 0.050));
+    shadedAcross(story, Vec3(0.000, -0.010, 0.050));
     EXPECT_LT(story.imageDifference(QString("influence_") + name), kTolerance) << name;
   }
 }
 
 TEST(InfluenceStory, ThePictureWithoutTheLayerIsNotTheSame) {
   Story story("14_circle_influence");
-  leanAcross(story);
+  shadedAcross(story);
   const QImage with = story.view().picture();
   ASSERT_TRUE(story.perform("layer.influence", false));
   story.settle();

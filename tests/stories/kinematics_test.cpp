@@ -71,7 +71,7 @@ TEST(KinematicsStory, ThePanelIsClosedAtFirstAndOneKeyOpensItWithAllItsLayers) {
   EXPECT_FALSE(story.find("dock.kinematics")->isVisible());
   const Layers& layers = story.view().layers();
   EXPECT_FALSE(layers.link_frames || layers.ghosts || layers.motion_ellipsoid || layers.force_ellipsoid);
-  EXPECT_EQ(story.view().ghostsDrawn(), 0u);
+  EXPECT_EQ(story.view().solutionsDrawn(), 0u);
   story.key(Qt::Key_0, Qt::AltModifier);
   EXPECT_TRUE(story.find("dock.kinematics")->isVisible());
   EXPECT_TRUE(layers.link_frames && layers.ghosts && layers.motion_ellipsoid && layers.force_ellipsoid);
@@ -113,7 +113,7 @@ TEST(KinematicsStory, TheSlidersMoveTheArmOnlyWhileTheServoIsStopped) {
 
 TEST(KinematicsStory, StepsAddUpFromWhatWasWishedAndNotFromWhereFrictionLeftTheArm) {
   Lesson story;
-  arm::JointAngles wished_rad = joints_rad(story);
+  arm::JointAngles setpoint_rad = joints_rad(story);
   story.moveJoint(1, 20.0);
   story.moveJoint(3, 35.0);
   story.find("panel.kinematics.joint.2.number")->setFocus();
@@ -121,19 +121,20 @@ TEST(KinematicsStory, StepsAddUpFromWhatWasWishedAndNotFromWhereFrictionLeftTheA
     story.key(Qt::Key_Up);  // 1 degree
     story.run(500);
   }
-  wished_rad[0] = 20.0 * kRadPerDegree;
-  wished_rad[1] += 3.0 * kRadPerDegree;
-  wished_rad[2] = 35.0 * kRadPerDegree;
-  const Pose X_WT = arm::tipPose(preset().geometry, wished_rad);
-  EXPECT_LT((story.arm().wished().p_WT - X_WT.translation()).norm(), 1e-9);
-  EXPECT_TRUE(story.arm().wished().R_WT.isApprox(X_WT.linear(), 1e-9));
+  setpoint_rad[0] = 20.0 * kRadPerDegree;
+  setpoint_rad[1] += 3.0 * kRadPerDegree;
+  setpoint_rad[2] = 35.0 * kRadPerDegree;
+  const Pose X_WT = arm::tipPose(preset().geometry, setpoint_rad);
+  EXPECT_LT((story.arm().setpoint().p_WT - X_WT.translation()).norm(), 1e-9);
+  EXPECT_TRUE(story.arm().setpoint().R_WT.isApprox(X_WT.linear(), 1e-9));
 
-  story.arm().wish({Vec3(0.0, 0.0, 0.05), Vec3::Zero(), Mat3::Identity(), false});  // somebody else takes the hand
+  story.arm().setSetpoint(
+      {Vec3(0.0, 0.0, 0.05), Vec3::Zero(), Mat3::Identity(), false});  // somebody else takes the hand
   story.run(3000);
-  wished_rad = joints_rad(story);
-  wished_rad[0] = -10.0 * kRadPerDegree;
+  setpoint_rad = joints_rad(story);
+  setpoint_rad[0] = -10.0 * kRadPerDegree;
   ASSERT_TRUE(story.perform("joint.set", 1, -10.0));
-  EXPECT_LT((story.arm().wished().p_WT - arm::tipPosition(preset().geometry, wished_rad)).norm(), 1e-9);
+  EXPECT_LT((story.arm().setpoint().p_WT - arm::tipPosition(preset().geometry, setpoint_rad)).norm(), 1e-9);
 }
 
 TEST(KinematicsStory, AJointAtItsLimitSaysSoAndGoesNoFurther) {
@@ -189,7 +190,7 @@ TEST(KinematicsStory, EightGhostsAndTheirRowsAreTheSolutionsOfTheLibrary) {
   Lesson story;
   story.moveJoint(1, 15.0);
   story.perform("layer.ghosts", true);
-  EXPECT_EQ(story.view().ghostsDrawn(), 8u);
+  EXPECT_EQ(story.view().solutionsDrawn(), 8u);
   const arm::Solutions solutions =
       arm::solveAll(preset().geometry, preset().limits, arm::tipPose(preset().geometry, joints_rad(story)));
   ASSERT_EQ(solutions.count, 8u);
@@ -216,23 +217,23 @@ TEST(KinematicsStory, AChosenSolutionsGhostTurnsThereAndThePictureChanges) {
   const arm::JointAngles from_rad = joints_rad(story);
   QTableWidget* table = story.table();
   story.click(table->viewport(), table->visualItemRect(table->item(2, 1)).center());  // the other elbow
-  EXPECT_TRUE(story.view().ghostMoving());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !story.view().ghostMoving(); }));
+  EXPECT_TRUE(story.view().solutionMoving());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !story.view().solutionMoving(); }));
   const arm::Solutions solutions =
       arm::solveAll(preset().geometry, preset().limits, arm::tipPose(preset().geometry, from_rad));
-  ASSERT_TRUE(story.view().chosenGhost_rad().has_value());
-  EXPECT_EQ(*story.view().chosenGhost_rad(), solutions.all[2].q_rad);
+  ASSERT_TRUE(story.view().chosenSolution_rad().has_value());
+  EXPECT_EQ(*story.view().chosenSolution_rad(), solutions.all[2].q_rad);
   EXPECT_GT(worstBlockDifference(before, story.view().picture()), 2.0 * kTolerance);
   EXPECT_TRUE(story.text("solutions.angles").startsWith("q = ")) << story.text("solutions.angles").toStdString();
 
   table->setFocus();
   story.key(Qt::Key_Down);  // by keys, too
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !story.view().ghostMoving(); }));
-  EXPECT_EQ(*story.view().chosenGhost_rad(), solutions.all[3].q_rad);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !story.view().solutionMoving(); }));
+  EXPECT_EQ(*story.view().chosenSolution_rad(), solutions.all[3].q_rad);
   story.clickThere("solutions.again");
-  EXPECT_TRUE(story.view().ghostMoving());
+  EXPECT_TRUE(story.view().solutionMoving());
   story.clickThere("solutions.none");
-  EXPECT_FALSE(story.view().chosenGhost_rad().has_value());
+  EXPECT_FALSE(story.view().chosenSolution_rad().has_value());
   story.settle();
   EXPECT_LT(worstBlockDifference(before, story.view().picture()), kTolerance);
 }
@@ -244,8 +245,8 @@ TEST(KinematicsStory, TheGhostIsHalfwayThereOnTheWay) {
       arm::solveAll(preset().geometry, preset().limits, arm::tipPose(preset().geometry, joints_rad(story)));
   const double from_rad = joints_rad(story)[2], to_rad = solutions.all[2].q_rad[2];
   bool on_the_way = false;
-  while (story.view().ghostMoving()) {
-    const double share = ((*story.view().chosenGhost_rad())[2] - from_rad) / (to_rad - from_rad);
+  while (story.view().solutionMoving()) {
+    const double share = ((*story.view().chosenSolution_rad())[2] - from_rad) / (to_rad - from_rad);
     on_the_way = on_the_way || (share > 0.1 && share < 0.9);
     QTest::qWait(20);
   }
@@ -374,7 +375,7 @@ TEST(KinematicsStory, ThePictureOfTheLesson) {
   story.perform("view.theme.light");
   story.perform("view.kinematics");
   story.perform("solution.show", 5);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !story.view().ghostMoving(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !story.view().solutionMoving(); }));
   EXPECT_LT(story.imageDifference("kinematics"), kTolerance);
 }
 
@@ -386,7 +387,7 @@ TEST(KinematicsStory, TheWindowOfTheLesson) {
     story.perform("view.kinematics");
     story.moveJoint(1, 20.0);
     story.perform("solution.show", 3);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !story.view().ghostMoving(); }));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !story.view().solutionMoving(); }));
     EXPECT_TRUE(story.picture().save(QString("%1/pictures/window_kinematics_%2.png").arg(UNDERACT_BINARY).arg(theme)));
   }
 }

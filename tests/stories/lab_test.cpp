@@ -14,7 +14,7 @@
 #include "app/gui/lab/front_chart.h"
 #include "app/gui/lab/lab_words.h"
 #include "core/scene/edit.h"
-#include "core/trade/settings.h"
+#include "core/tradeoff/settings.h"
 #include "tests/stories/picture_difference.h"
 #include "tests/stories/story.h"
 
@@ -37,7 +37,7 @@ struct Lab : Story {
     settle();
   }
   const scene::Description& scene() { return window().document().scene(); }
-  trade::Settings settings() { return trade::settingsOf(scene(), host().rateHz()); }
+  tradeoff::Settings settings() { return tradeoff::settingsOf(scene(), host().rateHz()); }
   bool isAsIt(const scene::Description& was) { return scene::isSame(scene(), was); }
   int last() { return walk()->maximum(); }
   QPoint handle() {
@@ -91,12 +91,12 @@ TEST(LabStory, TheFrontIsWalkedFromTheCheapestToTheMostExactAndBack) {
   EXPECT_TRUE(story.text("choice.rate.figures").contains("bound"));
   EXPECT_TRUE(story.text("differences").contains("Nothing differs"));
   ASSERT_TRUE(story.perform("lab.walk", 0));
-  const trade::Settings fast = story.settings();
+  const tradeoff::Settings fast = story.settings();
   EXPECT_LT(fast.rate_hz, 1000) << "a quarter of the ticks costs less";
   EXPECT_TRUE(story.text("differences").contains(QString("servo rate: 1000 Hz → %1 Hz").arg(fast.rate_hz)));
   EXPECT_EQ(story.walk()->value(), 0);
   ASSERT_TRUE(story.perform("lab.walk", 1.0));
-  const trade::Settings exact = story.settings();
+  const tradeoff::Settings exact = story.settings();
   EXPECT_EQ(story.walk()->value(), story.last());
   EXPECT_GT(exact.rate_hz, fast.rate_hz);
   EXPECT_EQ(story.host().rateHz(), exact.rate_hz);

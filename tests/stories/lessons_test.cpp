@@ -36,9 +36,9 @@ QString title(Story& story) {
 }
 
 void lead(Story& story, const Vec3& p_mm) {
-  sim::HandWish wish = story.arm().wished();
-  wish.p_WT = 1e-3 * p_mm;
-  story.arm().wish(wish);
+  sim::HandSetpoint setpoint = story.arm().setpoint();
+  setpoint.p_WT = 1e-3 * p_mm;
+  story.arm().setSetpoint(setpoint);
   story.run(2000);
 }
 

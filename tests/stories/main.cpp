@@ -7,9 +7,9 @@
 #include <QTemporaryDir>
 #include <clocale>
 
+#include "app/gui/kit/accessible_widgets.h"
 #include "app/gui/kit/application.h"
 #include "app/gui/kit/focus_style.h"
-#include "app/gui/kit/spoken.h"
 
 // The same preparations as the program's own main, but with settings of nobody: no story reads or writes the user's.
 int main(int argc, char** argv) {
@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName("underact-stories");
   underact::gui::Application application(argc, argv);
   QApplication::setStyle(new underact::gui::FocusStyle);
-  underact::gui::speakOwnWidgets();
+  underact::gui::makeWidgetsAccessible();
   std::setlocale(LC_NUMERIC, "C");
   QLocale::setDefault(QLocale::c());
   return RUN_ALL_TESTS();

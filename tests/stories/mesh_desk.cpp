@@ -110,9 +110,9 @@ void keepPicture(Story& story, const QString& widget, const QString& name) {
 }
 
 void handTo(Story& story, const Vec3& p_WT) {
-  sim::HandWish wish;
-  wish.p_WT = p_WT;
-  story.arm().wish(wish);
+  sim::HandSetpoint setpoint;
+  setpoint.p_WT = p_WT;
+  story.arm().setSetpoint(setpoint);
   story.run(2000);
 }
 

@@ -12,9 +12,9 @@ TEST(Parts, TheCommandLineIsUnderstoodOrSaidToBeWrong) {
   EXPECT_EQ(parseWindowOptions({"--help"}).exit, 0);
   EXPECT_NE(parseWindowOptions({"--help"}).said.find("--scheduling"), std::string::npos);
   EXPECT_EQ(parseWindowOptions({"--rate", "10000"}).rate_hz, 10000);
-  EXPECT_EQ(parseWindowOptions({"--scheduling", "rtkit"}).scheduling.way, system::Way::Rtkit);
+  EXPECT_EQ(parseWindowOptions({"--scheduling", "rtkit"}).scheduling.way, system::SchedulingMethod::Rtkit);
   EXPECT_EQ(parseWindowOptions({"--scheduling", "normal", "--core", "1"}).scheduling.core, 1);
-  EXPECT_EQ(parseWindowOptions({}).scheduling.way, system::Way::Auto);
+  EXPECT_EQ(parseWindowOptions({}).scheduling.way, system::SchedulingMethod::Auto);
   EXPECT_EQ(parseWindowOptions({}).scheduling.core, -1);
   EXPECT_EQ(parseWindowOptions({"--scheduling", "best"}).exit, 2);
   EXPECT_EQ(parseWindowOptions({"--core", "-1"}).exit, 2);

@@ -14,9 +14,9 @@ namespace {
 
 // A hand that pushes a little, the servo running and everything at rest: the same picture every time.
 void push(Story& story, const Vec3& p_W) {
-  sim::HandWish wish;
-  wish.p_WT = p_W;
-  story.arm().wish(wish);
+  sim::HandSetpoint setpoint;
+  setpoint.p_WT = p_W;
+  story.arm().setSetpoint(setpoint);
   story.perform("session.start");
   story.run(3000);
 }
@@ -24,10 +24,10 @@ void push(Story& story, const Vec3& p_W) {
 // A hand that feels its way over the ball for 10 s.
 void feelTheBall(Story& story) {
   for (int step = 0; step < 40; ++step) {
-    sim::HandWish wish;
+    sim::HandSetpoint setpoint;
     const double a = 0.16 * step;
-    wish.p_WT = Vec3(0.030 * std::sin(a), 0.022 * std::cos(0.7 * a), 0.036 + 0.008 * std::sin(2.1 * a));
-    story.arm().wish(wish);
+    setpoint.p_WT = Vec3(0.030 * std::sin(a), 0.022 * std::cos(0.7 * a), 0.036 + 0.008 * std::sin(2.1 * a));
+    story.arm().setSetpoint(setpoint);
     story.run(250);
   }
   story.view().setHint({});

@@ -68,7 +68,7 @@ TEST(ProjectorStory, PicturesOfIt) {
     Story story("02_sphere");
     story.perform(QString("view.theme.") + theme);
     story.perform("view.projector", true);
-    story.arm().wish({.p_WT = Vec3(0.012, 0.018, 0.034)});
+    story.arm().setSetpoint({.p_WT = Vec3(0.012, 0.018, 0.034)});
     story.perform("session.start");
     story.run(2000);
     story.savePicture(QString("projector_") + theme);

@@ -64,9 +64,9 @@ TEST(RateStory, PassivityIsChosenInThePanelAndTheEnergyIsToldOf) {
   auto* passivity = story.find<QComboBox>("panel.rate.passivity");
   EXPECT_EQ(passivity->currentIndex(), 1) << "observe";
   story.perform("session.start");
-  sim::HandWish wish;
-  wish.p_WT = Vec3(0.0, 0.0, 0.0515);
-  story.arm().wish(wish);
+  sim::HandSetpoint setpoint;
+  setpoint.p_WT = Vec3(0.0, 0.0, 0.0515);
+  story.arm().setSetpoint(setpoint);
   story.run(3000);
   EXPECT_NE(story.snapshot().report.held[0].energy_J, 0.0);
   passivity->setCurrentIndex(2);

@@ -55,9 +55,9 @@ TEST(RealTimeStory, TheViewFollowsTheHand) {
   QElapsedTimer clock;
   clock.start();
   for (int step = 0; clock.elapsed() < 4000; ++step) {
-    sim::HandWish wish;
-    wish.p_WT = Vec3(0.03 * std::sin(0.05 * step), 0.0, 0.045);
-    story.arm().wish(wish);
+    sim::HandSetpoint setpoint;
+    setpoint.p_WT = Vec3(0.03 * std::sin(0.05 * step), 0.0, 0.045);
+    story.arm().setSetpoint(setpoint);
     QTest::qWait(5);
   }
   const double rate_hz =

@@ -37,13 +37,13 @@ void RegistrationDesk::press(const QString& name) {
 }
 
 void RegistrationDesk::moveTip(const Vec3& p_WT) {
-  Vec3 wish = p_WT;
+  Vec3 setpoint = p_WT;
   for (int step = 0; step < 12; ++step) {
-    story.arm().wish({wish, Vec3::Zero(), Mat3::Identity(), false});
+    story.arm().setSetpoint({setpoint, Vec3::Zero(), Mat3::Identity(), false});
     story.run(750);
     const Vec3 error = p_WT - story.snapshot().report.p_WT;
     if (error.norm() < 0.2e-3) return;
-    wish += error;
+    setpoint += error;
   }
   ADD_FAILURE() << "the hand does not get to " << p_WT.transpose();
 }
@@ -57,8 +57,8 @@ void RegistrationDesk::touch(const Vec3& p_WT) {
 }
 
 void RegistrationDesk::touchAll(const std::vector<std::size_t>& order, const Pose& X_DW) {
-  const std::vector<Vec3> marks_D = tool().run().touching().marks_D();
-  for (const std::size_t mark : order) touch(X_DW.inverse() * marks_D[mark]);
+  const std::vector<Vec3> points_D = tool().run().touching().points_D();
+  for (const std::size_t mark : order) touch(X_DW.inverse() * points_D[mark]);
 }
 
 void RegistrationDesk::toResult(const std::vector<std::size_t>& order) {

@@ -7,8 +7,8 @@
 
 #include "app/gui/arms/second_arm.h"
 #include "app/gui/registration/registration_tool.h"
+#include "core/registration/registration_store.h"
 #include "core/registration/sheet.h"
-#include "core/registration/store.h"
 #include "tests/openhaptics/stand_in.h"
 #include "tests/stories/registration_desk.h"
 
@@ -21,10 +21,10 @@ using registration::Registration;
 /// As if the arm of that key had been registered there.
 void keepRegistration(const std::string& arm, const Pose& X_DW, const std::string& folder) {
   Registration registration{arm, "2026-11-22", "underact 0.1.0", {}, {}};
-  for (const Vec3& mark_D : registration::sheetMarks(4))
+  for (const Vec3& mark_D : registration::sheetPoints(4))
     registration.touches.push_back({mark_D, X_DW.inverse() * mark_D, 0.0});
   registration.fit = fitTouches(registration.touches).value();
-  EXPECT_TRUE(registration::keep(registration, folder).empty());
+  EXPECT_TRUE(registration::saveRegistration(registration, folder).empty());
 }
 
 double apart_m(const Pose& a, const Pose& b) {
@@ -54,13 +54,13 @@ TEST(RegistrationStory, ThreeMarksAreTouchedAndTheArmIsFoundWhereItStands) {
   EXPECT_EQ(desk.story.snapshot().mode, servo::Mode::Idle);  // nothing pulls at the tip
   EXPECT_FALSE(desk.in("registration.next")->isEnabled());
   EXPECT_TRUE(desk.text("registration.prompt").contains("reference point 1"));
-  const std::vector<Vec3> marks_D = desk.tool().run().touching().marks_D();
-  desk.touch(turnedArm().inverse() * marks_D[0]);
+  const std::vector<Vec3> points_D = desk.tool().run().touching().points_D();
+  desk.touch(turnedArm().inverse() * points_D[0]);
   EXPECT_TRUE(desk.text("registration.told").startsWith("Reference point 1 has been touched"));
   EXPECT_TRUE(desk.text("registration.prompt").contains("reference point 2"));
   desk.keepPicture("registration_touch");
-  desk.touch(turnedArm().inverse() * marks_D[1]);
-  desk.touch(turnedArm().inverse() * marks_D[2]);
+  desk.touch(turnedArm().inverse() * points_D[1]);
+  desk.touch(turnedArm().inverse() * points_D[2]);
   EXPECT_EQ(desk.text("registration.prompt"), "All reference points have been touched.");
   desk.press("registration.next");
   EXPECT_FALSE(desk.in<QLabel>("registration.warnings")->isVisible())
@@ -75,7 +75,7 @@ TEST(RegistrationStory, ThreeMarksAreTouchedAndTheArmIsFoundWhereItStands) {
   ASSERT_TRUE(known);
   EXPECT_LT(apart_m(known->fit.X_DW, turnedArm()), 1e-3);
   EXPECT_LT(turned_rad(known->fit.X_DW, turnedArm()), 0.01);
-  EXPECT_TRUE(registration::recall("simulated", desk.folder.path()).value());
+  EXPECT_TRUE(registration::loadRegistration("simulated", desk.folder.path()).value());
   EXPECT_EQ(desk.story.view().marksDrawn(), 3U);
   desk.story.perform("dock.devices", true);
   EXPECT_TRUE(desk.story.find<QLabel>("panel.devices.registration")->text().startsWith("Registered on "));
@@ -124,7 +124,7 @@ TEST(RegistrationStory, ScenesAndForcesStayWhereTheyAre) {
   const RegistrationFolder folder;
   const auto forceIn = [](Story& story) {
     story.perform("session.start");
-    story.arm().wish({Vec3(0.0, 0.0, 0.045), Vec3::Zero(), Mat3::Identity(), false});
+    story.arm().setSetpoint({Vec3(0.0, 0.0, 0.045), Vec3::Zero(), Mat3::Identity(), false});
     story.run(3000);
     return Vec3(story.snapshot().report.force.f_T_W());
   };
@@ -174,14 +174,14 @@ TEST(RegistrationStory, MarksOnALineAreRefusedBeforeTheyAreTouchedAndTouchesOnAL
 TEST(RegistrationStory, ATipThatMovesIsSaidAndOneMarkIsTouchedAgain) {
   RegistrationDesk desk;
   desk.press("registration.next");
-  const std::vector<Vec3> marks_D = desk.tool().run().touching().marks_D();
-  desk.moveTip(turnedArm().inverse() * marks_D[0]);
+  const std::vector<Vec3> points_D = desk.tool().run().touching().points_D();
+  desk.moveTip(turnedArm().inverse() * points_D[0]);
   desk.in("registration.hold")->setFocus();
   desk.story.bringToFront(desk.dialog());
   desk.story.key(Qt::Key_Space);  // the key in place of the button
   EXPECT_TRUE(desk.tool().run().touching().isHolding());
   EXPECT_FALSE(desk.in("registration.hold")->isEnabled());
-  desk.story.arm().wish({Vec3(0.05, -0.03, 0.0), Vec3::Zero(), Mat3::Identity(), false});
+  desk.story.arm().setSetpoint({Vec3(0.05, -0.03, 0.0), Vec3::Zero(), Mat3::Identity(), false});
   desk.story.run(250);
   EXPECT_GT(desk.in<QProgressBar>("registration.progress")->value(), 20);
   desk.story.run(400);
@@ -207,7 +207,7 @@ TEST(RegistrationStory, CancellingLeavesWhatThereWas) {
   EXPECT_FALSE(desk.tool().run().isOn());
   EXPECT_FALSE(desk.tool().of(Which::First));
   EXPECT_EQ(desk.story.view().marksDrawn(), 0U);
-  EXPECT_FALSE(registration::recall("simulated", desk.folder.path()).value());
+  EXPECT_FALSE(registration::loadRegistration("simulated", desk.folder.path()).value());
   desk.story.run(1000);  // its ticks are heard by nobody
   ASSERT_TRUE(desk.story.perform("registration.open"));
   desk.press("registration.next");
@@ -230,12 +230,12 @@ TEST(RegistrationStory, ItIsThereAgainAtTheNextStartAndCanBeForgotten) {
     EXPECT_FALSE(forget->isVisible());
     EXPECT_EQ(story.view().marksDrawn(), 0U);
   }
-  EXPECT_FALSE(registration::recall("simulated", folder.path()).value());
+  EXPECT_FALSE(registration::loadRegistration("simulated", folder.path()).value());
 }
 
 TEST(RegistrationStory, AFileThatIsDamagedIsSaidAndTheArmIsNotRegistered) {
   const RegistrationFolder folder;
-  QFile file(QString::fromStdString(registration::storePath("simulated", folder.path())));
+  QFile file(QString::fromStdString(registration::registrationPath("simulated", folder.path())));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.write("{\"underact_registration\": 1");
   file.close();
@@ -266,13 +266,13 @@ TEST(RegistrationStory, TwoArmsStandWhereTheirRegistrationsSay) {
   Story story("02_sphere");
   auto& second = *story.window().findChild<SecondArm*>();
   ASSERT_TRUE(story.perform("second.on", true));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !(second.look(), second.isLoading()); }, kLong_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !(second.poll(), second.isLoading()); }, kLong_ms));
   EXPECT_FALSE(second.placed());  // it is not registered itself
   EXPECT_TRUE(story.find("panel.second.side")->isEnabled());
   story.perform("second.on", false);
   keepRegistration("simulated:second", X_DS, folder.path());
   ASSERT_TRUE(story.perform("second.on", true));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !(second.look(), second.isLoading()); }, kLong_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !(second.poll(), second.isLoading()); }, kLong_ms));
   ASSERT_TRUE(second.placed());
   const Pose expected = turnedArm().inverse() * X_DS;
   EXPECT_LT(apart_m(*second.placed(), expected), 1e-9);
@@ -295,13 +295,13 @@ TEST(RegistrationStory, TheSecondArmIsRegisteredByItsOwnTicks) {
   Story story("02_sphere");
   auto& second = *story.window().findChild<SecondArm*>();
   ASSERT_TRUE(story.perform("second.on", true));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !(second.look(), second.isLoading()); }, kLong_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !(second.poll(), second.isLoading()); }, kLong_ms));
   auto& tool = *story.window().findChild<RegistrationTool*>();
   story.perform("second.mirror", false);
-  tool.begin(Which::Second, registration::sheetMarks());
+  tool.begin(Which::Second, registration::sheetPoints());
   for (int mark = 0; mark < 3; ++mark) {
     const Vec3 p_WT(0.03 * mark, -0.05, mark == 1 ? 0.02 : -0.01);
-    second.simulatedArm().wish({p_WT, Vec3::Zero(), Mat3::Identity(), false});
+    second.simulatedArm().setSetpoint({p_WT, Vec3::Zero(), Mat3::Identity(), false});
     for (int done = 0; done < 3000; done += 50) {
       second.run(50);
       story.run(50);
@@ -343,7 +343,7 @@ TEST(RegistrationStory, AnArmThatIsNotCalibratedIsNotTouchedWith) {
   auto& tool = *story.window().findChild<RegistrationTool*>();
   const Pose X_WD = turnedArm().inverse();
   for (std::size_t mark = 0; mark < 3; ++mark) {
-    const Vec3 p_WT = X_WD * tool.run().touching().marks_D()[mark];
+    const Vec3 p_WT = X_WD * tool.run().touching().points_D()[mark];
     library->placeTip(p_WT.x(), p_WT.y(), p_WT.z());
     QTest::qWait(200);
     library->holdButtons(1);

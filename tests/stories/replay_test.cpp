@@ -35,10 +35,10 @@ QString sessionFile() {
     auto recorder = record::Recorder::start(*simulated.host, path.toStdString(), {.name = "Slow push"});
     EXPECT_TRUE(static_cast<bool>(recorder));
     for (int tick = 0; tick < kSessionTicks; tick += 50) {
-      sim::HandWish wish = simulated.arm->wished();
-      wish.p_WT.z() = 0.05 - 0.0013 * std::sin(3.14159 * tick / kSessionTicks);
-      wish.p_WT.x() = 0.008 * std::sin(6.0 * 3.14159 * tick / kSessionTicks);
-      simulated.arm->wish(wish);
+      sim::HandSetpoint setpoint = simulated.arm->setpoint();
+      setpoint.p_WT.z() = 0.05 - 0.0013 * std::sin(3.14159 * tick / kSessionTicks);
+      setpoint.p_WT.x() = 0.008 * std::sin(6.0 * 3.14159 * tick / kSessionTicks);
+      simulated.arm->setSetpoint(setpoint);
       if (tick == 1000) recorder.value()->mark("half way in");
       if (tick == 3000) {
         scene::Description softer = document.scene();

@@ -47,13 +47,13 @@ struct Robot : Story {
   }
   /// The stylus held there, the servo running, everything at rest. z_W: where the stylus points; zero: as it is.
   void hold(const Vec3& p_W, const Vec3& z_W = Vec3::Zero()) {
-    sim::HandWish wish;
-    wish.p_WT = p_W;
+    sim::HandSetpoint setpoint;
+    setpoint.p_WT = p_W;
     if (!z_W.isZero()) {
-      wish.turns = true;
-      wish.R_WT = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), z_W).toRotationMatrix();
+      setpoint.turns = true;
+      setpoint.R_WT = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), z_W).toRotationMatrix();
     }
-    arm().wish(wish);
+    arm().setSetpoint(setpoint);
     perform("session.start");
     run(3000);
   }
@@ -131,8 +131,7 @@ TEST(RobotStory, TheMethodOfTheSolverChangesNothingThatIsFelt) {
   EXPECT_NEAR((story.wanted_N() - before_N).norm(), 0.0, 2e-3);  // the hand moves a little from tick to tick
   story.run(300);
   story.settle();
-  EXPECT_TRUE(story.readout("Solved by").startsWith("iteration"))
-      << story.readout("Solved by").toStdString();
+  EXPECT_TRUE(story.readout("Solved by").startsWith("iteration")) << story.readout("Solved by").toStdString();
   EXPECT_NEAR((story.wanted_N() - before_N).norm(), 0.0, 2e-3);
 }
 

@@ -23,7 +23,7 @@ struct SecondDesk {
     EXPECT_TRUE(QTest::qWaitFor([this] { return loaded(); }, kLong_ms));
   }
   bool loaded() {
-    second.look();
+    second.poll();
     return !second.isLoading();
   }
   void run(int ticks) {
@@ -59,7 +59,7 @@ TEST(SecondArmStory, ItHasASceneOfItsOwnAndStandsBesideTheFirst) {
 TEST(SecondArmStory, BothStartAndBothStop) {
   SecondDesk desk;
   ASSERT_TRUE(desk.story.perform("session.start"));
-  desk.story.arm().wish({Vec3(0.0, 0.0, 0.045), Vec3::Zero(), Mat3::Identity(), false});
+  desk.story.arm().setSetpoint({Vec3(0.0, 0.0, 0.045), Vec3::Zero(), Mat3::Identity(), false});
   desk.run(3000);
   EXPECT_EQ(desk.story.snapshot().mode, servo::Mode::Running);
   EXPECT_EQ(desk.second.servo().snapshot().mode, servo::Mode::Running);
@@ -75,14 +75,14 @@ TEST(SecondArmStory, BothStartAndBothStop) {
 
 TEST(SecondArmStory, ItsHandIsTheFirstOneInAMirror) {
   SecondDesk desk;
-  desk.story.arm().wish({Vec3(0.03, 0.01, 0.06), Vec3::Zero(), Mat3::Identity(), false});
+  desk.story.arm().setSetpoint({Vec3(0.03, 0.01, 0.06), Vec3::Zero(), Mat3::Identity(), false});
   desk.run(3000);
   const Vec3 first = desk.story.snapshot().report.p_WT, other = desk.second.servo().snapshot().report.p_WT;
   const double friction_m = 2e-3;  // what it may lag behind: its friction over the stiffness of the hand, 0.26 / 300
   EXPECT_LT((other - Vec3(-first.x(), first.y(), first.z())).norm(), 2 * friction_m);
   EXPECT_GT(first.x(), 0.02);
   desk.story.perform("second.mirror", false);
-  desk.story.arm().wish({Vec3(-0.03, 0.01, 0.06), Vec3::Zero(), Mat3::Identity(), false});
+  desk.story.arm().setSetpoint({Vec3(-0.03, 0.01, 0.06), Vec3::Zero(), Mat3::Identity(), false});
   desk.run(2000);
   EXPECT_LT((desk.second.servo().snapshot().report.p_WT - other).norm(), friction_m);
 }

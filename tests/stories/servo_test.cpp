@@ -21,9 +21,9 @@ QString text(Story& story, const QString& name) {
 }
 
 void handTo(Story& story, const Vec3& p_W, int ticks) {
-  sim::HandWish wish;
-  wish.p_WT = p_W;
-  story.arm().wish(wish);
+  sim::HandSetpoint setpoint;
+  setpoint.p_WT = p_W;
+  story.arm().setSetpoint(setpoint);
   story.run(ticks);
 }
 
@@ -141,9 +141,9 @@ TEST(ServoStory, TheButtonIsLetGoWhenTheFocusGoesElsewhere) {
   story.perform("session.hold_to_run", true);
   story.perform("session.start");
   story.perform("view.focus");
-  sim::HandWish wish;
-  wish.p_WT = {0.0, 0.0, 0.045};
-  story.arm().wish(wish);
+  sim::HandSetpoint setpoint;
+  setpoint.p_WT = {0.0, 0.0, 0.045};
+  story.arm().setSetpoint(setpoint);
   QTest::keyPress(story.window().windowHandle(), Qt::Key_Space);
   story.run(1000);
   ASSERT_GT(story.force_N(), 0.2);

@@ -17,7 +17,7 @@
 
 #include "app/gui/feature/status_line.h"
 #include "app/gui/model/recording.h"
-#include "app/gui/model/session_place.h"
+#include "app/gui/model/session_paths.h"
 #include "app/gui/model/session_words.h"
 #include "app/gui/sessions/session_index.h"
 #include "app/gui/sessions/sessions_panel.h"

@@ -153,7 +153,7 @@ void Story::dragHandTo(const Vec3& p_W, bool hold) {
   constexpr int kSteps = 20;
   const HeldPaints held;
   const QPointF from = view().screenOf(snapshot().report.p_WT);
-  const QPointF way = view().screenOf(p_W) - view().screenOf(arm().wished().p_WT);
+  const QPointF way = view().screenOf(p_W) - view().screenOf(arm().setpoint().p_WT);
   press(&view(), from.toPoint());
   for (int step = 1; step <= kSteps; ++step) {
     moveTo(&view(), (from + way * step / kSteps).toPoint());

@@ -27,7 +27,7 @@ using underact::test::LooseCable;
 // would lock the sanitizer's, too.
 servo::HostOptions byItself() {
   return {.clock = servo::Clock::Thread,
-          .scheduling = {.way = system::Way::Normal, .core = -1, .lock_memory = false},
+          .scheduling = {.way = system::SchedulingMethod::Normal, .core = -1, .lock_memory = false},
           .watchdog_s = 30.0,
           .max_late = 1'000'000};
 }
@@ -48,9 +48,9 @@ bool opens(Story& story, const QString& name) {
 }
 
 void stir(Story& story, int step) {
-  sim::HandWish wish;
-  wish.p_WT = Vec3(0.02 * std::sin(0.3 * step), 0.0, 0.045);
-  story.arm().wish(wish);
+  sim::HandSetpoint setpoint;
+  setpoint.p_WT = Vec3(0.02 * std::sin(0.3 * step), 0.0, 0.045);
+  story.arm().setSetpoint(setpoint);
 }
 
 }  // namespace

@@ -47,11 +47,11 @@ struct VisitorDesk {
       window->frame();
     }
   }
-  void wishAt(const Vec3& p_W) { cable->arm().wish({.p_WT = p_W}); }
+  void setpointAt(const Vec3& p_W) { cable->arm().setSetpoint({.p_WT = p_W}); }
   /// A hand that presses as deep into the ball as it can.
   double mostPushed_N() {
     static_cast<void>(cable->takeMost_N());
-    wishAt({0.0, 0.0, 0.030});
+    setpointAt({0.0, 0.0, 0.030});
     run(1500);
     return cable->takeMost_N();
   }

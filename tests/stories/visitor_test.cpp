@@ -95,7 +95,7 @@ TEST(VisitorStory, ScenesComeInTurnByTimeAndByNext) {
 TEST(VisitorStory, AMinuteAfterTheLastVisitorItIsAsAtFirst) {
   VisitorDesk desk;
   ASSERT_TRUE(desk.begin());
-  const Vec3 first = desk.cable->arm().wished().p_WT;
+  const Vec3 first = desk.cable->arm().setpoint().p_WT;
   desk.press("visitor.next");
   desk.run(100);
   SceneView& view = desk.window->view();
@@ -103,20 +103,20 @@ TEST(VisitorStory, AMinuteAfterTheLastVisitorItIsAsAtFirst) {
   QTest::keyPress(desk.window->windowHandle(), Qt::Key_Right, Qt::ShiftModifier);
   QTest::keyRelease(desk.window->windowHandle(), Qt::Key_Right, Qt::ShiftModifier);
   QTest::keyClick(desk.window->windowHandle(), Qt::Key_Left, Qt::AltModifier);  // the view turns
-  EXPECT_GT((desk.cable->arm().wished().p_WT - first).norm(), 0.005);
+  EXPECT_GT((desk.cable->arm().setpoint().p_WT - first).norm(), 0.005);
   EXPECT_FALSE(view.viewpoint().fits);
   desk.run(59'000);
   EXPECT_EQ(desk.scene(), "Box from outside");
   desk.run(2'000);
   EXPECT_EQ(desk.scene(), "Sphere");
   EXPECT_TRUE(view.viewpoint().fits);
-  EXPECT_LT((desk.cable->arm().wished().p_WT - first).norm(), 1e-12);
+  EXPECT_LT((desk.cable->arm().setpoint().p_WT - first).norm(), 1e-12);
 }
 
 TEST(VisitorStory, AnUnpluggedArmIsSaidAndPushesAgainOnSomebodysWordAlone) {
   VisitorDesk desk;
   ASSERT_TRUE(desk.begin());
-  desk.wishAt({0.0, 0.0, 0.030});
+  desk.setpointAt({0.0, 0.0, 0.030});
   desk.run(1000);
   desk.plugged_in = false;
   desk.run(200);
@@ -246,9 +246,9 @@ TEST(VisitorStory, PicturesOfTheVisitor) {
       story.run(1);
       return story.window().findChild<VisitorMode*>()->count() == 1;
     }));
-    story.arm().wish({.p_WT = Vec3(0.012, 0.018, 0.034)});
+    story.arm().setSetpoint({.p_WT = Vec3(0.012, 0.018, 0.034)});
     story.run(2000);
-    story.view().look(Camera::Fit);
+    story.view().moveCamera(Camera::Fit);
     story.settle(400);
     story.savePicture(QString("visitor_") + theme);
     story.perform("visitor.demonstrator");

@@ -109,7 +109,7 @@ TEST(WelcomeStory, ItStandsWhereTheStylusIsNotWhereverThatIsTaken) {
   Story& story = *first.story;
   const Vec3 places[] = {{-0.07, 0.05, 0.03}, {0.07, 0.05, 0.03}, {-0.07, -0.05, 0.03}, {0.07, -0.05, 0.03}};
   for (const Vec3& place : places) {
-    story.arm().wish({.p_WT = place});
+    story.arm().setSetpoint({.p_WT = place});
     story.run(1500);
     ASSERT_TRUE(first.card()->isVisible());
     EXPECT_FALSE(first.coversTheStylus()) << place.transpose();

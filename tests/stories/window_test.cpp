@@ -186,9 +186,9 @@ TEST(WindowStory, NothingIsCutAtTheSmallestUsableSize) {
 TEST(WindowStory, WhatAStoryHoldsBackIsPaintedWhenItWaitsOrASecondHasPassed) {
   Story story("02_sphere");
   const auto moveAndRun = [&story](double x_m, int ticks) {
-    sim::HandWish wish;
-    wish.p_WT = Vec3(x_m, 0.0, 0.06);
-    story.arm().wish(wish);
+    sim::HandSetpoint setpoint;
+    setpoint.p_WT = Vec3(x_m, 0.0, 0.06);
+    story.arm().setSetpoint(setpoint);
     story.run(ticks);
   };
   const qint64 at_first = story.view().framesDrawn();

@@ -20,7 +20,7 @@ class ArmDouble {
 
   void placeTip(const Vec3& p_WT) {
     const std::scoped_lock lock(mutex_);
-    q_rad_ = arm::reach(preset_.geometry, p_WT).q_rad;
+    q_rad_ = arm::solvePosition(preset_.geometry, p_WT).q_rad;
     moved_ns_ = system::monotonicNow_ns();
     answered_ns_ = 0;
   }
@@ -66,7 +66,7 @@ class ArmDouble {
       arm_.lost_ = false;
       return {};
     }
-    Sentence fixedRate() const override { return {}; }
+    Sentence fixedRateReason() const override { return {}; }
     Sentence trouble() const override { return arm_.lost_ ? "The double was unplugged. Plug it in." : ""; }
     servo::DeviceInfo info() const override { return {"Double", false, true, 0.5}; }
 
@@ -101,7 +101,7 @@ class ArmDouble {
 
   const arm::Preset preset_;
   mutable std::mutex mutex_;
-  arm::JointAngles q_rad_ = arm::reach(preset_.geometry, Vec3(0.0, 0.0, 0.06)).q_rad;
+  arm::JointAngles q_rad_ = arm::solvePosition(preset_.geometry, Vec3(0.0, 0.0, 0.06)).q_rad;
   Vec3 f_N_ = Vec3::Zero(), f_before_N_ = Vec3::Zero();
   std::int64_t time_ns_ = 0, moved_ns_ = 0, given_ns_ = 0, answered_ns_ = 1;
   bool tremble_ = false;

@@ -8,7 +8,7 @@
 #include <mutex>
 
 #include "core/system/clock.h"
-#include "device/wooden/hid_bus.h"
+#include "device/wooden_haptics/hid_bus.h"
 #include "tests/support/wooden_firmware.h"
 
 namespace underact::test {

@@ -21,7 +21,7 @@ class LooseCable final : public servo::DevicePort {
     if (plugged_in_.load()) return {};
     return {{"No arm answers on the cable.", {}}};
   }
-  Sentence fixedRate() const override { return {}; }
+  Sentence fixedRateReason() const override { return {}; }
   servo::DeviceInfo info() const override { return {"Arm on a loose cable", false, true}; }
 
   device::SimulatedArm& arm() { return arm_; }

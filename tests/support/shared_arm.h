@@ -33,14 +33,14 @@ class SharedArm {
   }
   void end() { share_.reset(); }
   /// Over the cable; or, straight, without.
-  device::remote::Reach reach(bool straight = false) const {
+  device::remote::Endpoint endpoint(bool straight = false) const {
     const int port = straight ? share_->address().port : cable_->port();
     return {{device::remote::kThisMachine, port}, sharer_.public_key, client_};
   }
   Result<std::unique_ptr<device::remote::RemoteArm>> open(const char* preset = nullptr, int rate_hz = 1000,
                                                           bool straight = false) const {
     const arm::Preset& wanted = preset != nullptr ? *arm::findPreset(preset) : arm.preset();
-    return device::remote::RemoteArm::open(reach(straight), wanted, rate_hz);
+    return device::remote::RemoteArm::open(endpoint(straight), wanted, rate_hz);
   }
   Cable& cable() { return *cable_; }
   device::remote::KeyPair stranger() const { return KeyFolder(scratch_.path() + "/stranger").own().value(); }

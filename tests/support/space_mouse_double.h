@@ -10,7 +10,7 @@
 #include <mutex>
 #include <vector>
 
-#include "device/wooden/hid_bus.h"
+#include "device/wooden_haptics/hid_bus.h"
 
 namespace underact::test {
 

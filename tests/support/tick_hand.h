@@ -25,7 +25,7 @@ class Hand {
 
   /// A tick dt_s after the last one with the tip in p_WT.
   const tick::TickReport& at(const Vec3& p_WT, double dt_s = 1e-3) {
-    return feed(arm::reach(thesisGeometry(), p_WT).q_rad, dt_s);
+    return feed(arm::solvePosition(thesisGeometry(), p_WT).q_rad, dt_s);
   }
   const tick::TickReport& feed(const arm::JointAngles& q_rad, double dt_s = 1e-3) {
     input.sample.time_ns += static_cast<std::int64_t>(dt_s * 1e9 + (dt_s < 0.0 ? -0.5 : 0.5));

@@ -9,9 +9,10 @@
 
 namespace underact::test {
 
-/// The board of a WoodenHaptics arm and the arm behind it, said a second time: it shares no line with device/wooden. It
-/// takes reports as bytes and gives reports as bytes; behind them are motors, bodies and a tip. Any thread.
-/// Sources: the firmware's main.cpp of both protocols and kinematics.cpp; the bodies' inertia is made up.
+/// The board of a WoodenHaptics arm and the arm behind it, said a second time: it shares no line with
+/// device/wooden_haptics. It takes reports as bytes and gives reports as bytes; behind them are motors, bodies and a
+/// tip. Any thread. Sources: the firmware's main.cpp of both protocols and kinematics.cpp; the bodies' inertia is made
+/// up.
 class WoodenFirmware {
  public:
   struct Built {

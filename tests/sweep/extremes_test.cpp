@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/extremes/catalogue.h"
+#include "core/error_bounds/catalogue.h"
 #include "tests/sweep/rig.h"
 
 namespace underact::test {
@@ -15,10 +15,10 @@ TEST(SweepOfExtremes, HasTheWorstOfEachRowAndSeedAsTheLabHasIt) {
   const auto rows = table(out);
   ASSERT_EQ(rows.size(), 1U + 2 * 3);
   for (std::size_t row = 1; row < rows.size(); ++row) {
-    const extremes::Row* asked = extremes::findRow(row <= 3 ? "shape_circle" : "law_pid");
+    const error_bounds::Row* asked = error_bounds::findRow(row <= 3 ? "shape_circle" : "law_pid");
     ASSERT_NE(asked, nullptr);
     EXPECT_EQ(field(rows, row, "row"), asked->key);
-    const extremes::Worst worst = measure(*asked, std::stoull(field(rows, row, "seed")), 200);
+    const error_bounds::Worst worst = measure(*asked, std::stoull(field(rows, row, "seed")), 200);
     EXPECT_EQ(std::stod(field(rows, row, "error_ulp")), worst.error_ulp);
     EXPECT_EQ(field(rows, row, "cases"), std::to_string(worst.cases));
     EXPECT_EQ(field(rows, row, "promise"), "kept");

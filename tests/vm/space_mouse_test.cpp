@@ -9,14 +9,14 @@
 #include <cstring>
 #include <vector>
 
-#include "device/hands/space_mice.h"
-#include "device/wooden/hid_bus.h"
+#include "device/input/space_mice.h"
+#include "device/wooden_haptics/hid_bus.h"
 #include "tests/support/comes.h"
 
 namespace underact::test {
 namespace {
 
-namespace hands = device::hands;
+namespace input = device::input;
 
 /// As a SpaceNavigator describes itself: page 1, usage 8; reports 1 and 2 of three numbers each, 3 of two buttons.
 const std::vector<std::uint8_t> kDescriptor{
@@ -58,18 +58,18 @@ class UhidSpaceMouse {
 TEST(SpaceMouseInTheMachine, IsFoundReadAndMissedWhenItGoes) {
   const char* const asked = std::getenv("UNDERACT_UHID");
   if (asked == nullptr || *asked != '1') GTEST_SKIP() << "tests/vm/run does this in a virtual machine";
-  hands::SpaceMice mice(device::hidapiBus(), 50'000'000);
-  EXPECT_TRUE(mice.look().empty());
+  input::SpaceMice mice(device::hidapiBus(), 50'000'000);
+  EXPECT_TRUE(mice.poll().empty());
   {
     const UhidSpaceMouse mouse;
-    ASSERT_TRUE(comes([&] { return !mice.look().empty(); }));
-    EXPECT_EQ(mice.look()[0].name, "SpaceNavigator");
-    EXPECT_TRUE(mice.look()[0].missing.empty());
-    const auto readings = [&] { return mice.look()[0].readings; };
+    ASSERT_TRUE(comes([&] { return !mice.poll().empty(); }));
+    EXPECT_EQ(mice.poll()[0].name, "SpaceNavigator");
+    EXPECT_TRUE(mice.poll()[0].missing.empty());
+    const auto readings = [&] { return mice.poll()[0].readings; };
     EXPECT_TRUE(comes([&] {  // again and again, as the mouse itself does
       mouse.say({1, 0x5E, 0x01, 0x51, 0xFF, 0x00, 0x00});
       mouse.say({2, 0x00, 0x00, 0x00, 0x00, 0x23, 0x00});
-      const hands::Readings now = readings();
+      const input::Readings now = readings();
       return now.axis[0] == 1.0 && now.axis[1] == -0.5 && now.axis[5] == 0.1;
     }));
     EXPECT_TRUE(comes([&] { return readings().axis[0] == 0.0; }));  // silent: at rest
@@ -78,7 +78,7 @@ TEST(SpaceMouseInTheMachine, IsFoundReadAndMissedWhenItGoes) {
       return readings().isPressed(1) && !readings().isPressed(0);
     }));
   }
-  EXPECT_TRUE(comes([&] { return mice.look().empty(); }));
+  EXPECT_TRUE(comes([&] { return mice.poll().empty(); }));
 }
 
 }  // namespace

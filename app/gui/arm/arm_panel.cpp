@@ -3,7 +3,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kit/readout.h"
-#include "app/gui/kit/tight.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
 #include "core/base/units.h"
 

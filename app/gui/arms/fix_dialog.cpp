@@ -9,8 +9,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 
 namespace underact::gui {
@@ -41,7 +41,7 @@ FixDialog::FixDialog(const QString& arm, const std::vector<device::Missing>& mis
   int number = 0;
   for (const device::Missing& one : missing) {
     const QString name = QString("dialog.fix.%1").arg(number++), command = QString::fromStdString(one.command);
-    QLabel* sentence = toldLabel(name.toLatin1().constData(), tr("What is missing"), "", this);
+    QLabel* sentence = messageLabel(name.toLatin1().constData(), tr("What is missing"), "", this);
     sentence->setText(sentenceText(one.sentence));
     column->addWidget(sentence);
     if (command.isEmpty()) continue;

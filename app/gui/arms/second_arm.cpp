@@ -15,12 +15,12 @@ namespace {
 constexpr double kApart_mm = 260.0;  // between the centres of the workspaces: neither arm reaches into the other's
 
 /// Mirrored across x = 0.
-sim::HandWish mirrored(sim::HandWish wish) {
+sim::HandSetpoint mirrored(sim::HandSetpoint setpoint) {
   const Vec3 flip(-1.0, 1.0, 1.0);
-  wish.p_WT = flip.cwiseProduct(wish.p_WT);
-  wish.v_WT = flip.cwiseProduct(wish.v_WT);
-  wish.R_WT = (flip.asDiagonal() * wish.R_WT * flip.asDiagonal()).eval();  // still a rotation
-  return wish;
+  setpoint.p_WT = flip.cwiseProduct(setpoint.p_WT);
+  setpoint.v_WT = flip.cwiseProduct(setpoint.v_WT);
+  setpoint.R_WT = (flip.asDiagonal() * setpoint.R_WT * flip.asDiagonal()).eval();  // still a rotation
+  return setpoint;
 }
 
 }  // namespace
@@ -137,7 +137,7 @@ void SecondArm::setRate(int rate_hz) {
 void SecondArm::takeFaults() {
   while (const std::optional<servo::FaultReport> report = simulated_.host->takeFault()) {
     const record::FaultWords words = record::wordsOf(*report);
-    const Result<std::string> kept = record::keepFault(*report, words, faultFolder().toStdString());
+    const Result<std::string> kept = record::saveFault(*report, words, faultFolder().toStdString());
     emit told(tr("The second arm: %1 %2").arg(sentenceText(words.what), sentenceText(words.what_to_do)) +
               (kept ? tr(" The report is in %1.").arg(QString::fromStdString(kept.value())) : QString()));
   }
@@ -147,14 +147,15 @@ void SecondArm::takeFaults() {
 void SecondArm::moveHand() {
   if (!mirrors_ || arms_->simulated() == nullptr) return;
   if (const device::SimulatedArm* hand = first_arms_.simulated()) {
-    simulated_.arm->wish(mirrored(hand->wished()));
+    simulated_.arm->setSetpoint(mirrored(hand->setpoint()));
     return;
   }
   const tick::TickReport report = first_.snapshot().report;
-  if (report.p_WT.allFinite()) simulated_.arm->wish(mirrored({report.p_WT, Vec3::Zero(), Mat3::Identity(), false}));
+  if (report.p_WT.allFinite())
+    simulated_.arm->setSetpoint(mirrored({report.p_WT, Vec3::Zero(), Mat3::Identity(), false}));
 }
 
-void SecondArm::look() {
+void SecondArm::poll() {
   if (!isOn()) return;
   takeScene();
   if (simulated_.host->holdToRun() != first_.holdToRun()) simulated_.host->setHoldToRun(first_.holdToRun());

@@ -48,7 +48,7 @@ class SecondArm : public QObject {
   void stop();
   void setRate(int rate_hz);
   /// Called each frame.
-  void look();
+  void poll();
 
   // Only while it is on.
   ServoFacts servo() const { return *simulated_.host; }

@@ -9,10 +9,10 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_box.h"
 #include "app/gui/kit/number_table.h"
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/tight_layout.h"
 
 namespace underact::gui {
 
@@ -95,7 +95,7 @@ void BeginPage::setReference(double reference_N_per_mm) {
 }
 
 void BeginPage::setNote(const QString& note) {
-  tellIn(note_, note);
+  showMessage(note_, note);
 }
 
 CalibrationSetup BeginPage::setup() const {

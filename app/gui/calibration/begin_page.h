@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/gui/calibration/session.h"
+#include "app/gui/calibration/calibration_run.h"
 
 class QCheckBox;
 class QComboBox;

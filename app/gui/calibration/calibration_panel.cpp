@@ -12,10 +12,10 @@
 #include "app/gui/calibration/run_page.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/file_question.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_table.h"
 #include "app/gui/kit/panel_scroll.h"
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/scene_library.h"
@@ -27,7 +27,7 @@ using calibration::Beam;
 CalibrationPanel::CalibrationPanel(const Parts& parts, QWidget* parent)
     : Panel(parent),
       parts_(parts),
-      session_(new CalibrationSession(parts.document, parts.servo, this)),
+      session_(new CalibrationRun(parts.document, parts.servo, this)),
       pages_(new QStackedWidget) {
   addActions();
   pages_->addWidget(no_beams_ = makeNoBeamsPage());
@@ -36,10 +36,10 @@ CalibrationPanel::CalibrationPanel(const Parts& parts, QWidget* parent)
   pages_->addWidget(result_ = new ResultPage);
   pages_->setContentsMargins(8, 8, 8, 8);
   fillWithScroll(this, pages_);
-  connect(session_, &CalibrationSession::changed, this, &CalibrationPanel::showState);
+  connect(session_, &CalibrationRun::changed, this, &CalibrationPanel::showState);
   connect(begin_, &BeginPage::begin, this, &CalibrationPanel::begin);
   connect(run_, &RunPage::cancelled, session_, [this] { session_->cancel(); });
-  connect(result_, &ResultPage::again, session_, &CalibrationSession::leave);
+  connect(result_, &ResultPage::again, session_, &CalibrationRun::leave);
   connect(result_, &ResultPage::save, this, &CalibrationPanel::chooseAndSave);
   connect(&parts_.document, &Document::opened, this, &CalibrationPanel::sceneOpened);
   showState();
@@ -96,16 +96,16 @@ void CalibrationPanel::showState() {
     parts_.actions.find(name)->setEnabled(session_->mayAnswer());
   }
   switch (session_->state()) {
-    case CalibrationSession::State::Idle:
+    case CalibrationRun::State::Idle:
       begin_->setNote(session_->why());
       pages_->setCurrentWidget(calibration::softerOf(parts_.document.scene()) ? static_cast<QWidget*>(begin_)
                                                                               : no_beams_);
       break;
-    case CalibrationSession::State::Running:
+    case CalibrationRun::State::Running:
       run_->present(*session_, begin_->saysWhetherRight());
       pages_->setCurrentWidget(run_);
       break;
-    case CalibrationSession::State::Done:
+    case CalibrationRun::State::Done:
       result_->present(*session_);
       pages_->setCurrentWidget(result_);
       break;
@@ -126,7 +126,7 @@ void CalibrationPanel::setTheme(const Theme& theme) {
 }
 
 bool CalibrationPanel::save(const QString& path) {
-  if (session_->state() != CalibrationSession::State::Done || path.isEmpty()) return false;
+  if (session_->state() != CalibrationRun::State::Done || path.isEmpty()) return false;
   const CalibrationSetup& setup = session_->setup();
   const QString who = setup.who == Answering::Person
                           ? QStringLiteral("a person")

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/gui/calibration/session.h"
+#include "app/gui/calibration/calibration_run.h"
 #include "app/gui/feature/panel.h"
 
 class QStackedWidget;
@@ -35,7 +35,7 @@ class CalibrationPanel : public Panel {
   void chooseAndSave();
 
   Parts parts_;
-  CalibrationSession* session_;
+  CalibrationRun* session_;
   QStackedWidget* pages_;
   QWidget* no_beams_ = nullptr;
   BeginPage* begin_ = nullptr;

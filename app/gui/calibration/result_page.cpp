@@ -6,10 +6,10 @@
 #include <QVBoxLayout>
 
 #include "app/gui/calibration/staircase_chart.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_table.h"
 #include "app/gui/kit/readout.h"
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
 
 namespace underact::gui {
@@ -62,7 +62,7 @@ ResultPage::ResultPage(QWidget* parent)
   connect(again, &QPushButton::clicked, this, &ResultPage::again);
 }
 
-void ResultPage::present(const CalibrationSession& session) {
+void ResultPage::present(const CalibrationRun& session) {
   const calibration::Measurement& run = session.run();
   const auto threshold = thresholdOf(run.staircase);
   none_->setVisible(!threshold);
@@ -85,7 +85,7 @@ void ResultPage::setTheme(const Theme& theme) {
 }
 
 void ResultPage::setNote(const QString& note) {
-  tellIn(note_, note);
+  showMessage(note_, note);
 }
 
 }  // namespace underact::gui

@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/gui/calibration/session.h"
+#include "app/gui/calibration/calibration_run.h"
 #include "app/gui/kit/theme.h"
 
 class QLabel;
@@ -16,7 +16,7 @@ class ResultPage : public QWidget {
   Q_OBJECT
  public:
   explicit ResultPage(QWidget* parent = nullptr);
-  void present(const CalibrationSession& session);
+  void present(const CalibrationRun& session);
   void setTheme(const Theme& theme);
   /// A note on whether saving succeeded.
   void setNote(const QString& note);

@@ -11,9 +11,9 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_table.h"
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/tight_layout.h"
 
 namespace underact::gui {
 namespace {
@@ -97,7 +97,7 @@ QToolButton* RunPage::answerButton(const QString& key, const QString& name) {
   return button;
 }
 
-void RunPage::present(const CalibrationSession& session, bool say_right) {
+void RunPage::present(const CalibrationRun& session, bool say_right) {
   const calibration::Measurement& run = session.run();
   const bool person = session.setup().who == Answering::Person;
   const auto number = static_cast<int>(run.answers.size()) + 1;

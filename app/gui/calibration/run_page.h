@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <array>
 
-#include "app/gui/calibration/session.h"
+#include "app/gui/calibration/calibration_run.h"
 #include "app/gui/kit/theme.h"
 
 class QAction;
@@ -19,7 +19,7 @@ class RunPage : public QWidget {
   Q_OBJECT
  public:
   explicit RunPage(Actions& actions, QWidget* parent = nullptr);
-  void present(const CalibrationSession& session, bool say_right);
+  void present(const CalibrationRun& session, bool say_right);
   void setTheme(const Theme& theme);
 
  signals:

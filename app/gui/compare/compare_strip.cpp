@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "core/base/units.h"
 
@@ -29,9 +29,9 @@ CompareStrip::CompareStrip(Actions& actions, QWidget* parent) : QWidget(parent) 
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 4, 12, 6);
   column->setSpacing(4);
-  told_ = toldLabel("compare.told", tr("Message about the comparison"), "alarm", this);
-  difference_ = toldLabel("compare.difference", tr("Differences between the two scenes"), "", this);
-  figures_ = toldLabel("compare.figures", tr("Force and error of both scenes"), "quiet", this);
+  told_ = messageLabel("compare.told", tr("Message about the comparison"), "alarm", this);
+  difference_ = messageLabel("compare.difference", tr("Differences between the two scenes"), "", this);
+  figures_ = messageLabel("compare.figures", tr("Force and error of both scenes"), "quiet", this);
   column->addWidget(told_);
   column->addWidget(difference_);
   column->addWidget(figures_);
@@ -59,7 +59,7 @@ void CompareStrip::setDifference(const QString& words, const QString& all) {
 }
 
 void CompareStrip::tell(const QString& sentence) {
-  tellIn(told_, sentence);
+  showMessage(told_, sentence);
 }
 
 void CompareStrip::present(const record::TickFigures& felt, const record::TickFigures& beside) {

@@ -1,7 +1,7 @@
 #pragma once
 #include <QObject>
 
-#include "app/gui/compare/beside.h"
+#include "app/gui/compare/compared_scene.h"
 #include "app/gui/feature/feature.h"
 #include "app/gui/kit/theme.h"
 #include "app/gui/model/scene_loading.h"
@@ -13,7 +13,7 @@ class TwoViews;
 
 /// Compares two scenes, or one scene with two sets of gains, on one motion: the felt scene on the left, the other one
 /// on the right. The felt scene is edited as usual; the other one does not change until they are swapped.
-class CompareTool : public QObject, public Follower {
+class CompareTool : public QObject, public ServoListener {
   Q_OBJECT
  public:
   explicit CompareTool(const FeatureParts& parts);
@@ -21,7 +21,7 @@ class CompareTool : public QObject, public Follower {
 
   bool isOn() const;
   void setOn(bool on);
-  const Beside& beside() const { return beside_; }
+  const ComparedScene& beside() const { return beside_; }
 
   void add(const servo::TickRecord& record) override;
   void present(const servo::Snapshot& snapshot) override;
@@ -40,7 +40,7 @@ class CompareTool : public QObject, public Follower {
   FeatureParts parts_;
   TwoViews* views_;
   CompareStrip* strip_ = nullptr;
-  Beside beside_;
+  ComparedScene beside_;
   SceneLoading loading_;
   bool is_mirrored_ = false;  // the other scene
   int frames_ = 0;

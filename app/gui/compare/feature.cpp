@@ -5,8 +5,8 @@
 namespace underact::gui {
 namespace {
 
-void makeCompare(const FeatureParts& parts, Followers& followers) {
-  followers.push_back(new CompareTool(parts));
+void makeCompare(const FeatureParts& parts, ServoListeners& listeners) {
+  listeners.push_back(new CompareTool(parts));
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_box.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "core/mesh_file/report.h"
 
@@ -83,7 +83,7 @@ void CurveDialog::proposeUnit() {
   const double largest = (high_ - low_).maxCoeff();
   const auto proposal = mesh_file::implausible(largest);
   if (!proposal || !(largest > 0.0)) return;
-  QLabel* told = toldLabel("dialog.curve.question", tr("Which unit"), "amber", this);
+  QLabel* told = messageLabel("dialog.curve.question", tr("Which unit"), "amber", this);
   const QString as_mm = tr("In millimetres the curve would be %1 long.").arg(millimetres(largest));
   told->setText(tr("%1 Which unit is the file in?").arg(as_mm));
   if (!proposal->units.empty()) {

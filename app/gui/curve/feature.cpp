@@ -15,8 +15,8 @@ namespace {
 
 const QStringList kCurveSuffixes{"txt", "csv", "tsv", "xyz", "pts", "asc", "dat"};
 
-Result<ConstraintFileKind::Ask> readCurve(const QString& path, const Watch& watch) {
-  Result<std::vector<Vec3>> read = curve::readPoints(path.toStdString(), watch);
+Result<ConstraintFileKind::Ask> readCurve(const QString& path, const TaskMonitor& monitor) {
+  Result<std::vector<Vec3>> read = curve::readPoints(path.toStdString(), monitor);
   if (!read) return read.problems();
   return ConstraintFileKind::Ask(
       [path, points = std::make_shared<const std::vector<Vec3>>(std::move(read).value())](
@@ -29,7 +29,7 @@ Result<ConstraintFileKind::Made> makePath(const scene::Shape& shape) {
   return ConstraintFileKind::Made(std::make_shared<const target::CurvePath>(std::move(path).value()));
 }
 
-void makeCurve(const FeatureParts& parts, Followers&) {
+void makeCurve(const FeatureParts& parts, ServoListeners&) {
   auto* files = new ConstraintFiles({.key = "curve",
                                      .suffixes = kCurveSuffixes,
                                      .choose = tr("Add a curve"),

@@ -11,18 +11,18 @@
 
 #include "app/gui/arms/fix_dialog.h"
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/panel_scroll.h"
 #include "app/gui/kit/push_button.h"
 #include "app/gui/kit/remark.h"
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/arm_choice.h"
 
 namespace underact::gui {
 namespace {
 
-constexpr int kLookForArms_ms = 2000;  // while the panel is visible
+constexpr int kPollArms_ms = 2000;  // while the panel is visible
 constexpr int kEntry = Qt::UserRole;
 
 QString stateOf(const ArmEntry& entry, bool is_in_use) {
@@ -40,9 +40,9 @@ DevicesPanel::DevicesPanel(const Parts& parts, QWidget* parent)
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(8);
-  in_use_ = toldLabel("panel.devices.in_use", tr("The arm in use"), "", content);
+  in_use_ = messageLabel("panel.devices.in_use", tr("The arm in use"), "", content);
   column->addWidget(in_use_);
-  column->addWidget(told_ = toldLabel("panel.devices.told", tr("Result of the choice"), "alarm", content));
+  column->addWidget(told_ = messageLabel("panel.devices.told", tr("Result of the choice"), "alarm", content));
   told_->hide();
   column->addWidget(buildOpening());
   column->addWidget(buildChosen());
@@ -50,17 +50,17 @@ DevicesPanel::DevicesPanel(const Parts& parts, QWidget* parent)
   column->addWidget(buildRegistration());
   column->addStretch(1);
   fillWithScroll(this, content);
-  looks_.setInterval(kLookForArms_ms);
-  connect(&looks_, &QTimer::timeout, this, [this] {
-    if (isSeen()) search_->look();
+  poll_timer_.setInterval(kPollArms_ms);
+  connect(&poll_timer_, &QTimer::timeout, this, [this] {
+    if (isSeen()) search_->search();
   });
-  looks_.start();
+  poll_timer_.start();
   connect(search_, &ArmSearch::found, this, &DevicesPanel::rebuild);
   connect(&parts_.arms, &ArmChoice::began, this, &DevicesPanel::presentArm);
   connect(&parts_.arms, &ArmChoice::changed, this, &DevicesPanel::presentArm);
   connect(&parts_.arms, &ArmChoice::failed, this, [this](const QString& name, const Problems& problems) {
     tell(tr("“%1” could not be opened. %2").arg(name, sentencesOf(problems)));
-    search_->look();  // it may be unplugged
+    search_->search();  // it may be unplugged
   });
   presentArm();
 }
@@ -74,7 +74,7 @@ void DevicesPanel::addActions() {
                       tr("Looks again for arms that are plugged in.")},
                      [this](const QVariantList&) {
                        bringForward();
-                       search_->look();
+                       search_->search();
                        return true;
                      });
   parts_.actions.addCommand("devices.fix", [this](const QVariantList&) { return fix(); });
@@ -96,7 +96,7 @@ QWidget* DevicesPanel::buildChosen() {
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setMinimumHeight(9 * fontMetrics().lineSpacing());
   column->addWidget(list_);
-  column->addWidget(about_ = toldLabel("panel.devices.about", tr("About the selected arm"), "quiet", box));
+  column->addWidget(about_ = messageLabel("panel.devices.about", tr("About the selected arm"), "quiet", box));
   use_ = pushButton("panel.devices.use", tr("Use this arm"),
                     tr("Opens this arm with the servo stopped. Press Start to turn the force on."), box);
   fix_ = pushButton("panel.devices.fix", tr("How to fix it…"), tr("Shows the command that fixes the problem."), box);
@@ -143,7 +143,7 @@ QWidget* DevicesPanel::buildRegistration() {
   auto* box = new QWidget(this);
   auto* column = tight<QVBoxLayout>(box);
   column->addWidget(sectionTitle(tr("Registration"), box));
-  registered_ = toldLabel("panel.devices.registration", tr("Pose of the arm on the desk"), "quiet", box);
+  registered_ = messageLabel("panel.devices.registration", tr("Pose of the arm on the desk"), "quiet", box);
   const QAction* const action = parts_.actions.find("registration.open");
   box->setHidden(action == nullptr);  // a window without registration
   QPushButton* open = pushButton("panel.devices.register", tr("Register the arm…"),
@@ -158,7 +158,7 @@ QWidget* DevicesPanel::buildRegistration() {
 }
 
 QWidget* DevicesPanel::buildOpening() {
-  opening_ = toldLabel("panel.devices.opening", tr("Arm being opened"), "quiet", this);
+  opening_ = messageLabel("panel.devices.opening", tr("Arm being opened"), "quiet", this);
   bar_ = new QProgressBar(this);
   nameWidget(bar_, "panel.devices.bar", tr("Opening"));
   bar_->setRange(0, 0);  // how long an arm takes is unknown
@@ -230,7 +230,7 @@ void DevicesPanel::describe() {
       has_command |= !one.command.empty();
     }
   }
-  tellIn(about_, sentences.join("\n"));
+  showMessage(about_, sentences.join("\n"));
   use_->setEnabled(entry != nullptr && !entry->name.isEmpty() && entry->name != parts_.arms.name());
   fix_->setEnabled(has_command);
   report_->setEnabled(entry != nullptr && entry->isUsable() && entry->kind != "simulated");
@@ -258,7 +258,7 @@ void DevicesPanel::tell(const QString& sentence) {
 
 void DevicesPanel::showEvent(QShowEvent* event) {
   Panel::showEvent(event);
-  search_->look();
+  search_->search();
 }
 
 }  // namespace underact::gui

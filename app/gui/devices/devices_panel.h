@@ -44,7 +44,7 @@ class DevicesPanel : public Panel {
 
   Parts parts_;
   ArmSearch* search_;
-  QTimer looks_;
+  QTimer poll_timer_;
   QLabel *in_use_ = nullptr, *about_ = nullptr, *told_ = nullptr, *opening_ = nullptr, *registered_ = nullptr;
   QListWidget* list_ = nullptr;
   QPushButton *use_ = nullptr, *fix_ = nullptr, *report_ = nullptr, *cancel_ = nullptr;

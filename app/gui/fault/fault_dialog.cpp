@@ -14,8 +14,8 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/plot/fault_plot.h"
 
@@ -29,10 +29,10 @@ constexpr std::size_t kMostTold = record::kFaultFilesKept;  // files of older fa
 FaultDialog::FaultDialog(QWidget* parent)
     : QDialog(parent),
       list_(new QListWidget(this)),
-      what_(toldLabel("dialog.fault.what", tr("What happened"), "", this)),
-      meaning_(toldLabel("dialog.fault.meaning", tr("What it means"), "", this)),
-      to_do_(toldLabel("dialog.fault.to_do", tr("What to do"), "", this)),
-      file_(toldLabel("dialog.fault.file", tr("Fault file"), "", this)),
+      what_(messageLabel("dialog.fault.what", tr("What happened"), "", this)),
+      meaning_(messageLabel("dialog.fault.meaning", tr("What it means"), "", this)),
+      to_do_(messageLabel("dialog.fault.to_do", tr("What to do"), "", this)),
+      file_(messageLabel("dialog.fault.file", tr("Fault file"), "", this)),
       plot_(new FaultPlot(this)) {
   setObjectName("dialog.fault");
   setModal(false);
@@ -87,7 +87,7 @@ QWidget* FaultDialog::buildButtons() {
   return strip;
 }
 
-void FaultDialog::tell(const ToldFault& fault) {
+void FaultDialog::tell(const ShownFault& fault) {
   if (faults_.size() >= kMostTold) faults_.erase(faults_.begin());
   faults_.push_back(fault);
   fillList();
@@ -106,7 +106,7 @@ void FaultDialog::tellAgain() {
 void FaultDialog::fillList() {
   const QSignalBlocker silent(list_);
   list_->clear();
-  for (const ToldFault& fault : faults_) {
+  for (const ShownFault& fault : faults_) {
     list_->addItem(QString("%1  %2").arg(fault.when, sentenceText(fault.words.what)));
   }
   list_->setCurrentRow(count() - 1);
@@ -116,7 +116,7 @@ void FaultDialog::fillList() {
 void FaultDialog::showFault(int index) {
   if (index < 0 || index >= count()) return;
   shown_ = index;
-  const ToldFault& fault = faults_[static_cast<std::size_t>(index)];
+  const ShownFault& fault = faults_[static_cast<std::size_t>(index)];
   const QString what = sentenceText(fault.words.what);
   what_->setText(fault.times > 1 ? tr("%1 (%2 times)").arg(what).arg(fault.times) : what);
   meaning_->setText(tr("Force is off and stays off until you press Start."));

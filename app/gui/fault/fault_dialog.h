@@ -14,7 +14,7 @@ namespace underact::gui {
 class FaultPlot;
 
 /// A fault as the dialog shows it.
-struct ToldFault {
+struct ShownFault {
   record::FaultWords words;
   QString when;      // "19:56:47"
   QString path;      // of its file; empty: not saved
@@ -32,11 +32,11 @@ class FaultDialog : public QDialog {
  public:
   explicit FaultDialog(QWidget* parent);
   /// Shows a fault, below those already listed.
-  void tell(const ToldFault& fault);
+  void tell(const ShownFault& fault);
   /// The last fault occurred again.
   void tellAgain();
   /// The last fault since the dialog was opened; null: none.
-  const ToldFault* last() const { return faults_.empty() ? nullptr : &faults_.back(); }
+  const ShownFault* last() const { return faults_.empty() ? nullptr : &faults_.back(); }
   void setTheme(const Theme& theme);
   void setStartable(bool can_start);
   int count() const { return static_cast<int>(faults_.size()); }
@@ -53,7 +53,7 @@ class FaultDialog : public QDialog {
   void fillList();
   void showFault(int index);
 
-  std::vector<ToldFault> faults_;
+  std::vector<ShownFault> faults_;
   int shown_ = 0;
   QListWidget* list_;
   QLabel *what_, *meaning_, *to_do_, *file_;

@@ -45,32 +45,32 @@ FaultWatch::FaultWatch(const FeatureParts& parts)
             tr("Shows what last stopped the servo, and where the fault file is.")},
            [this](const QVariantList&) { return showLast(); })
       ->setEnabled(false);
-  Application::onException([this](const std::string& message) { tellException(message); });
+  Application::onException([this](const std::string& message) { reportException(message); });
 }
 
 FaultWatch::~FaultWatch() {
   Application::onException({});
 }
 
-void FaultWatch::look(const servo::Snapshot& snapshot) {
+void FaultWatch::poll(const servo::Snapshot& snapshot) {
   while (std::optional<servo::FaultReport> report = control_.takeFault()) {
-    ToldFault told;
+    ShownFault told;
     told.words = record::wordsOf(*report);
-    keepAndTell(std::move(*report), std::move(told));
+    saveAndShow(std::move(*report), std::move(told));
   }
   if (dialog_ != nullptr) dialog_->setStartable(snapshot.mode != servo::Mode::Running);
 }
 
-void FaultWatch::tellException(const std::string& message) {
+void FaultWatch::reportException(const std::string& message) {
   control_.stop();
-  QTimer::singleShot(0, this, [this, message] { tellOfWindow(message); });
+  QTimer::singleShot(0, this, [this, message] { reportWindowFault(message); });
 }
 
-void FaultWatch::tellOfWindow(const std::string& message) {
-  ToldFault told;
+void FaultWatch::reportWindowFault(const std::string& message) {
+  ShownFault told;
   told.words = wordsOfException(message);
   // An error that recurs in every frame is shown once and counted.
-  const ToldFault* before = dialog_ != nullptr ? dialog_->last() : nullptr;
+  const ShownFault* before = dialog_ != nullptr ? dialog_->last() : nullptr;
   if (before != nullptr && before->words.kind == kWindowKind && before->words.what == told.words.what) {
     dialog_->tellAgain();
     return;
@@ -84,13 +84,13 @@ void FaultWatch::tellOfWindow(const std::string& message) {
   report.scheduling = servo_.scheduling();
   report.rate_hz = servo_.rateHz();
   report.late = servo_.snapshot().late;
-  keepAndTell(std::move(report), std::move(told));
+  saveAndShow(std::move(report), std::move(told));
 }
 
-void FaultWatch::keepAndTell(servo::FaultReport&& report, ToldFault told) {
+void FaultWatch::saveAndShow(servo::FaultReport&& report, ShownFault told) {
   told.when = QDateTime::fromSecsSinceEpoch(report.unix_time_s).toString("hh:mm:ss");
   told.rate_hz = report.rate_hz;
-  const Result<std::string> kept = record::keepFault(report, told.words, faultFolder().toStdString());
+  const Result<std::string> kept = record::saveFault(report, told.words, faultFolder().toStdString());
   if (kept) {
     told.path = QString::fromStdString(kept.value());
   } else {
@@ -101,8 +101,8 @@ void FaultWatch::keepAndTell(servo::FaultReport&& report, ToldFault told) {
   tell(told);
 }
 
-void FaultWatch::tell(const ToldFault& told) {
-  last_ = std::make_unique<ToldFault>(told);
+void FaultWatch::tell(const ShownFault& told) {
+  last_ = std::make_unique<ShownFault>(told);
   actions_.find("servo.fault")->setEnabled(true);
   if (!actions_.isLocked()) dialog().tell(told);  // for visitors the card says it
 }

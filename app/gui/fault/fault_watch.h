@@ -14,27 +14,27 @@ class QWidget;
 namespace underact::gui {
 
 class FaultDialog;
-struct ToldFault;
+struct ShownFault;
 
 /// Looks for faults of the servo and receives exceptions of the window; each is saved in a file at once and shown in
 /// one dialog.
-class FaultWatch : public QObject, public Follower {
+class FaultWatch : public QObject, public ServoListener {
   Q_OBJECT
  public:
   explicit FaultWatch(const FeatureParts& parts);
   ~FaultWatch() override;
   void add(const servo::TickRecord& record) override { recent_.add(record); }  // for an error in the window
-  void look(const servo::Snapshot& snapshot) override;
+  void poll(const servo::Snapshot& snapshot) override;
   /// Sets the force to zero at once; reports after the event handler that threw has returned.
-  void tellException(const std::string& message);
+  void reportException(const std::string& message);
   /// Brings the dialog with the last fault to the front and focuses it. False: there was none.
   bool showLast();
   void setTheme(const Theme& theme) override;
 
  private:
-  void keepAndTell(servo::FaultReport&& report, ToldFault told);
-  void tell(const ToldFault& told);
-  void tellOfWindow(const std::string& message);
+  void saveAndShow(servo::FaultReport&& report, ShownFault told);
+  void tell(const ShownFault& told);
+  void reportWindowFault(const std::string& message);
   FaultDialog& dialog();
 
   ServoFacts servo_;
@@ -44,7 +44,7 @@ class FaultWatch : public QObject, public Follower {
   servo::History recent_;
   Theme theme_ = Theme::light();
   QPointer<FaultDialog> dialog_;
-  std::unique_ptr<ToldFault> last_;
+  std::unique_ptr<ShownFault> last_;
 };
 
 }  // namespace underact::gui

@@ -5,8 +5,8 @@
 namespace underact::gui {
 namespace {
 
-void makeFault(const FeatureParts& parts, Followers& followers) {
-  followers.push_back(new FaultWatch(parts));
+void makeFault(const FeatureParts& parts, ServoListeners& listeners) {
+  listeners.push_back(new FaultWatch(parts));
 }
 
 }  // namespace

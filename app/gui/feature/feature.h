@@ -20,7 +20,7 @@ struct PanelRow {
   const char* behind = nullptr;  // key of the panel it shares a place with; initially closed
 };
 
-using Followers = std::vector<Follower*>;
+using ServoListeners = std::vector<ServoListener*>;
 
 /// One feature of the window: a room whose feature.cpp returns this row, and a line in the top CMakeLists.txt. Without
 /// the line, the window does not have the feature.
@@ -28,7 +28,7 @@ struct FeatureRow {
   std::vector<PanelRow> panels = {};
   std::vector<HelpPage> pages = {};
   /// Called before any panel exists: adds its actions and its followers besides panels. Null: it has only panels.
-  void (*make)(const FeatureParts& parts, Followers& followers) = nullptr;
+  void (*make)(const FeatureParts& parts, ServoListeners& listeners) = nullptr;
   /// Whether a file of that name belongs to it, and the action that opens it; null: it opens no files.
   bool (*opens)(const QString& path) = nullptr;
   const char* open_action = nullptr;

@@ -20,7 +20,7 @@ const HelpPage* rowOf(const QString& name, const std::vector<HelpPage>& pages) {
 
 }  // namespace
 
-QString helpPlaceOf(const QWidget* widget, const std::vector<HelpPage>& pages) {
+QString helpPageOf(const QWidget* widget, const std::vector<HelpPage>& pages) {
   for (const QWidget* part = widget; part != nullptr; part = part->parentWidget()) {
     if (const HelpPage* row = rowOf(part->objectName(), pages)) return QString::fromLatin1(row->place);
   }

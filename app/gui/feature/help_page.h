@@ -13,6 +13,6 @@ struct HelpPage {
 };
 
 /// The page for a widget: the row that matches the most of its object name, else of a parent's.
-QString helpPlaceOf(const QWidget* widget, const std::vector<HelpPage>& pages);
+QString helpPageOf(const QWidget* widget, const std::vector<HelpPage>& pages);
 
 }  // namespace underact::gui

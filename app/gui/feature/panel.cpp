@@ -2,7 +2,7 @@
 
 #include <QDockWidget>
 
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
 
 namespace underact::gui {
 namespace {

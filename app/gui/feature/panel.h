@@ -3,8 +3,8 @@
 #include <QWidget>
 #include <cstdint>
 
-#include "app/gui/feature/follower.h"
 #include "app/gui/feature/parts.h"
+#include "app/gui/feature/servo_listener.h"
 
 class QDockWidget;
 class QMainWindow;
@@ -15,7 +15,7 @@ namespace underact::gui {
 inline constexpr std::int64_t kBetweenNumbers_ns = 100'000'000;
 
 /// A widget in a dock that shows or changes what the servo does.
-class Panel : public QWidget, public Follower {
+class Panel : public QWidget, public ServoListener {
   Q_OBJECT
  public:
   using QWidget::QWidget;

@@ -12,8 +12,8 @@ class QMainWindow;
 namespace underact::device {
 class ChosenArm;
 class SimulatedArm;
-namespace hands {
-class Port;
+namespace input {
+class DeviceEnumerator;
 }
 }  // namespace underact::device
 
@@ -53,16 +53,16 @@ struct FeatureParts {
   Player& player;
   Recording& recording;
   ServoRate& rate;
-  ArmInUse& arm_in_use;                     // model of the simulated arm
-  ArmChoice& arms;                          // the arm that the servo drives
-  SecondArm& second;                        // the second arm
-  Remark& where_it_stands;                  // where the arm is on the desk, in a sentence
-  device::ChosenArm* chosen;                // behind the host if arms can be exchanged, else null
-  std::vector<device::hands::Port*> hands;  // controllers and 3D mice
+  ArmInUse& arm_in_use;                                 // model of the simulated arm
+  ArmChoice& arms;                                      // the arm that the servo drives
+  SecondArm& second;                                    // the second arm
+  Remark& where_it_stands;                              // where the arm is on the desk, in a sentence
+  device::ChosenArm* chosen;                            // behind the host if arms can be exchanged, else null
+  std::vector<device::input::DeviceEnumerator*> hands;  // controllers and 3D mice
   ThemeWatcher& theme;
-  const Settings& settings;               // saved when a window was last closed
-  const std::vector<HelpPage>& pages;     // of the guide, for each part of the window
-  std::function<QStringList()> why_busy;  // of all features, see Follower::whyBusy()
+  const Settings& settings;                  // saved when a window was last closed
+  const std::vector<HelpPage>& pages;        // of the guide, for each part of the window
+  std::function<QStringList()> busy_reason;  // of all features, see ServoListener::busyReason()
 };
 
 }  // namespace underact::gui

@@ -11,7 +11,7 @@
 #include "app/gui/arms/joint_fields.h"
 #include "app/gui/kit/chooser.h"
 #include "app/gui/kit/focus_wheel.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/value_row.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/setting_words.h"
@@ -21,8 +21,8 @@ namespace {
 
 using scene::SettingValue;
 
-std::string inTable(const SettingLook& look) {
-  return std::string("/constraints/*") + look.path;
+std::string inTable(const SettingRowSpec& spec) {
+  return std::string("/constraints/*") + spec.path;
 }
 
 std::function<void(bool)> showsRow(QFormLayout* form, QWidget* widget) {
@@ -31,76 +31,76 @@ std::function<void(bool)> showsRow(QFormLayout* form, QWidget* widget) {
 
 }  // namespace
 
-ValueRow* SettingRows::makeNumber(const SettingLook& look, QWidget* parent) {
-  const std::string path = inTable(look);
-  auto* const row = new ValueRow({settingTip(path), settingUnit(path), look.steps_per_unit, look.slider_steps,
-                                  look.decimals, look.most > 0.0 ? look.most : settingMost(path)},
-                                 look.name, parent);
-  row->setLabel(look.label, look.spoken, look.widest);
+ValueRow* SettingRows::makeNumber(const SettingRowSpec& spec, QWidget* parent) {
+  const std::string path = inTable(spec);
+  auto* const row = new ValueRow({settingTip(path), settingUnit(path), spec.steps_per_unit, spec.slider_steps,
+                                  spec.decimals, spec.most > 0.0 ? spec.most : settingMost(path)},
+                                 spec.name, parent);
+  row->setLabel(spec.label, spec.spoken, spec.widest);
   connect(row, &ValueRow::changed, this,
-          [this, at = std::string(look.path)](double value, bool fresh) { emit asked(at, value, fresh); });
+          [this, at = std::string(spec.path)](double value, bool fresh) { emit asked(at, value, fresh); });
   const auto show = [row](const SettingValue& now, const SettingValue& own) {
     // Its magnitude; where it may be negative, something beside the row says so.
     const double* const marked = std::get_if<double>(&own);
     row->present(std::abs(std::get<double>(now)), marked ? std::optional(std::abs(*marked)) : std::nullopt);
   };
-  rows_.push_back({look.path, show, {}, row});
+  rows_.push_back({spec.path, show, {}, row});
   return row;
 }
 
-ValueRow* SettingRows::addNumber(const SettingLook& look, QBoxLayout* into, QWidget* parent) {
-  ValueRow* const row = makeNumber(look, parent);
+ValueRow* SettingRows::addNumber(const SettingRowSpec& spec, QBoxLayout* into, QWidget* parent) {
+  ValueRow* const row = makeNumber(spec, parent);
   rows_.back().show = [row](bool on) { row->setVisible(on); };
   into->addWidget(row);
   return row;
 }
 
-ValueRow* SettingRows::addNumber(const SettingLook& look, QFormLayout* into, QWidget* parent) {
-  ValueRow* const row = makeNumber(look, parent);
+ValueRow* SettingRows::addNumber(const SettingRowSpec& spec, QFormLayout* into, QWidget* parent) {
+  ValueRow* const row = makeNumber(spec, parent);
   rows_.back().show = showsRow(into, row);
   into->addRow(row);
   return row;
 }
 
-QComboBox* SettingRows::addChoice(const SettingLook& look, QFormLayout* into, QWidget* parent) {
-  const std::string path = inTable(look);
-  auto* const box = chooser(look.name, look.spoken, settingTip(path), parent);
-  for (const std::string& word : look.order.empty() ? scene::findSetting(path)->words() : look.order)
+QComboBox* SettingRows::addChoice(const SettingRowSpec& spec, QFormLayout* into, QWidget* parent) {
+  const std::string path = inTable(spec);
+  auto* const box = chooser(spec.name, spec.spoken, settingTip(path), parent);
+  for (const std::string& word : spec.order.empty() ? scene::findSetting(path)->words() : spec.order)
     box->addItem(settingChoice(path, word), QString::fromStdString(word));
-  connect(box, &QComboBox::currentIndexChanged, this, [this, box, at = std::string(look.path)](int row) {
+  connect(box, &QComboBox::currentIndexChanged, this, [this, box, at = std::string(spec.path)](int row) {
     emit asked(at, box->itemData(row).toString().toStdString(), true);
   });
   const auto show = [box](const SettingValue& now, const SettingValue&) {
     const QSignalBlocker silent(box);  // showing a value must not emit a change
     box->setCurrentIndex(box->findData(QString::fromStdString(std::get<std::string>(now))));
   };
-  into->addRow(look.label, box);
-  rows_.push_back({look.path, show, showsRow(into, box)});
+  into->addRow(spec.label, box);
+  rows_.push_back({spec.path, show, showsRow(into, box)});
   return box;
 }
 
-QSpinBox* SettingRows::addWhole(const SettingLook& look, QFormLayout* into, QWidget* parent) {
-  const scene::Setting& setting = *scene::findSetting(inTable(look));
+QSpinBox* SettingRows::addWhole(const SettingRowSpec& spec, QFormLayout* into, QWidget* parent) {
+  const scene::Setting& setting = *scene::findSetting(inTable(spec));
   auto* const box = new FocusWheel<QSpinBox>(parent);
-  nameWidget(box, look.name, look.spoken, settingTip(inTable(look)));
+  nameWidget(box, spec.name, spec.spoken, settingTip(inTable(spec)));
   box->setRange(static_cast<int>(setting.least), static_cast<int>(setting.most));
   box->setKeyboardTracking(false);
   box->setFocusPolicy(Qt::StrongFocus);
   connect(box, &QSpinBox::valueChanged, this,
-          [this, at = std::string(look.path)](int value) { emit asked(at, static_cast<double>(value), true); });
+          [this, at = std::string(spec.path)](int value) { emit asked(at, static_cast<double>(value), true); });
   const auto show = [box](const SettingValue& now, const SettingValue&) {
     const QSignalBlocker silent(box);
     box->setValue(static_cast<int>(std::get<double>(now)));
   };
-  into->addRow(look.label, box);
-  rows_.push_back({look.path, show, showsRow(into, box)});
+  into->addRow(spec.label, box);
+  rows_.push_back({spec.path, show, showsRow(into, box)});
   return box;
 }
 
-QLineEdit* SettingRows::addText(const SettingLook& look, QFormLayout* into, QWidget* parent) {
+QLineEdit* SettingRows::addText(const SettingRowSpec& spec, QFormLayout* into, QWidget* parent) {
   auto* const line = new QLineEdit(parent);
-  nameWidget(line, look.name, look.spoken, settingTip(inTable(look)));
-  connect(line, &QLineEdit::editingFinished, this, [this, line, at = std::string(look.path)] {
+  nameWidget(line, spec.name, spec.spoken, settingTip(inTable(spec)));
+  connect(line, &QLineEdit::editingFinished, this, [this, line, at = std::string(spec.path)] {
     if (!line->isModified()) return;
     line->setModified(false);
     const Result<double> number = typedNumber(line->text());
@@ -112,8 +112,8 @@ QLineEdit* SettingRows::addText(const SettingLook& look, QFormLayout* into, QWid
   const auto show = [line](const SettingValue& now, const SettingValue&) {
     line->setText(exactNumber(std::get<double>(now)));
   };
-  into->addRow(look.label, line);
-  rows_.push_back({look.path, show, showsRow(into, line)});
+  into->addRow(spec.label, line);
+  rows_.push_back({spec.path, show, showsRow(into, line)});
   return line;
 }
 

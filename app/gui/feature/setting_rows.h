@@ -19,7 +19,7 @@ class Document;
 class ValueRow;
 
 /// How a panel shows a setting. Kind, unit, range, tip and words come from the table of settings.
-struct SettingLook {
+struct SettingRowSpec {
   const char* path;  // relative to the constraint: "/influence/t"
   const char* name;  // object name of the widget
   QString label;     // text in front of it
@@ -40,12 +40,12 @@ class SettingRows : public QObject {
   explicit SettingRows(QObject* parent) : QObject(parent) {}
 
   // Each appends a widget to the layout.
-  ValueRow* addNumber(const SettingLook& look, QBoxLayout* into, QWidget* parent);
-  ValueRow* addNumber(const SettingLook& look, QFormLayout* into, QWidget* parent);
-  QComboBox* addChoice(const SettingLook& look, QFormLayout* into, QWidget* parent);
-  QSpinBox* addWhole(const SettingLook& look, QFormLayout* into, QWidget* parent);
+  ValueRow* addNumber(const SettingRowSpec& spec, QBoxLayout* into, QWidget* parent);
+  ValueRow* addNumber(const SettingRowSpec& spec, QFormLayout* into, QWidget* parent);
+  QComboBox* addChoice(const SettingRowSpec& spec, QFormLayout* into, QWidget* parent);
+  QSpinBox* addWhole(const SettingRowSpec& spec, QFormLayout* into, QWidget* parent);
   /// A number to type, shown with all its digits.
-  QLineEdit* addText(const SettingLook& look, QFormLayout* into, QWidget* parent);
+  QLineEdit* addText(const SettingRowSpec& spec, QFormLayout* into, QWidget* parent);
 
   /// Shows the current values and marks those of the file. is_idle: whether a setting has no effect there and is
   /// hidden.
@@ -67,7 +67,7 @@ class SettingRows : public QObject {
     std::function<void(bool on)> show;
     const ValueRow* slider = nullptr;
   };
-  ValueRow* makeNumber(const SettingLook& look, QWidget* parent);
+  ValueRow* makeNumber(const SettingRowSpec& spec, QWidget* parent);
 
   std::vector<Row> rows_;
 };

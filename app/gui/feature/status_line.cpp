@@ -5,7 +5,7 @@
 #include <QLabel>
 #include <cmath>
 
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/limit_names.h"
 #include "app/gui/model/servo_rate.h"
@@ -96,9 +96,9 @@ void StatusLine::present(const servo::Snapshot& snapshot) {
   const double sent_N = snapshot.report.force.f_T_W().norm();
   const bool let_go = snapshot.report.cuts.frozen && snapshot.mode == servo::Mode::Running;
   const QString limit = snapshot.report.level > 0.0 || let_go ? mostLimiting(snapshot.report.cuts) : QString();
-  putText(force_, tr("force %1 / %2 N%3")
-                      .arg(numberText(sent_N, 2), numberText(force_limit_N_, 2),
-                           limit.isEmpty() ? QString() : tr(" limited: %1").arg(limit)));
+  updateText(force_, tr("force %1 / %2 N%3")
+                         .arg(numberText(sent_N, 2), numberText(force_limit_N_, 2),
+                              limit.isEmpty() ? QString() : tr(" limited: %1").arg(limit)));
   if (!since_measured_.isValid() || since_measured_.elapsed() >= kMeasureEvery_ms) {
     presentRate(snapshot);
     presentScheduling();
@@ -107,7 +107,7 @@ void StatusLine::present(const servo::Snapshot& snapshot) {
 }
 
 void StatusLine::presentMode(const servo::Snapshot& snapshot) {
-  putText(mode_, modeText(snapshot));
+  updateText(mode_, modeText(snapshot));
   const char* role = snapshot.waits_for_button               ? "amber-text"
                      : snapshot.mode == servo::Mode::Running ? "running"
                      : snapshot.mode == servo::Mode::Faulted ? "alarm-text"
@@ -121,7 +121,7 @@ void StatusLine::presentMode(const servo::Snapshot& snapshot) {
 /// It changes when the servo restarts.
 void StatusLine::presentScheduling() {
   const system::Scheduling scheduling = servo_.scheduling();
-  putText(scheduling_, schedulingText(scheduling));
+  updateText(scheduling_, schedulingText(scheduling));
   QStringList lines{sentenceText(scheduling.hint), phrasesOf(scheduling.also)};
   lines.removeAll(QString());
   scheduling_->setToolTip(lines.join("\n"));
@@ -133,7 +133,7 @@ void StatusLine::presentGuard() {
   const bool was_hidden = guard_->isHidden();
   guard_->setVisible(!unguarded.empty());
   if (unguarded.empty()) return;
-  putText(guard_, tr("not guarded"));
+  updateText(guard_, tr("not guarded"));
   guard_->setToolTip(sentenceText(unguarded));
   guard_->setAccessibleDescription(sentenceText(unguarded));
   if (!was_hidden) return;
@@ -149,9 +149,9 @@ void StatusLine::presentRate(const servo::Snapshot& snapshot) {
   ticks_at_measure_ = snapshot.ticks;
   const bool by_hand = servo_.scheduling().name == "manual";
   const bool as_asked = by_hand || std::abs(measured_hz - servo_.rateHz()) <= kRateIsTrue * servo_.rateHz();
-  putText(rate_, as_asked ? tr("%1 Hz").arg(servo_.rateHz())
-                          : tr("%1 Hz of %2").arg(numberText(measured_hz, 0)).arg(servo_.rateHz()));
-  putText(late_, tr("latency p99 %1 µs").arg(numberText(servo_.timing().lateLately().p99_us, 0)));
+  updateText(rate_, as_asked ? tr("%1 Hz").arg(servo_.rateHz())
+                             : tr("%1 Hz of %2").arg(numberText(measured_hz, 0)).arg(servo_.rateHz()));
+  updateText(late_, tr("latency p99 %1 µs").arg(numberText(servo_.timing().lateLately().p99_us, 0)));
 }
 
 void StatusLine::setFault(const QString& sentence) {
@@ -173,7 +173,7 @@ void StatusLine::setRecording(const QString& words, const QString& tip, bool nee
 }
 
 void StatusLine::setLive(const QString& where, const QString& details) {
-  putText(live_, where);
+  updateText(live_, where);
   if (live_->toolTip() != details) live_->setToolTip(details);
   live_->setVisible(!where.isEmpty());
 }

@@ -6,14 +6,14 @@
 #include <QToolButton>
 
 #include "app/gui/kit/actions.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
 
 namespace underact::gui {
 
 FeelFoot::FeelFoot(Actions& actions, QWidget* parent)
     : QWidget(parent),
-      warning_(toldLabel("panel.feel.warning", tr("Warning"), "amber", this)),
-      refusal_(toldLabel("panel.feel.refusal", tr("Why the change was refused"), "alarm", this)) {
+      warning_(messageLabel("panel.feel.warning", tr("Warning"), "amber", this)),
+      refusal_(messageLabel("panel.feel.refusal", tr("Why the change was refused"), "alarm", this)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(8);
@@ -42,11 +42,11 @@ FeelFoot::FeelFoot(Actions& actions, QWidget* parent)
 }
 
 void FeelFoot::warn(const QString& sentence) {
-  tellIn(warning_, sentence);
+  showMessage(warning_, sentence);
 }
 
 void FeelFoot::refuse(const QString& sentences) {
-  tellIn(refusal_, sentences);
+  showMessage(refusal_, sentences);
 }
 
 }  // namespace underact::gui

@@ -19,7 +19,7 @@
 #include "app/gui/kit/chooser.h"
 #include "app/gui/kit/panel_form.h"
 #include "app/gui/kit/panel_scroll.h"
-#include "app/gui/kit/tight.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/servo_rate.h"
@@ -77,7 +77,7 @@ void FeelPanel::buildChoices(QVBoxLayout* column) {
 void FeelPanel::buildSections(QVBoxLayout* column) {
   influence_ = makeInfluence(*rows_, this);
   surface_ = makeSurface(*rows_, this);
-  guide_ = makeGuide(*rows_, backwards_, this);
+  guide_ = makeGuidance(*rows_, backwards_, this);
   for (OptionalSection* const section : {influence_, surface_, guide_}) {
     column->addWidget(section);
     connect(section, &OptionalSection::switchAsked, this,
@@ -163,7 +163,7 @@ bool FeelPanel::set(const std::string& path, const scene::SettingValue& value, b
   return setAll(settingLabel("/constraints/*" + path), withCompany(path, value), fresh);
 }
 
-std::vector<SettingWish> FeelPanel::withCompany(const std::string& path, const scene::SettingValue& value) const {
+std::vector<SettingChange> FeelPanel::withCompany(const std::string& path, const scene::SettingValue& value) const {
   const double* const number = std::get_if<double>(&value);
   const scene::SettingValue fixed = parts_.document.value(index_, "/friction/static"),
                             slides = parts_.document.value(index_, "/friction/dynamic");
@@ -176,15 +176,16 @@ std::vector<SettingWish> FeelPanel::withCompany(const std::string& path, const s
   return {{path, value}};
 }
 
-bool FeelPanel::setAll(const QString& what, const std::vector<SettingWish>& wishes, bool fresh) {
+bool FeelPanel::setAll(const QString& what, const std::vector<SettingChange>& changes, bool fresh) {
   if (!hasScene()) return false;
   const std::string control = "/control", constraint = "/constraints/" + std::to_string(index_);
   scene::Description edited = parts_.document.scene();
   const std::string its_control = scene::controlPath(edited, index_);
-  for (const SettingWish& wish : wishes) {
-    const bool is_of_control = wish.path.starts_with(control);
+  for (const SettingChange& change : changes) {
+    const bool is_of_control = change.path.starts_with(control);
     Result<scene::Description> next = scene::withValue(
-        edited, is_of_control ? its_control + wish.path.substr(control.size()) : constraint + wish.path, wish.value);
+        edited, is_of_control ? its_control + change.path.substr(control.size()) : constraint + change.path,
+        change.value);
     if (!next) return refuse(next.problems());
     edited = std::move(next).value();
   }
@@ -202,7 +203,7 @@ scene::Description FeelPanel::asWritten() const {
     if (!is_here) continue;
     const std::string path = pathOf(setting).substr(any.size());
     scene::SettingValue own = parts_.document.own(index_, path);
-    const Result<scene::SettingValue> usual = scene::usualAt(edited, here + path);
+    const Result<scene::SettingValue> usual = scene::defaultAt(edited, here + path);
     if (scene::isNone(own) && object == any && usual) own = usual.value();  // a constraint that is not in the file
     const Result<scene::Description> next = scene::withValue(edited, here + path, own);
     if (next) edited = next.value();  // otherwise neither has the setting
@@ -302,7 +303,7 @@ void FeelPanel::refresh() {
 void FeelPanel::refreshWarnings(const scene::Control& control) {
   QStringList reasons;
   for (int axis = 0; axis < 3; ++axis) {
-    const QString reason = whyItMayBuzz(control, axis, parts_.servo.rateHz());
+    const QString reason = buzzWarning(control, axis, parts_.servo.rateHz());
     gains_->setWarning(axis, reason);
     if (!reason.isEmpty()) reasons << reason;
   }

@@ -13,7 +13,7 @@ class FeelFoot;
 class GainSection;
 class OptionalSection;
 class SettingRows;
-struct SettingWish;
+struct SettingChange;
 
 /// What the constraint feels like: law and gains, changed while the hand is on the stylus.
 class FeelPanel : public Panel {
@@ -51,10 +51,10 @@ class FeelPanel : public Panel {
   void refresh();
   void refreshWarnings(const scene::Control& control);
   bool isIdle(const std::string& path) const;
-  std::vector<SettingWish> withCompany(const std::string& path, const scene::SettingValue& value) const;
+  std::vector<SettingChange> withCompany(const std::string& path, const scene::SettingValue& value) const;
   scene::Description asWritten() const;
   /// what: the text of the undo menu.
-  bool setAll(const QString& what, const std::vector<SettingWish>& wishes, bool fresh);
+  bool setAll(const QString& what, const std::vector<SettingChange>& changes, bool fresh);
   bool refuse(const Problems& problems);
   bool sendScene(const scene::Description& edited, const QString& what, bool fresh);
 

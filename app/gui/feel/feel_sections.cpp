@@ -11,7 +11,7 @@
 #include "app/gui/feel/optional_section.h"
 #include "app/gui/kit/panel_form.h"
 #include "app/gui/kit/section.h"
-#include "app/gui/kit/tight.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/value_row.h"
 
 namespace underact::gui {
@@ -81,7 +81,7 @@ OptionalSection* makeSurface(SettingRows& rows, QWidget* parent) {
   return made;
 }
 
-OptionalSection* makeGuide(SettingRows& rows, QCheckBox*& backwards, QWidget* parent) {
+OptionalSection* makeGuidance(SettingRows& rows, QCheckBox*& backwards, QWidget* parent) {
   auto* const made = new OptionalSection(
       {.name = "panel.guide",
        .title = FeelPanel::tr("Guidance"),
@@ -138,8 +138,8 @@ QWidget* makeRate(SettingRows& rows, QWidget* parent) {
   rows.addNumber(
       {"/control/velocity/window", "panel.rate.window", widest, FeelPanel::tr("Longest window"), widest, 1, 32, 0},
       form, made);
-  SettingLook passivity{"/control/passivity", "panel.rate.passivity", FeelPanel::tr("&Passivity"),
-                        FeelPanel::tr("Passivity")};
+  SettingRowSpec passivity{"/control/passivity", "panel.rate.passivity", FeelPanel::tr("&Passivity"),
+                           FeelPanel::tr("Passivity")};
   passivity.order = {"off", "observe", "control"};
   rows.addChoice(passivity, form, made);
   return made;

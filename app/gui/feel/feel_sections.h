@@ -16,7 +16,7 @@ OptionalSection* makeInfluence(SettingRows& rows, QWidget* parent);
 /// nearest point.
 OptionalSection* makeSurface(SettingRows& rows, QWidget* parent);
 /// The guidance along a curve. backwards: the direction of the guide; the row of the speed has its magnitude.
-OptionalSection* makeGuide(SettingRows& rows, QCheckBox*& backwards, QWidget* parent);
+OptionalSection* makeGuidance(SettingRows& rows, QCheckBox*& backwards, QWidget* parent);
 /// The velocity filter and the passivity observer or controller; folded at first.
 QWidget* makeRate(SettingRows& rows, QWidget* parent);
 

@@ -6,8 +6,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/model/setting_words.h"
 
 namespace underact::gui {

@@ -12,7 +12,7 @@ namespace underact::gui {
 class Document;
 
 /// A setting of a constraint, by its path relative to the constraint, and its wanted value.
-struct SettingWish {
+struct SettingChange {
   std::string path;
   scene::SettingValue value;
 };
@@ -21,7 +21,7 @@ struct SettingWish {
 class OptionalSection : public QWidget {
   Q_OBJECT
  public:
-  struct Looks {
+  struct Labels {
     QString name;  // "panel.influence"
     QString title, title_tip;
     const char* switch_name;
@@ -29,9 +29,9 @@ class OptionalSection : public QWidget {
     QString turned_on, turned_off;  // for the undo menu
     /// All settings of the part, with the values that the switch sets if the file has none. The first is the required
     /// one.
-    std::vector<SettingWish> easy;
+    std::vector<SettingChange> easy;
   };
-  OptionalSection(Looks looks, QWidget* parent);
+  OptionalSection(Labels looks, QWidget* parent);
 
   QWidget* details() { return details_; }
   QVBoxLayout* rows() { return rows_; }  // in details()
@@ -44,15 +44,15 @@ class OptionalSection : public QWidget {
   /// Whether the constraint has the part.
   bool isOn(const Document& document, std::size_t index) const;
   /// What the switch sets. Off: no value for the required setting; on: the last values, those of the file, or defaults.
-  std::vector<SettingWish> switched(bool on) const;
-  QString switchedWords(bool on) const { return on ? looks_.turned_on : looks_.turned_off; }
+  std::vector<SettingChange> switched(bool on) const;
+  QString switchedWords(bool on) const { return on ? poll_timer_.turned_on : poll_timer_.turned_off; }
 
  signals:
   void switchAsked(bool on);
 
  private:
-  Looks looks_;
-  std::vector<SettingWish> last_;  // values in effect
+  Labels poll_timer_;
+  std::vector<SettingChange> last_;  // values in effect
   QVBoxLayout* column_;
   QCheckBox* on_;
   QWidget* details_;

@@ -6,8 +6,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/view/workspace_picture.h"
 
 namespace underact::gui {
@@ -17,8 +17,8 @@ AddDialog::AddDialog(const QString& name, const QString& title, const QString& p
     : QDialog(parent),
       path_(QFileInfo(path).absoluteFilePath()),
       column_(new QVBoxLayout(this)),
-      counts_(toldLabel(qPrintable(name + ".counts"), counts, "", this)),
-      refusal_(toldLabel(qPrintable(name + ".refusal"), tr("Why it was not added"), "alarm", this)),
+      counts_(messageLabel(qPrintable(name + ".counts"), counts, "", this)),
+      refusal_(messageLabel(qPrintable(name + ".refusal"), tr("Why it was not added"), "alarm", this)),
       foot_(new QHBoxLayout) {
   setObjectName(name);
   setAttribute(Qt::WA_DeleteOnClose);
@@ -57,7 +57,7 @@ void AddDialog::layFoot(bool can_add, const QString& add, const QString& fresh) 
 }
 
 void AddDialog::setRefusal(const QString& sentences) {
-  tellIn(refusal_, sentences);
+  showMessage(refusal_, sentences);
 }
 
 Eigen::Matrix4d AddDialog::placeWithin(const Vec3& middle_mm) {

@@ -45,7 +45,7 @@ void ConstraintFiles::load(const QString& path, const ConstraintFileKind::Read& 
   const auto outcome = std::make_shared<std::optional<Result<ConstraintFileKind::Ask>>>();
   const QString name = QFileInfo(path).fileName();
   loads_.begin(
-      tr("Loading %1").arg(name), [outcome, path, read](const Watch& watch) { *outcome = read(path, watch); },
+      tr("Loading %1").arg(name), [outcome, path, read](const TaskMonitor& monitor) { *outcome = read(path, monitor); },
       [this, outcome, name] {
         if (**outcome) return ask(name, (**outcome).value()(document_.isOpen(), window_));
         const QString what = tr("“%1” was not loaded. The scene is unchanged.").arg(name);
@@ -86,7 +86,7 @@ void ConstraintFiles::take(const QString& name, AddDialog* dialog, const Use& us
   const auto made = std::make_shared<std::optional<Result<ConstraintFileKind::Made>>>();
   loads_.begin(
       tr("Adding %1").arg(name),
-      [made, make = kind_.make, shape = document_.throughMirror(constraint).shape](const Watch&) {
+      [made, make = kind_.make, shape = document_.throughMirror(constraint).shape](const TaskMonitor&) {
         *made = make(shape);
       },
       [made, constraint, use, asked = QPointer<AddDialog>(dialog)] {

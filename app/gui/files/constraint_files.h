@@ -5,7 +5,7 @@
 
 #include "app/gui/kit/actions.h"
 #include "core/base/result.h"
-#include "core/base/watch.h"
+#include "core/base/task_monitor.h"
 #include "core/scene/description.h"
 
 namespace underact::gui {
@@ -22,7 +22,7 @@ bool endsWithOne(const QStringList& suffixes, const QString& path);
 struct ConstraintFileKind {
   /// Makes the dialog about the content.
   using Ask = std::function<AddDialog*(bool can_add, QWidget* parent)>;
-  using Read = std::function<Result<Ask>(const QString& path, const Watch& watch)>;
+  using Read = std::function<Result<Ask>(const QString& path, const TaskMonitor& monitor)>;
   using Made = std::shared_ptr<const void>;
 
   QString key;  // "mesh": its action is mesh.add, its dialogs are dialog.add_mesh and dialog.mesh_problems

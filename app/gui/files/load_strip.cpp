@@ -7,12 +7,12 @@
 #include <QPushButton>
 #include <utility>
 
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
 
 namespace underact::gui {
 namespace {
 
-constexpr int kLookForLoad_ms = 50;
+constexpr int kPollLoad_ms = 50;
 constexpr int kSteps = 1000;  // of the bar
 
 }  // namespace
@@ -22,13 +22,13 @@ struct LoadStrip::Load {
       : what(std::move(what_is_loaded)),
         done(std::move(when_done)),
         background([this, work = std::move(work)](WorkState& state) {
-          Watch watch;
-          watch.cancelled = &state.cancelled;
-          watch.progress = [this, &state](const char* now, double share) {
+          TaskMonitor monitor;
+          monitor.cancelled = &state.cancelled;
+          monitor.progress = [this, &state](const char* now, double share) {
             step = now;
             state.share = share;
           };
-          work(watch);
+          work(monitor);
           return true;
         }) {}
   QString what;
@@ -39,7 +39,7 @@ struct LoadStrip::Load {
 
 LoadStrip::LoadStrip(QWidget* parent)
     : QWidget(parent),
-      told_(toldLabel("load.told", tr("File that is being loaded"), "quiet", this)),
+      told_(messageLabel("load.told", tr("File that is being loaded"), "quiet", this)),
       bar_(new QProgressBar(this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
   setObjectName("load");
@@ -58,8 +58,8 @@ LoadStrip::LoadStrip(QWidget* parent)
   row->addWidget(bar_, 1);
   row->addWidget(cancel_);
   hide();
-  looks_.setInterval(kLookForLoad_ms);
-  connect(&looks_, &QTimer::timeout, this, &LoadStrip::look);
+  poll_timer_.setInterval(kPollLoad_ms);
+  connect(&poll_timer_, &QTimer::timeout, this, &LoadStrip::poll);
   connect(cancel_, &QPushButton::clicked, this, &LoadStrip::cancel);
 }
 
@@ -70,7 +70,7 @@ void LoadStrip::begin(const QString& what, Work work, Done done) {
   load_ = std::make_unique<Load>(what, std::move(work), std::move(done));
   show({}, 0.0);
   setVisible(true);
-  looks_.start();
+  poll_timer_.start();
 }
 
 void LoadStrip::cancel() {
@@ -86,10 +86,10 @@ void LoadStrip::show(const QString& step, double share) {
   bar_->setValue(static_cast<int>(share * kSteps));
 }
 
-void LoadStrip::look() {
+void LoadStrip::poll() {
   std::erase_if(leaving_, [](const std::unique_ptr<Load>& one) { return one->background.take().has_value(); });
   if (load_ == nullptr) {
-    if (leaving_.empty()) looks_.stop();
+    if (leaving_.empty()) poll_timer_.stop();
     return;
   }
   show(QCoreApplication::translate("step of work", load_->step), load_->background.share());

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/gui/kit/background.h"
-#include "core/base/watch.h"
+#include "core/base/task_monitor.h"
 
 class QLabel;
 class QProgressBar;
@@ -20,7 +20,7 @@ class LoadStrip : public QWidget {
   Q_OBJECT
  public:
   /// Called in a thread of its own.
-  using Work = std::function<void(const Watch& watch)>;
+  using Work = std::function<void(const TaskMonitor& monitor)>;
   /// Called in the window's thread when the work is done; not if it was cancelled.
   using Done = std::function<void()>;
 
@@ -36,7 +36,7 @@ class LoadStrip : public QWidget {
 
  private:
   struct Load;
-  void look();
+  void poll();
   void show(const QString& step, double share);
 
   std::unique_ptr<Load> load_;
@@ -44,7 +44,7 @@ class LoadStrip : public QWidget {
   QLabel* told_;
   QProgressBar* bar_;
   QPushButton* cancel_;
-  QTimer looks_;
+  QTimer poll_timer_;
 };
 
 }  // namespace underact::gui

@@ -75,11 +75,11 @@ void SceneFiles::loadAndPut(scene::Description scene) {
   const QString path = QString::fromStdString(loaded->scene.file);
   loads_.begin(
       tr("Loading the files of %1").arg(QFileInfo(path).fileName()),
-      [loaded, is_mirrored = document_.opensMirrored()](const Watch& watch) {
-        loaded->problems = scene::loadMeshes(loaded->scene, watch);
+      [loaded, is_mirrored = document_.opensMirrored()](const TaskMonitor& monitor) {
+        loaded->problems = scene::loadMeshes(loaded->scene, monitor);
         if (!loaded->problems.empty()) return;
-        loaded->curves = madeCurves(is_mirrored ? scene::mirrored(loaded->scene) : loaded->scene, watch);
-        makeDrawnMeshes(loaded->scene, watch);
+        loaded->curves = madeCurves(is_mirrored ? scene::mirrored(loaded->scene) : loaded->scene, monitor);
+        makeDrawnMeshes(loaded->scene, monitor);
       },
       [this, loaded, path] {
         if (!loaded->problems.empty()) {

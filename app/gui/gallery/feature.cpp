@@ -7,7 +7,7 @@
 namespace underact::gui {
 namespace {
 
-void makeGallery(const FeatureParts& parts, Followers&) {
+void makeGallery(const FeatureParts& parts, ServoListeners&) {
   addGalleryActions(parts.actions, parts.window);
 }
 

@@ -58,7 +58,7 @@ std::size_t failedIn(const FigureRow& row) {
 Result<FigureList> readFigures(const QString& folder) {
   const QDir dir(folder);
   const QString path = dir.filePath("figures.json");
-  const Place place{path.toStdString()};
+  const SourceLocation place{path.toStdString()};
   if (!QFile::exists(path))
     return Problems{{said(QT_TRANSLATE_NOOP("problem", "The figures have not been made yet.")), place}};
   const QJsonDocument document = documentOf(path);

@@ -2,12 +2,12 @@
 
 #include <QPainter>
 
-#include "app/gui/kit/spoken.h"
+#include "app/gui/kit/accessible_widgets.h"
 
 namespace underact::gui {
 
 FigurePicture::FigurePicture(QWidget* parent) : QWidget(parent) {
-  speakAs(this, QAccessible::Graphic);
+  setAccessibleRole(this, QAccessible::Graphic);
   setMinimumSize(240, 160);
 }
 

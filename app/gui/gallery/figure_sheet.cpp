@@ -6,8 +6,8 @@
 #include <QVBoxLayout>
 
 #include "app/gui/gallery/figure_picture.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_box.h"
-#include "app/gui/kit/told_label.h"
 
 namespace underact::gui {
 namespace {
@@ -28,8 +28,8 @@ QTableWidgetItem* cell(const QString& text, Qt::Alignment side) {
 
 FigureSheet::FigureSheet(QWidget* parent)
     : QWidget(parent),
-      title_(toldLabel("dialog.figures.title", tr("Figure"), "section", this)),
-      caption_(toldLabel("dialog.figures.caption", tr("Caption"), "", this)),
+      title_(messageLabel("dialog.figures.title", tr("Figure"), "section", this)),
+      caption_(messageLabel("dialog.figures.caption", tr("Caption"), "", this)),
       picture_(new FigurePicture(this)),
       numbers_(new QTableWidget(0, 6, this)) {
   picture_->setObjectName("dialog.figures.picture");

@@ -57,10 +57,12 @@ void FiguresRun::cancel() {
 
 void FiguresRun::end(std::optional<int> code) {
   const bool whole = code && readFigures(fresh_);  // the code is not 0 when a number fails
-  const QString why_not = cancelled_ ? tr("Cancelled. The earlier figures were kept.") : whole ? keep() : whyNot();
+  const QString refusal = cancelled_ ? tr("Cancelled. The earlier figures were kept.")
+                          : whole    ? keep()
+                                     : refusalReason();
   QDir(fresh_).removeRecursively();
   lock_.unlock();
-  emit finished(cancelled_ ? End::Cancelled : why_not.isEmpty() ? End::Made : End::Failed, why_not);
+  emit finished(cancelled_ ? End::Cancelled : refusal.isEmpty() ? End::Made : End::Failed, refusal);
 }
 
 /// Replaces the old figures by the new ones. Returns the error; empty: done.
@@ -72,9 +74,9 @@ QString FiguresRun::keep() {
                     .arg(folder_);
 }
 
-QString FiguresRun::whyNot() const {
-  return process_.lastWords().isEmpty() ? tr("The figures were not made, and underact-cli gave no reason.")
-                                        : tr("The figures were not made. %1").arg(process_.lastWords());
+QString FiguresRun::refusalReason() const {
+  return process_.lastLine().isEmpty() ? tr("The figures were not made, and underact-cli gave no reason.")
+                                       : tr("The figures were not made. %1").arg(process_.lastLine());
 }
 
 }  // namespace underact::gui

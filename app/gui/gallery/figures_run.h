@@ -32,7 +32,7 @@ class FiguresRun : public QObject {
  private:
   void end(std::optional<int> code);
   QString keep();
-  QString whyNot() const;
+  QString refusalReason() const;
 
   QString folder_, fresh_, only_;
   QLockFile lock_;

@@ -11,14 +11,14 @@ namespace {
 
 constexpr const char* kReplay = "replay.open";  // exists only in a window that can replay
 
-GalleryWays waysOf(Actions& actions, QWidget* window) {
+GalleryCallbacks waysOf(Actions& actions, QWidget* window) {
   const auto by = [&actions, window](const QString& action) {
     return [&actions, window, action](const QString& path) {
       actions.perform(action, path);
       window->activateWindow();
     };
   };
-  GalleryWays ways;
+  GalleryCallbacks ways;
   ways.open_scene = by("scene.open");
   if (actions.names().contains(kReplay)) ways.open_session = by(kReplay);
   return ways;

@@ -16,9 +16,9 @@
 #include "app/gui/gallery/figure_pdf.h"
 #include "app/gui/gallery/figure_sheet.h"
 #include "app/gui/kit/file_question.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
 #include "underact/version.h"
 
@@ -31,20 +31,20 @@ QPushButton* button(const char* name, const QString& text, const QString& tip, Q
 
 }  // namespace
 
-GalleryDialog::GalleryDialog(GalleryWays ways, const QString& only, QWidget* parent)
+GalleryDialog::GalleryDialog(GalleryCallbacks ways, const QString& only, QWidget* parent)
     : QDialog(parent),
       ways_(std::move(ways)),
       folder_(figureFolder()),
       only_(only),
       figures_(new FigureChooser(this)),
       sheet_(new FigureSheet(this)),
-      message_(toldLabel("dialog.figures.message", tr("State of the figures"), "", this)),
+      message_(messageLabel("dialog.figures.message", tr("State of the figures"), "", this)),
       progress_(new QProgressBar(this)) {
   setObjectName("dialog.figures");
   setWindowTitle(tr("Figures of the thesis"));
   setModal(false);
-  const QSize wished(154 * fontMetrics().averageCharWidth(), 48 * fontMetrics().lineSpacing());
-  resize(wished.expandedTo({1080, 740}).boundedTo(screen()->availableSize()));
+  const QSize wanted(154 * fontMetrics().averageCharWidth(), 48 * fontMetrics().lineSpacing());
+  resize(wanted.expandedTo({1080, 740}).boundedTo(screen()->availableSize()));
   sheet_->layout()->addWidget(buildActions());
   auto* parts = new QSplitter(Qt::Horizontal, this);
   parts->setChildrenCollapsible(false);
@@ -135,11 +135,11 @@ void GalleryDialog::make() {
   run_->begin();
 }
 
-void GalleryDialog::ended(FiguresRun::End end, const QString& why_not) {
+void GalleryDialog::ended(FiguresRun::End end, const QString& refusal) {
   run_.release()->deleteLater();  // it is the sender of this signal
   progress_->hide();
   readFolder();
-  if (end != FiguresRun::End::Made) say(why_not, end == FiguresRun::End::Failed ? "alarm" : "");
+  if (end != FiguresRun::End::Made) say(refusal, end == FiguresRun::End::Failed ? "alarm" : "");
 }
 
 void GalleryDialog::readFolder() {
@@ -199,9 +199,9 @@ void GalleryDialog::choosePdf() {
 void GalleryDialog::savePdf(const QString& path) {
   const FigureRow* row = shown();
   if (row == nullptr) return;
-  const QString why_not = saveFigurePdf(*row, path);
-  say(why_not.isEmpty() ? tr("Figure %1 was saved as %2").arg(row->key, path) : why_not,
-      why_not.isEmpty() ? "" : "alarm");
+  const QString refusal = saveFigurePdf(*row, path);
+  say(refusal.isEmpty() ? tr("Figure %1 was saved as %2").arg(row->key, path) : refusal,
+      refusal.isEmpty() ? "" : "alarm");
 }
 
 }  // namespace underact::gui

@@ -16,7 +16,7 @@ class FigureChooser;
 class FigureSheet;
 
 /// What the gallery asks the window to do.
-struct GalleryWays {
+struct GalleryCallbacks {
   std::function<void(const QString& path)> open_scene;
   std::function<void(const QString& path)> open_session;  // empty: not possible
 };
@@ -27,7 +27,7 @@ class GalleryDialog : public QDialog {
   Q_OBJECT
  public:
   /// only: figure numbers separated by commas; empty: all.
-  GalleryDialog(GalleryWays ways, const QString& only, QWidget* parent);
+  GalleryDialog(GalleryCallbacks ways, const QString& only, QWidget* parent);
   ~GalleryDialog() override;
   bool isMaking() const { return run_ != nullptr; }
   /// The state of the figures, or the result of a run; read by screen readers.
@@ -39,14 +39,14 @@ class GalleryDialog : public QDialog {
   QWidget* buildActions();
   QWidget* buildMaking();
   void make();
-  void ended(FiguresRun::End end, const QString& why_not);
+  void ended(FiguresRun::End end, const QString& refusal);
   void readFolder();
   void say(const QString& sentence, const char* role = "");
   void showFigure();
   void choosePdf();
   const FigureRow* shown() const;
 
-  GalleryWays ways_;
+  GalleryCallbacks ways_;
   QString folder_, only_;
   FigureList list_;
   std::unique_ptr<FiguresRun> run_;

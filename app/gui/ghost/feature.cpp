@@ -5,22 +5,22 @@
 
 #include "app/gui/ghost/ghost_actions.h"
 #include "app/gui/ghost/ghost_hand.h"
+#include "app/gui/ghost/ghost_messages.h"
 #include "app/gui/ghost/ghost_strip.h"
-#include "app/gui/ghost/ghost_told.h"
 #include "app/gui/kit/actions.h"
 
 namespace underact::gui {
 namespace {
 
-void makeGhost(const FeatureParts& parts, Followers& followers) {
+void makeGhost(const FeatureParts& parts, ServoListeners& listeners) {
   auto* ghost = new GhostHand(parts.document, parts.player, parts.loads, parts.view, parts.window);
   addGhostActions(parts.actions, *ghost, parts.document, parts.files, parts.window);
-  tellOfGhost(*ghost, parts.window);
+  connectGhostMessages(*ghost, parts.window);
   QObject::connect(&parts.actions, &Actions::locked, ghost, &GhostHand::close);
   auto* strip = new GhostStrip(*ghost, parts.document, parts.actions, parts.middle.parentWidget());
   parts.middle.addWidget(strip);
-  followers.push_back(ghost);
-  followers.push_back(strip);
+  listeners.push_back(ghost);
+  listeners.push_back(strip);
 }
 
 }  // namespace

@@ -28,10 +28,10 @@ void chooseSession(Actions& actions, QWidget* window) {
 
 /// name: of a command with one argument that changes the options. put: false for an invalid argument.
 void addOption(Actions& actions, GhostHand& ghost, const char* name,
-               std::function<bool(follow::Options& options, const QVariant& to)> put) {
+               std::function<bool(ghost::Options& options, const QVariant& to)> put) {
   actions.addCommand(name, [&ghost, put = std::move(put)](const QVariantList& to) {
     if (!ghost.isOpen() || to.size() != 1) return false;
-    follow::Options options = ghost.options();
+    ghost::Options options = ghost.options();
     if (!put(options, to.first())) return false;
     ghost.setOptions(options);
     return true;
@@ -47,19 +47,19 @@ bool putWithin(double& number, const QVariant& to, double least, double most, do
 }
 
 void addOptions(Actions& actions, GhostHand& ghost) {
-  const auto flag = [](bool follow::Options::*which) {
-    return [which](follow::Options& options, const QVariant& to) {
+  const auto flag = [](bool ghost::Options::*which) {
+    return [which](ghost::Options& options, const QVariant& to) {
       options.*which = to.toBool();
       return true;
     };
   };
-  addOption(actions, ghost, "ghost.loop", flag(&follow::Options::loops));
-  addOption(actions, ghost, "ghost.wait", flag(&follow::Options::waits));
-  addOption(actions, ghost, "ghost.near", flag(&follow::Options::begins_near));
-  addOption(actions, ghost, "ghost.speed", [](follow::Options& options, const QVariant& to) {
-    return putWithin(options.speed, to, follow::kSlowest, follow::kFastest, 1.0);
+  addOption(actions, ghost, "ghost.loop", flag(&ghost::Options::loops));
+  addOption(actions, ghost, "ghost.wait", flag(&ghost::Options::waits));
+  addOption(actions, ghost, "ghost.near", flag(&ghost::Options::begins_near));
+  addOption(actions, ghost, "ghost.speed", [](ghost::Options& options, const QVariant& to) {
+    return putWithin(options.speed, to, ghost::kSlowest, ghost::kFastest, 1.0);
   });
-  addOption(actions, ghost, "ghost.wait_beyond", [](follow::Options& options, const QVariant& to_mm) {
+  addOption(actions, ghost, "ghost.wait_beyond", [](ghost::Options& options, const QVariant& to_mm) {
     return putWithin(options.waits_beyond_m, to_mm, kLeastWait_mm, kMostWait_mm, kMetrePerMillimetre);
   });
 }

@@ -31,7 +31,7 @@ bool GhostHand::open(const QString& path) {
   const auto read = std::make_shared<Result<LoadedGhost>>(Problems{});
   loads_.begin(
       tr("Reading %1").arg(QFileInfo(file).fileName()),
-      [read, file](const Watch& watch) { *read = loadGhost(file.toStdString(), watch); },
+      [read, file](const TaskMonitor& monitor) { *read = loadGhost(file.toStdString(), monitor); },
       [this, read, file] {
         reading_.clear();
         *read ? begin(std::move(*read).value()) : emit failed(file, read->problems());
@@ -58,7 +58,7 @@ void GhostHand::close() {
   emit closed();
 }
 
-void GhostHand::setOptions(const follow::Options& options) {
+void GhostHand::setOptions(const ghost::Options& options) {
   if (!isOpen()) return;
   options_ = options;
   emit changed();
@@ -66,14 +66,14 @@ void GhostHand::setOptions(const follow::Options& options) {
 
 void GhostHand::play(bool on) {
   if (!isOpen()) return;
-  if (on && state_.phase == follow::Phase::Ended) return restart();
+  if (on && state_.phase == ghost::Phase::Ended) return restart();
   options_.plays = on;
   emit changed();
 }
 
 void GhostHand::restart() {
   if (!isOpen()) return;
-  follow::State fresh;
+  ghost::State fresh;
   fresh.last_round = state_.last_round;  // for comparison
   fresh.rounds = state_.rounds;
   state_ = fresh;
@@ -84,7 +84,7 @@ void GhostHand::restart() {
 void GhostHand::setMirrored(bool on) {
   if (!isOpen() || on == is_mirrored_) return;
   is_mirrored_ = on;
-  ghost_->way = follow::mirrored(std::move(ghost_->way));
+  ghost_->way = ghost::mirrored(std::move(ghost_->way));
   restart();
 }
 
@@ -94,20 +94,20 @@ std::optional<scene::Description> GhostHand::scene() const {
 
 bool GhostHand::isElsewhere() const {
   const std::optional<scene::Description> recorded = scene();
-  return recorded && !meetsTheSame(*recorded, document_.scene());
+  return recorded && !hasSameConstraints(*recorded, document_.scene());
 }
 
 void GhostHand::add(const servo::TickRecord& record) {
   if (!isOpen() || (record.input & servo::kHadSample) == 0 || !record.p_WT.allFinite()) return;
   p_WT_ = record.p_WT;
   const int rounds = state_.rounds;
-  state_ = follow::advanced(ghost_->way, options_, state_, record.time_ns, record.p_WT);
+  state_ = ghost::advanced(ghost_->way, options_, state_, record.time_ns, record.p_WT);
   if (state_.rounds > rounds) emit ended();
 }
 
 void GhostHand::present(const servo::Snapshot&) {
   if (!isOpen() || !state_.tick_ns) return;
-  const follow::Place& now = state_.ghost;
+  const ghost::StylusPose& now = state_.ghost;
   const bool is_alike = is_drawn_ && (now.p_WG - drawn_.p_WG).norm() + (p_WT_ - drawn_p_WT_).norm() < kLooksTheSame_m &&
                         now.stylus_W == drawn_.stylus_W;
   if (is_alike) return;

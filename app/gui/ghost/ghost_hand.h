@@ -3,9 +3,9 @@
 #include <QString>
 #include <optional>
 
-#include "app/gui/feature/follower.h"
+#include "app/gui/feature/servo_listener.h"
 #include "app/gui/ghost/ghost_load.h"
-#include "core/follow/follow.h"
+#include "core/ghost/follow.h"
 #include "core/servo/snapshot.h"
 
 namespace underact::gui {
@@ -17,7 +17,7 @@ class SceneView;
 
 /// A recorded hand in the view for the user to follow: reads it, moves it tick by tick, and draws it. The arm, the
 /// scene and the forces are not affected. Opening a replay ends it.
-class GhostHand : public QObject, public Follower {
+class GhostHand : public QObject, public ServoListener {
   Q_OBJECT
  public:
   GhostHand(Document& document, Player& player, LoadStrip& loads, SceneView& view, QObject* parent);
@@ -30,12 +30,12 @@ class GhostHand : public QObject, public Follower {
 
   // Only while one is open.
   const LoadedGhost& ghost() const { return *ghost_; }
-  const follow::State& state() const { return state_; }
-  const follow::Options& options() const { return options_; }
-  void setOptions(const follow::Options& options);
+  const ghost::State& state() const { return state_; }
+  const ghost::Options& options() const { return options_; }
+  void setOptions(const ghost::Options& options);
   /// At the end it starts again.
   void play(bool on);
-  bool isPlaying() const { return options_.plays && state_.phase != follow::Phase::Ended; }
+  bool isPlaying() const { return options_.plays && state_.phase != ghost::Phase::Ended; }
   void restart();
   /// Mirrors it and starts from the beginning; by default as the scenes of the window are.
   void setMirrored(bool on);
@@ -64,10 +64,10 @@ class GhostHand : public QObject, public Follower {
   SceneView& view_;
   QString reading_;  // being read; empty: none
   std::optional<LoadedGhost> ghost_;
-  follow::Options options_;
-  follow::State state_;
+  ghost::Options options_;
+  ghost::State state_;
   Vec3 p_WT_ = Vec3::Zero();
-  follow::Place drawn_;  // and p_WT then
+  ghost::StylusPose drawn_;  // and p_WT then
   Vec3 drawn_p_WT_ = Vec3::Zero();
   bool is_drawn_ = false, is_mirrored_ = false;
 };

@@ -17,8 +17,8 @@ Problems oneProblem(const QString& sentence, const std::string& path) {
   return {{sentence.toStdString(), {path}}};
 }
 
-follow::Way wayOf(const device::Recorded& recorded, const arm::Geometry& geometry) {
-  follow::WayMaker maker(geometry, recorded.rate_hz);
+ghost::Trajectory wayOf(const device::Recorded& recorded, const arm::Geometry& geometry) {
+  ghost::TrajectoryBuilder maker(geometry, recorded.rate_hz);
   for (const device::RecordedRow& row : recorded.rows) maker.add(row.q_rad, row.begins_anew);
   return maker.take();
 }
@@ -39,11 +39,11 @@ void takeNames(scene::Shape& shape, const scene::Shape& recorded) {
 
 }  // namespace
 
-Result<LoadedGhost> loadGhost(const std::string& path, const Watch& watch) {
+Result<LoadedGhost> loadGhost(const std::string& path, const TaskMonitor& monitor) {
   device::LoadWatch reading;
-  reading.cancelled = watch.cancelled;
+  reading.cancelled = monitor.cancelled;
   reading.files_in = recordedFilesFolders();
-  if (watch.progress) reading.progress = [&watch](double share) { watch.progress("", share); };
+  if (monitor.progress) reading.progress = [&monitor](double share) { monitor.progress("", share); };
   Result<std::shared_ptr<const device::Recorded>> read = device::loadRecorded(path, reading);
   if (!read) return read.problems();
   const device::Recorded& recorded = *read.value();
@@ -55,11 +55,11 @@ Result<LoadedGhost> loadGhost(const std::string& path, const Watch& watch) {
   if (ghost.way.rows.size() < 2)
     return oneProblem(QObject::tr("This session has only one tick: there is nothing to follow."), path);
   if (const device::RecordedScene* first = recorded.sceneAt(0)) ghost.scene = first->scene;
-  if (ghost.scene) makeDrawnMeshes(*ghost.scene, watch);
+  if (ghost.scene) makeDrawnMeshes(*ghost.scene, monitor);
   return ghost;
 }
 
-bool meetsTheSame(const scene::Description& recorded, scene::Description other) {
+bool hasSameConstraints(const scene::Description& recorded, scene::Description other) {
   if (other.constraints.size() != recorded.constraints.size()) return false;
   other.title = recorded.title;
   other.about = recorded.about;

@@ -19,9 +19,9 @@
 #include "app/gui/kit/chooser.h"
 #include "app/gui/kit/icons.h"
 #include "app/gui/kit/larger_font.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_box.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/session_words.h"
@@ -43,7 +43,7 @@ QLabel* label(const char* name, const QString& spoken, QWidget* parent) {
 
 /// Shows the label only while it has a text.
 void tell(QLabel* label, const QString& text) {
-  putText(label, text);
+  updateText(label, text);
   if (label->isHidden() != text.isEmpty()) label->setVisible(!text.isEmpty());
 }
 
@@ -141,7 +141,7 @@ void GhostStrip::buildChoices(QVBoxLayout* column) {
 void GhostStrip::buildTold(QVBoxLayout* column) {
   auto* result = new QHBoxLayout;
   result->setSpacing(8);
-  result->addWidget(told_ = toldLabel("ghost.told", tr("What to do, and your result"), "", this), 1);
+  result->addWidget(told_ = messageLabel("ghost.told", tr("What to do, and your result"), "", this), 1);
   copy_ = pushButton("ghost.copy", tr("Copy"), tr("Copies the result of the last round to the clipboard."), this,
                      tr("Copy the result"));
   connect(copy_, &QPushButton::clicked, this, [this] {
@@ -150,10 +150,10 @@ void GhostStrip::buildTold(QVBoxLayout* column) {
   told_->setMinimumHeight(copy_->sizeHint().height());  // nothing moves when it appears
   result->addWidget(copy_);
   column->addLayout(result);
-  column->addWidget(last_ = toldLabel("ghost.last", tr("Previous round"), "quiet", this));
+  column->addWidget(last_ = messageLabel("ghost.last", tr("Previous round"), "quiet", this));
   auto* notes = new QHBoxLayout;
   notes->setSpacing(8);
-  notes->addWidget(notes_ = toldLabel("ghost.notes", tr("About the recording"), "amber", this), 1);
+  notes->addWidget(notes_ = messageLabel("ghost.notes", tr("About the recording"), "amber", this), 1);
   scene_ = pushButton("ghost.scene", tr("Open that scene"),
                       tr("Opens the scene of the recording in place of the current one."), this);
   connect(scene_, &QPushButton::clicked, this, [this] { actions_.perform("ghost.scene"); });
@@ -174,16 +174,17 @@ void GhostStrip::present(const servo::Snapshot&) {
 }
 
 void GhostStrip::presentNumbers() {
-  const follow::State& state = ghost_.state();
-  putText(time_, clockText(std::round(state.time_s)) + " / " + clockText(std::round(ghost_.ghost().way.duration_s())));
-  putText(now_, state.tick_ns ? millimetres(kMillimetrePerMetre * state.distance_m) : QString());
-  putText(told_, toldText(state, ghost_.options()));
+  const ghost::State& state = ghost_.state();
+  updateText(time_,
+             clockText(std::round(state.time_s)) + " / " + clockText(std::round(ghost_.ghost().way.duration_s())));
+  updateText(now_, state.tick_ns ? millimetres(kMillimetrePerMetre * state.distance_m) : QString());
+  updateText(told_, toldText(state, ghost_.options()));
   tell(last_, lastText(state));
   copy_->setVisible(state.last_round.has_value());
 }
 
 void GhostStrip::presentOptions() {
-  const follow::Options& options = ghost_.options();
+  const ghost::Options& options = ghost_.options();
   const QSignalBlocker silent_speed(speed_), silent_wait(wait_), silent_near(near_), silent_loop(loop_),
       silent_mirror(mirror_),
       silent_beyond(beyond_);  // showing a value does not command it

@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/gui/feature/follower.h"
+#include "app/gui/feature/servo_listener.h"
 #include "app/gui/kit/theme.h"
 
 class QCheckBox;
@@ -20,7 +20,7 @@ class GhostHand;
 
 /// The strip below the view while a recorded hand is followed: play and pause, speed, current and past distance, and at
 /// the end the result, which a screen reader announces once.
-class GhostStrip : public QWidget, public Follower {
+class GhostStrip : public QWidget, public ServoListener {
   Q_OBJECT
  public:
   GhostStrip(GhostHand& ghost, const Document& document, Actions& actions, QWidget* parent);

@@ -5,8 +5,8 @@
 namespace underact::gui {
 namespace {
 
-void makeGuide(const FeatureParts& parts, Followers& followers) {
-  followers.push_back(new GuideTool(parts));
+void makeGuide(const FeatureParts& parts, ServoListeners& listeners) {
+  listeners.push_back(new GuideTool(parts));
 }
 
 }  // namespace

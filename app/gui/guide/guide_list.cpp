@@ -5,7 +5,7 @@
 #include <QTreeWidget>
 #include <algorithm>
 
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
 
 namespace underact::gui {
 

@@ -10,7 +10,7 @@
 #include "app/gui/kit/problems_dialog.h"
 #include "app/gui/model/scene_library.h"
 #include "app/gui/model/settings.h"
-#include "core/system/places.h"
+#include "core/system/resource_paths.h"
 
 namespace underact::gui {
 
@@ -26,7 +26,7 @@ GuideTool::GuideTool(const FeatureParts& parts)
     if (!arguments.isEmpty()) return arguments.first().toString();
     const QWidget* focus = QApplication::focusWidget();
     if (window_ != nullptr && focus != nullptr && focus->window() == window_) return QString("window#this-guide");
-    return focus == nullptr ? place_ : helpPlaceOf(focus, pages_);
+    return focus == nullptr ? place_ : helpPageOf(focus, pages_);
   };
   actions_.add({"help.guide", tr("&Guide"), QKeySequence("F1"),
                 tr("Opens the guide at the page for whatever has the focus."), "help", tr("Guide")},

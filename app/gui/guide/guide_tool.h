@@ -12,7 +12,7 @@ namespace underact::gui {
 class GuideWindow;
 
 /// Opens the guide, with F1 at the page for what has the focus. Remembers the page read last.
-class GuideTool : public QObject, public Follower {
+class GuideTool : public QObject, public ServoListener {
   Q_OBJECT
  public:
   explicit GuideTool(const FeatureParts& parts);

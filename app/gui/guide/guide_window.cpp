@@ -10,10 +10,10 @@
 #include <algorithm>
 
 #include "app/gui/guide/guide_list.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/page_view.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/tight_layout.h"
 
 namespace underact::gui {
 namespace {

@@ -7,7 +7,7 @@
 namespace underact::gui {
 namespace {
 
-void makeHelp(const FeatureParts& parts, Followers&) {
+void makeHelp(const FeatureParts& parts, ServoListeners&) {
   addHelpActions(parts.actions, parts.window);
 }
 

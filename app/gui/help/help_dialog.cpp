@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kit/actions.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/words.h"
 #include "underact/version.h"
 

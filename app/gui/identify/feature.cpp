@@ -5,8 +5,8 @@
 namespace underact::gui {
 namespace {
 
-void makeIdentify(const FeatureParts& parts, Followers& followers) {
-  followers.push_back(new IdentifyTool(parts));
+void makeIdentify(const FeatureParts& parts, ServoListeners& listeners) {
+  listeners.push_back(new IdentifyTool(parts));
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ IdentifyRun::~IdentifyRun() = default;
 
 Problems IdentifyRun::begin(identify::Wanted wanted) {
   cancel();
-  Problems problems = whyNotNow();
+  Problems problems = refusalNow();
   if (!problems.empty()) return problems;
   wanted.arm = armNow();
   Result<identify::Plan> plan = identify::makePlan(wanted);
@@ -55,7 +55,7 @@ Problems IdentifyRun::begin(identify::Wanted wanted) {
 }
 
 /// Empty if the measurement can begin or continue.
-Problems IdentifyRun::whyNotNow() const {
+Problems IdentifyRun::refusalNow() const {
   if (!parts_.document.isOpen())
     return Problems{{said(QT_TRANSLATE_NOOP("problem", "Open a scene first. It is restored after the measurement."))}};
   if (parts_.player.isOpen() || parts_.player.isLoading())
@@ -99,7 +99,7 @@ void IdentifyRun::startServo() {
 }
 
 /// Empty while the servo runs, or was started less than a second ago.
-QString IdentifyRun::whyItStands(const servo::Snapshot& snapshot) const {
+QString IdentifyRun::stopReason(const servo::Snapshot& snapshot) const {
   const bool waits = !has_pushed_ && snapshot.ticks - started_ticks_ < parts_.servo.rateHz();
   if (snapshot.mode == servo::Mode::Running || waits) return {};
   if (snapshot.mode == servo::Mode::Faulted)
@@ -108,7 +108,7 @@ QString IdentifyRun::whyItStands(const servo::Snapshot& snapshot) const {
   return tr("The servo was stopped.");
 }
 
-void IdentifyRun::goOn() {
+void IdentifyRun::resume() {
   if (state_ != State::Asks) return;
   if (!is_begun_) rate_hz_ = parts_.servo.rateHz();
   if (!mayGoOn()) return;
@@ -119,7 +119,7 @@ void IdentifyRun::goOn() {
 }
 
 /// All samples of a measurement must have the same rate.
-QString IdentifyRun::whyNotAtThisRate() const {
+QString IdentifyRun::rateRefusal() const {
   if (parts_.servo.rateHz() == rate_hz_) return {};
   return tr("The servo rate was changed during the measurement. Set it back to %1 Hz, or go back and begin again.")
       .arg(rate_hz_);
@@ -131,8 +131,8 @@ bool IdentifyRun::mayGoOn() {
     end(tr("The scene is for another arm now, so the measurement was ended."));
     return false;
   }
-  const Problems problems = whyNotNow();
-  const QString why = problems.empty() ? whyNotAtThisRate() : sentencesOf(problems);
+  const Problems problems = refusalNow();
+  const QString why = problems.empty() ? rateRefusal() : sentencesOf(problems);
   if (!why.isEmpty()) stopped(why);
   return why.isEmpty();
 }
@@ -156,12 +156,12 @@ void IdentifyRun::stopped(const QString& why) {
 /// Ends the measurement: it cannot continue, only begin again.
 void IdentifyRun::end(const QString& why) {
   if (!measurement_) return;
-  letGo();
+  release();
   setState(State::Failed, why);
 }
 
 /// Restores what the measurement changed: the scene, the servo, the hand.
-void IdentifyRun::letGo() {
+void IdentifyRun::release() {
   // The force first: a fit in the background may take a while to end.
   if (hasOwnScene()) {
     parts_.document.putBack();
@@ -175,7 +175,7 @@ void IdentifyRun::letGo() {
 
 void IdentifyRun::cancel() {
   evaluation_.reset();
-  if (measurement_) letGo();
+  if (measurement_) release();
   if (state_ != State::Idle) setState(State::Idle);
 }
 
@@ -185,7 +185,7 @@ void IdentifyRun::add(const servo::TickRecord& record) {
   measurement_->add(record);
 }
 
-void IdentifyRun::look(const servo::Snapshot& snapshot) {
+void IdentifyRun::poll(const servo::Snapshot& snapshot) {
   ticks_ = snapshot.ticks;
   mode_ = snapshot.mode;
   has_pushed_ = has_pushed_ || mode_ == servo::Mode::Running;
@@ -197,10 +197,10 @@ void IdentifyRun::look(const servo::Snapshot& snapshot) {
   if (state_ == State::Runs && parts_.servo.revision() != revision_)
     return stopped(tr("The scene was changed during the measurement."));
   if (is_begun_) {
-    if (const QString why = whyNotAtThisRate(); !why.isEmpty()) return stopped(why);
-    if (const QString why = whyItStands(snapshot); !why.isEmpty()) return stopped(why);
+    if (const QString why = rateRefusal(); !why.isEmpty()) return stopped(why);
+    if (const QString why = stopReason(snapshot); !why.isEmpty()) return stopped(why);
   }
-  if (state_ == State::Asks && person_) return goOn();
+  if (state_ == State::Asks && person_) return resume();
   if (state_ == State::Asks) return;
   const Problems problems = measurement_->advance();
   if (!problems.empty()) return stopped(sentencesOf(problems));
@@ -224,7 +224,7 @@ void IdentifyRun::evaluate() {
       [plan = measurement_->plan(), recorded = measurement_->recorded(), rate_hz](WorkState& work) {
         return identify::evaluate(plan, recorded, rate_hz, [&work] { return work.cancelled.load(); });
       });
-  letGo();
+  release();
   setState(State::Evaluates);
 }
 

@@ -34,7 +34,7 @@ struct IdentifyParts {
 class IdentifyRun : public QObject {
   Q_OBJECT
  public:
-  /// Asks: the hand has to do something, then goOn(). Stopped: by a fault or a person; repeat() continues. Evaluates:
+  /// Asks: the hand has to do something, then resume(). Stopped: by a fault or a person; repeat() continues. Evaluates:
   /// everything is recorded. Done: found() is available. Failed: why() says why there is no result; begin() again.
   enum class State { Idle, Asks, Runs, Stopped, Evaluates, Done, Failed };
 
@@ -44,16 +44,16 @@ class IdentifyRun : public QObject {
   /// Replaces a measurement that is under way. Problems: why it cannot begin.
   Problems begin(identify::Wanted wanted);
   // Both repeat the checks of begin(); if one fails, the measurement stops and why() says so.
-  void goOn();
+  void resume();
   void repeat();
   /// Discards the measurement.
   void cancel();
   void add(const servo::TickRecord& record);
   /// Called each frame. It may put a scene into effect, which invalidates the host's snapshot.
-  void look(const servo::Snapshot& snapshot);
+  void poll(const servo::Snapshot& snapshot);
 
   State state() const { return state_; }
-  bool isAtWork() const { return measurement_.has_value(); }
+  bool isRunning() const { return measurement_.has_value(); }
   double share() const { return measurement_ ? measurement_->share() : state_ == State::Done ? 1.0 : 0.0; }
   /// The current part of the measurement, and what the hand has to do.
   QString stage() const;
@@ -81,15 +81,15 @@ class IdentifyRun : public QObject {
   void startServo();
   void stopped(const QString& why);
   void end(const QString& why);
-  Problems whyNotNow() const;
-  QString whyItStands(const servo::Snapshot& snapshot) const;
-  QString whyNotAtThisRate() const;
+  Problems refusalNow() const;
+  QString stopReason(const servo::Snapshot& snapshot) const;
+  QString rateRefusal() const;
   bool mayGoOn();
   bool hasOwnScene() const;
   std::string armNow() const;
   void evaluate();
   void takeEvaluation();
-  void letGo();
+  void release();
   void fitLive();
   std::size_t firstOfAxis() const;
 

@@ -41,8 +41,8 @@ IdentifyTool::IdentifyTool(const FeatureParts& parts)
                                           return true;
                                         });
   const auto follow = [this, vendors] {  // no change of arm during a measurement
-    vendors->setEnabled(parts_.in_use.isMeasured() && !run_.isAtWork());
-    actions_.find("arm.open")->setEnabled(parts_.in_use.hasSimulatedArm() && !run_.isAtWork());
+    vendors->setEnabled(parts_.in_use.isMeasured() && !run_.isRunning());
+    actions_.find("arm.open")->setEnabled(parts_.in_use.hasSimulatedArm() && !run_.isRunning());
   };
   connect(&parts_.in_use, &ArmInUse::changed, this, follow);
   connect(&run_, &IdentifyRun::changed, this, follow);

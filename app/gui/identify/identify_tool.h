@@ -12,13 +12,13 @@ namespace underact::gui {
 class IdentifyWizard;
 
 /// "Measure the arm" in the window: its actions, its wizard, and which arm is simulated.
-class IdentifyTool : public QObject, public Follower {
+class IdentifyTool : public QObject, public ServoListener {
   Q_OBJECT
  public:
   explicit IdentifyTool(const FeatureParts& parts);
   ~IdentifyTool() override;
   void add(const servo::TickRecord& record) override { run_.add(record); }
-  void look(const servo::Snapshot& snapshot) override { run_.look(snapshot); }
+  void poll(const servo::Snapshot& snapshot) override { run_.poll(snapshot); }
   void setTheme(const Theme& theme) override;
   void finish() override { end(); }
   /// Restores the scene and closes the wizard.

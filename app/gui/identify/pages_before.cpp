@@ -9,8 +9,8 @@
 
 #include "app/gui/identify/pages.h"
 #include "app/gui/identify/swing_plot.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_box.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "core/base/units.h"
 
@@ -144,7 +144,7 @@ MeasurePage::MeasurePage(IdentifyRun& run, const PlacePage& place, QWidget* pare
   column->addWidget(progress_);
   column->addWidget(why_);
   column->addWidget(plot_, 1);
-  connect(go_, &QPushButton::clicked, &run_, &IdentifyRun::goOn);
+  connect(go_, &QPushButton::clicked, &run_, &IdentifyRun::resume);
   connect(repeat_, &QPushButton::clicked, this,
           [this] { run_.state() == IdentifyRun::State::Stopped ? run_.repeat() : begin(); });
   connect(&run_, &IdentifyRun::changed, this, &MeasurePage::showState);

@@ -10,8 +10,8 @@
 #include <QWheelEvent>
 #include <cmath>
 
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
 
 namespace underact::gui {

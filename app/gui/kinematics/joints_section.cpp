@@ -35,11 +35,11 @@ void JointsSection::setLimits(const arm::JointLimits& limits) {
   }
 }
 
-void JointsSection::setMovable(const QString& why_not) {
-  const QString text = why_not.isEmpty() ? tr("Each slider moves the simulated hand, which moves the arm.") : why_not;
+void JointsSection::setMovable(const QString& refusal) {
+  const QString text = refusal.isEmpty() ? tr("Each slider moves the simulated hand, which moves the arm.") : refusal;
   if (note_->text() == text) return;
   note_->setText(text);
-  for (JointRow* row : rows_) row->setEnabled(why_not.isEmpty());
+  for (JointRow* row : rows_) row->setEnabled(refusal.isEmpty());
 }
 
 void JointsSection::present(const KinematicsNow& now) {

@@ -11,9 +11,9 @@
 
 #include "app/gui/kinematics/sections.h"
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_table.h"
 #include "app/gui/kit/panel_scroll.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/model/arm_choice.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/player.h"
@@ -45,8 +45,8 @@ KinematicsPanel::KinematicsPanel(const Parts& parts, QWidget* parent) : Panel(pa
   column->addWidget(jacobian_ = new JacobianSection(content));
   column->addStretch(1);
   fillWithScroll(this, content);
-  connect(joints_, &JointsSection::asked, this, [this](int joint, double deg) { wishJoint(joint, deg, false); });
-  connect(joints_, &JointsSection::stepped, this, [this](int joint, double deg) { wishJoint(joint, deg, true); });
+  connect(joints_, &JointsSection::asked, this, [this](int joint, double deg) { setJoint(joint, deg, false); });
+  connect(joints_, &JointsSection::stepped, this, [this](int joint, double deg) { setJoint(joint, deg, true); });
   connect(solutions_, &SolutionsSection::wanted, this, &KinematicsPanel::showSolution);
   connect(&parts_.document, &Document::opened, this, &KinematicsPanel::sceneOpened);
   sceneOpened();
@@ -64,7 +64,7 @@ void KinematicsPanel::addActions() {
       });
   parts_.actions.addCommand("joint.set", [this](const QVariantList& values) {
     const int joint = values.value(0).toInt() - 1;
-    return values.size() == 2 && joint >= 0 && joint < 6 && wishJoint(joint, values[1].toDouble(), false);
+    return values.size() == 2 && joint >= 0 && joint < 6 && setJoint(joint, values[1].toDouble(), false);
   });
   parts_.actions.addCommand("solution.show", [this](const QVariantList& values) {  // 1 to 8; 0: none
     const int number = values.value(0, -1).toInt();
@@ -102,7 +102,7 @@ void KinematicsPanel::sceneOpened() {
   limits_ = preset->limits;
   joints_->setLimits(limits_);
   singularities_->setReach(geometry_.upper_m + geometry_.fore_m);
-  wish_.reset();
+  setpoint_.reset();
   shown_ns_ = -1;
 }
 
@@ -144,18 +144,18 @@ void KinematicsPanel::present(const servo::Snapshot& snapshot) {
   jacobian_->present(now);
 }
 
-bool KinematicsPanel::wishJoint(int joint, double angle_deg, bool relative) {
+bool KinematicsPanel::setJoint(int joint, double angle_deg, bool relative) {
   device::SimulatedArm* const arm = parts_.arms.simulated();
   if (arm == nullptr || parts_.player.isOpen() || mode_ != servo::Mode::Idle) return false;
-  const sim::HandWish& last = arm->wished();
-  const bool is_ours = wish_ && last.p_WT == wish_->p_WT && last.R_WT == wish_->R_WT && last.turns;
-  arm::JointAngles q_rad = is_ours ? wished_rad_ : q_rad_;
+  const sim::HandSetpoint& last = arm->setpoint();
+  const bool is_ours = setpoint_ && last.p_WT == setpoint_->p_WT && last.R_WT == setpoint_->R_WT && last.turns;
+  arm::JointAngles q_rad = is_ours ? setpoint_rad_ : q_rad_;
   double& moved_rad = q_rad[static_cast<std::size_t>(joint)];
   moved_rad = relative ? moved_rad + angle_deg * kRadPerDegree : angle_deg * kRadPerDegree;
-  wished_rad_ = arm::withinLimits(limits_, q_rad);
-  const Pose X_WT = arm::tipPose(geometry_, wished_rad_);
-  wish_ = sim::HandWish{X_WT.translation(), Vec3::Zero(), X_WT.linear(), true};
-  arm->wish(*wish_);
+  setpoint_rad_ = arm::withinLimits(limits_, q_rad);
+  const Pose X_WT = arm::tipPose(geometry_, setpoint_rad_);
+  setpoint_ = sim::HandSetpoint{X_WT.translation(), Vec3::Zero(), X_WT.linear(), true};
+  arm->setSetpoint(*setpoint_);
   return true;
 }
 

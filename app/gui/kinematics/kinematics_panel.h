@@ -45,7 +45,7 @@ class KinematicsPanel : public Panel {
   void sceneOpened();
   bool showAll(bool on);
   bool isDue(const servo::Snapshot& snapshot);
-  bool wishJoint(int joint, double angle_deg, bool relative);
+  bool setJoint(int joint, double angle_deg, bool relative);
   bool showSolution(int number);
 
   Parts parts_;
@@ -66,8 +66,8 @@ class KinematicsPanel : public Panel {
 
   // The joint angles commanded last, as long as nothing else moves the hand: friction stops the arm a little short of
   // them, so steps from the actual angles would never add up.
-  arm::JointAngles wished_rad_{};
-  std::optional<sim::HandWish> wish_;
+  arm::JointAngles setpoint_rad_{};
+  std::optional<sim::HandSetpoint> setpoint_;
 };
 
 }  // namespace underact::gui

@@ -24,8 +24,8 @@ class JointsSection : public Section {
  public:
   explicit JointsSection(QWidget* parent = nullptr);
   void setLimits(const arm::JointLimits& limits);
-  /// why_not: a sentence; empty: the sliders move the arm.
-  void setMovable(const QString& why_not);
+  /// refusal: a sentence; empty: the sliders move the arm.
+  void setMovable(const QString& refusal);
   void present(const KinematicsNow& now);
  signals:
   void asked(int joint, double angle_deg);

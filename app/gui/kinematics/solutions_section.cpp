@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "app/gui/kinematics/sections.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_table.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "core/base/units.h"
 

@@ -4,9 +4,9 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kinematics/sections.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_table.h"
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
 #include "core/base/units.h"
 

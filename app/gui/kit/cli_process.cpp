@@ -1,8 +1,8 @@
 #include "app/gui/kit/cli_process.h"
 
 #include "app/gui/kit/words.h"
-#include "core/system/places.h"
 #include "core/system/process.h"
+#include "core/system/resource_paths.h"
 
 namespace underact::gui {
 namespace {

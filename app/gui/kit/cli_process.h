@@ -19,7 +19,7 @@ class CliProcess : public QObject {
   /// Kills it; emits ended() before returning.
   void kill();
   /// The last line of its output; the lines above are for developers. Empty: no output.
-  const QString& lastWords() const { return last_words_; }
+  const QString& lastLine() const { return last_words_; }
   /// Handles lines that are not for the user, such as progress; returns whether a line was one.
   void setReader(std::function<bool(const QByteArray& line)> reader) { reader_ = std::move(reader); }
 

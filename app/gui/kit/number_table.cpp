@@ -2,7 +2,7 @@
 
 #include <QGridLayout>
 
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
 
 namespace underact::gui {
 

@@ -1,11 +1,11 @@
 #include "app/gui/kit/painted.h"
 
-#include "app/gui/kit/spoken.h"
+#include "app/gui/kit/accessible_widgets.h"
 
 namespace underact::gui {
 
 Painted::Painted(const QString& name, const QString& spoken, const QString& tip, QWidget* parent) : QWidget(parent) {
-  speakAs(this, QAccessible::Graphic);
+  setAccessibleRole(this, QAccessible::Graphic);
   setObjectName(name);
   setAccessibleName(spoken);
   setToolTip(tip);

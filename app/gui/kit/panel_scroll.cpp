@@ -3,7 +3,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "app/gui/kit/tight.h"
+#include "app/gui/kit/tight_layout.h"
 
 namespace underact::gui {
 

@@ -3,8 +3,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
+#include "app/gui/kit/tight_layout.h"
 
 namespace underact::gui {
 

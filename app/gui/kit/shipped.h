@@ -1,7 +1,7 @@
 #pragma once
 #include <QString>
 
-#include "core/system/places.h"
+#include "core/system/resource_paths.h"
 
 class QLabel;
 class QWidget;
@@ -13,7 +13,7 @@ namespace underact::gui {
 QString shippedFolder(system::Resource resource);
 
 /// Why it was not found and where it was searched for, in the window's language; empty: it was found.
-QString whyNotFound(system::Resource resource);
+QString notFoundReason(system::Resource resource);
 
 /// A label that says so; hidden if the folder was found.
 QLabel* notFoundLabel(system::Resource resource, const char* name, const QString& spoken, QWidget* parent);

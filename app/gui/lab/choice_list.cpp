@@ -5,31 +5,31 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/lab/lab_words.h"
 
 namespace underact::gui {
 namespace {
 
-QString tipOf(const trade::Choice& choice) {
+QString tipOf(const tradeoff::Choice& choice) {
   return QObject::tr("%1\nTimed: %2. Error: %3; root mean square.\nBound: %4 (%5).")
       .arg(QString(choice.question), QString(choice.cost), QString(choice.error), errorText(choice.bound, choice.unit),
            QString(choice.reason));
 }
 
-QString figuresOf(const trade::Choice& choice, const trade::Summary& now) {
+QString figuresOf(const tradeoff::Choice& choice, const tradeoff::Summary& now) {
   return QObject::tr("%1 for %2, %3 per second; error %4, bound %5")
       .arg(timeText(1e-3 * now.p50_ns), QString(choice.cost), timeText(now.cost_us_per_s),
            errorText(now.error, choice.unit), errorText(choice.bound, choice.unit));
 }
 
 /// Marks a choice by words and a sign; the colour only adds to them.
-void mark(const trade::Standing& standing, const trade::Summary* now, ChoiceWords& words) {
-  const trade::Choice& choice = *standing.choice;
+void mark(const tradeoff::ChoiceResult& choice_result, const tradeoff::Summary* now, ChoiceWords& words) {
+  const tradeoff::Choice& choice = *choice_result.choice;
   words.is_beyond = now != nullptr && now->error > choice.bound;
   if (words.is_beyond) words.mark = QObject::tr("▲ The error exceeds the bound.");
-  const trade::Summary* best = recommendedOf(standing);
+  const tradeoff::Summary* best = recommendedOf(choice_result);
   if (best == nullptr || (now != nullptr && now->option == best->option)) return;
   const QString better = QObject::tr("→ Recommended: %1 (%2 per second, error %3)")
                              .arg(QString::fromStdString(best->option), timeText(best->cost_us_per_s),
@@ -39,23 +39,23 @@ void mark(const trade::Standing& standing, const trade::Summary* now, ChoiceWord
 
 }  // namespace
 
-std::vector<ChoiceWords> choiceWords(const scene::Description& scene, const trade::Settings& now,
-                                     const std::vector<trade::Standing>& standings) {
+std::vector<ChoiceWords> choiceWords(const scene::Description& scene, const tradeoff::Settings& now,
+                                     const std::vector<tradeoff::ChoiceResult>& choice_results) {
   std::vector<ChoiceWords> all;
-  for (const trade::Choice& choice : trade::choices()) {
+  for (const tradeoff::Choice& choice : tradeoff::choices()) {
     if (!choice.applies(scene)) continue;
     ChoiceWords words;
     words.key = choice.key;
     words.name = choiceName(choice);
     words.value = QString::fromStdString(valueText(choice, scene, now));
     words.tip = tipOf(choice);
-    const auto standing = std::find_if(standings.begin(), standings.end(),
-                                       [&](const trade::Standing& one) { return one.choice == &choice; });
-    if (standing != standings.end()) {
-      const trade::Summary* measured = measuredOf(*standing, now);
+    const auto choice_result = std::find_if(choice_results.begin(), choice_results.end(),
+                                            [&](const tradeoff::ChoiceResult& one) { return one.choice == &choice; });
+    if (choice_result != choice_results.end()) {
+      const tradeoff::Summary* measured = measuredOf(*choice_result, now);
       words.figures =
           measured != nullptr ? figuresOf(choice, *measured) : QObject::tr("not measured with this setting");
-      mark(*standing, measured, words);
+      mark(*choice_result, measured, words);
     }
     all.push_back(std::move(words));
   }
@@ -77,9 +77,10 @@ ChoiceList::Row ChoiceList::makeRow(const ChoiceWords& words) {
   row.all->setAccessibleName(words.name);
   row.all->setAccessibleDescription(words.tip);
   auto* column = tight<QVBoxLayout>(row.all, 0);
-  row.value = toldLabel((name + ".value").constData(), words.name, "section", row.all);
-  row.figures = toldLabel((name + ".figures").constData(), tr("%1: cost and error").arg(words.name), "quiet", row.all);
-  row.mark = toldLabel((name + ".mark").constData(), tr("%1: recommendation").arg(words.name), "", row.all);
+  row.value = messageLabel((name + ".value").constData(), words.name, "section", row.all);
+  row.figures =
+      messageLabel((name + ".figures").constData(), tr("%1: cost and error").arg(words.name), "quiet", row.all);
+  row.mark = messageLabel((name + ".mark").constData(), tr("%1: recommendation").arg(words.name), "", row.all);
   for (QLabel* label : {row.value, row.figures, row.mark}) column->addWidget(label);
   column_->addWidget(row.all);
   return row;
@@ -95,9 +96,9 @@ void ChoiceList::present(const std::vector<ChoiceWords>& words) {
   }
   for (std::size_t index = 0; index < words.size(); ++index) {
     const Row& row = rows_[index];
-    tellIn(row.value, tr("%1: %2").arg(words[index].name, words[index].value));
-    tellIn(row.figures, words[index].figures);
-    tellIn(row.mark, words[index].mark);
+    showMessage(row.value, tr("%1: %2").arg(words[index].name, words[index].value));
+    showMessage(row.figures, words[index].figures);
+    showMessage(row.mark, words[index].mark);
     const QString role = words[index].is_beyond ? "amber-text" : "";
     if (row.mark->property("role").toString() == role) continue;
     row.mark->setProperty("role", role);

@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "core/trade/standing.h"
+#include "core/tradeoff/choice_result.h"
 
 class QLabel;
 class QVBoxLayout;
@@ -19,8 +19,8 @@ struct ChoiceWords {
 };
 
 /// For every choice that the scene offers, in the catalogue's order. standings: as measured; empty: not yet.
-std::vector<ChoiceWords> choiceWords(const scene::Description& scene, const trade::Settings& now,
-                                     const std::vector<trade::Standing>& standings);
+std::vector<ChoiceWords> choiceWords(const scene::Description& scene, const tradeoff::Settings& now,
+                                     const std::vector<tradeoff::ChoiceResult>& choice_results);
 
 /// The choices of a scene, one below the other; labels are called panel.lab.choice.KEY.PART (value, figures, mark).
 class ChoiceList : public QWidget {

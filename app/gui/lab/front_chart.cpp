@@ -14,11 +14,11 @@ constexpr double kFrontDot = 3.0, kFrontSquare = 5.0, kFrontRing = 8.0;
 constexpr double kFrontRoom = 1.25;
 constexpr MarkSheet::Colour kFrontGround{&Theme::ink, 0.0};
 
-QPointF placeOf(const trade::Point& point) {
+QPointF placeOf(const tradeoff::Point& point) {
   return {std::max(point.cost_us_per_s, kLeastCost_us_per_s), std::max(point.error_mm, kLeastError_mm)};
 }
 
-QString spokenOf(const std::vector<trade::Point>& points, const std::optional<std::size_t>& chosen) {
+QString spokenOf(const std::vector<tradeoff::Point>& points, const std::optional<std::size_t>& chosen) {
   if (points.empty()) return tr("Nothing has been measured.");
   const auto on_front = std::count_if(points.begin(), points.end(), [](const auto& one) { return one.on_front; });
   return tr("%1 combinations, %2 on the front; %3")
@@ -39,7 +39,7 @@ MarkChart* frontChart(QWidget* parent) {
                        {14, 14}, parent);
 }
 
-MarkSheet frontSheet(const std::vector<trade::Point>& points, const std::optional<std::size_t>& chosen) {
+MarkSheet frontSheet(const std::vector<tradeoff::Point>& points, const std::optional<std::size_t>& chosen) {
   MarkSheet sheet;
   sheet.spoken = spokenOf(points, chosen);
   if (points.empty()) return sheet;
@@ -50,7 +50,7 @@ MarkSheet frontSheet(const std::vector<trade::Point>& points, const std::optiona
   sheet.widest = "500 µm";
   sheet.marks_grow = true;
   std::vector<double> costs, errors;
-  for (const trade::Point& point : points) {
+  for (const tradeoff::Point& point : points) {
     costs.push_back(placeOf(point).x());
     errors.push_back(placeOf(point).y());
     if (point.on_front) sheet.way.push_back(placeOf(point));
@@ -65,12 +65,12 @@ MarkSheet frontSheet(const std::vector<trade::Point>& points, const std::optiona
   for (const bool on_front : {false, true}) {  // the front is drawn on top
     const MarkSheet::Colour line =
         on_front ? MarkSheet::Colour{&Theme::constraint} : MarkSheet::Colour{&Theme::ink, 0.55};
-    for (const trade::Point& point : points) {
+    for (const tradeoff::Point& point : points) {
       if (point.on_front == on_front)
         sheet.marks.push_back({placeOf(point), kFrontDot, line, 1.2, on_front ? line : kFrontGround});
     }
   }
-  for (const trade::Point& point : points) {
+  for (const tradeoff::Point& point : points) {
     if (point.is_own)
       sheet.marks.push_back({placeOf(point), kFrontSquare, kFrontGround, 1.0, MarkSheet::Colour{&Theme::target}, true});
   }

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/panel_scroll.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/lab/choice_list.h"
 #include "app/gui/lab/lab_words.h"
@@ -18,12 +18,12 @@
 #include "core/scene/compile.h"
 #include "core/scene/edit.h"
 #include "core/tick/cost.h"
-#include "core/trade/duration.h"
+#include "core/tradeoff/duration.h"
 
 namespace underact::gui {
 namespace {
 
-constexpr int kLookForRun_ms = 50;
+constexpr int kPollRun_ms = 50;
 
 double predictedTick_ns(const scene::Description& scene) {
   const Result<tick::TickProgram> program = scene::compile(scene);
@@ -35,12 +35,12 @@ double predictedTick_ns(const scene::Description& scene) {
 LabPanel::LabPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   build();
   addCommands();
-  connect(&looks_, &QTimer::timeout, this, &LabPanel::look);
+  connect(&poll_timer_, &QTimer::timeout, this, &LabPanel::poll);
   connect(&parts_.document, &Document::opened, this, &LabPanel::sceneOpened);
   connect(&parts_.document, &Document::edited, this, &LabPanel::sceneEdited);
   connect(&parts_.rate, &ServoRate::changed, this, [this] { stale_ = true; });
   connect(&parts_.arm_in_use, &ArmInUse::changed, this, &LabPanel::armChanged);
-  forget(whatMeasuringDoes());
+  forget(measuringText());
 }
 
 void LabPanel::build() {
@@ -51,17 +51,17 @@ void LabPanel::build() {
   column->addWidget(measuring_ = new MeasuringPart(content));
   column->addWidget(walk_ = new WalkPart(content));
   column->addWidget(sectionTitle(tr("Choices of this scene"), content));
-  column->addWidget(tick_ = toldLabel("panel.lab.tick", tr("Predicted time of a tick"), "quiet", content));
+  column->addWidget(tick_ = messageLabel("panel.lab.tick", tr("Predicted time of a tick"), "quiet", content));
   column->addSpacing(4);
   column->addWidget(choices_ = new ChoiceList(content));
   column->addStretch(1);
   fillWithScroll(this, content);
-  looks_.setInterval(kLookForRun_ms);
+  poll_timer_.setInterval(kPollRun_ms);
   connect(measuring_, &MeasuringPart::measureAsked, this,
           [this] { measure(measuring_->hand(), measuring_->seconds()); });
   connect(measuring_, &MeasuringPart::cancelAsked, this, &LabPanel::cancel);
   connect(measuring_, &MeasuringPart::changed, this, [this] {
-    if (run_ == nullptr && result_.standings.empty()) measuring_->tell(whatMeasuringDoes(), false);
+    if (run_ == nullptr && result_.choice_results.empty()) measuring_->tell(measuringText(), false);
   });
   connect(walk_, &WalkPart::begun, this, &LabPanel::beginGesture);
   connect(walk_, &WalkPart::stopAsked, this, &LabPanel::walkTo);
@@ -87,19 +87,19 @@ void LabPanel::addCommands() {
 
 LabPanel::~LabPanel() = default;
 
-trade::Settings LabPanel::now() const {
-  return trade::settingsOf(parts_.document.scene(), parts_.rate.hz());
+tradeoff::Settings LabPanel::now() const {
+  return tradeoff::settingsOf(parts_.document.scene(), parts_.rate.hz());
 }
 
 bool LabPanel::measure(const std::string& hand, double seconds) {
-  const std::vector<trade::NamedHand> hands = handsOf(hand);
+  const std::vector<tradeoff::NamedHand> hands = handsOf(hand);
   if (run_ != nullptr || hands.empty() || !parts_.document.isOpen() || !(seconds >= 0.1 && seconds <= 60.0))
     return false;
   forget(tr("Measuring. Window and servo keep running; do not change the scene."));
   order_ = {parts_.document.scene(), hands, seconds, parts_.rate.hz()};
   run_ =
       std::make_unique<Background<LabResult>>([order = order_](WorkState& state) { return measureLab(order, state); });
-  looks_.start();
+  poll_timer_.start();
   refresh();
   return true;
 }
@@ -111,11 +111,11 @@ bool LabPanel::cancel() {
   return true;
 }
 
-void LabPanel::look() {
+void LabPanel::poll() {
   measuring_->setShare(run_->share());
   std::optional<LabResult> result = run_->take();
   if (!result) return;
-  looks_.stop();
+  poll_timer_.stop();
   const bool is_cancelled = run_->isCancelled();
   run_.reset();
   if (is_cancelled)
@@ -130,7 +130,7 @@ void LabPanel::end(LabResult result) {
   result_ = std::move(result);
   front_.clear();
   for (std::size_t index = 0; index < result_.points.size(); ++index) {
-    const trade::Point& point = result_.points[index];
+    const tradeoff::Point& point = result_.points[index];
     if (!point.on_front) continue;
     // A substep longer than the period equals the period, so two combinations are the same run: keep the scene's own.
     if (!front_.empty() && result_.points[front_.back()].error_mm == point.error_mm) {
@@ -144,7 +144,7 @@ void LabPanel::end(LabResult result) {
                         "What could be measured is shown below. Lower gains may help."),
                      true);
   } else {
-    measuring_->tell(whatWasMeasured(), false);
+    measuring_->tell(measuredText(), false);
   }
   refresh();
 }
@@ -157,13 +157,14 @@ void LabPanel::forget(const QString& why) {
 }
 
 bool LabPanel::isMeasuredScene(const LabOrder& order) const {
-  const trade::Settings own = order.own();
+  const tradeoff::Settings own = order.own();
   return scene::isSame(withSettings(parts_.document.scene(), own), withSettings(order.scene, own));
 }
 
 /// Whether the current rate was only tried here and not chosen in the servo panel.
 bool LabPanel::hasTriedRate() const {
-  return !result_.standings.empty() && parts_.rate.hz() != order_.rate_hz && parts_.rate.chosen() != parts_.rate.hz();
+  return !result_.choice_results.empty() && parts_.rate.hz() != order_.rate_hz &&
+         parts_.rate.chosen() != parts_.rate.hz();
 }
 
 void LabPanel::sceneOpened() {
@@ -172,11 +173,11 @@ void LabPanel::sceneOpened() {
   // Another scene starts at the previous rate; if that is refused, the panel says so.
   const Problems problems = hasTriedRate() ? parts_.rate.tryOut(order_.rate_hz) : Problems{};
   const QString stays = problems.empty() ? QString() : tr(" The rate stays at %1 Hz. ").arg(parts_.rate.hz());
-  forget(whatMeasuringDoes() + stays + sentencesOf(problems));
+  forget(measuringText() + stays + sentencesOf(problems));
 }
 
 void LabPanel::sceneEdited() {
-  if (!result_.standings.empty() && !isMeasuredScene(order_)) {
+  if (!result_.choice_results.empty() && !isMeasuredScene(order_)) {
     const QString stays = hasTriedRate() ? tr(" The servo stays at %1 Hz.").arg(parts_.rate.hz()) : QString();
     forget(tr("The scene was changed, so the results no longer apply and have been discarded. Measure again.") + stays);
     return;
@@ -198,7 +199,7 @@ Problems LabPanel::setScene(const scene::Description& scene) {
 
 bool LabPanel::walkTo(int stop, bool rate_too) {
   if (stop < 0 || stop >= static_cast<int>(front_.size())) return false;
-  const trade::Point& point = result_.points[pointAt(stop)];
+  const tradeoff::Point& point = result_.points[pointAt(stop)];
   const Problems problems =
       setScene(point.is_own ? order_.scene : withSettings(parts_.document.scene(), point.settings));
   if (!problems.empty()) measuring_->tell(tr("The scene is unchanged. %1").arg(sentencesOf(problems)), true);
@@ -211,14 +212,14 @@ bool LabPanel::walkTo(int stop, bool rate_too) {
 bool LabPanel::setRate(int rate_hz) {
   const Problems problems = parts_.rate.tryOut(rate_hz);
   if (problems.empty())
-    measuring_->tell(whatWasMeasured(), false);
+    measuring_->tell(measuredText(), false);
   else
     measuring_->tell(tr("The rate stays at %1 Hz. %2").arg(parts_.rate.hz()).arg(sentencesOf(problems)), true);
   return problems.empty();
 }
 
 bool LabPanel::putBack() {
-  if (result_.standings.empty()) return false;
+  if (result_.choice_results.empty()) return false;
   beginGesture();
   const Problems problems = setScene(order_.scene);
   if (!problems.empty()) measuring_->tell(tr("The scene is unchanged. %1").arg(sentencesOf(problems)), true);
@@ -228,7 +229,7 @@ bool LabPanel::putBack() {
 }
 
 std::optional<std::size_t> LabPanel::pointInEffect() const {
-  const trade::Settings settings = now();
+  const tradeoff::Settings settings = now();
   for (std::size_t index = 0; index < result_.points.size(); ++index) {
     if (result_.points[index].settings == settings) return index;
   }
@@ -241,7 +242,7 @@ void LabPanel::refresh() {
   measuring_->setBusy(is_busy, is_open);
   refreshTick();
   refreshWalk();
-  choices_->present(is_open ? choiceWords(parts_.document.scene(), now(), result_.standings)
+  choices_->present(is_open ? choiceWords(parts_.document.scene(), now(), result_.choice_results)
                             : std::vector<ChoiceWords>{});
 }
 
@@ -260,13 +261,13 @@ void LabPanel::refreshTick() {
 void LabPanel::refreshWalk() {
   const std::optional<std::size_t> in_effect = front_.empty() ? std::nullopt : pointInEffect();
   const std::optional<std::size_t> chosen =
-      walk_->present(result_.points, front_, in_effect, !result_.standings.empty());
+      walk_->present(result_.points, front_, in_effect, !result_.choice_results.empty());
   if (!front_.empty()) walk_->tell(wordsOf(chosen), differencesText());
 }
 
 QString LabPanel::wordsOf(const std::optional<std::size_t>& chosen) const {
   if (!chosen) return tr("The current settings are none of the combinations that were measured.");
-  const trade::Point& point = result_.points[*chosen];
+  const tradeoff::Point& point = result_.points[*chosen];
   const QString words =
       tr("Processor time per second: %1. Error of the tip's path: %2, of the force: %3 N.")
           .arg(timeText(point.cost_us_per_s), lengthText(point.error_mm), numberText(point.error_N, 4));
@@ -278,7 +279,7 @@ QString LabPanel::wordsOf(const std::optional<std::size_t>& chosen) const {
 
 QString LabPanel::differencesText() const {
   QStringList lines;
-  for (const trade::Difference& one : trade::differences(order_.scene, order_.own(), now())) {
+  for (const tradeoff::Difference& one : tradeoff::differences(order_.scene, order_.own(), now())) {
     lines << tr("%1: %2 → %3")
                  .arg(QString::fromStdString(one.what), QString::fromStdString(one.before),
                       QString::fromStdString(one.after));
@@ -286,24 +287,24 @@ QString LabPanel::differencesText() const {
   return lines.isEmpty() ? tr("Nothing differs from the scene as it was measured.") : lines.join('\n');
 }
 
-QString LabPanel::whatWasMeasured() const {
+QString LabPanel::measuredText() const {
   return tr("Measured: %1 combinations, %2 of them on the front.").arg(result_.points.size()).arg(front_.size()) +
-         whichArm();
+         armText();
 }
 
-QString LabPanel::whatMeasuringDoes() const {
+QString LabPanel::measuringText() const {
   if (!parts_.document.isOpen()) return tr("Open a scene to measure it.");
   const scene::Description& scene = parts_.document.scene();
-  const double about_s = trade::secondsToMeasure(scene, measuring_->handCount(), measuring_->seconds(),
-                                                 parts_.rate.hz(), predictedTick_ns(scene));
+  const double about_s = tradeoff::secondsToMeasure(scene, measuring_->handCount(), measuring_->seconds(),
+                                                    parts_.rate.hz(), predictedTick_ns(scene));
   return tr("Nothing has been measured yet. Measure runs this scene on a simulated arm of its own with every "
             "combination of choices, and compares cost and error. This takes about %1; window and servo keep running.")
              .arg(durationText(about_s)) +
-         whichArm();
+         armText();
 }
 
 /// Empty unless a measured arm is simulated in the window.
-QString LabPanel::whichArm() const {
+QString LabPanel::armText() const {
   if (!parts_.arm_in_use.isMeasured()) return {};
   return tr(" The arm simulated here has the vendor's values, not those of “%1”.")
       .arg(QString::fromStdString(parts_.arm_in_use.model().name));
@@ -312,9 +313,9 @@ QString LabPanel::whichArm() const {
 void LabPanel::armChanged() {
   if (run_ != nullptr) return;
   if (!front_.empty())
-    measuring_->tell(whatWasMeasured(), false);
-  else if (result_.standings.empty())
-    measuring_->tell(whatMeasuringDoes(), false);
+    measuring_->tell(measuredText(), false);
+  else if (result_.choice_results.empty())
+    measuring_->tell(measuringText(), false);
 }
 
 void LabPanel::setTheme(const Theme& theme) {

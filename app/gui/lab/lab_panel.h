@@ -38,7 +38,7 @@ class LabPanel : public Panel {
   // Measuring.
   bool measure(const std::string& hand, double seconds);  // hand: empty for all
   bool cancel();
-  void look();
+  void poll();
   void end(LabResult result);
   void forget(const QString& why);
   bool hasTriedRate() const;
@@ -54,7 +54,7 @@ class LabPanel : public Panel {
   Problems setScene(const scene::Description& scene);
   void beginGesture();
   std::size_t pointAt(int stop) const { return front_[static_cast<std::size_t>(stop)]; }
-  trade::Settings now() const;
+  tradeoff::Settings now() const;
   /// Index into the points; none: the current settings are not among them.
   std::optional<std::size_t> pointInEffect() const;
 
@@ -62,9 +62,9 @@ class LabPanel : public Panel {
   void refreshTick();
   void refreshWalk();
   void armChanged();
-  QString whichArm() const;
-  QString whatMeasuringDoes() const;
-  QString whatWasMeasured() const;
+  QString armText() const;
+  QString measuringText() const;
+  QString measuredText() const;
   QString differencesText() const;
   QString wordsOf(const std::optional<std::size_t>& chosen) const;
 
@@ -75,7 +75,7 @@ class LabPanel : public Panel {
   std::vector<std::size_t> front_;  // of the points, the cheapest first: the slider's stops
   bool stale_ = false;
   int gesture_ = 0;
-  QTimer looks_;
+  QTimer poll_timer_;
 
   MeasuringPart* measuring_ = nullptr;
   WalkPart* walk_ = nullptr;

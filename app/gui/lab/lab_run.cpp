@@ -19,15 +19,15 @@ LabResult measureLab(const LabOrder& order, WorkState& state) {
   };
   LabResult result;
   result.points =
-      trade::measurePoints(order.scene, order.hands, order.seconds, order.rate_hz, part(0.0, kShareOfPoints));
+      tradeoff::measurePoints(order.scene, order.hands, order.seconds, order.rate_hz, part(0.0, kShareOfPoints));
   if (state.cancelled) return result;
-  result.standings = trade::measureStandings(order.scene, order.hands, order.seconds, order.rate_hz,
-                                             part(kShareOfPoints, 1.0 - kShareOfPoints));
+  result.choice_results = tradeoff::measureChoices(order.scene, order.hands, order.seconds, order.rate_hz,
+                                                   part(kShareOfPoints, 1.0 - kShareOfPoints));
   return result;
 }
 
-std::vector<trade::NamedHand> handsOf(const std::string& name) {
-  std::vector<trade::NamedHand> hands;
+std::vector<tradeoff::NamedHand> handsOf(const std::string& name) {
+  std::vector<tradeoff::NamedHand> hands;
   for (const sim::BuiltInHand& one : sim::builtInHands()) {
     if (!name.empty() && name != one.name) continue;
     hands.push_back({one.name, sim::builtInHand(one.name, kSeed).value()});

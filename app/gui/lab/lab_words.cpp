@@ -59,7 +59,7 @@ QString durationText(double seconds) {
   return QObject::tr("%1 min").arg(std::lround(seconds / 60.0));
 }
 
-QString choiceName(const trade::Choice& choice) {
+QString choiceName(const tradeoff::Choice& choice) {
   for (const Name& one : kNames) {
     if (QString(one.key) == choice.key) return QCoreApplication::translate("choice", one.name);
   }

@@ -1,7 +1,7 @@
 #pragma once
 #include <QString>
 
-#include "core/trade/choices.h"
+#include "core/tradeoff/choices.h"
 
 namespace underact::gui {
 
@@ -10,6 +10,6 @@ QString timeText(double us);                           // "812 ns", "1.24 µs", 
 QString lengthText(double mm);                         // "31 µm", "0.12 mm"
 QString errorText(double error, const QString& unit);  // of a choice; a length as above
 QString durationText(double seconds);                  // "20 s", "3 min": for "about"
-QString choiceName(const trade::Choice& choice);       // "Servo rate"
+QString choiceName(const tradeoff::Choice& choice);    // "Servo rate"
 
 }  // namespace underact::gui

@@ -11,10 +11,10 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kit/chooser.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/panel_form.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "core/sim/hand_script.h"
 
 namespace underact::gui {
@@ -47,7 +47,7 @@ MeasuringPart::MeasuringPart(QWidget* parent) : QWidget(parent) {
   progress_->setObjectName("panel.lab.progress");
   progress_->setAccessibleName(tr("Progress of the measurement"));
   progress_->setRange(0, kProgressSteps);
-  told_ = toldLabel("panel.lab.told", tr("Status of the measurement"), "quiet", this);
+  told_ = messageLabel("panel.lab.told", tr("Status of the measurement"), "quiet", this);
   auto* form = panelForm();
   form->addRow(tr("&Hands"), hands_);
   form->addRow(tr("R&uns"), seconds_);

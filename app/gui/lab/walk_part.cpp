@@ -7,9 +7,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/value_row.h"
 #include "app/gui/lab/front_chart.h"
 
@@ -42,8 +42,8 @@ WalkPart::WalkPart(QWidget* parent) : QWidget(parent) {
   ends->addWidget(walk_, 1);
   ends->addWidget(new QLabel(tr("Accuracy"), this));
   column->addLayout(ends);
-  chosen_ = toldLabel("panel.lab.chosen", tr("Chosen combination"), "quiet", this);
-  differences_ = toldLabel("panel.lab.differences", tr("Differences from the scene as it was"), "", this);
+  chosen_ = messageLabel("panel.lab.chosen", tr("Chosen combination"), "quiet", this);
+  differences_ = messageLabel("panel.lab.differences", tr("Differences from the scene as it was"), "", this);
   back_ = pushButton("panel.lab.back", tr("As it &was"),
                      tr("Restores scene and servo rate as they were when they were measured."), this,
                      tr("As it was when it was measured"));
@@ -80,7 +80,7 @@ void WalkPart::setStop(int stop) {
   walk_->setValue(stop);
 }
 
-std::optional<std::size_t> WalkPart::present(const std::vector<trade::Point>& points,
+std::optional<std::size_t> WalkPart::present(const std::vector<tradeoff::Point>& points,
                                              const std::vector<std::size_t>& front, std::optional<std::size_t> now,
                                              bool is_measured) {
   const bool has_front = !front.empty();

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/trade/front.h"
+#include "core/tradeoff/front.h"
 
 class QLabel;
 class QPushButton;
@@ -24,7 +24,7 @@ class WalkPart : public QWidget {
   /// points: the cheapest first; front: indices of those on it, the slider's stops; now: index of the current settings,
   /// if among the points; is_measured: there are results, even without a front. Returns the point that is shown: while
   /// the slider is dragged, its stop.
-  std::optional<std::size_t> present(const std::vector<trade::Point>& points, const std::vector<std::size_t>& front,
+  std::optional<std::size_t> present(const std::vector<tradeoff::Point>& points, const std::vector<std::size_t>& front,
                                      std::optional<std::size_t> now, bool is_measured);
   void setStop(int stop);
   /// The chosen combination, and its differences from the scene as it was.

@@ -7,7 +7,7 @@
 namespace underact::gui {
 namespace {
 
-void makeLanguage(const FeatureParts& parts, Followers&) {
+void makeLanguage(const FeatureParts& parts, ServoListeners&) {
   addLanguageActions(parts.actions, parts.window);
 }
 

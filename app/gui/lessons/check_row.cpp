@@ -10,9 +10,9 @@
 #include <QVBoxLayout>
 #include <optional>
 
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_box.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/lessons/lesson_words.h"
 
 namespace underact::gui {
@@ -25,12 +25,12 @@ constexpr int kLettersOfNumber = 10;
 CheckRow::CheckRow(const lesson::Check& check, std::size_t number, QWidget* parent)
     : QWidget(parent),
       name_(QString("panel.lessons.check%1").arg(number)),
-      said_(toldLabel(qPrintable(name_ + ".said"), tr("Check %1").arg(number), "", this)) {
+      said_(messageLabel(qPrintable(name_ + ".said"), tr("Check %1").arg(number), "", this)) {
   auto* const column = new QVBoxLayout(this);
   column->setContentsMargins(0, 4, 0, 4);
   column->setSpacing(4);
   if (const std::string* const question = lesson::questionOf(check)) {
-    auto* const asked = toldLabel(qPrintable(name_ + ".question"), tr("Question %1").arg(number), "section", this);
+    auto* const asked = messageLabel(qPrintable(name_ + ".question"), tr("Question %1").arg(number), "section", this);
     asked->setText(QString::fromStdString(*question));
     column->addWidget(asked);
   }

@@ -46,7 +46,7 @@ std::vector<lesson::Lesson> shippedLessons() {
 bool isLessonFile(const QString& path) {
   if (!path.endsWith(".json", Qt::CaseInsensitive)) return false;
   const Result<std::string> text = json::readTextFile(path.toStdString(), "a lesson", kLargestLesson);
-  return text && lesson::looksLikeLesson(text.value());
+  return text && lesson::isLessonText(text.value());
 }
 
 QString lessonPath(const QString& name) {

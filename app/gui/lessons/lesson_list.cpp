@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/shipped.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/lessons/lesson_library.h"
 #include "app/gui/model/data_words.h"
 #include "app/gui/model/scene_library.h"
@@ -28,8 +28,8 @@ LessonList::LessonList(RecentFiles& recent, Actions& actions, QWidget* parent)
       actions_(actions),
       shipped_(shippedLessons()),
       list_(new QListWidget(this)),
-      about_(toldLabel("panel.lessons.about", tr("About the selected lesson"), "quiet", this)),
-      note_(toldLabel("panel.lessons.why", tr("Why the lesson did not start"), "amber", this)) {
+      about_(messageLabel("panel.lessons.about", tr("About the selected lesson"), "quiet", this)),
+      note_(messageLabel("panel.lessons.why", tr("Why the lesson did not start"), "amber", this)) {
   nameWidget(list_, "panel.lessons.list", tr("Lessons"),
              tr("Enter or a click starts a lesson. Your scene and panels come back when you leave it."));
   list_->setFrameShape(QFrame::NoFrame);
@@ -115,7 +115,7 @@ void LessonList::open(QListWidgetItem* item) {
 }
 
 void LessonList::setNote(const QString& text) {
-  tellIn(note_, text);
+  showMessage(note_, text);
 }
 
 }  // namespace underact::gui

@@ -12,11 +12,11 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/page_view.h"
 #include "app/gui/kit/panel_scroll.h"
 #include "app/gui/kit/tab_order.h"
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/lessons/check_row.h"
 #include "app/gui/lessons/lesson_run.h"
 #include "app/gui/lessons/lesson_words.h"
@@ -32,13 +32,13 @@ constexpr const char* kSecondRow = "lesson.leave";  // the second row begins wit
 LessonPage::LessonPage(LessonRun& run, Actions& actions, QWidget* parent)
     : QWidget(parent),
       run_(run),
-      lesson_(toldLabel("panel.lessons.lesson", tr("Lesson"), "quiet", this)),
-      title_(toldLabel("panel.lessons.step", tr("Step"), "section", this)),
+      lesson_(messageLabel("panel.lessons.lesson", tr("Lesson"), "quiet", this)),
+      title_(messageLabel("panel.lessons.step", tr("Step"), "section", this)),
       text_(new PageView(this)),
       checks_(makeChecks()),
-      servo_(toldLabel("panel.lessons.servo", tr("Servo"), "amber", this)),
+      servo_(messageLabel("panel.lessons.servo", tr("Servo"), "amber", this)),
       name_(new QLineEdit(this)),
-      note_(toldLabel("panel.lessons.note", tr("Report"), "quiet", this)) {
+      note_(messageLabel("panel.lessons.note", tr("Report"), "quiet", this)) {
   nameWidget(text_, "panel.lessons.text", tr("Text of the step"));
   text_->setFrameShape(QFrame::NoFrame);
   nameWidget(name_, "panel.lessons.name", tr("Name in the report"));
@@ -162,7 +162,7 @@ QString LessonPage::typedName() const {
 }
 
 void LessonPage::setNote(const QString& text) {
-  tellIn(note_, text);
+  showMessage(note_, text);
 }
 
 }  // namespace underact::gui

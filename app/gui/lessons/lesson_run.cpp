@@ -67,18 +67,18 @@ void LessonRun::add(const servo::TickRecord& tick) {
   if (!isOn() || !parts_.document.isOpen()) return;
   const arm::Preset* const preset = arm::findPreset(parts_.document.scene().arm);
   if (preset == nullptr) return;
-  const lesson::Seen seen{tick, parts_.document.scene(), *preset, robot_};
+  const lesson::Observation seen{tick, parts_.document.scene(), *preset, robot_};
   std::vector<lesson::CheckState>& states = states_[at_];
   for (std::size_t index = 0; index < states.size(); ++index) {
     states[index] = lesson::afterTick(step().checks[index], std::move(states[index]), seen);
   }
 }
 
-void LessonRun::look(const servo::Snapshot& snapshot) {
+void LessonRun::poll(const servo::Snapshot& snapshot) {
   if (!isOn()) return;
   servo_runs_ = snapshot.mode == servo::Mode::Running;
   robot_ = {};
-  for (const tick::Held& held : snapshot.report.held) {
+  for (const tick::ConstraintReport& held : snapshot.report.held) {
     if (held.robot.joints == 0) continue;
     robot_ = held.robot;
     break;

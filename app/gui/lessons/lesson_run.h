@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/gui/lessons/lesson_place.h"
+#include "app/gui/lessons/lesson_window_state.h"
 #include "core/lesson/check.h"
 
 namespace underact::gui {
@@ -23,7 +23,7 @@ class LessonRun : public QObject {
   void leave();
 
   void add(const servo::TickRecord& tick);
-  void look(const servo::Snapshot& snapshot);
+  void poll(const servo::Snapshot& snapshot);
 
   bool isOn() const { return lesson_.has_value(); }
   const lesson::Lesson& lesson() const { return *lesson_; }
@@ -47,7 +47,7 @@ class LessonRun : public QObject {
   void settle();
 
   LessonParts parts_;
-  LessonPlace place_;
+  LessonWindowState place_;
   std::optional<lesson::Lesson> lesson_;
   QString path_;
   std::size_t at_ = 0;

@@ -6,7 +6,7 @@
 #include <QLocale>
 
 #include "app/gui/kit/words.h"
-#include "core/lesson/tell.h"
+#include "core/lesson/check_text.h"
 
 namespace underact::gui {
 namespace {

@@ -15,7 +15,7 @@
 #include "app/gui/kit/file_question.h"
 #include "app/gui/kit/page_view.h"
 #include "app/gui/kit/problems_dialog.h"
-#include "app/gui/kit/tight.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/lessons/lesson_library.h"
 #include "app/gui/lessons/lesson_list.h"
 #include "app/gui/lessons/lesson_page.h"
@@ -152,7 +152,7 @@ void LessonsPanel::leave() {
 }
 
 void LessonsPanel::present(const servo::Snapshot& snapshot) {
-  run_->look(snapshot);
+  run_->poll(snapshot);
 }
 
 /// Announces it to a screen reader at once.

@@ -2,7 +2,7 @@
 #include <QPointer>
 
 #include "app/gui/feature/panel.h"
-#include "app/gui/lessons/lesson_place.h"
+#include "app/gui/lessons/lesson_window_state.h"
 
 class QStackedWidget;
 class QUrl;

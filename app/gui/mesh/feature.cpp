@@ -21,12 +21,12 @@ const QStringList kMeshSuffixes{"stl", "obj", "ply", "off"};
 
 /// mm_per_unit: of a mesh of the scene, for its report; none: the mesh is to be added.
 ConstraintFileKind::Read readMesh(std::optional<double> mm_per_unit) {
-  return [mm_per_unit](const QString& path, const Watch& watch) -> Result<ConstraintFileKind::Ask> {
-    Result<mesh_file::Loaded> loaded = mesh_file::loadMesh(path.toStdString(), watch);
+  return [mm_per_unit](const QString& path, const TaskMonitor& monitor) -> Result<ConstraintFileKind::Ask> {
+    Result<mesh_file::Loaded> loaded = mesh_file::loadMesh(path.toStdString(), monitor);
     if (!loaded) return loaded.problems();
-    if (!watch.isCancelled()) {
-      watch.tell(QT_TRANSLATE_NOOP("step of work", "Preparing the picture"), 1.0);
-      static_cast<void>(drawnMesh(loaded.value().surface, watch));
+    if (!monitor.isCancelled()) {
+      monitor.report(QT_TRANSLATE_NOOP("step of work", "Preparing the picture"), 1.0);
+      static_cast<void>(drawnMesh(loaded.value().surface, monitor));
     }
     return ConstraintFileKind::Ask(
         [path, mm_per_unit, mesh = std::move(loaded).value()](bool can_add, QWidget* parent) {
@@ -48,7 +48,7 @@ bool showReport(ConstraintFiles& files, const scene::Description& scene, std::op
   return false;
 }
 
-void makeMesh(const FeatureParts& parts, Followers& followers) {
+void makeMesh(const FeatureParts& parts, ServoListeners& listeners) {
   auto* files = new ConstraintFiles({.key = "mesh",
                                      .suffixes = kMeshSuffixes,
                                      .choose = tr("Add a mesh"),
@@ -71,7 +71,7 @@ void makeMesh(const FeatureParts& parts, Followers& followers) {
       });
   auto* section = new SectionStrip(parts.view, parts.actions, parts.middle.parentWidget());
   parts.middle.addWidget(section);
-  followers.push_back(section);
+  listeners.push_back(section);
 }
 
 }  // namespace

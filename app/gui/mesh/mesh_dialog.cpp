@@ -14,9 +14,9 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_box.h"
 #include "app/gui/kit/panel_scroll.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 
 namespace underact::gui {
@@ -60,7 +60,7 @@ MeshDialog::MeshDialog(const QString& path, const mesh_file::Loaded& loaded, std
       loaded_(loaded),
       name_(QFileInfo(path).fileName()),
       mm_per_unit_(mm_per_unit.value_or(1.0)),
-      report_(toldLabel("dialog.mesh.report", tr("Report on the mesh"), "", this)) {
+      report_(messageLabel("dialog.mesh.report", tr("Report on the mesh"), "", this)) {
   const bool is_to_add = !mm_per_unit;
   if (is_to_add) {
     if (const auto proposal = mesh_file::implausible(mesh_file::largestExtent(loaded.facts))) buildUnits(*proposal);
@@ -75,7 +75,7 @@ MeshDialog::MeshDialog(const QString& path, const mesh_file::Loaded& loaded, std
 }
 
 void MeshDialog::buildUnits(const mesh_file::Proposal& proposal) {
-  QLabel* question = toldLabel("dialog.mesh.question", tr("Which unit"), "amber", this);
+  QLabel* question = messageLabel("dialog.mesh.question", tr("Which unit"), "amber", this);
   question->setText(tr("%1 Which unit is the file in?").arg(sentenceText(proposal.sentence)));
   column()->addWidget(question);
   unit_ = new QButtonGroup(this);

@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/gui/feature/follower.h"
+#include "app/gui/feature/servo_listener.h"
 
 class QDoubleSpinBox;
 
@@ -13,7 +13,7 @@ class SceneView;
 
 /// Below the view while meshes are cut: the axis and the position of the cut, and whether it follows the stylus. Moving
 /// the slider ends the following; a double click restarts it.
-class SectionStrip : public QWidget, public Follower {
+class SectionStrip : public QWidget, public ServoListener {
   Q_OBJECT
  public:
   /// Adds the commands "section.move" (focuses the slider) and "section.place" (mm along the axis).

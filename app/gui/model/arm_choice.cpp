@@ -11,7 +11,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kLookForTrial_ms = 30;
+constexpr int kPollTrial_ms = 30;
 constexpr const char* kSimulated = "simulated";
 
 }  // namespace
@@ -19,8 +19,8 @@ constexpr const char* kSimulated = "simulated";
 ArmChoice::ArmChoice(servo::Host& host, Document& document, device::ChosenArm* chosen, device::SimulatedArm* simulated,
                      QObject* parent)
     : QObject(parent), host_(host), document_(document), chosen_(chosen), simulated_(simulated) {
-  looks_.setInterval(kLookForTrial_ms);
-  connect(&looks_, &QTimer::timeout, this, &ArmChoice::look);
+  poll_timer_.setInterval(kPollTrial_ms);
+  connect(&poll_timer_, &QTimer::timeout, this, &ArmChoice::poll);
   connect(&document_, &Document::opened, this, &ArmChoice::sceneOpened);
 }
 
@@ -30,7 +30,7 @@ device::SimulatedArm* ArmChoice::simulated() const {
   return chosen_ == nullptr || chosen_->isFirst() ? simulated_ : nullptr;
 }
 
-Problems ArmChoice::whyNotNow() const {
+Problems ArmChoice::refusalNow() const {
   if (chosen_ == nullptr)
     return Problems{{said(QT_TRANSLATE_NOOP("problem", "This window was opened for one arm only.")), {}}};
   if (host_.records())
@@ -48,7 +48,7 @@ Problems ArmChoice::whyNotNow() const {
 }
 
 Problems ArmChoice::choose(const QString& name) {
-  Problems problems = whyNotNow();
+  Problems problems = refusalNow();
   if (!problems.empty()) return problems;
   cancel();
   wanted_ = name;
@@ -65,7 +65,7 @@ Problems ArmChoice::choose(const QString& name) {
   const device::Request request{*preset, {}, host_.rateHz(), {}};
   work_ = std::make_unique<Background<Opened>>(
       [request, key = name.toStdString()](WorkState&) { return device::openDevice(key, request); });
-  looks_.start();
+  poll_timer_.start();
   emit began();
   return {};
 }
@@ -87,13 +87,13 @@ void ArmChoice::cancel() {
   emit changed();
 }
 
-void ArmChoice::look() {
+void ArmChoice::poll() {
   leaving_.erase(std::remove_if(leaving_.begin(), leaving_.end(), [](auto& one) { return one->take().has_value(); }),
                  leaving_.end());
   if (std::optional<Opened> opened = work_ ? work_->take() : std::nullopt) {
     work_.reset();
     const QString name = std::exchange(opening_, QString());
-    Problems problems = *opened ? whyNotNow() : opened->problems();  // a recording may have started meanwhile
+    Problems problems = *opened ? refusalNow() : opened->problems();  // a recording may have started meanwhile
     if (problems.empty()) {
       chosen_->choose(std::move(*opened).value());
       problems = host_.restart();
@@ -104,7 +104,7 @@ void ArmChoice::look() {
       emit failed(name, problems);
     }
   }
-  if (work_ == nullptr && leaving_.empty()) looks_.stop();
+  if (work_ == nullptr && leaving_.empty()) poll_timer_.stop();
 }
 
 /// An arm is opened with the kinematics of the scene's arm.

@@ -48,9 +48,9 @@ class ArmChoice : public QObject {
 
  private:
   using Opened = Result<std::unique_ptr<servo::DevicePort>>;
-  Problems whyNotNow() const;
+  Problems refusalNow() const;
   void putFirst();
-  void look();
+  void poll();
   void sceneOpened();
 
   servo::Host& host_;
@@ -61,7 +61,7 @@ class ArmChoice : public QObject {
   std::string arm_;  // the scene's arm for which the current arm was opened
   std::unique_ptr<Background<Opened>> work_;
   std::vector<std::unique_ptr<Background<Opened>>> leaving_;  // left to finish by themselves
-  QTimer looks_;
+  QTimer poll_timer_;
 };
 
 }  // namespace underact::gui

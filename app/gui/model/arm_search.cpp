@@ -25,10 +25,10 @@ bool operator==(const ArmEntry& one, const ArmEntry& other) {
          std::equal(one.missing.begin(), one.missing.end(), other.missing.begin(), other.missing.end(), isSame);
 }
 
-std::vector<ArmEntry> lookForArms() {
+std::vector<ArmEntry> searchArms() {
   std::vector<ArmEntry> entries;
   for (const device::Row& row : device::catalogue()) {
-    const std::vector<device::Found> found = row.look();
+    const std::vector<device::Found> found = row.search();
     if (found.empty()) entries.push_back(nobody(row));
     for (const device::Found& one : found) {
       entries.push_back(
@@ -43,9 +43,9 @@ ArmSearch::ArmSearch(QObject* parent) : QObject(parent) {
   connect(&takes_, &QTimer::timeout, this, &ArmSearch::take);
 }
 
-void ArmSearch::look() {
+void ArmSearch::search() {
   if (work_ != nullptr) return;
-  work_ = std::make_unique<Background<std::vector<ArmEntry>>>([](WorkState&) { return lookForArms(); });
+  work_ = std::make_unique<Background<std::vector<ArmEntry>>>([](WorkState&) { return searchArms(); });
   takes_.start();
 }
 

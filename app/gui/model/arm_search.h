@@ -21,7 +21,7 @@ struct ArmEntry {
 };
 
 /// The connected arms of every kind; a kind without any has an entry that says so.
-std::vector<ArmEntry> lookForArms();
+std::vector<ArmEntry> searchArms();
 
 /// Searches for arms in its own thread, since USB may be slow.
 class ArmSearch : public QObject {
@@ -29,7 +29,7 @@ class ArmSearch : public QObject {
  public:
   explicit ArmSearch(QObject* parent);
   /// Starts a search unless one is running. Emits found() if something has changed.
-  void look();
+  void search();
   const std::vector<ArmEntry>& entries() const { return entries_; }
 
  signals:

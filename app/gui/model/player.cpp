@@ -31,7 +31,7 @@ void Player::cancelLoading() {
   if (load_) load_->cancel();
 }
 
-void Player::look() {
+void Player::poll() {
   if (load_) {
     if (std::optional<Result<LoadedSession>> result = load_->take()) {
       const bool is_cancelled = load_->isCancelled();
@@ -148,24 +148,24 @@ void Player::setSpeed(double speed) {
 
 void Player::setLoop(bool on) {
   loops_ = on;
-  tellLoop();
+  sendToLoop();
 }
 
 void Player::setLoopIn(std::int64_t row) {
   if (!isOpen()) return;
   loop_in_ = std::clamp<std::int64_t>(row, 0, lastRow());
   if (loop_out_ <= loop_in_) loop_out_ = lastRow();
-  tellLoop();
+  sendToLoop();
 }
 
 void Player::setLoopOut(std::int64_t row) {
   if (!isOpen()) return;
   loop_out_ = std::clamp<std::int64_t>(row, 0, lastRow());
   if (loop_in_ >= loop_out_) loop_in_ = 0;
-  tellLoop();
+  sendToLoop();
 }
 
-void Player::tellLoop() {
+void Player::sendToLoop() {
   if (!isOpen()) return;
   arm_->setLoop(loops_ ? std::optional(std::pair(loop_in_, loop_out_)) : std::nullopt);
   emit changed();
@@ -174,7 +174,7 @@ void Player::tellLoop() {
 void Player::add(const servo::TickRecord& record) {
   beside_ = {};
   if (arm_ == nullptr) return;
-  device::ReplayedArm::Place place;
+  device::ReplayedArm::SampleOrigin place;
   while (!next_ || next_->time_ns < record.time_ns) {
     if (!arm_->take(place)) return;
     next_ = place;

@@ -62,7 +62,7 @@ class Player : public QObject {
   const Comparison& comparison() const { return comparison_; }
 
   /// Each frame, before the ticks are drained.
-  void look();
+  void poll();
   /// Every tick, in order.
   void add(const servo::TickRecord& record);
   /// What was recorded at the tick added last.
@@ -81,7 +81,7 @@ class Player : public QObject {
   void begin(LoadedSession session);
   void followScene();
   void windowEdited();
-  void tellLoop();
+  void sendToLoop();
 
   servo::Host& host_;
   Document& document_;
@@ -96,7 +96,7 @@ class Player : public QObject {
   bool is_putting_ = false;                     // the player itself is changing the scene
   bool was_running_ = false, is_held_ = false;  // before the replay: the servo ran; the arm is a real one
   std::int64_t loop_in_ = 0, loop_out_ = 0;
-  std::optional<device::ReplayedArm::Place> next_;  // of a tick not drained yet
+  std::optional<device::ReplayedArm::SampleOrigin> next_;  // of a tick not drained yet
   RecordedBeside beside_;
   Comparison comparison_;
 };

@@ -5,19 +5,19 @@
 #include <tuple>
 
 #include "app/gui/kit/words.h"
-#include "app/gui/model/session_place.h"
+#include "app/gui/model/session_paths.h"
 
 namespace underact::gui {
 namespace {
 
-constexpr int kLookForRoom_ms = 250;
+constexpr int kPollRoom_ms = 250;
 constexpr qint64 kMegabyte = 1'000'000;
 constexpr const char* kFolder = "recording/folder";
 constexpr const char* kTags = "recording/tags";
 constexpr const char* kSubject = "recording/subject";
 constexpr const char* kKeepFree = "recording/keep_free_MB";  // on the disk; below this a recording ends in order
 
-bool areSame(const record::SessionWords& a, const record::SessionWords& b) {
+bool areSame(const record::SessionMetadata& a, const record::SessionMetadata& b) {
   return std::tie(a.name, a.notes, a.tags, a.subject, a.consent) ==
          std::tie(b.name, b.notes, b.tags, b.subject, b.consent);
 }
@@ -26,13 +26,13 @@ bool areSame(const record::SessionWords& a, const record::SessionWords& b) {
 
 Recording::Recording(servo::Host& host, QObject* parent) : QObject(parent), host_(host) {
   const QSettings stored;
-  folder_ = stored.value(kFolder, usualSessionFolder()).toString();
+  folder_ = stored.value(kFolder, defaultSessionFolder()).toString();
   words_.tags = stored.value(kTags).toString().toStdString();
   words_.subject = stored.value(kSubject).toString().toStdString();
   if (stored.contains(kKeepFree))
     options_.reserve_bytes = std::max<qint64>(0, stored.value(kKeepFree).toLongLong()) * kMegabyte;
-  looks_.setInterval(kLookForRoom_ms);
-  connect(&looks_, &QTimer::timeout, this, &Recording::look);
+  poll_timer_.setInterval(kPollRoom_ms);
+  connect(&poll_timer_, &QTimer::timeout, this, &Recording::poll);
 }
 
 Recording::~Recording() {
@@ -54,7 +54,7 @@ bool Recording::start() {
       written_ = words_;
       status_ = {};
       marks_ = 0;
-      looks_.start();
+      poll_timer_.start();
     } else {
       notice_ = tr("%1 Choose another folder for the recordings.").arg(sentencesOf(recorder.problems()));
     }
@@ -65,12 +65,12 @@ bool Recording::start() {
 
 bool Recording::stop(record::EndReason reason) {
   if (!isRunning()) return false;
-  looks_.stop();
+  poll_timer_.stop();
   Problems problems = recorder_->stop(reason);
   status_ = recorder_->status();
   recorder_.reset();
   if (!areSame(words_, written_)) {
-    const Problems unwritten = record::rewriteWords(path_.toStdString(), words_);
+    const Problems unwritten = record::rewriteMetadata(path_.toStdString(), words_);
     if (!unwritten.empty() && problems.empty())
       problems.push_back({said(QT_TRANSLATE_NOOP(
           "problem", "Text typed during the recording is not in the file. Edit the details of the session below."))});
@@ -93,7 +93,7 @@ bool Recording::mark(const QString& label) {
   return true;
 }
 
-void Recording::look() {
+void Recording::poll() {
   status_ = recorder_->status();
   if (status_.recording)
     emit changed();
@@ -101,7 +101,7 @@ void Recording::look() {
     stop();
 }
 
-void Recording::setWords(const record::SessionWords& words) {
+void Recording::setWords(const record::SessionMetadata& words) {
   const bool is_another = recorded_subject_ && words.subject != *recorded_subject_;
   const bool is_carried = words.consent == words_.consent;
   words_ = words;

@@ -33,8 +33,8 @@ class Recording : public QObject {
 
   /// The description of the running or the next recording. When a recording ends, name and notes are cleared; tags and
   /// subject are saved. Consent stays until the subject of the last recording changes, and is never saved in settings.
-  const record::SessionWords& words() const { return words_; }
-  void setWords(const record::SessionWords& words);
+  const record::SessionMetadata& words() const { return words_; }
+  void setWords(const record::SessionMetadata& words);
   QString folder() const { return folder_; }
   void setFolder(const QString& folder);
 
@@ -44,15 +44,15 @@ class Recording : public QObject {
   void ended(const QString& path);
 
  private:
-  void look();
+  void poll();
   void remember() const;
 
   servo::Host& host_;
-  QTimer looks_;
+  QTimer poll_timer_;
   std::unique_ptr<record::Recorder> recorder_;
   record::RecorderOptions options_;
   record::RecorderStatus status_;
-  record::SessionWords words_, written_;         // the current ones; those in the file
+  record::SessionMetadata words_, written_;      // the current ones; those in the file
   std::optional<std::string> recorded_subject_;  // the subject whose consent is still in words_
   QString folder_, path_, notice_;
   int marks_ = 0;

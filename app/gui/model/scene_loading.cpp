@@ -34,12 +34,12 @@ void SceneLoading::cancel() {
   if (load_ != nullptr) leaving_.push_back(std::move(load_));
 }
 
-std::vector<target::CurvePath> madeCurves(const scene::Description& scene, const Watch& watch) {
+std::vector<target::CurvePath> madeCurves(const scene::Description& scene, const TaskMonitor& monitor) {
   std::vector<target::CurvePath> made;
   for (const scene::Constraint& constraint : scene.constraints) {
     const auto* const curve = std::get_if<scene::Curve>(&constraint.shape);
-    if (curve == nullptr || curve->points == nullptr || watch.isCancelled()) continue;
-    watch.tell(QT_TRANSLATE_NOOP("step of work", "Joining the points"), 1.0);
+    if (curve == nullptr || curve->points == nullptr || monitor.isCancelled()) continue;
+    monitor.report(QT_TRANSLATE_NOOP("step of work", "Joining the points"), 1.0);
     auto path = scene::makeCurvePath(*curve, constraint.place);
     if (path) made.push_back(std::move(path).value());  // otherwise compile() reports the problem
   }

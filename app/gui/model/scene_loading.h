@@ -6,7 +6,7 @@
 
 #include "app/gui/kit/background.h"
 #include "core/base/result.h"
-#include "core/base/watch.h"
+#include "core/base/task_monitor.h"
 #include "core/scene/description.h"
 #include "core/target/curve_target.h"
 
@@ -35,6 +35,6 @@ class SceneLoading {
 
 /// All loaded curves of a scene, built in advance: as long as they are held, compiling the scene reuses them. A spline
 /// of a million points takes a second. Any thread.
-std::vector<target::CurvePath> madeCurves(const scene::Description& scene, const Watch& watch);
+std::vector<target::CurvePath> madeCurves(const scene::Description& scene, const TaskMonitor& monitor);
 
 }  // namespace underact::gui

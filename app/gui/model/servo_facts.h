@@ -21,7 +21,7 @@ class ServoFacts {
   int rateHz() const { return host_->rateHz(); }
   int maxLate() const { return host_->maxLate(); }
   system::Scheduling scheduling() const { return host_->scheduling(); }
-  const system::SchedulingWanted& schedulingWanted() const { return host_->schedulingWanted(); }
+  const system::SchedulingRequest& schedulingWanted() const { return host_->schedulingWanted(); }
   Sentence unguarded() const { return host_->unguarded(); }
   servo::DeviceInfo device() const { return host_->device(); }
   Sentence trouble() const { return host_->trouble(); }

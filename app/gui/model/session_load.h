@@ -5,7 +5,7 @@
 
 #include "app/gui/kit/background.h"
 #include "app/gui/model/session_data.h"
-#include "core/base/watch.h"
+#include "core/base/task_monitor.h"
 #include "device/recorded.h"
 
 namespace underact::gui {
@@ -17,7 +17,7 @@ struct LoadedSession {
 };
 
 /// Prepares each scene of a recording for the view, in the thread that reads the recording.
-using PrepareScene = std::function<void(const scene::Description& scene, const Watch& watch)>;
+using PrepareScene = std::function<void(const scene::Description& scene, const TaskMonitor& monitor)>;
 
 /// Reads a whole session in one pass. Problems: as for device::loadRecorded().
 Result<LoadedSession> loadSession(const std::string& path, const PrepareScene& prepare, WorkState& state);

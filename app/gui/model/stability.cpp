@@ -26,7 +26,7 @@ double calmStiffness(double kd_N_s_per_m, double hand_damping_N_s_per_m, int rat
   return std::min(stability::gilHulin(wall), passive);
 }
 
-QString whyItMayBuzz(const scene::Control& control, int axis, int rate_hz) {
+QString buzzWarning(const scene::Control& control, int axis, int rate_hz) {
   const bool in_joints = control.space == tick::Space::Joint;
   const double kp = control.gains.kp_N_per_mm[axis] * (in_joints ? kStiffestByJoints : 1.0);
   const double kd = control.law == scene::LawType::P ? 0.0 : control.gains.kd_N_s_per_mm[axis] * kNewtonPerMetre;

@@ -11,6 +11,6 @@ namespace underact::gui {
 double calmStiffness(double kd_N_s_per_m, double hand_damping_N_s_per_m, int rate_hz);
 
 /// Why the stiffness of one axis (0 x, 1 y, 2 z) may buzz, in a sentence; empty if it does not.
-QString whyItMayBuzz(const scene::Control& control, int axis, int rate_hz);
+QString buzzWarning(const scene::Control& control, int axis, int rate_hz);
 
 }  // namespace underact::gui

@@ -3,13 +3,13 @@
 #include <QEvent>
 #include <QPainter>
 
-#include "app/gui/kit/spoken.h"
+#include "app/gui/kit/accessible_widgets.h"
 #include "app/gui/plot/chart.h"
 
 namespace underact::gui {
 
 ChartWidget::ChartWidget(QWidget* parent) : QWidget(parent) {
-  speakAs(this, QAccessible::Chart);
+  setAccessibleRole(this, QAccessible::Chart);
   setAttribute(Qt::WA_OpaquePaintEvent);
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/gui/kit/spoken.h"
+#include "app/gui/kit/accessible_widgets.h"
 #include "app/gui/kit/words.h"
 
 namespace underact::gui {
@@ -25,7 +25,7 @@ LatenessChart::LatenessChart(QWidget* parent)
               tr("Number of ticks by latency, both scales logarithmic. The line marks one period: ticks to the right "
                  "of it were late."),
               parent) {
-  speakAs(this, QAccessible::Chart);
+  setAccessibleRole(this, QAccessible::Chart);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 

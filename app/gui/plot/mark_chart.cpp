@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/gui/kit/spoken.h"
+#include "app/gui/kit/accessible_widgets.h"
 
 namespace underact::gui {
 namespace {
@@ -44,7 +44,7 @@ MarkSheet::Axis MarkSheet::around(const std::vector<double>& values, double room
 MarkChart::MarkChart(const QString& name, const QString& spoken, const QString& tip, const QSize& least,
                      QWidget* parent)
     : Painted(name, spoken, tip, parent), least_(least) {
-  speakAs(this, QAccessible::Chart);
+  setAccessibleRole(this, QAccessible::Chart);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
 }
 

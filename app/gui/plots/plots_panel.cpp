@@ -9,8 +9,8 @@
 
 #include "app/gui/feature/parts.h"
 #include "app/gui/kit/actions.h"
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/player.h"
 #include "app/gui/model/settings.h"

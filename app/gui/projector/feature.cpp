@@ -5,8 +5,8 @@
 namespace underact::gui {
 namespace {
 
-void makeProjector(const FeatureParts& parts, Followers& followers) {
-  followers.push_back(new Projector(parts));
+void makeProjector(const FeatureParts& parts, ServoListeners& listeners) {
+  listeners.push_back(new Projector(parts));
 }
 
 }  // namespace

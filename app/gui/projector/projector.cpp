@@ -14,7 +14,7 @@ namespace underact::gui {
 constexpr double kType = 1.6, kGauge = 2.0, kTools = 1.3;
 
 Projector::Projector(const FeatureParts& parts)
-    : QObject(parts.window), window_(parts.window), view_(parts.view), theme_(parts.theme), dress_(parts.window) {
+    : QObject(parts.window), window_(parts.window), view_(parts.view), theme_(parts.theme), chrome_(parts.window) {
   parts.actions.add({"view.projector",
                      tr("&Projector layout"),
                      QKeySequence("Ctrl+Shift+J"),
@@ -41,9 +41,9 @@ void Projector::setOn(bool on) {
     view_font_ = view_.font();
     tools_font_ = tools->font();
     icons_ = tools->iconSize();
-    dress_.takeOff(WindowDress::Keep::MenusAndTools);
+    chrome_.hideChrome(WindowChrome::Keep::MenusAndTools);
   } else {
-    dress_.putOn();
+    chrome_.showChrome();
   }
   view_.setFont(on ? larger(view_font_, kType) : view_font_);
   view_.setGaugeScale(on ? kGauge : 1.0);

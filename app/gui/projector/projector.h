@@ -4,7 +4,7 @@
 #include <QSize>
 
 #include "app/gui/feature/feature.h"
-#include "app/gui/kit/window_dress.h"
+#include "app/gui/kit/window_chrome.h"
 
 class QToolBar;
 
@@ -14,19 +14,19 @@ class SceneView;
 
 /// The window for a class that watches from a distance: the view with a large gauge, large text, black on white or
 /// white on black, panels hidden. Switching it off restores the window.
-class Projector : public QObject, public Follower {
+class Projector : public QObject, public ServoListener {
   Q_OBJECT
  public:
   explicit Projector(const FeatureParts& parts);
   void remember(Settings& settings) override;
-  bool isOn() const { return dress_.isOff(); }
+  bool isOn() const { return chrome_.isOff(); }
   void setOn(bool on);
 
  private:
   QMainWindow* window_;
   SceneView& view_;
   ThemeWatcher& theme_;
-  WindowDress dress_;
+  WindowChrome chrome_;
   QFont view_font_, tools_font_;
   QSize icons_;
 };

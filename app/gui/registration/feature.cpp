@@ -5,8 +5,8 @@
 namespace underact::gui {
 namespace {
 
-void makeRegistration(const FeatureParts& parts, Followers& followers) {
-  followers.push_back(new RegistrationTool(parts));
+void makeRegistration(const FeatureParts& parts, ServoListeners& listeners) {
+  listeners.push_back(new RegistrationTool(parts));
 }
 
 }  // namespace

@@ -4,10 +4,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/words.h"
-#include "app/gui/registration/marks_picture.h"
 #include "app/gui/registration/pages.h"
+#include "app/gui/registration/reference_points_picture.h"
 #include "core/base/units.h"
 #include "core/registration/check.h"
 #include "core/registration/error.h"
@@ -24,13 +24,13 @@ QString mm(double length_m) {
 FitPage::FitPage(RegistrationTool& tool, QWidget* parent)
     : QWizardPage(parent),
       tool_(tool),
-      residual_(toldLabel("registration.residual", tr("How well the points fit"), "", this)),
-      expected_(toldLabel("registration.expected", tr("Expected error"), "", this)),
-      warnings_(toldLabel("registration.warnings", tr("Warnings"), "warning", this)),
-      told_(toldLabel("registration.kept", tr("Whether the registration was saved"), "alarm", this)),
+      residual_(messageLabel("registration.residual", tr("How well the points fit"), "", this)),
+      expected_(messageLabel("registration.expected", tr("Expected error"), "", this)),
+      warnings_(messageLabel("registration.warnings", tr("Warnings"), "warning", this)),
+      told_(messageLabel("registration.kept", tr("Whether the registration was saved"), "alarm", this)),
       table_(pageTable("registration.residuals", tr("Residual of each reference point"),
                        {tr("Point"), tr("residual, mm"), tr("spread, mm")}, this)),
-      picture_(new MarksPicture("registration.result_picture", this)) {
+      picture_(new ReferencePointsPicture("registration.result_picture", this)) {
   setObjectName("registration.result");
   setTitle(tr("Check the result"));
   expected_->setToolTip(
@@ -61,9 +61,9 @@ void FitPage::initializePage() {
                          .arg(mm(middle.expected_m), mm(middle.likely_most_m)));
   QStringList sentences;
   for (const registration::Warning& warning : warningsOf(touches, fit)) sentences << sentenceText(warning.sentence);
-  tellIn(warnings_, sentences.join('\n'));
+  showMessage(warnings_, sentences.join('\n'));
   table_->setRowCount(static_cast<int>(touches.size()));
-  std::vector<ShownMark> shown;
+  std::vector<ShownPoint> shown;
   for (std::size_t at = 0; at < touches.size(); ++at) {
     const QString texts[] = {QString::number(at + 1), mm(fit.off_D[at].norm()), mm(touches[at].spread_m)};
     for (int column = 0; column < 3; ++column)

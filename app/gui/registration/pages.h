@@ -14,7 +14,7 @@ class QTableWidget;
 
 namespace underact::gui {
 
-class MarksPicture;
+class ReferencePointsPicture;
 
 /// The arm, whether it is calibrated, the reference points, and their sheet.
 class PreparePage : public QWizardPage {
@@ -22,9 +22,9 @@ class PreparePage : public QWizardPage {
  public:
   PreparePage(RegistrationTool& tool, QWidget* parent);
   RegistrationTool::Which which() const;
-  std::vector<Vec3> marks_D() const;
+  std::vector<Vec3> points_D() const;
   bool isComplete() const override { return is_ready_ && marks_are_good_; }
-  void look();
+  void poll();
   void setTheme(const Theme& theme);
   bool saveSheet(const QString& path);
 
@@ -43,7 +43,7 @@ class PreparePage : public QWizardPage {
   QPushButton *forget_ = nullptr, *sheet_ = nullptr;
   QSpinBox* count_ = nullptr;
   QTableWidget* table_ = nullptr;
-  MarksPicture* picture_ = nullptr;
+  ReferencePointsPicture* picture_ = nullptr;
   bool is_ready_ = false, marks_are_good_ = false;
 };
 
@@ -55,7 +55,7 @@ class TouchPage : public QWizardPage {
   void initializePage() override;
   void cleanupPage() override;
   bool isComplete() const override;
-  void look();
+  void poll();
   void setTheme(const Theme& theme);
 
  private:
@@ -68,7 +68,7 @@ class TouchPage : public QWizardPage {
   QProgressBar* progress_;
   QPushButton *hold_, *again_;
   QTableWidget* table_;
-  MarksPicture* picture_;
+  ReferencePointsPicture* picture_;
 };
 
 /// The result, to be accepted or not.
@@ -84,7 +84,7 @@ class FitPage : public QWizardPage {
   RegistrationTool& tool_;
   QLabel *residual_, *expected_, *warnings_, *told_;
   QTableWidget* table_;
-  MarksPicture* picture_;
+  ReferencePointsPicture* picture_;
   bool was_told_ = false;  // that it could not be saved
 };
 

@@ -12,13 +12,13 @@
 
 #include "app/gui/kit/chooser.h"
 #include "app/gui/kit/file_question.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_box.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
-#include "app/gui/registration/marks_picture.h"
 #include "app/gui/registration/pages.h"
+#include "app/gui/registration/reference_points_picture.h"
 #include "app/gui/registration/sheet.h"
 #include "core/base/units.h"
 #include "core/registration/sheet.h"
@@ -49,7 +49,7 @@ PreparePage::PreparePage(RegistrationTool& tool, QWidget* parent) : QWizardPage(
   setTitle(tr("Where does the arm stand?"));
   auto* column = new QVBoxLayout(this);
   column->setSpacing(8);
-  QLabel* what = toldLabel("registration.what", tr("What this is for"), "", this);
+  QLabel* what = messageLabel("registration.what", tr("What this is for"), "", this);
   what->setText(
       tr("You touch reference points on the desk, whose positions are known, with the tip of the stylus. From these "
          "the program finds the pose of the arm: the view is turned so that left on the desk is left in the picture, "
@@ -67,8 +67,8 @@ QWidget* PreparePage::buildArm() {
   auto* box = new QWidget(this);
   auto* column = tight<QVBoxLayout>(box);
   arm_ = chooser("registration.arm", tr("Arm"), tr("Which arm to register."), box);
-  state_ = toldLabel("registration.state", tr("Whether the arm is registered"), "quiet", box);
-  calibration_ = toldLabel("registration.calibration", tr("Whether the arm is calibrated"), "", box);
+  state_ = messageLabel("registration.state", tr("Whether the arm is registered"), "quiet", box);
+  calibration_ = messageLabel("registration.calibration", tr("Whether the arm is calibrated"), "", box);
   forget_ =
       pushButton("registration.forget", tr("&Forget this registration"),
                  tr("Deletes the registration of this arm. The view then shows the arm as if it stood straight."), box);
@@ -104,8 +104,8 @@ QWidget* PreparePage::buildMarks() {
   table_->setToolTip(
       tr("Positions of the reference points, from point 1: to the right, away from you, up. You can type in points of "
          "your own."));
-  picture_ = new MarksPicture("registration.sheet_picture", box);
-  layout_ = toldLabel("registration.layout", tr("Layout of the reference points"), "warning", box);
+  picture_ = new ReferencePointsPicture("registration.sheet_picture", box);
+  layout_ = messageLabel("registration.layout", tr("Layout of the reference points"), "warning", box);
   auto* both = new QHBoxLayout;
   both->addWidget(table_, 1);
   both->addWidget(picture_, 1);
@@ -122,24 +122,24 @@ Which PreparePage::which() const {
   return arm_->currentIndex() == 1 ? Which::Second : Which::First;
 }
 
-std::vector<Vec3> PreparePage::marks_D() const {
-  std::vector<Vec3> marks_D;
+std::vector<Vec3> PreparePage::points_D() const {
+  std::vector<Vec3> points_D;
   for (int row = 0; row < table_->rowCount(); ++row) {
     Vec3 place_m;  // right, away, up
     for (int column = 0; column < 3; ++column) {
       place_m[column] = kMetrePerMillimetre * typed(table_->item(row, column + 1)->text()).value_or(kNotANumber);
     }
-    marks_D.push_back(registration::onDesk(place_m[0], place_m[1], place_m[2]));
+    points_D.push_back(registration::onDesk(place_m[0], place_m[1], place_m[2]));
   }
-  return marks_D;
+  return points_D;
 }
 
 void PreparePage::fillMarks() {
   const QSignalBlocker quiet(table_);
-  const std::vector<Vec3> marks_D = registration::sheetMarks(static_cast<std::size_t>(count_->value()));
-  table_->setRowCount(static_cast<int>(marks_D.size()));
+  const std::vector<Vec3> points_D = registration::sheetPoints(static_cast<std::size_t>(count_->value()));
+  table_->setRowCount(static_cast<int>(points_D.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
-    const Vec3& mark_D = marks_D[static_cast<std::size_t>(row)];
+    const Vec3& mark_D = points_D[static_cast<std::size_t>(row)];
     auto* number = new QTableWidgetItem(QString::number(row + 1));
     number->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     table_->setItem(row, 0, number);
@@ -152,11 +152,11 @@ void PreparePage::fillMarks() {
 
 /// Says what is wrong with the reference points before any is touched, as if they had been touched without error.
 void PreparePage::showMarks() {
-  const std::vector<Vec3> marks_D = this->marks_D();
+  const std::vector<Vec3> points_D = this->points_D();
   std::vector<registration::Touch> touches;
-  std::vector<ShownMark> shown;
+  std::vector<ShownPoint> shown;
   bool all_near = true;
-  for (const Vec3& mark_D : marks_D) {
+  for (const Vec3& mark_D : points_D) {
     touches.push_back({mark_D, mark_D, 0.0});
     all_near = all_near && mark_D.allFinite() && mark_D.cwiseAbs().maxCoeff() <= kMetrePerMillimetre * kFarthest_mm;
     shown.push_back({mark_D});
@@ -173,7 +173,7 @@ void PreparePage::showMarks() {
     for (const registration::Warning& warning : warningsOf(touches, fit.value()))
       sentences << sentenceText(warning.sentence);
   }
-  tellIn(layout_, sentences.join('\n'));
+  showMessage(layout_, sentences.join('\n'));
   sheet_->setEnabled(marks_are_good_);
   picture_->present(shown, {});
   emit completeChanged();
@@ -188,13 +188,13 @@ void PreparePage::showArm() {
   arm_->setCurrentIndex(std::min(chosen, arm_->count() - 1));
   state_->setText(tool_.sentence(which()));
   forget_->setVisible(tool_.of(which()).has_value());
-  look();
+  poll();
 }
 
-void PreparePage::look() {
-  const QString why_not = tool_.whyNot(), trouble = tool_.trouble(which());
-  const bool is_ready = why_not.isEmpty() && trouble.isEmpty();
-  const QString sentence = !why_not.isEmpty()   ? why_not
+void PreparePage::poll() {
+  const QString refusal = tool_.refusalReason(), trouble = tool_.trouble(which());
+  const bool is_ready = refusal.isEmpty() && trouble.isEmpty();
+  const QString sentence = !refusal.isEmpty()   ? refusal
                            : !trouble.isEmpty() ? tr("The arm reports: %1").arg(trouble)
                            : tool_.isSimulated(which())
                                ? tr("A simulated arm needs no calibration. Move its hand in the view.")
@@ -218,7 +218,7 @@ void PreparePage::forget() {
 
 bool PreparePage::saveSheet(const QString& path) {
   const Paper paper = paper_->currentIndex() == 1 ? Paper::Letter : Paper::A4;
-  const Problems problems = gui::saveSheet(path, marks_D(), paper);
+  const Problems problems = gui::saveSheet(path, points_D(), paper);
   layout_->setText(problems.empty() ? tr("The sheet was saved as %1. Print it at 100 %, and check its ruler.").arg(path)
                                     : sentencesOf(problems));
   layout_->show();

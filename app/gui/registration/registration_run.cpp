@@ -9,8 +9,8 @@ namespace underact::gui {
 
 using registration::Touching;
 
-void RegistrationRun::begin(std::vector<Vec3> marks_D) {
-  touching_.emplace(std::move(marks_D));
+void RegistrationRun::begin(std::vector<Vec3> points_D) {
+  touching_.emplace(std::move(points_D));
   p_WT_.reset();
   told_.clear();
   emit changed();
@@ -30,7 +30,7 @@ void RegistrationRun::add(const servo::TickRecord& record) {
 }
 
 void RegistrationRun::press() {
-  if (!touching_ || touching_->isHolding() || touching_->due() == touching_->marks_D().size()) return;
+  if (!touching_ || touching_->isHolding() || touching_->due() == touching_->points_D().size()) return;
   touching_->press();
   tell(Touching::Event::Began, touching_->due());
 }

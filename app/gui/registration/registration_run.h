@@ -16,7 +16,7 @@ class RegistrationRun : public QObject {
   explicit RegistrationRun(QObject* parent) : QObject(parent) {}
 
   /// Discards what was touched before and starts with these reference points.
-  void begin(std::vector<Vec3> marks_D);
+  void begin(std::vector<Vec3> points_D);
   void end();
   bool isOn() const { return touching_.has_value(); }
   /// Called for every tick of the arm.

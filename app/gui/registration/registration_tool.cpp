@@ -13,7 +13,7 @@
 #include "app/gui/view/scene_view.h"
 #include "core/base/units.h"
 #include "core/registration/error.h"
-#include "core/registration/store.h"
+#include "core/registration/registration_store.h"
 #include "device/arm_key.h"
 #include "device/chosen_arm.h"
 #include "underact/version.h"
@@ -86,11 +86,11 @@ void RegistrationTool::recallAll() {
   for (const Which which : {Which::First, Which::Second}) {
     Known known{keyOf(which), {}, {}};
     if (!known.arm.empty()) {
-      auto found = registration::recall(known.arm, registration::storeFolder());
+      auto found = registration::loadRegistration(known.arm, registration::registrationFolder());
       if (found)
         known.registration = std::move(found).value();
       else
-        known.why_not = sentencesOf(found.problems());
+        known.refusal = sentencesOf(found.problems());
     }
     known_[index(which)] = std::move(known);
   }
@@ -101,7 +101,7 @@ void RegistrationTool::recallAll() {
 void RegistrationTool::place() {
   std::optional<Desk> desk;
   if (const auto& first = of(Which::First))
-    desk = Desk{first->fit.X_DW.inverse(), registration::marksOf(first->touches)};
+    desk = Desk{first->fit.X_DW.inverse(), registration::referencePointsOf(first->touches)};
   parts_.view.setDesk(desk);
   const std::optional<Pose> X_WS = placeOf(of(Which::First), of(Which::Second));
   if (X_WS || parts_.second.placed()) parts_.second.setPlace(X_WS);
@@ -117,7 +117,7 @@ QString RegistrationTool::trouble(Which which) const {
   return sentenceText(which == Which::First ? parts_.servo.trouble() : parts_.second.servo().trouble());
 }
 
-QString RegistrationTool::whyNot() const {
+QString RegistrationTool::refusalReason() const {
   if (parts_.document.showsRecorded()) return tr("A recording is being replayed. Close it, then register the arm.");
   if (parts_.document.isTryingOut()) return tr("A measurement is running on this arm. End it, then register the arm.");
   return parts_.document.isOpen() ? QString()
@@ -126,7 +126,7 @@ QString RegistrationTool::whyNot() const {
 
 QString RegistrationTool::sentence(Which which) const {
   const Known& known = known_[index(which)];
-  if (!known.why_not.isEmpty()) return tr("Not registered: %1").arg(known.why_not);
+  if (!known.refusal.isEmpty()) return tr("Not registered: %1").arg(known.refusal);
   if (!known.registration) return tr("Not registered: the view shows the arm as if it stood straight.");
   const registration::ErrorInTheMiddle middle = errorInTheMiddle(known.registration->touches, known.registration->fit);
   return tr("Registered on %1 with %2 reference points, residual %3 mm. Expected error at the centre of the workspace: "
@@ -137,12 +137,12 @@ QString RegistrationTool::sentence(Which which) const {
            numberText(kMillimetrePerMetre * middle.expected_m, 2));
 }
 
-void RegistrationTool::begin(Which which, std::vector<Vec3> marks_D) {
+void RegistrationTool::begin(Which which, std::vector<Vec3> points_D) {
   parts_.actions.perform("session.stop");  // nothing may pull at the tip while it rests
   which_ = which;
   parts_.second.setListener(which == Which::Second ? [this](const servo::TickRecord& record) { run_.add(record); }
                                                    : std::function<void(const servo::TickRecord&)>());
-  run_.begin(std::move(marks_D));
+  run_.begin(std::move(points_D));
 }
 
 void RegistrationTool::stopTouching() {
@@ -156,7 +156,7 @@ Problems RegistrationTool::accept() {
   if (!fit) return fit.problems();
   Registration made{keyOf(which_), QDate::currentDate().toString(Qt::ISODate).toStdString(),
                     std::string("underact ") + kVersion, run_.touching().touches(), fit.value()};
-  const Problems problems = registration::keep(made, registration::storeFolder());
+  const Problems problems = registration::saveRegistration(made, registration::registrationFolder());
   known_[index(which_)] = {made.arm, std::move(made), {}};
   place();
   emit changed();
@@ -165,10 +165,10 @@ Problems RegistrationTool::accept() {
 
 Problems RegistrationTool::forget(Which which) {
   Known& known = known_[index(which)];
-  const Problems problems = registration::forget(known.arm, registration::storeFolder());
+  const Problems problems = registration::removeRegistration(known.arm, registration::registrationFolder());
   if (!problems.empty()) return problems;
   known.registration.reset();
-  known.why_not.clear();
+  known.refusal.clear();
   place();
   emit changed();
   return {};
@@ -178,8 +178,8 @@ void RegistrationTool::add(const servo::TickRecord& record) {
   if (which_ == Which::First) run_.add(record);
 }
 
-void RegistrationTool::look(const servo::Snapshot&) {
-  if (wizard_) wizard_->look();
+void RegistrationTool::poll(const servo::Snapshot&) {
+  if (wizard_) wizard_->poll();
 }
 
 void RegistrationTool::setTheme(const Theme& theme) {

@@ -15,7 +15,7 @@ class RegistrationWizard;
 
 /// The registrations of the arms: saved for each by its serial number, shown in the view, renewed by a wizard. Only the
 /// picture follows them: the scene and the forces stay in the first arm's frame W.
-class RegistrationTool : public QObject, public Follower {
+class RegistrationTool : public QObject, public ServoListener {
   Q_OBJECT
  public:
   enum class Which { First, Second };
@@ -23,7 +23,7 @@ class RegistrationTool : public QObject, public Follower {
   explicit RegistrationTool(const FeatureParts& parts);
   ~RegistrationTool() override;
   void add(const servo::TickRecord& record) override;  // of the first arm
-  void look(const servo::Snapshot& snapshot) override;
+  void poll(const servo::Snapshot& snapshot) override;
   void setTheme(const Theme& theme) override;
 
   /// None if the arm is not registered.
@@ -36,11 +36,11 @@ class RegistrationTool : public QObject, public Follower {
   /// What the arm reports as wrong, such as a missing calibration; empty: nothing.
   QString trouble(Which which) const;
   /// Why no point can be touched now; empty if it can.
-  QString whyNot() const;
+  QString refusalReason() const;
   bool isSimulated(Which which) const;
 
   /// Stops the servo and passes the arm's ticks to the run from now on.
-  void begin(Which which, std::vector<Vec3> marks_D);
+  void begin(Which which, std::vector<Vec3> points_D);
   /// Ends the touching and discards what was touched; the previous registration stays.
   void stopTouching();
   RegistrationRun& run() { return run_; }
@@ -55,7 +55,7 @@ class RegistrationTool : public QObject, public Follower {
   struct Known {
     std::string arm;  // its key
     std::optional<registration::Registration> registration;
-    QString why_not;  // why it cannot be read
+    QString refusal;  // why it cannot be read
   };
   static std::size_t index(Which which) { return which == Which::First ? 0 : 1; }
   std::string keyOf(Which which) const;

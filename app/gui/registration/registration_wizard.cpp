@@ -34,9 +34,9 @@ RegistrationWizard::~RegistrationWizard() {
   tool_.stopTouching();
 }
 
-void RegistrationWizard::look() {
-  prepare_->look();
-  touch_->look();
+void RegistrationWizard::poll() {
+  prepare_->poll();
+  touch_->poll();
 }
 
 void RegistrationWizard::setTheme(const Theme& theme) {

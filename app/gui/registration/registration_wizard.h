@@ -16,7 +16,7 @@ class RegistrationWizard : public QWizard {
  public:
   RegistrationWizard(RegistrationTool& tool, QWidget* parent);
   ~RegistrationWizard() override;
-  void look();  // each frame
+  void poll();  // each frame
   void setTheme(const Theme& theme);
   /// Saves the sheet of reference points as a PDF and says whether it worked. false: nothing was written.
   bool saveSheet(const QString& path);

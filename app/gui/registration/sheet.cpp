@@ -18,11 +18,11 @@ constexpr double kFlat_m = 1e-5;
 constexpr int kDotsPerInch = 1200;
 constexpr double kMillimetresPerInch = 25.4;
 
-QRectF boundsOf(const std::vector<Vec3>& marks_D) {
+QRectF boundsOf(const std::vector<Vec3>& points_D) {
   QRectF bounds;
-  for (std::size_t at = 0; at < marks_D.size(); ++at) {
-    const QPointF place(kMillimetrePerMetre * registration::rightOf(marks_D[at]),
-                        -kMillimetrePerMetre * registration::awayOf(marks_D[at]));
+  for (std::size_t at = 0; at < points_D.size(); ++at) {
+    const QPointF place(kMillimetrePerMetre * registration::rightOf(points_D[at]),
+                        -kMillimetrePerMetre * registration::awayOf(points_D[at]));
     if (at == 0) bounds = QRectF(place, place);
     bounds.setLeft(std::min(bounds.left(), place.x()));
     bounds.setRight(std::max(bounds.right(), place.x()));
@@ -50,13 +50,13 @@ void paintRuler(QPainter& painter, const QPointF& from_mm) {
 
 }  // namespace
 
-QPointF onPage(const Vec3& p_D, const std::vector<Vec3>& marks_D, const QSizeF& page_mm) {
+QPointF onPage(const Vec3& p_D, const std::vector<Vec3>& points_D, const QSizeF& page_mm) {
   const QPointF place(kMillimetrePerMetre * registration::rightOf(p_D),
                       -kMillimetrePerMetre * registration::awayOf(p_D));
-  return place - boundsOf(marks_D).center() + QPointF(0.5 * page_mm.width(), 0.5 * page_mm.height());
+  return place - boundsOf(points_D).center() + QPointF(0.5 * page_mm.width(), 0.5 * page_mm.height());
 }
 
-void paintSheet(QPainter& painter, const std::vector<Vec3>& marks_D, const QSizeF& page_mm) {
+void paintSheet(QPainter& painter, const std::vector<Vec3>& points_D, const QSizeF& page_mm) {
   QFont font("Sans");
   font.setPixelSize(5);  // mm
   painter.setFont(font);
@@ -65,26 +65,26 @@ void paintSheet(QPainter& painter, const std::vector<Vec3>& marks_D, const QSize
   painter.drawText(words, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap,
                    tr("Underact: reference points for registering an arm. Print at 100 % and tape to the desk, the arm "
                       "behind or beside it. This edge faces away from you."));
-  for (std::size_t at = 0; at < marks_D.size(); ++at)
-    paintMark(painter, onPage(marks_D[at], marks_D, page_mm), QString::number(at + 1));
+  for (std::size_t at = 0; at < points_D.size(); ++at)
+    paintMark(painter, onPage(points_D[at], points_D, page_mm), QString::number(at + 1));
   const QPointF ruler_mm(0.5 * page_mm.width() - 50.0, page_mm.height() - 20.0);
   paintRuler(painter, ruler_mm);
   painter.drawText(QRectF(ruler_mm + QPointF(0.0, 1.5), QSizeF(100.0, 7.0)), Qt::AlignHCenter | Qt::AlignTop,
                    tr("100 mm if printed at 100 %"));
 }
 
-Problems saveSheet(const QString& path, const std::vector<Vec3>& marks_D, Paper paper) {
+Problems saveSheet(const QString& path, const std::vector<Vec3>& points_D, Paper paper) {
   const QPageSize page(paper == Paper::A4 ? QPageSize::A4 : QPageSize::Letter);
   const QSizeF page_mm = page.size(QPageSize::Millimeter);
-  for (const Vec3& mark_D : marks_D) {
-    if (std::abs(registration::upOf(mark_D) - registration::upOf(marks_D.front())) > kFlat_m)
+  for (const Vec3& mark_D : points_D) {
+    if (std::abs(registration::upOf(mark_D) - registration::upOf(points_D.front())) > kFlat_m)
       return {
           {said(QT_TRANSLATE_NOOP(
                "problem",
                "A sheet holds only reference points of equal height: at least one is higher or lower than point 1.")),
            {}}};
   }
-  const QRectF bounds = boundsOf(marks_D);
+  const QRectF bounds = boundsOf(points_D);
   if (bounds.width() > page_mm.width() - 4.0 * kRim_mm || bounds.height() > page_mm.height() - 2.5 * kWords_mm)
     return {{said(QT_TRANSLATE_NOOP("problem",
                                     "The reference points do not fit on this paper. Move them closer together, or draw "
@@ -101,7 +101,7 @@ Problems saveSheet(const QString& path, const std::vector<Vec3>& marks_D, Paper 
   writer.setTitle(tr("Reference points for registering an arm"));
   QPainter painter(&writer);
   painter.scale(kDotsPerInch / kMillimetresPerInch, kDotsPerInch / kMillimetresPerInch);
-  paintSheet(painter, marks_D, page_mm);
+  paintSheet(painter, points_D, page_mm);
   painter.end();
   file.close();
   if (file.error() != QFileDevice::NoError)

@@ -5,11 +5,11 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
-#include "app/gui/registration/marks_picture.h"
 #include "app/gui/registration/pages.h"
+#include "app/gui/registration/reference_points_picture.h"
 #include "core/base/units.h"
 
 namespace underact::gui {
@@ -18,9 +18,9 @@ TouchPage::TouchPage(RegistrationTool& tool, const PreparePage& prepare, QWidget
     : QWizardPage(parent),
       tool_(tool),
       prepare_(prepare),
-      prompt_(toldLabel("registration.prompt", tr("What to do now"), "", this)),
-      told_(toldLabel("registration.told", tr("Result of the last press"), "quiet", this)),
-      tip_(toldLabel("registration.tip", tr("Position of the tip"), "quiet", this)),
+      prompt_(messageLabel("registration.prompt", tr("What to do now"), "", this)),
+      told_(messageLabel("registration.told", tr("Result of the last press"), "quiet", this)),
+      tip_(messageLabel("registration.tip", tr("Position of the tip"), "quiet", this)),
       progress_(new QProgressBar(this)),
       hold_(pushButton("registration.hold", tr("&Hold (Space)"),
                        tr("Records the position of the tip for half a second."), this)),
@@ -28,7 +28,7 @@ TouchPage::TouchPage(RegistrationTool& tool, const PreparePage& prepare, QWidget
                         tr("The reference point selected in the table is touched next."), this)),
       table_(pageTable("registration.touched", tr("Reference points and positions of the tip"),
                        {tr("Point"), tr("x, y, z in W, mm"), tr("spread, mm")}, this)),
-      picture_(new MarksPicture("registration.touch_picture", this)) {
+      picture_(new ReferencePointsPicture("registration.touch_picture", this)) {
   setObjectName("registration.touch");
   setTitle(tr("Touch the reference points"));
   build();
@@ -65,7 +65,7 @@ void TouchPage::build() {
 }
 
 void TouchPage::initializePage() {
-  tool_.begin(prepare_.which(), prepare_.marks_D());
+  tool_.begin(prepare_.which(), prepare_.points_D());
   showState();
   hold_->setFocus();
 }
@@ -82,7 +82,7 @@ void TouchPage::setTheme(const Theme& theme) {
   picture_->setTheme(theme);
 }
 
-void TouchPage::look() {
+void TouchPage::poll() {
   RegistrationRun& run = tool_.run();
   if (!run.isOn() || !isVisible()) return;
   const QString trouble = tool_.trouble(prepare_.which());
@@ -96,16 +96,16 @@ void TouchPage::showState() {
   RegistrationRun& run = tool_.run();
   if (!run.isOn()) return;
   const registration::Touching& touching = run.touching();
-  const std::size_t count = touching.marks_D().size(), due = touching.due();
+  const std::size_t count = touching.points_D().size(), due = touching.due();
   table_->setRowCount(static_cast<int>(count));
-  std::vector<ShownMark> shown;
+  std::vector<ShownPoint> shown;
   for (std::size_t at = 0; at < count; ++at) {
     const auto& held = touching.held(at);
     const QString texts[] = {QString::number(at + 1), held ? placeText(kMillimetrePerMetre * held->p_WT) : QString(),
                              held ? numberText(kMillimetrePerMetre * held->spread_m, 2) : QString()};
     for (int column = 0; column < 3; ++column)
       table_->setItem(static_cast<int>(at), column, new QTableWidgetItem(texts[column]));
-    shown.push_back({touching.marks_D()[at], held.has_value()});
+    shown.push_back({touching.points_D()[at], held.has_value()});
   }
   if (due < count) table_->selectRow(static_cast<int>(due));
   picture_->present(shown, due < count ? std::optional(due) : std::nullopt);

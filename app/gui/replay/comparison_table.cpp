@@ -3,8 +3,8 @@
 #include <QGridLayout>
 #include <QLabel>
 
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
 #include "core/base/units.h"
 
@@ -48,15 +48,15 @@ QLabel* ComparisonTable::cell(const char* name, const QString& spoken) {
 }
 
 void ComparisonTable::fill(const std::array<QLabel*, 3>& cells, const record::TickFigures& figures) {
-  putText(cells[0], numberText(kMillimetrePerMetre * figures.rmsError_m(), 2));
-  putText(cells[1], numberText(figures.peakForce_N(), 3));
-  putText(cells[2], numberText(figures.meanForce_N(), 3));
+  updateText(cells[0], numberText(kMillimetrePerMetre * figures.rmsError_m(), 2));
+  updateText(cells[1], numberText(figures.peakForce_N(), 3));
+  updateText(cells[2], numberText(figures.meanForce_N(), 3));
 }
 
 void ComparisonTable::present(const Comparison& comparison, int rate_hz) {
   fill(recorded_, comparison.recorded());
   fill(now_, comparison.now());
-  putText(stretch_, tr("over %1 s").arg(numberText(static_cast<double>(comparison.ticks()) / rate_hz, 1)));
+  updateText(stretch_, tr("over %1 s").arg(numberText(static_cast<double>(comparison.ticks()) / rate_hz, 1)));
 }
 
 }  // namespace underact::gui

@@ -6,18 +6,18 @@
 
 #include "app/gui/replay/replay_actions.h"
 #include "app/gui/replay/replay_bar.h"
-#include "app/gui/replay/replay_told.h"
+#include "app/gui/replay/replay_messages.h"
 #include "app/gui/replay/session_panel.h"
 
 namespace underact::gui {
 namespace {
 
-void makeReplay(const FeatureParts& parts, Followers& followers) {
+void makeReplay(const FeatureParts& parts, ServoListeners& listeners) {
   addReplayActions(parts.actions, parts.player, parts.files, parts.window);
-  tellOfReplays(parts);
+  connectReplayMessages(parts);
   auto* bar = new ReplayBar(parts.player, parts.actions, parts.middle.parentWidget());
   parts.middle.addWidget(bar);
-  followers.push_back(bar);
+  listeners.push_back(bar);
 }
 
 }  // namespace

@@ -18,9 +18,9 @@
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/chooser.h"
 #include "app/gui/kit/icons.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/player.h"
 #include "app/gui/replay/comparison_table.h"
@@ -171,13 +171,13 @@ void ReplayBar::presentPlace() {
     scrub_->setValue(static_cast<int>(row));
   }
   scrub_->setLoop(player_.loops() ? std::optional(std::pair(player_.loopIn(), player_.loopOut())) : std::nullopt);
-  putText(time_, timeText(player_.secondsAt(row)) + " / " + timeText(player_.secondsAt(player_.lastRow())));
+  updateText(time_, timeText(player_.secondsAt(row)) + " / " + timeText(player_.secondsAt(player_.lastRow())));
   const device::RecordedRow& recorded = player_.recorded().rows[static_cast<std::size_t>(row)];
   const QString text =
       tr("%1: recorded force %2 N, error %3 mm")
           .arg(QString::fromStdString(player_.recorded().name), numberText(static_cast<double>(recorded.force_N), 2),
                numberText(1e3 * static_cast<double>(recorded.error_m), 1));
-  putText(here_, here_->fontMetrics().elidedText(text, Qt::ElideRight, here_->width()));
+  updateText(here_, here_->fontMetrics().elidedText(text, Qt::ElideRight, here_->width()));
 }
 
 void ReplayBar::presentSpeed() {
@@ -186,7 +186,7 @@ void ReplayBar::presentSpeed() {
   speed_->setCurrentIndex(found == kSpeeds.end() ? -1 : static_cast<int>(found - kSpeeds.begin()));
 }
 
-QString ReplayBar::whyBusy() const {
+QString ReplayBar::busyReason() const {
   return player_.isOpen() ? tr("A session is being replayed. Close the replay first.") : QString();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "app/gui/feature/follower.h"
+#include "app/gui/feature/servo_listener.h"
 #include "app/gui/kit/theme.h"
 #include "core/servo/snapshot.h"
 
@@ -21,13 +21,13 @@ class Player;
 class ScrubSlider;
 
 /// Below the view while a session is opened or replayed: position, play and pause, speed, loop, what if.
-class ReplayBar : public QWidget, public Follower {
+class ReplayBar : public QWidget, public ServoListener {
   Q_OBJECT
  public:
   ReplayBar(Player& player, Actions& actions, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
   void setTheme(const Theme& theme) override;
-  QString whyBusy() const override;
+  QString busyReason() const override;
 
  private:
   void buildLoading(QVBoxLayout* column);

@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kit/actions.h"
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/model/player.h"
 #include "app/gui/plot/lateness_chart.h"
 #include "app/gui/replay/session_plot.h"

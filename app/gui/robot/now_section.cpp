@@ -59,7 +59,7 @@ void RobotNowSection::setRobot(const manipulator::Manipulator& manipulator) {
   }
 }
 
-void RobotNowSection::present(const tick::Held& held) {
+void RobotNowSection::present(const tick::ConstraintReport& held) {
   const target::Robot& robot = held.robot;
   if (robot.joints != joint_rows_.size()) return;  // an edit that the servo has not taken up yet
   if (manipulator_.law == manipulator::ForceLaw::Thesis52) {

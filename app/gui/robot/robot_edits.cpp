@@ -41,7 +41,7 @@ int fieldOf(const QString& key) {
 
 RobotEdits::RobotEdits(Document& document, QObject* parent) : QObject(parent), document_(document) {}
 
-std::vector<std::size_t> RobotEdits::look() {
+std::vector<std::size_t> RobotEdits::poll() {
   const std::vector<scene::Constraint>& constraints = document_.scene().constraints;
   std::vector<std::size_t> robots = robotsOf(document_.scene());
   const auto same =

@@ -20,10 +20,10 @@ class RobotEdits : public QObject {
   void addCommands(Actions& actions);
 
   /// A new scene: selects the first of its robots.
-  void forget() { name_.clear(); }
+  void reset() { name_.clear(); }
   /// After an edit: selects the robot of the same name, or the first. Returns the indices of the robots among the
   /// constraints.
-  std::vector<std::size_t> look();
+  std::vector<std::size_t> poll();
   const scene::VirtualManipulator* robot() const;  // null: the scene has none
   std::size_t index() const { return index_; }     // of its constraint
   /// The orientation of its end effector in the home pose, three angles as typed, since at ry = 90 degrees others give

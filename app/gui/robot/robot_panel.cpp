@@ -15,11 +15,11 @@
 
 #include "app/gui/feature/setting_rows.h"
 #include "app/gui/kit/chooser.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/panel_form.h"
 #include "app/gui/kit/panel_scroll.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/value_row.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
@@ -62,7 +62,7 @@ void RobotPanel::build() {
   auto* foot = new QVBoxLayout;
   foot->setContentsMargins(8, 8, 8, 8);
   foot->setSpacing(8);
-  refusal_ = toldLabel("panel.robot.refusal", tr("Why the change was refused"), "alarm", this);
+  refusal_ = messageLabel("panel.robot.refusal", tr("Why the change was refused"), "alarm", this);
   refusal_->hide();
   foot->addWidget(refusal_);
   new_ = pushButton("panel.robot.add", tr("New robot"), tr("Adds a robot with one joint to the scene."), this,
@@ -147,13 +147,13 @@ void RobotPanel::connectParts() {
 }
 
 void RobotPanel::sceneOpened() {
-  edits_->forget();
+  edits_->reset();
   refusal_->hide();
   refresh();
 }
 
 void RobotPanel::listRobots() {
-  const std::vector<std::size_t> robots = edits_->look();
+  const std::vector<std::size_t> robots = edits_->poll();
   const QSignalBlocker silent(chooser_);
   chooser_->clear();
   for (const std::size_t index : robots) {
@@ -192,7 +192,7 @@ void RobotPanel::present(const servo::Snapshot& snapshot) {
 
 void RobotPanel::tell(const Problems& problems) {
   refresh();  // if it was refused, shows the values in effect again
-  tellIn(refusal_, sentencesOf(problems));
+  showMessage(refusal_, sentencesOf(problems));
 }
 
 }  // namespace underact::gui

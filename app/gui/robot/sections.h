@@ -20,7 +20,7 @@ class RobotNowSection : public Section {
  public:
   explicit RobotNowSection(QWidget* parent = nullptr);
   void setRobot(const manipulator::Manipulator& manipulator);
-  void present(const tick::Held& held);
+  void present(const tick::ConstraintReport& held);
 
  private:
   Readout* readout_;

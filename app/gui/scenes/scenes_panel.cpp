@@ -15,9 +15,9 @@
 
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/icons.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/page_view.h"
 #include "app/gui/kit/shipped.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/model/document.h"
 
 namespace underact::gui {

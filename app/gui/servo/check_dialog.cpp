@@ -14,13 +14,13 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/words.h"
 
 namespace underact::gui {
 namespace {
 
-constexpr int kLookEvery_ms = 200;
+constexpr int kPollEvery_ms = 200;
 constexpr double kGoodP99 = 1.3, kGoodP999 = 2.0;  // relative to the bare loop
 constexpr int kLeastSeconds = 2, kSeconds = 60, kMostSeconds = 3600;
 
@@ -45,7 +45,7 @@ QString verdictOf(const servo::CheckResult& result) {
          times;
 }
 
-CheckDialog::CheckDialog(int rate_hz, const system::SchedulingWanted& wanted, QWidget* parent)
+CheckDialog::CheckDialog(int rate_hz, const system::SchedulingRequest& wanted, QWidget* parent)
     : QDialog(parent),
       rate_hz_(rate_hz),
       wanted_(wanted),
@@ -54,12 +54,12 @@ CheckDialog::CheckDialog(int rate_hz, const system::SchedulingWanted& wanted, QW
       load_(new QCheckBox(tr("&Keep all cores busy"), this)),
       progress_(new QProgressBar(this)),
       table_(new QTableWidget(3, 4, this)),
-      looks_(new QTimer(this)) {
+      poll_timer_(new QTimer(this)) {
   setObjectName("dialog.check");
   setWindowTitle(tr("Servo check"));
   setModal(false);
-  const QSize wished(80 * fontMetrics().averageCharWidth(), 22 * fontMetrics().lineSpacing());
-  resize(wished.expandedTo({560, 360}).boundedTo(screen()->availableSize()));
+  const QSize wanted(80 * fontMetrics().averageCharWidth(), 22 * fontMetrics().lineSpacing());
+  resize(wanted.expandedTo({560, 360}).boundedTo(screen()->availableSize()));
   nameWidget(message_, "dialog.check.message", tr("Result"));
   message_->setWordWrap(true);
   message_->setText(
@@ -98,8 +98,8 @@ CheckDialog::CheckDialog(int rate_hz, const system::SchedulingWanted& wanted, QW
   column->addWidget(progress_);
   column->addWidget(table_, 1);
   column->addWidget(buttons);
-  looks_->setInterval(kLookEvery_ms);
-  connect(looks_, &QTimer::timeout, this, &CheckDialog::look);
+  poll_timer_->setInterval(kPollEvery_ms);
+  connect(poll_timer_, &QTimer::timeout, this, &CheckDialog::poll);
   connect(begin_, &QPushButton::clicked, this, [this] { run_ ? run_->cancel() : begin(); });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
 }
@@ -123,10 +123,10 @@ void CheckDialog::begin() {
   load_->setEnabled(false);
   begin_->setText(tr("E&nd now"));
   run_ = std::make_unique<CheckRun>(options);
-  looks_->start();
+  poll_timer_->start();
 }
 
-void CheckDialog::look() {
+void CheckDialog::poll() {
   progress_->setValue(static_cast<int>(run_->share() * progress_->maximum()));
   if (const std::optional<servo::CheckResult> result = run_->takeResult()) {
     present(*result);
@@ -135,7 +135,7 @@ void CheckDialog::look() {
 }
 
 void CheckDialog::end() {
-  looks_->stop();
+  poll_timer_->stop();
   run_.reset();
   seconds_->setEnabled(true);
   load_->setEnabled(true);

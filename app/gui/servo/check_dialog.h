@@ -19,7 +19,7 @@ namespace underact::gui {
 class CheckDialog : public QDialog {
   Q_OBJECT
  public:
-  CheckDialog(int rate_hz, const system::SchedulingWanted& wanted, QWidget* parent);
+  CheckDialog(int rate_hz, const system::SchedulingRequest& wanted, QWidget* parent);
   ~CheckDialog() override;
   bool isRunning() const { return run_ != nullptr; }
   /// The verdict, or the progress, as a screen reader says it.
@@ -27,12 +27,12 @@ class CheckDialog : public QDialog {
 
  private:
   void begin();
-  void look();
+  void poll();
   void end();
   void present(const servo::CheckResult& result);
 
   int rate_hz_;
-  system::SchedulingWanted wanted_;
+  system::SchedulingRequest wanted_;
   std::unique_ptr<CheckRun> run_;
   QLabel* message_;
   QSpinBox* seconds_;
@@ -40,7 +40,7 @@ class CheckDialog : public QDialog {
   QProgressBar* progress_;
   QTableWidget* table_;
   QPushButton* begin_;
-  QTimer* looks_;
+  QTimer* poll_timer_;
 };
 
 /// The verdict in a sentence: a p99 within 1.3 times and a p99.9 within twice that of the bare loop are as good as this

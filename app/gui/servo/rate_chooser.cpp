@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/gui/kit/chooser.h"
-#include "app/gui/kit/tight.h"
+#include "app/gui/kit/tight_layout.h"
 
 namespace underact::gui {
 

@@ -1,7 +1,7 @@
 #include <QVBoxLayout>
 
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_table.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/servo_rate.h"
 #include "app/gui/servo/sections.h"
@@ -28,7 +28,7 @@ void SchedulingSection::present(const system::Scheduling& scheduling) {
   const QString name = schedulingText(scheduling);
   if (name_->text() != name) name_->setText(name);
   const QString also = phrasesOf(scheduling.also);
-  tellIn(also_, also);
+  showMessage(also_, also);
   const QString hint = scheduling.hint.empty() ? tr("There is nothing to improve.") : sentenceText(scheduling.hint);
   if (hint_->text() != hint) hint_->setText(hint);
 }

@@ -8,8 +8,8 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/panel_scroll.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/arm_choice.h"
 #include "app/gui/model/servo_rate.h"
@@ -88,7 +88,7 @@ void ServoPanel::buildSwitches(QVBoxLayout* column) {
   connect(box, &QCheckBox::toggled, this, [this](bool on) { parts_.actions.perform("session.hold_to_run", on); });
   connect(hold, &QAction::toggled, box, &QCheckBox::setChecked);
   parts_.actions.perform("session.hold_to_run", parts_.settings.hold_to_run);
-  told_ = toldLabel("panel.servo.told", tr("Result of the restart or the rate change"), "", this);
+  told_ = messageLabel("panel.servo.told", tr("Result of the restart or the rate change"), "", this);
   told_->hide();
   rate_ = new RateChooser(this);
   rate_->present(parts_.rate.hz());

@@ -7,15 +7,15 @@
 #include <QPushButton>
 #include <QStyle>
 
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/sessions/plots_run.h"
 
 namespace underact::gui {
 namespace {
 
-constexpr int kLookForJob_ms = 50;
+constexpr int kPollJob_ms = 50;
 constexpr int kSteps = 1000;  // of the bar
 
 QString sentenceOf(const CsvFile& done, const QString& out) {
@@ -31,7 +31,7 @@ QString sentenceOf(const CsvFile& done, const QString& out) {
 
 JobStrip::JobStrip(QWidget* parent)
     : QWidget(parent),
-      told_(toldLabel("panel.sessions.told", tr("Result"), "quiet", this)),
+      told_(messageLabel("panel.sessions.told", tr("Result"), "quiet", this)),
       bar_(new QProgressBar(this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
   bar_->setObjectName("panel.sessions.progress");
@@ -46,8 +46,8 @@ JobStrip::JobStrip(QWidget* parent)
   grid->setColumnStretch(0, 1);
   for (QWidget* widget : {static_cast<QWidget*>(told_), static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_)})
     widget->hide();
-  looks_.setInterval(kLookForJob_ms);
-  connect(&looks_, &QTimer::timeout, this, &JobStrip::look);
+  poll_timer_.setInterval(kPollJob_ms);
+  connect(&poll_timer_, &QTimer::timeout, this, &JobStrip::poll);
   connect(cancel_, &QPushButton::clicked, this, &JobStrip::cancel);
 }
 
@@ -59,7 +59,7 @@ bool JobStrip::beginCsv(const QString& session, const QString& out) {
   begin(tr("Exporting %1").arg(QFileInfo(session).fileName()), kSteps);
   csv_ = std::make_unique<Background<CsvFile>>([from = session.toStdString(), to = out.toStdString()](
                                                    WorkState& state) { return writeCsvFile(from, to, state); });
-  looks_.start();
+  poll_timer_.start();
   return true;
 }
 
@@ -89,11 +89,11 @@ void JobStrip::begin(const QString& sentence, int most) {
   cancel_->show();
 }
 
-void JobStrip::look() {
+void JobStrip::poll() {
   bar_->setValue(static_cast<int>(csv_->share() * bar_->maximum()));
   const std::optional<CsvFile> done = csv_->take();
   if (!done) return;
-  looks_.stop();
+  poll_timer_.stop();
   csv_.reset();
   end(sentenceOf(*done, out_), !done->problems.empty());
 }

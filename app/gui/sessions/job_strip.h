@@ -34,7 +34,7 @@ class JobStrip : public QWidget {
 
  private:
   void begin(const QString& sentence, int most);
-  void look();
+  void poll();
   void end(const QString& sentence, bool alarm);
 
   std::unique_ptr<Background<CsvFile>> csv_;
@@ -43,7 +43,7 @@ class JobStrip : public QWidget {
   QLabel* told_;
   QProgressBar* bar_;
   QPushButton* cancel_;
-  QTimer looks_;
+  QTimer poll_timer_;
 };
 
 }  // namespace underact::gui

@@ -34,10 +34,10 @@ void PlotsRun::end(std::optional<int> code) {
     emit finished(false, tr("Cancelled: not all plots were drawn."));
   else if (code == 0 && drawn() > 0)
     emit finished(true, tr("%1 plots saved: %2").arg(drawn()).arg(patternOf(out_)));
-  else if (process_.lastWords().isEmpty())
+  else if (process_.lastLine().isEmpty())
     emit finished(false, tr("The plots were not drawn; underact-cli gave no reason."));
   else
-    emit finished(false, tr("The plots were not drawn. %1").arg(process_.lastWords()));
+    emit finished(false, tr("The plots were not drawn. %1").arg(process_.lastLine()));
 }
 
 int PlotsRun::drawn() const {

@@ -11,15 +11,15 @@
 #include <utility>
 
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_table.h"
 #include "app/gui/kit/readout.h"
 #include "app/gui/kit/section.h"
-#include "app/gui/kit/tight.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/recording.h"
 #include "app/gui/model/session_words.h"
-#include "app/gui/sessions/words_form.h"
+#include "app/gui/sessions/metadata_form.h"
 
 namespace underact::gui {
 namespace {
@@ -54,9 +54,9 @@ RecordSection::RecordSection(Recording& recording, Actions& actions, QWidget* pa
       mark_(new QPushButton(tr("&Mark"), this)),
       label_(new QLineEdit(this)),
       place_(quietLabel("panel.sessions.place", {}, this)),
-      notice_(toldLabel("panel.sessions.notice", tr("Recording status"), "", this)),
+      notice_(messageLabel("panel.sessions.notice", tr("Recording status"), "", this)),
       readout_(new Readout("panel.sessions.status", this)),
-      words_(new WordsForm("panel.sessions.", this)) {
+      words_(new MetadataForm("panel.sessions.", this)) {
   record_->setObjectName("panel.sessions.record");
   record_->setToolTip(actions_.find("session.record")->toolTip());
   readout_->addRow(tr("Time"), tr("From the first tick of the recording to the last."));
@@ -80,7 +80,7 @@ RecordSection::RecordSection(Recording& recording, Actions& actions, QWidget* pa
   column->addWidget(section);
   words_->setWords(recording_.words());
   connect(record_, &QPushButton::clicked, this, [this] { actions_.perform("session.record"); });
-  connect(words_, &WordsForm::edited, this, [this] {
+  connect(words_, &MetadataForm::edited, this, [this] {
     recording_.setWords(words_->words());
     if (recording_.words().consent.empty()) words_->clearConsent();
   });
@@ -124,7 +124,7 @@ void RecordSection::present() {
   const QString warning = warningOf(status, runs);
   const bool alarming = !runs && !recording_.notice().isEmpty();
   const QString said = alarming ? recording_.notice() : warning;
-  tellIn(notice_, said);
+  showMessage(notice_, said);
   const char* role = alarming ? "alarm" : "amber";
   if (notice_->property("role") != role) {
     notice_->setProperty("role", role);

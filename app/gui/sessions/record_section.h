@@ -10,7 +10,7 @@ namespace underact::gui {
 class Actions;
 class Readout;
 class Recording;
-class WordsForm;
+class MetadataForm;
 
 /// The state of the recording: a button, duration, size, free disk space and markers; and the metadata saved with it.
 class RecordSection : public QWidget {
@@ -32,7 +32,7 @@ class RecordSection : public QWidget {
   QLineEdit* label_;
   QLabel *place_, *notice_;
   Readout* readout_;
-  WordsForm* words_;
+  MetadataForm* words_;
   bool was_running_ = false;
 };
 

@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "app/gui/kit/words.h"
-#include "core/record/foreign_file.h"
+#include "core/record/untrusted_file.h"
 
 namespace underact::gui {
 namespace {

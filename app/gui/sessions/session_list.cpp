@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "app/gui/kit/number_table.h"
-#include "app/gui/kit/tight.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/sessions/session_lines.h"
 
 namespace underact::gui {

@@ -14,12 +14,12 @@
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/file_question.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/tight.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/sessions/delete_question.h"
 #include "app/gui/sessions/job_strip.h"
+#include "app/gui/sessions/metadata_dialog.h"
 #include "app/gui/sessions/session_list.h"
-#include "app/gui/sessions/words_dialog.h"
 #include "core/record/recorder.h"
 
 namespace underact::gui {
@@ -144,9 +144,9 @@ void SessionTools::chooseFile(const QString& title, const QString& suffix, const
 
 bool SessionTools::edit() {
   const SessionEntry& chosen = *list_.chosen();
-  auto* dialog = new WordsDialog(chosen.path, chosen.info.header.words, window());
+  auto* dialog = new MetadataDialog(chosen.path, chosen.info.header.words, window());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &WordsDialog::written, &list_, &SessionList::refresh);
+  connect(dialog, &MetadataDialog::written, &list_, &SessionList::refresh);
   dialog->open();
   return true;
 }
@@ -194,8 +194,8 @@ bool SessionTools::remove(bool asked) {
                      "owner of the folder."));
 }
 
-bool SessionTools::tellGone(bool is_gone, const QString& gone, const QString& why_not) {
-  job_.say(is_gone ? gone : why_not, !is_gone);
+bool SessionTools::tellGone(bool is_gone, const QString& gone, const QString& refusal) {
+  job_.say(is_gone ? gone : refusal, !is_gone);
   list_.refresh();
   return is_gone;
 }

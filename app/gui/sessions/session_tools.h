@@ -29,7 +29,7 @@ class SessionTools : public QWidget {
   bool recover();
   bool moveToBin(bool asked);
   bool remove(bool asked);
-  bool tellGone(bool is_gone, const QString& gone, const QString& why_not);
+  bool tellGone(bool is_gone, const QString& gone, const QString& refusal);
 
   Actions& actions_;
   SessionList& list_;

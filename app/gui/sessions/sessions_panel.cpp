@@ -10,10 +10,10 @@
 #include "app/gui/feature/status_line.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/file_question.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/panel_scroll.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/model/recording.h"
-#include "app/gui/model/session_place.h"
+#include "app/gui/model/session_paths.h"
 #include "app/gui/model/session_words.h"
 #include "app/gui/sessions/buttons_section.h"
 #include "app/gui/sessions/job_strip.h"
@@ -122,7 +122,7 @@ void SessionsPanel::press(ButtonUse use) {
   if (use == ButtonUse::Mark) parts_.actions.perform("session.mark");
 }
 
-QString SessionsPanel::whyBusy() const {
+QString SessionsPanel::busyReason() const {
   return recording_->isRunning() ? tr("A session is being recorded. Stop the recording first.") : QString();
 }
 

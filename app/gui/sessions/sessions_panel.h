@@ -23,7 +23,7 @@ class SessionsPanel : public Panel {
   };
   SessionsPanel(const Parts& parts, QWidget* parent);
   void add(const servo::TickRecord& record) override;
-  QString whyBusy() const override;
+  QString busyReason() const override;
   /// Ends the recording and cancels jobs on sessions.
   void finish() override;
 

@@ -9,7 +9,7 @@
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/panel_scroll.h"
 #include "app/gui/kit/readout.h"
-#include "app/gui/kit/tight.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
 #include "app/gui/shape/shape_text.h"
@@ -19,7 +19,7 @@
 namespace underact::gui {
 namespace {
 
-QString heldText(const tick::Held& held) {
+QString heldText(const tick::ConstraintReport& held) {
   switch (held.status) {
     case target::Status::Unique:
       return QObject::tr("%1 away").arg(millimetres(held.distance_m * kMillimetrePerMetre));
@@ -111,7 +111,7 @@ void ShapePanel::sceneOpened() {
     return std::holds_alternative<scene::VirtualManipulator>(one.shape);
   }));
   offerReports();
-  showOneShapeWhole();
+  showShapeFully();
 }
 
 void ShapePanel::addDistance() {
@@ -120,7 +120,7 @@ void ShapePanel::addDistance() {
                                         "effector of a robot. Free: the tip does not touch the wall.")));
 }
 
-void ShapePanel::showOneShapeWhole() {
+void ShapePanel::showShapeFully() {
   constexpr int kRows = 5;  // as many as a circle has, so that the distance is visible without scrolling
   const int row = fontMetrics().lineSpacing() + 4;
   scroll_->setMinimumHeight(std::min(readout_->sizeHint().height(), kRows * row + 16));

@@ -25,7 +25,7 @@ class ShapePanel : public Panel {
   void sceneOpened();
   void sceneEdited();
   void addDistance();
-  void showOneShapeWhole();
+  void showShapeFully();
   QToolButton* addButton(const char* name, const QString& text, const QString& tip);
   void offerReports();
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "app/gui/kit/number_table.h"
-#include "app/gui/kit/tight.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/step/step_plot.h"
 #include "core/base/units.h"

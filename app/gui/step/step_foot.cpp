@@ -7,7 +7,7 @@
 
 #include "app/gui/kit/number_box.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/tight.h"
+#include "app/gui/kit/tight_layout.h"
 
 namespace underact::gui {
 

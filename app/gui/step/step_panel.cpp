@@ -14,7 +14,7 @@
 #include "app/gui/kit/chooser.h"
 #include "app/gui/kit/number_table.h"
 #include "app/gui/kit/panel_scroll.h"
-#include "app/gui/kit/tight.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/arm_in_use.h"
 #include "app/gui/model/document.h"
@@ -261,10 +261,10 @@ StepPicture StepPanel::pictureOfArm(QString& note) const {
   }
   picture.responses = {{tr("model"), transfer.value()}};
   picture.metrics = lab::metricsOf(transfer.value());
-  picture.seconds = lab::secondsToSee(transfer.value());
+  picture.seconds = lab::plotDuration_s(transfer.value());
   note = sentenceOn(transfer.value());
   if (!measured_) return picture;
-  lab::Curve share = measured_->way_m;
+  lab::SampledResponse share = measured_->way_m;
   for (double& value : share.value) value /= measured_->step_m;
   const double length_s = share.period_s * static_cast<double>(share.value.size() - 1);
   const double rest_s = measured_->measured.settling_2pct_s.value_or(0.0);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/gui/plot/chart_widget.h"
-#include "core/lab/curve.h"
+#include "core/lab/sampled_response.h"
 #include "core/lab/second_order_fit.h"
 #include "core/lab/transfer_function.h"
 
@@ -18,8 +18,8 @@ struct StepPicture {
   };
   std::vector<Response> responses;  // at most kMostResponses
   double seconds = 1.0;
-  lab::StepMetrics metrics;                 // of the first
-  std::optional<lab::Curve> measured = {};  // as a fraction of the step
+  lab::StepMetrics metrics;                           // of the first
+  std::optional<lab::SampledResponse> measured = {};  // as a fraction of the step
   std::optional<lab::SecondOrderFit> fit = {};
   double steady_error_m = 0.0;  // of the measured response
 };

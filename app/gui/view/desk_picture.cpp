@@ -45,8 +45,8 @@ void DeskPicture::build() {
     const Vec3 right = X_WD_mm.linear().col(0), up = X_WD_mm.linear().col(1), back = X_WD_mm.linear().col(2);
     const QColor ink = mixed(theme_.quiet, theme_.ink, 0.6);
     Vec3 least_mm = Vec3::Constant(kInfinity), most_mm = -least_mm;
-    for (std::size_t at = 0; at < desk_->marks_D.size(); ++at) {
-      const Vec3 p_DM_mm = kMillimetrePerMetre * desk_->marks_D[at], p_mm = X_WD_mm * p_DM_mm;
+    for (std::size_t at = 0; at < desk_->points_D.size(); ++at) {
+      const Vec3 p_DM_mm = kMillimetrePerMetre * desk_->points_D[at], p_mm = X_WD_mm * p_DM_mm;
       least_mm = least_mm.cwiseMin(p_DM_mm);
       most_mm = most_mm.cwiseMax(p_DM_mm);
       lines_.circle(p_mm, right, back, kDeskRing_mm, ink);

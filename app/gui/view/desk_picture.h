@@ -14,7 +14,7 @@ namespace underact::gui {
 /// The desk as the arm sees it, and the marks on it, m.
 struct Desk {
   Pose X_WD = Pose::Identity();
-  std::vector<Vec3> marks_D;
+  std::vector<Vec3> points_D;
 };
 
 /// The sheet on the desk with the reference points by which the arm was registered, each with its number.
@@ -27,7 +27,7 @@ class DeskPicture {
   void show(bool shown);
   /// The identity if there is no desk.
   Mat3 R_WD() const { return desk_ ? Mat3(desk_->X_WD.linear()) : Mat3(Mat3::Identity()); }
-  std::size_t marks() const { return shown_ && desk_ ? desk_->marks_D.size() : 0; }  // drawn
+  std::size_t marks() const { return shown_ && desk_ ? desk_->points_D.size() : 0; }  // drawn
   std::vector<vtkActor*> lines() const { return {actor_}; }
   const std::vector<Label>& labels() const { return labels_; }
   const std::vector<Vec3>& extent_mm() const { return corners_mm_; }

@@ -42,9 +42,9 @@ vtkSmartPointer<vtkPolyData> copyOf(const mesh::Surface& surface) {
 }
 
 /// Vertices that are near each other become one, at the point that fits their faces best.
-vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine, const Watch& watch, std::size_t most) {
+vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine, const TaskMonitor& monitor, std::size_t most) {
   vtkSmartPointer<vtkPolyData> data = fine;
-  for (int boxes = kFinest; boxes >= kCoarsest && !watch.isCancelled(); boxes = boxes * 3 / 4) {
+  for (int boxes = kFinest; boxes >= kCoarsest && !monitor.isCancelled(); boxes = boxes * 3 / 4) {
     const vtkNew<vtkQuadricClustering> clusters;
     clusters->SetInputData(fine);
     clusters->SetNumberOfDivisions(boxes, boxes, boxes);
@@ -103,17 +103,17 @@ vtkSmartPointer<vtkPolyData> edgesOf(vtkPolyData* data) {
   return edges;
 }
 
-std::shared_ptr<const DrawnMesh> make(const mesh::Surface& surface, const Watch& watch, std::size_t most) {
+std::shared_ptr<const DrawnMesh> make(const mesh::Surface& surface, const TaskMonitor& monitor, std::size_t most) {
   DrawnMesh drawn;
   vtkSmartPointer<vtkPolyData> data = copyOf(surface);
   drawn.is_coarser = surface.triangles.faces.size() > most;
   if (drawn.is_coarser) {
-    data = coarser(data, watch, most);
+    data = coarser(data, monitor, most);
     drawn.coarser = trianglesOf(data);
   }
-  if (watch.isCancelled()) return nullptr;
+  if (monitor.isCancelled()) return nullptr;
   drawn.body = withNormals(data);
-  if (watch.isCancelled()) return nullptr;
+  if (monitor.isCancelled()) return nullptr;
   drawn.edges = edgesOf(data);
   drawn.triangles = static_cast<std::size_t>(drawn.body->GetNumberOfPolys());
   drawn.body->ComputeBounds();
@@ -127,8 +127,8 @@ struct Kept {
 
 }  // namespace
 
-std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Surface>& surface, const Watch& watch,
-                                           std::size_t most) {
+std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Surface>& surface,
+                                           const TaskMonitor& monitor, std::size_t most) {
   static std::mutex mutex;
   static std::map<const mesh::Surface*, Kept> kept;
   {
@@ -138,7 +138,7 @@ std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Sur
     if (found != kept.end()) return found->second.drawn;
   }
   std::shared_ptr<const DrawnMesh> drawn =
-      make(*surface, watch, most);  // not under the lock: the window may request another one
+      make(*surface, monitor, most);  // not under the lock: the window may request another one
   if (drawn == nullptr) return nullptr;
   const std::scoped_lock lock(mutex);
   return kept.emplace(surface.get(), Kept{surface, drawn}).first->second.drawn;
@@ -153,12 +153,12 @@ vtkSmartPointer<vtkPolyData> turnedOver(vtkPolyData* body) {
   return turned->GetOutput();
 }
 
-void makeDrawnMeshes(const scene::Description& scene, const Watch& watch) {
+void makeDrawnMeshes(const scene::Description& scene, const TaskMonitor& monitor) {
   for (const scene::Constraint& constraint : scene.constraints) {
     const auto* const mesh = std::get_if<scene::Mesh>(&constraint.shape);
-    if (mesh == nullptr || mesh->surface == nullptr || watch.isCancelled()) continue;
-    watch.tell(QT_TRANSLATE_NOOP("step of work", "Preparing the picture"), 1.0);
-    static_cast<void>(drawnMesh(mesh->surface, watch));
+    if (mesh == nullptr || mesh->surface == nullptr || monitor.isCancelled()) continue;
+    monitor.report(QT_TRANSLATE_NOOP("step of work", "Preparing the picture"), 1.0);
+    static_cast<void>(drawnMesh(mesh->surface, monitor));
   }
 }
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "core/base/watch.h"
+#include "core/base/task_monitor.h"
 #include "core/mesh/surface.h"
 #include "core/scene/description.h"
 
@@ -25,14 +25,14 @@ struct DrawnMesh {
 
 /// Made once for each surface and kept as long as the surface exists. Takes a second for millions of triangles. Any
 /// thread. null: it was cancelled. most: triangles above which it is made coarser; ignored if it exists already.
-std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Surface>& surface, const Watch& watch = {},
-                                           std::size_t most = kMostDrawn);
+std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Surface>& surface,
+                                           const TaskMonitor& monitor = {}, std::size_t most = kMostDrawn);
 
 /// The body with the winding of its faces reversed; for a placement that mirrors it, so that its outside remains its
 /// front. Normals are kept: they are mirrored correctly. Takes some milliseconds.
 vtkSmartPointer<vtkPolyData> turnedOver(vtkPolyData* body);
 
 /// For all loaded meshes of a scene, in advance of the view.
-void makeDrawnMeshes(const scene::Description& scene, const Watch& watch);
+void makeDrawnMeshes(const scene::Description& scene, const TaskMonitor& monitor);
 
 }  // namespace underact::gui

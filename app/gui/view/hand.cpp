@@ -10,11 +10,11 @@ Hand::Hand(SceneView* view, device::SimulatedArm* arm, QObject* parent) : QObjec
   if (arm_ == nullptr) return;
   connect(view_, &SceneView::handGrabbed, this, [this] {
     moving_ = true;
-    view_->setHandWish(arm_->wished());  // starts at the hand, not at the tip, which contact holds back
+    view_->setHandSetpoint(arm_->setpoint());  // starts at the hand, not at the tip, which contact holds back
   });
-  connect(view_, &SceneView::handMoved, this, [this](const sim::HandWish& wish) {
+  connect(view_, &SceneView::handMoved, this, [this](const sim::HandSetpoint& setpoint) {
     moving_ = true;  // the keys move it without grabbing
-    arm_->wish(wish);
+    arm_->setSetpoint(setpoint);
   });
   connect(view_, &SceneView::handReleased, this, [this] { moving_ = false; });
 }
@@ -45,11 +45,11 @@ void Hand::setAbsent(bool on) {
   showHint();
 }
 
-void Hand::moveTo(const sim::HandWish& wish) {
+void Hand::moveTo(const sim::HandSetpoint& setpoint) {
   if (!isThere()) return;
   moving_ = true;
-  arm_->wish(wish);
-  view_->setHandWish(wish);  // a drag continues from there
+  arm_->setSetpoint(setpoint);
+  view_->setHandSetpoint(setpoint);  // a drag continues from there
 }
 
 void Hand::press(unsigned stylus_buttons) {

@@ -31,7 +31,7 @@ class Hand : public QObject {
   /// The arm, while a hand may move it; otherwise null.
   const device::SimulatedArm* arm() const { return isThere() ? arm_ : nullptr; }
   /// Another hand than the view's moves the stylus there and presses these buttons.
-  void moveTo(const sim::HandWish& wish);
+  void moveTo(const sim::HandSetpoint& setpoint);
   void rest() { moving_ = false; }
   void press(unsigned stylus_buttons);
 

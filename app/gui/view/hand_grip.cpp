@@ -4,12 +4,12 @@
 #include <array>
 
 #include "core/base/units.h"
-#include "device/hands/motion.h"
+#include "device/input/motion.h"
 
 namespace underact::gui {
 namespace {
 
-using device::hands::kReach_m;
+using device::input::kReach_m;
 constexpr double kTurnPerPixel_rad = 0.5 * kRadPerDegree;
 
 }  // namespace
@@ -29,33 +29,33 @@ Mat3 nearestAxes(const OrbitCamera& camera) {
   return axes;
 }
 
-void HandGrip::set(const sim::HandWish& wish) {
-  wish_ = wish;
+void HandGrip::set(const sim::HandSetpoint& setpoint) {
+  setpoint_ = setpoint;
   known_ = true;
 }
 
 void HandGrip::take(const Pose& X_WT) {
   if (known_) return;
-  wish_ = {};
-  wish_.p_WT = X_WT.translation();
-  wish_.R_WT = X_WT.linear();
+  setpoint_ = {};
+  setpoint_.p_WT = X_WT.translation();
+  setpoint_.R_WT = X_WT.linear();
   known_ = true;
 }
 
 void HandGrip::drag(const OrbitCamera& camera, const QSizeF& size, const Vec3& p_WT, const QPointF& way) {
   const double depth_mm = std::max(project(camera, size, kMillimetrePerMetre * p_WT).depth_mm, 1.0);
   const double pixel_m = kMetrePerMillimetre * pixelLength_mm(size, depth_mm);
-  wish_.p_WT += pixel_m * (way.x() * camera.right_W() - way.y() * camera.up_W());
+  setpoint_.p_WT += pixel_m * (way.x() * camera.right_W() - way.y() * camera.up_W());
   keepInside();
 }
 
 void HandGrip::deepen(const OrbitCamera& camera, double way_m) {
-  wish_.p_WT -= way_m * camera.back_W();
+  setpoint_.p_WT -= way_m * camera.back_W();
   keepInside();
 }
 
 void HandGrip::beginTurn(const Mat3& R_WT) {
-  if (!wish_.turns) wish_.R_WT = R_WT;
+  if (!setpoint_.turns) setpoint_.R_WT = R_WT;
 }
 
 void HandGrip::turn(const OrbitCamera& camera, const Mat3& R_WT, const QPointF& way) {
@@ -65,7 +65,7 @@ void HandGrip::turn(const OrbitCamera& camera, const Mat3& R_WT, const QPointF& 
 }
 
 void HandGrip::step(const OrbitCamera& camera, const Vec3& right_up_away, double length_m) {
-  wish_.p_WT += length_m * (nearestAxes(camera) * right_up_away);
+  setpoint_.p_WT += length_m * (nearestAxes(camera) * right_up_away);
   keepInside();
 }
 
@@ -78,14 +78,14 @@ void HandGrip::turnStep(const OrbitCamera& camera, const Mat3& R_WT, const Vec3&
 }
 
 void HandGrip::turnAbout(const Vec3& axis_W, double angle_rad) {
-  const Mat3 turned = Eigen::AngleAxisd(angle_rad, axis_W) * wish_.R_WT;
-  wish_.R_WT = Eigen::Quaterniond(turned).normalized().toRotationMatrix();  // many small rotations stay orthonormal
-  wish_.turns = true;
+  const Mat3 turned = Eigen::AngleAxisd(angle_rad, axis_W) * setpoint_.R_WT;
+  setpoint_.R_WT = Eigen::Quaterniond(turned).normalized().toRotationMatrix();  // many small rotations stay orthonormal
+  setpoint_.turns = true;
 }
 
 void HandGrip::keepInside() {
-  const double away_m = wish_.p_WT.norm();
-  if (away_m > kReach_m) wish_.p_WT *= kReach_m / away_m;
+  const double away_m = setpoint_.p_WT.norm();
+  if (away_m > kReach_m) setpoint_.p_WT *= kReach_m / away_m;
 }
 
 }  // namespace underact::gui

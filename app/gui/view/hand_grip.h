@@ -12,11 +12,11 @@ namespace underact::gui {
 class HandGrip {
  public:
   /// The hand is elsewhere: a script moved it, or the arm was changed.
-  void set(const sim::HandWish& wish);
-  void forget() { known_ = false; }
+  void set(const sim::HandSetpoint& setpoint);
+  void reset() { known_ = false; }
   /// Starts a grip: at the last command, otherwise at the current pose of the stylus.
   void take(const Pose& X_WT);
-  const sim::HandWish& wish() const { return wish_; }
+  const sim::HandSetpoint& setpoint() const { return setpoint_; }
 
   /// In the plane parallel to the screen through the tip; way in pixels.
   void drag(const OrbitCamera& camera, const QSizeF& size, const Vec3& p_WT, const QPointF& way);
@@ -34,7 +34,7 @@ class HandGrip {
   void keepInside();
   void beginTurn(const Mat3& R_WT);
   void turnAbout(const Vec3& axis_W, double angle_rad);
-  sim::HandWish wish_;
+  sim::HandSetpoint setpoint_;
   bool known_ = false;
 };
 

@@ -124,7 +124,7 @@ void HandPicture::present(const servo::Snapshot& snapshot) {
   arrow_ = force_N_ > kLeastForce_N && !faulted_ && force_limit_N_ > 0.0;
   if (arrow_) force_end_mm_ = tip_mm + kArrow_mm / force_limit_N_ * f_T_W;
   held_mm_.clear();
-  for (const tick::Held& held : report.held) {
+  for (const tick::ConstraintReport& held : report.held) {
     if (!held.acts || held.status != target::Status::Unique || !held.p_WP.allFinite()) continue;
     held_mm_.push_back(kMillimetrePerMetre * held.p_WP);
   }

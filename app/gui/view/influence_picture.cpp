@@ -47,7 +47,7 @@ void InfluencePicture::setLineWidth(double scale) {
 
 void InfluencePicture::present(const tick::TickReport& report) {
   drawn_.clear();
-  for (const tick::Held& held : report.held) {
+  for (const tick::ConstraintReport& held : report.held) {
     const bool has_one = held.arc.p_WPo.allFinite() || held.arc.p_WPp.allFinite();
     if (held.acts && held.status == target::Status::Unique && has_one) drawn_.push_back({held.arc, held.p_WP});
   }

@@ -92,7 +92,7 @@ std::optional<arm::JointAngles> KinematicsPicture::chosen_rad() const {
   const arm::Solution* found = std::find_if(solutions_.begin(), solutions_.end(),
                                             [this](const arm::Solution& one) { return chosen_ == one.branch; });
   if (!known_ || found == solutions_.end()) return {};
-  return arm::onTheWay(q_rad_, found->q_rad, share_);
+  return arm::interpolated(q_rad_, found->q_rad, share_);
 }
 
 std::vector<Vec3> KinematicsPicture::extent_mm() const {
@@ -111,7 +111,7 @@ void KinematicsPicture::update(const OrbitCamera& camera) {
   mark_.clear();
   labels_.clear();
   if (known_ && model_ != nullptr) {
-    if (ghosts_) addGhosts();
+    if (ghosts_) addSolutions();
     addEllipsoids();
     if (frames_) addFrames();
     if (const std::optional<arm::JointAngles> at_rad = chosen_rad()) addChosen(*at_rad, camera);
@@ -137,17 +137,17 @@ void KinematicsPicture::addFrames() {
   }
 }
 
-void KinematicsPicture::addGhosts() {
+void KinematicsPicture::addSolutions() {
   // Solutions outside the limits first, so that a line shared with one inside is drawn solid.
   for (const bool within : {false, true}) {
     for (const arm::Solution& solution : solutions_) {
-      if (solution.within_limits == within) addGhost(solution);
+      if (solution.within_limits == within) addSolution(solution);
     }
   }
   addElbowNumbers();
 }
 
-void KinematicsPicture::addGhost(const arm::Solution& solution) {
+void KinematicsPicture::addSolution(const arm::Solution& solution) {
   const Figure at = figureOf(*model_, geometry_, solution.q_rad);
   const std::array<std::array<Vec3, 2>, 4> strokes{{{at.shoulder_mm, at.elbow_mm},
                                                     {at.elbow_mm, at.tip_mm},

@@ -44,13 +44,13 @@ class KinematicsPicture {
   std::vector<vtkActor*> marks() const { return {frame_actor_, mark_actor_}; }
   const std::vector<Label>& labels() const { return labels_; }
   std::vector<Vec3> extent_mm() const;
-  std::size_t ghostsDrawn() const { return ghosts_ ? solutions_.count : 0; }
+  std::size_t solutionsDrawn() const { return ghosts_ ? solutions_.count : 0; }
   std::optional<arm::JointAngles> chosen_rad() const;
 
  private:
   void addFrames();
-  void addGhosts();
-  void addGhost(const arm::Solution& solution);
+  void addSolutions();
+  void addSolution(const arm::Solution& solution);
   void addChosen(const arm::JointAngles& q_rad, const OrbitCamera& camera);
   void addEllipsoids();
   void addEllipsoid(const arm::Dexterity& dexterity, const Vec3& half_mm, const QColor& colour, const QString& letter);

@@ -142,7 +142,7 @@ void MeshPicture::present(const tick::TickReport& report) {
   std::vector<std::pair<std::size_t, Vec3>> touched;
   for (std::size_t index = 0; index < meshes_.size(); ++index) {
     if (meshes_[index].constraint >= report.held.size()) continue;
-    const tick::Held& held = report.held[meshes_[index].constraint];
+    const tick::ConstraintReport& held = report.held[meshes_[index].constraint];
     if (held.acts && held.status == target::Status::Unique && held.p_WP.allFinite())
       touched.emplace_back(index, held.p_WP);
   }

@@ -118,21 +118,21 @@ vtkSmartPointer<vtkActor> makeActor(vtkPolyData* data, Kind kind) {
   // Drawn with the opaque actors, in the order of addition: VTK's own handling of translucency uses a second
   // floating-point buffer and halves the frame rate of software GL.
   actor->ForceOpaqueOn();
-  vtkProperty& look = *actor->GetProperty();
-  look.SetInterpolationToGouraud();
+  vtkProperty& property = *actor->GetProperty();
+  property.SetInterpolationToGouraud();
   if (kind == Kind::Solid) {
-    look.SetAmbient(0.55);
-    look.SetDiffuse(0.5);
-    look.BackfaceCullingOn();
+    property.SetAmbient(0.55);
+    property.SetDiffuse(0.5);
+    property.BackfaceCullingOn();
   } else if (kind == Kind::Body) {
-    look.SetAmbient(0.45);
-    look.SetDiffuse(0.65);
+    property.SetAmbient(0.45);
+    property.SetDiffuse(0.65);
   } else if (kind == Kind::Tint) {
-    look.SetAmbient(0.7);
-    look.SetDiffuse(0.35);
-    look.SetOpacity(0.25);
+    property.SetAmbient(0.7);
+    property.SetDiffuse(0.35);
+    property.SetOpacity(0.25);
   } else {
-    look.LightingOff();
+    property.LightingOff();
   }
   return actor;
 }

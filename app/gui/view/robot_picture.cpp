@@ -27,8 +27,8 @@ Vec3 millimetresOf(const Vec3& p_W) {
 }
 
 /// The direction perpendicular to `axis` that is nearest to `wish`.
-Vec3 acrossTowards(const Vec3& axis, const Vec3& wish) {
-  const Vec3 across = wish - wish.dot(axis) * axis;
+Vec3 acrossTowards(const Vec3& axis, const Vec3& towards) {
+  const Vec3 across = towards - towards.dot(axis) * axis;
   return across.norm() > 1e-3 ? Vec3(across.normalized()) : axis.unitOrthogonal();
 }
 
@@ -65,10 +65,10 @@ void RobotPicture::setScene(const scene::Description& scene) {
   for (std::size_t index = 0; index < program.value().entries.size(); ++index) {
     const auto* made = std::get_if<manipulator::Manipulator>(&program.value().entries[index].constraint.goal);
     if (made == nullptr) continue;
-    Robot robot{index, *made, manipulator::allowed(*made, {}), Vec3::Zero()};
+    Robot robot{index, *made, manipulator::clampedToLimits(*made, {}), Vec3::Zero()};
     for (const Robot& old : before) {  // edited: it keeps its pose until the servo reports a new one
       const bool alike = old.manipulator.chain.joints.size() == made->chain.joints.size();
-      if (old.index == index && alike) robot.theta = manipulator::allowed(*made, old.theta);
+      if (old.index == index && alike) robot.theta = manipulator::clampedToLimits(*made, old.theta);
     }
     robots_.push_back(robot);
   }

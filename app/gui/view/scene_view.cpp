@@ -4,15 +4,15 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/gui/kit/spoken.h"
-#include "app/gui/kit/tight.h"
+#include "app/gui/kit/accessible_widgets.h"
+#include "app/gui/kit/tight_layout.h"
 #include "app/gui/view/scene_view_impl.h"
 #include "core/base/units.h"
 #include "core/scene/edit.h"
 
 namespace underact::gui {
 SceneView::SceneView(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(this)) {
-  speakAs(this, QAccessible::Canvas);
+  setAccessibleRole(this, QAccessible::Canvas);
   setObjectName(QStringLiteral("view.scene"));
   setAccessibleName(tr("3D view"));
   setAccessibleDescription(tr("The constraint, the stylus and the force on it. The arrow keys move the hand."));
@@ -75,14 +75,14 @@ void SceneView::showSecond(const scene::Description& scene) {
   }
   impl_->second->setScene(scene);
   impl_->actors_changed = true;
-  if (impl_->camera_is_mine) look(Camera::Fit);
+  if (impl_->camera_is_mine) moveCamera(Camera::Fit);
   impl_->surface->update();
 }
 
 void SceneView::placeSecond(const Pose& X_WS_mm) {
   if (!impl_->second) return;
   impl_->second->setPlace(X_WS_mm);
-  if (impl_->camera_is_mine) look(Camera::Fit);
+  if (impl_->camera_is_mine) moveCamera(Camera::Fit);
   impl_->surface->update();
 }
 
@@ -94,7 +94,7 @@ void SceneView::hideSecond() {
   if (!impl_->second) return;
   impl_->second.reset();
   impl_->actors_changed = true;
-  if (impl_->camera_is_mine) look(Camera::Fit);
+  if (impl_->camera_is_mine) moveCamera(Camera::Fit);
   impl_->surface->update();
 }
 
@@ -145,7 +145,7 @@ void SceneView::setLayers(const Layers& layers) {
   if (impl_->second) impl_->second->setLayers(layers);
   impl_->layers.section_mm = impl_->meshes.section_mm();
   impl_->turnToDesk();
-  if (more && impl_->camera_is_mine) look(Camera::Fit);  // the ghosts reach farther than the arm
+  if (more && impl_->camera_is_mine) moveCamera(Camera::Fit);  // the ghosts reach farther than the arm
   impl_->surface->update();
 }
 
@@ -160,19 +160,19 @@ void SceneView::chooseSolution(const std::optional<arm::Branch>& branch) {
   impl_->surface->update();
 }
 
-bool SceneView::ghostMoving() const {
+bool SceneView::solutionMoving() const {
   return impl_->ghost_way.state() == QAbstractAnimation::Running;
 }
 
-std::size_t SceneView::ghostsDrawn() const {
-  return impl_->kinematics.ghostsDrawn();
+std::size_t SceneView::solutionsDrawn() const {
+  return impl_->kinematics.solutionsDrawn();
 }
 
 std::size_t SceneView::robotsDrawn() const {
   return impl_->robots.robotsDrawn();
 }
 
-std::optional<arm::JointAngles> SceneView::chosenGhost_rad() const {
+std::optional<arm::JointAngles> SceneView::chosenSolution_rad() const {
   return impl_->kinematics.chosen_rad();
 }
 
@@ -180,7 +180,7 @@ const Layers& SceneView::layers() const {
   return impl_->layers;
 }
 
-void SceneView::look(Camera camera) {
+void SceneView::moveCamera(Camera camera) {
   OrbitCamera wanted = impl_->wanted();
   const auto from = [&wanted](double azimuth_deg, double elevation_deg) {
     wanted.azimuth_rad = azimuth_deg * kRadPerDegree;
@@ -311,11 +311,11 @@ double SceneView::gaugeScale() const {
 
 void SceneView::setHandAvailable(bool available) {
   impl_->hand_available = available;
-  impl_->grip.forget();
+  impl_->grip.reset();
 }
 
-void SceneView::setHandWish(const sim::HandWish& wish) {
-  impl_->grip.set(wish);
+void SceneView::setHandSetpoint(const sim::HandSetpoint& setpoint) {
+  impl_->grip.set(setpoint);
 }
 
 QImage SceneView::picture() {

@@ -52,19 +52,19 @@ class SceneView : public QWidget {
   void setTheme(const Theme& theme);
   void setLayers(const Layers& layers);
   const Layers& layers() const;
-  void look(Camera camera);  // takes 0.2 s; Fit keeps the direction
-  bool moving() const;       // a look() is in progress
+  void moveCamera(Camera camera);  // takes 0.2 s; Fit keeps the direction
+  bool moving() const;             // a moveCamera() is in progress
   Viewpoint viewpoint() const;
   /// At once, without animation.
   void setViewpoint(const Viewpoint& viewpoint);
   /// The highlighted inverse solution, whatever the layers are; none: no solution. A ghost of the arm moves there from
   /// the current configuration in 0.8 s, each time this is called, and stays.
   void chooseSolution(const std::optional<arm::Branch>& branch);
-  bool ghostMoving() const;  // it is moving
+  bool solutionMoving() const;  // it is moving
   /// How many inverse solutions are drawn, and the joints of the highlighted one.
-  std::size_t ghostsDrawn() const;
+  std::size_t solutionsDrawn() const;
   std::size_t robotsDrawn() const;
-  std::optional<arm::JointAngles> chosenGhost_rad() const;
+  std::optional<arm::JointAngles> chosenSolution_rad() const;
   /// What a panel draws beside the scene; replaces what it drew before; empty: nothing.
   void draw(const QString& owner, const Drawing& drawing);
   std::size_t framesInDrawings() const;
@@ -89,18 +89,18 @@ class SceneView : public QWidget {
   void showWords(bool on);
   /// Where the stylus is drawn, tip and body, in logical pixels; empty: it is not known yet.
   QRectF stylusOnScreen() const;
-  /// Whether a hand can be grabbed (simulated arm); the pointer shows it. A drag starts from the last wish emitted by
-  /// the view, or from the tip if there was none since this call.
+  /// Whether a hand can be grabbed (simulated arm); the pointer shows it. A drag starts from the last setpoint emitted
+  /// by the view, or from the tip if there was none since this call.
   void setHandAvailable(bool available);
   /// The hand was moved by another source (a script, a game controller): drags start from here.
-  void setHandWish(const sim::HandWish& wish);
+  void setHandSetpoint(const sim::HandSetpoint& setpoint);
 
   /// What a drag, the wheel or an arrow key did to the hand. Arrows move 2 mm (Shift 10 mm) in the view's own plane,
   /// Page Up / Down in depth; Ctrl with arrows turns the stylus. Emitted from mouse and key events in the view.
  signals:
   void handGrabbed();  // by the mouse, or the first key
-  void handMoved(const underact::sim::HandWish& wish);
-  void handReleased();          // nobody moves it any more; it stays at the last wish
+  void handMoved(const underact::sim::HandSetpoint& setpoint);
+  void handReleased();          // nobody moves it any more; it stays at the last setpoint
   void drawn(double frame_ms);  // after each picture: the time it took to draw
 
  public:

@@ -75,7 +75,7 @@ void SceneView::Impl::take() {
   emit view->handGrabbed();
 }
 
-void SceneView::Impl::letGoOfKeys() {
+void SceneView::Impl::releaseKeys() {
   if (held_by_keys.isEmpty()) return;
   held_by_keys.clear();
   if (!held_by_mouse) emit view->handReleased();
@@ -121,7 +121,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
       } else {
         my.grip.drag(my.camera, my.size(), my.hand.X_WT().translation(), way);
       }
-      emit handMoved(my.grip.wish());
+      emit handMoved(my.grip.setpoint());
   }
 }
 
@@ -137,7 +137,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || impl_->overStylus(event->position())) return mousePressEvent(event);
-  look(Camera::Fit);
+  moveCamera(Camera::Fit);
 }
 
 void SceneView::wheelEvent(QWheelEvent* event) {
@@ -147,7 +147,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
   if (notches == 0.0) return;
   if (my.drag == Drag::Hand) {
     my.grip.deepen(my.camera, kWheelDepth_m * notches);
-    emit handMoved(my.grip.wish());
+    emit handMoved(my.grip.setpoint());
   } else {
     my.cameraByHand(zoomed(my.camera, my.size(), event->position(), std::pow(0.87, notches)));
   }
@@ -173,7 +173,7 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
   } else {
     my.grip.step(my.camera, way, modifiers.testFlag(Qt::ShiftModifier) ? kBigStep_m : kStep_m);
   }
-  emit handMoved(my.grip.wish());
+  emit handMoved(my.grip.setpoint());
 }
 
 void SceneView::keyReleaseEvent(QKeyEvent* event) {
@@ -188,7 +188,7 @@ void SceneView::focusInEvent(QFocusEvent* event) {
 
 void SceneView::focusOutEvent(QFocusEvent* event) {
   QWidget::focusOutEvent(event);
-  impl_->letGoOfKeys();
+  impl_->releaseKeys();
   impl_->surface->update();
 }
 

@@ -14,7 +14,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kLook_ms = 200, kGhost_ms = 800;
+constexpr int kPoll_ms = 200, kGhost_ms = 800;
 const QMarginsF kRoom_px(52.0, 60.0, 52.0, 44.0);  // the hint is at the top
 
 /// From the front, a little from the right and above: so that the sphere, the stylus and the arm behind it do not
@@ -37,7 +37,7 @@ SceneView::Impl::Impl(SceneView* owner) : view(owner), camera(firstLook()) {
   key->SetFocalPoint(0.0, 0.0, 0.0);
   surface->renderer().SetAutomaticLightCreation(false);
   surface->renderer().AddLight(key);
-  movement.setDuration(kLook_ms);
+  movement.setDuration(kPoll_ms);
   movement.setStartValue(0.0);
   movement.setEndValue(1.0);
   movement.setEasingCurve(QEasingCurve::InOutCubic);

@@ -45,7 +45,7 @@ struct SceneView::Impl {
   bool overStylus(const QPointF& pointer) const;
   void showPointer(const QPointF& pointer);
   void take();
-  void letGoOfKeys();
+  void releaseKeys();
 
   SceneView* view;
   GlSurface* surface = nullptr;

@@ -16,12 +16,13 @@ bool looksAlike(const servo::Snapshot& one, const servo::Snapshot& other) {
   const tick::TickReport &a = one.report, &b = other.report;
   if (one.mode != other.mode || a.fault.kind != b.fault.kind || (a.cut_N > 0.0) != (b.cut_N > 0.0)) return false;
   if (a.sample.q_rad != b.sample.q_rad || a.force.f_T_W() != b.force.f_T_W()) return false;
-  return std::equal(
-      a.held.begin(), a.held.end(), b.held.begin(), b.held.end(), [](const tick::Held& x, const tick::Held& y) {
-        return x.acts == y.acts && x.status == y.status && x.p_WP == y.p_WP && x.arc.turn_rad == y.arc.turn_rad &&
-               x.arc.share == y.arc.share && x.robot.joints == y.robot.joints && x.robot.theta == y.robot.theta &&
-               x.robot.moment_W == y.robot.moment_W;
-      });
+  return std::equal(a.held.begin(), a.held.end(), b.held.begin(), b.held.end(),
+                    [](const tick::ConstraintReport& x, const tick::ConstraintReport& y) {
+                      return x.acts == y.acts && x.status == y.status && x.p_WP == y.p_WP &&
+                             x.arc.turn_rad == y.arc.turn_rad && x.arc.share == y.arc.share &&
+                             x.robot.joints == y.robot.joints && x.robot.theta == y.robot.theta &&
+                             x.robot.moment_W == y.robot.moment_W;
+                    });
 }
 
 SecondWorld::SecondWorld() : assembly_(vtkSmartPointer<vtkAssembly>::New()) {}

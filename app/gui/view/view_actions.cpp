@@ -35,7 +35,7 @@ void addCameras(Actions& actions, SceneView& view) {
   for (const Row& row : rows) {
     actions.add({row.name, tr(row.text), QKeySequence(row.shortcut), tr(row.tip), row.icon, tr(row.button)},
                 [&view, camera = row.camera](const QVariantList&) {
-                  view.look(camera);
+                  view.moveCamera(camera);
                   return true;
                 });
   }

@@ -10,8 +10,8 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/model/scene_library.h"
 
 namespace underact::gui {
@@ -28,22 +28,22 @@ QSpinBox* number(const char* name, const QString& spoken, int least, int most, i
 
 }  // namespace
 
-DemonstratorPanel::DemonstratorPanel(const VisitorWishes& wishes, QWidget* window)
+DemonstratorPanel::DemonstratorPanel(const VisitorSettings& visitor_settings, QWidget* window)
     : QDialog(window),
       scenes_(new QListWidget(this)),
-      dwell_(number("demonstrator.dwell", tr("Seconds per scene"), kShortestDwell_s, kLongestDwell_s, wishes.dwell_s,
-                    this)),
+      dwell_(number("demonstrator.dwell", tr("Seconds per scene"), kShortestDwell_s, kLongestDwell_s,
+                    visitor_settings.dwell_s, this)),
       force_(number("demonstrator.force", tr("Maximum force, percent of the arm's continuous force"),
-                    kLeastForce_percent, kMostForce_percent, wishes.force_percent, this)),
-      told_(toldLabel("demonstrator.told", tr("Note"), "amber", this)) {
+                    kLeastForce_percent, kMostForce_percent, visitor_settings.force_percent, this)),
+      told_(messageLabel("demonstrator.told", tr("Note"), "amber", this)) {
   setObjectName("demonstrator");
   setWindowTitle(tr("Demonstrator"));
   setAttribute(Qt::WA_DeleteOnClose);
   nameWidget(scenes_, "demonstrator.scenes", tr("Scenes for visitors"));
   scenes_->setProperty("role", "ticks");
-  for (const QString& path : wishes.scenes) addScene(path, true);
+  for (const QString& path : visitor_settings.scenes) addScene(path, true);
   for (const SceneEntry& entry : shippedScenes()) {
-    if (!wishes.scenes.contains(entry.path)) addScene(entry.path, false);
+    if (!visitor_settings.scenes.contains(entry.path)) addScene(entry.path, false);
   }
   dwell_->setSuffix(tr(" s"));
   dwell_->setSingleStep(10);
@@ -80,19 +80,19 @@ void DemonstratorPanel::addScene(const QString& path, bool is_chosen) {
   item->setCheckState(is_chosen ? Qt::Checked : Qt::Unchecked);
 }
 
-VisitorWishes DemonstratorPanel::wishes() const {
-  VisitorWishes wishes;
-  wishes.dwell_s = dwell_->value();
-  wishes.force_percent = force_->value();
+VisitorSettings DemonstratorPanel::visitorSettings() const {
+  VisitorSettings visitor_settings;
+  visitor_settings.dwell_s = dwell_->value();
+  visitor_settings.force_percent = force_->value();
   for (int row = 0; row < scenes_->count(); ++row) {
     const QListWidgetItem* item = scenes_->item(row);
-    if (item->checkState() == Qt::Checked) wishes.scenes << item->data(Qt::UserRole).toString();
+    if (item->checkState() == Qt::Checked) visitor_settings.scenes << item->data(Qt::UserRole).toString();
   }
-  return wishes;
+  return visitor_settings;
 }
 
 void DemonstratorPanel::tell(const QString& sentence) {
-  tellIn(told_, sentence);
+  showMessage(told_, sentence);
 }
 
 }  // namespace underact::gui

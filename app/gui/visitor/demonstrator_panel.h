@@ -1,7 +1,7 @@
 #pragma once
 #include <QDialog>
 
-#include "app/gui/visitor/visitor_wishes.h"
+#include "app/gui/visitor/visitor_settings.h"
 
 class QLabel;
 class QListWidget;
@@ -13,8 +13,8 @@ namespace underact::gui {
 class DemonstratorPanel : public QDialog {
   Q_OBJECT
  public:
-  DemonstratorPanel(const VisitorWishes& wishes, QWidget* window);
-  VisitorWishes wishes() const;
+  DemonstratorPanel(const VisitorSettings& visitor_settings, QWidget* window);
+  VisitorSettings visitorSettings() const;
   /// Tells the demonstrator, for example, which files cannot be shown.
   void tell(const QString& sentence);
 

@@ -5,8 +5,8 @@
 namespace underact::gui {
 namespace {
 
-void makeVisitor(const FeatureParts& parts, Followers& followers) {
-  followers.push_back(new VisitorMode(parts));
+void makeVisitor(const FeatureParts& parts, ServoListeners& listeners) {
+  listeners.push_back(new VisitorMode(parts));
 }
 
 }  // namespace

@@ -13,12 +13,12 @@
 namespace underact::gui {
 namespace {
 
-bool load(const QString& path, bool left_handed, const Watch& watch, ShownScene& into) {
+bool load(const QString& path, bool left_handed, const TaskMonitor& monitor, ShownScene& into) {
   Result<scene::Description> read = scene::readSceneFile(path.toStdString());
-  if (!read || !scene::loadMeshes(read.value(), watch).empty() || !scene::compile(read.value())) return false;
+  if (!read || !scene::loadMeshes(read.value(), monitor).empty() || !scene::compile(read.value())) return false;
   into.scene = left_handed ? scene::mirrored(std::move(read).value()) : std::move(read).value();
-  into.curves = madeCurves(into.scene, watch);
-  makeDrawnMeshes(into.scene, watch);
+  into.curves = madeCurves(into.scene, monitor);
+  makeDrawnMeshes(into.scene, monitor);
   const scene::Teaching teaching = translated(scene::teachingOf(path.toStdString()).value_or(scene::Teaching{}));
   into.title = sceneText(into.scene.title);
   into.feel = teaching.feel.empty() ? sceneText(into.scene.about) : QString::fromStdString(teaching.feel);
@@ -28,12 +28,12 @@ bool load(const QString& path, bool left_handed, const Watch& watch, ShownScene&
 
 }  // namespace
 
-ShownScenes loadShownScenes(const QStringList& paths, bool left_handed, const Watch& watch) {
+ShownScenes loadShownScenes(const QStringList& paths, bool left_handed, const TaskMonitor& monitor) {
   ShownScenes loaded;
   for (const QString& path : paths) {
-    if (watch.isCancelled()) break;
+    if (monitor.isCancelled()) break;
     ShownScene one;
-    if (load(QFileInfo(path).absoluteFilePath(), left_handed, watch, one))
+    if (load(QFileInfo(path).absoluteFilePath(), left_handed, monitor, one))
       loaded.scenes.push_back(std::move(one));
     else
       loaded.refused << QFileInfo(path).fileName();

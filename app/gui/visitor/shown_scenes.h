@@ -3,7 +3,7 @@
 #include <QStringList>
 #include <vector>
 
-#include "core/base/watch.h"
+#include "core/base/task_monitor.h"
 #include "core/scene/description.h"
 #include "core/scene/teaching.h"
 #include "core/target/curve_target.h"
@@ -23,6 +23,6 @@ struct ShownScenes {
 };
 
 /// Reads and loads all of them. Takes a while, so do not call it in the window's thread. left_handed: mirrored.
-ShownScenes loadShownScenes(const QStringList& paths, bool left_handed, const Watch& watch);
+ShownScenes loadShownScenes(const QStringList& paths, bool left_handed, const TaskMonitor& monitor);
 
 }  // namespace underact::gui

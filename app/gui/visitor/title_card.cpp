@@ -5,8 +5,8 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/told_label.h"
 
 namespace underact::gui {
 namespace {
@@ -25,10 +25,10 @@ void setType(QWidget* widget, double px, bool bold = false) {
 
 TitleCard::TitleCard(QWidget* parent)
     : QFrame(parent),
-      title_(toldLabel("visitor.title", tr("Scene"), "", this)),
-      feel_(toldLabel("visitor.feel", tr("What to feel"), "", this)),
-      try_(toldLabel("visitor.try", tr("What to try"), "", this)),
-      trouble_(toldLabel("visitor.trouble", tr("Problem"), "alarm", this)),
+      title_(messageLabel("visitor.title", tr("Scene"), "", this)),
+      feel_(messageLabel("visitor.feel", tr("What to feel"), "", this)),
+      try_(messageLabel("visitor.try", tr("What to try"), "", this)),
+      trouble_(messageLabel("visitor.trouble", tr("Problem"), "alarm", this)),
       next_(pushButton("visitor.next", tr("Next"), tr("Shows the next scene."), this)),
       start_(pushButton("visitor.go", tr("Start"), tr("Turns the force on. Esc turns it off."), this)) {
   setObjectName("visitor");
@@ -61,7 +61,7 @@ void TitleCard::setScene(const QString& title, const QString& feel, const QStrin
 
 void TitleCard::setState(bool can_start, const QString& trouble) {
   start_->setVisible(can_start);
-  tellIn(trouble_, trouble);
+  showMessage(trouble_, trouble);
   try_->setVisible(trouble.isEmpty());  // the problem is shown instead
 }
 

@@ -38,11 +38,11 @@ struct VisitorMode::Before {
   Layers layers;
   Viewpoint viewpoint;
   bool was_running;
-  std::optional<sim::HandWish> hand;
+  std::optional<sim::HandSetpoint> hand;
 };
 
 VisitorMode::VisitorMode(const FeatureParts& parts)
-    : QObject(parts.window), parts_(parts), card_(new TitleCard(parts.middle.parentWidget())), dress_(parts.window) {
+    : QObject(parts.window), parts_(parts), card_(new TitleCard(parts.middle.parentWidget())), chrome_(parts.window) {
   parts.middle.addWidget(card_);
   parts_.actions.add(
       {named("start"), tr("&Visitor mode"), QKeySequence("Ctrl+Alt+Shift+S"),
@@ -62,26 +62,26 @@ VisitorMode::VisitorMode(const FeatureParts& parts)
   });
   connect(card_, &TitleCard::startAsked, this, [this] {
     pressed_ = true;
-    letPush();
+    allowForce();
   });
 }
 
 VisitorMode::~VisitorMode() = default;
 
-Problems VisitorMode::whyNotNow() const {
+Problems VisitorMode::refusalNow() const {
   Problems problems;
   const auto no = [&problems](const QString& sentence) { problems.push_back({sentence.toStdString(), {}}); };
   if (parts_.document.isTryingOut()) no(tr("A measurement is using a scene of its own. End it first."));
-  for (const QString& busy : parts_.why_busy()) no(busy);
+  for (const QString& busy : parts_.busy_reason()) no(busy);
   return problems;
 }
 
 bool VisitorMode::start(const QStringList& scenes) {
   if (isOn()) return false;
-  Problems problems = whyNotNow();
-  wishes_ = readVisitorWishes();
-  if (!scenes.isEmpty()) wishes_.scenes = scenes;
-  if (problems.empty()) problems = parts_.control.setForceShare(0.01 * wishes_.force_percent);
+  Problems problems = refusalNow();
+  visitor_settings_ = readVisitorSettings();
+  if (!scenes.isEmpty()) visitor_settings_.scenes = scenes;
+  if (problems.empty()) problems = parts_.control.setForceShare(0.01 * visitor_settings_.force_percent);
   if (!problems.empty()) {
     showProblemsBox("dialog.no_visitors", tr("Visitor mode"), tr("Visitor mode was not started."), problems,
                     parts_.window);
@@ -95,22 +95,22 @@ bool VisitorMode::start(const QStringList& scenes) {
                                             parts_.view.viewpoint(),
                                             parts_.servo.running(),
                                             {}});
-  if (parts_.hand.arm() != nullptr) before_->hand = parts_.hand.arm()->wished();
+  if (parts_.hand.arm() != nullptr) before_->hand = parts_.hand.arm()->setpoint();
   carousel_ = {};
-  carousel_.setDwell(wishes_.dwell_s);
+  carousel_.setDwell(visitor_settings_.dwell_s);
   lock();
-  undress();
-  load(wishes_.scenes);
+  restoreWindow();
+  load(visitor_settings_.scenes);
   return true;
 }
 
 /// Leaves only the view and the card, full screen.
-void VisitorMode::undress() {
+void VisitorMode::restoreWindow() {
   for (QWidget* other : QApplication::topLevelWidgets()) {
     const bool is_docked = other == parts_.window || qobject_cast<QDockWidget*>(other) != nullptr;
     if (!is_docked && other->isVisible()) other->close();
   }
-  dress_.takeOff(WindowDress::Keep::Nothing);
+  chrome_.hideChrome(WindowChrome::Keep::Nothing);
   parts_.window->setContextMenuPolicy(Qt::PreventContextMenu);
   parts_.window->setWindowState(parts_.window->windowState() | Qt::WindowFullScreen);
   parts_.view.setLayers({});
@@ -142,7 +142,7 @@ void VisitorMode::leave() {
   parts_.window->setContextMenuPolicy(before_->context_menus);
   parts_.window->setWindowState(before_->state);
   parts_.window->setGeometry(before_->geometry);
-  dress_.putOn();
+  chrome_.showChrome();
   parts_.view.setViewpoint(before_->viewpoint);
   before_.reset();
 }
@@ -206,7 +206,7 @@ bool VisitorMode::mayClose() const {
   return !isOn() || qApp->isSavingSession();
 }
 
-void VisitorMode::look(const servo::Snapshot&) {
+void VisitorMode::poll(const servo::Snapshot&) {
   if (!isOn()) return;
   const servo::Snapshot snapshot = parts_.servo.snapshot();  // another scene may have taken effect since
   takeLoaded();
@@ -233,7 +233,7 @@ void VisitorMode::tellState(const servo::Snapshot& snapshot) {
 }
 
 /// The force returns only on request. An arm that its driver has lost is reopened first.
-void VisitorMode::letPush() {
+void VisitorMode::allowForce() {
   trouble_.clear();
   if (!parts_.servo.trouble().empty()) {
     const Problems problems = parts_.control.restart();
@@ -248,8 +248,8 @@ void VisitorMode::letPush() {
 void VisitorMode::showPanel() {
   if (!isOn()) return;
   if (panel_ == nullptr) {
-    panel_ = new DemonstratorPanel(wishes_, parts_.window);
-    connect(panel_, &DemonstratorPanel::changed, this, [this] { setWishes(panel_->wishes()); });
+    panel_ = new DemonstratorPanel(visitor_settings_, parts_.window);
+    connect(panel_, &DemonstratorPanel::changed, this, [this] { setVisitorSettings(panel_->visitorSettings()); });
     connect(panel_, &DemonstratorPanel::stopAsked, this, [this] { parts_.actions.perform("session.stop"); });
     connect(panel_, &DemonstratorPanel::leaveAsked, this, &VisitorMode::leave, Qt::QueuedConnection);
   }
@@ -258,16 +258,16 @@ void VisitorMode::showPanel() {
   panel_->activateWindow();
 }
 
-void VisitorMode::setWishes(const VisitorWishes& wishes) {
-  const bool others = wishes.scenes != wishes_.scenes;
-  wishes_ = wishes;
-  writeVisitorWishes(wishes_);
-  carousel_.setDwell(wishes_.dwell_s);
-  static_cast<void>(parts_.control.setForceShare(0.01 * wishes_.force_percent));
-  if (wishes_.scenes.isEmpty())
+void VisitorMode::setVisitorSettings(const VisitorSettings& visitor_settings) {
+  const bool others = visitor_settings.scenes != visitor_settings_.scenes;
+  visitor_settings_ = visitor_settings;
+  writeVisitorSettings(visitor_settings_);
+  carousel_.setDwell(visitor_settings_.dwell_s);
+  static_cast<void>(parts_.control.setForceShare(0.01 * visitor_settings_.force_percent));
+  if (visitor_settings_.scenes.isEmpty())
     panel_->tell(tr("No scene is selected; the previous ones stay."));
   else if (others)
-    load(wishes_.scenes);
+    load(visitor_settings_.scenes);
 }
 
 }  // namespace underact::gui

@@ -10,11 +10,11 @@
 
 #include "app/gui/feature/feature.h"
 #include "app/gui/kit/background.h"
-#include "app/gui/kit/window_dress.h"
+#include "app/gui/kit/window_chrome.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/visitor/carousel.h"
 #include "app/gui/visitor/shown_scenes.h"
-#include "app/gui/visitor/visitor_wishes.h"
+#include "app/gui/visitor/visitor_settings.h"
 #include "core/servo/host.h"
 
 namespace underact::gui {
@@ -25,14 +25,14 @@ class TitleCard;
 /// The window for visitors who are alone with the arm: the view, a title card, scenes in turn and reduced force. All
 /// else can be reached only by the demonstrator's key. The card reports a fault; Start turns the force on again. At the
 /// end everything is restored.
-class VisitorMode : public QObject, public Follower {
+class VisitorMode : public QObject, public ServoListener {
   Q_OBJECT
  public:
   explicit VisitorMode(const FeatureParts& parts);
   ~VisitorMode() override;
 
-  bool isOn() const { return dress_.isOff(); }
-  void look(const servo::Snapshot& snapshot) override;
+  bool isOn() const { return chrome_.isOff(); }
+  void poll(const servo::Snapshot& snapshot) override;
   bool mayClose() const override;
   void leave() override;
   /// The index of the scene shown, from 0, and the scenes.
@@ -42,24 +42,24 @@ class VisitorMode : public QObject, public Follower {
  private:
   struct Before;
   bool start(const QStringList& scenes);
-  Problems whyNotNow() const;
-  void undress();
+  Problems refusalNow() const;
+  void restoreWindow();
   void lock();
   void load(const QStringList& paths);
   void takeLoaded();
   void show(std::size_t index);
   void reset();
-  void letPush();
-  void setWishes(const VisitorWishes& wishes);
+  void allowForce();
+  void setVisitorSettings(const VisitorSettings& visitor_settings);
   void showPanel();
   bool isTouched(const servo::Snapshot& snapshot, double time_s);
   void tellState(const servo::Snapshot& snapshot);
 
   FeatureParts parts_;
   TitleCard* card_;
-  WindowDress dress_;
+  WindowChrome chrome_;
   std::unique_ptr<Before> before_;
-  VisitorWishes wishes_;
+  VisitorSettings visitor_settings_;
   QPointer<DemonstratorPanel> panel_;
   std::unique_ptr<Background<ShownScenes>> load_;
   std::vector<ShownScene> scenes_;

@@ -6,9 +6,9 @@
 namespace underact::gui {
 namespace {
 
-void makeWelcome(const FeatureParts& parts, Followers& followers) {
-  followers.push_back(new Welcome(parts));
-  followers.push_back(new Tour(parts));
+void makeWelcome(const FeatureParts& parts, ServoListeners& listeners) {
+  listeners.push_back(new Welcome(parts));
+  listeners.push_back(new Tour(parts));
 }
 
 }  // namespace

@@ -12,9 +12,9 @@
 #include <array>
 
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/push_button.h"
 #include "app/gui/kit/stop_key.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/welcome/spotlight.h"
 
@@ -96,8 +96,8 @@ Tour::Tour(const FeatureParts& parts)
 void Tour::build() {
   title_ = sectionTitle({}, this);
   title_->setObjectName("tour.title");
-  text_ = toldLabel("tour.text", tr("What it is for"), "", this);
-  count_ = toldLabel("tour.count", tr("Stop of the tour"), "quiet", this);
+  text_ = messageLabel("tour.text", tr("What it is for"), "", this);
+  count_ = messageLabel("tour.count", tr("Stop of the tour"), "quiet", this);
   count_->setWordWrap(false);
   back_ = pushButton("tour.back", tr("Back"), tr("Goes to the previous stop."), this);
   next_ = pushButton("tour.next", tr("Next"), tr("Goes to the next stop, as does Enter."), this);

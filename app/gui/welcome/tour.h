@@ -15,7 +15,7 @@ class Spotlight;
 
 /// A tour of the window: at each stop a frame marks a part of the window, and a card explains it. Enter continues; Esc
 /// (which stops the servo, as always) and Close leave the tour at any stop and restore the panels.
-class Tour : public QFrame, public Follower {
+class Tour : public QFrame, public ServoListener {
   Q_OBJECT
  public:
   explicit Tour(const FeatureParts& parts);

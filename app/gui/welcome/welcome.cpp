@@ -11,8 +11,8 @@
 #include <cmath>
 
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/servo_rate.h"
@@ -71,7 +71,7 @@ Welcome::Welcome(const FeatureParts& parts)
       actions_(parts.actions),
       rate_(parts.rate),
       slider_(new Spotlight("welcome.frame", parts.window)),
-      confirmed_(toldLabel("welcome.confirmed", tr("What you just did"), "", this)),
+      confirmed_(messageLabel("welcome.confirmed", tr("What you just did"), "", this)),
       was_seen_(parts.settings.has_pushed),
       is_asked_(!was_seen_) {
   setObjectName("welcome");
@@ -99,7 +99,7 @@ void Welcome::build(Actions& actions) {
   const char* const names[] = {"welcome.push", "welcome.slider", "welcome.turn"};
   for (int thing = 0; thing < kThings; ++thing) {
     QLabel*& row = rows_[static_cast<std::size_t>(thing)];
-    row = toldLabel(names[thing], tr("To try"), "", this);
+    row = messageLabel(names[thing], tr("To try"), "", this);
     column->addWidget(row);
   }
   column->addWidget(confirmed_);

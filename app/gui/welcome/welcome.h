@@ -17,7 +17,7 @@ class Spotlight;
 
 /// The first minute: a card over the view with three things to try. Each is ticked off when done; the card disappears a
 /// little later and comes back only on request. It keeps clear of the stylus.
-class Welcome : public QFrame, public Follower {
+class Welcome : public QFrame, public ServoListener {
   Q_OBJECT
  public:
   explicit Welcome(const FeatureParts& parts);

@@ -7,7 +7,7 @@
 #include <QMainWindow>
 
 #include "app/gui/kit/actions.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
 
 namespace underact::gui {
 namespace {

@@ -13,9 +13,9 @@
 #include "app/gui/feature/status_line.h"
 #include "app/gui/files/scene_files.h"
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/deferred_style_sheet.h"
 #include "app/gui/kit/frame_pacer.h"
 #include "app/gui/kit/icons.h"
-#include "app/gui/kit/late_sheets.h"
 #include "app/gui/kit/style.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/data_words.h"
@@ -28,27 +28,27 @@ namespace underact::gui {
 
 /// Also for a window that was never closed: features end while everything they restore still exists.
 MainWindow::~MainWindow() {
-  for (Follower* follower : followers_) follower->finish();
+  for (ServoListener* listener : listeners_) listener->finish();
 }
 
 void MainWindow::frame() {
-  services_.player->look();
-  for (Follower* follower : followers_) follower->before();
+  services_.player->poll();
+  for (ServoListener* listener : listeners_) listener->before();
   const servo::Snapshot snapshot = given_.host.snapshot();
   given_.host.drain([this](const servo::TickRecord& record) {
     services_.player->add(record);
-    for (Follower* follower : followers_) follower->add(record);
+    for (ServoListener* listener : listeners_) listener->add(record);
   });
-  services_.second->look();
+  services_.second->poll();
   if (pacer_->isSeen()) {
     if (snapshot.ticks > 0) services_.view->present(snapshot);  // before the first tick the stylus position is unknown
     services_.hand->present(snapshot);
     services_.status->present(snapshot);
-    for (Follower* follower : followers_) follower->present(snapshot);
+    for (ServoListener* listener : listeners_) listener->present(snapshot);
     services_.presentForceLimit();
     presentMode(snapshot);
   }
-  for (Follower* follower : followers_) follower->look(snapshot);
+  for (ServoListener* listener : listeners_) listener->poll(snapshot);
 }
 
 void MainWindow::presentMode(const servo::Snapshot& snapshot) {
@@ -86,13 +86,13 @@ void MainWindow::setTheme(const Theme& theme) {
   services_.actions->setIcons([&theme](const QString& name) { return icon(name, theme); });
   setWindowIcon(icon("underact", theme));
   services_.view->setTheme(theme);
-  for (Follower* follower : followers_) follower->setTheme(theme);
+  for (ServoListener* listener : listeners_) listener->setTheme(theme);
 }
 
-QStringList MainWindow::whyBusy() const {
+QStringList MainWindow::busyReason() const {
   QStringList sentences;
-  for (const Follower* follower : followers_) {
-    if (const QString busy = follower->whyBusy(); !busy.isEmpty()) sentences << busy;
+  for (const ServoListener* listener : listeners_) {
+    if (const QString busy = listener->busyReason(); !busy.isEmpty()) sentences << busy;
   }
   return sentences;
 }
@@ -123,12 +123,12 @@ void MainWindow::showEvent(QShowEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  for (const Follower* follower : followers_) {
-    if (!follower->mayClose()) return event->ignore();
+  for (const ServoListener* listener : listeners_) {
+    if (!listener->mayClose()) return event->ignore();
   }
-  for (Follower* follower : followers_) follower->leave();
+  for (ServoListener* listener : listeners_) listener->leave();
   if (!services_.files->settleEdits()) return event->ignore();
-  for (Follower* follower : followers_) follower->finish();
+  for (ServoListener* listener : listeners_) listener->finish();
   services_.player->close();
   if (!services_.files->settleEdits()) return event->ignore();  // edits from before the replay
   given_.host.stop();

@@ -10,7 +10,7 @@ namespace underact::gui {
 
 class Docks;
 class FramePacer;
-class LateSheets;
+class DeferredStyleSheet;
 
 /// The window: the view in the middle and the features around it. Each frame it hands the servo's newest snapshot to
 /// all of them.
@@ -41,7 +41,7 @@ class MainWindow : public QMainWindow {
   void sceneOpened();
   void updateTitle();
   void setTheme(const Theme& theme);
-  QStringList whyBusy() const;
+  QStringList busyReason() const;
   void restore();
   void remember();
 
@@ -51,9 +51,9 @@ class MainWindow : public QMainWindow {
   Settings settings_;
   Services services_;
   FramePacer* pacer_;
-  LateSheets* sheets_;
+  DeferredStyleSheet* sheets_;
   std::unique_ptr<Docks> docks_;
-  Followers followers_;
+  ServoListeners listeners_;
   bool arranged_ = false;
   QString fault_;  // the sentence announced last
 };

@@ -4,8 +4,8 @@
 #include <QVBoxLayout>
 
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/deferred_style_sheet.h"
 #include "app/gui/kit/frame_pacer.h"
-#include "app/gui/kit/late_sheets.h"
 #include "app/gui/kit/problems_dialog.h"
 #include "app/gui/kit/stop_key.h"
 #include "app/gui/kit/tab_order.h"
@@ -29,7 +29,7 @@ MainWindow::MainWindow(const WindowParts& given, std::vector<FeatureRow> rows)
       settings_(readSettings()),
       services_(given, settings_, this),
       pacer_(new FramePacer(this)),
-      sheets_(new LateSheets(this)) {
+      sheets_(new DeferredStyleSheet(this)) {
   setObjectName("window");
   setAcceptDrops(true);
   setDockNestingEnabled(true);
@@ -52,16 +52,16 @@ MainWindow::MainWindow(const WindowParts& given, std::vector<FeatureRow> rows)
 }
 
 void MainWindow::buildFeatures() {
-  const FeatureParts parts = services_.parts(given_, settings_, pages_, [this] { return whyBusy(); });
+  const FeatureParts parts = services_.parts(given_, settings_, pages_, [this] { return busyReason(); });
   addWindowActions(parts, rows_, [this] { docks_->arrange(); });
   addViewActions(actions(), view(), given_.theme);
-  Followers tools;
+  ServoListeners tools;
   for (const FeatureRow& row : rows_) {
     if (row.make != nullptr) row.make(parts, tools);
   }
   docks_ = std::make_unique<Docks>(rows_, parts);
-  followers_.assign(docks_->panels().begin(), docks_->panels().end());
-  followers_.insert(followers_.end(), tools.begin(), tools.end());
+  listeners_.assign(docks_->panels().begin(), docks_->panels().end());
+  listeners_.insert(listeners_.end(), tools.begin(), tools.end());
   buildMenus(this, actions(), parts.recent);
   buildToolBar(this, actions());
   // From left to right and top to bottom: tool bar, the first panel, the view and its strips, then the other panels.
@@ -89,7 +89,7 @@ void MainWindow::restore() {
 }
 
 void MainWindow::remember() {
-  for (Follower* follower : followers_) follower->remember(settings_);
+  for (ServoListener* listener : listeners_) listener->remember(settings_);
   services_.remember(settings_);
   settings_.geometry = saveGeometry();
   settings_.layout = saveState(kLayoutVersion);

@@ -12,7 +12,7 @@
 
 #include "app/gui/feature/panel.h"
 #include "app/gui/kit/actions.h"
-#include "app/gui/kit/told_label.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/scene_library.h"
 #include "core/lesson/layers.h"

@@ -11,8 +11,8 @@
 #include "app/gui/files/load_strip.h"
 #include "app/gui/files/scene_files.h"
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/remark.h"
-#include "app/gui/kit/told_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/arm_in_use.h"
 #include "app/gui/model/player.h"
@@ -115,7 +115,7 @@ void Services::presentForceLimit() const {
 }
 
 FeatureParts Services::parts(const WindowParts& given, const Settings& settings, const std::vector<HelpPage>& pages,
-                             std::function<QStringList()> why_busy) const {
+                             std::function<QStringList()> busy_reason) const {
   return {.window = window,
           .middle = *middle,
           .servo = host,
@@ -140,7 +140,7 @@ FeatureParts Services::parts(const WindowParts& given, const Settings& settings,
           .theme = given.theme,
           .settings = settings,
           .pages = pages,
-          .why_busy = std::move(why_busy)};
+          .busy_reason = std::move(busy_reason)};
 }
 
 void Services::remember(Settings& settings) const {

@@ -16,9 +16,9 @@ struct WindowParts {
   servo::Host& host;
   device::SimulatedArm* arm;  // the host's first arm if it is the simulated one, else null
   ThemeWatcher& theme;
-  device::ReplayedArm* replay = nullptr;         // the host's device if it can replay, else null
-  device::ChosenArm* chosen = nullptr;           // behind the host if arms can be exchanged, else null
-  std::vector<device::hands::Port*> hands = {};  // controllers and 3D mice; they outlive the window
+  device::ReplayedArm* replay = nullptr;                     // the host's device if it can replay, else null
+  device::ChosenArm* chosen = nullptr;                       // behind the host if arms can be exchanged, else null
+  std::vector<device::input::DeviceEnumerator*> hands = {};  // controllers and 3D mice; they outlive the window
 };
 
 /// What all features of a window share, made and connected once. The window owns it all.
@@ -26,7 +26,7 @@ struct Services {
   Services(const WindowParts& given, const Settings& settings, QMainWindow* window);
   /// For the features.
   FeatureParts parts(const WindowParts& given, const Settings& settings, const std::vector<HelpPage>& pages,
-                     std::function<QStringList()> why_busy) const;
+                     std::function<QStringList()> busy_reason) const;
   void remember(Settings& settings) const;
   /// Shows the force limit: that of the scene's arm times the share that is let through now.
   void presentForceLimit() const;

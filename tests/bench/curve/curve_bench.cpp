@@ -8,7 +8,7 @@
 
 #include "core/base/units.h"
 #include "core/curve/along.h"
-#include "core/curve/guide.h"
+#include "core/curve/guidance.h"
 #include "tests/support/random.h"
 
 // ns of one tick of each search, with how much was looked at, on scribbles of 100, 10 000 and 1 000 000 points in a box
@@ -85,7 +85,7 @@ void measure(const std::string& what, const std::vector<Vec3>& tips, Tick tick, 
   std::vector<double> ns(tips.size(), kInfinity), visits(tips.size());
   for (int round = 0; round < kRounds; ++round) {
     SearchState search;
-    GuideState guide;
+    GuidanceState guide;
     for (std::size_t i = 0; i < tips.size(); ++i) {
       const Clock::time_point start = Clock::now();
       const Nearest nearest = tick(tips[i], search, guide);
@@ -107,13 +107,13 @@ void measureCurve(const std::string& name, const Curve& curve, double& kept) {
   };
   const std::vector<Vec3> followed = along(curve), others = anywhere(curve);
   for (const Named& one : {Named{"hybrid", Search::Hybrid}, {"global", Search::Global}, {"local", Search::Local}}) {
-    const auto search = [&](const Vec3& p_WT, SearchState& state, GuideState&) {
+    const auto search = [&](const Vec3& p_WT, SearchState& state, GuidanceState&) {
       return nearestPoint(curve, one.search, p_WT, state);
     };
     measure(name + " along " + one.name, followed, search, kept);
     if (one.search != Search::Local) measure(name + " anywhere " + one.name, others, search, kept);
   }
-  const auto guided = [&](const Vec3& p_WT, SearchState& state, GuideState& guide) {
+  const auto guided = [&](const Vec3& p_WT, SearchState& state, GuidanceState& guide) {
     const Nearest nearest = nearestPoint(curve, Search::Hybrid, p_WT, state);
     kept += guidedTarget(curve, {0.3, 0.1, 0.01}, nearest, p_WT, 1e-3, guide).s_m;
     return nearest;
@@ -129,7 +129,7 @@ void measureCentre(Kind kind, double& kept) {
     points_W.emplace_back(0.04 * std::cos(a_rad), 0.04 * std::sin(a_rad), 0.0);
   }
   const std::shared_ptr<const Curve> curve = makeCurve(std::move(points_W), kind, true).value();
-  const auto search = [&](const Vec3& p_WT, SearchState& state, GuideState&) {
+  const auto search = [&](const Vec3& p_WT, SearchState& state, GuidanceState&) {
     return nearestPoint(*curve, Search::Hybrid, p_WT, state);
   };
   measure(kind == Kind::Spline ? "centre of a spline 100000" : "centre of a polyline 100000",

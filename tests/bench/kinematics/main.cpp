@@ -26,7 +26,7 @@ void Score::into(Line& line) const {
 
 namespace {
 
-std::vector<double> anyTurns(test::Random& random) {
+std::vector<double> anyNeedsOrientation(test::Random& random) {
   std::vector<double> q;
   for (int joint = 0; joint < 6; ++joint) q.push_back(random.between(-kPi, kPi));
   return q;
@@ -36,10 +36,10 @@ Cases casesOf(const chain::test::Arm& arm, std::uint64_t seed) {
   Cases cases{arm, arm.chain(), {}, {}, {}, {}};
   test::Random random({seed});
   for (int i = 0; i < 1000; ++i) {
-    cases.q.push_back(anyTurns(random));
+    cases.q.push_back(anyNeedsOrientation(random));
     cases.near.push_back(cases.q.back());
     for (double& one : cases.near.back()) one += random.between(-0.1, 0.1);
-    cases.far.push_back(anyTurns(random));
+    cases.far.push_back(anyNeedsOrientation(random));
     cases.X_WT.push_back(chain::forward(cases.chain, cases.q.back()));
   }
   return cases;

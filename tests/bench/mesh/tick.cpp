@@ -37,7 +37,7 @@ class Ticks {
   Vec3 last_W_ = Vec3::Zero();
 };
 
-struct Way {
+struct CrossingDirection {
   const char* name;
   target::Side side;
   mesh::Search search;
@@ -46,13 +46,14 @@ struct Way {
 };
 
 constexpr target::Friction kRough{0.4, 0.3};
-constexpr Way kWays[] = {{"wall", target::Side::Outside, mesh::Search::Hybrid, {}, 0.0},
-                         {"wall, friction", target::Side::Outside, mesh::Search::Hybrid, kRough, 0.0},
-                         {"wall, smoothed 20 deg", target::Side::Outside, mesh::Search::Hybrid, {}, 20.0},
-                         {"held, hybrid", target::Side::Both, mesh::Search::Hybrid, {}, 0.0},
-                         {"held, global", target::Side::Both, mesh::Search::Global, {}, 0.0},
-                         {"held, local", target::Side::Both, mesh::Search::Local, {}, 0.0},
-                         {"held, hybrid, friction", target::Side::Both, mesh::Search::Hybrid, kRough, 0.0}};
+constexpr CrossingDirection kWays[] = {
+    {"wall", target::Side::Outside, mesh::Search::Hybrid, {}, 0.0},
+    {"wall, friction", target::Side::Outside, mesh::Search::Hybrid, kRough, 0.0},
+    {"wall, smoothed 20 deg", target::Side::Outside, mesh::Search::Hybrid, {}, 20.0},
+    {"held, hybrid", target::Side::Both, mesh::Search::Hybrid, {}, 0.0},
+    {"held, global", target::Side::Both, mesh::Search::Global, {}, 0.0},
+    {"held, local", target::Side::Both, mesh::Search::Local, {}, 0.0},
+    {"held, hybrid, friction", target::Side::Both, mesh::Search::Hybrid, kRough, 0.0}};
 
 void timeTicks(int faces, int points) {
   const mesh::Triangles triangles = mesh_maker::bumpySphere(faces);
@@ -62,7 +63,7 @@ void timeTicks(int faces, int points) {
   const std::vector<Vec3> path_mm = test::handPath(triangles, 1.0, points, test::Seed{20070702});
   const auto angles = std::make_shared<Angles>();
   for (const Vec3& q_mm : path_mm)
-    angles->push_back(arm::reach(test::thesisGeometry(), kMetrePerMillimetre * q_mm).q_rad);
+    angles->push_back(arm::solvePosition(test::thesisGeometry(), kMetrePerMillimetre * q_mm).q_rad);
   const auto tell = [&](const char* name, const tick::Entry& entry) {
     std::vector<double> steps_N;
     const Times times = timesOf(path_mm, Ticks(entry, angles), steps_N);
@@ -70,10 +71,10 @@ void timeTicks(int faces, int points) {
                 1e3 * shareOf(steps_N, 0.99), 1e3 * shareOf(steps_N, 1.0));
   };
   const control::P law{Vec3::Constant(500.0)};
-  for (const Way& way : kWays) {
+  for (const CrossingDirection& way : kWays) {
     tick::Entry entry{{}, law};
     place.search = way.search;
-    place.lean = mesh::leanOf(kRadPerDegree * way.smooth_deg);
+    place.lean = mesh::forceShadingOf(kRadPerDegree * way.smooth_deg);
     entry.constraint.goal = place;
     entry.constraint.side = way.side;
     entry.constraint.friction = way.friction;

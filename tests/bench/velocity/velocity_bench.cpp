@@ -27,7 +27,7 @@ constexpr double kNoise_m = 110e-6, kSpread_m = 16e-6;
 struct Motion {
   const char* name;
   double seconds;
-  std::function<sim::HandWish(std::int64_t)> at;
+  std::function<sim::HandSetpoint(std::int64_t)> at;
 };
 
 struct Named {
@@ -37,16 +37,16 @@ struct Named {
 
 Motion scripted(const char* name, const char* hand, double seconds) {
   const sim::HandScript script = sim::builtInHand(hand, 6).value();
-  return {name, seconds, [script](std::int64_t time_ns) { return sim::wishAt(script, time_ns); }};
+  return {name, seconds, [script](std::int64_t time_ns) { return sim::setpointAt(script, time_ns); }};
 }
 
 std::vector<Motion> motions() {
   const Vec3 v_W = 0.005 * Vec3(0.6, 0.64, 0.48);
   const auto ramp = [v_W](std::int64_t time_ns) {
-    sim::HandWish wish;
-    wish.v_WT = v_W;
-    wish.p_WT = Vec3(-0.015, -0.01, 0.02) + kSecondPerNanosecond * static_cast<double>(time_ns) * v_W;
-    return wish;
+    sim::HandSetpoint setpoint;
+    setpoint.v_WT = v_W;
+    setpoint.p_WT = Vec3(-0.015, -0.01, 0.02) + kSecondPerNanosecond * static_cast<double>(time_ns) * v_W;
+    return setpoint;
   };
   return {scripted("sweep", "sweep", 16.0),
           scripted("tremor", "tremor", 8.0),
@@ -67,7 +67,7 @@ std::vector<Named> filters() {
 /// The tip as the encoders show it.
 Vec3 seen(const arm::Preset& preset, const Vec3& p_WT) {
   return arm::tipPosition(preset.geometry,
-                          sim::throughEncoders(preset.counts_per_turn, arm::reach(preset.geometry, p_WT).q_rad));
+                          sim::quantized(preset.counts_per_turn, arm::solvePosition(preset.geometry, p_WT).q_rad));
 }
 
 struct Figures {
@@ -90,7 +90,7 @@ Figures figuresOf(const Motion& motion, const control::Velocity& velocity, std::
   std::vector<Vec3> rate_W;
   double fastest = 0.0, fastest_true = 0.0;
   for (std::int64_t t_ns = 0; t_ns < static_cast<std::int64_t>(1e9 * motion.seconds); t_ns += period_ns) {
-    control::followRate(velocity, state, seen(preset, motion.at(t_ns).p_WT),
+    control::updateRate(velocity, state, seen(preset, motion.at(t_ns).p_WT),
                         kSecondPerNanosecond * static_cast<double>(period_ns));
     if (t_ns < 200'000'000) continue;  // until it has settled
     time_ns.push_back(t_ns);

@@ -57,9 +57,9 @@ void measureFrames(SimulatedHost& simulated, MainWindow& window, const char* wha
   QTimer timer;
   QObject::connect(&timer, &QTimer::timeout, &timer, [&] {  // round and through the mesh, once in 2 s
     const double angle_rad = 3.14e-9 * static_cast<double>(clock.nsecsElapsed());
-    sim::HandWish wish;
-    wish.p_WT = {0.035 * std::cos(angle_rad), 0.02 * std::sin(2 * angle_rad), 0.02 * std::sin(angle_rad)};
-    simulated.arm->wish(wish);
+    sim::HandSetpoint setpoint;
+    setpoint.p_WT = {0.035 * std::cos(angle_rad), 0.02 * std::sin(2 * angle_rad), 0.02 * std::sin(angle_rad)};
+    simulated.arm->setSetpoint(setpoint);
   });
   timer.start(8);
   QEventLoop loop;  // quit() of the program would close the window

@@ -56,9 +56,9 @@ void pass(const std::function<void(double)>& each) {
 /// The hand on a circle of 45 mm, in and out of the sphere, once in 2 s.
 void moveHand(device::SimulatedArm& arm, double ms) {
   const double angle_rad = ms * 3.14e-3;
-  sim::HandWish wish;
-  wish.p_WT = {0.045 * std::cos(angle_rad), 0.02 * std::sin(2 * angle_rad), 0.03 + 0.03 * std::sin(angle_rad)};
-  arm.wish(wish);
+  sim::HandSetpoint setpoint;
+  setpoint.p_WT = {0.045 * std::cos(angle_rad), 0.02 * std::sin(2 * angle_rad), 0.03 + 0.03 * std::sin(angle_rad)};
+  arm.setSetpoint(setpoint);
 }
 
 void measureAlone() {

@@ -33,7 +33,7 @@ double furthest(const JointAngles& a_rad, const JointAngles& b_rad) {  // modulo
 }
 
 JointAngles jointsAt(const Geometry& geometry, const Pose& X_WT) {
-  return withWrist(reach(geometry, X_WT.translation()).q_rad, X_WT.linear());
+  return solveWrist(solvePosition(geometry, X_WT.translation()).q_rad, X_WT.linear());
 }
 
 TEST(Inverse, MeetsTheGoldenSolutions) {
@@ -43,7 +43,7 @@ TEST(Inverse, MeetsTheGoldenSolutions) {
     if (one.find("status")->text != "regular") continue;
     ++regular;
     const Pose X_WT = test::poseOf(*one.find("T"));
-    EXPECT_TRUE(reach(thesis().geometry, X_WT.translation()).reachable);
+    EXPECT_TRUE(solvePosition(thesis().geometry, X_WT.translation()).reachable);
     const JointAngles q_rad = jointsAt(thesis().geometry, X_WT);
     double nearest_rad = kInfinity;
     for (const test::Value& solution : one.find("solutions")->items) {
@@ -65,7 +65,7 @@ TEST(Inverse, SingularPosesAreReachedAllTheSame) {
     const Pose X_WT = test::poseOf(*one.find("T"));
     const Pose found = tipPose(thesis().geometry, jointsAt(thesis().geometry, X_WT));
     EXPECT_LE((found.translation() - X_WT.translation()).norm(), kTip_m) << status << ", line " << one.line;
-    // withWrist() calls joint 5 zero below 1e-9, and so may miss the direction by as much.
+    // solveWrist() calls joint 5 zero below 1e-9, and so may miss the direction by as much.
     EXPECT_LE((found.linear() - X_WT.linear()).cwiseAbs().maxCoeff(), 2e-9) << status << ", line " << one.line;
   }
   EXPECT_EQ(singular, 28);
@@ -79,7 +79,7 @@ TEST(Inverse, OutOfReachItGoesAsNearAsTheArmCan) {
     if (one.find("status")->text != "unreachable") continue;
     ++unreachable;
     const Vec3 p_WT = test::poseOf(*one.find("T")).translation();
-    const Reach found = reach(geometry, p_WT);
+    const PositionSolution found = solvePosition(geometry, p_WT);
     EXPECT_FALSE(found.reachable) << "line " << one.line;
     const Vec3 p_BT_W = tipPosition(geometry, found.q_rad) - geometry.p_WB, asked_W = p_WT - geometry.p_WB;
     const bool too_far = asked_W.norm() > geometry.upper_m + geometry.fore_m;
@@ -106,10 +106,10 @@ TEST(Inverse, JointsInsideTheLimitsAreFoundAgain) {
           preset.geometry.upper_m * std::cos(q_rad[1]) + preset.geometry.fore_m * std::sin(q_rad[1] + q_rad[2]);
       if (reach_m < 1e-3) continue;
       ++tried;
-      const Reach found = reach(preset.geometry, X_WT.translation());
+      const PositionSolution found = solvePosition(preset.geometry, X_WT.translation());
       ASSERT_TRUE(found.reachable);
       // Rounding (3e-16) over cos q3 >= 0.199, sin q5 >= 0.51 and 1 mm in 277 off axis 1, times a dozen operations.
-      ASSERT_LE(furthest(withWrist(found.q_rad, X_WT.linear()), q_rad), 1e-11);
+      ASSERT_LE(furthest(solveWrist(found.q_rad, X_WT.linear()), q_rad), 1e-11);
     }
   }
   EXPECT_GT(tried, 1900);
@@ -126,7 +126,7 @@ TEST(Inverse, LimitsHoldEachJointAndTheSizeOfJointFive) {
 
 TEST(Inverse, FarOffIsNoReasonForNotANumber) {
   for (const double far_m : {1e3, 1e150, 1e300}) {
-    for (const double angle_rad : reach(thesis().geometry, Vec3(far_m, -far_m, far_m)).q_rad) {
+    for (const double angle_rad : solvePosition(thesis().geometry, Vec3(far_m, -far_m, far_m)).q_rad) {
       EXPECT_TRUE(std::isfinite(angle_rad)) << far_m;
     }
   }
@@ -138,7 +138,7 @@ TEST(Inverse, TheWristFindsTheTurnAgainHoweverNearItIsToBeingInLine) {  // eq. 3
     for (const double q5_rad : {off_rad, kPi - off_rad}) {
       const JointAngles q_rad{0.2, 0.7, 0.3, random.between(-3.0, 3.0), q5_rad, random.between(-3.0, 3.0)};
       const Mat3 R_WT = tipPose(thesis().geometry, q_rad).linear();
-      const JointAngles found = withWrist(q_rad, R_WT);
+      const JointAngles found = solveWrist(q_rad, R_WT);
       const Mat3 again = tipPose(thesis().geometry, found).linear();
       ASSERT_LE((again - R_WT).cwiseAbs().maxCoeff(), 2e-12) << off_rad;  // joint 4 is 0 below 1e-12
     }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/base/around.h"
+#include "core/base/axis_geometry.h"
 #include "tests/support/property.h"
 
 namespace underact {

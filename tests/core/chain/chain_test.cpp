@@ -16,7 +16,7 @@ void expectProblem(const Result<Chain>& result, const std::string& sentence) {
   EXPECT_EQ(result.problems()[0].place.line, 12);
 }
 
-const Place kPlace{"arm.json", 12};
+const SourceLocation kPlace{"arm.json", 12};
 
 TEST(MakeChain, TakesOneToSixteenJointsAndMakesAxesUnit) {
   std::vector<Joint> one = joints(1);

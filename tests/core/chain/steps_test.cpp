@@ -11,14 +11,14 @@ constexpr double kStepsRounding = 1e-14;
 
 Step drawn(test::property::Random& random) {
   const auto kind = static_cast<StepKind>(static_cast<int>(random.between(0.0, 5.999)));
-  return {kind, isTurn(kind) ? random.between(-4, 4) : random.between(-1, 1)};
+  return {kind, isRotationStep(kind) ? random.between(-4, 4) : random.between(-1, 1)};
 }
 
 /// By Eigen's own rotations and translations; shares no line with the code.
 Eigen::Isometry3d independent(const Step& step) {
   const Vec3 axis = Vec3::Unit(static_cast<int>(step.kind) % 3);
-  return isTurn(step.kind) ? Eigen::Isometry3d(Eigen::AngleAxisd(step.amount, axis))
-                           : Eigen::Isometry3d(Eigen::Translation3d(step.amount * axis));
+  return isRotationStep(step.kind) ? Eigen::Isometry3d(Eigen::AngleAxisd(step.amount, axis))
+                                   : Eigen::Isometry3d(Eigen::Translation3d(step.amount * axis));
 }
 
 TEST(Steps, AboutMovingAxesMultiplyFromTheRightAndAboutFixedOnesFromTheLeft) {

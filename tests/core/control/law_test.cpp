@@ -8,7 +8,7 @@
 namespace underact::control {
 namespace {
 
-Moment after(double dt_s) {
+LawInput after(double dt_s) {
   return {dt_s, false, false};
 }
 
@@ -182,8 +182,8 @@ TEST(Law, FiniteInFiniteOut) {
   for (int n = 0; n < test::sweep(20000, 1000000); ++n) {
     const auto any = [&] { return std::pow(10.0, random.between(-30.0, 12.0)); };
     const PID law{Vec3(any(), any(), any()), Vec3(any(), any(), any()), Vec3(any(), any(), any()), any()};
-    const Moment moment{random.below(10) == 0 ? 0.0 : random.between(1e-9, 0.1), random.below(2) == 0,
-                        random.below(50) == 0};
+    const LawInput moment{random.below(10) == 0 ? 0.0 : random.between(1e-9, 0.1), random.below(2) == 0,
+                          random.below(50) == 0};
     const Vec3 f = force(law, state, any() * random.direction(), moment);
     ASSERT_TRUE(f.allFinite());
     ASSERT_TRUE(state.integral_T_W.allFinite() && state.velocity.rate_W.allFinite());

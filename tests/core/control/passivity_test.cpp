@@ -24,8 +24,8 @@ struct Spring {
   bool edited = false;
 
   void tick(const Vec3& to_W) {
-    Passage passage;
-    passage.way_T_W = to_W - p_W;
+    PassivityInput passage;
+    passage.displacement_T_W = to_W - p_W;
     passage.f_T_W = sent_T_W;
     passage.e_W = -to_W;
     const Vec3 spring_T_W = -stiffness_N_per_m * to_W;
@@ -180,12 +180,12 @@ TEST(Controller, AddsNothingWhereNothingIsMissing) {
 
 TEST(Controller, WhatWasDissipatedLongAgoPaysForHalfAMillijoule) {
   EnergyState energy;
-  Passage passage;
+  PassivityInput passage;
   passage.pulls = true;
   passage.dt_s = kTick_s;
   passage.level = 1.0;
   passage.f_T_W = {-1.0, 0, 0};
-  passage.way_T_W = {0.001, 0, 0};  // 1 mJ a tick is taken
+  passage.displacement_T_W = {0.001, 0, 0};  // 1 mJ a tick is taken
   for (int n = 0; n < 100; ++n) {
     observe(energy, passage);
     remember(energy, passage, passage.f_T_W);
@@ -227,18 +227,18 @@ TEST(Controller, ABearableTickTakesTheSpeedOfTheArmAloneAndOwesTheRest) {
 
 TEST(Controller, AlongTheConstraintTheStylusStaysFree) {  // a plane's error does not change along it
   EnergyState energy;
-  Passage passage;
+  PassivityInput passage;
   passage.e_W = {0, 1e-3, 0};
   passage.dt_s = kTick_s;
   passage.pulls = true;
   observe(energy, passage);
   remember(energy, passage, Vec3::Zero());
-  passage.way_T_W = {1e-4, 0, 2e-4};
+  passage.displacement_T_W = {1e-4, 0, 2e-4};
   observe(energy, passage);
   energy.balance_J = -1e-3;
   EXPECT_EQ(damper(energy, passage), Vec3(Vec3::Zero()));
   remember(energy, passage, Vec3::Zero());
-  passage.way_T_W.y() = -1e-5;
+  passage.displacement_T_W.y() = -1e-5;
   passage.e_W.y() += 1e-5;
   observe(energy, passage);
   energy.balance_J = -1e-3;
@@ -285,8 +285,8 @@ TEST(Passivity, FiniteInFiniteOut) {
   EnergyState energy;
   for (int n = 0; n < test::sweep(20000, 1000000); ++n) {
     const auto any = [&] { return std::pow(10.0, random.between(-150.0, 150.0)); };
-    Passage passage;
-    passage.way_T_W = any() * random.direction();
+    PassivityInput passage;
+    passage.displacement_T_W = any() * random.direction();
     passage.f_T_W = any() * random.direction();
     passage.e_W = any() * random.direction();
     passage.stored_J = clampedEnergy(any(), any(), 0.88);

@@ -23,7 +23,7 @@ std::vector<std::pair<const char*, Velocity>> everyFilter() {
 /// So long at a steady rate that each filter has settled.
 VelocityState moving(const Velocity& velocity, const Vec3& rate_W, int ticks = 3000) {
   VelocityState state;
-  for (int n = 0; n <= ticks; ++n) followRate(velocity, state, kTick_s * n * rate_W, n == 0 ? 0.0 : kTick_s);
+  for (int n = 0; n <= ticks; ++n) updateRate(velocity, state, kTick_s * n * rate_W, n == 0 ? 0.0 : kTick_s);
   return state;
 }
 
@@ -38,9 +38,9 @@ TEST(Velocity, EveryFilterEndsAtTheRateOfASteadyMotion) {
 TEST(Velocity, NoFilterTakesTheFirstSampleForAMotion) {
   for (const auto& [name, velocity] : everyFilter()) {
     VelocityState state;
-    followRate(velocity, state, {0.05, -0.02, 0.1}, kTick_s);
+    updateRate(velocity, state, {0.05, -0.02, 0.1}, kTick_s);
     EXPECT_EQ(state.rate_W, kZero) << name;
-    followRate(velocity, state, {0.05, -0.02, 0.1}, kTick_s);
+    updateRate(velocity, state, {0.05, -0.02, 0.1}, kTick_s);
     EXPECT_EQ(state.rate_W, kZero) << name;
   }
 }
@@ -52,8 +52,8 @@ TEST(Velocity, ATargetThatIsPutElsewhereIsNoRateUnderAnyFilter) {
     jumped.has_last = false;  // as tick::carryOver() leaves it
     for (int n = 3001; n < 3100; ++n) {
       const Vec3 e_W = kTick_s * n * rate_W;
-      followRate(velocity, still, e_W, kTick_s);
-      followRate(velocity, jumped, e_W + jump_W, kTick_s);
+      updateRate(velocity, still, e_W, kTick_s);
+      updateRate(velocity, jumped, e_W + jump_W, kTick_s);
       ASSERT_LE((jumped.rate_W - still.rate_W).cwiseAbs().maxCoeff(), 1e-12) << name << ", tick " << n;
     }
   }
@@ -65,7 +65,7 @@ TEST(Velocity, AnotherFilterGoesOnFromTheRateThatTheOneBeforeItHad) {
     for (const auto& [to, after] : everyFilter()) {
       VelocityState state = moving(before, rate_W);
       for (int n = 3001; n < 3050; ++n) {
-        followRate(after, state, kTick_s * n * rate_W, kTick_s);
+        updateRate(after, state, kTick_s * n * rate_W, kTick_s);
         ASSERT_LE((state.rate_W - rate_W).cwiseAbs().maxCoeff(), 1e-11) << from << " to " << to << ", tick " << n;
       }
     }
@@ -76,7 +76,7 @@ TEST(Velocity, ATickWithoutTimeChangesNoRate) {
   for (const auto& [name, velocity] : everyFilter()) {
     VelocityState state = moving(velocity, {0.1, 0, 0});
     const Vec3 rate_W = state.rate_W;
-    followRate(velocity, state, {0.3, 0.1, 0}, 0.0);
+    updateRate(velocity, state, {0.3, 0.1, 0}, 0.0);
     EXPECT_EQ(state.rate_W, rate_W) << name;
   }
 }
@@ -84,9 +84,9 @@ TEST(Velocity, ATickWithoutTimeChangesNoRate) {
 TEST(Velocity, FromAWallThatNobodyTouchedEveryFilterStartsAtRest) {
   for (const auto& [name, velocity] : everyFilter()) {
     VelocityState state = moving(velocity, {0.1, -0.2, 0.05});
-    standAtZero(state);
+    resetToZero(state);
     EXPECT_EQ(state.rate_W, kZero) << name;
-    followRate(velocity, state, {1e-4, 0, 0}, kTick_s);  // 0.1 m/s into it
+    updateRate(velocity, state, {1e-4, 0, 0}, kTick_s);  // 0.1 m/s into it
     EXPECT_GT(state.rate_W.x(), 0.0) << name;
     EXPECT_LE(state.rate_W.x(), 0.1 * (1 + 1e-12)) << name << ": the hand's, not that of a jump";
     EXPECT_EQ(state.rate_W.y(), 0.0) << name;
@@ -96,12 +96,12 @@ TEST(Velocity, FromAWallThatNobodyTouchedEveryFilterStartsAtRest) {
 TEST(Velocity, AfterALostSignalEveryFilterIsAsNew) {
   for (const auto& [name, velocity] : everyFilter()) {
     VelocityState fresh, used = moving(velocity, {0.1, -0.2, 0.05});
-    forget(used);
+    reset(used);
     test::Random random(test::Seed{6001});
     for (int n = 0; n < 100; ++n) {
       const Vec3 e_W = random.inBox(0.01);
-      followRate(velocity, fresh, e_W, kTick_s);
-      followRate(velocity, used, e_W, kTick_s);
+      updateRate(velocity, fresh, e_W, kTick_s);
+      updateRate(velocity, used, e_W, kTick_s);
       ASSERT_EQ(used.rate_W, fresh.rate_W) << name << ", tick " << n;
     }
   }
@@ -109,8 +109,8 @@ TEST(Velocity, AfterALostSignalEveryFilterIsAsNew) {
 
 TEST(RawDifference, IsTheLastDifferenceOverItsTime) {
   VelocityState state;
-  followRate(RawDifference{}, state, {0.01, 0.02, 0.03}, 0.0);
-  followRate(RawDifference{}, state, {0.01 + 0x1p-10, 0.02, 0.03}, 0x1p-9);
+  updateRate(RawDifference{}, state, {0.01, 0.02, 0.03}, 0.0);
+  updateRate(RawDifference{}, state, {0.01 + 0x1p-10, 0.02, 0.03}, 0x1p-9);
   EXPECT_NEAR(state.rate_W.x(), 0.5, 1e-14);
   EXPECT_EQ(state.rate_W.y(), 0.0);
 }
@@ -123,7 +123,7 @@ TEST(AdaptiveWindow, ByHand) {  // noise 1, ticks of 1 s: 0 0 1 0 0 5
   // passes 2.5 over the sample at 4.
   const double expected[] = {0.0, 0.0, 0.5, 0.1, 0.0, 5.0};
   for (std::size_t n = 0; n < 6; ++n) {
-    followRate(adaptive, state, Vec3::Constant(signal[n]), n == 0 ? 0.0 : 1.0);
+    updateRate(adaptive, state, Vec3::Constant(signal[n]), n == 0 ? 0.0 : 1.0);
     EXPECT_NEAR(state.rate_W.x(), expected[n], 1e-15) << n;
   }
 }
@@ -167,7 +167,7 @@ TEST(AdaptiveWindow, IsItsDefinitionForAnyMotionAndAnyTicks) {
       t_s.push_back(now_s);
       Vec3 e_W = Vec3::Constant(speed / turn * std::sin(turn * now_s)) + random.inBox(0.4 * kStep_m);
       for (Eigen::Index axis = 0; axis < 3; ++axis) e[axis].push_back(e_W[axis]);
-      followRate(adaptive, state, e_W, dt_s);
+      updateRate(adaptive, state, e_W, dt_s);
       for (Eigen::Index axis = 0; axis < 3; ++axis) {
         // Sums of up to 33 places of 0.3 m over at least 0.5 ms.
         ASSERT_NEAR(state.rate_W[axis], byDefinition(t_s, e[axis], n, longest, adaptive.noise[axis]), 1e-9)
@@ -193,7 +193,7 @@ TEST(Kalman, SettlesAtTheGainsOfTheKnownFormula) {
   }
   const Velocity kalman = Kalman{noise, acceleration};
   VelocityState state = moving(kalman, kZero);
-  followRate(kalman, state, {kStep_m, 0, 0}, kTick_s);  // a step of the signal, out of the blue
+  updateRate(kalman, state, {kStep_m, 0, 0}, kTick_s);  // a step of the signal, out of the blue
   EXPECT_NEAR(state.place_W.x(), K[0] * kStep_m, 1e-9 * kStep_m);
   EXPECT_NEAR(state.rate_W.x(), K[1] * kStep_m, 1e-9 * K[1] * kStep_m);
 }
@@ -204,10 +204,10 @@ TEST(Velocity, FiniteInFiniteOut) {
     VelocityState state;
     for (int n = 0; n < test::sweep(5000, 500000); ++n) {
       const double dt_s = random.below(10) == 0 ? 0.0 : std::pow(10.0, random.between(-9.0, -1.0));
-      followRate(velocity, state, std::pow(10.0, random.between(-30.0, 12.0)) * random.direction(), dt_s);
+      updateRate(velocity, state, std::pow(10.0, random.between(-30.0, 12.0)) * random.direction(), dt_s);
       ASSERT_TRUE(state.rate_W.allFinite()) << name << ", tick " << n;
-      if (random.below(20) == 0) standAtZero(state);
-      if (random.below(20) == 0) forget(state);
+      if (random.below(20) == 0) resetToZero(state);
+      if (random.below(20) == 0) reset(state);
       if (random.below(20) == 0) state.has_last = false;
     }
   }

@@ -201,16 +201,16 @@ TEST(Curve, ThePointAtAnArcLengthIsThere) {
 
 TEST(Curve, WaysAlongAClosedOneAreTheShorterOnes) {
   const auto square = curveOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, Kind::Polyline, true);
-  EXPECT_EQ(wayAlong(*square, 0.5, 1.5), 1.0);
-  EXPECT_EQ(wayAlong(*square, 3.5, 0.5), 1.0);
-  EXPECT_EQ(wayAlong(*square, 0.5, 3.5), -1.0);
-  EXPECT_EQ(onCurve(*square, 4.5), 0.5);
-  EXPECT_EQ(onCurve(*square, -0.5), 3.5);
-  EXPECT_EQ(onCurve(*square, 4.0), 0.0);
+  EXPECT_EQ(arcLengthBetween(*square, 0.5, 1.5), 1.0);
+  EXPECT_EQ(arcLengthBetween(*square, 3.5, 0.5), 1.0);
+  EXPECT_EQ(arcLengthBetween(*square, 0.5, 3.5), -1.0);
+  EXPECT_EQ(wrappedArcLength(*square, 4.5), 0.5);
+  EXPECT_EQ(wrappedArcLength(*square, -0.5), 3.5);
+  EXPECT_EQ(wrappedArcLength(*square, 4.0), 0.0);
   const auto open = curveOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, Kind::Polyline);
-  EXPECT_EQ(wayAlong(*open, 0.5, 2.9), 2.4);
-  EXPECT_EQ(onCurve(*open, 4.5), 3.0);
-  EXPECT_EQ(onCurve(*open, -0.5), 0.0);
+  EXPECT_EQ(arcLengthBetween(*open, 0.5, 2.9), 2.4);
+  EXPECT_EQ(wrappedArcLength(*open, 4.5), 3.0);
+  EXPECT_EQ(wrappedArcLength(*open, -0.5), 0.0);
 }
 
 TEST(Curve, EveryBoxHoldsItsPieces) {
@@ -229,7 +229,7 @@ TEST(Curve, EveryBoxHoldsItsPieces) {
         for (int level = boxes.levels - 1; level >= 0; --level, index /= 4) {
           const auto at = static_cast<std::size_t>(boxes.begins[static_cast<std::size_t>(level)] + index / 4);
           // The point is rounded to 1e-13 m up here.
-          ASSERT_LE(squaresFrom(boxes.nodes[at], p_O)[static_cast<std::size_t>(index % 4)], 1e-25);
+          ASSERT_LE(squaredDistances(boxes.nodes[at], p_O)[static_cast<std::size_t>(index % 4)], 1e-25);
         }
       }
     }

@@ -101,13 +101,13 @@ TEST(Points, ReadingCanBeWatchedAndCancelled) {
   for (int i = 0; i < 100'000; ++i) text += std::to_string(i) + " 0 0\n";
   std::atomic<bool> cancelled = false;
   std::vector<double> shares;
-  Watch watch;
-  watch.cancelled = &cancelled;
-  watch.progress = [&](const char*, double share) {
+  TaskMonitor monitor;
+  monitor.cancelled = &cancelled;
+  monitor.progress = [&](const char*, double share) {
     shares.push_back(share);
     if (shares.size() == 3) cancelled = true;
   };
-  const Result<std::vector<Vec3>> points = parsePoints(text, "path.txt", watch);
+  const Result<std::vector<Vec3>> points = parsePoints(text, "path.txt", monitor);
   ASSERT_FALSE(points);
   EXPECT_EQ(points.problems()[0].sentence, "Reading was cancelled.");
   ASSERT_EQ(shares.size(), 3U);

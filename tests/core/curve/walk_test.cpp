@@ -20,7 +20,7 @@ std::vector<Vec3> handPath(const Curve& curve, Random& random, double off_m, int
   double speed_m = random.between(-4e-4, 4e-4);
   for (int tick = 0; tick < ticks; ++tick) {
     if (tick % 200 == 199) speed_m = random.between(-4e-4, 4e-4);
-    s_m = onCurve(curve, s_m + speed_m);
+    s_m = wrappedArcLength(curve, s_m + speed_m);
     off_W = 0.995 * off_W + 0.02 * off_m * random.inBox(1.0);
     tips.push_back(pointAt(curve, s_m) + off_W);
   }
@@ -87,7 +87,8 @@ TEST(CurveSearch, LocalFollowsTheBranchThatItIsOnAndIsTheLeastThere) {
         if (walked.distance_m > least.distance_m + 1e-12) ++other;
         // A minimum of its own neighbourhood: no better a little farther along the curve.
         for (const double step_m : {-1e-7, 1e-7}) {
-          ASSERT_GE((pointAt(*curve, onCurve(*curve, walked.s_m + step_m)) - p_WT).norm(), walked.distance_m - 1e-14);
+          ASSERT_GE((pointAt(*curve, wrappedArcLength(*curve, walked.s_m + step_m)) - p_WT).norm(),
+                    walked.distance_m - 1e-14);
         }
       }
       if (is_tame) {

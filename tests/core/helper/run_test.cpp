@@ -5,18 +5,18 @@
 namespace underact::helper {
 
 TEST(Run, ToldFromOneThatComputesOneThatOnlyWaitsIsNoFaultOfTheFile) {
-  Errand errand;
+  HelperCall errand;
   errand.program = "/bin/sleep";
   errand.argument = "20";
   errand.most_time_s = 0.2;
   EXPECT_EQ(run(errand, {}).ending, Ending::Waited);
-  EXPECT_EQ(whyWaited(errand.most_time_s),
+  EXPECT_EQ(timeoutText(errand.most_time_s),
             "Reading the file took longer than 0.2 s, although there was little to compute: the disk or the network "
             "may be slow. Copy the file to this computer, and open the copy.");
 }
 
 TEST(Run, OneThatWritesWithoutEndIsEndedSoonAfterItsShare) {
-  Errand errand;
+  HelperCall errand;
   errand.program = "/usr/bin/yes";  // a letter that is no share of the way
   errand.argument = "y";
   errand.most_output = 100'000;

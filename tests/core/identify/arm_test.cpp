@@ -152,7 +152,7 @@ TEST(SimulatedArm, ADampingThatIsNotThereIsSaidToBeBelowSomething) {
   const Identified found = identified({"omni-thesis", 1000, 0.045, 0.26, 0.0});
   const Estimate& damping = found.mean_damping_N_s_per_m;
   EXPECT_LT(std::abs(damping.value), leastDamping(0.045));
-  EXPECT_FALSE(damping.isTold()) << damping.value << " +- " << damping.uncertainty;
+  EXPECT_FALSE(damping.isSignificant()) << damping.value << " +- " << damping.uncertainty;
   EXPECT_EQ(valueText({"", "", damping}).substr(0, 6), "below ");
   EXPECT_EQ(modelFileOf(found, "x", "X", {}).arm.damping_N_s_per_m, 0.0);
 }

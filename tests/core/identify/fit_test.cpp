@@ -246,8 +246,8 @@ TEST(Mean, WeighsByVarianceAndCountsTheScatter) {
 }
 
 TEST(Estimate, BelowTwoDeviationsIsNotTold) {
-  EXPECT_TRUE((Estimate{0.21, 0.1}.isTold()));
-  EXPECT_FALSE((Estimate{0.19, 0.1}.isTold()));
+  EXPECT_TRUE((Estimate{0.21, 0.1}.isSignificant()));
+  EXPECT_FALSE((Estimate{0.19, 0.1}.isSignificant()));
   EXPECT_NEAR((Estimate{0.05, 0.1}.limit()), 0.25, 1e-15);
   EXPECT_NEAR((Estimate{-0.05, 0.1}.limit()), 0.2, 1e-15);
 }

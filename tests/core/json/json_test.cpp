@@ -11,7 +11,7 @@ std::string syntaxProblem(const std::string& text) {
   const Result<Value> parsed = parse(text, "f");
   if (parsed) return "none";
   EXPECT_EQ(parsed.problems().size(), 1u);
-  const Place& place = parsed.problems()[0].place;
+  const SourceLocation& place = parsed.problems()[0].place;
   EXPECT_EQ(place.file, "f");
   return std::to_string(place.line) + ":" + std::to_string(place.column) + ": " + parsed.problems()[0].sentence;
 }

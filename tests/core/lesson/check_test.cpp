@@ -193,7 +193,7 @@ TEST(ASolvedCheck, StaysSolvedAndKeepsWhatWasMeasured) {
 TEST(WhatIsTold, CanBeSaidInAnotherLanguage) {
   const Check check = checkOf(R"({"measure": "asked_N", "above": 0.3})");
   const CheckState state = after(check, 2e-3, [](Moment& moment, double) { push(moment, 0.4); });
-  const Sentence whole = tell(check, state);  // "%1.", and in it "%1 is %2"
+  const Sentence whole = describeCheck(check, state);  // "%1.", and in it "%1 is %2"
   ASSERT_EQ(whole.places().size(), 1U);
   const Sentence& is = whole.places()[0];
   EXPECT_EQ(is.pattern(), "%1 is %2");

@@ -7,8 +7,8 @@
 #include "core/arm/forward.h"
 #include "core/arm/preset.h"
 #include "core/lesson/check.h"
+#include "core/lesson/check_text.h"
 #include "core/lesson/read.h"
-#include "core/lesson/tell.h"
 
 namespace underact::lesson::test {
 
@@ -20,7 +20,7 @@ struct Moment {
     tick.p_WP = tick.p_WT;
     scene.constraints.push_back({"ball", scene::Sphere{Vec3::Zero(), 50.0}, {}, {}});
   }
-  Seen seen() const { return {tick, scene, preset, robot}; }
+  Observation seen() const { return {tick, scene, preset, robot}; }
   Moment& at(double time_s) {
     tick.time_ns = static_cast<std::int64_t>(1e9 * time_s);
     return *this;
@@ -55,7 +55,7 @@ inline std::vector<std::string> problemsIn(const std::string& text) {
 }
 
 inline std::string said(const Check& check, const CheckState& state) {
-  return tell(check, state);
+  return describeCheck(check, state);
 }
 
 }  // namespace underact::lesson::test

@@ -91,7 +91,7 @@ inline Values anyPlace(property::Random& random, const Manipulator& m) {
     const double half = m.chain.joints[i].type == JointType::Revolute ? kPi : 0.1;
     theta[i] = random.between(-half, half);
   }
-  return allowed(m, theta);
+  return clampedToLimits(m, theta);
 }
 
 inline Energy energyAt(const Manipulator& m, const Pose& X_WT, const Values& theta) {

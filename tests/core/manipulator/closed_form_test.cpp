@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/around.h"
+#include "core/base/axis_geometry.h"
 #include "core/manipulator/follow.h"
 #include "core/manipulator/global.h"
 #include "tests/core/manipulator/chains.h"

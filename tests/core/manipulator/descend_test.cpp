@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/around.h"
+#include "core/base/axis_geometry.h"
 #include "core/manipulator/global.h"
 #include "tests/core/manipulator/chains.h"
 
@@ -244,7 +244,7 @@ TEST(Allowed, TurnsWithoutLimitsAreWrappedOthersAreClamped) {
                      test::sliding(Vec3::UnitX(), -0.1, 0.2), test::turning(Vec3::UnitZ(), Vec3::Zero())},
                     test::tipAt(Vec3::Zero()));
   wanted.spring[3] = 1.0;
-  const Values theta = allowed(test::made(wanted), {7.0, 6.5, 0.3, 7.0});
+  const Values theta = clampedToLimits(test::made(wanted), {7.0, 6.5, 0.3, 7.0});
   EXPECT_NEAR(theta[0], 7.0 - 2.0 * kPi, 1e-15);
   EXPECT_EQ(theta[1], 6.5);
   EXPECT_EQ(theta[2], 0.2);

@@ -103,7 +103,7 @@ TEST(Follow, ASmoothHandTakesFewStepsAndKeepsTheTolerance) {
                           0.005 * random.direction()};
     const Vec3 about_W = random.direction();
     int cold_steps = 0;
-    State state = standing(one.manipulator, test::poseOf(one.X_WT.linear(), loop.place(0.0)), cold_steps);
+    State state = settledState(one.manipulator, test::poseOf(one.X_WT.linear(), loop.place(0.0)), cold_steps);
     for (int tick = 1; tick <= test::property::sweep(1'000, 50'000); ++tick) {
       const double s = 0.006 * tick;  // some 0.2 m/s
       const Pose X_WT = test::poseOf(test::about(about_W, 0.2 * std::sin(s)) * one.X_WT.linear(), loop.place(s));
@@ -168,7 +168,7 @@ TEST(Follow, TheLeastMinimumIsKept) {
   const Manipulator m = opposed();
   const Pose X_WT = pointingAt(3.0, {0.055, 0, 0});
   int cold_steps = 0;
-  State state = standing(m, X_WT, cold_steps);
+  State state = settledState(m, X_WT, cold_steps);
   for (int tick = 0; tick < 2'000; ++tick) {
     const Followed followed = follow(m, X_WT, kTick_s, state);
     ASSERT_EQ(followed.better_J, 0.0);
@@ -198,7 +198,7 @@ TEST(Follow, FromALimitTheWatchFindsTheNearerOneRoundTheOtherWay) {
 TEST(Follow, AStylusThatIsNowhereLeavesThePastAsItWas) {
   for (const test::Held& one : allOnes()) {
     int cold_steps = 0;
-    State state = standing(one.manipulator, one.X_WT, cold_steps);
+    State state = settledState(one.manipulator, one.X_WT, cold_steps);
     const Followed before = follow(one.manipulator, one.X_WT, kTick_s, state);
     for (const double strange : {kNotANumber, kInfinity}) {
       Pose nowhere = one.X_WT, unturned = one.X_WT;
@@ -223,7 +223,7 @@ TEST(Follow, TheThesissLawStandsWhereItGoesOn) {
   const Manipulator m = test::made(wanted);
   const Pose X_WT = pointingAt(3.0, {0.055, 0, 0});  // its tip is at the stylus's place, whatever the turn
   int cold_steps = 1;
-  State state = standing(m, X_WT, cold_steps);
+  State state = settledState(m, X_WT, cold_steps);
   EXPECT_EQ(cold_steps, 0);
   EXPECT_NEAR(state.theta[0], 0.0, 1e-15);
   EXPECT_FALSE(follow(m, X_WT, kTick_s, state).slewing);
@@ -233,7 +233,7 @@ TEST(Follow, AFirstTickStartsAtHomeAndAColdStartAtTheLeastMinimum) {
   const Manipulator m = opposed();
   const Pose X_WT = pointingAt(-3.0, {0.055, 0, 0});  // mirrored: the least minimum is at -0.4766
   int cold_steps = 0;
-  EXPECT_NEAR(standing(m, X_WT, cold_steps).theta[0], -0.4766366886973705, 1e-9);
+  EXPECT_NEAR(settledState(m, X_WT, cold_steps).theta[0], -0.4766366886973705, 1e-9);
   EXPECT_GT(cold_steps, 0);
   State state;
   const Followed first = follow(m, X_WT, kTick_s, state);

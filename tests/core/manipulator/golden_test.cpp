@@ -151,7 +151,7 @@ TEST(ManipulatorGolden, WarmItIsThereInAFewSteps) {
     for (const std::optional<Method> method : {std::optional<Method>(), std::optional(Method::Iterative)}) {
       const Case c = caseOf(file, one, method);
       int cold_steps = 0;
-      State state = standing(c.manipulator, nearby(c.X_WT), cold_steps);
+      State state = settledState(c.manipulator, nearby(c.X_WT), cold_steps);
       ASSERT_TRUE(state.begun);
       const Followed followed = follow(c.manipulator, c.X_WT, 0.0, state);
       EXPECT_LE(followed.steps, 8);

@@ -16,7 +16,7 @@ Wanted ringWanted() {
 
 /// The one problem that there is, or what is wrong instead.
 std::string problemOf(Wanted wanted) {
-  Place place;
+  SourceLocation place;
   place.line = 7;
   const Result<Manipulator> made = makeManipulator(std::move(wanted), place);
   if (made) return "none";

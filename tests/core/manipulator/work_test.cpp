@@ -26,7 +26,7 @@ struct Work {
 /// function converges exponentially (Trefethen and Weideman 2014).
 Work around(const Manipulator& m, const Mat3& R_WT, const Loop& loop, int points) {
   int cold_steps = 0;
-  State state = standing(m, test::poseOf(R_WT, loop.place(0.0)), cold_steps);
+  State state = settledState(m, test::poseOf(R_WT, loop.place(0.0)), cold_steps);
   Work work;
   for (int i = -points; i < points; ++i) {
     const double step = 2.0 * kPi / points, s = step * i;

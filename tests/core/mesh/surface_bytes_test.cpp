@@ -2,8 +2,8 @@
 
 #include <cstring>
 
+#include "core/mesh/proxy.h"
 #include "core/mesh/search.h"
-#include "core/mesh/touch.h"
 #include "scenes/meshes/make/meshes.h"
 #include "tests/support/mesh_points.h"
 #include "tests/support/property.h"
@@ -69,10 +69,10 @@ TEST(SurfaceBytes, WhateverIsDamagedNothingComesBackThatASearchCouldBeLostIn) {
     if (surface == nullptr) continue;
     ++taken;
     SearchState state;
-    TouchState touching;
+    ProxyState touching;
     for (const Vec3& q : points) {
       EXPECT_LE(nearestPoint(*surface, Search::Hybrid, q, state).visits, 2 * kMostVisits);
-      touch(*surface, Free::Outside, q, touching);
+      followProxy(*surface, FreeSide::Outside, q, touching);
     }
   }
   EXPECT_GT(refused, 100);  // indexes, counts
@@ -103,9 +103,9 @@ TEST(MakeSurface, RefusesWhatTheTickCouldNotBear) {
 
 TEST(MakeSurface, EndsEarlyWhereItIsAskedTo) {
   const std::atomic<bool> cancelled{true};
-  Watch watch;
-  watch.cancelled = &cancelled;
-  EXPECT_EQ(makeSurface(mesh_maker::cube(12), watch).problems().at(0).sentence, "Cancelled.");
+  TaskMonitor monitor;
+  monitor.cancelled = &cancelled;
+  EXPECT_EQ(makeSurface(mesh_maker::cube(12), monitor).problems().at(0).sentence, "Cancelled.");
 }
 
 }  // namespace

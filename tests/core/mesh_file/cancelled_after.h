@@ -3,7 +3,7 @@
 #include <chrono>
 #include <thread>
 
-#include "core/base/watch.h"
+#include "core/base/task_monitor.h"
 
 namespace underact::test {
 
@@ -16,7 +16,7 @@ class CancelledAfter {
           since_ = Clock::now();
           cancelled_ = true;
         }) {}
-  Watch watch() const { return {.progress = {}, .cancelled = &cancelled_}; }
+  TaskMonitor monitor() const { return {.progress = {}, .cancelled = &cancelled_}; }
   /// How long ago; waits until it is.
   double secondsSince() {
     const Clock::time_point now = Clock::now();

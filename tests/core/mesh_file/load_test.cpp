@@ -89,13 +89,14 @@ TEST(LoadMesh, ToldSharesGrowToTheWhole) {
   const test::ScratchFolder folder;
   double last = 0.0;
   std::vector<std::string> steps;
-  Watch watch;
-  watch.progress = [&](const char* step, double share) {
+  TaskMonitor monitor;
+  monitor.progress = [&](const char* step, double share) {
     EXPECT_GE(share, last) << step;
     last = share;
     if (steps.empty() || steps.back() != step) steps.emplace_back(step);
   };
-  ASSERT_TRUE(loadMesh(folder.write("m.obj", test::obj(test::ball(1.0F, 6))), watch, Cache(folder.path() + "/cache")));
+  ASSERT_TRUE(
+      loadMesh(folder.write("m.obj", test::obj(test::ball(1.0F, 6))), monitor, Cache(folder.path() + "/cache")));
   EXPECT_EQ(last, 1.0);
   EXPECT_EQ(steps.front(), "Reading the file");
   EXPECT_EQ(steps.back(), "Ready");
@@ -116,7 +117,7 @@ TEST(LoadMesh, ThatIsCancelledEndsSoonAndKeepsNothingHalf) {
   for (const int after_ms : {0, 20, 60, 100, 150, 200, 300, 400}) {
     const Cache cache(folder.path() + "/cache" + std::to_string(after_ms));
     test::CancelledAfter cancelled{std::chrono::milliseconds(after_ms)};
-    const Result<Loaded> loaded = loadMesh(path, cancelled.watch(), cache);
+    const Result<Loaded> loaded = loadMesh(path, cancelled.monitor(), cache);
     const double seconds = cancelled.secondsSince();
     EXPECT_FALSE(hasHalves(cache)) << after_ms;
     if (loaded) continue;
@@ -131,14 +132,14 @@ TEST(LoadMesh, AFileThatIsWrittenMeanwhileIsNotKept) {
   const test::ScratchFolder folder;
   const Cache cache(folder.path() + "/cache");
   const std::string path = folder.write("m.obj", test::obj(test::ball(1.0F, 5)));
-  Watch watch;
+  TaskMonitor monitor;
   bool is_written = false;
-  watch.progress = [&](const char* step, double /*share*/) {
+  monitor.progress = [&](const char* step, double /*share*/) {
     if (is_written || std::string(step) != "Reading the mesh") return;
     is_written = true;
     std::ofstream(path, std::ios::app) << "v 0 0 0\n";
   };
-  const Result<Loaded> loaded = loadMesh(path, watch, cache);
+  const Result<Loaded> loaded = loadMesh(path, monitor, cache);
   ASSERT_TRUE(is_written);
   ASSERT_FALSE(loaded);
   EXPECT_EQ(loaded.problems()[0].sentence, "The file changed while it was being read. Open it again.");

@@ -11,14 +11,14 @@
 namespace underact::mesh_file {
 namespace {
 
-Raw readOrFail(const test::ScratchFolder& folder, const std::string& name, const std::string& content) {
-  Result<Raw> raw = readFile(folder.write(name, content));
+RawMesh readOrFail(const test::ScratchFolder& folder, const std::string& name, const std::string& content) {
+  Result<RawMesh> raw = readFile(folder.write(name, content));
   EXPECT_TRUE(raw) << name << ": " << (raw ? "" : raw.problems()[0].sentence);
-  return raw ? std::move(raw).value() : Raw{};
+  return raw ? std::move(raw).value() : RawMesh{};
 }
 
 std::string problemOf(const test::ScratchFolder& folder, const std::string& name, const std::string& content) {
-  const Result<Raw> raw = readFile(folder.write(name, content));
+  const Result<RawMesh> raw = readFile(folder.write(name, content));
   EXPECT_FALSE(raw) << name;
   return raw ? "" : raw.problems()[0].sentence;
 }
@@ -50,7 +50,7 @@ TEST(ReadFile, EveryFormatComesBackToTheBit) {
            {"b.ply", test::plyBinary(meant, true)},
            {"no extension", test::plyBinary(meant)},
            {"wrong.obj", test::stlBinary(meant)}}) {
-    const Raw raw = readOrFail(folder, name, content);
+    const RawMesh raw = readOrFail(folder, name, content);
     expectSame(raw.triangles, meant, name);
     EXPECT_EQ(raw.polygons, static_cast<std::int64_t>(meant.faces.size())) << name;
     EXPECT_LT(raw.peak_bytes, static_cast<std::int64_t>(mostMemory(content.size()))) << name;
@@ -120,11 +120,11 @@ TEST(ReadFile, WhatIsNotReadIsPassedOver) {
 TEST(ReadFile, PolygonsAreCutWithinThemselves) {
   const test::ScratchFolder folder;
   // A quad whose fourth corner is bent in, a star of ten corners, a U of eight: areas by hand.
-  const Raw arrow = readOrFail(folder, "q.obj", "v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 1 2 3 4\nf 2 3 4 1\n");
+  const RawMesh arrow = readOrFail(folder, "q.obj", "v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 1 2 3 4\nf 2 3 4 1\n");
   EXPECT_EQ(arrow.triangles.faces.size(), 4U);
   EXPECT_NEAR(test::areaOf(arrow.triangles), 2 * 4.0, 1e-12);
-  const Raw u = readOrFail(folder, "u.off",
-                           "OFF\n8 1 0\n0 0 0\n3 0 0\n3 3 0\n2 3 0\n2 1 0\n1 1 0\n1 3 0\n0 3 0\n8 0 1 2 3 4 5 6 7\n");
+  const RawMesh u = readOrFail(
+      folder, "u.off", "OFF\n8 1 0\n0 0 0\n3 0 0\n3 3 0\n2 3 0\n2 1 0\n1 1 0\n1 3 0\n0 3 0\n8 0 1 2 3 4 5 6 7\n");
   EXPECT_EQ(u.triangles.faces.size(), 6U);
   EXPECT_NEAR(test::areaOf(u.triangles), 9.0 - 2.0, 1e-12);
   std::string star = "";
@@ -132,14 +132,14 @@ TEST(ReadFile, PolygonsAreCutWithinThemselves) {
     const double r = k % 2 == 0 ? 2.0 : 0.5, a = 0.628318530717958648 * k;
     star += "v " + std::to_string(r * std::cos(a)) + " " + std::to_string(r * std::sin(a)) + " 0\n";
   }
-  const Raw cut = readOrFail(folder, "s.obj", star + "f 1 2 3 4 5 6 7 8 9 10\n");
+  const RawMesh cut = readOrFail(folder, "s.obj", star + "f 1 2 3 4 5 6 7 8 9 10\n");
   EXPECT_NEAR(test::areaOf(cut.triangles), 10 * 0.5 * 2.0 * 0.5 * std::sin(0.628318530717958648), 1e-5);  // 6 decimals
 }
 
 TEST(ReadFile, WhatIsNoFaceIsLeftOutAndCounted) {
   const test::ScratchFolder folder;
   const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 1e999 0 0\nv 1.#QNAN 0 0\nv 1e-999 0 1\n";
-  const Raw raw = readOrFail(
+  const RawMesh raw = readOrFail(
       folder, "m.obj", corners + "f 1 2 3\nf 1 2 4\nf 1 5 2\nf 3 6 2 1\nf 1 2 9\nf 0 1 2\nf 1 1 2\nf 1 2\nf 1 2 7\n");
   EXPECT_EQ(raw.triangles.faces.size(), 2U);
   EXPECT_EQ(raw.polygons, 9);
@@ -154,12 +154,12 @@ TEST(ReadFile, WhatIsNoFaceIsLeftOutAndCounted) {
   soup_of.p_MV[10].z() = -inf;
   soup_of.p_MV[15] = soup_of.p_MV[16];
   for (const std::string& content : {test::stlBinary(soup_of), test::stlText(soup_of)}) {
-    const Raw stl = readOrFail(folder, "m.stl", content);
+    const RawMesh stl = readOrFail(folder, "m.stl", content);
     EXPECT_EQ(stl.triangles.faces.size(), 9U);
     EXPECT_EQ(stl.dropped.not_finite, 2);
     EXPECT_EQ(stl.dropped.without_extent, 1);
   }
-  const Raw ply = readOrFail(folder, "m.ply", test::plyBinary(soup_of));
+  const RawMesh ply = readOrFail(folder, "m.ply", test::plyBinary(soup_of));
   EXPECT_EQ(ply.dropped.not_finite, 2);
   EXPECT_EQ(readOrFail(folder, "t.ply", test::plyText(soup_of)).dropped.not_finite, 2);
   EXPECT_EQ(readOrFail(folder, "m.off", test::off(soup_of)).dropped.not_finite, 2);
@@ -168,8 +168,8 @@ TEST(ReadFile, WhatIsNoFaceIsLeftOutAndCounted) {
 TEST(ReadFile, FacesThatOpenMeshRefusesAreNotLost) {
   // Three faces at one edge, and one of them again the other way round.
   const test::ScratchFolder folder;
-  const Raw raw = readOrFail(folder, "m.off",
-                             "OFF\n5 4 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 1 4\n3 1 0 4\n");
+  const RawMesh raw = readOrFail(
+      folder, "m.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 1 4\n3 1 0 4\n");
   EXPECT_EQ(raw.triangles.faces.size(), 4U);
 }
 
@@ -179,7 +179,7 @@ TEST(ReadFile, NormalsOfAnStlAgainstItsCornersAreCounted) {
   for (std::size_t face = 0; face < 5; ++face) {
     for (std::size_t axis = 0; axis < 3; ++axis) content[84 + 50 * face + 4 * axis + 3] ^= static_cast<char>(0x80);
   }
-  const Raw raw = readOrFail(folder, "m.stl", content);
+  const RawMesh raw = readOrFail(folder, "m.stl", content);
   EXPECT_EQ(raw.normals, 12);
   EXPECT_EQ(raw.normals_against, 5);
 }

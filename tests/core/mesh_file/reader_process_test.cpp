@@ -23,8 +23,8 @@ class InPlaceOfTheReader {
   }
   ~InPlaceOfTheReader() { ::unsetenv("UNDERACT_MESH_READER"); }
 
-  std::string problem(const Watch& watch = {}) {
-    const Result<Raw> raw = readFile(folder_.write("m.obj", test::obj(test::cube(1.0F))), watch);
+  std::string problem(const TaskMonitor& monitor = {}) {
+    const Result<RawMesh> raw = readFile(folder_.write("m.obj", test::obj(test::cube(1.0F))), monitor);
     EXPECT_FALSE(raw);
     return raw ? "" : raw.problems()[0].sentence;
   }
@@ -39,7 +39,7 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 
 TEST(ReaderProcess, SaysASentenceWithItsPatternsSoThatTheWindowCanSayItInItsLanguage) {
   const test::ScratchFolder folder;
-  const Result<Raw> raw = readFile(folder.write("many.off", "OFF\n8000000000 12 0\n0 0 0\n"));
+  const Result<RawMesh> raw = readFile(folder.write("many.off", "OFF\n8000000000 12 0\n0 0 0\n"));
   ASSERT_FALSE(raw);
   const Sentence& sentence = raw.problems()[0].sentence;
   EXPECT_EQ(sentence.pattern(), "The file is truncated or damaged: it declares %1, but is too short for that.");
@@ -82,7 +82,7 @@ TEST(ReaderProcess, ThatLiesIsNotBelieved) {
 TEST(ReaderProcess, ThatIsNotThereIsSaid) {
   ::setenv("UNDERACT_MESH_READER", "/dev/null/nowhere/reader", 1);
   const test::ScratchFolder folder;
-  const Result<Raw> raw = readFile(folder.write("m.obj", test::obj(test::cube(1.0F))));
+  const Result<RawMesh> raw = readFile(folder.write("m.obj", test::obj(test::cube(1.0F))));
   ::unsetenv("UNDERACT_MESH_READER");
   ASSERT_FALSE(raw);
   EXPECT_EQ(
@@ -93,7 +93,7 @@ TEST(ReaderProcess, ThatIsNotThereIsSaid) {
 TEST(ReaderProcess, IsEndedAtOnceWhereItIsCancelled) {
   InPlaceOfTheReader reader("while :; do :; done");
   test::CancelledAfter cancelled(std::chrono::milliseconds(100));
-  EXPECT_EQ(reader.problem(cancelled.watch()), kCancelled);
+  EXPECT_EQ(reader.problem(cancelled.monitor()), kCancelled);
   EXPECT_LT(cancelled.secondsSince(), 0.2);
 }
 
@@ -101,14 +101,14 @@ TEST(ReaderProcess, TellsHowFarItIs) {
   const test::ScratchFolder folder;
   double last = 0.0;
   int told = 0;
-  Watch watch;
-  watch.progress = [&](const char* /*step*/, double share) {
+  TaskMonitor monitor;
+  monitor.progress = [&](const char* /*step*/, double share) {
     EXPECT_GT(share, last);
     EXPECT_LE(share, 1.0);
     last = share;
     ++told;
   };
-  ASSERT_TRUE(readFile(folder.write("m.obj", test::obj(test::ball(1.0F, 6))), watch));
+  ASSERT_TRUE(readFile(folder.write("m.obj", test::obj(test::ball(1.0F, 6))), monitor));
   EXPECT_GT(told, 50);
 }
 

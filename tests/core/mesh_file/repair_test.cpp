@@ -356,9 +356,9 @@ TEST(Repair, EndsSoonWhereItIsCancelled) {
       since = std::chrono::steady_clock::now();
       cancelled = true;
     });
-    Watch watch;
-    watch.cancelled = &cancelled;
-    const bool is_cancelled = !repair(triangles, watch);
+    TaskMonitor monitor;
+    monitor.cancelled = &cancelled;
+    const bool is_cancelled = !repair(triangles, monitor);
     const auto end = std::chrono::steady_clock::now();
     canceller.join();
     const double late_s = std::chrono::duration<double>(end - since).count();

@@ -83,11 +83,11 @@ TEST(MeshReport, SaysWhatIsLeftAndWhatItMeans) {
 TEST(MeshReport, SaysWhyThereIsNoWall) {
   Facts facts = closedFacts();
   facts.crowded_edges = 1;
-  EXPECT_EQ(whyNoWalls(facts), "edges with more than two faces leave the inside undefined");
+  EXPECT_EQ(noWallsReason(facts), "edges with more than two faces leave the inside undefined");
   facts.clashing_edges = 1;
-  EXPECT_EQ(whyNoWalls(facts), "its faces cannot agree on an outside");
+  EXPECT_EQ(noWallsReason(facts), "its faces cannot agree on an outside");
   facts = {};
-  EXPECT_EQ(whyNoWalls(facts), "it has no faces");
+  EXPECT_EQ(noWallsReason(facts), "it has no faces");
   EXPECT_EQ(reportOf(facts, 1.0), Sentences{"No face is left, so there is nothing to feel."});
 }
 

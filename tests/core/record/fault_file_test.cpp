@@ -129,8 +129,8 @@ TEST(FaultFile, NoTickAtAllIsAnEmptyList) {
 TEST(FaultFile, FaultsOfOneSecondHaveAFileEachAndNothingIsLeftBeside) {
   const Scratch scratch;
   const FaultWords words = wordsOf(someFault().fault);
-  const Result<std::string> first = keepFault(someFault(), words, scratch.path / "faults");
-  const Result<std::string> second = keepFault(someFault(), {"window", "", ""}, scratch.path / "faults");
+  const Result<std::string> first = saveFault(someFault(), words, scratch.path / "faults");
+  const Result<std::string> second = saveFault(someFault(), {"window", "", ""}, scratch.path / "faults");
   ASSERT_TRUE(first && second);
   EXPECT_EQ(fs::path(first.value()).filename(), "fault_20231114T221320Z_01_too_fast.json");
   EXPECT_EQ(fs::path(second.value()).filename(), "fault_20231114T221320Z_02_window.json");
@@ -145,7 +145,7 @@ TEST(FaultFile, TheNewestTwentyAreKeptAndWhatIsNotOursIsNotTouched) {
   servo::FaultReport report = someFault();
   for (int fault = 0; fault < 25; ++fault) {
     report.unix_time_s = 1'700'000'000 + 3600 * fault;
-    ASSERT_TRUE(keepFault(report, wordsOf(report.fault), scratch.path));
+    ASSERT_TRUE(saveFault(report, wordsOf(report.fault), scratch.path));
   }
   const std::vector<std::string> names = scratch.names();
   ASSERT_EQ(names.size(), 21U);
@@ -158,10 +158,10 @@ TEST(FaultFile, AClockThatWasSetBackDoesNotTakeTheNewestAway) {
   servo::FaultReport report = someFault();
   for (int fault = 0; fault < 20; ++fault) {
     report.unix_time_s = 1'700'000'000 + fault;
-    ASSERT_TRUE(keepFault(report, wordsOf(report.fault), scratch.path));
+    ASSERT_TRUE(saveFault(report, wordsOf(report.fault), scratch.path));
   }
   report.unix_time_s = 0;
-  const Result<std::string> kept = keepFault(report, wordsOf(report.fault), scratch.path);
+  const Result<std::string> kept = saveFault(report, wordsOf(report.fault), scratch.path);
   ASSERT_TRUE(kept);
   EXPECT_TRUE(fs::exists(kept.value()));
   EXPECT_EQ(scratch.names().size(), 20U);
@@ -171,7 +171,7 @@ TEST(FaultFile, WhereItCannotBeWrittenIsAProblemThatSaysWhereAndWhy) {
   const Scratch scratch;
   fs::create_directories(scratch.path);
   std::ofstream(scratch.path / "faults") << "a file where the folder would be";
-  const Result<std::string> kept = keepFault(someFault(), wordsOf(someFault().fault), scratch.path / "faults");
+  const Result<std::string> kept = saveFault(someFault(), wordsOf(someFault().fault), scratch.path / "faults");
   ASSERT_FALSE(kept);
   EXPECT_EQ(kept.problems()[0].place.file, (scratch.path / "faults").string());
   EXPECT_FALSE(kept.problems()[0].sentence.empty());
@@ -194,7 +194,7 @@ TEST(FaultFile, IsItsOwnersAloneAndSoIsItsFolderWhateverTheUmaskIs) {
   const Scratch scratch;
   const test::Umask everybody(0);
   const std::string folder = (scratch.path / "made/faults").string();
-  const Result<std::string> kept = keepFault(servo::FaultReport{}, {"k", "w", "d"}, folder);
+  const Result<std::string> kept = saveFault(servo::FaultReport{}, {"k", "w", "d"}, folder);
   ASSERT_TRUE(kept);
   EXPECT_EQ(test::modeOf(kept.value()), 0600U);
   EXPECT_EQ(test::modeOf(folder), 0700U);

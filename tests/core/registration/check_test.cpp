@@ -27,7 +27,7 @@ TEST(Warnings, AGoodRegistrationHasNone) {
   test::Random random({11});
   for (std::size_t count = kFewestMarks; count <= kMostMarks; ++count) {
     for (const double turn_rad : {0.0, 1.0, 3.0, -1.6}) {
-      const auto all = warnings(touched(sheetMarks(count), standing(turn_rad), 0.5e-3, random));
+      const auto all = warnings(touched(sheetPoints(count), standing(turn_rad), 0.5e-3, random));
       EXPECT_TRUE(all.empty()) << all.front().sentence;
     }
   }
@@ -38,7 +38,7 @@ TEST(Warnings, TwoMarksInExchangeAreNamed) {
   for (std::size_t count = kFewestMarks; count <= 5; ++count) {
     for (std::size_t one = 0; one < count; ++one) {
       for (std::size_t other = 0; other < one; ++other) {
-        std::vector<Touch> touches = touched(sheetMarks(count), standing(0.5), 0.3e-3, random);
+        std::vector<Touch> touches = touched(sheetPoints(count), standing(0.5), 0.3e-3, random);
         std::swap(touches[one].p_WM, touches[other].p_WM);
         const auto all = warnings(touches);
         const Warning* order = find(all, Kind::Order);
@@ -55,7 +55,7 @@ TEST(Warnings, TwoMarksInExchangeAreNamed) {
 TEST(Warnings, AnyOrderIsSeenForWhatItIs) {
   test::Random random({13});
   for (int draw = 0; draw < test::sweep(60, 1'000); ++draw) {
-    const std::vector<Touch> right = touched(sheetMarks(6), standing(random.between(-3, 3)), 0.3e-3, random);
+    const std::vector<Touch> right = touched(sheetPoints(6), standing(random.between(-3, 3)), 0.3e-3, random);
     std::vector<std::size_t> order(right.size());
     std::iota(order.begin(), order.end(), 0U);
     for (std::size_t at = order.size(); at > 1; --at) std::swap(order[at - 1], order[random.below(at)]);
@@ -98,7 +98,7 @@ TEST(Warnings, TheOrderThatIsProposedLetsTheArmStand) {
 TEST(Warnings, AnArmThatReallyHangsIsOnlyAskedAbout) {
   Pose X_DW = Pose::Identity();
   X_DW.linear() = Eigen::AngleAxisd(3.0, Vec3::UnitZ()).toRotationMatrix();
-  const auto all = warnings(touched(sheetMarks(4), X_DW));
+  const auto all = warnings(touched(sheetPoints(4), X_DW));
   EXPECT_EQ(find(all, Kind::Order), nullptr);
   ASSERT_NE(find(all, Kind::UpsideDown), nullptr);
 }
@@ -106,10 +106,10 @@ TEST(Warnings, AnArmThatReallyHangsIsOnlyAskedAbout) {
 TEST(Warnings, TheMarkThatIsWorstIsNamed) {
   test::Random random({14});
   for (std::size_t wrong = 0; wrong < 5; ++wrong) {
-    std::vector<Touch> touches = touched(sheetMarks(5), standing(0.5), 0.3e-3, random);
+    std::vector<Touch> touches = touched(sheetPoints(5), standing(0.5), 0.3e-3, random);
     touches[wrong].p_WM += Vec3(0.007, 0.009, -0.007);
     const Fit fit = fitTouches(touches).value();
-    EXPECT_EQ(worstMark(touches, fit), wrong);
+    EXPECT_EQ(worstPoint(touches, fit), wrong);
     const auto all = warningsOf(touches, fit);
     ASSERT_NE(find(all, Kind::Residual), nullptr);
     EXPECT_NE(find(all, Kind::Residual)->sentence.find("Reference point " + std::to_string(wrong + 1) + " fits worst"),
@@ -128,7 +128,7 @@ TEST(Warnings, MarksNearlyOnALineAndNearToEachOtherAreTold) {
 }
 
 TEST(Warnings, ATipThatMovedIsTold) {
-  std::vector<Touch> touches = touched(sheetMarks(), standing(0.0));
+  std::vector<Touch> touches = touched(sheetPoints(), standing(0.0));
   touches[1].spread_m = 0.8e-3;
   const auto all = warnings(touches);
   ASSERT_EQ(all.size(), 1U);

@@ -30,7 +30,7 @@ TEST(ExpectedError, TheFitHidesAPartOfTheTouches) {
 TEST(ExpectedError, IsWhatDrawsShow) {
   const int draws = test::sweep(4'000, 200'000);
   for (std::size_t marks = kFewestMarks; marks <= kMostMarks; ++marks) {
-    const Accuracy accuracy = accuracyOf(sheetMarks(marks), 0.3e-3, draws, 20260104 + marks);
+    const Accuracy accuracy = accuracyOf(sheetPoints(marks), 0.3e-3, draws, 20260104 + marks);
     EXPECT_NEAR(accuracy.seen_m / accuracy.expected_m, 1.0, 0.05) << marks;
     EXPECT_NEAR(touchingError_m(accuracy.left_m, marks) / 0.3e-3, 1.0, 0.05) << marks;
     EXPECT_NEAR(accuracy.covered, 0.95, 0.02) << marks;
@@ -39,19 +39,19 @@ TEST(ExpectedError, IsWhatDrawsShow) {
 }
 
 TEST(ExpectedError, GrowsWithTheErrorOfTheTouchesAndFallsWithMoreMarks) {
-  const Accuracy few = accuracyOf(sheetMarks(3), 1e-3, 2000, 5), many = accuracyOf(sheetMarks(8), 1e-3, 2000, 5);
+  const Accuracy few = accuracyOf(sheetPoints(3), 1e-3, 2000, 5), many = accuracyOf(sheetPoints(8), 1e-3, 2000, 5);
   EXPECT_LT(many.seen_m, few.seen_m);
-  EXPECT_NEAR(expectedError_m(sheetMarks(3), 2e-3, kMiddle_D), 2.0 * expectedError_m(sheetMarks(3), 1e-3, kMiddle_D),
+  EXPECT_NEAR(expectedError_m(sheetPoints(3), 2e-3, kMiddle_D), 2.0 * expectedError_m(sheetPoints(3), 1e-3, kMiddle_D),
               1e-15);
-  EXPECT_EQ(accuracyOf(sheetMarks(3), 1e-3, 50, 5).seen_m, accuracyOf(sheetMarks(3), 1e-3, 50, 5).seen_m);
+  EXPECT_EQ(accuracyOf(sheetPoints(3), 1e-3, 50, 5).seen_m, accuracyOf(sheetPoints(3), 1e-3, 50, 5).seen_m);
 }
 
 TEST(ExpectedError, OfTheMiddleIsThatOfTheArmsOwnMiddle) {
   test::Random random({7});
-  const std::vector<Touch> touches = touched(sheetMarks(5), standing(0.7), 1e-3, random);
+  const std::vector<Touch> touches = touched(sheetPoints(5), standing(0.7), 1e-3, random);
   const Fit fit = fitTouches(touches).value();
   const ErrorInTheMiddle middle = errorInTheMiddle(touches, fit);
-  EXPECT_NEAR(middle.expected_m, expectedError_m(sheetMarks(5), touchingError_m(fit.rms_m, 5), fit.X_DW.translation()),
+  EXPECT_NEAR(middle.expected_m, expectedError_m(sheetPoints(5), touchingError_m(fit.rms_m, 5), fit.X_DW.translation()),
               1e-15);
   EXPECT_GT(middle.likely_most_m, middle.expected_m);
 }

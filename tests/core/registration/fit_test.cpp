@@ -72,7 +72,7 @@ TEST(FitTouches, ExactPointsGiveTheirPoseBack) {
   for (int draw = 0; draw < test::sweep(500, 20'000); ++draw) {
     const Pose X_DW = anyPose(random);
     const std::size_t count = kFewestMarks + random.below(6);
-    const Fit fit = fitTouches(touched(sheetMarks(count), X_DW)).value();
+    const Fit fit = fitTouches(touched(sheetPoints(count), X_DW)).value();
     ASSERT_LT((fit.X_DW.matrix() - X_DW.matrix()).norm(), 1e-13) << draw;
     ASSERT_LT(fit.rms_m, 1e-14);
   }
@@ -82,11 +82,11 @@ TEST(FitTouches, NoisyPointsGiveHornsPose) {
   test::Random random({20260102});
   for (int draw = 0; draw < test::sweep(500, 20'000); ++draw) {
     const Pose X_DW = anyPose(random);
-    std::vector<Vec3> marks_D = sheetMarks(kFewestMarks + random.below(6));
+    std::vector<Vec3> points_D = sheetPoints(kFewestMarks + random.below(6));
     if (draw % 2 == 0) {
-      for (Vec3& mark_D : marks_D) mark_D += random.inBox(0.04);  // not in a plane
+      for (Vec3& mark_D : points_D) mark_D += random.inBox(0.04);  // not in a plane
     }
-    const std::vector<Touch> touches = touched(marks_D, X_DW, 0.003, random);
+    const std::vector<Touch> touches = touched(points_D, X_DW, 0.003, random);
     const Result<Fit> fit = fitTouches(touches);
     if (!fit) continue;  // drawn onto a line
     ASSERT_NEAR(fit.value().X_DW.linear().determinant(), 1.0, 1e-12);
@@ -97,7 +97,7 @@ TEST(FitTouches, NoisyPointsGiveHornsPose) {
 TEST(FitTouches, NoOtherPoseFitsBetter) {
   test::Random random({20260103});
   for (int draw = 0; draw < test::sweep(100, 2'000); ++draw) {
-    const std::vector<Touch> touches = touched(sheetMarks(4), anyPose(random), 0.004, random);
+    const std::vector<Touch> touches = touched(sheetPoints(4), anyPose(random), 0.004, random);
     const Fit fit = fitTouches(touches).value();
     for (int way = 0; way < 20; ++way) {
       Pose other = fit.X_DW;
@@ -125,10 +125,10 @@ TEST(FitTouches, WhatSaysNothingAboutATurnIsRefused) {
   EXPECT_TRUE(isRefused(touched({{0, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}}, X_DW), "one line"));
   EXPECT_TRUE(isRefused(touched({{0, 0, 0}, {0.1, 0, 0.001}, {0.2, 0, 0}}, X_DW), "one line"));
   EXPECT_TRUE(isRefused(touched({{0, 0, 0}, {0.1, 0, 0}, {0.1, 0, 0.0005}}, X_DW), "2 and 3"));
-  std::vector<Touch> touches = touched(sheetMarks(), X_DW);
+  std::vector<Touch> touches = touched(sheetPoints(), X_DW);
   touches[1].p_WM.y() = kNotANumber;
   EXPECT_TRUE(isRefused(touches, "finite"));
-  touches = touched(sheetMarks(), X_DW);
+  touches = touched(sheetPoints(), X_DW);
   touches[2].p_WM = touches[0].p_WM;
   EXPECT_TRUE(isRefused(touches, "touched points 1 and 3"));
   EXPECT_TRUE(fitTouches(touched({{0, 0, 0}, {0.1, 0, 0.008}, {0.2, 0, 0}}, X_DW)));
@@ -142,14 +142,14 @@ TEST(Layout, IsOfTheNearestTwoAndTheBestLine) {
 }
 
 TEST(Sheet, NoOtherOrderOfTheFirstThreeFitsTheirDistances) {
-  const std::vector<Vec3> marks_D = sheetMarks();
-  const double a = (marks_D[0] - marks_D[1]).norm(), b = (marks_D[1] - marks_D[2]).norm(),
-               c = (marks_D[2] - marks_D[0]).norm();
+  const std::vector<Vec3> points_D = sheetPoints();
+  const double a = (points_D[0] - points_D[1]).norm(), b = (points_D[1] - points_D[2]).norm(),
+               c = (points_D[2] - points_D[0]).norm();
   EXPECT_GT(std::abs(a - b), 0.02);
   EXPECT_GT(std::abs(b - c), 0.02);
   EXPECT_GT(std::abs(c - a), 0.02);
-  EXPECT_EQ(sheetMarks(8).size(), 8U);
-  EXPECT_GT(layoutOf(sheetMarks(8)).least_apart_m, 0.02);
+  EXPECT_EQ(sheetPoints(8).size(), 8U);
+  EXPECT_GT(layoutOf(sheetPoints(8)).least_apart_m, 0.02);
   EXPECT_EQ(awayOf(onDesk(0.1, 0.2, 0.3)), 0.2);
   EXPECT_EQ(onDesk(0.1, 0.2, 0.3), Vec3(0.1, 0.3, -0.2));
 }

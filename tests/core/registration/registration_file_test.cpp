@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
+#include "core/registration/registration_store.h"
 #include "core/registration/sheet.h"
-#include "core/registration/store.h"
 #include "tests/core/registration/touches.h"
 #include "tests/support/mutate.h"
 #include "tests/support/property.h"
@@ -18,7 +18,7 @@ Registration sample(std::uint64_t seed, const std::string& arm = "wooden:0042") 
   test::Random random({seed});
   Registration registration{arm, "2026-11-22", "underact 0.1.0", {}, {}};
   registration.touches =
-      touched(sheetMarks(3 + seed % 6), standing(random.between(-3, 3), random.inBox(0.2)), 1e-3, random);
+      touched(sheetPoints(3 + seed % 6), standing(random.between(-3, 3), random.inBox(0.2)), 1e-3, random);
   for (Touch& touch : registration.touches) touch.spread_m = random.between(0.0, 1e-3);
   registration.fit = fitTouches(registration.touches).value();
   return registration;
@@ -127,37 +127,40 @@ TEST(RegistrationFile, AnyBytesAreRefusedInWordsOrAreAFinitePose) {
 TEST(Store, KeepsOneRegistrationAnArm) {
   const test::ScratchFolder scratch;
   const std::string folder = scratch.path() + "/not/yet/there";
-  EXPECT_FALSE(recall("wooden:0042", folder).value());
-  ASSERT_TRUE(keep(sample(1), folder).empty());
-  ASSERT_TRUE(keep(sample(2, "wooden:/dev/hidraw3"), folder).empty());
-  ASSERT_TRUE(keep(sample(3), folder).empty());  // in place of the first
-  const auto first = recall("wooden:0042", folder);
+  EXPECT_FALSE(loadRegistration("wooden:0042", folder).value());
+  ASSERT_TRUE(saveRegistration(sample(1), folder).empty());
+  ASSERT_TRUE(saveRegistration(sample(2, "wooden:/dev/hidraw3"), folder).empty());
+  ASSERT_TRUE(saveRegistration(sample(3), folder).empty());  // in place of the first
+  const auto first = loadRegistration("wooden:0042", folder);
   ASSERT_TRUE(first && first.value());
   EXPECT_EQ(first.value()->touches.size(), sample(3).touches.size());
-  ASSERT_TRUE(recall("wooden:/dev/hidraw3", folder).value());
-  EXPECT_TRUE(forget("wooden:0042", folder).empty());
-  EXPECT_TRUE(forget("wooden:0042", folder).empty());  // it is gone already
-  EXPECT_FALSE(recall("wooden:0042", folder).value());
-  EXPECT_TRUE(recall("wooden:/dev/hidraw3", folder).value());
+  ASSERT_TRUE(loadRegistration("wooden:/dev/hidraw3", folder).value());
+  EXPECT_TRUE(removeRegistration("wooden:0042", folder).empty());
+  EXPECT_TRUE(removeRegistration("wooden:0042", folder).empty());  // it is gone already
+  EXPECT_FALSE(loadRegistration("wooden:0042", folder).value());
+  EXPECT_TRUE(loadRegistration("wooden:/dev/hidraw3", folder).value());
 }
 
 TEST(Store, NamesOfFilesHoldNothingThatLeadsElsewhere) {
-  EXPECT_EQ(std::filesystem::path(storePath("wooden:../../a", "/x")).filename(), "wooden%3A%2E%2E%2F%2E%2E%2Fa.json");
-  EXPECT_EQ(std::filesystem::path(storePath("..", "/x")).parent_path(), "/x");
+  EXPECT_EQ(std::filesystem::path(registrationPath("wooden:../../a", "/x")).filename(),
+            "wooden%3A%2E%2E%2F%2E%2E%2Fa.json");
+  EXPECT_EQ(std::filesystem::path(registrationPath("..", "/x")).parent_path(), "/x");
 }
 
 TEST(Store, AFileOfAnotherArmAndOneThatIsDamagedAreSaid) {
   const test::ScratchFolder scratch;
-  ASSERT_TRUE(keep(sample(1), scratch.path()).empty());
-  std::filesystem::copy(storePath("wooden:0042", scratch.path()), storePath("wooden:0043", scratch.path()));
-  EXPECT_NE(recall("wooden:0043", scratch.path()).problems().front().sentence.find("another arm, \"wooden:0042\""),
-            std::string::npos);
-  std::filesystem::resize_file(storePath("wooden:0042", scratch.path()), 60);
-  EXPECT_FALSE(recall("wooden:0042", scratch.path()));
+  ASSERT_TRUE(saveRegistration(sample(1), scratch.path()).empty());
+  std::filesystem::copy(registrationPath("wooden:0042", scratch.path()),
+                        registrationPath("wooden:0043", scratch.path()));
+  EXPECT_NE(
+      loadRegistration("wooden:0043", scratch.path()).problems().front().sentence.find("another arm, \"wooden:0042\""),
+      std::string::npos);
+  std::filesystem::resize_file(registrationPath("wooden:0042", scratch.path()), 60);
+  EXPECT_FALSE(loadRegistration("wooden:0042", scratch.path()));
 }
 
 TEST(Store, WhatCannotBeWrittenIsSaid) {
-  EXPECT_FALSE(keep(sample(1), "/proc/nowhere").empty());
+  EXPECT_FALSE(saveRegistration(sample(1), "/proc/nowhere").empty());
 }
 
 }  // namespace

@@ -7,17 +7,17 @@
 namespace underact::registration {
 
 /// What an arm at X_DW sees of the marks, each touched beside it by at most error_m along each axis.
-inline std::vector<Touch> touched(const std::vector<Vec3>& marks_D, const Pose& X_DW, double error_m,
+inline std::vector<Touch> touched(const std::vector<Vec3>& points_D, const Pose& X_DW, double error_m,
                                   test::Random& random) {
   std::vector<Touch> touches;
-  for (const Vec3& mark_D : marks_D)
+  for (const Vec3& mark_D : points_D)
     touches.push_back({mark_D, X_DW.inverse() * (mark_D + random.inBox(error_m)), 0.0});
   return touches;
 }
 
-inline std::vector<Touch> touched(const std::vector<Vec3>& marks_D, const Pose& X_DW) {
+inline std::vector<Touch> touched(const std::vector<Vec3>& points_D, const Pose& X_DW) {
   test::Random random({1});
-  return touched(marks_D, X_DW, 0.0, random);
+  return touched(points_D, X_DW, 0.0, random);
 }
 
 /// Any turn, and a place within 0.3 m.

@@ -11,7 +11,7 @@ using Event = Touching::Event;
 
 /// A person at an arm that ticks every millisecond.
 struct Person {
-  explicit Person(std::size_t marks = 3) : touching(sheetMarks(marks)) {}
+  explicit Person(std::size_t marks = 3) : touching(sheetPoints(marks)) {}
   /// The tip rests at p for so long, the button down or not; the last event that was one.
   Event rest(const Vec3& p_WT, int milliseconds, bool pressed, double speed_m_per_ms = 0.0) {
     Event last = Event::None;
@@ -44,7 +44,7 @@ TEST(Touching, MarkAfterMarkByTheButton) {
   const std::vector<Touch> touches = person.touching.touches();
   ASSERT_EQ(touches.size(), 3U);
   EXPECT_LT((touches[1].p_WM - kB).norm(), 1e-15);
-  EXPECT_EQ(touches[1].p_DM, sheetMarks()[1]);
+  EXPECT_EQ(touches[1].p_DM, sheetPoints()[1]);
   EXPECT_EQ(person.rest(kA, 1000, true), Event::None);  // no mark is due
 }
 
@@ -94,7 +94,7 @@ TEST(Touching, TheKeyDoesWhatTheButtonDoes) {
   EXPECT_TRUE(person.touching.isHolding());
   EXPECT_EQ(person.rest(kA, 300, false), Event::None);
   EXPECT_NEAR(person.touching.share(), 0.6, 0.01);
-  person.touching.letGo();
+  person.touching.release();
   EXPECT_EQ(person.rest(kA, 600, false), Event::None);
   person.touching.press();
   EXPECT_EQ(person.rest(kA, 600, false), Event::Touched);

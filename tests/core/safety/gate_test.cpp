@@ -17,7 +17,7 @@ static_assert(!std::is_constructible_v<GatedForce, Vec3>, "only gate() may make 
 static_assert(!std::is_convertible_v<Vec3, GatedForce> && !std::is_assignable_v<GatedForce&, Vec3>);
 static_assert(!std::is_aggregate_v<GatedForce>);
 static_assert(noexcept(gate(std::declval<const Limits&>(), std::declval<const GateState&>(),
-                            std::declval<const Asked&>(), 0.0)));
+                            std::declval<const GateInput&>(), 0.0)));
 static_assert(noexcept(clampForce(std::declval<const Vec3&>(), 0.0)) && noexcept(std::declval<GatedForce&>().f_T_W()));
 
 constexpr double kUlp = 0x1p-52;
@@ -97,7 +97,7 @@ TEST(Gate, TheForceRisesInTheRiseTimeAndFallsInTheFallTime) {
   }
   (void)gate(kLimits, state, push(kSmall), 1e-3);
   EXPECT_NEAR(state.level, 1.0, 1e-13);
-  Asked release = push(kSmall);
+  GateInput release = push(kSmall);
   release.engage = false;
   state.level = 1.0;
   for (int tick = 1; tick <= 60; ++tick) {
@@ -157,7 +157,7 @@ TEST(Gate, AForceThatIsNotANumberGivesZeroAndAFaultThatLasts) {
 
 TEST(Gate, RestartClearsAFaultAndRampsFromNothing) {
   Gated gated = gate(kLimits, open(), push({0, kNotANumber, 0}), 1e-3);
-  Asked restart = push(kSmall);
+  GateInput restart = push(kSmall);
   restart.restart = true;
   gated = gate(kLimits, gated.next, restart, 1e-3);
   EXPECT_EQ(gated.fault.kind, FaultKind::None);
@@ -172,7 +172,7 @@ TEST(Gate, RestartForgetsTheSpeedToo) {  // a speed of before would cut the firs
   fast.heat = Vec3(0.1, 0.2, 0.3);
   GateState cold;
   cold.heat = fast.heat;
-  Asked restart = push({0.5, 0, 0});
+  GateInput restart = push({0.5, 0, 0});
   restart.restart = true;
   const Limits limits = limitsForHands(0.88, Vec3::Zero());
   const Gated gated = gate(limits, fast, restart, 1e-3);
@@ -182,14 +182,14 @@ TEST(Gate, RestartForgetsTheSpeedToo) {  // a speed of before would cut the firs
 }
 
 TEST(Gate, RestartDoesNotHideWhatIsWrongNow) {
-  Asked restart = push({kNotANumber, 0, 0});
+  GateInput restart = push({kNotANumber, 0, 0});
   restart.restart = true;
   EXPECT_EQ(gate(kLimits, open(), restart, 1e-3).next.fault.kind, FaultKind::NotFinite);
 }
 
 TEST(Gate, AMissingSampleIsZeroForceAndTooManyAreAFaultThatLasts) {
   for (const FaultKind kind : {FaultKind::NoSample, FaultKind::StaleSample}) {
-    const Asked missing{kZero, true, false, {kind, 0.0, 0.0}};
+    const GateInput missing{kZero, true, false, {kind, 0.0, 0.0}};
     GateState state = open();
     for (int tick = 1; tick <= 20; ++tick) {
       const Gated gated = gate(kLimits, state, missing, 0.0);
@@ -239,7 +239,7 @@ TEST(Gate, WhateverComesInTheForceIsFiniteWithinItsLimitAndZeroInAFault) {
   GateState state;
   for (int draw = 0; draw < test::sweep(200000, 10000000); ++draw) {
     const auto any = [&] { return random.below(4) == 0 ? odd[random.below(odd.size())] : random.between(-2.0, 2.0); };
-    Asked asked{{any(), any(), any()}, random.below(10) != 0, random.below(10) == 0, {}};
+    GateInput asked{{any(), any(), any()}, random.below(10) != 0, random.below(10) == 0, {}};
     if (random.below(10) == 0) asked.fault.kind = static_cast<FaultKind>(random.below(kFaultKinds));
     Limits limits = random.below(2) == 0 ? kLimits : limitsForHands(0.88, Vec3(0.15, 0.15, 0.0));
     limits.max_force_N = random.between(0.0, 3.0);

@@ -5,7 +5,7 @@ namespace underact::safety {
 
 inline const Vec3 kZero = Vec3::Zero();
 
-inline Asked push(const Vec3& f_T_W) {
+inline GateInput push(const Vec3& f_T_W) {
   return {f_T_W, true, false, {}};
 }
 

@@ -32,7 +32,7 @@ TEST(Speed, AnArmThatItsOwnForceThrowsIsLetGo) {  // through the gate: mass with
   GateState state = open();
   double v = 0.0;
   for (int tick = 0; tick < 2000; ++tick) {
-    Asked asked = push({0.88, 0.0, 0.0});
+    GateInput asked = push({0.88, 0.0, 0.0});
     asked.motion.v_WT = {v, 0.0, 0.0};
     const Gated gated = gate(kHands, state, asked, 1e-3);
     state = gated.next;
@@ -43,7 +43,7 @@ TEST(Speed, AnArmThatItsOwnForceThrowsIsLetGo) {  // through the gate: mass with
 }
 
 TEST(Jump, AFaultThatSaysHowFast) {
-  Asked asked = push({0.1, 0.0, 0.0});
+  GateInput asked = push({0.1, 0.0, 0.0});
   asked.motion.v_WT = {0.0, 25.0, 0.0};
   const Gated gated = gate(kHands, open(), asked, 1e-3);
   EXPECT_EQ(gated.force.f_T_W(), kZero);
@@ -81,7 +81,7 @@ TEST(Heat, RisesToTheSquareOfTheLoadAndFallsAgain) {
 
 TEST(Heat, NeverGoesBeyondOneWhateverIsAsked) {  // motor 3 bears 0.10 N m and is asked for 0.132
   GateState state = open();
-  Asked asked = push({0.0, 0.0, 0.88});
+  GateInput asked = push({0.0, 0.0, 0.88});
   asked.motion = levers();
   double worst = 0.0, last_N = 0.0;
   bool was_cut = false;
@@ -100,7 +100,7 @@ TEST(Heat, NeverGoesBeyondOneWhateverIsAsked) {  // motor 3 bears 0.10 N m and i
 TEST(Heat, IsNotForgottenByARestart) {
   GateState state = open();
   state.heat = {0.5, 0.6, 0.7};
-  Asked asked = push({0.1, 0.0, 0.0});
+  GateInput asked = push({0.1, 0.0, 0.0});
   asked.restart = true;
   EXPECT_EQ(gate(kHands, state, asked, 0.0).next.heat, Vec3(0.5, 0.6, 0.7));
 }
@@ -137,7 +137,7 @@ TEST(Frozen, ASampleThatStaysTheSameToTheBitIsLetGoUntilItMoves) {
   Limits limits = kHands;
   limits.frozen_s = 0.5;
   GateState state = open();
-  Asked asked = push({0.1, 0.0, 0.0});
+  GateInput asked = push({0.1, 0.0, 0.0});
   asked.motion.moved = false;
   Gated gated;
   for (int tick = 0; tick < 499; ++tick) gated = gate(limits, state, asked, 1e-3), state = gated.next;
@@ -154,7 +154,7 @@ TEST(Frozen, ASampleThatStaysTheSameToTheBitIsLetGoUntilItMoves) {
 
 TEST(Late, TwentyInARowAreBorneAndOneMoreLetsGoSoftlyThenStops) {
   GateState state = open();
-  Asked late = push({0.5, 0.0, 0.0});
+  GateInput late = push({0.5, 0.0, 0.0});
   late.late = true;
   Gated gated;
   for (int tick = 0; tick < 20; ++tick) gated = gate(kHands, state, late, 2e-3), state = gated.next;
@@ -176,7 +176,7 @@ TEST(Late, TwentyInARowAreBorneAndOneMoreLetsGoSoftlyThenStops) {
 TEST(Late, OneOnTimeStartsTheCountAgain) {
   GateState state = open();
   for (int tick = 0; tick < 1000; ++tick) {
-    Asked asked = push({0.5, 0.0, 0.0});
+    GateInput asked = push({0.5, 0.0, 0.0});
     asked.late = tick % 21 != 20;
     state = gate(kHands, state, asked, 1e-3).next;
   }
@@ -186,7 +186,7 @@ TEST(Late, OneOnTimeStartsTheCountAgain) {
 TEST(Late, IsNoFaultWhileNothingPushes) {
   GateState state;
   for (int tick = 0; tick < 100; ++tick) {
-    Asked idle;
+    GateInput idle;
     idle.late = true;
     state = gate(kHands, state, idle, 1e-3).next;
   }

@@ -46,7 +46,7 @@ class Sway {
   }
   arm::JointAngles at(const arm::Geometry& geometry, int tick) const {
     const auto swing = [&](std::size_t way) { return sinCos(begin_[way] + 1e-3 * tick * pace_[way]).sin; };
-    arm::JointAngles q_rad = arm::reach(geometry, 0.04 * Vec3(swing(0), swing(1), swing(2))).q_rad;
+    arm::JointAngles q_rad = arm::solvePosition(geometry, 0.04 * Vec3(swing(0), swing(1), swing(2))).q_rad;
     q_rad[3] = swing(3), q_rad[4] = 1.5 + 0.6 * swing(4), q_rad[5] = 0.7 * swing(5);
     return q_rad;
   }

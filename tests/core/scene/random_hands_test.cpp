@@ -78,7 +78,7 @@ TEST_P(RandomHands, NoNumberIsLostAndNoTargetJumps) {
       ASSERT_TRUE(report.f_T_W.allFinite() && report.force.f_T_W().allFinite()) << hand;
       ASSERT_LE(report.force.f_T_W().norm(), arm.continuous_force_N * (1.0 + 1e-15));
       for (std::size_t index = 0; index < report.held.size(); ++index) {
-        const tick::Held& held = report.held[index];
+        const tick::ConstraintReport& held = report.held[index];
         ASSERT_EQ(held.status, target::Status::Unique) << hand;
         ASSERT_TRUE(held.p_WP.allFinite() && held.robot.moment_W.allFinite()) << hand;
         // A cylinder's target goes along with the tip besides.

@@ -151,7 +151,7 @@ TEST_F(EverySetting, StandsInTheFileWhereItsPathSays) {
     const json::Value root = json::parse(writeScene(edited.value()), "").value();
     const json::Value* const there = inJson(root, path);
     if (there == nullptr) {
-      const bool is_usual = setting.said == Said::Required || usualAt(edited.value(), path).value() == value;
+      const bool is_usual = setting.said == KeyPresence::Required || defaultAt(edited.value(), path).value() == value;
       EXPECT_TRUE(is_usual);  // the filter is required of a velocity, and that is left out where it is the usual one
       return;
     }
@@ -175,16 +175,16 @@ TEST_F(EverySetting, LeftOutIsWhatTheTableSays) {
     if (inJson(root, path) == nullptr) {
       const std::string object = path.substr(0, path.rfind('/'));
       if (object.empty() || inJson(root, object) != nullptr) {
-        EXPECT_EQ(valueAt(scene, path).value(), usualAt(scene, path).value());
+        EXPECT_EQ(valueAt(scene, path).value(), defaultAt(scene, path).value());
       }
       return;
     }
     const Result<Description> read = readScene(replaced(text, path, ""), "");
-    if (setting.said == Said::Required) {
+    if (setting.said == KeyPresence::Required) {
       ASSERT_FALSE(read);
       EXPECT_NE(read.problems().front().sentence.find("is missing"), std::string::npos);
     } else if (read) {  // what is between keys may refuse it
-      EXPECT_EQ(valueAt(read.value(), path).value(), usualAt(scene, path).value());
+      EXPECT_EQ(valueAt(read.value(), path).value(), defaultAt(scene, path).value());
     }
   });
 }
@@ -333,7 +333,7 @@ void holdAgainstSchema(const json::Value& root, const SettingOf<Object>& row) {
       EXPECT_EQ(is->find("type")->text, "integer");
     }
     const bool has_usual =
-        row.is.said != Said::Required && !isNone(row.usual(Object{})) && row.is.key != std::string("dynamic");
+        row.is.said != KeyPresence::Required && !isNone(row.usual(Object{})) && row.is.key != std::string("dynamic");
     ASSERT_EQ(usual != nullptr, has_usual);
     if (places.size() == 1 && usual != nullptr) {
       EXPECT_EQ(schemaText(*usual), usualTextOf(row));

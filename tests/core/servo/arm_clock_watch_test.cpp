@@ -22,7 +22,7 @@ std::int64_t firstFault(std::int64_t ticks, std::int64_t period_ns, Clock&& samp
   ArmClockWatch watch;
   for (std::int64_t tick = 0; tick < ticks; ++tick) {
     const std::int64_t now_ns = tick * period_ns;
-    if (watch.look(sample_ns(tick, now_ns), now_ns, now_ns, period_ns).kind != FaultKind::None) return tick;
+    if (watch.check(sample_ns(tick, now_ns), now_ns, now_ns, period_ns).kind != FaultKind::None) return tick;
   }
   return -1;
 }
@@ -62,8 +62,8 @@ TEST(ArmClockWatch, ALeapIsFoundInTheTickInWhichItCame) {
 
 TEST(ArmClockWatch, SaysHowFarEachOfTheTwoWent) {
   ArmClockWatch watch;
-  EXPECT_EQ(watch.look(0, 0, 0, kMillisecond_ns).kind, FaultKind::None);
-  const Fault ahead = watch.look(3600 * system::kSecond_ns, kMillisecond_ns, kMillisecond_ns, kMillisecond_ns);
+  EXPECT_EQ(watch.check(0, 0, 0, kMillisecond_ns).kind, FaultKind::None);
+  const Fault ahead = watch.check(3600 * system::kSecond_ns, kMillisecond_ns, kMillisecond_ns, kMillisecond_ns);
   EXPECT_EQ(ahead.kind, FaultKind::OddClock);
   EXPECT_NEAR(ahead.seen, 3600.0, 1e-9);
   EXPECT_NEAR(ahead.allowed, 0.001, 1e-12);
@@ -72,8 +72,8 @@ TEST(ArmClockWatch, SaysHowFarEachOfTheTwoWent) {
             "arm, then press Start.");
   Fault behind;
   for (int tick = 0; behind.kind == FaultKind::None && tick < 1000; ++tick)
-    behind = watch.look(3600 * system::kSecond_ns + tick * 10'000, tick * kMillisecond_ns, tick * kMillisecond_ns,
-                        kMillisecond_ns);
+    behind = watch.check(3600 * system::kSecond_ns + tick * 10'000, tick * kMillisecond_ns, tick * kMillisecond_ns,
+                         kMillisecond_ns);
   EXPECT_EQ(behind.kind, FaultKind::OddClock);
   EXPECT_LT(behind.seen, 0.002);
   EXPECT_NEAR(behind.allowed, 0.102, 0.001);
@@ -97,7 +97,7 @@ TEST(ArmClockWatch, AnArmThatCountsItsSamplesIsRightWhereTicksAreLate) {
     for (int tick = 0; tick < 20'000; ++tick) {
       now_ns += kMillisecond_ns * (1 + static_cast<std::int64_t>(random.below(20) == 0 ? random.below(90) : 0));
       counted_ns += kMillisecond_ns;
-      ASSERT_EQ(watch.look(counted_ns, now_ns, now_ns, kMillisecond_ns).kind, FaultKind::None) << tick;
+      ASSERT_EQ(watch.check(counted_ns, now_ns, now_ns, kMillisecond_ns).kind, FaultKind::None) << tick;
     }
   }
 }
@@ -123,7 +123,7 @@ TEST(ArmClockWatch, NoHealthyArmIsTakenForASickOne) {
       now_ns += held_up_ns;
       const std::int64_t old_ns = static_cast<std::int64_t>(random.below(60)) * kMillisecond_ns;  // how old it is
       last_ns = std::max(last_ns + 1000, static_cast<std::int64_t>(rate * static_cast<double>(taken_ns - old_ns)));
-      ASSERT_EQ(watch.look(offset_ns + last_ns, earliest_ns, now_ns, period_ns).kind, FaultKind::None)
+      ASSERT_EQ(watch.check(offset_ns + last_ns, earliest_ns, now_ns, period_ns).kind, FaultKind::None)
           << "draw " << draw << ", tick " << tick;
     }
   }
@@ -135,7 +135,7 @@ TEST(ArmClockWatch, AnyNumbersAtAllAreBorne) {
   std::int64_t now_ns = 0;
   for (int tick = 0; tick < test::sweep(20'000, 2'000'000); ++tick) {
     now_ns += static_cast<std::int64_t>(random.below(5'000'000));
-    const Fault fault = watch.look(static_cast<std::int64_t>(random.bits()), now_ns, now_ns, kMillisecond_ns);
+    const Fault fault = watch.check(static_cast<std::int64_t>(random.bits()), now_ns, now_ns, kMillisecond_ns);
     ASSERT_TRUE(fault.seen >= 0.0 && fault.seen <= 1e9 + 1.0 && fault.allowed >= 0.0) << fault.seen;
   }
 }

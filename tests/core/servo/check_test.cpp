@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "core/scene/compile.h"
-#include "core/servo/busy.h"
+#include "core/servo/cpu_load.h"
 #include "tests/core/servo/scripted_port.h"
 
 namespace underact::servo {
@@ -15,7 +15,7 @@ namespace {
 
 using test::ScriptedPort;
 
-constexpr system::SchedulingWanted kPlainScheduling{.way = system::Way::Normal, .lock_memory = false};
+constexpr system::SchedulingRequest kPlainScheduling{.way = system::SchedulingMethod::Normal, .lock_memory = false};
 
 tick::TickProgram sphere() {
   scene::Description scene;
@@ -131,8 +131,8 @@ TEST(CheckServo, UnderLoadItStillEnds) {
   EXPECT_GT(result.ticks, 0);
 }
 
-TEST(Busy, WorksUntilItsEnd) {
-  const Busy busy;
+TEST(CpuLoad, WorksUntilItsEnd) {
+  const CpuLoad busy;
   while (busy.rounds() < 2) std::this_thread::yield();
 }
 

@@ -246,7 +246,7 @@ TEST(Asleep, AServosOwnThreadFindsIt) {
 TEST(Asleep, TheMachinesOwnClocksAgreeWhileItIsAwake) {
   SleepWatch watch;
   const system::Clocks clocks;
-  for (int look = 0; look < 100'000; ++look) ASSERT_EQ(watch.look(clocks), 0);
+  for (int look = 0; look < 100'000; ++look) ASSERT_EQ(watch.poll(clocks), 0);
 }
 
 }  // namespace underact::servo

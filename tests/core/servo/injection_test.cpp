@@ -1,5 +1,5 @@
 // Everything that can go wrong on the way from the arm to the hand and to the disk, tried: the rows of the table in
-// resources/guide/faults.md. What takes the program's life is in tests/border; what happens in the window, in
+// resources/guide/faults.md. What takes the program's life is in tests/process; what happens in the window, in
 // tests/stories.
 #include <atomic>
 #include <chrono>

@@ -119,7 +119,7 @@ TEST_F(RtkitAtItsBorder, ABusWithoutTheServiceSaysSo) {
 TEST_F(RtkitAtItsBorder, IsTheWayThatIsNamedWhereItIsWanted) {
   const FakeRtkit rtkit(bus_->address(), Rtkit{});
   const Got got = inThread([](Got& into) {
-    into.scheduling = system::askForRealTime({.way = system::Way::Rtkit, .lock_memory = false}, 1000);
+    into.scheduling = system::askForRealTime({.way = system::SchedulingMethod::Rtkit, .lock_memory = false}, 1000);
   });
   EXPECT_EQ(got.scheduling.name, rtkit.asked().is_held ? "normal" : "rtkit 20");
   EXPECT_NE(got.scheduling.hint.find("rtprio"), std::string::npos) << got.scheduling.hint;
@@ -128,7 +128,7 @@ TEST_F(RtkitAtItsBorder, IsTheWayThatIsNamedWhereItIsWanted) {
 TEST_F(RtkitAtItsBorder, ItsRefusalLeavesTheThreadNormalWithAHintAndTheReason) {
   const FakeRtkit rtkit(bus_->address(), {.refuses = true});
   const Got got = inThread([](Got& into) {
-    into.scheduling = system::askForRealTime({.way = system::Way::Rtkit, .lock_memory = false}, 1000);
+    into.scheduling = system::askForRealTime({.way = system::SchedulingMethod::Rtkit, .lock_memory = false}, 1000);
   });
   EXPECT_EQ(got.scheduling.name, "normal");
   EXPECT_NE(got.scheduling.hint.find("real_time.md"), std::string::npos) << got.scheduling.hint;

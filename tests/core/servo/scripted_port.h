@@ -32,7 +32,7 @@ class ScriptedPort final : public servo::DevicePort {
   bool read(arm::Sample& sample) noexcept override {
     ++reads_;
     sample.time_ns = time_ns_ += period_ns;
-    sample.q_rad = arm::reach(arm::findPreset("omni-thesis")->geometry, tip(reads_)).q_rad;
+    sample.q_rad = arm::solvePosition(arm::findPreset("omni-thesis")->geometry, tip(reads_)).q_rad;
     return spoil ? spoil(reads_, sample) : true;
   }
   void write(const safety::GatedForce& force) noexcept override {
@@ -43,7 +43,7 @@ class ScriptedPort final : public servo::DevicePort {
   }
   void cut() noexcept override { ++seen_.cuts; }
   servo::DeviceInfo info() const override { return {"Scripted", true, false, frozen_s}; }
-  Sentence fixedRate() const override { return takes_rates ? Sentence() : DevicePort::fixedRate(); }
+  Sentence fixedRateReason() const override { return takes_rates ? Sentence() : DevicePort::fixedRateReason(); }
   void setRate(int rate_hz) override { period_ns = 1'000'000'000 / rate_hz; }
   Problems reopen() override { return opens_again ? opens_again() : Problems{}; }
 

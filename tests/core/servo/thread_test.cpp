@@ -33,11 +33,11 @@ namespace {
 
 using test::ScriptedPort;
 
-constexpr system::SchedulingWanted kPlain{.way = system::Way::Normal, .lock_memory = false};
+constexpr system::SchedulingRequest kPlain{.way = system::SchedulingMethod::Normal, .lock_memory = false};
 
 /// What a thread of its own is granted.
 template <class Before>
-system::Scheduling granted(const system::SchedulingWanted& wanted, const Before& before) {
+system::Scheduling granted(const system::SchedulingRequest& wanted, const Before& before) {
   system::Scheduling scheduling;
   std::thread([&] {
     before();
@@ -112,7 +112,8 @@ TEST(AskForRealTime, FifoIs80OrWhatTheLimitOfTheLoginAllows) {
   rlimit limit{};
   getrlimit(RLIMIT_RTPRIO, &limit);
   const auto allowed = static_cast<int>(std::min<rlim_t>(limit.rlim_cur, 80));
-  const system::Scheduling scheduling = granted({.way = system::Way::Fifo, .lock_memory = false}, dropPrivileges);
+  const system::Scheduling scheduling =
+      granted({.way = system::SchedulingMethod::Fifo, .lock_memory = false}, dropPrivileges);
   EXPECT_EQ(scheduling.name, allowed > 0 ? "FIFO " + std::to_string(allowed) : "normal");
   EXPECT_EQ(scheduling.hint.find("rtprio") != std::string::npos, allowed < 80) << scheduling.hint;
   EXPECT_NE(scheduling.hint.find("real_time.md"), std::string::npos);
@@ -124,7 +125,8 @@ TEST(AskForRealTime, AutoTriesFifoThenRtkitThenNothing) {
   getrlimit(RLIMIT_RTPRIO, &before);
   const rlimit none{0, before.rlim_max};  // so that FIFO is refused, whatever this login is allowed
   setrlimit(RLIMIT_RTPRIO, &none);
-  const system::Scheduling scheduling = granted({.way = system::Way::Auto, .lock_memory = false}, dropPrivileges);
+  const system::Scheduling scheduling =
+      granted({.way = system::SchedulingMethod::Auto, .lock_memory = false}, dropPrivileges);
   setrlimit(RLIMIT_RTPRIO, &before);
   EXPECT_EQ(scheduling.name, "normal");
   EXPECT_TRUE(std::any_of(scheduling.also.begin(), scheduling.also.end(),
@@ -135,7 +137,7 @@ TEST(AskForRealTime, RunsOnTheCoreThatIsAskedForAndNoOther) {
   const int core = firstAllowedCore();
   cpu_set_t cores;
   CPU_ZERO(&cores);
-  system::SchedulingWanted wanted = kPlain;
+  system::SchedulingRequest wanted = kPlain;
   wanted.core = core;
   system::Scheduling scheduling;
   std::thread([&] {
@@ -148,7 +150,7 @@ TEST(AskForRealTime, RunsOnTheCoreThatIsAskedForAndNoOther) {
 }
 
 TEST(AskForRealTime, ACoreThatIsNotThereIsRefusedAndSaidSo) {
-  system::SchedulingWanted wanted = kPlain;
+  system::SchedulingRequest wanted = kPlain;
   wanted.core = 1023;
   const system::Scheduling scheduling = granted(wanted, [] {});
   EXPECT_TRUE(tells(scheduling, "core 1023 refused"));
@@ -167,7 +169,7 @@ TEST(AskForRealTime, LeavesMemoryAloneUnderALimitSoThatNoAllocationFailsLater) {
   system::Scheduling scheduling;
   std::thread([&] {
     dropPrivileges();
-    scheduling = system::askForRealTime({.way = system::Way::Normal}, 1000);
+    scheduling = system::askForRealTime({.way = system::SchedulingMethod::Normal}, 1000);
     memory = mmap(nullptr, beyond_bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   }).join();
   setrlimit(RLIMIT_MEMLOCK, &before);
@@ -178,7 +180,7 @@ TEST(AskForRealTime, LeavesMemoryAloneUnderALimitSoThatNoAllocationFailsLater) {
 
 TEST(AskForRealTime, LocksMemoryWhereThatIsAllowedAndLeavesItWhereItIsNotWanted) {
   EXPECT_TRUE(tells(granted(kPlain, [] {}), "memory not locked"));
-  const system::Scheduling scheduling = granted({.way = system::Way::Normal}, [] {});
+  const system::Scheduling scheduling = granted({.way = system::SchedulingMethod::Normal}, [] {});
   if (!tells(scheduling, "memory locked") || !kLocksMemory) {
     GTEST_SKIP() << "SKIPPED: memory may not be locked here (or a sanitizer keeps it from being).";
   }

@@ -44,34 +44,34 @@ bool isNearAPoint(const HandScript& script, std::int64_t time_ns, std::int64_t b
 }
 
 TEST(HandScript, GoesHalfTheWayInHalfTheTimeAtItsFastest) {
-  const HandWish wish = wishAt(twoPoints(), 2 * kSecond_ns);
-  EXPECT_EQ(wish.p_WT, Vec3(0.03, 0.0, 0.02));
-  EXPECT_NEAR(wish.v_WT.x(), 1.875 * 0.04 / 2.0, 1e-17);  // 15/8 of the mean; 2 ulp of 0.0375
-  EXPECT_EQ(wishAt(twoPoints(), 1 * kSecond_ns + kSecond_ns / 2).p_WT.y(), 0.0);
+  const HandSetpoint setpoint = setpointAt(twoPoints(), 2 * kSecond_ns);
+  EXPECT_EQ(setpoint.p_WT, Vec3(0.03, 0.0, 0.02));
+  EXPECT_NEAR(setpoint.v_WT.x(), 1.875 * 0.04 / 2.0, 1e-17);  // 15/8 of the mean; 2 ulp of 0.0375
+  EXPECT_EQ(setpointAt(twoPoints(), 1 * kSecond_ns + kSecond_ns / 2).p_WT.y(), 0.0);
   // s = 1/4: 10/64 - 15/256 + 6/1024 = 53/512.
-  EXPECT_NEAR(wishAt(twoPoints(), 1'500'000'000).p_WT.x(), 0.01 + 0.04 * 53.0 / 512.0, 1e-17);  // 2 ulp of 0.014
+  EXPECT_NEAR(setpointAt(twoPoints(), 1'500'000'000).p_WT.x(), 0.01 + 0.04 * 53.0 / 512.0, 1e-17);  // 2 ulp of 0.014
 }
 
 TEST(HandScript, WaitsBeforeTheFirstPointAndHoldsTheLast) {
   for (const std::int64_t time_ns : {std::int64_t{-5}, std::int64_t{0}, kSecond_ns - 1}) {
-    EXPECT_EQ(wishAt(twoPoints(), time_ns).p_WT, Vec3(0.01, 0.0, 0.02));
-    EXPECT_EQ(wishAt(twoPoints(), time_ns).v_WT, Vec3::Zero());
+    EXPECT_EQ(setpointAt(twoPoints(), time_ns).p_WT, Vec3(0.01, 0.0, 0.02));
+    EXPECT_EQ(setpointAt(twoPoints(), time_ns).v_WT, Vec3::Zero());
   }
   for (const std::int64_t time_ns : {3 * kSecond_ns, 3000 * kSecond_ns}) {
-    EXPECT_EQ(wishAt(twoPoints(), time_ns).p_WT, Vec3(0.05, 0.0, 0.02));
-    EXPECT_EQ(wishAt(twoPoints(), time_ns).v_WT, Vec3::Zero());
+    EXPECT_EQ(setpointAt(twoPoints(), time_ns).p_WT, Vec3(0.05, 0.0, 0.02));
+    EXPECT_EQ(setpointAt(twoPoints(), time_ns).v_WT, Vec3::Zero());
   }
-  EXPECT_EQ(wishAt(HandScript{}, 0).p_WT, Vec3::Zero());  // no path: no place to be, but no harm either
+  EXPECT_EQ(setpointAt(HandScript{}, 0).p_WT, Vec3::Zero());  // no path: no place to be, but no harm either
 }
 
 TEST(HandScript, MeetsEveryPointExactlyAndAtRest) {
   for (HandScript script : everyBuiltIn()) {
     script.tremor_m = 0.0;
     for (const HandPoint& point : script.path) {
-      const HandWish wish = wishAt(script, nsOf(point.t_s));
+      const HandSetpoint setpoint = setpointAt(script, nsOf(point.t_s));
       if (script.repeat_s > 0.0 && point.t_s >= script.repeat_s) continue;  // that is the first point again
-      EXPECT_EQ(wish.p_WT, point.p_WT) << point.t_s;
-      EXPECT_EQ(wish.v_WT, Vec3::Zero()) << point.t_s;
+      EXPECT_EQ(setpoint.p_WT, point.p_WT) << point.t_s;
+      EXPECT_EQ(setpoint.v_WT, Vec3::Zero()) << point.t_s;
     }
   }
 }
@@ -81,11 +81,12 @@ TEST(HandScript, ItsVelocityIsTheRateOfItsPosition) {
   for (const HandScript& script : everyBuiltIn()) {
     for (std::int64_t time_ns = kMillisecond_ns / 3; time_ns < 20 * kSecond_ns; time_ns += 7 * kMillisecond_ns) {
       if (isNearAPoint(script, time_ns, kStep_ns)) continue;
-      const Vec3 before = wishAt(script, time_ns - kStep_ns).p_WT, after = wishAt(script, time_ns + kStep_ns).p_WT;
+      const Vec3 before = setpointAt(script, time_ns - kStep_ns).p_WT,
+                 after = setpointAt(script, time_ns + kStep_ns).p_WT;
       const Vec3 rate = (after - before) / 2e-6;
       // Central difference: h^2 / 6 of the largest jerk (stab: 60 * 0.06 m / (0.1125 s)^3 = 2528 m/s^3) is 4.2e-10 m/s;
       // a position's rounding, 4 ulp of 0.08 m, over 2 us is 2.8e-11 m/s.
-      ASSERT_LE((rate - wishAt(script, time_ns).v_WT).cwiseAbs().maxCoeff(), 5e-10) << time_ns;
+      ASSERT_LE((rate - setpointAt(script, time_ns).v_WT).cwiseAbs().maxCoeff(), 5e-10) << time_ns;
     }
   }
 }
@@ -93,13 +94,13 @@ TEST(HandScript, ItsVelocityIsTheRateOfItsPosition) {
 TEST(HandScript, NeverJumpsNotEvenWhereItStartsAgain) {
   for (const HandScript& script : everyBuiltIn()) {
     const std::int64_t end_ns = 2 * std::max(nsOf(script.repeat_s), nsOf(script.path.back().t_s)) + kSecond_ns;
-    HandWish last = wishAt(script, 0);
+    HandSetpoint last = setpointAt(script, 0);
     for (std::int64_t time_ns = kMillisecond_ns; time_ns <= end_ns; time_ns += kMillisecond_ns) {
-      const HandWish wish = wishAt(script, time_ns);
+      const HandSetpoint setpoint = setpointAt(script, time_ns);
       // A millisecond at 1 m/s (stab), and its acceleration: 5.77 * 0.06 m / (0.1125 s)^2 = 27.4 m/s^2.
-      ASSERT_LE((wish.p_WT - last.p_WT).norm(), 1.01e-3) << time_ns;
-      ASSERT_LE((wish.v_WT - last.v_WT).norm(), 0.0280) << time_ns;
-      last = wish;
+      ASSERT_LE((setpoint.p_WT - last.p_WT).norm(), 1.01e-3) << time_ns;
+      ASSERT_LE((setpoint.v_WT - last.v_WT).norm(), 0.0280) << time_ns;
+      last = setpoint;
     }
   }
 }
@@ -108,7 +109,7 @@ TEST(HandScript, StartsAgainWhenItIsToRepeat) {
   HandScript script = twoPoints();
   script.repeat_s = 4.0;
   for (const std::int64_t time_ns : {std::int64_t{0}, 2 * kSecond_ns, 3 * kSecond_ns + 1}) {
-    EXPECT_EQ(wishAt(script, 3 * 4 * kSecond_ns + time_ns).p_WT, wishAt(script, time_ns).p_WT);
+    EXPECT_EQ(setpointAt(script, 3 * 4 * kSecond_ns + time_ns).p_WT, setpointAt(script, time_ns).p_WT);
   }
 }
 
@@ -117,7 +118,7 @@ TEST(HandScript, EveryBuiltInHandStaysInReachAndLimitsOfEveryArm) {
     const HandScript script = builtIn(hand.name);
     for (const arm::Preset& preset : arm::presets()) {
       for (std::int64_t time_ns = 0; time_ns < 40 * kSecond_ns; time_ns += kMillisecond_ns) {
-        const arm::Reach reach = arm::reach(preset.geometry, wishAt(script, time_ns).p_WT);
+        const arm::PositionSolution reach = arm::solvePosition(preset.geometry, setpointAt(script, time_ns).p_WT);
         arm::JointAngles q_rad = reach.q_rad;
         q_rad[4] = 1.0;  // joints 4 to 6 are not the script's
         ASSERT_TRUE(reach.reachable) << hand.name << " at " << time_ns;
@@ -130,13 +131,13 @@ TEST(HandScript, EveryBuiltInHandStaysInReachAndLimitsOfEveryArm) {
 
 TEST(HandScript, BuiltInHandsDoWhatTheySay) {
   EXPECT_EQ(builtInHands().size(), 5U);
-  EXPECT_EQ(wishAt(builtIn("still"), 0).p_WT, Vec3(0.0, 0.0, 0.06));
-  EXPECT_LE((wishAt(builtIn("still"), kSecond_ns).p_WT - Vec3(0.035, 0.025, 0.020)).norm(), 1e-17);
+  EXPECT_EQ(setpointAt(builtIn("still"), 0).p_WT, Vec3(0.0, 0.0, 0.06));
+  EXPECT_LE((setpointAt(builtIn("still"), kSecond_ns).p_WT - Vec3(0.035, 0.025, 0.020)).norm(), 1e-17);
   double sweep_nearest_m = 1.0, probe_nearest_m = 1.0, stab_fastest = 0.0, stab_nearest_m = 1.0, stab_furthest_m = 0.0;
   for (std::int64_t time_ns = 0; time_ns < 20 * kSecond_ns; time_ns += kMillisecond_ns / 4) {
-    sweep_nearest_m = std::min(sweep_nearest_m, wishAt(builtIn("sweep"), time_ns).p_WT.norm());
-    probe_nearest_m = std::min(probe_nearest_m, wishAt(builtIn("probe"), time_ns).p_WT.norm());
-    const HandWish stab = wishAt(builtIn("stab"), time_ns);
+    sweep_nearest_m = std::min(sweep_nearest_m, setpointAt(builtIn("sweep"), time_ns).p_WT.norm());
+    probe_nearest_m = std::min(probe_nearest_m, setpointAt(builtIn("probe"), time_ns).p_WT.norm());
+    const HandSetpoint stab = setpointAt(builtIn("stab"), time_ns);
     stab_fastest = std::max(stab_fastest, stab.v_WT.norm());
     stab_nearest_m = std::min(stab_nearest_m, stab.p_WT.norm());
     stab_furthest_m = std::max(stab_furthest_m, stab.p_WT.norm());
@@ -157,7 +158,7 @@ TEST(HandScript, TremorIsThreeSinusoidsWithinItsAmplitude) {
   const std::int64_t start_ns = 7 * kSecond_ns;
   for (int step = 0; step < 2000; ++step) {  // 2 s: a whole number of periods of each
     const std::int64_t time_ns = start_ns + step * kMillisecond_ns;
-    const Vec3 tremor = wishAt(script, time_ns).p_WT - wishAt(calm, time_ns).p_WT;
+    const Vec3 tremor = setpointAt(script, time_ns).p_WT - setpointAt(calm, time_ns).p_WT;
     ASSERT_LE(tremor.cwiseAbs().maxCoeff(), 0.5e-3);
     sum += tremor;
     sum_squares += tremor.cwiseAbs2();
@@ -172,12 +173,12 @@ TEST(HandScript, TremorIsThreeSinusoidsWithinItsAmplitude) {
 
 TEST(HandScript, TheSeedDecidesTheTremorAndNothingElseDoes) {
   const std::int64_t time_ns = 1234 * kMillisecond_ns;
-  EXPECT_EQ(wishAt(builtIn("tremor", 7), time_ns).p_WT, wishAt(builtIn("tremor", 7), time_ns).p_WT);
-  EXPECT_NE(wishAt(builtIn("tremor", 7), time_ns).p_WT, wishAt(builtIn("tremor", 8), time_ns).p_WT);
-  EXPECT_EQ(wishAt(builtIn("probe", 7), time_ns).p_WT, wishAt(builtIn("probe", 8), time_ns).p_WT);
+  EXPECT_EQ(setpointAt(builtIn("tremor", 7), time_ns).p_WT, setpointAt(builtIn("tremor", 7), time_ns).p_WT);
+  EXPECT_NE(setpointAt(builtIn("tremor", 7), time_ns).p_WT, setpointAt(builtIn("tremor", 8), time_ns).p_WT);
+  EXPECT_EQ(setpointAt(builtIn("probe", 7), time_ns).p_WT, setpointAt(builtIn("probe", 8), time_ns).p_WT);
   // After an hour as after none: the tremor's time is taken modulo its period.
-  EXPECT_EQ(wishAt(builtIn("tremor"), 3600 * kSecond_ns + time_ns).p_WT,
-            wishAt(builtIn("tremor"), 3602 * kSecond_ns + time_ns).p_WT);
+  EXPECT_EQ(setpointAt(builtIn("tremor"), 3600 * kSecond_ns + time_ns).p_WT,
+            setpointAt(builtIn("tremor"), 3602 * kSecond_ns + time_ns).p_WT);
 }
 
 TEST(HandScript, TurnsAboutOneAxisByTheSameProfile) {
@@ -190,24 +191,24 @@ TEST(HandScript, TurnsAboutOneAxisByTheSameProfile) {
     script.path[0].turns = script.path[1].turns = true;
     for (int step = 0; step <= 20; ++step) {
       const double s = step / 20.0, share = s * s * s * (10.0 - 15.0 * s + 6.0 * s * s);
-      const HandWish wish = wishAt(script, kSecond_ns + step * (kSecond_ns / 10));
+      const HandSetpoint setpoint = setpointAt(script, kSecond_ns + step * (kSecond_ns / 10));
       const Mat3 expected = start * Eigen::AngleAxisd(share * angle_rad, axis).toRotationMatrix();
-      ASSERT_TRUE(wish.turns);
+      ASSERT_TRUE(setpoint.turns);
       // Two rotations of three products an entry, a quaternion and an angle up to 3: some 30 roundings of 1.1e-16.
-      ASSERT_LE((wish.R_WT - expected).cwiseAbs().maxCoeff(), 4e-15) << angle_rad << " at " << s;
+      ASSERT_LE((setpoint.R_WT - expected).cwiseAbs().maxCoeff(), 4e-15) << angle_rad << " at " << s;
     }
   }
-  EXPECT_EQ(wishAt(script, 0).R_WT, start);
+  EXPECT_EQ(setpointAt(script, 0).R_WT, start);
   script.path[1].R_WT = start;  // no turn at all
-  EXPECT_EQ(wishAt(script, 2 * kSecond_ns).R_WT, start);
+  EXPECT_EQ(setpointAt(script, 2 * kSecond_ns).R_WT, start);
   script.path[1].turns = false;
-  EXPECT_FALSE(wishAt(script, 2 * kSecond_ns).turns);
+  EXPECT_FALSE(setpointAt(script, 2 * kSecond_ns).turns);
 }
 
 TEST(HandScript, GivesTheSameBitsOnEveryMachine) {  // recorded with GCC 12 and found again with Clang 14
-  const HandWish wish = wishAt(builtIn("tremor", 42), 730'000'000);
-  EXPECT_EQ(wish.p_WT, Vec3(0x1.f8166a12fa088p-6, 0x1.6683a64c8fa99p-6, 0x1.9a53554c51a69p-6));
-  EXPECT_EQ(wish.v_WT, Vec3(0x1.33cfa7281c977p-5, 0x1.a64f9a4255e34p-5, -0x1.85c026d2d78c3p-5));
+  const HandSetpoint setpoint = setpointAt(builtIn("tremor", 42), 730'000'000);
+  EXPECT_EQ(setpoint.p_WT, Vec3(0x1.f8166a12fa088p-6, 0x1.6683a64c8fa99p-6, 0x1.9a53554c51a69p-6));
+  EXPECT_EQ(setpoint.v_WT, Vec3(0x1.33cfa7281c977p-5, 0x1.a64f9a4255e34p-5, -0x1.85c026d2d78c3p-5));
 }
 
 TEST(HandScript, AnUnknownNameIsAnsweredWithTheNamesThereAre) {

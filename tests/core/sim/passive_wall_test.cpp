@@ -46,14 +46,14 @@ Course run(const char* hand_name, const ArmModel& model, double stiffness_N_per_
   entry.passivity = passivity;
   test::Hand hand(makeProgram(plant.arm.geometry, {entry}, tick::Combine::Sum,
                               safety::limitsForHands(max_N, Vec3::Zero()), plant.arm.limits));
-  PlantState state = restAt(plant, wishAt(script, 0).p_WT);
+  PlantState state = restingState(plant, setpointAt(script, 0).p_WT);
   Vec3 f_T_W = Vec3::Zero();
   Course course;
   double given_J = 0.0, begin_J = 0.0, sum = 0.0;
   for (int tick = 1; tick <= kTicks; ++tick) {
     const Vec3 before_WT = state.p_WT;
-    const HandWish wish = wishAt(script, tick * kPeriod_ns);
-    state = advance(plant, state, f_T_W, wish, kPeriod_ns);
+    const HandSetpoint setpoint = setpointAt(script, tick * kPeriod_ns);
+    state = advance(plant, state, f_T_W, setpoint, kPeriod_ns);
     const double stored_J = storedAt(state.p_WT, stiffness_N_per_m, max_N, side);
     if (tick == kBegin) begin_J = stored_J;
     if (tick > kBegin) {
@@ -61,9 +61,9 @@ Course run(const char* hand_name, const ArmModel& model, double stiffness_N_per_
       course.excess_J = std::max(course.excess_J, given_J + stored_J - begin_J);
     }
     if (tick == kTicks / 2) course.halfway_J = course.excess_J;
-    if (tick > kTicks - 1000) sum += (state.v_WT - wish.v_WT).squaredNorm() / 1000.0;
+    if (tick > kTicks - 1000) sum += (state.v_WT - setpoint.v_WT).squaredNorm() / 1000.0;
     const arm::JointAngles shown_rad =
-        plant.model.encoders ? throughEncoders(plant.arm.counts_per_turn, state.q_rad) : state.q_rad;
+        plant.model.encoders ? quantized(plant.arm.counts_per_turn, state.q_rad) : state.q_rad;
     f_T_W = hand.feed(shown_rad, kPeriod_s).force.f_T_W();
   }
   course.rms_m_per_s = std::sqrt(sum);

@@ -23,10 +23,10 @@ Plant plantOf(const char* model, const HandModel& hand = {}) {
   return {*arm::findPreset("touch-measured"), *findArmModel(model), hand};
 }
 
-HandWish stayAt(const Vec3& p_WT) {
-  HandWish wish;
-  wish.p_WT = p_WT;
-  return wish;
+HandSetpoint stayAt(const Vec3& p_WT) {
+  HandSetpoint setpoint;
+  setpoint.p_WT = p_WT;
+  return setpoint;
 }
 
 double energyOf(const Plant& plant, const PlantState& state, const Vec3& p_WH) {
@@ -51,12 +51,12 @@ double stretchAt(const Plant& plant, double t_s) {
 /// Largest distance from stretchAt() over 0.2 s, a share of the jump, with substeps of step_ns.
 double stepError(const Plant& plant, std::int64_t step_ns) {
   const double jump_m = 0.01;
-  PlantState state = restAt(plant, kMiddle);
-  const HandWish wish = stayAt(kMiddle + Vec3(jump_m, 0.0, 0.0));
+  PlantState state = restingState(plant, kMiddle);
+  const HandSetpoint setpoint = stayAt(kMiddle + Vec3(jump_m, 0.0, 0.0));
   double worst = 0.0;
   for (std::int64_t time_ns = step_ns; time_ns <= 200 * kPlantMillisecond_ns; time_ns += step_ns) {
-    state = advance(plant, state, Vec3::Zero(), wish, step_ns);
-    const double stretch = (wish.p_WT.x() - state.p_WT.x()) / jump_m;
+    state = advance(plant, state, Vec3::Zero(), setpoint, step_ns);
+    const double stretch = (setpoint.p_WT.x() - state.p_WT.x()) / jump_m;
     worst = std::max(worst, std::abs(stretch - stretchAt(plant, 1e-9 * static_cast<double>(time_ns))));
   }
   return worst;
@@ -90,18 +90,18 @@ TEST(Plant, GoesInSubstepsOfTheLengthThatItIsTold) {
     Plant coarse = plantOf("vendor-nominal"), fine = coarse;
     coarse.integration = {integrator, 250'000};
     fine.integration = {integrator, kPlantMillisecond_ns};
-    const PlantState start{kMiddle, Vec3(0.1, 0.0, 0.0), restAt(coarse, kMiddle).q_rad};
-    HandWish wish = stayAt(kMiddle);
-    wish.v_WT = Vec3(0.0, 0.2, 0.0);
+    const PlantState start{kMiddle, Vec3(0.1, 0.0, 0.0), restingState(coarse, kMiddle).q_rad};
+    HandSetpoint setpoint = stayAt(kMiddle);
+    setpoint.v_WT = Vec3(0.0, 0.2, 0.0);
     PlantState parts = start;
     for (int part = 4; part-- > 0;) {
-      HandWish there = wish;
-      there.p_WT -= part * 0.25e-3 * wish.v_WT;
+      HandSetpoint there = setpoint;
+      there.p_WT -= part * 0.25e-3 * setpoint.v_WT;
       parts = advance(fine, parts, Vec3(0.5, 0.0, 0.0), there, 250'000);
     }
-    const PlantState whole = advance(coarse, start, Vec3(0.5, 0.0, 0.0), wish, kPlantMillisecond_ns);
+    const PlantState whole = advance(coarse, start, Vec3(0.5, 0.0, 0.0), setpoint, kPlantMillisecond_ns);
     EXPECT_LE((whole.p_WT - parts.p_WT).norm(), 1e-16);  // roundings of 0.06 m
-    EXPECT_NE(whole.p_WT, advance(fine, start, Vec3(0.5, 0.0, 0.0), wish, kPlantMillisecond_ns).p_WT);
+    EXPECT_NE(whole.p_WT, advance(fine, start, Vec3(0.5, 0.0, 0.0), setpoint, kPlantMillisecond_ns).p_WT);
   }
 }
 
@@ -109,7 +109,7 @@ TEST(Plant, ByTheEndVelocityAForceActsHalfASubstepEarly) {
   Plant plant = plantOf("ideal", {0.1, 0.0, 0.0});
   plant.integration = {Integrator::EndVelocity, 50'000};
   const PlantState state =
-      advance(plant, restAt(plant, kMiddle), Vec3(0.1, 0.0, 0.0), stayAt(kMiddle), kPlantMillisecond_ns);
+      advance(plant, restingState(plant, kMiddle), Vec3(0.1, 0.0, 0.0), stayAt(kMiddle), kPlantMillisecond_ns);
   const double t_s = 1e-3;  // x = a t (t + dt) / 2 where it should be a t^2 / 2
   EXPECT_NEAR(state.p_WT.x() - kMiddle.x(), 0.5 * t_s * (t_s + kSubstep_s), 1e-16);
 }
@@ -117,7 +117,7 @@ TEST(Plant, ByTheEndVelocityAForceActsHalfASubstepEarly) {
 TEST(Plant, ItsOwnDampingSlowsItDownWhateverTheHandWants) {
   Plant plant = plantOf("ideal", {0.1, 0.0, 0.0});
   plant.model.damping_N_s_per_m = 2.0;
-  PlantState state = restAt(plant, kMiddle);
+  PlantState state = restingState(plant, kMiddle);
   state.v_WT = Vec3(0.1, 0.0, 0.0);
   for (int tick = 0; tick < 100; ++tick) {
     state = advance(plant, state, Vec3::Zero(), stayAt(kMiddle), kPlantMillisecond_ns);
@@ -136,7 +136,7 @@ TEST(Plant, TakesTheEncodersOfItsModelWhereThatHasItsOwn) {
 
 TEST(Plant, UnderAForceTheHandsSpringGivesWayByHookesLaw) {
   const Plant plant = plantOf("ideal");
-  PlantState state = restAt(plant, kMiddle);
+  PlantState state = restingState(plant, kMiddle);
   const Vec3 f_T_W(0.6, -0.3, 0.9);
   for (int tick = 0; tick < 5000; ++tick) state = advance(plant, state, f_T_W, stayAt(kMiddle), kPlantMillisecond_ns);
   const Vec3 expected_W = kMiddle + f_T_W / plant.hand.stiffness_N_per_m;  // after 5 s, 100 time constants of the decay
@@ -145,7 +145,7 @@ TEST(Plant, UnderAForceTheHandsSpringGivesWayByHookesLaw) {
 
 TEST(Plant, SticksBelowItsFrictionToTheLastBit) {
   const Plant plant = plantOf("vendor-nominal", {0.1, 0.0, 0.0});
-  const PlantState rest = restAt(plant, kMiddle);
+  const PlantState rest = restingState(plant, kMiddle);
   PlantState state = rest;
   const Vec3 direction = Vec3(1.0, -2.0, 2.0) / 3.0;
   for (int tick = 0; tick < 1000; ++tick) {
@@ -157,7 +157,7 @@ TEST(Plant, SticksBelowItsFrictionToTheLastBit) {
 
 TEST(Plant, SlidesAboveItsFrictionByTheRest) {
   const Plant plant = plantOf("vendor-nominal", {0.1, 0.0, 0.0});
-  PlantState state = restAt(plant, kMiddle);
+  PlantState state = restingState(plant, kMiddle);
   for (int tick = 0; tick < 100; ++tick) {
     state = advance(plant, state, Vec3(0.27, 0.0, 0.0), stayAt(kMiddle), kPlantMillisecond_ns);
   }
@@ -168,7 +168,7 @@ TEST(Plant, SlidesAboveItsFrictionByTheRest) {
 
 TEST(Plant, FrictionBringsItToRestAndNeverBack) {
   const Plant plant = plantOf("vendor-nominal", {0.1, 0.0, 0.0});
-  PlantState state = restAt(plant, kMiddle);
+  PlantState state = restingState(plant, kMiddle);
   state.v_WT = Vec3(0.1, -0.05, 0.02);
   const double stops_s = state.v_WT.norm() * 0.145 / 0.26;  // 63.3 ms
   for (double t_s = 0.0; t_s < stops_s + 0.005; t_s += 0.001) {
@@ -181,7 +181,7 @@ TEST(Plant, FrictionBringsItToRestAndNeverBack) {
 
 TEST(Plant, AStretchThatFrictionCanHoldIsHeld) {  // 0.26 N over 300 N/m: 0.867 mm
   const Plant plant = plantOf("vendor-nominal");
-  const PlantState rest = restAt(plant, kMiddle);
+  const PlantState rest = restingState(plant, kMiddle);
   const auto after = [&](double stretch_m) {
     PlantState state = rest;
     for (int tick = 0; tick < 100; ++tick) {
@@ -200,13 +200,13 @@ TEST(Plant, ItsEnergyNeverGrowsByItself) {
     for (const HandModel& hand : hands) {
       const Plant plant = plantOf(model, hand);
       for (int draw = 0; draw < test::sweep(10, 1000); ++draw) {
-        PlantState state = restAt(plant, kMiddle);
+        PlantState state = restingState(plant, kMiddle);
         state.v_WT = random.inBox(0.1);
-        const HandWish wish = stayAt(kMiddle + random.inBox(0.01));
-        double energy_J = energyOf(plant, state, wish.p_WT);
+        const HandSetpoint setpoint = stayAt(kMiddle + random.inBox(0.01));
+        double energy_J = energyOf(plant, state, setpoint.p_WT);
         for (int tick = 0; tick < 300; ++tick) {
-          state = advance(plant, state, Vec3::Zero(), wish, kPlantMillisecond_ns);
-          const double next_J = energyOf(plant, state, wish.p_WT);
+          state = advance(plant, state, Vec3::Zero(), setpoint, kPlantMillisecond_ns);
+          const double next_J = energyOf(plant, state, setpoint.p_WT);
           // A stretch is known to the rounding of the place, 3.5e-18 m at 0.03 m (twenty times a tick): its square's
           // energy.
           const double slack_J = hand.stiffness_N_per_m * 0.02 * 1e-16 + 1e-14 * energy_J;
@@ -220,28 +220,28 @@ TEST(Plant, ItsEnergyNeverGrowsByItself) {
 
 TEST(Plant, AWishThatMovesEvenlyIsFollowedWithoutLag) {  // the wish is for the end of the period
   const Plant plant = plantOf("ideal");
-  PlantState state = restAt(plant, kMiddle);
+  PlantState state = restingState(plant, kMiddle);
   state.v_WT = Vec3(0.05, 0.02, -0.03);
-  HandWish wish = stayAt(kMiddle);
-  wish.v_WT = state.v_WT;
+  HandSetpoint setpoint = stayAt(kMiddle);
+  setpoint.v_WT = state.v_WT;
   for (int tick = 1; tick <= 200; ++tick) {
-    wish.p_WT = kMiddle + 1e-3 * tick * wish.v_WT;
-    state = advance(plant, state, Vec3::Zero(), wish, kPlantMillisecond_ns);
-    ASSERT_LE((state.p_WT - wish.p_WT).cwiseAbs().maxCoeff(), kStall_m) << tick;
+    setpoint.p_WT = kMiddle + 1e-3 * tick * setpoint.v_WT;
+    state = advance(plant, state, Vec3::Zero(), setpoint, kPlantMillisecond_ns);
+    ASSERT_LE((state.p_WT - setpoint.p_WT).cwiseAbs().maxCoeff(), kStall_m) << tick;
   }
 }
 
 TEST(Plant, APeriodIsItsSubsteps) {
   const Plant plant = plantOf("vendor-nominal");
-  PlantState whole = restAt(plant, kMiddle);
+  PlantState whole = restingState(plant, kMiddle);
   PlantState parts = whole;
-  const HandWish wish = stayAt(kMiddle + Vec3(0.01, 0.005, -0.01));
+  const HandSetpoint setpoint = stayAt(kMiddle + Vec3(0.01, 0.005, -0.01));
   for (int tick = 0; tick < 100; ++tick) {
     const Vec3 f_T_W(0.3 * std::sin(0.1 * tick), 0.0, 0.5);
-    whole = advance(plant, whole, f_T_W, wish, kPlantMillisecond_ns + 10'000);  // 20 whole substeps and a short one
+    whole = advance(plant, whole, f_T_W, setpoint, kPlantMillisecond_ns + 10'000);  // 20 whole substeps and a short one
     for (std::int64_t part_ns = 0; part_ns < kPlantMillisecond_ns; part_ns += kSubstep_ns)
-      parts = advance(plant, parts, f_T_W, wish, kSubstep_ns);
-    parts = advance(plant, parts, f_T_W, wish, 10'000);
+      parts = advance(plant, parts, f_T_W, setpoint, kSubstep_ns);
+    parts = advance(plant, parts, f_T_W, setpoint, 10'000);
     ASSERT_EQ(whole.p_WT, parts.p_WT);
     ASSERT_EQ(whole.v_WT, parts.v_WT);
     ASSERT_EQ(whole.q_rad, parts.q_rad);
@@ -250,7 +250,7 @@ TEST(Plant, APeriodIsItsSubsteps) {
 
 TEST(Plant, JointsBringTheTipToWhereItIs) {
   const Plant plant = plantOf("vendor-nominal");
-  PlantState state = restAt(plant, kMiddle);
+  PlantState state = restingState(plant, kMiddle);
   test::Random random(test::Seed{6});
   for (int tick = 0; tick < 1000; ++tick) {
     state = advance(plant, state, random.inBox(3.3), stayAt(kMiddle), kPlantMillisecond_ns);
@@ -262,14 +262,14 @@ TEST(Plant, JointsBringTheTipToWhereItIs) {
 TEST(Plant, RestsInsideReachAndLimitsWithTheGimbalInTheMiddle) {
   for (const arm::Preset& preset : arm::presets()) {
     const Plant plant{preset, *findArmModel("ideal"), {}};
-    const PlantState state = restAt(plant, Vec3(0.0, 0.0, 0.06));
+    const PlantState state = restingState(plant, Vec3(0.0, 0.0, 0.06));
     EXPECT_EQ(state.p_WT, Vec3(0.0, 0.0, 0.06));
     EXPECT_EQ(state.v_WT, Vec3::Zero());
     EXPECT_EQ(state.q_rad[3], 0.0);
     EXPECT_EQ(state.q_rad[4], kPi / 2);
     EXPECT_EQ(state.q_rad[5], -kPi / 2);
     for (const Vec3& p_WT : test::pointsInBox(1.0, 500, test::Seed{7})) {
-      const PlantState held = restAt(plant, p_WT);
+      const PlantState held = restingState(plant, p_WT);
       ASSERT_TRUE(isInside(plant, held));
       ASSERT_LE((arm::tipPosition(preset.geometry, held.q_rad) - held.p_WT).norm(), 2e-15);
     }
@@ -280,7 +280,7 @@ TEST(Plant, ALimitStopsItAndLetsItGoAgain) {
   const Plant plant = plantOf("ideal", {0.1, 0.0, 0.0});
   for (const Vec3& direction :
        {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
-    PlantState state = restAt(plant, kMiddle);
+    PlantState state = restingState(plant, kMiddle);
     for (int tick = 0; tick < 1000; ++tick) {
       state = advance(plant, state, 2.0 * direction, stayAt(kMiddle), kPlantMillisecond_ns);
       ASSERT_TRUE(isInside(plant, state));
@@ -301,7 +301,7 @@ TEST(Plant, ALimitStopsItAndLetsItGoAgain) {
 TEST(Plant, FromBeyondItsReachTheTipComesBackAsFastAsItCame) {  // a stop takes what goes outwards alone
   const Plant plant = plantOf("ideal", {0.1, 0.0, 0.0});
   const Vec3 out_W(0.0, 1.0, 0.0);
-  PlantState state = restAt(plant, kMiddle);
+  PlantState state = restingState(plant, kMiddle);
   state.p_WT = kMiddle + out_W;
   state.v_WT = -out_W;
   const PlantState back = advance(plant, state, Vec3::Zero(), stayAt(kMiddle), kPlantMillisecond_ns);
@@ -313,7 +313,7 @@ TEST(Plant, AtAStopTheTipSlidesAndDoesNotLeap) {
   for (const arm::Preset& preset : arm::presets()) {
     const Plant plant{preset, *findArmModel("vendor-nominal"), {}};
     const double mass_kg = plant.model.mass_kg + plant.hand.mass_kg;
-    PlantState state = restAt(plant, kMiddle);
+    PlantState state = restingState(plant, kMiddle);
     int cut = 0;
     for (const Vec3& p_WH : test::pointsInBox(0.3, 200, test::Seed{20261121})) {  // most are out of reach
       for (int tick = 0; tick < 100; ++tick) {
@@ -337,42 +337,42 @@ TEST(Plant, AtAStopTheTipSlidesAndDoesNotLeap) {
 
 TEST(Plant, TheWristTurnsWhenTheHandTurns) {
   const Plant plant = plantOf("vendor-nominal");
-  PlantState state = restAt(plant, kMiddle);
-  HandWish wish = stayAt(kMiddle);
+  PlantState state = restingState(plant, kMiddle);
+  HandSetpoint setpoint = stayAt(kMiddle);
   arm::JointAngles turned_rad = state.q_rad;
   turned_rad[3] += 0.3;
   turned_rad[4] -= 0.2;
   turned_rad[5] += 0.4;
-  wish.R_WT = arm::tipPose(plant.arm.geometry, turned_rad).linear();
-  state = advance(plant, state, Vec3::Zero(), wish, kPlantMillisecond_ns);
+  setpoint.R_WT = arm::tipPose(plant.arm.geometry, turned_rad).linear();
+  state = advance(plant, state, Vec3::Zero(), setpoint, kPlantMillisecond_ns);
   EXPECT_EQ(state.q_rad[5], -kPi / 2);  // not meant: it stays
-  wish.turns = true;
-  state = advance(plant, state, Vec3::Zero(), wish, kPlantMillisecond_ns);
+  setpoint.turns = true;
+  state = advance(plant, state, Vec3::Zero(), setpoint, kPlantMillisecond_ns);
   // sin q5 = 0.98: a few roundings of angles below 2 pi.
   for (std::size_t joint = 3; joint < 6; ++joint) EXPECT_NEAR(state.q_rad[joint], turned_rad[joint], 2e-15);
-  wish.R_WT = -wish.R_WT;
-  wish.R_WT.col(0) = -wish.R_WT.col(0);  // right-handed again, far from where the gimbal can go
-  state = advance(plant, state, Vec3::Zero(), wish, kPlantMillisecond_ns);
+  setpoint.R_WT = -setpoint.R_WT;
+  setpoint.R_WT.col(0) = -setpoint.R_WT.col(0);  // right-handed again, far from where the gimbal can go
+  state = advance(plant, state, Vec3::Zero(), setpoint, kPlantMillisecond_ns);
   EXPECT_TRUE(isInside(plant, state));
 }
 
 TEST(Plant, WhatIsNoNumberIsNoForceAndAWishToStay) {
   const Plant plant = plantOf("ideal");
-  PlantState moving = restAt(plant, kMiddle);
+  PlantState moving = restingState(plant, kMiddle);
   moving.v_WT = Vec3(0.1, 0.0, -0.1);
-  const HandWish stay = stayAt(kMiddle);
+  const HandSetpoint stay = stayAt(kMiddle);
   const PlantState expected = advance(plant, moving, Vec3::Zero(), stay, kPlantMillisecond_ns);
   for (const double strange : {kNotANumber, kInfinity, -kInfinity}) {
     const PlantState pushed = advance(plant, moving, Vec3(0.0, strange, 0.0), stay, kPlantMillisecond_ns);
     EXPECT_EQ(pushed.p_WT, expected.p_WT);
     EXPECT_EQ(pushed.v_WT, expected.v_WT);
-    HandWish wish = stayAt(Vec3(strange, 0.0, 0.0));
-    wish.v_WT = Vec3(1.0, 0.0, 0.0);
-    EXPECT_EQ(advance(plant, moving, Vec3::Zero(), wish, kPlantMillisecond_ns).p_WT, expected.p_WT);
-    wish = stayAt(kMiddle);
-    wish.v_WT.x() = strange;
-    EXPECT_EQ(advance(plant, moving, Vec3::Zero(), wish, kPlantMillisecond_ns).p_WT, expected.p_WT);
-    HandWish turn = stay;
+    HandSetpoint setpoint = stayAt(Vec3(strange, 0.0, 0.0));
+    setpoint.v_WT = Vec3(1.0, 0.0, 0.0);
+    EXPECT_EQ(advance(plant, moving, Vec3::Zero(), setpoint, kPlantMillisecond_ns).p_WT, expected.p_WT);
+    setpoint = stayAt(kMiddle);
+    setpoint.v_WT.x() = strange;
+    EXPECT_EQ(advance(plant, moving, Vec3::Zero(), setpoint, kPlantMillisecond_ns).p_WT, expected.p_WT);
+    HandSetpoint turn = stay;
     turn.turns = true;
     turn.R_WT(1, 2) = strange;
     EXPECT_EQ(advance(plant, moving, Vec3::Zero(), turn, kPlantMillisecond_ns).q_rad, expected.q_rad);
@@ -382,31 +382,32 @@ TEST(Plant, WhatIsNoNumberIsNoForceAndAWishToStay) {
 TEST(Plant, HoweverLargeTheForceItStaysFinite) {
   const Plant plant = plantOf("vendor-nominal");
   for (const double force_N : {1e10, 1e150, 1e300, 1.7e308}) {
-    PlantState state = restAt(plant, kMiddle);
+    PlantState state = restingState(plant, kMiddle);
     for (int tick = 0; tick < 10; ++tick) {
       state = advance(plant, state, Vec3(force_N, -force_N, force_N), stayAt(kMiddle), kPlantMillisecond_ns);
       ASSERT_TRUE(state.p_WT.allFinite() && state.v_WT.allFinite()) << force_N;
       ASSERT_TRUE(isInside(plant, state)) << force_N;
     }
   }
-  PlantState pulled = restAt(plant, kMiddle);
+  PlantState pulled = restingState(plant, kMiddle);
   pulled = advance(plant, pulled, Vec3::Zero(), stayAt(Vec3(1.7e308, 0.0, 0.0)),
                    kPlantMillisecond_ns);  // its spring overflows
   EXPECT_EQ(pulled.p_WT, kMiddle);
   EXPECT_EQ(pulled.v_WT, Vec3::Zero());
   const Plant weightless = plantOf("ideal", {0.0, 0.0, 0.0});  // nothing there that a force could move
-  EXPECT_EQ(advance(weightless, restAt(weightless, kMiddle), Vec3(1, 2, 3), stayAt(kMiddle), kPlantMillisecond_ns).p_WT,
-            kMiddle);
+  EXPECT_EQ(
+      advance(weightless, restingState(weightless, kMiddle), Vec3(1, 2, 3), stayAt(kMiddle), kPlantMillisecond_ns).p_WT,
+      kMiddle);
 }
 
 TEST(Encoders, OneStepOfThighOrShinMovesTheTipByAbout54Micrometres) {  // 15 400 steps a turn at 0.133 m: 0.0545 mm
   const arm::Preset& preset = *arm::findPreset("touch-measured");
   const arm::JointAngles rest_device =
-      arm::deviceFromDh(throughEncoders(preset.counts_per_turn, restAt(plantOf("ideal"), kMiddle).q_rad));
+      arm::deviceFromDh(quantized(preset.counts_per_turn, restingState(plantOf("ideal"), kMiddle).q_rad));
   for (const std::size_t joint : {1U, 2U}) {
     arm::JointAngles device_rad = rest_device;
     device_rad[joint] += 0.6 * 2.0 * kPi / preset.counts_per_turn[joint];  // more than half a step: the next one
-    const arm::JointAngles stepped = throughEncoders(preset.counts_per_turn, arm::dhFromDevice(device_rad));
+    const arm::JointAngles stepped = quantized(preset.counts_per_turn, arm::dhFromDevice(device_rad));
     const double moved_m =
         (arm::tipPosition(preset.geometry, stepped) - arm::tipPosition(preset.geometry, arm::dhFromDevice(rest_device)))
             .norm();
@@ -422,7 +423,7 @@ TEST(Encoders, ShowWholeStepsOfTheDeviceNearestToTheAngle) {
     arm::JointAngles q_rad{};
     for (double& angle_rad : q_rad) angle_rad = random.between(-2.5, 2.5);
     const arm::JointAngles exact = arm::deviceFromDh(q_rad);
-    const arm::JointAngles shown = arm::deviceFromDh(throughEncoders(preset.counts_per_turn, q_rad));
+    const arm::JointAngles shown = arm::deviceFromDh(quantized(preset.counts_per_turn, q_rad));
     for (std::size_t joint = 0; joint < 6; ++joint) {
       const double step_rad = 2.0 * kPi / preset.counts_per_turn[joint], steps = shown[joint] / step_rad;
       ASSERT_LE(std::abs(steps - std::round(steps)), 1e-11);  // the conversion's rounding, 1e-15 rad, of a step of 4e-4
@@ -435,8 +436,8 @@ TEST(Encoders, MeasureTheShinFromTheBase) {
   const arm::Preset& preset = *arm::findPreset("touch-measured");
   const double step_rad = 2.0 * kPi / preset.counts_per_turn[1];
   // The thigh turns by a step, the shin keeps its place in space: q2 up, q3 down.
-  const arm::JointAngles before = throughEncoders(preset.counts_per_turn, {0, 100 * step_rad, 0.2, 0, 1, 0});
-  const arm::JointAngles after = throughEncoders(preset.counts_per_turn, {0, 101 * step_rad, 0.2 - step_rad, 0, 1, 0});
+  const arm::JointAngles before = quantized(preset.counts_per_turn, {0, 100 * step_rad, 0.2, 0, 1, 0});
+  const arm::JointAngles after = quantized(preset.counts_per_turn, {0, 101 * step_rad, 0.2 - step_rad, 0, 1, 0});
   EXPECT_NEAR(after[1] - before[1], step_rad, 1e-15);
   EXPECT_NEAR(after[1] + after[2], before[1] + before[2], 1e-15);
 }

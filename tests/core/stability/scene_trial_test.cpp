@@ -25,7 +25,7 @@ SampledWall plainWall(const SceneWall& scene) {
   return wall;
 }
 
-TEST(SceneTrial, APlaneInTheWholeTickHasTheEigenvaluesLimit) {
+TEST(SceneTrialResult, APlaneInTheWholeTickHasTheEigenvaluesLimit) {
   SceneWall wall = wallOf("04_plane.json");
   for (const int rate_hz : {500, 1000, 4000}) {
     if (rate_hz > 1000 && test::kIsWatched && !test::isSoak()) continue;  // eight times as many ticks as the first
@@ -35,13 +35,13 @@ TEST(SceneTrial, APlaneInTheWholeTickHasTheEigenvaluesLimit) {
   }
 }
 
-TEST(SceneTrial, ARobotOfOneJointHoldsLikeAWallInItsPlane) {
+TEST(SceneTrialResult, ARobotOfOneJointHoldsLikeAWallInItsPlane) {
   const SceneWall wall = wallOf("16_one_joint_robot.json");
   const double exact = exactLimit(plainWall(wall)).value();
   EXPECT_NEAR(simulatedLimit(wall).value(), exact, 0.15 * exact);  // its circle bends, and its turn is stiff, too
 }
 
-TEST(SceneTrial, DampingOfTheWallLetsItBeStiffer) {
+TEST(SceneTrialResult, DampingOfTheWallLetsItBeStiffer) {
   SceneWall wall = wallOf("23_two_beams.json");
   wall.constraint = "left beam";
   const double without = simulatedLimit(wall).value();
@@ -49,25 +49,25 @@ TEST(SceneTrial, DampingOfTheWallLetsItBeStiffer) {
   EXPECT_GT(simulatedLimit(wall).value(), 4.0 * without);
 }
 
-TEST(SceneTrial, ByItsJointsTheStylusBuzzesSooner) {
+TEST(SceneTrialResult, ByItsJointsTheStylusBuzzesSooner) {
   SceneWall joints = wallOf("13_joint_space.json"), straight = joints;
   straight.scene.control.space = tick::Space::Cartesian;
   EXPECT_LT(simulatedLimit(joints).value(), 0.6 * simulatedLimit(straight).value());
 }
 
-TEST(SceneTrial, BeyondTheLimitItGrowsAndIsGivenEnergy) {
+TEST(SceneTrialResult, BeyondTheLimitItGrowsAndIsGivenEnergy) {
   const SceneWall wall = wallOf("16_one_joint_robot.json");
-  const SceneTrial wild = tryScene(wall, 500.0).value();
+  const SceneTrialResult wild = tryScene(wall, 500.0).value();
   EXPECT_EQ(wild.trial.behaviour, Behaviour::Grows);
   EXPECT_FALSE(wild.is_passive);
   SceneWall damped = wall;
   damped.kd_N_s_per_m = 1.0;
-  const SceneTrial calm = tryScene(damped, 500.0).value();
+  const SceneTrialResult calm = tryScene(damped, 500.0).value();
   EXPECT_EQ(calm.trial.behaviour, Behaviour::Rest);
   EXPECT_TRUE(calm.is_passive);
 }
 
-TEST(SceneTrial, WhereNothingHoldsThereIsNoLimit) {
+TEST(SceneTrialResult, WhereNothingHoldsThereIsNoLimit) {
   for (const char* file : {"20_scara.json", "22_out_of_reach.json"}) {
     const Result<double> limit = simulatedLimit(wallOf(file));
     ASSERT_FALSE(limit) << file;
@@ -75,7 +75,7 @@ TEST(SceneTrial, WhereNothingHoldsThereIsNoLimit) {
   }
 }
 
-TEST(SceneTrial, WhatCannotBeAskedIsRefused) {
+TEST(SceneTrialResult, WhatCannotBeAskedIsRefused) {
   EXPECT_FALSE(tryScene(wallOf("09_wall.json"), 100.0));      // a wall never pulls
   EXPECT_FALSE(tryScene(wallOf("19_four_bar.json"), 100.0));  // two, and none named
 }

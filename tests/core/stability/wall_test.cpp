@@ -160,7 +160,7 @@ TEST(SampledWall, StepsOfTheEncodersKeepASwingAlive) {
   wall.kd_N_s_per_m = 0.3;
   EXPECT_EQ(tryWall(wall, 200.0).behaviour, Behaviour::Rest);
   wall.coarseness = 1.0;
-  const Trial stepped = tryWall(wall, 200.0);
+  const TrialResult stepped = tryWall(wall, 200.0);
   EXPECT_EQ(stepped.behaviour, Behaviour::LimitCycle);
   EXPECT_LT(stepped.amplitude_m, 3e-4);  // a few steps of 0.055 mm
   EXPECT_GT(stepped.amplitude_m, 1e-6);
@@ -189,12 +189,12 @@ TEST(SampledWall, OnlyALinearOneHasAnExactLimit) {
   EXPECT_FALSE(exactLimit(wall).has_value());
 }
 
-TEST(Watch, TellsADecayASteadySwingAndGrowthApart) {
+TEST(SwingObserver, TellsADecayASteadySwingAndGrowthApart) {
   const auto fate = [](double growth_a_tick, Motion motion) {
-    Watch watch(1.0, {100, 20'000, motion});
+    SwingObserver observer(1.0, {100, 20'000, motion});
     double size = 0.5;
-    for (int tick = 0; watch.goesOn(size * std::cos(0.7 * tick)); ++tick) size *= growth_a_tick;
-    return watch.trial();
+    for (int tick = 0; observer.goesOn(size * std::cos(0.7 * tick)); ++tick) size *= growth_a_tick;
+    return observer.trial();
   };
   EXPECT_EQ(fate(0.999, Motion::Linear).behaviour, Behaviour::Rest);
   EXPECT_EQ(fate(1.001, Motion::Linear).behaviour, Behaviour::Grows);
@@ -204,15 +204,15 @@ TEST(Watch, TellsADecayASteadySwingAndGrowthApart) {
   EXPECT_NEAR(fate(1.0, Motion::Stepped).amplitude_m, 0.5,
               0.5 * 0.7 * 0.7 / 2.0);                    // a sample within half a tick of each peak
   const auto slowly = [](double power, Motion motion) {  // by 5 % from each look to the next
-    Watch watch(1.0, {100, 20'000, motion});
-    for (int tick = 0; watch.goesOn(0.3 * std::pow(1.0 + tick, power) * std::cos(0.7 * tick)); ++tick) continue;
-    return watch.trial().behaviour;
+    SwingObserver observer(1.0, {100, 20'000, motion});
+    for (int tick = 0; observer.goesOn(0.3 * std::pow(1.0 + tick, power) * std::cos(0.7 * tick)); ++tick) continue;
+    return observer.trial().behaviour;
   };
   EXPECT_EQ(slowly(0.07, Motion::Smooth), Behaviour::Grows);
   EXPECT_EQ(slowly(-0.07, Motion::Smooth), Behaviour::Rest);
   EXPECT_EQ(slowly(0.07, Motion::Stepped), Behaviour::LimitCycle);           // not beyond the push
   EXPECT_EQ(fate(kNotANumber, Motion::Linear).behaviour, Behaviour::Grows);  // nothing that is no number is calm
-  Watch stuck(1.0, {100, 20'000, Motion::Stepped});
+  SwingObserver stuck(1.0, {100, 20'000, Motion::Stepped});
   while (stuck.goesOn(0.4)) continue;  // by friction, beside its target
   EXPECT_EQ(stuck.trial().behaviour, Behaviour::Rest);
   EXPECT_EQ(stuck.trial().amplitude_m, 0.0);

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <thread>
 
-#include "core/sweep/letters.h"
+#include "core/sweep/messages.h"
 #include "tests/core/sweep/some_sweep.h"
 
 namespace underact::sweep {
@@ -23,22 +23,22 @@ class Post {
  public:
   explicit Post(int size) : boxes_(static_cast<std::size_t>(size)) {}
   int size() const { return static_cast<int>(boxes_.size()); }
-  void put(int to, Letter letter) {
+  void put(int to, Message message) {
     const std::lock_guard lock(mutex_);
-    boxes_[static_cast<std::size_t>(to)].push_back(std::move(letter));
+    boxes_[static_cast<std::size_t>(to)].push_back(std::move(message));
   }
-  std::optional<Letter> get(int rank) {
+  std::optional<Message> get(int rank) {
     const std::lock_guard lock(mutex_);
-    std::deque<Letter>& box = boxes_[static_cast<std::size_t>(rank)];
+    std::deque<Message>& box = boxes_[static_cast<std::size_t>(rank)];
     if (box.empty()) return {};
-    Letter letter = std::move(box.front());
+    Message message = std::move(box.front());
     box.pop_front();
-    return letter;
+    return message;
   }
 
  private:
   std::mutex mutex_;
-  std::vector<std::deque<Letter>> boxes_;
+  std::vector<std::deque<Message>> boxes_;
 };
 
 class ThreadTeam final : public Team {
@@ -47,7 +47,7 @@ class ThreadTeam final : public Team {
   int rank() const override { return rank_; }
   int size() const override { return post_.size(); }
   void send(int to, const std::string& text) override { post_.put(to, {rank_, text}); }
-  std::optional<Letter> receive() override { return post_.get(rank_); }
+  std::optional<Message> receive() override { return post_.get(rank_); }
 
  private:
   Post& post_;
@@ -197,7 +197,7 @@ TEST_F(Led, EndsWhenALetterIsNone) {
   Journal kept = journal(sweep);
   Ranks ranks(2);
   ranks.post().put(0, {1, "nonsense"});
-  ranks.post().put(0, {1, write(Report{Word::Trouble, "That was nonsense."})});
+  ranks.post().put(0, {1, write(Report{MessageKind::Trouble, "That was nonsense."})});
   const Outcome outcome = ranks.lead(sweep, kept);
   ASSERT_EQ(outcome.problems.size(), 1U) << "the first one, from which the others follow";
   EXPECT_NE(outcome.problems.front().sentence.find("not a message"), std::string::npos);

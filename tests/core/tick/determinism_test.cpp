@@ -26,14 +26,14 @@ TickProgram everything(Combine combine) {
 void add(test::Checksum& sum, const TickReport& report) {
   sum.add(report.p_WT), sum.add(report.f_T_W), sum.add(report.force.f_T_W());
   sum.add(report.level), sum.add(report.cut_N), sum.add(report.fault.seen);
-  for (const Held& held : report.held) {
+  for (const ConstraintReport& held : report.held) {
     sum.add(held.p_WP), sum.add(held.f_T_W), sum.add(held.distance_m);
     sum.add(static_cast<double>(held.status));
   }
 }
 
 void addRobots(test::Checksum& sum, const TickReport& report) {
-  for (const Held& held : report.held) {
+  for (const ConstraintReport& held : report.held) {
     for (const double value : held.robot.theta) sum.add(value);
     sum.add(held.robot.moment_W), sum.add(held.robot.energy_J), sum.add(held.robot.better_J);
     sum.add(static_cast<double>(held.robot.steps));
@@ -84,7 +84,7 @@ std::uint64_t scriptedFilters(int ticks) {
     hand.input.has_sample = tick % 997 != 0;
     const TickReport& report = hand.feed(test::scriptedAngles(tick));
     add(sum, report);
-    for (const Held& held : report.held) sum.add(held.energy_J), sum.add(held.f_passive_T_W);
+    for (const ConstraintReport& held : report.held) sum.add(held.energy_J), sum.add(held.f_passive_T_W);
   }
   return sum.value();
 }
@@ -171,7 +171,8 @@ TEST(Determinism, FiniteInFiniteOutWhateverTheProgram) {
       if (report.fault.kind != FaultKind::None) {
         ASSERT_EQ(report.force.f_T_W(), Vec3(Vec3::Zero()));
       }
-      for (const Held& held : report.held) ASSERT_TRUE(held.p_WP.allFinite() && std::isfinite(held.distance_m));
+      for (const ConstraintReport& held : report.held)
+        ASSERT_TRUE(held.p_WP.allFinite() && std::isfinite(held.distance_m));
     }
   }
 }
@@ -193,7 +194,7 @@ TEST(Determinism, FiniteInFiniteOutWithRobotsToo) {
       const TickReport& report =
           hand.feed({angle(), angle(), angle(), angle(), angle(), angle()}, std::pow(10.0, random.between(-6.0, 0.0)));
       ASSERT_TRUE(report.p_WT.allFinite() && report.f_T_W.allFinite() && report.force.f_T_W().allFinite()) << draw;
-      for (const Held& held : report.held) {
+      for (const ConstraintReport& held : report.held) {
         ASSERT_TRUE(held.p_WP.allFinite() && held.robot.moment_W.allFinite() && std::isfinite(held.robot.energy_J));
         for (const double value : held.robot.theta) ASSERT_TRUE(std::isfinite(value)) << draw;
       }

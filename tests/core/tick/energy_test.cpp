@@ -117,7 +117,7 @@ TEST(Energy, TheControllersForceIsAPartOfTheConstraintsAndNeverTurnsItRound) {
     bool acted = false;
     for (int tick = 0; tick < 3000; ++tick) {
       const TickReport& report = hand.at({0.01, 0.0005 * std::sin(0.2 * tick), 0.03});
-      const Held& held = report.held[0];
+      const ConstraintReport& held = report.held[0];
       ASSERT_GE(held.f_T_W.dot(held.p_WP - report.p_WT), 0.0) << tick;
       acted = acted || held.f_passive_T_W.norm() > 0.01;
     }
@@ -149,7 +149,7 @@ TEST(Energy, FiniteInFiniteOutUnderTheController) {
       const TickReport& report =
           hand.feed({angle(), angle(), angle(), angle(), angle(), angle()}, std::pow(10.0, random.between(-6.0, 0.0)));
       ASSERT_TRUE(report.f_T_W.allFinite() && report.force.f_T_W().allFinite()) << draw;
-      for (const Held& held : report.held) {
+      for (const ConstraintReport& held : report.held) {
         ASSERT_TRUE(std::isfinite(held.energy_J) && held.f_passive_T_W.allFinite()) << draw;
       }
     }

@@ -61,7 +61,7 @@ TEST(InfluencedTick, OnlyAProgramThatNeedsItPaysForTheWrist) {
 
 TEST(InfluencedTick, AtRestTheTurnIsThatOfTheLine) {
   const Mat3 R_WT = Eigen::AngleAxisd(0.5 * 3.14159265358979, Vec3::UnitY()).toRotationMatrix();  // z along x
-  const TickReport report = answerAtRest(programOfAll({influenced({0.0})}), {0.0, 0.06, 0.0}, R_WT);
+  const TickReport report = evaluateAtRest(programOfAll({influenced({0.0})}), {0.0, 0.06, 0.0}, R_WT);
   EXPECT_LE((report.held[0].p_WP - Vec3(0.05, 0.0, 0.0)).norm(), 1e-15);
 }
 

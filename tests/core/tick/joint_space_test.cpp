@@ -39,8 +39,8 @@ TEST(JointSpace, TheForceIsThatOfTheTorques) {  // oracle: J_p^-T by a general s
     const Vec3 p_WT(random.between(-0.08, 0.08), random.between(-0.06, 0.06), random.between(-0.035, 0.035));
     Hand hand(jointProgram(joint(kJointPoint, P{kK})));
     const TickReport& report = hand.at(p_WT);
-    const arm::JointAngles q_rad = arm::reach(test::thesisGeometry(), p_WT).q_rad,
-                           wanted_rad = arm::reach(test::thesisGeometry(), {0.01, 0.02, 0.03}).q_rad;
+    const arm::JointAngles q_rad = arm::solvePosition(test::thesisGeometry(), p_WT).q_rad,
+                           wanted_rad = arm::solvePosition(test::thesisGeometry(), {0.01, 0.02, 0.03}).q_rad;
     const Vec3 torque_N_m = kK.cwiseProduct(firstThree(wanted_rad) - firstThree(q_rad));
     const Mat3 J = arm::positionJacobian(test::thesisGeometry(), q_rad);
     const Vec3 force_N = J.transpose().fullPivLu().solve(torque_N_m);
@@ -55,7 +55,7 @@ TEST(JointSpace, TheForceIsThatOfTheTorques) {  // oracle: J_p^-T by a general s
 TEST(JointSpace, ItIsNotTheCartesianSpringButOneThatLeansAsideAwayFromItsMiddle) {
   // Close to the target f = J^-T K J^-1 e: along the way that joints 2 and 3 share it is softer than across it.
   const Vec3 target(0.01, 0.02, 0.03);
-  const arm::JointAngles there_rad = arm::reach(test::thesisGeometry(), target).q_rad;
+  const arm::JointAngles there_rad = arm::solvePosition(test::thesisGeometry(), target).q_rad;
   const Mat3 J = arm::positionJacobian(test::thesisGeometry(), there_rad), inverse = J.inverse();
   const Mat3 stiffness = inverse.transpose() * kK.asDiagonal() * inverse;
   double least_deg = 90.0;

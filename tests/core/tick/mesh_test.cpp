@@ -106,7 +106,7 @@ TEST(MeshTick, ForceStepsAreNoLargerThanTheSurfaceBends) {
 TEST(MeshTick, ASmoothedForceLeansAndStepsLess) {
   const mesh::Triangles triangles = mesh_maker::bumpySphere(20000);
   target::MeshPlace round = placed(triangles);
-  round.lean = mesh::leanOf(kRadPerDegree * 15.0);
+  round.lean = mesh::forceShadingOf(kRadPerDegree * 15.0);
   Hand flat = handOn(entryOf(placed(triangles), target::Side::Outside));
   Hand smooth = handOn(entryOf(round, target::Side::Outside));
   double flat_N = 0.0, smooth_N = 0.0, most_deg = 0.0;
@@ -136,16 +136,16 @@ TEST(MeshTick, ASmoothedForceLeansAndStepsLess) {
 TEST(MeshTick, FrictionIsThatOfTheTrueSurfaceWhateverTheForceLeans) {
   const mesh::Triangles triangles = mesh_maker::bumpySphere(20000);
   target::MeshPlace round = placed(triangles);
-  round.lean = mesh::leanOf(kRadPerDegree * 15.0);
+  round.lean = mesh::forceShadingOf(kRadPerDegree * 15.0);
   const target::Friction rough{0.4, 0.3};
   Hand plain = handOn(entryOf(placed(triangles), target::Side::Outside));
   Hand leaning = handOn(entryOf(round, target::Side::Outside));
-  Hand rubbing = handOn(entryOf(placed(triangles), target::Side::Outside, rough));
+  Hand with_friction = handOn(entryOf(placed(triangles), target::Side::Outside, rough));
   Hand both = handOn(entryOf(round, target::Side::Outside, rough));
   double most_N = 0.0;
   for (const Vec3& q_mm : test::handPath(triangles, 1.0, 3000, test::Seed{9})) {
     const auto at = [&q_mm](Hand& hand) -> Vec3 { return hand.at(1e-3 * q_mm).held[0].f_T_W; };
-    const Vec3 lean_N = at(leaning) - at(plain), same_N = at(both) - at(rubbing);
+    const Vec3 lean_N = at(leaning) - at(plain), same_N = at(both) - at(with_friction);
     ASSERT_NEAR((lean_N - same_N).norm(), 0.0, 1e-12);
     most_N = std::max(most_N, lean_N.norm());
   }

@@ -49,7 +49,7 @@ TEST(RobotTick, AStartForgetsTheWatchForBetterMinimaToo) {  // or two Starts in 
     for (int tick = 333; tick < 700; ++tick) {
       ASSERT_EQ(used.feed(test::scriptedAngles(tick)).held[0].p_WP,
                 fresh.feed(test::scriptedAngles(tick)).held[0].p_WP);
-      ASSERT_EQ(robotIn(used.state()).watch.random, robotIn(fresh.state()).watch.random) << tick;
+      ASSERT_EQ(robotIn(used.state()).background.random, robotIn(fresh.state()).background.random) << tick;
     }
   }
 }
@@ -59,7 +59,7 @@ TEST(RobotTick, TheForceIsTheLawsOnTheWayToTheTipAndTheMomentIsNeverSent) {
     Hand hand(robotProgram(robot));
     for (int tick = 0; tick < 300; ++tick) {
       const TickReport& report = hand.feed(test::scriptedAngles(tick));
-      const Held& held = report.held[0];
+      const ConstraintReport& held = report.held[0];
       ASSERT_EQ(held.status, target::Status::Unique);
       ASSERT_EQ(held.robot.joints, robot.chain.joints.size());
       const Vec3 wanted = 500.0 * (held.p_WP - report.p_WT) + held.robot.f_along_T_W;
@@ -82,7 +82,7 @@ TEST(RobotTick, TheTipFollowsTheHandOfTheArm) {  // to the least energy that a c
     const arm::JointAngles q_rad = test::scriptedAngles(4321);
     for (int tick = 0; tick < 3000; ++tick) hand.feed(q_rad);
     const Pose X_WT = arm::tipPose(test::thesisGeometry(), q_rad);
-    const TickReport cold = answerAtRest(program, X_WT.translation(), X_WT.linear());
+    const TickReport cold = evaluateAtRest(program, X_WT.translation(), X_WT.linear());
     ASSERT_EQ(cold.held[0].status, target::Status::Unique);
     const double warm_J = hand.report().held[0].robot.energy_J, cold_J = cold.held[0].robot.energy_J;
     // A better minimum is taken where it saves a tenth and 10 uJ; what is left may be that much above the least.

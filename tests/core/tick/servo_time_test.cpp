@@ -56,7 +56,7 @@ const Vec3 kPlace{0.0, 0.0, 0.03};
 /// The next tick by that clock, with the tip where it was.
 const TickReport& tickBy(const OddClock& clock, std::int64_t tick, Hand& hand) {
   hand.input.sample.time_ns = clock.next(hand.input.sample.time_ns, tick);
-  return hand.feed(arm::reach(test::thesisGeometry(), kPlace).q_rad, 0.0);
+  return hand.feed(arm::solvePosition(test::thesisGeometry(), kPlace).q_rad, 0.0);
 }
 
 double size_N(const TickReport& report) {
@@ -108,7 +108,7 @@ TEST(ServoTime, TheForceChangesByNoMoreThanTheSlewLimitOfAPeriod) {
       hand.input.sample.time_ns = clock.next(hand.input.sample.time_ns, tick);
       // To the other side of the point: the force turns round.
       const Vec3 f_T_W =
-          hand.feed(arm::reach(test::thesisGeometry(), Vec3(0.0, tick < 100 ? 0.0 : 0.02, 0.03)).q_rad, 0.0)
+          hand.feed(arm::solvePosition(test::thesisGeometry(), Vec3(0.0, tick < 100 ? 0.0 : 0.02, 0.03)).q_rad, 0.0)
               .force.f_T_W();
       if (hand.report().fault.kind == FaultKind::None) {
         ASSERT_LE((f_T_W - last_T_W).norm(), 0.02 * (1.0 + 1e-12)) << clock.name << ' ' << tick;
@@ -149,7 +149,7 @@ TEST(ServoTime, AClockThatLeapsHidesNoLeapOfTheTip) {
     Hand hand = handHeld();
     hand.settle(kPlace);
     hand.input.sample.time_ns += leap_ns;
-    hand.feed(arm::reach(test::thesisGeometry(), Vec3(0.1, 0.0, 0.03)).q_rad, 0.0);  // 0.1 m in 1 ms
+    hand.feed(arm::solvePosition(test::thesisGeometry(), Vec3(0.1, 0.0, 0.03)).q_rad, 0.0);  // 0.1 m in 1 ms
     EXPECT_EQ(hand.report().fault.kind, FaultKind::TooFast) << leap_ns;
   }
 }
@@ -161,7 +161,8 @@ TEST(ServoTime, AnArmWhoseSamplesWereMissingForAWhileMovedInAllOfIt) {
   for (int tick = 0; tick < 15; ++tick) hand.at(kPlace);
   hand.input.has_sample = true;
   hand.input.sample.time_ns += kMillisecond_ns;
-  hand.feed(arm::reach(test::thesisGeometry(), kPlace + Vec3(0.016, 0.0, 0.0)).q_rad, 0.0);  // 1 m/s, 16 ms long
+  hand.feed(arm::solvePosition(test::thesisGeometry(), kPlace + Vec3(0.016, 0.0, 0.0)).q_rad,
+            0.0);  // 1 m/s, 16 ms long
   EXPECT_EQ(hand.report().fault.kind, FaultKind::None);
 }
 
@@ -206,7 +207,7 @@ TEST(ServoTime, WhateverComesInAStoppedServoHasLetGoAfterTheRelease) {
       auto time_ns = static_cast<std::uint64_t>(hand.input.sample.time_ns);
       time_ns = kind < 10 ? time_ns + static_cast<std::uint64_t>(leaps_ns[kind]) : random.bits();
       hand.input.sample.time_ns = static_cast<std::int64_t>(time_ns);
-      hand.feed(arm::reach(test::thesisGeometry(), kPlace).q_rad, 0.0);
+      hand.feed(arm::solvePosition(test::thesisGeometry(), kPlace).q_rad, 0.0);
       if (since_stop >= release) {
         ASSERT_EQ(size_N(hand.report()), 0.0) << "draw " << draw << ", tick " << tick;
       }

@@ -21,7 +21,8 @@ using test::hold;
 
 static_assert(noexcept(step(std::declval<const TickProgram&>(), std::declval<const TickInput&>(),
                             std::declval<TickState&>(), std::declval<TickReport&>())));
-static_assert(std::is_nothrow_copy_constructible_v<HeldList> && std::is_nothrow_copy_assignable_v<HeldList>);
+static_assert(std::is_nothrow_copy_constructible_v<ConstraintReports> &&
+              std::is_nothrow_copy_assignable_v<ConstraintReports>);
 
 const Vec3 kZero = Vec3::Zero();
 const Vec3 kAway{0.03, 0.05, 0.06};
@@ -60,7 +61,7 @@ TEST(Step, GoldenThroughTheArm) {
   for (const test::GoldenSet& set : test::constraintVectors().sets) {
     for (const test::GoldenCase& one : set.cases) {
       const Vec3 p_WT = kMetrePerMillimetre * one.P;
-      const arm::Reach angles = arm::reach(test::thesisGeometry(), p_WT);
+      const arm::PositionSolution angles = arm::solvePosition(test::thesisGeometry(), p_WT);
       if (!angles.reachable || (p_WT - test::thesisGeometry().p_WB).norm() > 0.999 * reach_m || one.degenerate)
         continue;
       const double radius_m = kMetrePerMillimetre * set.shape.radius,
@@ -415,7 +416,7 @@ TEST(Report, ACopyHoldsWhatIsInUse) {
   const TickReport copy = hand.at(kAway);
   EXPECT_EQ(copy.held.size(), 2U);
   EXPECT_EQ(copy.held[1].p_WP, hand.report().held[1].p_WP);
-  HeldList list;
+  ConstraintReports list;
   list.resize(1000);
   EXPECT_EQ(list.size(), kMaxConstraints);
 }

@@ -51,7 +51,7 @@ struct Client {
   arm::Sample sample;
 };
 
-std::string whyNot(const Result<std::unique_ptr<RemoteArm>>& arm) {
+std::string refusalReason(const Result<std::unique_ptr<RemoteArm>>& arm) {
   return arm ? "" : arm.problems().front().sentence;
 }
 
@@ -205,7 +205,7 @@ TEST(RemoteArm, TheArmsOwnTroubleIsTold) {
   far.arm.lose(true);
   EXPECT_TRUE(comes([&] { return !client.tick() && client.rests(); }));
   EXPECT_TRUE(comes([&] { return says(client.arm->trouble(), "The double was unplugged. Plug it in."); }));
-  EXPECT_TRUE(says(whyNot(far.open()), "in use")) << "it is still this one's";
+  EXPECT_TRUE(says(refusalReason(far.open()), "in use")) << "it is still this one's";
   const Problems problems = client.arm->reopen();
   ASSERT_FALSE(problems.empty());
   EXPECT_TRUE(says(problems.front().sentence, "The double is still unplugged.")) << problems.front().sentence;
@@ -219,7 +219,7 @@ TEST(RemoteArm, OneAtATimeHasIt) {
   SharedArm far;
   auto first = std::make_unique<Client>(far);
   ASSERT_TRUE(first->push());
-  const std::string why = whyNot(far.open());
+  const std::string why = refusalReason(far.open());
   EXPECT_TRUE(says(why, "in use by another program")) << why;
   EXPECT_TRUE(first->push());
   first.reset();
@@ -247,23 +247,24 @@ TEST(RemoteArm, OneWhoFellSilentLosesItsPlace) {
 
 TEST(RemoteArm, SaysWhyItCannotBeOpened) {
   SharedArm far;
-  Reach reach = far.reach();
-  reach.own = far.stranger();
-  EXPECT_TRUE(says(whyNot(RemoteArm::open(reach, far.arm.preset(), 1000)), "your key is not known there"));
+  Endpoint endpoint = far.endpoint();
+  endpoint.own = far.stranger();
+  EXPECT_TRUE(says(refusalReason(RemoteArm::open(endpoint, far.arm.preset(), 1000)), "your key is not known there"));
   EXPECT_TRUE(comes([&] { return says(far.told(), "was refused"); }));
-  reach = far.reach();
-  reach.server_key = far.stranger().public_key;
-  EXPECT_TRUE(says(whyNot(RemoteArm::open(reach, far.arm.preset(), 1000)), "not the arm whose key is known here"));
-  EXPECT_TRUE(says(whyNot(far.open("woodenhaptics")),
+  endpoint = far.endpoint();
+  endpoint.server_key = far.stranger().public_key;
+  EXPECT_TRUE(
+      says(refusalReason(RemoteArm::open(endpoint, far.arm.preset(), 1000)), "not the arm whose key is known here"));
+  EXPECT_TRUE(says(refusalReason(far.open("woodenhaptics")),
                    "the joints of \"omni-thesis\", but the scene is for \"woodenhaptics\". Share it with --arm"));
   far.cable().pull();
-  EXPECT_TRUE(says(whyNot(far.open()), "No arm is shared at 127.0.0.1:"));
+  EXPECT_TRUE(says(refusalReason(far.open()), "No arm is shared at 127.0.0.1:"));
 }
 
 TEST(RemoteArm, AnotherVersionIsRefusedInWords) {
   SharedArm far;
-  const Reach reach = far.reach();
-  const auto wire = reached(reach, 3000);
+  const Endpoint endpoint = far.endpoint();
+  const auto wire = connectTo(endpoint, 3000);
   ASSERT_TRUE(wire);
   Bytes hello = bytesOf(Hello{1, 1000, false, {"omni-thesis", far.arm.preset().geometry}});
   hello[4] = 2;
@@ -286,7 +287,7 @@ TEST(RemoteArm, TicksAtTheRateOfWhoAsks) {
     last_ns = client.sample.time_ns;
     ++samples;
   }
-  EXPECT_TRUE(says(client.arm->fixedRate(), "keeps the rate"));
+  EXPECT_TRUE(says(client.arm->fixedRateReason(), "keeps the rate"));
   EXPECT_TRUE(says(client.arm->listing().front(), "500 Hz"));
 }
 
@@ -295,7 +296,7 @@ TEST(RemoteArm, WhateverElseComesIsIgnored) {
   SharedArm far;
   Client client(far);
   ASSERT_TRUE(client.push());
-  const auto wire = reached(far.reach(), 3000);
+  const auto wire = connectTo(far.endpoint(), 3000);
   ASSERT_TRUE(wire);
   for (int message = 0; message < 50; ++message) {
     wire.value()->send(Bytes(static_cast<std::size_t>(message * 13 % 200), static_cast<std::uint8_t>(message)));
@@ -326,7 +327,7 @@ TEST(Remote, IsNotSharedWithOthersAsLongAsNobodyIsAllowed) {
 TEST(Remote, TellsWhoAsksWhatIsSharedWithoutOpeningIt) {
   SharedArm far;
   Client client(far);
-  const Result<Welcome> what = askWhat(far.reach(), 3000);
+  const Result<Welcome> what = queryArm(far.endpoint(), 3000);
   ASSERT_TRUE(what) << what.problems().front().sentence;
   EXPECT_EQ(what.value().title, "Double");
   EXPECT_TRUE(what.value().allows_force);

@@ -9,8 +9,8 @@
 #include <fstream>
 #include <regex>
 
-#include "core/system/urgency.h"
-#include "device/remote/knocks.h"
+#include "core/system/thread_priority.h"
+#include "device/remote/connection_limit.h"
 #include "device/remote/remote_arm.h"
 #include "tests/support/comes.h"
 #include "tests/support/shared_arm.h"
@@ -72,24 +72,24 @@ std::vector<std::string> linesWith(const std::string& text, const std::string& w
 
 TEST(RemoteKnocks, AClassMayLookAndAStormIsTooMuchUntilItHasRested) {
   constexpr std::int64_t kStep_ns = 50'000'000;
-  Knocks knocks;
+  ConnectionLimit connections;
   std::int64_t now_ns = 1;
   for (int step = 0; step < 200; ++step, now_ns += kStep_ns) {
-    knocks.count(2, now_ns);  // 40 a second
-    ASSERT_FALSE(knocks.areTooMany()) << step;
+    connections.count(2, now_ns);  // 40 a second
+    ASSERT_FALSE(connections.areTooMany()) << step;
   }
-  for (int step = 0; step < 20; ++step, now_ns += kStep_ns) knocks.count(10, now_ns);  // 200 a second
-  EXPECT_TRUE(knocks.areTooMany());
-  knocks.count(0, now_ns);
-  EXPECT_TRUE(knocks.areTooMany());
-  knocks.count(0, now_ns + 1'000'000'000);
-  EXPECT_FALSE(knocks.areTooMany());
+  for (int step = 0; step < 20; ++step, now_ns += kStep_ns) connections.count(10, now_ns);  // 200 a second
+  EXPECT_TRUE(connections.areTooMany());
+  connections.count(0, now_ns);
+  EXPECT_TRUE(connections.areTooMany());
+  connections.count(0, now_ns + 1'000'000'000);
+  EXPECT_FALSE(connections.areTooMany());
 }
 
 TEST(RemoteStrangers, GetRealTimeNeitherWithoutASeatNorByAStorm) {
   SharedArm far;
-  const int port = far.reach(true).address.port;
-  const int urgent = system::urgencyGranted() ? SCHED_FIFO : SCHED_OTHER;  // where nothing is granted, nobody gets it
+  const int port = far.endpoint(true).address.port;
+  const int urgent = system::grantedPriority() ? SCHED_FIFO : SCHED_OTHER;  // where nothing is granted, nobody gets it
   EXPECT_TRUE(comes([] { return policyOfHub() == SCHED_OTHER; }))
       << policyOfHub();  // its thread has its name in a while
   knock(port, 200);
@@ -108,11 +108,11 @@ TEST(RemoteStrangers, GetRealTimeNeitherWithoutASeatNorByAStorm) {
 
 TEST(RemoteStrangers, AreToldOfOnceASecondHoweverManyTheyAre) {
   SharedArm far;
-  Reach reach = far.reach(true);
-  reach.own = far.stranger();
+  Endpoint endpoint = far.endpoint(true);
+  endpoint.own = far.stranger();
   constexpr int kTimes = 12;
   const auto begin = std::chrono::steady_clock::now();
-  for (int time = 0; time < kTimes; ++time) EXPECT_FALSE(RemoteArm::open(reach, far.arm.preset(), 1000));
+  for (int time = 0; time < kTimes; ++time) EXPECT_FALSE(RemoteArm::open(endpoint, far.arm.preset(), 1000));
   const auto count = [&] {
     int sum = 0;
     for (const std::string& line : linesWith(far.told(), "was refused")) {
@@ -142,7 +142,7 @@ TEST(RemoteRate, BeyondWhatAServoTicksIsRefusedInWords) {
 TEST(RemoteRate, IsPutBackWhenTheSeatLeavesAndWhenItIsCutOff) {
   SharedArm far;
   const auto rate_hz = [&] {
-    const Result<Welcome> welcome = askWhat(far.reach(true), 3000);
+    const Result<Welcome> welcome = queryArm(far.endpoint(true), 3000);
     return welcome ? welcome.value().rate_hz : -1;
   };
   {

@@ -16,8 +16,8 @@ FeatureRow faultFeature();
 namespace underact::gui::test {
 namespace {
 
-ToldFault toldFault(const char* what, const QString& path) {
-  ToldFault told;
+ShownFault shownFault(const char* what, const QString& path) {
+  ShownFault told;
   told.words = {"no_sample", what, "Press Start."};
   told.when = "19:56:47";
   told.path = path;
@@ -28,13 +28,13 @@ ToldFault toldFault(const char* what, const QString& path) {
 
 TEST(FaultDialog, TellsTheLastAndListsThemOnceThereAreSeveral) {
   FaultDialog dialog(nullptr);
-  dialog.tell(toldFault("The arm stopped answering.", "/a.json"));
+  dialog.tell(shownFault("The arm stopped answering.", "/a.json"));
   const auto text = [&dialog](const char* part) {
     return dialog.findChild<QLabel*>(QString("dialog.fault.%1").arg(part))->text();
   };
   EXPECT_EQ(text("what"), QString("The arm stopped answering."));
   EXPECT_TRUE(dialog.findChild<QWidget*>("dialog.fault.list")->isHidden());
-  dialog.tell(toldFault("The arm jumped.", "/b.json"));
+  dialog.tell(shownFault("The arm jumped.", "/b.json"));
   EXPECT_EQ(dialog.count(), 2);
   EXPECT_FALSE(dialog.findChild<QWidget*>("dialog.fault.list")->isHidden());
   EXPECT_EQ(text("what"), QString("The arm jumped."));
@@ -47,7 +47,7 @@ TEST(FaultDialog, TellsTheLastAndListsThemOnceThereAreSeveral) {
 
 TEST(FaultDialog, OneWithoutAFileHasNothingToCopyAndARepeatedOneIsCounted) {
   FaultDialog dialog(nullptr);
-  ToldFault lost = toldFault("Lost.", {});
+  ShownFault lost = shownFault("Lost.", {});
   lost.not_kept = "The disk is full.";
   dialog.tell(lost);
   EXPECT_FALSE(dialog.findChild<QWidget*>("dialog.fault.copy")->isEnabled());
@@ -67,7 +67,7 @@ TEST(FaultWatch, AnExceptionInTheWindowLetsGoAtOnceAndIsToldWithItsWords) {
   desk.perform("session.start");
   desk.run(300);
   ASSERT_TRUE(desk.host().running());
-  desk.follower<FaultWatch>().tellException("the shelf is empty");
+  desk.listener<FaultWatch>().reportException("the shelf is empty");
   EXPECT_FALSE(desk.host().running());
   QCoreApplication::processEvents();
   EXPECT_TRUE(desk.label("dialog.fault.what").contains("the shelf is empty"));

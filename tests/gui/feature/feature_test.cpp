@@ -12,13 +12,13 @@ TEST(HelpPlace, IsThatOfTheLongestNameThatAPartOrWhatItLiesInGoesOnFrom) {
   QWidget outer;
   outer.setObjectName("panel.feel");
   QWidget inner(&outer);
-  EXPECT_EQ(helpPlaceOf(&inner, pages), QString("window#feel"));
+  EXPECT_EQ(helpPageOf(&inner, pages), QString("window#feel"));
   inner.setObjectName("panel.feel.rate.law");
-  EXPECT_EQ(helpPlaceOf(&inner, pages), QString("velocity"));
+  EXPECT_EQ(helpPageOf(&inner, pages), QString("velocity"));
   inner.setObjectName("panel.feelings");  // goes on without a dot: another thing, in the same panel
-  EXPECT_EQ(helpPlaceOf(&inner, pages), QString("window#feel"));
-  EXPECT_EQ(helpPlaceOf(nullptr, pages), QString("start"));
-  EXPECT_EQ(helpPlaceOf(&inner, {}), QString("start"));
+  EXPECT_EQ(helpPageOf(&inner, pages), QString("window#feel"));
+  EXPECT_EQ(helpPageOf(nullptr, pages), QString("start"));
+  EXPECT_EQ(helpPageOf(&inner, {}), QString("start"));
 }
 
 TEST(Opener, IsTheFirstRowThatKnowsTheName) {

@@ -19,7 +19,7 @@ class ToldPort final : public servo::DevicePort {
   bool read(arm::Sample& /*sample*/) noexcept override { return false; }
   void write(const safety::GatedForce& /*force*/) noexcept override {}
   void cut() noexcept override {}
-  servo::LastWord lastWord() const override { return {fd_, "0"}; }
+  servo::ZeroForceMessage zeroForceMessage() const override { return {fd_, "0"}; }
   servo::DeviceInfo info() const override { return {"Arm behind a file", false, true}; }
 
  private:

@@ -104,9 +104,9 @@ TEST(LoadStrip, ALoadThatIsCancelledIsNotDoneAndAnotherOneIs) {
   LoadStrip strip;
   bool first = false, second = false;
   strip.begin(
-      "Loading one", [](const Watch&) {}, [&first] { first = true; });
+      "Loading one", [](const TaskMonitor&) {}, [&first] { first = true; });
   strip.begin(
-      "Loading another", [](const Watch&) {}, [&second] { second = true; });
+      "Loading another", [](const TaskMonitor&) {}, [&second] { second = true; });
   EXPECT_TRUE(strip.isBusy());
   EXPECT_TRUE(QTest::qWaitFor([&] { return second; }, 10'000));
   EXPECT_FALSE(first);

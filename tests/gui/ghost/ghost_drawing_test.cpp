@@ -6,19 +6,19 @@ namespace underact::gui {
 namespace {
 
 /// 2 s along x, 100 mm, with a gap after the first second.
-follow::Way way() {
-  const auto at = [](double x_m) { return follow::Place{{x_m, 0.0, 0.0}, Vec3::UnitY()}; };
-  follow::Way made;
+ghost::Trajectory way() {
+  const auto at = [](double x_m) { return ghost::StylusPose{{x_m, 0.0, 0.0}, Vec3::UnitY()}; };
+  ghost::Trajectory made;
   made.rows = {{0.0, at(0.0)}, {1.0, at(0.050)}, {1.1, at(0.080), true}, {2.0, at(0.100)}};
   return made;
 }
 
-follow::State stateAt(double time_s, const Vec3& p_WT) {
-  follow::Options at_once;
+ghost::State stateAt(double time_s, const Vec3& p_WT) {
+  ghost::Options at_once;
   at_once.begins_near = at_once.waits = false;
-  follow::State state;
+  ghost::State state;
   state.time_s = time_s;
-  return follow::advanced(way(), at_once, state, 0, p_WT);
+  return ghost::advanced(way(), at_once, state, 0, p_WT);
 }
 
 TEST(GhostDrawing, HasItsStylusTheWayAheadUpToTheGapAndTheDistance) {

@@ -25,7 +25,7 @@ TEST(IdentifyRun, WhatKeepsItFromBeginningIsSaid) {
   Desk closed(identifyFeature(), "");
   IdentifyRun nothing(partsOf(closed), nullptr);
   ASSERT_EQ(nothing.begin({}).size(), 1U);
-  EXPECT_FALSE(nothing.isAtWork());
+  EXPECT_FALSE(nothing.isRunning());
   Desk desk(identifyFeature());
   desk.host().setHoldToRun(true);
   IdentifyRun held(partsOf(desk), nullptr);
@@ -40,11 +40,11 @@ TEST(IdentifyRun, AnotherSceneEndsItWithASentenceAndTheServoIsLeftAsItWas) {
   ASSERT_TRUE(run.begin({}).empty());
   EXPECT_EQ(run.state(), IdentifyRun::State::Asks);
   EXPECT_FALSE(run.prompt().isEmpty());
-  run.goOn();
+  run.resume();
   EXPECT_TRUE(desk.document().isTryingOut());
   desk.open("05_circle");
   EXPECT_EQ(run.why(), QString("Another scene was opened, so the measurement was ended."));
-  EXPECT_FALSE(run.isAtWork());
+  EXPECT_FALSE(run.isRunning());
   EXPECT_FALSE(desk.document().isTryingOut());
   EXPECT_FALSE(desk.host().running());
 }

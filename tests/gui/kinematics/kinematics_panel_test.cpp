@@ -34,13 +34,13 @@ TEST(KinematicsPanel, AJointIsSetWhileTheServoIsStoppedAndNotWhileItRuns) {
   ASSERT_TRUE(desk.perform("joint.set", 1, 20.0));
   arm::JointAngles q_rad = desk.host().snapshot().report.sample.q_rad;
   q_rad[0] = 20.0 * kRadPerDegree;
-  EXPECT_NEAR((desk.arm().wished().p_WT - arm::tipPose(preset().geometry, q_rad).translation()).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((desk.arm().setpoint().p_WT - arm::tipPose(preset().geometry, q_rad).translation()).norm(), 0.0, 1e-9);
   EXPECT_FALSE(desk.perform("joint.set", 7, 20.0)) << "there are six";
   desk.perform("session.start");
   desk.run(300);
-  const Vec3 before = desk.arm().wished().p_WT;
+  const Vec3 before = desk.arm().setpoint().p_WT;
   EXPECT_FALSE(desk.perform("joint.set", 1, -20.0));
-  EXPECT_EQ(desk.arm().wished().p_WT, before);
+  EXPECT_EQ(desk.arm().setpoint().p_WT, before);
 }
 
 TEST(KinematicsPanel, TheSolutionsAreCountedAndOneIsShownUntilNoneIs) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/lab/choice_list.h"
-#include "core/trade/settings.h"
+#include "core/tradeoff/settings.h"
 
 namespace underact::gui::test {
 
@@ -13,23 +13,23 @@ TEST(LabWords, WhatIsBeyondTheBoundOrWorseThanAnotherIsMarkedInWords) {
     made.constraints.push_back({"ball", scene::Sphere{Vec3::Zero(), 50.0}, target::Side::Both, {}, {}});
     return made;
   }();
-  const trade::Choice& rate = trade::choices().front();
-  trade::Standing standing{&rate, trade::settingsOf(scene, 250), {}};
+  const tradeoff::Choice& rate = tradeoff::choices().front();
+  tradeoff::ChoiceResult choice_result{&rate, tradeoff::settingsOf(scene, 250), {}};
   const auto option = [](const char* name, double cost_us_per_s, double error) {
-    trade::Summary one{"rate", name, 5, 500.0, 900.0, cost_us_per_s, error};
+    tradeoff::Summary one{"rate", name, 5, 500.0, 900.0, cost_us_per_s, error};
     return one;
   };
-  standing.options = {option("250 Hz", 100.0, 4.0 * rate.bound), option("2000 Hz", 800.0, 0.5 * rate.bound)};
-  trade::recommend(rate.bound, standing.options);
-  std::vector<ChoiceWords> words = choiceWords(scene, trade::settingsOf(scene, 250), {standing});
+  choice_result.options = {option("250 Hz", 100.0, 4.0 * rate.bound), option("2000 Hz", 800.0, 0.5 * rate.bound)};
+  tradeoff::recommend(rate.bound, choice_result.options);
+  std::vector<ChoiceWords> words = choiceWords(scene, tradeoff::settingsOf(scene, 250), {choice_result});
   EXPECT_TRUE(words.front().is_beyond);
   EXPECT_TRUE(words.front().mark.contains("exceeds the bound"));
   EXPECT_TRUE(words.front().mark.contains("Recommended: 2000 Hz"));
-  words = choiceWords(scene, trade::settingsOf(scene, 2000), {standing});
+  words = choiceWords(scene, tradeoff::settingsOf(scene, 2000), {choice_result});
   EXPECT_FALSE(words.front().is_beyond);
   EXPECT_EQ(words.front().mark, "");
   EXPECT_TRUE(words.front().figures.contains("500 ns for the servo's tick"));
-  words = choiceWords(scene, trade::settingsOf(scene, 300), {standing});
+  words = choiceWords(scene, tradeoff::settingsOf(scene, 300), {choice_result});
   EXPECT_TRUE(words.front().figures.startsWith("not measured"));
 }
 

@@ -4,11 +4,11 @@
 
 #include <QDateTime>
 
-#include "app/gui/model/session_place.h"
+#include "app/gui/model/session_paths.h"
 
 namespace underact::gui::test {
 
-TEST(SessionWords, LittleRoomOnTheDiskIsAmberBeforeItIsNone) {
+TEST(SessionMetadata, LittleRoomOnTheDiskIsAmberBeforeItIsNone) {
   record::RecorderStatus status;
   EXPECT_FALSE(isDiskLow(status));
   status.disk_left_bytes = 50'000'000'000;
@@ -22,7 +22,7 @@ TEST(SessionWords, LittleRoomOnTheDiskIsAmberBeforeItIsNone) {
   EXPECT_TRUE(isDiskLow(status));
 }
 
-TEST(SessionWords, TimesAndSizesReadAsOneSaysThem) {
+TEST(SessionMetadata, TimesAndSizesReadAsOneSaysThem) {
   EXPECT_EQ(clockText(0.0), "00:00");
   EXPECT_EQ(clockText(83.9), "01:23");
   EXPECT_EQ(clockText(3723.0), "1:02:03");

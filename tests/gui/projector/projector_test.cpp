@@ -29,7 +29,7 @@ TEST(Projector, TypeGrowsOfViewAndToolsAndIsAsItWasAfter) {
 TEST(Projector, ItIsRememberedAndTakenOffBeforeTheLayoutIs) {
   Desk desk(projectorFeature());
   desk.window().addToolBar(new QToolBar(&desk.window()));
-  Projector& projector = desk.follower<Projector>();
+  Projector& projector = desk.listener<Projector>();
   Settings settings;
   projector.remember(settings);
   EXPECT_FALSE(settings.projector);

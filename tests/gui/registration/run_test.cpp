@@ -19,7 +19,7 @@ servo::TickRecord tickAt(std::int64_t ms, const Vec3& p_WT, bool pressed) {
 
 TEST(RegistrationRun, ATipHeldStillTouchesItsMarkAndTheNextOneIsDue) {
   RegistrationRun run(nullptr);
-  run.begin(registration::sheetMarks());
+  run.begin(registration::sheetPoints());
   run.add(tickAt(0, Vec3::Zero(), false));
   run.add(tickAt(1, Vec3::Zero(), true));
   EXPECT_EQ(run.told(), QString("Hold the tip still."));
@@ -30,7 +30,7 @@ TEST(RegistrationRun, ATipHeldStillTouchesItsMarkAndTheNextOneIsDue) {
 
 TEST(RegistrationRun, ATipThatMovesIsToldAndTheMarkStaysDue) {
   RegistrationRun run(nullptr);
-  run.begin(registration::sheetMarks());
+  run.begin(registration::sheetPoints());
   run.press();
   EXPECT_TRUE(run.touching().isHolding());
   EXPECT_EQ(run.told(), QString("Hold the tip still."));
@@ -43,7 +43,7 @@ TEST(RegistrationRun, ATipThatMovesIsToldAndTheMarkStaysDue) {
 
 TEST(RegistrationRun, ATickWithoutASampleIsNotHeardAndNothingIsAfterTheEnd) {
   RegistrationRun run(nullptr);
-  run.begin(registration::sheetMarks());
+  run.begin(registration::sheetPoints());
   servo::TickRecord blind = tickAt(1, Vec3::Zero(), true);
   blind.input = 0;
   run.add(blind);

@@ -16,12 +16,12 @@ namespace {
 constexpr QSizeF kA4_mm(210.0, 297.0);
 constexpr int kPixels = 10;  // a millimetre
 
-QImage paintedSheet(const std::vector<Vec3>& marks_D) {
+QImage paintedSheet(const std::vector<Vec3>& points_D) {
   QImage image((kA4_mm * kPixels).toSize(), QImage::Format_Grayscale8);
   image.fill(Qt::white);
   QPainter painter(&image);
   painter.scale(kPixels, kPixels);
-  paintSheet(painter, marks_D, kA4_mm);
+  paintSheet(painter, points_D, kA4_mm);
   return image;
 }
 
@@ -55,13 +55,13 @@ QSizeF pageOf(const QString& path) {
 }  // namespace
 
 TEST(RegistrationSheet, MarksLieWhereTheyAreSaidToBeToATenthOfAMillimetre) {
-  const std::vector<Vec3> marks_D = registration::sheetMarks(8);
-  const QImage image = paintedSheet(marks_D);
-  const QPointF first = crossAt(image, onPage(marks_D[0], marks_D, kA4_mm));
-  for (std::size_t at = 0; at < marks_D.size(); ++at) {
-    const QPointF found = crossAt(image, onPage(marks_D[at], marks_D, kA4_mm)) - first;
-    EXPECT_NEAR(found.x(), 1e3 * registration::rightOf(marks_D[at]), 0.1) << at;
-    EXPECT_NEAR(found.y(), -1e3 * registration::awayOf(marks_D[at]), 0.1) << at;  // away is up on the page
+  const std::vector<Vec3> points_D = registration::sheetPoints(8);
+  const QImage image = paintedSheet(points_D);
+  const QPointF first = crossAt(image, onPage(points_D[0], points_D, kA4_mm));
+  for (std::size_t at = 0; at < points_D.size(); ++at) {
+    const QPointF found = crossAt(image, onPage(points_D[at], points_D, kA4_mm)) - first;
+    EXPECT_NEAR(found.x(), 1e3 * registration::rightOf(points_D[at]), 0.1) << at;
+    EXPECT_NEAR(found.y(), -1e3 * registration::awayOf(points_D[at]), 0.1) << at;  // away is up on the page
   }
   image.save(QString(UNDERACT_BINARY) + "/pictures/registration_sheet.png");
 }
@@ -69,10 +69,10 @@ TEST(RegistrationSheet, MarksLieWhereTheyAreSaidToBeToATenthOfAMillimetre) {
 TEST(RegistrationSheet, ThePdfHasTheSizeOfItsPaper) {
   const QTemporaryDir folder;
   const QString path = folder.filePath("sheet.pdf");
-  ASSERT_TRUE(saveSheet(path, registration::sheetMarks(), Paper::A4).empty());
+  ASSERT_TRUE(saveSheet(path, registration::sheetPoints(), Paper::A4).empty());
   EXPECT_NEAR(pageOf(path).width(), 595.0, 1.0);  // points of 1/72 inch
   EXPECT_NEAR(pageOf(path).height(), 842.0, 1.0);
-  ASSERT_TRUE(saveSheet(path, registration::sheetMarks(), Paper::Letter).empty());
+  ASSERT_TRUE(saveSheet(path, registration::sheetPoints(), Paper::Letter).empty());
   EXPECT_NEAR(pageOf(path).width(), 612.0, 1.0);
   EXPECT_NEAR(pageOf(path).height(), 792.0, 1.0);
 }
@@ -85,7 +85,7 @@ TEST(RegistrationSheet, WhatNoPaperHoldsIsRefusedInWords) {
   EXPECT_NE(saveSheet(path, {{0, 0, 0}, {0.1, 0, 0}, {0, 0.05, -0.1}}, Paper::A4).front().sentence.find("equal height"),
             std::string::npos);
   EXPECT_FALSE(QFile::exists(path));
-  EXPECT_FALSE(saveSheet("/nowhere/sheet.pdf", registration::sheetMarks(), Paper::A4).empty());
+  EXPECT_FALSE(saveSheet("/nowhere/sheet.pdf", registration::sheetPoints(), Paper::A4).empty());
 }
 
 }  // namespace underact::gui::test

@@ -38,7 +38,7 @@ struct Taught : Shown {
     snapshot.report.sample.q_rad[5] = 0.5;
     view.setLayers(only(layer));
     view.present(snapshot);
-    look(Camera::Isometric);
+    moveCamera(Camera::Isometric);
   }
   const arm::JointAngles& q_rad() const { return snapshot.report.sample.q_rad; }
   arm::Solutions solutions() const {
@@ -55,7 +55,7 @@ TEST(KinematicsPicture, GhostsStandWhereTheLibraryPutsTheirElbows) {
   Taught taught(&Layers::ghosts);
   const arm::Solutions solutions = taught.solutions();
   ASSERT_EQ(solutions.count, 8u);
-  EXPECT_EQ(taught.view.ghostsDrawn(), 8u);
+  EXPECT_EQ(taught.view.solutionsDrawn(), 8u);
   for (const arm::Solution& solution : solutions) {
     const arm::Skeleton ghost = arm::skeleton(preset().geometry, solution.q_rad);
     const arm::Skeleton arm = arm::skeleton(preset().geometry, taught.q_rad());
@@ -70,7 +70,7 @@ TEST(KinematicsPicture, GhostsStandWhereTheLibraryPutsTheirElbows) {
   }
   Layers none = only(&Layers::arm);
   taught.view.setLayers(none);
-  EXPECT_EQ(taught.view.ghostsDrawn(), 0u);
+  EXPECT_EQ(taught.view.solutionsDrawn(), 0u);
   const Vec3 other_elbow = arm::skeleton(preset().geometry, solutions.all[2].q_rad).p_WElbow;
   EXPECT_EQ(taught.at(other_elbow, isPurple, 30.0), 0);
 }
@@ -78,7 +78,7 @@ TEST(KinematicsPicture, GhostsStandWhereTheLibraryPutsTheirElbows) {
 TEST(KinematicsPicture, TheChosenGhostHasHollowJointsAndNothingHidesIt) {
   Taught taught(&Layers::arm);
   taught.view.chooseSolution(arm::Branch{1, -1, 1});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !taught.view.ghostMoving(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !taught.view.solutionMoving(); }));
   const arm::Solution solution = taught.solutions().all[2];
   ASSERT_EQ(solution.branch, (arm::Branch{1, -1, 1}));
   const arm::Skeleton ghost = arm::skeleton(preset().geometry, solution.q_rad);
@@ -89,7 +89,7 @@ TEST(KinematicsPicture, TheChosenGhostHasHollowJointsAndNothingHidesIt) {
   const Pose X_WT = arm::tipPose(preset().geometry, solution.q_rad);
   EXPECT_GT(taught.at(X_WT * Vec3(0, 0, 0.050), isPurple), 0);  // along the stylus, though the stylus is there
   taught.view.chooseSolution(arm::Branch{1, 1, 1});             // the arm itself: over its links
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !taught.view.ghostMoving(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !taught.view.solutionMoving(); }));
   const arm::Skeleton own = arm::skeleton(preset().geometry, taught.q_rad());
   EXPECT_GT(taught.at(0.5 * (own.p_WElbow + own.p_WShoulder), isPurple), 0);
   taught.view.chooseSolution({});
@@ -155,8 +155,8 @@ TEST(KinematicsPicture, AtASingularityNothingGrowsWithoutEndAndNothingBreaks) {
     taught.snapshot.report.sample.q_rad[4] = 0.0;
     taught.view.present(taught.snapshot);
     EXPECT_FALSE(taught.view.picture().isNull());
-    EXPECT_EQ(taught.view.ghostsDrawn(), taught.solutions().count);
-    EXPECT_LT(taught.view.ghostsDrawn(), 8u);
+    EXPECT_EQ(taught.view.solutionsDrawn(), taught.solutions().count);
+    EXPECT_LT(taught.view.solutionsDrawn(), 8u);
     EXPECT_EQ(taught.view.glErrors(), 0);
   }
 }

@@ -104,46 +104,46 @@ TEST(SceneView, ADragOnTheTipMovesTheHandAsFarAsThePointer) {
   Shown shown(sceneOf(kSphere));
   shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
   QSignalSpy grabbed(&shown.view, &SceneView::handGrabbed), released(&shown.view, &SceneView::handReleased);
-  sim::HandWish wish;
-  QObject::connect(&shown.view, &SceneView::handMoved, [&](const sim::HandWish& moved) { wish = moved; });
+  sim::HandSetpoint setpoint;
+  QObject::connect(&shown.view, &SceneView::handMoved, [&](const sim::HandSetpoint& moved) { setpoint = moved; });
   const QPointF tip = shown.view.screenOf(kTipInFront);
   const double pixels_per_mm = shown.view.screenOf(kTipInFront + Vec3(0.001, 0, 0)).x() - tip.x();
   shown.drag(tip + QPointF(3, 4), tip + QPointF(43, 24));
   EXPECT_EQ(grabbed.count(), 1);
   EXPECT_EQ(released.count(), 1);
-  const Vec3 way_mm = 1e3 * (wish.p_WT - kTipInFront);
+  const Vec3 way_mm = 1e3 * (setpoint.p_WT - kTipInFront);
   EXPECT_NEAR(way_mm.x(), 40.0 / pixels_per_mm, 0.01);
   EXPECT_NEAR(way_mm.y(), -20.0 / pixels_per_mm, 0.01);
   EXPECT_NEAR(way_mm.z(), 0.0, 1e-9);
-  EXPECT_FALSE(wish.turns);
+  EXPECT_FALSE(setpoint.turns);
 }
 
 TEST(SceneView, TheNextDragGoesOnFromTheWishAndNotFromTheTip) {
   Shown shown(sceneOf(kSphere));
   shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
-  std::vector<Vec3> wishes;
+  std::vector<Vec3> setpoints;
   QObject::connect(&shown.view, &SceneView::handMoved,
-                   [&](const sim::HandWish& moved) { wishes.push_back(moved.p_WT); });
+                   [&](const sim::HandSetpoint& moved) { setpoints.push_back(moved.p_WT); });
   const QPointF tip = shown.view.screenOf(kTipInFront);
   shown.drag(tip, tip + QPointF(60, 0));  // the tip is held where it is: contact
-  const Vec3 first = wishes.back();
+  const Vec3 first = setpoints.back();
   shown.drag(tip, tip + QPointF(0, 10));
-  EXPECT_NEAR(wishes.back().x(), first.x(), 1e-9);
-  sim::HandWish elsewhere;
+  EXPECT_NEAR(setpoints.back().x(), first.x(), 1e-9);
+  sim::HandSetpoint elsewhere;
   elsewhere.p_WT = Vec3(0.001, 0.002, 0.003);
-  shown.view.setHandWish(elsewhere);
+  shown.view.setHandSetpoint(elsewhere);
   shown.drag(tip, tip + QPointF(0, 10));
-  EXPECT_NEAR(wishes.back().x(), 0.001, 1e-9);
+  EXPECT_NEAR(setpoints.back().x(), 0.001, 1e-9);
 }
 
 TEST(SceneView, TheWishStaysWithinReach) {
   Shown shown(sceneOf(kSphere));
   shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
-  sim::HandWish wish;
-  QObject::connect(&shown.view, &SceneView::handMoved, [&](const sim::HandWish& moved) { wish = moved; });
+  sim::HandSetpoint setpoint;
+  QObject::connect(&shown.view, &SceneView::handMoved, [&](const sim::HandSetpoint& moved) { setpoint = moved; });
   const QPointF tip = shown.view.screenOf(kTipInFront);
   shown.drag(tip, tip + QPointF(4000, 0));
-  EXPECT_NEAR(wish.p_WT.norm(), 0.15, 1e-9);
+  EXPECT_NEAR(setpoint.p_WT.norm(), 0.15, 1e-9);
 }
 
 TEST(SceneView, OrbitAndPanMoveThePictureAndNotTheHand) {
@@ -181,12 +181,12 @@ TEST(SceneView, TheWheelZoomsTowardsThePointer) {
 TEST(SceneView, TheWheelMovesAHeldHandInDepth) {
   Shown shown(sceneOf(kSphere));
   shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
-  sim::HandWish wish;
-  QObject::connect(&shown.view, &SceneView::handMoved, [&](const sim::HandWish& moved) { wish = moved; });
+  sim::HandSetpoint setpoint;
+  QObject::connect(&shown.view, &SceneView::handMoved, [&](const sim::HandSetpoint& moved) { setpoint = moved; });
   const QPointF tip = shown.view.screenOf(kTipInFront);
   shown.send(QEvent::MouseButtonPress, tip, Qt::LeftButton, Qt::LeftButton);
   shown.wheel(tip, 2, Qt::LeftButton);
-  EXPECT_TRUE(wish.p_WT.isApprox(kTipInFront - Vec3(0, 0, 0.010), 1e-9)) << wish.p_WT.transpose();
+  EXPECT_TRUE(setpoint.p_WT.isApprox(kTipInFront - Vec3(0, 0, 0.010), 1e-9)) << setpoint.p_WT.transpose();
   EXPECT_NEAR(shown.view.screenOf(kTipInFront).x(), tip.x(), 1e-9);
 }
 
@@ -194,18 +194,18 @@ TEST(SceneView, ArrowKeysMoveTheHandTwoMillimetresAlongTheAxesOfW) {
   for (const Camera camera : {Camera::Front, Camera::Isometric}) {
     Shown shown(sceneOf(kSphere), camera);
     shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
-    shown.look(camera);
-    Vec3 wished = kTipInFront;
+    shown.moveCamera(camera);
+    Vec3 setpoint = kTipInFront;
     bool turns = false;
-    QObject::connect(&shown.view, &SceneView::handMoved, [&](const sim::HandWish& moved) {
-      wished = moved.p_WT;
+    QObject::connect(&shown.view, &SceneView::handMoved, [&](const sim::HandSetpoint& moved) {
+      setpoint = moved.p_WT;
       turns = moved.turns;
     });
     QSignalSpy grabbed(&shown.view, &SceneView::handGrabbed), released(&shown.view, &SceneView::handReleased);
     const auto step = [&](int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-      const Vec3 before = wished;
+      const Vec3 before = setpoint;
       shown.key(key, modifiers);
-      return Vec3(1e3 * (wished - before));
+      return Vec3(1e3 * (setpoint - before));
     };
     EXPECT_TRUE(step(Qt::Key_Right).isApprox(Vec3(2, 0, 0), 1e-9));
     EXPECT_TRUE(step(Qt::Key_Up).isApprox(Vec3(0, 2, 0), 1e-9));
@@ -223,21 +223,21 @@ TEST(SceneView, CtrlDragTurnsTheStylusFromWhereItIs) {
   Shown shown(sceneOf(kSphere));
   const servo::Snapshot snapshot = snapshotAt(kTipInFront, kTipInFront, kNoForce);
   shown.view.present(snapshot);
-  sim::HandWish wish;
-  QObject::connect(&shown.view, &SceneView::handMoved, [&](const sim::HandWish& moved) { wish = moved; });
+  sim::HandSetpoint setpoint;
+  QObject::connect(&shown.view, &SceneView::handMoved, [&](const sim::HandSetpoint& moved) { setpoint = moved; });
   QObject::connect(&shown.view, &SceneView::handGrabbed,
                    [&] {  // as the window does it: it knows the place, not the turn
-                     sim::HandWish known;
+                     sim::HandSetpoint known;
                      known.p_WT = kTipInFront;
-                     shown.view.setHandWish(known);
+                     shown.view.setHandSetpoint(known);
                    });
   const QPointF tip = shown.view.screenOf(kTipInFront);
   shown.drag(tip, tip + QPointF(20, 0), Qt::LeftButton, Qt::ControlModifier);
   const Mat3 R_WT = arm::tipPose(test::preset().geometry, snapshot.report.sample.q_rad).linear();
   const Mat3 expected = Eigen::AngleAxisd(10.0 * kRadPerDegree, Vec3::UnitY()) * R_WT;
-  EXPECT_TRUE(wish.turns);
-  EXPECT_TRUE(wish.R_WT.isApprox(expected, 1e-9));
-  EXPECT_TRUE(wish.p_WT.isApprox(kTipInFront, 1e-12));
+  EXPECT_TRUE(setpoint.turns);
+  EXPECT_TRUE(setpoint.R_WT.isApprox(expected, 1e-9));
+  EXPECT_TRUE(setpoint.p_WT.isApprox(kTipInFront, 1e-12));
 }
 
 TEST(SceneView, ThePointerShowsWhatItCanGrab) {
@@ -273,7 +273,7 @@ TEST(SceneView, EverythingFitsFromEverySide) {
   shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
   for (const Camera camera : {Camera::Front, Camera::Back, Camera::Left, Camera::Right, Camera::Top, Camera::Bottom,
                               Camera::Isometric, Camera::Fit}) {
-    shown.look(camera);
+    shown.moveCamera(camera);
     for (int corner = 0; corner < 8; ++corner) {
       const Vec3 p((corner & 1) != 0 ? 0.08 : -0.08, (corner & 2) != 0 ? 0.06 : -0.06,
                    (corner & 4) != 0 ? 0.035 : -0.035);
@@ -281,14 +281,14 @@ TEST(SceneView, EverythingFitsFromEverySide) {
           << static_cast<int>(camera) << ' ' << p.transpose();
     }
   }
-  shown.look(Camera::Top);  // from above, the user below the picture
+  shown.moveCamera(Camera::Top);  // from above, the user below the picture
   EXPECT_GT(shown.view.screenOf(Vec3(0, 0, 0.03)).y(), shown.view.screenOf(Vec3::Zero()).y());
   EXPECT_GT(shown.view.screenOf(Vec3(0.03, 0, 0)).x(), shown.view.screenOf(Vec3::Zero()).x());
 }
 
 TEST(SceneView, AFirstPoseThatComesDuringALookIsFittedToo) {
   Shown shown(sceneOf(kSphere));
-  shown.view.look(Camera::Right);
+  shown.view.moveCamera(Camera::Right);
   const servo::Snapshot snapshot = snapshotAt(kTipInFront, kTipInFront, kNoForce);
   shown.view.present(snapshot);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !shown.view.moving(); }));
@@ -317,7 +317,7 @@ TEST(SceneView, LivesOnInAnotherWindow) {
     window->resize(700, 500);
     window->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window));
-    view->look(Camera::Front);
+    view->moveCamera(Camera::Front);
     ASSERT_TRUE(QTest::qWaitFor([view] { return !view->moving(); }));
     view->present(snapshotAt(kTipInFront, kTipInFront, {0.1, 0, 0}));
     const QImage picture = view->picture();
@@ -337,7 +337,7 @@ TEST(SceneView, AnotherSceneLeavesNothingOfTheOldOne) {
   const QPointF inside = shown.view.screenOf(Vec3(-0.015, -0.015, 0));
   ASSERT_GT(count(shown.view.picture(), inside, 2.0, test::isBlue), 0);
   shown.view.setScene(sceneOf(scene::Point{{60, 40, 0}}));
-  shown.look(Camera::Front);
+  shown.moveCamera(Camera::Front);
   EXPECT_EQ(count(shown.view.picture(), shown.view.screenOf(Vec3(-0.015, -0.015, 0)), 2.0, test::isBlue), 0);
   EXPECT_EQ(shown.view.glErrors(), 0);
 }

@@ -7,27 +7,27 @@
 
 #include "app/gui/visitor/shown_scenes.h"
 #include "app/gui/visitor/title_card.h"
-#include "app/gui/visitor/visitor_wishes.h"
+#include "app/gui/visitor/visitor_settings.h"
 #include "tests/gui/desk.h"
 
 namespace underact::gui::test {
 
-TEST(VisitorWishes, AreKeptWithinTheirRangesAndFilesThatAreGoneAreLeftOut) {
+TEST(VisitorSettings, AreKeptWithinTheirRangesAndFilesThatAreGoneAreLeftOut) {
   QSettings().clear();
-  writeVisitorWishes({{shippedScene("05_circle"), "/gone.json"}, 5, 500});
-  const VisitorWishes wishes = readVisitorWishes();
-  EXPECT_EQ(wishes.scenes, QStringList{shippedScene("05_circle")});
-  EXPECT_EQ(wishes.dwell_s, kShortestDwell_s);
-  EXPECT_EQ(wishes.force_percent, kMostForce_percent);
+  writeVisitorSettings({{shippedScene("05_circle"), "/gone.json"}, 5, 500});
+  const VisitorSettings visitor_settings = readVisitorSettings();
+  EXPECT_EQ(visitor_settings.scenes, QStringList{shippedScene("05_circle")});
+  EXPECT_EQ(visitor_settings.dwell_s, kShortestDwell_s);
+  EXPECT_EQ(visitor_settings.force_percent, kMostForce_percent);
 }
 
-TEST(VisitorWishes, WhereNoneIsLeftThereAreSomeThatComeWithTheProgram) {
+TEST(VisitorSettings, WhereNoneIsLeftThereAreSomeThatComeWithTheProgram) {
   QSettings().clear();
-  writeVisitorWishes({{"/gone.json"}, 30, 50});
-  const VisitorWishes wishes = readVisitorWishes();
-  EXPECT_GT(wishes.scenes.size(), 3);
-  EXPECT_TRUE(wishes.scenes.first().endsWith("02_sphere.json"));
-  EXPECT_EQ(wishes.dwell_s, 30);
+  writeVisitorSettings({{"/gone.json"}, 30, 50});
+  const VisitorSettings visitor_settings = readVisitorSettings();
+  EXPECT_GT(visitor_settings.scenes.size(), 3);
+  EXPECT_TRUE(visitor_settings.scenes.first().endsWith("02_sphere.json"));
+  EXPECT_EQ(visitor_settings.dwell_s, 30);
 }
 
 TEST(TitleCard, WhatIsWrongStandsInPlaceOfWhatToTryAndStartOnlyWhereNothingPushes) {

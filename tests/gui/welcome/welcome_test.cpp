@@ -19,12 +19,12 @@ TEST(Welcome, ComesAtTheFirstStartAloneAndStaysAwayOnceItWasClosed) {
   first.show();
   EXPECT_TRUE(first.find("welcome")->isVisible());
   Settings settings;
-  first.follower<Welcome>().remember(settings);
+  first.listener<Welcome>().remember(settings);
   EXPECT_FALSE(settings.has_pushed) << "nothing was tried";
   first.find<QPushButton>("welcome.close")->click();
   first.frame();
   EXPECT_FALSE(first.find("welcome")->isVisible());
-  first.follower<Welcome>().remember(settings);
+  first.listener<Welcome>().remember(settings);
   EXPECT_TRUE(settings.has_pushed);
   Desk later(welcomeFeature(), "02_sphere", settings);
   later.show();
@@ -48,7 +48,7 @@ TEST(Tour, GoesFromStopToStopAndBackAndLeavesNothingBehind) {
   seen.has_pushed = true;
   Desk desk(welcomeFeature(), "02_sphere", seen);
   desk.show();
-  Tour& tour = desk.follower<Tour>();
+  Tour& tour = desk.listener<Tour>();
   EXPECT_EQ(tour.stop(), -1);
   ASSERT_TRUE(desk.perform("help.tour"));
   EXPECT_EQ(tour.stop(), 0);

@@ -31,12 +31,12 @@ TEST(HelpPages, EveryDialogHasARowOfItsOwnInThePagesForF1) {
 
 TEST(HelpPages, EveryRowOfThePagesForF1LeadsToAHeadingThatIsThere) {
   for (const HelpPage& row : allPages()) EXPECT_TRUE(isPlace(row.place)) << row.part << ": " << row.place;
-  EXPECT_EQ(helpPlaceOf(nullptr, allPages()), QString("start"));
+  EXPECT_EQ(helpPageOf(nullptr, allPages()), QString("start"));
   QWidget part;
   part.setObjectName("panel.kinematics.solutions.again");
-  EXPECT_EQ(helpPlaceOf(&part, allPages()), QString("kinematics#inverse-solutions"));
+  EXPECT_EQ(helpPageOf(&part, allPages()), QString("kinematics#inverse-solutions"));
   part.setObjectName("panel.kinematicsx");  // goes on without a dot: another thing
-  EXPECT_EQ(helpPlaceOf(&part, allPages()), QString("start"));
+  EXPECT_EQ(helpPageOf(&part, allPages()), QString("start"));
 }
 
 }  // namespace underact::gui::test

@@ -28,13 +28,14 @@ constexpr int kTremorPeriods = 5;
 
 }  // namespace
 
-Arm::Arm() : plant(sim::makePlant(thesisArm(), weightless(), {})), state(sim::restAt(plant, Vec3(0.0, 0.0, 0.06))) {
-  wish.p_WT = state.p_WT;
+Arm::Arm()
+    : plant(sim::makePlant(thesisArm(), weightless(), {})), state(sim::restingState(plant, Vec3(0.0, 0.0, 0.06))) {
+  setpoint.p_WT = state.p_WT;
 }
 
 void Arm::advance(std::int64_t period_ns) {
   ++periods;
-  state = sim::advance(plant, state, f_T_W, wish, period_ns);
+  state = sim::advance(plant, state, f_T_W, setpoint, period_ns);
 }
 
 std::array<double, 6> Arm::deviceAngles() {

@@ -6,7 +6,7 @@ namespace underact::test::hd {
 
 void Library::placeTip(double x_m, double y_m, double z_m) {
   const std::scoped_lock lock(mutex);
-  arm_.wish.p_WT = Vec3(x_m, y_m, z_m);
+  arm_.setpoint.p_WT = Vec3(x_m, y_m, z_m);
 }
 
 void Library::holdButtons(int bits) {
@@ -71,7 +71,7 @@ void Library::storm(bool on, std::uint64_t seed) {
 
 void Library::reset() {
   const std::scoped_lock lock(mutex);
-  arm_.wish.p_WT = Vec3(0.0, 0.0, 0.06);
+  arm_.setpoint.p_WT = Vec3(0.0, 0.0, 0.06);
   arm_.frozen = storm_ = halted_ = docked_ = false;
   plugged_ = true;
   buttons_ = 0;

@@ -37,7 +37,7 @@ class Arm {
 
   sim::Plant plant;
   sim::PlantState state;
-  sim::HandWish wish;
+  sim::HandSetpoint setpoint;
   Vec3 f_T_W = Vec3::Zero();
   bool frozen = false;  // the last angles, for ever
   std::int64_t periods = 0;

@@ -1,0 +1,18 @@
+#include "app/gui/feature/feature.h"
+
+#include "app/gui/live_data/live_data.h"
+
+namespace underact::gui {
+namespace {
+
+void makeLive(const FeatureParts& parts, ServoListeners& listeners) {
+  listeners.push_back(new LiveData(parts));
+}
+
+}  // namespace
+
+FeatureRow liveDataFeature() {
+  return {.pages = {{"dialog.live", "sessions"}, {"dialog.address", "window#this-guide"}}, .make = makeLive};
+}
+
+}  // namespace underact::gui

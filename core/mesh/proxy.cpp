@@ -1,0 +1,33 @@
+#include "core/mesh/proxy.h"
+
+#include "core/mesh/crossing.h"
+
+namespace underact::mesh {
+namespace {
+
+bool isBehind(const Surface& surface, FreeSide free, const Hit& hit, const Vec3& q_M) noexcept UNDERACT_REAL_TIME {
+  const double height = (q_M - hit.p_M).dot(outwardAt(surface, hit));
+  return free == FreeSide::Outside ? height < 0.0 : height > 0.0;
+}
+
+}  // namespace
+
+Hit followProxy(const Surface& surface, FreeSide free, const Vec3& q_M, ProxyState& state) noexcept {
+  Hit hit;
+  SearchState search;
+  if (state.face >= 0) {
+    search.face = state.face;
+    hit = nearestPoint(surface, Search::Local, q_M, search);
+  } else if (!state.knows_last) {
+    hit = nearestPoint(surface, Search::Global, q_M, search);
+  } else {
+    const CrossingDirection way = free == FreeSide::Outside ? CrossingDirection::Inwards : CrossingDirection::Outwards;
+    search.face = firstCrossing(surface, way, state.q_M, q_M).face;
+    if (search.face >= 0) hit = nearestPoint(surface, Search::Local, q_M, search);
+  }
+  if (hit.face >= 0 && !isBehind(surface, free, hit, q_M)) hit.face = -1;
+  state = {hit.face, true, q_M};
+  return hit;
+}
+
+}  // namespace underact::mesh

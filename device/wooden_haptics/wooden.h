@@ -1,0 +1,14 @@
+#pragma once
+#include "device/catalogue.h"
+#include "device/wooden_haptics/hid_bus.h"
+
+namespace underact::device {
+
+// A row of the catalogue. Address: see WoodenChoice.
+Result<std::unique_ptr<servo::DevicePort>> openWooden(const Request& request);
+std::vector<Found> searchWooden();
+
+/// The same on any bus.
+std::vector<Found> searchWooden(HidBus& bus);
+
+}  // namespace underact::device

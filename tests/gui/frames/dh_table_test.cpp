@@ -1,0 +1,64 @@
+#include "app/gui/frames/dh_table.h"
+
+#include <gtest/gtest.h>
+
+#include "core/arm/model.h"
+#include "core/base/units.h"
+#include "tests/gui/desk.h"
+
+namespace underact::gui {
+FeatureRow framesFeature();
+}
+
+namespace underact::gui::test {
+
+TEST(DhTable, WhatIsTypedIsInMillimetresAndDegreesAndReadBackTheSame) {
+  const DhTable start = dhStarts().front().make();
+  const DhTable longer = withField(start, 1, DhField::A, "120").value();
+  EXPECT_DOUBLE_EQ(longer.rows[1].a_m, 0.12);
+  EXPECT_EQ(shownText(longer, 1, DhField::A), QString("120.0"));
+  const DhTable twisted = withField(start, 1, DhField::Alpha, QString(QChar(0x2212)) + "90").value();
+  EXPECT_NEAR(twisted.rows[1].alpha_rad, -0.5 * kPi, 1e-15);
+  EXPECT_EQ(exactText(twisted, 1, DhField::Alpha), QString("-90"));
+}
+
+TEST(DhTable, ASlideIsInMillimetresAndForgetsTheAngleItHad) {
+  DhTable table = dhStarts().front().make();
+  table.q[2] = 1.0;
+  table = withField(table, 2, DhField::Type, "prismatic").value();
+  EXPECT_EQ(table.q[2], 0.0);
+  EXPECT_DOUBLE_EQ(withField(table, 2, DhField::Q, "35").value().q[2], 0.035);
+  EXPECT_FALSE(withField(table, 2, DhField::Type, "screw"));
+  EXPECT_FALSE(withField(table, 9, DhField::A, "1"));
+  EXPECT_FALSE(withField(table, 0, DhField::A, "far"));
+}
+
+TEST(DhTable, TheLastRowStaysAndThereAreNoMoreThanEight) {
+  DhTable table = dhStarts().front().make();
+  for (int more = 0; more < 20; ++more) table = withRow(table, 0);
+  EXPECT_EQ(table.rows.size(), kMostDhRows);
+  EXPECT_EQ(table.q.size(), kMostDhRows);
+  for (int fewer = 0; fewer < 20; ++fewer) table = withoutRow(table, 0);
+  EXPECT_EQ(table.rows.size(), 1U);
+}
+
+TEST(DhTable, FramesAreWhereTheGeometryOfAPlaneHasThem) {
+  const DhTable table = dhStarts().front().make();  // links of 100 and 80 mm
+  const std::vector<double> q{0.0, 0.5 * kPi, 0.0};
+  const std::vector<Pose> frames = framesOf(table, q);
+  const Vec3 tip_B = frames.front().inverse() * frames.back().translation();
+  EXPECT_NEAR((tip_B - Vec3(0.10, 0.08, 0.0)).norm(), 0.0, 1e-12);
+  EXPECT_EQ(drawingOf(table, q).joints.size(), 3U);
+}
+
+TEST(TransformPanel, OrderMattersAndIsSaidToUnlessTheStepsCommute) {
+  Desk desk(framesFeature());
+  EXPECT_TRUE(desk.label("panel.transform.apart").endsWith("order matters."));
+  ASSERT_TRUE(desk.perform("transform.remove") && desk.perform("transform.remove"));
+  EXPECT_FALSE(desk.perform("transform.remove")) << "one stays";
+  EXPECT_TRUE(desk.label("panel.transform.apart").endsWith("order does not matter."));
+  EXPECT_FALSE(desk.perform("transform.set", 1, QString("Rx"), QString("400")));
+  EXPECT_FALSE(desk.find("panel.transform.told")->isHidden());
+}
+
+}  // namespace underact::gui::test
