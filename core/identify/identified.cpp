@@ -42,7 +42,7 @@ Result<AxisSwings> swingsOf(const std::vector<Row>& rows, std::size_t place, int
   }
   swings.fit = std::move(fit).value();
   swings.stiffness =
-      swingStiffness(rows, Vec3::Unit(axis), period_s, swings.fit.body, kNewtonPerMetre * kSwing_N_per_mm);
+      stiffnessFromSwing(rows, Vec3::Unit(axis), period_s, swings.fit.body, kNewtonPerMetre * kSwing_N_per_mm);
   return swings;
 }
 

@@ -19,7 +19,7 @@ struct AxisSwings {
   int axis = 0;
   BodyFit fit;
   std::vector<Window> windows;
-  std::optional<SwingStiffness> stiffness;  // asked: kSwing_N_per_mm
+  std::optional<StiffnessFromSwing> stiffness;  // asked: kSwing_N_per_mm
 };
 
 /// The results for an arm.

@@ -35,13 +35,13 @@ std::optional<Body> firstGuess(std::span<const Block> blocks);
 
 /// The stiffness shown by the motion itself, whatever force was reported as sent: that of a spring to the target which
 /// balances the body's inertia, m omega^2 of a free swing. None: no free swing, or one too short to find it within 5 %.
-struct SwingStiffness {
+struct StiffnessFromSwing {
   double value_N_per_m = 0.0;
   double uncertainty_N_per_m = 0.0;
   std::size_t blocks = 0;
 };
 /// rows: of the swings along along_W.
-std::optional<SwingStiffness> swingStiffness(std::span<const Row> rows, const Vec3& along_W, double period_s,
-                                             const Body& body, double asked_N_per_m);
+std::optional<StiffnessFromSwing> stiffnessFromSwing(std::span<const Row> rows, const Vec3& along_W, double period_s,
+                                                     const Body& body, double asked_N_per_m);
 
 }  // namespace underact::identify

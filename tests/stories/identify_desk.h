@@ -34,7 +34,8 @@ class Wizard {
   void press(const QString& name);
   /// To the page that measures.
   void begin();
-  /// Ticks until all is recorded; presses "Continue" where it is asked to. false: it stopped, or does not come to an end.
+  /// Ticks until all is recorded; presses "Continue" where it is asked to. false: it stopped, or does not come to an
+  /// end.
   bool record();
   /// Frames, without a tick, until it is so.
   template <class Condition>

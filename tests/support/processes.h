@@ -17,7 +17,7 @@ inline std::vector<pid_t> childrenOf(pid_t parent, const std::string& name) {
     const std::string number = entry.path().filename();
     if (number.find_first_not_of("0123456789") != std::string::npos) continue;
     std::ifstream file(entry.path() / "stat");
-    std::string line;  // PID (NAME) STATE PARENT ...
+    std::string line;          // PID (NAME) STATE PARENT ...
     std::getline(file, line);  // catches what an iterator over the buffer throws where the process has ended meanwhile
     const std::size_t open = line.find('('), close = line.rfind(')');
     if (open == std::string::npos || close == std::string::npos) continue;

@@ -125,11 +125,11 @@ TEST(Windows, FrictionCountsByTheDirectionOfTheWholeMotion) {
   for (const double share : windows[0].friction_share) EXPECT_NEAR(share, 0.6, 2e-3);
 }
 
-TEST(SwingStiffness, IsTheOneOfTheSpringThatPulledWhateverWasSaidToBeSent) {
+TEST(StiffnessFromSwing, IsTheOneOfTheSpringThatPulledWhateverWasSaidToBeSent) {
   const Body body{0.3, 0.05, 0.3, 0.0};
   std::vector<Row> rows = swingsOf(body, kStep_m, 12);
   for (Row& row : rows) row.f_T_W.setZero();
-  const auto found = swingStiffness(rows, Vec3::UnitX(), kPeriod_s, body, 100.0);
+  const auto found = stiffnessFromSwing(rows, Vec3::UnitX(), kPeriod_s, body, 100.0);
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->value_N_per_m, 100.0, 3.0);  // held between samples: half a period of 170 late, and 55 um steps
   EXPECT_LT(found->uncertainty_N_per_m, 3.0);
