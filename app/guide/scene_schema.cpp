@@ -19,16 +19,27 @@ using scene::SettingKind;
 
 constexpr std::string_view kDefs = "#/$defs/";
 
+Value emptyOf(Kind kind) {
+  Value made;
+  made.kind = kind;
+  return made;
+}
 Value textValue(const std::string& text) {
-  return {.kind = Kind::String, .text = text};
+  Value made = emptyOf(Kind::String);
+  made.text = text;
+  return made;
 }
 Value numberValue(double number) {
-  return {.kind = Kind::Number, .number = number};
+  Value made = emptyOf(Kind::Number);
+  made.number = number;
+  return made;
 }
 Value asJson(const scene::SettingValue& value) {
-  if (const auto* const flag = std::get_if<bool>(&value)) return {.kind = Kind::Bool, .boolean = *flag};
   if (const auto* const number = std::get_if<double>(&value)) return numberValue(*number);
-  return textValue(std::get<std::string>(value));
+  if (const auto* const word = std::get_if<std::string>(&value)) return textValue(*word);
+  Value made = emptyOf(Kind::Bool);
+  made.boolean = std::get<bool>(value);
+  return made;
 }
 
 Value* member(Value& object, std::string_view key) {
@@ -55,10 +66,10 @@ std::string descriptionOf(const Setting& setting) {
 
 /// The schema of its value.
 Value schemaOf(const Setting& setting, const scene::SettingValue& usual) {
-  Value made{.kind = Kind::Object};
+  Value made = emptyOf(Kind::Object);
   switch (setting.kind) {
     case SettingKind::Choice: {
-      Value words{.kind = Kind::Array};
+      Value words = emptyOf(Kind::Array);
       for (const std::string& word : setting.words()) words.items.push_back(textValue(word));
       set(made, "enum", std::move(words));
       break;
@@ -101,7 +112,7 @@ class Schema {
       if (shared != nullptr) *shared = schemaOf(setting, use.usual);
       if (shared == nullptr) set(*keys, setting.key, schemaOf(setting, use.usual));
       if (shared != nullptr && member(*keys, setting.key) == nullptr) {
-        Value ref{.kind = Kind::Object};
+        Value ref = emptyOf(Kind::Object);
         set(ref, "$ref", textValue(std::string(kDefs) + setting.key));
         set(*keys, setting.key, std::move(ref));
       }
@@ -141,7 +152,7 @@ class Schema {
   }
 
   static void require(Value& object, const std::string& key) {
-    if (member(object, "required") == nullptr) set(object, "required", {.kind = Kind::Array});
+    if (member(object, "required") == nullptr) set(object, "required", emptyOf(Kind::Array));
     std::vector<Value>& keys = member(object, "required")->items;
     if (std::none_of(keys.begin(), keys.end(), [&](const Value& one) { return one.text == key; }))
       keys.push_back(textValue(key));
