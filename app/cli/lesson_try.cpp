@@ -46,7 +46,7 @@ void printOutcome(const lesson::Step& step, const device::LessonOutcome& outcome
   std::vector<JsonObject> checks;
   for (std::size_t index = 0; index < step.checks.size(); ++index) {
     const lesson::CheckState& state = outcome.states[index];
-    const std::string said = tell(step.checks[index], state);
+    const std::string said = describeCheck(step.checks[index], state);
     if (!json) streams.out << (state.solved ? "solved   " : "missing  ") << said << '\n';
     JsonObject& object = checks.emplace_back();
     object.addBool("solved", state.solved);

@@ -185,13 +185,13 @@ TEST(Energy, TheAngleCountsLessAndLessTowardsTheAxisAndNeverJumps) {
   };
   EXPECT_EQ(weightOfAngle(axis_W, axis_W), 0.0);
   EXPECT_EQ(weightOfAngle(axis_W, -axis_W), 0.0);
-  EXPECT_EQ(shadedDirection(5.001 * kRadPerDegree), 1.0);
-  EXPECT_EQ(shadedDirection(kPi / 2), 1.0);
-  EXPECT_NEAR(shadedDirection(2.5 * kRadPerDegree), 0.5, 1e-12);
-  EXPECT_NEAR(shadedDirection(kPi - 2.5 * kRadPerDegree), 0.5, 1e-12);
+  EXPECT_EQ(leaning(5.001 * kRadPerDegree), 1.0);
+  EXPECT_EQ(leaning(kPi / 2), 1.0);
+  EXPECT_NEAR(leaning(2.5 * kRadPerDegree), 0.5, 1e-12);
+  EXPECT_NEAR(leaning(kPi - 2.5 * kRadPerDegree), 0.5, 1e-12);
   double last = 0.0;
   for (double lean_deg = 0.0; lean_deg < 6.0; lean_deg += 0.01) {
-    const double now = shadedDirection(lean_deg * kRadPerDegree);
+    const double now = leaning(lean_deg * kRadPerDegree);
     ASSERT_GE(now, last);
     ASSERT_LE(now - last, 1.5 * 0.01 / 5.0 * 1.001);  // the steepest that a smooth step of 5 degrees is
     last = now;
