@@ -58,8 +58,8 @@ CheckDialog::CheckDialog(int rate_hz, const system::SchedulingRequest& wanted, Q
   setObjectName("dialog.check");
   setWindowTitle(tr("Servo check"));
   setModal(false);
-  const QSize wanted(80 * fontMetrics().averageCharWidth(), 22 * fontMetrics().lineSpacing());
-  resize(wanted.expandedTo({560, 360}).boundedTo(screen()->availableSize()));
+  const QSize preferred(80 * fontMetrics().averageCharWidth(), 22 * fontMetrics().lineSpacing());
+  resize(preferred.expandedTo({560, 360}).boundedTo(screen()->availableSize()));
   nameWidget(message_, "dialog.check.message", tr("Result"));
   message_->setWordWrap(true);
   message_->setText(
