@@ -35,7 +35,7 @@ std::string judgeCurve(const std::vector<Vec3>& points_W, curve::Kind kind, bool
   curve::GuidanceState state;
   for (const Vec3& p_WT : {Vec3(0, 0, 0), Vec3(1e-3, -0.2, 0.1), points_W.back()}) {
     const curve::Nearest nearest = nearestPoint(path, curve::Search::Hybrid, p_WT, search);
-    const curve::Guided guided = guidedTarget(path, {0.3, 0.1, 0.02}, nearest, p_WT, 1e-3, state);
+    const curve::GuidedTarget guided = guidedTarget(path, {0.3, 0.1, 0.02}, nearest, p_WT, 1e-3, state);
     if (!nearest.p_WP.allFinite() || !std::isfinite(nearest.s_m) || !guided.p_WP.allFinite()) return "Not finite.";
     if (nearest.s_m < 0.0 || nearest.s_m > lengthOf(path)) return "Beyond the curve's ends.";
     for (const Vec3& p_W : {points_W.front(), points_W.back()}) {

@@ -91,7 +91,7 @@ device::LessonOutcome outcomeOf(const lesson::Lesson& lesson, std::size_t step, 
 std::string told(const lesson::Step& step, const device::LessonOutcome& outcome) {
   std::string all = outcome.fault.kind == FaultKind::None ? "" : describe(outcome.fault) + "\n";
   for (std::size_t index = 0; index < outcome.states.size(); ++index)
-    all += tell(step.checks[index], outcome.states[index]) + "\n";
+    all += describeCheck(step.checks[index], outcome.states[index]) + "\n";
   return all;
 }
 

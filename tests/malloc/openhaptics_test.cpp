@@ -60,13 +60,13 @@ TEST(OpenHapticsFrames, AllocateFreeAndLockNothingOnceTheArmIsKnown) {
   {
     test::Watch watch;
     for (int frame = 0; frame < 5000; ++frame) (void)Frames::callback(ticket);
-    frames.standing().stop(0x302);
+    frames.armStatus().stop(0x302);
     for (int frame = 0; frame < 100; ++frame) (void)Frames::callback(ticket);
     EXPECT_EQ(watch.allocations(), 0);
     EXPECT_EQ(watch.frees(), 0);
     EXPECT_EQ(watch.locks(), 0);
   }
-  EXPECT_GT(frames.standing().forceErrors(), 1);
+  EXPECT_GT(frames.armStatus().forceErrors(), 1);
   frames.attach(nullptr);
   EXPECT_TRUE(frames.retire());
   EXPECT_EQ(Frames::callback(ticket), kCallbackDone) << "a library that calls once more touches nothing";
