@@ -44,7 +44,7 @@ struct Path {
 
 std::vector<Vec3> targets(const Manipulator& m, const std::vector<Pose>& stylus) {
   int steps = 0;
-  manipulator::State state = standing(m, stylus.front(), steps);
+  manipulator::State state = settledState(m, stylus.front(), steps);
   std::vector<Vec3> all;
   for (const Pose& X_WT : stylus) all.push_back(follow(m, X_WT, 0.0, state).p_WP);
   return all;
@@ -100,7 +100,7 @@ void measureSolver(benchmark::State& state, const std::shared_ptr<const Path>& p
   for (auto _ : state) {
     for (int round = 0; round < kRounds; ++round) {
       int cold = 0;
-      manipulator::State memory = standing(path->manipulator, path->stylus.front(), cold);
+      manipulator::State memory = settledState(path->manipulator, path->stylus.front(), cold);
       error_m = steps = 0.0;
       for (std::size_t i = 0; i < us.size(); ++i) {
         const Clock::time_point start = Clock::now();

@@ -95,13 +95,13 @@ TEST_F(InTheMachine, WhoMayNotOpenItIsToldTheCommand) {
 }
 
 TEST_F(InTheMachine, LookFindsItBySerialNumber) {
-  const std::vector<device::Found> found = device::findDevice("wooden")->poll();
+  const std::vector<device::Found> found = device::findDevice("wooden")->search();
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].address, "0042");
   EXPECT_EQ(found[0].title, "WoodenHaptics, serial 0042");
   EXPECT_TRUE(found[0].missing.empty());
   board_.unplug();
-  EXPECT_TRUE(device::findDevice("wooden")->poll().empty());
+  EXPECT_TRUE(device::findDevice("wooden")->search().empty());
 }
 
 }  // namespace
