@@ -34,14 +34,6 @@ Value numberValue(double number) {
   made.number = number;
   return made;
 }
-Value asJson(const scene::SettingValue& value) {
-  if (const auto* const number = std::get_if<double>(&value)) return numberValue(*number);
-  if (const auto* const word = std::get_if<std::string>(&value)) return textValue(*word);
-  Value made = emptyOf(Kind::Bool);
-  made.boolean = std::get<bool>(value);
-  return made;
-}
-
 Value* member(Value& object, std::string_view key) {
   return const_cast<Value*>(std::as_const(object).find(key));
 }
@@ -54,14 +46,16 @@ void set(Value& object, const std::string& key, Value value) {
   object.items.push_back(std::move(value));
 }
 
-/// What a choice's words mean, where panels say them otherwise, and the tip.
+/// The tip, and the words of a choice that a panel, and so the tip, calls otherwise.
 std::string descriptionOf(const Setting& setting) {
-  std::string text;
-  if (setting.shown != nullptr) {
-    const std::vector<std::string> words = setting.words();
-    for (std::size_t i = 0; i < words.size(); ++i) text += words[i] + ": " + setting.shown[i] + ". ";
+  std::string others;
+  const std::vector<std::string> words = setting.shown == nullptr ? std::vector<std::string>() : setting.words();
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string shown = setting.shown[i];
+    if (shown.compare(0, words[i].size(), words[i]) != 0)
+      others += (others.empty() ? "" : "; ") + words[i] + ": " + shown;
   }
-  return text + setting.tip;
+  return setting.tip + (others.empty() ? others : " (" + others + ".)");
 }
 
 /// The schema of its value.
@@ -88,7 +82,8 @@ Value schemaOf(const Setting& setting, const scene::SettingValue& usual) {
       if (setting.most < kInfinity) set(made, "maximum", numberValue(setting.most));
       break;
   }
-  if (setting.said != scene::KeyPresence::Required && !scene::isNone(usual)) set(made, "default", asJson(usual));
+  if (setting.said != scene::KeyPresence::Required && !scene::isNone(usual))
+    set(made, "default", json::parse(scene::fileTextOf(usual), "a default").value());
   set(made, "description", textValue(descriptionOf(setting)));
   return made;
 }

@@ -60,7 +60,7 @@ constexpr const char* kSearchShown[] = {TRANSLATE_NOOP("setting", "nearest overa
                                         TRANSLATE_NOOP("setting", "along the surface")};
 constexpr const char* kOrientationShown[] = {
     TRANSLATE_NOOP("setting", "none"), TRANSLATE_NOOP("setting", "direction of z (axis)"),
-    TRANSLATE_NOOP("setting", "full orientation"), TRANSLATE_NOOP("setting", "the whole turn")};
+    TRANSLATE_NOOP("setting", "angle about the joint"), TRANSLATE_NOOP("setting", "full orientation")};
 constexpr const char* kForceLawShown[] = {TRANSLATE_NOOP("setting", "energy, F = K e"),
                                           TRANSLATE_NOOP("setting", "thesis 5.2")};
 constexpr const char* kSolverShown[] = {TRANSLATE_NOOP("setting", "automatic"),

@@ -2693,6 +2693,14 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Welche Arme angeschlossen sind, was jedem fehlt und welcher in Gebrauch ist.</translation>
     </message>
     <message>
+        <source>Feel</source>
+        <translation>Fühlen</translation>
+    </message>
+    <message>
+        <source>How hard the constraint pulls, axis by axis.</source>
+        <translation>Wie stark die Bindung zieht, Achse für Achse.</translation>
+    </message>
+    <message>
         <source>DH table</source>
         <translation>DH-Tabelle</translation>
     </message>
@@ -2707,14 +2715,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Rotations and translations composed in both orders, side by side.</source>
         <translation>Drehungen und Verschiebungen, in beiden Reihenfolgen nebeneinander verkettet.</translation>
-    </message>
-    <message>
-        <source>Feel</source>
-        <translation>Fühlen</translation>
-    </message>
-    <message>
-        <source>How hard the constraint pulls, axis by axis.</source>
-        <translation>Wie stark die Bindung zieht, Achse für Achse.</translation>
     </message>
     <message>
         <source>Input devices</source>
@@ -2832,14 +2832,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Eine andere Messung läuft. Beenden Sie diese zuerst.</translation>
     </message>
     <message>
-        <source>There is no such row.</source>
-        <translation>Diese Zeile gibt es nicht.</translation>
-    </message>
-    <message>
-        <source>A joint is revolute or prismatic.</source>
-        <translation>Ein Gelenk ist ein Drehgelenk oder ein Schubgelenk.</translation>
-    </message>
-    <message>
         <source>An internal error occurred in the window: %1.</source>
         <translation>Im Fenster ist ein interner Fehler aufgetreten: %1.</translation>
     </message>
@@ -2848,16 +2840,20 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Speichern Sie die Szene unter einem anderen Namen und drücken Sie dann Start. Tritt der Fehler wieder auf, beenden Sie das Programm und senden Sie die Störungsdatei an die Entwickler.</translation>
     </message>
     <message>
+        <source>There is no such row.</source>
+        <translation>Diese Zeile gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>A joint is revolute or prismatic.</source>
+        <translation>Ein Gelenk ist ein Drehgelenk oder ein Schubgelenk.</translation>
+    </message>
+    <message>
         <source>The figures have not been made yet.</source>
         <translation>Die Abbildungen wurden noch nicht erstellt.</translation>
     </message>
     <message>
         <source>The list of figures cannot be read. Make the figures again.</source>
         <translation>Die Liste der Abbildungen kann nicht gelesen werden. Erstellen Sie die Abbildungen neu.</translation>
-    </message>
-    <message>
-        <source>The mapping could not be saved in %1: %2. It stays in effect until you close the window.</source>
-        <translation>Die Belegung konnte nicht in %1 gespeichert werden: %2. Sie gilt, bis Sie das Fenster schließen.</translation>
     </message>
     <message>
         <source>Open a scene first. It is restored after the measurement.</source>
@@ -2870,6 +2866,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Hold to run is on, but this measurement needs your hand off the stylus. Switch it off first.</source>
         <translation>„Nur mit Taste“ ist an, aber für diese Messung muss die Hand den Stift loslassen. Schalten Sie es zuerst aus.</translation>
+    </message>
+    <message>
+        <source>The mapping could not be saved in %1: %2. It stays in effect until you close the window.</source>
+        <translation>Die Belegung konnte nicht in %1 gespeichert werden: %2. Sie gilt, bis Sie das Fenster schließen.</translation>
     </message>
     <message>
         <source>This window was opened for one arm only.</source>
@@ -3676,6 +3676,74 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Zähler hat eine höhere Ordnung als der Nenner (%1 gegen %2), sodass ein Sprung einen Impuls ergäbe. Verringern Sie seine Ordnung.</translation>
     </message>
     <message>
+        <source>%1; it should be %2</source>
+        <translation>%1; Soll: %2</translation>
+    </message>
+    <message>
+        <source>Held for %1 of %2 s.</source>
+        <translation>%1 von %2 s gehalten.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 reached.</source>
+        <translation>%1 von %2 erreicht.</translation>
+    </message>
+    <message>
+        <source>Still to reach: %1, to within %2. %3.</source>
+        <translation>Noch offen: %1, auf %2 genau. %3.</translation>
+    </message>
+    <message>
+        <source>%1 covered %2 of %3.</source>
+        <translation>%1 durchlief %2 von %3.</translation>
+    </message>
+    <message>
+        <source>%1 crossed %2 %3 of %4 times within %5 s.</source>
+        <translation>%1 ging innerhalb von %5 s %3 von %4 Mal durch %2.</translation>
+    </message>
+    <message>
+        <source>Type your answer.</source>
+        <translation>Geben Sie Ihre Antwort ein.</translation>
+    </message>
+    <message>
+        <source>Choose an answer.</source>
+        <translation>Wählen Sie eine Antwort.</translation>
+    </message>
+    <message>
+        <source>Required at the same time: %1 %2; now %3.</source>
+        <translation>Zugleich verlangt: %1 %2; jetzt %3.</translation>
+    </message>
+    <message>
+        <source>%1 is right.</source>
+        <translation>%1 ist richtig.</translation>
+    </message>
+    <message>
+        <source>%1 is not right. Try again.</source>
+        <translation>%1 ist nicht richtig. Versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 is not measured yet</source>
+        <translation>%1 ist noch nicht gemessen</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1 ist %2</translation>
+    </message>
+    <message>
+        <source>within %1 of %2</source>
+        <translation>höchstens %1 neben %2</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>zwischen %1 und %2</translation>
+    </message>
+    <message>
         <source>The tip</source>
         <translation>Die Spitze</translation>
     </message>
@@ -3901,7 +3969,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>Give a range ("above", "below" or both), or a value ("near" with "within").</source>
-        <translation>Geben Sie einen Bereich an (&quot;above&quot;, &quot;below&quot; oder beide) oder einen Wert (&quot;near&quot; mit &quot;within&quot;).</translation>
+        <translation>Geben Sie einen Bereich an ("above", "below" oder beide) oder einen Wert ("near" mit "within").</translation>
     </message>
     <message>
         <source>"above" must be less than "below".</source>
@@ -3929,11 +3997,11 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The quantity %1 has %2 values here; choose one with "part".</source>
-        <translation>Die Messgröße %1 hat hier %2 Werte; wählen Sie einen mit &quot;part&quot;.</translation>
+        <translation>Die Messgröße %1 hat hier %2 Werte; wählen Sie einen mit "part".</translation>
     </message>
     <message>
         <source>The answer is either measured or given: remove "measure" or "answer".</source>
-        <translation>Die Antwort wird entweder gemessen oder angegeben: Entfernen Sie &quot;measure&quot; oder &quot;answer&quot;.</translation>
+        <translation>Die Antwort wird entweder gemessen oder angegeben: Entfernen Sie "measure" oder "answer".</translation>
     </message>
     <message>
         <source>a list of answers</source>
@@ -3982,74 +4050,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The scene has an error: %1</source>
         <translation>Die Szene hat einen Fehler: %1</translation>
-    </message>
-    <message>
-        <source>%1; it should be %2</source>
-        <translation>%1; Soll: %2</translation>
-    </message>
-    <message>
-        <source>Held for %1 of %2 s.</source>
-        <translation>%1 von %2 s gehalten.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 reached.</source>
-        <translation>%1 von %2 erreicht.</translation>
-    </message>
-    <message>
-        <source>Still to reach: %1, to within %2. %3.</source>
-        <translation>Noch offen: %1, auf %2 genau. %3.</translation>
-    </message>
-    <message>
-        <source>%1 covered %2 of %3.</source>
-        <translation>%1 durchlief %2 von %3.</translation>
-    </message>
-    <message>
-        <source>%1 crossed %2 %3 of %4 times within %5 s.</source>
-        <translation>%1 ging innerhalb von %5 s %3 von %4 Mal durch %2.</translation>
-    </message>
-    <message>
-        <source>Type your answer.</source>
-        <translation>Geben Sie Ihre Antwort ein.</translation>
-    </message>
-    <message>
-        <source>Choose an answer.</source>
-        <translation>Wählen Sie eine Antwort.</translation>
-    </message>
-    <message>
-        <source>Required at the same time: %1 %2; now %3.</source>
-        <translation>Zugleich verlangt: %1 %2; jetzt %3.</translation>
-    </message>
-    <message>
-        <source>%1 is right.</source>
-        <translation>%1 ist richtig.</translation>
-    </message>
-    <message>
-        <source>%1 is not right. Try again.</source>
-        <translation>%1 ist nicht richtig. Versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
-    </message>
-    <message>
-        <source>%1 is not measured yet</source>
-        <translation>%1 ist noch nicht gemessen</translation>
-    </message>
-    <message>
-        <source>%1 is %2</source>
-        <translation>%1 ist %2</translation>
-    </message>
-    <message>
-        <source>within %1 of %2</source>
-        <translation>höchstens %1 neben %2</translation>
-    </message>
-    <message>
-        <source>above %1</source>
-        <translation>über %1</translation>
-    </message>
-    <message>
-        <source>between %1 and %2</source>
-        <translation>zwischen %1 und %2</translation>
     </message>
     <message>
         <source>A virtual robot has at most %1 joints, not %2.</source>
@@ -4444,44 +4444,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Störung kann nicht in eine Datei geschrieben werden: %1.</translation>
     </message>
     <message>
-        <source>The file is damaged, and the rest cannot be read.</source>
-        <translation>Die Datei ist beschädigt, und der Rest ist nicht lesbar.</translation>
-    </message>
-    <message>
-        <source>The file is damaged: reading a part of it took longer than %1, which is enough for any session.</source>
-        <translation>Die Datei ist beschädigt: Einen Teil davon zu lesen dauerte länger als %1, was für jede Sitzung genügt.</translation>
-    </message>
-    <message>
-        <source>It reads sessions: reinstall Underact.</source>
-        <translation>Es liest Sitzungen: Installieren Sie Underact neu.</translation>
+        <source>the HDF5 library gives no reason</source>
+        <translation>Die HDF5-Bibliothek nennt keinen Grund</translation>
     </message>
     <message>
         <source>There is no such file.</source>
         <translation>Diese Datei gibt es nicht.</translation>
-    </message>
-    <message>
-        <source>This is a link to another file, which would be changed instead. Give the name of that file.</source>
-        <translation>Dies ist eine Verknüpfung mit einer anderen Datei, die stattdessen geändert würde. Geben Sie den Namen jener Datei an.</translation>
-    </message>
-    <message>
-        <source>The file cannot be opened: %1.</source>
-        <translation>Die Datei lässt sich nicht öffnen: %1.</translation>
-    </message>
-    <message>
-        <source>This is a folder, not a session.</source>
-        <translation>Dies ist ein Ordner, keine Sitzung.</translation>
-    </message>
-    <message>
-        <source>This is not a session file.</source>
-        <translation>Dies ist keine Sitzungsdatei.</translation>
-    </message>
-    <message>
-        <source>Another program has this file open. Close it there first.</source>
-        <translation>Ein anderes Programm hat diese Datei offen. Schließen Sie sie zuerst dort.</translation>
-    </message>
-    <message>
-        <source>the HDF5 library gives no reason</source>
-        <translation>Die HDF5-Bibliothek nennt keinen Grund</translation>
     </message>
     <message>
         <source>a session</source>
@@ -4508,6 +4476,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Ein anderes Programm zeichnet in diese Datei auf. Geben Sie einen anderen Namen an.</translation>
     </message>
     <message>
+        <source>Another program has this file open. Close it there first.</source>
+        <translation>Ein anderes Programm hat diese Datei offen. Schließen Sie sie zuerst dort.</translation>
+    </message>
+    <message>
         <source>The file cannot be opened for writing: %1.</source>
         <translation>Die Datei kann nicht zum Schreiben geöffnet werden: %1.</translation>
     </message>
@@ -4530,6 +4502,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The file cannot be changed: %1.</source>
         <translation>Die Datei lässt sich nicht ändern: %1.</translation>
+    </message>
+    <message>
+        <source>The file is damaged, and the rest cannot be read.</source>
+        <translation>Die Datei ist beschädigt, und der Rest ist nicht lesbar.</translation>
     </message>
     <message>
         <source>The recording stopped: its file was moved or deleted.</source>
@@ -4598,6 +4574,30 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The servo's state at the beginning of this session is not valid: the file is damaged, or was changed.</source>
         <translation>Der Zustand des Servos am Anfang dieser Sitzung ist ungültig: Die Datei ist beschädigt oder wurde verändert.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: reading a part of it took longer than %1, which is enough for any session.</source>
+        <translation>Die Datei ist beschädigt: Einen Teil davon zu lesen dauerte länger als %1, was für jede Sitzung genügt.</translation>
+    </message>
+    <message>
+        <source>It reads sessions: reinstall Underact.</source>
+        <translation>Es liest Sitzungen: Installieren Sie Underact neu.</translation>
+    </message>
+    <message>
+        <source>This is a link to another file, which would be changed instead. Give the name of that file.</source>
+        <translation>Dies ist eine Verknüpfung mit einer anderen Datei, die stattdessen geändert würde. Geben Sie den Namen jener Datei an.</translation>
+    </message>
+    <message>
+        <source>The file cannot be opened: %1.</source>
+        <translation>Die Datei lässt sich nicht öffnen: %1.</translation>
+    </message>
+    <message>
+        <source>This is a folder, not a session.</source>
+        <translation>Dies ist ein Ordner, keine Sitzung.</translation>
+    </message>
+    <message>
+        <source>This is not a session file.</source>
+        <translation>Dies ist keine Sitzungsdatei.</translation>
     </message>
     <message>
         <source>The reference points lie nearly on one line, at most %1 beside it: small errors turn the arm about it. Choose a reference point farther from the line.</source>
@@ -5320,26 +5320,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Ein anderes Programm hat in die Datei geschrieben, während sie gelesen wurde. Öffnen Sie sie noch einmal, sobald jenes Programm sie gespeichert hat.</translation>
     </message>
     <message>
-        <source>The scenes that come with Underact were not found in %1. Reinstall Underact, or set UNDERACT_DATA_DIR to its data folder (share/underact) or its source folder.</source>
-        <translation>Die Szenen, die zu Underact gehören, wurden in %1 nicht gefunden. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder seinen Quellordner.</translation>
-    </message>
-    <message>
-        <source>The lessons that come with Underact were not found in %1. Reinstall Underact, or set UNDERACT_DATA_DIR to its data folder (share/underact) or its source folder.</source>
-        <translation>Die Lektionen, die zu Underact gehören, wurden in %1 nicht gefunden. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder seinen Quellordner.</translation>
-    </message>
-    <message>
-        <source>The guide's pages were not found in %1. Reinstall Underact, or set UNDERACT_DATA_DIR to its data folder (share/underact) or its source folder.</source>
-        <translation>Die Seiten des Handbuchs wurden in %1 nicht gefunden. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder seinen Quellordner.</translation>
-    </message>
-    <message>
-        <source>The Python package that comes with Underact was not found in %1. Reinstall Underact, or set UNDERACT_DATA_DIR to its data folder (share/underact) or its source folder.</source>
-        <translation>Das Python-Paket, das zu Underact gehört, wurde in %1 nicht gefunden. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder seinen Quellordner.</translation>
-    </message>
-    <message>
-        <source>%1 was not found. Searched: %2.</source>
-        <translation>%1 wurde nicht gefunden. Gesucht wurde: %2.</translation>
-    </message>
-    <message>
         <source>A folder, a pipe or a device has this name and is not replaced. Give another name.</source>
         <translation>Ein Ordner, eine Pipe oder ein Gerät heißt schon so und wird nicht ersetzt. Geben Sie einen anderen Namen an.</translation>
     </message>
@@ -5414,6 +5394,26 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>stack in memory</source>
         <translation>Stapel im Speicher</translation>
+    </message>
+    <message>
+        <source>The scenes that come with Underact were not found in %1. Reinstall Underact, or set UNDERACT_DATA_DIR to its data folder (share/underact) or its source folder.</source>
+        <translation>Die Szenen, die zu Underact gehören, wurden in %1 nicht gefunden. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder seinen Quellordner.</translation>
+    </message>
+    <message>
+        <source>The lessons that come with Underact were not found in %1. Reinstall Underact, or set UNDERACT_DATA_DIR to its data folder (share/underact) or its source folder.</source>
+        <translation>Die Lektionen, die zu Underact gehören, wurden in %1 nicht gefunden. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder seinen Quellordner.</translation>
+    </message>
+    <message>
+        <source>The guide's pages were not found in %1. Reinstall Underact, or set UNDERACT_DATA_DIR to its data folder (share/underact) or its source folder.</source>
+        <translation>Die Seiten des Handbuchs wurden in %1 nicht gefunden. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder seinen Quellordner.</translation>
+    </message>
+    <message>
+        <source>The Python package that comes with Underact was not found in %1. Reinstall Underact, or set UNDERACT_DATA_DIR to its data folder (share/underact) or its source folder.</source>
+        <translation>Das Python-Paket, das zu Underact gehört, wurde in %1 nicht gefunden. Installieren Sie Underact neu, oder setzen Sie UNDERACT_DATA_DIR auf seinen Datenordner (share/underact) oder seinen Quellordner.</translation>
+    </message>
+    <message>
+        <source>%1 was not found. Searched: %2.</source>
+        <translation>%1 wurde nicht gefunden. Gesucht wurde: %2.</translation>
     </message>
     <message>
         <source>no D-Bus: %1</source>
@@ -5492,70 +5492,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>ohne Angabe eines Grundes</translation>
     </message>
     <message>
-        <source>a mapping</source>
-        <translation>eine Belegung</translation>
-    </message>
-    <message>
-        <source>This must lie between %1 and %2.</source>
-        <translation>Dies muss zwischen %1 und %2 liegen.</translation>
-    </message>
-    <message>
-        <source>a number, as in 0</source>
-        <translation>eine Zahl wie 0</translation>
-    </message>
-    <message>
-        <source>This must be a whole number from 0 to %1.</source>
-        <translation>Dies muss eine ganze Zahl von 0 bis %1 sein.</translation>
-    </message>
-    <message>
-        <source>a list of two, as in [4, 5]</source>
-        <translation>eine Liste von zweien wie [4, 5]</translation>
-    </message>
-    <message>
-        <source>This must be a list of two: one for the positive direction, one for the negative.</source>
-        <translation>Dies muss eine Liste von zweien sein: eines für die positive, eines für die negative Richtung.</translation>
-    </message>
-    <message>
-        <source>Give only one of "axis", "buttons" and "triggers".</source>
-        <translation>Geben Sie nur eines von „axis“, „buttons“ und „triggers“ an.</translation>
-    </message>
-    <message>
-        <source>a direction</source>
-        <translation>eine Richtung</translation>
-    </message>
-    <message>
-        <source>the buttons of a mapping</source>
-        <translation>die Tasten einer Belegung</translation>
-    </message>
-    <message>
-        <source>You do not have permission to read %1.</source>
-        <translation>Sie haben keine Berechtigung, %1 zu lesen.</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>links</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
-        <source>SpaceMouse Wireless (cable)</source>
-        <translation>SpaceMouse Wireless (Kabel)</translation>
-    </message>
-    <message>
-        <source>SpaceMouse Wireless (receiver)</source>
-        <translation>SpaceMouse Wireless (Empfänger)</translation>
-    </message>
-    <message>
-        <source>SpaceMouse Pro Wireless (cable)</source>
-        <translation>SpaceMouse Pro Wireless (Kabel)</translation>
-    </message>
-    <message>
-        <source>SpaceMouse Pro Wireless (receiver)</source>
-        <translation>SpaceMouse Pro Wireless (Empfänger)</translation>
-    </message>
-    <message>
         <source>left stick, right</source>
         <translation>linker Stick, rechts</translation>
     </message>
@@ -5612,6 +5548,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Steuerkreuz links</translation>
     </message>
     <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
         <source>towards you</source>
         <translation>zu Ihnen</translation>
     </message>
@@ -5632,8 +5572,84 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>nach rechts drehen</translation>
     </message>
     <message>
+        <source>a mapping</source>
+        <translation>eine Belegung</translation>
+    </message>
+    <message>
+        <source>This must lie between %1 and %2.</source>
+        <translation>Dies muss zwischen %1 und %2 liegen.</translation>
+    </message>
+    <message>
+        <source>a number, as in 0</source>
+        <translation>eine Zahl wie 0</translation>
+    </message>
+    <message>
+        <source>This must be a whole number from 0 to %1.</source>
+        <translation>Dies muss eine ganze Zahl von 0 bis %1 sein.</translation>
+    </message>
+    <message>
+        <source>a list of two, as in [4, 5]</source>
+        <translation>eine Liste von zweien wie [4, 5]</translation>
+    </message>
+    <message>
+        <source>This must be a list of two: one for the positive direction, one for the negative.</source>
+        <translation>Dies muss eine Liste von zweien sein: eines für die positive, eines für die negative Richtung.</translation>
+    </message>
+    <message>
+        <source>Give only one of "axis", "buttons" and "triggers".</source>
+        <translation>Geben Sie nur eines von „axis“, „buttons“ und „triggers“ an.</translation>
+    </message>
+    <message>
+        <source>a direction</source>
+        <translation>eine Richtung</translation>
+    </message>
+    <message>
+        <source>the buttons of a mapping</source>
+        <translation>die Tasten einer Belegung</translation>
+    </message>
+    <message>
+        <source>You do not have permission to read %1.</source>
+        <translation>Sie haben keine Berechtigung, %1 zu lesen.</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>SpaceMouse Wireless (cable)</source>
+        <translation>SpaceMouse Wireless (Kabel)</translation>
+    </message>
+    <message>
+        <source>SpaceMouse Wireless (receiver)</source>
+        <translation>SpaceMouse Wireless (Empfänger)</translation>
+    </message>
+    <message>
+        <source>SpaceMouse Pro Wireless (cable)</source>
+        <translation>SpaceMouse Pro Wireless (Kabel)</translation>
+    </message>
+    <message>
+        <source>SpaceMouse Pro Wireless (receiver)</source>
+        <translation>SpaceMouse Pro Wireless (Empfänger)</translation>
+    </message>
+    <message>
         <source>The measurement was cancelled.</source>
         <translation>Die Messung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The stylus is in the inkwell, so the arm gives no force. Take it out.</source>
+        <translation>Der Stift steckt im Tintenfass; deshalb gibt der Arm keine Kraft. Nehmen Sie ihn heraus.</translation>
+    </message>
+    <message>
+        <source>The arm reports its tip %1 mm from where the scene's arm "%2" has it, so it gets no force: the force would point elsewhere. Choose the arm that is connected.</source>
+        <translation>Der Arm meldet seine Spitze %1 mm neben dem Ort, an dem der Arm „%2“ der Szene sie hat; deshalb bekommt er keine Kraft: Sie würde woandershin zeigen. Wählen Sie den Arm, der angeschlossen ist.</translation>
+    </message>
+    <message>
+        <source>%1 times so far.</source>
+        <translation>Bisher %1-mal.</translation>
+    </message>
+    <message>
+        <source>The arm reports its tip %1 mm from where the scene's arm "%2" has it. Choose the arm that is connected, otherwise shapes are felt elsewhere than they are shown.</source>
+        <translation>Der Arm meldet seine Spitze %1 mm neben dem Ort, an dem der Arm „%2“ der Szene sie hat. Wählen Sie den Arm, der angeschlossen ist; sonst fühlt man Formen woanders, als sie gezeigt werden.</translation>
     </message>
     <message>
         <source>The arm is not calibrated, so it gives no force. Put the stylus into the inkwell.</source>
@@ -5732,6 +5748,30 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Treiber des Arms meldet den unbekannten Fehler %1. Starten Sie den Servo neu.</translation>
     </message>
     <message>
+        <source>The system has not created %1 for the arm. Plug it in again.</source>
+        <translation>Das System hat %1 für den Arm nicht angelegt. Stecken Sie ihn neu an.</translation>
+    </message>
+    <message>
+        <source>You do not have permission to use %1 of the arm. This rule gives it to whoever is logged in at the computer; plug the arm in again afterwards.</source>
+        <translation>Sie haben keine Berechtigung, %1 des Arms zu benutzen. Diese Regel erteilt sie dem, der am Rechner angemeldet ist; stecken Sie den Arm danach neu an.</translation>
+    </message>
+    <message>
+        <source>The vendor's driver has no settings: there is no folder config in %1 or %2, and GTDD_HOME names no other. Run the vendor's Touch_Setup, or set GTDD_HOME to the folder.</source>
+        <translation>Der Treiber des Herstellers hat keine Einstellungen: Weder in %1 noch in %2 gibt es einen Ordner config, und GTDD_HOME nennt keinen anderen. Führen Sie Touch_Setup des Herstellers aus, oder setzen Sie GTDD_HOME auf den Ordner.</translation>
+    </message>
+    <message>
+        <source>Touch or Omni on USB</source>
+        <translation>Touch oder Omni an USB</translation>
+    </message>
+    <message>
+        <source>Touch or Omni on USB, serial %1</source>
+        <translation>Touch oder Omni an USB, Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>No Touch or Omni was found on USB. Plug it in and switch it on. An arm on FireWire or Ethernet is not detected here, but may still open.</source>
+        <translation>An USB wurde kein Touch oder Omni gefunden. Stecken Sie ihn an und schalten Sie ihn ein. Ein Arm an FireWire oder Ethernet wird hier nicht erkannt, lässt sich aber vielleicht trotzdem öffnen.</translation>
+    </message>
+    <message>
         <source>In a terminal: "%1".</source>
         <translation>In einem Terminal: „%1“.</translation>
     </message>
@@ -5762,30 +5802,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The vendor's driver needs %1, which is missing.</source>
         <translation>Der Treiber des Herstellers braucht %1, das fehlt.</translation>
-    </message>
-    <message>
-        <source>The system has not created %1 for the arm. Plug it in again.</source>
-        <translation>Das System hat %1 für den Arm nicht angelegt. Stecken Sie ihn neu an.</translation>
-    </message>
-    <message>
-        <source>You do not have permission to use %1 of the arm. This rule gives it to whoever is logged in at the computer; plug the arm in again afterwards.</source>
-        <translation>Sie haben keine Berechtigung, %1 des Arms zu benutzen. Diese Regel erteilt sie dem, der am Rechner angemeldet ist; stecken Sie den Arm danach neu an.</translation>
-    </message>
-    <message>
-        <source>The vendor's driver has no settings: there is no folder config in %1 or %2, and GTDD_HOME names no other. Run the vendor's Touch_Setup, or set GTDD_HOME to the folder.</source>
-        <translation>Der Treiber des Herstellers hat keine Einstellungen: Weder in %1 noch in %2 gibt es einen Ordner config, und GTDD_HOME nennt keinen anderen. Führen Sie Touch_Setup des Herstellers aus, oder setzen Sie GTDD_HOME auf den Ordner.</translation>
-    </message>
-    <message>
-        <source>Touch or Omni on USB</source>
-        <translation>Touch oder Omni an USB</translation>
-    </message>
-    <message>
-        <source>Touch or Omni on USB, serial %1</source>
-        <translation>Touch oder Omni an USB, Seriennummer %1</translation>
-    </message>
-    <message>
-        <source>No Touch or Omni was found on USB. Plug it in and switch it on. An arm on FireWire or Ethernet is not detected here, but may still open.</source>
-        <translation>An USB wurde kein Touch oder Omni gefunden. Stecken Sie ihn an und schalten Sie ihn ein. Ein Arm an FireWire oder Ethernet wird hier nicht erkannt, lässt sich aber vielleicht trotzdem öffnen.</translation>
     </message>
     <message>
         <source>The scheduler of the arm's driver has stopped: it has made no call for half a second. Restart the servo; if that does not help, quit the program.</source>
@@ -5840,22 +5856,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Ein anderer Arm nutzt denselben Treiber mit %1 Hz, und beide haben einen gemeinsamen Taktgeber. Schließen Sie zuerst einen von ihnen.</translation>
     </message>
     <message>
-        <source>The stylus is in the inkwell, so the arm gives no force. Take it out.</source>
-        <translation>Der Stift steckt im Tintenfass; deshalb gibt der Arm keine Kraft. Nehmen Sie ihn heraus.</translation>
-    </message>
-    <message>
-        <source>The arm reports its tip %1 mm from where the scene's arm "%2" has it, so it gets no force: the force would point elsewhere. Choose the arm that is connected.</source>
-        <translation>Der Arm meldet seine Spitze %1 mm neben dem Ort, an dem der Arm „%2“ der Szene sie hat; deshalb bekommt er keine Kraft: Sie würde woandershin zeigen. Wählen Sie den Arm, der angeschlossen ist.</translation>
-    </message>
-    <message>
-        <source>%1 times so far.</source>
-        <translation>Bisher %1-mal.</translation>
-    </message>
-    <message>
-        <source>The arm reports its tip %1 mm from where the scene's arm "%2" has it. Choose the arm that is connected, otherwise shapes are felt elsewhere than they are shown.</source>
-        <translation>Der Arm meldet seine Spitze %1 mm neben dem Ort, an dem der Arm „%2“ der Szene sie hat. Wählen Sie den Arm, der angeschlossen ist; sonst fühlt man Formen woanders, als sie gezeigt werden.</translation>
-    </message>
-    <message>
         <source>Ticks %1 to %2 of this session are damaged; the arm stands still there.</source>
         <translation>Die Takte %1 bis %2 dieser Sitzung sind beschädigt; dort steht der Arm still.</translation>
     </message>
@@ -5870,6 +5870,34 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>"%1" is not an address of a shared arm. Give HOST:PORT or HOST, as in 192.168.1.20:7878, arm-pc or [fe80::1]:7878.</source>
         <translation>„%1“ ist keine Adresse eines freigegebenen Arms. Geben Sie HOST:PORT oder HOST an, wie 192.168.1.20:7878, arm-pc oder [fe80::1]:7878.</translation>
+    </message>
+    <message>
+        <source>The arm at %1 is not shared with you: your key is not known there. Here, "underact-cli share-arm --show-key" prints the line to run there.</source>
+        <translation>Der Arm bei %1 ist nicht für Sie freigegeben: Ihr Schlüssel ist dort nicht bekannt. „underact-cli share-arm --show-key“ gibt hier die Zeile aus, die dort auszuführen ist.</translation>
+    </message>
+    <message>
+        <source>What answers at %1 is not the arm whose key is known here. If it was given a new key, run the line that "underact-cli share-arm" prints there; if not, somebody else is answering in its place.</source>
+        <translation>Was bei %1 antwortet, ist nicht der Arm, dessen Schlüssel hier bekannt ist. Hat er einen neuen Schlüssel bekommen, führen Sie die Zeile aus, die „underact-cli share-arm“ dort ausgibt; wenn nicht, antwortet jemand anders an seiner Stelle.</translation>
+    </message>
+    <message>
+        <source>No arm is shared at %1. Is that computer on, does "underact-cli share-arm" run there, and is it listening for others (--listen)?</source>
+        <translation>Bei %1 ist kein Arm freigegeben. Ist jener Rechner an, läuft „underact-cli share-arm“ dort, und nimmt es Verbindungen anderer an (--listen)?</translation>
+    </message>
+    <message>
+        <source>It is shared with version %1 of the protocol, and this program speaks %2. Install the same release of Underact at both ends.</source>
+        <translation>Er ist mit Version %1 des Protokolls freigegeben, und dieses Programm spricht Version %2. Installieren Sie an beiden Enden dieselbe Version von Underact.</translation>
+    </message>
+    <message>
+        <source>The arm at %1: %2</source>
+        <translation>Der Arm bei %1: %2</translation>
+    </message>
+    <message>
+        <source>The arm at %1 does not answer, although its computer does. Restart "underact-cli share-arm" there.</source>
+        <translation>Der Arm bei %1 antwortet nicht, obwohl sein Rechner antwortet. Starten Sie „underact-cli share-arm“ dort neu.</translation>
+    </message>
+    <message>
+        <source>The key of the arm at %1 is not known here. "underact-cli share-arm" prints, at the arm's computer, the line to run here once.</source>
+        <translation>Der Schlüssel des Arms bei %1 ist hier nicht bekannt. „underact-cli share-arm“ gibt am Rechner des Arms die Zeile aus, die hier einmal auszuführen ist.</translation>
     </message>
     <message>
         <source>This key file belongs to another user of this computer, so it is not used. Delete it, and find out who put it there.</source>
@@ -5930,34 +5958,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The key of %1 in this file is not valid.</source>
         <translation>Der Schlüssel von %1 in dieser Datei ist ungültig.</translation>
-    </message>
-    <message>
-        <source>The arm at %1 is not shared with you: your key is not known there. Here, "underact-cli share-arm --show-key" prints the line to run there.</source>
-        <translation>Der Arm bei %1 ist nicht für Sie freigegeben: Ihr Schlüssel ist dort nicht bekannt. „underact-cli share-arm --show-key“ gibt hier die Zeile aus, die dort auszuführen ist.</translation>
-    </message>
-    <message>
-        <source>What answers at %1 is not the arm whose key is known here. If it was given a new key, run the line that "underact-cli share-arm" prints there; if not, somebody else is answering in its place.</source>
-        <translation>Was bei %1 antwortet, ist nicht der Arm, dessen Schlüssel hier bekannt ist. Hat er einen neuen Schlüssel bekommen, führen Sie die Zeile aus, die „underact-cli share-arm“ dort ausgibt; wenn nicht, antwortet jemand anders an seiner Stelle.</translation>
-    </message>
-    <message>
-        <source>No arm is shared at %1. Is that computer on, does "underact-cli share-arm" run there, and is it listening for others (--listen)?</source>
-        <translation>Bei %1 ist kein Arm freigegeben. Ist jener Rechner an, läuft „underact-cli share-arm“ dort, und nimmt es Verbindungen anderer an (--listen)?</translation>
-    </message>
-    <message>
-        <source>It is shared with version %1 of the protocol, and this program speaks %2. Install the same release of Underact at both ends.</source>
-        <translation>Er ist mit Version %1 des Protokolls freigegeben, und dieses Programm spricht Version %2. Installieren Sie an beiden Enden dieselbe Version von Underact.</translation>
-    </message>
-    <message>
-        <source>The arm at %1: %2</source>
-        <translation>Der Arm bei %1: %2</translation>
-    </message>
-    <message>
-        <source>The arm at %1 does not answer, although its computer does. Restart "underact-cli share-arm" there.</source>
-        <translation>Der Arm bei %1 antwortet nicht, obwohl sein Rechner antwortet. Starten Sie „underact-cli share-arm“ dort neu.</translation>
-    </message>
-    <message>
-        <source>The key of the arm at %1 is not known here. "underact-cli share-arm" prints, at the arm's computer, the line to run here once.</source>
-        <translation>Der Schlüssel des Arms bei %1 ist hier nicht bekannt. „underact-cli share-arm“ gibt am Rechner des Arms die Zeile aus, die hier einmal auszuführen ist.</translation>
     </message>
     <message>
         <source>%1, shared on this computer</source>
@@ -6805,12 +6805,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Richtung von z (Achse)</translation>
     </message>
     <message>
-        <source>full orientation</source>
-        <translation>volle Orientierung</translation>
+        <source>angle about the joint</source>
+        <translation>Winkel um das Gelenk</translation>
     </message>
     <message>
-        <source>the whole turn</source>
-        <translation>die ganze Drehung</translation>
+        <source>full orientation</source>
+        <translation>volle Orientierung</translation>
     </message>
     <message>
         <source>energy, F = K e</source>
@@ -7544,6 +7544,22 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Aufzeichnung hat %1 Lücken: Dort springt das Geisterbild.</translation>
     </message>
     <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>&amp;Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>Shows what the mouse and the keys do.</source>
+        <translation>Zeigt, was Maus und Tasten tun.</translation>
+    </message>
+    <message>
+        <source>&amp;About Underact</source>
+        <translation>Ü&amp;ber Underact</translation>
+    </message>
+    <message>
+        <source>Shows the version, the licence, and what has not been tested.</source>
+        <translation>Zeigt Version, Lizenz und was nicht erprobt ist.</translation>
+    </message>
+    <message>
         <source>Right, left</source>
         <translation>Rechts, links</translation>
     </message>
@@ -7626,22 +7642,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>button %1</source>
         <translation>Taste %1</translation>
-    </message>
-    <message>
-        <source>&amp;Mouse and keys</source>
-        <translation>&amp;Maus und Tasten</translation>
-    </message>
-    <message>
-        <source>Shows what the mouse and the keys do.</source>
-        <translation>Zeigt, was Maus und Tasten tun.</translation>
-    </message>
-    <message>
-        <source>&amp;About Underact</source>
-        <translation>Ü&amp;ber Underact</translation>
-    </message>
-    <message>
-        <source>Shows the version, the licence, and what has not been tested.</source>
-        <translation>Zeigt Version, Lizenz und was nicht erprobt ist.</translation>
     </message>
     <message>
         <source>Nothing has been measured.</source>
@@ -10545,69 +10545,6 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::InputDevicesPanel</name>
-    <message>
-        <source>not ready</source>
-        <translation>nicht bereit</translation>
-    </message>
-    <message>
-        <source>switched off</source>
-        <translation>ausgeschaltet</translation>
-    </message>
-    <message>
-        <source>moves the stylus</source>
-        <translation>bewegt den Stift</translation>
-    </message>
-    <message>
-        <source>ready</source>
-        <translation>bereit</translation>
-    </message>
-    <message>
-        <source>State of the input devices</source>
-        <translation>Zustand der Eingabegeräte</translation>
-    </message>
-    <message>
-        <source>What is wrong</source>
-        <translation>Was nicht stimmt</translation>
-    </message>
-    <message>
-        <source>Input devices</source>
-        <translation>Eingabegeräte</translation>
-    </message>
-    <message>
-        <source>The input devices that are plugged in. An unticked device is ignored.</source>
-        <translation>Die angeschlossenen Eingabegeräte. Ein Gerät ohne Häkchen wird ignoriert.</translation>
-    </message>
-    <message>
-        <source>About the selected device</source>
-        <translation>Über das gewählte Gerät</translation>
-    </message>
-    <message>
-        <source>How to fix it…</source>
-        <translation>Abhilfe …</translation>
-    </message>
-    <message>
-        <source>Shows the command that fixes the problem.</source>
-        <translation>Zeigt den Befehl, der das Problem behebt.</translation>
-    </message>
-    <message>
-        <source>Mouse and keyboard – always on</source>
-        <translation>Maus und Tastatur – immer aktiv</translation>
-    </message>
-    <message>
-        <source>Drag the stylus in the view, or click the view and press the arrow keys. Shift+F1 lists all keys. A game controller or 3D mouse appears in this list when you plug it in.</source>
-        <translation>Ziehen Sie den Stift in der Ansicht, oder klicken Sie in die Ansicht und drücken Sie die Pfeiltasten. Umschalt+F1 listet alle Tasten auf. Ein Gamepad oder eine 3D-Maus erscheint in dieser Liste, wenn Sie das Gerät anschließen.</translation>
-    </message>
-    <message>
-        <source>A %1, untested. Its mapping is saved.</source>
-        <translation>%1, nicht erprobt. Die Belegung wird gespeichert.</translation>
-    </message>
-    <message>
-        <source>Every device in use moves the simulated hand.</source>
-        <translation>Jedes verwendete Gerät bewegt die simulierte Hand.</translation>
-    </message>
-</context>
-<context>
     <name>underact::gui::HelpDialog</name>
     <message>
         <source>Mouse and keys</source>
@@ -10764,6 +10701,80 @@ und %2 weitere</translation>
     <message>
         <source>Measure the arm</source>
         <translation>Arm vermessen</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::InputDevices</name>
+    <message>
+        <source>The input devices have no effect now: they move the simulated arm, which is not in use.</source>
+        <translation>Die Eingabegeräte sind jetzt ohne Wirkung: Sie bewegen den simulierten Arm, und der ist nicht in Gebrauch.</translation>
+    </message>
+    <message>
+        <source>The mapping of %1 cannot be read; the default mapping is used. %2</source>
+        <translation>Die Belegung von %1 kann nicht gelesen werden; die Standardbelegung wird verwendet. %2</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::InputDevicesPanel</name>
+    <message>
+        <source>not ready</source>
+        <translation>nicht bereit</translation>
+    </message>
+    <message>
+        <source>switched off</source>
+        <translation>ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>moves the stylus</source>
+        <translation>bewegt den Stift</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>State of the input devices</source>
+        <translation>Zustand der Eingabegeräte</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Was nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Input devices</source>
+        <translation>Eingabegeräte</translation>
+    </message>
+    <message>
+        <source>The input devices that are plugged in. An unticked device is ignored.</source>
+        <translation>Die angeschlossenen Eingabegeräte. Ein Gerät ohne Häkchen wird ignoriert.</translation>
+    </message>
+    <message>
+        <source>About the selected device</source>
+        <translation>Über das gewählte Gerät</translation>
+    </message>
+    <message>
+        <source>How to fix it…</source>
+        <translation>Abhilfe …</translation>
+    </message>
+    <message>
+        <source>Shows the command that fixes the problem.</source>
+        <translation>Zeigt den Befehl, der das Problem behebt.</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard – always on</source>
+        <translation>Maus und Tastatur – immer aktiv</translation>
+    </message>
+    <message>
+        <source>Drag the stylus in the view, or click the view and press the arrow keys. Shift+F1 lists all keys. A game controller or 3D mouse appears in this list when you plug it in.</source>
+        <translation>Ziehen Sie den Stift in der Ansicht, oder klicken Sie in die Ansicht und drücken Sie die Pfeiltasten. Umschalt+F1 listet alle Tasten auf. Ein Gamepad oder eine 3D-Maus erscheint in dieser Liste, wenn Sie das Gerät anschließen.</translation>
+    </message>
+    <message>
+        <source>A %1, untested. Its mapping is saved.</source>
+        <translation>%1, nicht erprobt. Die Belegung wird gespeichert.</translation>
+    </message>
+    <message>
+        <source>Every device in use moves the simulated hand.</source>
+        <translation>Jedes verwendete Gerät bewegt die simulierte Hand.</translation>
     </message>
 </context>
 <context>
@@ -11759,25 +11770,6 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::ReferencePointsPicture</name>
-    <message>
-        <source>The reference points on the desk, from above</source>
-        <translation>Die Messpunkte auf dem Tisch, von oben</translation>
-    </message>
-    <message>
-        <source>Next: reference point %1 of %2.</source>
-        <translation>Als Nächstes: Messpunkt %1 von %2.</translation>
-    </message>
-    <message>
-        <source>%1 reference points.</source>
-        <translation>%1 Messpunkte.</translation>
-    </message>
-    <message>
-        <source>away from you</source>
-        <translation>von Ihnen weg</translation>
-    </message>
-</context>
-<context>
     <name>underact::gui::MeasurePage</name>
     <message>
         <source>Con&amp;tinue</source>
@@ -11987,14 +11979,77 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::InputDevices</name>
+    <name>underact::gui::MetadataDialog</name>
     <message>
-        <source>The input devices have no effect now: they move the simulated arm, which is not in use.</source>
-        <translation>Die Eingabegeräte sind jetzt ohne Wirkung: Sie bewegen den simulierten Arm, und der ist nicht in Gebrauch.</translation>
+        <source>Error message</source>
+        <translation>Fehlermeldung</translation>
     </message>
     <message>
-        <source>The mapping of %1 cannot be read; the default mapping is used. %2</source>
-        <translation>Die Belegung von %1 kann nicht gelesen werden; die Standardbelegung wird verwendet. %2</translation>
+        <source>Metadata of %1</source>
+        <translation>Angaben zu %1</translation>
+    </message>
+    <message>
+        <source>Save the metadata</source>
+        <translation>Angaben speichern</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::MetadataForm</name>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>Name of the session in the list.</source>
+        <translation>Name der Sitzung in der Liste.</translation>
+    </message>
+    <message>
+        <source>No&amp;tes</source>
+        <translation>No&amp;tizen</translation>
+    </message>
+    <message>
+        <source>Notes for whoever opens the session later.</source>
+        <translation>Hinweise für alle, die die Sitzung später öffnen.</translation>
+    </message>
+    <message>
+        <source>Ta&amp;gs</source>
+        <translation>Ta&amp;gs</translation>
+    </message>
+    <message>
+        <source>Keywords for the search, separated by commas.</source>
+        <translation>Stichwörter für die Suche, durch Kommas getrennt.</translation>
+    </message>
+    <message>
+        <source>Su&amp;bject</source>
+        <translation>&amp;Person</translation>
+    </message>
+    <message>
+        <source>The person whose hand it is, as a code. Keep the list of codes and names somewhere else.</source>
+        <translation>Die Person, deren Hand es ist, als Code. Bewahren Sie die Liste der Codes und Namen woanders auf.</translation>
+    </message>
+    <message>
+        <source>A code, not a name: whoever reads the file can see it.</source>
+        <translation>Ein Code, kein Name: Wer die Datei liest, kann ihn sehen.</translation>
+    </message>
+    <message>
+        <source>&amp;Consent</source>
+        <translation>&amp;Einwilligung</translation>
+    </message>
+    <message>
+        <source>What the subject agreed to, and how: version and date of the consent form. Empty: not recorded.</source>
+        <translation>Worin die Person eingewilligt hat und wie: Fassung und Datum der Einwilligungserklärung. Leer: nicht festgehalten.</translation>
+    </message>
+    <message>
+        <source>pilot, left hand</source>
+        <translation>Vorversuch, linke Hand</translation>
+    </message>
+    <message>
+        <source>form 2.1, in writing, 2026-11-20</source>
+        <translation>Formular 2.1, schriftlich, 2026-11-20</translation>
     </message>
 </context>
 <context>
@@ -12519,6 +12574,25 @@ und %2 weitere</translation>
     <message>
         <source>%1 Choose another folder for the recordings.</source>
         <translation>%1 Wählen Sie einen anderen Ordner für die Aufzeichnungen.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::ReferencePointsPicture</name>
+    <message>
+        <source>The reference points on the desk, from above</source>
+        <translation>Die Messpunkte auf dem Tisch, von oben</translation>
+    </message>
+    <message>
+        <source>Next: reference point %1 of %2.</source>
+        <translation>Als Nächstes: Messpunkt %1 von %2.</translation>
+    </message>
+    <message>
+        <source>%1 reference points.</source>
+        <translation>%1 Messpunkte.</translation>
+    </message>
+    <message>
+        <source>away from you</source>
+        <translation>von Ihnen weg</translation>
     </message>
 </context>
 <context>
@@ -15196,80 +15270,6 @@ und %2 weitere</translation>
     <message>
         <source>The stylus has turned; in some scenes this moves the target.</source>
         <translation>Der Stift hat sich gedreht; in manchen Szenen bewegt das das Ziel.</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::MetadataDialog</name>
-    <message>
-        <source>Error message</source>
-        <translation>Fehlermeldung</translation>
-    </message>
-    <message>
-        <source>Metadata of %1</source>
-        <translation>Angaben zu %1</translation>
-    </message>
-    <message>
-        <source>Save the metadata</source>
-        <translation>Angaben speichern</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::MetadataForm</name>
-    <message>
-        <source>&amp;Name</source>
-        <translation>&amp;Name</translation>
-    </message>
-    <message>
-        <source>Name of the session in the list.</source>
-        <translation>Name der Sitzung in der Liste.</translation>
-    </message>
-    <message>
-        <source>No&amp;tes</source>
-        <translation>No&amp;tizen</translation>
-    </message>
-    <message>
-        <source>Notes for whoever opens the session later.</source>
-        <translation>Hinweise für alle, die die Sitzung später öffnen.</translation>
-    </message>
-    <message>
-        <source>Ta&amp;gs</source>
-        <translation>Ta&amp;gs</translation>
-    </message>
-    <message>
-        <source>Keywords for the search, separated by commas.</source>
-        <translation>Stichwörter für die Suche, durch Kommas getrennt.</translation>
-    </message>
-    <message>
-        <source>Su&amp;bject</source>
-        <translation>&amp;Person</translation>
-    </message>
-    <message>
-        <source>The person whose hand it is, as a code. Keep the list of codes and names somewhere else.</source>
-        <translation>Die Person, deren Hand es ist, als Code. Bewahren Sie die Liste der Codes und Namen woanders auf.</translation>
-    </message>
-    <message>
-        <source>A code, not a name: whoever reads the file can see it.</source>
-        <translation>Ein Code, kein Name: Wer die Datei liest, kann ihn sehen.</translation>
-    </message>
-    <message>
-        <source>&amp;Consent</source>
-        <translation>&amp;Einwilligung</translation>
-    </message>
-    <message>
-        <source>What the subject agreed to, and how: version and date of the consent form. Empty: not recorded.</source>
-        <translation>Worin die Person eingewilligt hat und wie: Fassung und Datum der Einwilligungserklärung. Leer: nicht festgehalten.</translation>
-    </message>
-    <message>
-        <source>pilot, left hand</source>
-        <translation>Vorversuch, linke Hand</translation>
-    </message>
-    <message>
-        <source>form 2.1, in writing, 2026-11-20</source>
-        <translation>Formular 2.1, schriftlich, 2026-11-20</translation>
     </message>
 </context>
 <context>

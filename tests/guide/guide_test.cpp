@@ -112,7 +112,7 @@ TEST(Contents, WhatIsWrongWithThemIsSaid) {
   const std::string start = R"({"underact_guide": 1, "chapters": [{"title": "T", "pages": [)";
   EXPECT_EQ(problemOf(start + "\"a\"]}]}"), "none");
   EXPECT_NE(problemOf(start + "\"a\", \"a\"]}]}").find("twice"), std::string::npos);
-  EXPECT_NE(problemOf(start + "\"../a\"]}]}").find("no page"), std::string::npos);
+  EXPECT_NE(problemOf(start + "\"../a\"]}]}").find("not a page"), std::string::npos);
   EXPECT_NE(problemOf(start + "\"b\"]}]}").find("b.md"), std::string::npos);
   EXPECT_NE(problemOf(start + "1]}]}").find("contents.json:1"), std::string::npos);
   EXPECT_NE(problemOf(R"({"underact_guide": 2, "chapters": []})").find("version"), std::string::npos);

@@ -48,7 +48,7 @@ TEST(TransferFunction, WhatIsNoneIsRefusedInWords) {
   EXPECT_NE(sentenceOf({1}, {5}).find("has no s;"), std::string::npos);
   EXPECT_NE(sentenceOf({1}, {0, 0}).find("has no s;"), std::string::npos);
   EXPECT_NE(sentenceOf({1, 0, 0}, {1, 1}).find("higher order"), std::string::npos);
-  EXPECT_NE(sentenceOf({1}, std::vector<double>(10, 1.0)).find("up to 8"), std::string::npos);
+  EXPECT_NE(sentenceOf({1}, std::vector<double>(10, 1.0)).find("at most 8"), std::string::npos);
   EXPECT_NE(sentenceOf({kNotANumber}, {1, 1}).find("finite"), std::string::npos);
   EXPECT_NE(sentenceOf({1}, {kInfinity, 1}).find("finite"), std::string::npos);
 }

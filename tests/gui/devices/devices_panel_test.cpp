@@ -37,7 +37,7 @@ TEST(DevicesPanel, WhileAMeasurementIsAtWorkTheArmStaysAndItIsSaidWhy) {
   Desk desk(devicesFeature());
   ASSERT_TRUE(desk.document().tryOut(desk.scene()).empty());
   EXPECT_FALSE(desk.perform("devices.use", QString("wooden")));
-  EXPECT_TRUE(desk.label("panel.devices.told").startsWith("The arm was not changed. A measurement is at work"));
+  EXPECT_TRUE(desk.label("panel.devices.told").startsWith("The arm was not changed. A measurement is running"));
 }
 
 TEST(DevicesPanel, WhereTheArmStandsIsWhatTheRemarkSays) {
