@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 static_assert(!std::is_constructible_v<safety::GatedForce, Vec3>);
 static_assert(!std::is_convertible_v<Vec3, safety::GatedForce>);
 
-/// A small house of its own, gone at the end.
+/// A small source tree of its own, gone at the end.
 class PlantedHouse : public testing::Test {
  protected:
   void SetUp() override {
