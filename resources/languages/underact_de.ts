@@ -7078,7 +7078,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>How fast the guide moves along the curve; in a scene file, a negative speed moves it backwards.</source>
-        <translation>Wie schnell sich die Führung entlang der Kurve bewegt; in einer Szenendatei bewegt eine negative Geschwindigkeit sie rückwärts.</translation>
+        <translation>Wie schnell sich die Führung entlang der Kurve bewegt; in einer Szenendatei bewegt ein negatives Tempo sie rückwärts.</translation>
     </message>
     <message>
         <source>mm/s</source>
