@@ -234,9 +234,11 @@ constexpr SettingOf<Friction> kOfFriction[] = {
                                      .least = 0.0,
                                      .most = kMostFriction}))};
 
-constexpr const char* kSearchTip = TRANSLATE_NOOP("setting",
-                                                  "Nearest overall: the target may change to another part of the mesh. "
-                                                  "Along the surface: it stays on the sheet it is on.");
+// For a mesh and for a curve.
+constexpr const char* kSearchTip =
+    TRANSLATE_NOOP("setting",
+                   "Nearest overall: the target may change to another part of the mesh or curve. Along the surface: it "
+                   "stays on the part it is on.");
 
 constexpr SettingOf<Mesh> kOfMesh[] = {
     row::oneOf<&Mesh::search, kSearchWords, kSearchShown>(
@@ -267,7 +269,9 @@ constexpr SettingOf<CurveGuidance> kOfGuide[] = {
     row::member<&CurveGuidance::speed_mm_per_s>(
         {.key = "speed_mm_per_s",
          .label = TRANSLATE_NOOP("setting", "speed of the guide"),
-         .tip = TRANSLATE_NOOP("setting", "How fast the guide moves along the curve."),
+         .tip = TRANSLATE_NOOP(
+             "setting",
+             "How fast the guide moves along the curve; in a scene file, a negative speed moves it backwards."),
          .unit = TRANSLATE_NOOP("setting", "mm/s"),
          .least = -kFastest_mm_per_s,
          .most = kFastest_mm_per_s,

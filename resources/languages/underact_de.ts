@@ -7041,8 +7041,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Wie stark das Ziel beim Gleiten gebremst wird: Gleitreibungszahl, höchstens die Haftreibungszahl.</translation>
     </message>
     <message>
-        <source>Nearest overall: the target may change to another part of the mesh. Along the surface: it stays on the sheet it is on.</source>
-        <translation>Allernächster Punkt: Das Ziel kann auf einen anderen Teil des Dreiecksnetzes wechseln. Entlang der Oberfläche: Es bleibt auf dem Flächenstück, auf dem es ist.</translation>
+        <source>Nearest overall: the target may change to another part of the mesh or curve. Along the surface: it stays on the part it is on.</source>
+        <translation>Allernächster Punkt: Das Ziel kann auf einen anderen Teil des Dreiecksnetzes oder der Kurve wechseln. Entlang der Oberfläche: Es bleibt auf dem Teil, auf dem es ist.</translation>
     </message>
     <message>
         <source>search</source>
@@ -7077,8 +7077,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Tempo der Führung</translation>
     </message>
     <message>
-        <source>How fast the guide moves along the curve.</source>
-        <translation>Wie schnell sich die Führung entlang der Kurve bewegt.</translation>
+        <source>How fast the guide moves along the curve; in a scene file, a negative speed moves it backwards.</source>
+        <translation>Wie schnell sich die Führung entlang der Kurve bewegt; in einer Szenendatei bewegt ein negatives Tempo sie rückwärts.</translation>
     </message>
     <message>
         <source>mm/s</source>
