@@ -104,12 +104,14 @@ constexpr SettingOf<Control> kOfControl[] = {
     row::gain<&Gains::kd_N_s_per_mm, LawType::PD>(
         {.key = "kd_N_s_per_mm",
          .label = TRANSLATE_NOOP("setting", "damping"),
-         .tip = TRANSLATE_NOOP("setting", "Resists a change of the error: f = kd de/dt (derivative gain)."),
+         .tip = TRANSLATE_NOOP("setting",
+                               "Resists a change of the error: f = kd de/dt (derivative gain, for PD and PID)."),
          .unit = TRANSLATE_NOOP("setting", "N s/mm")}),
     row::gain<&Gains::ki_N_per_mm_s, LawType::PID>(
         {.key = "ki_N_per_mm_s",
          .label = TRANSLATE_NOOP("setting", "integral gain"),
-         .tip = TRANSLATE_NOOP("setting", "Removes an error that stays, over time: df/dt = ki e (integral gain)."),
+         .tip = TRANSLATE_NOOP("setting",
+                               "Removes an error that stays, over time: df/dt = ki e (integral gain, for PID)."),
          .unit = TRANSLATE_NOOP("setting", "N/(mm s)")}),
     row::oneOf<&Control::anisotropy, kAnisotropyWords, kAnisotropyShown>(
         {.key = "anisotropy",

@@ -6885,8 +6885,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dämpfung</translation>
     </message>
     <message>
-        <source>Resists a change of the error: f = kd de/dt (derivative gain).</source>
-        <translation>Widersteht einer Änderung des Fehlers: f = kd de/dt (Differentialverstärkung).</translation>
+        <source>Resists a change of the error: f = kd de/dt (derivative gain, for PD and PID).</source>
+        <translation>Widersteht einer Änderung des Fehlers: f = kd de/dt (Differentialverstärkung, für PD und PID).</translation>
     </message>
     <message>
         <source>N s/mm</source>
@@ -6897,8 +6897,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Integralverstärkung</translation>
     </message>
     <message>
-        <source>Removes an error that stays, over time: df/dt = ki e (integral gain).</source>
-        <translation>Baut einen bleibenden Fehler mit der Zeit ab: df/dt = ki e (Integralverstärkung).</translation>
+        <source>Removes an error that stays, over time: df/dt = ki e (integral gain, for PID).</source>
+        <translation>Baut einen bleibenden Fehler mit der Zeit ab: df/dt = ki e (Integralverstärkung, für PID).</translation>
     </message>
     <message>
         <source>N/(mm s)</source>
