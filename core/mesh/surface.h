@@ -16,6 +16,7 @@ struct Surface {
   std::vector<Face> neighbours;            // of each face across AB, BC, CA; -1: none (a border, or not manifold)
   std::vector<Eigen::Vector3f> normals_M;  // of each corner: the sum of its faces' normals weighted by angle, unit
   std::vector<Node> nodes;                 // the root first
+  Vec3 origin_M = Vec3::Zero();            // where its corners' own origin is in the frame of its file
   bool is_closed = false;                  // parts the space: every edge has two faces that go along it oppositely
   Eigen::Vector3f low_M, high_M;           // its bounds
   std::uint64_t mark = 0;                  // of its corners and faces: tells it from others
@@ -24,7 +25,11 @@ struct Surface {
 /// triangles: 1 to 2^27 faces of three different corners that are there, finite. Allocates; seconds for millions of
 /// faces, in as many threads as there are processors; equal triangles give equal surfaces to the bit. Problems: none of
 /// these, cancelled.
-Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Watch& watch = {});
+Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Watch& watch = {},
+                                                   const Vec3& origin_M = Vec3::Zero());
+
+/// The same, of which nobody says that it parts the space.
+std::shared_ptr<const Surface> withoutInside(const Surface& surface);
 
 /// Bounds and mark, from its corners (one at least) and faces.
 void complete(Surface& surface);

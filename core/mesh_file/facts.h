@@ -4,6 +4,13 @@
 
 namespace underact::mesh_file {
 
+/// How inside and outside of a mesh are told apart.
+enum class Inside : std::int64_t {
+  AsItIs,  // its faces part the two, or cannot
+  United,  // where its winding number is above 0; what is felt is the surface of that, not its own faces
+  Unsure,  // they cross more often than is looked at: nobody can tell
+};
+
 /// What was found in a mesh, what was done about it, and what it is now. Lengths in the mesh's own unit.
 struct Facts {
   // As the file has it
@@ -26,6 +33,12 @@ struct Facts {
   std::int64_t flat_faces = 0;         // three different corners on one line
   std::int64_t crossings = 0;          // pairs of faces, without a corner in common, that go through each other
   std::int64_t crossings_checked = 0;  // 1: all of them were looked for; 0: too many faces
+  // What is felt of it
+  Inside inside = Inside::AsItIs;
+  std::int64_t felt_faces = 0, felt_corners = 0;  // of the surface that is felt
+  std::int64_t closed_holes = 0;                  // small ones, so that there is an inside
+  double longest_closed_hole = 0.0;               // the way around it
+  std::int64_t within = 0;                        // faces that lie within bodies, and are not felt
   double thinnest = 0.0;  // of closed parts: twice the volume by the area, the mean thickness; 0: no such part
   std::array<double, 3> low{}, high{};
   double area = 0.0, volume = 0.0;  // volume: of the closed parts

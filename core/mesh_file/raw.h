@@ -16,7 +16,8 @@ struct Dropped {
 
 /// A mesh as it stands in its file, its polygons cut into triangles.
 struct Raw {
-  mesh::Triangles triangles;  // finite, indexes in range
+  mesh::Triangles triangles;     // finite, indexes in range
+  Vec3 origin_M = Vec3::Zero();  // of the file's frame, that is 0 in that of the triangles
   Dropped dropped;
   std::int64_t polygons = 0;         // faces as the file has them, those left out among them
   std::int64_t normals = 0;          // that the file gives for faces, and

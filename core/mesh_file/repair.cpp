@@ -36,8 +36,8 @@ void dropUnusable(Triangles& triangles, Facts& facts) {
   });
 }
 
-/// Corners in the order of their first use, and those alone.
-void compact(Triangles& triangles) {
+/// Corners in the order of their first use, and those alone. also: faces without a corner of their own.
+void compact(Triangles& triangles, std::vector<Face>* also = nullptr) {
   std::vector<std::int32_t> now(triangles.p_MV.size(), -1);
   std::vector<Eigen::Vector3f> p_MV;
   for (Face& face : triangles.faces) {
@@ -51,6 +51,10 @@ void compact(Triangles& triangles) {
     }
   }
   triangles.p_MV = std::move(p_MV);
+  if (also == nullptr) return;
+  for (Face& face : *also) {
+    for (std::int32_t& corner : face) corner = now[static_cast<std::size_t>(corner)];
+  }
 }
 
 void setBounds(const Triangles& triangles, Facts& facts) {
@@ -169,10 +173,10 @@ std::optional<Repaired> repair(Triangles triangles, const Watch& watch) {
   if (watch.isCancelled() || !weldAll(triangles, facts, watch)) return {};
   watch.tell(kStep, 0.3);
   dropEmpty(triangles, facts);
-  const std::optional<std::int64_t> duplicates = dropDuplicates(triangles, watch);
+  std::optional<std::vector<Face>> duplicates = dropDuplicates(triangles, watch);
   if (!duplicates) return {};
-  facts.duplicates = *duplicates;
-  compact(triangles);
+  facts.duplicates = static_cast<std::int64_t>(duplicates->size());
+  compact(triangles, &*duplicates);
   setBounds(triangles, facts);
   watch.tell(kStep, 0.5);
   if (watch.isCancelled()) return {};
@@ -195,7 +199,7 @@ std::optional<Repaired> repair(Triangles triangles, const Watch& watch) {
   facts.crossings_checked = crossings.is_whole ? 1 : 0;
   if (watch.isCancelled()) return {};
   watch.tell(kStep, 1.0);
-  return Repaired{std::move(triangles), facts};
+  return Repaired{std::move(triangles), facts, std::move(*duplicates)};
 }
 
 }  // namespace underact::mesh_file

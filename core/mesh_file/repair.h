@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "core/base/watch.h"
 #include "core/mesh/triangles.h"
@@ -10,6 +11,7 @@ namespace underact::mesh_file {
 struct Repaired {
   mesh::Triangles triangles;  // finite; of each face three different corners; corners in order of first use
   Facts facts;
+  std::vector<mesh::Face> twice = {};  // that were left out as duplicates, as the file has them
 };
 
 /// Corners nearer to each other than this share of the mesh's diagonal become one.

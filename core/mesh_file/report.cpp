@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/translate.h"
+#include "core/mesh_file/union_report.h"
 
 namespace underact::mesh_file {
 namespace {
@@ -71,38 +72,11 @@ void addRepaired(const Facts& facts, double mm_per_unit, std::vector<Sentence>& 
   }
 }
 
-Sentence partsOf(const Facts& facts) {
-  const std::string parts = std::to_string(facts.parts);
-  if (facts.nested_parts == 0)
-    return said(TRANSLATE_NOOP("problem", "The mesh is in %1 parts that do not hang together."), {parts});
-  return said(TRANSLATE_NOOP("problem",
-                             "The mesh is in %1 parts that do not hang together, %2 of them within others: a hollow "
-                             "is felt from within."),
-              {parts, std::to_string(facts.nested_parts)});
-}
-
-Sentence crossingsOf(const Facts& facts) {
-  if (facts.crossings_checked == 0) {
-    return counted(facts.crossings,
-                   TRANSLATE_NOOP("problem",
-                                  "The surface goes through itself, at least %1 pair of faces. Near there, outside "
-                                  "and inside may be wrong."),
-                   TRANSLATE_NOOP("problem",
-                                  "The surface goes through itself, at least %1 pairs of faces. Near there, outside "
-                                  "and inside may be wrong."));
-  }
-  return counted(facts.crossings,
-                 TRANSLATE_NOOP("problem",
-                                "The surface goes through itself, at %1 pair of faces. Near there, outside and "
-                                "inside may be wrong."),
-                 TRANSLATE_NOOP("problem",
-                                "The surface goes through itself, at %1 pairs of faces. Near there, outside and "
-                                "inside may be wrong."));
-}
-
 void addWhatIsLeft(const Facts& facts, double mm_per_unit, std::vector<Sentence>& report) {
-  if (facts.parts > 1) report.push_back(partsOf(facts));
-  if (facts.borders > 0) {
+  if (facts.parts > 1) report.push_back(partsReport(facts));
+  if (facts.closed_holes > 0) {
+    report.push_back(holesReport(facts, mm_per_unit));
+  } else if (facts.borders > 0) {
     report.push_back(counted(
         facts.borders,
         TRANSLATE_NOOP("problem",
@@ -125,8 +99,8 @@ void addWhatIsLeft(const Facts& facts, double mm_per_unit, std::vector<Sentence>
                                "The surface has no outside: at %1 edges its faces cannot agree, as on a strip that is "
                                "twisted once.")));
   }
-  if (facts.crossings > 0) {
-    report.push_back(crossingsOf(facts));
+  if (const Sentence crosses = crossingReport(facts); !crosses.empty()) {
+    report.push_back(crosses);
   } else if (facts.crossings_checked == 0 && facts.faces > 0) {
     report.push_back(said(
         TRANSLATE_NOOP("problem",
@@ -159,17 +133,37 @@ void addWhatItMeans(const Facts& facts, double mm_per_unit, std::vector<Sentence
 
 }  // namespace
 
+Sentence partsReport(const Facts& facts) {
+  if (facts.parts <= 1) return {};
+  const std::string parts = std::to_string(facts.parts);
+  if (facts.nested_parts == 0)
+    return said(TRANSLATE_NOOP("problem", "The mesh is in %1 parts that do not hang together."), {parts});
+  return said(TRANSLATE_NOOP("problem",
+                             "The mesh is in %1 parts that do not hang together, %2 of them within others: a hollow "
+                             "is felt from within."),
+              {parts, std::to_string(facts.nested_parts)});
+}
+
+Sentence holesReport(const Facts& facts, double mm_per_unit) {
+  if (facts.closed_holes == 0) return {};
+  return counted(
+      facts.closed_holes, TRANSLATE_NOOP("problem", "%1 hole, %2 around, was closed, so that the mesh has an inside."),
+      TRANSLATE_NOOP("problem", "%1 holes, the longest %2 around, were closed, so that the mesh has an inside."),
+      lengthText(facts.longest_closed_hole, mm_per_unit));
+}
+
 bool allowsWalls(const Facts& facts) {
-  return isClosed(facts);
+  return facts.inside == Inside::United || (isClosed(facts) && facts.inside == Inside::AsItIs);
 }
 
 Sentence whyNoWalls(const Facts& facts) {
+  if (allowsWalls(facts)) return {};
   if (facts.faces == 0) return said(TRANSLATE_NOOP("problem", "it has no faces"));
   if (facts.border_edges > 0) return said(TRANSLATE_NOOP("problem", "it is open, so that it has no inside"));
   if (facts.clashing_edges > 0) return said(TRANSLATE_NOOP("problem", "its faces cannot agree on an outside"));
   if (facts.crowded_edges > 0)
     return said(TRANSLATE_NOOP("problem", "edges with more than two faces leave open what is inside"));
-  return {};
+  return said(TRANSLATE_NOOP("problem", "it crosses itself too often to tell inside from outside"));
 }
 
 std::vector<Sentence> reportOf(const Facts& facts, double mm_per_unit) {

@@ -76,8 +76,7 @@ TEST(MeshReport, SaysWhatIsLeftAndWhatItMeans) {
                  "1 edge has more than two faces.",
                  "The surface has no outside: at 2 edges its faces cannot agree, as on a strip that is twisted "
                  "once.",
-                 "The surface goes through itself, at 9 pairs of faces. Near there, outside and inside may be "
-                 "wrong.",
+                 "The surface crosses itself, at 9 pairs of faces.",
                  "2 faces are as narrow as a line. They stay, since they close seams.",
                  "A part of it is thin, 0.25 mm in the mean: the stylus may be pushed through it.",
                  "The mesh can be felt from both sides only: it is open, so that it has no inside."}));
@@ -102,7 +101,37 @@ TEST(MeshReport, SaysWhereCrossingsWereNotLookedFor) {
             "Whether the surface goes through itself was not looked for, or not to the end: it has too many faces, or "
             "too many near each other.");
   facts.crossings = 3;
-  EXPECT_TRUE(reportOf(facts, 1.0)[0].starts_with("The surface goes through itself, at least 3 pairs of faces."));
+  EXPECT_EQ(reportOf(facts, 1.0)[0], "The surface crosses itself, at 3 pairs of faces or more.");
+}
+
+TEST(MeshReport, SaysWhatIsFeltOfAMeshThatCrossesItself) {
+  Facts facts = closedFacts();
+  facts.crossings = 4;
+  facts.within = 1;
+  facts.inside = Inside::United;
+  EXPECT_EQ(reportOf(facts, 1.0),
+            (Sentences{"The surface crosses itself, at 4 pairs of faces. You feel the surface of the whole body, "
+                       "without walls inside it: 1 face there was left out.",
+                       kClosed}));
+  EXPECT_TRUE(allowsWalls(facts));
+  facts.crossings = 0;
+  facts.within = 0;
+  facts.crowded_edges = 2;  // bodies that meet in an edge
+  EXPECT_EQ(reportOf(facts, 1.0)[1],
+            "Parts touch or contain each other. You feel the surface of the whole body, without walls inside it.");
+  EXPECT_TRUE(allowsWalls(facts));
+}
+
+TEST(MeshReport, RefusesAWallWhereInsideCannotBeTold) {
+  Facts facts = closedFacts();
+  facts.crossings = 1'000'000;
+  facts.inside = Inside::Unsure;
+  EXPECT_FALSE(allowsWalls(facts));
+  EXPECT_EQ(
+      reportOf(facts, 1.0),
+      (Sentences{"The surface crosses itself, at 1000000 pairs of faces. Inside and outside cannot be told apart.",
+                 "The mesh can be felt from both sides only: it crosses itself too often to tell inside from "
+                 "outside."}));
 }
 
 std::vector<double> scalesOf(double largest_mm) {
