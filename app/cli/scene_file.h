@@ -21,6 +21,9 @@ Result<LoadedScene> loadScene(const std::string& path, const Streams& streams);
 /// One line a problem.
 void print(const Problems& problems, std::ostream& stream);
 
+/// What is worth knowing of a scene in which nothing is wrong, a line each: see scene::meshNotes().
+void printNotes(const LoadedScene& scene, std::ostream& stream);
+
 /// File where something could not be read at all; else BadInput.
 Exit exitOf(const Problems& problems);
 

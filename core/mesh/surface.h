@@ -18,8 +18,9 @@ struct Surface {
   std::vector<Node> nodes;                 // the root first
   Vec3 origin_M = Vec3::Zero();            // where its corners' own origin is in the frame of its file
   bool is_closed = false;                  // parts the space: every edge has two faces that go along it oppositely
-  Eigen::Vector3f low_M, high_M;           // its bounds
-  std::uint64_t mark = 0;                  // of its corners and faces: tells it from others
+  bool is_united = false;         // faces that were cut, in floats: of two that nearly touch, either may be before
+  Eigen::Vector3f low_M, high_M;  // its bounds
+  std::uint64_t mark = 0;         // of its corners and faces: tells it from others
 };
 
 /// triangles: 1 to 2^27 faces of three different corners that are there, finite. Allocates; seconds for millions of
@@ -28,8 +29,9 @@ struct Surface {
 Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Watch& watch = {},
                                                    const Vec3& origin_M = Vec3::Zero());
 
-/// The same, of which nobody says that it parts the space.
-std::shared_ptr<const Surface> withoutInside(const Surface& surface);
+/// The same, but for one of these.
+std::shared_ptr<const Surface> withoutInside(const Surface& surface);  // not is_closed
+std::shared_ptr<const Surface> asUnited(const Surface& surface);       // is_united
 
 /// Bounds and mark, from its corners (one at least) and faces.
 void complete(Surface& surface);

@@ -8,6 +8,7 @@
 #include "core/base/integration.h"
 #include "core/base/result.h"
 #include "core/base/types.h"
+#include "core/mesh_file/facts.h"
 #include "core/target/target.h"
 #include "core/tick/program.h"
 
@@ -96,8 +97,9 @@ struct Mesh {
   mesh::Search search = mesh::Search::Hybrid;
   double smooth_deg = 0.0;    // how far the force may lean from the faces' own normals, so that bends feel round
   std::string checksum = {};  // of the file's content, where the scene says it (recorded ones do)
-  std::shared_ptr<const mesh::Surface> surface = {};  // what loadMeshes() found in the file; null before
-  std::string loaded_checksum = {};                   // of what was found there
+  std::shared_ptr<const mesh::Surface> surface = {};   // what loadMeshes() found in the file; null before
+  std::string loaded_checksum = {};                    // of what was found there
+  std::shared_ptr<const mesh_file::Facts> facts = {};  // that were found about it
   /// What the scene says; what was found in the file does not count.
   bool operator==(const Mesh& other) const;
 };
