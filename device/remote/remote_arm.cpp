@@ -236,8 +236,9 @@ Sentence RemoteArm::trouble() const {
   if (!trouble_.empty()) return ofArmAt(endpoint_.address, trouble_);
   if (missed_ >= kSilentReads)
     return said(
-        TRANSLATE_NOOP("problem",
-                       "The arm at %1 sends nothing. Check the network and the sharing program on its computer."),
+        TRANSLATE_NOOP(
+            "problem",
+            "The arm at %1 no longer sends anything. Check the network and the sharing program on its computer."),
         {endpoint_.address.text()});
   return {};
 }

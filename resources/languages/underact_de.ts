@@ -5984,8 +5984,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Arm bei %1 behält die Taktrate, mit der er geöffnet wurde. Wählen Sie den simulierten Arm, dann die Taktrate, und öffnen Sie ihn wieder.</translation>
     </message>
     <message>
-        <source>The arm at %1 sends nothing. Check the network and the sharing program on its computer.</source>
-        <translation>Vom Arm bei %1 kommt nichts. Prüfen Sie das Netz und das Programm, das ihn an seinem Rechner freigibt.</translation>
+        <source>The arm at %1 no longer sends anything. Check the network and the sharing program on its computer.</source>
+        <translation>Vom Arm bei %1 kommt nichts mehr. Prüfen Sie das Netz und das Programm, das ihn an seinem Rechner freigibt.</translation>
     </message>
     <message>
         <source>%1 at %2</source>
