@@ -103,10 +103,9 @@ class Schema {
       if (keys == nullptr) return false;
       if (std::string_view(setting.key) == "filter") continue;  // what tells the filters apart: a constant of each
       // What many types have stands in a part of its own, "side"; a type may add to the description.
-      Value* const shared = defs_->find(setting.key) == nullptr ? nullptr : member(*defs_, setting.key);
-      if (shared != nullptr) *shared = schemaOf(setting, use.usual);
-      if (shared == nullptr) set(*keys, setting.key, schemaOf(setting, use.usual));
-      if (shared != nullptr && member(*keys, setting.key) == nullptr) {
+      Value* const shared = part(setting.key);
+      set(shared == nullptr ? *keys : *defs_, setting.key, schemaOf(setting, use.usual));
+      if (shared != nullptr && keys->find(setting.key) == nullptr) {
         Value ref = emptyOf(Kind::Object);
         set(ref, "$ref", textValue(std::string(kDefs) + setting.key));
         set(*keys, setting.key, std::move(ref));
@@ -118,7 +117,7 @@ class Schema {
   const Value& root() const { return root_; }
 
  private:
-  Value* part(const std::string& name) { return defs_ == nullptr ? nullptr : member(*defs_, name); }
+  Value* part(const std::string& name) { return member(*defs_, name); }
 
   std::vector<Value*> objectsOf(const Setting& setting, const SettingUse& use) {
     const std::string object = setting.object;

@@ -13,10 +13,6 @@ using page::escaped;
 
 constexpr std::string_view kPictures = "../pictures/";
 
-bool startsWith(const std::string& text, std::string_view start) {
-  return text.compare(0, start.size(), start) == 0;
-}
-
 std::string linkTo(const Entry& entry, const std::string& attributes, const std::string& before = {}) {
   return "<a href=\"" + entry.name + ".html\"" + attributes + ">" + before + escaped(entry.page.title) + "</a>";
 }
@@ -107,21 +103,20 @@ void addDarkPictures(const Guide& guide, std::string& html) {
 
 std::string darkPicture(const Guide& guide, const std::string& picture) {
   const std::size_t dot = picture.rfind('.');
-  if (!startsWith(picture, kPictures) || dot == std::string::npos) return {};
-  const std::string light = "_light";
+  if (!picture.starts_with(kPictures) || dot == std::string::npos) return {};
+  constexpr std::string_view kLight = "_light";
   std::string stem = picture.substr(0, dot);
-  if (stem.size() > light.size() && stem.compare(stem.size() - light.size(), light.size(), light) == 0)
-    stem.resize(stem.size() - light.size());
+  if (stem.ends_with(kLight)) stem.resize(stem.size() - kLight.size());
   const std::string dark = stem + "_dark" + picture.substr(dot);
   std::error_code error;
   return std::filesystem::is_regular_file(std::filesystem::path(guide.folder) / dark, error) ? dark : "";
 }
 
 std::string siteLink(const std::string& link) {
-  if (startsWith(link, kPictures)) return "pictures/" + link.substr(kPictures.size());
-  if (startsWith(link, "scene:")) return "scene_list.html#" + link.substr(6);
-  if (startsWith(link, "lesson:")) return "lessons.html";
-  if (startsWith(link, "action:")) return "window.html";
+  if (link.starts_with(kPictures)) return "pictures/" + link.substr(kPictures.size());
+  if (link.starts_with("scene:")) return "scene_list.html#" + link.substr(6);
+  if (link.starts_with("lesson:")) return "lessons.html";
+  if (link.starts_with("action:")) return "window.html";
   const Target target = targetOf(link);
   if (!target.is_page) return link;
   return (target.page.empty() ? "" : target.page + ".html") + (target.anchor.empty() ? "" : "#" + target.anchor);

@@ -61,7 +61,7 @@ void readConstraints(ObjectReader& object, std::vector<Constraint>& into) {
 
 void readTexts(ObjectReader& object, Description& into) {
   Findings& findings = object.findings();
-  into.title = "untitled";  // a valid placeholder
+  into.title = "untitled";  // so that the title check adds no second problem
   if (const json::Value* title = object.find("title", true)) readText(*title, "title", into.title, findings);
   if (const json::Value* about = object.find("about")) readText(*about, "about", into.about, findings);
   if (const json::Value* arm = object.find("arm")) readText(*arm, "arm", into.arm, findings);
