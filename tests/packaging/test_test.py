@@ -98,9 +98,21 @@ class Test(Scripts):
         self.assertEqual(lines[at + 1], "  SKIPPED: duk isn't <there>")
         self.assertIn("packaging/install-deps check package", lines[at + 2])
 
+    def test_what_a_slow_machine_does_not_begin_is_named_and_not_counted_as_passed(self):
+        status, lines, calls = self.run_it("--strict", "--sanitizers", "--within", "0")
+        self.assertEqual((status, lines[-1]), (0, "30 passed, 0 failed"))
+        self.assertEqual(len([call for call in calls if call.startswith("ctest")]), 1)
+        self.assertNotIn("each_alone build/alone", calls)
+        at = lines.index("3 skipped, in whole or in part:")
+        left_out = [line.split(",")[0] for line in lines[at + 1 : at + 4]]
+        self.assertEqual(left_out, [f"  SKIPPED: {name}" for name in ("ASan and UBSan", "TSan", "each file alone")])
+
     def test_other_words_are_refused_before_anything_is_done(self):
         status, _, calls = self.run_it("--sanitiser")
         self.assertEqual((status, calls), (2, []))
+        for wrong in ([], ["soon"], ["-1"]):
+            status, _, calls = self.run_it("--within", *wrong)
+            self.assertEqual((status, calls), (2, []))
 
 
 if __name__ == "__main__":
