@@ -17,6 +17,12 @@ bool allowsWalls(const Facts& facts);
 /// Why they are not; empty: they are.
 Sentence noWallsReason(const Facts& facts);
 
+/// In how many parts it is; empty: in one.
+Sentence partsReport(const Facts& facts);
+
+/// The holes that were closed; empty: none.
+Sentence holesReport(const Facts& facts, double mm_per_unit);
+
 /// A unit that the file may have been written in.
 struct Unit {
   const char* name;    // "metres", marked for translators

@@ -1,0 +1,44 @@
+#pragma once
+#include <vector>
+
+#include "core/mesh/triangles.h"
+#include "core/mesh_union/big.h"
+
+namespace underact::mesh_union {
+
+/// A corner in whole steps of a grid: below 2^25 in magnitude, so that what is decided of crossings is exact.
+using GridPoint = std::array<std::int64_t, 3>;
+
+/// The corners of a mesh, each moved to the nearest point of a grid of 2^26 steps or nearly so along its largest
+/// extent: 1.5e-8 of it. Coordinates are those from its centre.
+struct Grid {
+  Vec3 centre_M = Vec3::Zero();
+  double steps = 1.0;  // a unit, a power of two
+  std::vector<GridPoint> points;
+};
+Grid gridOf(const std::vector<Eigen::Vector3f>& p_MV);
+
+/// n . x = d; n below 2^54, d below 2^81. The normal of a face as its corners go around, not of length 1.
+struct Plane {
+  std::array<std::int64_t, 3> n{};
+  Wide d = 0;
+  bool isThere() const { return n[0] != 0 || n[1] != 0 || n[2] != 0; }
+};
+Plane planeOf(const GridPoint& a, const GridPoint& b, const GridPoint& c);
+
+/// The plane through a and b along the axis.
+Plane planeAlong(const GridPoint& a, const GridPoint& b, std::size_t axis);
+
+/// n . p - d.
+Wide heightOf(const Plane& plane, const GridPoint& p);
+
+/// The sign of the volume of abcd: above 0 where d is on the side from which a, b, c go around clockwise.
+int orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d);
+
+/// The axis along which a plane is looked at: the one of its normal's largest coordinate.
+std::size_t axisOf(const Plane& plane);
+
+/// Above 0: a, b, c go around counterclockwise as seen along the axis, on the coordinates after it.
+int turnOf(std::size_t axis, const GridPoint& a, const GridPoint& b, const GridPoint& c);
+
+}  // namespace underact::mesh_union

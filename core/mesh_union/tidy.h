@@ -1,0 +1,16 @@
+#pragma once
+#include <cstdint>
+
+#include "core/mesh/triangles.h"
+
+namespace underact::mesh_union {
+
+/// Takes away what is so short or narrow that rounding to floats could turn it over: edges shorter than `least` are
+/// drawn together, and of triangles that are lower the longest edge goes to the other diagonal. Nothing moves by more
+/// than some of `least`. Only faces and corners that are marked are changed; each edge keeps two faces.
+struct Made {
+  std::vector<std::uint8_t> faces, corners;
+};
+void tidy(mesh::Triangles& triangles, const Made& made, double least);
+
+}  // namespace underact::mesh_union
