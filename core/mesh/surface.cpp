@@ -114,6 +114,12 @@ std::shared_ptr<const Surface> withoutInside(const Surface& surface) {
   return open;
 }
 
+std::shared_ptr<const Surface> asUnited(const Surface& surface) {
+  auto united = std::make_shared<Surface>(surface);
+  united->is_united = true;
+  return united;
+}
+
 std::size_t bytesOf(const Surface& surface) {
   const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
   return sizeof(Surface) + bytes(surface.triangles.p_MV) + bytes(surface.triangles.faces) + bytes(surface.neighbours) +

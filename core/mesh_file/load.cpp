@@ -80,6 +80,7 @@ Result<Loaded> build(const Input& input, const TaskMonitor& monitor) {
   loaded.surface = std::move(surface).value();
   loaded.facts = repaired->facts;
   if (loaded.surface->is_closed && !allowsWalls(loaded.facts)) loaded.surface = mesh::withoutInside(*loaded.surface);
+  if (loaded.facts.inside == Inside::United) loaded.surface = mesh::asUnited(*loaded.surface);
   return loaded;
 }
 

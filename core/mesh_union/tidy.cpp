@@ -18,12 +18,12 @@ std::size_t placeIn(const Face& face, std::int32_t corner) {
 
 class Tidying {
  public:
-  Tidying(mesh::Triangles& triangles, const Made& made, double least)
-      : triangles_(triangles), made_(made), least_(least) {
+  Tidying(mesh::Triangles& triangles, Made made, double least)
+      : triangles_(triangles), made_(std::move(made)), least_(least) {
     around_.resize(triangles.p_MV.size());
     for (std::size_t face = 0; face < triangles.faces.size(); ++face) {
       for (const std::int32_t corner : triangles.faces[face]) at(corner).push_back(static_cast<std::int32_t>(face));
-      if (made.faces[face] != 0) waiting_.push_back(static_cast<std::int32_t>(face));
+      if (made_.faces[face] != 0) waiting_.push_back(static_cast<std::int32_t>(face));
     }
     is_gone_.assign(triangles.faces.size(), 0);
   }
@@ -64,7 +64,37 @@ class Tidying {
       const std::int32_t a = face[shortest], b = face[(shortest + 1) % 3];
       if (collapse(a, b) || collapse(b, a)) return;
     }
-    if (heightOf(face) < least_) flip(index, longest);
+    if (heightOf(face) < least_) {
+      flip(index, longest, Why::Low);
+      return;
+    }
+    for (std::size_t side = 0; side < 3; ++side) {
+      if (isFolded(index, side)) {
+        flip(index, side, Why::Folded);
+        return;
+      }
+    }
+  }
+
+  /// The other face at a side; -1: there is none.
+  std::int32_t across(std::int32_t index, std::size_t side) {
+    const Face& face = faceAt(index);
+    for (const std::int32_t one : at(face[side])) {
+      if (one != index && has(faceAt(one), face[(side + 1) % 3])) return one;
+    }
+    return -1;
+  }
+
+  /// The face lies on the one across the side, back to back or front to front, and nowhere is more between them: a gap
+  /// or a blade that is narrower than floats can tell. Only one of the two sees it, the one with less behind the side.
+  bool isFolded(std::int32_t index, std::size_t side) {
+    const std::int32_t other = across(index, side);
+    if (other < 0) return false;
+    const Face &face = faceAt(index), &beside = faceAt(other);
+    const Vec3 own = areaOf(face), its = areaOf(beside);
+    if (!(own.dot(its) < 0.0) || own.norm() > its.norm()) return false;
+    const double between = std::abs(its.dot(p(face[(side + 2) % 3]) - p(face[side])));
+    return between < least_ * its.norm();
   }
 
   /// Of the corners that share a face with it, in order.
@@ -113,29 +143,35 @@ class Tidying {
     return true;
   }
 
-  void flip(std::int32_t index, std::size_t side) {
+  enum class Why { Low, Folded };
+
+  void flip(std::int32_t index, std::size_t side, Why why) {
     const Face face = faceAt(index);
     const std::int32_t a = face[side], b = face[(side + 1) % 3], c = face[(side + 2) % 3];
-    std::int32_t other = -1;
-    for (const std::int32_t one : at(a)) {
-      if (one != index && has(faceAt(one), b)) other = one;
-    }
-    if (other < 0 || made_.faces[static_cast<std::size_t>(other)] == 0) return;
-    const Face across = faceAt(other);
-    const std::int32_t d = across[(placeIn(across, b) + 2) % 3];
+    const std::int32_t other = across(index, side);
+    if (other < 0) return;
+    const Face beyond = faceAt(other);
+    const std::int32_t d = beyond[(placeIn(beyond, b) + 2) % 3];
     const std::vector<std::int32_t> of_c = beside(c);
     if (d == c || std::binary_search(of_c.begin(), of_c.end(), d)) return;
     const Face one{a, d, c}, two{d, b, c};
-    if (!staysUp(across, one) || !staysUp(across, two)) return;
-    if (std::min(heightOf(one), heightOf(two)) < std::min(heightOf(face), heightOf(across))) return;  // no better
+    if (!staysUp(beyond, one) || !staysUp(beyond, two)) return;
+    const bool is_better = std::min(heightOf(one), heightOf(two)) >= std::min(heightOf(face), heightOf(beyond));
+    if (why == Why::Low && !is_better) return;
     faceAt(index) = one;
     faceAt(other) = two;
+    made_.faces[static_cast<std::size_t>(other)] = 1;
     std::erase(at(a), other);
     std::erase(at(b), index);
     at(d).push_back(index);
     at(c).push_back(other);
     again(index);
     again(other);
+    for (std::size_t k = 0; k < 3; ++k) {  // which may be folded on what is beside them now
+      for (const std::int32_t changed : {index, other}) {
+        if (const std::int32_t next = across(changed, k); next >= 0) again(next);
+      }
+    }
   }
 
   void again(std::int32_t face) {
@@ -143,7 +179,7 @@ class Tidying {
   }
 
   mesh::Triangles& triangles_;
-  const Made& made_;
+  Made made_;
   double least_;
   std::vector<std::vector<std::int32_t>> around_;  // of each corner: its faces
   std::vector<std::uint8_t> is_gone_;

@@ -4,6 +4,7 @@
 
 #include "tests/cli/session.h"
 #include "tests/core/mesh_file/some_meshes.h"
+#include "tests/support/crossed_bodies.h"
 
 namespace underact::test {
 namespace {
@@ -65,6 +66,33 @@ TEST_F(MeshInfo, ADamagedFileIsBadInputAndOneThatIsNotThereAFile) {
   EXPECT_EQ(runCli({"mesh", "info", folder_.path() + "/none.stl", bad}).exit, Exit::File);
   EXPECT_EQ(runCli({"mesh", "info"}).exit, Exit::Usage);
   EXPECT_EQ(runCli({"mesh", "info", good, "--scale_mm_per_unit", "0"}).exit, Exit::Usage);
+}
+
+TEST_F(MeshInfo, OfAMeshThatCrossesItselfSaysWhatIsFelt) {
+  const std::string path = folder_.write(
+      "two.stl", stlBinary(soup(together({boxOf({-20, -20, -20}, {20, 20, 0}), boxOf({0, -20, -10}, {20, 20, 20})}))));
+  const json::Value object = lines(runCli({"mesh", "info", path, "--json"}).out).at(0);
+  EXPECT_EQ(numberAt(object, "parts"), 2);
+  EXPECT_GT(numberAt(object, "crossings"), 0);
+  EXPECT_EQ(numberAt(object, "faces_within"), 2);
+  const Outcome table = runCli({"mesh", "info", path});
+  EXPECT_NE(table.out.find("You feel the surface of the whole body"), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("both, outside, inside"), std::string::npos);
+  const std::string scene = folder_.write("two.json", R"({
+  "underact_scene": 1, "title": "Two boxes", "control": {"law": "P", "kp_N_per_mm": 0.5},
+  "constraints": [{"name": "body", "type": "mesh", "file": "two.stl", "side": "outside"}]
+})");
+  const Outcome checked = runCli({"scene", "check", scene});
+  EXPECT_EQ(checked.exit, Exit::Well);
+  EXPECT_NE(checked.out.find("two.json:3: note: The mesh \"two.stl\": The mesh is in 2 parts"), std::string::npos)
+      << checked.out;
+  EXPECT_EQ(checked.out.find("reach"), std::string::npos);
+  const std::string large = folder_.write("large.json", R"({
+  "underact_scene": 1, "title": "Two boxes", "control": {"law": "P", "kp_N_per_mm": 0.5},
+  "constraints": [{"name": "body", "type": "mesh", "file": "two.stl", "scale_mm_per_unit": 250}]
+})");
+  EXPECT_NE(runCli({"scene", "check", large}).out.find("It is 10000 mm long, far beyond the arm's reach"),
+            std::string::npos);
 }
 
 }  // namespace

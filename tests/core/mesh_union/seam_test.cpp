@@ -20,7 +20,7 @@ constexpr double kDepth = 0.3;  // mm, behind both faces of a seam
 std::shared_ptr<const Surface> surfaceOf(Triangles triangles) {
   const Outcome outcome = unite(triangles, 1e-5, {}).outcome;
   EXPECT_TRUE(outcome == Outcome::Made || outcome == Outcome::AsItWas) << static_cast<int>(outcome);
-  return mesh::makeSurface(std::move(triangles)).value();
+  return mesh::asUnited(*mesh::makeSurface(std::move(triangles)).value());
 }
 
 /// An edge at which a hand can rest: its faces turn towards each other.
