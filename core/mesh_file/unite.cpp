@@ -41,7 +41,9 @@ bool uniteRepaired(Repaired& repaired, const TaskMonitor& monitor) {
     facts.closed_holes = holes->count;
     facts.longest_closed_hole = holes->longest;
   }
-  mesh_union::Union made = mesh_union::unite(triangles, 0.25 * facts.weld_tolerance, monitor);
+  // Pieces of a convex decomposition end at one plane, but for the rounding of each: the gap is no place to be.
+  mesh_union::Union made =
+      mesh_union::unite(triangles, 0.25 * facts.weld_tolerance, 2.0 * facts.weld_tolerance, monitor);
   monitor.report(step, 1.0);
   if (made.outcome == mesh_union::Outcome::AsItWas && facts.closed_holes > 0) made.outcome = mesh_union::Outcome::Made;
   switch (made.outcome) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/base/trig.h"
+
 namespace underact::mesh_union {
 namespace {
 
@@ -30,13 +32,33 @@ Grid gridOf(const std::vector<Eigen::Vector3f>& p_MV) {
   }
   grid.centre_M = 0.5 * (low + high);
   const double half = 0.5 * (high - low).maxCoeff();
-  if (half > 0.0) grid.steps = std::ldexp(1.0, 24 - std::ilogb(half));  // half becomes 2^24 to 2^25
+  if (half > 0.0) grid.steps = std::ldexp(1.0, 23 - std::ilogb(half));  // half becomes 2^23 to 2^24
   grid.points.reserve(p_MV.size());
   for (const Eigen::Vector3f& p : p_MV) {
     const Vec3 at = grid.steps * (p.cast<double>() - grid.centre_M);
     grid.points.push_back({std::llround(at.x()), std::llround(at.y()), std::llround(at.z())});
   }
   return grid;
+}
+
+void widen(Grid& grid, const std::vector<mesh::Face>& faces, double steps) {
+  std::vector<Vec3> sums(grid.points.size(), Vec3::Zero());
+  for (const mesh::Face& face : faces) {
+    const auto at = [&](std::size_t k) -> Vec3 {
+      const GridPoint& p = grid.points[static_cast<std::size_t>(face[k % 3])];
+      return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+    };
+    const Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0)).stableNormalized();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 to_next = at(k + 1) - at(k), to_last = at(k + 2) - at(k);
+      sums[static_cast<std::size_t>(face[k])] += atan2Of(to_next.cross(to_last).norm(), to_next.dot(to_last)) * normal;
+    }
+  }
+  for (std::size_t corner = 0; corner < sums.size(); ++corner) {
+    const Vec3 by = steps * sums[corner].stableNormalized();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      grid.points[corner][axis] += std::llround(by[static_cast<Eigen::Index>(axis)]);
+  }
 }
 
 Plane planeOf(const GridPoint& a, const GridPoint& b, const GridPoint& c) {

@@ -18,6 +18,10 @@ struct Grid {
 };
 Grid gridOf(const std::vector<Eigen::Vector3f>& p_MV);
 
+/// Moves the corners outwards by that many steps along the mean of their faces' normals, so that gaps narrower than
+/// twice that between bodies close. Corners at one place move alike where their faces do.
+void widen(Grid& grid, const std::vector<mesh::Face>& faces, double steps);
+
 /// n . x = d; n below 2^54, d below 2^81. The normal of a face as its corners go around, not of length 1.
 struct Plane {
   std::array<std::int64_t, 3> n{};

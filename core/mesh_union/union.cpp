@@ -30,13 +30,14 @@ double leastLengthOf(double least, const mesh::Triangles& triangles) {
 
 }  // namespace
 
-Union unite(mesh::Triangles& triangles, double least, const TaskMonitor& watch) {
+Union unite(mesh::Triangles& triangles, double least, double wide, const TaskMonitor& watch) {
   Union made;
   const auto ended = [&](Outcome outcome) {
     made.outcome = watch.isCancelled() ? Outcome::Cancelled : outcome;
     return made;
   };
-  const Grid grid = gridOf(triangles.p_MV);
+  Grid grid = gridOf(triangles.p_MV);
+  widen(grid, triangles.faces, wide * grid.steps);
   const Boxes boxes(grid.points, triangles.faces);
   if (watch.isCancelled()) return ended(Outcome::Cancelled);
   Points points(grid);

@@ -27,9 +27,10 @@ struct Union {
 /// outcome is Open; a part may touch another, and faces may lie on each other. Changed where the outcome is Made alone:
 /// then each edge has two faces, corners of the mesh keep their place to the bit, and new ones are within two floats of
 /// where planes meet. Which faces meet where, and what is inside, is decided exactly on a grid of 1.5e-8 of its extent;
-/// what is shorter or narrower than `least` is then drawn together. The same for the same, to the bit. Cost: of the
-/// crossings, some 10 us each, and of a search for them.
-/// Sources: Zhou et al. 2016, Mesh arrangements for solid geometry; Jacobson et al. 2013, for the winding number.
-Union unite(mesh::Triangles& triangles, double least, const TaskMonitor& watch);
+/// what is shorter or narrower than `least` is then drawn together. wide: by how much bodies are taken for larger,
+/// along their corners' normals, so that gaps between them close that nobody meant; corners of the mesh stay where they
+/// are. The same for the same, to the bit. Cost: of the crossings, some 10 us each, and of a search for them. Sources:
+/// Zhou et al. 2016, Mesh arrangements for solid geometry; Jacobson et al. 2013, for the winding number.
+Union unite(mesh::Triangles& triangles, double least, double wide, const TaskMonitor& watch);
 
 }  // namespace underact::mesh_union

@@ -18,7 +18,7 @@ constexpr double kStep = 0.05;  // mm in a tick: 0.05 m/s
 constexpr double kDepth = 0.3;  // mm, behind both faces of a seam
 
 std::shared_ptr<const Surface> surfaceOf(Triangles triangles) {
-  const Outcome outcome = unite(triangles, 1e-5, {}).outcome;
+  const Outcome outcome = unite(triangles, 1e-5, 0.0, {}).outcome;
   EXPECT_TRUE(outcome == Outcome::Made || outcome == Outcome::AsItWas) << static_cast<int>(outcome);
   return mesh::asUnited(*mesh::makeSurface(std::move(triangles)).value());
 }

@@ -13,10 +13,10 @@ namespace {
 
 using mesh::Triangles;
 
-constexpr double kLeast = 1e-5;
+constexpr double kLeast = 1e-5, kWide = 0.0;
 
 Triangles united(Triangles triangles, Outcome outcome = Outcome::Made) {
-  EXPECT_EQ(unite(triangles, kLeast, {}).outcome, outcome);
+  EXPECT_EQ(unite(triangles, kLeast, kWide, {}).outcome, outcome);
   return triangles;
 }
 
@@ -101,7 +101,7 @@ TEST(Union, OfTouchingAndDoubledBodiesIsOneBody) {
   expectSameInside(at({10, 5, 3}), united(at({10, 5, 3})), 25.0, 1000, test::Seed{3});
   for (const Vec3& by : {Vec3(10, 10, 0), Vec3(10, 10, 10), Vec3(10, 10, 4)}) {  // edge on edge, corner on corner
     Triangles made = at(by);
-    const Outcome outcome = unite(made, kLeast, {}).outcome;
+    const Outcome outcome = unite(made, kLeast, kWide, {}).outcome;
     EXPECT_TRUE(outcome == Outcome::Made || outcome == Outcome::AsItWas);
     EXPECT_NEAR(volumeOf(made), 2000.0, 1e-6);
     EXPECT_TRUE(mesh::topologyOf(made.faces).is_closed);
@@ -134,7 +134,7 @@ TEST(Union, OfDrawnBodiesIsInsideWhereTheWindingNumberSaysSo) {
   for (int draw = 0; draw < test::dearSweep(60, 10'000); ++draw) {
     const Triangles given = test::drawnBody(random, draw % 3 == 0 ? 30 : 6);
     Triangles made = given;
-    const Outcome outcome = unite(made, kLeast, {}).outcome;
+    const Outcome outcome = unite(made, kLeast, kWide, {}).outcome;
     ASSERT_TRUE(outcome == Outcome::Made || outcome == Outcome::AsItWas) << draw << ": " << static_cast<int>(outcome);
     expectSameInside(given, made, 35.0, 100, test::Seed{static_cast<std::uint64_t>(draw)});
     ASSERT_FALSE(testing::Test::HasFatalFailure()) << draw;
