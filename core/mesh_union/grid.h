@@ -9,8 +9,8 @@ namespace underact::mesh_union {
 /// A corner in whole steps of a grid: below 2^25 in magnitude, so that what is decided of crossings is exact.
 using GridPoint = std::array<std::int64_t, 3>;
 
-/// The corners of a mesh, each moved to the nearest point of a grid of 2^26 steps or nearly so along its largest
-/// extent: 1.5e-8 of it. Coordinates are those from its centre.
+/// The corners of a mesh, each moved to the nearest point of a grid of 2^24 to 2^25 steps along its largest
+/// extent: 3e-8 to 6e-8 of it. Coordinates are those from its centre.
 struct Grid {
   Vec3 centre_M = Vec3::Zero();
   double steps = 1.0;  // a unit, a power of two

@@ -26,7 +26,7 @@ struct Union {
 /// triangles: of each face three different corners. Around each edge they go as often one way as the other, or the
 /// outcome is Open; a part may touch another, and faces may lie on each other. Changed where the outcome is Made alone:
 /// then each edge has two faces, corners of the mesh keep their place to the bit, and new ones are within two floats of
-/// where planes meet. Which faces meet where, and what is inside, is decided exactly on a grid of 1.5e-8 of its extent;
+/// where planes meet. Which faces meet where, and what is inside, is decided exactly on a grid of 6e-8 of its extent;
 /// what is shorter or narrower than `least` is then drawn together. wide: by how much bodies are taken for larger,
 /// along their corners' normals, so that gaps between them close that nobody meant; corners of the mesh stay where they
 /// are. The same for the same, to the bit. Cost: of the crossings, some 10 us each, and of a search for them. Sources:
