@@ -28,7 +28,8 @@ void print(const Problems& problems, std::ostream& stream) {
 
 void printNotes(const LoadedScene& scene, std::ostream& stream) {
   for (const Problem& note : scene::meshNotes(scene.description))
-    stream << note.place.file << ':' << note.place.line << ": note: " << note.sentence << '\n';
+    stream << note.place.file << ':' << note.place.line << ':' << note.place.column << ": note: " << note.place.key
+           << ": " << note.sentence << '\n';
 }
 
 Exit exitOf(const Problems& problems) {

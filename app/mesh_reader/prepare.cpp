@@ -47,11 +47,11 @@ const char* addFacet(Scan& words, std::string& to, Shift& shift) {
   return nullptr;
 }
 
-/// A file further than this many times its extent from its origin is moved: floats there take 6 bits of its 24.
+/// A mesh further than this many times its extent from its origin is moved: floats would lose 6 of their 24 bits there.
 constexpr double kFarOff = 32.0;
 
-/// Where the middle of what was read goes to the origin; 0 where it may stay. On steps of about the extent, so that
-/// what floats of the file hold they hold moved, too.
+/// The point to move to the origin, near the middle of the mesh; 0: it may stay. In steps of about the extent, so that
+/// floats of the file are still exact after the move.
 Vec3 originOf(const Shift& shift) {
   const double extent = (shift.high_M - shift.low_M).maxCoeff();
   const double largest = std::max(shift.low_M.cwiseAbs().maxCoeff(), shift.high_M.cwiseAbs().maxCoeff());
@@ -82,6 +82,7 @@ Prepared preparedAt(mesh_file::Format format, std::string bytes, Shift& shift) {
 Prepared prepareStlBinary(std::string bytes, Shift& shift) {
   Prepared prepared;
   prepared.faces = mesh_file::stlBinaryCount(bytes);
+  shift.is_single = true;
   if (bytes.size() < mesh_file::kStlHeadBytes + prepared.faces * mesh_file::kStlFaceBytes) {
     prepared.problem = said(TRANSLATE_NOOP("problem", "The file is damaged: it is too short for its faces."));
     return prepared;
@@ -210,7 +211,7 @@ Prepared prepareOff(const std::string& bytes, Shift& shift) {
 
 Prepared prepare(mesh_file::Format format, std::string bytes) {
   Shift shift;
-  // Binary STL is moved in place; of others the text is needed once more where it turns out to lie far off.
+  // Binary STL is moved in place; other files are prepared a second time if they turn out to be far from the origin.
   const bool is_in_place = format == mesh_file::Format::StlBinary;
   Prepared prepared = preparedAt(format, is_in_place ? std::move(bytes) : bytes, shift);
   const Vec3 origin_M = prepared.problem.empty() ? originOf(shift) : Vec3(Vec3::Zero());
@@ -219,6 +220,8 @@ Prepared prepare(mesh_file::Format format, std::string bytes) {
   moved.origin_M = origin_M;
   prepared = preparedAt(format, is_in_place ? std::move(prepared.bytes) : std::move(bytes), moved);
   prepared.origin_M = origin_M;
+  const double largest = std::max(shift.low_M.cwiseAbs().maxCoeff(), shift.high_M.cwiseAbs().maxCoeff());
+  if (shift.is_single) prepared.single_step = std::ldexp(1.0, std::ilogb(largest) - 23);  // floats have 24 bits
   return prepared;
 }
 

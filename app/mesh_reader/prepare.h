@@ -15,15 +15,17 @@ struct Prepared {
   std::string bytes;
   std::uint64_t corners = 0, faces = 0;  // of the file; corners: 0 where the format shares no vertices
   Sentence problem;                      // empty: none
-  Vec3 origin_M = Vec3::Zero();          // of the file's frame, that is 0 in the bytes
+  Vec3 origin_M = Vec3::Zero();          // the point of the file's frame that is the origin of the bytes
+  double single_step = 0.0;              // between single-precision numbers of the file, if it was moved; 0: none
 };
 
-/// How corners are moved before they become floats, which far from the origin are far apart; and their bounds as the
-/// file has them.
+/// How corners are moved before they become floats, which have large steps far from the origin; and their bounds as in
+/// the file.
 struct Shift {
-  Vec3 origin_M = Vec3::Zero();  // that goes to the origin
+  Vec3 origin_M = Vec3::Zero();  // is moved to the origin
   Vec3 low_M = Vec3::Constant(kInfinity), high_M = Vec3::Constant(-kInfinity);
-  /// As it is to be kept.
+  bool is_single = false;  // the file has them in single precision
+  /// The moved coordinate.
   double take(int axis, double value) {
     low_M[axis] = std::min(low_M[axis], value);
     high_M[axis] = std::max(high_M[axis], value);
@@ -41,7 +43,7 @@ Prepared prepareObj(const std::string& bytes, Shift& shift);
 Prepared preparePly(const std::string& bytes, Shift& shift);
 Prepared prepareOff(const std::string& bytes, Shift& shift);
 
-/// Moved where the file lies so far from its origin that floats there would take more than some bits of its shape.
+/// Moves corners if the mesh is so far from its origin that floats there would lose more than some bits of its shape.
 Prepared prepare(mesh_file::Format format, std::string bytes);
 
 }  // namespace underact::mesh_reader

@@ -119,6 +119,7 @@ class BinaryBody {
     }
     const auto value = std::bit_cast<Number>(bits);
     if (!(std::abs(value) < static_cast<Number>(mesh_file::kBeyondAll))) return;
+    shift_.is_single = shift_.is_single || sizeof(Number) == sizeof(float);
     const auto moved = static_cast<Number>(shift_.take(axis, static_cast<double>(value)));
     if (moved == value) return;
     bits = std::bit_cast<Bits>(moved);

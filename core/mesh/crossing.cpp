@@ -122,7 +122,7 @@ bool eachOnWay(const Surface& surface, const Vec3& from_M, const Vec3& to_M,
 }  // namespace
 
 bool isInside(const Surface& surface, const Vec3& q_M) noexcept {
-  // To beyond the bounds, along no direction that edges of ordinary meshes have.
+  // To a point outside the bounds, in a direction that edges of ordinary meshes do not have.
   const Vec3 low = surface.low_M.cast<double>(), high = surface.high_M.cast<double>();
   if ((q_M - low).minCoeff() < 0.0 || (high - q_M).minCoeff() < 0.0) return false;
   const Vec3 to_M = q_M + 2.0 * (high - low).norm() * Vec3(0.5773, 0.2113, 0.7887);

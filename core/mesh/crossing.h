@@ -19,9 +19,9 @@ struct Crossing {
 Crossing firstCrossing(const Surface& surface, CrossingDirection way, const Vec3& from_M,
                        const Vec3& to_M) noexcept UNDERACT_REAL_TIME;
 
-/// Whether q is inside a closed surface, by the faces that a ray from it goes through. Slower than the sign at the
-/// nearest point, and right where faces nearly touch, of which floats may have put either before the other. Past
-/// kMostVisits what was counted so far says so. q_M: finite.
+/// Whether q is inside a closed surface, by the faces that a ray from it passes through. Slower than the sign at the
+/// nearest point, but correct where faces nearly touch, so that rounding may have swapped them. q_M: finite. After
+/// kMostVisits, by the faces found so far.
 bool isInside(const Surface& surface, const Vec3& q_M) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::mesh

@@ -10,7 +10,7 @@ bool isBehind(const Surface& surface, FreeSide free, const Hit& hit, const Vec3&
   return free == FreeSide::Outside ? height < 0.0 : height > 0.0;
 }
 
-/// The same of a surface whose faces were cut, by more than the nearest one alone.
+/// The same for a surface with cut faces, by a ray in place of the nearest face.
 bool isBehindCut(const Surface& surface, FreeSide free, const Vec3& q_M) noexcept UNDERACT_REAL_TIME {
   return isInside(surface, q_M) == (free == FreeSide::Outside);
 }
@@ -33,7 +33,7 @@ Hit followProxy(const Surface& surface, FreeSide free, const Vec3& q_M, ProxySta
   }
   if (hit.face >= 0) {
     bool is_behind = isBehind(surface, free, hit, q_M);
-    // What ends a touch for good, or is known from nothing before, is asked for twice.
+    // The end of a contact, and a first tip, are checked a second time.
     if (surface.is_united && (is_first || !is_behind)) is_behind = isBehindCut(surface, free, q_M);
     if (!is_behind) hit.face = -1;
   }

@@ -169,8 +169,8 @@ void searchBestFirst(const Surface& surface, const Vec3& q_M, Hit& hit) noexcept
   hit.is_proved = true;
 }
 
-/// Whether q lies so far from where the last searches were that what they know is of no use: a walk from there would
-/// end half way. A hand goes some millimetres in a tick, so this is none but at a mesh that is hardly larger.
+/// Whether q is so far from the last search that its result is of no use: a walk from there would cost more than it
+/// saves. A hand moves a few millimetres in a tick, so this happens only with meshes that are hardly larger.
 bool isLeap(const Surface& surface, const Cut& cut, const Vec3& q_M) noexcept UNDERACT_REAL_TIME {
   constexpr float kOfExtent = 1.0F / 12.0F;
   const double far = cut.reach + static_cast<double>(kOfExtent * (surface.high_M - surface.low_M).maxCoeff());
@@ -197,7 +197,7 @@ Hit nearestPoint(const Surface& surface, Search search, const Vec3& q_M, SearchS
   }
   const bool is_done = search == Search::Local ? hit.face >= 0 : is_near && sweep(surface, recent, at, state.cut, hit);
   if (!is_done) searchBestFirst(surface, at, hit);
-  // A cut of no surface: it tells where the search was, and no more.
+  // A cut without surface: it only says where the search was.
   if (search == Search::Hybrid && (leaps || !(state.cut.reach > 0.0)))
     state.cut = {at, std::sqrt(hit.squared), 0, 0, 1, {}};
   if (at != q_M) {

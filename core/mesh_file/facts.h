@@ -17,6 +17,8 @@ struct Facts {
   std::int64_t file_faces = 0;
   std::int64_t file_corners = 0;
   std::int64_t normals = 0, normals_against = 0;  // given for faces; of these, against the winding
+  double single_step =
+      0.0;  // between single-precision numbers that far from its origin; 0: it is not far, or has others
   // Left out, in faces
   std::int64_t not_finite = 0, out_of_range = 0, without_extent = 0, duplicates = 0;
   // Repaired
@@ -29,7 +31,7 @@ struct Facts {
   std::int64_t borders = 0, border_edges = 0;                  // borders: connected ones
   double longest_border = 0.0;
   std::int64_t crowded_edges = 0;      // with more than two faces
-  std::int64_t clashing_edges = 0;     // with two faces that have no consistent outside, as on a Moebius strip
+  std::int64_t clashing_edges = 0;     // with two faces that have no consistent outside, as on a Möbius strip
   std::int64_t flat_faces = 0;         // three different collinear corners
   std::int64_t crossings = 0;          // pairs of faces, without a corner in common, that go through each other
   std::int64_t crossings_checked = 0;  // 1: all pairs were checked; 0: too many faces

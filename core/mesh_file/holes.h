@@ -7,20 +7,21 @@
 
 namespace underact::mesh_file {
 
+/// What closeHoles() closed.
 struct ClosedHoles {
   std::int64_t count = 0;
-  double longest = 0.0;  // way around one, in the mesh's unit
+  double longest = 0.0;  // length of a border, in the unit of the mesh
 };
 
-/// A hole that is longer around than this share of the mesh's diagonal is none that somebody forgot.
+/// Holes with a border longer than this share of the mesh's diagonal are taken as intended.
 inline constexpr double kLongestHole = 0.3;
-/// Nor are holes whose faces would be more than this share of the mesh's area.
+/// So are holes that need faces of more than this share of the mesh's area.
 inline constexpr double kMostOfArea = 0.05;
 
-/// Closes small holes, each by triangles from its middle to its border: with them the faces go around each edge as
-/// often one way as the other, so that the winding number is whole everywhere. Where the mesh had none it is that of
-/// the surface without the faces, rounded, but for points within the hole itself. None: a hole is too large, or it was
-/// cancelled; then the mesh is as it was.
+/// Closes small holes by triangles from the middle of each to its border: then each edge is used as often in one
+/// direction as in the other, so the winding number is an integer everywhere. Except for points in the hole itself, it
+/// is the generalised winding number of the open mesh, rounded. None: a hole is too large, or cancelled; the mesh is
+/// then unchanged.
 std::optional<ClosedHoles> closeHoles(mesh::Triangles& triangles, const TaskMonitor& monitor);
 
 }  // namespace underact::mesh_file

@@ -52,6 +52,7 @@ void addRaw(const RawMesh& raw, Facts& facts) {
   facts.not_finite += raw.dropped.not_finite;
   facts.out_of_range += raw.dropped.out_of_range;
   facts.without_extent += raw.dropped.without_extent;
+  facts.single_step = raw.single_step;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     facts.low[axis] += raw.origin_M[static_cast<Eigen::Index>(axis)];
     facts.high[axis] += raw.origin_M[static_cast<Eigen::Index>(axis)];

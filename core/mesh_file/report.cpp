@@ -75,6 +75,7 @@ void addRepaired(const Facts& facts, double mm_per_unit, std::vector<Sentence>& 
 }
 
 void addRemaining(const Facts& facts, double mm_per_unit, std::vector<Sentence>& report) {
+  if (const Sentence lost = precisionReport(facts, mm_per_unit); !lost.empty()) report.push_back(lost);
   if (facts.parts > 1) report.push_back(partsReport(facts));
   if (facts.closed_holes > 0) {
     report.push_back(holesReport(facts, mm_per_unit));
@@ -113,6 +114,9 @@ void addRemaining(const Facts& facts, double mm_per_unit, std::vector<Sentence>&
   }
 }
 
+/// A tenth of the resolution of a PHANToM Omni (0.055 mm).
+constexpr double kFeltStep_mm = 0.005;
+
 /// Below this thickness the stylus is pushed out on the nearer side, and so through the part.
 constexpr double kThin_mm = 1.0;
 
@@ -135,19 +139,28 @@ Sentence partsReport(const Facts& facts) {
   if (facts.parts <= 1) return {};
   const std::string parts = std::to_string(facts.parts);
   if (facts.nested_parts == 0)
-    return said(TRANSLATE_NOOP("problem", "The mesh is in %1 parts that do not hang together."), {parts});
-  return said(TRANSLATE_NOOP("problem",
-                             "The mesh is in %1 parts that do not hang together, %2 of them within others: a hollow "
-                             "is felt from within."),
-              {parts, std::to_string(facts.nested_parts)});
+    return said(TRANSLATE_NOOP("problem", "The mesh consists of %1 separate parts."), {parts});
+  return said(
+      TRANSLATE_NOOP("problem",
+                     "The mesh consists of %1 separate parts, %2 of them inside others: a hollow is felt from inside."),
+      {parts, std::to_string(facts.nested_parts)});
 }
 
 Sentence holesReport(const Facts& facts, double mm_per_unit) {
   if (facts.closed_holes == 0) return {};
   return counted(
-      facts.closed_holes, TRANSLATE_NOOP("problem", "%1 hole, %2 around, was closed, so that the mesh has an inside."),
-      TRANSLATE_NOOP("problem", "%1 holes, the longest %2 around, were closed, so that the mesh has an inside."),
+      facts.closed_holes,
+      TRANSLATE_NOOP("problem", "%1 hole with a border of %2 was closed, so that the mesh has an inside."),
+      TRANSLATE_NOOP("problem", "%1 holes, the longest border %2, were closed, so that the mesh has an inside."),
       lengthText(facts.longest_closed_hole, mm_per_unit));
+}
+
+Sentence precisionReport(const Facts& facts, double mm_per_unit) {
+  if (facts.single_step * mm_per_unit < kFeltStep_mm) return {};
+  return said(TRANSLATE_NOOP("problem",
+                             "The mesh is so far from its origin that the single-precision numbers of the file have "
+                             "steps of %1: smaller details are lost. Save it nearer to its origin."),
+              {lengthText(facts.single_step, mm_per_unit)});
 }
 
 bool allowsWalls(const Facts& facts) {

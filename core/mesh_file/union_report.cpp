@@ -41,7 +41,7 @@ Sentence crossingReport(const Facts& facts) {
                            {said(TRANSLATE_NOOP("problem", "Parts touch or contain each other.")), feltText(facts)});
     case Inside::Unsure:
       return oneAfterAnother(
-          {crossesText(facts), said(TRANSLATE_NOOP("problem", "Inside and outside cannot be told apart."))});
+          {crossesText(facts), said(TRANSLATE_NOOP("problem", "Inside and outside cannot be distinguished."))});
     case Inside::AsItIs:
       return crosses ? crossesText(facts) : Sentence();
   }

@@ -4,8 +4,8 @@
 
 namespace underact::mesh_file {
 
-/// That the surface intersects itself, and what is felt there; or that bodies were united which do not cross. Empty:
-/// neither.
+/// That the surface intersects itself, and what is felt there; or that parts were united that only touch or contain
+/// each other. Empty: neither.
 Sentence crossingReport(const Facts& facts);
 
 }  // namespace underact::mesh_file

@@ -9,7 +9,7 @@
 namespace underact::mesh_file {
 namespace {
 
-/// Above this the whole is taken as it is, unless crossings were found.
+/// Larger meshes are not searched for intersections here; they are united if some were found before.
 constexpr std::int64_t kMostFacesToUnite = 2'000'000;
 
 bool mayCross(const Facts& facts) {
@@ -27,12 +27,12 @@ void setFelt(const mesh::Triangles& triangles, Facts& facts) {
 bool uniteRepaired(Repaired& repaired, const TaskMonitor& monitor) {
   Facts& facts = repaired.facts;
   setFelt(repaired.triangles, facts);
-  // Where faces cannot agree there is no inside that a union would be of.
+  // Where faces cannot agree on an outside, there is no inside.
   if (facts.clashing_edges > 0 || !mayCross(facts)) return true;
-  const char* step = TRANSLATE_NOOP("step of work", "Uniting parts that cross");
+  const char* step = TRANSLATE_NOOP("step of work", "Uniting parts that intersect");
   monitor.report(step, 0.0);
   mesh::Triangles triangles = repaired.triangles;
-  // Two bodies may share a face, once as each of them has it: then both count.
+  // Two bodies may have the same face: then it counts for each of them.
   if (facts.crowded_edges > 0)
     triangles.faces.insert(triangles.faces.end(), repaired.twice.begin(), repaired.twice.end());
   if (facts.border_edges > 0) {
@@ -41,7 +41,7 @@ bool uniteRepaired(Repaired& repaired, const TaskMonitor& monitor) {
     facts.closed_holes = holes->count;
     facts.longest_closed_hole = holes->longest;
   }
-  // Pieces of a convex decomposition end at one plane, but for the rounding of each: the gap is no place to be.
+  // Pieces of a convex decomposition end at the same plane, apart from rounding: the gap must not be felt.
   mesh_union::Union made =
       mesh_union::unite(triangles, 0.25 * facts.weld_tolerance, 2.0 * facts.weld_tolerance, monitor);
   monitor.report(step, 1.0);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int64_t kMostPairs = 30'000'000;     // of faces whose boxes meet; some seconds
 constexpr std::int64_t kMostCrossings = 2'000'000;  // of those that touch
-constexpr std::int64_t kBetweenLooks = 1024;        // at the watch
+constexpr std::int64_t kBetweenLooks = 1024;        // for cancellation
 
 /// What another face cuts of one: a segment, or a point where both ends are the same.
 struct Cut {
@@ -21,8 +21,8 @@ struct Cut {
 
 class Arranging {
  public:
-  Arranging(const Grid& grid, const std::vector<mesh::Face>& faces, Points& points, const TaskMonitor& watch)
-      : grid_(grid), points_(points), watch_(watch), flats_(faces.size()) {
+  Arranging(const Grid& grid, const std::vector<mesh::Face>& faces, Points& points, const TaskMonitor& monitor)
+      : grid_(grid), points_(points), monitor_(monitor), flats_(faces.size()) {
     found_.plane_of.resize(faces.size());
     std::iota(found_.plane_of.begin(), found_.plane_of.end(), 0);
     for (std::size_t face = 0; face < faces.size(); ++face) {
@@ -63,7 +63,7 @@ class Arranging {
       const Flat &one = flats_[static_cast<std::size_t>(a)], &other = flats_[static_cast<std::size_t>(b)];
       if (!one.plane.isThere() || !other.plane.isThere()) return true;
       is_well = ++pairs <= kMostPairs && found_.crossings <= kMostCrossings &&
-                (pairs % kBetweenLooks != 0 || !watch_.isCancelled());
+                (pairs % kBetweenLooks != 0 || !monitor_.isCancelled());
       if (is_well) meet(a, b);
       return is_well;
     });
@@ -104,7 +104,7 @@ class Arranging {
         found_.pieces.push_back({flats_[face].corners, 1, static_cast<std::int32_t>(face), false});
         continue;
       }
-      if (watch_.isCancelled() || !cutOne(members[face], {first, cut})) return false;
+      if (monitor_.isCancelled() || !cutOne(members[face], {first, cut})) return false;
     }
     return true;
   }
@@ -187,7 +187,7 @@ class Arranging {
 
   const Grid& grid_;
   Points& points_;
-  const TaskMonitor& watch_;
+  const TaskMonitor& monitor_;
   std::vector<Flat> flats_;
   std::vector<Cut> cuts_;
   Arrangement found_;
@@ -196,8 +196,8 @@ class Arranging {
 }  // namespace
 
 std::optional<Arrangement> arrange(const Grid& grid, const std::vector<mesh::Face>& faces, const Boxes& boxes,
-                                   Points& points, const TaskMonitor& watch) {
-  return Arranging(grid, faces, points, watch).all(boxes);
+                                   Points& points, const TaskMonitor& monitor) {
+  return Arranging(grid, faces, points, monitor).all(boxes);
 }
 
 }  // namespace underact::mesh_union

@@ -15,15 +15,17 @@ struct Piece {
   bool is_cut = false;                    // it is not the whole of that face
 };
 
-/// All faces, so cut that no two go through each other: they have edges and corners in common, or nothing.
+/// All faces, cut so that no two intersect: they have edges and corners in common, or nothing.
 struct Arrangement {
   std::vector<Piece> pieces;
   std::vector<std::int32_t> plane_of;  // of each face: of those that overlap in one plane the first; -1: it has no area
   std::int64_t crossings = 0;          // pairs of faces with more than corners and edges of theirs in common
 };
 
-/// None: cancelled, or too much work.
+/// Cuts all faces along their lines of intersection. Exact. boxes: of the faces; points: gets the new ones. None:
+/// cancelled, or more than 30 million pairs of boxes or 2 million intersecting pairs. Source: Zhou, Grinspun, Zorin and
+/// Jacobson 2016, Mesh arrangements for solid geometry.
 std::optional<Arrangement> arrange(const Grid& grid, const std::vector<mesh::Face>& faces, const Boxes& boxes,
-                                   Points& points, const TaskMonitor& watch);
+                                   Points& points, const TaskMonitor& monitor);
 
 }  // namespace underact::mesh_union

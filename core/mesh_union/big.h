@@ -8,23 +8,26 @@ namespace underact::mesh_union {
 __extension__ typedef __int128 Wide;
 __extension__ typedef unsigned __int128 UnsignedWide;
 
+/// -1, 0 or 1.
 inline int signOf(Wide value) {
   return (value > 0 ? 1 : 0) - (value < 0 ? 1 : 0);
 }
 
-/// A whole number below 2^640 in magnitude, exact. What is made of coordinates of 26 bits here stays below 2^560: see
+/// An integer below 2^640 in magnitude, exact. What is computed here from coordinates of 26 bits stays below 2^560: see
 /// grid.h and points.h.
 class Big {
  public:
   Big() = default;
-  Big(Wide value);  // any whole number is one
+  Big(Wide value);  // implicit: any integer is one
 
+  /// -1, 0 or 1.
   int sign() const { return size_ == 0 ? 0 : is_negative_ ? -1 : 1; }
-  /// Within 2^-51 of itself.
+  /// With a relative error below 2^-51.
   double toDouble() const;
-  /// Modulo 2^61 - 1, 0 to before that.
+  /// Modulo 2^61 - 1, from 0 to 2^61 - 2.
   std::uint64_t modulo() const;
 
+  // Exact; below 2^640 in magnitude.
   Big operator-() const;
   friend Big operator+(const Big& a, const Big& b);
   friend Big operator-(const Big& a, const Big& b) { return a + (-b); }
@@ -40,7 +43,7 @@ class Big {
 
 inline constexpr std::uint64_t kModulus = (std::uint64_t{1} << 61U) - 1;
 
-/// Products and inverses modulo kModulus; of 0 the inverse is 0.
+// Products and inverses modulo kModulus; the inverse of 0 is 0.
 std::uint64_t timesModulo(std::uint64_t a, std::uint64_t b);
 std::uint64_t inverseModulo(std::uint64_t a);
 

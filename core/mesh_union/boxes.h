@@ -5,20 +5,22 @@
 
 namespace underact::mesh_union {
 
-/// Bounds in steps of the grid, which floats hold exactly.
+/// Bounds in steps of the grid, rounded outwards to floats.
 struct Box {
   Eigen::Array3f low = Eigen::Array3f::Constant(kNotANumber), high = low;
 };
+/// Whether two boxes have a point in common.
 inline bool meet(const Box& a, const Box& b) {
   return (a.low <= b.high).all() && (b.low <= a.high).all();
 }
 
-/// A tree of boxes over faces.
+/// A tree of bounding boxes over faces.
 class Boxes {
  public:
+  /// faces: of these points. Cost: n log n.
   Boxes(const std::vector<GridPoint>& points, const std::vector<mesh::Face>& faces);
 
-  /// visit(a, b) for each two faces whose boxes meet, once; false from it ends all.
+  /// Calls visit(a, b) once for each pair of faces whose boxes meet; ends if it returns false.
   template <class Visit>
   void eachPair(const Visit& visit) const {
     std::vector<std::array<std::int32_t, 2>> waiting;
@@ -48,7 +50,7 @@ class Boxes {
     }
   }
 
-  /// visit(face) for each face whose box the ray from a point meets.
+  /// Calls visit(face) for each face whose box is met by the ray from a point.
   template <class Visit>
   void alongRay(const Vec3& from, const Vec3& along, const Visit& visit) const {
     std::vector<std::int32_t> waiting;

@@ -6,28 +6,31 @@
 
 namespace underact::mesh_union {
 
-/// A triangle in its plane cut into triangles, so that given segments are edges. All decisions are exact.
+/// A triangle in its plane, divided into triangles so that given segments are edges. All decisions are exact.
 /// Source: Sloan 1993, A fast algorithm for generating constrained Delaunay triangulations, without its Delaunay part.
 class Cells {
  public:
+  /// One triangle of the division.
   struct Cell {
     std::array<std::int32_t, 3> corners{};           // points, counterclockwise along the axis
     std::array<std::int32_t, 3> beside{-1, -1, -1};  // across the edge from each corner to the next
-    std::array<std::int32_t, 3> cut{-1, -1, -1};     // that the edge lies in; -1: it lies in none, and may go
+    std::array<std::int32_t, 3> cut{-1, -1, -1};     // whose segment the edge is on; -1: none, so it may be flipped
   };
 
   /// own: the plane; domain: points, counterclockwise along axisOf(own).
   Cells(Points& points, const Plane& own, const std::array<std::int32_t, 3>& domain);
 
-  /// A point of the domain.
+  /// Adds a point of the domain as a corner.
   void add(std::int32_t point);
-  /// A segment between points that were added, in the plane `cut`. What it crosses of others becomes a point of both.
+  /// Makes the segment between two points that were added an edge, or several. cut: the plane that it lies in. Where it
+  /// crosses another segment, there is a new point on both.
   void constrain(std::int32_t from, std::int32_t to, const Plane& cut);
-  /// Makes cells rounder where edges may go.
+  /// Flips edges that may be flipped so that cells have larger angles.
   void improve();
 
+  /// All triangles.
   const std::vector<Cell>& all() const { return cells_; }
-  /// Work beyond all measure; then what is here is not to be used. Should never be.
+  /// A limit of work was exceeded, so the result must not be used; not known to happen.
   bool hasFailed() const { return has_failed_; }
 
  private:

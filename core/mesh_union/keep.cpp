@@ -9,9 +9,9 @@
 namespace underact::mesh_union {
 namespace {
 
-constexpr std::size_t kRaysBetweenLooks = 256;  // at the watch
+constexpr std::size_t kRaysBetweenLooks = 256;  // for cancellation
 
-/// Pieces that hang together without an edge of three or more between them: the winding number before them is the same.
+/// Pieces that are connected across edges of two pieces: the winding number in front of them is the same.
 class Patches {
  public:
   explicit Patches(std::size_t pieces) : of_(pieces) { std::iota(of_.begin(), of_.end(), 0); }
@@ -56,7 +56,7 @@ std::vector<PieceSide> sidesOf(const std::vector<Piece>& pieces) {
 }
 
 std::optional<Kept> keep(const Grid& grid, const std::vector<mesh::Face>& faces, const Boxes& boxes,
-                         const Points& points, const Arrangement& arrangement, const TaskMonitor& watch) {
+                         const Points& points, const Arrangement& arrangement, const TaskMonitor& monitor) {
   const std::vector<Piece>& pieces = arrangement.pieces;
   Patches patches(pieces.size());
   bool closes = true;
@@ -84,7 +84,7 @@ std::optional<Kept> keep(const Grid& grid, const std::vector<mesh::Face>& faces,
   std::size_t rays = 0;
   for (std::size_t lead = 0; lead < pieces.size(); ++lead) {
     if (largest[lead] < 0) continue;
-    if (++rays % kRaysBetweenLooks == 0 && watch.isCancelled()) return {};
+    if (++rays % kRaysBetweenLooks == 0 && monitor.isCancelled()) return {};
     const Piece& piece = pieces[static_cast<std::size_t>(largest[lead])];
     const Vec3 middle =
         (points.near(piece.corners[0]) + points.near(piece.corners[1]) + points.near(piece.corners[2])) / 3.0;

@@ -5,28 +5,29 @@
 
 namespace underact::mesh_union {
 
-/// What is between inside and outside.
+/// The pieces that separate inside from outside.
 struct Kept {
-  std::vector<Piece> pieces;  // counterclockwise as seen from outside
-  bool is_all = true;         // every face, as it was
-  std::int64_t dropped = 0;   // faces that are inside, or outside, on both sides, all over
+  std::vector<Piece> pieces;  // counterclockwise seen from outside
+  bool is_all = true;         // every face is kept, uncut
+  std::int64_t dropped = 0;   // faces of which no piece is kept
 };
 
-/// None: cancelled, or the faces do not close: around some edge they do not go as often one way as the other.
-/// Inside is where the winding number is above 0.
+/// Keeps the pieces with the outside on one side alone; inside is where the winding number is above 0. None: cancelled,
+/// or the faces do not close: some edge is not used as often in one direction as in the other.
 std::optional<Kept> keep(const Grid& grid, const std::vector<mesh::Face>& faces, const Boxes& boxes,
-                         const Points& points, const Arrangement& arrangement, const TaskMonitor& watch);
+                         const Points& points, const Arrangement& arrangement, const TaskMonitor& monitor);
 
-/// A side of a piece, in order of the edge that it lies on.
+/// A side of a piece.
 struct PieceSide {
   std::int32_t low, high;  // points
   std::int32_t piece;
   std::int8_t side;
   bool forward;  // from low to high
 };
+/// All sides, sorted by their edges.
 std::vector<PieceSide> sidesOf(const std::vector<Piece>& pieces);
 
-/// Calls visit(first, last) for the sides on each edge.
+/// Calls visit(first, last) for the sides on each edge. sides: sorted.
 template <class Visit>
 void eachEdge(const std::vector<PieceSide>& sides, const Visit& visit) {
   for (std::size_t begin = 0; begin < sides.size();) {

@@ -7,25 +7,27 @@
 
 namespace underact::mesh_union {
 
-/// The points of an arrangement of triangles, exact: corners of the mesh, and where its edges and planes meet. A point
-/// has one number however it was found.
+/// The points of an arrangement of triangles, exact: corners of the mesh, and intersections of its edges and planes. A
+/// point has the same number however it was computed. The grid must outlive it.
 class Points {
  public:
+  /// Begins with the corners of the grid.
   explicit Points(const Grid& grid);
 
-  /// Of a corner of the mesh: the first one at its place.
+  /// The point of a corner of the mesh: the first corner at the same position.
   std::int32_t ofCorner(std::int32_t corner) const { return of_corner_[static_cast<std::size_t>(corner)]; }
-  /// Where the edge from p to q, corners on different sides of the plane, goes through it.
+  /// Where the edge from p to q, corners on different sides of the plane, passes through it.
   std::int32_t onEdge(std::int32_t p, std::int32_t q, const Plane& plane);
-  /// Where three planes meet; -1: in no point.
+  /// Where three planes intersect; -1: not in one point.
   std::int32_t ofPlanes(const Plane& a, const Plane& b, const Plane& c);
 
-  /// A point that is none of the arrangement's, below 2^28 in magnitude; equal to no other.
+  /// A point outside the arrangement, below 2^28 in magnitude; never equal to another.
   std::int32_t beside(const GridPoint& p);
 
+  // Points altogether, and those of them that are corners of the mesh.
   std::size_t count() const { return near_.size(); }
   std::size_t corners() const { return of_corner_.size(); }
-  /// In steps of the grid, within 2^-24 of one.
+  /// Its position in steps of the grid, with an error below 2^-24 of a step.
   const Vec3& near(std::int32_t point) const { return near_[static_cast<std::size_t>(point)]; }
   /// As turnOf().
   int turn(std::size_t axis, std::int32_t a, std::int32_t b, std::int32_t c) const;

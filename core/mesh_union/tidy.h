@@ -5,13 +5,15 @@
 
 namespace underact::mesh_union {
 
-/// Takes away what is so short or narrow that rounding to floats could turn it over: edges shorter than `least` are
-/// drawn together, of triangles that are lower the longest edge goes to the other diagonal, and so does the edge
-/// between two that lie on each other with less than that between them. Nothing moves by more than some of `least`.
-/// Begins at the faces that are marked, and moves no corner that is not; each edge keeps two faces.
+/// Which faces and corners were made by cutting, and may change: 1 for these, else 0.
 struct Made {
   std::vector<std::uint8_t> faces, corners;
 };
+
+/// Removes what is so short or narrow that rounding to floats could turn it over. Edges shorter than `least` are
+/// collapsed; the longest edge of triangles with a smaller height is flipped, and so is the edge between two triangles
+/// that lie on each other with less than `least` between them. Corners that are not marked do not move, the others by a
+/// few `least` at most; each edge keeps two faces. least: in the unit of the mesh.
 void tidy(mesh::Triangles& triangles, const Made& made, double least);
 
 }  // namespace underact::mesh_union

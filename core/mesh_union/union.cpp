@@ -30,21 +30,21 @@ double leastLengthOf(double least, const mesh::Triangles& triangles) {
 
 }  // namespace
 
-Union unite(mesh::Triangles& triangles, double least, double wide, const TaskMonitor& watch) {
+Union unite(mesh::Triangles& triangles, double least, double wide, const TaskMonitor& monitor) {
   Union made;
   const auto ended = [&](Outcome outcome) {
-    made.outcome = watch.isCancelled() ? Outcome::Cancelled : outcome;
+    made.outcome = monitor.isCancelled() ? Outcome::Cancelled : outcome;
     return made;
   };
   Grid grid = gridOf(triangles.p_MV);
   widen(grid, triangles.faces, wide * grid.steps);
   const Boxes boxes(grid.points, triangles.faces);
-  if (watch.isCancelled()) return ended(Outcome::Cancelled);
+  if (monitor.isCancelled()) return ended(Outcome::Cancelled);
   Points points(grid);
-  const std::optional<Arrangement> arrangement = arrange(grid, triangles.faces, boxes, points, watch);
+  const std::optional<Arrangement> arrangement = arrange(grid, triangles.faces, boxes, points, monitor);
   if (!arrangement) return ended(Outcome::TooMuch);
   made.crossings = arrangement->crossings;
-  const std::optional<Kept> kept = keep(grid, triangles.faces, boxes, points, *arrangement, watch);
+  const std::optional<Kept> kept = keep(grid, triangles.faces, boxes, points, *arrangement, monitor);
   if (!kept) return ended(Outcome::Open);
   made.dropped = kept->dropped;
   if (kept->is_all && mesh::topologyOf(triangles.faces).is_closed) return ended(Outcome::AsItWas);
@@ -59,7 +59,7 @@ Union unite(mesh::Triangles& triangles, double least, double wide, const TaskMon
     is_made.faces.push_back(kept->pieces[static_cast<std::size_t>(piece)].is_cut ? 1 : 0);
   tidy(now, is_made, leastLengthOf(least, triangles));
   if (!mesh::topologyOf(now.faces).is_closed) return ended(Outcome::Open);  // or nothing is inside
-  if (watch.isCancelled()) return ended(Outcome::Cancelled);
+  if (monitor.isCancelled()) return ended(Outcome::Cancelled);
   triangles = std::move(now);
   return ended(Outcome::Made);
 }

@@ -54,8 +54,8 @@ bool Winding::byRay(const Vec3& point, const Vec3& along, std::int32_t plane, in
     const double u = along.dot(b.cross(c)), v = along.dot(c.cross(a)), w = along.dot(a.cross(b));
     const double near_u = kNearEdge * b.norm() * c.norm(), near_v = kNearEdge * c.norm() * a.norm(),
                  near_w = kNearEdge * a.norm() * b.norm();
-    const bool may_be_right =
-        u < near_u && v < near_v && w<near_w, may_be_left = u> - near_u && v > -near_v && w > -near_w;
+    const bool may_be_right = u < near_u && v < near_v && (w < near_w);
+    const bool may_be_left = u > -near_u && v > -near_v && (w > -near_w);
     if (!may_be_right && !may_be_left) return;
     const Vec3 normal = (b - a).cross(c - a);
     const double height = normal.dot(a), slope = normal.dot(along);

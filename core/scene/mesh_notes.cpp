@@ -33,8 +33,8 @@ Problems meshNotes(const Description& scene) {
     const double mm_per_unit = std::abs(mesh->scale_mm_per_unit);
     const Sentence crosses = mesh_file::crossingReport(*mesh->facts);
     const Sentence parts = crosses.empty() ? Sentence() : mesh_file::partsReport(*mesh->facts);
-    const Sentence note =
-        oneAfterAnother({parts, crosses, mesh_file::holesReport(*mesh->facts, mm_per_unit), sizeNote(*mesh)});
+    const Sentence note = oneAfterAnother({parts, crosses, mesh_file::holesReport(*mesh->facts, mm_per_unit),
+                                           mesh_file::precisionReport(*mesh->facts, mm_per_unit), sizeNote(*mesh)});
     if (note.empty()) continue;
     notes.push_back(
         {said(TRANSLATE_NOOP("problem", "The mesh %1: %2"), {json::shown(mesh->file), note}), constraint.place});

@@ -4,9 +4,9 @@
 
 namespace underact::scene {
 
-/// What a person should know of the meshes of a scene that is in order: what crosses itself and what is felt there,
-/// what was assumed, and a size that no hand can feel, or that no arm reaches. Each with its constraint's place. Of
-/// meshes that were loaded by loadMeshes().
+/// What is worth knowing about the meshes of a valid scene: which intersect themselves and what is felt there, what was
+/// assumed, and sizes that a hand cannot feel or the arm cannot reach. Each with the place of its constraint. scene:
+/// with its meshes loaded by loadMeshes().
 Problems meshNotes(const Description& scene);
 
 }  // namespace underact::scene

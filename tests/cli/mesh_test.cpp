@@ -68,7 +68,7 @@ TEST_F(MeshInfo, ADamagedFileIsBadInputAndOneThatIsNotThereAFile) {
   EXPECT_EQ(runCli({"mesh", "info", good, "--scale_mm_per_unit", "0"}).exit, Exit::Usage);
 }
 
-TEST_F(MeshInfo, OfAMeshThatCrossesItselfSaysWhatIsFelt) {
+TEST_F(MeshInfo, OfAMeshThatIntersectsItselfSaysWhatIsFelt) {
   const std::string path = folder_.write(
       "two.stl", stlBinary(soup(together({boxOf({-20, -20, -20}, {20, 20, 0}), boxOf({0, -20, -10}, {20, 20, 20})}))));
   const json::Value object = lines(runCli({"mesh", "info", path, "--json"}).out).at(0);
@@ -84,7 +84,9 @@ TEST_F(MeshInfo, OfAMeshThatCrossesItselfSaysWhatIsFelt) {
 })");
   const Outcome checked = runCli({"scene", "check", scene});
   EXPECT_EQ(checked.exit, Exit::Well);
-  EXPECT_NE(checked.out.find("two.json:3: note: The mesh \"two.stl\": The mesh is in 2 parts"), std::string::npos)
+  EXPECT_NE(checked.out.find(
+                "two.json:3:20: note: constraints[0]: The mesh \"two.stl\": The mesh consists of 2 separate parts"),
+            std::string::npos)
       << checked.out;
   EXPECT_EQ(checked.out.find("reach"), std::string::npos);
   const std::string large = folder_.write("large.json", R"({

@@ -6,6 +6,7 @@
 #include "core/mesh/search.h"
 #include "core/mesh/surface_bytes.h"
 #include "core/mesh_file/load.h"
+#include "core/mesh_file/report.h"
 #include "tests/core/mesh_file/some_meshes.h"
 
 namespace underact::mesh_file {
@@ -94,6 +95,7 @@ TEST(FarMesh, KeepsItsShapeFarFromItsOrigin) {
       EXPECT_NEAR((hit.p_M + surface.origin_M - Vec3::Constant(kAt) - Vec3(3.0, 4.0, 10.0)).norm(), 0.0, 1e-5) << name;
       EXPECT_NEAR(loaded.value().facts.low[0], kAt, 1e-5) << name;
       EXPECT_NEAR(largestExtent(loaded.value().facts), 10.0, 1e-5) << name;
+      EXPECT_EQ(precisionReport(loaded.value().facts, 1.0), "") << name;
     }
   }
 }
@@ -117,6 +119,9 @@ TEST(FarMesh, InFloatsIsAsTheFileHasIt) {
     const mesh::Surface& surface = *loaded.value().surface;
     EXPECT_EQ(Vec3(surface.origin_M + surface.low_M.cast<double>()), Vec3(Vec3::Constant(900'000.0625)));
     EXPECT_EQ(loaded.value().facts.high[2], 900'010.0625);
+    EXPECT_EQ(loaded.value().facts.single_step, 0.0625);
+    EXPECT_TRUE(precisionReport(loaded.value().facts, 1.0).starts_with("The mesh is so far from its origin"));
+    EXPECT_EQ(precisionReport(loaded.value().facts, 1e-3), "") << "steps of 0.06 um";
   }
 }
 

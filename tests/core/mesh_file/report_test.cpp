@@ -123,11 +123,11 @@ TEST(MeshReport, RefusesAWallWhereInsideCannotBeTold) {
   facts.crossings = 1'000'000;
   facts.inside = Inside::Unsure;
   EXPECT_FALSE(allowsWalls(facts));
-  EXPECT_EQ(
-      reportOf(facts, 1.0),
-      (Sentences{"The surface intersects itself, at 1000000 pairs of faces. Inside and outside cannot be told apart.",
-                 "The mesh can be felt from both sides only: it intersects itself too often to tell inside from "
-                 "outside."}));
+  EXPECT_EQ(reportOf(facts, 1.0),
+            (Sentences{
+                "The surface intersects itself, at 1000000 pairs of faces. Inside and outside cannot be distinguished.",
+                "The mesh can be felt from both sides only: it intersects itself too often to tell inside from "
+                "outside."}));
 }
 
 std::vector<double> scalesOf(double largest_mm) {
