@@ -121,18 +121,22 @@ bool eachOnWay(const Surface& surface, const Vec3& from_M, const Vec3& to_M,
 
 }  // namespace
 
+int netCrossings(const Surface& surface, const Vec3& from_M, const Vec3& to_M) noexcept {
+  if (from_M == to_M) return 0;
+  const Sheared sheared(from_M, to_M);
+  int sum = 0;
+  eachOnWay(surface, from_M, to_M, [&](std::int32_t face) noexcept UNDERACT_REAL_TIME {
+    sum += shareAt(surface, face, CrossingDirection::Outwards, sheared, 0.0) < kInfinity ? 1 : 0;
+    sum -= shareAt(surface, face, CrossingDirection::Inwards, sheared, 0.0) < kInfinity ? 1 : 0;
+  });
+  return sum;
+}
+
 bool isInside(const Surface& surface, const Vec3& q_M) noexcept {
   // To a point outside the bounds, in a direction that edges of ordinary meshes do not have.
   const Vec3 low = surface.low_M.cast<double>(), high = surface.high_M.cast<double>();
   if ((q_M - low).minCoeff() < 0.0 || (high - q_M).minCoeff() < 0.0) return false;
-  const Vec3 to_M = q_M + 2.0 * (high - low).norm() * Vec3(0.5773, 0.2113, 0.7887);
-  const Sheared sheared(q_M, to_M);
-  int sum = 0;
-  eachOnWay(surface, q_M, to_M, [&](std::int32_t face) noexcept UNDERACT_REAL_TIME {
-    sum += shareAt(surface, face, CrossingDirection::Outwards, sheared, 0.0) < kInfinity ? 1 : 0;
-    sum -= shareAt(surface, face, CrossingDirection::Inwards, sheared, 0.0) < kInfinity ? 1 : 0;
-  });
-  return sum > 0;
+  return netCrossings(surface, q_M, q_M + 2.0 * (high - low).norm() * Vec3(0.5773, 0.2113, 0.7887)) > 0;
 }
 
 Crossing firstCrossing(const Surface& surface, CrossingDirection way, const Vec3& from_M, const Vec3& to_M) noexcept {

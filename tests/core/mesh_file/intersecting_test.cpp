@@ -25,7 +25,7 @@ Loaded loaded(const Triangles& triangles) {
   return loadMesh(folder.write("m.stl", test::stlBinary(test::soup(triangles))), {}, Cache("/dev/null")).value();
 }
 
-TEST(CrossedMesh, HasNoFreePlaceWithinAndNoWayThroughItsWalls) {
+TEST(IntersectingMesh, HasNoFreePlaceWithinAndNoWayThroughItsWalls) {
   const Loaded body = loaded(leastCase());
   EXPECT_EQ(body.facts.inside, Inside::United);
   EXPECT_GT(body.facts.crossings, 0);
@@ -41,7 +41,7 @@ TEST(CrossedMesh, HasNoFreePlaceWithinAndNoWayThroughItsWalls) {
   }
 }
 
-TEST(CrossedMesh, ComesFromTheCacheAsItWasMade) {
+TEST(IntersectingMesh, ComesFromTheCacheAsItWasMade) {
   const test::ScratchFolder folder;
   const Cache cache(folder.path() + "/cache");
   const std::string path = folder.write("m.stl", test::stlBinary(test::soup(leastCase())));
@@ -51,7 +51,7 @@ TEST(CrossedMesh, ComesFromTheCacheAsItWasMade) {
   EXPECT_EQ(std::memcmp(&first.facts, &second.facts, sizeof(Facts)), 0);
 }
 
-TEST(CrossedMesh, ThatDoesNotIsLeftAsItIsToTheBit) {
+TEST(IntersectingMesh, ThatDoesNotIsLeftAsItIsToTheBit) {
   for (const Triangles& one :
        {test::ball(20.0F, 3), test::joined(test::ball(20.0F, 2), test::cube(3.0F, {30, 0, 0}))}) {
     const Loaded body = loaded(one);
@@ -61,7 +61,7 @@ TEST(CrossedMesh, ThatDoesNotIsLeftAsItIsToTheBit) {
   }
 }
 
-TEST(CrossedMesh, OfBodiesThatMeetInEdgesOrFacesIsAWall) {
+TEST(IntersectingMesh, OfBodiesThatMeetInEdgesOrFacesIsAWall) {
   const Triangles box = test::boxOf({0, 0, 0}, {10, 10, 10});
   for (const Vec3& by : {Vec3(10, 0, 0), Vec3(10, 10, 0), Vec3(10, 10, 10), Vec3(10, 3, 4), Vec3(0, 0, 0)}) {
     const Loaded body = loaded(test::together({box, test::moved(box, Mat3::Identity(), by)}));
@@ -76,7 +76,19 @@ TEST(CrossedMesh, OfBodiesThatMeetInEdgesOrFacesIsAWall) {
   }
 }
 
-TEST(CrossedMesh, OpenOrTwistedIsHeldToAndIsNoWall) {
+/// As a convex decomposition rounds them: both parts end at one plane, apart from the last digits.
+TEST(IntersectingMesh, AGapOfRoundingBetweenPartsIsNotFelt) {
+  const Loaded body = loaded(
+      test::together({test::boxOf({-20, -20, -20}, {0, 20, 20}), test::boxOf({1.1e-4, -15, -15}, {20, 15, 15})}));
+  EXPECT_LT(body.facts.weld_tolerance, 1.1e-4);  // merging vertices would not close it
+  EXPECT_EQ(body.facts.inside, Inside::United);
+  mesh::ProxyState state;
+  const mesh::Hit hit = mesh::followProxy(*body.surface, mesh::FreeSide::Outside, {5.5e-5, 3, 10}, state);
+  ASSERT_GE(hit.face, 0);
+  EXPECT_NEAR((hit.p_M - Vec3(0, 3, 15)).norm(), 0.0, 1e-3);
+}
+
+TEST(IntersectingMesh, OpenOrTwistedIsHeldToAndIsNoWall) {
   Triangles open = leastCase();
   open.faces.pop_back();
   EXPECT_FALSE(allowsWalls(loaded(open).facts));
