@@ -61,6 +61,7 @@ bool uniteRepaired(Repaired& repaired, const TaskMonitor& monitor) {
       facts.closed_holes = 0;
       break;
     case mesh_union::Outcome::AsItWas:
+      facts.crossings_checked = 1;  // of larger meshes than repair() checks
       break;
   }
   return true;

@@ -1,15 +1,18 @@
-// underact-mesh-union-bench [POINTS]: the two ways to make a wall of a mesh that intersects itself. Either the surface
-// of its union is made when it is loaded; or each tick asks for the winding number of the mesh as it is, by a ray, by
-// the faces between the last tip and this one, by a tree of dipoles (Barill and others 2018, Fast winding numbers for
-// soups and clouds), or by all solid angles. Times per tick of inside or outside alone, and for the union of the proxy
-// too. Then the proxy on bodies of boxes that intersect, beside surfaces of the same bodies made by hand. Times are
-// this machine's.
+// underact-mesh-union-bench [POINTS | --write FOLDER]: the two ways to make a wall of a mesh that intersects itself.
+// Either the surface of its union is made when it is loaded; or each tick asks for the winding number of the mesh as it
+// is, by a ray, by the faces between the last tip and this one, by a tree of dipoles (Barill and others 2018, Fast
+// winding numbers for soups and clouds), or by all solid angles. Times per tick of inside or outside alone, and for the
+// union of the proxy too. Then the proxy on bodies of boxes that intersect, beside surfaces of the same bodies made by
+// hand. Times are this machine's.
 #include "core/mesh_union/union.h"
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <iomanip>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -279,10 +282,35 @@ void compareAll(int points) {
   compareWithHandmade("30 boxes", bodyByHand(boxes), points);
 }
 
+void writeOff(const Triangles& triangles, const std::string& path) {
+  std::ofstream file(path);
+  file << "OFF\n" << triangles.p_MV.size() << ' ' << triangles.faces.size() << " 0\n" << std::setprecision(9);
+  for (const Eigen::Vector3f& p : triangles.p_MV) file << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  for (const auto& [a, b, c] : triangles.faces) file << "3 " << a << ' ' << b << ' ' << c << '\n';
+}
+
+void writeBody(const std::string& folder) {
+  const auto turned = [](double angle_deg, const Vec3& size, const Vec3& at) {
+    const Mat3 R = Eigen::AngleAxisd(angle_deg * 3.14159265358979323846 / 180.0, Vec3::UnitY()).toRotationMatrix();
+    return test::moved(test::boxOf(-0.5 * size, 0.5 * size), R, at);
+  };
+  // A handle on a body: as an engine of physics would have it, of convex parts.
+  Triangles body = test::together({turned(0, {24, 30, 40}, {-10, 0, 0}), turned(35, {26, 16, 9}, {8, 0, 16}),
+                                   turned(90, {24, 16, 9}, {19, 0, 0}), turned(-35, {26, 16, 9}, {8, 0, -15}),
+                                   test::moved(test::roundOf(13.0, 3), Mat3::Identity(), {-12, 0, 20})});
+  writeOff(body, folder + "/given.off");
+  unite(body, 0.25 * kWeld, 2.0 * kWeld, {});
+  writeOff(body, folder + "/felt.off");
+}
+
 }  // namespace
 }  // namespace underact::bench
 
 int main(int count, char** words) {
-  underact::bench::compareAll(count > 1 ? std::max(100, std::atoi(words[1])) : 4000);
+  if (count == 3 && std::string(words[1]) == "--write") {
+    underact::bench::writeBody(words[2]);
+  } else {
+    underact::bench::compareAll(count > 1 ? std::max(100, std::atoi(words[1])) : 4000);
+  }
   return 0;
 }
