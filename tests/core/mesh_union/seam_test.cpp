@@ -89,7 +89,7 @@ TEST(UnionSeams, ArePressedAndSlidAlongWithoutAStepOrAWayIn) {
 /// A tip of which nobody knows where it came from.
 TEST(UnionSeams, AFirstTipIsPushedOutWhereItIsInside) {
   test::Random random(test::Seed{20070603});
-  for (int draw = 0; draw < test::dearSweep(60, 10'000); ++draw) {
+  for (int draw = 0; draw < test::dearSweep(200, 10'000); ++draw) {
     const Triangles given = test::drawnBody(random, draw % 3 == 0 ? 30 : 6);
     const std::shared_ptr<const Surface> surface = surfaceOf(given);
     const test::MeshOracle oracle(given);

@@ -131,7 +131,7 @@ TEST(Union, OfAnOpenMeshIsNone) {
 
 TEST(Union, OfDrawnBodiesIsInsideWhereTheWindingNumberSaysSo) {
   test::Random random(test::Seed{20070601});
-  for (int draw = 0; draw < test::dearSweep(60, 10'000); ++draw) {
+  for (int draw = 0; draw < test::dearSweep(200, 10'000); ++draw) {
     const Triangles given = test::drawnBody(random, draw % 3 == 0 ? 30 : 6);
     Triangles made = given;
     const Outcome outcome = unite(made, kLeast, kWide, {}).outcome;
