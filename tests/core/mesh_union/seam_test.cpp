@@ -78,8 +78,12 @@ TEST(UnionSeams, ArePressedAndSlidAlongWithoutAStepOrAWayIn) {
       if (test::windingOf(given, seam.middle - kDepth * seam.out) < 0.5L) continue;
       ++seams;
       for (double height = 2.0 * kDepth; height > -kDepth; height -= kStep) tick(seam.middle + height * seam.out);
-      for (double along = 0.0; along < 0.35 * seam.length; along += kStep)
-        tick(seam.middle - kDepth * seam.out + along * seam.along);
+      for (int step = 0; step * kStep < 0.35 * seam.length; ++step) {
+        const auto at = [&](int k) -> Vec3 { return seam.middle - kDepth * seam.out + k * kStep * seam.along; };
+        // Where another wall comes near from behind, the tip leaves through that one, and the proxy holds on.
+        if (step % 5 == 0 && (test::windingOf(given, at(step + 5)) < 0.5L || oracle.distance(at(step)) < 0.1)) break;
+        tick(at(step));
+      }
       if (testing::Test::HasFailure()) return;
     }
   }
