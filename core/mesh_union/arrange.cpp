@@ -10,9 +10,7 @@
 namespace underact::mesh_union {
 namespace {
 
-constexpr std::int64_t kMostPairs = 30'000'000;     // of faces whose boxes meet; some seconds
-constexpr std::int64_t kMostCrossings = 2'000'000;  // of those that touch
-constexpr std::int64_t kBetweenLooks = 1024;        // for cancellation
+constexpr std::int64_t kBetweenLooks = 1024;  // for cancellation
 
 /// What another face cuts of one: a segment, or a point where both ends are the same.
 struct Cut {
@@ -21,8 +19,9 @@ struct Cut {
 
 class Arranging {
  public:
-  Arranging(const Grid& grid, const std::vector<mesh::Face>& faces, Points& points, const TaskMonitor& monitor)
-      : grid_(grid), points_(points), monitor_(monitor), flats_(faces.size()) {
+  Arranging(const Grid& grid, const std::vector<mesh::Face>& faces, Points& points, const TaskMonitor& monitor,
+            const Limits& limits)
+      : grid_(grid), points_(points), monitor_(monitor), limits_(limits), flats_(faces.size()) {
     found_.plane_of.resize(faces.size());
     std::iota(found_.plane_of.begin(), found_.plane_of.end(), 0);
     for (std::size_t face = 0; face < faces.size(); ++face) {
@@ -62,7 +61,7 @@ class Arranging {
     boxes.eachPair([&](std::int32_t a, std::int32_t b) {
       const Flat &one = flats_[static_cast<std::size_t>(a)], &other = flats_[static_cast<std::size_t>(b)];
       if (!one.plane.isThere() || !other.plane.isThere()) return true;
-      is_well = ++pairs <= kMostPairs && found_.crossings <= kMostCrossings &&
+      is_well = ++pairs <= limits_.pairs && found_.crossings <= limits_.crossings &&
                 (pairs % kBetweenLooks != 0 || !monitor_.isCancelled());
       if (is_well) meet(a, b);
       return is_well;
@@ -188,6 +187,7 @@ class Arranging {
   const Grid& grid_;
   Points& points_;
   const TaskMonitor& monitor_;
+  const Limits& limits_;
   std::vector<Flat> flats_;
   std::vector<Cut> cuts_;
   Arrangement found_;
@@ -196,8 +196,8 @@ class Arranging {
 }  // namespace
 
 std::optional<Arrangement> arrange(const Grid& grid, const std::vector<mesh::Face>& faces, const Boxes& boxes,
-                                   Points& points, const TaskMonitor& monitor) {
-  return Arranging(grid, faces, points, monitor).all(boxes);
+                                   Points& points, const TaskMonitor& monitor, const Limits& limits) {
+  return Arranging(grid, faces, points, monitor, limits).all(boxes);
 }
 
 }  // namespace underact::mesh_union

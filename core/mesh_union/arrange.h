@@ -22,10 +22,16 @@ struct Arrangement {
   std::int64_t crossings = 0;          // pairs of faces with more than corners and edges of theirs in common
 };
 
+/// How much work a mesh may take.
+struct Limits {
+  std::int64_t pairs = 30'000'000;     // of faces whose boxes meet; some seconds
+  std::int64_t crossings = 2'000'000;  // of those that intersect; ten seconds
+};
+
 /// Cuts all faces along their lines of intersection. Exact. boxes: of the faces; points: gets the new ones. None:
-/// cancelled, or more than 30 million pairs of boxes or 2 million intersecting pairs. Source: Zhou, Grinspun, Zorin and
+/// cancelled, or beyond the limits. Source: Zhou, Grinspun, Zorin and
 /// Jacobson 2016, Mesh arrangements for solid geometry.
 std::optional<Arrangement> arrange(const Grid& grid, const std::vector<mesh::Face>& faces, const Boxes& boxes,
-                                   Points& points, const TaskMonitor& monitor);
+                                   Points& points, const TaskMonitor& monitor, const Limits& limits);
 
 }  // namespace underact::mesh_union

@@ -30,7 +30,7 @@ double leastLengthOf(double least, const mesh::Triangles& triangles) {
 
 }  // namespace
 
-Union unite(mesh::Triangles& triangles, double least, double wide, const TaskMonitor& monitor) {
+Union unite(mesh::Triangles& triangles, double least, double wide, const TaskMonitor& monitor, const Limits& limits) {
   Union made;
   const auto ended = [&](Outcome outcome) {
     made.outcome = monitor.isCancelled() ? Outcome::Cancelled : outcome;
@@ -41,7 +41,7 @@ Union unite(mesh::Triangles& triangles, double least, double wide, const TaskMon
   const Boxes boxes(grid.points, triangles.faces);
   if (monitor.isCancelled()) return ended(Outcome::Cancelled);
   Points points(grid);
-  const std::optional<Arrangement> arrangement = arrange(grid, triangles.faces, boxes, points, monitor);
+  const std::optional<Arrangement> arrangement = arrange(grid, triangles.faces, boxes, points, monitor, limits);
   if (!arrangement) return ended(Outcome::TooMuch);
   made.crossings = arrangement->crossings;
   const std::optional<Kept> kept = keep(grid, triangles.faces, boxes, points, *arrangement, monitor);

@@ -3,6 +3,7 @@
 
 #include "core/base/task_monitor.h"
 #include "core/mesh/triangles.h"
+#include "core/mesh_union/arrange.h"
 
 namespace underact::mesh_union {
 
@@ -33,6 +34,7 @@ struct Union {
 /// of the mesh stay where they are. least, wide: in the unit of the mesh. Deterministic to the bit. Cost: about 10 us
 /// for each intersection, besides the search for them. Sources: Zhou et al. 2016, Mesh arrangements for solid geometry;
 /// Jacobson et al. 2013, for the winding number.
-Union unite(mesh::Triangles& triangles, double least, double wide, const TaskMonitor& monitor);
+Union unite(mesh::Triangles& triangles, double least, double wide, const TaskMonitor& monitor,
+            const Limits& limits = {});
 
 }  // namespace underact::mesh_union

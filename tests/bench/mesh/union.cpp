@@ -171,7 +171,7 @@ std::shared_ptr<const Surface> surfaceOf(const Triangles& triangles) {
 void compareWays(const Triangles& given, int points) {
   Triangles united = given;
   const Clock::time_point begin = Clock::now();
-  const mesh_union::Union made = unite(united, 0.25 * kWeld, 2.0 * kWeld, {});
+  const mesh_union::Union made = mesh_union::unite(united, 0.25 * kWeld, 2.0 * kWeld, {});
   const double union_ms = since_us(begin) / 1e3;
   const std::shared_ptr<const Surface> felt = mesh::asUnited(*surfaceOf(united)), as_it_is = surfaceOf(given);
   std::printf("%zu faces, %lld pairs intersect, %zu faces felt\n", given.faces.size(),
@@ -245,7 +245,7 @@ ByHand bodyByHand(const std::vector<std::pair<Eigen::Vector3i, Eigen::Vector3i>>
 
 void compareWithHandmade(const char* name, const ByHand& body, int points) {
   Triangles united = body.crossed;
-  unite(united, 0.25 * kWeld, 2.0 * kWeld, {});
+  mesh_union::unite(united, 0.25 * kWeld, 2.0 * kWeld, {});
   const std::vector<Vec3> path = test::handPath(body.made, 1.0, points, test::Seed{20070702});
   std::vector<double> ours, theirs;
   const std::shared_ptr<const Surface> felt = mesh::asUnited(*surfaceOf(united)), made = surfaceOf(body.made);
@@ -299,7 +299,7 @@ void writeBody(const std::string& folder) {
                                    turned(90, {24, 16, 9}, {19, 0, 0}), turned(-35, {26, 16, 9}, {8, 0, -15}),
                                    test::moved(test::roundOf(13.0, 3), Mat3::Identity(), {-12, 0, 20})});
   writeOff(body, folder + "/given.off");
-  unite(body, 0.25 * kWeld, 2.0 * kWeld, {});
+  mesh_union::unite(body, 0.25 * kWeld, 2.0 * kWeld, {});
   writeOff(body, folder + "/felt.off");
 }
 

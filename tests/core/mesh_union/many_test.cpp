@@ -57,6 +57,15 @@ TEST(UnionOfManyParts, ThatIntersectIsClosedOrRefused) {
   }
 }
 
+TEST(UnionOfManyParts, BeyondTheLimitsAreRefusedAndLeftAsTheyWere) {
+  Triangles made = tetrahedra(8, 1.5F);
+  const Triangles given = made;
+  EXPECT_EQ(unite(made, 1e-6, 0.0, {}, {10'000'000, 1000}).outcome, Outcome::TooMuch);
+  EXPECT_EQ(unite(made, 1e-6, 0.0, {}, {1000, 10'000'000}).outcome, Outcome::TooMuch);
+  EXPECT_EQ(made.p_MV, given.p_MV);
+  EXPECT_EQ(made.faces, given.faces);
+}
+
 TEST(UnionOfManyParts, EndsSoonWhenItIsCancelled) {
   Triangles made = tetrahedra(10, 1.5F);
   const Triangles given = made;
