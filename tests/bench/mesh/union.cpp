@@ -13,6 +13,7 @@
 #include <iomanip>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -155,6 +156,10 @@ template <class Ask>
 void tell(const char* name, double load_ms, const std::vector<Vec3>& path, const Truth& truth, const Ask& ask) {
   std::vector<double> answers;
   const Times times = timesOf(path, ask, answers);
+  if constexpr (std::is_same_v<Ask,
+                               Proxy>) {  // one that follows holds on behind thin parts: each point as the first one
+    for (std::size_t i = 0; i < path.size(); ++i) answers[i] = Ask(ask)(path[i]);
+  }
   int wrong = 0, asked = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (truth.inside[i] < 0) continue;
@@ -250,11 +255,16 @@ void compareWithHandmade(const char* name, const ByHand& body, int points) {
   std::vector<double> ours, theirs;
   const std::shared_ptr<const Surface> felt = mesh::asUnited(*surfaceOf(united)), made = surfaceOf(body.made);
   const Times of_made = timesOf(path, Proxy(*made), theirs), of_union = timesOf(path, Proxy(*felt), ours);
-  int different = 0;
-  for (std::size_t i = 0; i < path.size(); ++i) different += ours[i] != theirs[i] ? 1 : 0;
-  std::printf("  %-22s %7zu %7zu   %6.3f %6.3f   %6.3f %6.3f   %5.2f   %d\n", name, united.faces.size(),
+  const Truth truth = truthOf(body.crossed, path);
+  int different = 0, right = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (ours[i] == theirs[i] || truth.inside[i] < 0) continue;
+    ++different;
+    right += ours[i] == truth.inside[i] ? 1 : 0;
+  }
+  std::printf("  %-22s %7zu %7zu   %6.3f %6.3f   %6.3f %6.3f   %5.2f   %d (%d)\n", name, united.faces.size(),
               body.made.faces.size(), of_union.p50_us, of_union.p99_us, of_made.p50_us, of_made.p99_us,
-              of_union.p99_us / of_made.p99_us, different);
+              of_union.p99_us / of_made.p99_us, different, right);
 }
 
 void compareAll(int points) {
@@ -264,8 +274,8 @@ void compareAll(int points) {
   for (int k = 0; k < 12; ++k)
     balls.push_back(test::moved(test::roundOf(12.0, 4), Mat3::Identity(), random.inBox(15.0)));
   compareWays(test::together(balls), points);
-  std::printf("\n  %-22s %7s %7s   %-13s   %-13s   %5s   different\n", "the proxy, us (p50, p99)", "faces", "by hand",
-              "united", "by hand", "p99");
+  std::printf("\n  %-22s %7s %7s   %-13s   %-13s   %5s   different (of these right)\n", "the proxy, us (p50, p99)",
+              "faces", "by hand", "united", "by hand", "p99");
   compareWithHandmade("two boxes", bodyByHand({{{-20, -20, -20}, {20, 20, 0}}, {{0, -20, -10}, {20, 20, 20}}}), points);
   compareWithHandmade(
       "three bars", bodyByHand({{{-20, -5, -5}, {20, 5, 5}}, {{-5, -20, -5}, {5, 20, 5}}, {{-5, -5, -20}, {5, 5, 20}}}),

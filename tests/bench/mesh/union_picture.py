@@ -84,17 +84,17 @@ def is_behind_nearest(faces: np.ndarray, tips: np.ndarray) -> np.ndarray:
 def main() -> None:
     folder, out = Path(sys.argv[1]), Path(sys.argv[2])
     given, felt = triangles(folder / "given.off"), triangles(folder / "felt.off")
-    x, z = np.meshgrid(np.arange(-30.0, 32.0, STEP), np.arange(-26.0, 38.0, STEP))
+    x, z = np.meshgrid(np.arange(-30.0, 32.0, STEP), np.arange(-29.0, 36.0, STEP))
     tips = np.column_stack([x.ravel(), np.full(x.size, PLANE_Y), z.ravel()])
     inside = winding(given, tips) > 0.5
-    figure, axes = plt.subplots(1, 2, figsize=(9.0, 4.8), sharey=True, layout="constrained")
+    figure, axes = plt.subplots(1, 2, figsize=(9.4, 4.9), sharey=True, layout="constrained")
     for axis, faces, title in ((axes[0], given, "The faces of the file"), (axes[1], felt, "What is felt")):
         free = inside & ~is_behind_nearest(faces, tips)
         image = np.where(free, 2.0, np.where(inside, 1.0, np.nan)).reshape(x.shape)
         axis.pcolormesh(x, z, image, cmap=matplotlib.colors.ListedColormap(["#d9e6f2", "#e07a5f"]), vmin=1, vmax=2)
         axis.add_collection(LineCollection(section(faces), colors="#1b3a57", linewidths=1.6))
         share = 100.0 * free.sum() / inside.sum()
-        axis.set_title(f"{title}: {share:.0f} % of the inside has no force")
+        axis.set_title(f"{title}: no force in {share:.0f} % of the inside", fontsize=11)
         axis.set_aspect("equal")
         axis.set_xlabel("x, mm")
         print(f"{title}: {len(faces)} faces, {free.sum()} of {inside.sum()} tips inside without force")
