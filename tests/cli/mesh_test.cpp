@@ -97,7 +97,7 @@ TEST_F(MeshInfo, OfAMeshThatIntersectsItselfScenesAndRunsSayTheSame) {
   folder_.write("two.stl", leastCase());
   const std::string scene = folder_.write("two.json", sceneWith(R"(, "side": "outside")"));
   const std::string note =
-      "two.json:3:20: note: constraints[0]: The mesh \"two.stl\": The mesh consists of 2 separate parts. The surface "
+      "two.json:3:19: note: constraints[0]: The mesh \"two.stl\": The mesh consists of 2 separate parts. The surface "
       "intersects itself, at ";
   const Outcome checked = runCli({"scene", "check", scene});
   EXPECT_EQ(checked.exit, Exit::Well);
