@@ -82,6 +82,11 @@ void printAsJson(const std::string& path, const Timed& timed, const MeshOptions&
   }
   object.addInteger("crossings", facts.crossings);
   object.addBool("crossings_checked", facts.crossings_checked != 0);
+  object.addBool("united", facts.inside == mesh_file::Inside::United);
+  object.addInteger("felt_faces", facts.felt_faces);
+  object.addInteger("felt_corners", facts.felt_corners);
+  object.addInteger("faces_within", facts.within);
+  object.addInteger("closed_holes", facts.closed_holes);
   object.addTexts("sides", sidesOf(facts));
   const std::vector<Sentence> report = mesh_file::reportOf(facts, scale);
   object.addTexts("report", {report.begin(), report.end()});
@@ -111,6 +116,8 @@ void printAsTable(const std::string& path, const Timed& timed, const MeshOptions
   row("faces") << facts.faces << " (" << facts.file_faces << " in the file)\n";
   row("corners") << facts.corners << '\n';
   row("parts") << facts.parts << '\n';
+  if (facts.inside == mesh_file::Inside::United)
+    row("felt") << facts.felt_faces << " faces, " << facts.felt_corners << " corners\n";
   row("sides") << (mesh_file::allowsWalls(facts) ? "both, outside, inside" : "both") << '\n';
   row("loaded") << json::numberText(std::round(timed.seconds * 1e3) / 1e3) << " s"
                 << (timed.loaded.from_cache ? ", from the cache" : "") << '\n';

@@ -175,6 +175,7 @@ std::optional<Prepared> prepare(const RunOptions& options, const Streams& stream
     exit = fail(scene.problems(), streams);
     return {};
   }
+  printNotes(scene.value(), streams.err);
   Result<LoadedScene> asked = asAsked(std::move(scene).value(), options);
   if (!asked) {
     exit = fail(asked.problems(), Exit::BadInput, streams);

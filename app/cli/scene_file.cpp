@@ -6,6 +6,7 @@
 
 #include "app/cli/progress.h"
 #include "core/scene/load_meshes.h"
+#include "core/scene/mesh_notes.h"
 #include "core/scene/read.h"
 
 namespace underact::cli {
@@ -23,6 +24,12 @@ Result<LoadedScene> loadScene(const std::string& path, const Streams& streams) {
 
 void print(const Problems& problems, std::ostream& stream) {
   for (const Problem& problem : problems) stream << describe(problem) << '\n';
+}
+
+void printNotes(const LoadedScene& scene, std::ostream& stream) {
+  for (const Problem& note : scene::meshNotes(scene.description))
+    stream << note.place.file << ':' << note.place.line << ':' << note.place.column << ": note: " << note.place.key
+           << ": " << note.sentence << '\n';
 }
 
 Exit exitOf(const Problems& problems) {

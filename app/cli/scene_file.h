@@ -21,6 +21,9 @@ Result<LoadedScene> loadScene(const std::string& path, const Streams& streams);
 /// One line per problem.
 void print(const Problems& problems, std::ostream& stream);
 
+/// Prints what is worth knowing about a scene without problems, one line per note: see scene::meshNotes().
+void printNotes(const LoadedScene& scene, std::ostream& stream);
+
 /// File if something could not be read at all; else BadInput.
 Exit exitOf(const Problems& problems);
 

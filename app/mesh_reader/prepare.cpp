@@ -25,7 +25,7 @@ Prepared damagedAt(int line, const char* pattern) {
 }
 
 /// One facet of an STL text, from after its word "facet" on; the problem as a pattern for its line, or null.
-const char* addFacet(Scan& words, std::string& to) {
+const char* addFacet(Scan& words, std::string& to, Shift& shift) {
   const auto is = [&words](const char* word) { return mesh_file::lowered(words.word()) == word; };
   to += "facet normal ";
   if (!is("normal") || !addPoint(words, to))
@@ -36,7 +36,7 @@ const char* addFacet(Scan& words, std::string& to) {
   to += "outer loop\n";
   for (int corner = 0; corner < 3; ++corner) {
     to += "vertex ";
-    if (!is("vertex") || !addPoint(words, to))
+    if (!is("vertex") || !addPoint(words, to, &shift))
       return TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a vertex of a face (vertex x y z).");
   }
   if (!is("endloop"))
@@ -47,11 +47,42 @@ const char* addFacet(Scan& words, std::string& to) {
   return nullptr;
 }
 
+/// A mesh further than this many times its extent from its origin is moved: floats would lose 6 of their 24 bits there.
+constexpr double kFarOff = 32.0;
+
+/// The point to move to the origin, near the middle of the mesh; 0: it may stay. In steps of about the extent, so that
+/// floats of the file are still exact after the move.
+Vec3 originOf(const Shift& shift) {
+  const double extent = (shift.high_M - shift.low_M).maxCoeff();
+  const double largest = std::max(shift.low_M.cwiseAbs().maxCoeff(), shift.high_M.cwiseAbs().maxCoeff());
+  if (!(extent > 0.0) || !std::isfinite(largest) || !(largest > kFarOff * extent)) return Vec3::Zero();
+  const double step = std::ldexp(1.0, std::ilogb(extent));
+  const Vec3 steps = (0.5 / step) * (shift.low_M + shift.high_M);
+  return step * Vec3(std::round(steps.x()), std::round(steps.y()), std::round(steps.z()));
+}
+
+Prepared preparedAt(mesh_file::Format format, std::string bytes, Shift& shift) {
+  switch (format) {
+    case mesh_file::Format::StlBinary:
+      return prepareStlBinary(std::move(bytes), shift);
+    case mesh_file::Format::StlText:
+      return prepareStlText(bytes, shift);
+    case mesh_file::Format::Obj:
+      return prepareObj(bytes, shift);
+    case mesh_file::Format::Ply:
+      return preparePly(bytes, shift);
+    case mesh_file::Format::Off:
+      return prepareOff(bytes, shift);
+  }
+  return {};
+}
+
 }  // namespace
 
-Prepared prepareStlBinary(std::string bytes) {
+Prepared prepareStlBinary(std::string bytes, Shift& shift) {
   Prepared prepared;
   prepared.faces = mesh_file::stlBinaryCount(bytes);
+  shift.is_single = true;
   if (bytes.size() < mesh_file::kStlHeadBytes + prepared.faces * mesh_file::kStlFaceBytes) {
     prepared.problem = said(TRANSLATE_NOOP("problem", "The file is damaged: it is too short for its faces."));
     return prepared;
@@ -61,14 +92,19 @@ Prepared prepareStlBinary(std::string bytes) {
     for (int number = 0; number < 9; ++number, at += 4) {
       float value = 0.0F;
       std::memcpy(&value, at, 4);
-      if (!(std::abs(value) < mesh_file::kBeyondAll)) std::memcpy(at, &kNoNumberValue, 4);
+      if (!(std::abs(value) < mesh_file::kBeyondAll)) {
+        std::memcpy(at, &kNoNumberValue, 4);
+      } else if (const auto moved = static_cast<float>(shift.take(number % 3, static_cast<double>(value)));
+                 moved != value) {
+        std::memcpy(at, &moved, 4);
+      }
     }
   }
   prepared.bytes = std::move(bytes);
   return prepared;
 }
 
-Prepared prepareStlText(const std::string& bytes) {
+Prepared prepareStlText(const std::string& bytes, Shift& shift) {
   Prepared prepared;
   prepared.bytes.reserve(bytes.size() + 64);
   prepared.bytes = "solid\n";
@@ -79,7 +115,7 @@ Prepared prepareStlText(const std::string& bytes) {
     if (word == "solid" || word == "endsolid") {
       words.line();  // a name, which OpenMesh would misread
     } else if (word == "facet") {
-      const char* problem = addFacet(words, prepared.bytes);
+      const char* problem = addFacet(words, prepared.bytes, shift);
       if (problem != nullptr) return damagedAt(words.lineNumber(), problem);
       ++prepared.faces;
     } else {
@@ -91,7 +127,7 @@ Prepared prepareStlText(const std::string& bytes) {
   return prepared;
 }
 
-Prepared prepareObj(const std::string& bytes) {
+Prepared prepareObj(const std::string& bytes, Shift& shift) {
   Prepared prepared;
   prepared.bytes.reserve(bytes.size() + 64);
   std::string joined;
@@ -105,7 +141,7 @@ Prepared prepareObj(const std::string& bytes) {
     const std::string_view key = words.word();
     if (key == "v") {
       prepared.bytes += "v ";
-      if (!addPoint(words, prepared.bytes))
+      if (!addPoint(words, prepared.bytes, &shift))
         return damagedAt(lines.lineNumber() - 1,
                          TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a vertex (v x y z)."));
       ++prepared.corners;
@@ -127,7 +163,7 @@ Prepared prepareObj(const std::string& bytes) {
   return prepared;
 }
 
-Prepared prepareOff(const std::string& bytes) {
+Prepared prepareOff(const std::string& bytes, Shift& shift) {
   const Result<mesh_file::OffHeader> header = mesh_file::readOffHeader(bytes);
   Prepared prepared;
   if (!header) {
@@ -153,7 +189,7 @@ Prepared prepareOff(const std::string& bytes) {
     }
     if (row++ < prepared.corners) {
       Scan again(line);
-      if (!addPoint(again, prepared.bytes))
+      if (!addPoint(again, prepared.bytes, &shift))
         return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a vertex (x y z)."));
       continue;
     }
@@ -174,19 +210,19 @@ Prepared prepareOff(const std::string& bytes) {
 }
 
 Prepared prepare(mesh_file::Format format, std::string bytes) {
-  switch (format) {
-    case mesh_file::Format::StlBinary:
-      return prepareStlBinary(std::move(bytes));
-    case mesh_file::Format::StlText:
-      return prepareStlText(bytes);
-    case mesh_file::Format::Obj:
-      return prepareObj(bytes);
-    case mesh_file::Format::Ply:
-      return preparePly(bytes);
-    case mesh_file::Format::Off:
-      return prepareOff(bytes);
-  }
-  return {};
+  Shift shift;
+  // Binary STL is moved in place; other files are prepared a second time if they turn out to be far from the origin.
+  const bool is_in_place = format == mesh_file::Format::StlBinary;
+  Prepared prepared = preparedAt(format, is_in_place ? std::move(bytes) : bytes, shift);
+  const Vec3 origin_M = prepared.problem.empty() ? originOf(shift) : Vec3(Vec3::Zero());
+  if (origin_M == Vec3::Zero()) return prepared;
+  Shift moved;
+  moved.origin_M = origin_M;
+  prepared = preparedAt(format, is_in_place ? std::move(prepared.bytes) : std::move(bytes), moved);
+  prepared.origin_M = origin_M;
+  const double largest = std::max(shift.low_M.cwiseAbs().maxCoeff(), shift.high_M.cwiseAbs().maxCoeff());
+  if (shift.is_single) prepared.single_step = std::ldexp(1.0, std::ilogb(largest) - 23);  // floats have 24 bits
+  return prepared;
 }
 
 }  // namespace underact::mesh_reader

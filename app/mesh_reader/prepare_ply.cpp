@@ -1,4 +1,6 @@
+#include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 
 #include "app/mesh_reader/numbers.h"
@@ -18,6 +20,10 @@ constexpr std::uint64_t kMostCornersOfAPlyFace = 5000;
 
 bool isCoordinate(const PlyProperty& property) {
   return property.name == "x" || property.name == "y" || property.name == "z";
+}
+
+int axisOf(const PlyProperty& property) {
+  return property.name == "x" ? 0 : property.name == "y" ? 1 : 2;
 }
 
 bool isCornerList(const PlyProperty& property) {
@@ -50,10 +56,10 @@ std::string plainHeader(const PlyHeader& header) {
 /// Reads the body: each function returns false where it ends or is not valid. What is not needed is skipped.
 class TextBody {
  public:
-  explicit TextBody(std::string_view body) : words_(body) {}
-  bool number(const PlyProperty& /*property*/, bool kept, std::string& to) {
+  TextBody(std::string_view body, Shift& shift) : words_(body), shift_(shift) {}
+  bool number(const PlyProperty& property, bool kept, std::string& to) {
     const std::string_view word = words_.word();
-    return kept ? addNumber(word, to) : !word.empty();
+    return kept ? addNumber(word, to, &shift_, axisOf(property)) : !word.empty();
   }
   bool list(const PlyProperty& /*property*/, bool kept, std::string& to) {
     std::uint64_t count = 0;
@@ -72,13 +78,18 @@ class TextBody {
 
  private:
   mesh_file::Scan words_;
+  Shift& shift_;
 };
 
 class BinaryBody {
  public:
-  BinaryBody(std::string_view body, bool is_big) : body_(body), is_big_(is_big) {}
+  BinaryBody(std::string_view body, bool is_big, Shift& shift) : body_(body), is_big_(is_big), shift_(shift) {}
   bool number(const PlyProperty& property, bool kept, std::string& to) {
-    return take(static_cast<std::uint64_t>(property.bytes), kept, to);
+    const std::size_t place = to.size();
+    if (!take(static_cast<std::uint64_t>(property.bytes), kept, to)) return false;
+    if (kept && property.bytes == 4) move<float, std::uint32_t>(axisOf(property), to.data() + place);
+    if (kept && property.bytes == 8) move<double, std::uint64_t>(axisOf(property), to.data() + place);
+    return true;
   }
   bool list(const PlyProperty& property, bool kept, std::string& to) {
     const auto width = static_cast<std::uint64_t>(property.length_bytes);
@@ -99,8 +110,26 @@ class BinaryBody {
     body_.remove_prefix(bytes);
     return true;
   }
+  /// A coordinate that is a number is moved where it stands.
+  template <class Number, class Bits>
+  void move(int axis, char* at) {
+    Bits bits = 0;
+    for (std::size_t byte = 0; byte < sizeof bits; ++byte) {
+      bits = bits << 8U | static_cast<unsigned char>(at[is_big_ ? byte : sizeof bits - 1 - byte]);
+    }
+    const auto value = std::bit_cast<Number>(bits);
+    if (!(std::abs(value) < static_cast<Number>(mesh_file::kBeyondAll))) return;
+    shift_.is_single = shift_.is_single || sizeof(Number) == sizeof(float);
+    const auto moved = static_cast<Number>(shift_.take(axis, static_cast<double>(value)));
+    if (moved == value) return;
+    bits = std::bit_cast<Bits>(moved);
+    for (std::size_t byte = 0; byte < sizeof bits; ++byte) {
+      at[is_big_ ? sizeof bits - 1 - byte : byte] = static_cast<char>(bits >> (8U * byte) & 0xFFU);
+    }
+  }
   std::string_view body_;
   bool is_big_;
+  Shift& shift_;
 };
 
 /// The row of an element at which the body breaks off; -1: none.
@@ -138,7 +167,7 @@ void copyBody(const PlyHeader& header, Body body, Prepared& prepared) {
 
 }  // namespace
 
-Prepared preparePly(const std::string& bytes) {
+Prepared preparePly(const std::string& bytes, Shift& shift) {
   Prepared prepared;
   const Result<PlyHeader> header = mesh_file::readPlyHeader(bytes);
   if (!header) {
@@ -149,9 +178,9 @@ Prepared preparePly(const std::string& bytes) {
   prepared.bytes = plainHeader(header.value());
   const std::string_view body = std::string_view(bytes).substr(header.value().bytes);
   if (header.value().encoding == PlyEncoding::Text) {
-    copyBody(header.value(), TextBody(body), prepared);
+    copyBody(header.value(), TextBody(body, shift), prepared);
   } else {
-    copyBody(header.value(), BinaryBody(body, header.value().encoding == PlyEncoding::BigEndian), prepared);
+    copyBody(header.value(), BinaryBody(body, header.value().encoding == PlyEncoding::BigEndian, shift), prepared);
   }
   return prepared;
 }

@@ -74,6 +74,8 @@ Message read(Format format, std::uint64_t file_bytes) {
     // Readers leave out degenerate faces; only their number is known.
     const auto missing = static_cast<std::int64_t>(prepared.faces - result.polygons.ends.size());
     message.raw = trianglesOf(std::move(result.polygons));
+    message.raw.origin_M = prepared.origin_M;
+    message.raw.single_step = prepared.single_step;
     message.raw.polygons += missing;
     message.raw.dropped.without_extent += missing;
     message.raw.normals = result.normals;

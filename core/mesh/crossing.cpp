@@ -96,7 +96,48 @@ unsigned metBy(const Node& node, const Vec3& from_M, const Vec3& to_M) noexcept 
   return met;
 }
 
+/// Calls poll(face) for the faces whose boxes the way may meet. Whether these were all.
+template <class Visit>
+bool eachOnWay(const Surface& surface, const Vec3& from_M, const Vec3& to_M,
+               const Visit& visit) noexcept UNDERACT_REAL_TIME {
+  std::array<std::int32_t, (kWays - 1) * kMostDepth + kWays> stack;
+  std::size_t waiting = 0;
+  stack[waiting++] = 0;
+  for (int visits = 0; waiting > 0; ++visits) {
+    if (visits == kMostVisits) return false;
+    const Node& node = surface.nodes[static_cast<std::size_t>(stack[--waiting])];
+    const unsigned met = metBy(node, from_M, to_M);
+    for (std::size_t child = 0; child < kWays; ++child) {
+      if ((met >> child & 1U) == 0U || node.children[child] == kNoChild) continue;
+      if (node.children[child] >= 0) {
+        stack[waiting++] = node.children[child];
+      } else {
+        visit(-1 - node.children[child]);
+      }
+    }
+  }
+  return true;
+}
+
 }  // namespace
+
+int netCrossings(const Surface& surface, const Vec3& from_M, const Vec3& to_M) noexcept {
+  if (from_M == to_M) return 0;
+  const Sheared sheared(from_M, to_M);
+  int sum = 0;
+  eachOnWay(surface, from_M, to_M, [&](std::int32_t face) noexcept UNDERACT_REAL_TIME {
+    sum += shareAt(surface, face, CrossingDirection::Outwards, sheared, 0.0) < kInfinity ? 1 : 0;
+    sum -= shareAt(surface, face, CrossingDirection::Inwards, sheared, 0.0) < kInfinity ? 1 : 0;
+  });
+  return sum;
+}
+
+bool isInside(const Surface& surface, const Vec3& q_M) noexcept {
+  // To a point outside the bounds, in a direction that edges of ordinary meshes do not have.
+  const Vec3 low = surface.low_M.cast<double>(), high = surface.high_M.cast<double>();
+  if ((q_M - low).minCoeff() < 0.0 || (high - q_M).minCoeff() < 0.0) return false;
+  return netCrossings(surface, q_M, q_M + 2.0 * (high - low).norm() * Vec3(0.5773, 0.2113, 0.7887)) > 0;
+}
 
 Crossing firstCrossing(const Surface& surface, CrossingDirection way, const Vec3& from_M, const Vec3& to_M) noexcept {
   Crossing crossing;
@@ -104,29 +145,13 @@ Crossing firstCrossing(const Surface& surface, CrossingDirection way, const Vec3
   const Sheared sheared(from_M, to_M);
   const double slack = sheared.slack(surface);
   double first = kInfinity;
-  std::array<std::int32_t, (kWays - 1) * kMostDepth + kWays> stack;
-  std::size_t waiting = 0;
-  stack[waiting++] = 0;
-  for (int visits = 0; waiting > 0; ++visits) {
-    if (visits == kMostVisits) {
-      crossing.is_whole = false;
-      break;
+  crossing.is_whole = eachOnWay(surface, from_M, to_M, [&](std::int32_t face) noexcept UNDERACT_REAL_TIME {
+    const double share = shareAt(surface, face, way, sheared, slack);
+    if (share < first) {
+      first = share;
+      crossing.face = face;
     }
-    const Node& node = surface.nodes[static_cast<std::size_t>(stack[--waiting])];
-    const unsigned met = metBy(node, from_M, to_M);
-    for (std::size_t child = 0; child < kWays; ++child) {
-      if ((met >> child & 1U) == 0U || node.children[child] == kNoChild) continue;
-      if (node.children[child] >= 0) {
-        stack[waiting++] = node.children[child];
-        continue;
-      }
-      const double share = shareAt(surface, -1 - node.children[child], way, sheared, slack);
-      if (share < first) {
-        first = share;
-        crossing.face = -1 - node.children[child];
-      }
-    }
-  }
+  });
   return crossing;
 }
 

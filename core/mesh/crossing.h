@@ -19,4 +19,14 @@ struct Crossing {
 Crossing firstCrossing(const Surface& surface, CrossingDirection way, const Vec3& from_M,
                        const Vec3& to_M) noexcept UNDERACT_REAL_TIME;
 
+/// How many more faces the straight path passes through outwards than inwards; of a closed mesh, by how much the
+/// winding number at from_M is greater than at to_M. Both ends finite and not on a face. After kMostVisits, of the
+/// faces found so far; a path exactly through an edge counts both faces.
+int netCrossings(const Surface& surface, const Vec3& from_M, const Vec3& to_M) noexcept UNDERACT_REAL_TIME;
+
+/// Whether q is inside a closed surface, by the faces that a ray from it passes through. Slower than the sign at the
+/// nearest point, but correct where faces nearly touch, so that rounding may have swapped them. q_M: finite. After
+/// kMostVisits, by the faces found so far.
+bool isInside(const Surface& surface, const Vec3& q_M) noexcept UNDERACT_REAL_TIME;
+
 }  // namespace underact::mesh

@@ -10,12 +10,18 @@ bool isBehind(const Surface& surface, FreeSide free, const Hit& hit, const Vec3&
   return free == FreeSide::Outside ? height < 0.0 : height > 0.0;
 }
 
+/// The same for a surface with cut faces, by a ray in place of the nearest face.
+bool isBehindCut(const Surface& surface, FreeSide free, const Vec3& q_M) noexcept UNDERACT_REAL_TIME {
+  return isInside(surface, q_M) == (free == FreeSide::Outside);
+}
+
 }  // namespace
 
 Hit followProxy(const Surface& surface, FreeSide free, const Vec3& q_M, ProxyState& state) noexcept {
   Hit hit;
   SearchState search;
-  if (state.face >= 0) {
+  const bool is_held = state.face >= 0, is_first = !is_held && !state.knows_last;
+  if (is_held) {
     search.face = state.face;
     hit = nearestPoint(surface, Search::Local, q_M, search);
   } else if (!state.knows_last) {
@@ -25,7 +31,12 @@ Hit followProxy(const Surface& surface, FreeSide free, const Vec3& q_M, ProxySta
     search.face = firstCrossing(surface, way, state.q_M, q_M).face;
     if (search.face >= 0) hit = nearestPoint(surface, Search::Local, q_M, search);
   }
-  if (hit.face >= 0 && !isBehind(surface, free, hit, q_M)) hit.face = -1;
+  if (hit.face >= 0) {
+    bool is_behind = isBehind(surface, free, hit, q_M);
+    // The end of a contact, and a first tip, are checked a second time.
+    if (surface.is_united && (is_first || !is_behind)) is_behind = isBehindCut(surface, free, q_M);
+    if (!is_behind) hit.face = -1;
+  }
   state = {hit.face, true, q_M};
   return hit;
 }

@@ -169,6 +169,14 @@ void searchBestFirst(const Surface& surface, const Vec3& q_M, Hit& hit) noexcept
   hit.is_proved = true;
 }
 
+/// Whether q is so far from the last search that its result is of no use: a walk from there would cost more than it
+/// saves. A hand moves a few millimetres in a tick, so this happens only with meshes that are hardly larger.
+bool isLeap(const Surface& surface, const Cut& cut, const Vec3& q_M) noexcept UNDERACT_REAL_TIME {
+  constexpr float kOfExtent = 1.0F / 12.0F;
+  const double far = cut.reach + static_cast<double>(kOfExtent * (surface.high_M - surface.low_M).maxCoeff());
+  return cut.reach > 0.0 && (q_M - cut.q_M).squaredNorm() > far * far;
+}
+
 }  // namespace
 
 Hit nearestPoint(const Surface& surface, Search search, const Vec3& q_M, SearchState& state) noexcept {
@@ -181,13 +189,17 @@ Hit nearestPoint(const Surface& surface, Search search, const Vec3& q_M, SearchS
   Hit hit;
   bool is_near = false;
   Recent recent;
-  if (knows && search != Search::Global) {
+  const bool leaps = search == Search::Hybrid && isLeap(surface, state.cut, at);
+  if (knows && search != Search::Global && !leaps) {
     recent.add(state.face);
     visitFace(surface, state.face, at, hit);
     is_near = walk(surface, at, search == Search::Local ? kMostSteps : kHybridSteps, recent, hit);
   }
   const bool is_done = search == Search::Local ? hit.face >= 0 : is_near && sweep(surface, recent, at, state.cut, hit);
   if (!is_done) searchBestFirst(surface, at, hit);
+  // A cut without surface: it only says where the search was.
+  if (search == Search::Hybrid && (leaps || !(state.cut.reach > 0.0)))
+    state.cut = {at, std::sqrt(hit.squared), 0, 0, 1, {}};
   if (at != q_M) {
     hit.squared = (q_M - hit.p_M).squaredNorm();
     hit.is_proved = false;

@@ -87,7 +87,8 @@ void complete(Surface& surface) {
   }
 }
 
-Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const TaskMonitor& monitor) {
+Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const TaskMonitor& monitor,
+                                                   const Vec3& origin_M) {
   Problems problems = whatIsWrong(triangles);
   if (!problems.empty()) return problems;
   const Problems cancelled{{said(TRANSLATE_NOOP("problem", "Cancelled.")), {}}};
@@ -95,6 +96,7 @@ Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Ta
   std::optional<Tree> tree = makeTree(triangles, monitor);
   if (!tree) return cancelled;
   auto surface = std::make_shared<Surface>();
+  surface->origin_M = origin_M;
   surface->triangles = inOrder(triangles, tree->order);
   triangles = {};
   surface->nodes = std::move(tree->nodes);
@@ -104,6 +106,18 @@ Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Ta
   surface->normals_M = cornerNormals(surface->triangles);
   complete(*surface);
   return std::shared_ptr<const Surface>(std::move(surface));
+}
+
+std::shared_ptr<const Surface> withoutInside(const Surface& surface) {
+  auto open = std::make_shared<Surface>(surface);
+  open->is_closed = false;
+  return open;
+}
+
+std::shared_ptr<const Surface> asUnited(const Surface& surface) {
+  auto united = std::make_shared<Surface>(surface);
+  united->is_united = true;
+  return united;
 }
 
 std::size_t bytesOf(const Surface& surface) {

@@ -16,15 +16,22 @@ struct Surface {
   std::vector<Face> neighbours;            // of each face across AB, BC, CA; -1: none (a border, or not manifold)
   std::vector<Eigen::Vector3f> normals_M;  // of each corner: the sum of its faces' normals weighted by angle, unit
   std::vector<Node> nodes;                 // the root first
+  Vec3 origin_M = Vec3::Zero();            // the origin of its corners, in the frame of its file
   bool is_closed = false;                  // separates inside from outside: two consistently wound faces at every edge
-  Eigen::Vector3f low_M, high_M;           // its bounds
-  std::uint64_t mark = 0;                  // a hash of corners and faces
+  bool is_united = false;  // has faces that were cut, in floats: of two that nearly touch, either may be in front
+  Eigen::Vector3f low_M, high_M;  // its bounds
+  std::uint64_t mark = 0;         // a hash of corners and faces
 };
 
 /// triangles: 1 to 2^27 faces, each of three different corners that exist and are finite. Allocates; takes seconds for
 /// millions of faces, in as many threads as there are processors; equal triangles give bit-identical surfaces.
 /// Problems: triangles as above are not given; cancelled.
-Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const TaskMonitor& monitor = {});
+Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const TaskMonitor& monitor = {},
+                                                   const Vec3& origin_M = Vec3::Zero());
+
+/// The same surface, with one flag changed.
+std::shared_ptr<const Surface> withoutInside(const Surface& surface);  // not is_closed
+std::shared_ptr<const Surface> asUnited(const Surface& surface);       // is_united
 
 /// Fills in bounds and mark from the corners (one at least) and faces.
 void complete(Surface& surface);

@@ -1,6 +1,7 @@
 #include "core/mesh/surface_bytes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -10,10 +11,11 @@
 namespace underact::mesh {
 namespace {
 
-constexpr std::uint64_t kLayout = 0x554d'4553'0000'0002U ^ (sizeof(Node) << 8U);
+constexpr std::uint64_t kLayout = 0x554d'4553'0000'0003U ^ (sizeof(Node) << 8U);
 
 struct Header {
-  std::uint64_t layout = kLayout, corners = 0, faces = 0, nodes = 0, is_closed = 0;
+  std::uint64_t layout = kLayout, corners = 0, faces = 0, nodes = 0, is_closed = 0, is_united = 0;
+  std::array<double, 3> origin_M{};
 };
 
 /// All lists of a surface, in one place for both directions.
@@ -92,6 +94,8 @@ std::vector<std::byte> surfaceBytes(const Surface& surface) {
   header.faces = surface.triangles.faces.size();
   header.nodes = surface.nodes.size();
   header.is_closed = surface.is_closed ? 1 : 0;
+  header.is_united = surface.is_united ? 1 : 0;
+  header.origin_M = {surface.origin_M.x(), surface.origin_M.y(), surface.origin_M.z()};
   std::vector<std::byte> bytes;
   bytes.reserve(sizeof header + bytesOf(surface));
   const auto add = [&bytes](const void* data, std::size_t size) {
@@ -108,7 +112,8 @@ std::shared_ptr<const Surface> surfaceOfBytes(std::span<const std::byte> bytes) 
   if (bytes.size() < sizeof header) return nullptr;
   std::memcpy(&header, bytes.data(), sizeof header);
   // Counts beyond the number of bytes would overflow below.
-  const bool is_likely = header.layout == kLayout && header.is_closed <= 1 && header.faces > 0 && header.nodes > 0 &&
+  const bool is_likely = header.layout == kLayout && header.is_closed <= 1 && header.is_united <= 1 &&
+                         header.faces > 0 && header.nodes > 0 &&
                          std::max({header.corners, header.faces, header.nodes}) <= bytes.size();
   if (!is_likely) return nullptr;
   auto surface = std::make_shared<Surface>();
@@ -122,13 +127,15 @@ std::shared_ptr<const Surface> surfaceOfBytes(std::span<const std::byte> bytes) 
   surface->neighbours.resize(header.faces);
   surface->nodes.resize(header.nodes);
   surface->is_closed = header.is_closed == 1;
+  surface->is_united = header.is_united == 1;
+  surface->origin_M = Vec3(header.origin_M.data());
   std::size_t at = sizeof header;
   eachList(*surface, [&](auto& list) {
     std::memcpy(static_cast<void*>(list.data()), bytes.data() + at, list.size() * sizeof(list[0]));
     at += list.size() * sizeof(list[0]);
   });
-  const bool is_well = areFinite(surface->triangles.p_MV) && areFinite(surface->normals_M) && areFacesWell(*surface) &&
-                       areNodesWell(*surface);
+  const bool is_well = areFinite(surface->triangles.p_MV) && areFinite(surface->normals_M) &&
+                       surface->origin_M.allFinite() && areFacesWell(*surface) && areNodesWell(*surface);
   if (!is_well || surface->triangles.p_MV.empty()) return nullptr;
   complete(*surface);
   return surface;

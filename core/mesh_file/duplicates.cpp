@@ -52,7 +52,7 @@ bool sortKeys(std::vector<Key>& keys, const TaskMonitor& monitor) {
 
 }  // namespace
 
-std::optional<std::int64_t> dropDuplicates(mesh::Triangles& triangles, const TaskMonitor& monitor) {
+std::optional<std::vector<mesh::Face>> dropDuplicates(mesh::Triangles& triangles, const TaskMonitor& monitor) {
   std::vector<Key> keys = keysOf(triangles);
   if (!sortKeys(keys, monitor)) return {};
   std::vector<std::uint8_t> is_twice(keys.size(), 0);
@@ -60,11 +60,16 @@ std::optional<std::int64_t> dropDuplicates(mesh::Triangles& triangles, const Tas
     if (haveSameCorners(keys[k - 1], keys[k])) is_twice[static_cast<std::size_t>(keys[k].face)] = 1;
   }
   std::size_t kept = 0;
+  std::vector<mesh::Face> twice;
   for (std::size_t face = 0; face < keys.size(); ++face) {
-    if (is_twice[face] == 0) triangles.faces[kept++] = triangles.faces[face];
+    if (is_twice[face] == 0) {
+      triangles.faces[kept++] = triangles.faces[face];
+    } else {
+      twice.push_back(triangles.faces[face]);
+    }
   }
   triangles.faces.resize(kept);
-  return static_cast<std::int64_t>(keys.size() - kept);
+  return twice;
 }
 
 }  // namespace underact::mesh_file

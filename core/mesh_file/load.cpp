@@ -12,15 +12,16 @@
 #include "core/mesh_file/repair.h"
 #include "core/mesh_file/report.h"
 #include "core/mesh_file/steps.h"
+#include "core/mesh_file/unite.h"
 
 namespace underact::mesh_file {
 namespace {
 
 // To be increased whenever reading, repairing, Facts or the bytes of a surface change: older entries are then ignored.
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 // The progress at the end of each step, for 2 million faces as binary STL.
-constexpr double kHashed = 0.05, kRead = 0.40, kRepaired = 0.60, kBuilt = 0.95;
+constexpr double kHashed = 0.05, kRead = 0.40, kRepaired = 0.60, kUnited = 0.75, kBuilt = 0.95;
 
 static_assert(std::is_trivially_copyable_v<Facts>);
 
@@ -51,6 +52,11 @@ void addRaw(const RawMesh& raw, Facts& facts) {
   facts.not_finite += raw.dropped.not_finite;
   facts.out_of_range += raw.dropped.out_of_range;
   facts.without_extent += raw.dropped.without_extent;
+  facts.single_step = raw.single_step;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    facts.low[axis] += raw.origin_M[static_cast<Eigen::Index>(axis)];
+    facts.high[axis] += raw.origin_M[static_cast<Eigen::Index>(axis)];
+  }
 }
 
 Sentence nothingLeft(const Facts& facts) {
@@ -66,13 +72,16 @@ Result<Loaded> build(const Input& input, const TaskMonitor& monitor) {
   if (!repaired) return problemOf(input, kCancelled);
   addRaw(raw.value(), repaired->facts);
   if (repaired->facts.faces == 0) return problemOf(input, nothingLeft(repaired->facts));
+  if (!uniteRepaired(*repaired, partOf(monitor, kRepaired, kUnited))) return problemOf(input, kCancelled);
   Result<std::shared_ptr<const mesh::Surface>> surface =
-      mesh::makeSurface(std::move(repaired->triangles), partOf(monitor, kRepaired, kBuilt));
+      mesh::makeSurface(std::move(repaired->triangles), partOf(monitor, kUnited, kBuilt), raw.value().origin_M);
   if (monitor.isCancelled()) return problemOf(input, kCancelled);
   if (!surface) return problemOf(input, surface.problems()[0].sentence);
   Loaded loaded;
   loaded.surface = std::move(surface).value();
   loaded.facts = repaired->facts;
+  if (loaded.surface->is_closed && !allowsWalls(loaded.facts)) loaded.surface = mesh::withoutInside(*loaded.surface);
+  if (loaded.facts.inside == Inside::United) loaded.surface = mesh::asUnited(*loaded.surface);
   return loaded;
 }
 

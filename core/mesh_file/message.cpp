@@ -14,7 +14,7 @@
 namespace underact::mesh_file {
 namespace {
 
-constexpr std::array<char, 8> kMessageMagic{'\x89', 'M', 'E', 'S', 'H', '1', '\r', '\n'};  // no progress
+constexpr std::array<char, 8> kMessageMagic{'\x89', 'M', 'E', 'S', 'H', '2', '\r', '\n'};  // no progress
 constexpr std::uint64_t kMostFaces = std::uint64_t{1} << 27;                               // as a surface takes them
 
 struct MessageHead {
@@ -22,6 +22,8 @@ struct MessageHead {
   std::uint64_t problem_bytes = 0, corners = 0, faces = 0;
   std::int64_t not_finite = 0, out_of_range = 0, without_extent = 0;
   std::int64_t polygons = 0, normals = 0, normals_against = 0, peak_bytes = 0;
+  std::array<double, 3> origin_M{};
+  double single_step = 0.0;
 };
 static_assert(std::is_trivially_copyable_v<MessageHead>);
 static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(mesh::Face) == 12);
@@ -38,6 +40,8 @@ bool isWhole(const RawMesh& raw) {
       if (corner < 0 || corner >= count) return false;
     }
   }
+  if (!(raw.origin_M.cwiseAbs().maxCoeff() < static_cast<double>(kBeyondAll))) return false;
+  if (!(raw.single_step >= 0.0 && raw.single_step < static_cast<double>(kBeyondAll))) return false;
   const std::array<std::int64_t, 6> counts{
       raw.dropped.not_finite, raw.dropped.out_of_range, raw.dropped.without_extent, raw.polygons, raw.normals,
       raw.normals_against};
@@ -60,6 +64,8 @@ bool writeMessage(const Message& message, const std::function<bool(std::span<con
   head.normals = raw.normals;
   head.normals_against = raw.normals_against;
   head.peak_bytes = raw.peak_bytes;
+  head.single_step = raw.single_step;
+  head.origin_M = {raw.origin_M.x(), raw.origin_M.y(), raw.origin_M.z()};
   return write(std::as_bytes(std::span(&head, 1))) && write(std::as_bytes(std::span(problem))) &&
          write(std::as_bytes(std::span(raw.triangles.p_MV))) && write(std::as_bytes(std::span(raw.triangles.faces)));
 }
@@ -91,6 +97,8 @@ std::optional<Message> readMessage(std::span<const std::byte> bytes) {
   raw.normals = head.normals;
   raw.normals_against = head.normals_against;
   raw.peak_bytes = head.peak_bytes;
+  raw.origin_M = Vec3(head.origin_M.data());
+  raw.single_step = head.single_step;
   if (!isWhole(raw)) return {};
   return message;
 }

@@ -16,7 +16,9 @@ struct Dropped {
 
 /// A mesh as read from its file, its polygons split into triangles.
 struct RawMesh {
-  mesh::Triangles triangles;  // finite, indexes in range
+  mesh::Triangles triangles;     // finite, indexes in range
+  Vec3 origin_M = Vec3::Zero();  // the origin of the triangles in the frame of the file
+  double single_step = 0.0;      // between the single-precision numbers of a file far from its origin; 0: not so
   Dropped dropped;
   std::int64_t polygons = 0;         // faces of the file, including those left out
   std::int64_t normals = 0;          // that the file gives for faces, and

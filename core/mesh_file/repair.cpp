@@ -36,8 +36,8 @@ void dropUnusable(Triangles& triangles, Facts& facts) {
   });
 }
 
-/// Puts corners in the order of their first use, and removes unused ones.
-void compact(Triangles& triangles) {
+/// Puts corners in the order of their first use, and removes unused ones. also: faces without a corner of their own.
+void compact(Triangles& triangles, std::vector<Face>* also = nullptr) {
   std::vector<std::int32_t> now(triangles.p_MV.size(), -1);
   std::vector<Eigen::Vector3f> p_MV;
   for (Face& face : triangles.faces) {
@@ -51,6 +51,10 @@ void compact(Triangles& triangles) {
     }
   }
   triangles.p_MV = std::move(p_MV);
+  if (also == nullptr) return;
+  for (Face& face : *also) {
+    for (std::int32_t& corner : face) corner = now[static_cast<std::size_t>(corner)];
+  }
 }
 
 void setBounds(const Triangles& triangles, Facts& facts) {
@@ -169,10 +173,10 @@ std::optional<Repaired> repair(Triangles triangles, const TaskMonitor& monitor) 
   if (monitor.isCancelled() || !weldAll(triangles, facts, monitor)) return {};
   monitor.report(kStep, 0.3);
   dropEmpty(triangles, facts);
-  const std::optional<std::int64_t> duplicates = dropDuplicates(triangles, monitor);
+  std::optional<std::vector<Face>> duplicates = dropDuplicates(triangles, monitor);
   if (!duplicates) return {};
-  facts.duplicates = *duplicates;
-  compact(triangles);
+  facts.duplicates = static_cast<std::int64_t>(duplicates->size());
+  compact(triangles, &*duplicates);
   setBounds(triangles, facts);
   monitor.report(kStep, 0.5);
   if (monitor.isCancelled()) return {};
@@ -195,7 +199,7 @@ std::optional<Repaired> repair(Triangles triangles, const TaskMonitor& monitor) 
   facts.crossings_checked = crossings.is_whole ? 1 : 0;
   if (monitor.isCancelled()) return {};
   monitor.report(kStep, 1.0);
-  return Repaired{std::move(triangles), facts};
+  return Repaired{std::move(triangles), facts, std::move(*duplicates)};
 }
 
 }  // namespace underact::mesh_file

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "core/base/task_monitor.h"
 #include "core/mesh/triangles.h"
@@ -11,6 +12,7 @@ namespace underact::mesh_file {
 struct Repaired {
   mesh::Triangles triangles;  // finite; of each face three different corners; corners in order of first use
   Facts facts;
+  std::vector<mesh::Face> twice = {};  // that were left out as duplicates, as the file has them
 };
 
 /// Corners nearer to each other than this share of the mesh's diagonal are welded.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/translate.h"
+#include "core/mesh_file/union_report.h"
 
 namespace underact::mesh_file {
 namespace {
@@ -73,40 +74,12 @@ void addRepaired(const Facts& facts, double mm_per_unit, std::vector<Sentence>& 
   }
 }
 
-Sentence partsOf(const Facts& facts) {
-  const std::string parts = std::to_string(facts.parts);
-  if (facts.nested_parts == 0)
-    return said(TRANSLATE_NOOP("problem", "The mesh consists of %1 separate parts."), {parts});
-  return said(
-      TRANSLATE_NOOP("problem",
-                     "The mesh consists of %1 separate parts, %2 of them inside others: a hollow is felt from inside."),
-      {parts, std::to_string(facts.nested_parts)});
-}
-
-Sentence crossingsOf(const Facts& facts) {
-  if (facts.crossings_checked == 0) {
-    return counted(
-        facts.crossings,
-        TRANSLATE_NOOP(
-            "problem",
-            "The surface intersects itself, at %1 pair of faces or more. Near there, outside and inside may be wrong."),
-        TRANSLATE_NOOP("problem",
-                       "The surface intersects itself, at %1 pairs of faces or more. Near there, outside and inside "
-                       "may be wrong."));
-  }
-  return counted(
-      facts.crossings,
-      TRANSLATE_NOOP(
-          "problem",
-          "The surface intersects itself, at %1 pair of faces. Near there, outside and inside may be wrong."),
-      TRANSLATE_NOOP(
-          "problem",
-          "The surface intersects itself, at %1 pairs of faces. Near there, outside and inside may be wrong."));
-}
-
 void addRemaining(const Facts& facts, double mm_per_unit, std::vector<Sentence>& report) {
-  if (facts.parts > 1) report.push_back(partsOf(facts));
-  if (facts.borders > 0) {
+  if (const Sentence lost = precisionReport(facts, mm_per_unit); !lost.empty()) report.push_back(lost);
+  if (facts.parts > 1) report.push_back(partsReport(facts));
+  if (facts.closed_holes > 0) {
+    report.push_back(holesReport(facts, mm_per_unit));
+  } else if (facts.borders > 0) {
     report.push_back(counted(
         facts.borders,
         TRANSLATE_NOOP("problem", "The surface is open: %1 border, %2 long. The stylus can pass through the hole."),
@@ -126,8 +99,8 @@ void addRemaining(const Facts& facts, double mm_per_unit, std::vector<Sentence>&
         TRANSLATE_NOOP("problem",
                        "The surface has no outside: at %1 edges its faces cannot agree, as on a Möbius strip.")));
   }
-  if (facts.crossings > 0) {
-    report.push_back(crossingsOf(facts));
+  if (const Sentence crosses = crossingReport(facts); !crosses.empty()) {
+    report.push_back(crosses);
   } else if (facts.crossings_checked == 0 && facts.faces > 0) {
     report.push_back(said(TRANSLATE_NOOP("problem",
                                          "The check for self-intersection was left out or not completed: there are too "
@@ -140,6 +113,9 @@ void addRemaining(const Facts& facts, double mm_per_unit, std::vector<Sentence>&
         TRANSLATE_NOOP("problem", "%1 faces are as narrow as a line. They are kept because such faces close seams.")));
   }
 }
+
+/// A tenth of the resolution of a PHANToM Omni (0.055 mm).
+constexpr double kFeltStep_mm = 0.005;
 
 /// Below this thickness the stylus is pushed out on the nearer side, and so through the part.
 constexpr double kThin_mm = 1.0;
@@ -159,17 +135,46 @@ void addConsequences(const Facts& facts, double mm_per_unit, std::vector<Sentenc
 
 }  // namespace
 
+Sentence partsReport(const Facts& facts) {
+  if (facts.parts <= 1) return {};
+  const std::string parts = std::to_string(facts.parts);
+  if (facts.nested_parts == 0)
+    return said(TRANSLATE_NOOP("problem", "The mesh consists of %1 separate parts."), {parts});
+  return said(
+      TRANSLATE_NOOP("problem",
+                     "The mesh consists of %1 separate parts, %2 of them inside others: a hollow is felt from inside."),
+      {parts, std::to_string(facts.nested_parts)});
+}
+
+Sentence holesReport(const Facts& facts, double mm_per_unit) {
+  if (facts.closed_holes == 0) return {};
+  return counted(
+      facts.closed_holes,
+      TRANSLATE_NOOP("problem", "%1 hole with a border of %2 was closed, so that the mesh has an inside."),
+      TRANSLATE_NOOP("problem", "%1 holes, the longest border %2, were closed, so that the mesh has an inside."),
+      lengthText(facts.longest_closed_hole, mm_per_unit));
+}
+
+Sentence precisionReport(const Facts& facts, double mm_per_unit) {
+  if (facts.single_step * mm_per_unit < kFeltStep_mm) return {};
+  return said(TRANSLATE_NOOP("problem",
+                             "The mesh is so far from its origin that the single-precision numbers of the file have "
+                             "steps of %1: smaller details are lost. Save it nearer to its origin."),
+              {lengthText(facts.single_step, mm_per_unit)});
+}
+
 bool allowsWalls(const Facts& facts) {
-  return isClosed(facts);
+  return facts.inside == Inside::United || (isClosed(facts) && facts.inside == Inside::AsItIs);
 }
 
 Sentence noWallsReason(const Facts& facts) {
+  if (allowsWalls(facts)) return {};
   if (facts.faces == 0) return said(TRANSLATE_NOOP("problem", "it has no faces"));
   if (facts.border_edges > 0) return said(TRANSLATE_NOOP("problem", "it is open, so it has no inside"));
   if (facts.clashing_edges > 0) return said(TRANSLATE_NOOP("problem", "its faces cannot agree on an outside"));
   if (facts.crowded_edges > 0)
     return said(TRANSLATE_NOOP("problem", "edges with more than two faces leave the inside undefined"));
-  return {};
+  return said(TRANSLATE_NOOP("problem", "it intersects itself too often to tell inside from outside"));
 }
 
 std::vector<Sentence> reportOf(const Facts& facts, double mm_per_unit) {

@@ -17,6 +17,16 @@ bool allowsWalls(const Facts& facts);
 /// Why they are not; empty: they are.
 Sentence noWallsReason(const Facts& facts);
 
+/// Of how many separate parts the mesh consists; empty: of one.
+Sentence partsReport(const Facts& facts);
+
+/// The holes that were closed; empty: none.
+Sentence holesReport(const Facts& facts, double mm_per_unit);
+
+/// What was lost of a mesh far from its origin whose file has single-precision numbers; empty: nothing that can be
+/// felt.
+Sentence precisionReport(const Facts& facts, double mm_per_unit);
+
 /// A unit that the file may have been written in.
 struct Unit {
   const char* name;    // "metres", marked for translators

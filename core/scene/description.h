@@ -8,6 +8,7 @@
 #include "core/base/integration.h"
 #include "core/base/result.h"
 #include "core/base/types.h"
+#include "core/mesh_file/facts.h"
 #include "core/target/target.h"
 #include "core/tick/program.h"
 
@@ -104,9 +105,10 @@ struct Mesh {
   mesh::Search search = mesh::Search::Hybrid;
   double smooth_deg = 0.0;    // how far the force may lean from the faces' own normals, so that bends feel round
   std::string checksum = {};  // of the file's content, where the scene says it (recorded ones do)
-  std::shared_ptr<const mesh::Surface> surface = {};  // what loadMeshes() found in the file; null before
-  std::string loaded_checksum = {};                   // of what was found there
-  /// Equal by what the scene file states; the loaded surface does not count.
+  std::shared_ptr<const mesh::Surface> surface = {};   // what loadMeshes() found in the file; null before
+  std::string loaded_checksum = {};                    // of what was found there
+  std::shared_ptr<const mesh_file::Facts> facts = {};  // what was found about it
+  /// Equal by what the scene file states; the loaded surface and its facts do not count.
   bool operator==(const Mesh& other) const;
 };
 

@@ -23,6 +23,7 @@ struct InUse {
   fs::file_time_type written;
   std::string checksum;
   std::weak_ptr<const mesh::Surface> surface;
+  std::shared_ptr<const mesh_file::Facts> facts;
 };
 
 class SurfacesInUse {
@@ -36,12 +37,14 @@ class SurfacesInUse {
     if (now.bytes != found->second.bytes || now.written != found->second.written) return false;
     mesh.surface = found->second.surface.lock();
     mesh.loaded_checksum = found->second.checksum;
+    mesh.facts = found->second.facts;
     return mesh.surface != nullptr;
   }
-  void keep(const std::string& path, InUse stamp, const mesh_file::Loaded& loaded) {
+  void keep(const std::string& path, InUse stamp, const Mesh& mesh) {
     const std::scoped_lock lock(mutex_);
-    stamp.checksum = loaded.checksum;
-    stamp.surface = loaded.surface;
+    stamp.checksum = mesh.loaded_checksum;
+    stamp.surface = mesh.surface;
+    stamp.facts = mesh.facts;
     by_path_[path] = std::move(stamp);
   }
   static InUse stampOf(const std::string& path) {
@@ -87,9 +90,10 @@ Problems load(Mesh& mesh, const Description& scene, const SourceLocation& place,
     }
     return problems;
   }
-  surfacesInUse().keep(path, std::move(stamp), loaded.value());
   mesh.surface = loaded.value().surface;
   mesh.loaded_checksum = loaded.value().checksum;
+  mesh.facts = std::make_shared<const mesh_file::Facts>(loaded.value().facts);
+  surfacesInUse().keep(path, std::move(stamp), mesh);
   return checked(mesh, place);
 }
 

@@ -68,6 +68,7 @@ Result<target::MeshPlace> makeMeshPlace(const Mesh& mesh, target::Side side, con
   placed.R_WM = Eigen::Quaterniond(Mat3(mesh.X_WM.topLeftCorner<3, 3>())).normalized().toRotationMatrix();
   placed.p_WM = kMetrePerMillimetre * mesh.X_WM.topRightCorner<3, 1>();
   placed.scale_m = kMetrePerMillimetre * mesh.scale_mm_per_unit;
+  if (mesh.surface->origin_M != Vec3::Zero()) placed.p_WM += placed.scale_m * (placed.R_WM * mesh.surface->origin_M);
   placed.search = mesh.search;
   placed.lean = mesh::forceShadingOf(kRadPerDegree * mesh.smooth_deg);
   return placed;

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 
 #include "tests/cli/session.h"
 #include "tests/core/mesh_file/some_meshes.h"
+#include "tests/support/crossed_bodies.h"
 
 namespace underact::test {
 namespace {
@@ -65,6 +67,70 @@ TEST_F(MeshInfo, ADamagedFileIsBadInputAndOneThatIsNotThereAFile) {
   EXPECT_EQ(runCli({"mesh", "info", folder_.path() + "/none.stl", bad}).exit, Exit::File);
   EXPECT_EQ(runCli({"mesh", "info"}).exit, Exit::Usage);
   EXPECT_EQ(runCli({"mesh", "info", good, "--scale_mm_per_unit", "0"}).exit, Exit::Usage);
+}
+
+/// One box stands on another, 10 deep in it.
+std::string leastCase() {
+  return stlBinary(soup(together({boxOf({-20, -20, -20}, {20, 20, 0}), boxOf({0, -20, -10}, {20, 20, 20})})));
+}
+
+std::string sceneWith(const std::string& keys) {
+  return R"({
+  "underact_scene": 1, "title": "Two boxes", "control": {"law": "P", "kp_N_per_mm": 0.5},
+  "constraints": [{"name": "body", "type": "mesh", "file": "two.stl")" +
+         keys + "}]\n}\n";
+}
+
+TEST_F(MeshInfo, OfAMeshThatIntersectsItselfSaysWhatIsFelt) {
+  const std::string path = folder_.write("two.stl", leastCase());
+  const json::Value object = lines(runCli({"mesh", "info", path, "--json"}).out).at(0);
+  EXPECT_EQ(numberAt(object, "parts"), 2);
+  EXPECT_GT(numberAt(object, "crossings"), 0);
+  EXPECT_EQ(numberAt(object, "faces_within"), 2);
+  const Outcome table = runCli({"mesh", "info", path});
+  EXPECT_NE(table.out.find("The mesh consists of 2 separate parts."), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("You feel the surface of the whole body"), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("both, outside, inside"), std::string::npos);
+}
+
+TEST_F(MeshInfo, OfAMeshThatIntersectsItselfScenesAndRunsSayTheSame) {
+  folder_.write("two.stl", leastCase());
+  const std::string scene = folder_.write("two.json", sceneWith(R"(, "side": "outside")"));
+  const std::string note =
+      "two.json:3:19: note: constraints[0]: The mesh \"two.stl\": The mesh consists of 2 separate parts. The surface "
+      "intersects itself, at ";
+  const Outcome checked = runCli({"scene", "check", scene});
+  EXPECT_EQ(checked.exit, Exit::Well);
+  EXPECT_NE(checked.out.find(note), std::string::npos) << checked.out;
+  const Outcome ran = runCli({"run", scene, "--hand", "still", "--seconds", "0.1", "--fast"});
+  EXPECT_EQ(ran.exit, Exit::Well);
+  EXPECT_NE(ran.err.find(note), std::string::npos) << ran.err;
+  EXPECT_EQ(lines(ran.out).size(), 1U);
+}
+
+TEST_F(MeshInfo, TheTargetDeepInTheSecondOfTwoBoxesIsOnTheSurfaceOfBoth) {
+  folder_.write("two.stl", leastCase());
+  const std::string scene = folder_.write("two.json", sceneWith(R"(, "side": "outside")"));
+  const Outcome outcome = runCli({"target", scene}, "{\"p_mm\": [10, 0, 8]}\n{\"p_mm\": [-10, 0, 8]}\n");
+  const std::vector<json::Value> answers = lines(outcome.out);
+  ASSERT_EQ(answers.size(), 2U) << outcome.err;
+  EXPECT_EQ(textAt(answers[0], "status"), "unique");
+  const Vec3 q_mm = vectorAt(answers[0], "q_mm");
+  EXPECT_NEAR((Vec3(std::abs(q_mm.x() - 10.0), q_mm.y(), q_mm.z()) - Vec3(10, 0, 8)).norm(), 0.0, 1e-3);  // either side
+  EXPECT_GT(vectorAt(answers[0], "force_N").norm(), 4.9);
+  EXPECT_EQ(textAt(answers[1], "status"), "free");
+}
+
+TEST_F(MeshInfo, AMeshThatNoHandFeelsOrNoArmReachesIsNotedInTheScene) {
+  folder_.write("two.stl", leastCase());
+  const auto notes = [&](const std::string& keys) {
+    return runCli({"scene", "check", folder_.write("size.json", sceneWith(keys))}).out;
+  };
+  EXPECT_NE(notes(R"(, "scale_mm_per_unit": 250)").find("It is 10000 mm long, far beyond the arm's reach"),
+            std::string::npos);
+  EXPECT_NE(notes(R"(, "scale_mm_per_unit": 0.0025)").find("It is 0.1 mm long, too small to be felt"),
+            std::string::npos);
+  EXPECT_EQ(notes("").find(" mm long"), std::string::npos);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ target::MeshPlace placeOf(const scene::Mesh& mesh) {
   place.R_WM = Eigen::Quaterniond(Mat3(mesh.X_WM.topLeftCorner<3, 3>())).normalized().toRotationMatrix();
   place.p_WM = kMetrePerMillimetre * mesh.X_WM.topRightCorner<3, 1>();
   place.scale_m = kMetrePerMillimetre * mesh.scale_mm_per_unit;
+  if (mesh.surface->origin_M != Vec3::Zero()) place.p_WM += place.scale_m * (place.R_WM * mesh.surface->origin_M);
   return place;
 }
 
@@ -73,6 +74,8 @@ void MeshPicture::placeAll(const scene::Description& scene) {
     }
     shown.X.block<3, 3>(0, 0) = mesh.scale_mm_per_unit * shown.place.R_WM;
     shown.X.block<3, 1>(0, 3) = mesh.X_WM.topRightCorner<3, 1>();
+    if (mesh.surface->origin_M != Vec3::Zero())
+      shown.X.block<3, 1>(0, 3) += mesh.scale_mm_per_unit * (shown.place.R_WM * mesh.surface->origin_M);
     for (vtkActor* actor : {shown.body.Get(), shown.edges.Get(), shown.wires.Get()}) place(*actor, shown.X);
     const Vec3 low = mesh.surface->low_M.cast<double>(), high = mesh.surface->high_M.cast<double>();
     for (int corner = 0; corner < 8; ++corner) {

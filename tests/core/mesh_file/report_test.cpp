@@ -67,16 +67,15 @@ TEST(MeshReport, SaysWhatIsLeftAndWhatItMeans) {
   facts.crossings = 9;
   facts.flat_faces = 2;
   facts.thinnest = 0.25;
-  EXPECT_EQ(
-      reportOf(facts, 1.0),
-      (Sentences{"The mesh consists of 3 separate parts, 1 of them inside others: a hollow is felt from inside.",
-                 "The surface is open: 1 border, 40 mm long. The stylus can pass through the hole.",
-                 "1 edge has more than two faces.",
-                 "The surface has no outside: at 2 edges its faces cannot agree, as on a Möbius strip.",
-                 "The surface intersects itself, at 9 pairs of faces. Near there, outside and inside may be wrong.",
-                 "2 faces are as narrow as a line. They are kept because such faces close seams.",
-                 "Part of it is thin, 0.25 mm on average: you may be able to push the stylus through.",
-                 "The mesh can be felt from both sides only: it is open, so it has no inside."}));
+  EXPECT_EQ(reportOf(facts, 1.0),
+            (Sentences{"The mesh consists of 3 separate parts, 1 of them inside others: a hollow is felt from inside.",
+                       "The surface is open: 1 border, 40 mm long. The stylus can pass through the hole.",
+                       "1 edge has more than two faces.",
+                       "The surface has no outside: at 2 edges its faces cannot agree, as on a Möbius strip.",
+                       "The surface intersects itself, at 9 pairs of faces.",
+                       "2 faces are as narrow as a line. They are kept because such faces close seams.",
+                       "Part of it is thin, 0.25 mm on average: you may be able to push the stylus through.",
+                       "The mesh can be felt from both sides only: it is open, so it has no inside."}));
   EXPECT_FALSE(allowsWalls(facts));
 }
 
@@ -98,7 +97,37 @@ TEST(MeshReport, SaysWhereCrossingsWereNotLookedFor) {
             "The check for self-intersection was left out or not completed: there are too many faces, or too many near "
             "each other.");
   facts.crossings = 3;
-  EXPECT_TRUE(reportOf(facts, 1.0)[0].starts_with("The surface intersects itself, at 3 pairs of faces or more."));
+  EXPECT_EQ(reportOf(facts, 1.0)[0], "The surface intersects itself, at 3 pairs of faces or more.");
+}
+
+TEST(MeshReport, SaysWhatIsFeltOfAMeshThatIntersectsItself) {
+  Facts facts = closedFacts();
+  facts.crossings = 4;
+  facts.within = 1;
+  facts.inside = Inside::United;
+  EXPECT_EQ(reportOf(facts, 1.0),
+            (Sentences{"The surface intersects itself, at 4 pairs of faces. You feel the surface of the whole body, "
+                       "without walls inside it: 1 face there was left out.",
+                       kClosed}));
+  EXPECT_TRUE(allowsWalls(facts));
+  facts.crossings = 0;
+  facts.within = 0;
+  facts.crowded_edges = 2;  // bodies that meet in an edge
+  EXPECT_EQ(reportOf(facts, 1.0)[1],
+            "Parts touch or contain each other. You feel the surface of the whole body, without walls inside it.");
+  EXPECT_TRUE(allowsWalls(facts));
+}
+
+TEST(MeshReport, RefusesAWallWhereInsideCannotBeTold) {
+  Facts facts = closedFacts();
+  facts.crossings = 1'000'000;
+  facts.inside = Inside::Unsure;
+  EXPECT_FALSE(allowsWalls(facts));
+  EXPECT_EQ(reportOf(facts, 1.0),
+            (Sentences{
+                "The surface intersects itself, at 1000000 pairs of faces. Inside and outside cannot be distinguished.",
+                "The mesh can be felt from both sides only: it intersects itself too often to tell inside from "
+                "outside."}));
 }
 
 std::vector<double> scalesOf(double largest_mm) {

@@ -1,0 +1,45 @@
+#include "core/scene/mesh_notes.h"
+
+#include <cmath>
+
+#include "core/base/translate.h"
+#include "core/json/text.h"
+#include "core/mesh_file/report.h"
+#include "core/mesh_file/union_report.h"
+
+namespace underact::scene {
+namespace {
+
+Sentence sizeNote(const Mesh& mesh) {
+  const double largest_mm = std::abs(mesh.scale_mm_per_unit) * mesh_file::largestExtent(*mesh.facts);
+  const std::string shown = shownNumber(json::numberText(std::round(largest_mm * 1e3) / 1e3));
+  if (largest_mm < mesh_file::kSmallest_mm)
+    return said(TRANSLATE_NOOP("problem", "It is %1 mm long, too small to be felt: state a larger scale_mm_per_unit."),
+                {shown});
+  if (largest_mm > mesh_file::kLargest_mm)
+    return said(
+        TRANSLATE_NOOP("problem", "It is %1 mm long, far beyond the arm's reach: state a smaller scale_mm_per_unit."),
+        {shown});
+  return {};
+}
+
+}  // namespace
+
+Problems meshNotes(const Description& scene) {
+  Problems notes;
+  for (const Constraint& constraint : scene.constraints) {
+    const auto* const mesh = std::get_if<Mesh>(&constraint.shape);
+    if (mesh == nullptr || mesh->facts == nullptr) continue;
+    const double mm_per_unit = std::abs(mesh->scale_mm_per_unit);
+    const Sentence crosses = mesh_file::crossingReport(*mesh->facts);
+    const Sentence parts = crosses.empty() ? Sentence() : mesh_file::partsReport(*mesh->facts);
+    const Sentence note = oneAfterAnother({parts, crosses, mesh_file::holesReport(*mesh->facts, mm_per_unit),
+                                           mesh_file::precisionReport(*mesh->facts, mm_per_unit), sizeNote(*mesh)});
+    if (note.empty()) continue;
+    notes.push_back(
+        {said(TRANSLATE_NOOP("problem", "The mesh %1: %2"), {json::shown(mesh->file), note}), constraint.place});
+  }
+  return notes;
+}
+
+}  // namespace underact::scene

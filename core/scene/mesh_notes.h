@@ -1,0 +1,12 @@
+#pragma once
+#include "core/base/result.h"
+#include "core/scene/description.h"
+
+namespace underact::scene {
+
+/// What is worth knowing about the meshes of a valid scene: which intersect themselves and what is felt there, what was
+/// assumed, and sizes that a hand cannot feel or the arm cannot reach. Each with the place of its constraint. scene:
+/// with its meshes loaded by loadMeshes().
+Problems meshNotes(const Description& scene);
+
+}  // namespace underact::scene
