@@ -19,6 +19,7 @@ class ChosenArm final : public servo::DevicePort {
 
   bool read(arm::Sample& sample) noexcept UNDERACT_REAL_TIME override;
   void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME override { arm_->write(force); }
+  bool truth(servo::Truth& truth) const noexcept UNDERACT_REAL_TIME override { return arm_->truth(truth); }
   void cut() noexcept UNDERACT_REAL_TIME override { arm_->cut(); }
   Problems reopen() override;
   Sentence fixedRateReason() const override { return arm_->fixedRateReason(); }

@@ -79,6 +79,13 @@ void SimulatedArm::write(const safety::GatedForce& force) noexcept {
   is_cut_.store(false, std::memory_order_relaxed);
 }
 
+bool SimulatedArm::truth(servo::Truth& truth) const noexcept {
+  truth.p_WT = state_.p_WT;
+  truth.f_hand_T_W = plant_.hand.stiffness_N_per_m * (heeded_.p_WT - state_.p_WT) +
+                     plant_.hand.damping_N_s_per_m * (heeded_.v_WT - state_.v_WT);
+  return true;
+}
+
 void SimulatedArm::cut() noexcept {
   is_cut_.store(true, std::memory_order_relaxed);
 }

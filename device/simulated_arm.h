@@ -25,6 +25,7 @@ class SimulatedArm final : public servo::DevicePort {
 
   bool read(arm::Sample& sample) noexcept UNDERACT_REAL_TIME override;
   void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME override;
+  bool truth(servo::Truth& truth) const noexcept UNDERACT_REAL_TIME override;
   void cut() noexcept UNDERACT_REAL_TIME override;
   servo::DeviceInfo info() const override;
   Sentence fixedRateReason() const override { return {}; }

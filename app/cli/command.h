@@ -11,8 +11,8 @@ namespace underact::cli {
 using options::Command;
 using options::Option;
 
-/// Exit status of underact-cli.
-enum class Exit : int { Well = 0, BadInput = 1, Usage = 2, Fault = 3, File = 4 };
+/// Exit status of underact-cli. Library: an export takes a library that is not installed.
+enum class Exit : int { Well = 0, BadInput = 1, Usage = 2, Fault = 3, File = 4, Library = 5 };
 
 /// Results go to out, messages and progress to err.
 struct Streams {
@@ -39,6 +39,7 @@ void addDevices(Command program, const Streams& streams, Exit& exit);
 void addServoCheck(Command program, const Streams& streams, Exit& exit);
 void addLog(Command program, const Streams& streams, Exit& exit);
 void addReplay(Command program, const Streams& streams, Exit& exit);
+void addRerun(Command program, const Streams& streams, Exit& exit);
 void addFigures(Command program, const Streams& streams, Exit& exit);
 void addLab(Command program, const Streams& streams, Exit& exit);
 void addMesh(Command program, const Streams& streams, Exit& exit);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <span>
+#include <utility>
 
 #include "app/cli/scene_file.h"
+#include "core/json/text.h"
 
 namespace underact::cli {
 namespace {
@@ -24,6 +26,12 @@ bool isFileName(const std::string& hand) {
 Result<sim::HandScript> findHand(const std::string& hand, std::uint64_t seed) {
   if (isBuiltIn(hand) || !isFileName(hand)) return sim::builtInHand(hand, seed);
   return sim::readHandFile(hand);
+}
+
+std::string contentOfHand(const std::string& hand) {
+  if (isBuiltIn(hand) || !isFileName(hand)) return {};
+  Result<std::string> text = json::readTextFile(hand, "a hand");
+  return text ? std::move(text).value() : std::string();
 }
 
 Exit exitOfHand(const std::string& hand, const Problems& problems) {

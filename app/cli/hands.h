@@ -11,6 +11,9 @@ namespace underact::cli {
 /// the file.
 Result<sim::HandScript> findHand(const std::string& hand, std::uint64_t seed);
 
+/// The content of the file that --hand names; empty: it names a built-in script.
+std::string contentOfHand(const std::string& hand);
+
 /// Usage if a name was meant, else as exitOf().
 Exit exitOfHand(const std::string& hand, const Problems& problems);
 

@@ -1,33 +1,9 @@
 #pragma once
-#include <concepts>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "core/base/types.h"
+#include "core/json/object_text.h"
 
 namespace underact::cli {
 
-/// One JSON object on one line, its members in the order in which they are added.
-class JsonObject {
- public:
-  void addText(std::string_view key, std::string_view value);
-  void addNumber(std::string_view key, double value);  // null if it is not finite
-  void addInteger(std::string_view key, std::integral auto value) { addRaw(key, std::to_string(value)); }
-  void addBool(std::string_view key, bool value) { addRaw(key, value ? "true" : "false"); }
-  void addNull(std::string_view key) { addRaw(key, "null"); }
-  void addVector(std::string_view key, const Vec3& value);
-  void addList(std::string_view key, std::span<const double> values);
-  void addTexts(std::string_view key, const std::vector<std::string>& values);
-  void addMatrix(std::string_view key, const Eigen::MatrixXd& value);  // a list of rows
-  void addObject(std::string_view key, const JsonObject& value) { addRaw(key, value.text()); }
-  void addList(std::string_view key, const std::vector<JsonObject>& values);
-  std::string text() const { return "{" + members_ + "}"; }
-
- private:
-  void addRaw(std::string_view key, const std::string& json);
-  std::string members_;
-};
+/// One answer of the command line.
+using JsonObject = json::ObjectText;
 
 }  // namespace underact::cli

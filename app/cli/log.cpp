@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <memory>
 #include <ostream>
 #include <utility>
@@ -8,7 +9,10 @@
 #include "app/cli/python.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/session_table.h"
+#include "core/record/columns_text.h"
 #include "core/record/csv.h"
+#include "core/record/csv_metadata.h"
+#include "core/record/participant_files.h"
 #include "core/record/recorder.h"
 #include "core/record/session.h"
 #include "core/system/signals.h"
@@ -23,6 +27,18 @@ Exit showSession(const std::string& path, bool json, const Streams& streams) {
   json ? printAsJson(session.value(), streams.out) : printAsTable(session.value(), streams.out);
   print(session.value().info().damage, streams.err);
   return session.value().info().damage.empty() ? Exit::Well : Exit::BadInput;
+}
+
+/// Exit status 1 where anything that was run differs, as with diff.
+Exit compareSessions(const std::vector<std::string>& paths, bool json, const Streams& streams) {
+  Result<record::Session> a = record::Session::open(paths[0]);
+  if (!a) return fail(a.problems(), streams);
+  Result<record::Session> b = record::Session::open(paths[1]);
+  if (!b) return fail(b.problems(), streams);
+  const Result<std::vector<record::SessionDifference>> found = record::differencesBetween(a.value(), b.value());
+  if (!found) return fail(found.problems(), streams);
+  json ? printDifferencesAsJson(found.value(), streams.out) : printDifferences(found.value(), streams.out);
+  return found.value().empty() ? Exit::Well : Exit::BadInput;
 }
 
 struct ExportOptions {
@@ -45,6 +61,10 @@ Exit exportCsv(const ExportOptions& options, const Streams& streams) {
   if (done.missing > 0) streams.err << done.missing << " ticks are damaged in the file and were left out.\n";
   if (done.is_stopped) streams.err << "Stopped: what was written is not the whole session.\n";
   if (!done.unwritten.empty()) return Exit::File;
+  if (std::error_code error; std::filesystem::is_regular_file(options.out, error)) {  // not a pipe, nor /dev/stdout
+    const Problems problems = record::writeCsvMetadata(session.value(), options.out);
+    if (!problems.empty()) return fail(problems, Exit::File, streams);
+  }
   return done.isWhole() ? Exit::Well : Exit::BadInput;
 }
 
@@ -89,13 +109,79 @@ Exit recover(const std::string& path, const Streams& streams) {
   return Exit::Well;
 }
 
+struct InfoOptions {
+  std::string file;
+  std::vector<std::string> compared;
+  bool json = false;
+};
+
+Exit showOrCompare(const InfoOptions& options, const Streams& streams) {
+  if (options.file.empty() == options.compared.empty()) {
+    streams.err << "Give one session file, or two behind --diff.\n";
+    return Exit::Usage;
+  }
+  return options.file.empty() ? compareSessions(options.compared, options.json, streams)
+                              : showSession(options.file, options.json, streams);
+}
+
 void addInfo(Command log, const Streams& streams, Exit& exit) {
-  const Command command = log.add("info", "Show what a session contains");
-  const auto path = std::make_shared<std::string>();
-  const auto json = std::make_shared<bool>(false);
-  command.option("file", *path, "Session file").required();
-  command.flag("--json", *json, "One JSON object instead of a table");
-  command.whenChosen([path, json, &streams, &exit] { exit = showSession(*path, *json, streams); });
+  const Command command = log.add("info", "Show what a session contains, or in what two differ");
+  const auto options = std::make_shared<InfoOptions>();
+  command.option("file", options->file, "Session file");
+  command.option("--diff", options->compared, "Name everything in which what was run differs between two sessions")
+      .expected(2, 2)
+      .word("A B");
+  command.flag("--json", options->json, "One JSON object instead of a table");
+  command.whenChosen([options, &streams, &exit] { exit = showOrCompare(*options, streams); });
+}
+
+struct RemoveOptions {
+  std::string participant;
+  std::vector<std::string> places;
+  bool yes = false;
+};
+
+Exit removeParticipant(const RemoveOptions& options, const Streams& streams) {
+  if (options.participant.empty()) {
+    streams.err << "--participant: give the code of the participant, as in the field subject.\n";
+    return Exit::Usage;
+  }
+  const record::ParticipantFiles files = record::filesOfParticipant(options.participant, options.places);
+  print(files.unread, streams.err);
+  for (const std::vector<std::string>* const list : {&files.sessions, &files.exports}) {
+    for (const std::string& path : *list) streams.out << path << '\n';
+  }
+  const std::size_t count = files.sessions.size() + files.exports.size();
+  if (!options.yes) {
+    streams.err << count << " files would be deleted for good. Nothing was deleted: --yes deletes them.\n";
+    return files.unread.empty() ? Exit::Well : Exit::BadInput;
+  }
+  const Problems problems = record::removeFiles(files);
+  print(problems, streams.err);
+  streams.err << count - problems.size() << " files were deleted for good. Copies elsewhere, and backups, were not.\n";
+  if (!problems.empty()) return Exit::File;
+  return files.unread.empty() ? Exit::Well : Exit::BadInput;
+}
+
+void addRemove(Command log, const Streams& streams, Exit& exit) {
+  const Command command =
+      log.add("remove", "Delete for good all sessions of a participant, and what was exported from them");
+  const auto options = std::make_shared<RemoveOptions>();
+  command.option("--participant", options->participant, "The code, as in the field subject").required().word("CODE");
+  command.option("places", options->places, "Sessions, and folders to look in, with those below")
+      .required()
+      .expected(1, -1);
+  command.flag("--yes", options->yes, "Delete; without it the files are listed only");
+  command.whenChosen([options, &streams, &exit] { exit = removeParticipant(*options, streams); });
+}
+
+void addColumns(Command log, const Streams& streams, Exit& exit) {
+  const Command command =
+      log.add("columns", "Print the table of a session's columns, with units, frames and meanings, as JSON");
+  command.whenChosen([&streams, &exit] {
+    streams.out << record::columnsJson() << '\n';
+    exit = Exit::Well;
+  });
 }
 
 void addExport(Command log, const Streams& streams, Exit& exit) {
@@ -145,9 +231,10 @@ void addPlot(Command log, const Streams& streams, Exit& exit) {
 }  // namespace
 
 void addLog(Command program, const Streams& streams, Exit& exit) {
-  const Command log = program.add("log", "Recorded sessions: inspect, export, plot, verify, recover");
+  const Command log = program.add("log", "Recorded sessions: inspect, compare, export, plot, verify, recover, remove");
   log.mustChoose();
   addInfo(log, streams, exit);
+  addColumns(log, streams, exit);
   addExport(log, streams, exit);
   addPlot(log, streams, exit);
   const Command verifying = log.add("verify", "Check every block of a session against its checksum");
@@ -159,6 +246,7 @@ void addLog(Command program, const Streams& streams, Exit& exit) {
   const auto recovered = std::make_shared<std::string>();
   recovering.option("file", *recovered, "Session file").required();
   recovering.whenChosen([recovered, &streams, &exit] { exit = recover(*recovered, streams); });
+  addRemove(log, streams, exit);
 }
 
 }  // namespace underact::cli

@@ -20,6 +20,10 @@ class Recording {
   void add(const servo::TickRecord& record) {
     if (csv_) csv_->add(record);
   }
+  /// Notes how the servo runs, once it has begun.
+  void noteServo() {
+    if (session_) session_->noteServo();
+  }
   /// It cannot be written further; close() gives the reason.
   bool hasFailed() const;
   Problems close();

@@ -19,6 +19,7 @@
 #include "app/stream/live_stream.h"
 #include "core/arm/preset.h"
 #include "core/record/fault_file.h"
+#include "core/record/provenance.h"
 #include "core/scene/compile.h"
 #include "core/scene/mirror.h"
 #include "core/servo/host.h"
@@ -27,7 +28,7 @@
 #include "core/sim/hand_script.h"
 #include "core/system/signals.h"
 #include "device/catalogue.h"
-#include "device/simulated_arm.h"
+#include "device/simulated_run.h"
 
 namespace underact::cli {
 namespace {
@@ -49,6 +50,7 @@ struct RunOptions {
   bool overwrite = false;
   record::SessionMetadata words;  // of the recording
   double block_s = record::kBlock_s;
+  bool details = false;
   std::string stream;  // empty: none
   std::string fault_file;
   std::string space;  // empty: the scene's
@@ -92,6 +94,16 @@ class Run {
   bool isDone() const { return summary_.ticks() >= wanted_; }
   std::int64_t left() const { return wanted_ - summary_.ticks(); }
   const RunSummary& summary() const { return summary_; }
+  /// What became of the live data, where there was any.
+  void addStream(JsonObject& summary) const {
+    if (!live_) return;
+    JsonObject stream;
+    stream.addInteger("sent", live_->sent());
+    stream.addInteger("lost", live_->lost());
+    summary.addObject("stream", stream);
+    if (live_->lost() > 0)
+      streams_.err << live_->lost() << " packets of live data were lost: the network did not take them.\n";
+  }
   Problems closeRecording() { return recording_ ? recording_->close() : Problems{}; }
 
  private:
@@ -137,8 +149,7 @@ Problems reportFaults(servo::Host& host, Run& run, const std::string& file, cons
 
 struct Prepared {
   LoadedScene scene;
-  sim::HandScript hand;  // these two of the simulated arm
-  sim::ArmModel model;
+  device::SimulatedRun run;  // of the simulated arm
 };
 
 /// Empty: the options are compatible.
@@ -168,6 +179,15 @@ Result<LoadedScene> asAsked(LoadedScene loaded, const RunOptions& options) {
   return loaded;
 }
 
+std::int64_t ticksOf(const RunOptions& options) {
+  return std::max<std::int64_t>(1, std::llround(options.seconds * options.rate_hz));
+}
+
+/// No folders of a person are in a session.
+std::string fileName(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
 /// Empty: something was wrong; it has been printed, and exit is its status.
 std::optional<Prepared> prepare(const RunOptions& options, const Streams& streams, Exit& exit) {
   Result<LoadedScene> scene = loadScene(options.scene, streams);
@@ -181,7 +201,7 @@ std::optional<Prepared> prepare(const RunOptions& options, const Streams& stream
     exit = fail(asked.problems(), Exit::BadInput, streams);
     return {};
   }
-  if (!options.isSimulated()) return Prepared{std::move(asked).value(), {}, {}};
+  if (!options.isSimulated()) return Prepared{std::move(asked).value(), {}};
   Result<sim::HandScript> hand = findHand(options.hand, options.seed);
   if (!hand) {
     exit = fail(hand.problems(), exitOfHand(options.hand, hand.problems()), streams);
@@ -192,7 +212,15 @@ std::optional<Prepared> prepare(const RunOptions& options, const Streams& stream
     exit = fail(model.problems(), streams);
     return {};
   }
-  return Prepared{std::move(asked).value(), std::move(hand).value(), std::move(model).value()};
+  Prepared prepared{std::move(asked).value(), {}};
+  prepared.run = {fileName(options.hand),
+                  contentOfHand(options.hand),
+                  std::move(hand).value(),
+                  std::move(model).value(),
+                  ticksOf(options),
+                  options.fast,
+                  options.seed};
+  return prepared;
 }
 
 Result<std::unique_ptr<servo::DevicePort>> makeArm(const RunOptions& options, const Prepared& prepared) {
@@ -200,15 +228,9 @@ Result<std::unique_ptr<servo::DevicePort>> makeArm(const RunOptions& options, co
     const arm::Preset& preset = *arm::findPreset(prepared.scene.description.arm);
     return device::openDevice(options.device, {preset, {}, options.rate_hz, {}});
   }
-  device::SimulatedArm::Options arm;
-  arm.arm = *arm::findPreset(prepared.scene.description.arm);
-  arm.model = prepared.model;
-  arm.hand = prepared.hand.hand;
-  arm.rate_hz = options.rate_hz;
-  arm.integration = integrationOf(prepared.scene.description.simulation);
-  auto simulated = std::make_unique<device::SimulatedArm>(arm);
-  simulated->follow(prepared.hand);
-  return std::unique_ptr<servo::DevicePort>(std::move(simulated));
+  const scene::Description& scene = prepared.scene.description;
+  return std::unique_ptr<servo::DevicePort>(
+      device::makeSimulatedArm(prepared.run, *arm::findPreset(scene.arm), scene, options.rate_hz));
 }
 
 /// The name of an unnamed session: what was run.
@@ -216,28 +238,39 @@ record::SessionMetadata wordsOf(const RunOptions& options) {
   record::SessionMetadata words = options.words;
   if (words.name.empty()) words.name = std::filesystem::path(options.scene).stem().string();
   if (words.notes.empty() && options.isSimulated()) {
-    const auto named = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
-    words.notes = "Hand " + named(options.hand) + ", seed " + std::to_string(options.seed) + ", arm model " +
-                  named(options.arm_model) + ".";  // files by their names: no folders of a person are in a session
+    words.notes = "Hand " + fileName(options.hand) + ", seed " + std::to_string(options.seed) + ", arm model " +
+                  fileName(options.arm_model) + ".";
   }
   return words;
 }
 
+/// What the servo does not know of the run.
+JsonObject runOf(const RunOptions& options, const Prepared& prepared) {
+  return options.isSimulated() ? device::provenanceOf(prepared.run) : device::provenanceOfPerson(nullptr);
+}
+
 /// Opens the requested destinations of the ticks besides the summary.
-Exit startListeners(const RunOptions& options, std::int64_t ticks, servo::Host& host,
+Exit startListeners(const RunOptions& options, const Prepared& prepared, servo::Host& host,
                     std::optional<Recording>& recording, std::optional<stream::LiveStream>& live,
                     const Streams& streams) {
+  const std::string session_id = record::newSessionId();
   if (!options.stream.empty()) {
     const Result<stream::Address> address = stream::readAddress(options.stream);
     if (!address) return fail(address.problems(), Exit::Usage, streams);
     Result<stream::LiveStream> opened = stream::LiveStream::open(address.value(), options.rate_hz);
     if (!opened) return fail(opened.problems(), Exit::File, streams);
     live = std::move(opened).value();
+    live->setSession(session_id);
+    if (options.fast) live->pace();
   }
   if (!options.record.empty()) {
-    Result<Recording> started =
-        Recording::start(host, options.record, wordsOf(options),
-                         {.most_ticks = ticks, .block_s = options.block_s, .existing = options.existing()});
+    Result<Recording> started = Recording::start(host, options.record, wordsOf(options),
+                                                 {.most_ticks = ticksOf(options),
+                                                  .block_s = options.block_s,
+                                                  .existing = options.existing(),
+                                                  .run = runOf(options, prepared),
+                                                  .details = options.details,
+                                                  .session_id = session_id});
     if (!started) return fail(started.problems(), Exit::File, streams);
     recording = std::move(started).value();
   }
@@ -254,7 +287,6 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   Exit exit = Exit::Well;
   std::optional<Prepared> prepared = prepare(options, streams, exit);
   if (!prepared) return exit;
-  const std::int64_t ticks = std::max<std::int64_t>(1, std::llround(options.seconds * options.rate_hz));
   const system::Interrupt interrupt(system::Reader::MayGo);
   Result<std::unique_ptr<servo::DevicePort>> arm = makeArm(options, *prepared);
   if (!arm) return fail(arm.problems(), Exit::Fault, streams);
@@ -267,18 +299,20 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   host.start();
   std::optional<Recording> recording;
   std::optional<stream::LiveStream> live;
-  exit = startListeners(options, ticks, host, recording, live, streams);
+  exit = startListeners(options, *prepared, host, recording, live, streams);
   if (exit != Exit::Well) return exit;
   host.begin();
-  Run run(ticks, std::move(recording), std::move(live), streams);
+  if (recording) recording->noteServo();
+  Run run(ticksOf(options), std::move(recording), std::move(live), streams);
   options.fast ? runFast(host, run, interrupt) : runInRealTime(host, run, interrupt, streams);
   if (const std::int64_t dropped = host.snapshot().dropped; dropped > 0) {
     streams.err << dropped << " ticks were not received, because the machine was too busy.\n";
   }
   const Problems unkept = reportFaults(host, run, options.fault_file, streams);
   const std::string scheduling = options.fast ? "as fast as possible" : host.scheduling().name;
-  streams.out << run.summary().json({options.rate_hz, options.seed, options.fast, scheduling, host.guarding()}).text()
-              << '\n';
+  JsonObject summary = run.summary().json({options.rate_hz, options.seed, options.fast, scheduling, host.guarding()});
+  run.addStream(summary);
+  streams.out << summary.text() << '\n';
   Problems unwritten = run.closeRecording();
   unwritten.insert(unwritten.end(), unkept.begin(), unkept.end());
   print(unwritten, streams.err);
@@ -316,6 +350,10 @@ void addRun(Command program, const Streams& streams, Exit& exit) {
   command.option("--record-block_s", options->block_s, "Interval at which a session is written, s")
       .showUsual()
       .range(record::kShortestBlock_s, record::kLongestBlock_s);
+  command
+      .flag("--record-details", options->details,
+            "Record the simulated arm's true tip and the hand's force, and each constraint's target and force, too")
+      .needs(recording);
   command.option("--name", options->words.name, "Name of the session; by default that of the scene file");
   command.option("--notes", options->words.notes, "Notes on the session");
   command.option("--tags", options->words.tags, "Tags of the session, separated by commas");
@@ -325,7 +363,7 @@ void addRun(Command program, const Streams& streams, Exit& exit) {
   command
       .option("--stream", options->stream,
               "Send ticks as JSON over UDP (PlotJuggler) to PORT, HOST or HOST:PORT; by default to port 9870 of this "
-              "machine")
+              "machine; with --fast, at most some 10,000 a second, so that none is lost")
       .expected(0, 1)
       .usual(std::to_string(stream::kPort));
   command.option("--fault-file", options->fault_file,

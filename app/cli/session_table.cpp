@@ -1,6 +1,7 @@
 #include "app/cli/session_table.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <iomanip>
 #include <ostream>
 
@@ -32,6 +33,64 @@ JsonObject faultObject(const servo::FaultMark& mark) {
   return object;
 }
 
+/// What was run, from then on, as it stands in the file; a text that is not JSON is damage and null.
+void addProvenance(record::Session& session, JsonObject& object) {
+  const std::vector<record::ProvenanceRow>& rows = session.provenance();
+  std::vector<JsonObject> later;
+  bool has_first = false;
+  for (const record::ProvenanceRow& row : rows) {
+    const Result<std::string> text = session.provenanceText(row);
+    const bool is_json = text && json::parse(text.value(), "");
+    if (&row == &rows.front()) {
+      has_first = is_json;
+      if (is_json) object.addJson("provenance", text.value());
+      continue;
+    }
+    JsonObject& change = later.emplace_back();
+    change.addInteger("tick", row.tick);
+    if (is_json) change.addJson("changed", text.value());
+  }
+  if (!has_first) object.addNull("provenance");
+  object.addList("provenance_changes", later);
+}
+
+void addClock(const record::Session& session, JsonObject& object) {
+  std::vector<JsonObject> anchors;
+  for (const record::ClockRow& row : session.clock()) {
+    JsonObject& anchor = anchors.emplace_back();
+    anchor.addInteger("tick", row.tick);
+    anchor.addInteger("time_ns", row.time_ns);
+    anchor.addInteger("monotonic_ns", row.monotonic_ns);
+    anchor.addInteger("unix_ns", row.unix_ns);
+    anchor.addInteger("between_ns", row.between_ns);
+  }
+  object.addList("clock", anchors);
+}
+
+/// The scheduling as noted last: at the beginning the servo may not have had it yet.
+std::string schedulingOf(record::Session& session) {
+  std::string words = session.info().header.scheduling;
+  for (const record::ProvenanceRow& row : session.provenance()) {
+    const Result<json::Value> value = session.provenanceOf(row);
+    const json::Value* found = value ? value.value().find("servo") : nullptr;
+    for (const char* key : {"scheduling", "granted"}) found = found != nullptr ? found->find(key) : nullptr;
+    if (found != nullptr && found->kind == json::Kind::String) words = found->text;
+  }
+  return words;
+}
+
+/// A member of what was run, in a word or a few; empty: the session does not say it.
+std::string runWord(record::Session& session, std::initializer_list<const char*> keys) {
+  if (session.provenance().empty()) return {};
+  const Result<json::Value> value = session.provenanceOf(session.provenance().front());
+  if (!value) return {};
+  const json::Value* found = &value.value();
+  for (const char* key : keys) found = found != nullptr ? found->find(key) : nullptr;
+  if (found == nullptr) return {};
+  if (found->kind == json::Kind::String) return found->text;
+  return found->kind == json::Kind::Number ? json::numberText(found->number) : std::string();
+}
+
 }  // namespace
 
 void printAsJson(record::Session& session, std::ostream& out) {
@@ -59,7 +118,7 @@ void printAsJson(record::Session& session, std::ostream& out) {
   object.addInteger("changes", session.changes().size());
   object.addText("arm", info.header.arm);
   object.addText("device", info.header.device);
-  object.addText("scheduling", info.header.scheduling);
+  object.addText("scheduling", schedulingOf(session));
   object.addText("version", info.program_version);
   object.addInteger("bytes", info.bytes);
   std::vector<JsonObject> faults, markers;
@@ -71,6 +130,38 @@ void printAsJson(record::Session& session, std::ostream& out) {
   }
   object.addList("faults", faults);
   object.addList("markers", markers);
+  object.addText("session_id", info.header.session_id);
+  object.addNumber("force_share", info.header.force_share);
+  addProvenance(session, object);
+  addClock(session, object);
+  out << object.text() << '\n';
+}
+
+void printDifferences(const std::vector<record::SessionDifference>& found, std::ostream& out) {
+  constexpr std::size_t kLongest = 60;
+  const auto shortened = [](const std::string& text) {
+    if (text.empty()) return std::string("not said");
+    if (text.size() <= kLongest) return text;
+    std::size_t end = kLongest;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // whole letters of UTF-8
+    return text.substr(0, end) + "... (" + std::to_string(text.size()) + " bytes)";
+  };
+  for (const record::SessionDifference& one : found)
+    out << one.what << ": " << shortened(one.a) << " | " << shortened(one.b) << '\n';
+  if (found.empty()) out << "Nothing that was run differs.\n";
+}
+
+void printDifferencesAsJson(const std::vector<record::SessionDifference>& found, std::ostream& out) {
+  JsonObject object;
+  object.addBool("identical", found.empty());
+  std::vector<JsonObject> differences;
+  for (const record::SessionDifference& one : found) {
+    JsonObject& difference = differences.emplace_back();
+    difference.addText("what", one.what);
+    difference.addText("a", one.a);
+    difference.addText("b", one.b);
+  }
+  object.addList("differences", differences);
   out << object.text() << '\n';
 }
 
@@ -96,8 +187,12 @@ void printAsTable(record::Session& session, std::ostream& out) {
                << session.changes().size() - std::min<std::size_t>(session.changes().size(), 1) << " edits\n";
   row("arm") << info.header.arm << '\n';
   row("device") << info.header.device << '\n';
-  row("scheduling") << info.header.scheduling << '\n';
+  words("hand", runWord(session, {"run", "hand", "name"}));
+  words("seed", runWord(session, {"run", "seed"}));
+  words("arm model", runWord(session, {"run", "arm_model", "name"}));
+  row("scheduling") << schedulingOf(session) << '\n';
   row("version") << info.program_version << '\n';
+  words("build", runWord(session, {"program", "build_id"}));
   row("size") << info.bytes << " bytes\n";
   for (const servo::FaultMark& mark : stops(session)) {
     row("fault") << "tick " << mark.tick << ": " << whatHappened(mark.fault) << '\n';

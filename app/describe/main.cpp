@@ -1,6 +1,6 @@
 // Generates the other files of a package from the grammars of the programs when it is built: man pages, and
-// completion for shells; the guide's pages of commands, scene keys and scenes; and the guide as static pages. It is not
-// installed.
+// completion for shells; the guide's pages of commands, scene keys, scenes and a session's columns; and the guide as
+// static pages. It is not installed.
 #include <array>
 #include <iostream>
 
@@ -11,6 +11,7 @@
 #include "app/guide/make.h"
 #include "app/options/window_options.h"
 #include "app/sweeper/command.h"
+#include "core/record/columns_text.h"
 
 namespace underact::describe {
 namespace {
@@ -42,8 +43,15 @@ int run(const std::string& what, const std::string& name) {
                "underact-describe scene-schema SCHEMA\n"
                "underact-describe scene-keys SCHEMA\n"
                "underact-describe scene-list FOLDER\n"
+               "underact-describe session-columns\n"
+               "underact-describe columns-json\n"
                "underact-describe guide FOLDER OUT\n";
   return 2;
+}
+
+int print(const std::string& text) {
+  std::cout << text << std::flush;
+  return std::cout ? 0 : 4;
 }
 
 int run(const std::vector<std::string>& words) {
@@ -52,6 +60,8 @@ int run(const std::vector<std::string>& words) {
               << std::flush;
     return std::cout ? 0 : 4;
   }
+  if (words.size() == 1 && words[0] == "session-columns") return print(record::columnsPage());
+  if (words.size() == 1 && words[0] == "columns-json") return print(record::columnsJson() + "\n");
   if (words.size() == 2 && words[0] == "scene-schema") return guide::printSceneSchema(words[1], std::cout, std::cerr);
   if (words.size() == 2 && words[0] == "scene-keys") return guide::printSceneKeys(words[1], std::cout, std::cerr);
   if (words.size() == 2 && words[0] == "scene-list") return guide::printSceneList(words[1], std::cout, std::cerr);

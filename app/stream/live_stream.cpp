@@ -5,24 +5,40 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/udp.hpp>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <string_view>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include "core/record/columns.h"
+#include "core/record/provenance.h"
 
 namespace underact::stream {
 namespace {
 
 using boost::asio::ip::udp;
 
+constexpr std::int64_t kBurst = 20;
+constexpr std::chrono::milliseconds kBetweenBursts{2};
+
 /// A tick as one JSON object, in place.
 class Message {
  public:
-  explicit Message(const servo::TickRecord& record) {
+  Message(const servo::TickRecord& record, const std::string& session_id) {
     add("{\"timestamp\":");
     addNumber(kSecondPerNanosecond * static_cast<double>(record.time_ns));
     record::fillRow(record, *this);
+    add(",\"underact_live\":");
+    addNumber(kLiveVersion);
+    if (!session_id.empty()) {
+      add(",\"session\":\"");
+      add(session_id);
+      add("\"");
+    }
+    add(",\"clock\":\"arm\",\"unix_s\":");  // of timestamp; and the system's clock, now
+    addNumber(kSecondPerNanosecond * static_cast<double>(record::unixNow_ns()));
     add("}");
   }
   std::string_view text() const { return {text_.data(), size_}; }
@@ -51,7 +67,7 @@ class Message {
  private:
   void begin() {
     add(",\"");
-    add(record::kColumns[column_++]);
+    add(fields_[column_++].name);
     add("\":");
   }
   void add(std::string_view more) {
@@ -65,6 +81,7 @@ class Message {
                                      text_.data());
   }
 
+  const std::vector<record::CsvField>& fields_ = record::csvFields();
   std::array<char, 2048> text_{};  // 34 columns of at most 25 characters, and their names
   std::size_t size_ = 0;
   std::size_t column_ = 0;
@@ -112,6 +129,12 @@ struct LiveStream::Impl {
   udp::socket socket{context};
   udp::endpoint target;
   std::int64_t every = 1, sent = 0, lost = 0;
+  std::string session_id;
+  bool paced = false;
+  /// A receiver on a system with the usual buffer has room for some 90 messages of this size.
+  void waitForReceiver() const {
+    if (paced && sent % kBurst == 0) std::this_thread::sleep_for(kBetweenBursts);
+  }
 };
 
 LiveStream::LiveStream(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -138,11 +161,20 @@ void LiveStream::setRate(int rate_hz) {
 
 void LiveStream::send(const servo::TickRecord& record) {
   if (record.tick % impl_->every != 0) return;
-  const Message message(record);
+  const Message message(record, impl_->session_id);
   boost::system::error_code error;
   impl_->socket.send_to(boost::asio::buffer(message.text().data(), message.text().size()), impl_->target, 0, error);
   // Nobody listening yet is no loss of ours: the system tells it with the message after.
   ++(error && error != boost::asio::error::connection_refused ? impl_->lost : impl_->sent);
+  impl_->waitForReceiver();
+}
+
+void LiveStream::setSession(const std::string& session_id) {
+  impl_->session_id = session_id;
+}
+
+void LiveStream::pace() {
+  impl_->paced = true;
 }
 
 std::int64_t LiveStream::sent() const {

@@ -22,9 +22,12 @@ struct Address {
 /// "PORT", "HOST" or "HOST:PORT" (a host of IPv6 in brackets). Problems: it is none of these.
 Result<Address> readAddress(const std::string& text);
 
+inline constexpr int kLiveVersion = 1;  // of the messages
+
 /// Ticks as JSON over UDP, one message per tick, for PlotJuggler and other listeners: {"timestamp": s, "tick": n,
-/// "q1_rad": ...} with the numbers of a CSV recording; values that are not finite are omitted. Never waits: what the
-/// network does not accept at once is lost, and counted. Any one thread, not the servo's.
+/// "q1_rad": ..., "underact_live": 1, "session": id, "clock": "arm", "unix_s": s} with the numbers of a CSV recording;
+/// values that are not finite are omitted. Does not wait unless pace() was called: what the network does not accept at
+/// once is lost, and counted. Any one thread, not the servo's. The guide's page: live_data.md.
 class LiveStream {
  public:
   /// Problems: the address is not available here.
@@ -34,6 +37,11 @@ class LiveStream {
   LiveStream& operator=(LiveStream&&) noexcept;
 
   void send(const servo::TickRecord& record);
+  /// The session that the messages belong to from now on, as in its file; empty: none.
+  void setSession(const std::string& session_id);
+  /// For ticks that come faster than real time: from now on send() waits where a receiver could not keep up, so that
+  /// there are some 10,000 messages a second.
+  void pace();
   /// Sets the rate of the servo from now on.
   void setRate(int rate_hz);
   std::int64_t sent() const;

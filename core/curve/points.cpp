@@ -155,8 +155,12 @@ Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& 
   return std::move(reader).finished();
 }
 
+Result<std::string> readPointsText(const std::string& path) {
+  return json::readTextFile(path, said(TRANSLATE_NOOP("problem", "a curve")), kLargestFile);
+}
+
 Result<std::vector<Vec3>> readPoints(const std::string& path, const TaskMonitor& monitor) {
-  const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "a curve")), kLargestFile);
+  const Result<std::string> text = readPointsText(path);
   if (!text) return text.problems();
   return parsePoints(text.value(), path, monitor);
 }

@@ -21,6 +21,9 @@ inline constexpr std::size_t kMostProblems = 10;
 /// three finite numbers, more than kMostPoints; no point at all; cancelled. Any bytes are allowed.
 Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& file, const TaskMonitor& monitor = {});
 
+/// The text of a file of points, of at most 256 MiB. Problems: as json::readTextFile().
+Result<std::string> readPointsText(const std::string& path);
+
 /// parsePoints() of a file of at most 256 MiB.
 Result<std::vector<Vec3>> readPoints(const std::string& path, const TaskMonitor& monitor = {});
 

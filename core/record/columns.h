@@ -1,51 +1,28 @@
 #pragma once
-#include <array>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/units.h"
+#include "core/record/table.h"
 #include "core/servo/snapshot.h"
 
 namespace underact::record {
 
-/// The columns of a tick, in the order of a CSV recording: lengths mm, angles rad, forces N, time s.
-inline constexpr std::array<std::string_view, 34> kColumns{
-    "tick",
-    "time_s",
-    "q1_rad",
-    "q2_rad",
-    "q3_rad",
-    "q4_rad",
-    "q5_rad",
-    "q6_rad",
-    "x_mm",
-    "y_mm",
-    "z_mm",
-    "target_x_mm",
-    "target_y_mm",
-    "target_z_mm",
-    "error_mm",
-    "force_asked_x_N",
-    "force_asked_y_N",
-    "force_asked_z_N",
-    "force_sent_x_N",
-    "force_sent_y_N",
-    "force_sent_z_N",
-    "gate_level",
-    "cut_N",
-    "fault",
-    "alpha_rad",
-    "beta_rad",
-    "theta_rad",
-    "lateness_us",
-    "tick_us",
-    "buttons",
-    "revision",
-    "limits",
-    "energy_mJ",
-    "passive_N",
+/// One number of a tick as CSV recordings, live data and fault files have it.
+struct CsvField {
+  std::string_view name;
+  const Column* column;   // of /ticks; lives as long as the program
+  std::size_t part;       // which of its numbers
+  std::string_view unit;  // in CSV: s where the column has ns
+  std::string_view type;  // in CSV: a word where the column has a number for it
 };
 
-/// Passes the fields of a tick to a row in the order of kColumns, by row.integer(), row.number() or row.word().
+/// The numbers of a tick in the order of a CSV recording, by the table of a session's columns: lengths mm, angles rad,
+/// forces N, time s.
+const std::vector<CsvField>& csvFields();
+
+/// Passes the fields of a tick to a row in the order of csvFields(), by row.integer(), row.number() or row.word().
 template <class Row>
 void fillRow(const servo::TickRecord& record, Row& row) {
   constexpr double kMicrosecondPerNanosecond = 1e-3;

@@ -16,7 +16,7 @@ namespace {
 
 std::string header() {
   std::string text;
-  for (const std::string_view column : kColumns) text.append(text.empty() ? "" : ",").append(column);
+  for (const CsvField& field : csvFields()) text.append(text.empty() ? "" : ",").append(field.name);
   return text + "\n";
 }
 

@@ -152,7 +152,8 @@ std::string isoTime(std::int64_t unix_time_s) {
 }
 
 std::string faultText(const servo::FaultReport& report, const FaultWords& words) {
-  std::vector<std::string> columns(kColumns.begin(), kColumns.end());
+  std::vector<std::string> columns;
+  for (const CsvField& field : csvFields()) columns.emplace_back(field.name);
   const auto yesNo = [](bool is) { return std::string(is ? "true" : "false"); };
   std::string text;
   member(text, "underact_fault", "1");

@@ -87,6 +87,10 @@ struct Hdf5File::Impl {
   Problems openTables(std::span<const Table> wanted_tables) {
     for (const Table& wanted : wanted_tables) {
       const std::string name(wanted.name);
+      if (wanted.presence != Presence::Always && !isOwn(file, name)) {
+        tables.push_back(absentTable(wanted));
+        continue;
+      }
       const Id group(isOwn(file, name) ? H5Gopen2(file, name.c_str(), H5P_DEFAULT) : -1, H5Gclose);
       if (!group.isGood())
         return problemAt(
@@ -146,6 +150,10 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
   bool good = impl->file.isGood();
   for (const Attribute& attribute : attributes) good = good && writeAttribute(impl->file, attribute);
   for (const Table& wanted : tables) {
+    if (!wanted.is_made) {
+      impl->tables.push_back(absentTable(wanted));
+      continue;
+    }
     std::optional<OpenTable> table = good ? createTable(impl->file, wanted) : std::nullopt;
     good = table.has_value();
     if (good) impl->tables.push_back(std::move(*table));

@@ -83,6 +83,7 @@ Store createStore(Handle group, const Column& column, std::uint64_t chunk_rows) 
       H5Dcreate2(group, std::string(column.name).c_str(), typeOf(column.kind), space, H5P_DEFAULT, layout, H5P_DEFAULT),
       H5Dclose);
   if (store.id.isGood() && !(writeAttribute(store.id, {"unit", std::string(column.unit)}) &&
+                             writeAttribute(store.id, {"frame", std::string(column.frame)}) &&
                              writeAttribute(store.id, {"meaning", std::string(column.meaning)})))
     store.id = Id();
   return store;

@@ -17,7 +17,7 @@ struct Store {
   int rank() const { return width > 1 ? 2 : 1; }
 };
 
-/// A new dataset without rows, unit and meaning as its attributes; not good where the library refused.
+/// A new dataset without rows, unit, frame and meaning as its attributes; not good where the library refused.
 Store createStore(Handle group, const Column& column, std::uint64_t chunk_rows);
 /// A dataset as createStore() makes it, with chunks of so many rows; not good where it differs in any way: another
 /// type, a link, another filter, the layout of another program, data in another file.

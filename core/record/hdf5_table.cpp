@@ -25,6 +25,13 @@ bool hasItsBlocks(const Table& wanted, std::int64_t block_rows) {
 
 }  // namespace
 
+OpenTable absentTable(const Table& wanted) {
+  OpenTable table;
+  table.columns.assign(wanted.columns.begin(), wanted.columns.end());
+  table.block_rows = wanted.block_rows;
+  return table;
+}
+
 std::optional<OpenTable> createTable(Handle file, const Table& wanted) {
   const Id group(H5Gcreate2(file, std::string(wanted.name).c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   if (!group.isGood()) return {};
@@ -71,6 +78,7 @@ std::int64_t mostRows(const OpenTable& table, std::int64_t file_bytes) {
 }
 
 std::int64_t rowsOf(const OpenTable& table) {
+  if (!table.isThere()) return 0;
   std::uint64_t rows = rowsOf(table.crc) * static_cast<std::uint64_t>(table.block_rows);
   for (const Store& store : table.stores) rows = std::min(rows, rowsOf(store));
   return static_cast<std::int64_t>(std::min<std::uint64_t>(rows, INT64_MAX));
@@ -96,6 +104,7 @@ bool appendBlock(const OpenTable& table, const Block& block) {
 }
 
 bool cutTo(const OpenTable& table, std::int64_t rows) {
+  if (!table.isThere()) return true;
   const auto wanted = static_cast<std::uint64_t>(rows);
   const auto block_rows = static_cast<std::uint64_t>(table.block_rows);
   bool good = resize(table.crc, (wanted + block_rows - 1) / block_rows);
@@ -132,6 +141,7 @@ std::optional<std::vector<Block>> readBlocks(const OpenTable& table, std::int64_
 }
 
 void refresh(const OpenTable& table) {
+  if (!table.isThere()) return;
   for (const Store& store : table.stores) H5Drefresh(store.id);
   H5Drefresh(table.crc.id);
 }

@@ -15,7 +15,12 @@ struct OpenTable {
   Store crc;
   std::int64_t block_rows = 1;
   bool is_packed = false;  // see Store
+  /// Whether the file has it; without rows where it does not.
+  bool isThere() const { return crc.id.isGood(); }
 };
+
+/// A table that the file does not have.
+OpenTable absentTable(const Table& wanted);
 
 /// A new table; none: the library refused.
 std::optional<OpenTable> createTable(Handle file, const Table& wanted);

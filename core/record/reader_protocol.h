@@ -32,7 +32,7 @@ static_assert(std::is_trivially_copyable_v<Question> && sizeof(Question) == 80);
 // and Real, the number.
 inline constexpr std::byte kNo{0}, kYes{1};
 
-inline constexpr std::size_t kMostForeignTables = 8;
+inline constexpr std::size_t kMostForeignTables = 16;
 /// Of each table, in their order: its rows, and the rows of its blocks.
 struct Shape {
   std::array<std::int64_t, kMostForeignTables> rows{}, block_rows{};

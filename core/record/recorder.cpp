@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <ctime>
 #include <deque>
 #include <filesystem>
 #include <mutex>
@@ -10,6 +9,8 @@
 #include <utility>
 
 #include "core/base/translate.h"
+#include "core/record/provenance.h"
+#include "core/system/clock.h"
 
 namespace underact::record {
 namespace {
@@ -21,13 +22,7 @@ constexpr milliseconds kPause{20};
 constexpr milliseconds kLookAtDisk{500};
 constexpr milliseconds kWaitForEnd{1000};
 
-std::int64_t unixNow_ns() {
-  timespec now{};
-  timespec_get(&now, TIME_UTC);
-  return std::int64_t{1'000'000'000} * now.tv_sec + now.tv_nsec;
-}
-
-SessionHeader headerOf(const servo::Host& host, const SessionMetadata& words) {
+SessionHeader headerOf(const servo::Host& host, const SessionMetadata& words, const RecorderOptions& options) {
   SessionHeader header;
   header.words = words;
   header.scene_title = host.scene().title;
@@ -38,6 +33,11 @@ SessionHeader headerOf(const servo::Host& host, const SessionMetadata& words) {
   header.rate_hz = host.rateHz();
   header.frozen_s = host.device().frozen_s;
   header.max_late = host.maxLate();
+  header.block_s = options.block_s;
+  header.force_share = host.forceShare();
+  header.session_id = options.session_id.empty() ? newSessionId() : options.session_id;
+  header.details = options.details;
+  header.provenance = provenanceOf(host, header.session_id, options.run);
   return header;
 }
 
@@ -46,15 +46,24 @@ struct Mark {
   std::string label;
 };
 
+/// Room for the constraints of a tick where they are asked for; an edited scene may have more than the first.
+std::size_t detailsOf(const servo::Host& host, const RecorderOptions& options) {
+  constexpr std::size_t kAtLeast = 8;
+  return options.details ? std::max(kAtLeast, host.scene().constraints.size()) : 0;
+}
+
 }  // namespace
 
 struct Recorder::Impl {
-  Impl(servo::Host& servo, std::string file, SessionWriter made, const RecorderOptions& wanted)
+  Impl(servo::Host& servo, std::string file, SessionWriter made, const RecorderOptions& wanted, std::string id)
       : host(servo),
+        session_id(std::move(id)),
+        servo_words(servoProvenance(servo).text()),
         path(std::move(file)),
         options(wanted),
         writer(std::move(made)),
-        tap(std::make_shared<servo::Tap>(1'000'000'000 / servo.rateHz(), wanted.most_ticks)) {}
+        tap(std::make_shared<servo::Tap>(1'000'000'000 / servo.rateHz(), wanted.most_ticks, detailsOf(servo, wanted))) {
+  }
 
   void run() {
     while (!failed() && !tap->ended() && !ends.load()) {
@@ -82,7 +91,13 @@ struct Recorder::Impl {
     for (servo::Change change; tap->take(change);) note(writer.add(change, tap->takeScene(change.revision)));
     for (servo::FaultMark fault; tap->take(fault);) note(writer.add(fault));
     for (const Mark& mark : takeMarks()) note(writer.mark(mark.tick, mark.label));
+    for (const json::ObjectText& changed : takeNotes())
+      note(writer.addProvenance(batch.empty() ? tap->firstTick() : batch.back().tick, changed));
+    for (servo::TruthRow row; tap->take(row);) note(writer.add(row));
+    for (servo::ConstraintRow row; tap->take(row);) note(writer.add(row));
     for (const servo::TickRecord& record : batch) note(writer.add(record));
+    if (!batch.empty()) last = batch.back();
+    readClocks(false);
     note(writer.flush());
     const std::scoped_lock lock(mutex);
     shown.ticks = writer.ticks();
@@ -90,6 +105,21 @@ struct Recorder::Impl {
     if (batch.empty()) return;
     if (first_ns == 0) first_ns = batch.front().time_ns;
     shown.duration_s = 1e-9 * static_cast<double>(std::max<std::int64_t>(batch.back().time_ns - first_ns, 0));
+  }
+  /// Writes a row of /clock when it is time, and at the end.
+  void readClocks(bool is_last) {
+    if (last.tick == 0 || (is_last && last.tick == clock_tick)) return;
+    const std::int64_t now_ns = system::monotonicNow_ns();
+    const auto every_ns = static_cast<std::int64_t>(1e9 * options.clock_every_s);
+    if (!is_last && clock_tick != 0 && now_ns - clock_ns < every_ns) return;
+    const std::int64_t unix_ns = unixNow_ns(), between_ns = system::monotonicNow_ns() - now_ns;
+    note(writer.add(ClockRow{last.tick, last.time_ns, now_ns + between_ns / 2, unix_ns, between_ns}));
+    clock_tick = last.tick;
+    clock_ns = now_ns;
+  }
+  std::deque<json::ObjectText> takeNotes() {
+    const std::scoped_lock lock(mutex);
+    return std::exchange(notes, {});
   }
   std::deque<Mark> takeMarks() {
     const std::scoped_lock lock(mutex);
@@ -130,6 +160,7 @@ struct Recorder::Impl {
     const EndReason reason = disk_full ? EndReason::DiskFull : wished_reason.load();
     if (in_order && !begun)
       note({{said(TRANSLATE_NOOP("problem", "The servo did not tick, so the recording is empty.")), {path}}});
+    if (in_order && !disk_full) readClocks(true);
     if (in_order) {
       const Problems at_end = writer.end({0, tap->dropped(), unixNow_ns(), reason});
       if (!at_end.empty()) problems = at_end;  // whatever was reported before, the end is missing
@@ -151,6 +182,8 @@ struct Recorder::Impl {
   }
 
   servo::Host& host;
+  std::string session_id;
+  std::string servo_words;  // as noted last
   std::string path;
   RecorderOptions options;
   SessionWriter writer;
@@ -162,10 +195,13 @@ struct Recorder::Impl {
   std::atomic<EndReason> wished_reason{EndReason::Stopped};
   bool begun = false;
   std::int64_t first_ns = 0;
+  servo::TickRecord last;                     // that was taken
+  std::int64_t clock_tick = 0, clock_ns = 0;  // of the last row of /clock
   steady_clock::time_point next_look{};
   std::atomic<bool> ends{false};
   mutable std::mutex mutex;  // of what follows
   std::deque<Mark> marks;
+  std::deque<json::ObjectText> notes;  // of the provenance
   RecorderStatus shown;
   bool stopped = false;  // the host's thread
   std::thread thread;
@@ -179,11 +215,10 @@ Recorder::~Recorder() {
 
 Result<std::unique_ptr<Recorder>> Recorder::start(servo::Host& host, const std::string& path,
                                                   const SessionMetadata& words, const RecorderOptions& options) {
-  SessionHeader header = headerOf(host, words);
-  header.block_s = options.block_s;
+  const SessionHeader header = headerOf(host, words, options);
   Result<SessionWriter> writer = SessionWriter::create(path, header, options.existing);
   if (!writer) return writer.problems();
-  auto impl = std::make_unique<Impl>(host, path, std::move(writer).value(), options);
+  auto impl = std::make_unique<Impl>(host, path, std::move(writer).value(), options, header.session_id);
   Impl* const running = impl.get();
   std::unique_ptr<Recorder> recorder(new Recorder(std::move(impl)));
   running->thread = std::thread([running] { running->run(); });
@@ -197,8 +232,16 @@ void Recorder::mark(const std::string& label) {
   impl_->marks.push_back({tick, label});
 }
 
+void Recorder::noteServo() {
+  const json::ObjectText now = servoProvenance(impl_->host);
+  if (std::exchange(impl_->servo_words, now.text()) == now.text()) return;
+  const std::scoped_lock lock(impl_->mutex);
+  impl_->notes.push_back(now);
+}
+
 Problems Recorder::stop(EndReason reason) {
   if (!std::exchange(impl_->stopped, true)) {
+    noteServo();
     impl_->wished_reason = reason;
     impl_->host.endRecord();
     const auto limit = steady_clock::now() + kWaitForEnd;
@@ -215,6 +258,10 @@ Problems Recorder::stop(EndReason reason) {
 RecorderStatus Recorder::status() const {
   const std::scoped_lock lock(impl_->mutex);
   return impl_->shown;
+}
+
+const std::string& Recorder::sessionId() const {
+  return impl_->session_id;
 }
 
 const std::string& Recorder::path() const {

@@ -15,6 +15,10 @@ struct RecorderOptions {
   std::int64_t reserve_bytes = 64LL << 20;               // with less left on the disk the recording ends in order
   double block_s = kBlock_s;                             // kShortestBlock_s to kLongestBlock_s
   system::Existing existing = system::Existing::Refuse;  // what to do if a file of that name exists
+  json::ObjectText run = {};    // what the servo does not know of the run: program, seed, hand, arm model
+  bool details = false;         // true tip and hand's force of a simulated arm, and each constraint's target and force
+  std::string session_id = {};  // empty: a new one
+  double clock_every_s = 10.0;  // between two rows of /clock
 };
 
 /// The state of a recording.
@@ -43,10 +47,14 @@ class Recorder {
   // The thread that calls the host.
   /// Sets a marker at the newest tick.
   void mark(const std::string& label);
+  /// Notes how the servo runs now, where that has changed: its scheduling is known once it has begun.
+  void noteServo();
   /// Ends the recording and closes the file; takes some milliseconds. Problems: what is missing, and why.
   Problems stop(EndReason reason = EndReason::Stopped);
   /// Any thread.
   RecorderStatus status() const;
+  /// The word that no other session has. Any thread.
+  const std::string& sessionId() const;
   /// Of the file. Any thread.
   const std::string& path() const;
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/translate.h"
+#include "core/record/provenance.h"
 #include "core/scene/compile.h"
 #include "core/scene/load_meshes.h"
 #include "core/servo/rerun.h"
@@ -21,6 +22,7 @@ Result<tick::TickProgram> programOf(scene::Description scene, const SessionHeade
   if (!problems.empty()) return problems;
   Result<tick::TickProgram> program = scene::compile(scene);
   if (!program) return program;
+  program.value().limits.max_force_N *= header.force_share;
   program.value().limits.frozen_s = header.frozen_s;
   program.value().limits.max_late = header.max_late;
   return program;
@@ -33,24 +35,6 @@ std::int64_t periodOf(const SessionHeader& header) {
 
 bool isMeasured(const Column& column) {
   return column.name == "lateness_us" || column.name == "tick_us";
-}
-
-/// The first row and column whose bytes differ.
-std::optional<std::pair<std::int64_t, std::string>> firstDifference(const Block& a, const Block& b) {
-  std::optional<std::pair<std::int64_t, std::string>> first;
-  std::size_t at = 0;
-  for (const Column& column : tickColumns()) {
-    const std::size_t one = bytesOf(column);
-    const auto rows = static_cast<std::size_t>(a.rows);
-    for (std::size_t row = 0; row < rows && !isMeasured(column); ++row) {
-      if (std::memcmp(&a.bytes[at + row * one], &b.bytes[at + row * one], one) == 0) continue;
-      const auto index = static_cast<std::int64_t>(row);
-      if (!first || index < first->first) first = {index, std::string(column.name)};
-      break;
-    }
-    at += one * rows;
-  }
-  return first;
 }
 
 /// The faults that were reported to ticks, tick by tick.
@@ -70,10 +54,17 @@ class ToldFaults {
   std::size_t next_ = 0;
 };
 
+/// Gets each tick as it is computed, after the scenes and faults that belong to it.
+struct Listener {
+  std::function<void(const ChangeRow&, const scene::Description&)> change;
+  std::function<void(const servo::TickRecord&)> tick;
+};
+
 class Verification {
  public:
-  Verification(Session& session, servo::Rerun rerun, const std::vector<std::string>& files_in)
+  Verification(Session& session, servo::Rerun rerun, const std::vector<std::string>& files_in, const Listener& listener)
       : session_(session),
+        listener_(listener),
         rerun_(std::move(rerun)),
         faults_(session.faults()),
         packer_(tickColumns()),
@@ -85,7 +76,9 @@ class Verification {
     std::int64_t rows = 0;
     for (const servo::TickRecord& record : unpackTicks(recorded)) {
       if (!isNext(record) || !applyChanges(record)) break;
-      pack(servo::recordOf(rerun_.tick(record, faults_.at(record.tick), false)), rerun_.geometry(), packer_);
+      const servo::TickRecord now = servo::recordOf(rerun_.tick(record, faults_.at(record.tick), false));
+      pack(now, rerun_.geometry(), packer_);
+      if (listener_.tick) listener_.tick(now);
       ++rows;
     }
     if (const auto difference = firstDifference(firstRows(recorded, rows), packer_.block())) {
@@ -129,6 +122,7 @@ class Verification {
       if (!scene) return fail(scene.problems());
       Result<tick::TickProgram> program = programOf(scene.value(), session_.info().header, files_in_);
       if (!program) return fail(program.problems());
+      if (listener_.change) listener_.change(change, scene.value());
       rerun_.replaceBy(std::move(program).value(), change.carry);
     }
     return true;
@@ -150,6 +144,7 @@ class Verification {
   }
 
   Session& session_;
+  const Listener& listener_;
   servo::Rerun rerun_;
   ToldFaults faults_;
   Packer packer_;
@@ -176,12 +171,31 @@ Result<servo::Rerun> rerunFromStart(Session& session, const std::vector<std::str
 
 }  // namespace
 
-Result<Verified> verifyReplay(Session& session, const std::function<bool(double)>& progress,
-                              const std::vector<std::string>& files_in) {
+std::optional<std::pair<std::int64_t, std::string>> firstDifference(const Block& a, const Block& b) {
+  std::optional<std::pair<std::int64_t, std::string>> first;
+  std::size_t at = 0;
+  for (const Column& column : tickColumns()) {
+    const std::size_t one = bytesOf(column);
+    const auto rows = static_cast<std::size_t>(a.rows);
+    for (std::size_t row = 0; row < rows && !isMeasured(column); ++row) {
+      if (std::memcmp(&a.bytes[at + row * one], &b.bytes[at + row * one], one) == 0) continue;
+      const auto index = static_cast<std::int64_t>(row);
+      if (!first || index < first->first) first = {index, std::string(column.name)};
+      break;
+    }
+    at += one * rows;
+  }
+  return first;
+}
+
+namespace {
+
+Result<Verified> verify(Session& session, const Listener& listener, const std::function<bool(double)>& progress,
+                        const std::vector<std::string>& files_in) {
   if (session.info().ticks == 0) return Verified{};
   Result<servo::Rerun> rerun = rerunFromStart(session, files_in);
   if (!rerun) return rerun.problems();
-  Verification verification(session, std::move(rerun).value(), files_in);
+  Verification verification(session, std::move(rerun).value(), files_in, listener);
   bool goes_on = true;
   const Problems problems = session.eachBlock(
       [&](const Block& block, std::int64_t) {
@@ -195,6 +209,89 @@ Result<Verified> verifyReplay(Session& session, const std::function<bool(double)
   if (!goes_on && result.unknown.empty() && !result.differs)
     result.unknown = said(TRANSLATE_NOOP("problem", "It was cancelled."));
   return result;
+}
+
+/// Writes a run that is made again.
+class RerunWriter {
+ public:
+  RerunWriter(Session& session, SessionWriter writer) : session_(session), writer_(std::move(writer)) {}
+  Problems begin(const std::vector<std::string>& files_in) {
+    Result<scene::Description> scene = session_.scene(session_.changes().front());
+    if (!scene) return scene.problems();
+    Result<tick::TickProgram> program = programOf(scene.value(), session_.info().header, files_in);
+    if (!program) return program.problems();
+    const Result<tick::TickState> state = session_.start(program.value());
+    if (!state) return state.problems();
+    const ChangeRow& first = session_.changes().front();
+    return writer_.begin(first.tick, first.revision, state.value(), scene.value());
+  }
+  void add(const ChangeRow& change, const scene::Description& scene) {
+    note(writer_.add(servo::Change{change.tick, change.revision, change.carry}, scene));
+  }
+  void add(const servo::TickRecord& record) {
+    for (; next_fault_ < session_.faults().size() && session_.faults()[next_fault_].tick <= record.tick; ++next_fault_)
+      note(writer_.add(session_.faults()[next_fault_]));
+    for (; next_mark_ < session_.markers().size() && session_.markers()[next_mark_].tick <= record.tick; ++next_mark_)
+      note(writer_.mark(session_.markers()[next_mark_].tick, session_.markers()[next_mark_].label));
+    note(writer_.add(record));
+  }
+  Problems end() {
+    EndRow row = session_.info().end.value_or(EndRow{});
+    row.unix_ns = unixNow_ns();
+    note(writer_.end(row));
+    return problems_;
+  }
+
+ private:
+  void note(const Problems& more) {
+    if (problems_.empty()) problems_ = more;
+  }
+  Session& session_;
+  SessionWriter writer_;
+  std::size_t next_fault_ = 0, next_mark_ = 0;
+  Problems problems_;
+};
+
+/// The members of what a session says of its run, and of which session it is a run again.
+json::ObjectText provenanceAgain(Session& session, const std::string& session_id) {
+  json::ObjectText object;
+  object.addInteger("underact_provenance", 1);
+  object.addText("session", session_id);
+  object.addText("rerun_of", session.info().header.session_id);
+  object.addText("rerun_by", "recorded input");
+  if (session.provenance().empty()) return object;
+  const Result<std::string> text = session.provenanceText(session.provenance().front());
+  if (text && json::parse(text.value(), "")) object.addJson("original", text.value());
+  return object;
+}
+
+}  // namespace
+
+Result<Verified> verifyReplay(Session& session, const std::function<bool(double)>& progress,
+                              const std::vector<std::string>& files_in) {
+  return verify(session, {}, progress, files_in);
+}
+
+Result<Verified> rerunFromInput(Session& session, const RerunFile& file,
+                                const std::function<void(const servo::TickRecord&)>& tick,
+                                const std::function<bool(double)>& progress, const std::vector<std::string>& files_in) {
+  if (file.path.empty() || session.changes().empty()) return verify(session, {{}, tick}, progress, files_in);
+  SessionHeader header = session.info().header;
+  header.session_id = newSessionId();
+  header.provenance = provenanceAgain(session, header.session_id);
+  header.details = false;
+  Result<SessionWriter> writer = SessionWriter::create(file.path, header, file.existing);
+  if (!writer) return writer.problems();
+  RerunWriter again(session, std::move(writer).value());
+  if (Problems problems = again.begin(files_in); !problems.empty()) return problems;
+  const Listener listener{[&](const ChangeRow& change, const scene::Description& scene) { again.add(change, scene); },
+                          [&](const servo::TickRecord& record) {
+                            again.add(record);
+                            if (tick) tick(record);
+                          }};
+  Result<Verified> verified = verify(session, listener, progress, files_in);
+  if (Problems problems = again.end(); verified && !problems.empty()) return problems;
+  return verified;
 }
 
 Problems replayWith(Session& session, const scene::Description& scene,

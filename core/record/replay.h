@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/record/session.h"
@@ -29,6 +30,23 @@ struct Verified {
 /// a mesh or a curve is not found.
 Result<Verified> verifyReplay(Session& session, const std::function<bool(double)>& progress = {},
                               const std::vector<std::string>& files_in = {});
+
+/// Where a run that is made again is written, besides being compared: a new session with the header of the first one
+/// and this identity.
+struct RerunFile {
+  std::string path;
+  system::Existing existing = system::Existing::Refuse;
+};
+
+/// verifyReplay() that also writes what it computes into a new session, with the measured times of the first one.
+/// Problems, too: it cannot be written.
+Result<Verified> rerunFromInput(Session& session, const RerunFile& file,
+                                const std::function<void(const servo::TickRecord&)>& tick,
+                                const std::function<bool(double)>& progress = {},
+                                const std::vector<std::string>& files_in = {});
+
+/// The first row and column of two blocks of as many ticks whose bytes differ, except for measured times.
+std::optional<std::pair<std::int64_t, std::string>> firstDifference(const Block& a, const Block& b);
 
 /// Replays the recorded hand with another scene: the same joints, buttons, starts and stops at the same times, as if
 /// that scene had been loaded just before. Calls tick() with each tick as recorded and as computed now. Damaged blocks

@@ -90,6 +90,10 @@ Problems Session::readInfo(const std::string& path) {
   header.frozen_s = file_.real("frozen_s", 0.0);
   if (!(header.frozen_s >= 0.0 && std::isfinite(header.frozen_s))) header.frozen_s = 0.0;
   header.max_late = static_cast<int>(std::clamp<std::int64_t>(file_.integer("max_late", 20), 0, kMostLate));
+  header.force_share = file_.real("force_share", 1.0);
+  if (!(header.force_share >= 0.0 && header.force_share <= 1.0)) header.force_share = 1.0;
+  header.session_id = file_.text("session_id");
+  header.details = file_.rows(kTruth) > 0 || file_.rows(kConstraints) > 0;
   header.gate_time = file_.text("gate_time") == kServosTime ? GateTime::Servo : GateTime::Arm;
   if (header.rate_hz < 1 || header.rate_hz > 1'000'000)
     return {{said(TRANSLATE_NOOP("problem", "This session does not state the rate of the servo: the file is damaged.")),
@@ -131,6 +135,9 @@ void Session::readSmallTables() {
   changes_ = rowsOf(kChanges, unpackChanges);
   for (ChangeRow& change : changes_) keepWithin(all_words, kLongestWords, words_left, change.scene);
   faults_ = rowsOf(kFaults, unpackFaults);
+  provenance_ = rowsOf(kProvenance, unpackProvenance);
+  for (ProvenanceRow& row : provenance_) keepWithin(all_words, kLongestWords, words_left, row.json);
+  clock_ = rowsOf(kClock, unpackClock);
   markers_.clear();
   words_left = std::min(words_left, kAllLabels);
   for (MarkerRow& row : rowsOf(kMarkers, unpackMarkers)) {
@@ -187,6 +194,16 @@ Result<std::string> Session::words(const Words& words) {
 
 Result<std::string> Session::sceneText(const ChangeRow& change) {
   return words(change.scene);
+}
+
+Result<std::string> Session::provenanceText(const ProvenanceRow& row) {
+  return words(row.json);
+}
+
+Result<json::Value> Session::provenanceOf(const ProvenanceRow& row) {
+  const Result<std::string> text = words(row.json);
+  if (!text) return text.problems();
+  return json::parse(text.value(), info_.path);
 }
 
 Result<scene::Description> Session::scene(const ChangeRow& change) {

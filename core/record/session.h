@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/json/json.h"
 #include "core/record/session_tables.h"
 #include "core/record/session_writer.h"
 #include "core/record/untrusted_file.h"
@@ -56,10 +57,18 @@ class Session {
   const std::vector<ChangeRow>& changes() const { return changes_; }
   const std::vector<Marker>& markers() const { return markers_; }
   const std::vector<servo::FaultMark>& faults() const { return faults_; }
+  /// What was run: the first row all of it, a later one what changed. None in a session of version 0.1.0.
+  const std::vector<ProvenanceRow>& provenance() const { return provenance_; }
+  /// The system's clocks at some ticks, in order. None in a session of version 0.1.0.
+  const std::vector<ClockRow>& clock() const { return clock_; }
 
   /// The scene of a change, as JSON; empty: the servo had none. Problems: the text is damaged.
   Result<std::string> sceneText(const ChangeRow& change);
-  /// The same, read; an empty scene where the servo had none. Problems, too: those of readScene().
+  /// A row of provenance(), as it stands in the file: it may not be JSON. Problems: the text is damaged.
+  Result<std::string> provenanceText(const ProvenanceRow& row);
+  /// The same, read; Problems, too: it is not JSON.
+  Result<json::Value> provenanceOf(const ProvenanceRow& row);
+  /// The scene, read; an empty scene where the servo had none. Problems, too: those of readScene().
   Result<scene::Description> scene(const ChangeRow& change);
   /// The servo's state at the first row. Problems: damaged, or another layout.
   Result<tick::TickState> start(const tick::TickProgram& program);
@@ -70,6 +79,12 @@ class Session {
   std::int64_t blocks() const { return (info_.ticks + blockRows() - 1) / blockRows(); }
   /// Whole blocks of ticks; a damaged one has no bytes.
   Result<std::vector<Block>> readTicks(std::int64_t first_block, std::int64_t count);
+  /// Blocks of any table, as readTicks(); of /truth and /constraints, say, which are asked for.
+  Result<std::vector<Block>> readBlocks(TableIndex table, std::int64_t first_block, std::int64_t count) {
+    return file_.read(table, first_block, count);
+  }
+  /// Rows of any table.
+  std::int64_t rows(TableIndex table) const { return file_.rows(table); }
   /// Calls visit() for each block in order, and damaged() for each damaged one, until visit() returns false. progress:
   /// 0 to 1; may be empty.
   Problems eachBlock(const std::function<bool(const Block&, std::int64_t first_row)>& visit,
@@ -93,6 +108,8 @@ class Session {
   std::vector<ChangeRow> changes_;
   std::vector<Marker> markers_;
   std::vector<servo::FaultMark> faults_;
+  std::vector<ProvenanceRow> provenance_;
+  std::vector<ClockRow> clock_;
 };
 
 }  // namespace underact::record

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/units.h"
+
 namespace underact::record {
 namespace {
 
@@ -28,6 +30,35 @@ constexpr std::array kEndColumns{
     Column{"reason", "", "0 stopped, 1 the program ended, 2 the disk was full, 3 recovered", Kind::Byte}};
 constexpr std::array kByteColumns{Column{"bytes", "", "UTF-8", Kind::Byte}};
 constexpr std::array kStartColumns{Column{"bytes", "", "the servo's memory at the first row", Kind::Byte}};
+
+constexpr std::array kProvenanceColumns{kTick, kTextAt, kTextBytes};
+constexpr std::array kClockColumns{
+    kTick, Column{"time_ns", "ns", "of that tick's sample, on the arm's clock", Kind::Integer},
+    Column{"monotonic_ns", "ns", "the servo's clock, which nobody sets", Kind::Integer},
+    Column{"unix_ns", "ns", "the clock at the same moment, since 1970, UTC", Kind::Integer},
+    Column{"between_ns", "ns", "that reading the two clocks took", Kind::Integer}};
+constexpr std::array kTruthColumns{
+    kTick,
+    Column{"p_true_WT_mm", "mm", "where the simulated arm's tip really is: without encoders", Kind::Real, 3, "W",
+           "p_true_WT_mm_x,p_true_WT_mm_y,p_true_WT_mm_z"},
+    Column{"hand_force_N", "N", "force of the simulated hand's spring and damper on the tip at the sample", Kind::Real,
+           3, "W", "hand_force_N_x,hand_force_N_y,hand_force_N_z"}};
+constexpr std::array kConstraintColumns{
+    kTick, Column{"constraint", "", "its index in the scene, from 0", Kind::Unsigned},
+    Column{"acts", "", "1: it contributes to the force", Kind::Byte},
+    Column{"p_WP_mm", "mm", "its target; nan: none", Kind::Real, 3, "W", "p_WP_mm_x,p_WP_mm_y,p_WP_mm_z"},
+    Column{"force_N", "N", "its own force on the tip, before the gate", Kind::Real, 3, "W",
+           "force_N_x,force_N_y,force_N_z"}};
+
+void packVec3Row(const Vec3& value, double scale, Packer& packer) {
+  for (const double coordinate : value) packer.real(scale * coordinate);
+}
+
+Vec3 unpackVec3Row(Unpacker& unpacker, double scale) {
+  Vec3 value;
+  for (double& coordinate : value) coordinate = unpacker.real() / scale;
+  return value;
+}
 
 template <class Fill>
 Block rowOf(std::span<const Column> columns, Fill&& fill) {
@@ -67,13 +98,28 @@ static_assert(kMostBlockRows >= kLongestBlock_s * 1e6);
 
 std::array<Table, kTables> sessionTables(std::int64_t rate_hz, double block_s) {
   const std::int64_t ticks = std::max<std::int64_t>(std::llround(block_s * static_cast<double>(rate_hz)), 1);
-  return {Table{"ticks", tickColumns(), ticks, ticks, kMostBlockRows},
-          Table{"changes", kChangeColumns},
-          Table{"markers", kMarkerColumns},
-          Table{"faults", kFaultColumns},
-          Table{"end", kEndColumns, 1, 1},
-          Table{"text", kByteColumns, kTextBlock, 1024},
-          Table{"start", kStartColumns, kStartBlock, kStartBlock}};
+  const auto small = [](const char* name, std::span<const Column> columns, const char* about) {
+    return Table{name, columns, 1, 64, 0, Presence::Always, true, about};
+  };
+  std::array tables{
+      Table{"ticks", tickColumns(), ticks, ticks, kMostBlockRows, Presence::Always, true, "one tick of the servo"},
+      small("changes", kChangeColumns,
+            "a scene that came into effect: the first row is the initial scene, every later edit adds a row"),
+      small("markers", kMarkerColumns, "a marker that somebody set"),
+      small("faults", kFaultColumns, "a fault: the force went to zero"),
+      Table{"end", kEndColumns, 1, 1, 0, Presence::Always, true, "written when the recording ends in order"},
+      Table{"text", kByteColumns, kTextBlock, 1024, 0, Presence::Always, true, "one byte of the texts"},
+      Table{"start", kStartColumns, kStartBlock, kStartBlock, 0, Presence::Always, true,
+            "one byte of the servo's memory at the first row"},
+      small("provenance", kProvenanceColumns,
+            "what was run, as JSON: the first row all of it, a later one what changed"),
+      small("clock", kClockColumns, "the system's clocks at a tick: at the beginning, every ten seconds, at the end"),
+      Table{"truth", kTruthColumns, ticks, ticks, kMostBlockRows, Presence::OnRequest, false,
+            "what the simulated arm knows of a tick and no real arm says"},
+      Table{"constraints", kConstraintColumns, ticks, ticks, kMostBlockRows, Presence::OnRequest, false,
+            "one constraint in one tick"}};
+  tables[kProvenance].presence = tables[kClock].presence = Presence::Later;
+  return tables;
 }
 
 const char* name(EndReason reason) {
@@ -104,6 +150,34 @@ Block blockOf(const MarkerRow& row) {
     packer.integer(row.tick);
     packWords(row.label, packer);
   });
+}
+
+Block blockOf(const ProvenanceRow& row) {
+  return rowOf(kProvenanceColumns, [&row](Packer& packer) {
+    packer.integer(row.tick);
+    packWords(row.json, packer);
+  });
+}
+
+Block blockOf(const ClockRow& row) {
+  return rowOf(kClockColumns, [&row](Packer& packer) {
+    for (const std::int64_t number : {row.tick, row.time_ns, row.monotonic_ns, row.unix_ns, row.between_ns})
+      packer.integer(number);
+  });
+}
+
+void pack(const servo::TruthRow& row, Packer& packer) {
+  packer.integer(row.tick);
+  packVec3Row(row.truth.p_WT, kMillimetrePerMetre, packer);
+  packVec3Row(row.truth.f_hand_T_W, 1.0, packer);
+}
+
+void pack(const servo::ConstraintRow& row, Packer& packer) {
+  packer.integer(row.tick);
+  packer.unsigned32(row.constraint);
+  packer.byte(row.acts ? 1 : 0);
+  packVec3Row(row.p_WP, kMillimetrePerMetre, packer);
+  packVec3Row(row.f_T_W, 1.0, packer);
 }
 
 Block blockOf(const servo::FaultMark& row) {
@@ -170,6 +244,44 @@ std::vector<EndRow> unpackEnd(const Block& block) {
     row.dropped = unpacker.integer();
     row.unix_ns = unpacker.integer();
     row.reason = enumerated<EndReason>(unpacker.byte(), 4);
+    return row;
+  });
+}
+
+std::vector<ProvenanceRow> unpackProvenance(const Block& block) {
+  return rowsOf<ProvenanceRow>(kProvenanceColumns, block, [](Unpacker& unpacker) {
+    const std::int64_t tick = unpacker.integer();
+    return ProvenanceRow{tick, unpackWords(unpacker)};
+  });
+}
+
+std::vector<ClockRow> unpackClock(const Block& block) {
+  return rowsOf<ClockRow>(kClockColumns, block, [](Unpacker& unpacker) {
+    ClockRow row;
+    for (std::int64_t* const number : {&row.tick, &row.time_ns, &row.monotonic_ns, &row.unix_ns, &row.between_ns})
+      *number = unpacker.integer();
+    return row;
+  });
+}
+
+std::vector<servo::TruthRow> unpackTruth(const Block& block) {
+  return rowsOf<servo::TruthRow>(kTruthColumns, block, [](Unpacker& unpacker) {
+    servo::TruthRow row;
+    row.tick = unpacker.integer();
+    row.truth.p_WT = unpackVec3Row(unpacker, kMillimetrePerMetre);
+    row.truth.f_hand_T_W = unpackVec3Row(unpacker, 1.0);
+    return row;
+  });
+}
+
+std::vector<servo::ConstraintRow> unpackConstraints(const Block& block) {
+  return rowsOf<servo::ConstraintRow>(kConstraintColumns, block, [](Unpacker& unpacker) {
+    servo::ConstraintRow row;
+    row.tick = unpacker.integer();
+    row.constraint = unpacker.unsigned32();
+    row.acts = unpacker.byte() != 0;
+    row.p_WP = unpackVec3Row(unpacker, kMillimetrePerMetre);
+    row.f_T_W = unpackVec3Row(unpacker, 1.0);
     return row;
   });
 }

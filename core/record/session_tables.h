@@ -11,7 +11,20 @@
 namespace underact::record {
 
 /// The tables of a session, in this order. Layout: resources/guide/session_file.md.
-enum TableIndex : std::size_t { kTicks, kChanges, kMarkers, kFaults, kEnd, kText, kStart, kTables };
+enum TableIndex : std::size_t {
+  kTicks,
+  kChanges,
+  kMarkers,
+  kFaults,
+  kEnd,
+  kText,
+  kStart,
+  kProvenance,
+  kClock,
+  kTruth,
+  kConstraints,
+  kTables
+};
 
 inline constexpr std::int64_t kSessionVersion = 1;
 inline constexpr const char *kServosTime = "servo", *kArmsTime = "arm";  // the attribute gate_time; absent: the arm's
@@ -49,6 +62,19 @@ struct MarkerRow {
   std::int64_t tick = 0;
   Words label;
 };
+/// A row of /provenance: what was run, and from a later tick on what changed of it, as a JSON object.
+struct ProvenanceRow {
+  std::int64_t tick = 0;
+  Words json;
+};
+/// A row of /clock: the system's two clocks, read together, when the tick was the newest one.
+struct ClockRow {
+  std::int64_t tick = 0;
+  std::int64_t time_ns = 0;       // the arm's, of that tick's sample
+  std::int64_t monotonic_ns = 0;  // the servo's clock, which is not set
+  std::int64_t unix_ns = 0;       // since 1970, UTC
+  std::int64_t between_ns = 0;    // how long reading the two took
+};
 /// The row of /end, which a recording that ended in order has.
 struct EndRow {
   std::int64_t tick = 0;  // the last one
@@ -60,6 +86,8 @@ struct EndRow {
 // One row, packed as a block of its table.
 Block blockOf(const ChangeRow& row);
 Block blockOf(const MarkerRow& row);
+Block blockOf(const ProvenanceRow& row);
+Block blockOf(const ClockRow& row);
 Block blockOf(const servo::FaultMark& row);
 Block blockOf(const EndRow& row);
 /// The text, padded with zeros to whole blocks of kTextBlock.
@@ -70,5 +98,12 @@ std::vector<ChangeRow> unpackChanges(const Block& block);
 std::vector<MarkerRow> unpackMarkers(const Block& block);
 std::vector<servo::FaultMark> unpackFaults(const Block& block);
 std::vector<EndRow> unpackEnd(const Block& block);
+std::vector<ProvenanceRow> unpackProvenance(const Block& block);
+std::vector<ClockRow> unpackClock(const Block& block);
+std::vector<servo::TruthRow> unpackTruth(const Block& block);
+std::vector<servo::ConstraintRow> unpackConstraints(const Block& block);
+// For a Packer of that table's columns.
+void pack(const servo::TruthRow& row, Packer& packer);
+void pack(const servo::ConstraintRow& row, Packer& packer);
 
 }  // namespace underact::record

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/arm/model.h"
+#include "core/record/provenance.h"
 #include "core/record/state_bytes.h"
 #include "core/record/untrusted_file.h"
 #include "core/scene/load_meshes.h"
@@ -33,6 +34,8 @@ std::vector<Attribute> attributesOf(const SessionHeader& header) {
           {"frozen_s", header.frozen_s},
           {"max_late", std::int64_t{header.max_late}},
           {"gate_time", std::string(header.gate_time == GateTime::Servo ? kServosTime : kArmsTime)},
+          {"force_share", header.force_share},
+          {"session_id", header.session_id},
           {"start_layout", stateLayout()}};
 }
 
@@ -56,13 +59,19 @@ SessionWriter::SessionWriter(Hdf5File file, const SessionHeader& header)
     : file_(std::move(file)),
       geometry_(geometryOf(header.arm)),
       block_rows_(sessionTables(header.rate_hz, header.block_s)[kTicks].block_rows),
-      packer_(tickColumns()) {
+      packer_(tickColumns()),
+      truths_(sessionTables(header.rate_hz)[kTruth].columns),
+      constraints_(sessionTables(header.rate_hz)[kConstraints].columns),
+      provenance_(header.provenance) {
   packer_.begin(block_rows_);
+  truths_.begin(block_rows_);
+  constraints_.begin(block_rows_);
 }
 
 Result<SessionWriter> SessionWriter::create(const std::string& path, const SessionHeader& header,
                                             system::Existing existing) {
-  const std::array tables = sessionTables(header.rate_hz, header.block_s);
+  std::array tables = sessionTables(header.rate_hz, header.block_s);
+  tables[kTruth].is_made = tables[kConstraints].is_made = header.details;
   Result<Hdf5File> file = Hdf5File::create(path, attributesOf(header), tables, existing);
   if (!file) return file.problems();
   return SessionWriter(std::move(file).value(), header);
@@ -83,7 +92,41 @@ Problems SessionWriter::addScene(std::int64_t tick, std::uint64_t revision, tick
       addText(scene.constraints.empty() ? std::string() : scene::writeScene(scene::withoutFolders(scene)), problems);
   keep(problems, file_.append(kChanges, blockOf(ChangeRow{tick, revision, carry, words})));
   if (const arm::Preset* const preset = arm::findPreset(scene.arm)) geometry_ = preset->geometry;
+  const json::ObjectText by_scene = sceneProvenance(scene);
+  if (std::exchange(by_scene_, by_scene.text()) == by_scene.text()) return problems;
+  json::ObjectText all = std::exchange(provenance_, {});  // all of it with the first scene
+  all.addAll(by_scene);
+  keep(problems, addProvenance(tick, all));
   return problems;
+}
+
+Problems SessionWriter::addProvenance(std::int64_t tick, const json::ObjectText& changed) {
+  Problems problems;
+  const Words words = addText(changed.text(), problems);
+  keep(problems, file_.append(kProvenance, blockOf(ProvenanceRow{tick, words})));
+  return problems;
+}
+
+/// Writes the rows of a packer once it is full.
+Problems SessionWriter::writeFull(Packer& packer, TableIndex table) {
+  if (!packer.isFull()) return {};
+  Problems problems = file_.append(table, packer.block());
+  packer.begin(block_rows_);
+  return problems;
+}
+
+Problems SessionWriter::add(const servo::TruthRow& row) {
+  pack(row, truths_);
+  return writeFull(truths_, kTruth);
+}
+
+Problems SessionWriter::add(const servo::ConstraintRow& row) {
+  pack(row, constraints_);
+  return writeFull(constraints_, kConstraints);
+}
+
+Problems SessionWriter::add(const ClockRow& row) {
+  return file_.append(kClock, blockOf(row));
 }
 
 Problems SessionWriter::begin(std::int64_t tick, std::uint64_t revision, const tick::TickState& state,
@@ -135,7 +178,12 @@ Problems SessionWriter::flush() {
 }
 
 Problems SessionWriter::end(const EndRow& row) {
-  Problems problems = file_.isFull() ? Problems{} : writeTicks();
+  Problems problems;
+  if (!file_.isFull()) {
+    keep(problems, file_.append(kTruth, truths_.block()));
+    keep(problems, file_.append(kConstraints, constraints_.block()));
+    keep(problems, writeTicks());
+  }
   EndRow last = row;
   last.tick = last_tick_;
   keep(problems, file_.appendLast(kEnd, blockOf(last)));

@@ -4,6 +4,7 @@
 
 #include "core/arm/preset.h"
 #include "core/base/result.h"
+#include "core/json/object_text.h"
 #include "core/record/hdf5_file.h"
 #include "core/record/session_tables.h"
 #include "core/scene/description.h"
@@ -36,6 +37,10 @@ struct SessionHeader {
   int max_late = 20;
   GateTime gate_time = GateTime::Servo;
   double block_s = kBlock_s;
+  double force_share = 1.0;          // of the arm's continuous force that the servo was limited to
+  std::string session_id = {};       // a word that no other session has; that of a version before 0.2.0: empty
+  json::ObjectText provenance = {};  // what was run, without what the scene says: see provenanceOf()
+  bool details = false;              // the tables /truth and /constraints
 };
 
 /// Writes a session, block by block. One thread at a time. After a failure nothing more is written, and each call
@@ -53,6 +58,12 @@ class SessionWriter {
   Problems add(const servo::Change& change, const scene::Description& scene);
   Problems add(const servo::TickRecord& record);
   Problems add(const servo::FaultMark& fault);
+  // Only where header.details was set.
+  Problems add(const servo::TruthRow& row);
+  Problems add(const servo::ConstraintRow& row);
+  Problems add(const ClockRow& row);
+  /// From this tick on these members of the provenance are others.
+  Problems addProvenance(std::int64_t tick, const json::ObjectText& changed);
   /// Writes a marker. A label longer than kLongestLabel is cut between two characters.
   Problems mark(std::int64_t tick, std::string_view label);
   /// Makes full blocks readable by others; they then outlive the program.
@@ -70,11 +81,14 @@ class SessionWriter {
   Problems addScene(std::int64_t tick, std::uint64_t revision, tick::Carry carry, const scene::Description& scene);
   Words addText(std::string_view text, Problems& problems);
   Problems writeTicks();
+  Problems writeFull(Packer& packer, TableIndex table);
 
   Hdf5File file_;
   arm::Geometry geometry_;
   std::int64_t block_rows_;
-  Packer packer_;
+  Packer packer_, truths_, constraints_;
+  json::ObjectText provenance_;  // for the first row
+  std::string by_scene_;         // the last row's members that the scene says
   std::int64_t ticks_ = 0, last_tick_ = 0, text_bytes_ = 0;
   bool unflushed_ = false;
 };

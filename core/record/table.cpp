@@ -11,6 +11,43 @@ namespace underact::record {
 
 static_assert(std::endian::native == std::endian::little, "a block is written as it stands in memory");
 
+namespace {
+
+/// The words between the commas.
+std::vector<std::string_view> split(std::string_view words) {
+  std::vector<std::string_view> parts;
+  while (!words.empty()) {
+    const std::size_t comma = std::min(words.find(','), words.size());
+    parts.push_back(words.substr(0, comma));
+    words.remove_prefix(std::min(comma + 1, words.size()));
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::vector<std::string_view> partsOf(const Column& column) {
+  return split(column.parts.empty() ? column.name : column.parts);
+}
+
+std::vector<std::string_view> csvNamesOf(const Column& column) {
+  return split(column.csv);
+}
+
+std::string_view typeWord(const Column& column) {
+  switch (column.kind) {
+    case Kind::Byte:
+      return "uint8";
+    case Kind::Unsigned:
+      return "uint32";
+    case Kind::Integer:
+      return "int64";
+    case Kind::Real:
+      return "float64";
+  }
+  return "";
+}
+
 std::size_t bytesOf(const Column& column) {
   const std::size_t one = column.kind == Kind::Byte ? 1 : column.kind == Kind::Unsigned ? 4 : 8;
   return one * static_cast<std::size_t>(column.width);

@@ -10,16 +10,31 @@ namespace underact::record {
 /// The type of a column's numbers; little-endian in the file.
 enum class Kind : std::uint8_t { Byte, Unsigned, Integer, Real };  // 1, 4, 8, 8 bytes
 
-/// A column of a table: its name and unit in the file, and what its numbers are.
+/// A column of a table: its name and unit in the file, and what its numbers are. The rows of all tables together are
+/// the one description of a session's columns; every form of a session follows it, see columns.h.
 struct Column {
   std::string_view name;
   std::string_view unit;  // empty: a number without unit
   std::string_view meaning;
   Kind kind = Kind::Real;
-  int width = 1;  // numbers per row
+  int width = 1;                // numbers per row
+  std::string_view frame = {};  // "W": coordinates in the workspace frame; "joints", "motors"; empty: none
+  std::string_view parts = {};  // names of the numbers where each has a column of its own, with commas; empty: name
+  std::string_view csv = {};    // the same in CSV, live data and fault files; empty: these do not have it
 };
 
+/// The names of a column's numbers where each has a column of its own (Parquet, DataFrame).
+std::vector<std::string_view> partsOf(const Column& column);
+/// The same in CSV, live data and fault files; none: they do not have it.
+std::vector<std::string_view> csvNamesOf(const Column& column);
+/// The word for the type of its numbers: "uint8", "uint32", "int64", "float64".
+std::string_view typeWord(const Column& column);
+
 std::size_t bytesOf(const Column& column);  // of one row
+
+/// Whether a file has a table. Always: it does. Later: from a version after 0.1.0 on. OnRequest: where it was asked
+/// for.
+enum class Presence : std::uint8_t { Always, Later, OnRequest };
 
 /// A group of columns that grow by whole blocks. Layout: resources/guide/session_file.md.
 struct Table {
@@ -28,6 +43,9 @@ struct Table {
   std::int64_t block_rows = 1;
   std::int64_t chunk_rows = 64;
   std::int64_t most_block_rows = 0;  // that a file may have, each block a chunk; 0: only block_rows and chunk_rows
+  Presence presence = Presence::Always;
+  bool is_made = true;          // by a writer that makes a file
+  std::string_view about = {};  // one row is ...
 };
 
 /// Bytes of one row over all columns.

@@ -11,6 +11,8 @@ void readCurve(ObjectReader& object, Curve& into) {
   if (const json::Value* guide = object.find("guide"))
     readObject(*guide, object.pathOf("guide"), said(TRANSLATE_NOOP("problem", "a guide")), "{\"speed_mm_per_s\": 30}",
                into.guide.emplace(), object.findings());
+  if (const json::Value* checksum = object.find("checksum"))
+    readText(*checksum, object.pathOf("checksum"), into.checksum, object.findings());
 }
 
 void checkCurve(const Curve& curve, const Control& control, const Say& say) {

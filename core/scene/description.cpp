@@ -14,7 +14,8 @@ bool Mesh::operator==(const Mesh& other) const {
 
 bool Curve::operator==(const Curve& other) const {
   return file == other.file && scale_mm_per_unit == other.scale_mm_per_unit && X_WM == other.X_WM &&
-         kind == other.kind && closed == other.closed && search == other.search && guide == other.guide;
+         kind == other.kind && closed == other.closed && search == other.search && guide == other.guide &&
+         checksum == other.checksum;
 }
 
 const char* typeName(const Shape& shape) {

@@ -129,7 +129,9 @@ struct Curve {
   bool closed = false;
   Search search = Search::Hybrid;
   std::optional<CurveGuidance> guide = {};               // none: the target is the nearest point
+  std::string checksum = {};                             // as in Mesh
   std::shared_ptr<const std::vector<Vec3>> points = {};  // of the file, in its units; null before loadMeshes()
+  std::string loaded_checksum = {};                      // as in Mesh
   /// As in Mesh.
   bool operator==(const Curve& other) const;
 };

@@ -4,11 +4,13 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <span>
 #include <utility>
 
 #include "core/base/translate.h"
 #include "core/curve/points.h"
 #include "core/json/text.h"
+#include "core/mesh_file/digest.h"
 #include "core/mesh_file/load.h"
 #include "core/scene/compile.h"
 
@@ -97,8 +99,20 @@ Problems load(Mesh& mesh, const Description& scene, const SourceLocation& place,
   return checked(mesh, place);
 }
 
-Problems load(Curve& curve, const Description& scene, const SourceLocation&, const TaskMonitor& monitor) {
-  Result<std::vector<Vec3>> points = curve::readPoints(pathOf(curve.file, scene), monitor);
+Problems load(Curve& curve, const Description& scene, const SourceLocation& place, const TaskMonitor& monitor) {
+  const std::string path = pathOf(curve.file, scene);
+  const Result<std::string> text = curve::readPointsText(path);
+  if (!text) return text.problems();
+  mesh_file::Digest digest;
+  digest.add(std::as_bytes(std::span(text.value())));
+  curve.loaded_checksum = digest.text();
+  if (!curve.checksum.empty() && curve.checksum != curve.loaded_checksum)
+    return {{said(TRANSLATE_NOOP("problem",
+                                 "The curve %1 is not the one that the scene was made with: its checksum differs. "
+                                 "Restore that file, or remove \"checksum\" to use this one."),
+                  {json::shown(curve.file)}),
+             place}};
+  Result<std::vector<Vec3>> points = curve::parsePoints(text.value(), path, monitor);
   if (!points) return points.problems();  // each with its line
   curve.points = std::make_shared<const std::vector<Vec3>>(std::move(points).value());
   return {};
@@ -224,6 +238,7 @@ Description withoutFolders(Description scene) {
     if (mesh != nullptr) mesh->file = withoutFolder(mesh->file);
     if (curve != nullptr) curve->file = withoutFolder(curve->file);
     if (mesh != nullptr && !mesh->loaded_checksum.empty()) mesh->checksum = mesh->loaded_checksum;
+    if (curve != nullptr && !curve->loaded_checksum.empty()) curve->checksum = curve->loaded_checksum;
   }
   return scene;
 }

@@ -31,9 +31,9 @@ bool lacksMeshes(const Description& scene);
 /// loadMeshes() and compile() in one.
 Result<tick::TickProgram> loadAndCompile(Description& scene, const TaskMonitor& monitor = {});
 
-/// The scene as a recording keeps it: each mesh with its checksum, and without folders of the person's disk. A file
-/// below the scene's own folder keeps its relative path; of any other only the name is kept. A replay finds it by
-/// pathOf().
+/// The scene as a recording keeps it: each mesh and curve with its checksum, and without folders of the person's disk.
+/// A file below the scene's own folder keeps its relative path; of any other only the name is kept. A replay finds it
+/// by pathOf().
 Description withoutFolders(Description scene);
 
 }  // namespace underact::scene

@@ -129,6 +129,7 @@ void addMesh(Members& members, const Mesh& mesh) {
 void addCurve(Members& members, const Curve& curve) {
   addPlacement(members, curve);
   if (curve.guide) members.emplace_back("guide", settingsText(*curve.guide, 6));
+  if (!curve.checksum.empty()) members.emplace_back("checksum", json::quotedText(curve.checksum));
 }
 
 std::string constraintText(const Constraint& constraint, std::size_t index) {

@@ -28,6 +28,12 @@ struct ZeroForceMessage {
   std::string bytes;
 };
 
+/// What a simulated arm knows of the last read() and no real arm says.
+struct Truth {
+  Vec3 p_WT = Vec3::Zero();        // the tip, m, without encoders
+  Vec3 f_hand_T_W = Vec3::Zero();  // of the hand's spring and damper on the tip, N; its mass moves with the tip
+};
+
 /// Called once a period by an arm with a clock of its own.
 class Ticks {
  public:
@@ -46,6 +52,8 @@ class DevicePort {
   virtual bool read(arm::Sample& sample) noexcept UNDERACT_REAL_TIME = 0;
   /// Sends the force, N in W; it holds until the next write() or cut(). The servo thread.
   virtual void write(const safety::GatedForce& force) noexcept UNDERACT_REAL_TIME = 0;
+  /// What a simulated arm knows of the last read(); false: a real one. The servo thread, after read().
+  virtual bool truth(Truth& /*truth*/) const noexcept UNDERACT_REAL_TIME { return false; }
   /// Zero force, now, from any thread, also during read() or write(); it lasts until the next write(). Called by the
   /// watchdog when ticks stop.
   virtual void cut() noexcept UNDERACT_REAL_TIME = 0;

@@ -309,13 +309,18 @@ void Host::begin() {
   if (impl_->options.clock == Clock::Thread && !impl_->ticksByItself()) impl_->begin();
 }
 
-void Host::run(std::int64_t ticks) {
+void Host::run(std::int64_t ticks, std::span<const std::int64_t> lateness_ns) {
   impl_->flush();
   const FlushDenormals flush;             // as the servo thread does: the same bits
   constexpr std::int64_t kAtOnce = 1000;  // far fewer than a tap has room for
   for (std::int64_t tick = 0; tick < ticks; ++tick) {
     if (tick % kAtOnce == 0) impl_->waitForRoom(kAtOnce);
-    impl_->loop.tick({});
+    Wake wake;
+    if (static_cast<std::size_t>(tick) < lateness_ns.size()) {
+      wake.lateness_ns = lateness_ns[static_cast<std::size_t>(tick)];
+      wake.left_out = std::max<std::int64_t>(wake.lateness_ns, 0) / (1'000'000'000 / impl_->options.rate_hz);
+    }
+    impl_->loop.tick(wake);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/result.h"
@@ -104,8 +105,9 @@ class Host {
   void drain(const std::function<void(const TickRecord&)>& row);
   /// Thread clock only: starts the servo thread. Its first tick takes up all earlier calls.
   void begin();
-  /// Manual clock only: runs so many ticks.
-  void run(std::int64_t ticks);
+  /// Manual clock only: runs so many ticks. lateness_ns: how late each of them began, from the first one of this call
+  /// on, as a recording has it; empty: none is late.
+  void run(std::int64_t ticks, std::span<const std::int64_t> lateness_ns = {});
 
   /// Copies everything to the tap from the next tick on; one tap at a time, an earlier one ends. Manual clock: run()
   /// waits while the tap is full.

@@ -216,6 +216,7 @@ void Loop::remember(const Snapshot& snapshot) noexcept {
   const bool faulted = snapshot.mode == Mode::Faulted;
   if (tap_ != nullptr) {
     if (faulted && !was_faulted_) tap_->add(FaultMark{snapshot.ticks, snapshot.report.fault, false});
+    if (tap_->wantsDetails()) addDetails(snapshot);
     tap_->add(record);
   }
   if (faulted && !was_faulted_) {
@@ -228,6 +229,18 @@ void Loop::remember(const Snapshot& snapshot) noexcept {
     history_->clear();
   }
   was_faulted_ = faulted;
+}
+
+/// What a recorder gets of a tick beyond its row.
+void Loop::addDetails(const Snapshot& snapshot) noexcept {
+  Truth truth;
+  if (device_.truth(truth)) tap_->add(TruthRow{snapshot.ticks, truth});
+  for (std::size_t index = 0; index < snapshot.report.held.size(); ++index) {
+    const tick::ConstraintReport& held = snapshot.report.held[index];
+    ConstraintRow row{snapshot.ticks, static_cast<std::uint32_t>(index), held.acts, held.p_WP, held.f_T_W};
+    if (held.status != target::Status::Unique) row.p_WP.setConstant(kNotANumber);
+    tap_->add(row);
+  }
 }
 
 void Loop::tick(const Wake& wake) noexcept {

@@ -94,6 +94,7 @@ class Loop {
                       std::int64_t with_sleep_ns) noexcept UNDERACT_REAL_TIME;
   void countLate(const Wake& wake) noexcept UNDERACT_REAL_TIME;
   void remember(const Snapshot& snapshot) noexcept UNDERACT_REAL_TIME;
+  void addDetails(const Snapshot& snapshot) noexcept UNDERACT_REAL_TIME;
 
   DevicePort& device_;
   Instance* current_;

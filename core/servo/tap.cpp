@@ -12,16 +12,27 @@ constexpr std::int64_t kRoom_ns = 4'000'000'000;
 constexpr std::int64_t kRoomAtLeast = 16384;
 constexpr std::size_t kEvents = 1024;  // edits or faults between two readings of the recorder
 
+std::size_t roomFor(std::int64_t period_ns) {
+  return static_cast<std::size_t>(std::max(kRoomAtLeast, kRoom_ns / std::max<std::int64_t>(period_ns, 1)));
+}
+
 }  // namespace
 
-Tap::Tap(std::int64_t period_ns, std::int64_t most_ticks)
-    : records_(static_cast<std::size_t>(std::max(kRoomAtLeast, kRoom_ns / std::max<std::int64_t>(period_ns, 1)))),
+Tap::Tap(std::int64_t period_ns, std::int64_t most_ticks, std::size_t details)
+    : records_(roomFor(period_ns)),
       changes_(kEvents),
       faults_(kEvents),
+      details_(details),
       ticks_left_(most_ticks > 0 ? most_ticks : -1) {
   touchPages(records_);
   touchPages(changes_);
   touchPages(faults_);
+  if (details > 0) {
+    truths_ = std::make_unique<boost::lockfree::spsc_queue<TruthRow>>(roomFor(period_ns));
+    constraints_ = std::make_unique<boost::lockfree::spsc_queue<ConstraintRow>>(details * roomFor(period_ns));
+    touchPages(*truths_);
+    touchPages(*constraints_);
+  }
   start_.entries.resize(tick::kMaxConstraints);  // touches the pages, too
   start_.entries.clear();
 }
@@ -45,6 +56,20 @@ void Tap::add(const Change& change) noexcept {
 
 void Tap::add(const FaultMark& fault) noexcept {
   if (listens() && !faults_.push(fault)) drop();
+}
+
+void Tap::add(const TruthRow& row) noexcept {
+  if (listens() && ticks_left_ != 0 && !truths_->push(row)) drop();
+}
+
+void Tap::add(const ConstraintRow& row) noexcept {
+  if (listens() && ticks_left_ != 0 && !constraints_->push(row)) drop();
+}
+
+std::size_t Tap::room() const {
+  const std::size_t rows = records_.write_available();
+  if (details_ == 0) return rows;
+  return std::min({rows, truths_->write_available(), constraints_->write_available() / details_});
 }
 
 void Tap::announce(std::uint64_t revision, const scene::Description& scene) {

@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 
 #include "core/base/real_time.h"
 #include "core/scene/description.h"
+#include "core/servo/device_port.h"
 #include "core/servo/snapshot.h"
 #include "core/tick/state.h"
 
@@ -27,13 +29,29 @@ struct FaultMark {
   bool from_servo = false;
 };
 
+/// What a simulated arm knows of a tick.
+struct TruthRow {
+  std::int64_t tick = 0;
+  Truth truth;
+};
+
+/// One constraint in one tick.
+struct ConstraintRow {
+  std::int64_t tick = 0;
+  std::uint32_t constraint = 0;  // its index in the scene
+  bool acts = false;             // it contributes to the force
+  Vec3 p_WP = Vec3::Zero();      // its target, m; NaN: none
+  Vec3 f_T_W = Vec3::Zero();     // its own force, N, before the gate
+};
+
 /// A recorder's access to the servo: all input and results of each tick, from one tick on without a gap. The servo
 /// never waits; what finds no room is counted. One servo, one recorder, one Host.
 class Tap {
  public:
   /// period_ns: of the servo; there is room for 4 s of ticks, 16384 at least. most_ticks: it takes no more; 0: no
-  /// limit.
-  explicit Tap(std::int64_t period_ns, std::int64_t most_ticks = 0);
+  /// limit. details: room for so many constraints of each tick, and for what a simulated arm knows; 0: these are not
+  /// wanted.
+  explicit Tap(std::int64_t period_ns, std::int64_t most_ticks = 0, std::size_t details = 0);
 
   // The servo thread.
   /// The next tick is the first one; state: at its beginning. Copies it without allocating.
@@ -43,6 +61,10 @@ class Tap {
   void add(const TickRecord& record) noexcept UNDERACT_REAL_TIME;
   void add(const Change& change) noexcept UNDERACT_REAL_TIME;
   void add(const FaultMark& fault) noexcept UNDERACT_REAL_TIME;
+  /// Whether TruthRow and ConstraintRow are wanted; those of a tick come before its record.
+  bool wantsDetails() const noexcept UNDERACT_REAL_TIME { return details_ > 0; }
+  void add(const TruthRow& row) noexcept UNDERACT_REAL_TIME;
+  void add(const ConstraintRow& row) noexcept UNDERACT_REAL_TIME;
   /// No more will come.
   void end() noexcept UNDERACT_REAL_TIME { ended_.store(true, std::memory_order_release); }
 
@@ -56,12 +78,15 @@ class Tap {
   bool take(TickRecord& record) { return records_.pop(record); }
   bool take(Change& change) { return changes_.pop(change); }
   bool take(FaultMark& fault) { return faults_.pop(fault); }
+  bool take(TruthRow& row) { return truths_ != nullptr && truths_->pop(row); }
+  bool take(ConstraintRow& row) { return constraints_ != nullptr && constraints_->pop(row); }
   /// The scene of a revision that a change named; the tap forgets it then.
   scene::Description takeScene(std::uint64_t revision);
 
   // Any thread.
   std::int64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
-  std::size_t room() const { return records_.write_available(); }
+  /// For how many ticks there is room.
+  std::size_t room() const;
   /// The recorder takes no more: add() does nothing from then on.
   void giveUp() { given_up_.store(true, std::memory_order_relaxed); }
   /// Whether giveUp() was called.
@@ -76,6 +101,9 @@ class Tap {
   boost::lockfree::spsc_queue<TickRecord> records_;
   boost::lockfree::spsc_queue<Change> changes_;
   boost::lockfree::spsc_queue<FaultMark> faults_;
+  std::unique_ptr<boost::lockfree::spsc_queue<TruthRow>> truths_;            // null: not wanted
+  std::unique_ptr<boost::lockfree::spsc_queue<ConstraintRow>> constraints_;  // null: not wanted
+  std::size_t details_;
   std::int64_t ticks_left_;
   tick::TickState start_;
   std::int64_t first_tick_ = 0;

@@ -24,9 +24,9 @@ using record::Hdf5File;
 using record::Session;
 using record::Table;
 
-constexpr const char* kTexts[] = {"program_version", "name",         "notes",   "tags",
-                                  "subject",         "scene_title",  "arm",     "device",
-                                  "scheduling",      "start_layout", "consent", "gate_time"};
+constexpr const char* kTexts[] = {"program_version", "name",      "notes",     "tags",       "subject",
+                                  "scene_title",     "arm",       "device",    "scheduling", "start_layout",
+                                  "consent",         "gate_time", "session_id"};
 constexpr const char* kIntegers[] = {"underact_session", "started_unix_ns", "rate_hz", "max_late"};
 // As one answer of the reader may take; on a quiet machine a file takes tenths of a second.
 constexpr double kLongest_s = 30.0;
@@ -53,6 +53,7 @@ Parts partsOf(const std::string& path) {
   for (const char* name : kTexts) parts.attributes.push_back({name, file.text(name)});
   for (const char* name : kIntegers) parts.attributes.push_back({name, file.integer(name, 0)});
   parts.attributes.push_back({"frozen_s", file.real("frozen_s", 0.0)});
+  parts.attributes.push_back({"force_share", file.real("force_share", 1.0)});
   for (std::size_t table = 0; table < record::kTables; ++table)
     parts.blocks[table] = file.read(table, 0, 1 << 20).value();
   return parts;
@@ -77,8 +78,9 @@ std::uint64_t oddNumber(Random& random) {
 }
 
 void changeBlocks(Random& random, Parts& parts) {
-  constexpr std::size_t kOften[] = {record::kStart, record::kStart,   record::kStart,  record::kChanges, record::kTicks,
-                                    record::kText,  record::kMarkers, record::kFaults, record::kEnd};
+  constexpr std::size_t kOften[] = {record::kStart, record::kStart,      record::kStart,   record::kChanges,
+                                    record::kTicks, record::kText,       record::kMarkers, record::kFaults,
+                                    record::kEnd,   record::kProvenance, record::kClock};
   std::vector<Block>& blocks = parts.blocks[kOften[random.below(std::size(kOften))]];
   if (blocks.empty()) return;
   const std::size_t index = random.below(blocks.size());

@@ -16,6 +16,7 @@ MADE = {
     "command_reference": ["commands"],
     "scene_reference": ["scene-keys", str(ROOT / "scenes/scene.schema.json")],
     "scene_list": ["scene-list", str(ROOT / "scenes")],
+    "session_columns": ["session-columns"],
 }
 
 
@@ -36,6 +37,12 @@ class Made(unittest.TestCase):
                 done.stdout,
                 f"{page}.md is old: cmake --build build/release --target guide_pages",
             )
+
+    def test_the_python_package_has_the_columns_as_their_table(self):
+        done = describe("columns-json")
+        self.assertEqual(
+            (ROOT / "app/python/underact/columns.json").read_text(encoding="utf-8"), done.stdout
+        )
 
     def test_the_schema_has_the_settings_as_their_table(self):
         path = ROOT / "scenes/scene.schema.json"

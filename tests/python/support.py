@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import importlib
 import io
 import os
 import tempfile
@@ -34,3 +35,12 @@ def command(*words: object) -> tuple[int, str, str]:
         except SystemExit as end:
             status = end.code
     return status, out.getvalue(), error.getvalue()
+
+
+def works(package: str) -> bool:
+    """Whether a library can be loaded here."""
+    try:
+        importlib.import_module(package)
+    except ImportError:
+        return False
+    return True

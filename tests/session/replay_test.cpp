@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <fstream>
+#include <thread>
 
 #include "core/scene/edit.h"
 #include "tests/session/rig.h"
@@ -115,6 +117,45 @@ TEST(Replay, WithTheSceneAsItWasGivesTheForcesThatWereSentAndWithOthersOthers) {
   scene::Description softer = test::sphereScene();
   softer.control.gains.kp_N_per_mm.setConstant(0.1);
   EXPECT_GT(mostApart_N(softer), 0.05);
+}
+
+TEST(Replay, OfAServoThatWasLimitedToLessForceIsTheSameToTheBit) {
+  const test::ScratchFolder folder;
+  const auto host = test::makeHost(servo::Clock::Manual, "probe");
+  ASSERT_TRUE(host->setForceShare(0.2).empty());
+  ASSERT_TRUE(host->load(test::sphereScene()).empty());
+  host->start();
+  const auto recorder = Recorder::start(*host, folder.file("s.h5"), {});
+  ASSERT_TRUE(recorder);
+  host->run(2000);
+  ASSERT_TRUE(recorder.value()->stop().empty());
+  Result<Session> session = Session::open(folder.file("s.h5"));
+  const Result<Verified> verified = verifyReplay(session.value());
+  ASSERT_TRUE(verified);
+  EXPECT_FALSE(verified.value().differs.has_value()) << verified.value().differs->column;
+  EXPECT_EQ(verified.value().ticks, 2000);
+}
+
+// Rows of the clocks stand at the beginning, in between and at the end, and go forwards together.
+TEST(Clock, IsReadAtTheBeginningInBetweenAndAtTheEnd) {
+  const test::ScratchFolder folder;
+  const auto host = test::makeHost(servo::Clock::Thread, "probe");
+  ASSERT_TRUE(host->load(test::sphereScene()).empty());
+  const auto recorder = Recorder::start(*host, folder.file("s.h5"), {}, {.clock_every_s = 0.1});
+  ASSERT_TRUE(recorder);
+  host->begin();
+  std::this_thread::sleep_for(std::chrono::milliseconds(450));
+  ASSERT_TRUE(recorder.value()->stop().empty());
+  Result<Session> session = Session::open(folder.file("s.h5"));
+  const std::vector<ClockRow>& rows = session.value().clock();
+  ASSERT_GE(rows.size(), 4U);
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    const std::int64_t by_tick_ns = 1'000'000 * (rows[row].tick - rows[row - 1].tick);
+    EXPECT_EQ(rows[row].time_ns - rows[row - 1].time_ns, by_tick_ns);  // the simulated arm's
+    EXPECT_NEAR(static_cast<double>(rows[row].monotonic_ns - rows[row - 1].monotonic_ns),
+                static_cast<double>(rows[row].unix_ns - rows[row - 1].unix_ns), 1e6);
+  }
+  EXPECT_EQ(rows.back().tick, session.value().info().ticks);
 }
 
 TEST(Replay, OfASessionThatLacksTicksSaysWhereItEnds) {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <string>
+#include <thread>
 
 #include "core/json/json.h"
 #include "tests/support/udp_listener.h"
@@ -39,6 +41,45 @@ TEST(LiveStream, OfAFastServoSendsAThousandMessagesASecond) {
   live.value().setRate(500);  // of a slow one every tick goes out
   for (; record.tick <= 110; ++record.tick) live.value().send(record);
   EXPECT_EQ(live.value().sent(), 25 + 10);
+}
+
+TEST(LiveStream, SaysItsVersionTheSessionAndTheClocks) {
+  const test::UdpListener listener;
+  Result<LiveStream> live = LiveStream::open({kThisMachine, listener.port()}, 1000);
+  ASSERT_TRUE(live);
+  live.value().send({});
+  live.value().setSession("0123456789abcdef");
+  live.value().send({});
+  const Result<json::Value> first = json::parse(listener.next(), "message"), second = json::parse(listener.next(), "m");
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first.value().find("underact_live")->number, kLiveVersion);
+  EXPECT_EQ(first.value().find("session"), nullptr);
+  EXPECT_EQ(second.value().find("session")->text, "0123456789abcdef");
+  EXPECT_EQ(second.value().find("clock")->text, "arm");
+  EXPECT_GT(second.value().find("unix_s")->number, 1.5e9);
+}
+
+// A receiver with the usual buffer, which takes what comes in its own time.
+TEST(LiveStream, LosesNothingWhereTicksComeFasterThanRealTimeAndItIsPaced) {
+  const test::UdpListener listener;
+  Result<LiveStream> live = LiveStream::open({kThisMachine, listener.port()}, 1000);
+  ASSERT_TRUE(live);
+  live.value().pace();
+  constexpr int kTicks = 4000;
+  std::atomic<bool> ended{false};
+  int came = 0;
+  std::thread receiver([&] {
+    while (!ended || came < kTicks) {
+      if (listener.next().empty()) return;
+      ++came;
+    }
+  });
+  servo::TickRecord record;
+  for (record.tick = 1; record.tick <= kTicks; ++record.tick) live.value().send(record);
+  ended = true;
+  receiver.join();
+  EXPECT_EQ(came, kTicks);
+  EXPECT_EQ(live.value().sent(), kTicks);
 }
 
 TEST(LiveStream, GoesOnWhereNobodyListens) {

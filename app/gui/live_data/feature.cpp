@@ -12,7 +12,7 @@ void makeLive(const FeatureParts& parts, ServoListeners& listeners) {
 }  // namespace
 
 FeatureRow liveDataFeature() {
-  return {.pages = {{"dialog.live", "sessions"}, {"dialog.address", "window#this-guide"}}, .make = makeLive};
+  return {.pages = {{"dialog.live", "live_data"}, {"dialog.address", "window#this-guide"}}, .make = makeLive};
 }
 
 }  // namespace underact::gui

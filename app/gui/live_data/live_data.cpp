@@ -8,6 +8,7 @@
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/live_data/address_dialog.h"
+#include "app/gui/model/recording.h"
 #include "app/gui/model/servo_rate.h"
 
 namespace underact::gui {
@@ -18,7 +19,11 @@ QString addressText(const stream::Address& address) {
 }
 
 LiveData::LiveData(const FeatureParts& parts)
-    : QObject(parts.window), servo_(parts.servo), actions_(parts.actions), status_(parts.status) {
+    : QObject(parts.window),
+      servo_(parts.servo),
+      actions_(parts.actions),
+      status_(parts.status),
+      recording_(parts.recording) {
   addActions(parts.window);
   connect(&parts.rate, &ServoRate::changed, this, [this](int, int rate_hz) {
     if (stream_) stream_->setRate(rate_hz);
@@ -26,6 +31,7 @@ LiveData::LiveData(const FeatureParts& parts)
 }
 
 void LiveData::present(const servo::Snapshot&) {
+  if (stream_) stream_->setSession(recording_.sessionId());
   status_.setLive(where(), details());
 }
 

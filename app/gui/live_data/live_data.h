@@ -38,6 +38,7 @@ class LiveData : public QObject, public ServoListener {
   ServoFacts servo_;
   Actions& actions_;
   StatusLine& status_;
+  const Recording& recording_;
   stream::Address address_;
   std::optional<stream::LiveStream> stream_;
 };

@@ -46,6 +46,7 @@ bool Recording::start() {
   if (notice_.isEmpty()) {
     const QString path =
         newSessionFile(folder_, QDateTime::currentDateTime(), QString::fromStdString(host_.scene().title));
+    if (run_) options_.run = run_();
     Result<std::unique_ptr<record::Recorder>> recorder =
         record::Recorder::start(host_, path.toStdString(), words_, options_);
     if (recorder) {
@@ -95,6 +96,7 @@ bool Recording::mark(const QString& label) {
 
 void Recording::poll() {
   status_ = recorder_->status();
+  recorder_->noteServo();
   if (status_.recording)
     emit changed();
   else

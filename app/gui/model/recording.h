@@ -1,9 +1,11 @@
 #pragma once
 #include <QObject>
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/record/recorder.h"
 
@@ -16,6 +18,10 @@ class Recording : public QObject {
   Recording(servo::Host& host, QObject* parent);
   ~Recording() override;
 
+  /// Says what the servo does not know of a run that begins now, see record::RecorderOptions::run.
+  void setRun(std::function<json::ObjectText()> run) { run_ = std::move(run); }
+  /// The word of the running recording's session; empty: none is running.
+  std::string sessionId() const { return recorder_ ? recorder_->sessionId() : std::string(); }
   /// Starts at once, into a new file in folder(). false: notice() says why not.
   bool start();
   /// Ends it in order and writes the current description. false: none was running.
@@ -51,6 +57,7 @@ class Recording : public QObject {
   QTimer poll_timer_;
   std::unique_ptr<record::Recorder> recorder_;
   record::RecorderOptions options_;
+  std::function<json::ObjectText()> run_;
   record::RecorderStatus status_;
   record::SessionMetadata words_, written_;      // the current ones; those in the file
   std::optional<std::string> recorded_subject_;  // the subject whose consent is still in words_

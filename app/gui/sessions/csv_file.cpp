@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/record/csv.h"
+#include "core/record/csv_metadata.h"
 
 namespace underact::gui {
 
@@ -32,7 +33,10 @@ CsvFile writeCsvFile(const std::string& session, const std::string& out, WorkSta
     done.problems = {
         {said(QT_TRANSLATE_NOOP("problem", "The existing file cannot be replaced. Choose another name.")), {out}}};
     std::filesystem::remove(part, error);
+    return done;
   }
+  const Problems undescribed = record::writeCsvMetadata(read.value(), out);
+  done.problems.insert(done.problems.end(), undescribed.begin(), undescribed.end());
   return done;
 }
 

@@ -25,6 +25,7 @@
 #include "app/gui/view/stylus_key.h"
 #include "core/arm/preset.h"
 #include "device/simulated_arm.h"
+#include "device/simulated_run.h"
 
 namespace underact::gui {
 
@@ -52,6 +53,9 @@ Services::Services(const WindowParts& given, const Settings& settings, QMainWind
   buildMiddle();
   buildStatus(given);
   connectThem(given);
+  recording->setRun([in_use = arm_in_use] {
+    return device::provenanceOfPerson(in_use->hasSimulatedArm() ? &in_use->model() : nullptr);
+  });
   if (given.arm != nullptr) new StylusKey(*given.arm, owner, view);
 }
 

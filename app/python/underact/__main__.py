@@ -6,9 +6,9 @@ import argparse
 import sys
 from pathlib import Path
 
-from .errors import SessionError, Unreadable, drawing_errors, missing
+from .errors import MissingLibrary, SessionError, Unreadable, drawing_errors, missing
 
-WELL, BAD_INPUT, USAGE, FILE = 0, 1, 2, 4
+WELL, BAD_INPUT, USAGE, FILE, LIBRARY = 0, 1, 2, 4, 5
 
 
 def _ending_of(kind: str, out: Path, many: bool) -> Path:
@@ -31,7 +31,8 @@ def plot(options: argparse.Namespace) -> int:
     for kind in kinds:
         figure = plots.draw(kind, view, options.width)
         with drawing_errors():
-            style.save(figure, _ending_of(kind, options.out, len(kinds) > 1))
+            out = _ending_of(kind, options.out, len(kinds) > 1)
+            style.save(figure, out, view.session_id)
     return WELL
 
 
@@ -140,7 +141,8 @@ def parser() -> argparse.ArgumentParser:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Runs a command; gives the exit status: 0 well, 1 bad input, 2 wrong usage, 4 a file."""
+    """Runs a command; gives the exit status: 0 well, 1 bad input, 2 wrong usage, 4 a file,
+    5 a library that an export takes is missing."""
     options = parser().parse_args(arguments)
     try:
         return options.run(options)
@@ -152,6 +154,9 @@ def main(arguments: list[str] | None = None) -> int:
     except Unreadable as error:
         print(error, file=sys.stderr)
         return FILE
+    except MissingLibrary as error:
+        print(error, file=sys.stderr)
+        return LIBRARY
     except SessionError as error:
         print(error, file=sys.stderr)
         return BAD_INPUT

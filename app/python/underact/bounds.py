@@ -64,8 +64,8 @@ def block_rows_of(where: str, name: str, group: h5py.Group) -> int:
     if not isinstance(rows, int) or rows < 1:
         raise SessionError(f"{where} does not say how many rows a block has (block_rows).")
     least, most = 1, layout.MOST_TICKS_A_BLOCK
-    if name != "ticks":
-        least = most = layout.BLOCKS.get(name, layout.SMALL_BLOCK)[0]
+    if name not in layout.LONG:
+        least = most = layout.BLOCKS[name][0]
     if not least <= rows <= most:
         wanted = f"{most}" if least == most else f"{least} to {most}"
         raise SessionError(

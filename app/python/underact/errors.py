@@ -15,6 +15,10 @@ class Unreadable(SessionError):
     """The file is not there, or the system does not let it be read."""
 
 
+class MissingLibrary(SessionError):
+    """A library that this form of export takes is not installed, or does not work."""
+
+
 class DamagedSession(SessionError):
     """A block of the file holds other bytes than were written.
 

@@ -12,34 +12,17 @@ from pathlib import Path
 import numpy as np
 
 from . import layout
-from .errors import SessionError
+from .errors import MissingLibrary
 from .session import Session
 
 #: the columns of `underact-cli run --record F.csv` -> where they are in /ticks: column, part (None:
 #: all of it)
 CSV_COLUMNS: dict[str, tuple[str, int | None]] = {
-    "tick": ("tick", None),
-    "time_s": ("time_ns", None),
-    **{f"q{joint + 1}_rad": ("q_rad", joint) for joint in range(6)},
-    **{f"{name}_mm": ("p_WT_mm", part) for part, name in enumerate("xyz")},
-    **{f"target_{name}_mm": ("p_WP_mm", part) for part, name in enumerate("xyz")},
-    "error_mm": ("error_mm", None),
-    **{f"force_asked_{name}_N": ("force_asked_N", part) for part, name in enumerate("xyz")},
-    **{f"force_sent_{name}_N": ("force_sent_N", part) for part, name in enumerate("xyz")},
-    "gate_level": ("gate_level", None),
-    "cut_N": ("cut_N", None),
-    "fault": ("fault", None),
-    **{
-        f"{name}_rad": ("alpha_beta_theta_rad", part)
-        for part, name in enumerate(("alpha", "beta", "theta"))
-    },
-    "lateness_us": ("lateness_us", None),
-    "tick_us": ("tick_us", None),
-    "buttons": ("buttons", None),
-    "revision": ("revision", None),
-    "limits": ("limits", None),
-    "energy_mJ": ("energy_mJ", None),
-    "passive_N": ("passive_N", None),
+    field["name"]: (
+        field["column"],
+        field["part"] if layout.TABLES["ticks"][field["column"]] > 1 else None,
+    )
+    for field in layout.COLUMNS["csv"]
 }
 
 
@@ -47,13 +30,13 @@ CSV_COLUMNS: dict[str, tuple[str, int | None]] = {
 _PACKAGES = {"pyarrow": "'pyarrow<17'", "mcap": "mcap"}
 
 
-def _needs(package: str, form: str, error: ImportError) -> SessionError:
+def _needs(package: str, form: str, error: ImportError) -> MissingLibrary:
     here = (
         "is not installed"
         if isinstance(error, ModuleNotFoundError)
         else f"does not work here ({error})"
     )
-    return SessionError(
+    return MissingLibrary(
         f"Writing {form} takes the Python package {package}, which {here}. "
         f"Install it with: python3 -m pip install {_PACKAGES[package]} (on Debian in an "
         "environment made with "
@@ -94,8 +77,45 @@ def _owners_alone(path: str, flags: int) -> int:
     return os.open(path, flags, 0o600)
 
 
+def csv_metadata(session: Session, name: str) -> dict:
+    """What a CSV file of that name holds, as the W3C's CSV on the Web has it (tabular metadata):
+    each column with type, unit and meaning; in its notes the frames, and what was run.
+    """
+    columns, frames = [], {}
+    for field in layout.COLUMNS["csv"]:
+        described = layout.DESCRIBED["ticks"][field["column"]]
+        kind = {"float64": "double", "string": "string"}.get(field["type"], "integer")
+        one = {"name": field["name"], "titles": field["name"], "datatype": kind, "null": ""}
+        one["dc:description"] = described["meaning"]
+        one["schema:unitText"] = field["unit"]
+        columns.append(one)
+        frames[field["name"]] = described["frame"]
+    return {
+        "@context": "http://www.w3.org/ns/csvw",
+        "url": name,
+        "tableSchema": {"columns": columns},
+        "notes": [{"frames": frames, **described_run(session)}],
+    }
+
+
+def described_run(session: Session) -> dict:
+    """What goes into every export beside the numbers: attributes, scene, provenance, clock."""
+    changes = session.changes
+    return {
+        **session.attributes,
+        "scene": changes[0].scene if changes else {},
+        "provenance": session.provenance,
+        "provenance_changes": [
+            {"tick": tick, "changed": changed} for tick, changed in session.provenance_changes
+        ],
+        "clock": {name: values.tolist() for name, values in session.clock.items()},
+    }
+
+
 def csv(session: Session, out: str | Path) -> None:
-    """The same columns as `underact-cli run --record F.csv`, read back to the same numbers."""
+    """The same columns as `underact-cli run --record F.csv`, read back to the same numbers; beside it
+    F.csv-metadata.json, which says what they are and what was run.
+    """
     columns = _flat(session)
     with open(out, "w", encoding="utf-8", newline="", opener=_owners_alone) as file:
         writer = csv_module.writer(file, lineterminator="\n")
@@ -103,11 +123,15 @@ def csv(session: Session, out: str | Path) -> None:
         writer.writerows(
             [_word(value) for value in row] for row in zip(*(c.tolist() for c in columns.values()))
         )
+    beside = Path(f"{out}-metadata.json")
+    with open(beside, "w", encoding="utf-8", opener=_owners_alone) as file:
+        json.dump(csv_metadata(session, Path(out).name), file, ensure_ascii=False)
 
 
 def parquet(session: Session, out: str | Path) -> None:
-    """All columns of /ticks, vectors split as in Session.frame(); the session's attributes as
-    metadata. Needs pyarrow.
+    """All columns of /ticks, vectors split as in Session.frame(), each with unit, frame and meaning
+    as metadata of its field; the session's attributes, scene and provenance as metadata of the
+    file. Needs pyarrow.
     """
     try:
         import pyarrow
@@ -115,12 +139,25 @@ def parquet(session: Session, out: str | Path) -> None:
     except ImportError as error:
         raise _needs("pyarrow", "Parquet", error) from error
     table = pyarrow.Table.from_pandas(session.frame(), preserve_index=False)
-    words = {f"underact_{name}": str(value) for name, value in session.attributes.items()}
-    words["underact_scene"] = json.dumps(session.scene)
-    with open(out, "wb", opener=_owners_alone) as file:
-        pyarrow.parquet.write_table(
-            table.replace_schema_metadata({**(table.schema.metadata or {}), **words}), file
+    about = {"time_s": {"unit": "s", "frame": "", "meaning": "the arm's clock at each tick"}}
+    for name, column in layout.DESCRIBED["ticks"].items():
+        for part in layout.part_names(name):
+            about[part] = column
+    fields = [
+        field.with_metadata(
+            {key: about.get(field.name, {}).get(key, "") for key in ("unit", "frame", "meaning")}
         )
+        for field in table.schema
+    ]
+    words = {
+        name if name.startswith("underact_") else f"underact_{name}": (
+            json.dumps(value) if isinstance(value, (dict, list)) else str(value)
+        )
+        for name, value in described_run(session).items()
+    }
+    schema = pyarrow.schema(fields, metadata={**(table.schema.metadata or {}), **words})
+    with open(out, "wb", opener=_owners_alone) as file:
+        pyarrow.parquet.write_table(table.cast(schema), file)
 
 
 _NUMBER, _TEXT = {"type": "number"}, {"type": "string"}
@@ -140,7 +177,14 @@ def _tick_schema(session: Session) -> dict:
     properties: dict[str, dict] = {"time_s": _NUMBER}
     for column in session.ticks:
         width = layout.TABLES["ticks"].get(column, 1)
-        one = {"type": ["number", "null"], "description": f"{session.ticks.units[column]}"}
+        described = layout.DESCRIBED["ticks"].get(column, {})
+        one = {
+            "type": ["number", "null"],
+            "description": f"{session.ticks.units[column]}",
+            "unit": described.get("unit", session.ticks.units[column]),
+            "frame": described.get("frame", ""),
+            "meaning": described.get("meaning", session.ticks.meanings[column]),
+        }
         properties[column] = (
             one
             if width == 1
@@ -213,8 +257,11 @@ def mcap(session: Session, out: str | Path) -> None:
             data = json.dumps({"time_s": now_ns * 1e-9, **message}).encode()
             stamp = min(max(start_ns + now_ns - first_ns, 0), 2**64 - 1)  # all that MCAP has
             writer.add_message(channels[topic], stamp, data, stamp, count)
-        words = {name: str(value) for name, value in attributes.items()}
-        writer.add_metadata("underact_session", {**words, "scene": json.dumps(session.scene)})
+        words = {
+            name: json.dumps(value) if isinstance(value, (dict, list)) else str(value)
+            for name, value in described_run(session).items()
+        }
+        writer.add_metadata("underact_session", words)
         writer.finish()
 
 

@@ -28,6 +28,12 @@ def info_of(session: Session) -> dict:
         "changes": len(session.changes),
         "markers": [{"tick": mark.tick, "label": mark.label} for mark in session.markers],
         "faults": [{"tick": fault.tick, "kind": fault.kind} for fault in session.faults],
+        "session_id": attributes.get("session_id"),
+        "provenance": session.provenance,
+        "provenance_changes": [
+            {"tick": tick, "changed": changed} for tick, changed in session.provenance_changes
+        ],
+        "clock": {name: values.tolist() for name, values in session.clock.items()},
         "damaged_rows": sum(end - first for first, end in session.ticks.damage),
     }
 
@@ -48,6 +54,8 @@ def print_info(session: Session, as_json: bool) -> None:
         print(json.dumps(what, ensure_ascii=False))
         return
     for key, value in what.items():
+        if isinstance(value, dict) or key == "provenance_changes":
+            continue  # with --json
         if isinstance(value, list):
             value = (
                 ", ".join(

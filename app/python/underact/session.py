@@ -97,7 +97,11 @@ class Session:
                 f"{self.path} has layout {version}; this program reads layout {layout.VERSION}. "
                 "Open it with the version of the program that wrote it, or a newer one."
             )
-        tables = {n: Table(self._file, n, c, self._damaged) for n, c in layout.TABLES.items()}
+        tables = {
+            name: Table(self._file, name, columns, self._damaged)
+            for name, columns in layout.TABLES.items()
+            if name not in layout.OPTIONAL or name in self._file
+        }
         #: /ticks: the columns by name, as numpy arrays
         self.ticks: Table = tables["ticks"]
         self._tables = tables
@@ -184,6 +188,41 @@ class Session:
         return self._tables["end"].common_rows() > 0
 
     @property
+    def provenance(self) -> dict:
+        """What was run: session, program and its build, machine, arm, servo, run (hand, seed, arm
+        model), gains as they acted, files by checksum. {} in a session of an earlier version.
+        """
+        rows = self._rows_with_words("provenance")
+        return self._json(*rows[0][1:], "its provenance") if rows else {}
+
+    @property
+    def provenance_changes(self) -> list[tuple[int, dict]]:
+        """(tick, the members of provenance that are others from there on), in order."""
+        rows = self._rows_with_words("provenance")[1:]
+        return [(tick, self._json(at, size, "its provenance")) for tick, at, size in rows]
+
+    @property
+    def clock(self) -> dict[str, np.ndarray]:
+        """The system's clocks at some ticks: at the beginning, every ten seconds, at the end.
+        tick, time_ns (the arm's), monotonic_ns, unix_ns (UTC), between_ns. No rows in a session
+        of an earlier version.
+        """
+        table = self._tables.get("clock")
+        if table is None:
+            return {name: np.empty(0, "<i8") for name in layout.TABLES["clock"]}
+        return {name: table[name] for name in table}
+
+    @property
+    def truth(self) -> "Table | None":
+        """What the simulated arm knows of each tick, by column; None where it was not recorded."""
+        return self._tables.get("truth")
+
+    @property
+    def constraints(self) -> "Table | None":
+        """Each constraint in each tick, by column; None where it was not recorded."""
+        return self._tables.get("constraints")
+
+    @property
     def duration_s(self) -> float:
         """From the first tick to the last, s; 0 where there are fewer than two."""
         time_ns = self.ticks["time_ns"]
@@ -237,7 +276,9 @@ class Session:
         """The rows of /changes or /markers. Words stand one after the other, so all together they
         are no more than /text has.
         """
-        table = self._tables[name]
+        table = self._tables.get(name)
+        if table is None:
+            return []
         rows = list(zip(*(table[column].tolist() for column in layout.TABLES[name])))
         all_words = self._tables["text"].common_rows()
         if name == "changes" and sum(max(row[-1], 0) for row in rows) > all_words:
@@ -269,19 +310,22 @@ class Session:
     def _scene(self, at: int, size: int) -> dict:
         if size == 0:  # nothing was loaded yet
             return {}
+        return self._json(at, size, "a scene in it")
+
+    def _json(self, at: int, size: int, what: str) -> dict:
         if size > layout.LONGEST_SCENE:
             raise SessionError(
-                f"{self.path}: a scene in it has {size} bytes, and a scene at most "
+                f"{self.path}: {what} has {size} bytes, and may have at most "
                 f"{layout.LONGEST_SCENE}. The file is damaged: copy it anew from where it came."
             )
         try:
-            scene = json.loads(self._text(at, size))
+            found = json.loads(self._text(at, size))
         except (ValueError, RecursionError) as error:
-            words = f"{self.path}: a scene in it is not valid JSON ({error})."
+            words = f"{self.path}: {what} is not valid JSON ({error})."
             raise SessionError(words) from error
-        if not isinstance(scene, dict):
-            raise SessionError(f"{self.path}: a scene in it is not a JSON object.")
-        return scene
+        if not isinstance(found, dict):
+            raise SessionError(f"{self.path}: {what} is not a JSON object.")
+        return found
 
     def close(self) -> None:
         """Closes the file; the arrays read so far stay."""

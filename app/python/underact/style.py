@@ -85,9 +85,9 @@ def footer(figure: Figure, words: str) -> None:
     label.set_parse_math(False)  # a name is a name, also with $
 
 
-def save(figure: Figure, path: str | Path) -> None:
-    """Writes a .png, .svg or .pdf; the same figure gives the same bytes. Raises ValueError at
-    another ending.
+def save(figure: Figure, path: str | Path, session_id: str = "") -> None:
+    """Writes a .png, .svg or .pdf; the same figure gives the same bytes. session_id: of the session
+    that it shows, which the file then names. Raises ValueError at another ending.
     """
     path = Path(path)
     ending = path.suffix.lower().lstrip(".")
@@ -98,6 +98,9 @@ def save(figure: Figure, path: str | Path) -> None:
         "svg": {"Date": None, "Creator": None},
         "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
     }[ending]
+    if session_id:
+        key = {"png": "Source", "svg": "Identifier", "pdf": "Keywords"}[ending]
+        metadata[key] = f"underact session {session_id}"
     with matplotlib.rc_context(RC):
         figure.savefig(path, format=ending, dpi=DPI, metadata=metadata)
 

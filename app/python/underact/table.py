@@ -29,9 +29,8 @@ def _columns_of(group: h5py.Group) -> list[str]:
 class Table(Mapping):
     """The columns of a table by name, each a numpy array cut to the rows that all columns have.
 
-    table["q_rad"]: shape (rows, 6); one number a row: shape (rows,). `units` and `meanings`
-    hold what
-    the file says of each column. Blocks are checked at the first access to a column: a damaged one
+    table["q_rad"]: shape (rows, 6); one number a row: shape (rows,). `units`, `meanings`
+    and `frames` hold what the file says of each column. Blocks are checked at the first access to a column: a damaged one
     raises DamagedSession, or with damaged="skip" its rows are left out of every column.
     """
 
@@ -62,6 +61,7 @@ class Table(Mapping):
         columns = self._datasets.items()
         self.units = {column: bounds.attribute(d, "unit") or "" for column, d in columns}
         self.meanings = {column: bounds.attribute(d, "meaning") or "" for column, d in columns}
+        self.frames = {column: bounds.attribute(d, "frame") or "" for column, d in columns}
         self._skip = damaged == "skip"
         self._kept: np.ndarray | None = None  # whether a row is kept; None: not checked yet
         self._bad_blocks: list[int] = []
@@ -69,9 +69,9 @@ class Table(Mapping):
 
     def _check_bounds(self, where: str) -> None:
         """Raises SessionError where the table is not as a file of its length may have it."""
-        _, chunk_rows = layout.BLOCKS.get(self.name, layout.SMALL_BLOCK)
+        chunk_rows = self.block_rows if self.name in layout.LONG else layout.BLOCKS[self.name][1]
         for column, dataset in self._datasets.items():
-            rows = self.block_rows if self.name == "ticks" else chunk_rows
+            rows = chunk_rows
             bounds.check_layout(where, column, dataset, rows)
         if not isinstance(self._crc32, h5py.Dataset) or self._crc32.ndim != 1:
             raise SessionError(f"{where} has no checksums. The session is incomplete.")

@@ -108,9 +108,9 @@ TEST(FaultFile, SaysWhatHappenedWhatToDoAndWhatWasRun) {
 
 TEST(FaultFile, ARowHasAFieldForEachColumnAndNumbersReadBackToTheSameDouble) {
   const json::Value fault = read(faultText(someFault(), wordsOf(someFault().fault)));
-  ASSERT_EQ(fault.find("columns")->items.size(), kColumns.size());
+  ASSERT_EQ(fault.find("columns")->items.size(), csvFields().size());
   ASSERT_EQ(fault.find("rows")->items.size(), 2U);
-  for (const json::Value& row : fault.find("rows")->items) EXPECT_EQ(row.items.size(), kColumns.size());
+  for (const json::Value& row : fault.find("rows")->items) EXPECT_EQ(row.items.size(), csvFields().size());
   EXPECT_EQ(column(fault, 1, "tick").number, 4321.0);
   EXPECT_EQ(column(fault, 0, "force_asked_x_N").number, 1.0 / 3.0);
   EXPECT_EQ(column(fault, 0, "force_asked_y_N").number, -2.2250738585072014e-308);

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from mpl_toolkits.mplot3d.art3d import Line3DCollection
 
-from .. import style
+from .. import layout, style
 from ..shapes import outlines
 from ..thin import evenly
 from .view import View
@@ -44,9 +44,9 @@ def displacement_force(view: View, width_in: float) -> Figure:
                 markersize=2.5,
                 label="limited",
             )
-        axes.set_xlabel(f"displacement in {name} [mm]")
+        axes.set_xlabel(f"displacement in {name} [{layout.unit('p_WT_mm')}]")
         if axes is panels[0] or narrow:
-            axes.set_ylabel("force sent [N]")
+            axes.set_ylabel(f"force sent [{layout.unit('force_sent_N')}]")
     style.legend_outside(panels[-1] if not narrow else panels[0], markerscale=3)
     style.footer(figure, view.footer)
     return figure
@@ -80,7 +80,7 @@ def draw_path(axes: Axes, view: View, figure: Figure, bar: bool = True) -> None:
     axes.plot(*way[0], "o", color=style.STYLUS, markersize=3)
     axes.text(*way[0], " start", fontsize=6, color=style.STYLUS)
     if bar:
-        figure.colorbar(collection, ax=axes, shrink=0.6, pad=0.09, label="force sent [N]")
+        figure.colorbar(collection, ax=axes, shrink=0.6, pad=0.09, label=f"force sent [{layout.unit('force_sent_N')}]")
     frame_axes(axes, np.concatenate(reach))
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from .. import style
+from .. import layout, style
 from ..thin import evenly, thin
 from .view import View
 
@@ -77,7 +77,7 @@ def error_time(view: View, width_in: float) -> Figure:
     """The distance between stylus and target over time, mm."""
     figure, (axes,) = _start(view, width_in)
     line(axes, view.time_s, view["error_mm"], color=style.STYLUS, label="error")
-    axes.set_ylabel("distance to target [mm]")
+    axes.set_ylabel(f"distance to target [{layout.unit('error_mm')}]")
     axes.set_ylim(bottom=0)
     return _finish(view, figure, [axes])
 
@@ -103,11 +103,11 @@ def force_time(view: View, width_in: float) -> Figure:
             label="passive",
         )
     sizes.set_ylim(bottom=0)
-    sizes.set_ylabel("force [N]")
+    sizes.set_ylabel(f"force [{layout.unit('force_sent_N')}]")
     for index, (name, color, dashes) in enumerate(style.AXES):
         force = view["force_sent_N"][:, index]
         line(parts, view.time_s, force, color=color, linestyle=dashes, label=f"$f_{name}$")
-    parts.set_ylabel("components [N]")
+    parts.set_ylabel(f"components [{layout.unit('force_sent_N')}]")
     return _finish(view, figure, [sizes, parts])
 
 
@@ -164,7 +164,7 @@ def energy(view: View, width_in: float) -> Figure:
             label="active",
         )
     axes.axhline(0, color=style.DARK, linewidth=0.6)
-    axes.set_ylabel("energy put in [mJ]")
+    axes.set_ylabel(f"energy put in [{layout.unit('energy_mJ')}]")
     return _finish(view, figure, [axes])
 
 

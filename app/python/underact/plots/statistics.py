@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.figure import Figure
 
-from .. import style
+from .. import layout, style
 from .over_time import _say
 from .view import View
 
@@ -79,7 +79,7 @@ def lateness(view: View, width_in: float) -> Figure:
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_xlim(edges[0], max(2 * period_us, 1.3 * float(max(late.max(), took.max()))))
-    axes.set_xlabel("latency, time of a tick [µs]")
+    axes.set_xlabel(f"latency, time of a tick [{layout.unit('lateness_us')}]")
     axes.set_ylabel("ticks")
     if not (late > 0).any():
         axes.set_title("No latency: it ran as fast as possible.", color=style.GREY)

@@ -23,6 +23,7 @@ class View:
     rate_hz: float
     marks: list[tuple[float, str]] = field(default_factory=list)  # time_s, label
     faults: list[tuple[float, str]] = field(default_factory=list)
+    session_id: str = ""
 
     def __getitem__(self, column: str) -> np.ndarray:
         return self.columns[column]
@@ -88,6 +89,7 @@ def view_of(
         float(rate_hz) if stated else _rate_hz(time_s),
         at(session.markers, "label"),
         at(session.faults, "kind"),
+        str(attributes.get("session_id") or ""),
     )
 
 

@@ -1,0 +1,97 @@
+#include <memory>
+#include <ostream>
+
+#include "app/cli/command.h"
+#include "app/cli/json_object.h"
+#include "app/cli/progress.h"
+#include "app/cli/recording.h"
+#include "app/cli/run_summary.h"
+#include "app/cli/scene_file.h"
+#include "core/system/resource_paths.h"
+#include "core/system/signals.h"
+#include "device/rerun_session.h"
+
+namespace underact::cli {
+namespace {
+
+struct RerunChoice {
+  std::string file, out;
+  std::vector<std::string> files_in;
+  bool overwrite = false;
+  system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
+};
+
+/// Where meshes and curves are searched: in the given folders, then in the scenes that ship.
+std::vector<std::string> placesOf(const RerunChoice& choice) {
+  std::vector<std::string> folders = choice.files_in;
+  const Result<std::string> shipped = system::findResource(system::Resource::Scenes);
+  if (shipped) folders.push_back(shipped.value());
+  return folders;
+}
+
+JsonObject rerunAnswer(const record::SessionInfo& info, const device::RerunResult& result, const RunSummary& summary,
+                       bool is_same) {
+  JsonObject object;
+  object.addInteger("ticks", info.ticks);
+  object.addInteger("identical_ticks", result.verified.ticks);
+  object.addBool("identical", is_same);
+  object.addText("made_from", result.is_from_hand ? "hand" : "recorded input");
+  if (result.verified.differs) {
+    object.addInteger("first_difference_tick", result.verified.differs->tick);
+    object.addText("first_difference_column", result.verified.differs->column);
+  }
+  object.addObject("run",
+                   summary.json({static_cast<int>(info.header.rate_hz), result.seed, true, "as fast as possible", ""}));
+  return object;
+}
+
+Exit rerun(const RerunChoice& choice, const Streams& streams) {
+  if (const Problems problems = Recording::check(choice.out, choice.existing()); !problems.empty())
+    return fail(problems, Exit::File, streams);
+  Result<record::Session> session = record::Session::open(choice.file);
+  if (!session) return fail(session.problems(), streams);
+  if (session.value().info().ticks == 0) {
+    streams.err << "This session contains no ticks.\n";
+    return Exit::BadInput;
+  }
+  const system::Interrupt interrupt;
+  Progress progress(streams);
+  RunSummary summary;
+  device::RerunOptions options;
+  options.out = {choice.out, choice.existing()};
+  options.files_in = placesOf(choice);
+  options.tick = [&summary](const servo::TickRecord& record) { summary.add(record); };
+  options.progress = [&](double share) {
+    progress.show(share);
+    return !interrupt.came();
+  };
+  const Result<device::RerunResult> result = device::rerun(session.value(), options);
+  if (!result) return fail(result.problems(), streams);
+  const record::Verified& verified = result.value().verified;
+  const bool is_same = !verified.differs && verified.unknown.empty();
+  if (verified.differs)
+    streams.err << "Tick " << verified.differs->tick << " differs: " << verified.differs->column
+                << ". What was run differs from the recording; \"log info --diff\" names what does.\n";
+  if (!verified.unknown.empty()) streams.err << verified.unknown << '\n';
+  streams.out << rerunAnswer(session.value().info(), result.value(), summary, is_same).text() << '\n';
+  return is_same ? Exit::Well : Exit::BadInput;
+}
+
+}  // namespace
+
+void addRerun(Command program, const Streams& streams, Exit& exit) {
+  const Command command =
+      program.add("rerun", "Make a recorded run again from its session alone, and compare every tick to the last bit");
+  const auto choice = std::make_shared<RerunChoice>();
+  command.option("file", choice->file, "Session file").required();
+  const Option out = command.option("--out", choice->out, "Write the run to this new session");
+  command.flag("--overwrite", choice->overwrite, "Replace the file of --out if it exists").needs(out);
+  command
+      .option("--files", choice->files_in,
+              "Folders of the recorded scene's meshes and curves, if they are not beside the session")
+      .expected(1, -1)
+      .word("FOLDER");
+  command.whenChosen([choice, &streams, &exit] { exit = rerun(*choice, streams); });
+}
+
+}  // namespace underact::cli

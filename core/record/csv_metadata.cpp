@@ -1,0 +1,107 @@
+#include "core/record/csv_metadata.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "core/base/translate.h"
+#include "core/json/object_text.h"
+#include "core/record/columns.h"
+#include "core/system/file.h"
+
+namespace underact::record {
+namespace {
+
+using json::ObjectText;
+
+std::string datatypeOf(std::string_view type) {
+  if (type == "float64") return "double";
+  return type == "string" ? "string" : "integer";
+}
+
+/// A text of the session as JSON; null where it is not.
+void addWhereJson(ObjectText& object, const char* key, const Result<std::string>& text) {
+  const bool is_json = text && !text.value().empty() && json::parse(text.value(), "");
+  is_json ? object.addJson(key, text.value()) : object.addNull(key);
+}
+
+void addRun(Session& session, ObjectText& notes) {
+  const SessionInfo& info = session.info();
+  const SessionHeader& header = info.header;
+  notes.addText("session_id", header.session_id);
+  notes.addText("program_version", info.program_version);
+  for (const auto& [key, text] :
+       {std::pair{"name", &header.words.name}, std::pair{"notes", &header.words.notes},
+        std::pair{"tags", &header.words.tags}, std::pair{"subject", &header.words.subject},
+        std::pair{"consent", &header.words.consent}, std::pair{"scene_title", &header.scene_title},
+        std::pair{"arm", &header.arm}, std::pair{"device", &header.device}}) {
+    notes.addText(key, *text);
+  }
+  notes.addInteger("started_unix_ns", header.started_unix_ns);
+  notes.addInteger("rate_hz", header.rate_hz);
+  if (!session.changes().empty()) addWhereJson(notes, "scene", session.sceneText(session.changes().front()));
+  std::vector<ObjectText> later, anchors;
+  for (const ProvenanceRow& row : session.provenance()) {
+    if (&row == &session.provenance().front()) {
+      addWhereJson(notes, "provenance", session.provenanceText(row));
+      continue;
+    }
+    ObjectText& change = later.emplace_back();
+    change.addInteger("tick", row.tick);
+    addWhereJson(change, "changed", session.provenanceText(row));
+  }
+  notes.addList("provenance_changes", later);
+  for (const ClockRow& row : session.clock()) {
+    ObjectText& anchor = anchors.emplace_back();
+    anchor.addInteger("tick", row.tick);
+    anchor.addInteger("time_ns", row.time_ns);
+    anchor.addInteger("monotonic_ns", row.monotonic_ns);
+    anchor.addInteger("unix_ns", row.unix_ns);
+  }
+  notes.addList("clock", anchors);
+}
+
+}  // namespace
+
+Result<std::string> csvMetadata(Session& session, const std::string& file_name) {
+  std::vector<ObjectText> columns;
+  ObjectText frames, schema, notes, all;
+  for (const CsvField& field : csvFields()) {
+    ObjectText& column = columns.emplace_back();
+    column.addText("name", field.name);
+    column.addText("titles", field.name);
+    column.addText("datatype", datatypeOf(field.type));
+    column.addText("null", "");
+    column.addText("dc:description", field.column->meaning);
+    column.addText("schema:unitText", field.unit);
+    frames.addText(field.name, field.column->frame);
+  }
+  schema.addList("columns", columns);
+  notes.addObject("frames", frames);
+  addRun(session, notes);
+  all.addText("@context", "http://www.w3.org/ns/csvw");
+  all.addText("url", file_name);
+  all.addObject("tableSchema", schema);
+  all.addList("notes", std::vector<ObjectText>{notes});
+  return all.text() + "\n";
+}
+
+Problems writeCsvMetadata(Session& session, const std::string& csv_path) {
+  const Result<std::string> text = csvMetadata(session, std::filesystem::path(csv_path).filename().string());
+  if (!text) return text.problems();
+  const std::string path = csv_path + "-metadata.json";
+  std::FILE* const file =
+      system::streamOf(system::makeFile(path, system::Making::Emptied, system::Readers::OwnerAlone));
+  const auto problem = [&path] {
+    return Problems{
+        {said(TRANSLATE_NOOP("problem", "The recording is incomplete: %1."), {std::strerror(errno)}), {path}}};
+  };
+  if (file == nullptr) return problem();
+  const bool is_written = std::fwrite(text.value().data(), 1, text.value().size(), file) == text.value().size();
+  const bool is_closed = std::fclose(file) == 0;
+  return is_written && is_closed ? Problems{} : problem();
+}
+
+}  // namespace underact::record
