@@ -4308,30 +4308,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die meisten Normalen in der Datei zeigen gegen die Reihenfolge der Ecken. Hier gilt nur die Reihenfolge: Fühlen sich außen und innen vertauscht an, so speichern Sie das Dreiecksnetz mit umgedrehten Flächen.</translation>
     </message>
     <message>
-        <source>The mesh consists of %1 separate parts.</source>
-        <translation>Das Dreiecksnetz besteht aus %1 Teilen, die nicht zusammenhängen.</translation>
-    </message>
-    <message>
-        <source>The mesh consists of %1 separate parts, %2 of them inside others: a hollow is felt from inside.</source>
-        <translation>Das Dreiecksnetz besteht aus %1 Teilen, die nicht zusammenhängen, %2 davon in anderen: Ein Hohlraum wird von innen gefühlt.</translation>
-    </message>
-    <message>
-        <source>The surface intersects itself, at %1 pair of faces or more. Near there, outside and inside may be wrong.</source>
-        <translation>Die Oberfläche durchdringt sich selbst, bei mindestens %1 Flächenpaar. In der Nähe können außen und innen falsch sein.</translation>
-    </message>
-    <message>
-        <source>The surface intersects itself, at %1 pairs of faces or more. Near there, outside and inside may be wrong.</source>
-        <translation>Die Oberfläche durchdringt sich selbst, bei mindestens %1 Flächenpaaren. In der Nähe können außen und innen falsch sein.</translation>
-    </message>
-    <message>
-        <source>The surface intersects itself, at %1 pair of faces. Near there, outside and inside may be wrong.</source>
-        <translation>Die Oberfläche durchdringt sich selbst, bei %1 Flächenpaar. In der Nähe können außen und innen falsch sein.</translation>
-    </message>
-    <message>
-        <source>The surface intersects itself, at %1 pairs of faces. Near there, outside and inside may be wrong.</source>
-        <translation>Die Oberfläche durchdringt sich selbst, bei %1 Flächenpaaren. In der Nähe können außen und innen falsch sein.</translation>
-    </message>
-    <message>
         <source>The surface is open: %1 border, %2 long. The stylus can pass through the hole.</source>
         <translation>Die Oberfläche ist offen: %1 Rand, %2 lang. Der Stift kann durch das Loch gehen.</translation>
     </message>
@@ -4380,6 +4356,26 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Das Dreiecksnetz lässt sich nur von beiden Seiten fühlen: %1.</translation>
     </message>
     <message>
+        <source>The mesh consists of %1 separate parts.</source>
+        <translation>Das Dreiecksnetz besteht aus %1 Teilen, die nicht zusammenhängen.</translation>
+    </message>
+    <message>
+        <source>The mesh consists of %1 separate parts, %2 of them inside others: a hollow is felt from inside.</source>
+        <translation>Das Dreiecksnetz besteht aus %1 Teilen, die nicht zusammenhängen, %2 davon in anderen: Ein Hohlraum wird von innen gefühlt.</translation>
+    </message>
+    <message>
+        <source>%1 hole with a border of %2 was closed, so that the mesh has an inside.</source>
+        <translation>%1 Loch mit einem Rand von %2 wurde geschlossen, damit das Dreiecksnetz ein Inneres hat.</translation>
+    </message>
+    <message>
+        <source>%1 holes, the longest border %2, were closed, so that the mesh has an inside.</source>
+        <translation>%1 Löcher, der längste Rand %2, wurden geschlossen, damit das Dreiecksnetz ein Inneres hat.</translation>
+    </message>
+    <message>
+        <source>The mesh is so far from its origin that the single-precision numbers of the file have steps of %1: smaller details are lost. Save it nearer to its origin.</source>
+        <translation>Das Dreiecksnetz ist so weit von seinem Ursprung entfernt, dass die Zahlen einfacher Genauigkeit in der Datei Stufen von %1 haben: Kleinere Einzelheiten sind verloren. Speichern Sie es näher an seinem Ursprung.</translation>
+    </message>
+    <message>
         <source>it has no faces</source>
         <translation>Es hat keine Flächen</translation>
     </message>
@@ -4394,6 +4390,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>edges with more than two faces leave the inside undefined</source>
         <translation>Kanten mit mehr als zwei Flächen lassen offen, was innen ist</translation>
+    </message>
+    <message>
+        <source>it intersects itself too often to tell inside from outside</source>
+        <translation>es durchdringt sich zu oft, um innen von außen zu unterscheiden</translation>
     </message>
     <message>
         <source>No face is left, so there is nothing to feel.</source>
@@ -4430,6 +4430,42 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>That is far beyond the arm's reach: state a smaller scale.</source>
         <translation>Das ist weit jenseits der Reichweite des Arms: Geben Sie einen kleineren Maßstab an.</translation>
+    </message>
+    <message>
+        <source>The surface intersects itself, at %1 pair of faces.</source>
+        <translation>Die Oberfläche durchdringt sich selbst, bei %1 Flächenpaar.</translation>
+    </message>
+    <message>
+        <source>The surface intersects itself, at %1 pairs of faces.</source>
+        <translation>Die Oberfläche durchdringt sich selbst, bei %1 Flächenpaaren.</translation>
+    </message>
+    <message>
+        <source>The surface intersects itself, at %1 pair of faces or more.</source>
+        <translation>Die Oberfläche durchdringt sich selbst, bei mindestens %1 Flächenpaar.</translation>
+    </message>
+    <message>
+        <source>The surface intersects itself, at %1 pairs of faces or more.</source>
+        <translation>Die Oberfläche durchdringt sich selbst, bei mindestens %1 Flächenpaaren.</translation>
+    </message>
+    <message>
+        <source>You feel the surface of the whole body, without walls inside it.</source>
+        <translation>Sie fühlen die Oberfläche des ganzen Körpers, ohne Wände in seinem Inneren.</translation>
+    </message>
+    <message>
+        <source>You feel the surface of the whole body, without walls inside it: %1 face there was left out.</source>
+        <translation>Sie fühlen die Oberfläche des ganzen Körpers, ohne Wände in seinem Inneren: %1 Fläche dort wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>You feel the surface of the whole body, without walls inside it: %1 faces there were left out.</source>
+        <translation>Sie fühlen die Oberfläche des ganzen Körpers, ohne Wände in seinem Inneren: %1 Flächen dort wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Parts touch or contain each other.</source>
+        <translation>Teile berühren oder enthalten einander.</translation>
+    </message>
+    <message>
+        <source>Inside and outside cannot be distinguished.</source>
+        <translation>Innen und außen lassen sich nicht unterscheiden.</translation>
     </message>
     <message>
         <source>The recording cannot be started: %1.</source>
@@ -4506,6 +4542,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The file is damaged, and the rest cannot be read.</source>
         <translation>Die Datei ist beschädigt, und der Rest ist nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>This file could not be deleted: %1.</source>
+        <translation>Diese Datei konnte nicht gelöscht werden: %1.</translation>
     </message>
     <message>
         <source>The recording stopped: its file was moved or deleted.</source>
@@ -4784,6 +4824,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Das Dreiecksnetz %1: %2</translation>
     </message>
     <message>
+        <source>The curve %1 is not the one that the scene was made with: its checksum differs. Restore that file, or remove "checksum" to use this one.</source>
+        <translation>Die Kurve %1 ist nicht die, mit der die Szene erstellt wurde: Ihre Prüfsumme weicht ab. Stellen Sie die Datei wieder her, oder entfernen Sie &quot;checksum&quot;, um diese zu verwenden.</translation>
+    </message>
+    <message>
         <source>The file %1 was not found in %2. A recording stores the names of its meshes and curves, not their folders. Put the file beside the session, or choose its folder: in the window with Replay, Folder with meshes and curves; on the command line with --files FOLDER.</source>
         <translation>Die Datei %1 wurde in %2 nicht gefunden. Eine Aufzeichnung speichert die Namen ihrer Dreiecksnetze und Kurven, nicht deren Ordner. Legen Sie die Datei neben die Sitzung, oder wählen Sie ihren Ordner: im Fenster mit Wiedergabe, Ordner mit Dreiecksnetzen und Kurven; auf der Befehlszeile mit --files ORDNER.</translation>
     </message>
@@ -4814,6 +4858,14 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>A virtual robot is held in the gains' own metric. Remove "anisotropy", or give every axis the same kp.</source>
         <translation>Ein virtueller Roboter wird in der eigenen Metrik der Verstärkungen gehalten. Entfernen Sie „anisotropy“, oder geben Sie jeder Achse dasselbe kp.</translation>
+    </message>
+    <message>
+        <source>It is %1 mm long, too small to be felt: state a larger scale_mm_per_unit.</source>
+        <translation>Es ist %1 mm lang, zu klein zum Fühlen: Geben Sie ein größeres scale_mm_per_unit an.</translation>
+    </message>
+    <message>
+        <source>It is %1 mm long, far beyond the arm's reach: state a smaller scale_mm_per_unit.</source>
+        <translation>Es ist %1 mm lang, weit über die Reichweite des Arms hinaus: Geben Sie ein kleineres scale_mm_per_unit an.</translation>
     </message>
     <message>
         <source>A %1 needs the name of its file.</source>
@@ -6010,6 +6062,18 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>A recording is being replayed. Close it, then change the rate.</source>
         <translation>Eine Aufzeichnung wird wiedergegeben. Schließen Sie sie und ändern Sie dann die Taktrate.</translation>
+    </message>
+    <message>
+        <source>The arm "%1" of this session is another one in this version of the program. Run it with the version that recorded it.</source>
+        <translation>Der Arm „%1“ dieser Sitzung ist in dieser Version des Programms ein anderer. Wiederholen Sie den Lauf mit der Version, die ihn aufgezeichnet hat.</translation>
+    </message>
+    <message>
+        <source>This session's arm or rate is none that this version has.</source>
+        <translation>Den Arm oder die Rate dieser Sitzung gibt es in dieser Version nicht.</translation>
+    </message>
+    <message>
+        <source>This session does not say completely by which hand and on which arm model it was made: the file is damaged, or of a newer version.</source>
+        <translation>Diese Sitzung gibt nicht vollständig an, mit welcher Hand und mit welchem Armmodell sie entstanden ist: Die Datei ist beschädigt oder stammt von einer neueren Version.</translation>
     </message>
     <message>
         <source>The simulated hand could not press the beam.</source>
@@ -7312,6 +7376,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Reading the mesh</source>
         <translation>liest das Dreiecksnetz</translation>
+    </message>
+    <message>
+        <source>Uniting parts that intersect</source>
+        <translation>Teile, die sich durchdringen, werden vereinigt</translation>
     </message>
 </context>
 <context>
