@@ -1,5 +1,6 @@
 #include "core/mesh_union/grid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -42,20 +43,32 @@ Grid gridOf(const std::vector<Eigen::Vector3f>& p_MV) {
 }
 
 void widen(Grid& grid, const std::vector<mesh::Face>& faces, double steps) {
-  std::vector<Vec3> sums(grid.points.size(), Vec3::Zero());
+  constexpr double kLeastShare = 1.0 / 3.0;  // of a face in the way that its corner goes: else spikes would grow long
+  const auto at = [&](const mesh::Face& face, std::size_t k) -> Vec3 {
+    const GridPoint& p = grid.points[static_cast<std::size_t>(face[k % 3])];
+    return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+  };
+  std::vector<Vec3> out(grid.points.size(), Vec3::Zero()), normals;
+  normals.reserve(faces.size());
   for (const mesh::Face& face : faces) {
-    const auto at = [&](std::size_t k) -> Vec3 {
-      const GridPoint& p = grid.points[static_cast<std::size_t>(face[k % 3])];
-      return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-    };
-    const Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0)).stableNormalized();
+    normals.push_back((at(face, 1) - at(face, 0)).cross(at(face, 2) - at(face, 0)).stableNormalized());
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 to_next = at(k + 1) - at(k), to_last = at(k + 2) - at(k);
-      sums[static_cast<std::size_t>(face[k])] += atan2Of(to_next.cross(to_last).norm(), to_next.dot(to_last)) * normal;
+      const Vec3 to_next = at(face, k + 1) - at(face, k), to_last = at(face, k + 2) - at(face, k);
+      out[static_cast<std::size_t>(face[k])] +=
+          atan2Of(to_next.cross(to_last).norm(), to_next.dot(to_last)) * normals.back();
     }
   }
-  for (std::size_t corner = 0; corner < sums.size(); ++corner) {
-    const Vec3 by = steps * sums[corner].stableNormalized();
+  for (Vec3& of : out) of = of.stableNormalized();
+  std::vector<double> least(out.size(), 1.0);  // share of the way, over the faces of a corner
+  for (std::size_t face = 0; face < faces.size(); ++face) {
+    if (normals[face] == Vec3::Zero()) continue;  // it has no area
+    for (const std::int32_t corner : faces[face]) {
+      double& share = least[static_cast<std::size_t>(corner)];
+      share = std::min(share, out[static_cast<std::size_t>(corner)].dot(normals[face]));
+    }
+  }
+  for (std::size_t corner = 0; corner < out.size(); ++corner) {
+    const Vec3 by = steps / std::max(least[corner], kLeastShare) * out[corner];
     for (std::size_t axis = 0; axis < 3; ++axis)
       grid.points[corner][axis] += std::llround(by[static_cast<Eigen::Index>(axis)]);
   }

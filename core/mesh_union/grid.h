@@ -19,8 +19,8 @@ struct Grid {
 /// p_MV: finite, in the unit of the mesh. None: an empty grid.
 Grid gridOf(const std::vector<Eigen::Vector3f>& p_MV);
 
-/// Moves the corners outwards by that many steps along the mean of their faces' normals, so that gaps narrower than
-/// twice that between bodies close. Corners at one place move alike where their faces do.
+/// Moves each corner outwards along the mean of its faces' normals, so that all its faces move by that many steps (less
+/// where they meet at a spike): gaps narrower than twice that between bodies close.
 void widen(Grid& grid, const std::vector<mesh::Face>& faces, double steps);
 
 /// n . x = d, in steps; n below 2^54, d below 2^81. n: the normal by the order of the corners, not of unit length.

@@ -29,9 +29,9 @@ struct Union {
 /// outcome is Open; parts may touch, and faces may lie on each other. Changed only if the outcome is Made: then each
 /// edge has two faces, corners of the mesh keep their position to the bit, and new ones are within two floats of the
 /// intersection of their planes. Which faces intersect where, and what is inside, is decided exactly on a grid of 6e-8
-/// of the extent; what is shorter or narrower than `least` is then merged. wide: how far corners are moved outwards for
-/// these decisions, along the mean normal of their faces, so that narrow unintended gaps between bodies close; corners
-/// of the mesh stay where they are. least, wide: in the unit of the mesh. Deterministic to the bit. Cost: about 10 us
+/// of the extent; what is shorter or narrower than `least` is then merged. wide: how far faces are moved outwards for
+/// these decisions, so that narrow unintended gaps between bodies close: see widen(); corners of the mesh stay where
+/// they are. least, wide: in the unit of the mesh. Deterministic to the bit. Cost: about 10 us
 /// for each intersection, besides the search for them. Sources: Zhou et al. 2016, Mesh arrangements for solid geometry;
 /// Jacobson et al. 2013, for the winding number.
 Union unite(mesh::Triangles& triangles, double least, double wide, const TaskMonitor& monitor,

@@ -267,7 +267,7 @@ void compareWithHandmade(const char* name, const ByHand& body, int points) {
               of_union.p99_us / of_made.p99_us, different, right);
 }
 
-void compareAll(int points) {
+void compareBodies(int points) {
   test::Random random(test::Seed{20070601});
   for (const int parts : {6, 30}) compareWays(test::drawnBody(random, parts), points);
   std::vector<Triangles> balls;
@@ -320,7 +320,7 @@ int main(int count, char** words) {
   if (count == 3 && std::string(words[1]) == "--write") {
     underact::bench::writeBody(words[2]);
   } else {
-    underact::bench::compareAll(count > 1 ? std::max(100, std::atoi(words[1])) : 4000);
+    underact::bench::compareBodies(count > 1 ? std::max(100, std::atoi(words[1])) : 4000);
   }
   return 0;
 }

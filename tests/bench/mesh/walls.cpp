@@ -61,9 +61,13 @@ void lookAt(const mesh::Triangles& faces, const mesh_file::Loaded& felt, const V
   sums.phantoms += !is_in && hit.face >= 0 ? 1 : 0;
   mesh::SearchState search;
   const mesh::Hit nearest = nearestPoint(*felt.surface, mesh::Search::Global, q_M, search);
-  const double off = 2.0 * mesh_file::kWeldShare * diagonal;
-  const Vec3 before = nearest.p_M + off * outwardAt(*felt.surface, nearest);
-  if (oracle.distance(before) >= 0.3 * off && test::windingOf(faces, before) > 0.5L) ++sums.inner;
+  // On a surface of the file, or of a gap that nobody feels, the outside is within two weld distances in front of it.
+  const double weld = mesh_file::kWeldShare * diagonal;
+  const Vec3 out = outwardAt(*felt.surface, nearest);
+  bool has_outside = false;
+  for (const double height : {0.5, 1.0, 2.0})
+    has_outside = has_outside || test::windingOf(faces, nearest.p_M + height * weld * out) < 0.5L;
+  if (!has_outside && oracle.distance(nearest.p_M + 2.0 * weld * out) >= 0.6 * weld) ++sums.inner;
 }
 
 Sums sumsOf(const mesh::Triangles& faces, const mesh_file::Loaded& felt) {
