@@ -153,19 +153,20 @@ Exit removeParticipant(const RemoveOptions& options, const Streams& streams) {
   }
   const std::size_t count = files.sessions.size() + files.exports.size();
   if (!options.yes) {
-    streams.err << count << " files would be deleted for good. Nothing was deleted: --yes deletes them.\n";
+    streams.err << count << " files would be deleted permanently. Nothing was deleted: --yes deletes them.\n";
     return files.unread.empty() ? Exit::Well : Exit::BadInput;
   }
   const Problems problems = record::removeFiles(files);
   print(problems, streams.err);
-  streams.err << count - problems.size() << " files were deleted for good. Copies elsewhere, and backups, were not.\n";
+  streams.err << count - problems.size()
+              << " files were deleted permanently. Copies elsewhere, and backups, were not.\n";
   if (!problems.empty()) return Exit::File;
   return files.unread.empty() ? Exit::Well : Exit::BadInput;
 }
 
 void addRemove(Command log, const Streams& streams, Exit& exit) {
   const Command command =
-      log.add("remove", "Delete for good all sessions of a participant, and what was exported from them");
+      log.add("remove", "Delete permanently all sessions of a participant, and what was exported from them");
   const auto options = std::make_shared<RemoveOptions>();
   command.option("--participant", options->participant, "The code, as in the field subject").required().word("CODE");
   command.option("places", options->places, "Sessions, and folders to look in, with those below")

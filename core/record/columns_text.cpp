@@ -85,17 +85,17 @@ std::string columnsPage() {
       "All columns of a [session file](session_file.md), by table: a page made from the one table that recorder, "
       "readers, exports, plots and\n"
       "[live data](live_data.md) use. `underact-cli log columns` prints it as JSON.\n\n"
-      "Frame W is the workspace: x to the right, y up, z towards you. *Parts* are the names in Parquet and in a "
-      "DataFrame, where each number has a\n"
-      "column of its own; *CSV* the names in CSV, live data and fault files, where there `time_s` is in seconds and "
-      "`fault` a word. HDF5, MCAP and Python\n"
-      "have all columns. Parquet keeps unit, frame and meaning as metadata of each field, and an exported CSV file "
-      "beside it in `NAME-metadata.json`.\n";
+      "Frame W is the workspace: x to the right, y up, z towards you. In the column of parts are the names in Parquet "
+      "and in a DataFrame, where each number\n"
+      "has a column of its own; in the last column the names in CSV, live data and fault files, where `time_s` is in "
+      "seconds and `fault` a word. HDF5, MCAP and\n"
+      "Python have all columns. Parquet keeps unit, frame and meaning as metadata of each field, an exported CSV file "
+      "in `NAME-metadata.json` beside it.\n";
   for (const Table& table : sessionTables(1000)) {
-    page += "\n## /" + std::string(table.name) + "\n\nOne row is " + std::string(table.about) + ".";
-    if (table.presence == Presence::Later) page += " Sessions of earlier versions do not have this table.";
-    if (table.presence == Presence::OnRequest) page += " Only where it was asked for: `run --record-details`.";
-    page += "\n\n| column | unit | frame | type | meaning | parts | CSV |\n|---|---|---|---|---|---|---|\n";
+    page += "\n## /" + std::string(table.name) + "\n\nOne row is " + std::string(table.about);
+    if (table.presence == Presence::Later) page += "; sessions of earlier versions do not have this table";
+    if (table.presence == Presence::OnRequest) page += "; only where it was asked for (`run --record-details`)";
+    page += ".\n\n| column | unit | frame | type | meaning | parts | CSV |\n|---|---|---|---|---|---|---|\n";
     for (const Column& column : table.columns) {
       const std::string type =
           std::string(typeWord(column)) + (column.width > 1 ? " x " + std::to_string(column.width) : std::string());

@@ -18,7 +18,7 @@ struct ParticipantFiles {
 /// subject, whole and case-sensitive; not empty.
 ParticipantFiles filesOfParticipant(const std::string& code, const std::vector<std::string>& places);
 
-/// Deletes them for good: not into a bin. Problems: those that could not be deleted; the others are.
+/// Deletes them permanently, not into a bin. Problems: those that could not be deleted; the others are.
 Problems removeFiles(const ParticipantFiles& files);
 
 }  // namespace underact::record

@@ -125,10 +125,11 @@ void addHeader(const Session& session, Facts& facts) {
   facts.add("faults", std::to_string(session.faults().size()));
 }
 
-/// The whole of what a session says of its run.
-Result<Facts> factsOf(Session& session) {
+/// The whole of what a session says of its run. by_provenance: one of an earlier version says nothing beyond its header
+/// and scenes, and is compared by these.
+Result<Facts> factsOf(Session& session, bool by_provenance) {
   Facts facts;
-  Problems problems = addProvenance(session, facts);
+  Problems problems = by_provenance ? addProvenance(session, facts) : Problems{};
   if (problems.empty()) problems = addScenes(session, facts);
   if (!problems.empty()) return problems;
   addHeader(session, facts);
@@ -182,7 +183,8 @@ void addTicks(Session& a, Session& b, std::vector<SessionDifference>& found) {
 }  // namespace
 
 Result<std::vector<SessionDifference>> differencesBetween(Session& a, Session& b) {
-  const Result<Facts> facts_a = factsOf(a), facts_b = factsOf(b);
+  const bool has_a = !a.provenance().empty(), has_b = !b.provenance().empty();
+  const Result<Facts> facts_a = factsOf(a, has_a && has_b), facts_b = factsOf(b, has_a && has_b);
   if (!facts_a) return facts_a.problems();
   if (!facts_b) return facts_b.problems();
   std::vector<std::string> order = facts_a.value().order();
@@ -190,6 +192,7 @@ Result<std::vector<SessionDifference>> differencesBetween(Session& a, Session& b
     if (facts_a.value().at(path).empty()) order.push_back(path);
   }
   std::vector<SessionDifference> found;
+  if (has_a != has_b) found.push_back({"provenance", has_a ? "recorded" : "", has_b ? "recorded" : ""});
   for (const std::string& path : order) {
     std::string one = facts_a.value().at(path), other = facts_b.value().at(path);
     if (one != other && !isIdentity(path)) found.push_back({path, std::move(one), std::move(other)});

@@ -63,8 +63,8 @@ class Tap {
   void add(const FaultMark& fault) noexcept UNDERACT_REAL_TIME;
   /// Whether TruthRow and ConstraintRow are wanted; those of a tick come before its record.
   bool wantsDetails() const noexcept UNDERACT_REAL_TIME { return details_ > 0; }
-  void add(const TruthRow& row) noexcept UNDERACT_REAL_TIME;
-  void add(const ConstraintRow& row) noexcept UNDERACT_REAL_TIME;
+  void add(const TruthRow& row) noexcept UNDERACT_REAL_TIME;       // only where these are wanted; what
+  void add(const ConstraintRow& row) noexcept UNDERACT_REAL_TIME;  // finds no room is counted in dropped()
   /// No more will come.
   void end() noexcept UNDERACT_REAL_TIME { ended_.store(true, std::memory_order_release); }
 

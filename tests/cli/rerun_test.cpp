@@ -113,11 +113,12 @@ TEST(RerunCommand, SaysWhereARunThatIsNotTheSameDiffers) {
 // computed was changed on purpose: UNDERACT_UPDATE_GOLDEN=1 records it anew.
 TEST(RerunCommand, OfTheRunInTheRepositoryIsTheSameToTheBitInThisBuild) {
   const std::string path = std::string(UNDERACT_TEST_DATA) + "/golden/session_rerun.h5";
-  if (std::getenv("UNDERACT_UPDATE_GOLDEN") != nullptr)
+  if (std::getenv("UNDERACT_UPDATE_GOLDEN") != nullptr) {
     ASSERT_EQ(runAndRecord(path, {"run", shipped("20_scara.json"), "--hand", "tremor", "--seconds", "0.5", "--fast",
                                   "--seed", "7", "--record-details", "--overwrite"})
                   .exit,
               Exit::Well);
+  }
   EXPECT_EQ(textAt(sameAgain(path), "made_from"), "hand");
   EXPECT_EQ(runCli({"replay", path, "--verify"}).exit, Exit::Well);
 }

@@ -10,7 +10,7 @@ EXAMPLE = re.compile(
     r"\((scene|lesson|action):|^1\. ",
     re.M,
 )
-GENERATED = ("command_reference", "scene_reference", "scene_list")
+GENERATED = ("command_reference", "scene_reference", "scene_list", "session_columns")
 FIRST_SCREEN = 16  # lines
 
 
