@@ -7,6 +7,7 @@
 #include <ostream>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "app/cli/arm_choice.h"
 #include "app/cli/command.h"
@@ -15,6 +16,7 @@
 #include "app/cli/recording.h"
 #include "app/cli/run_summary.h"
 #include "app/cli/scene_file.h"
+#include "app/cli/setting_overrides.h"
 #include "app/options/scheduling_options.h"
 #include "app/stream/live_stream.h"
 #include "core/arm/preset.h"
@@ -40,6 +42,7 @@ constexpr const char* kSimulated = "simulated";
 struct RunOptions {
   std::string scene;
   std::string hand;
+  std::optional<double> mass_kg, damping_N_s_per_m, stiffness_N_per_m;  // of the hand; none: its own
   double seconds = 0.0;
   int rate_hz = 1000;
   int max_late = 20;
@@ -53,6 +56,7 @@ struct RunOptions {
   std::string fault_file;
   std::string space;  // empty: the scene's
   bool left_handed = false;
+  std::vector<std::string> overrides;  // of the scene's settings, PATH=VALUE
   std::string arm_model{sim::kDefaultArmModel};
   std::string device{kSimulated};
   system::SchedulingRequest scheduling;
@@ -151,9 +155,13 @@ std::string wrongIn(const RunOptions& options) {
   return options.fast ? "--fast: only the simulated arm can run faster than real time. Omit --fast." : "";
 }
 
-/// The scene with every control in that space (empty: as it is), and in the mirror where it is for the left hand.
+/// The scene with the given settings, with every control in that space (empty: as it is), and in the mirror where it is
+/// for the left hand.
 Result<LoadedScene> asAsked(LoadedScene loaded, const RunOptions& options) {
-  if (options.space.empty() && !options.left_handed) return loaded;
+  if (options.space.empty() && !options.left_handed && options.overrides.empty()) return loaded;
+  Result<scene::Description> changed = withOverrides(std::move(loaded.description), options.overrides);
+  if (!changed) return changed.problems();
+  loaded.description = std::move(changed).value();
   if (options.left_handed) loaded.description = scene::mirrored(std::move(loaded.description));
   if (!options.space.empty()) {
     const tick::Space wanted = options.space == "joint" ? tick::Space::Joint : tick::Space::Cartesian;
@@ -166,6 +174,15 @@ Result<LoadedScene> asAsked(LoadedScene loaded, const RunOptions& options) {
   if (!program) return program.problems();
   loaded.program = std::move(program).value();
   return loaded;
+}
+
+/// The hand with the options' mass, damping and stiffness in place of its own.
+sim::HandScript asHeld(sim::HandScript script, const RunOptions& options) {
+  sim::HandModel& hand = script.hand;
+  hand.mass_kg = options.mass_kg.value_or(hand.mass_kg);
+  hand.damping_N_s_per_m = options.damping_N_s_per_m.value_or(hand.damping_N_s_per_m);
+  hand.stiffness_N_per_m = options.stiffness_N_per_m.value_or(hand.stiffness_N_per_m);
+  return script;
 }
 
 /// Empty: something was wrong; it has been printed, and exit is its status.
@@ -191,7 +208,7 @@ std::optional<Prepared> prepare(const RunOptions& options, const Streams& stream
     exit = fail(model.problems(), streams);
     return {};
   }
-  return Prepared{std::move(asked).value(), std::move(hand).value(), std::move(model).value()};
+  return Prepared{std::move(asked).value(), asHeld(std::move(hand).value(), options), std::move(model).value()};
 }
 
 Result<std::unique_ptr<servo::DevicePort>> makeArm(const RunOptions& options, const Prepared& prepared) {
@@ -298,7 +315,17 @@ void addRun(Command program, const Streams& streams, Exit& exit) {
       program.add("run", "Run a scene on the simulated arm, held by a scripted hand, or on another arm, held by you");
   const auto options = std::make_shared<RunOptions>();
   command.option("scene", options->scene, "Scene file").required();
-  command.option("--hand", options->hand, "The hand that holds the simulated arm: a built-in hand, or a hand file");
+  const Option hand =
+      command.option("--hand", options->hand, "The hand that holds the simulated arm: a built-in hand, or a hand file");
+  command.option("--mass_kg", options->mass_kg, "Mass of the hand, kg, instead of its own")
+      .range(1e-3, 1e3)
+      .needs(hand);
+  command.option("--damping_N_s_per_m", options->damping_N_s_per_m, "Damping of the hand, N s/m, instead of its own")
+      .range(0.0, 1e6)
+      .needs(hand);
+  command.option("--stiffness_N_per_m", options->stiffness_N_per_m, "Stiffness of the hand, N/m, instead of its own")
+      .range(0.0, 1e9)
+      .needs(hand);
   command.option("--seconds", options->seconds, "Duration by the arm's clock, s").required().check(checkSeconds);
   command
       .option("--max-late", options->max_late,
@@ -331,6 +358,7 @@ void addRun(Command program, const Streams& streams, Exit& exit) {
                  "If a fault stops the servo, write it to this file, with the last second of ticks");
   command.option("--space", options->space, "Space of the control, instead of the scene's")
       .oneOf({"cartesian", "joint"});
+  addSet(command, options->overrides, "Another value of a setting of the scene, as in --set kp_N_per_mm=0.02");
   command.flag("--left-handed", options->left_handed, "Mirror the scene, for the stylus in the left hand");
   command
       .option("--device", options->device,
