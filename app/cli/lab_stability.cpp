@@ -30,6 +30,7 @@ struct StabilityOptions {
   bool one_cell = false;
   int rate_hz = 1000;
   std::string filter = "raw";
+  double filter_s = control::LowPass{}.time_constant_s;
   double stiffness_N_per_m = 0.0;  // above 0: label it
 
   std::vector<std::string> maps;
@@ -38,8 +39,8 @@ struct StabilityOptions {
   std::string out;  // folder; empty: the tables on stdout
 };
 
-control::Velocity filterNamed(const std::string& name) {
-  if (name == "low_pass") return control::LowPass{};
+control::Velocity filterNamed(const std::string& name, double time_constant_s) {
+  if (name == "low_pass") return control::LowPass{time_constant_s};
   if (name == "kalman") return stability::usualKalman();
   const scene::AdaptiveWindowFilter usual;
   if (name == "adaptive_window")
@@ -51,7 +52,7 @@ control::Velocity filterNamed(const std::string& name) {
 Exit oneCell(const StabilityOptions& options, const Streams& streams) {
   SampledWall wall = options.wall;
   wall.period_ns = 1'000'000'000 / options.rate_hz;
-  wall.velocity = filterNamed(options.filter);
+  wall.velocity = filterNamed(options.filter, options.filter_s);
   const stability::Limits limits = stability::limitsOf(wall);
   JsonObject cell;
   cell.addNumber("simulated_limit_N_per_m", limits.simulated_N_per_m);
@@ -261,6 +262,7 @@ void addCellOptions(Command command, StabilityOptions& options) {
       .whenSaid([&options] { options.one_cell = true; })
       .oneOf(kFilters)
       .showUsual();
+  cell("--filter_s", options.filter_s, "Time constant of the filter low_pass, s", 1e-6, 1e3);
 }
 
 }  // namespace

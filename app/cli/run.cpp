@@ -1,24 +1,22 @@
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <ostream>
-#include <thread>
 #include <utility>
+#include <vector>
 
 #include "app/cli/arm_choice.h"
 #include "app/cli/command.h"
 #include "app/cli/hands.h"
-#include "app/cli/progress.h"
 #include "app/cli/recording.h"
-#include "app/cli/run_summary.h"
+#include "app/cli/run_in_progress.h"
 #include "app/cli/scene_file.h"
+#include "app/cli/setting_overrides.h"
 #include "app/options/scheduling_options.h"
 #include "app/stream/live_stream.h"
 #include "core/arm/preset.h"
-#include "core/record/fault_file.h"
 #include "core/record/provenance.h"
 #include "core/scene/compile.h"
 #include "core/scene/mirror.h"
@@ -33,14 +31,13 @@
 namespace underact::cli {
 namespace {
 
-constexpr std::int64_t kTicksAtOnce = 1000;  // far fewer than the servo keeps for us
-constexpr std::chrono::milliseconds kBetweenDrains{20};
 constexpr double kLongestRun_s = 1e6;
 constexpr const char* kSimulated = "simulated";
 
 struct RunOptions {
   std::string scene;
   std::string hand;
+  std::optional<double> mass_kg, damping_N_s_per_m, stiffness_N_per_m;  // of the hand; none: its own
   double seconds = 0.0;
   int rate_hz = 1000;
   int max_late = 20;
@@ -55,6 +52,7 @@ struct RunOptions {
   std::string fault_file;
   std::string space;  // empty: the scene's
   bool left_handed = false;
+  std::vector<std::string> overrides;  // of the scene's settings, PATH=VALUE
   std::string arm_model{sim::kDefaultArmModel};
   std::string device{kSimulated};
   system::SchedulingRequest scheduling;
@@ -68,83 +66,6 @@ std::string namedList(const char* title, std::span<const Named> named, Words Nam
   std::string list = title;
   for (const Named& one : named) list += std::string("\n  ") + one.name + ": " + one.*what;
   return list;
-}
-
-/// A run in progress: takes the ticks as they come, up to the requested number.
-class Run {
- public:
-  Run(std::int64_t wanted, std::optional<Recording> recording, std::optional<stream::LiveStream> live,
-      const Streams& streams)
-      : wanted_(wanted), recording_(std::move(recording)), live_(std::move(live)), streams_(streams) {}
-
-  void take(servo::Host& host) {
-    host.drain([this](const servo::TickRecord& record) {
-      if (isDone()) return;
-      summary_.add(record);
-      if (recording_) recording_->add(record);
-      if (live_) live_->send(record);
-    });
-    if (recording_ && recording_->hasFailed() && !told_) {
-      told_ = true;
-      streams_.err << "The recording stopped: its file could not be written further. The run goes on.\n";
-    }
-    progress_.show(static_cast<double>(summary_.ticks()) / static_cast<double>(wanted_));
-  }
-  void tell(const servo::FaultReport& report) { summary_.tell(report.tick, report.fault); }
-  bool isDone() const { return summary_.ticks() >= wanted_; }
-  std::int64_t left() const { return wanted_ - summary_.ticks(); }
-  const RunSummary& summary() const { return summary_; }
-  /// What became of the live data, where there was any.
-  void addStream(JsonObject& summary) const {
-    if (!live_) return;
-    JsonObject stream;
-    stream.addInteger("sent", live_->sent());
-    stream.addInteger("lost", live_->lost());
-    summary.addObject("stream", stream);
-    if (live_->lost() > 0)
-      streams_.err << live_->lost() << " packets of live data were lost: the network did not take them.\n";
-  }
-  Problems closeRecording() { return recording_ ? recording_->close() : Problems{}; }
-
- private:
-  std::int64_t wanted_;
-  std::optional<Recording> recording_;
-  std::optional<stream::LiveStream> live_;
-  const Streams& streams_;
-  RunSummary summary_;
-  Progress progress_{streams_};
-  bool told_ = false;  // that the recording stopped
-};
-
-void runFast(servo::Host& host, Run& run, const system::Interrupt& interrupt) {
-  while (!run.isDone() && !interrupt.came()) {
-    host.run(std::min(kTicksAtOnce, run.left()));
-    run.take(host);
-  }
-}
-
-void runInRealTime(servo::Host& host, Run& run, const system::Interrupt& interrupt, const Streams& streams) {
-  for (bool is_guarded = true; !run.isDone() && !interrupt.came();) {
-    std::this_thread::sleep_for(kBetweenDrains);
-    run.take(host);
-    const Sentence unguarded = host.unguarded();
-    if (std::exchange(is_guarded, unguarded.empty()) != is_guarded)
-      streams.err << (is_guarded ? "The arm is guarded again." : unguarded) << '\n';
-  }
-}
-
-/// Adds every fault to the summary, and writes the first to a file if requested.
-Problems reportFaults(servo::Host& host, Run& run, const std::string& file, const Streams& streams) {
-  Problems problems;
-  bool first = run.summary().faulted();  // one after the last requested tick does not belong to this run
-  while (const std::optional<servo::FaultReport> report = host.takeFault()) {
-    run.tell(*report);
-    if (!report->trouble.empty()) streams.err << report->trouble << '\n';
-    if (first && !file.empty())
-      problems = record::writeFaultFile(record::faultText(*report, record::wordsOf(*report)), file);
-    first = false;
-  }
-  return problems;
 }
 
 struct Prepared {
@@ -162,9 +83,13 @@ std::string wrongIn(const RunOptions& options) {
   return options.fast ? "--fast: only the simulated arm can run faster than real time. Omit --fast." : "";
 }
 
-/// The scene with every control in that space (empty: as it is), and in the mirror where it is for the left hand.
+/// The scene with the given settings, with every control in that space (empty: as it is), and in the mirror where it is
+/// for the left hand.
 Result<LoadedScene> asAsked(LoadedScene loaded, const RunOptions& options) {
-  if (options.space.empty() && !options.left_handed) return loaded;
+  if (options.space.empty() && !options.left_handed && options.overrides.empty()) return loaded;
+  Result<scene::Description> changed = withOverrides(std::move(loaded.description), options.overrides);
+  if (!changed) return changed.problems();
+  loaded.description = std::move(changed).value();
   if (options.left_handed) loaded.description = scene::mirrored(std::move(loaded.description));
   if (!options.space.empty()) {
     const tick::Space wanted = options.space == "joint" ? tick::Space::Joint : tick::Space::Cartesian;
@@ -186,6 +111,15 @@ std::int64_t ticksOf(const RunOptions& options) {
 /// No folders of a person are in a session.
 std::string fileName(const std::string& path) {
   return std::filesystem::path(path).filename().string();
+}
+
+/// The hand with the options' mass, damping and stiffness in place of its own.
+sim::HandScript asHeld(sim::HandScript script, const RunOptions& options) {
+  sim::HandModel& hand = script.hand;
+  hand.mass_kg = options.mass_kg.value_or(hand.mass_kg);
+  hand.damping_N_s_per_m = options.damping_N_s_per_m.value_or(hand.damping_N_s_per_m);
+  hand.stiffness_N_per_m = options.stiffness_N_per_m.value_or(hand.stiffness_N_per_m);
+  return script;
 }
 
 /// Empty: something was wrong; it has been printed, and exit is its status.
@@ -215,7 +149,7 @@ std::optional<Prepared> prepare(const RunOptions& options, const Streams& stream
   Prepared prepared{std::move(asked).value(), {}};
   prepared.run = {fileName(options.hand),
                   contentOfHand(options.hand),
-                  std::move(hand).value(),
+                  asHeld(std::move(hand).value(), options),
                   std::move(model).value(),
                   ticksOf(options),
                   options.fast,
@@ -333,7 +267,17 @@ void addRun(Command program, const Streams& streams, Exit& exit) {
       program.add("run", "Run a scene on the simulated arm, held by a scripted hand, or on another arm, held by you");
   const auto options = std::make_shared<RunOptions>();
   command.option("scene", options->scene, "Scene file").required();
-  command.option("--hand", options->hand, "The hand that holds the simulated arm: a built-in hand, or a hand file");
+  const Option hand =
+      command.option("--hand", options->hand, "The hand that holds the simulated arm: a built-in hand, or a hand file");
+  command.option("--mass_kg", options->mass_kg, "Mass of the hand, kg, instead of its own")
+      .range(1e-3, 1e3)
+      .needs(hand);
+  command.option("--damping_N_s_per_m", options->damping_N_s_per_m, "Damping of the hand, N s/m, instead of its own")
+      .range(0.0, 1e6)
+      .needs(hand);
+  command.option("--stiffness_N_per_m", options->stiffness_N_per_m, "Stiffness of the hand, N/m, instead of its own")
+      .range(0.0, 1e9)
+      .needs(hand);
   command.option("--seconds", options->seconds, "Duration by the arm's clock, s").required().check(checkSeconds);
   command
       .option("--max-late", options->max_late,
@@ -370,6 +314,7 @@ void addRun(Command program, const Streams& streams, Exit& exit) {
                  "If a fault stops the servo, write it to this file, with the last second of ticks");
   command.option("--space", options->space, "Space of the control, instead of the scene's")
       .oneOf({"cartesian", "joint"});
+  addSet(command, options->overrides, "Another value of a setting of the scene, as in --set kp_N_per_mm=0.02");
   command.flag("--left-handed", options->left_handed, "Mirror the scene, for the stylus in the left hand");
   command
       .option("--device", options->device,

@@ -26,6 +26,7 @@ void RunSummary::add(const servo::TickRecord& record) {
   figures_.add(record.error_m, record.f_sent_T_W.norm());
   if ((record.limits & safety::kClampBit) != 0U) ++clamped_;
   work_.add(record.f_sent_T_W, record.p_WT);
+  energy_.add(record.energy_J);
   branch_changes_ += record.branch_changes;
   out_of_reach_ += record.out_of_reach ? 1 : 0;
   if (record.fault != fault_ && record.fault != FaultKind::None) {
@@ -50,11 +51,14 @@ JsonObject RunSummary::json(const Setting& setting) const {
   object.addInteger("seed", setting.seed);
   object.addNumber("peak_force_N", figures_.peakForce_N());
   object.addNumber("mean_force_N", figures_.meanForce_N());
+  object.addNumber("rms_force_N", figures_.rmsForce_N());
   object.addInteger("clamped_ticks", clamped_);
   object.addNumber("rms_error_mm", kMillimetrePerMetre * figures_.rmsError_m());
   object.addVector("final_p_mm", kMillimetrePerMetre * work_.p_WT());
   object.addNumber("work_mJ", 1e3 * work_.all_J());        // that the force has done on the hand in all
   object.addNumber("most_work_mJ", 1e3 * work_.most_J());  // its maximum during the run
+  object.addNumber("energy_mJ", 1e3 * energy_.last_J());   // in the constraints, at the end
+  object.addNumber("lowest_energy_mJ", 1e3 * energy_.lowest_J());
   object.addInteger("branch_changes", branch_changes_);
   object.addInteger("out_of_reach_ticks", out_of_reach_);
   std::vector<JsonObject> faults;

@@ -33,6 +33,7 @@ class RunSummary {
   record::TickFigures figures_;
   std::int64_t clamped_ = 0;
   record::Work work_;
+  record::StoredEnergy energy_;
   std::int64_t branch_changes_ = 0;
   std::int64_t out_of_reach_ = 0;
   FaultKind fault_ = FaultKind::None;  // of the last tick

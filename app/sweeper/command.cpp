@@ -27,6 +27,10 @@ void addCommon(options::Command command, Request& request) {
   const options::Option dry =
       command.flag("--dry-run", request.dry_run, "Report the number of cells and how long they take");
   out.excludes(dry);
+  const options::Option print =
+      command.flag("--print", request.print, "Print the command of each cell, which makes its row again, and run none");
+  print.excludes(out).excludes(dry);
+  command.option("--cell", request.cell, "With --print: only the cell of this number").range(0, 9'999'999).needs(print);
   command.option("--threads", request.threads, "Cells at a time; by default one per core, under mpirun one per rank")
       .range(1, 4096);
   command.flag("--quiet", request.quiet, "Report errors only");
@@ -34,8 +38,9 @@ void addCommon(options::Command command, Request& request) {
 
 /// Runs the request, if the result has a file.
 void run(const Request& request, const Setting& setting) {
-  if (request.out.empty() && !request.dry_run) {
-    setting.streams.err << "Name the file of the result: --out FILE. (--dry-run only measures.)\n";
+  if (request.out.empty() && !request.dry_run && !request.print) {
+    setting.streams.err
+        << "Name the file of the result: --out FILE. (--dry-run only measures, --print only prints commands.)\n";
     setting.exit = Exit::Usage;
     return;
   }

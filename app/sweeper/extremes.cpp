@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "app/sweeper/catalogue.h"
+#include "app/sweeper/command_words.h"
 #include "core/error_bounds/catalogue.h"
 #include "core/json/text.h"
 
@@ -27,6 +28,15 @@ Result<Row> runCell(const Plan& plan, std::size_t index, std::uint64_t seed) {
   row.add(worst.degenerate);
   row.add(wordsOf(asked, worst.input));
   return row;
+}
+
+std::string commandOf(const Plan& plan, std::size_t index, std::uint64_t seed) {
+  return CommandWords("underact-cli lab extremes")
+      .add("--only", plan.rows[index / plan.seeds]->key)
+      .add("--count", plan.count)
+      .add("--seed", seed)
+      .add("--json")
+      .text();
 }
 
 void readRows(Options& options, Plan& plan) {
@@ -57,6 +67,7 @@ Result<Cells> make(Options& options) {
   cells.count = plan->rows.size() * plan->seeds;
   cells.columns = {"row", "error_ulp", "promised_ulp", "promise", "cases", "degenerate", "worst_case"};
   cells.run = [plan](std::size_t index, std::uint64_t seed) { return runCell(*plan, index, seed); };
+  cells.command = [plan](std::size_t index, std::uint64_t seed) { return commandOf(*plan, index, seed); };
   return cells;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/sweeper/catalogue.h"
+#include "app/sweeper/command_words.h"
 #include "core/arm/preset.h"
 #include "core/base/fault.h"
 #include "core/base/random.h"
@@ -56,8 +57,7 @@ Where whereIs(const Plan& plan, std::size_t index) {
 struct Figures {
   record::TickFigures ticks;
   record::Work work;
-  double sum_square_force_N2 = 0.0;
-  double lowest_energy_J = 0.0, last_energy_J = 0.0;
+  record::StoredEnergy energy;
   std::int64_t clamped = 0, faults = 0;
   FaultKind first_fault = FaultKind::None, last_fault = FaultKind::None;
 
@@ -65,16 +65,13 @@ struct Figures {
     const double force_N = record.f_sent_T_W.norm();
     ticks.add(record.error_m, force_N);
     work.add(record.f_sent_T_W, record.p_WT);
-    sum_square_force_N2 += force_N * force_N;
-    last_energy_J = record.energy_J;
-    lowest_energy_J = std::min(lowest_energy_J, record.energy_J);
+    energy.add(record.energy_J);
     if ((record.limits & safety::kClampBit) != 0U) ++clamped;
     if (record.fault != last_fault && record.fault != FaultKind::None) {
       if (faults++ == 0) first_fault = record.fault;
     }
     last_fault = record.fault;
   }
-  double rmsForce_N() const { return std::sqrt(sum_square_force_N2 / static_cast<double>(ticks.ticks())); }
 };
 
 /// The run of `underact-cli run --fast`. Problems: those of loading the scene.
@@ -121,14 +118,38 @@ const std::vector<std::string> kColumns{"scene",
                                         "energy_mJ",
                                         "lowest_energy_mJ"};
 
+/// The hand of a cell with that seed.
+sim::HandModel drawnHand(const Plan& plan, std::uint64_t seed) {
+  sim::HandModel hand;
+  std::uint64_t state = seed;
+  hand.mass_kg = plan.mass_kg.at(nextShare(state));
+  hand.damping_N_s_per_m = plan.damping_N_s_per_m.at(nextShare(state));
+  hand.stiffness_N_per_m = plan.stiffness_N_per_m.at(nextShare(state));
+  return hand;
+}
+
+std::string commandOf(const Plan& plan, std::size_t index, std::uint64_t seed) {
+  const Where at = whereIs(plan, index);
+  const sim::HandModel hand = drawnHand(plan, seed);
+  return CommandWords("underact-cli run")
+      .add(plan.scene_names[at.scene])
+      .add("--hand", plan.hand_names[at.hand])
+      .add("--mass_kg", hand.mass_kg)
+      .add("--damping_N_s_per_m", hand.damping_N_s_per_m)
+      .add("--stiffness_N_per_m", hand.stiffness_N_per_m)
+      .add("--rate", plan.rates_hz[at.rate])
+      .add("--seconds", plan.seconds)
+      .add("--seed", seed)
+      .add("--arm-model", plan.arm_model.name)
+      .add("--fast")
+      .text();
+}
+
 Result<Row> runCell(const Plan& plan, std::size_t index, std::uint64_t seed) {
   const Where at = whereIs(plan, index);
   sim::HandScript hand = plan.hands[at.hand];
   hand.seed = seed;
-  std::uint64_t state = seed;
-  hand.hand.mass_kg = plan.mass_kg.at(nextShare(state));
-  hand.hand.damping_N_s_per_m = plan.damping_N_s_per_m.at(nextShare(state));
-  hand.hand.stiffness_N_per_m = plan.stiffness_N_per_m.at(nextShare(state));
+  hand.hand = drawnHand(plan, seed);
   const int rate_hz = plan.rates_hz[at.rate];
   const Result<Figures> result = figuresOf(plan, plan.scenes[at.scene], hand, rate_hz);
   if (!result) return result.problems();
@@ -143,15 +164,15 @@ Result<Row> runCell(const Plan& plan, std::size_t index, std::uint64_t seed) {
   row.add(hand.hand.stiffness_N_per_m);
   row.add(figures.ticks.ticks());
   row.add(figures.ticks.peakForce_N());
-  row.add(figures.rmsForce_N());
+  row.add(figures.ticks.rmsForce_N());
   row.add(kMillimetrePerMetre * figures.ticks.rmsError_m());
   row.add(figures.clamped);
   row.add(figures.faults);
   row.add(name(figures.first_fault));
   row.add(1e3 * figures.work.all_J());
   row.add(1e3 * figures.work.most_J());
-  row.add(1e3 * figures.last_energy_J);
-  row.add(1e3 * figures.lowest_energy_J);
+  row.add(1e3 * figures.energy.last_J());
+  row.add(1e3 * figures.energy.lowest_J());
   return row;
 }
 
@@ -224,6 +245,7 @@ Result<Cells> make(Options& options) {
     for (const sim::ArmModel& one : sim::armModels()) names.push_back(one.name);
     options.note("arm-model", "It must be " + json::listed(names) + "; here it is " + json::shown(model) + ".");
   }
+  const bool is_paired = options.choice("paired", {"no", "yes"}) == 1;
   Problems problems = options.problems();
   readScenes(options.texts("scene"), *plan, cells, problems);
   readHands(options.texts("hand"), *plan, cells, problems);
@@ -231,6 +253,8 @@ Result<Cells> make(Options& options) {
   cells.count = plan->scenes.size() * plan->hands.size() * plan->rates_hz.size() * plan->draws;
   cells.columns = kColumns;
   cells.run = [plan](std::size_t index, std::uint64_t seed) { return runCell(*plan, index, seed); };
+  cells.command = [plan](std::size_t index, std::uint64_t seed) { return commandOf(*plan, index, seed); };
+  if (is_paired) cells.seed_cell = [plan](std::size_t index) { return whereIs(*plan, index).draw; };
   return cells;
 }
 
@@ -243,6 +267,7 @@ Kind handsKind() {
            {"hand", "Built-in hands or hand files; of a file only its path", {"tremor"}, true},
            {"rate_hz", "Ticks per second", {"1000"}, true},
            {"draws", "Hands drawn at random for each scene, hand and rate", {"10"}},
+           {"paired", "yes: a draw is the same hand with the same seed in each scene, hand and rate", {"no"}},
            {"seconds", "Duration of each run by the arm's clock, s", {"2"}},
            {"mass_kg", "Mass of the hand, kg: a number, or LOW:HIGH for a uniform draw", {"0.05:0.2"}},
            {"damping_N_s_per_m", "Damping of the hand, N s/m, likewise", {"2:8"}},

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "app/cli/command.h"
@@ -16,6 +17,8 @@ struct Request {
   std::string out;
   int threads = 0;  // 0: all cores; of a rank, one
   bool dry_run = false;
+  bool print = false;       // the commands of the cells, instead of running them
+  std::optional<int> cell;  // of print: only this one
   bool quiet = false;
   Problems problems = {};  // with the file it was to be read from
 };
@@ -24,7 +27,7 @@ struct Request {
 /// and values; or all problems at once, with their places.
 void readRequest(const std::string& path, Request& request);
 
-/// Runs the sweep, or measures how long it would take.
+/// Runs the sweep, or measures how long it would take, or prints the commands of its cells.
 cli::Exit runSweep(const Request& request, const cli::Streams& streams, Team* team);
 
 }  // namespace underact::sweep

@@ -137,11 +137,30 @@ Exit leadToResult(const Sweep& sweep, const Request& request, const cli::Streams
   return exit;
 }
 
+/// The command of each cell, or of the one that was asked for.
+Exit printCommands(const Sweep& sweep, const std::optional<int>& only, const cli::Streams& streams) {
+  if (!sweep.cells.command) {
+    streams.err << "The cells of this kind have no command of their own.\n";
+    return Exit::BadInput;
+  }
+  const std::size_t first = only ? static_cast<std::size_t>(*only) : 0;
+  const std::size_t end = only ? first + 1 : sweep.cells.count;
+  if (end > sweep.cells.count) {
+    streams.err << "--cell: this sweep has " << sweep.cells.count << " cells; the last one is number "
+                << sweep.cells.count - 1 << ".\n";
+    return Exit::Usage;
+  }
+  for (std::size_t cell = first; cell < end; ++cell)
+    streams.out << sweep.cells.command(cell, seedOf(sweep, cell)) << '\n';
+  return Exit::Well;
+}
+
 }  // namespace
 
 Exit runSweep(const Request& request, const cli::Streams& streams, Team* team) {
   const bool leads = team == nullptr || team->rank() == 0;
-  if (request.dry_run && !leads) return Exit::Well;
+  const bool runs = !request.dry_run && !request.print;
+  if (!runs && !leads) return Exit::Well;
   // A rank without a sweep tells the leader, so that it is not waited for.
   const Result<Sweep> sweep = request.problems.empty() ? makeSweep(*request.kind, request.values, request.seed)
                                                        : Result<Sweep>(request.problems);
@@ -151,9 +170,10 @@ Exit runSweep(const Request& request, const cli::Streams& streams, Team* team) {
     return Exit::Well;
   }
   if (!sweep) {
-    if (team != nullptr && !request.dry_run) dismiss(*team);
+    if (team != nullptr && runs) dismiss(*team);
     return refuse(sweep.problems(), streams);
   }
+  if (request.print) return printCommands(sweep.value(), request.cell, streams);
   if (request.dry_run)
     return printCost(sweep.value(), threadsOf(request, team) * (team == nullptr ? 1 : team->size()), streams);
   return leadToResult(sweep.value(), request, streams, team);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/sweeper/catalogue.h"
+#include "app/sweeper/command_words.h"
 #include "core/base/random.h"
 #include "core/base/units.h"
 #include "core/json/text.h"
@@ -56,9 +57,31 @@ const std::vector<std::string> kColumns{"map",
                                         "label_at_nominal",
                                         "amplitude_mm_at_nominal"};
 
+stability::Variant variantOf(const Plan& plan, std::size_t index, std::uint64_t seed) {
+  return index >= plan.walls.size() ? drawnWall(plan, seed) : plan.walls[index].second;
+}
+
+std::string commandOf(const Plan& plan, std::size_t index, std::uint64_t seed) {
+  const stability::SampledWall wall = variantOf(plan, index, seed).wall;
+  CommandWords words("underact-cli lab stability");
+  words.add("--mass_kg", wall.mass_kg)
+      .add("--damping_N_s_per_m", wall.damping_N_s_per_m)
+      .add("--kd_N_s_per_m", wall.kd_N_s_per_m)
+      .add("--rate_hz", 1'000'000'000 / wall.period_ns)
+      .add("--delay_ticks", wall.delay_ticks)
+      .add("--hand_stiffness_N_per_m", wall.hand_stiffness_N_per_m)
+      .add("--friction_N", wall.friction_N)
+      .add("--encoder_steps", wall.coarseness);
+  if (const auto* low_pass = std::get_if<control::LowPass>(&wall.velocity))
+    words.add("--filter", "low_pass").add("--filter_s", low_pass->time_constant_s);
+  if (std::holds_alternative<control::AdaptiveWindow>(wall.velocity)) words.add("--filter", "adaptive_window");
+  if (std::holds_alternative<control::Kalman>(wall.velocity)) words.add("--filter", "kalman");
+  return words.add("--stiffness_N_per_m", stability::kNominal_N_per_m).add("--json").text();
+}
+
 Result<Row> runCell(const Plan& plan, std::size_t index, std::uint64_t seed) {
   const bool is_drawn = index >= plan.walls.size();
-  const stability::Variant variant = is_drawn ? drawnWall(plan, seed) : plan.walls[index].second;
+  const stability::Variant variant = variantOf(plan, index, seed);
   const stability::SampledWall& wall = variant.wall;
   const stability::Limits limits = stability::limitsOf(wall);
   const stability::TrialResult nominal = stability::tryWall(wall, stability::kNominal_N_per_m);
@@ -124,6 +147,7 @@ Result<Cells> make(Options& options) {
   cells.count = plan->walls.size() + plan->draws;
   cells.columns = kColumns;
   cells.run = [plan](std::size_t index, std::uint64_t seed) { return runCell(*plan, index, seed); };
+  cells.command = [plan](std::size_t index, std::uint64_t seed) { return commandOf(*plan, index, seed); };
   return cells;
 }
 

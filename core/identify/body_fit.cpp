@@ -188,28 +188,57 @@ double Fit::tryStep(double caution) {
   return gain;
 }
 
+/// The normal equations of the shared unknowns, those of each window eliminated.
+struct Reduced {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+  Shared pull = Shared::Zero();
+  void add(const Reduced& other) {
+    matrix += other.matrix;
+    pull += other.pull;
+  }
+};
+
+Reduced reducedOf(const Normal& normal) {
+  const Eigen::Matrix2d inverse = normal.own.inverse();
+  return {normal.shared - normal.across * inverse * normal.across.transpose(),
+          normal.shared_pull - normal.across * inverse * normal.own_pull};
+}
+
+/// The variances of the shared unknowns by the jackknife: the fit without each swing in turn, to first order. What the
+/// residuals of a swing have in common, as the place between two encoder steps where the tip came to rest, counts once,
+/// and a swing that pulls the fit to itself does not hide that it does. Not finite: a swing without which there is no
+/// fit.
+Shared jackknifeOf(const Reduced& all, const std::vector<Reduced>& swings) {
+  Shared squares = Shared::Zero();
+  for (const Reduced& one : swings) squares += solveSymmetric(all.matrix - one.matrix, one.pull).cwiseAbs2();
+  const double count = static_cast<double>(swings.size());
+  return (count - 1.0) / count * squares;
+}
+
 BodyFit Fit::result() const {
   BodyFit fit;
   fit.body = bodyOf(shared_);
   fit.rounds = rounds_;
-  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero(), clusters = Eigen::Matrix4d::Zero();
+  Reduced all;
+  std::vector<Reduced> swings;
   double samples = 0.0;
   for (std::size_t index = 0; index < windows_.size(); ++index) {
     fit.way_m.push_back(wayOf(fit.body, windows_[index], own_[index]));
     samples += static_cast<double>(fit.way_m.back().size());
-    const Normal normal = normalOf(shared_, windows_[index], own_[index]);
-    const Eigen::Matrix2d inverse = normal.own.inverse();
-    matrix += normal.shared - normal.across * inverse * normal.across.transpose();
-    const Shared pull = normal.shared_pull - normal.across * inverse * normal.own_pull;
-    clusters += pull * pull.transpose();
+    const Reduced one = reducedOf(normalOf(shared_, windows_[index], own_[index]));
+    all.add(one);
+    if (index == 0 || windows_[index].swing != windows_[index - 1].swing) swings.emplace_back();
+    swings.back().add(one);
   }
   const double count = static_cast<double>(windows_.size()), free = std::max(1.0, samples - 4.0 - 2.0 * count);
   fit.residual_m = std::sqrt(squares_ / samples);
-  const Eigen::Matrix4d inverse = solveSymmetric(matrix, Eigen::Matrix4d::Identity());
-  const Eigen::Matrix4d by_windows = count / std::max(1.0, count - 1.0) * (inverse * clusters * inverse);
+  const Eigen::Matrix4d inverse = solveSymmetric(all.matrix, Eigen::Matrix4d::Identity());
+  const Shared by_residual = squares_ / free * inverse.diagonal(), by_swings = jackknifeOf(all, swings);
   Shared deviation;
-  for (Eigen::Index which = 0; which < 4; ++which)
-    deviation[which] = std::sqrt(std::max({0.0, squares_ / free * inverse(which, which), by_windows(which, which)}));
+  for (Eigen::Index which = 0; which < 4; ++which) {
+    const double swing = std::isfinite(by_swings[which]) ? by_swings[which] : 0.0;
+    deviation[which] = std::sqrt(std::max({0.0, by_residual[which], swing}));
+  }
   fit.uncertainty = bodyOf(deviation);
   return fit;
 }

@@ -21,7 +21,7 @@ struct BodyFit {
 /// Least squares of the displacement (an output error: the force is known, the samples are noisy) over mass, friction,
 /// damping and bias, which all windows share, and over the position and velocity at the start of each window. Levenberg
 /// and Marquardt, each window's own two unknowns eliminated. The uncertainty is the larger of that from the residual
-/// and that from the scatter between windows (each a cluster), which accounts for correlated residuals. Problems: too
+/// and that by the jackknife over swings, which accounts for correlated residuals. Problems: too
 /// little motion; no convergence; stopped. stop: asked for each window, true ends the fit; may be empty.
 Result<BodyFit> fitBody(std::span<const Window> windows, const std::function<bool()>& stop = {});
 

@@ -103,20 +103,31 @@ void average(Identified& found) {
   found.mean_damping_N_s_per_m = meanOver(found.swings, -1, &Body::damping_N_s_per_m);
 }
 
+/// What chi^2 / free exceeds in 1 of 20 cases (Wilson and Hilferty 1931; within 1 % from two degrees of freedom on).
+double mostByChance(double free) {
+  const double variance = 2.0 / (9.0 * free);
+  return std::pow(1.0 - variance + 1.645 * std::sqrt(variance), 3);
+}
+
 }  // namespace
 
 Estimate meanOf(const std::vector<Estimate>& estimates) {
-  double weights = 0.0, sum = 0.0, squares = 0.0;
+  const double count = static_cast<double>(estimates.size()), free = count - 1.0;
+  double sum = 0.0, variances = 0.0, weights = 0.0, weighted = 0.0, squares = 0.0, chi_squares = 0.0;
   const auto weightOf = [](const Estimate& one) { return 1.0 / std::max(one.uncertainty * one.uncertainty, 1e-300); };
   for (const Estimate& one : estimates) {
+    sum += one.value;
+    variances += one.uncertainty * one.uncertainty;
     weights += weightOf(one);
-    sum += weightOf(one) * one.value;
+    weighted += weightOf(one) * one.value;
   }
-  const double mean = sum / weights;
-  for (const Estimate& one : estimates) squares += weightOf(one) * std::pow(one.value - mean, 2);
-  const double count = static_cast<double>(estimates.size());
-  const double scatter = count > 1.0 ? squares / ((count - 1.0) * weights) : 0.0;
-  return {mean, std::sqrt(std::max(1.0 / weights, scatter))};
+  const double mean = sum / count;
+  for (const Estimate& one : estimates) {
+    squares += std::pow(one.value - mean, 2);
+    chi_squares += weightOf(one) * std::pow(one.value - weighted / weights, 2);
+  }
+  const bool scatters = free > 0.0 && chi_squares > free * mostByChance(free);
+  return {mean, std::sqrt(std::max(variances, scatters ? squares * count / free : 0.0)) / count};
 }
 
 Result<Identified> evaluate(const Plan& plan, const std::vector<Recorded>& recorded, int rate_hz,

@@ -44,7 +44,9 @@ struct Identified {
 Result<Identified> evaluate(const Plan& plan, const std::vector<Recorded>& recorded, int rate_hz,
                             const std::function<bool()>& stop = {});
 
-/// The mean of several estimates, each weighted by its variance; their scatter counts in the uncertainty.
+/// The mean of several estimates, one at least. Each counts alike: weights by their variances, which are estimates
+/// themselves, would favour those that seem more certain than they are. Where the estimates scatter by more than chance
+/// explains, as those of a real arm may that differ from axis to axis, the uncertainty is that of their scatter.
 Estimate meanOf(const std::vector<Estimate>& estimates);
 
 }  // namespace underact::identify

@@ -29,7 +29,6 @@ struct Stage {
 struct Wanted {
   std::string arm = "omni-thesis";                  // a preset
   std::vector<Vec3> places_W = {{0.0, 0.0, 0.06}};  // 1 to 3, m
-  int repeats = 2;                                  // of the swings along an axis
 };
 
 /// The stages of a measurement: at each position swings along x, y and z, then a rest; finally, at the first position,

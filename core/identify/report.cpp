@@ -166,8 +166,8 @@ std::string reportText(const Identified& found, const sim::ArmModelFile& file, c
                 : ".\n\n| quantity | value | uncertainty | unit |\n|---|---|---|---|\n";
   for (const ReportRow& row : rowsOf(found, given)) text += line(row, given != nullptr);
   text +=
-      "\nUncertainty: one standard deviation, of the fit or of the differences between the directions, whichever is "
-      "larger. "
+      "\nUncertainty: one standard deviation, by the fit and the differences between its swings; for a mean over "
+      "directions that differ by more than chance explains, by their scatter. "
       "\"Below\": not distinguishable from zero; the true value lies below that with 97 % probability.\n";
   for (const AxisSwings& one : found.swings)
     text += std::string("\nSwings along ") + "xyz"[one.axis] + " at position " + std::to_string(one.place + 1) + ": " +

@@ -56,14 +56,17 @@ Row rowOf(const servo::TickRecord& record) {
 std::vector<Window> windowsOf(std::span<const Row> rows, const Vec3& along_W, double period_s, double seconds) {
   std::vector<Window> windows;
   const double length = std::round(seconds / period_s);
+  const auto isNext = [&](std::size_t row) {
+    const double step_s = kSecondPerNanosecond * static_cast<double>(rows[row].time_ns - rows[row - 1].time_ns);
+    return std::abs(step_s - period_s) < kEven * period_s && rows[row].p_WP == rows[row - 1].p_WP;
+  };
+  std::size_t swing = 0;
   for (std::size_t from = 0, to = 1; from < rows.size(); from = to, ++to) {
-    const auto isNext = [&](std::size_t row) {
-      const double step_s = kSecondPerNanosecond * static_cast<double>(rows[row].time_ns - rows[row - 1].time_ns);
-      return std::abs(step_s - period_s) < kEven * period_s;
-    };
+    if (from > 0 && !isNext(from)) ++swing;
     while (to < rows.size() && static_cast<double>(to - from) < length && isNext(to)) ++to;
     if (to - from < kLeastRows) continue;
     Window window = windowOf(rows.subspan(from, to - from), along_W, period_s, from);
+    window.swing = swing;
     const auto [least, most] = std::minmax_element(window.way_m.begin(), window.way_m.end());
     if (*most - *least >= kLeastTravel_m) windows.push_back(std::move(window));
   }

@@ -26,6 +26,7 @@ Row rowOf(const servo::TickRecord& record);
 struct Window {
   double period_s = 0.0;
   std::size_t first_row = 0;
+  std::size_t swing = 0;  // windows of one swing have the same number; a move of the target begins another
   double origin_m = 0.0;  // of way and target, along the direction from W's origin
   std::vector<double> way_m;
   std::vector<double> target_m;
@@ -35,7 +36,7 @@ struct Window {
 };
 
 /// The rows in windows of `seconds`, projected on along_W (length 1), without those in which the tip hardly moves; no
-/// window spans a gap between two samples. period_s: of the servo.
+/// window spans a gap between two samples or a move of the target. period_s: of the servo.
 std::vector<Window> windowsOf(std::span<const Row> rows, const Vec3& along_W, double period_s, double seconds = 0.25);
 
 // Windows in which the tip moves less are left out: ten encoder steps of the known arms.

@@ -15,6 +15,7 @@ class TickFigures {
     ++ticks_;
     sum_square_error_m2_ += error_m * error_m;
     sum_force_N_ += force_N;
+    sum_square_force_N2_ += force_N * force_N;
     peak_force_N_ = std::max(peak_force_N_, force_N);
   }
   std::int64_t ticks() const { return ticks_; }
@@ -22,12 +23,14 @@ class TickFigures {
   double rmsError_m() const { return std::sqrt(sum_square_error_m2_ / static_cast<double>(ticks_)); }
   /// The mean of the forces' lengths.
   double meanForce_N() const { return sum_force_N_ / static_cast<double>(ticks_); }
+  /// Root of the mean square of the forces' lengths.
+  double rmsForce_N() const { return std::sqrt(sum_square_force_N2_ / static_cast<double>(ticks_)); }
   /// The largest force.
   double peakForce_N() const { return ticks_ == 0 ? kNotANumber : peak_force_N_; }
 
  private:
   std::int64_t ticks_ = 0;
-  double sum_square_error_m2_ = 0.0, sum_force_N_ = 0.0, peak_force_N_ = 0.0;
+  double sum_square_error_m2_ = 0.0, sum_square_force_N2_ = 0.0, sum_force_N_ = 0.0, peak_force_N_ = 0.0;
 };
 
 /// The work of the force on the hand. A displacement of the tip counts with the force that was in effect during it: the
@@ -51,6 +54,21 @@ class Work {
   bool begun_ = false;
   double all_J_ = 0.0, most_J_ = 0.0;
   Vec3 f_T_W_ = Vec3::Zero(), p_WT_ = Vec3::Constant(kNotANumber);
+};
+
+/// The energy in the constraints over a range of ticks.
+class StoredEnergy {
+ public:
+  /// energy_J: after a tick.
+  void add(double energy_J) {
+    last_J_ = energy_J;
+    lowest_J_ = std::min(lowest_J_, energy_J);
+  }
+  double last_J() const { return last_J_; }
+  double lowest_J() const { return lowest_J_; }  // so far; 0 before the first tick
+
+ private:
+  double last_J_ = 0.0, lowest_J_ = 0.0;
 };
 
 }  // namespace underact::record

@@ -23,6 +23,11 @@ struct Cells {
   /// calls. Called by several threads at once, so it must not change what they share. Problems end the sweep; a failure
   /// within a simulation (a fault, a limit that was not found) is a result and belongs in the row.
   std::function<Result<Row>(std::size_t index, std::uint64_t seed)> run;
+  /// The command that makes a cell's row again on its own, for a shell; it gives the same numbers, to the bit.
+  /// Empty: there is none.
+  std::function<std::string(std::size_t index, std::uint64_t seed)> command = {};
+  /// The cell whose seed a cell has: cells with the same one are paired. Empty: each has its own.
+  std::function<std::size_t(std::size_t index)> seed_cell = {};
 };
 
 /// A kind of sweep: a row of the catalogue (app/sweeper/catalogue.cpp).

@@ -103,6 +103,13 @@ Range Options::range(const std::string& name, double low, double high) {
   return {low, low};
 }
 
+std::size_t Options::choice(const std::string& name, const std::vector<std::string>& words) {
+  const auto found = std::find(words.begin(), words.end(), text(name));
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  note(name, "It must be " + json::listed(words) + "; here it is " + json::shown(text(name)) + ".");
+  return 0;
+}
+
 void Options::note(const std::string& name, const std::string& sentence) {
   problems_.push_back(problemWith(name, sentence));
 }

@@ -42,6 +42,8 @@ class Options {
   std::vector<std::int64_t> integers(const std::string& name, std::int64_t low, std::int64_t high);
   /// "0.1", or "0.05:0.2" for the bounds of a range to draw from.
   Range range(const std::string& name, double low, double high);
+  /// The index among words of the value.
+  std::size_t choice(const std::string& name, const std::vector<std::string>& words);
   /// Notes a problem with an option beyond its bounds, for checks by the kind itself.
   void note(const std::string& name, const std::string& sentence);
   /// The problems noted so far.

@@ -71,8 +71,12 @@ std::uint64_t seedOf(std::uint64_t sweep_seed, std::size_t cell) {
   return nextBits(mixed) >> 11U;
 }
 
+std::uint64_t seedOf(const Sweep& sweep, std::size_t cell) {
+  return seedOf(sweep.seed, sweep.cells.seed_cell ? sweep.cells.seed_cell(cell) : cell);
+}
+
 Result<std::string> rowOf(const Sweep& sweep, std::size_t cell) {
-  const std::uint64_t seed = seedOf(sweep.seed, cell);
+  const std::uint64_t seed = seedOf(sweep, cell);
   try {
     const Result<Row> row = sweep.cells.run(cell, seed);
     if (!row) return inCell(cell, row.problems().front().sentence);

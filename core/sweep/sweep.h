@@ -24,6 +24,9 @@ Result<Sweep> makeSweep(const Kind& kind, const Options::Values& said, std::uint
 /// order.
 std::uint64_t seedOf(std::uint64_t sweep_seed, std::size_t cell);
 
+/// The seed that a cell of this sweep is run with: its own, or that of the cell it is paired with.
+std::uint64_t seedOf(const Sweep& sweep, std::size_t cell);
+
 /// Runs a cell and gives its line of the result, without the line end. Any thread. Problems: those of the cell; an
 /// exception in it.
 Result<std::string> rowOf(const Sweep& sweep, std::size_t cell);

@@ -13,6 +13,12 @@ def pages():
         yield path, path.read_text(encoding="utf-8")
 
 
+def commanding():
+    """What shows commands: the pages, and the project's first page."""
+    yield from pages()
+    yield ROOT / "README.md", (ROOT / "README.md").read_text(encoding="utf-8")
+
+
 def blocks(text):
     """Indented blocks of code: lists of (line's number, line). A list's own text is indented, too,
     so a block comes after an empty line that follows something else than a list."""

@@ -87,7 +87,7 @@ def spring():
     rows = [{"p_mm": [x, 0, 0]} for x in at]
     sent = [hypot(*row["safe_force_N"]) for row in answers_of(soft, rows)]
     assert abs(sent[2] - sent[3]) < 1e-9
-    command = next(row[2] for row in commands() if "pull.csv" in row[2])
+    command = next(one.text for one in commands() if "pull.csv" in one.text)
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(ROOT / "scenes", f"{folder}/scenes")
         env = {**os.environ, "PATH": f"{CLI.parent}:/usr/bin:{os.environ['PATH']}"}

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error_bounds/catalogue.h"
+#include "tests/cli/session.h"
 #include "tests/sweep/rig.h"
 
 namespace underact::test {
@@ -22,6 +23,26 @@ TEST(SweepOfExtremes, HasTheWorstOfEachRowAndSeedAsTheLabHasIt) {
     EXPECT_EQ(std::stod(field(rows, row, "error_ulp")), worst.error_ulp);
     EXPECT_EQ(field(rows, row, "cases"), std::to_string(worst.cases));
     EXPECT_EQ(field(rows, row, "promise"), "kept");
+  }
+}
+
+TEST(SweepOfExtremes, ARowIsMeasuredAgainByThePrintedCommandToTheBit) {
+  const ScratchFolder folder;
+  const std::string out = folder.file("r.csv");
+  const std::vector<std::string> wanted{"extremes", "--only", "shape_circle", "law_pid",
+                                        "--seeds",  "2",      "--count",      "200"};
+  std::vector<std::string> all = wanted, print = wanted;
+  all.insert(all.end(), {"--out", out});
+  print.emplace_back("--print");
+  ASSERT_EQ(sweepHere(all).exit, cli::Exit::Well);
+  const std::vector<std::string> commands = linesOf(sweepHere(print).out);
+  const auto rows = table(out);
+  ASSERT_EQ(rows.size(), 1 + commands.size());
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    const json::Value again = lines(runCli(argumentsOf(commands[row - 1])).out).at(0);
+    EXPECT_EQ(field(rows, row, "row"), textAt(again, "key"));
+    EXPECT_EQ(number(rows, row, "error_ulp"), numberAt(again, "error_ulp"));
+    EXPECT_EQ(number(rows, row, "cases"), numberAt(again, "cases"));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <set>
 
 #include "app/sweeper/catalogue.h"
@@ -113,6 +114,91 @@ TEST(SweepOfHands, HasForceAndEnergyOfTheTicks) {  // against every tick of the 
   EXPECT_NEAR(number(rows, 1, "rms_force_N"), rms_N, 1e-12) << "another order of the same squares";
   EXPECT_DOUBLE_EQ(number(rows, 1, "energy_mJ"), last_mJ);
   EXPECT_DOUBLE_EQ(number(rows, 1, "lowest_energy_mJ"), lowest_mJ);
+}
+
+/// Every column of each row against what the printed command of its cell says.
+TEST(SweepOfHands, ARowIsRunAgainByThePrintedCommandToTheBit) {
+  const ScratchFolder folder;
+  const std::string out = folder.file("r.csv"), drawn = folder.file("hand.json");
+  std::ofstream(drawn)
+      << R"({"underact_hand": 1, "path": [{"t_s": 0, "p_mm": [0, 0, 70]}, {"t_s": 0.4, "p_mm": [9, 8, 40]}]})";
+  const std::vector<std::string> wanted{"hands",
+                                        "--scene",
+                                        scene("02_sphere.json"),
+                                        scene("12_line_pid.json"),
+                                        "--hand",
+                                        "tremor",
+                                        "stab",
+                                        drawn,
+                                        "--draws",
+                                        "2",
+                                        "--seconds",
+                                        "0.6",
+                                        "--seed",
+                                        "5"};
+  std::vector<std::string> all = wanted, print = wanted;
+  all.insert(all.end(), {"--out", out});
+  print.emplace_back("--print");
+  ASSERT_EQ(sweepHere(all).exit, cli::Exit::Well);
+  const Said said = sweepHere(print);
+  ASSERT_EQ(said.exit, cli::Exit::Well) << said.err;
+  const Table rows = table(out);
+  ASSERT_EQ(rows.size(), 1U + 12);
+  const std::vector<std::string> commands = linesOf(said.out);
+  ASSERT_EQ(commands.size(), 12U);
+  std::set<std::string> masses;
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    const std::string& command = commands[row - 1];
+    EXPECT_EQ(command.rfind("underact-cli run ", 0), 0U) << command;
+    const Outcome run = runCli(argumentsOf(command));
+    ASSERT_EQ(run.exit, cli::Exit::Well) << command << run.err;
+    const json::Value object = lines(run.out).at(0);
+    for (const char* key : {"ticks", "peak_force_N", "rms_force_N", "rms_error_mm", "clamped_ticks", "work_mJ",
+                            "most_work_mJ", "energy_mJ", "lowest_energy_mJ", "rate_hz", "seed"}) {
+      EXPECT_EQ(number(rows, row, key), numberAt(object, key)) << key << " of row " << row;
+    }
+    masses.insert(field(rows, row, "mass_kg"));
+  }
+  EXPECT_EQ(masses.size(), 12U) << "each row has a hand of its own";
+}
+
+TEST(SweepOfHands, PrintsTheCommandOfOneCell) {
+  const std::vector<std::string> wanted{"hands", "--scene", scene("02_sphere.json"), "--draws", "3", "--print"};
+  const auto printed = [&wanted](const std::string& cell) {
+    std::vector<std::string> words = wanted;
+    words.insert(words.end(), {"--cell", cell});
+    return sweepHere(words);
+  };
+  const std::string all = sweepHere(wanted).out;
+  EXPECT_EQ(all, printed("0").out + printed("1").out + printed("2").out);
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 3);
+  EXPECT_EQ(printed("3").exit, cli::Exit::Usage);
+  EXPECT_NE(printed("3").err.find("the last one is number 2"), std::string::npos);
+  EXPECT_EQ(sweepHere({"hands", "--scene", scene("02_sphere.json"), "--cell", "1", "--out", "x.csv"}).exit,
+            cli::Exit::Usage)
+      << "--cell is for --print alone";
+}
+
+TEST(SweepOfHands, PairedConditionsHaveTheSameHands) {
+  const ScratchFolder folder;
+  const std::string out = folder.file("r.csv");
+  const Said said = sweepHere({"hands", "--scene", scene("01_point.json"), scene("02_sphere.json"), "--hand", "tremor",
+                               "stab", "--draws", "3", "--seconds", "0.02", "--paired", "yes", "--out", out});
+  ASSERT_EQ(said.exit, cli::Exit::Well) << said.err;
+  const Table rows = table(out);
+  ASSERT_EQ(rows.size(), 1U + 12);
+  std::set<std::string> seeds;
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    const std::size_t of_first = 1 + (row - 1) % 3;  // the same draw in the first condition
+    EXPECT_EQ(field(rows, row, "draw"), field(rows, of_first, "draw"));
+    for (const char* key : {"seed", "mass_kg", "damping_N_s_per_m", "stiffness_N_per_m"})
+      EXPECT_EQ(field(rows, row, key), field(rows, of_first, key)) << key << " of row " << row;
+    seeds.insert(field(rows, row, "seed"));
+  }
+  EXPECT_EQ(seeds.size(), 3U);
+  const Said wrong = sweepHere({"hands", "--scene", scene("01_point.json"), "--paired", "maybe", "--out", out});
+  EXPECT_EQ(wrong.exit, cli::Exit::Usage);
+  EXPECT_NE(wrong.err.find("--paired"), std::string::npos) << wrong.err;
 }
 
 TEST(SweepOfHands, RefusesWhatItCannotRunAndSaysAllOfIt) {

@@ -79,6 +79,21 @@ int Process::wait() {
   return WIFEXITED(*status_) ? WEXITSTATUS(*status_) : -WTERMSIG(*status_);
 }
 
+std::vector<std::string> linesOf(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::vector<std::string> argumentsOf(const std::string& command) {
+  std::istringstream in(command);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  words.erase(words.begin());
+  return words;
+}
+
 pid_t rankOf(pid_t mpirun, int rank) {
   const std::string parent = "\nPPid:\t" + std::to_string(mpirun) + "\n";
   const std::string mark = std::string(1, '\0') + "OMPI_COMM_WORLD_RANK=" + std::to_string(rank) + std::string(1, '\0');

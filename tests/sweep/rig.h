@@ -42,6 +42,12 @@ class Process {
   std::optional<int> status_;  // as waitpid() has it
 };
 
+/// A printed command as a shell splits it, without the program; words in quotes are not for it.
+std::vector<std::string> argumentsOf(const std::string& command);
+
+/// The lines of a text, without their ends.
+std::vector<std::string> linesOf(const std::string& text);
+
 /// The child of mpirun that is this rank; -1: there is none.
 pid_t rankOf(pid_t mpirun, int rank);
 

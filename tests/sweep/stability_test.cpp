@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/stability/maps.h"
+#include "tests/cli/session.h"
 #include "tests/sweep/rig.h"
 
 namespace underact::test {
@@ -56,6 +57,33 @@ TEST(SweepOfWalls, DrawsWallsFromItsRangesWhoseLimitsAgree) {
     EXPECT_NEAR(number(rows, row, "simulated_N_per_m"), exact, 0.02 * exact);
   }
   EXPECT_TRUE(delayed[0] && delayed[1] && delayed[2]);
+}
+
+TEST(SweepOfWalls, ARowIsComputedAgainByThePrintedCommandToTheBit) {
+  const ScratchFolder folder;
+  const std::string out = folder.file("r.csv");
+  const std::vector<std::string> wanted{"stability", "--map",          "filter", "quantization", "--draws",
+                                        "4",         "--kd_N_s_per_m", "0:1",    "--mass_kg",    "0.05:0.5"};
+  std::vector<std::string> all = wanted, print = wanted;
+  all.insert(all.end(), {"--out", out});
+  print.emplace_back("--print");
+  ASSERT_EQ(sweepHere(all).exit, cli::Exit::Well);
+  const std::vector<std::string> commands = linesOf(sweepHere(print).out);
+  const Table rows = table(out);
+  ASSERT_EQ(rows.size(), 1 + commands.size());
+  for (std::size_t row = 1; row < rows.size(); row += row + 5 < rows.size() ? 5 : 1) {
+    const Outcome again = runCli(argumentsOf(commands[row - 1]));
+    ASSERT_EQ(again.exit, cli::Exit::Well) << commands[row - 1] << again.err;
+    const json::Value wall = lines(again.out).at(0);
+    EXPECT_EQ(number(rows, row, "simulated_N_per_m"), numberAt(wall, "simulated_limit_N_per_m")) << commands[row - 1];
+    EXPECT_EQ(number(rows, row, "passive_N_per_m"), numberAt(wall, "passive_limit_N_per_m"));
+    EXPECT_EQ(field(rows, row, "label_at_nominal"), textAt(wall, "label"));
+    EXPECT_EQ(number(rows, row, "amplitude_mm_at_nominal"), numberAt(wall, "amplitude_mm"));
+    const bool has_exact = field(rows, row, "exact_N_per_m") != "nan";
+    EXPECT_EQ(has_exact, !isNullAt(wall, "exact_limit_N_per_m"));
+    if (!has_exact) continue;
+    EXPECT_EQ(number(rows, row, "exact_N_per_m"), numberAt(wall, "exact_limit_N_per_m"));
+  }
 }
 
 TEST(SweepOfWalls, AMapThatThereIsNotIsRefused) {

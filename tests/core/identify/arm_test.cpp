@@ -107,7 +107,7 @@ TEST(SimulatedArm, TheStiffnessOfItsFreeSwingsIsTheOneOfTheLaw) {
     for (const AxisSwings& one : found.swings) {
       if (!one.stiffness) continue;
       ++told;
-      EXPECT_NEAR(one.stiffness->value_N_per_m, 100.0, kShare * 100.0) << mass_kg << " kg, axis " << one.axis;
+      EXPECT_NEAR(one.stiffness->value_N_per_m, 100.0, 0.01 * 100.0) << mass_kg << " kg, axis " << one.axis;
     }
     EXPECT_EQ(told, 3) << mass_kg << " kg";
   }
@@ -142,9 +142,10 @@ TEST(SimulatedArm, OwnEncodersAreSeen) {
 TEST(SimulatedArm, WithoutEncodersItHasNoneAndTheFitIsNearerStill) {
   const Identified found = identified({"omni-thesis", 1000, 0.045, 0.26, 0.5}, false);
   for (const auto& count : found.counts_per_turn) EXPECT_FALSE(count);
-  // The simulation's own 50 us: friction and damping as at the end of a substep, 50e-6 b / m = 6e-4 of the damping.
-  EXPECT_NEAR(found.mean_mass_kg.value, 0.045, 0.005 * 0.045);
-  EXPECT_NEAR(found.mean_friction_N.value, 0.26, 0.005 * 0.26);
+  // What is left is the simulation's own substep of 10 us, which a reversal ends early; with 200 us it is 0.15 %.
+  EXPECT_NEAR(found.mean_mass_kg.value, 0.045, 2e-4 * 0.045);
+  EXPECT_NEAR(found.mean_friction_N.value, 0.26, 2e-4 * 0.26);
+  EXPECT_NEAR(found.mean_damping_N_s_per_m.value, 0.5, 1e-3 * 0.5);
   EXPECT_FALSE(modelFileOf(found, "x", "X", {}).arm.encoders);
 }
 
