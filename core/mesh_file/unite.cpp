@@ -1,5 +1,6 @@
 #include "core/mesh_file/unite.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/translate.h"
@@ -57,6 +58,7 @@ bool uniteRepaired(Repaired& repaired, const TaskMonitor& monitor) {
       break;
     case mesh_union::Outcome::TooMuch:
     case mesh_union::Outcome::Open:
+      if (facts.crossings_checked == 0) facts.crossings = std::max(facts.crossings, made.crossings);
       if (isClosed(facts) && facts.crossings > 0) facts.inside = Inside::Unsure;
       facts.closed_holes = 0;
       break;

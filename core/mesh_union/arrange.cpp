@@ -32,8 +32,9 @@ class Arranging {
     }
   }
 
-  std::optional<Arrangement> all(const Boxes& boxes) {
-    if (!meetAll(boxes)) return {};
+  Arrangement all(const Boxes& boxes) {
+    found_.is_whole = meetAll(boxes);
+    if (!found_.is_whole) return std::move(found_);
     for (std::size_t face = 0; face < flats_.size(); ++face) {
       if (found_.plane_of[face] >= 0) found_.plane_of[face] = lead(static_cast<std::int32_t>(face));
     }
@@ -41,7 +42,8 @@ class Arranging {
     std::stable_sort(cuts_.begin(), cuts_.end(), [](const Cut& a, const Cut& b) {
       return std::tie(a.plane_of, a.from, a.to) < std::tie(b.plane_of, b.from, b.to);
     });
-    return cutAll() ? std::optional(std::move(found_)) : std::nullopt;
+    found_.is_whole = cutAll();
+    return std::move(found_);
   }
 
  private:
@@ -195,8 +197,8 @@ class Arranging {
 
 }  // namespace
 
-std::optional<Arrangement> arrange(const Grid& grid, const std::vector<mesh::Face>& faces, const Boxes& boxes,
-                                   Points& points, const TaskMonitor& monitor, const Limits& limits) {
+Arrangement arrange(const Grid& grid, const std::vector<mesh::Face>& faces, const Boxes& boxes, Points& points,
+                    const TaskMonitor& monitor, const Limits& limits) {
   return Arranging(grid, faces, points, monitor, limits).all(boxes);
 }
 

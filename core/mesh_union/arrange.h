@@ -1,5 +1,5 @@
 #pragma once
-#include <optional>
+#include <vector>
 
 #include "core/base/task_monitor.h"
 #include "core/mesh_union/boxes.h"
@@ -20,6 +20,7 @@ struct Arrangement {
   std::vector<Piece> pieces;
   std::vector<std::int32_t> plane_of;  // of each face: of those that overlap in one plane the first; -1: it has no area
   std::int64_t crossings = 0;          // pairs of faces with more than corners and edges of theirs in common
+  bool is_whole = true;                // false: cancelled, or beyond the limits; the pieces are then not to be used
 };
 
 /// How much work a mesh may take.
@@ -28,10 +29,10 @@ struct Limits {
   std::int64_t crossings = 2'000'000;  // of those that intersect; ten seconds
 };
 
-/// Cuts all faces along their lines of intersection. Exact. boxes: of the faces; points: gets the new ones. None:
-/// cancelled, or beyond the limits. Source: Zhou, Grinspun, Zorin and
-/// Jacobson 2016, Mesh arrangements for solid geometry.
-std::optional<Arrangement> arrange(const Grid& grid, const std::vector<mesh::Face>& faces, const Boxes& boxes,
-                                   Points& points, const TaskMonitor& monitor, const Limits& limits);
+/// Cuts all faces along their lines of intersection. Exact. boxes: of the faces; points: gets the new ones. Not whole:
+/// cancelled, or beyond the limits. Source: Zhou, Grinspun, Zorin and Jacobson 2016, Mesh arrangements for solid
+/// geometry.
+Arrangement arrange(const Grid& grid, const std::vector<mesh::Face>& faces, const Boxes& boxes, Points& points,
+                    const TaskMonitor& monitor, const Limits& limits);
 
 }  // namespace underact::mesh_union

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/mesh/topology.h"
 #include "core/mesh_union/solid.h"
@@ -41,10 +42,10 @@ Union unite(mesh::Triangles& triangles, double least, double wide, const TaskMon
   const Boxes boxes(grid.points, triangles.faces);
   if (monitor.isCancelled()) return ended(Outcome::Cancelled);
   Points points(grid);
-  const std::optional<Arrangement> arrangement = arrange(grid, triangles.faces, boxes, points, monitor, limits);
-  if (!arrangement) return ended(Outcome::TooMuch);
-  made.crossings = arrangement->crossings;
-  const std::optional<Kept> kept = keep(grid, triangles.faces, boxes, points, *arrangement, monitor);
+  const Arrangement arrangement = arrange(grid, triangles.faces, boxes, points, monitor, limits);
+  made.crossings = arrangement.crossings;
+  if (!arrangement.is_whole) return ended(Outcome::TooMuch);
+  const std::optional<Kept> kept = keep(grid, triangles.faces, boxes, points, arrangement, monitor);
   if (!kept) return ended(Outcome::Open);
   made.dropped = kept->dropped;
   if (kept->is_all && mesh::topologyOf(triangles.faces).is_closed) return ended(Outcome::AsItWas);

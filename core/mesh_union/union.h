@@ -19,7 +19,7 @@ enum class Outcome : std::uint8_t {
 /// What unite() did.
 struct Union {
   Outcome outcome = Outcome::AsItWas;
-  std::int64_t crossings = 0;  // pairs of faces that have more in common than corners and edges of the mesh
+  std::int64_t crossings = 0;  // so far: pairs of faces that have more in common than corners and edges of the mesh
   std::int64_t dropped = 0;    // faces that were inside bodies
 };
 

@@ -60,7 +60,9 @@ TEST(UnionOfManyParts, ThatIntersectIsClosedOrRefused) {
 TEST(UnionOfManyParts, BeyondTheLimitsAreRefusedAndLeftAsTheyWere) {
   Triangles made = tetrahedra(8, 1.5F);
   const Triangles given = made;
-  EXPECT_EQ(unite(made, 1e-6, 0.0, {}, {10'000'000, 1000}).outcome, Outcome::TooMuch);
+  const Union refused = unite(made, 1e-6, 0.0, {}, {10'000'000, 1000});
+  EXPECT_EQ(refused.outcome, Outcome::TooMuch);
+  EXPECT_GE(refused.crossings, 1000);  // so that a wall is refused where the reader has not looked for them
   EXPECT_EQ(unite(made, 1e-6, 0.0, {}, {1000, 10'000'000}).outcome, Outcome::TooMuch);
   EXPECT_EQ(made.p_MV, given.p_MV);
   EXPECT_EQ(made.faces, given.faces);
