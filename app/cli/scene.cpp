@@ -19,7 +19,7 @@ Exit checkSceneFiles(const std::vector<std::string>& paths, const Streams& strea
   for (const std::string& path : paths) {
     const Result<LoadedScene> loaded = loadScene(path, streams);
     if (loaded) {
-      printNotes(loaded.value(), streams.out);
+      printNotes(loaded.value(), streams.err);
       continue;
     }
     const Exit now = exitOf(loaded.problems());
@@ -124,8 +124,8 @@ void addScene(Command program, const Streams& streams, Exit& exit) {
   const Command command = program.add("scene", "Check scene files, or show what one compiles to");
   command.mustChoose();
 
-  const Command checking =
-      command.add("check", "Print all problems in scene files, and notes on their meshes; nothing if there are none");
+  const Command checking = command.add(
+      "check", "Print all problems in scene files, nothing if there are none; on stderr, notes on their meshes");
   const auto paths = std::make_shared<std::vector<std::string>>();
   checking.option("files", *paths, "Scene files").required();
   checking.whenChosen([paths, &streams, &exit] { exit = checkSceneFiles(*paths, streams); });

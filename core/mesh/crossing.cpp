@@ -135,7 +135,9 @@ int netCrossings(const Surface& surface, const Vec3& from_M, const Vec3& to_M) n
 bool isInside(const Surface& surface, const Vec3& q_M) noexcept {
   // To a point outside the bounds, in a direction that edges of ordinary meshes do not have.
   const Vec3 low = surface.low_M.cast<double>(), high = surface.high_M.cast<double>();
-  if ((q_M - low).minCoeff() < 0.0 || (high - q_M).minCoeff() < 0.0) return false;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    if (q_M[axis] < low[axis] || q_M[axis] > high[axis]) return false;
+  }
   return netCrossings(surface, q_M, q_M + 2.0 * (high - low).norm() * Vec3(0.5773, 0.2113, 0.7887)) > 0;
 }
 

@@ -173,7 +173,9 @@ void searchBestFirst(const Surface& surface, const Vec3& q_M, Hit& hit) noexcept
 /// saves. A hand moves a few millimetres in a tick, so this happens only with meshes that are hardly larger.
 bool isLeap(const Surface& surface, const Cut& cut, const Vec3& q_M) noexcept UNDERACT_REAL_TIME {
   constexpr float kOfExtent = 1.0F / 12.0F;
-  const double far = cut.reach + static_cast<double>(kOfExtent * (surface.high_M - surface.low_M).maxCoeff());
+  const Eigen::Vector3f extent = surface.high_M - surface.low_M;
+  const double far =
+      cut.reach + static_cast<double>(kOfExtent * std::max(extent.x(), std::max(extent.y(), extent.z())));
   return cut.reach > 0.0 && (q_M - cut.q_M).squaredNorm() > far * far;
 }
 

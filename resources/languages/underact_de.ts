@@ -635,6 +635,26 @@ Grenze: %4 (%5).</translation>
         <translation>Der Datenträger ist fast voll: %1 sind frei. Geben Sie Platz frei; sonst wird die Aufzeichnung gestoppt und gespeichert.</translation>
     </message>
     <message>
+        <source>Cancelled: the run was not compared to its end.</source>
+        <translation>Abgebrochen: Der Lauf wurde nicht bis zum Ende verglichen.</translation>
+    </message>
+    <message>
+        <source>Not run again. %1</source>
+        <translation>Nicht wiederholt. %1</translation>
+    </message>
+    <message>
+        <source>Tick %1 differs from the recording: %2.</source>
+        <translation>Takt %1 weicht von der Aufzeichnung ab: %2.</translation>
+    </message>
+    <message>
+        <source>Run again: all %1 ticks are the same to the last bit.</source>
+        <translation>Wiederholt: Alle %1 Takte sind bis auf das letzte Bit gleich.</translation>
+    </message>
+    <message>
+        <source>%1 A person or an edit had a part in the run, so the recorded input was used.</source>
+        <translation>%1 An dem Lauf war eine Person oder eine Änderung beteiligt, deshalb wurde die aufgezeichnete Eingabe verwendet.</translation>
+    </message>
+    <message>
         <source>and %1 more</source>
         <translation>und %1 weitere</translation>
     </message>
@@ -2916,6 +2936,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die vorhandene Datei kann nicht ersetzt werden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
+        <source>This session contains no ticks.</source>
+        <translation>Diese Sitzung enthält keine Takte.</translation>
+    </message>
+    <message>
         <source>The file is damaged: reading stopped after %1 vertices and %2 faces.</source>
         <translation>Die Datei ist beschädigt: Nach %1 Ecken und %2 Flächen ging es beim Lesen nicht weiter.</translation>
     </message>
@@ -4825,7 +4849,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>The curve %1 is not the one that the scene was made with: its checksum differs. Restore that file, or remove "checksum" to use this one.</source>
-        <translation>Die Kurve %1 ist nicht die, mit der die Szene erstellt wurde: Ihre Prüfsumme weicht ab. Stellen Sie die Datei wieder her, oder entfernen Sie &quot;checksum&quot;, um diese zu verwenden.</translation>
+        <translation>Die Kurve %1 ist nicht die, mit der die Szene erstellt wurde: Ihre Prüfsumme weicht ab. Stellen Sie die Datei wieder her, oder entfernen Sie "checksum", um diese zu verwenden.</translation>
     </message>
     <message>
         <source>The file %1 was not found in %2. A recording stores the names of its meshes and curves, not their folders. Put the file beside the session, or choose its folder: in the window with Replay, Folder with meshes and curves; on the command line with --files FOLDER.</source>
@@ -10954,16 +10978,20 @@ und %2 weitere</translation>
         <translation>Fortschritt</translation>
     </message>
     <message>
-        <source>Cancel the export</source>
-        <translation>Export abbrechen</translation>
+        <source>Cancel the job</source>
+        <translation>Den Vorgang abbrechen</translation>
     </message>
     <message>
-        <source>Stops the export.</source>
-        <translation>Bricht den Export ab.</translation>
+        <source>Stops the job.</source>
+        <translation>Beendet den Vorgang.</translation>
     </message>
     <message>
         <source>Exporting %1</source>
         <translation>%1 wird exportiert</translation>
+    </message>
+    <message>
+        <source>Running %1 again</source>
+        <translation>%1 wird wiederholt</translation>
     </message>
     <message>
         <source>Drawing the plots of %1</source>
@@ -13912,6 +13940,14 @@ und %2 weitere</translation>
     <message>
         <source>Save the plots</source>
         <translation>Diagramme speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Run again</source>
+        <translation>Lauf &amp;wiederholen</translation>
+    </message>
+    <message>
+        <source>Makes the run of the selected session again from its file, and compares every tick to the last bit.</source>
+        <translation>Wiederholt den Lauf der gewählten Sitzung aus ihrer Datei und vergleicht jeden Takt bis auf das letzte Bit.</translation>
     </message>
     <message>
         <source>Fo&amp;llow</source>

@@ -101,7 +101,8 @@ TEST_F(MeshInfo, OfAMeshThatIntersectsItselfScenesAndRunsSayTheSame) {
       "intersects itself, at ";
   const Outcome checked = runCli({"scene", "check", scene});
   EXPECT_EQ(checked.exit, Exit::Well);
-  EXPECT_NE(checked.out.find(note), std::string::npos) << checked.out;
+  EXPECT_NE(checked.err.find(note), std::string::npos) << checked.err;
+  EXPECT_EQ(checked.out, "");  // nothing, where there is no problem
   const Outcome ran = runCli({"run", scene, "--hand", "still", "--seconds", "0.1", "--fast"});
   EXPECT_EQ(ran.exit, Exit::Well);
   EXPECT_NE(ran.err.find(note), std::string::npos) << ran.err;
@@ -124,7 +125,7 @@ TEST_F(MeshInfo, TheTargetDeepInTheSecondOfTwoBoxesIsOnTheSurfaceOfBoth) {
 TEST_F(MeshInfo, AMeshThatNoHandFeelsOrNoArmReachesIsNotedInTheScene) {
   folder_.write("two.stl", leastCase());
   const auto notes = [&](const std::string& keys) {
-    return runCli({"scene", "check", folder_.write("size.json", sceneWith(keys))}).out;
+    return runCli({"scene", "check", folder_.write("size.json", sceneWith(keys))}).err;
   };
   EXPECT_NE(notes(R"(, "scale_mm_per_unit": 250)").find("It is 10000 mm long, far beyond the arm's reach"),
             std::string::npos);

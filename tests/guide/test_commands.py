@@ -68,18 +68,23 @@ def command_at(page, block, index):
 
 
 def commands_of(page, block):
-    """The commands of a block in order. Below one with a dollar is its output."""
+    """The commands of a block in order. Where they have a dollar, their output is below them, which
+    may be a command itself."""
     found, index = [], 0
+    has_output = block[0][1].startswith("$ ")
+
+    def begins_at(at):
+        return (not has_output or block[at][1].startswith("$ ")) and command_at(page, block, at)[0]
+
     while index < len(block):
         command, after = command_at(page, block, index)
         index = max(after, index + 1)
         if not command:
             continue
         lines = []
-        while index < len(block) and not command_at(page, block, index)[0]:
+        while index < len(block) and not begins_at(index):
             lines.append(block[index][1])
             index += 1
-        has_output = block[0][1].startswith("$ ")
         found.append(dataclasses.replace(command, output="\n".join(lines) if has_output else ""))
     return found
 

@@ -12,6 +12,7 @@
 
 #include "app/gui/model/player.h"
 #include "app/gui/sessions/csv_file.h"
+#include "app/gui/sessions/rerun_check.h"
 #include "app/gui/sessions/session_index.h"
 #include "app/gui/sessions/sessions_panel.h"
 #include "tests/stories/session_desk.h"
@@ -67,6 +68,36 @@ TEST(SessionListStory, ACsvHasARowForEachTickAndACancelledOneLeavesNoFile) {
   EXPECT_FALSE(QFile::exists(desk.file("none.csv.part")));
   ASSERT_TRUE(desk.story->perform("sessions.export", "/dev/null/nowhere/all.csv"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return desk.text("panel.sessions.told").startsWith("Not exported."); }, kLong_ms));
+}
+
+TEST(SessionListStory, ARunIsMadeAgainAndOneThatIsAnotherIsNamed) {
+  Desk desk;
+  const QString path = desk.session(600);
+  ASSERT_TRUE(desk.choose(path));
+  ASSERT_TRUE(desk.story->perform("sessions.rerun"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return desk.text("panel.sessions.told").contains("the same"); }, kLong_ms));
+  EXPECT_FALSE(desk.story->find("panel.sessions.progress")->isVisible());
+  // The golden one is of a scripted hand: its simulated arm moves again.
+  const QString golden = desk.file("golden.h5");
+  ASSERT_TRUE(QFile::copy(QString(UNDERACT_SOURCE) + "/tests/golden/session_rerun.h5", golden));
+  ASSERT_TRUE(desk.listed(2));
+  ASSERT_TRUE(desk.choose(golden));
+  ASSERT_TRUE(desk.story->perform("sessions.rerun"));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return desk.text("panel.sessions.told") == "Run again: all 500 ticks are the same to the last bit."; },
+      kLong_ms))
+      << desk.text("panel.sessions.told").toStdString();
+  bool alarm = false;
+  WorkState state;
+  state.cancelled = true;
+  const RerunCheck cancelled = checkRerun(golden.toStdString(), state);
+  EXPECT_TRUE(cancelled.cancelled);
+  EXPECT_EQ(sentenceOf(cancelled, alarm), "Cancelled: the run was not compared to its end.");
+  EXPECT_FALSE(alarm);
+  RerunCheck other;
+  other.result.verified.differs = {17, "force_sent_N"};
+  EXPECT_EQ(sentenceOf(other, alarm), "Tick 17 differs from the recording: force_sent_N.");
+  EXPECT_TRUE(alarm);
 }
 
 TEST(SessionListStory, AKilledSessionIsRecovered) {

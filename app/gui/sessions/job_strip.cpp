@@ -6,11 +6,14 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStyle>
+#include <utility>
 
 #include "app/gui/kit/message_label.h"
 #include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
+#include "app/gui/sessions/csv_file.h"
 #include "app/gui/sessions/plots_run.h"
+#include "app/gui/sessions/rerun_check.h"
 
 namespace underact::gui {
 namespace {
@@ -37,8 +40,8 @@ JobStrip::JobStrip(QWidget* parent)
   bar_->setObjectName("panel.sessions.progress");
   bar_->setAccessibleName(tr("Progress"));
   cancel_->setObjectName("panel.sessions.cancel");
-  cancel_->setAccessibleName(tr("Cancel the export"));
-  cancel_->setToolTip(tr("Stops the export."));
+  cancel_->setAccessibleName(tr("Cancel the job"));
+  cancel_->setToolTip(tr("Stops the job."));
   auto* grid = tight<QGridLayout>(this, 4);
   grid->addWidget(told_, 0, 0, 1, 2);
   grid->addWidget(bar_, 1, 0);
@@ -54,11 +57,25 @@ JobStrip::JobStrip(QWidget* parent)
 JobStrip::~JobStrip() = default;
 
 bool JobStrip::beginCsv(const QString& session, const QString& out) {
+  return beginJob(tr("Exporting %1").arg(QFileInfo(session).fileName()), [session, out](WorkState& state) -> JobResult {
+    const CsvFile done = writeCsvFile(session.toStdString(), out.toStdString(), state);
+    return {sentenceOf(done, out), !done.problems.empty()};
+  });
+}
+
+bool JobStrip::beginRerun(const QString& session) {
+  return beginJob(tr("Running %1 again").arg(QFileInfo(session).fileName()), [session](WorkState& state) {
+    const RerunCheck check = checkRerun(session.toStdString(), state);
+    JobResult result;
+    result.sentence = sentenceOf(check, result.is_alarm);
+    return result;
+  });
+}
+
+bool JobStrip::beginJob(const QString& sentence, std::function<JobResult(WorkState&)> work) {
   if (isBusy()) return false;
-  out_ = out;
-  begin(tr("Exporting %1").arg(QFileInfo(session).fileName()), kSteps);
-  csv_ = std::make_unique<Background<CsvFile>>([from = session.toStdString(), to = out.toStdString()](
-                                                   WorkState& state) { return writeCsvFile(from, to, state); });
+  begin(sentence, kSteps);
+  job_ = std::make_unique<Background<JobResult>>(std::move(work));
   poll_timer_.start();
   return true;
 }
@@ -77,7 +94,7 @@ bool JobStrip::beginPlots(const QString& session, const QString& out) {
 }
 
 void JobStrip::cancel() {
-  if (csv_ != nullptr) csv_->cancel();
+  if (job_ != nullptr) job_->cancel();
   if (plots_ != nullptr) plots_->cancel();
 }
 
@@ -90,12 +107,12 @@ void JobStrip::begin(const QString& sentence, int most) {
 }
 
 void JobStrip::poll() {
-  bar_->setValue(static_cast<int>(csv_->share() * bar_->maximum()));
-  const std::optional<CsvFile> done = csv_->take();
+  bar_->setValue(static_cast<int>(job_->share() * bar_->maximum()));
+  const std::optional<JobResult> done = job_->take();
   if (!done) return;
   poll_timer_.stop();
-  csv_.reset();
-  end(sentenceOf(*done, out_), !done->problems.empty());
+  job_.reset();
+  end(done->sentence, done->is_alarm);
 }
 
 void JobStrip::end(const QString& sentence, bool alarm) {

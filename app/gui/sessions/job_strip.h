@@ -1,11 +1,11 @@
 #pragma once
+#include <QString>
 #include <QTimer>
 #include <QWidget>
 #include <functional>
 #include <memory>
 
 #include "app/gui/kit/background.h"
-#include "app/gui/sessions/csv_file.h"
 
 class QLabel;
 class QProgressBar;
@@ -15,16 +15,23 @@ namespace underact::gui {
 
 class PlotsRun;
 
+/// What a job ended with.
+struct JobResult {
+  QString sentence;
+  bool is_alarm = false;  // it is an error
+};
+
 /// Runs one long job on a session at a time: shows its progress, a button to cancel it, and its result.
 class JobStrip : public QWidget {
   Q_OBJECT
  public:
   explicit JobStrip(QWidget* parent = nullptr);
   ~JobStrip() override;
-  bool isBusy() const { return csv_ != nullptr || plots_ != nullptr; }
+  bool isBusy() const { return job_ != nullptr || plots_ != nullptr; }
   /// false: another job is running.
   bool beginCsv(const QString& session, const QString& out);
   bool beginPlots(const QString& session, const QString& out);
+  bool beginRerun(const QString& session);
   void cancel();
   /// Shows a result; alarm: it is an error.
   void say(const QString& sentence, bool alarm);
@@ -34,12 +41,12 @@ class JobStrip : public QWidget {
 
  private:
   void begin(const QString& sentence, int most);
+  bool beginJob(const QString& sentence, std::function<JobResult(WorkState&)> work);
   void poll();
   void end(const QString& sentence, bool alarm);
 
-  std::unique_ptr<Background<CsvFile>> csv_;
+  std::unique_ptr<Background<JobResult>> job_;
   PlotsRun* plots_ = nullptr;
-  QString out_;
   QLabel* told_;
   QProgressBar* bar_;
   QPushButton* cancel_;

@@ -60,6 +60,13 @@ void SessionTools::addActions() {
         chooseFile(tr("Save the plots"), "pdf", "sessions.plots");
         return true;
       });
+  add("sessions.rerun", tr("&Run again"), "Ctrl+Alt+R",
+      tr("Makes the run of the selected session again from its file, and compares every tick to the last bit."),
+      [this](const QVariantList&) {
+        const bool begun = job_.beginRerun(list_.chosen()->path);
+        presentChosen();
+        return begun;
+      });
   add("sessions.follow", tr("Fo&llow"), "Ctrl+Shift+G",
       tr("Shows the recorded stylus of the selected session as a ghost for a hand to follow."),
       [this](const QVariantList&) { return actions_.perform("ghost.open", list_.chosen()->path); });
@@ -84,8 +91,8 @@ void SessionTools::addActions() {
 void SessionTools::buildMenu() {
   menu_ = new QMenu(tr("More"), this);
   menu_->setObjectName("panel.sessions.menu");
-  for (const char* name : {"sessions.follow", "sessions.export", "sessions.plots", "sessions.show", "sessions.edit",
-                           "sessions.recover", "sessions.delete"})
+  for (const char* name : {"sessions.follow", "sessions.rerun", "sessions.export", "sessions.plots", "sessions.show",
+                           "sessions.edit", "sessions.recover", "sessions.delete"})
     menu_->addAction(actions_.find(name));
 }
 
@@ -116,6 +123,7 @@ void SessionTools::presentChosen() {
   const auto allow = [this](const char* name, bool allowed) { actions_.find(name)->setEnabled(allowed); };
   allow("sessions.export", readable && !job_.isBusy());
   allow("sessions.plots", readable && !job_.isBusy());
+  allow("sessions.rerun", readable && !job_.isBusy());
   allow("sessions.follow", readable);
   allow("sessions.show", any);
   allow("sessions.edit", closed);

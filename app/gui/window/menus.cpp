@@ -84,10 +84,10 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
            {"session.start", "session.stop", "session.hold_to_run", "-", "servo.restart", "servo.check", "servo.fault",
             "-", "devices.look", "devices.simulated", "second.on", "registration.open", "-", "identify.open",
             "arm.open", "arm.vendor", "-", "calibration.left", "calibration.right"});
-  fillMenu(
-      named(bar->addMenu(tr("Sessio&ns")), "menu.sessions"), actions,
-      {"session.record", "session.mark", "-", "sessions.find", "sessions.export", "sessions.plots", "sessions.follow",
-       "sessions.show", "sessions.edit", "sessions.recover", "sessions.delete", "-", "sessions.folder"});
+  fillMenu(named(bar->addMenu(tr("Sessio&ns")), "menu.sessions"), actions,
+           {"session.record", "session.mark", "-", "sessions.find", "sessions.export", "sessions.plots",
+            "sessions.follow", "sessions.rerun", "sessions.show", "sessions.edit", "sessions.recover",
+            "sessions.delete", "-", "sessions.folder"});
   QMenu* replay = named(bar->addMenu(tr("&Replay")), "menu.replay");
   fillMenu(replay, actions,
            {"replay.open", "-", "replay.play", "replay.back", "replay.forward", "-", "replay.loop", "replay.loop_in",

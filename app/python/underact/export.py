@@ -113,8 +113,8 @@ def described_run(session: Session) -> dict:
 
 
 def csv(session: Session, out: str | Path) -> None:
-    """The same columns as `underact-cli run --record F.csv`, read back to the same numbers; beside it
-    F.csv-metadata.json, which says what they are and what was run.
+    """The same columns as `underact-cli run --record F.csv`, read back to the same numbers; beside
+    it F.csv-metadata.json, which says what they are and what was run.
     """
     columns = _flat(session)
     with open(out, "w", encoding="utf-8", newline="", opener=_owners_alone) as file:
