@@ -181,19 +181,22 @@ TEST(Details, AreTheTrueTipTheHandsForceAndEachConstraintsShare) {
   const std::size_t constraints = read.scene(read.changes()[0]).value().constraints.size();
   EXPECT_EQ(read.rows(record::kConstraints), 300 * static_cast<std::int64_t>(constraints));
   std::vector<Vec3> sums(301, Vec3::Zero());
-  for (const record::Block& block : read.readBlocks(record::kConstraints, 0, 1000).value()) {
+  const std::vector<record::Block> forces = read.readBlocks(record::kConstraints, 0, 1000).value();
+  for (const record::Block& block : forces) {
     for (const servo::ConstraintRow& row : record::unpackConstraints(block))
       if (row.acts) sums[static_cast<std::size_t>(row.tick)] += row.f_T_W;
   }
   std::vector<Vec3> true_tips(301, Vec3::Zero());
-  for (const record::Block& block : read.readBlocks(record::kTruth, 0, 1000).value()) {
+  const std::vector<record::Block> truths = read.readBlocks(record::kTruth, 0, 1000).value();
+  for (const record::Block& block : truths) {
     for (const servo::TruthRow& row : record::unpackTruth(block)) {
       true_tips[static_cast<std::size_t>(row.tick)] = row.truth.p_WT;
       EXPECT_TRUE(row.truth.f_hand_T_W.allFinite());
     }
   }
   double most_apart_m = 0.0;
-  for (const record::Block& block : read.readTicks(0, 1000).value()) {
+  const std::vector<record::Block> ticks = read.readTicks(0, 1000).value();
+  for (const record::Block& block : ticks) {
     for (const servo::TickRecord& row : record::unpackTicks(block)) {
       EXPECT_LT((sums[static_cast<std::size_t>(row.tick)] - row.f_asked_T_W).norm(), 1e-12) << row.tick;
       most_apart_m = std::max(most_apart_m, (true_tips[static_cast<std::size_t>(row.tick)] - row.p_WT).norm());

@@ -99,7 +99,7 @@ TEST(RerunCommand, SaysWhereARunThatIsNotTheSameDiffers) {
       Exit::Well);
   // Another tremor in its provenance, as if another version had another hand. The texts are bytes of the file.
   std::string bytes = fileContent(session);
-  const std::string before = "\"tremor_m\": 0.0005", after = "\"tremor_m\": 0.0006";
+  const std::string before = "\"tremor_m\": 5e-04", after = "\"tremor_m\": 6e-04";
   const std::size_t at = bytes.find(before);
   ASSERT_NE(at, std::string::npos);
   bytes.replace(at, before.size(), after);

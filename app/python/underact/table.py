@@ -29,9 +29,10 @@ def _columns_of(group: h5py.Group) -> list[str]:
 class Table(Mapping):
     """The columns of a table by name, each a numpy array cut to the rows that all columns have.
 
-    table["q_rad"]: shape (rows, 6); one number a row: shape (rows,). `units`, `meanings`
-    and `frames` hold what the file says of each column. Blocks are checked at the first access to a column: a damaged one
-    raises DamagedSession, or with damaged="skip" its rows are left out of every column.
+    table["q_rad"]: shape (rows, 6); one number a row: shape (rows,). `units`, `meanings` and
+    `frames` hold what the file says of each column. Blocks are checked at the first access to a
+    column: a damaged one raises DamagedSession, or with damaged="skip" its rows are left out of
+    every column.
     """
 
     def __init__(self, file: h5py.File, name: str, wanted: dict[str, int], damaged: str):

@@ -80,7 +80,8 @@ def draw_path(axes: Axes, view: View, figure: Figure, bar: bool = True) -> None:
     axes.plot(*way[0], "o", color=style.STYLUS, markersize=3)
     axes.text(*way[0], " start", fontsize=6, color=style.STYLUS)
     if bar:
-        figure.colorbar(collection, ax=axes, shrink=0.6, pad=0.09, label=f"force sent [{layout.unit('force_sent_N')}]")
+        label = f"force sent [{layout.unit('force_sent_N')}]"
+        figure.colorbar(collection, ax=axes, shrink=0.6, pad=0.09, label=label)
     frame_axes(axes, np.concatenate(reach))
 
 
