@@ -105,7 +105,7 @@ TEST(RerunCommand, SaysWhereARunThatIsNotTheSameDiffers) {
   bytes.replace(at, before.size(), after);
   std::ofstream(session, std::ios::binary) << bytes;
   const Outcome damaged = runCli({"rerun", session});  // its checksum tells
-  EXPECT_EQ(damaged.exit, Exit::BadInput) << damaged.out;
+  EXPECT_EQ(damaged.exit, Exit::File) << damaged.out;
   EXPECT_NE(damaged.err.find("damaged"), std::string::npos) << damaged.err;
 }
 
