@@ -17,8 +17,7 @@ struct Facts {
   std::int64_t file_faces = 0;
   std::int64_t file_corners = 0;
   std::int64_t normals = 0, normals_against = 0;  // given for faces; of these, against the winding
-  double single_step =
-      0.0;  // between single-precision numbers that far from its origin; 0: it is not far, or has others
+  double single_step = 0.0;  // of single-precision numbers that far from its origin; 0: near it, or no such numbers
   // Left out, in faces
   std::int64_t not_finite = 0, out_of_range = 0, without_extent = 0, duplicates = 0;
   // Repaired
