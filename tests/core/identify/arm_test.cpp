@@ -21,13 +21,15 @@ namespace {
 
 constexpr double kShare = 0.05;
 // What encoders hide. A force dF that acts on a mass over a window of 0.25 s moves it by dF W^2 / (2 m), and a damping
-// b over a travel L by about b L W / (6 m). Below one step (0.055 mm) of that, a window cannot tell it.
-constexpr double kStep_m = 0.055e-3, kWindow_s = 0.25, kTravel_m = 0.02;
+// b over a travel L by about b L W / (6 m). Below one step (0.055 mm) of that, a window cannot tell it. A swing by 10 mm
+// under k = 100 N/m travels 20 mm without friction, and ends 2 F / k earlier with it.
+constexpr double kStep_m = 0.055e-3, kWindow_s = 0.25, kTravel_m = 0.02, kSpring_N_per_m = 100.0;
 double leastForce_N(double mass_kg) {
   return 2.0 * mass_kg * kStep_m / (kWindow_s * kWindow_s);
 }
-double leastDamping(double mass_kg) {
-  return 6.0 * mass_kg * kStep_m / (kTravel_m * kWindow_s);
+double leastDamping(double mass_kg, double friction_N) {
+  const double travel_m = kTravel_m - 2.0 * friction_N / kSpring_N_per_m;
+  return 6.0 * mass_kg * kStep_m / (travel_m * kWindow_s);
 }
 
 struct Case {
@@ -53,7 +55,7 @@ Identified identified(const Case& one, bool encoders = true) {
 void expectGiven(const Case& one) {
   SCOPED_TRACE(wordsOf(one));
   const Identified found = identified(one);
-  const double damping = std::max(kShare * one.damping_N_s_per_m, leastDamping(one.mass_kg));
+  const double damping = std::max(kShare * one.damping_N_s_per_m, leastDamping(one.mass_kg, one.friction_N));
   EXPECT_NEAR(found.mean_mass_kg.value, one.mass_kg, kShare * one.mass_kg);
   EXPECT_NEAR(found.mean_friction_N.value, one.friction_N,
               std::max(kShare * one.friction_N, leastForce_N(one.mass_kg)));
