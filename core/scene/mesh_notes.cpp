@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/translate.h"
+#include "core/json/json.h"
 #include "core/json/text.h"
 #include "core/mesh_file/report.h"
 #include "core/mesh_file/union_report.h"
