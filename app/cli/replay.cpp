@@ -20,7 +20,6 @@
 #include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
 #include "core/scene/settings.h"
-#include "core/system/resource_paths.h"
 #include "core/system/signals.h"
 
 namespace underact::cli {
@@ -98,14 +97,6 @@ class Comparison {
   double square_apart_N2_ = 0.0, most_apart_N_ = 0.0;
 };
 
-/// Where the meshes and curves of a recording are searched: in the given folders, then in the scenes that ship.
-std::vector<std::string> foldersOf(const ReplayOptions& options) {
-  std::vector<std::string> folders = options.files_in;
-  const Result<std::string> shipped = system::findResource(system::Resource::Scenes);
-  if (shipped) folders.push_back(shipped.value());
-  return folders;
-}
-
 Exit verifyTicks(record::Session& session, const ReplayOptions& options, const Streams& streams) {
   const system::Interrupt interrupt;
   Progress progress(streams);
@@ -113,7 +104,8 @@ Exit verifyTicks(record::Session& session, const ReplayOptions& options, const S
     progress.show(share);
     return !interrupt.came();
   };
-  const Result<record::Verified> verified = record::verifyReplay(session, goes_on, foldersOf(options));
+  const Result<record::Verified> verified =
+      record::verifyReplay(session, goes_on, recordedFilesFolders(options.files_in));
   if (!verified) return fail(verified.problems(), streams);
   JsonObject object;
   object.addInteger("ticks", session.info().ticks);
@@ -144,7 +136,7 @@ Result<scene::Description> wantedScene(const ReplayOptions& options, record::Ses
     Result<scene::Description> recorded = session.scene(session.changes().front());
     if (!recorded) return recorded;
     scene = recorded.value();
-    Problems unfound = scene::loadRecordedMeshes(scene, foldersOf(options));
+    Problems unfound = scene::loadRecordedMeshes(scene, recordedFilesFolders(options.files_in));
     if (!unfound.empty()) return unfound;
   }
   Result<scene::Description> edited = withOverrides(scene, options.overridesFor(scene));

@@ -7,7 +7,6 @@
 #include "app/cli/recording.h"
 #include "app/cli/run_summary.h"
 #include "app/cli/scene_file.h"
-#include "core/system/resource_paths.h"
 #include "core/system/signals.h"
 #include "device/rerun_session.h"
 
@@ -20,14 +19,6 @@ struct RerunChoice {
   bool overwrite = false;
   system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
 };
-
-/// Where meshes and curves are searched: in the given folders, then in the scenes that ship.
-std::vector<std::string> placesOf(const RerunChoice& choice) {
-  std::vector<std::string> folders = choice.files_in;
-  const Result<std::string> shipped = system::findResource(system::Resource::Scenes);
-  if (shipped) folders.push_back(shipped.value());
-  return folders;
-}
 
 JsonObject rerunAnswer(const record::SessionInfo& info, const device::RerunResult& result, const RunSummary& summary,
                        bool is_same) {
@@ -59,7 +50,7 @@ Exit rerun(const RerunChoice& choice, const Streams& streams) {
   RunSummary summary;
   device::RerunOptions options;
   options.out = {choice.out, choice.existing()};
-  options.files_in = placesOf(choice);
+  options.files_in = recordedFilesFolders(choice.files_in);
   options.tick = [&summary](const servo::TickRecord& record) { summary.add(record); };
   options.progress = [&](double share) {
     progress.show(share);

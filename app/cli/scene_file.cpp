@@ -8,6 +8,7 @@
 #include "core/scene/load_meshes.h"
 #include "core/scene/mesh_notes.h"
 #include "core/scene/read.h"
+#include "core/system/resource_paths.h"
 
 namespace underact::cli {
 
@@ -20,6 +21,12 @@ Result<LoadedScene> loadScene(const std::string& path, const Streams& streams) {
   Result<tick::TickProgram> program = scene::loadAndCompile(description.value(), monitor);
   if (!program) return program.problems();
   return LoadedScene{std::move(description).value(), std::move(program).value()};
+}
+
+std::vector<std::string> recordedFilesFolders(std::vector<std::string> given) {
+  const Result<std::string> shipped = system::findResource(system::Resource::Scenes);
+  if (shipped) given.push_back(shipped.value());
+  return given;
 }
 
 void print(const Problems& problems, std::ostream& stream) {

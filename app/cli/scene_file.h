@@ -1,6 +1,7 @@
 #pragma once
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 #include "app/cli/command.h"
 #include "core/base/result.h"
@@ -17,6 +18,9 @@ struct LoadedScene {
 
 /// With its meshes; their progress on streams.err.
 Result<LoadedScene> loadScene(const std::string& path, const Streams& streams);
+
+/// Where the meshes and curves of a recording are searched: in the given folders, then in the scenes that ship.
+std::vector<std::string> recordedFilesFolders(std::vector<std::string> given);
 
 /// One line per problem.
 void print(const Problems& problems, std::ostream& stream);

@@ -148,9 +148,18 @@ TEST(TangledMesh, NeedlesThroughEachOtherAreOneStar) {
   EXPECT_GT(inside, 50);
 }
 
+TEST(TangledMesh, ThatIsUnsureIsRefusedAsAWallInWords) {
+  Facts facts;
+  facts.faces = 12;
+  EXPECT_TRUE(allowsWalls(facts));
+  facts.inside = Inside::Unsure;
+  EXPECT_FALSE(allowsWalls(facts));
+  EXPECT_EQ(noWallsReason(facts), "it intersects itself too often to tell inside from outside");
+}
+
 /// Takes ten seconds; UnionOfManyParts tests the limits themselves.
 TEST(TangledMesh, MoreIntersectionsThanTheLimitAreRefusedInWords) {
-  if (!test::isSoak()) GTEST_SKIP();
+  if (!test::isSoak()) GTEST_SKIP() << "two million intersections take ten seconds: in the soak";
   std::vector<Triangles> boxes;
   test::Random random(test::Seed{20070606});
   for (int k = 0; k < 1500; ++k) {
