@@ -13942,8 +13942,8 @@ und %2 weitere</translation>
         <translation>Diagramme speichern</translation>
     </message>
     <message>
-        <source>&amp;Run again</source>
-        <translation>Lauf &amp;wiederholen</translation>
+        <source>Run a&amp;gain</source>
+        <translation>Lauf w&amp;iederholen</translation>
     </message>
     <message>
         <source>Makes the run of the selected session again from its file, and compares every tick to the last bit.</source>

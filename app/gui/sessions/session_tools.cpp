@@ -60,7 +60,7 @@ void SessionTools::addActions() {
         chooseFile(tr("Save the plots"), "pdf", "sessions.plots");
         return true;
       });
-  add("sessions.rerun", tr("&Run again"), "Ctrl+Alt+R",
+  add("sessions.rerun", tr("Run a&gain"), "Ctrl+Shift+A",
       tr("Makes the run of the selected session again from its file, and compares every tick to the last bit."),
       [this](const QVariantList&) {
         const bool begun = job_.beginRerun(list_.chosen()->path);
