@@ -29,6 +29,7 @@ struct ThreeParallelSolution {
   std::array<double, 6> q{};
   int shoulder = 1, elbow = 1, wrist = 1;
 };
+/// What solveAll() found: the first count of all.
 struct ThreeParallelSolutions {
   std::array<ThreeParallelSolution, 8> all{};
   std::size_t count = 0;

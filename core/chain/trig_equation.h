@@ -29,12 +29,14 @@ inline Vec3 nearestOn(const Joint& a, const Joint& b) noexcept UNDERACT_REAL_TIM
 /// Up to four values of a joint, rad or m.
 using JointRoots = Roots;
 
-/// fixed + cos q cosine + sin q sine = 0. Two roots, one where they coincide (to 1e-12 of the amplitude), none out of
-/// reach by more than 1e-9 of it. free: the equation holds for every angle.
+/// The roots of fixed + cos q cosine + sin q sine = 0, the amplitude measured by scale. Two roots, one where they
+/// coincide (to 1e-12 of the amplitude), none out of reach by more than 1e-9 of it. free: the equation holds for every
+/// angle.
 struct AngleRoots {
   JointRoots roots;
   bool free = false;
 };
+/// All three in the unit of scale; not finite in, no roots.
 inline AngleRoots rootsOfAngle(double fixed, double cosine, double sine, double scale) noexcept UNDERACT_REAL_TIME {
   AngleRoots found;
   const double amplitude = std::sqrt(cosine * cosine + sine * sine);
@@ -66,6 +68,7 @@ struct MovedPoint {
     return fixed + cos * cosine + sin * sine;
   }
 };
+/// The point p_W of the link behind the joint, m, with all joints at 0.
 inline MovedPoint movedBy(const Joint& joint, const Vec3& p_W) noexcept UNDERACT_REAL_TIME {
   if (joint.type == JointType::Prismatic) return {joint.type, p_W, joint.axis_W, Vec3::Zero()};
   const Vec3 arm_W = perpendicularPart(joint.axis_W, p_W - joint.p_WJ);
@@ -78,6 +81,7 @@ inline MovedPoint movedBy(const Joint& joint, const Vec3& p_W) noexcept UNDERACT
 struct UnknownOfJoint {
   JointType type = JointType::Revolute;
   bool far = false;
+  /// 1 + t^2, or 1.
   Quadratic denominator() const noexcept UNDERACT_REAL_TIME {
     return type == JointType::Revolute ? Quadratic{1.0, 0.0, 1.0} : Quadratic{1.0, 0.0, 0.0};
   }
@@ -91,10 +95,12 @@ struct UnknownOfJoint {
     if (type == JointType::Prismatic) return {way.squaredNorm(), 2.0 * way.dot(point.cosine), 1.0};
     return of(way.squaredNorm() + point.cosine.squaredNorm(), 2.0 * way.dot(point.cosine), 2.0 * way.dot(point.sine));
   }
+  /// The joint for a root, rad or m.
   double value(double t) const noexcept UNDERACT_REAL_TIME {
     if (type == JointType::Prismatic) return t;
     return 2.0 * atan2Of(t, 1.0) + (far ? kPi : 0.0);
   }
+  /// The joint for each root of a polynomial.
   JointRoots valuesOf(const Quartic& polynomial) const noexcept UNDERACT_REAL_TIME {
     Roots roots = type == JointType::Prismatic ? rootsOf(polynomial) : rootsWithin(polynomial, -1.0, 1.0);
     for (std::size_t i = 0; i < roots.count; ++i) roots.all[i] = value(roots.all[i]);

@@ -20,7 +20,9 @@ struct Branches {
   double half_rad = 0.0;
   bool merged = false;
   bool exact = true;
+  /// 1 where they coincide.
   int count() const noexcept UNDERACT_REAL_TIME { return merged ? 1 : 2; }
+  /// The angle of branch +1 or -1, rad.
   double answer(int branch) const noexcept UNDERACT_REAL_TIME { return middle_rad + branch * half_rad; }
 };
 
@@ -33,10 +35,11 @@ inline double wrappedOnce(double angle_rad) noexcept UNDERACT_REAL_TIME {
 
 /// The directions of the axes at home, neighbours not parallel.
 struct WristAxes {
-  std::array<Vec3, 3> axis_W{Vec3::UnitZ(), Vec3::UnitX(), Vec3::UnitZ()};
+  std::array<Vec3, 3> axis_W;
   Vec3 across_W = Vec3::Zero();  // unit, across the last axis
   double middle_rad = 0.0;       // the second joint where the last axis is nearest to the first
 };
+/// Of three unit directions.
 WristAxes wristAxes(const Vec3& first_W, const Vec3& second_W, const Vec3& third_W) noexcept;
 
 /// The point in which three revolute joints' axes meet to within near_m; none where they do not, or where neighbours
@@ -53,6 +56,7 @@ struct WristTask {
 struct WristAnswer {
   std::array<double, 3> q{};
 };
+/// Both, or the one that is left where they coincide.
 struct WristAnswers {
   std::array<WristAnswer, 2> all{};
   int count = 0;
