@@ -13,7 +13,7 @@ std::vector<Preset> devices() {
   for (const Model& model : models()) {
     const std::optional<Geometry> geometry = omniGeometry(model);
     if (!model.device || !geometry) continue;
-    all.push_back({model.name, model.title, model.provenance, *geometry, model.limits, model.device->counts_per_turn,
+    all.push_back({model.name, model.title, model.provenance, *geometry, limitsOf(model), model.device->counts_per_turn,
                    model.device->continuous_force_N});
   }
   return all;

@@ -258,22 +258,4 @@ InverseSolutions solveAll(const Inverse& inverse, const Pose& X_WT) {
   return solutions;
 }
 
-std::vector<double> selfMotion(const Chain& chain, std::span<const double> q, Asks asks, double relative) {
-  Eigen::MatrixXd J = jacobian(chain, q);
-  J.topRows(3) /= std::max(reachOf(chain), 1e-300);
-  for (Eigen::Index i = 0; i < J.cols(); ++i) {  // a slide by the reach counts as much as a turn by 1 rad
-    if (chain.joints[static_cast<std::size_t>(i)].type == JointType::Prismatic) J.col(i) *= reachOf(chain);
-  }
-  if (asks == Asks::Position) J = Eigen::MatrixXd(J.topRows(3));
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeFullV);
-  const Eigen::VectorXd& gains = svd.singularValues();
-  const bool surplus = J.cols() > J.rows();
-  if (!surplus && !(gains[gains.size() - 1] < relative * gains[0])) return {};
-  Eigen::VectorXd motion = svd.matrixV().col(J.cols() - 1);
-  Eigen::Index most = 0;
-  motion.cwiseAbs().maxCoeff(&most);
-  motion /= motion[most];
-  return {motion.data(), motion.data() + motion.size()};
-}
-
 }  // namespace underact::chain

@@ -75,9 +75,4 @@ struct InverseSolutions {
 /// take. Not for the servo thread.
 InverseSolutions solveAll(const Inverse& inverse, const Pose& X_WT);
 
-/// The joints of a motion that leaves the tip where it is: of each joint, how far it goes, the largest 1; empty where
-/// there is none. relative: a singular value of the Jacobian below this share of the largest counts as zero. Beyond as
-/// many joints as a pose needs there is always one; then this gives one of them.
-std::vector<double> selfMotion(const Chain& chain, std::span<const double> q, Asks asks, double relative);
-
 }  // namespace underact::chain

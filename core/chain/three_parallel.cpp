@@ -123,11 +123,18 @@ Sides fifthJoint(const ThreeParallelArm& arm, const Vec3& axis_6_W) noexcept {
   return sidesOf(level - n.dot(axis_6_W), n.dot(six) - level, n.dot(five.cross(six)), 1.0);
 }
 
-/// Joints 2 to 4 for what is left, a motion about their axes; for both elbows.
-void addElbowed(const ThreeParallelArm& arm, const Shift& N, ThreeParallelSolution so_far,
+/// What is left for joints 2 to 4, a motion about their axes: where it takes axis 4, and the direction of the upper
+/// arm; and q6, whose angle is not needed before.
+struct Planar {
+  Vec3 p_4, u;
+  SinCos six;
+};
+
+/// Joints 2 to 4 and 6; for both elbows.
+void addElbowed(const ThreeParallelArm& arm, const Planar& N, ThreeParallelSolution so_far,
                 ThreeParallelSolutions& found) noexcept {
-  const Vec3 &n = arm.joints[1].axis_W, &p_2 = arm.joints[1].p_WJ, &p_4 = arm.joints[3].p_WJ;
-  const Vec3 way = perpendicularPart(n, N.R * p_4 + N.p - p_2);
+  const Vec3 &n = arm.joints[1].axis_W, &p_2 = arm.joints[1].p_WJ;
+  const Vec3 way = N.p_4 - p_2 - n.dot(N.p_4 - p_2) * n;
   const Vec3 u = arm.upper_W / arm.upper_m, v = n.cross(u);
   const double x = way.dot(u), y = way.dot(v), square = x * x + y * y;
   const double far = arm.upper_m + arm.fore_m, near = std::abs(arm.upper_m - arm.fore_m);
@@ -139,8 +146,8 @@ void addElbowed(const ThreeParallelArm& arm, const Shift& N, ThreeParallelSoluti
   const double cosine = merged ? (beyond < within ? 1.0 : -1.0) : 0.5 * (within - beyond);
   const Vec3 e = arm.fore_W / arm.fore_m;
   const double ahead = u.dot(e), aside = v.dot(e);  // of the forearm at home
-  const SinCos total{n.dot(u.cross(N.R * u)), u.dot(N.R * u)};
-  const double all_rad = atan2Of(total.sin, total.cos);
+  const auto [all_rad, six_rad] = atan2OfTwo(v.dot(N.u), u.dot(N.u), N.six.sin, N.six.cos);
+  so_far.q[5] = six_rad;
   const double bend_unit = 0.5 / (arm.upper_m * arm.fore_m);
   std::array<double, 2> bend_rad{}, lift_rad{};
   std::array<double, 2> s3{}, c3{}, s2{}, c2{};
@@ -210,7 +217,7 @@ ThreeParallelSolutions solveAll(const ThreeParallelArm& arm, const Pose& X_WT) n
   if (!usable) return found;
   const Shift M{X_WT.linear() * arm.X_TW.linear(), X_WT.linear() * arm.X_TW.translation() + X_WT.translation()};
   const Vec3 &n = arm.joints[1].axis_W, &five_W = arm.joints[4].axis_W, &six_W = arm.joints[5].axis_W;
-  const Vec3 &p_5 = arm.joints[4].p_WJ, &p_6 = arm.joints[5].p_WJ, &p_1 = arm.joints[0].p_WJ;
+  const Vec3 &p_5 = arm.joints[4].p_WJ, &p_6 = arm.joints[5].p_WJ, &p_1 = arm.joints[0].p_WJ, &p_4 = arm.joints[3].p_WJ;
   const Wanted wanted{arm, M, M.R * six_W, M.R * arm.p_W56 + M.p};
   const Sides ones = arm.meets ? firstJoint(wanted) : firstJointOfFour(wanted);
   for (std::size_t i = 0; i < ones.count; ++i) {
@@ -237,18 +244,19 @@ ThreeParallelSolutions solveAll(const ThreeParallelArm& arm, const Pose& X_WT) n
       so_far.q[4] = five.angle_rad;
       const Vec3 n_of_five = rotated(n, five_W, reversed(five.turn));
       const bool straight = n_of_five.cross(six_W).squaredNorm() <= kOutsideShare * kOutsideShare;
-      const AxisRotation six = straight ? AxisRotation{} : rotationAbout(six_W, n_seen, n_of_five);
-      so_far.q[5] = six.angle_rad;
-      // N = e1^-1 M e6^-1 e5^-1, by its columns.
-      Shift N;
-      for (Eigen::Index column = 0; column < 3; ++column) {
-        const Vec3 unit = Mat3::Identity().col(column);
-        const Vec3 inner = rotated(rotated(unit, five_W, reversed(five.turn)), six_W, reversed(six.turn));
-        N.R.col(column) = rotated(M.R * inner, axis_1, back);
+      // The turn about axis 6 that takes n_seen to n_of_five; both stand at right angles to it in the same height.
+      const Vec3 a = six_W.cross(n_seen), b = six_W.cross(n_of_five);
+      SinCos six;
+      if (!straight) {
+        const double sine = six_W.dot(a.cross(b)), cosine = a.dot(b), length = std::sqrt(sine * sine + cosine * cosine);
+        if (length > 0.0) six = {sine / length, cosine / length};
       }
-      const Vec3 from_5 = p_5 - rotated(p_5, five_W, reversed(five.turn));
-      const Vec3 from_6 = p_6 + rotated(from_5 - p_6, six_W, reversed(six.turn));
-      N.p = p_1 + rotated(M.R * from_6 + M.p - p_1, axis_1, back);
+      // N = e1^-1 M e6^-1 e5^-1, of one direction and of one point.
+      const SinCos back_5 = reversed(five.turn), back_6 = reversed(six);
+      const Vec3 u = rotated(rotated(arm.upper_W / arm.upper_m, five_W, back_5), six_W, back_6);
+      const Vec3 from_5 = p_5 + rotated(p_4 - p_5, five_W, back_5);
+      const Vec3 from_6 = p_6 + rotated(from_5 - p_6, six_W, back_6);
+      const Planar N{p_1 + rotated(M.R * from_6 + M.p - p_1, axis_1, back), rotated(M.R * u, axis_1, back), six};
       addElbowed(arm, N, so_far, found);
     }
   }

@@ -16,6 +16,9 @@ std::size_t codePointLength(std::string_view text, std::size_t at);
 /// small.
 double numberOf(std::string_view text);
 
+/// The finite number that all of a text is, as C writes it; none where it is no such number.
+std::optional<double> wholeNumber(std::string_view text);
+
 /// What a file says, in quotes and cut short, for use in a sentence.
 std::string shown(std::string_view text);
 

@@ -160,7 +160,7 @@ Measure inverseOn(const Bench& bench, const Settings& base) {
     const arm::PositionSolution reach = arm::solvePosition(preset.geometry, setpoint.p_WT);
     if (reach.reachable) poses.push_back(arm::tipPose(preset.geometry, arm::solveWrist(reach.q_rad, setpoint.R_WT)));
   }
-  const chain::Chain chain = arm::chainOf(*arm::findModel(bench.scene.arm));
+  const chain::Chain chain = arm::findModel(bench.scene.arm)->chain;
   return [geometry = preset.geometry, poses = std::move(poses), chain](const Settings& settings) {
     chain::NumericOptions options;
     options.max_steps = settings.inverse_steps;

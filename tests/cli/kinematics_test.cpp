@@ -133,10 +133,24 @@ TEST(KinematicsCommands, ABadLineIsAnsweredAndTheOthersAllTheSame) {
   EXPECT_NE(commandAnswers({"ik"}, mirror, Exit::BadInput).at(0).find("error"), nullptr);
 }
 
+/// Joints within the limits of an arm, as a line.
+std::string jointLine(const arm::Model& model) {
+  std::string list;
+  for (std::size_t i = 0; i < model.rows.size(); ++i) {
+    const bool turns = model.rows[i].type == chain::JointType::Revolute;
+    const double low = std::max(model.rows[i].min, -1.0), high = std::min(model.rows[i].max, 1.3);
+    const double value = low + (0.3 + 0.1 * static_cast<double>(i)) * (high - low);
+    list += (i == 0 ? "" : ", ") + json::numberText(turns ? value : 1e3 * value);
+  }
+  return "{\"q_rad\": [" + list + "]}\n";
+}
+
 TEST(KinematicsCommands, EveryShippedArmGoesThereAndBackByEveryMethod) {
   for (const arm::Model& model : arm::models()) {
-    const std::string there = runCli({"fk", "--arm", model.name}, std::string(kJoints) + "\n").out;
+    const std::string joints = jointLine(model);
+    const std::string there = runCli({"fk", "--arm", model.name}, joints).out;
     for (const char* method : {"auto", "closed_form", "iterative"}) {
+      if (method == std::string("closed_form") && model.rows.size() > 6) continue;
       const std::vector<Value> all = commandAnswers({"ik", "--arm", model.name, "--method", method}, there);
       ASSERT_EQ(all.size(), 1U);
       EXPECT_TRUE(all[0].find("reachable")->boolean) << model.name << " " << method;

@@ -1,8 +1,7 @@
-#include "core/chain/inverse.h"
-
 #include <algorithm>
 #include <string>
 
+#include "core/chain/redundancy.h"
 #include "tests/core/chain/arms.h"
 
 namespace underact::chain {
