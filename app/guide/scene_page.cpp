@@ -150,10 +150,17 @@ class ScenePage {
     }
     if (is.find("oneOf") != nullptr) return "a number, or 3";
     const std::string type = is.find("type") == nullptr ? "" : is.find("type")->text;
+    if (const Value* either = is.find("anyOf"); either != nullptr && type.empty()) return eitherOf(*either, key);
     if (type == "array") return listOf(is);
     if (type == "boolean") return "`true`, `false`";
-    if (type == "string") return "text";
+    if (type == "string") return is.find("pattern") != nullptr ? "a file name" : "text";
     return (type == "integer" ? "a whole number" : "a number") + rangeOf(is);
+  }
+
+  std::string eitherOf(const Value& kinds, const std::string& key) {
+    std::string all;
+    for (const Value& kind : kinds.items) all += (all.empty() ? "" : ", or ") + kindOf(kind, key);
+    return all;
   }
 
   std::string listOf(const Value& is) {

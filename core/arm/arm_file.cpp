@@ -93,10 +93,14 @@ Result<Model> readArm(std::string_view text, const std::string& file_name) {
   return model;
 }
 
+Result<Model> readArmText(std::string_view text, const std::string& file_name) {
+  return isUrdfName(file_name) ? readUrdf(text, file_name, {}) : readArm(text, file_name);
+}
+
 Result<Model> readArmFile(const std::string& path) {
   const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "an arm")));
   if (!text) return text.problems();
-  return isUrdfName(path) ? readUrdf(text.value(), path, {}) : readArm(text.value(), path);
+  return readArmText(text.value(), path);
 }
 
 }  // namespace underact::arm

@@ -61,6 +61,9 @@ Result<Model> readArm(std::string_view text, const std::string& file_name);
 /// read.
 Result<Model> readArmFile(const std::string& path);
 
+/// The same of the text of a file of that name.
+Result<Model> readArmText(std::string_view text, const std::string& file_name);
+
 /// The models that ship with the program, read once.
 std::span<const Model> models();
 /// The shipped model of that name, or null; it lives as long as the program.
@@ -73,6 +76,9 @@ std::string_view fileOf(std::string_view name);
 /// a wrist at the end of the second), in the workspace of eq. 3.1; none for any other arm. Such arms have kinematics in
 /// closed form.
 std::optional<Geometry> omniGeometry(const Model& model);
+
+/// What a scene needs of an arm that is a haptic device; none of another one, or of one without omniGeometry().
+std::optional<Preset> presetOf(const Model& model);
 
 /// The limits of an arm of six joints, rad.
 JointLimits limitsOf(const Model& model);
