@@ -94,9 +94,10 @@ Result<Model> readArm(std::string_view text, const std::string& file_name) {
 }
 
 Result<Model> readArmFile(const std::string& path) {
+  if (isUrdfName(path)) return readUrdfFile(path, {});
   const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "an arm")));
   if (!text) return text.problems();
-  return isUrdfName(path) ? readUrdf(text.value(), path, {}) : readArm(text.value(), path);
+  return readArm(text.value(), path);
 }
 
 }  // namespace underact::arm
