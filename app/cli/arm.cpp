@@ -5,7 +5,6 @@
 #include "app/cli/scene_file.h"
 #include "core/arm/arm_text.h"
 #include "core/arm/urdf.h"
-#include "core/json/text.h"
 
 namespace underact::cli {
 namespace {
@@ -23,9 +22,7 @@ Result<arm::Model> modelOf(const ConvertOptions& options) {
     if (!choice) return choice.problems();
     return choice.value().model;
   }
-  const Result<std::string> text = json::readTextFile(options.in, Sentence("an arm"));
-  if (!text) return text.problems();
-  return arm::readUrdf(text.value(), options.in, {options.base, options.tip});
+  return arm::readUrdfFile(options.in, {options.base, options.tip});
 }
 
 Exit convert(const ConvertOptions& options, const Streams& streams) {

@@ -98,9 +98,10 @@ Result<Model> readArmText(std::string_view text, const std::string& file_name) {
 }
 
 Result<Model> readArmFile(const std::string& path) {
+  if (isUrdfName(path)) return readUrdfFile(path, {});
   const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "an arm")));
   if (!text) return text.problems();
-  return readArmText(text.value(), path);
+  return readArm(text.value(), path);
 }
 
 }  // namespace underact::arm

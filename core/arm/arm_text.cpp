@@ -76,7 +76,7 @@ Result<std::string> tableText(const Model& model) {
   if (!given && !(form.error_m <= kLost_m && form.error_rad <= kLost_rad)) {
     return Problems{
         {said(TRANSLATE_NOOP("problem",
-                             "Two of the axes are all but parallel: a DH table would lose digits. Write the arm "
+                             "Two of the axes are nearly parallel: a DH table would lose digits. Write the arm "
                              "as a product of exponentials (poe)."))}};
   }
   std::vector<Pose> frames(model.rows.size(), Pose::Identity());
@@ -101,8 +101,8 @@ Result<std::string> tableText(const Model& model) {
 
 Result<std::string> screwsText(const Model& model) {
   if (model.device)
-    return Problems{
-        {said(TRANSLATE_NOOP("problem", "A haptic device stays a DH table: its lengths are read from that."))}};
+    return Problems{{said(
+        TRANSLATE_NOOP("problem", "A haptic device must stay a DH table, because its lengths are read from that."))}};
   std::string text = headOf(model) + "  \"joints\": [\n";
   for (std::size_t i = 0; i < model.chain.joints.size(); ++i) {
     const chain::Joint& joint = model.chain.joints[i];
@@ -219,11 +219,12 @@ Result<std::string> urdfText(const Model& model) {
     const bool bounded = std::isfinite(joint.min) && std::isfinite(joint.max);
     const bool unbounded = !std::isfinite(joint.min) && !std::isfinite(joint.max);
     if (joint.type == chain::JointType::Prismatic && !bounded)
-      say(TRANSLATE_NOOP("problem", "Joint %1 slides without limits, which URDF cannot say."), i);
+      say(TRANSLATE_NOOP("problem", "Joint %1 slides without limits, which URDF cannot express."), i);
     if (joint.type == chain::JointType::Revolute && !bounded && !unbounded)
-      say(TRANSLATE_NOOP("problem", "Joint %1 has one limit only, which URDF cannot say."), i);
+      say(TRANSLATE_NOOP("problem", "Joint %1 has one limit only, which URDF cannot express."), i);
     if (model.limits_wrist_size && i == 4)
-      say(TRANSLATE_NOOP("problem", "Joint %1 has limits on the magnitude of its angle, which URDF cannot say."), i);
+      say(TRANSLATE_NOOP("problem", "Joint %1 has limits on the magnitude of its angle, which URDF cannot express."),
+          i);
   }
   if (!problems.empty()) return problems;
   return UrdfWriter(model).text();

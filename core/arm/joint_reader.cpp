@@ -220,8 +220,9 @@ void readTable(ObjectReader& object, Model& model) {
   if (six != nullptr && any != nullptr)
     object.findings().add(*any, "X_NT", said(TRANSLATE_NOOP("problem", "The tool is already given by \"X_6T\".")));
   if (six != nullptr && list != nullptr && list->items.size() != 6)
-    object.findings().add(*six, "X_6T",
-                          said(TRANSLATE_NOOP("problem", "The tool of an arm that has not six joints is \"X_NT\".")));
+    object.findings().add(
+        *six, "X_6T",
+        said(TRANSLATE_NOOP("problem", "Only an arm of six joints can have \"X_6T\"; its general name is \"X_NT\".")));
   readPose(object, six != nullptr ? "X_6T" : "X_NT", false, model.X_NT);
   if (list == nullptr) return;
   std::vector<JointLines> all;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 constexpr std::size_t kMostListed = 8;
+constexpr std::size_t kLargestUrdf = std::size_t{4} << 20;  // a humanoid with its sensors has some 100 kB
 
 /// One step from link to link: through a joint, to its child or back to its parent.
 struct UrdfStep {
@@ -217,6 +218,12 @@ Result<Model> readUrdf(std::string_view text, const std::string& file_name, cons
   model.form = ArmForm::Urdf;
   setTable(model);
   return model;
+}
+
+Result<Model> readUrdfFile(const std::string& path, const UrdfEnds& ends) {
+  const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "an arm")), kLargestUrdf);
+  if (!text) return text.problems();
+  return readUrdf(text.value(), path, ends);
 }
 
 }  // namespace underact::arm
