@@ -6,6 +6,7 @@ pose by Pinocchio's kinematics (m and rad), how many there are, and for how many
 none. Ends with 1 where a difference is above 1e-10 mm or 1e-11, an answer of `ik` is off by more
 than 1e-9, or a closed form finds none; with 0, SKIPPED, where a module is not installed."""
 
+import importlib.metadata
 import json
 import os
 import pathlib
@@ -14,10 +15,11 @@ import sys
 import tempfile
 
 try:
-    import example_robot_data
     import numpy as np
     import pinocchio as pin
-except ImportError as error:
+
+    ROBOTS = importlib.metadata.version("example-robot-data")
+except ImportError as error:  # also where a package is not there
     print(f"SKIPPED: {error}.")
     sys.exit(0)
 
@@ -26,31 +28,30 @@ FOR_INVERSE = 1000
 
 # A file, and the links between which the arm lies; one arm of each robot.
 ARMS = [
-    ("ur_description/urdf/ur3_robot.urdf", "base_link", "tool0"),
-    ("ur_description/urdf/ur5_robot.urdf", "base_link", "tool0"),
-    ("ur_description/urdf/ur10_robot.urdf", "base_link", "tool0"),
-    ("panda_description/urdf/panda.urdf", "panda_link0", "panda_link8"),
-    ("kinova_description/robots/kinova.urdf", "base_link", "j2s6s200_end_effector"),
-    ("xarm_description/urdf/xarm7.urdf", "link_base", "link7"),
-    ("fetch_description/robots/fetch.urdf", "base_link", "gripper_link"),
-    ("tiago_description/robots/tiago.urdf", "torso_fixed_link", "arm_7_link"),
-    ("baxter_description/urdf/baxter.urdf", "torso", "left_gripper_base"),
-    ("talos_data/robots/talos_reduced.urdf", "torso_2_link", "arm_left_7_link"),
-    ("tiago_pro_description/robots/tiago_pro.urdf", "torso_lift_link", "arm_left_7_link"),
-    ("z1_description/urdf/z1.urdf", "link00", "link06"),
-    ("icub_description/robots/icub.urdf", "root_link", "l_sole"),
-    ("romeo_description/urdf/romeo.urdf", "base_link", "l_sole"),
-    ("solo_description/robots/solo12.urdf", "base_link", "FL_FOOT"),
-    ("anymal_b_simple_description/robots/anymal.urdf", "base", "LF_FOOT"),
-    ("double_pendulum_description/urdf/double_pendulum.urdf", "base_link", "link2"),
+    ("ur3_robot.urdf", "base_link", "tool0"),
+    ("ur5_robot.urdf", "base_link", "tool0"),
+    ("ur10_robot.urdf", "base_link", "tool0"),
+    ("panda.urdf", "panda_link0", "panda_hand_tcp"),
+    ("kinova.urdf", "base", "j2s6s200_end_effector"),
+    ("xarm7.urdf", "link_base", "link7"),
+    ("z1.urdf", "link00", "link06"),
+    ("so101.urdf", "base_link", "gripper_frame_link"),
+    ("baxter.urdf", "torso", "left_hand_link"),
+    ("pr2.urdf", "base_link", "r_gripper_palm_link"),  # its torso slides
+    ("tiago.urdf", "base_link", "arm_7_link"),  # and that of the next
+    ("tiago_pro.urdf", "base_link", "arm_left_7_link"),
+    ("talos_reduced.urdf", "torso_2_link", "arm_left_7_link"),
+    ("icub.urdf", "chest", "l_hand"),
+    ("centauro.urdf", "pelvis", "ball1_tip"),
+    ("solo12.urdf", "base_link", "FL_FOOT"),
+    ("double_pendulum.urdf", "base_link", "link2"),
 ]
 
 
-def data_folder():
-    """Where the package has its robots."""
-    from example_robot_data.robots_loader import getModelPath
-
-    return pathlib.Path(getModelPath(ARMS[0][0]))
+def files():
+    """The path of each URDF file of the package, by its name."""
+    listed = importlib.metadata.files("example-robot-data") or []
+    return {file.name: str(file.locate()) for file in listed if file.suffix == ".urdf"}
 
 
 def run(cli, *words, text=""):
@@ -71,7 +72,7 @@ class Peer:
     """The arm as Pinocchio has it: pose and Jacobian of the tip, in the frame of the base."""
 
     def __init__(self, urdf, base, tip, joints):
-        self.model = pin.buildModelFromUrdf(str(urdf))
+        self.model = pin.buildModelFromUrdf(urdf)
         self.data = self.model.createData()
         self.base, self.tip = self.model.getFrameId(base), self.model.getFrameId(tip)
         self.joints = [self.model.joints[self.model.getJointId(one["name"])] for one in joints]
@@ -95,7 +96,7 @@ class Peer:
 
 def compare(cli, urdf, base, tip, poses):
     """A line of the table, and whether it is bad."""
-    poe = run(cli, "arm", "convert", str(urdf), "--base", base, "--tip", tip, "--to", "poe")
+    poe = run(cli, "arm", "convert", urdf, "--base", base, "--tip", tip, "--to", "poe")
     joints = json.loads(poe)["joints"]
     peer = Peer(urdf, base, tip, joints)
     q = np.random.default_rng(1).uniform(-np.pi, np.pi, (poses, len(joints)))
@@ -139,16 +140,16 @@ def compare(cli, urdf, base, tip, poses):
 
 def main():
     cli, poses = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 10000
-    data, failed, compared = data_folder(), False, 0
-    print(f"pin {pin.__version__}, example-robot-data {example_robot_data.__version__}, {poses} poses")
+    found, failed, compared = files(), False, 0
+    print(f"pin {pin.__version__}, example-robot-data {ROBOTS}, {poses} poses")
     for name, base, tip in ARMS:
-        if not (data / name).exists():
+        if name not in found:
             continue
         try:
-            line, bad = compare(cli, data / name, base, tip, poses)
+            line, bad = compare(cli, found[name], base, tip, poses)
         except RuntimeError as error:
             line, bad = str(error), True
-        print(f"{pathlib.Path(name).name:24} {line}", flush=True)
+        print(f"{name:24} {line}", flush=True)
         failed |= bad
         compared += 1
     print(f"{compared} robots")
