@@ -21,7 +21,7 @@ bool isUrdfName(std::string_view path);
 /// their lines: not XML, a document type (none is read, and so no external entity), a link or joint that does not fit,
 /// and on the way from base to tip a joint that moves otherwise than about or along an axis, or follows another one.
 Result<Model> readUrdf(std::string_view text, const std::string& file_name, const UrdfEnds& ends);
-/// The same of a file of at most 4 MB. Problems, too: it cannot be read.
+/// The same of a file of at most 4 MiB. Problems, too: it cannot be read.
 Result<Model> readUrdfFile(const std::string& path, const UrdfEnds& ends);
 
 }  // namespace underact::arm

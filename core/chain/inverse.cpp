@@ -54,11 +54,11 @@ Mat3 rotationOf(const std::array<Joint, 3>& joints, const std::array<double, 3>&
 /// Collects what is near enough to be a solution, polished, each once.
 class Collected {
  public:
-  Collected(const Chain& chain, const Pose& X_WT, Asks asks, double reach_m)
-      : chain_(chain), X_WT_(X_WT), rows_(asks == Asks::Pose ? 6 : 3), reach_m_(reach_m) {}
+  Collected(const Chain& chain, const Pose& X_WT, Asks asks, double reach_m, InverseSolutions& found)
+      : chain_(chain), X_WT_(X_WT), rows_(asks == Asks::Pose ? 6 : 3), reach_m_(reach_m), found_(found) {}
 
   /// polish false: the form is exact, and its residual need not be looked at.
-  void add(InverseSolution one, bool polish) {
+  void add(InverseSolution& one, bool polish) {
     if (polish && !polished(one)) return;
     for (std::size_t i = 0; i < chain_.joints.size(); ++i) {
       if (chain_.joints[i].type != JointType::Revolute) continue;
@@ -70,8 +70,6 @@ class Collected {
     }
     if (found_.count < found_.all.size()) found_.all[found_.count++] = one;
   }
-
-  InverseSolutions take() const { return found_; }
 
  private:
   bool polished(InverseSolution& one) const {
@@ -110,7 +108,7 @@ class Collected {
   const Pose& X_WT_;
   std::size_t rows_;
   double reach_m_;
-  InverseSolutions found_;
+  InverseSolutions& found_;
 };
 
 template <class Angles>
@@ -136,7 +134,7 @@ void solveForm(const ThreeParallelArm& arm, const Chain&, const Pose& X_WT, Coll
     const ThreeParallelSolution& from = all.all[i];
     InverseSolution one = valuesOf(from.q);
     one.branch = {{{"shoulder", from.shoulder}, {"elbow", from.elbow}, {"wrist", from.wrist}}};
-    found.add(one, true);
+    found.add(one, !from.exact);
   }
 }
 
@@ -248,9 +246,9 @@ InverseSolutions solveAll(const Inverse& inverse, const Pose& X_WT) {
     X_Read.linear() = X_WT.linear().transpose();
     X_Read.translation() = -(X_Read.linear() * X_WT.translation());
   }
-  Collected found(inverse.read, X_Read, inverse.asks, inverse.reach_m);
+  InverseSolutions solutions;
+  Collected found(inverse.read, X_Read, inverse.asks, inverse.reach_m, solutions);
   std::visit([&](const auto& form) { solveForm(form, inverse.read, X_Read, found); }, inverse.form);
-  InverseSolutions solutions = found.take();
   if (!inverse.reversed) return solutions;
   const std::ptrdiff_t joints = static_cast<std::ptrdiff_t>(inverse.chain.joints.size());
   for (std::size_t i = 0; i < solutions.count; ++i)

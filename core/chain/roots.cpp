@@ -50,12 +50,10 @@ void addRoot(Roots& roots, double t) noexcept {
     roots.all[roots.count++] = t;
 }
 
-/// Of the degree exactly: the stretches between the zeros of its derivative are monotonous.
-Roots isolated(const Quartic& c, std::size_t degree, double low, double high) noexcept {
+/// Of a polynomial between the zeros of its derivative, d: it is monotonous on each stretch.
+Roots betweenTurns(const Quartic& c, const Quartic& d, std::size_t degree, const Roots& turns, double low,
+                   double high) noexcept {
   Roots roots;
-  if (degree == 0) return roots;
-  const Quartic d = derivativeOf(c, degree);
-  const Roots turns = isolated(d, degree - 1, low, high);
   const auto sideOf = [&](double t) {  // -1, 0 or 1
     const double value = valueAt(c, degree, t);
     if (std::abs(value) <= kTouches * largestTerm(c, degree, t)) return 0;
@@ -71,6 +69,17 @@ Roots isolated(const Quartic& c, std::size_t degree, double low, double high) no
     if (side_b == 0) addRoot(roots, b);
     a = b, side_a = side_b;
   }
+  return roots;
+}
+
+/// Of the degree exactly: from its last derivative, a constant, up to itself.
+Roots isolated(const Quartic& c, std::size_t degree, double low, double high) noexcept {
+  std::array<Quartic, 5> derivatives{c};  // of each order
+  for (std::size_t order = 1; order <= degree; ++order)
+    derivatives[order] = derivativeOf(derivatives[order - 1], degree - order + 1);
+  Roots roots;
+  for (std::size_t order = degree; order-- > 0;)
+    roots = betweenTurns(derivatives[order], derivatives[order + 1], degree - order, roots, low, high);
   return roots;
 }
 

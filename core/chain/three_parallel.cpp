@@ -11,12 +11,14 @@ namespace underact::chain {
 namespace {
 
 constexpr double kOutOfSight = 1e9;  // reaches
+constexpr double kExact = 1e-14;     // rad, and of the reach
 
 /// An angle of joint 1 or 5, its sine and cosine, and on which side of the middle it lies.
 struct Side {
   double angle_rad = 0.0;
   SinCos turn;
   int side = 1;
+  bool merged = false;  // there is no other side
 };
 struct Sides {
   std::array<Side, 4> all{};
@@ -28,7 +30,7 @@ Sides sidesOf(double fixed, double cosine, double sine, double scale) noexcept {
   Sides sides;
   const double square = cosine * cosine + sine * sine, amplitude = std::sqrt(square);
   if (!(amplitude > kMergedShare * scale)) {  // no angle helps, or any does
-    if (std::abs(fixed) <= kOutsideShare * scale) sides.all[0] = {}, sides.count = 1;
+    if (std::abs(fixed) <= kOutsideShare * scale) sides.all[0] = {0.0, {}, 1, true}, sides.count = 1;
     return sides;
   }
   const double inside = amplitude - std::abs(fixed);
@@ -39,7 +41,7 @@ Sides sidesOf(double fixed, double cosine, double sine, double scale) noexcept {
   const double unit = 1.0 / square;
   for (const int side : {1, -1}) {
     const double c = (along * cosine - side * across * sine) * unit, s = (along * sine + side * across * cosine) * unit;
-    sides.all[sides.count++] = {0.0, {s, c}, side};
+    sides.all[sides.count++] = {0.0, {s, c}, side, merged};
     if (merged) break;
   }
   const auto [a, b] =
@@ -109,7 +111,7 @@ Sides firstJointOfFour(const Wanted& w) noexcept {
         rootsWithin(sum(sum(product(x, x, 1.0), product(y, y, 1.0)), product(whole, whole, -1.0)), -1.0, 1.0);
     for (std::size_t i = 0; i < roots.count && sides.count < sides.all.size(); ++i) {
       const double q = wrappedOnce(2.0 * atan2Of(roots.all[i], 1.0) + (far ? kPi : 0.0));
-      sides.all[sides.count] = {q, sinCos(q), sides.count % 2 == 0 ? 1 : -1};
+      sides.all[sides.count] = {q, sinCos(q), sides.count % 2 == 0 ? 1 : -1, true};
       ++sides.count;
     }
   }
@@ -168,6 +170,7 @@ void addElbowed(const ThreeParallelArm& arm, const Planar& N, ThreeParallelSolut
     ThreeParallelSolution& one = found.all[found.count++];
     one = so_far;
     one.elbow = i == 0 ? 1 : -1;
+    one.exact &= !merged;
     const double q4 = all_rad - lift_rad[i] - bend_rad[i];
     one.q[1] = arm.sign[1] * lift_rad[i];
     one.q[2] = arm.sign[2] * bend_rad[i];
@@ -203,7 +206,10 @@ std::optional<ThreeParallelArm> threeParallelArm(const Chain& chain) noexcept {
   const double near_m = kSame * arm.reach_m;
   if (!(arm.upper_m > near_m && arm.fore_m > near_m)) return std::nullopt;
   arm.p_W56 = nearestOn(arm.joints[5], arm.joints[4]);
-  arm.meets = (arm.p_W56 - nearestOn(arm.joints[4], arm.joints[5])).norm() <= near_m;
+  const double gap_m = (arm.p_W56 - nearestOn(arm.joints[4], arm.joints[5])).norm();
+  arm.meets = gap_m <= near_m;
+  const double lean = std::max(n.cross(chain.joints[2].axis_W).norm(), n.cross(chain.joints[3].axis_W).norm());
+  arm.exact = gap_m <= kExact * arm.reach_m && lean <= kExact;
   const Mat3 R_TW = chain.X_WT_home.linear().transpose();
   arm.X_TW.linear() = R_TW;
   arm.X_TW.translation() = -(R_TW * chain.X_WT_home.translation());
@@ -240,10 +246,12 @@ ThreeParallelSolutions solveAll(const ThreeParallelArm& arm, const Pose& X_WT) n
       ThreeParallelSolution so_far;
       so_far.shoulder = one.side;
       so_far.wrist = five.side;
+      so_far.exact = arm.exact && !one.merged && !five.merged;
       so_far.q[0] = one.angle_rad;
       so_far.q[4] = five.angle_rad;
       const Vec3 n_of_five = rotated(n, five_W, reversed(five.turn));
       const bool straight = n_of_five.cross(six_W).squaredNorm() <= kOutsideShare * kOutsideShare;
+      so_far.exact &= !straight;
       // The turn about axis 6 that takes n_seen to n_of_five; both stand at right angles to it in the same height.
       const Vec3 a = six_W.cross(n_seen), b = six_W.cross(n_of_five);
       SinCos six;

@@ -50,6 +50,18 @@ double furthest(const Value& a, const Value& b) {  // of lists of numbers of the
 
 constexpr const char* kJoints = R"({"q_rad": [0.1, 0.5, 0.2, 0.3, 1.0, 0.4]})";
 
+/// Joints within the limits of an arm, as a line.
+std::string jointLine(const arm::Model& model) {
+  std::string list;
+  for (std::size_t i = 0; i < model.rows.size(); ++i) {
+    const bool turns = model.rows[i].type == chain::JointType::Revolute;
+    const double low = std::max(model.rows[i].min, -1.0), high = std::min(model.rows[i].max, 1.3);
+    const double value = low + (0.3 + 0.1 * static_cast<double>(i)) * (high - low);
+    list += (i == 0 ? "" : ", ") + json::numberText(turns ? value : 1e3 * value);
+  }
+  return "{\"q_rad\": [" + list + "]}\n";
+}
+
 }  // namespace
 
 TEST(KinematicsCommands, ForwardMeetsTheGoldenPoses) {
@@ -131,18 +143,6 @@ TEST(KinematicsCommands, ABadLineIsAnsweredAndTheOthersAllTheSame) {
   EXPECT_NE(all[5].find("X_WT"), nullptr);
   const std::string mirror = "{\"X_WT\": [[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}\n";
   EXPECT_NE(commandAnswers({"ik"}, mirror, Exit::BadInput).at(0).find("error"), nullptr);
-}
-
-/// Joints within the limits of an arm, as a line.
-std::string jointLine(const arm::Model& model) {
-  std::string list;
-  for (std::size_t i = 0; i < model.rows.size(); ++i) {
-    const bool turns = model.rows[i].type == chain::JointType::Revolute;
-    const double low = std::max(model.rows[i].min, -1.0), high = std::min(model.rows[i].max, 1.3);
-    const double value = low + (0.3 + 0.1 * static_cast<double>(i)) * (high - low);
-    list += (i == 0 ? "" : ", ") + json::numberText(turns ? value : 1e3 * value);
-  }
-  return "{\"q_rad\": [" + list + "]}\n";
 }
 
 TEST(KinematicsCommands, EveryShippedArmGoesThereAndBackByEveryMethod) {

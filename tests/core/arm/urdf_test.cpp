@@ -1,5 +1,7 @@
 #include "core/arm/urdf.h"
 
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "core/base/units.h"
@@ -138,6 +140,16 @@ TEST(Urdf, HasAtMostEightJointsOnTheWay) {
   text += "</robot>";
   EXPECT_NE(toldOf(text, {"l0", "l9"}).find("this is the ninth"), std::string::npos);
   EXPECT_EQ(toldOf(text, {"l0", "l8"}), "");
+}
+
+TEST(Urdf, LargeFilesAreRefused) {
+  const std::string path = testing::TempDir() + "large.urdf";
+  std::ofstream(path) << "<robot name=\"r\"><!--" << std::string(std::size_t{4} << 20, '-') << "--></robot>";
+  const Result<Model> read = readUrdfFile(path, {});
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.problems().front().sentence.find("larger than 4 MiB"), std::string::npos)
+      << read.problems().front().sentence;
+  std::filesystem::remove(path);
 }
 
 }  // namespace
