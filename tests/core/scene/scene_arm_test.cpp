@@ -175,7 +175,7 @@ TEST_F(SceneArm, OtherContentIsAnotherArmThoughTheNameIsTheSame) {
   EXPECT_FALSE(isSame(before, after));
   EXPECT_EQ(changeBetween(before, after), Change::Scene);
   EXPECT_EQ(changeBetween(before, before), Change::Gains);
-  EXPECT_EQ(armOf(withArmOf(after, before)).geometry.upper_m, 0.141);
+  EXPECT_DOUBLE_EQ(armOf(withArmOf(after, before)).geometry.upper_m, 0.141);
 }
 
 TEST_F(SceneArm, WithoutOneThereIsTheDefaultArmAndAProblem) {
