@@ -164,6 +164,9 @@ class Walk {
           joint.line, "mimic",
           said(TRANSLATE_NOOP("problem", "The joint %1 follows another one; each joint of an arm moves by itself."),
                {json::shown(joint.name)}));
+    if (!(joint.min < joint.max))  // of a joint beside the way, such as a wheel, nobody asks
+      family_.say(joint.limit_line, "lower",
+                  said(TRANSLATE_NOOP("problem", "The joint's lower limit must be below its upper limit.")));
     const bool turns = joint.motion == UrdfMotion::Turns;
     model_.chain.joints.push_back({turns ? chain::JointType::Revolute : chain::JointType::Prismatic,
                                    sense * (X_WLink_.linear() * joint.axis).normalized(), X_WLink_.translation(),

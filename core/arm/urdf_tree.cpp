@@ -194,8 +194,7 @@ class TreeReader {
     if (joint.type == "continuous") return;
     joint.min = one(*limit, "lower", 0.0);
     joint.max = one(*limit, "upper", 0.0);
-    if (!(joint.min < joint.max))
-      say(*limit, "lower", said(TRANSLATE_NOOP("problem", "The joint's lower limit must be below its upper limit.")));
+    joint.limit_line = limit->GetLineNum();
   }
 
   UrdfJoint readJoint(const XMLElement& element) {

@@ -29,6 +29,7 @@ struct UrdfJoint {
   Pose X_ParentJoint = Pose::Identity();
   Vec3 axis = Vec3::UnitX();
   double min = -kInfinity, max = kInfinity;
+  int limit_line = 0;  // of <limit>
 };
 
 /// Robot, links and joints in the order of the file.
@@ -39,7 +40,8 @@ struct UrdfTree {
 };
 
 /// Problems: not XML (of at most 100 levels), no robot, numbers that are none, names that are missing or appear twice,
-/// words that are misspelt. Elements and attributes of other programs are skipped. Not yet whether the links exist.
+/// words that are misspelt. Elements and attributes of other programs are skipped. Not yet whether the links exist,
+/// or whether limits leave a range.
 Result<UrdfTree> readUrdfTree(std::string_view text, const std::string& file_name);
 
 }  // namespace underact::arm

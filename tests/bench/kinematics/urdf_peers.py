@@ -44,7 +44,7 @@ ARMS = [
     ("icub.urdf", "chest", "l_hand"),
     ("centauro.urdf", "pelvis", "ball1_tip"),
     ("solo12.urdf", "base_link", "FL_FOOT"),
-    ("double_pendulum.urdf", "base_link", "link2"),
+    ("TwoDofs.urdf", "world", "Tip"),
 ]
 
 
@@ -65,7 +65,8 @@ def run(cli, *words, text=""):
 def answers(cli, command, arm, lines, *more):
     """The answers of a command to lines, as objects."""
     text = "".join(json.dumps(line) + "\n" for line in lines)
-    return [json.loads(line) for line in run(cli, command, "--arm", arm, *more, text=text).splitlines()]
+    out = run(cli, command, "--arm", arm, *more, text=text)
+    return [json.loads(line) for line in out.splitlines()]
 
 
 class Peer:

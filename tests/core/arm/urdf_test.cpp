@@ -88,6 +88,9 @@ TEST(Urdf, NamesWhatIsWrongWithItsLineAndTheNearestWord) {
   EXPECT_NE(toldOf(joint("revolute", "")).find("10 limit: The element <limit> is missing"), std::string::npos);
   EXPECT_NE(toldOf(joint("revolute", "<limit lower=\"1\" upper=\"1\"/>")).find("11 lower: The joint's lower limit"),
             std::string::npos);
+  EXPECT_EQ(toldOf(robotWith(kSlide, R"(<link name="wheel"/><joint name="w" type="revolute"><parent link="base"/>
+                                        <child link="wheel"/><limit effort="1" velocity="1"/></joint>)")),
+            "");  // beside the way
   EXPECT_EQ(toldOf(joint("revolute", limit + "<orgin xyz=\"0 0 0\"/>")),
             "11 orgin: The element \"orgin\" is not known here. Did you mean \"origin\"?\n");
   EXPECT_NE(toldOf(joint("revolute", "<limit lowr=\"1\" upper=\"2\"/>")).find("11 lowr: The attribute \"lowr\""),
