@@ -7,6 +7,7 @@
 
 #include "core/arm/preset.h"
 #include "core/scene/read.h"
+#include "core/scene/scene_arm.h"
 #include "core/scene/settings.h"
 #include "core/servo/host.h"
 #include "device/simulated_arm.h"
@@ -26,7 +27,7 @@ Problems refused(const LessonSetting& setting, const std::string& why) {
 class Watching {
  public:
   Watching(const lesson::Step& step, const scene::Description& scene)
-      : step_(step), scene_(scene), arm_(*arm::findPreset(scene.arm)), states_(step.checks.size()) {}
+      : step_(step), scene_(scene), arm_(scene::armOf(scene)), states_(step.checks.size()) {}
 
   void poll(servo::Host& host) {
     const target::Robot robot = robotOf(host.snapshot().report);
@@ -84,7 +85,7 @@ Result<LessonOutcome> tryLessonStep(const lesson::Step& step, scene::Description
     scene = std::move(set).value();
   }
   SimulatedArm::Options options;
-  options.arm = *arm::findPreset(scene.arm);
+  options.arm = scene::armOf(scene);
   options.model = attempt.model;
   options.hand = attempt.hand.hand;
   options.rate_hz = kRate_hz;

@@ -9,6 +9,7 @@
 #include "core/base/translate.h"
 #include "core/record/recorder.h"
 #include "core/scene/load_meshes.h"
+#include "core/scene/scene_arm.h"
 #include "core/servo/host.h"
 #include "device/simulated_run.h"
 
@@ -29,7 +30,9 @@ Result<std::optional<SimulatedRun>> wholeRunOf(Session& session) {
   if (!run) return run.problems();
   const json::Value* const arm = provenance.value().find("arm");
   const json::Value* const file = arm != nullptr ? arm->find("file") : nullptr;
-  if (file == nullptr || file->text != arm::fileOf(session.info().header.arm))
+  const Result<scene::Description> scene = session.scene(session.changes().front());
+  if (!scene) return scene.problems();
+  if (file == nullptr || file->text != scene::armTextOf(scene.value()))
     return Problems{{said(TRANSLATE_NOOP("problem",
                                          "The arm \"%1\" of this session is another one in this version of the "
                                          "program. Run it with the version that recorded it."),
@@ -49,7 +52,7 @@ class Again {
     if (!scene) return scene.problems();
     Problems problems = scene::loadRecordedMeshes(scene.value(), options_.files_in);
     if (!problems.empty()) return problems;
-    const arm::Preset* const preset = arm::findPreset(scene.value().arm);
+    const arm::Preset* const preset = scene::findArm(scene.value());
     const auto rate_hz = static_cast<int>(header.rate_hz);
     if (preset == nullptr || rate_hz < servo::kSlowest_hz || rate_hz > servo::kFastest_hz)
       return {{said(TRANSLATE_NOOP("problem", "This session's arm or rate is none that this version has.")),

@@ -36,7 +36,8 @@ std::int64_t periodOf(int rate_hz) {
 
 SimulatedArm::SimulatedArm(const Options& options)
     : plant_(sim::makePlant(options.arm, options.model, options.hand, options.integration)),
-      preset_counts_(options.arm.counts_per_turn),
+      wanted_arm_(options.arm),
+      wanted_model_(options.model),
       hand_(options.hand),
       integration_(packed(options.integration)),
       state_(sim::restingState(plant_, options.start_p_WT)),
@@ -57,6 +58,7 @@ bool SimulatedArm::read(arm::Sample& sample) noexcept {
   takeUp();
   state_ = sim::advance(plant_, state_, f_T_W, heeded_, period_ns_);
   sample.time_ns = time_ns_;
+  sample.epoch = epoch_;
   sample.q_rad = sim::shownAngles(plant_, state_);
   sample.buttons = (button_.load(std::memory_order_relaxed) ? 1U : 0U) | buttons_.load(std::memory_order_relaxed);
   return true;
@@ -72,6 +74,10 @@ void SimulatedArm::takeUp() noexcept {
   plant_.model.damping_N_s_per_m = figures.damping_N_s_per_m;
   plant_.model.encoders = figures.encoders;
   plant_.arm.counts_per_turn = figures.counts_per_turn;
+  if (figures.arms == epoch_) return;
+  epoch_ = figures.arms;
+  plant_.arm.geometry = figures.geometry;
+  plant_.arm.limits = figures.limits;
 }
 
 void SimulatedArm::write(const safety::GatedForce& force) noexcept {
@@ -103,9 +109,24 @@ void SimulatedArm::integrate(const Integration& integration) noexcept {
 }
 
 void SimulatedArm::become(const sim::ArmModel& model) {
-  arm::EncoderCounts counts = preset_counts_;
-  if (model.counts_per_turn) counts = sim::countsOf(*model.counts_per_turn, preset_counts_);
-  figures_.back() = {model.mass_kg, model.friction_N, model.damping_N_s_per_m, model.encoders, counts};
+  wanted_model_ = model;
+  publish();
+}
+
+void SimulatedArm::become(const arm::Preset& arm) {
+  if (arm.geometry == wanted_arm_.geometry && arm.limits == wanted_arm_.limits &&
+      arm.counts_per_turn == wanted_arm_.counts_per_turn && arm.apparent_mass_kg == wanted_arm_.apparent_mass_kg)
+    return;
+  wanted_arm_ = arm;
+  ++arms_;
+  publish();
+}
+
+void SimulatedArm::publish() {
+  const sim::ArmModel& model = wanted_model_;
+  const sim::Plant plant = sim::makePlant(wanted_arm_, model, {});
+  figures_.back() = {plant.model.mass_kg,       model.friction_N,     model.damping_N_s_per_m, model.encoders,
+                     plant.arm.counts_per_turn, wanted_arm_.geometry, wanted_arm_.limits,      arms_};
   figures_.publish();
   has_figures_.store(true, std::memory_order_release);
 }

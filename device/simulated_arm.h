@@ -39,6 +39,9 @@ class SimulatedArm final : public servo::DevicePort {
 
   /// The model of the arm from the next read() on. Any one thread, never blocks the servo.
   void become(const sim::ArmModel& model);
+  /// The same of its lengths, limits and encoders: those of the arm that the scene is for. The samples begin a new
+  /// epoch. The thread that calls become().
+  void become(const arm::Preset& arm);
   /// The hand lets go of the stylus (holds false) or grips it again, from the next read() on. Any thread.
   void holdStylus(bool holds) { let_go_.store(!holds, std::memory_order_relaxed); }
 
@@ -56,16 +59,22 @@ class SimulatedArm final : public servo::DevicePort {
   const sim::HandSetpoint& setpoint() const { return last_setpoint_; }
 
  private:
-  /// The numbers of a model, without its texts.
+  /// The numbers of a model and of an arm, without their texts.
   struct Figures {
     double mass_kg = 0.0, friction_N = 0.0, damping_N_s_per_m = 0.0;
     bool encoders = true;
     arm::EncoderCounts counts_per_turn{};
+    arm::Geometry geometry;
+    arm::JointLimits limits;
+    std::uint32_t arms = 0;  // how many there were before this one
   };
+  void publish();
   void takeUp() noexcept UNDERACT_REAL_TIME;
 
   sim::Plant plant_;
-  const arm::EncoderCounts preset_counts_;
+  arm::Preset wanted_arm_;  // these two: of the thread that calls become()
+  sim::ArmModel wanted_model_;
+  std::uint32_t arms_ = 0, epoch_ = 0;
   sim::HandModel hand_;  // while it holds the stylus
   std::atomic<bool> let_go_{false};
   servo::Slot<Figures> figures_;

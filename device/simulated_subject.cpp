@@ -6,6 +6,7 @@
 #include "core/base/random.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
+#include "core/scene/scene_arm.h"
 #include "core/servo/host.h"
 #include "device/simulated_arm.h"
 
@@ -33,7 +34,7 @@ double gaussian(std::uint64_t& random) {  // Box and Muller 1958
 
 Result<double> pressedStiffness(const scene::Description& scene, calibration::Beam beam) {
   SimulatedArm::Options options;
-  options.arm = *arm::findPreset(scene.arm);
+  options.arm = scene::armOf(scene);
   auto arm = std::make_unique<SimulatedArm>(options);
   const Vec3 p_WT = calibration::tipOf(scene, beam);
   arm->follow(pressOn(p_WT));

@@ -23,9 +23,10 @@ Result<ArmChoice> chooseArm(const std::string& name) {
                          ", or an arm file (a name with a dot or a slash).",
                      {}}};
   }
-  ArmChoice choice{model, arm::omniGeometry(model), arm::chainOf(model), {}, {}};
-  choice.flange = chain::chainFromDh(model.rows, model.X_WB, Pose::Identity());
-  choice.closed = chain::recognise(choice.chain);
+  ArmChoice choice{model, arm::omniGeometry(model), model.chain, chain::inverseOf(model.chain), {}};
+  if (model.rows.size() == 6 && model.form == arm::ArmForm::ModifiedDh)
+    choice.flange = chain::chainFromDh(model.rows, model.X_WB, Pose::Identity());
+  choice.closed = chain::recognise(model.chain);
   return choice;
 }
 

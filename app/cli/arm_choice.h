@@ -5,7 +5,7 @@
 
 #include "app/cli/command.h"
 #include "core/arm/model.h"
-#include "core/chain/closed_form.h"
+#include "core/chain/inverse.h"
 
 namespace underact::cli {
 
@@ -13,9 +13,12 @@ namespace underact::cli {
 struct ArmChoice {
   arm::Model model;
   std::optional<arm::Geometry> omni;               // the Omni's straight-line code fits
-  chain::Chain chain;                              // to the tool
-  chain::Chain flange;                             // to the origin of frame 6
-  std::optional<chain::SphericalWristArm> closed;  // a closed form fits
+  chain::Chain flange;                             // to the origin of frame 6 of a table of six joints, else to the tip
+  chain::Inverse inverse;                          // to the tip; its closed form, where it has one
+  std::optional<chain::SphericalWristArm> closed;  // that form, for an arm of six joints with its wrist at the tip
+  /// To the tip.
+  const chain::Chain& chain() const { return model.chain; }
+  std::size_t joints() const { return model.chain.joints.size(); }
 };
 
 /// name: that of a shipped arm, or a file (a name with a dot or a slash).

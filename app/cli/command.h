@@ -29,6 +29,8 @@ using AddCommand = void (*)(Command program, const Streams& streams, Exit& exit)
 void addForward(Command program, const Streams& streams, Exit& exit);
 void addInverse(Command program, const Streams& streams, Exit& exit);
 void addJacobian(Command program, const Streams& streams, Exit& exit);
+void addStatics(Command program, const Streams& streams, Exit& exit);
+void addArm(Command program, const Streams& streams, Exit& exit);
 void addTarget(Command program, const Streams& streams, Exit& exit);
 void addRun(Command program, const Streams& streams, Exit& exit);
 void addCalibrate(Command program, const Streams& streams, Exit& exit);

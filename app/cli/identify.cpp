@@ -110,7 +110,7 @@ Exit runIdentification(const IdentifyOptions& options, const Streams& streams) {
   arm.model = model.value();
   arm.rate_hz = options.rate_hz;
   identify::Wanted wanted;
-  wanted.arm = options.arm;
+  wanted.arm_of.arm = options.arm;
   wanted.places_W.clear();
   for (std::size_t at = 0; at + 2 < options.at_mm.size(); at += 3)
     wanted.places_W.push_back(kMetrePerMillimetre * Eigen::Map<const Vec3>(options.at_mm.data() + at));

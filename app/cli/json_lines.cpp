@@ -31,6 +31,10 @@ Problems problem(const char* key, const char* sentence) {
   return {{std::string("\"") + key + "\" " + sentence, {}}};
 }
 
+double unitOf(const chain::Joint& joint) {
+  return joint.type == chain::JointType::Revolute ? 1.0 : kMetrePerMillimetre;
+}
+
 bool isNumberUpTo(const Value& value, double largest) {
   return value.kind == Kind::Number && std::abs(value.number) <= largest;
 }
@@ -49,14 +53,16 @@ Exit answerLines(const Streams& streams, const std::function<Result<JsonObject>(
   return exit;
 }
 
-Result<Value> readLine(std::string_view text, std::initializer_list<std::string_view> keys, const char* example) {
+Result<Value> readLine(std::string_view text, std::initializer_list<std::string_view> keys, const char* example,
+                       std::initializer_list<std::string_view> may_lack) {
   Result<Value> parsed = json::parse(text, "");
   if (!parsed) return parsed.problems();
   const Value& object = parsed.value();
   if (object.kind != Kind::Object) return Problems{{std::string("A line is an object: ") + example + ".", {}}};
   Problems problems;
   for (const std::string& key : object.keys) {
-    if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+    if (std::find(keys.begin(), keys.end(), key) == keys.end() &&
+        std::find(may_lack.begin(), may_lack.end(), key) == may_lack.end()) {
       problems.push_back({"Unknown key \"" + key + "\"; a line is " + example + ".", {}});
     } else if (std::count(object.keys.begin(), object.keys.end(), key) > 1) {
       problems.push_back({"The key \"" + key + "\" appears twice.", {}});
@@ -70,15 +76,29 @@ Result<Value> readLine(std::string_view text, std::initializer_list<std::string_
   return parsed;
 }
 
-Result<arm::JointAngles> readJoints(const Value& line, const char* key) {
+Result<chain::JointValues> readJoints(const Value& line, const char* key, const chain::Chain& chain) {
   const Value& list = *line.find(key);
+  const std::size_t count = chain.joints.size();
   const auto fits = [](const Value& angle) { return isNumberUpTo(angle, kLargestAngle_rad); };
-  if (list.kind != Kind::Array || list.items.size() != 6 || !std::all_of(list.items.begin(), list.items.end(), fits)) {
-    return problem(key, "must be six angles in rad, of magnitude 1e6 or less.");
+  if (list.kind != Kind::Array || list.items.size() != count ||
+      !std::all_of(list.items.begin(), list.items.end(), fits)) {
+    if (count == 6) return problem(key, "must be six angles in rad, of magnitude 1e6 or less.");
+    const std::string sentence = "must have one entry for each joint, here " + std::to_string(count) +
+                                 ": angles in rad (mm where the joint slides), of magnitude 1e6 or less.";
+    return problem(key, sentence.c_str());
   }
-  arm::JointAngles q_rad{};
-  std::transform(list.items.begin(), list.items.end(), q_rad.begin(), [](const Value& angle) { return angle.number; });
-  return q_rad;
+  chain::JointValues q{};
+  for (std::size_t i = 0; i < count; ++i) q[i] = list.items[i].number * unitOf(chain.joints[i]);
+  return q;
+}
+
+std::vector<double> jointNumbers(const chain::Chain& chain, std::span<const double> q) {
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < chain.joints.size(); ++i) {
+    const bool turns = chain.joints[i].type == chain::JointType::Revolute;
+    numbers.push_back(turns ? q[i] : kMillimetrePerMetre * q[i]);
+  }
+  return numbers;
 }
 
 Result<Pose> readPose(const Value& line, const char* key) {

@@ -20,6 +20,7 @@
 #include "core/record/provenance.h"
 #include "core/scene/compile.h"
 #include "core/scene/mirror.h"
+#include "core/scene/scene_arm.h"
 #include "core/servo/host.h"
 #include "core/sim/arm_model.h"
 #include "core/sim/arm_model_file.h"
@@ -150,7 +151,7 @@ std::optional<Prepared> prepare(const RunOptions& options, const Streams& stream
   prepared.run = {fileName(options.hand),
                   contentOfHand(options.hand),
                   asHeld(std::move(hand).value(), options),
-                  std::move(model).value(),
+                  sim::modelFor(scene::armOf(prepared.scene.description), std::move(model).value()),
                   ticksOf(options),
                   options.fast,
                   options.seed};
@@ -159,12 +160,12 @@ std::optional<Prepared> prepare(const RunOptions& options, const Streams& stream
 
 Result<std::unique_ptr<servo::DevicePort>> makeArm(const RunOptions& options, const Prepared& prepared) {
   if (!options.isSimulated()) {
-    const arm::Preset& preset = *arm::findPreset(prepared.scene.description.arm);
+    const arm::Preset& preset = scene::armOf(prepared.scene.description);
     return device::openDevice(options.device, {preset, {}, options.rate_hz, {}});
   }
   const scene::Description& scene = prepared.scene.description;
   return std::unique_ptr<servo::DevicePort>(
-      device::makeSimulatedArm(prepared.run, *arm::findPreset(scene.arm), scene, options.rate_hz));
+      device::makeSimulatedArm(prepared.run, scene::armOf(scene), scene, options.rate_hz));
 }
 
 /// The name of an unnamed session: what was run.

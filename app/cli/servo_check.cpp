@@ -12,6 +12,7 @@
 #include "app/options/scheduling_options.h"
 #include "core/arm/preset.h"
 #include "core/scene/compile.h"
+#include "core/scene/scene_arm.h"
 #include "core/servo/check.h"
 #include "core/sim/arm_model_file.h"
 #include "core/sim/hand_script.h"
@@ -49,7 +50,7 @@ Result<LoadedScene> sceneOf(const ServoCheckOptions& options, const Streams& str
 device::SimulatedArm::Options armOf(const ServoCheckOptions& options, const sim::ArmModel& model,
                                     const scene::Description& scene, const sim::HandScript& hand) {
   device::SimulatedArm::Options arm;
-  arm.arm = *arm::findPreset(scene.arm);
+  arm.arm = scene::armOf(scene);
   arm.model = model;
   arm.integration = integrationOf(scene.simulation);
   arm.hand = hand.hand;

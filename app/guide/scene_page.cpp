@@ -150,10 +150,20 @@ class ScenePage {
     }
     if (is.find("oneOf") != nullptr) return "a number, or 3";
     const std::string type = is.find("type") == nullptr ? "" : is.find("type")->text;
+    if (const Value* either = is.find("anyOf"); either != nullptr && type.empty()) return eitherOf(*either, key);
     if (type == "array") return listOf(is);
     if (type == "boolean") return "`true`, `false`";
     if (type == "string") return "text";
     return (type == "integer" ? "a whole number" : "a number") + rangeOf(is);
+  }
+
+  std::string eitherOf(const Value& kinds, const std::string& key) {
+    std::string all;
+    for (const Value& kind : kinds.items) {
+      const bool is_file = kind.find("pattern") != nullptr;
+      all += (all.empty() ? "" : ", or ") + (is_file ? "a file name" : kindOf(kind, key));
+    }
+    return all;
   }
 
   std::string listOf(const Value& is) {

@@ -17,6 +17,7 @@
 #include "core/record/tick_figures.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
+#include "core/scene/scene_arm.h"
 #include "core/servo/host.h"
 #include "core/sim/arm_model.h"
 #include "core/sweep/build.h"
@@ -77,7 +78,7 @@ struct Figures {
 /// The run of `underact-cli run --fast`. Problems: those of loading the scene.
 Result<Figures> figuresOf(const Plan& plan, const scene::Description& scene, const sim::HandScript& hand, int rate_hz) {
   device::SimulatedArm::Options options;
-  options.arm = *arm::findPreset(scene.arm);
+  options.arm = scene::armOf(scene);
   options.model = plan.arm_model;
   options.hand = hand.hand;
   options.rate_hz = rate_hz;

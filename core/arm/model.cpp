@@ -45,6 +45,7 @@ std::string_view fileOf(std::string_view name) {
 
 std::optional<Geometry> omniGeometry(const Model& model) {
   constexpr std::array<double, 6> kTwists_deg{0, 90, 0, 90, -90, 90};
+  if (model.rows.size() != 6) return {};
   for (std::size_t row = 0; row < 6; ++row) {
     const chain::DhRow& one = model.rows[row];
     const bool fits = one.type == chain::JointType::Revolute &&
@@ -54,13 +55,37 @@ std::optional<Geometry> omniGeometry(const Model& model) {
   }
   const Geometry geometry{model.rows[2].a_m, model.rows[3].d_m, model.X_WB.translation()};
   const bool in_place =
-      (model.X_WB.linear() - workspaceFromBase()).isZero(1e-12) && model.X_6T.matrix().isIdentity(1e-12);
+      (model.X_WB.linear() - workspaceFromBase()).isZero(1e-12) && model.X_NT.matrix().isIdentity(1e-12);
   if (!in_place || !(geometry.upper_m > 0.0 && geometry.fore_m > 0.0)) return {};
   return geometry;
 }
 
-chain::Chain chainOf(const Model& model) {
-  return chain::chainFromDh(model.rows, model.X_WB, model.X_6T);
+JointLimits limitsOf(const Model& model) {
+  JointLimits limits;
+  for (std::size_t joint = 0; joint < std::min<std::size_t>(6, model.rows.size()); ++joint) {
+    limits.min_rad[joint] = model.rows[joint].min;
+    limits.max_rad[joint] = model.rows[joint].max;
+  }
+  return limits;
+}
+
+bool isWithinLimits(const Model& model, std::span<const double> q) {
+  for (std::size_t joint = 0; joint < std::min(q.size(), model.rows.size()); ++joint) {
+    const double low = model.rows[joint].min, high = model.rows[joint].max;
+    double value = q[joint];
+    if (model.limits_wrist_size) {
+      if (joint == 4) value = std::abs(value);
+      if (!(value >= low)) return false;
+    } else if (model.rows[joint].type == chain::JointType::Revolute) {
+      // A joint with a range of more than one turn may be a turn away.
+      const double turns = std::ceil((low - value) / (2.0 * kPi));
+      if (std::isfinite(turns)) value += 2.0 * kPi * turns;
+    } else if (!(value >= low)) {
+      return false;
+    }
+    if (!(value <= high)) return false;
+  }
+  return true;
 }
 
 std::array<Pose, 6> linkFrames(const Model& model, const JointAngles& q_rad) noexcept {

@@ -4,12 +4,17 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/arm/preset.h"
 #include "core/base/result.h"
 #include "core/chain/chain.h"
+#include "core/chain/dh.h"
 
 namespace underact::arm {
+
+/// The most joints that an arm file can have.
+inline constexpr std::size_t kMostJoints = 8;
 
 /// The data of an arm that is a haptic device.
 struct DeviceFigures {
@@ -17,23 +22,47 @@ struct DeviceFigures {
   double continuous_force_N = 0.0;
 };
 
-/// An arm of six joints as in its file: resources/arms/NAME.json, or a user's file.
+/// What a file says of a joint besides its geometry.
+struct JointFacts {
+  std::string name;
+  bool driven = true;  // by a motor: it can render a force
+  bool sensed = true;  // its value is measured
+};
+
+/// The mass that a joint carries along, up to the next joint; with all joints at 0, in W.
+struct LinkMass {
+  double mass_kg = 0.0;
+  Vec3 p_WC = Vec3::Zero();             // its centre of mass
+  Mat3 inertia_W_kg_m2 = Mat3::Zero();  // about that
+};
+
+/// The form in which a file gives the geometry.
+enum class ArmForm { ModifiedDh, ClassicDh, Exponentials, Urdf };
+
+/// An arm of 1 to kMostJoints joints as in its file: resources/arms/NAME.json, or a user's file.
 struct Model {
   std::string name;
   std::string title;
   std::string provenance;
-  std::array<chain::DhRow, 6> rows{};  // modified (Craig) convention
-  JointLimits limits;
-  bool limits_wrist_size = false;  // those of joint 5 are of its absolute value
+  ArmForm form = ArmForm::ModifiedDh;
+  chain::Chain chain;              // to the tool
+  std::vector<chain::DhRow> rows;  // the same as a table in modified (Craig) convention, whatever the file's form
   Pose X_WB = Pose::Identity();    // frame 0 of the table in the workspace
-  Pose X_6T = Pose::Identity();    // the tool in frame 6
+  Pose X_NT = Pose::Identity();    // the tool in the last frame
+  std::vector<JointFacts> joints;  // as many as rows
+  std::vector<LinkMass> masses;    // as many as rows, 0 where the file says nothing; empty: it has none
+  bool limits_wrist_size = false;  // those of joint 5 are of its absolute value
   std::optional<DeviceFigures> device;
 };
 
 /// An arm from JSON text. Problems: all at once. Keys: the guide, "Arm files".
 Result<Model> readArm(std::string_view text, const std::string& file_name);
-/// The same of a file. Problems, too: it cannot be read.
+/// The same of a file; one whose name ends in .urdf or .xml is read as readUrdf() does. Problems, too: it cannot be
+/// read.
 Result<Model> readArmFile(const std::string& path);
+
+/// The same of the text of a file of that name.
+Result<Model> readArmText(std::string_view text, const std::string& file_name);
 
 /// The models that ship with the program, read once.
 std::span<const Model> models();
@@ -48,10 +77,17 @@ std::string_view fileOf(std::string_view name);
 /// closed form.
 std::optional<Geometry> omniGeometry(const Model& model);
 
-/// The same arm as a product of exponentials.
-chain::Chain chainOf(const Model& model);
+/// What a scene needs of an arm that is a haptic device; none of another one, or of one without omniGeometry().
+std::optional<Preset> presetOf(const Model& model);
 
-/// The frames 1 to 6 of the table in W.
+/// The limits of an arm of six joints, rad.
+JointLimits limitsOf(const Model& model);
+
+/// Whether each joint is within its limits; a revolute joint may be a full turn away. q: one value for each joint, rad
+/// or m.
+bool isWithinLimits(const Model& model, std::span<const double> q);
+
+/// The frames 1 to 6 of the table of an arm of six joints in W.
 std::array<Pose, 6> linkFrames(const Model& model, const JointAngles& q_rad) noexcept;
 
 }  // namespace underact::arm

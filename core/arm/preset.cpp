@@ -1,8 +1,10 @@
 #include "core/arm/preset.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
+#include "core/arm/apparent_mass.h"
 #include "core/arm/model.h"
 
 namespace underact::arm {
@@ -11,15 +13,25 @@ namespace {
 std::vector<Preset> devices() {
   std::vector<Preset> all;
   for (const Model& model : models()) {
-    const std::optional<Geometry> geometry = omniGeometry(model);
-    if (!model.device || !geometry) continue;
-    all.push_back({model.name, model.title, model.provenance, *geometry, model.limits, model.device->counts_per_turn,
-                   model.device->continuous_force_N});
+    if (std::optional<Preset> preset = presetOf(model)) all.push_back(std::move(*preset));
   }
   return all;
 }
 
 }  // namespace
+
+std::optional<Preset> presetOf(const Model& model) {
+  const std::optional<Geometry> geometry = omniGeometry(model);
+  if (!model.device || !geometry) return {};
+  return Preset{model.name,
+                model.title,
+                model.provenance,
+                *geometry,
+                limitsOf(model),
+                model.device->counts_per_turn,
+                model.device->continuous_force_N,
+                apparentMass_kg(model)};
+}
 
 std::span<const Preset> presets() {
   static const std::vector<Preset> kAll = devices();

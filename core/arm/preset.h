@@ -14,12 +14,14 @@ struct Geometry {
   double upper_m = 0.0;  // L1, shoulder to elbow (a_2)
   double fore_m = 0.0;   // L2, elbow to wrist centre (d_4); the tip is the wrist centre
   Vec3 p_WB = Vec3::Zero();
+  bool operator==(const Geometry&) const = default;
 };
 
 /// rad, DH angles. Those of joint 5 are of its absolute value: its sign is the sense in which the wrist is bent.
 struct JointLimits {
   JointAngles min_rad{};
   JointAngles max_rad{};
+  bool operator==(const JointLimits&) const = default;
 };
 
 inline constexpr JointLimits kNoJointLimits{{-kInfinity, -kInfinity, -kInfinity, -kInfinity, 0.0, -kInfinity},
@@ -38,6 +40,7 @@ struct Preset {
   JointLimits limits;
   EncoderCounts counts_per_turn{};
   double continuous_force_N = 0.0;
+  double apparent_mass_kg = 0.0;  // at the tip, of the masses in its file (apparentMass_kg()); 0: it has none
 };
 
 /// The models (model.h) that are devices.

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/chain/kinematics.h"
+#include "core/chain/wrist.h"
 
 namespace underact::chain {
 
@@ -18,9 +19,8 @@ struct SphericalWristArm {
   double fore_m = 0.0;
   double along_m = 0.0;           // from p_WJ1 to C along axis 2, constant under joints 2 and 3
   double sense = 1.0;             // +1 where axes 2 and 3 point the same way, -1 where they oppose
-  Vec3 across_W = Vec3::Zero();   // unit, across axis 6
+  WristAxes wrist;                // axes 4 to 6
   double elbow_middle_rad = 0.0;  // joint 3 where C is furthest from axis 2
-  double wrist_middle_rad = 0.0;  // joint 5 where axis 6 is nearest to axis 4
   Vec3 p_TC = Vec3::Zero();
   Mat3 R_TW = Mat3::Identity();
   double reach_m = 0.0;  // offset, along, upper and fore together: the scale of the tolerances

@@ -92,12 +92,8 @@ class Search {
 
   Place randomStart() noexcept UNDERACT_REAL_TIME {
     Place at;
-    for (std::size_t i = 0; i < joints_; ++i) {
-      const Joint& joint = chain_.joints[i];
-      const double span = joint.type == JointType::Revolute ? kPi : reach_m_;
-      const bool bounded = joint.max - joint.min < kInfinity;
-      at.q[i] = held(i, bounded ? draw(random_, joint.min, joint.max) : draw(random_, -span, span));
-    }
+    at.q = drawnJoints(chain_, random_);
+    for (std::size_t i = 0; i < joints_; ++i) at.q[i] = held(i, at.q[i]);
     return at;
   }
 
@@ -150,6 +146,18 @@ class Search {
 };
 
 }  // namespace
+
+JointValues drawnJoints(const Chain& chain, std::uint64_t& random) noexcept {
+  JointValues q{};
+  const double reach_m = reachOf(chain);
+  for (std::size_t i = 0; i < std::min(chain.joints.size(), kMaxJoints); ++i) {
+    const Joint& joint = chain.joints[i];
+    const double span = joint.type == JointType::Revolute ? kPi : reach_m;
+    const bool bounded = joint.max - joint.min < kInfinity;
+    q[i] = bounded ? draw(random, joint.min, joint.max) : draw(random, -span, span);
+  }
+  return q;
+}
 
 NumericSolution solveNumerically(const Chain& chain, const Pose& X_WT, std::span<const double> q_start,
                                  const NumericOptions& options) noexcept {

@@ -28,12 +28,15 @@ struct NumericSolution {
   int restarts_used = 0;
 };
 
+/// Joints drawn at random: within their limits, or where these are infinite within a turn, or the reach, either way.
+/// random: the state of the sequence, at first its seed.
+JointValues drawnJoints(const Chain& chain, std::uint64_t& random) noexcept UNDERACT_REAL_TIME;
+
 /// A q that brings the tip to X_WT, by damped least squares from q_start (joints without a value start at 0). Any
 /// chain, with fewer or more than 6 joints; a pose out of reach gives the nearest one that was found. Each start ends
-/// in a solution, in a local minimum or after max_steps. Random starts lie within the joint limits, or where these are
-/// infinite within a turn, or the reach, either way. Deterministic to the bit. Not finite in: not reached, q as
-/// started. Cost: at most max_steps (restarts + 1) steps, of some 0.7 us for six joints. Source: Levenberg 1944;
-/// damping in proportion to the squared residual as Fan and Yuan 2005.
+/// in a solution, in a local minimum or after max_steps. Random starts are those of drawnJoints(). Deterministic to the
+/// bit. Not finite in: not reached, q as started. Cost: at most max_steps (restarts + 1) steps, of some 0.7 us for six
+/// joints. Source: Levenberg 1944; damping in proportion to the squared residual as Fan and Yuan 2005.
 NumericSolution solveNumerically(const Chain& chain, const Pose& X_WT, std::span<const double> q_start,
                                  const NumericOptions& options) noexcept UNDERACT_REAL_TIME;
 

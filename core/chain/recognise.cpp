@@ -3,25 +3,10 @@
 #include "core/base/axis_geometry.h"
 #include "core/chain/closed_form.h"
 #include "core/chain/rotation.h"
+#include "core/chain/trig_equation.h"
 
 namespace underact::chain {
 namespace {
-
-constexpr double kSame = 1e-9;  // rad, and of the reach
-
-bool parallel(const Vec3& a, const Vec3& b) noexcept {
-  return a.cross(b).norm() <= kSame;
-}
-
-/// The point of axis a that is nearest to axis b; they are not parallel.
-Vec3 nearestOn(const Joint& a, const Joint& b) noexcept {
-  const Vec3 common = a.axis_W.cross(b.axis_W);
-  return a.p_WJ + (b.p_WJ - a.p_WJ).cross(b.axis_W).dot(common) / common.squaredNorm() * a.axis_W;
-}
-
-bool onAxis(const Vec3& p_W, const Joint& joint, double near_m) noexcept {
-  return perpendicularPart(joint.axis_W, p_W - joint.p_WJ).norm() <= near_m;
-}
 
 bool sixTurning(const std::vector<Joint>& joints) noexcept {
   for (const Joint& joint : joints) {
@@ -32,10 +17,10 @@ bool sixTurning(const std::vector<Joint>& joints) noexcept {
 
 /// Whether the angles between the axes are those of such an arm.
 bool hasTheAngles(const std::vector<Joint>& joints) noexcept {
-  const auto areParallel = [&](std::size_t a, std::size_t b) {
-    return parallel(joints[a - 1].axis_W, joints[b - 1].axis_W);
+  const auto parallel = [&](std::size_t a, std::size_t b) {
+    return areParallel(joints[a - 1].axis_W, joints[b - 1].axis_W);
   };
-  return areParallel(2, 3) && !areParallel(1, 2) && !areParallel(4, 5) && !areParallel(5, 6);
+  return parallel(2, 3) && !parallel(1, 2) && !parallel(4, 5) && !parallel(5, 6);
 }
 
 }  // namespace
@@ -44,12 +29,13 @@ std::optional<SphericalWristArm> recognise(const Chain& chain) noexcept {
   const std::vector<Joint>& joints = chain.joints;
   if (!sixTurning(joints) || !hasTheAngles(joints)) return std::nullopt;
   const double near_m = kSame * reachOf(chain);
-  const Vec3 p_WC = nearestOn(joints[4], joints[3]);
-  if (!onAxis(p_WC, joints[3], near_m) || !onAxis(p_WC, joints[5], near_m)) return std::nullopt;
+  const std::optional<Vec3> centre = meetingPoint(std::span(joints).last<3>(), near_m);
+  if (!centre) return std::nullopt;
+  const Vec3 p_WC = *centre;
 
   SphericalWristArm arm;
   for (std::size_t i = 0; i < 6; ++i) arm.axis_W[i] = joints[i].axis_W;
-  const Vec3 &axis_2_W = arm.axis_W[1], &axis_5_W = arm.axis_W[4], &axis_6_W = arm.axis_W[5];
+  const Vec3& axis_2_W = arm.axis_W[1];
   arm.p_WJ1 = nearestOn(joints[0], joints[1]);
   arm.offset_W = perpendicularPart(axis_2_W, joints[1].p_WJ - arm.p_WJ1);
   arm.upper_W = perpendicularPart(axis_2_W, joints[2].p_WJ - joints[1].p_WJ);
@@ -59,9 +45,8 @@ std::optional<SphericalWristArm> recognise(const Chain& chain) noexcept {
   if (!(arm.upper_m > near_m && arm.fore_m > near_m)) return std::nullopt;
   arm.along_m = axis_2_W.dot(p_WC - arm.p_WJ1);
   arm.sense = axis_2_W.dot(arm.axis_W[2]) > 0.0 ? 1.0 : -1.0;
-  arm.across_W = axis_6_W.unitOrthogonal();
+  arm.wrist = wristAxes(arm.axis_W[3], arm.axis_W[4], arm.axis_W[5]);
   arm.elbow_middle_rad = angleAbout(arm.axis_W[2], arm.fore_W, arm.upper_W);
-  arm.wrist_middle_rad = angleAbout(axis_5_W, axis_6_W, arm.axis_W[3]);
   arm.R_TW = chain.X_WT_home.linear().transpose();
   arm.p_TC = arm.R_TW * (p_WC - chain.X_WT_home.translation());
   arm.reach_m = arm.offset_W.norm() + std::abs(arm.along_m) + arm.upper_m + arm.fore_m;

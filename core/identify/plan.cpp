@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/json/json.h"
 #include "core/json/text.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::identify {
 namespace {
@@ -26,9 +27,8 @@ constexpr double kReach_m = 0.02;  // about a position: the swings, and as much 
 constexpr double kCalm_N_s_per_mm = 1e-3, kAcross_N_per_mm = 0.2;
 
 scene::Description held(const Wanted& wanted, const Vec3& p_W, const Vec3& kp_N_per_mm, const Vec3& kd_N_s_per_mm) {
-  scene::Description scene;
+  scene::Description scene = scene::withArmOf(wanted.arm_of, {});
   scene.title = "Measure the arm";
-  scene.arm = wanted.arm;
   scene.control.law = scene::LawType::PD;
   scene.control.gains.kp_N_per_mm = kp_N_per_mm;
   scene.control.gains.kd_N_s_per_mm = kd_N_s_per_mm;
@@ -85,9 +85,9 @@ double Plan::seconds() const {
 }
 
 Result<Plan> makePlan(const Wanted& wanted) {
-  const arm::Preset* const arm = arm::findPreset(wanted.arm);
+  const arm::Preset* const arm = scene::findArm(wanted.arm_of);
   if (arm == nullptr)
-    return Problems{{said(TRANSLATE_NOOP("problem", "There is no arm %1."), {json::shown(wanted.arm)})}};
+    return Problems{{said(TRANSLATE_NOOP("problem", "There is no arm %1."), {json::shown(wanted.arm_of.arm)})}};
   if (wanted.places_W.empty() || wanted.places_W.size() > 3)
     return Problems{{said(TRANSLATE_NOOP("problem", "State one to three positions."))}};
   Problems problems;

@@ -27,7 +27,7 @@ struct Stage {
 
 /// What makePlan() is asked for.
 struct Wanted {
-  std::string arm = "omni-thesis";                  // a preset
+  scene::Description arm_of = {};                   // a scene with the arm
   std::vector<Vec3> places_W = {{0.0, 0.0, 0.06}};  // 1 to 3, m
 };
 

@@ -51,7 +51,7 @@ Problems Findings::take() {
 }
 
 const Value* ObjectReader::find(const char* key, bool required) {
-  known_.emplace_back(key);
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
   const Value* value = object_.find(key);
   if (value != nullptr) findings_.remember(pathOf(key), *value);
   if (value == nullptr && required) {

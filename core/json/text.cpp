@@ -94,6 +94,13 @@ double numberOf(std::string_view text) {
   return std::copysign(isLarge(text) ? kInfinity : 0.0, text.front() == '-' ? -1.0 : 1.0);
 }
 
+std::optional<double> wholeNumber(std::string_view text) {
+  double number = 0.0;
+  const std::from_chars_result read = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
+
 std::string shown(std::string_view text) {
   std::size_t end = 0;
   for (std::size_t count = 0; count < kLongestShown && end < text.size(); ++count) {

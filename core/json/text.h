@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,9 @@ std::size_t codePointLength(std::string_view text, std::size_t at);
 /// The double nearest to a number as JSON writes it, whatever the locale; infinite where it is too large, 0 where too
 /// small.
 double numberOf(std::string_view text);
+
+/// The finite number that all of a text is, as C writes it; none where it is no such number.
+std::optional<double> wholeNumber(std::string_view text);
 
 /// What a file says, in quotes and cut short, for use in a sentence.
 std::string shown(std::string_view text);

@@ -12,6 +12,7 @@
 #include "core/base/units.h"
 #include "core/lab/loop.h"
 #include "core/scene/compile.h"
+#include "core/scene/scene_arm.h"
 #include "core/sim/plant.h"
 #include "core/tick/step.h"
 
@@ -183,7 +184,7 @@ Result<ArmStep> measureStep(const scene::Description& scene, const StepSetup& se
   const Result<tick::TickProgram> before = programOf(held.value(), setup);
   if (!before) return before.problems();
   const sim::Plant plant =
-      sim::makePlant(*arm::findPreset(held.value().arm), setup.arm, setup.hand, integrationOf(held.value().simulation));
+      sim::makePlant(scene::armOf(held.value()), setup.arm, setup.hand, integrationOf(held.value().simulation));
   const Result<Vec3> begin = restingPlace(before.value(), plant, setup.from_W);
   if (!begin) return begin.problems();
 

@@ -16,6 +16,7 @@
 #include "core/arm/model.h"
 #include "core/scene/fields.h"
 #include "core/scene/load_meshes.h"
+#include "core/scene/scene_arm.h"
 #include "core/system/library.h"
 #include "core/system/machine.h"
 #include "core/system/this_process.h"
@@ -111,10 +112,9 @@ ObjectText machineProvenance() {
 }
 
 ObjectText armProvenance(const servo::Host& host) {
-  const std::string& name = host.scene().arm;
-  const std::string file(arm::fileOf(name));
+  const std::string file(scene::armTextOf(host.scene()));
   ObjectText object;
-  object.addText("name", name);
+  object.addText("name", scene::withoutFolders(host.scene()).arm);
   if (!file.empty()) object.addText("file", file);
   return object;
 }

@@ -10,6 +10,8 @@
 
 #include "core/base/translate.h"
 #include "core/record/provenance.h"
+#include "core/scene/load_meshes.h"
+#include "core/scene/scene_arm.h"
 #include "core/system/clock.h"
 
 namespace underact::record {
@@ -26,7 +28,8 @@ SessionHeader headerOf(const servo::Host& host, const SessionMetadata& words, co
   SessionHeader header;
   header.words = words;
   header.scene_title = host.scene().title;
-  header.arm = host.scene().arm;
+  header.arm = scene::withoutFolders(host.scene()).arm;
+  header.arm_file = scene::armTextOf(host.scene());
   header.device = host.device().title;
   header.scheduling = host.scheduling().name;
   header.started_unix_ns = unixNow_ns();

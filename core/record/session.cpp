@@ -83,6 +83,7 @@ Problems Session::readInfo(const std::string& path) {
                   file_.text("consent")};
   header.scene_title = file_.text("scene_title");
   header.arm = file_.text("arm");
+  header.arm_file = file_.text("arm_file");
   header.device = file_.text("device");
   header.scheduling = file_.text("scheduling");
   header.started_unix_ns = file_.integer("started_unix_ns", 0);
@@ -210,7 +211,7 @@ Result<scene::Description> Session::scene(const ChangeRow& change) {
   Result<std::string> text = words(change.scene);
   if (!text) return text.problems();
   if (text.value().empty()) return scene::Description{};
-  return scene::readScene(text.value(), info_.path);
+  return scene::readScene(text.value(), info_.path, scene::NamedFiles::Closed);
 }
 
 Result<tick::TickState> Session::start(const tick::TickProgram& program) {

@@ -11,6 +11,7 @@
 #include "core/record/state_bytes.h"
 #include "core/record/untrusted_file.h"
 #include "core/scene/load_meshes.h"
+#include "core/scene/scene_arm.h"
 #include "core/scene/write.h"
 
 namespace underact::record {
@@ -26,7 +27,7 @@ std::vector<Attribute> attributesOf(const SessionHeader& header) {
           {"consent", header.words.consent},
           {"scene_title", header.scene_title},
           {"arm", header.arm},
-          {"arm_file", std::string(arm::fileOf(header.arm))},
+          {"arm_file", header.arm_file},
           {"device", header.device},
           {"scheduling", header.scheduling},
           {"started_unix_ns", header.started_unix_ns},
@@ -43,11 +44,6 @@ void keep(Problems& problems, const Problems& more) {
   problems.insert(problems.end(), more.begin(), more.end());
 }
 
-arm::Geometry geometryOf(const std::string& arm) {
-  const arm::Preset* const preset = arm::findPreset(arm);
-  return preset != nullptr ? preset->geometry : arm::findPreset(arm::kDefaultArm)->geometry;
-}
-
 /// Whether it is a continuation byte of UTF-8.
 bool isWithinLetter(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
@@ -57,7 +53,7 @@ bool isWithinLetter(char byte) {
 
 SessionWriter::SessionWriter(Hdf5File file, const SessionHeader& header)
     : file_(std::move(file)),
-      geometry_(geometryOf(header.arm)),
+      geometry_(scene::armOf({}).geometry),
       block_rows_(sessionTables(header.rate_hz, header.block_s)[kTicks].block_rows),
       packer_(tickColumns()),
       truths_(sessionTables(header.rate_hz)[kTruth].columns),
@@ -91,7 +87,7 @@ Problems SessionWriter::addScene(std::int64_t tick, std::uint64_t revision, tick
   const Words words =
       addText(scene.constraints.empty() ? std::string() : scene::writeScene(scene::withoutFolders(scene)), problems);
   keep(problems, file_.append(kChanges, blockOf(ChangeRow{tick, revision, carry, words})));
-  if (const arm::Preset* const preset = arm::findPreset(scene.arm)) geometry_ = preset->geometry;
+  if (!scene.constraints.empty()) geometry_ = scene::armOf(scene).geometry;
   const json::ObjectText by_scene = sceneProvenance(scene);
   if (std::exchange(by_scene_, by_scene.text()) == by_scene.text()) return problems;
   json::ObjectText all = std::exchange(provenance_, {});  // all of it with the first scene

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/arm/preset.h"
+#include "core/arm/model.h"
 #include "core/base/result.h"
 #include "core/json/object_text.h"
 #include "core/record/hdf5_file.h"
@@ -29,6 +29,7 @@ struct SessionHeader {
   SessionMetadata words;
   std::string scene_title;
   std::string arm{arm::kDefaultArm};
+  std::string arm_file = std::string(arm::fileOf(arm::kDefaultArm));  // its content
   std::string device;
   std::string scheduling;
   std::int64_t started_unix_ns = 0;

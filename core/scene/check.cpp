@@ -3,7 +3,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/arm/preset.h"
+#include "core/arm/model.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
@@ -13,6 +13,7 @@
 #include "core/scene/meshes.h"
 #include "core/scene/read.h"
 #include "core/scene/rules.h"
+#include "core/scene/scene_arm.h"
 #include "core/scene/setting_rows.h"
 
 namespace underact::scene {
@@ -51,6 +52,7 @@ class Checker {
   void checkRobot(const VirtualManipulator& robot, const Constraint& constraint, const Control& control);
   void checkInfluence(const Constraint& constraint, const Control& control);
   void checkName(const std::string& key, const std::string& name);
+  void checkArm();
 
   const Description& scene_;
   Problems problems_;
@@ -198,17 +200,35 @@ void Checker::checkConstraint(std::size_t index) {
   checkMetric(path_, controlOf(scene_, index), constraint.shape);
 }
 
+void Checker::checkArm() {
+  if (findArm(scene_) != nullptr) return;
+  if (isArmFile(scene_.arm))
+    return add("arm", said(TRANSLATE_NOOP("problem", "The arm file %1 was not read."), {json::shown(scene_.arm)}));
+  if (arm::findModel(scene_.arm) != nullptr)
+    return add("arm", said(TRANSLATE_NOOP("problem",
+                                          "The arm %1 is for kinematics only: the arm of a scene is a haptic device "
+                                          "with the geometry of table 3.1 of the thesis."),
+                           {json::shown(scene_.arm)}));
+  std::vector<std::string> known;
+  for (const arm::Preset& preset : arm::presets()) known.emplace_back(preset.name);
+  const std::string nearest = json::nearestWord(scene_.arm, known);
+  const Sentence listed = json::listed(known, "and");
+  add("arm", nearest.empty() ? said(TRANSLATE_NOOP("problem",
+                                                   "The arm %1 is not known. Known arms: %2; or the name of an arm "
+                                                   "file, such as \"my_arm.json\"."),
+                                    {json::shown(scene_.arm), listed})
+                             : said(TRANSLATE_NOOP("problem",
+                                                   "The arm %1 is not known. Did you mean \"%2\"? Known arms: %3; or "
+                                                   "the name of an arm file, such as \"my_arm.json\"."),
+                                    {json::shown(scene_.arm), nearest, listed}));
+}
+
 Problems Checker::run() {
   if (scene_.title.find_first_not_of(" \t\r\n") == std::string::npos) {
     add("title",
         said(TRANSLATE_NOOP("problem", "The title is empty; say in a few words what the scene lets you feel.")));
   }
-  if (arm::findPreset(scene_.arm) == nullptr) {
-    std::vector<std::string> known;
-    for (const arm::Preset& preset : arm::presets()) known.emplace_back(preset.name);
-    add("arm", said(TRANSLATE_NOOP("problem", "The arm %1 is not known. Known arms: %2."),
-                    {json::shown(scene_.arm), json::listed(known, "and")}));
-  }
+  checkArm();
   checkControl("control", scene_.control);
   checkAll("simulation", scene_.simulation);
   const std::size_t count = scene_.constraints.size();

@@ -11,6 +11,7 @@
 #include "core/scene/manipulators.h"
 #include "core/scene/meshes.h"
 #include "core/scene/read.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::scene {
 namespace {
@@ -125,7 +126,7 @@ Result<target::Constraint> heldTo(const Constraint& constraint, const Control& c
 Result<tick::TickProgram> compile(const Description& scene) {
   Problems problems = check(scene);
   if (!problems.empty()) return problems;
-  const arm::Preset& preset = *arm::findPreset(scene.arm);
+  const arm::Preset& preset = armOf(scene);
   std::vector<tick::Entry> entries;
   for (std::size_t index = 0; index < scene.constraints.size(); ++index) {
     const Constraint& constraint = scene.constraints[index];

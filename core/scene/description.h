@@ -229,16 +229,20 @@ inline constexpr double kShortestSubstep_us = 5.0, kLongestSubstep_us = 10'000.0
 /// In core's unit, rounded to whole nanoseconds.
 Integration integrationOf(const Simulation& simulation);
 
-/// A whole scene.
+struct ArmFile;
+
+/// A whole scene. Which arm it has: scene_arm.h.
 struct Description {
   std::string title;
   std::string about;
-  std::string arm = "omni-thesis";
+  std::string arm = "omni-thesis";  // a name, or a file as in Mesh
   Control control;
   tick::Combine combine = tick::Combine::Sum;
   Simulation simulation;
   std::vector<Constraint> constraints;
-  std::string file;  // where it was read from; empty: not from a file
+  std::string file;                              // where it was read from; empty: not from a file
+  std::string arm_text = {};                     // of the arm's file, where the scene says it (recorded ones do)
+  std::shared_ptr<const ArmFile> arm_file = {};  // what was read of the arm's file; null: the arm is none of a file
 };
 
 /// The control of the constraint at index: its own or the scene's.

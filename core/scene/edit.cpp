@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/scene/scene_arm.h"
+
 namespace underact::scene {
 namespace {
 
@@ -13,7 +15,7 @@ bool haveSameTargets(const Description& a, const Description& b) {
     return one.name == other.name && one.shape == other.shape && one.side == other.side &&
            one.influence == other.influence && one.friction == other.friction;
   };
-  return a.title == b.title && a.about == b.about && a.arm == b.arm && a.combine == b.combine &&
+  return a.title == b.title && a.about == b.about && a.arm == b.arm && haveSameArm(a, b) && a.combine == b.combine &&
          std::equal(a.constraints.begin(), a.constraints.end(), b.constraints.begin(), b.constraints.end(),
                     have_same_target);
 }
@@ -70,7 +72,7 @@ bool isSame(const Description& a, const Description& b) {
 
 Change changeBetween(const Description& before, const Description& after) {
   const std::size_t count = before.constraints.size();
-  if (before.arm != after.arm || before.combine != after.combine || after.constraints.size() != count) {
+  if (!haveSameArm(before, after) || before.combine != after.combine || after.constraints.size() != count) {
     return Change::Scene;
   }
   for (std::size_t index = 0; index < count; ++index) {

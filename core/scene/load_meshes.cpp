@@ -13,6 +13,7 @@
 #include "core/mesh_file/digest.h"
 #include "core/mesh_file/load.h"
 #include "core/scene/compile.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::scene {
 namespace {
@@ -232,6 +233,10 @@ Result<tick::TickProgram> loadAndCompile(Description& scene, const TaskMonitor& 
 }
 
 Description withoutFolders(Description scene) {
+  if (isArmFile(scene.arm)) {
+    scene.arm = withoutFolder(scene.arm);
+    scene.arm_text = armTextOf(scene);
+  }
   for (Constraint& constraint : scene.constraints) {
     auto* const mesh = std::get_if<Mesh>(&constraint.shape);
     auto* const curve = std::get_if<Curve>(&constraint.shape);

@@ -33,7 +33,7 @@ Result<tick::TickProgram> loadAndCompile(Description& scene, const TaskMonitor& 
 
 /// The scene as a recording keeps it: each mesh and curve with its checksum, and without folders of the person's disk.
 /// A file below the scene's own folder keeps its relative path; of any other only the name is kept. A replay finds it
-/// by pathOf().
+/// by pathOf(). An arm from a file is kept with the whole content of that file.
 Description withoutFolders(Description scene);
 
 }  // namespace underact::scene

@@ -64,7 +64,11 @@ void readTexts(ObjectReader& object, Description& into) {
   into.title = "untitled";  // so that the title check adds no second problem
   if (const json::Value* title = object.find("title", true)) readText(*title, "title", into.title, findings);
   if (const json::Value* about = object.find("about")) readText(*about, "about", into.about, findings);
-  if (const json::Value* arm = object.find("arm")) readText(*arm, "arm", into.arm, findings);
+  if (const json::Value* arm = object.find("arm")) {
+    readText(*arm, "arm", into.arm, findings);
+    findings.remember("arm", *arm);
+  }
+  if (const json::Value* text = object.find("arm_text")) readText(*text, "arm_text", into.arm_text, findings);
 }
 
 Description readWhole(const json::Value& root, const std::string& file_name, Findings& findings) {
@@ -93,14 +97,18 @@ Description readWhole(const json::Value& root, const std::string& file_name, Fin
 
 }  // namespace
 
-Result<Description> readScene(std::string_view text, const std::string& file_name) {
+Result<Description> readScene(std::string_view text, const std::string& file_name, NamedFiles files) {
   const Result<json::Value> root = json::parse(text, file_name);
   if (!root) return root.problems();
   Findings findings(file_name);
   if (!isKind(root.value(), json::Kind::Object, "", kindName(json::Kind::Object), findings)) return findings.take();
-  const Description scene = readWhole(root.value(), file_name, findings);
-  findings.add(check(scene));
+  Description scene = readWhole(root.value(), file_name, findings);
+  const Problems of_arm = readSceneArm(scene, files);
+  findings.add(check(of_arm.empty() ? scene : withArmOf({}, scene)));
+  if (!of_arm.empty() && of_arm.front().place.line == 0) findings.add(of_arm);
   Problems problems = findings.take();
+  if (!of_arm.empty() && of_arm.front().place.line > 0)  // in the other file
+    problems.insert(problems.end(), of_arm.begin(), of_arm.end());
   if (!problems.empty()) return problems;
   return scene;
 }

@@ -174,6 +174,7 @@ std::string writeScene(const Description& scene, const std::optional<Teaching>& 
   if (scene.about != usual.about) result += ",\n  \"about\": " + json::quotedText(scene.about);
   if (teaching) result += ",\n  \"teach\": " + teachingText(*teaching);
   if (scene.arm != usual.arm) result += ",\n  \"arm\": " + json::quotedText(scene.arm);
+  if (!scene.arm_text.empty()) result += ",\n  \"arm_text\": " + json::quotedText(scene.arm_text);
   if (!isDefault(scene.control) || !(scene.control.velocity == Velocity{}))
     result += ",\n  \"control\": " + controlText(scene.control, 2);
   Members settings;

@@ -25,6 +25,15 @@ arm::EncoderCounts countsOf(const arm::EncoderCounts& measured, const arm::Encod
   return counts;
 }
 
+ArmModel modelFor(const arm::Preset& arm, ArmModel model) {
+  if (model.name != kDefaultArmModel || !(arm.apparent_mass_kg > 0.0)) return model;
+  model.mass_kg = arm.apparent_mass_kg;
+  model.provenance = "Apparent mass of the links in the file of the arm " + arm.name +
+                     ", with the tip in the middle of the workspace; back-drive friction below 0.26 N from the "
+                     "vendor's sheets, taken as Coulomb's and equal in all directions.";
+  return model;
+}
+
 std::span<const ArmModel> armModels() {
   return kModels;
 }

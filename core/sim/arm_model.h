@@ -23,6 +23,10 @@ struct ArmModel {
 /// The measured counts; where one was not measured (0), that of the preset.
 arm::EncoderCounts countsOf(const arm::EncoderCounts& measured, const arm::EncoderCounts& preset);
 
+/// The model as it simulates that arm: the default model takes the mass that the arm's file gives, if it gives one;
+/// every other model keeps its own. The same again changes nothing.
+ArmModel modelFor(const arm::Preset& arm, ArmModel model);
+
 /// The models that ship with the program.
 std::span<const ArmModel> armModels();
 

@@ -117,7 +117,7 @@ void holdInLimits(const arm::Preset& arm, PlantState& state) noexcept UNDERACT_R
 }  // namespace
 
 Plant makePlant(const arm::Preset& arm, const ArmModel& model, const HandModel& hand, const Integration& integration) {
-  Plant plant{arm, model, hand, integration};
+  Plant plant{arm, modelFor(arm, model), hand, integration};
   if (model.counts_per_turn) plant.arm.counts_per_turn = countsOf(*model.counts_per_turn, arm.counts_per_turn);
   return plant;
 }

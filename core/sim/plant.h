@@ -18,7 +18,7 @@ struct Plant {
   Integration integration = {};
 };
 
-/// The plant with the model's encoders, where it has its own.
+/// The plant with the model's encoders, where it has its own, and the mass of modelFor().
 Plant makePlant(const arm::Preset& arm, const ArmModel& model, const HandModel& hand,
                 const Integration& integration = {});
 

@@ -8,6 +8,7 @@
 #include "core/base/units.h"
 #include "core/lab/loop.h"
 #include "core/scene/compile.h"
+#include "core/scene/scene_arm.h"
 #include "core/stability/exact.h"
 
 namespace underact::stability {
@@ -36,7 +37,7 @@ sim::Plant plantOf(const SceneWall& wall, const scene::Description& scene) {
   model.damping_N_s_per_m = wall.damping_N_s_per_m;
   model.friction_N = wall.friction_N;
   model.encoders = wall.encoders;
-  return sim::makePlant(*arm::findPreset(scene.arm), model, {0.0, 0.0, 0.0}, integrationOf(scene.simulation));
+  return sim::makePlant(scene::armOf(scene), model, {0.0, 0.0, 0.0}, integrationOf(scene.simulation));
 }
 
 int ticksIn(double seconds, const SceneWall& wall) {

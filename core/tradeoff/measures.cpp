@@ -9,6 +9,7 @@
 #include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/chain/numeric_inverse.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::tradeoff {
 namespace {
@@ -153,14 +154,14 @@ Measure velocityOn(const Bench& bench, const Settings& base) {
 }
 
 Measure inverseOn(const Bench& bench, const Settings& base) {
-  const arm::Preset& preset = *arm::findPreset(bench.scene.arm);
+  const arm::Preset& preset = scene::armOf(bench.scene);
   std::vector<Pose> poses;  // those that the hand wants and the arm reaches
   for (const double time_s : timesOf(bench, base.rate_hz)) {
     const sim::HandSetpoint setpoint = setpointAt(bench.hand, std::llround(1e9 * time_s));
     const arm::PositionSolution reach = arm::solvePosition(preset.geometry, setpoint.p_WT);
     if (reach.reachable) poses.push_back(arm::tipPose(preset.geometry, arm::solveWrist(reach.q_rad, setpoint.R_WT)));
   }
-  const chain::Chain chain = arm::chainOf(*arm::findModel(bench.scene.arm));
+  const chain::Chain chain = scene::modelOf(bench.scene).chain;
   return [geometry = preset.geometry, poses = std::move(poses), chain](const Settings& settings) {
     chain::NumericOptions options;
     options.max_steps = settings.inverse_steps;

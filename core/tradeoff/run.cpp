@@ -8,6 +8,7 @@
 #include "core/base/units.h"
 #include "core/lab/loop.h"
 #include "core/scene/compile.h"
+#include "core/scene/scene_arm.h"
 #include "core/sim/arm_model.h"
 
 namespace underact::tradeoff {
@@ -16,7 +17,7 @@ namespace {
 sim::Plant plantOf(const Bench& bench, const scene::Description& scene, bool exact) {
   sim::ArmModel model = *sim::findArmModel(sim::kDefaultArmModel);
   model.encoders = !exact;
-  return sim::makePlant(*arm::findPreset(scene.arm), model, bench.hand.hand, integrationOf(scene.simulation));
+  return sim::makePlant(scene::armOf(scene), model, bench.hand.hand, integrationOf(scene.simulation));
 }
 
 std::int64_t nanosecondsAt(double time_s) {

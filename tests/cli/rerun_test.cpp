@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/arm/model.h"
 #include "tests/cli/session.h"
 #include "tests/core/mesh_file/some_meshes.h"
 #include "tests/session/rig.h"
+#include "tests/support/arm_files.h"
 
 namespace underact::test {
 namespace {
@@ -77,6 +79,50 @@ TEST(RerunCommand, TakesTheMeshByItsChecksumAndTheHandFromTheFile) {
   const Outcome other = runCli({"rerun", session});
   EXPECT_NE(other.exit, Exit::Well);
   EXPECT_NE(other.err.find("its checksum differs"), std::string::npos) << other.err;
+}
+
+TEST(RerunCommand, OfAnArmFromAFileNeedsThatFileNoMore) {
+  const ScratchFolder folder;
+  const std::string text = armFile("140");
+  // A long provenance: more than the 64 KiB that an attribute of an old HDF5 file takes.
+  for (const bool is_long : {false, true}) {
+    std::string whole = text;
+    if (is_long) whole.replace(whole.find("Measured"), 8, std::string(100'000, 'm'));
+    const std::string arm = folder.write("mine.json", whole), session = folder.file(is_long ? "l.h5" : "s.h5");
+    const std::string scene = folder.write("ball.json", R"({"underact_scene": 1, "title": "Ball", "arm": "mine.json",
+        "constraints": [{"type": "sphere", "center_mm": [0, 0, 20], "radius_mm": 40}]})");
+    ASSERT_EQ(runAndRecord(session, {"run", scene, "--hand", "probe", "--seconds", "0.5", "--fast"}).exit, Exit::Well);
+    fs::remove(scene);
+    fs::remove(arm);
+    EXPECT_EQ(textAt(sameAgain(session), "made_from"), "hand");
+    EXPECT_EQ(runCli({"replay", session, "--verify"}).exit, Exit::Well);
+    const std::string again = session + ".again.h5";
+    sameAgain(session, {"--out", again});
+    EXPECT_EQ(runCli({"log", "info", "--diff", session, again}).exit, Exit::Well);
+    const json::Value info = lines(runCli({"log", "info", session, "--json"}).out).at(0);
+    EXPECT_EQ(textAt(info, "arm"), "mine.json");
+    const json::Value* const kept = info.find("provenance")->find("arm")->find("file");
+    ASSERT_NE(kept, nullptr);
+    EXPECT_EQ(kept->text, whole);
+  }
+}
+
+TEST(RerunCommand, OfAnArmFromAFileIsOfItsLengths) {
+  const ScratchFolder folder;
+  const auto finalPlace = [&](const std::string& arm) {
+    const std::string scene =
+        folder.write("ball.json", R"({"underact_scene": 1, "title": "Ball", "arm": ")" + arm + R"(",
+        "constraints": [{"type": "sphere", "center_mm": [0, 0, 20], "radius_mm": 40}]})");
+    const Outcome run = runCli({"run", scene, "--hand", "probe", "--seconds", "0.5", "--fast"});
+    EXPECT_EQ(run.exit, Exit::Well) << run.err;
+    return run.out;
+  };
+  folder.write("same.json", std::string(arm::fileOf("touch-measured")));
+  folder.write("mine.json", armFile("140"));
+  EXPECT_EQ(vectorAt(lines(finalPlace("same.json")).at(0), "final_p_mm"),
+            vectorAt(lines(finalPlace("touch-measured")).at(0), "final_p_mm"));
+  EXPECT_NE(vectorAt(lines(finalPlace("mine.json")).at(0), "final_p_mm"),
+            vectorAt(lines(finalPlace("touch-measured")).at(0), "final_p_mm"));
 }
 
 TEST(RerunCommand, OfWhatAPersonDidGoesByTheRecordedInput) {

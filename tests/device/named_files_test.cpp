@@ -40,6 +40,13 @@ Problems problemsOfScene(const std::string& type, const std::string& path) {
   return scene ? scene::loadMeshes(scene.value()) : scene.problems();
 }
 
+/// A scene that names the file of its arm.
+Problems problemsOfArm(const std::string& path) {
+  return problemsOf(scene::readScene(R"({"underact_scene": 1, "title": "T", "arm": ")" + path +
+                                         R"(", "constraints": [{"type": "point", "position_mm": [0, 0, 0]}]})",
+                                     ""));
+}
+
 struct Kind {
   const char* name;
   const char* ending;
@@ -74,6 +81,7 @@ INSTANTIATE_TEST_SUITE_P(
         Kind{"mesh_of_a_scene", ".stl", [](const std::string& path) { return problemsOfScene("mesh", path); }},
         Kind{"lesson", ".json", [](const std::string& path) { return problemsOf(lesson::readLessonFile(path)); }},
         Kind{"arm", ".json", [](const std::string& path) { return problemsOf(arm::readArmFile(path)); }},
+        Kind{"arm_of_a_scene", ".json", problemsOfArm},
         Kind{"arm_model", ".json", [](const std::string& path) { return problemsOf(sim::chooseArmModel(path)); }},
         Kind{"hand", ".json", [](const std::string& path) { return problemsOf(sim::readHandFile(path)); }},
         Kind{"registration", ".json",

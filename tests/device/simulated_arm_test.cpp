@@ -267,6 +267,27 @@ TEST(Catalogue, OpensTheSimulatedArm) {
   EXPECT_EQ(sample.time_ns, 2'000'000);
 }
 
+TEST(SimulatedArm, BecomesAnotherArmAtItsTipAndBeginsANewEpoch) {
+  const arm::Preset& omni = *arm::findPreset("omni-thesis");
+  SimulatedArm arm(touchOptions("ideal"));
+  arm::Sample sample;
+  arm.read(sample);
+  const Vec3 p_WT = tipOf(sample);
+  EXPECT_EQ(sample.epoch, 0U);
+  arm.become(*arm::findPreset("touch-measured"));  // the same: nothing begins anew
+  arm.read(sample);
+  EXPECT_EQ(sample.epoch, 0U);
+  arm.become(omni);
+  arm.read(sample);
+  EXPECT_EQ(sample.epoch, 1U);
+  EXPECT_LT((arm::tipPosition(omni.geometry, sample.q_rad) - p_WT).norm(), 1e-12);
+  EXPECT_GT((tipOf(sample) - p_WT).norm(), 1e-3);
+  arm.become(*sim::findArmModel("vendor-nominal"));  // another model of the same arm
+  arm.read(sample);
+  EXPECT_EQ(sample.epoch, 1U);
+  EXPECT_LT((arm::tipPosition(omni.geometry, sample.q_rad) - p_WT).norm(), 1e-4);
+}
+
 TEST(Catalogue, OfAnArmThatIsNotThereEachRowSaysSoInASentence) {
   EXPECT_EQ(findDevice("omni"), nullptr);
   for (const Row& row : catalogue()) {

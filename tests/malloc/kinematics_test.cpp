@@ -22,7 +22,7 @@ double kept = 0.0;
 TEST(Kinematics, AllocatesFreesAndLocksNothing) {
   const Model& omni = *findModel("omni-thesis");
   const Geometry geometry = *omniGeometry(omni);
-  const chain::Chain chain = chainOf(*findModel("puma-560"));
+  const chain::Chain chain = findModel("puma-560")->chain;
   const chain::SphericalWristArm closed = chain::recognise(chain).value();
   chain::NumericOptions options;
   options.restarts = 3;

@@ -8,6 +8,7 @@
 #include "app/gui/view/scene_view.h"
 #include "core/base/units.h"
 #include "core/record/fault_file.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::gui {
 namespace {
@@ -94,6 +95,7 @@ void SecondArm::takeScene() {
   std::optional<SceneLoading::Loaded> loaded = loading_.take();
   if (!loaded) return;
   if (loaded->problems.empty()) loaded->problems = document_->open(std::move(loaded->scene));
+  if (loaded->problems.empty()) simulated_.arm->become(scene::armOf(document_->scene()));
   if (!loaded->problems.empty()) emit told(tr("The scene is unchanged. %1").arg(sentencesOf(loaded->problems)));
   emit changed();
 }

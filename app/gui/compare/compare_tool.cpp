@@ -18,6 +18,7 @@
 #include "core/arm/preset.h"
 #include "core/scene/difference.h"
 #include "core/scene/mirror.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::gui {
 namespace {
@@ -112,7 +113,7 @@ bool CompareTool::compareWith(const scene::Description& scene) {
   is_mirrored_ = parts_.document.isMirrored();
   SceneView& right = views_->right();
   right.setScene(scene);
-  right.setForceLimit(arm::findPreset(scene.arm)->continuous_force_N * parts_.servo.forceShare());
+  right.setForceLimit(scene::armOf(scene).continuous_force_N * parts_.servo.forceShare());
   showScenes();
   return true;
 }

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "core/scene/scene_arm.h"
+
 namespace underact::gui {
 namespace {
 
@@ -26,7 +28,7 @@ const char* const kTooSlow = QT_TRANSLATE_NOOP("Beside",
 }  // namespace
 
 Problems ComparedScene::setScene(const scene::Description& scene) {
-  if (scene.arm != servo_.scene().arm) return refused(kOtherArm);
+  if (!scene::haveSameArm(scene, servo_.scene())) return refused(kOtherArm);
   Result<tick::TickProgram> program = servo_.programOf(scene);
   if (!program) return program.problems();
   rerun_.emplace(std::move(program).value(), periodOf(servo_));
@@ -47,7 +49,7 @@ Problems ComparedScene::add(const servo::TickRecord& felt) {
   if (!rerun_) return {};
   if (std::exchange(revision_, felt.revision) != felt.revision) {
     clearFigures();
-    if (scene_.arm != servo_.scene().arm) {
+    if (!scene::haveSameArm(scene_, servo_.scene())) {
       end();
       return refused(kOtherArm);
     }

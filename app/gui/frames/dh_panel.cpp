@@ -21,6 +21,7 @@
 #include "app/gui/view/scene_view.h"
 #include "core/base/units.h"
 #include "core/chain/table_check.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::gui {
 namespace {
@@ -118,8 +119,8 @@ bool DhPanel::start(const QString& key) {
   const auto* const textbook = std::find_if(starts.data(), starts.data() + starts.size(),
                                             [&](const DhStart& one) { return key == QLatin1String(one.key); });
   if (textbook != starts.data() + starts.size()) return change(textbook->make());
-  const arm::Model* model = arm::findModel(key.isEmpty() ? parts_.document.scene().arm : key.toStdString());
-  if (model == nullptr && key.isEmpty()) model = arm::findModel(arm::kDefaultArm);
+  const arm::Model* const model =
+      key.isEmpty() ? &scene::modelOf(parts_.document.scene()) : arm::findModel(key.toStdString());
   return model != nullptr && change(tableOf(*model));
 }
 

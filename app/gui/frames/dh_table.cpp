@@ -151,7 +151,7 @@ DhTable tableOf(const arm::Model& model) {
   table.rows.assign(model.rows.begin(), model.rows.end());
   table.q.assign(model.rows.size(), 0.0);
   table.X_WB = model.X_WB;
-  table.X_NT = model.X_6T;
+  table.X_NT = model.X_NT;
   return table;
 }
 

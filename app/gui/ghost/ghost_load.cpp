@@ -8,6 +8,7 @@
 #include "app/gui/view/drawn_mesh.h"
 #include "core/arm/preset.h"
 #include "core/scene/edit.h"
+#include "core/scene/scene_arm.h"
 #include "device/recorded.h"
 
 namespace underact::gui {
@@ -47,23 +48,24 @@ Result<LoadedGhost> loadGhost(const std::string& path, const TaskMonitor& monito
   Result<std::shared_ptr<const device::Recorded>> read = device::loadRecorded(path, reading);
   if (!read) return read.problems();
   const device::Recorded& recorded = *read.value();
-  const arm::Preset* preset = arm::findPreset(recorded.arm);
+  const device::RecordedScene* const first = recorded.sceneAt(0);
+  const arm::Preset* const preset = first != nullptr ? scene::findArm(first->scene) : arm::findPreset(recorded.arm);
   if (preset == nullptr)
     return oneProblem(QObject::tr("This program does not know the session's arm “%1”.").arg(recorded.arm.c_str()),
                       path);
   LoadedGhost ghost{recorded.name, path, wayOf(recorded, preset->geometry), {}, recorded.damage};
   if (ghost.way.rows.size() < 2)
     return oneProblem(QObject::tr("This session has only one tick: there is nothing to follow."), path);
-  if (const device::RecordedScene* first = recorded.sceneAt(0)) ghost.scene = first->scene;
+  if (first != nullptr) ghost.scene = first->scene;
   if (ghost.scene) makeDrawnMeshes(*ghost.scene, monitor);
   return ghost;
 }
 
 bool hasSameConstraints(const scene::Description& recorded, scene::Description other) {
   if (other.constraints.size() != recorded.constraints.size()) return false;
+  other = scene::withArmOf(recorded, std::move(other));
   other.title = recorded.title;
   other.about = recorded.about;
-  other.arm = recorded.arm;
   other.control = recorded.control;
   other.simulation = recorded.simulation;
   for (std::size_t index = 0; index < other.constraints.size(); ++index) {

@@ -10,6 +10,7 @@
 #include "app/gui/model/player.h"
 #include "app/gui/view/scene_view.h"
 #include "core/base/units.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::gui {
 
@@ -32,7 +33,7 @@ Problems IdentifyRun::begin(identify::Wanted wanted) {
   cancel();
   Problems problems = refusalNow();
   if (!problems.empty()) return problems;
-  wanted.arm = armNow();
+  wanted.arm_of = scene::withArmOf(parts_.document.scene(), {});
   Result<identify::Plan> plan = identify::makePlan(wanted);
   if (!plan) return plan.problems();
   was_running_ = parts_.servo.running();
@@ -43,9 +44,9 @@ Problems IdentifyRun::begin(identify::Wanted wanted) {
   fitted_stages_ = 0;
   measurement_.emplace(std::move(plan).value(), [this](const scene::Description& scene) { return put(scene); });
   if (device::SimulatedArm* const arm = parts_.arms.simulated()) {
-    const arm::Preset& preset = *arm::findPreset(wanted.arm);
+    const arm::Preset& preset = scene::armOf(wanted.arm_of);
     person_ = std::make_unique<device::SimulatedPerson>(*arm, preset);
-    given_ = identify::Given{parts_.in_use.model(), preset.counts_per_turn};
+    given_ = identify::Given{sim::modelFor(preset, parts_.in_use.model()), preset.counts_per_turn};
     if (given_->model.counts_per_turn)
       given_->counts_per_turn = sim::countsOf(*given_->model.counts_per_turn, preset.counts_per_turn);
   }
@@ -70,10 +71,6 @@ Problems IdentifyRun::refusalNow() const {
 
 bool IdentifyRun::hasSimulatedPerson() const {
   return parts_.arms.simulated() != nullptr;
-}
-
-std::string IdentifyRun::armNow() const {
-  return hasSimulatedPerson() ? std::string(arm::kDefaultArm) : parts_.document.scene().arm;
 }
 
 /// Whether the scene that is being tried out belongs to this measurement.
@@ -127,7 +124,7 @@ QString IdentifyRun::rateRefusal() const {
 
 /// Repeats the checks of begin(). false: the measurement is stopped or has ended.
 bool IdentifyRun::mayGoOn() {
-  if (armNow() != measurement_->plan().stages.front().scene.arm) {
+  if (!scene::haveSameArm(parts_.document.scene(), measurement_->plan().stages.front().scene)) {
     end(tr("The scene is for another arm now, so the measurement was ended."));
     return false;
   }

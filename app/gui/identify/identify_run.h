@@ -86,7 +86,6 @@ class IdentifyRun : public QObject {
   QString rateRefusal() const;
   bool mayGoOn();
   bool hasOwnScene() const;
-  std::string armNow() const;
   void evaluate();
   void takeEvaluation();
   void release();

@@ -12,6 +12,7 @@
 #include "core/arm/forward.h"
 #include "core/arm/preset.h"
 #include "core/base/units.h"
+#include "core/scene/scene_arm.h"
 #include "device/simulated_arm.h"
 
 namespace underact::gui {
@@ -99,9 +100,7 @@ void InputDevices::move(const input::Motion& motion, double dt_s) {
   const servo::Snapshot snapshot = servo_.snapshot();
   const bool moves = !motion.isAtRest() && snapshot.ticks > 0;
   if (moves) {
-    const arm::Preset* preset = arm::findPreset(servo_.scene().arm);
-    if (preset == nullptr) preset = arm::findPreset(arm::kDefaultArm);
-    const Pose X_WT = arm::tipPose(preset->geometry, snapshot.report.sample.q_rad);
+    const Pose X_WT = arm::tipPose(scene::armOf(servo_.scene()).geometry, snapshot.report.sample.q_rad);
     hand_.moveTo(input::movedSetpoint(hand_.arm()->setpoint(), motion, dt_s, X_WT));
   } else if (moved_) {
     hand_.rest();

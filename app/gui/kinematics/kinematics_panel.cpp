@@ -21,6 +21,7 @@
 #include "core/arm/forward.h"
 #include "core/arm/inverse.h"
 #include "core/base/units.h"
+#include "core/scene/scene_arm.h"
 #include "device/simulated_arm.h"
 
 namespace underact::gui {
@@ -95,11 +96,10 @@ void KinematicsPanel::buildSwitches(QVBoxLayout* column) {
 }
 
 void KinematicsPanel::sceneOpened() {
-  const arm::Preset* preset = arm::findPreset(parts_.document.scene().arm);
-  if (preset == nullptr) preset = arm::findPreset(arm::kDefaultArm);
-  model_ = arm::findModel(preset->name);
-  geometry_ = preset->geometry;
-  limits_ = preset->limits;
+  const arm::Preset& preset = scene::armOf(parts_.document.scene());
+  model_ = scene::modelOf(parts_.document.scene());
+  geometry_ = preset.geometry;
+  limits_ = preset.limits;
   joints_->setLimits(limits_);
   singularities_->setReach(geometry_.upper_m + geometry_.fore_m);
   setpoint_.reset();
@@ -139,7 +139,7 @@ void KinematicsPanel::present(const servo::Snapshot& snapshot) {
   joints_->present(now);
   singularities_->present(now);
   solutions_->present(now);
-  dh_->present(now, *model_);
+  dh_->present(now, model_);
   angles_->present(now);
   jacobian_->present(now);
 }

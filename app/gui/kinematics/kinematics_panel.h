@@ -56,7 +56,7 @@ class KinematicsPanel : public Panel {
   AnglesSection* angles_ = nullptr;
   JacobianSection* jacobian_ = nullptr;
 
-  const arm::Model* model_ = nullptr;  // of the scene's arm
+  arm::Model model_;  // of the scene's arm
   arm::Geometry geometry_;
   arm::JointLimits limits_;
   servo::Mode mode_ = servo::Mode::Running;

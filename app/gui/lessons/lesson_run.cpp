@@ -8,6 +8,7 @@
 #include "app/gui/model/player.h"
 #include "core/arm/preset.h"
 #include "core/lesson/read.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::gui {
 
@@ -65,9 +66,8 @@ bool LessonRun::answer(std::size_t check, double number) {
 
 void LessonRun::add(const servo::TickRecord& tick) {
   if (!isOn() || !parts_.document.isOpen()) return;
-  const arm::Preset* const preset = arm::findPreset(parts_.document.scene().arm);
-  if (preset == nullptr) return;
-  const lesson::Observation seen{tick, parts_.document.scene(), *preset, robot_};
+  const scene::Description& scene = parts_.document.scene();
+  const lesson::Observation seen{tick, scene, scene::armOf(scene), robot_};
   std::vector<lesson::CheckState>& states = states_[at_];
   for (std::size_t index = 0; index < states.size(); ++index) {
     states[index] = lesson::afterTick(step().checks[index], std::move(states[index]), seen);

@@ -5,6 +5,7 @@
 
 #include "app/gui/model/document.h"
 #include "core/arm/preset.h"
+#include "core/scene/scene_arm.h"
 #include "device/catalogue.h"
 #include "device/chosen_arm.h"
 
@@ -57,12 +58,9 @@ Problems ArmChoice::choose(const QString& name) {
     emit changed();
     return {};
   }
-  const std::string& wanted = document_.scene().arm;
-  const arm::Preset* preset = arm::findPreset(wanted);
-  if (preset == nullptr) preset = arm::findPreset(arm::kDefaultArm);
-  arm_ = wanted;
+  arm_ = scene::armTextOf(document_.scene());
   opening_ = name;
-  const device::Request request{*preset, {}, host_.rateHz(), {}};
+  const device::Request request{scene::armOf(document_.scene()), {}, host_.rateHz(), {}};
   work_ = std::make_unique<Background<Opened>>(
       [request, key = name.toStdString()](WorkState&) { return device::openDevice(key, request); });
   poll_timer_.start();
@@ -109,7 +107,7 @@ void ArmChoice::poll() {
 
 /// An arm is opened with the kinematics of the scene's arm.
 void ArmChoice::sceneOpened() {
-  if (document_.showsRecorded() || document_.scene().arm == arm_) return;
+  if (document_.showsRecorded() || scene::armTextOf(document_.scene()) == arm_) return;
   const QString wanted = opening_.isEmpty() ? name_ : opening_;
   if (wanted == kSimulated) return;
   const Problems problems = choose(wanted);

@@ -58,7 +58,7 @@ class ArmChoice : public QObject {
   device::ChosenArm* chosen_;
   device::SimulatedArm* simulated_;
   QString name_ = "simulated", wanted_ = name_, opening_;
-  std::string arm_;  // the scene's arm for which the current arm was opened
+  std::string arm_;  // the content of the file of the scene's arm for which the current arm was opened
   std::unique_ptr<Background<Opened>> work_;
   std::vector<std::unique_ptr<Background<Opened>>> leaving_;  // left to finish by themselves
   QTimer poll_timer_;

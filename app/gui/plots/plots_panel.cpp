@@ -15,6 +15,7 @@
 #include "app/gui/model/player.h"
 #include "app/gui/model/settings.h"
 #include "app/gui/plot/live_plot.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::gui {
 
@@ -68,7 +69,7 @@ PlotsPanel::PlotsPanel(const Parts& parts, QWidget* parent)
   connect(&parts.document, &Document::opened, this, showAngles);
   connect(&parts.document, &Document::opened, this, [this, &document = parts.document] {
     plot_->clear();
-    if (const arm::Preset* arm = arm::findPreset(document.scene().arm)) plot_->setForceLimit(arm->continuous_force_N);
+    plot_->setForceLimit(scene::armOf(document.scene()).continuous_force_N);
   });
   parts.actions.addCommand("plots.energy", [this](const QVariantList& on) {
     energy_->setChecked(on.value(0).toBool());

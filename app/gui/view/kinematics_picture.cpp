@@ -54,17 +54,17 @@ KinematicsPicture::KinematicsPicture()
     : thin_actor_(makeActor(thin_.data(), Kind::Line)),
       frame_actor_(makeActor(frame_.data(), Kind::Mark)),
       mark_actor_(makeActor(mark_.data(), Kind::Mark)) {
-  setArm(*arm::findPreset(arm::kDefaultArm));
+  setArm(*arm::findPreset(arm::kDefaultArm), *arm::findModel(arm::kDefaultArm));
 }
 
 void KinematicsPicture::setTheme(const Theme& theme) {
   theme_ = theme;
 }
 
-void KinematicsPicture::setArm(const arm::Preset& preset) {
+void KinematicsPicture::setArm(const arm::Preset& preset, const arm::Model& model) {
   geometry_ = preset.geometry;
   limits_ = preset.limits;
-  model_ = arm::findModel(preset.name);
+  model_ = model;
 }
 
 void KinematicsPicture::setLineWidth(double scale) {
@@ -110,7 +110,7 @@ void KinematicsPicture::update(const OrbitCamera& camera) {
   frame_.clear();
   mark_.clear();
   labels_.clear();
-  if (known_ && model_ != nullptr) {
+  if (known_) {
     if (ghosts_) addSolutions();
     addEllipsoids();
     if (frames_) addFrames();
@@ -123,7 +123,7 @@ void KinematicsPicture::update(const OrbitCamera& camera) {
 
 void KinematicsPicture::addFrames() {
   const std::array<QColor, 3> colours{theme_.x_axis, theme_.y_axis, theme_.z_axis};
-  const std::array<Pose, 6> frames = arm::linkFrames(*model_, q_rad_);
+  const std::array<Pose, 6> frames = arm::linkFrames(model_, q_rad_);
   for (std::size_t index = 0; index < frames.size(); ++index) {
     const Vec3 origin_mm = kMillimetrePerMetre * frames[index].translation();
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -148,7 +148,7 @@ void KinematicsPicture::addSolutions() {
 }
 
 void KinematicsPicture::addSolution(const arm::Solution& solution) {
-  const Figure at = figureOf(*model_, geometry_, solution.q_rad);
+  const Figure at = figureOf(model_, geometry_, solution.q_rad);
   const std::array<std::array<Vec3, 2>, 4> strokes{{{at.shoulder_mm, at.elbow_mm},
                                                     {at.elbow_mm, at.tip_mm},
                                                     {at.shoulder_mm, at.shoulder_mm + kFacing_mm * at.facing_W},
@@ -189,7 +189,7 @@ Vec3 KinematicsPicture::outwards(const Vec3& elbow_mm) const {
 }
 
 void KinematicsPicture::addChosen(const arm::JointAngles& q_rad, const OrbitCamera& camera) {
-  const Figure at = figureOf(*model_, geometry_, q_rad);
+  const Figure at = figureOf(model_, geometry_, q_rad);
   const QColor colour = theme_.virtual_robot;
   const auto link = [&](const Vec3& a_mm, const Vec3& b_mm) {  // up to the rims of its hollow joints
     const Vec3 way_mm = b_mm - a_mm;

@@ -27,7 +27,7 @@ class KinematicsPicture {
 
   KinematicsPicture();
   void setTheme(const Theme& theme);
-  void setArm(const arm::Preset& preset);
+  void setArm(const arm::Preset& preset, const arm::Model& model);
   void setForceLimit(double continuous_N) { force_limit_N_ = continuous_N; }
   void setLineWidth(double device_pixels_per_pixel);
   void show(bool link_frames, bool ghosts, bool motion_ellipsoid, bool force_ellipsoid);
@@ -60,7 +60,7 @@ class KinematicsPicture {
   Theme theme_ = Theme::light();
   arm::Geometry geometry_;
   arm::JointLimits limits_;
-  const arm::Model* model_ = nullptr;
+  arm::Model model_;
   double force_limit_N_ = 0.88;
   bool frames_ = false, ghosts_ = false, motion_ = false, force_ = false;
   std::optional<arm::Branch> chosen_;

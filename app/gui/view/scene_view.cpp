@@ -9,6 +9,7 @@
 #include "app/gui/view/scene_view_impl.h"
 #include "core/base/units.h"
 #include "core/scene/edit.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::gui {
 SceneView::SceneView(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(this)) {
@@ -33,18 +34,17 @@ SceneView::~SceneView() {
 }
 
 void SceneView::setScene(const scene::Description& scene) {
-  const arm::Preset* preset = arm::findPreset(scene.arm);
-  if (preset == nullptr) preset = arm::findPreset(arm::kDefaultArm);
-  impl_->hand.setGeometry(preset->geometry);
-  impl_->kinematics.setArm(*preset);
+  const arm::Preset& preset = scene::armOf(scene);
+  impl_->hand.setGeometry(preset.geometry);
+  impl_->kinematics.setArm(preset, scene::modelOf(scene));
   impl_->hand.setConstraints(scene.constraints.size());
   impl_->constraint.setScene(scene);
   impl_->robots.setScene(scene);
   impl_->meshes.setScene(scene);
   impl_->scene = scene;
-  impl_->workspace.setBase(kMillimetrePerMetre * preset->geometry.p_WB);
+  impl_->workspace.setBase(kMillimetrePerMetre * preset.geometry.p_WB);
   impl_->actors_changed = true;
-  setForceLimit(preset->continuous_force_N);
+  setForceLimit(preset.continuous_force_N);
   if (impl_->shown) impl_->showArm();
   if (impl_->camera_is_mine) impl_->fit();
   impl_->surface->update();

@@ -9,6 +9,7 @@
 #include "app/gui/view/scene_view.h"
 #include "core/arm/preset.h"
 #include "core/base/units.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::gui {
 
@@ -28,10 +29,9 @@ bool looksAlike(const servo::Snapshot& one, const servo::Snapshot& other) {
 SecondWorld::SecondWorld() : assembly_(vtkSmartPointer<vtkAssembly>::New()) {}
 
 void SecondWorld::setScene(const scene::Description& scene) {
-  const arm::Preset* preset = arm::findPreset(scene.arm);
-  if (preset == nullptr) preset = arm::findPreset(arm::kDefaultArm);
-  hand_.setGeometry(preset->geometry);
-  hand_.setForceLimit(preset->continuous_force_N);
+  const arm::Preset& preset = scene::armOf(scene);
+  hand_.setGeometry(preset.geometry);
+  hand_.setForceLimit(preset.continuous_force_N);
   hand_.setConstraints(scene.constraints.size());
   constraint_.setScene(scene);
   robots_.setScene(scene);

@@ -24,6 +24,7 @@
 #include "app/gui/view/scene_view.h"
 #include "app/gui/view/stylus_key.h"
 #include "core/arm/preset.h"
+#include "core/scene/scene_arm.h"
 #include "device/simulated_arm.h"
 #include "device/simulated_run.h"
 
@@ -90,7 +91,9 @@ void Services::connectThem(const WindowParts& given) {
   QObject::connect(recent, &RecentFiles::changed, window,
                    [files = recent] { QSettings().setValue("files/recent", files->paths()); });
   const auto integrate = [arm = given.arm, scenes = document] {
-    if (arm != nullptr) arm->integrate(integrationOf(scenes->scene().simulation));
+    if (arm == nullptr) return;
+    arm->integrate(integrationOf(scenes->scene().simulation));
+    arm->become(scene::armOf(scenes->scene()));
   };
   QObject::connect(document, &Document::opened, window, integrate);
   QObject::connect(document, &Document::edited, window, integrate);
@@ -111,9 +114,8 @@ void Services::connectThem(const WindowParts& given) {
 }
 
 void Services::presentForceLimit() const {
-  const arm::Preset* preset = document->isOpen() ? arm::findPreset(document->scene().arm) : nullptr;
-  if (preset == nullptr) return;
-  const double limit_N = preset->continuous_force_N * host.forceShare();
+  if (!document->isOpen()) return;
+  const double limit_N = scene::armOf(document->scene()).continuous_force_N * host.forceShare();
   view->setForceLimit(limit_N);
   status->setForceLimit(limit_N);
 }

@@ -38,6 +38,7 @@ std::string outputOf(const std::string& command) {
 }  // namespace
 
 Lines eaik(const Cases& cases) {
+  if (cases.arm.rows.size() != 6) return {};  // it has no other joints
   Line line{cases.arm.name, "inverse, all branches", "EAIK"};
   const std::filesystem::path poses = std::filesystem::temp_directory_path() / ("underact_" + cases.arm.name + ".txt");
   write(cases, poses.string());

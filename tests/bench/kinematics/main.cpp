@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "core/arm/model.h"
 #include "core/chain/kinematics.h"
 #include "tests/bench/kinematics/table.h"
 #include "tests/support/random.h"
@@ -26,20 +27,26 @@ void Score::into(Line& line) const {
 
 namespace {
 
-std::vector<double> anyNeedsOrientation(test::Random& random) {
+std::vector<double> anyAngles(test::Random& random, std::size_t joints) {
   std::vector<double> q;
-  for (int joint = 0; joint < 6; ++joint) q.push_back(random.between(-kPi, kPi));
+  for (std::size_t joint = 0; joint < joints; ++joint) q.push_back(random.between(-kPi, kPi));
   return q;
+}
+
+/// A shipped arm.
+chain::test::Arm shipped(const char* name) {
+  const arm::Model& model = *arm::findModel(name);
+  return {model.name, model.rows, model.X_WB, model.X_NT};
 }
 
 Cases casesOf(const chain::test::Arm& arm, std::uint64_t seed) {
   Cases cases{arm, arm.chain(), {}, {}, {}, {}};
   test::Random random({seed});
   for (int i = 0; i < 1000; ++i) {
-    cases.q.push_back(anyNeedsOrientation(random));
+    cases.q.push_back(anyAngles(random, arm.rows.size()));
     cases.near.push_back(cases.q.back());
     for (double& one : cases.near.back()) one += random.between(-0.1, 0.1);
-    cases.far.push_back(anyNeedsOrientation(random));
+    cases.far.push_back(anyAngles(random, arm.rows.size()));
     cases.X_WT.push_back(chain::forward(cases.chain, cases.q.back()));
   }
   return cases;
@@ -71,7 +78,8 @@ int main() {
   std::printf("%-12s %-34s %-12s %10s %10s %10s %10s\n", "arm", "task", "by", "median ns", "success", "worst m",
               "worst rad");
   std::uint64_t seed = 1;
-  for (const chain::test::Arm& arm : {chain::test::omni(), chain::test::puma()}) {
+  for (const chain::test::Arm& arm :
+       {chain::test::omni(), chain::test::puma(), bench::shipped("ur5e"), bench::shipped("panda")}) {
     const bench::Cases cases = bench::casesOf(arm, seed++);
     for (const auto& party : {bench::straightLine, bench::ours, bench::orocosKdl, bench::eaik})
       bench::print(party(cases));

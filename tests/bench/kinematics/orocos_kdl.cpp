@@ -48,20 +48,21 @@ Line numericByKdl(const Cases& cases, const KDL::Chain& chain, const std::vector
   const std::vector<KDL::JntArray> starts = jointsOf(seeds);
   std::vector<KDL::Frame> wanted;
   for (const Pose& X_WT : cases.X_WT) wanted.push_back(frameOf(X_WT));
-  KDL::JntArray found(6), start(6);
+  const unsigned joints = static_cast<unsigned>(cases.arm.rows.size());
+  KDL::JntArray found(joints), start(joints);
   const auto solve = [&](std::size_t i) {
     test::Random random({i});
     start = starts[i];
     for (int turn = 0;; ++turn) {
       if (solver.CartToJnt(start, wanted[i], found) == 0 || turn == restarts) return;
-      for (unsigned j = 0; j < 6; ++j) start(j) = random.between(-3.14159, 3.14159);
+      for (unsigned j = 0; j < joints; ++j) start(j) = random.between(-3.14159, 3.14159);
     }
   };
   line.median_ns = medianOf(cases.q.size(), solve);
   Score score;
   for (std::size_t i = 0; i < cases.q.size(); ++i) {
     solve(i);
-    score.add(chain::forward(cases.chain, {found.data.data(), 6}), cases.X_WT[i]);
+    score.add(chain::forward(cases.chain, {found.data.data(), joints}), cases.X_WT[i]);
   }
   score.into(line);
   return line;
@@ -75,7 +76,7 @@ Lines orocosKdl(const Cases& cases) {
   KDL::ChainFkSolverPos_recursive forward_solver(chain);
   KDL::ChainJntToJacSolver jacobian_solver(chain);
   KDL::Frame frame;
-  KDL::Jacobian jacobian(6);
+  KDL::Jacobian jacobian(static_cast<unsigned>(cases.arm.rows.size()));
   Line forward{cases.arm.name, "forward", "KDL"}, both{cases.arm.name, "forward and Jacobian", "KDL"};
   forward.median_ns = medianOf(q.size(), [&](std::size_t i) {
     forward_solver.JntToCart(q[i], frame);

@@ -23,6 +23,7 @@ arm::JointAngles sixOf(const std::vector<double>& q) {
 Lines straightLine(const Cases& cases) {
   const arm::Model& model = *arm::findModel("omni-thesis");
   const arm::Geometry geometry = *arm::omniGeometry(model);
+  const arm::JointLimits limits = arm::limitsOf(model);
   const bool same = (arm::tipPose(geometry, sixOf(cases.q[0])).matrix() - cases.X_WT[0].matrix()).isZero(1e-12);
   if (!same) return {};
   std::vector<arm::JointAngles> q_rad;
@@ -42,12 +43,12 @@ Lines straightLine(const Cases& cases) {
       medianOf(count, [&](std::size_t i) { benchmark::DoNotOptimize(arm::kinematics(geometry, q_rad[i])); });
   gains.median_ns =
       medianOf(count, [&](std::size_t i) { benchmark::DoNotOptimize(arm::dexterity(geometry, q_rad[i])); });
-  all.median_ns = medianOf(
-      count, [&](std::size_t i) { benchmark::DoNotOptimize(arm::solveAll(geometry, model.limits, cases.X_WT[i])); });
+  all.median_ns =
+      medianOf(count, [&](std::size_t i) { benchmark::DoNotOptimize(arm::solveAll(geometry, limits, cases.X_WT[i])); });
   Score score;
   std::size_t answers = 0;
   for (const Pose& X_WT : cases.X_WT) {
-    const arm::Solutions found = arm::solveAll(geometry, model.limits, X_WT);
+    const arm::Solutions found = arm::solveAll(geometry, limits, X_WT);
     for (const arm::Solution& one : found) score.add(arm::tipPose(geometry, one.q_rad), X_WT);
     answers += found.count;
   }

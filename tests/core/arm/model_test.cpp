@@ -42,9 +42,7 @@ TEST(Model, EachShippedFileCanBeReadAndIsFoundByItsName) {
     EXPECT_EQ(read.value().name, entry.path().stem().string());
     EXPECT_NE(read.value().provenance, "");
     ASSERT_NE(findModel(read.value().name), nullptr);
-    for (std::size_t row = 0; row < 6; ++row) {
-      EXPECT_LT(read.value().limits.min_rad[row], read.value().limits.max_rad[row]);
-    }
+    for (const chain::DhRow& row : read.value().rows) EXPECT_LT(row.min, row.max);
   }
   EXPECT_EQ(models().size(), files);
   EXPECT_EQ(std::size(kArmFiles), files);
@@ -62,7 +60,7 @@ TEST(Model, TheTableOfTheThesisIsItsStraightLineCode) {  // two derivations: row
       for (double& angle_rad : q_rad) angle_rad = random.between(-kPi, kPi);
       const Pose X_WT = tipPose(*geometry, q_rad);
       ASSERT_LE((linkFrames(model, q_rad)[5].matrix() - X_WT.matrix()).cwiseAbs().maxCoeff(), 2e-15);
-      ASSERT_LE((chain::forward(chainOf(model), q_rad).matrix() - X_WT.matrix()).cwiseAbs().maxCoeff(), 2e-15);
+      ASSERT_LE((chain::forward(model.chain, q_rad).matrix() - X_WT.matrix()).cwiseAbs().maxCoeff(), 2e-15);
     }
   }
 }
@@ -80,7 +78,7 @@ TEST(Model, AnArmOfAnotherShapeHasNoStraightLineCode) {
   other.X_WB.linear() = Mat3::Identity();
   EXPECT_FALSE(omniGeometry(other));
   other = model;
-  other.X_6T.translation().z() = 0.01;
+  other.X_NT.translation().z() = 0.01;
   EXPECT_FALSE(omniGeometry(other));
 }
 

@@ -208,7 +208,7 @@ TEST(ClosedFormEdge, WristOfLeaningAxesHasAnEdgeOfItsOwn) {  // axis 6 as near t
   for (int draw = 0; draw < 200; ++draw) {
     Angles q{};
     for (double& angle_rad : q) angle_rad = random.between(-1.4, 1.4);
-    q[4] = leaning.wrist_middle_rad;
+    q[4] = leaning.wrist.middle_rad;
     const Pose X_WT = forward(chain, q);
     const Solutions found = solveAll(leaning, X_WT);
     int same_arm = 0;

@@ -40,8 +40,11 @@ TEST(Plan, TakesItsTimeAndNamesPlacesThatAreOutOfReach) {
   ASSERT_FALSE(static_cast<bool>(refused));
   ASSERT_EQ(refused.problems().size(), 1U);
   EXPECT_NE(refused.problems()[0].sentence.find("(500, 0, 0)"), std::string::npos);
-  EXPECT_FALSE(makePlan({"no-such-arm", {Vec3::Zero()}}));
-  EXPECT_FALSE(makePlan({"omni-thesis", {}}));
+  Wanted unknown, nowhere;
+  unknown.arm_of.arm = "no-such-arm";
+  nowhere.places_W.clear();
+  EXPECT_FALSE(makePlan(unknown));
+  EXPECT_FALSE(makePlan(nowhere));
 }
 
 TEST(Plan, OnlyTheTargetMovesBetweenTheSwingsOfAnAxis) {

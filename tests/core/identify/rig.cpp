@@ -19,7 +19,7 @@ sim::ArmModel armOf(double mass_kg, double friction_N, double damping_N_s_per_m)
 
 Measured measured(const sim::ArmModel& model, const std::string& preset, int rate_hz, const Wanted& given) {
   Wanted wanted = given;
-  wanted.arm = preset;
+  wanted.arm_of.arm = preset;
   device::SimulatedArm::Options options;
   options.arm = *arm::findPreset(preset);
   options.model = model;

@@ -9,9 +9,11 @@
 #include "app/gui/kinematics/sections.h"
 #include "core/arm/forward.h"
 #include "core/base/units.h"
+#include "core/scene/scene_arm.h"
 #include "device/simulated_arm.h"
 #include "tests/gui/desk.h"
 #include "tests/gui/example.h"
+#include "tests/support/arm_files.h"
 
 namespace underact::gui {
 FeatureRow kinematicsFeature();
@@ -41,6 +43,31 @@ TEST(KinematicsPanel, AJointIsSetWhileTheServoIsStoppedAndNotWhileItRuns) {
   const Vec3 before = desk.arm().setpoint().p_WT;
   EXPECT_FALSE(desk.perform("joint.set", 1, -20.0));
   EXPECT_EQ(desk.arm().setpoint().p_WT, before);
+}
+
+TEST(KinematicsPanel, AnArmFromAFileIsThatOfTheServoOfTheSimulatedArmAndOfThePanel) {
+  Desk desk(kinematicsFeature());
+  desk.run(100);
+  const std::string arm =
+      desk.fileOf("mine.json", QByteArray::fromStdString(underact::test::armFile("160"))).toStdString();
+  const QString own = desk.fileOf("own.json", QByteArray::fromStdString(R"({"underact_scene": 1, "title": "My own arm",
+    "arm": ")" + arm + R"(", "constraints": [{"type": "point", "position_mm": [0, 0, 300]}]})"));
+  desk.open(own);
+  const arm::Geometry& geometry = scene::armOf(desk.scene()).geometry;
+  EXPECT_EQ(geometry.upper_m, 0.16);
+  const Vec3 p_WT(0.02, 0.03, 0.04);
+  desk.handTo(p_WT);
+  const servo::Snapshot now = desk.host().snapshot();
+  EXPECT_LT((now.report.p_WT - p_WT).norm(), 1e-3) << "joints of the arm's lengths, and a tip that they give";
+  EXPECT_EQ(now.report.p_WT, arm::tipPosition(geometry, now.report.sample.q_rad));
+  EXPECT_EQ(now.report.fault.kind, FaultKind::None) << "the change of the arm is no motion of the hand";
+  ASSERT_TRUE(desk.perform("joint.set", 1, 30.0));
+  arm::JointAngles q_rad = now.report.sample.q_rad;
+  q_rad[0] = 30.0 * kRadPerDegree;
+  EXPECT_NEAR((desk.arm().setpoint().p_WT - arm::tipPosition(geometry, q_rad)).norm(), 0.0, 1e-9);
+  desk.open("02_sphere");
+  desk.handTo(p_WT);
+  EXPECT_LT((desk.host().snapshot().report.p_WT - p_WT).norm(), 1e-3);
 }
 
 TEST(KinematicsPanel, TheSolutionsAreCountedAndOneIsShownUntilNoneIs) {

@@ -1,0 +1,60 @@
+#include <memory>
+#include <ostream>
+
+#include "app/cli/arm_choice.h"
+#include "app/cli/scene_file.h"
+#include "core/arm/arm_text.h"
+#include "core/arm/urdf.h"
+
+namespace underact::cli {
+namespace {
+
+struct ConvertOptions {
+  std::string in, to, base, tip;
+};
+
+/// The arm of a name or file; of URDF, between the links asked for.
+Result<arm::Model> modelOf(const ConvertOptions& options) {
+  if (!arm::isUrdfName(options.in)) {
+    if (!options.base.empty() || !options.tip.empty())
+      return Problems{{"--base and --tip are for URDF files: other files have one arm.", {}}};
+    const Result<ArmChoice> choice = chooseArm(options.in);
+    if (!choice) return choice.problems();
+    return choice.value().model;
+  }
+  return arm::readUrdfFile(options.in, {options.base, options.tip});
+}
+
+Exit convert(const ConvertOptions& options, const Streams& streams) {
+  const Result<arm::Model> model = modelOf(options);
+  if (!model) return refuseArm(model.problems(), streams.err);
+  const arm::ArmForm to = options.to == "urdf"  ? arm::ArmForm::Urdf
+                          : options.to == "poe" ? arm::ArmForm::Exponentials
+                                                : arm::ArmForm::ModifiedDh;
+  const Result<std::string> text = arm::textOf(model.value(), to);
+  if (!text) return fail(text.problems(), Exit::BadInput, streams);
+  streams.out << text.value();
+  return Exit::Well;
+}
+
+}  // namespace
+
+void addArm(Command program, const Streams& streams, Exit& exit) {
+  const Command arm = program.add("arm", "Arm files");
+  arm.mustChoose();
+  const Command command = arm.add("convert", "Write an arm in another form");
+  const auto options = std::make_shared<ConvertOptions>();
+  command.option("arm", options->in, "An arm from the list below, an arm file, or a URDF file").required();
+  command
+      .option("--to", options->to,
+              "dh: a table in modified convention; poe: a product of exponentials; urdf: for other programs")
+      .oneOf({"dh", "poe", "urdf"})
+      .required();
+  command.option("--base", options->base, "Of a URDF file: the link that stands still; otherwise its root");
+  command.option("--tip", options->tip, "Of a URDF file: the link of the tip; otherwise the only one without children");
+  command.footer("The new file is printed. The frame of the base of a URDF file becomes the workspace's.\n\n" +
+                 listOfArms());
+  command.whenChosen([options, &streams, &exit] { exit = convert(*options, streams); });
+}
+
+}  // namespace underact::cli

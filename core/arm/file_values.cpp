@@ -1,0 +1,87 @@
+#include "core/arm/file_values.h"
+
+#include <cmath>
+
+#include "core/base/translate.h"
+#include "core/base/units.h"
+
+namespace underact::arm {
+namespace {
+
+using json::Value;
+
+constexpr double kFurthest_mm = 1e6;
+constexpr double kRotationError = 1e-6;
+constexpr const char* kTooLong = TRANSLATE_NOOP("problem", "A length must lie within 1e6 mm (1 km).");
+constexpr const char* kNotFinite = TRANSLATE_NOOP("problem", "This is not a finite number.");
+
+}  // namespace
+
+double numberAt(json::ObjectReader& object, const char* key, bool required, double otherwise) {
+  double number = otherwise;
+  const Value* const value = object.find(key, required);
+  if (value == nullptr) return number;
+  json::readNumber(*value, object.pathOf(key), number, object.findings());
+  if (std::isfinite(number)) return number;
+  object.findings().add(*value, object.pathOf(key), said(kNotFinite));
+  return otherwise;
+}
+
+double lengthAt(json::ObjectReader& object, const char* key, bool required) {
+  const double length_mm = numberAt(object, key, required);
+  if (std::abs(length_mm) > kFurthest_mm) object.findings().add(*object.find(key), object.pathOf(key), said(kTooLong));
+  return kMetrePerMillimetre * length_mm;
+}
+
+Vec3 pointAt(json::ObjectReader& object, const char* key, bool required) {
+  Vec3 point_mm = Vec3::Zero();
+  const Value* const value = object.find(key, required);
+  if (value == nullptr) return point_mm;
+  json::readNumber(*value, object.pathOf(key), point_mm, object.findings());
+  if (!point_mm.allFinite()) {
+    object.findings().add(*value, object.pathOf(key), said(kNotFinite));
+    return Vec3::Zero();
+  }
+  if (point_mm.cwiseAbs().maxCoeff() > kFurthest_mm) object.findings().add(*value, object.pathOf(key), said(kTooLong));
+  return kMetrePerMillimetre * point_mm;
+}
+
+bool flagAt(json::ObjectReader& object, const char* key, bool otherwise) {
+  const Value* const value = object.find(key);
+  if (value == nullptr) return otherwise;
+  const bool is_flag = isKind(*value, json::Kind::Bool, object.pathOf(key),
+                              said(TRANSLATE_NOOP("problem", "true or false")), object.findings());
+  return is_flag ? value->boolean : otherwise;
+}
+
+void readPose(json::ObjectReader& object, const char* key, bool required, Pose& X) {
+  const Value* const value = object.find(key, required);
+  if (value == nullptr) return;
+  const auto wrong = [&](const Value& at, const char* sentence) {
+    object.findings().add(at, object.pathOf(key), said(sentence));
+  };
+  if (value->kind != json::Kind::Array || value->items.size() != 4)
+    return wrong(*value, TRANSLATE_NOOP("problem", "This must be a list of 4 rows."));
+  Eigen::Matrix4d matrix;
+  for (std::size_t row = 0; row < 4; ++row) {
+    const Value& numbers = value->items[row];
+    if (numbers.kind != json::Kind::Array || numbers.items.size() != 4)
+      return wrong(numbers, TRANSLATE_NOOP("problem", "Each row must have 4 numbers."));
+    for (std::size_t column = 0; column < 4; ++column) {
+      const Value& number = numbers.items[column];
+      if (number.kind != json::Kind::Number || !std::isfinite(number.number))
+        return wrong(number, TRANSLATE_NOOP("problem", "Each entry must be a number."));
+      matrix(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) = number.number;
+    }
+  }
+  const Mat3 R = matrix.topLeftCorner<3, 3>();
+  if (!(R * R.transpose()).isIdentity(kRotationError) || R.determinant() < 0.0)
+    return wrong(*value, TRANSLATE_NOOP("problem", "The upper left 3 x 3 numbers are not a rotation matrix."));
+  if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
+    return wrong(*value, TRANSLATE_NOOP("problem", "The last row must be 0, 0, 0, 1."));
+  if (matrix.topRightCorner<3, 1>().cwiseAbs().maxCoeff() > kFurthest_mm) return wrong(*value, kTooLong);
+  X.linear() = R;
+  X.translation() = kMetrePerMillimetre * matrix.topRightCorner<3, 1>();
+}
+
+}  // namespace underact::arm

@@ -1,0 +1,159 @@
+#include "core/arm/urdf.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "core/base/units.h"
+#include "core/chain/kinematics.h"
+#include "tests/support/property.h"
+
+namespace underact::arm {
+namespace {
+
+/// A robot of a base, a turntable, a boom that slides, and two fingers that are fixed to it.
+std::string robotWith(const std::string& joint_2, const std::string& more = "") {
+  return R"(<?xml version="1.0"?>
+<robot name="crane">
+  <link name="base"/>
+  <link name="table"><inertial><mass value="2"/><origin xyz="0.1 0 0"/><inertia ixx="1" iyy="2" izz="3"/></inertial></link>
+  <link name="boom"/>
+  <link name="left"><inertial><mass value="1"/></inertial></link>
+  <link name="right"/>
+  <joint name="turn" type="continuous"><parent link="base"/><child link="table"/>
+    <origin xyz="0 0 0.5" rpy="0 0 0"/><axis xyz="0 0 1"/></joint>
+  )" + joint_2 +
+         R"(
+  <joint name="l" type="fixed"><parent link="boom"/><child link="left"/><origin xyz="0.2 0.1 0" rpy="0 0 1.5707963267948966"/></joint>
+  <joint name="r" type="fixed"><parent link="boom"/><child link="right"/><origin xyz="0.2 -0.1 0"/></joint>
+  )" + more +
+         "</robot>\n";
+}
+const std::string kSlide = R"(<joint name="reach" type="prismatic"><parent link="table"/><child link="boom"/>
+    <axis xyz="1 0 0"/><limit lower="0" upper="0.3" effort="1" velocity="1"/></joint>)";
+
+std::string toldOf(const std::string& text, const UrdfEnds& ends = {"base", "left"}) {
+  const Result<Model> read = readUrdf(text, "a.urdf", ends);
+  std::string all;
+  if (read) return all;
+  for (const Problem& one : read.problems())
+    all += std::to_string(one.place.line) + " " + one.place.key + ": " + one.sentence + "\n";
+  return all;
+}
+
+TEST(Urdf, ByHand) {
+  const Result<Model> read = readUrdf(robotWith(kSlide), "a.urdf", {"base", "left"});
+  ASSERT_TRUE(read) << toldOf(robotWith(kSlide));
+  const Model& crane = read.value();
+  ASSERT_EQ(crane.joints.size(), 2U);
+  EXPECT_EQ(crane.joints[1].name, "reach");
+  EXPECT_DOUBLE_EQ(crane.rows[1].max, 0.3);
+  EXPECT_EQ(crane.rows[0].max, kInfinity);
+  const std::array<double, 2> q{kPi / 2, 0.1};
+  const Pose X = chain::forward(crane.chain, q);
+  EXPECT_LE((X.translation() - Vec3(-0.1, 0.3, 0.5)).norm(), 1e-15);
+  EXPECT_LE((X.linear() * Vec3::UnitX() - Vec3(-1, 0, 0)).norm(), 1e-15);
+  ASSERT_EQ(crane.masses.size(), 2U);
+  EXPECT_EQ(crane.masses[0].mass_kg, 2.0);
+  EXPECT_LE((crane.masses[0].p_WC - Vec3(0.1, 0, 0.5)).norm(), 1e-15);
+  EXPECT_EQ(crane.masses[1].mass_kg, 1.0);  // the finger that is fixed to the boom
+  EXPECT_LE((crane.masses[1].p_WC - Vec3(0.2, 0.1, 0.5)).norm(), 1e-15);
+}
+
+TEST(Urdf, UpAndDownAgain) {  // from one finger to the base: the inverse of the way there
+  const Result<Model> there = readUrdf(robotWith(kSlide), "a.urdf", {"base", "left"});
+  const Result<Model> back = readUrdf(robotWith(kSlide), "a.urdf", {"left", "base"});
+  ASSERT_TRUE(there && back);
+  const std::array<double, 2> q{0.7, 0.2}, reversed{0.2, 0.7};
+  const Pose both = chain::forward(there.value().chain, q) * chain::forward(back.value().chain, reversed);
+  EXPECT_LE((both.matrix() - Eigen::Matrix4d::Identity()).cwiseAbs().maxCoeff(), 1e-14);
+  EXPECT_NE(
+      toldOf(robotWith(kSlide), {"left", "right"}).find("No joint between link \"left\" and link \"right\" moves"),
+      std::string::npos);
+}
+
+TEST(Urdf, NamesWhatIsWrongWithItsLineAndTheNearestWord) {
+  EXPECT_EQ(toldOf(robotWith(kSlide)), "");
+  EXPECT_NE(
+      toldOf(robotWith(kSlide), {}).find("Say which link is the tip (arm convert --tip LINK): \"left\" or \"right\""),
+      std::string::npos);
+  EXPECT_EQ(toldOf(robotWith(kSlide), {"bse", "left"}), "0 base: There is no link \"bse\". Did you mean \"base\"?\n");
+  const auto joint = [](const std::string& type, const std::string& inside) {
+    return robotWith("<joint name=\"reach\" type=\"" + type + "\"><parent link=\"table\"/><child link=\"boom\"/>\n" +
+                     inside + "</joint>");
+  };
+  const std::string limit = "<limit lower=\"0\" upper=\"1\"/>";
+  EXPECT_EQ(toldOf(joint("prismatc", limit)),
+            "10 type: The type \"prismatc\" is not known. Did you mean \"prismatic\"?\n");
+  EXPECT_NE(toldOf(joint("revolute", "")).find("10 limit: The element <limit> is missing"), std::string::npos);
+  EXPECT_NE(toldOf(joint("revolute", "<limit lower=\"1\" upper=\"1\"/>")).find("11 lower: The joint's lower limit"),
+            std::string::npos);
+  EXPECT_EQ(toldOf(robotWith(kSlide, R"(<link name="wheel"/><joint name="w" type="revolute"><parent link="base"/>
+                                        <child link="wheel"/><limit effort="1" velocity="1"/></joint>)")),
+            "");  // beside the way
+  EXPECT_EQ(toldOf(joint("revolute", limit + "<orgin xyz=\"0 0 0\"/>")),
+            "11 orgin: The element \"orgin\" is not known here. Did you mean \"origin\"?\n");
+  EXPECT_NE(toldOf(joint("revolute", "<limit lowr=\"1\" upper=\"2\"/>")).find("11 lowr: The attribute \"lowr\""),
+            std::string::npos);
+  EXPECT_NE(toldOf(joint("revolute", limit + "<axis xyz=\"0 0 0\"/>")).find("11 xyz: The axis has no direction."),
+            std::string::npos);
+  for (const char* numbers : {"1 2", "1 2 3 4", "1 2 x", "1 2 nan", "1 2 inf", "1,2,3", "1 2 1e999", ""}) {
+    EXPECT_NE(toldOf(joint("revolute", limit + "<origin xyz=\"" + numbers + "\"/>"))
+                  .find("11 xyz: This must be 3 finite numbers"),
+              std::string::npos)
+        << numbers;
+  }
+  EXPECT_NE(toldOf(joint("planar", "")).find("10 type: The joint \"reach\" is \"planar\""), std::string::npos);
+  EXPECT_NE(toldOf(joint("revolute", limit + "<mimic joint=\"turn\"/>")).find("10 mimic: "), std::string::npos);
+  EXPECT_NE(toldOf(robotWith(kSlide, "<link name=\"left\"/>")).find("The name \"left\" appears twice"),
+            std::string::npos);
+  EXPECT_NE(toldOf(robotWith(kSlide,
+                             "<joint name=\"x\" type=\"fixed\"><parent link=\"base\"/><child link=\"left\"/></joint>"))
+                .find("two parents"),
+            std::string::npos);
+  EXPECT_NE(toldOf(robotWith(kSlide,
+                             "<joint name=\"x\" type=\"fixed\"><parent link=\"left\"/><child link=\"base\"/></joint>"),
+                   {"", "right"})
+                .find("no link that could be its base"),
+            std::string::npos);
+}
+
+TEST(Urdf, ReadsNoForeignFilesAndNoDeepOnes) {
+  const std::string body = "<robot name=\"r\"><link name=\"&x;\"/></robot>";
+  EXPECT_NE(toldOf("<!DOCTYPE robot [<!ENTITY x SYSTEM \"file:///etc/passwd\">]>\n" + body)
+                .find("1 : A document type is not allowed"),
+            std::string::npos);
+  std::string deep;
+  for (int level = 0; level < 5000; ++level) deep += "<a>";
+  EXPECT_NE(toldOf(deep).find("nested more than 100 levels"), std::string::npos);
+  for (const char* text : {"", " ", "<", "<robot>", "<robot name='r'", "<x/>", "<robot name='r'/>", "{}", "\xff\xfe"}) {
+    EXPECT_NE(toldOf(text), "") << text;
+  }
+  EXPECT_NE(toldOf(std::string("<robot\0/>", 9)).find("zero bytes"), std::string::npos);
+  EXPECT_NE(toldOf("<robot name=\"r\"><xacro:macro/></robot>").find("macro (xacro)"), std::string::npos);
+}
+
+TEST(Urdf, HasAtMostEightJointsOnTheWay) {
+  std::string text = "<robot name=\"r\"><link name=\"l0\"/>";
+  for (int i = 1; i <= 9; ++i) {
+    const std::string n = std::to_string(i), before = std::to_string(i - 1);
+    text += "<link name=\"l" + n + "\"/><joint name=\"j" + n + "\" type=\"continuous\"><parent link=\"l" + before +
+            "\"/><child link=\"l" + n + "\"/></joint>";
+  }
+  text += "</robot>";
+  EXPECT_NE(toldOf(text, {"l0", "l9"}).find("this is the ninth"), std::string::npos);
+  EXPECT_EQ(toldOf(text, {"l0", "l8"}), "");
+}
+
+TEST(Urdf, LargeFilesAreRefused) {
+  const std::string path = testing::TempDir() + "large.urdf";
+  std::ofstream(path) << "<robot name=\"r\"><!--" << std::string(std::size_t{4} << 20, '-') << "--></robot>";
+  const Result<Model> read = readUrdfFile(path, {});
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.problems().front().sentence.find("larger than 4 MiB"), std::string::npos)
+      << read.problems().front().sentence;
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace underact::arm
