@@ -3012,62 +3012,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Datei ist beschädigt oder braucht mehr Speicher als bei einer Datei ihrer Größe zu erwarten.</translation>
     </message>
     <message>
-        <source>This is not a finite number.</source>
-        <translation>Dies ist keine endliche Zahl.</translation>
-    </message>
-    <message>
-        <source>A length must lie within 1e6 mm (1 km).</source>
-        <translation>Eine Länge darf höchstens 1e6 mm (1 km) betragen.</translation>
-    </message>
-    <message>
-        <source>a row, as in {"alpha_deg": 90, "a_mm": 0, ...}</source>
-        <translation>eine Zeile wie {"alpha_deg": 90, "a_mm": 0, ...}</translation>
-    </message>
-    <message>
-        <source>a row of the DH table</source>
-        <translation>eine Zeile der DH-Tabelle</translation>
-    </message>
-    <message>
-        <source>The joint's lower limit must be below its upper limit.</source>
-        <translation>Die untere Grenze des Gelenks muss unter der oberen liegen.</translation>
-    </message>
-    <message>
-        <source>true or false</source>
-        <translation>true oder false</translation>
-    </message>
-    <message>
-        <source>Only joint 5 can have limits on the magnitude of its angle.</source>
-        <translation>Nur bei Gelenk 5 lässt sich der Betrag des Winkels begrenzen.</translation>
-    </message>
-    <message>
-        <source>a list of six rows</source>
-        <translation>eine Liste von sechs Zeilen</translation>
-    </message>
-    <message>
-        <source>An arm has six rows; this one has %1.</source>
-        <translation>Ein Arm hat sechs Zeilen; hier sind es %1.</translation>
-    </message>
-    <message>
-        <source>This must be a list of 4 rows.</source>
-        <translation>Dies muss eine Liste von 4 Zeilen sein.</translation>
-    </message>
-    <message>
-        <source>Each row must have 4 numbers.</source>
-        <translation>Jede Zeile muss 4 Zahlen haben.</translation>
-    </message>
-    <message>
-        <source>Each entry must be a number.</source>
-        <translation>Jeder Eintrag muss eine Zahl sein.</translation>
-    </message>
-    <message>
-        <source>The upper left 3 x 3 numbers are not a rotation matrix.</source>
-        <translation>Die 3 x 3 Zahlen oben links sind keine Rotationsmatrix.</translation>
-    </message>
-    <message>
-        <source>The last row must be 0, 0, 0, 1.</source>
-        <translation>Die letzte Zeile muss 0, 0, 0, 1 sein.</translation>
-    </message>
-    <message>
         <source>an object in { }</source>
         <translation>ein Objekt in { }</translation>
     </message>
@@ -3110,6 +3054,254 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>an arm</source>
         <translation>eine Armdatei</translation>
+    </message>
+    <message>
+        <source>Two of the axes are nearly parallel: a DH table would lose digits. Write the arm as a product of exponentials (poe).</source>
+        <translation>Zwei der Achsen sind fast parallel: Eine DH-Tabelle würde Stellen verlieren. Schreiben Sie den Arm als Produkt von Exponentialen (poe).</translation>
+    </message>
+    <message>
+        <source>A haptic device must stay a DH table, because its lengths are read from that.</source>
+        <translation>Ein haptisches Gerät muss eine DH-Tabelle bleiben, weil seine Längen daraus gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Joint %1 slides without limits, which URDF cannot express.</source>
+        <translation>Gelenk %1 verschiebt sich ohne Grenzen; das lässt sich in URDF nicht angeben.</translation>
+    </message>
+    <message>
+        <source>Joint %1 has one limit only, which URDF cannot express.</source>
+        <translation>Gelenk %1 hat nur eine Grenze; das lässt sich in URDF nicht angeben.</translation>
+    </message>
+    <message>
+        <source>Joint %1 has limits on the magnitude of its angle, which URDF cannot express.</source>
+        <translation>Gelenk %1 hat Grenzen für den Betrag seines Winkels; das lässt sich in URDF nicht angeben.</translation>
+    </message>
+    <message>
+        <source>A length must lie within 1e6 mm (1 km).</source>
+        <translation>Eine Länge darf höchstens 1e6 mm (1 km) betragen.</translation>
+    </message>
+    <message>
+        <source>This is not a finite number.</source>
+        <translation>Dies ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>This must be a list of 4 rows.</source>
+        <translation>Dies muss eine Liste von 4 Zeilen sein.</translation>
+    </message>
+    <message>
+        <source>Each row must have 4 numbers.</source>
+        <translation>Jede Zeile muss 4 Zahlen haben.</translation>
+    </message>
+    <message>
+        <source>Each entry must be a number.</source>
+        <translation>Jeder Eintrag muss eine Zahl sein.</translation>
+    </message>
+    <message>
+        <source>The upper left 3 x 3 numbers are not a rotation matrix.</source>
+        <translation>Die 3 x 3 Zahlen oben links sind keine Rotationsmatrix.</translation>
+    </message>
+    <message>
+        <source>The last row must be 0, 0, 0, 1.</source>
+        <translation>Die letzte Zeile muss 0, 0, 0, 1 sein.</translation>
+    </message>
+    <message>
+        <source>A prismatic joint has its limits in mm: "%1".</source>
+        <translation>Ein Schubgelenk hat seine Grenzen in mm: „%1“.</translation>
+    </message>
+    <message>
+        <source>A revolute joint has its limits in degrees or radians: "%1".</source>
+        <translation>Ein Drehgelenk hat seine Grenzen in Grad oder rad: „%1“.</translation>
+    </message>
+    <message>
+        <source>This limit is already given by "%1".</source>
+        <translation>Diese Grenze ist schon durch „%1“ angegeben.</translation>
+    </message>
+    <message>
+        <source>the mass of a link</source>
+        <translation>die Masse eines Glieds</translation>
+    </message>
+    <message>
+        <source>This must be 0 or above.</source>
+        <translation>Dieser Wert muss 0 oder größer sein.</translation>
+    </message>
+    <message>
+        <source>This must be six numbers: xx, yy, zz, xy, xz and yz.</source>
+        <translation>Hier müssen sechs Zahlen stehen: xx, yy, zz, xy, xz und yz.</translation>
+    </message>
+    <message>
+        <source>The joint's lower limit must be below its upper limit.</source>
+        <translation>Die untere Grenze des Gelenks muss unter der oberen liegen.</translation>
+    </message>
+    <message>
+        <source>A joint that is not sensed cannot be driven.</source>
+        <translation>Ein Gelenk, das nicht gemessen wird, kann nicht angetrieben werden.</translation>
+    </message>
+    <message>
+        <source>Only joint 5 can have limits on the magnitude of its angle.</source>
+        <translation>Nur bei Gelenk 5 lässt sich der Betrag des Winkels begrenzen.</translation>
+    </message>
+    <message>
+        <source>The axis has no direction.</source>
+        <translation>Die Achse hat keine Richtung.</translation>
+    </message>
+    <message>
+        <source>A prismatic joint has a direction, but no point.</source>
+        <translation>Ein Schubgelenk hat eine Richtung, aber keinen Punkt.</translation>
+    </message>
+    <message>
+        <source>a list of joints, in { } each</source>
+        <translation>eine Liste von Gelenken, jedes in { }</translation>
+    </message>
+    <message>
+        <source>An arm has from one to eight joints; this one has %1.</source>
+        <translation>Ein Arm hat ein bis acht Gelenke; dieser hat %1.</translation>
+    </message>
+    <message>
+        <source>a row, as in {"alpha_deg": 90, "a_mm": 0, ...}</source>
+        <translation>eine Zeile wie {"alpha_deg": 90, "a_mm": 0, ...}</translation>
+    </message>
+    <message>
+        <source>The tool is already given by "X_6T".</source>
+        <translation>Das Werkzeug ist schon durch „X_6T“ angegeben.</translation>
+    </message>
+    <message>
+        <source>Only an arm of six joints can have "X_6T"; its general name is "X_NT".</source>
+        <translation>Nur ein Arm mit sechs Gelenken kann „X_6T“ haben; der allgemeine Name ist „X_NT“.</translation>
+    </message>
+    <message>
+        <source>a row of the DH table</source>
+        <translation>eine Zeile der DH-Tabelle</translation>
+    </message>
+    <message>
+        <source>a joint</source>
+        <translation>ein Gelenk</translation>
+    </message>
+    <message>
+        <source>The joints are already given by the table "dh".</source>
+        <translation>Die Gelenke sind schon durch die Tabelle „dh“ angegeben.</translation>
+    </message>
+    <message>
+        <source>The link %1 has two parents.</source>
+        <translation>Das Glied %1 hat zwei übergeordnete Glieder.</translation>
+    </message>
+    <message>
+        <source>The robot has no link that could be its %1.</source>
+        <translation>Der Roboter hat kein Glied, das „%1“ sein könnte.</translation>
+    </message>
+    <message>
+        <source>Say which link is the %1 (arm convert --%1 LINK): %2, for example.</source>
+        <translation>Geben Sie an, welches Glied „%1“ ist (arm convert --%1 GLIED), zum Beispiel %2.</translation>
+    </message>
+    <message>
+        <source>No joints lead from link %1 to link %2.</source>
+        <translation>Von Glied %1 zu Glied %2 führen keine Gelenke.</translation>
+    </message>
+    <message>
+        <source>There is no link %1.</source>
+        <translation>Es gibt kein Glied %1.</translation>
+    </message>
+    <message>
+        <source>There is no link %1. Did you mean "%2"?</source>
+        <translation>Es gibt kein Glied %1. Ist „%2“ gemeint?</translation>
+    </message>
+    <message>
+        <source>The joint %1 is %2; a joint of an arm turns about an axis or slides along it.</source>
+        <translation>Das Gelenk %1 ist %2; ein Gelenk eines Arms dreht sich um eine Achse oder verschiebt sich entlang einer.</translation>
+    </message>
+    <message>
+        <source>The joint %1 follows another one; each joint of an arm moves by itself.</source>
+        <translation>Das Gelenk %1 folgt einem anderen; jedes Gelenk eines Arms bewegt sich für sich.</translation>
+    </message>
+    <message>
+        <source>An arm has from one to eight joints; this is the ninth.</source>
+        <translation>Ein Arm hat ein bis acht Gelenke; dies ist das neunte.</translation>
+    </message>
+    <message>
+        <source>No joint between link %1 and link %2 moves.</source>
+        <translation>Zwischen Glied %1 und Glied %2 bewegt sich kein Gelenk.</translation>
+    </message>
+    <message>
+        <source>This file is a macro (xacro). Expand it into a URDF file first.</source>
+        <translation>Diese Datei ist ein Makro (xacro). Erzeugen Sie daraus zuerst eine URDF-Datei.</translation>
+    </message>
+    <message>
+        <source>A robot can have at most 4096 links and joints.</source>
+        <translation>Ein Roboter kann höchstens 4096 Glieder und Gelenke haben.</translation>
+    </message>
+    <message>
+        <source>The element %1 is not known here. Did you mean "%2"?</source>
+        <translation>Das Element %1 ist hier nicht bekannt. Ist „%2“ gemeint?</translation>
+    </message>
+    <message>
+        <source>The attribute %1 is not known in &lt;%2&gt;. Did you mean "%3"?</source>
+        <translation>Das Attribut %1 ist in &lt;%2&gt; nicht bekannt. Ist „%3“ gemeint?</translation>
+    </message>
+    <message>
+        <source>The attribute "%1" is missing; %2 needs it.</source>
+        <translation>Das Attribut „%1“ fehlt; %2 braucht es.</translation>
+    </message>
+    <message>
+        <source>The name %1 appears twice.</source>
+        <translation>Der Name %1 kommt zweimal vor.</translation>
+    </message>
+    <message>
+        <source>This must be a finite number; here it is %1.</source>
+        <translation>Hier muss eine endliche Zahl stehen; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>This must be %1 finite numbers; here it is %2.</source>
+        <translation>Hier müssen %1 endliche Zahlen stehen; hier steht %2.</translation>
+    </message>
+    <message>
+        <source>A length must lie within 1000 m.</source>
+        <translation>Eine Länge darf höchstens 1000 m betragen.</translation>
+    </message>
+    <message>
+        <source>The element &lt;%1&gt; is missing; &lt;joint&gt; needs it.</source>
+        <translation>Das Element &lt;%1&gt; fehlt; &lt;joint&gt; braucht es.</translation>
+    </message>
+    <message>
+        <source>A joint's type must be %1; here it is %2.</source>
+        <translation>Der Typ eines Gelenks muss %1 sein; hier ist er %2.</translation>
+    </message>
+    <message>
+        <source>The type %1 is not known. Did you mean "%2"?</source>
+        <translation>Der Typ %1 ist nicht bekannt. Ist „%2“ gemeint?</translation>
+    </message>
+    <message>
+        <source>The file is empty.</source>
+        <translation>Die Datei ist leer.</translation>
+    </message>
+    <message>
+        <source>An element is not closed, or closed by another name, here or above.</source>
+        <translation>Ein Element ist nicht geschlossen oder mit einem anderen Namen geschlossen, hier oder weiter oben.</translation>
+    </message>
+    <message>
+        <source>An attribute of this element is not written as name="value".</source>
+        <translation>Ein Attribut dieses Elements ist nicht in der Form Name=&quot;Wert&quot; geschrieben.</translation>
+    </message>
+    <message>
+        <source>The elements are nested more than 100 levels deep.</source>
+        <translation>Die Elemente sind mehr als 100 Ebenen tief geschachtelt.</translation>
+    </message>
+    <message>
+        <source>Here the text stops being XML.</source>
+        <translation>Ab hier ist der Text kein XML mehr.</translation>
+    </message>
+    <message>
+        <source>This is no text: it contains zero bytes.</source>
+        <translation>Das ist kein Text: Er enthält Nullbytes.</translation>
+    </message>
+    <message>
+        <source>A document type is not allowed here. Remove it.</source>
+        <translation>Ein Dokumenttyp ist hier nicht erlaubt. Entfernen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>A URDF file is one element &lt;robot&gt;.</source>
+        <translation>Eine URDF-Datei besteht aus einem Element &lt;robot&gt;.</translation>
     </message>
     <message>
         <source>The arm stopped answering.</source>
@@ -4148,10 +4340,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>%1 Flächen</translation>
     </message>
     <message>
-        <source>The file is empty.</source>
-        <translation>Die Datei ist leer.</translation>
-    </message>
-    <message>
         <source>This is not a PLY file: it does not begin with "ply".</source>
         <translation>Dies ist keine PLY-Datei: Sie beginnt nicht mit „ply“.</translation>
     </message>
@@ -4820,12 +5008,24 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Hier gibt es nichts, woran man entlanggleiten kann.</translation>
     </message>
     <message>
-        <source>The title is empty; say in a few words what the scene lets you feel.</source>
-        <translation>Der Titel ist leer; sagen Sie in ein paar Worten, was in der Szene zu fühlen ist.</translation>
+        <source>The arm file %1 was not read.</source>
+        <translation>Die Armdatei %1 wurde nicht gelesen.</translation>
     </message>
     <message>
-        <source>The arm %1 is not known. Known arms: %2.</source>
-        <translation>Der Arm %1 ist nicht bekannt. Bekannte Arme: %2.</translation>
+        <source>The arm %1 is for kinematics only: the arm of a scene is a haptic device with the geometry of table 3.1 of the thesis.</source>
+        <translation>Der Arm %1 ist nur für die Kinematik: Der Arm einer Szene ist ein haptisches Gerät mit der Geometrie von Tabelle 3.1 der Arbeit.</translation>
+    </message>
+    <message>
+        <source>The arm %1 is not known. Known arms: %2; or the name of an arm file, such as "my_arm.json".</source>
+        <translation>Der Arm %1 ist nicht bekannt. Bekannte Arme: %2; oder der Name einer Armdatei, etwa „my_arm.json“.</translation>
+    </message>
+    <message>
+        <source>The arm %1 is not known. Did you mean "%2"? Known arms: %3; or the name of an arm file, such as "my_arm.json".</source>
+        <translation>Der Arm %1 ist nicht bekannt. Ist „%2“ gemeint? Bekannte Arme: %3; oder der Name einer Armdatei, etwa „my_arm.json“.</translation>
+    </message>
+    <message>
+        <source>The title is empty; say in a few words what the scene lets you feel.</source>
+        <translation>Der Titel ist leer; sagen Sie in ein paar Worten, was in der Szene zu fühlen ist.</translation>
     </message>
     <message>
         <source>A scene has 1 to %1 constraints; this one has %2.</source>
@@ -4996,10 +5196,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>eine Regelung</translation>
     </message>
     <message>
-        <source>a joint</source>
-        <translation>ein Gelenk</translation>
-    </message>
-    <message>
         <source>A prismatic joint has a direction but no point; remove the point.</source>
         <translation>Ein Schubgelenk hat eine Richtung, aber keinen Punkt; entfernen Sie den Punkt.</translation>
     </message>
@@ -5086,6 +5282,26 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The position must lie within 1e6 mm (1 km).</source>
         <translation>Die Position muss innerhalb von 1e6 mm (1 km) liegen.</translation>
+    </message>
+    <message>
+        <source>The arm %1 is from a file, and the recording does not say what that file contained.</source>
+        <translation>Der Arm %1 ist aus einer Datei, und die Aufzeichnung sagt nicht, was sie enthielt.</translation>
+    </message>
+    <message>
+        <source>The arm %1: %2</source>
+        <translation>Der Arm %1: %2</translation>
+    </message>
+    <message>
+        <source>The arm of a scene needs the geometry of table 3.1 of the thesis; this one is for kinematics only.</source>
+        <translation>Der Arm einer Szene braucht die Geometrie von Tabelle 3.1 der Arbeit; dieser ist nur für die Kinematik.</translation>
+    </message>
+    <message>
+        <source>The arm of a scene is a haptic device, which needs %1 and %2 here: %3.</source>
+        <translation>Der Arm einer Szene ist ein haptisches Gerät; dazu braucht die Datei %1 und %2: %3.</translation>
+    </message>
+    <message>
+        <source>"arm_text" is the content of an arm file, but "arm" names none.</source>
+        <translation>„arm_text“ ist der Inhalt einer Armdatei, aber „arm“ nennt keine.</translation>
     </message>
     <message>
         <source>This is a folder; a scene needs a file name.</source>
@@ -5254,10 +5470,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The matrix is not a rotation.</source>
         <translation>Die Matrix ist keine Rotationsmatrix.</translation>
-    </message>
-    <message>
-        <source>The axis has no direction.</source>
-        <translation>Die Achse hat keine Richtung.</translation>
     </message>
     <message>
         <source>The radius must be above 0.</source>
