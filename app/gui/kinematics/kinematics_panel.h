@@ -3,11 +3,9 @@
 
 #include "app/gui/feature/panel.h"
 #include "app/gui/model/kinematics_now.h"
+#include "core/arm/model.h"
 #include "core/sim/hand.h"
 
-namespace underact::arm {
-struct Model;
-}
 class QVBoxLayout;
 
 namespace underact::gui {
