@@ -118,27 +118,25 @@ Sides firstJointOfFour(const Wanted& w) noexcept {
   return sides;
 }
 
-/// Joint 5: the angle of axis 6 to the three.
-Sides fifthJoint(const ThreeParallelArm& arm, const Vec3& axis_6_W) noexcept {
+/// Joint 5: the angle of axis 6 to the three. lean: its cosine.
+Sides fifthJoint(const ThreeParallelArm& arm, double lean) noexcept {
   const Vec3 &n = arm.joints[1].axis_W, &five = arm.joints[4].axis_W, &six = arm.joints[5].axis_W;
   const double level = five.dot(six) * n.dot(five);
-  return sidesOf(level - n.dot(axis_6_W), n.dot(six) - level, n.dot(five.cross(six)), 1.0);
+  return sidesOf(level - lean, n.dot(six) - level, n.dot(five.cross(six)), 1.0);
 }
 
-/// What is left for joints 2 to 4, a motion about their axes: where it takes axis 4, and the direction of the upper
-/// arm; and q6, whose angle is not needed before.
+/// What is left for joints 2 to 4, a motion in their plane: where it takes axis 4, seen from axis 2, and the direction
+/// of the upper arm, both along u_W and v_W; and q6, whose angle is not needed before.
 struct Planar {
-  Vec3 p_4, u;
+  double x, y;
+  double along, across;
   SinCos six;
 };
 
 /// Joints 2 to 4 and 6; for both elbows.
 void addElbowed(const ThreeParallelArm& arm, const Planar& N, ThreeParallelSolution so_far,
                 ThreeParallelSolutions& found) noexcept {
-  const Vec3 &n = arm.joints[1].axis_W, &p_2 = arm.joints[1].p_WJ;
-  const Vec3 way = N.p_4 - p_2 - n.dot(N.p_4 - p_2) * n;
-  const Vec3 u = arm.upper_W / arm.upper_m, v = n.cross(u);
-  const double x = way.dot(u), y = way.dot(v), square = x * x + y * y;
+  const double x = N.x, y = N.y, square = x * x + y * y;
   const double far = arm.upper_m + arm.fore_m, near = std::abs(arm.upper_m - arm.fore_m);
   const double distance = std::sqrt(square), inside = std::min(far - distance, distance - near);
   if (!(inside >= -kOutsideShare * arm.reach_m)) return;
@@ -146,17 +144,15 @@ void addElbowed(const ThreeParallelArm& arm, const Planar& N, ThreeParallelSolut
   const double beyond = (far - distance) * (far + distance), within = (distance - near) * (distance + near);
   const double sine = merged ? 0.0 : std::sqrt(beyond * within);
   const double cosine = merged ? (beyond < within ? 1.0 : -1.0) : 0.5 * (within - beyond);
-  const Vec3 e = arm.fore_W / arm.fore_m;
-  const double ahead = u.dot(e), aside = v.dot(e);  // of the forearm at home
-  const auto [all_rad, six_rad] = atan2OfTwo(v.dot(N.u), u.dot(N.u), N.six.sin, N.six.cos);
+  const auto [all_rad, six_rad] = atan2OfTwo(N.across, N.along, N.six.sin, N.six.cos);
   so_far.q[5] = six_rad;
   const double bend_unit = 0.5 / (arm.upper_m * arm.fore_m);
   std::array<double, 2> bend_rad{}, lift_rad{};
   std::array<double, 2> s3{}, c3{}, s2{}, c2{};
   for (int i = 0; i < 2; ++i) {
     const double scale = merged ? 1.0 : bend_unit, s = (i == 0 ? sine : -sine) * scale, c = cosine * scale;
-    s3[static_cast<std::size_t>(i)] = s * ahead - c * aside;  // the bend from home's
-    c3[static_cast<std::size_t>(i)] = c * ahead + s * aside;
+    s3[static_cast<std::size_t>(i)] = s * arm.ahead - c * arm.aside;  // the bend from home's
+    c3[static_cast<std::size_t>(i)] = c * arm.ahead + s * arm.aside;
     const double fx = arm.upper_m + arm.fore_m * c, fy = arm.fore_m * s;
     s2[static_cast<std::size_t>(i)] = fx * y - fy * x;
     c2[static_cast<std::size_t>(i)] = fx * x + fy * y;
@@ -199,12 +195,24 @@ std::optional<ThreeParallelArm> threeParallelArm(const Chain& chain) noexcept {
     arm.joints[i].axis_W = n;
   }
   arm.reach_m = reachOf(chain);
-  arm.upper_W = perpendicularPart(n, arm.joints[2].p_WJ - arm.joints[1].p_WJ);
-  arm.fore_W = perpendicularPart(n, arm.joints[3].p_WJ - arm.joints[2].p_WJ);
-  arm.upper_m = arm.upper_W.norm();
-  arm.fore_m = arm.fore_W.norm();
+  const Vec3 upper_W = perpendicularPart(n, arm.joints[2].p_WJ - arm.joints[1].p_WJ);
+  const Vec3 fore_W = perpendicularPart(n, arm.joints[3].p_WJ - arm.joints[2].p_WJ);
+  arm.upper_m = upper_W.norm();
+  arm.fore_m = fore_W.norm();
   const double near_m = kSame * arm.reach_m;
   if (!(arm.upper_m > near_m && arm.fore_m > near_m)) return std::nullopt;
+  arm.u_W = upper_W / arm.upper_m;
+  arm.v_W = n.cross(arm.u_W);
+  arm.ahead = arm.u_W.dot(fore_W) / arm.fore_m;
+  arm.aside = arm.v_W.dot(fore_W) / arm.fore_m;
+  const Joint& five = arm.joints[4];
+  const auto turnedBy5 = [&](const Vec3& v) {
+    const MovedPoint moved = movedBy({JointType::Revolute, five.axis_W, Vec3::Zero()}, v);
+    return TurnedVector{moved.fixed, moved.cosine, moved.sine};
+  };
+  arm.axis_5 = turnedBy5(n);
+  arm.upper_5 = turnedBy5(arm.u_W);
+  arm.p_54_5 = turnedBy5(arm.joints[3].p_WJ - five.p_WJ);
   arm.p_W56 = nearestOn(arm.joints[5], arm.joints[4]);
   const double gap_m = (arm.p_W56 - nearestOn(arm.joints[4], arm.joints[5])).norm();
   arm.meets = gap_m <= near_m;
@@ -222,19 +230,22 @@ ThreeParallelSolutions solveAll(const ThreeParallelArm& arm, const Pose& X_WT) n
                       X_WT.linear().squaredNorm() <= 4.0;  // no for NaN
   if (!usable) return found;
   const Shift M{X_WT.linear() * arm.X_TW.linear(), X_WT.linear() * arm.X_TW.translation() + X_WT.translation()};
-  const Vec3 &n = arm.joints[1].axis_W, &five_W = arm.joints[4].axis_W, &six_W = arm.joints[5].axis_W;
-  const Vec3 &p_5 = arm.joints[4].p_WJ, &p_6 = arm.joints[5].p_WJ, &p_1 = arm.joints[0].p_WJ, &p_4 = arm.joints[3].p_WJ;
+  const Vec3 &n = arm.joints[1].axis_W, &axis_1 = arm.joints[0].axis_W, &five_W = arm.joints[4].axis_W,
+             &six_W = arm.joints[5].axis_W;
+  const Vec3 &p_5 = arm.joints[4].p_WJ, &p_6 = arm.joints[5].p_WJ, &p_1 = arm.joints[0].p_WJ;
+  const Vec3 p_21_W = p_1 - arm.joints[1].p_WJ, p_56_W = p_5 - p_6;
   const Wanted wanted{arm, M, M.R * six_W, M.R * arm.p_W56 + M.p};
   const Sides ones = arm.meets ? firstJoint(wanted) : firstJointOfFour(wanted);
   for (std::size_t i = 0; i < ones.count; ++i) {
     const Side& one = ones.all[i];
-    const SinCos back = reversed(one.turn);
-    const Vec3& axis_1 = arm.joints[0].axis_W;
-    const Vec3 axis_6_W = rotated(wanted.axis_6_W, axis_1, back);
-    const Vec3 n_seen = M.R.transpose() * rotated(n, axis_1, one.turn);  // axis 2 in the last link, at home's axes
-    Sides fives = fifthJoint(arm, axis_6_W);
+    // The plane of joints 2 to 4 as joint 1 turns it, and as the last link sees it, at home's axes.
+    const Vec3 n_1 = rotated(n, axis_1, one.turn), u_1 = rotated(arm.u_W, axis_1, one.turn), v_1 = n_1.cross(u_1);
+    const Vec3 n_seen = M.R.transpose() * n_1, u_seen = M.R.transpose() * u_1, v_seen = M.R.transpose() * v_1;
+    const Vec3 p_1M_W = M.p - p_1;
+    const double x_M = u_1.dot(p_1M_W) + arm.u_W.dot(p_21_W), y_M = v_1.dot(p_1M_W) + arm.v_W.dot(p_21_W);
+    Sides fives = fifthJoint(arm, n_1.dot(wanted.axis_6_W));
     if (!arm.meets && fives.count == 2) {  // one of the two belongs to this joint 1
-      const double height = n.dot(rotated(wanted.p_W56 - p_1, axis_1, back));
+      const double height = n_1.dot(wanted.p_W56 - p_1);
       const auto misses = [&](const Side& side) {
         return std::abs(n.dot(p_5 - p_1 + rotated(arm.p_W56 - p_5, five_W, side.turn)) - height);
       };
@@ -249,7 +260,7 @@ ThreeParallelSolutions solveAll(const ThreeParallelArm& arm, const Pose& X_WT) n
       so_far.exact = arm.exact && !one.merged && !five.merged;
       so_far.q[0] = one.angle_rad;
       so_far.q[4] = five.angle_rad;
-      const Vec3 n_of_five = rotated(n, five_W, reversed(five.turn));
+      const Vec3 n_of_five = arm.axis_5.back(five.turn);
       const bool straight = n_of_five.cross(six_W).squaredNorm() <= kOutsideShare * kOutsideShare;
       so_far.exact &= !straight;
       // The turn about axis 6 that takes n_seen to n_of_five; both stand at right angles to it in the same height.
@@ -260,11 +271,10 @@ ThreeParallelSolutions solveAll(const ThreeParallelArm& arm, const Pose& X_WT) n
         if (length > 0.0) six = {sine / length, cosine / length};
       }
       // N = e1^-1 M e6^-1 e5^-1, of one direction and of one point.
-      const SinCos back_5 = reversed(five.turn), back_6 = reversed(six);
-      const Vec3 u = rotated(rotated(arm.upper_W / arm.upper_m, five_W, back_5), six_W, back_6);
-      const Vec3 from_5 = p_5 + rotated(p_4 - p_5, five_W, back_5);
-      const Vec3 from_6 = p_6 + rotated(from_5 - p_6, six_W, back_6);
-      const Planar N{p_1 + rotated(M.R * from_6 + M.p - p_1, axis_1, back), rotated(M.R * u, axis_1, back), six};
+      const SinCos back_6 = reversed(six);
+      const Vec3 u = rotated(arm.upper_5.back(five.turn), six_W, back_6);
+      const Vec3 p = p_6 + rotated(p_56_W + arm.p_54_5.back(five.turn), six_W, back_6);
+      const Planar N{u_seen.dot(p) + x_M, v_seen.dot(p) + y_M, u_seen.dot(u), v_seen.dot(u), six};
       addElbowed(arm, N, so_far, found);
     }
   }

@@ -45,6 +45,7 @@ const std::vector<Library>& libraries() {
       {"xxHash", std::regex("xxh"), {"core/mesh_file"}, false},
       {"HDF5", std::regex("hdf5|H5|highfive"), {"core/record"}, false},
       {"RapidJSON", std::regex("rapidjson"), {"core/json"}, false},
+      {"TinyXML-2", std::regex("tinyxml2"), {"core/arm"}, false},
       {"SLEEF", std::regex("sleef"), {"core/base"}, false},
       {"Boost.Multiprecision", std::regex("boost/multiprecision"), {"core/error_bounds"}, true},
       {"systemd", std::regex("systemd/"), {"core/system"}, false},

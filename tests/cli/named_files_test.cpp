@@ -21,6 +21,7 @@ TEST(NamedFileOfACommand, IsAnsweredAtOnceWhateverItIs) {
       {"run", sphere, "--hand", "FILE", "--seconds", "0.1", "--fast"},
       {"run", sphere, "--hand", "still", "--arm-model", "FILE", "--seconds", "0.1", "--fast"},
       {"fk", "--arm", "FILE"},
+      {"arm", "convert", "FILE", "--to", "poe"},
       {"lesson", "check", "FILE"},
       {"mesh", "info", "FILE"},
       {"register", "--points", "FILE"},

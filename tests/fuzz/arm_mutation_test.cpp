@@ -118,16 +118,26 @@ TEST(ArmMutation, FilesAreAnArmOrSayWhatIsWrong) {
   }
   ASSERT_GE(robots.size(), 5U);
   const int draws = test::sweep(3000, 100000);
+  int arms = 0, urdf_arms = 0;
   for (int draw = 0; draw < draws && !testing::Test::HasFailure(); ++draw) {
     const std::string text = mutated(texts[random.below(texts.size())], random);
     SCOPED_TRACE(text);
-    expectSound(readArm(text, "a.json"));
+    const Result<Model> read = readArm(text, "a.json");
+    arms += read ? 1 : 0;
+    expectSound(read);
   }
   for (int draw = 0; draw < draws && !testing::Test::HasFailure(); ++draw) {
     const std::string text = mutated(robots[random.below(robots.size())], random);
     SCOPED_TRACE(text);
-    expectSound(readUrdf(text, "a.urdf", {random.below(2) == 0 ? "base_link" : "", random.below(2) == 0 ? "tip" : ""}));
+    const UrdfEnds ends{random.below(2) == 0 ? "base_link" : "", random.below(2) == 0 ? "tip" : ""};
+    const Result<Model> read = readUrdf(text, "a.urdf", ends);
+    urdf_arms += read ? 1 : 0;
+    expectSound(read);
   }
+  EXPECT_GT(arms, draws / 50) << "hardly any of the files is still an arm";
+  EXPECT_GT(urdf_arms, draws / 50);
+  RecordProperty("arms", arms);
+  RecordProperty("urdf_arms", urdf_arms);
 }
 
 }  // namespace
