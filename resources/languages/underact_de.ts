@@ -3281,7 +3281,7 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
     <message>
         <source>An attribute of this element is not written as name="value".</source>
-        <translation>Ein Attribut dieses Elements ist nicht in der Form Name=&quot;Wert&quot; geschrieben.</translation>
+        <translation>Ein Attribut dieses Elements ist nicht in der Form Name="Wert" geschrieben.</translation>
     </message>
     <message>
         <source>The elements are nested more than 100 levels deep.</source>
