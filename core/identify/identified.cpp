@@ -82,8 +82,8 @@ std::array<std::optional<Estimate>, 6> countsOf(const std::vector<Recorded>& rec
   return counts;
 }
 
-// What a body that moves in one direction misses of one that moves in three, in deviations of a fit: found over 500 arms
-// (the guide's page identify.md). All fits have it in common, so that no mean over them makes it smaller.
+// What a body that moves in one direction misses of one that moves in three, in deviations of a fit: found over 500
+// arms (the guide's page identify.md). All fits have it in common, so that no mean over them makes it smaller.
 constexpr double kCommon = 0.4;
 
 /// The mean over all positions along an axis, or (axis below 0) over all swings.
