@@ -169,7 +169,8 @@ Result<JsonObject> staticsAnswer(const ArmChoice& arm, const JointValues& q, con
   const chain::Ellipsoid ellipsoid = chain::positionEllipsoid(J, drivenOf(arm));
   JsonObject object;
   object.addList("torque_N_mm", torqueNumbers(arm, chain::torquesOf(J, wrench)));
-  const Vec3 down_m_per_s2(0.0, 0.0, -kGravity_m_per_s2);
+  // The workspace of a haptic arm has y up; another robot stands in a frame with z up.
+  const Vec3 down_m_per_s2 = -kGravity_m_per_s2 * (arm.model.device ? Vec3::UnitY() : Vec3::UnitZ());
   const std::vector<double> weight = arm::holdingTorques(arm.model, onlyJoints(arm, q), down_m_per_s2);
   if (!weight.empty()) object.addList("holding_N_mm", torqueNumbers(arm, weight));
   std::vector<std::string> driven;
@@ -220,8 +221,9 @@ void addStatics(Command program, const Streams& streams, Exit& exit) {
       program, streams, exit, "statics", "The joint torques for a force at the tip, line by line",
       "{\"torque_N_mm\": one entry for each joint (N where it slides), \"holding_N_mm\": those that hold the arm's "
       "own\n"
-      "weight, z up (if its file has masses), \"driven\": joints, \"gains_mm\", \"axes_W\": the ellipsoid of tip\n"
-      "velocities of the driven joints; that of forces has the same axes, and 1 / gain}",
+      "weight, z up, or y for a haptic arm (if its file has masses), \"driven\": joints, \"gains_mm\", \"axes_W\": "
+      "the\n"
+      "ellipsoid of tip velocities of the driven joints; that of forces has the same axes, and 1 / gain}",
       staticsAnswer, kJointsAndWrench);
 }
 

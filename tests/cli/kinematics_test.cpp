@@ -7,6 +7,7 @@
 #include "core/json/json.h"
 #include "tests/cli/session.h"
 #include "tests/core/arm/golden.h"
+#include "tests/support/arm_files.h"
 
 namespace underact::test {
 namespace {
@@ -179,6 +180,18 @@ TEST(KinematicsCommands, AnArmCanBeAFileAndAnUnknownOneIsWrongUsage) {
   EXPECT_NE(unknown.err.find("touch-measured"), std::string::npos);
   EXPECT_EQ(runCli({"jacobian", "--arm", "./none.json"}, "").exit, Exit::File);
   EXPECT_EQ(runCli({"ik", "--method", "guess"}, "").exit, Exit::Usage);
+}
+
+/// Joint 1 of a haptic arm turns about the vertical, so that no weight turns it.
+TEST(KinematicsCommands, AHapticArmHasItsWeightAgainstY) {
+  std::string text = armFile("130");
+  const std::string joint = "\"max_rad\": 1.25";
+  text.insert(text.find(joint), "\"mass\": {\"mass_kg\": 0.1, \"center_mm\": [0, 60, 0]}, ");
+  const ScratchFile file(text, "haptic.json");
+  const Value answer = commandAnswers({"statics", "--arm", file.path()}, std::string(kJoints) + "\n").at(0);
+  const std::vector<Value>& torques = answer.find("holding_N_mm")->items;
+  EXPECT_NEAR(torques.at(0).number, 0.0, 1e-9);
+  EXPECT_GT(std::abs(torques.at(1).number), 1.0);
 }
 
 TEST(KinematicsCommands, APoseCopiedWithSixDecimalsIsTakenAsTheNearestRotation) {
