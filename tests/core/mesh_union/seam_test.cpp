@@ -89,8 +89,9 @@ TEST(UnionSeams, ArePressedAndSlidAlongWithoutAStepOrAWayIn) {
         held = hit.p_M;
         was_touched = true;
       };
-      // What else is there within reach of the way makes it another.
-      if (oracle.distance(seam.middle + 2.0 * kDepth * seam.out) < 1.2 * kDepth) continue;
+      // What else is there within reach of the way makes it another; so does a narrow gap, where it begins inside.
+      const Vec3 start = seam.middle + 2.0 * kDepth * seam.out;
+      if (oracle.distance(start) < 1.2 * kDepth || test::windingOf(given, start) > 0.5L) continue;
       // Bodies that meet in an edge alone have the outside behind it as well.
       if (test::windingOf(given, seam.middle - kDepth * seam.out) < 0.5L) continue;
       for (double height = 2.0 * kDepth; height > -kDepth; height -= kStep) tick(seam.middle + height * seam.out);
