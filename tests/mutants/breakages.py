@@ -220,7 +220,7 @@ BREAKAGES = [
         says="an arm from a file whose content has changed counts as the same arm",
         file="core/scene/scene_arm.cpp",
         old="return one == other && (!one.empty() || a.arm == b.arm);",
-        new="return a.arm == b.arm;",
+        new="return one.empty() == other.empty() && a.arm == b.arm;",
         program="scene_test",
         test="scene_test",
         only="SceneArm.*",
