@@ -66,7 +66,7 @@ class Collected {
       if (one.q[i] <= -kPi) one.q[i] = kPi;
     }
     for (std::size_t i = 0; i < found_.count; ++i) {
-      if (isSame(found_.all[i].q, one.q)) return;
+      if (areSame(chain_, found_.all[i].q, one.q, std::max(reach_m_, 1e-300), kSameAnswer)) return;
     }
     if (found_.count < found_.all.size()) found_.all[found_.count++] = one;
   }
@@ -95,15 +95,6 @@ class Collected {
     return one.residual_m <= kReached * scale_m && one.residual_rad <= kReached;
   }
 
-  bool isSame(const JointValues& a, const JointValues& b) const {
-    for (std::size_t i = 0; i < chain_.joints.size(); ++i) {
-      const bool turns = chain_.joints[i].type == JointType::Revolute;
-      const double off = turns ? std::abs(wrapped(a[i] - b[i])) : std::abs(a[i] - b[i]) / std::max(reach_m_, 1e-300);
-      if (!(off <= kSameAnswer)) return false;
-    }
-    return true;
-  }
-
   const Chain& chain_;
   const Pose& X_WT_;
   std::size_t rows_;
@@ -118,12 +109,18 @@ InverseSolution valuesOf(const Angles& q) {
   return one;
 }
 
+/// A solution of a form with shoulder, elbow and wrist.
+template <class From>
+InverseSolution withBranches(const From& from) {
+  InverseSolution one = valuesOf(from.q);
+  one.branch = {{{"shoulder", from.shoulder}, {"elbow", from.elbow}, {"wrist", from.wrist}}};
+  return one;
+}
+
 void solveForm(const SphericalWristArm& arm, const Chain&, const Pose& X_WT, Collected& found) {
   const Solutions all = solveAll(arm, X_WT);
   for (std::size_t i = 0; i < all.exact; ++i) {
-    const Solution& from = all.all[i];
-    InverseSolution one = valuesOf(from.q);
-    one.branch = {{{"shoulder", from.shoulder}, {"elbow", from.elbow}, {"wrist", from.wrist}}};
+    InverseSolution one = withBranches(all.all[i]);
     found.add(one, false);
   }
 }
@@ -131,10 +128,8 @@ void solveForm(const SphericalWristArm& arm, const Chain&, const Pose& X_WT, Col
 void solveForm(const ThreeParallelArm& arm, const Chain&, const Pose& X_WT, Collected& found) {
   const ThreeParallelSolutions all = solveAll(arm, X_WT);
   for (std::size_t i = 0; i < all.count; ++i) {
-    const ThreeParallelSolution& from = all.all[i];
-    InverseSolution one = valuesOf(from.q);
-    one.branch = {{{"shoulder", from.shoulder}, {"elbow", from.elbow}, {"wrist", from.wrist}}};
-    found.add(one, !from.exact);
+    InverseSolution one = withBranches(all.all[i]);
+    found.add(one, !all.all[i].exact);
   }
 }
 
@@ -204,6 +199,15 @@ std::optional<ThreeParallelArm> parallelArm(const Chain& chain) {
 }
 
 }  // namespace
+
+bool areSame(const Chain& chain, const JointValues& a, const JointValues& b, double reach_m, double tolerance) {
+  for (std::size_t i = 0; i < chain.joints.size(); ++i) {
+    const bool turns = chain.joints[i].type == JointType::Revolute;
+    const double off = turns ? std::abs(wrapped(a[i] - b[i])) : std::abs(a[i] - b[i]) / reach_m;
+    if (!(off <= tolerance)) return false;
+  }
+  return true;
+}
 
 Chain reversedChain(const Chain& chain) {
   Chain other;

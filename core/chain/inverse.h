@@ -63,6 +63,10 @@ struct InverseSolution {
   double residual_rad = 0.0;
 };
 
+/// Whether each joint of a is within the tolerance of that of b: rad, whole turns apart or not, or shares of the reach
+/// where it slides. reach_m: above 0.
+bool areSame(const Chain& chain, const JointValues& a, const JointValues& b, double reach_m, double tolerance);
+
 /// All that there are, at most 16. Joint limits are not asked for.
 struct InverseSolutions {
   std::array<InverseSolution, 16> all{};

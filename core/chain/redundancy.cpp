@@ -17,15 +17,6 @@ double scaleOfJoint(const Chain& chain, std::size_t i, double reach_m) {
   return chain.joints[i].type == JointType::Prismatic ? reach_m : 1.0;
 }
 
-bool isSameSet(const Chain& chain, const JointValues& a, const JointValues& b, double reach_m) {
-  for (std::size_t i = 0; i < chain.joints.size(); ++i) {
-    const bool turning = chain.joints[i].type == JointType::Revolute;
-    const double off = turning ? std::abs(wrapped(a[i] - b[i])) : std::abs(a[i] - b[i]) / reach_m;
-    if (!(off <= kOnce)) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 std::vector<std::vector<double>> nullSpace(const Chain& chain, std::span<const double> q, Asks asks, double relative) {
@@ -113,7 +104,7 @@ std::vector<NumericSolution> searchAll(const Chain& chain, const Pose& X_WT, std
     const NumericSolution one = solveNumerically(chain, X_WT, from, once);
     if (!one.reached) continue;
     const bool is_new = std::none_of(found.begin(), found.end(), [&](const NumericSolution& other) {
-      return isSameSet(chain, one.q, other.q, reach_m);
+      return areSame(chain, one.q, other.q, reach_m, kOnce);
     });
     if (is_new) found.push_back(one);
   }
