@@ -1,0 +1,66 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/serve/rows.h"
+
+namespace underact::serve {
+
+inline constexpr std::size_t kMostClients = 8;           // that have said hello
+inline constexpr std::size_t kMostUnknown = 32;          // that have not yet
+inline constexpr std::size_t kLongestFrame = 1U << 20U;  // bytes
+
+/// A request over plain HTTP.
+struct HttpRequest {
+  std::string method;  // "GET"
+  std::string target;  // "/devices?session=1"
+  std::string body;
+};
+
+/// Its answer, JSON.
+struct HttpAnswer {
+  int status = 200;
+  std::string body;
+};
+
+/// What the sockets of a server belong to: messages in, messages out. One thread; no call waits.
+class Endpoint {
+ public:
+  Endpoint() = default;
+  virtual ~Endpoint() = default;
+  Endpoint(const Endpoint&) = delete;
+  Endpoint& operator=(const Endpoint&) = delete;
+
+  // Connections, each with a number.
+  /// None: there are too many.
+  virtual std::optional<int> connect(double now_s) = 0;
+  /// It speaks WebSocket: from now on frames come and go. Until then it may ask over plain HTTP.
+  virtual void open(int connection);
+  /// Without effect where it is gone already.
+  virtual void disconnect(int connection) = 0;
+  virtual void receive(int connection, std::string_view text, bool is_text, double now_s) = 0;
+  /// Whether a message waits to be sent to it.
+  virtual bool hasMessage(int connection) const = 0;
+  /// The next one. Only where there is one.
+  virtual Message takeMessage(int connection) = 0;
+  /// Whether its next frame is to be read: a client that does not read its answers is not read either.
+  virtual bool mayBeRead(int connection) const = 0;
+  /// Whether it is to be closed once all its messages were sent.
+  virtual bool closes(int connection) const = 0;
+
+  /// To be called each millisecond while isBusy(), otherwise 30 times a second. now_s: any clock that is not set.
+  virtual void poll(double now_s) = 0;
+  virtual bool isBusy() const = 0;
+
+  /// The answer to a request over plain HTTP; none: it speaks WebSocket alone.
+  virtual std::optional<HttpAnswer> answer(const HttpRequest& request);
+};
+
+inline void Endpoint::open(int) {}
+
+inline std::optional<HttpAnswer> Endpoint::answer(const HttpRequest&) {
+  return std::nullopt;
+}
+
+}  // namespace underact::serve

@@ -1,0 +1,163 @@
+#include "app/serve/haply.h"
+
+#include <deque>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "app/serve/haply_state.h"
+#include "core/scene/scene_arm.h"
+
+namespace underact::serve {
+namespace {
+
+constexpr double kForceFor_s = 0.05;
+constexpr std::size_t kMostWaiting = 100;  // messages for a client
+constexpr std::size_t kLongestProfile = 100;
+
+HttpAnswer wellAnswered(const json::ObjectText& data) {
+  json::ObjectText text;
+  text.addBool("ok", true);
+  text.addObject("data", data);
+  return {200, text.text()};
+}
+
+HttpAnswer refused(int status, const std::string& why) {
+  json::ObjectText text;
+  text.addBool("ok", false);
+  text.addText("error", why);
+  return {status, text.text()};
+}
+
+}  // namespace
+
+struct HaplyService::Impl {
+  explicit Impl(Service& served) : service(served) {}
+
+  json::ObjectText state(bool is_full) const {
+    return haply::stateText(service.lastTick(), scene::armOf(service.scene()).geometry, session, is_full);
+  }
+
+  Service& service;
+  haply::SessionWords session;
+  int next_number = 1;
+  std::set<int> connections, refused;  // refused: there is a client already
+  std::optional<int> client;           // its connection, and
+  int steers_as = 0;                   // its number as a client of the service
+  bool wants_state = false, wants_all = false;
+  std::int64_t asked_at = 0;  // the newest tick then
+  std::deque<Message> messages;
+};
+
+HaplyService::HaplyService(Service& service) : impl_(std::make_unique<Impl>(service)) {}
+
+HaplyService::~HaplyService() {
+  if (impl_->client) disconnect(*impl_->client);
+}
+
+std::optional<int> HaplyService::connect(double) {
+  if (impl_->connections.size() >= kMostUnknown) return std::nullopt;
+  const int number = impl_->next_number++;
+  impl_->connections.insert(number);
+  return number;
+}
+
+void HaplyService::open(int connection) {
+  if (impl_->client) {
+    impl_->refused.insert(connection);
+    return;
+  }
+  impl_->client = connection;
+  impl_->steers_as = impl_->service.join("haply");
+  impl_->wants_state = impl_->wants_all = true;
+  impl_->asked_at = 0;
+}
+
+void HaplyService::disconnect(int connection) {
+  impl_->connections.erase(connection);
+  impl_->refused.erase(connection);
+  if (impl_->client != connection) return;
+  impl_->service.disconnect(impl_->steers_as);
+  impl_->client.reset();
+  impl_->messages.clear();
+  impl_->wants_state = impl_->wants_all = false;
+  impl_->session = {impl_->session.number + 1, "default"};
+}
+
+void HaplyService::receive(int connection, std::string_view text, bool is_text, double) {
+  if (impl_->client != connection) return;
+  const Result<haply::Frame> read =
+      is_text ? haply::readFrame(text) : Result<haply::Frame>(Problems{{"This frame is binary; it must be JSON."}});
+  if (!read) {
+    json::ObjectText answer;
+    answer.addText("error", read.problems().front().sentence);
+    if (impl_->messages.size() < kMostWaiting) impl_->messages.push_back({answer.text(), false});
+    return;
+  }
+  const haply::Frame& frame = read.value();
+  // Where another client steers, the force is not taken; the state is told all the same.
+  if (frame.f_H) impl_->service.push(impl_->steers_as, haply::forceOf(*frame.f_H), kForceFor_s);
+  if (frame.profile) impl_->session.profile = frame.profile->substr(0, kLongestProfile);
+  impl_->wants_all = impl_->wants_all || frame.wants_all;
+  impl_->wants_state = true;
+  impl_->asked_at = impl_->service.lastTick().tick;
+}
+
+bool HaplyService::hasMessage(int connection) const {
+  return impl_->client == connection && !impl_->messages.empty();
+}
+
+Message HaplyService::takeMessage(int) {
+  Message message = std::move(impl_->messages.front());
+  impl_->messages.pop_front();
+  return message;
+}
+
+bool HaplyService::mayBeRead(int connection) const {
+  return impl_->client == connection && impl_->messages.size() < kMostWaiting;
+}
+
+bool HaplyService::closes(int connection) const {
+  return impl_->connections.count(connection) == 0 || impl_->refused.count(connection) > 0;
+}
+
+void HaplyService::poll(double) {
+  if (!impl_->wants_state || impl_->service.lastTick().tick <= impl_->asked_at) return;
+  impl_->messages.push_back({impl_->state(impl_->wants_all).text(), false});
+  impl_->wants_state = impl_->wants_all = false;
+}
+
+bool HaplyService::isBusy() const {
+  return impl_->client.has_value();
+}
+
+std::optional<HttpAnswer> HaplyService::answer(const HttpRequest& request) {
+  const std::string path = request.target.substr(0, request.target.find('?'));
+  const std::string session = "/sessions/" + std::to_string(impl_->session.number);
+  if (path == "/version") return HttpAnswer{200, haply::versionText().text()};
+  if (path == "/devices") return HttpAnswer{200, impl_->state(true).text()};
+  if (path == "/sessions") {
+    json::ObjectText list;
+    list.addInteger("session_count", impl_->client ? 1 : 0);
+    list.addList("sessions",
+                 impl_->client ? std::vector{haply::sessionText(impl_->session)} : std::vector<json::ObjectText>{});
+    return wellAnswered(list);
+  }
+  if (path == session && request.method == "GET") return wellAnswered(haply::sessionText(impl_->session));
+  if (path == session + "/profile") {
+    if (request.method == "POST") {
+      const Result<haply::Frame> read =
+          haply::readFrame("{\"session\": {\"configure\": {\"profile\": " + request.body + "}}}");
+      if (!read || !read.value().profile) return refused(400, "A profile needs a name.");
+      impl_->session.profile = read.value().profile->substr(0, kLongestProfile);
+    } else if (request.method == "DELETE") {
+      impl_->session.profile = "default";
+    }
+    json::ObjectText profile;
+    profile.addText("name", impl_->session.profile);
+    return wellAnswered(profile);
+  }
+  return refused(404, "There is no " + path + " here.");
+}
+
+}  // namespace underact::serve
