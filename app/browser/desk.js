@@ -1,0 +1,59 @@
+// What the page says in words: mode, numbers, who steers, and what went wrong.
+
+import { CUT_N } from "./history.js";
+
+const MODES = { stopped: "Stopped", running: "Running", fault: "Fault" };
+const find = (id) => document.getElementById(id);
+const fixed = (value, decimals) => (Number.isFinite(value) ? value.toFixed(decimals) : "–");
+
+/** What is said of who steers, where it is not this page. */
+function holderText(by, may) {
+  if (by === "") return "Nobody steers. The first change, or Start, takes the steering.";
+  if (may) return `“${by}” steers. The first change here takes the steering.`;
+  return `“${by}” steers. You can watch, and stop. The sliders work again once it gives the steering back.`;
+}
+
+export class Desk {
+  constructor() {
+    this.parts = Object.fromEntries(
+      ["said", "mode", "force", "error", "tip", "holder", "start", "stop", "lease", "connect", "view"].map((id) => [id, find(id)]),
+    );
+    this.described_s = 0;
+  }
+
+  say(sentence, is_bad = false) {
+    this.parts.said.textContent = sentence;
+    this.parts.said.classList.toggle("bad", is_bad);
+  }
+
+  mode(mode) {
+    this.parts.mode.textContent = MODES[mode] ?? "–";
+    this.parts.mode.classList.toggle("bad", mode === "fault");
+  }
+
+  /** by: who steers, "": nobody. may: this page may steer now, or take the steering by doing so. */
+  steering({ by, is_ours, may, is_connected }) {
+    this.parts.holder.textContent = !is_connected ? "–" : is_ours ? "This page steers." : holderText(by, may);
+    this.parts.lease.textContent = is_ours ? "Give steering back" : "Take steering";
+    this.parts.lease.disabled = !is_connected;
+    this.parts.start.disabled = !is_connected || !may;
+    this.parts.stop.disabled = !is_connected;
+    this.parts.connect.textContent = is_connected ? "Disconnect" : "Connect";
+  }
+
+  numbers(tick, force_limit_N) {
+    const force_N = Math.hypot(...tick.force_sent_N);
+    const { force, error, tip, view } = this.parts;
+    force.textContent = `${fixed(force_N, 2)} N of ${fixed(force_limit_N, 2)} N${tick.cut_N > CUT_N ? ", cut by a limit" : ""}`;
+    error.textContent = `${fixed(tick.error_mm, 1)} mm`;
+    tip.textContent = `${tick.p_WT_mm.map((one) => fixed(one, 1)).join(", ")} mm`;
+    if (Math.abs(tick.time_s - this.described_s) < 1) return;
+    this.described_s = tick.time_s;
+    view.setAttribute("aria-label", `The arm: tip at ${tip.textContent}, force ${force.textContent}, error ${error.textContent}.`);
+  }
+
+  nothing() {
+    for (const name of ["mode", "force", "error", "tip"]) this.parts[name].textContent = "–";
+    this.mode("");
+  }
+}
