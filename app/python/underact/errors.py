@@ -60,6 +60,10 @@ def drawing_errors() -> Iterator[None]:
 
 def missing(module: str | None) -> str:
     """What to do where Python does not find a library."""
+    if sys.prefix != sys.base_prefix:  # a virtual environment, which has no packages of Debian
+        return (
+            f"Python ({sys.executable}) has no {module}. `pip install 'underact[all]'` brings it."
+        )
     return (
         f"Python ({sys.executable}) has no {module}. Install python3-h5py, python3-matplotlib and "
         "python3-pandas, or name a Python that has them in UNDERACT_PYTHON."

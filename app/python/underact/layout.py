@@ -56,7 +56,7 @@ MOST_PACKED = 256  # times more rows than its bytes hold, where h5repack has pac
 #: table -> rows, whatever the file's length
 MOST_ROWS: dict[str, int] = {"changes": 1 << 20, "faults": 1 << 20, "end": 1 << 20}
 MOST_ROWS["markers"] = 1 << 16
-MOST_ROWS["provenance"] = MOST_ROWS["clock"] = 1 << 20
+MOST_ROWS["provenance"] = MOST_ROWS["clock"] = MOST_ROWS["steering"] = 1 << 20
 LONGEST_LABEL, ALL_LABELS = 64 << 10, 16 << 20  # bytes
 LONGEST_SCENE = 16 << 20  # as of a scene file
 LONGEST_FILE = 1 << 44  # one may have a length that nothing on the disk stands behind
@@ -76,7 +76,15 @@ FAULTS = (
 )
 CARRIES = ("loaded", "gains", "targets")
 REASONS = ("stopped", "program ended", "disk full", "recovered")
-LIMITS = {1: "clamp", 2: "speed", 4: "workspace edge", 8: "motor heat", 16: "slew", 32: "frozen"}
+LIMITS = {
+    1: "clamp",
+    2: "speed",
+    4: "workspace edge",
+    8: "motor heat",
+    16: "slew",
+    32: "frozen",
+    64: "motors",
+}
 
 
 def word(words: tuple[str, ...], number: int) -> str:

@@ -1,0 +1,15 @@
+#pragma once
+#include <string>
+
+#include "core/scene/description.h"
+#include "core/tick/program.h"
+
+namespace underact::bindings {
+
+/// A scene as Python has it: as written, with its meshes, and as a tick runs it. Never changed once made.
+struct Scene {
+  scene::Description description;
+  tick::TickProgram program;
+};
+
+}  // namespace underact::bindings
