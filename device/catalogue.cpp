@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/base/translate.h"
+#include "device/haply/haply.h"
 #include "device/openhaptics/openhaptics_arm.h"
 #include "device/remote/remote.h"
 #include "device/simulated_arm.h"
@@ -32,6 +33,7 @@ constexpr std::array kRows{
     Row{"openhaptics", TRANSLATE_NOOP("problem", "Touch, Omni (vendor's driver)"), openhaptics::openRow,
         openhaptics::searchRow},
     Row{"wooden", TRANSLATE_NOOP("problem", "WoodenHaptics (HID)"), openWooden, searchWooden},
+    Row{"haply", TRANSLATE_NOOP("problem", "Inverse3 (Haply's service)"), haply::openRow, haply::searchRow},
     Row{"remote", TRANSLATE_NOOP("problem", "Arm over the network"), remote::openRow, remote::searchRow},
 };
 
@@ -58,6 +60,13 @@ Result<std::unique_ptr<servo::DevicePort>> openDevice(std::string_view name, Req
     for (const Row& one : kRows) known += (known.empty() ? "" : ", ") + std::string(one.key);
     return Problems{{said(TRANSLATE_NOOP("problem", "There is no arm of the kind \"%1\". Known kinds: %2."),
                           {std::string(name.substr(0, colon)), known}),
+                     {}}};
+  }
+  if (!arm::isOmniForm(request.arm) && row != kRows.data()) {
+    return Problems{{said(TRANSLATE_NOOP("problem",
+                                         "The scene is for the arm \"%1\", which exists as a simulated arm only. "
+                                         "Choose the simulated arm, or open another scene first."),
+                          {request.arm.name}),
                      {}}};
   }
   if (colon < name.size()) request.address = name.substr(colon + 1);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/arm/preset.h"
+#include "core/lesson/stage.h"
 #include "core/scene/read.h"
 #include "core/scene/scene_arm.h"
 #include "core/scene/settings.h"
@@ -18,6 +19,7 @@ namespace {
 constexpr int kRate_hz = 1000;
 constexpr std::int64_t kTicksAtOnce = 16;  // a frame of the window: a robot's joints hardly move in it
 constexpr double kAfterwards_s = 1.0;
+const Vec3 kStart_p_WT(0.0, 0.0, 0.05);  // as in the window
 
 Problems refused(const LessonSetting& setting, const std::string& why) {
   return {{"The setting " + setting.key + "=" + setting.value + " " + why, {"the settings", 1, 0, setting.key}}};
@@ -78,34 +80,67 @@ Result<scene::Description> withSetting(const scene::Description& scene, const Le
   return set;
 }
 
-Result<LessonOutcome> tryLessonStep(const lesson::Step& step, scene::Description scene, const LessonAttempt& attempt) {
+LessonDesk::LessonDesk(const sim::ArmModel& model) : model_(model) {}
+
+LessonDesk::~LessonDesk() = default;
+
+Result<LessonOutcome> LessonDesk::tryStep(const lesson::Step& step, scene::Description scene,
+                                          const LessonAttempt& attempt) {
   for (const LessonSetting& setting : attempt.settings) {
     Result<scene::Description> set = withSetting(scene, setting);
     if (!set) return set.problems();
     scene = std::move(set).value();
   }
-  SimulatedArm::Options options;
-  options.arm = scene::armOf(scene);
-  options.model = attempt.model;
-  options.hand = attempt.hand.hand;
-  options.rate_hz = kRate_hz;
-  options.integration = integrationOf(scene.simulation);
-  auto arm = std::make_unique<SimulatedArm>(options);
-  arm->follow(attempt.hand);
-  servo::Host host(std::move(arm), {.rate_hz = kRate_hz, .clock = servo::Clock::Manual});
-  if (const Problems problems = host.load(scene); !problems.empty()) return problems;
-  if (attempt.starts) host.start();
-  const double seconds = attempt.seconds > 0.0 ? attempt.seconds : attempt.hand.path.back().t_s + kAfterwards_s;
+  const bool is_touched = !attempt.hand.path.empty();
+  const arm::Preset& preset = scene::armOf(scene);
+  if (host_ == nullptr) {
+    SimulatedArm::Options options;
+    options.arm = preset;
+    options.model = model_;
+    options.hand = attempt.hand.hand;
+    options.rate_hz = kRate_hz;
+    options.start_p_WT = kStart_p_WT;
+    options.integration = integrationOf(scene.simulation);
+    auto arm = std::make_unique<SimulatedArm>(options);
+    arm_ = arm.get();
+    host_ = std::make_unique<servo::Host>(std::move(arm),
+                                          servo::HostOptions{.rate_hz = kRate_hz, .clock = servo::Clock::Manual});
+    if (is_touched) arm_->follow(attempt.hand);
+  } else {
+    arm_->integrate(integrationOf(scene.simulation));
+    arm_->become(preset);
+    arm_->standAt(lesson::startOf(step, preset));
+    if (is_touched) {
+      arm_->follow(attempt.hand);
+    } else {
+      sim::HandSetpoint loose = arm_->setpoint();  // ends the script of the step before
+      loose.holds = false;
+      arm_->setSetpoint(loose);
+    }
+  }
+  if (const Problems problems = host_->load(scene); !problems.empty()) return problems;
+  if (attempt.starts) {
+    host_->start();
+  } else {
+    host_->stop();
+  }
+  const double seconds =
+      attempt.seconds > 0.0 || !is_touched ? attempt.seconds : attempt.hand.path.back().t_s + kAfterwards_s;
   const std::int64_t ticks = std::llround(seconds * kRate_hz);
   Watching watching(step, scene);
+  host_->drain([](const servo::TickRecord&) {});  // of the step before
   for (std::int64_t done = 0; done < ticks; done += kTicksAtOnce) {
-    host.run(std::min(kTicksAtOnce, ticks - done));
-    watching.poll(host);
+    host_->run(std::min(kTicksAtOnce, ticks - done));
+    watching.poll(*host_);
   }
   if (const Problems problems = watching.answer(attempt.answers); !problems.empty()) return problems;
   LessonOutcome outcome{watching.take()};
-  if (const std::optional<servo::FaultReport> fault = host.takeFault()) outcome.fault = fault->fault;
+  if (const std::optional<servo::FaultReport> fault = host_->takeFault()) outcome.fault = fault->fault;
   return outcome;
+}
+
+Result<LessonOutcome> tryLessonStep(const lesson::Step& step, scene::Description scene, const LessonAttempt& attempt) {
+  return LessonDesk(attempt.model).tryStep(step, std::move(scene), attempt);
 }
 
 }  // namespace underact::device

@@ -22,7 +22,9 @@ using record::Session;
 /// it is one, and cannot be read.
 Result<std::optional<SimulatedRun>> wholeRunOf(Session& session) {
   const std::optional<SimulatedRun> none;
-  if (session.provenance().empty() || session.changes().size() != 1 || session.info().dropped > 0) return none;
+  if (session.provenance().empty() || session.changes().size() != 1 || !session.pushes().empty() ||
+      session.info().dropped > 0)
+    return none;
   const Result<json::Value> provenance = session.provenanceOf(session.provenance().front());
   if (!provenance) return provenance.problems();
   if (session.changes().front().tick != 1 || !hasSimulatedRun(provenance.value())) return none;

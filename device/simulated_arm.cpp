@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/arm/forward.h"
+#include "core/arm/inverse.h"
+#include "core/base/excepted.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
 
@@ -13,10 +16,12 @@ namespace {
 constexpr double kMouseFilter_s = 0.015;
 
 /// One period of the way to a setpoint that jumps: a first-order filter (backward Euler), with the matching velocity.
-sim::HandSetpoint approach(const sim::HandSetpoint& heeded, const sim::HandSetpoint& goal,
+/// A hand that does not hold is where the tip is, so that it takes hold there without a jerk.
+sim::HandSetpoint approach(const sim::HandSetpoint& heeded, const sim::HandSetpoint& goal, const Vec3& p_WT,
                            double dt_s) noexcept UNDERACT_REAL_TIME {
+  if (!goal.holds) return {p_WT, Vec3::Zero(), goal.R_WT, goal.turns, false, {}};
   const Vec3 way_W = (goal.p_WT - heeded.p_WT) * (dt_s / (kMouseFilter_s + dt_s));
-  return {heeded.p_WT + way_W, way_W / dt_s, goal.R_WT, goal.turns};
+  return {heeded.p_WT + way_W, way_W / dt_s, goal.R_WT, goal.turns, true, goal.posture};
 }
 
 /// In one number, so that two threads always see both parts together.
@@ -38,18 +43,20 @@ SimulatedArm::SimulatedArm(const Options& options)
     : plant_(sim::makePlant(options.arm, options.model, options.hand, options.integration)),
       wanted_arm_(options.arm),
       wanted_model_(options.model),
+      start_p_WT_(options.start_p_WT),
       hand_(options.hand),
       integration_(packed(options.integration)),
-      state_(sim::restingState(plant_, options.start_p_WT)),
+      state_(options.start_p_WT ? sim::restingState(plant_, *options.start_p_WT) : sim::restingState(plant_)),
       period_ns_(periodOf(options.rate_hz)) {
   heeded_.p_WT = state_.p_WT;
   last_setpoint_.p_WT = state_.p_WT;
+  kept_.push_back(options.arm.geometry.general);
 }
 
 bool SimulatedArm::read(arm::Sample& sample) noexcept {
   time_ns_ += period_ns_;
   if (has_setpoint_.load(std::memory_order_acquire)) {
-    heeded_ = approach(heeded_, wishes_.latest(), kSecondPerNanosecond * static_cast<double>(period_ns_));
+    heeded_ = approach(heeded_, wishes_.latest(), state_.p_WT, kSecondPerNanosecond * static_cast<double>(period_ns_));
   } else if (scripted_) {
     heeded_ = sim::setpointAt(script_, time_ns_ - script_start_ns_);
   }
@@ -73,11 +80,16 @@ void SimulatedArm::takeUp() noexcept {
   plant_.model.friction_N = figures.friction_N;
   plant_.model.damping_N_s_per_m = figures.damping_N_s_per_m;
   plant_.model.encoders = figures.encoders;
+  plant_.model.of_links = figures.of_links;
   plant_.arm.counts_per_turn = figures.counts_per_turn;
   if (figures.arms == epoch_) return;
   epoch_ = figures.arms;
-  plant_.arm.geometry = figures.geometry;
+  UNDERACT_EXCEPTED("counted, and never freed: kept_ has it, too", plant_.arm.geometry = figures.geometry);
   plant_.arm.limits = figures.limits;
+  if (!figures.rests) return;
+  state_ = figures.rest;
+  heeded_ = {};
+  heeded_.p_WT = state_.p_WT;
 }
 
 void SimulatedArm::write(const safety::GatedForce& force) noexcept {
@@ -87,8 +99,9 @@ void SimulatedArm::write(const safety::GatedForce& force) noexcept {
 
 bool SimulatedArm::truth(servo::Truth& truth) const noexcept {
   truth.p_WT = state_.p_WT;
-  truth.f_hand_T_W = plant_.hand.stiffness_N_per_m * (heeded_.p_WT - state_.p_WT) +
-                     plant_.hand.damping_N_s_per_m * (heeded_.v_WT - state_.v_WT);
+  const double stiffness_N_per_m = heeded_.holds ? plant_.hand.stiffness_N_per_m : 0.0;
+  truth.f_hand_T_W =
+      stiffness_N_per_m * (heeded_.p_WT - state_.p_WT) + plant_.hand.damping_N_s_per_m * (heeded_.v_WT - state_.v_WT);
   return true;
 }
 
@@ -117,16 +130,60 @@ void SimulatedArm::become(const arm::Preset& arm) {
   if (arm.geometry == wanted_arm_.geometry && arm.limits == wanted_arm_.limits &&
       arm.counts_per_turn == wanted_arm_.counts_per_turn && arm.apparent_mass_kg == wanted_arm_.apparent_mass_kg)
     return;
+  rests_ = !arm::isOmniForm(arm) || !arm::isOmniForm(wanted_arm_);
   wanted_arm_ = arm;
   ++arms_;
+  kept_.push_back(arm.geometry.general);
+  // A script keeps its own places; a hand that is moved by the mouse goes with the stylus, before the arm does.
+  if (rests_) rest_ = sim::restingState(sim::makePlant(arm, wanted_model_, {}));
+  if (rests_ && !scripted_) {
+    sim::HandSetpoint there;
+    there.holds = last_setpoint_.holds;
+    there.p_WT = rest_.p_WT;
+    setSetpoint(there);
+  }
+  publish();
+}
+
+sim::PlantState SimulatedArm::standing(const std::optional<arm::JointAngles>& q) const {
+  const sim::Plant plant = sim::makePlant(wanted_arm_, wanted_model_, {});
+  if (!q) {
+    const bool began = start_p_WT_ && arm::isOmniForm(wanted_arm_);
+    return began ? sim::restingState(plant, *start_p_WT_) : sim::restingState(plant);
+  }
+  sim::PlantState state;
+  state.q_rad = arm::withinLimits(wanted_arm_.limits, *q);
+  state.p_WT = arm::tipPosition(wanted_arm_.geometry, state.q_rad);
+  return state;
+}
+
+void SimulatedArm::standAt(const std::optional<arm::JointAngles>& q) {
+  rest_ = standing(q);
+  rests_ = true;
+  ++arms_;
+  if (!scripted_) {
+    sim::HandSetpoint there;
+    there.holds = last_setpoint_.holds;
+    there.p_WT = rest_.p_WT;
+    setSetpoint(there);
+  }
   publish();
 }
 
 void SimulatedArm::publish() {
   const sim::ArmModel& model = wanted_model_;
   const sim::Plant plant = sim::makePlant(wanted_arm_, model, {});
-  figures_.back() = {plant.model.mass_kg,       model.friction_N,     model.damping_N_s_per_m, model.encoders,
-                     plant.arm.counts_per_turn, wanted_arm_.geometry, wanted_arm_.limits,      arms_};
+  figures_.back() = {plant.model.mass_kg,
+                     model.friction_N,
+                     model.damping_N_s_per_m,
+                     model.encoders,
+                     plant.model.of_links,
+                     plant.arm.counts_per_turn,
+                     wanted_arm_.geometry,
+                     wanted_arm_.limits,
+                     arms_,
+                     rests_,
+                     rest_};
   figures_.publish();
   has_figures_.store(true, std::memory_order_release);
 }
@@ -136,6 +193,7 @@ void SimulatedArm::follow(sim::HandScript script) {
   script_ = std::move(script);
   scripted_ = true;
   script_start_ns_ = time_ns_;
+  has_setpoint_.store(false, std::memory_order_release);
   if (time_ns_ > 0) return;
   state_ = sim::restingState(plant_, sim::setpointAt(script_, 0).p_WT);
   heeded_.p_WT = state_.p_WT;

@@ -1,6 +1,8 @@
 #pragma once
 #include <atomic>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "core/servo/device_port.h"
 #include "core/servo/slot.h"
@@ -18,7 +20,7 @@ class SimulatedArm final : public servo::DevicePort {
     sim::ArmModel model;
     sim::HandModel hand;
     int rate_hz = 1000;
-    Vec3 start_p_WT = Vec3(0.0, 0.0, 0.06);  // where the tip rests at first
+    std::optional<Vec3> start_p_WT = {};  // where the tip rests at first; none: where it does by itself
     Integration integration = {};
   };
   explicit SimulatedArm(const Options& options);
@@ -40,8 +42,12 @@ class SimulatedArm final : public servo::DevicePort {
   /// The model of the arm from the next read() on. Any one thread, never blocks the servo.
   void become(const sim::ArmModel& model);
   /// The same of its lengths, limits and encoders: those of the arm that the scene is for. The samples begin a new
-  /// epoch. The thread that calls become().
+  /// epoch; where either arm is not of the Omni's form, at rest, with the hand there. The thread that calls become().
   void become(const arm::Preset& arm);
+  /// From the next read() on the arm stands at rest with these joints (rad or m, brought within their limits), and the
+  /// hand is there; none: where the arm began, or rests. The samples begin a new epoch. A script does not end. The
+  /// thread that calls become().
+  void standAt(const std::optional<arm::JointAngles>& q);
   /// The hand lets go of the stylus (holds false) or grips it again, from the next read() on. Any thread.
   void holdStylus(bool holds) { let_go_.store(!holds, std::memory_order_relaxed); }
 
@@ -52,7 +58,7 @@ class SimulatedArm final : public servo::DevicePort {
   /// begins. Only before the servo thread starts.
   void follow(sim::HandScript script);
   /// Where the hand wants to be from the next read() on: the input of the mouse. It gets there within some 15 ms, so
-  /// that a jump of the mouse is not an infinite velocity; wish.v_WT is not used. Any one thread, never blocks the
+  /// that a jump of the mouse is not an infinite velocity; v_WT is not used. Any one thread, never blocks the
   /// servo; ends a script.
   void setSetpoint(const sim::HandSetpoint& setpoint);
   /// Where the hand wants to be by the last setpoint(), or where the arm starts. The thread that calls setpoint().
@@ -63,11 +69,15 @@ class SimulatedArm final : public servo::DevicePort {
   struct Figures {
     double mass_kg = 0.0, friction_N = 0.0, damping_N_s_per_m = 0.0;
     bool encoders = true;
+    bool of_links = false;
     arm::EncoderCounts counts_per_turn{};
     arm::Geometry geometry;
     arm::JointLimits limits;
     std::uint32_t arms = 0;  // how many there were before this one
+    bool rests = false;      // it begins at rest, not where the last one was
+    sim::PlantState rest = {};
   };
+  sim::PlantState standing(const std::optional<arm::JointAngles>& q) const;
   void publish();
   void takeUp() noexcept UNDERACT_REAL_TIME;
 
@@ -75,7 +85,11 @@ class SimulatedArm final : public servo::DevicePort {
   arm::Preset wanted_arm_;  // these two: of the thread that calls become()
   sim::ArmModel wanted_model_;
   std::uint32_t arms_ = 0, epoch_ = 0;
-  sim::HandModel hand_;  // while it holds the stylus
+  bool rests_ = false;    // of the thread that calls become(), as the next three
+  sim::PlantState rest_;  // where, if it rests
+  const std::optional<Vec3> start_p_WT_;
+  std::vector<std::shared_ptr<const arm::GeneralArm>> kept_;  // all that there were: the servo thread never frees one
+  sim::HandModel hand_;                                       // while it holds the stylus
   std::atomic<bool> let_go_{false};
   servo::Slot<Figures> figures_;
   std::atomic<bool> has_figures_{false};

@@ -22,7 +22,7 @@ double depthAt(double t_s) {
 }
 
 bool isSame(const sim::HandSetpoint& a, const sim::HandSetpoint& b) {
-  return a.p_WT == b.p_WT && a.v_WT == b.v_WT && a.R_WT == b.R_WT && a.turns == b.turns;
+  return a.p_WT == b.p_WT && a.v_WT == b.v_WT && a.R_WT == b.R_WT && a.turns == b.turns && a.holds == b.holds;
 }
 
 }  // namespace

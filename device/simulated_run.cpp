@@ -46,6 +46,7 @@ ObjectText modelObject(const sim::ArmModel& model) {
   object.addNumber("friction_N", model.friction_N);
   object.addNumber("damping_N_s_per_m", model.damping_N_s_per_m);
   object.addBool("encoders", model.encoders);
+  if (model.of_links) object.addBool("of_links", true);
   if (model.counts_per_turn) object.addList("counts_per_turn", std::span<const double>(*model.counts_per_turn));
   return object;
 }
@@ -133,6 +134,7 @@ bool takeModel(const Value* object, sim::ArmModel& model) {
   model.damping_N_s_per_m = taker.number("damping_N_s_per_m");
   model.encoders = taker.boolean("encoders");
   if (!taker.isGood()) return false;
+  if (object->find("of_links") != nullptr) model.of_links = taker.boolean("of_links");
   const Value* const counts = object->find("counts_per_turn");
   if (counts == nullptr) return true;
   return takeNumbers(counts, model.counts_per_turn.emplace().data(), model.counts_per_turn->size());
@@ -153,10 +155,33 @@ ObjectText provenanceOf(const SimulatedRun& run) {
   return object;
 }
 
-ObjectText provenanceOfPerson(const sim::ArmModel* model) {
+namespace {
+
+ObjectText provenanceOfHand(const char* made_by, const sim::ArmModel* model) {
   ObjectText inner, object;
-  inner.addText("made_by", "a person's hand");
+  inner.addText("made_by", made_by);
   if (model != nullptr) inner.addObject("arm_model", modelObject(*model));
+  object.addObject("run", inner);
+  return object;
+}
+
+}  // namespace
+
+ObjectText provenanceOfPerson(const sim::ArmModel* model) {
+  return provenanceOfHand("a person's hand", model);
+}
+
+ObjectText provenanceOfPython(const sim::ArmModel& model) {
+  return provenanceOfHand("a hand in Python", &model);
+}
+
+ObjectText provenanceOfService(const SimulatedRun* run) {
+  ObjectText inner, object;
+  inner.addText("made_by", "live service");
+  if (run != nullptr) {
+    inner.addObject("held_by", handObject(*run));
+    inner.addObject("arm_model", modelObject(run->model));
+  }
   object.addObject("run", inner);
   return object;
 }

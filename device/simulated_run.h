@@ -31,6 +31,13 @@ json::ObjectText provenanceOf(const SimulatedRun& run);
 /// null: a real one.
 json::ObjectText provenanceOfPerson(const sim::ArmModel* model);
 
+/// The same of a run whose hand was a function in Python: it is made again from its recorded input, too.
+json::ObjectText provenanceOfPython(const sim::ArmModel& model);
+
+/// The same of a run that other programs steered: {"run": {"made_by": ..., "held_by": ..., "arm_model": ...}}. It is
+/// made again from its recorded input, not from the hand. run: of the simulated arm; null: a real one.
+json::ObjectText provenanceOfService(const SimulatedRun* run);
+
 /// Whether a provenance has a run of the simulated arm that can be made again.
 bool hasSimulatedRun(const json::Value& provenance);
 

@@ -4,7 +4,6 @@
 #include "app/cli/arm_choice.h"
 #include "app/cli/scene_file.h"
 #include "core/arm/arm_text.h"
-#include "core/arm/urdf.h"
 
 namespace underact::cli {
 namespace {
@@ -13,25 +12,13 @@ struct ConvertOptions {
   std::string in, to, base, tip;
 };
 
-/// The arm of a name or file; of URDF, between the links asked for.
-Result<arm::Model> modelOf(const ConvertOptions& options) {
-  if (!arm::isUrdfName(options.in)) {
-    if (!options.base.empty() || !options.tip.empty())
-      return Problems{{"--base and --tip are for URDF files: other files have one arm.", {}}};
-    const Result<ArmChoice> choice = chooseArm(options.in);
-    if (!choice) return choice.problems();
-    return choice.value().model;
-  }
-  return arm::readUrdfFile(options.in, {options.base, options.tip});
-}
-
 Exit convert(const ConvertOptions& options, const Streams& streams) {
-  const Result<arm::Model> model = modelOf(options);
-  if (!model) return refuseArm(model.problems(), streams.err);
+  const Result<kinematics::SolvedArm> arm = kinematics::chooseArm(options.in, {options.base, options.tip});
+  if (!arm) return refuseArm(arm.problems(), streams.err);
   const arm::ArmForm to = options.to == "urdf"  ? arm::ArmForm::Urdf
                           : options.to == "poe" ? arm::ArmForm::Exponentials
                                                 : arm::ArmForm::ModifiedDh;
-  const Result<std::string> text = arm::textOf(model.value(), to);
+  const Result<std::string> text = arm::textOf(arm.value().model, to);
   if (!text) return fail(text.problems(), Exit::BadInput, streams);
   streams.out << text.value();
   return Exit::Well;

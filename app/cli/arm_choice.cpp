@@ -3,32 +3,9 @@
 #include <ostream>
 
 #include "app/cli/scene_file.h"
-#include "core/json/text.h"
 #include "core/sim/arm_model_file.h"
 
 namespace underact::cli {
-
-Result<ArmChoice> chooseArm(const std::string& name) {
-  arm::Model model;
-  if (name.find_first_of("./\\") != std::string::npos) {
-    Result<arm::Model> read = arm::readArmFile(name);
-    if (!read) return read.problems();
-    model = std::move(read).value();
-  } else if (const arm::Model* found = arm::findModel(name)) {
-    model = *found;
-  } else {
-    std::vector<std::string> names;
-    for (const arm::Model& one : arm::models()) names.push_back(one.name);
-    return Problems{{"There is no arm " + json::shown(name) + "; it must be " + json::listed(names) +
-                         ", or an arm file (a name with a dot or a slash).",
-                     {}}};
-  }
-  ArmChoice choice{model, arm::omniGeometry(model), model.chain, chain::inverseOf(model.chain), {}};
-  if (model.rows.size() == 6 && model.form == arm::ArmForm::ModifiedDh)
-    choice.flange = chain::chainFromDh(model.rows, model.X_WB, Pose::Identity());
-  choice.closed = chain::recognise(model.chain);
-  return choice;
-}
 
 Exit refuseArm(const Problems& problems, std::ostream& err) {
   print(problems, err);

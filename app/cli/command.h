@@ -40,6 +40,7 @@ void addRegister(Command program, const Streams& streams, Exit& exit);
 void addDevices(Command program, const Streams& streams, Exit& exit);
 void addServoCheck(Command program, const Streams& streams, Exit& exit);
 void addLog(Command program, const Streams& streams, Exit& exit);
+void addServe(Command program, const Streams& streams, Exit& exit);
 void addReplay(Command program, const Streams& streams, Exit& exit);
 void addRerun(Command program, const Streams& streams, Exit& exit);
 void addFigures(Command program, const Streams& streams, Exit& exit);

@@ -9,10 +9,10 @@
 namespace underact::cli {
 
 std::span<const AddCommand> commands() {
-  static constexpr std::array kCommands{addForward,  addInverse,  addJacobian, addStatics,  addArm,        addTarget,
-                                        addRun,      addLog,      addReplay,   addRerun,    addFigures,    addCalibrate,
-                                        addIdentify, addRegister, addDevices,  addShareArm, addServoCheck, addLab,
-                                        addMesh,     addScene,    addLesson};
+  static constexpr std::array kCommands{addForward,   addInverse,  addJacobian, addStatics, addArm,      addTarget,
+                                        addRun,       addServe,    addLog,      addReplay,  addRerun,    addFigures,
+                                        addCalibrate, addIdentify, addRegister, addDevices, addShareArm, addServoCheck,
+                                        addLab,       addMesh,     addScene,    addLesson};
   return kCommands;
 }
 

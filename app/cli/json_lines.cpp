@@ -6,7 +6,7 @@
 #include <ostream>
 #include <string>
 
-#include "core/base/units.h"
+#include "core/kinematics/units.h"
 
 namespace underact::cli {
 namespace {
@@ -14,9 +14,8 @@ namespace {
 using json::Kind;
 using json::Value;
 
-constexpr double kLargestAngle_rad = 1e6;
-constexpr double kFarthest_mm = 1e9;
-constexpr double kRounding = 1e-14;  // of doubles: not corrected
+using kinematics::kFarthest_mm;
+using kinematics::kLargestAngle_rad;
 
 JsonObject refusal(const Problems& problems, std::int64_t line) {
   std::string sentences;
@@ -29,10 +28,6 @@ JsonObject refusal(const Problems& problems, std::int64_t line) {
 
 Problems problem(const char* key, const char* sentence) {
   return {{std::string("\"") + key + "\" " + sentence, {}}};
-}
-
-double unitOf(const chain::Joint& joint) {
-  return joint.type == chain::JointType::Revolute ? 1.0 : kMetrePerMillimetre;
 }
 
 bool isNumberUpTo(const Value& value, double largest) {
@@ -87,17 +82,14 @@ Result<chain::JointValues> readJoints(const Value& line, const char* key, const 
                                  ": angles in rad (mm where the joint slides), of magnitude 1e6 or less.";
     return problem(key, sentence.c_str());
   }
-  chain::JointValues q{};
-  for (std::size_t i = 0; i < count; ++i) q[i] = list.items[i].number * unitOf(chain.joints[i]);
-  return q;
+  std::vector<double> q;
+  for (const Value& angle : list.items) q.push_back(angle.number);
+  return kinematics::jointsOf(chain, q);
 }
 
-std::vector<double> jointNumbers(const chain::Chain& chain, std::span<const double> q) {
-  std::vector<double> numbers;
-  for (std::size_t i = 0; i < chain.joints.size(); ++i) {
-    const bool turns = chain.joints[i].type == chain::JointType::Revolute;
-    numbers.push_back(turns ? q[i] : kMillimetrePerMetre * q[i]);
-  }
+std::vector<double> jointNumbers(const chain::Chain& chain, const chain::JointValues& q) {
+  std::vector<double> numbers(chain.joints.size());
+  kinematics::writeJoints(chain, q, numbers);
   return numbers;
 }
 
@@ -116,14 +108,8 @@ Result<Pose> readPose(const Value& line, const char* key) {
       X(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) = rows.items[row].items[column].number;
     }
   }
-  const Mat3 R = X.topLeftCorner<3, 3>();
-  const double error = (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff();
-  if (error > kRotationTolerance || R.determinant() < 0.0)
-    return problem(key, "is not a rotation: its rows must be orthonormal, with determinant +1.");
-  if (X.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) return problem(key, "must end with the row 0, 0, 0, 1.");
   Pose pose = Pose::Identity();
-  pose.linear() = error > kRounding ? Eigen::Quaterniond(R).normalized().toRotationMatrix() : R;
-  pose.translation() = kMetrePerMillimetre * X.topRightCorner<3, 1>();
+  if (const char* const wrong = kinematics::readPose(X, pose)) return problem(key, wrong);
   return pose;
 }
 

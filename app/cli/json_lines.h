@@ -1,7 +1,6 @@
 #pragma once
 #include <functional>
 #include <initializer_list>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -12,9 +11,6 @@
 #include "core/json/json.h"
 
 namespace underact::cli {
-
-/// How far an entry of R R^T may be off for R to be a rotation: 2 sqrt(3) times half of the sixth decimal.
-inline constexpr double kRotationTolerance = 2e-6;
 
 /// Answers each line of the input in order, flushed one by one; an invalid one is answered {"error", "line"}, the
 /// others are still answered. Keeps no state between lines.
@@ -30,7 +26,7 @@ Result<json::Value> readLine(std::string_view text, std::initializer_list<std::s
 Result<chain::JointValues> readJoints(const json::Value& line, const char* key, const chain::Chain& chain);
 
 /// The same numbers back as a line has them.
-std::vector<double> jointNumbers(const chain::Chain& chain, std::span<const double> q);
+std::vector<double> jointNumbers(const chain::Chain& chain, const chain::JointValues& q);
 
 /// Four rows of four; a rotation to 1e-6 (brought to the nearest one), lengths in mm of at most 1e9, last row 0 0 0 1.
 Result<Pose> readPose(const json::Value& line, const char* key);

@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/lab/search_tradeoff.h"
 #include "core/scene/fields.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::cli {
 namespace {
@@ -53,8 +54,9 @@ Exit searches(const SearchOptions& options, const Streams& streams) {
   const Result<sim::HandScript> hand = findHand(options.hand, options.seed);
   if (!hand) return fail(hand.problems(), exitOfHand(options.hand, hand.problems()), streams);
   const auto ticks = static_cast<int>(options.seconds * options.rate_hz);
-  const std::vector<lab::SearchTradeoff> trades =
-      lab::measureSearchTradeoff(loaded.value().program, hand.value(), options.rate_hz, ticks);
+  const std::vector<lab::SearchTradeoff> trades = lab::measureSearchTradeoff(
+      loaded.value().program, sim::madeFor(scene::armOf(loaded.value().description), hand.value()), options.rate_hz,
+      ticks);
   if (trades.empty()) {
     streams.err << options.scene << ": This scene has no mesh and no curve, so there is nothing to search.\n";
     return Exit::BadInput;

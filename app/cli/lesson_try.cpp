@@ -12,6 +12,7 @@
 #include "app/cli/shipped.h"
 #include "core/lesson/check_text.h"
 #include "core/lesson/read.h"
+#include "core/scene/scene_arm.h"
 #include "core/system/resource_paths.h"
 #include "device/lesson_attempt.h"
 
@@ -86,6 +87,7 @@ Exit tryStep(const TryOptions& options, const Streams& streams) {
       loadScene(lesson::sceneFileOf(lesson, options.step - 1, scenes ? scenes.value() : std::string()), streams);
   if (!scene) return fail(scene.problems(), streams);
   const lesson::Step& step = lesson.steps[options.step - 1];
+  attempt.hand = sim::madeFor(scene::armOf(scene.value().description), std::move(attempt.hand));
   const Result<device::LessonOutcome> outcome = tryLessonStep(step, std::move(scene.value().description), attempt);
   if (!outcome) return fail(outcome.problems(), streams);
   printOutcome(step, outcome.value(), options.json, streams);

@@ -7,6 +7,7 @@
 #include "app/cli/json_lines.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
+#include "core/kinematics/units.h"
 
 namespace underact::cli {
 namespace {
@@ -38,7 +39,8 @@ bool readMatrix(const Value& value, Mat3& matrix) {
 }
 
 bool isRotation(const Mat3& R) {
-  const bool orthonormal = (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= kRotationTolerance;
+  const bool orthonormal =
+      (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= kinematics::kRotationTolerance;
   return orthonormal && R.determinant() > 0.0;
 }
 

@@ -77,6 +77,10 @@ void printSharedArm(const device::remote::ShareOptions& options, const Address& 
 Exit share(const ShareArmOptions& asked, const KeyFolder& folder, const KeyPair& keys, const Streams& streams) {
   const arm::Preset* const preset = arm::findPreset(asked.arm);
   if (preset == nullptr) return fail({{"There is no arm \"" + asked.arm + "\".", {}}}, Exit::Usage, streams);
+  if (!arm::isOmniForm(*preset))
+    return fail(
+        {{"The arm \"" + asked.arm + "\" exists as a simulated arm of a scene only; there is none to share.", {}}},
+        Exit::Usage, streams);
   if (asked.device == kRemote || asked.device.starts_with(std::string(kRemote) + ":"))
     return fail({{"An arm that is shared over the network cannot be shared again. Share it on its own computer.", {}}},
                 Exit::Usage, streams);

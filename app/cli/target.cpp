@@ -41,16 +41,6 @@ void addRobot(JsonObject& object, const target::Robot& robot, const chain::Chain
   object.addList("theta", theta);
 }
 
-/// The status of all constraints together: unique if one acts and pulls the stylus, free if none is touched.
-Status statusOf(const tick::ConstraintReports& held) {
-  Status status = Status::Free;
-  for (const tick::ConstraintReport& one : held) {
-    if (one.acts && one.status == Status::Unique) return Status::Unique;
-    if (one.status == Status::Degenerate) status = Status::Degenerate;
-  }
-  return status;
-}
-
 JsonObject answer(const LoadedScene& loaded, const PoseLine& pose) {
   const tick::TickReport report = tick::evaluateAtRest(loaded.program, pose.p_WT, pose.R_WT);
   const double max_force_N = loaded.program.limits.max_force_N;
@@ -66,7 +56,7 @@ JsonObject answer(const LoadedScene& loaded, const PoseLine& pose) {
   }
   JsonObject all;
   const Vec3* p_WP = report.held.size() == 1 ? &report.held[0].p_WP : nullptr;
-  addAnswer(all, statusOf(report.held), p_WP, report.f_T_W, max_force_N);
+  addAnswer(all, tick::statusOf(report.held), p_WP, report.f_T_W, max_force_N);
   const auto* only = std::get_if<manipulator::Manipulator>(&loaded.program.entries[0].constraint.goal);
   if (report.held.size() == 1 && only != nullptr) addRobot(all, report.held[0].robot, only->chain);
   all.addList("constraints", constraints);

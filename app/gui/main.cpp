@@ -92,7 +92,9 @@ int runWindow(const options::WindowOptions& options, const Began& began) {
   if (!opener.isEmpty()) window.actions().perform(opener, asked);
   if (options.visitors) {
     QStringList scenes;
-    for (const std::string& path : options.visitor_scenes) scenes << QString::fromStdString(path);
+    for (const std::string& path : options.visitor_scenes) {
+      if (!path.empty()) scenes << QString::fromStdString(path);  // "--visitor" alone gives an empty one
+    }
     window.actions().perform("visitor.start", scenes);
   }
   return QApplication::exec();

@@ -250,7 +250,8 @@ void Writer::formula(bool display) {
     put("<code class=\"wrong\">" + escaped(formula_) + "</code>");
   }
   if (is_own_block) openParagraph();
-  say(formula_);
+  const Result<std::string> plain = texToText(formula_, {file_, line_});
+  say(plain ? plain.value() : formula_);
 }
 
 int Writer::text(MD_TEXTTYPE type, std::string_view text) {

@@ -1,6 +1,7 @@
 #include "app/page/tex.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/page/html.h"
 #include "app/page/tex_tree.h"
@@ -228,6 +229,24 @@ Result<std::string> texToHtml(std::string_view tex, bool display, const SourceLo
   if (!display) return "<span class=\"formula\">" + Line(" ").of(tree.value()) + "</span>";
   return "<table class=\"formula\" align=\"center\"" + kTable + "><tr>" + Display().cells(tree.value()) +
          "</tr></table>\n";
+}
+
+Result<std::string> texToText(std::string_view tex, const SourceLocation& place) {
+  Result<std::string> html = texToHtml(tex, false, place);
+  if (!html) return html;
+  std::string text;
+  bool in_tag = false;
+  for (const char letter : html.value()) {
+    if (letter == '<') in_tag = true;
+    if (!in_tag) text += letter;
+    if (letter == '>') in_tag = false;
+  }
+  for (const auto& [name, sign] : {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}}) {
+    const std::string entity = name;
+    for (std::size_t at = text.find(entity); at != std::string::npos; at = text.find(entity, at + 1))
+      text.replace(at, entity.size(), sign);
+  }
+  return text;
 }
 
 }  // namespace underact::page

@@ -12,4 +12,7 @@ namespace underact::page {
 /// as parseTex().
 Result<std::string> texToHtml(std::string_view tex, bool display, const SourceLocation& place);
 
+/// The formula as plain text on one line, for a search: "τ = JpT f". Problems: as parseTex().
+Result<std::string> texToText(std::string_view tex, const SourceLocation& place);
+
 }  // namespace underact::page

@@ -25,13 +25,17 @@ void readDevice(const Value& value, Model& model, Findings& findings) {
   device.continuous_force_N = numberAt(object, "continuous_force_N", true, 1.0);
   if (!(device.continuous_force_N > 0.0))
     findings.add(value, "device.continuous_force_N", said(TRANSLATE_NOOP("problem", "This must be above 0.")));
-  const Value* const counts = object.find("encoder_counts_per_turn", true);
-  const std::string path = "device.encoder_counts_per_turn";
-  if (counts != nullptr &&
-      isKind(*counts, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of six numbers")), findings)) {
-    if (counts->items.size() != 6)
-      findings.add(*counts, path, said(TRANSLATE_NOOP("problem", "This must be a list of six numbers.")));
-    for (std::size_t joint = 0; joint < std::min<std::size_t>(6, counts->items.size()); ++joint) {
+  // An arm of the thesis's kind is one that is plugged in, and has encoders; another one may be simulated alone.
+  const std::size_t joints = model.joints.size();
+  const Value* const counts = object.find("encoder_counts_per_turn", omniGeometry(model).has_value());
+  const std::string path = "device.encoder_counts_per_turn", number = std::to_string(joints);
+  if (counts != nullptr && isKind(*counts, json::Kind::Array, path,
+                                  said(TRANSLATE_NOOP("problem", "a list of numbers, one for each joint")), findings)) {
+    if (counts->items.size() != joints)
+      findings.add(*counts, path,
+                   said(TRANSLATE_NOOP("problem", "This must be a list of %1 numbers, one for each joint."), {number}));
+    for (std::size_t joint = 0; joint < std::min({device.counts_per_turn.size(), joints, counts->items.size()});
+         ++joint) {
       const Value& count = counts->items[joint];
       device.counts_per_turn[joint] = count.number;
       if (!(count.kind == json::Kind::Number && count.number >= 1.0 && std::isfinite(count.number))) {
@@ -44,8 +48,10 @@ void readDevice(const Value& value, Model& model, Findings& findings) {
   model.device = device;
 }
 
-/// A haptic device whose file does not say which joints are driven drives its first three, as all of this kind do.
+/// A haptic device of the thesis's kind whose file does not say which joints are driven drives its first three, as all
+/// of them do.
 void undriveGimbal(const Value& root, Model& model) {
+  if (!omniGeometry(model)) return;
   const Value* const rows = root.find("dh");
   const bool says = rows != nullptr && std::any_of(rows->items.begin(), rows->items.end(),
                                                    [](const Value& row) { return row.find("driven") != nullptr; });
@@ -81,13 +87,6 @@ Result<Model> readArm(std::string_view text, const std::string& file_name) {
     return findings.take();
   }
   const Model model = readWhole(root.value(), findings);
-  if (model.device && !model.rows.empty() && !omniGeometry(model)) {
-    const Value* const device = root.value().find("device");
-    findings.add(*device, "device",
-                 said(TRANSLATE_NOOP("problem",
-                                     "Only an arm with the geometry of table 3.1 of the thesis can be a device; "
-                                     "without \"device\" it can still be used for kinematics.")));
-  }
   Problems problems = findings.take();
   if (!problems.empty()) return problems;
   return model;

@@ -49,6 +49,10 @@ std::string moreOf(const Model& model, std::size_t i, const Pose& X_WLink) {
   }
   if (model.limits_wrist_size && i == 4) text += ", \"limits_of_size\": true";
   const JointFacts& facts = model.joints[i];
+  if (facts.rest) {
+    text += turns ? ", \"rest_rad\": " + numberText(*facts.rest)
+                  : ", \"rest_mm\": " + numberText(kMillimetrePerMetre * *facts.rest);
+  }
   if (!facts.name.empty()) text += ", \"name\": " + quotedText(facts.name);
   if (!facts.driven) text += ", \"driven\": false";
   if (!facts.sensed) text += ", \"sensed\": false";
@@ -93,8 +97,10 @@ Result<std::string> tableText(const Model& model) {
   }
   text += "  ],\n  \"X_WB\": " + poseText(model.X_WB) + ",\n  \"X_NT\": " + poseText(model.X_NT);
   if (model.device) {
-    text += ",\n  \"device\": {\"encoder_counts_per_turn\": " + listText(model.device->counts_per_turn) +
-            ", \"continuous_force_N\": " + numberText(model.device->continuous_force_N) + "}";
+    const std::span<const double> counts(model.device->counts_per_turn.data(), model.joints.size());
+    const bool stated = std::any_of(counts.begin(), counts.end(), [](double count) { return count > 0.0; });
+    text += ",\n  \"device\": {" + (stated ? "\"encoder_counts_per_turn\": " + listText(counts) + ", " : "") +
+            "\"continuous_force_N\": " + numberText(model.device->continuous_force_N) + "}";
   }
   return text + "\n}\n";
 }

@@ -1,6 +1,7 @@
 #include "core/arm/forward.h"
 
 #include "core/arm/axes.h"
+#include "core/arm/general_arm.h"
 #include "core/arm/wrist.h"
 #include "core/base/trig.h"
 
@@ -16,11 +17,19 @@ Vec3 inWorkspace(const Geometry& geometry, const SinCos& turret, double reach_m,
 }  // namespace
 
 Vec3 tipPosition(const Geometry& geometry, const JointAngles& q_rad) noexcept {
+  if (geometry.general != nullptr) return chain::forward(geometry.general->chain, q_rad).translation();
   const Plane at = planeOf(geometry, q_rad);
   return inWorkspace(geometry, at.turret, at.out_m, at.up_m);
 }
 
 Skeleton skeleton(const Geometry& geometry, const JointAngles& q_rad) noexcept {
+  if (geometry.general != nullptr) {
+    const chain::Chain& chain = geometry.general->chain;
+    std::array<Pose, chain::kMaxJoints> X_WLinks;
+    const Vec3 p_WT = chain::forward(chain, q_rad, X_WLinks).translation();
+    const std::size_t middle = chain.joints.size() / 2;
+    return {chain.joints.front().p_WJ, X_WLinks[middle] * chain.joints[middle].p_WJ, p_WT};
+  }
   const SinCos turret = sinCos(q_rad[0]), thigh = sinCos(q_rad[1]);
   return {geometry.p_WB, inWorkspace(geometry, turret, geometry.upper_m * thigh.cos, geometry.upper_m * thigh.sin),
           tipPosition(geometry, q_rad)};
@@ -37,6 +46,7 @@ Mat3 baseFromForearm(const JointAngles& q_rad) noexcept {
 }
 
 Pose tipPose(const Geometry& geometry, const JointAngles& q_rad) noexcept {
+  if (geometry.general != nullptr) return chain::forward(geometry.general->chain, q_rad);
   const Plane at = planeOf(geometry, q_rad);
   Pose X_WT = Pose::Identity();
   X_WT.linear() = axesOf(at, q_rad).R_WT;

@@ -5,6 +5,8 @@
 
 namespace underact::arm {
 
+// Of an arm of another form (geometry.general) as chain::forward() says, from as many joints as it has.
+
 /// p_WT, m, from the first three joints: the wrist's axes meet in the tip, so the wrist is not computed.
 /// Source: Beckman 2007, eq. 3.1 and 3.5 (erratum 3.5: L1, L2 for a_2, d_4). Not finite in, not finite out.
 Vec3 tipPosition(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
@@ -14,7 +16,8 @@ Vec3 tipPosition(const Geometry& geometry, const JointAngles& q_rad) noexcept UN
 /// Ry(q5) Rz(q6).
 Pose tipPose(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
-/// The positions of shoulder, elbow and tip in W, m: what a drawing of the arm needs.
+/// The positions of shoulder, elbow and tip in W, m: what a drawing of the arm needs. Of an arm of another form, its
+/// first and its middle joint and the tip.
 struct Skeleton {
   Vec3 p_WShoulder;
   Vec3 p_WElbow;

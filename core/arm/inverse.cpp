@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/arm/forward.h"
+#include "core/arm/general_arm.h"
 #include "core/arm/planar.h"
 #include "core/arm/wrist.h"
 #include "core/base/trig.h"
@@ -11,6 +12,7 @@
 namespace underact::arm {
 
 PositionSolution solvePosition(const Geometry& geometry, const Vec3& p_WT) noexcept {
+  if (geometry.general != nullptr) return {geometry.general->rest, false};
   const PlanarReach at = planarReach(geometry, p_WT);
   const SinCos thigh = scaledThigh(geometry, at, 1.0);
   PositionSolution result;
@@ -30,9 +32,10 @@ JointAngles solveWrist(JointAngles q_rad, const Mat3& R_WT) noexcept {
 
 JointAngles withinLimits(const JointLimits& limits, JointAngles q_rad) noexcept {
   for (std::size_t joint = 0; joint < q_rad.size(); ++joint) {
-    const double size_rad = joint == 4 ? std::abs(q_rad[joint]) : q_rad[joint];
+    const bool is_size = joint == 4 && limits.of_wrist_size;
+    const double size_rad = is_size ? std::abs(q_rad[joint]) : q_rad[joint];
     const double held_rad = std::clamp(size_rad, limits.min_rad[joint], limits.max_rad[joint]);
-    q_rad[joint] = joint == 4 ? std::copysign(held_rad, q_rad[joint]) : held_rad;
+    q_rad[joint] = is_size ? std::copysign(held_rad, q_rad[joint]) : held_rad;
   }
   return q_rad;
 }

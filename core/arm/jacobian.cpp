@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/arm/axes.h"
+#include "core/arm/general_arm.h"
+#include "core/base/decompositions.h"
 #include "core/base/trig.h"
 #include "core/base/units.h"
 
@@ -41,15 +44,29 @@ Pair decompose(double a, double b, double c, double d) noexcept UNDERACT_REAL_TI
 }  // namespace
 
 Mat3 positionJacobian(const Geometry& geometry, const JointAngles& q_rad) noexcept {
+  if (geometry.general != nullptr)
+    return watchedColumns(*geometry.general, chain::jacobian(geometry.general->chain, q_rad));
   return positionJacobian(planeOf(geometry, q_rad));
 }
 
 Tip tip(const Geometry& geometry, const JointAngles& q_rad) noexcept {
+  if (geometry.general != nullptr) {
+    const chain::Kinematics at = chain::kinematics(geometry.general->chain, q_rad);
+    return {at.X_WT.translation(), watchedColumns(*geometry.general, at.J)};
+  }
   const Plane at = planeOf(geometry, q_rad);
   return {geometry.p_WB + Vec3(at.turret.sin * at.out_m, at.up_m, at.turret.cos * at.out_m), positionJacobian(at)};
 }
 
 Kinematics kinematics(const Geometry& geometry, const JointAngles& q_rad) noexcept {
+  if (geometry.general != nullptr) {
+    const chain::Kinematics at = chain::kinematics(geometry.general->chain, q_rad);
+    Kinematics result;
+    result.X_WT = at.X_WT;
+    for (Eigen::Index joint = 0; joint < std::min<Eigen::Index>(6, at.J.cols()); ++joint)
+      result.J.col(joint) = at.J.col(joint);
+    return result;
+  }
   const Plane at = planeOf(geometry, q_rad);
   const Axes axes = axesOf(at, q_rad);
   Kinematics result;
@@ -89,7 +106,36 @@ Dexterity dexterity(const Geometry& geometry, const JointAngles& q_rad) noexcept
   return result;
 }
 
+Dexterity dexterityOf(const Geometry& geometry, const JointAngles& q_rad) {
+  if (geometry.general == nullptr) return dexterity(geometry, q_rad);
+  const GeneralArm& arm = *geometry.general;
+  const chain::Jacobian J = chain::jacobian(arm.chain, q_rad);
+  Mat3 square = Mat3::Zero();
+  for (Eigen::Index joint = 0; joint < J.cols(); ++joint) {
+    const Vec3 way = J.col(joint).head<3>();
+    if (arm.driven[static_cast<std::size_t>(joint)]) square += way * way.transpose();
+  }
+  Dexterity result;
+  result.J = watchedColumns(arm, J);
+  if (!square.allFinite()) return result;
+  const PrincipalAxes principal = principalAxes(square);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    result.axes_W.col(axis) = principal.axes.col(2 - axis);
+    result.gain_m[axis] = std::sqrt(std::max(0.0, principal.values[2 - axis]));
+  }
+  if (result.axes_W.determinant() < 0.0) result.axes_W.col(2) = -result.axes_W.col(2);
+  result.manipulability_m3 = result.gain_m.prod();
+  const double sign = result.J.determinant() < 0.0 && J.cols() == 3 ? -1.0 : 1.0;
+  result.det_m3 = sign * result.manipulability_m3;
+  result.condition = result.gain_m[2] > 0.0 ? result.gain_m[0] / result.gain_m[2] : kInfinity;
+  return result;
+}
+
 SingularityDistances singularityDistances(const Geometry& geometry, const JointAngles& q_rad) noexcept {
+  if (geometry.general != nullptr) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    return {kNone, kNone, kNone};
+  }
   const Plane at = planeOf(geometry, q_rad);
   const SinCos elbow = sinCos(q_rad[2]), wrist = sinCos(q_rad[4]);
   return {std::abs(at.out_m), atan2Of(std::abs(elbow.cos), std::abs(elbow.sin)),

@@ -7,6 +7,7 @@ namespace underact::arm {
 
 /// J_p, 3x3, m/rad: v_WT = J_p (dq1, dq2, dq3)/dt, in W; joints 4 to 6 do not move the tip. Source: derivative of eq.
 /// 3.5.
+/// Of an arm of another form (geometry.general): the columns of its watched joints.
 Mat3 positionJacobian(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
 /// p_WT and J_p from one set of sines.
@@ -23,7 +24,8 @@ struct Kinematics {
   Pose X_WT = Pose::Identity();
   Mat6 J = Mat6::Zero();
 };
-/// Not finite in, not finite out. Source: eq. 3.5 and 3.6 (errata 3.5, 3.6); w by the axes of the joints.
+/// Not finite in, not finite out. Source: eq. 3.5 and 3.6 (errata 3.5, 3.6); w by the axes of the joints. Of an arm of
+/// another form, at its tip; columns beyond its joints are 0.
 Kinematics kinematics(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
 /// The image of a ball of joint rates under J_p: axes_W its principal directions in W (columns, right-handed), gain_m
@@ -37,8 +39,12 @@ struct Dexterity {
   double manipulability_m3 = 0.0;  // Yoshikawa's, |det|
   double condition = 0.0;          // largest over smallest gain; infinite where singular
 };
-/// In closed form: column 1 is at right angles to the other two, which lie in the plane of the arm.
+/// In closed form: column 1 is at right angles to the other two, which lie in the plane of the arm. Not of an arm of
+/// another form.
 Dexterity dexterity(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
+/// The same of an arm of any form: of another one for its driven joints, as many as they are; J has the columns of the
+/// watched ones, and det_m3 a sign only where there are three joints. Not for the servo thread.
+Dexterity dexterityOf(const Geometry& geometry, const JointAngles& q_rad);
 
 /// The distance from each singularity; 0 is on it.
 struct SingularityDistances {
@@ -46,7 +52,8 @@ struct SingularityDistances {
   double elbow_rad = 0.0;   // of q3 from +-90 degrees, stretched or folded
   double wrist_rad = 0.0;   // of q5 from 0 or pi
 };
-/// Each is 0 or above. From q1 to q3 and q5; joint limits do not matter. Not finite in, not finite out.
+/// Each is 0 or above; not a number of an arm of another form. From q1 to q3 and q5; joint limits do not matter. Not
+/// finite in, not finite out.
 SingularityDistances singularityDistances(const Geometry& geometry,
                                           const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 

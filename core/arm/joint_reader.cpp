@@ -52,6 +52,22 @@ double limitAt(ObjectReader& object, const std::string& which, bool turns, doubl
   return numberAt(object, rad.c_str(), false, otherwise);
 }
 
+/// Where a joint rests.
+std::optional<double> restAt(ObjectReader& object, bool turns) {
+  const char* const key = turns ? "rest_deg" : "rest_mm";
+  object.refuse(turns ? "rest_mm" : "rest_deg",
+                turns ? said(TRANSLATE_NOOP("problem", "A revolute joint rests at an angle: \"%1\"."), {key})
+                      : said(TRANSLATE_NOOP("problem", "A prismatic joint rests at a length: \"%1\"."), {key}));
+  const json::Value* const in_rad = turns ? object.find("rest_rad") : nullptr;
+  if (in_rad != nullptr && object.find(key) != nullptr) {
+    object.findings().add(*in_rad, object.pathOf("rest_rad"),
+                          said(TRANSLATE_NOOP("problem", "The rest is already given by \"%1\"."), {key}));
+  }
+  if (in_rad != nullptr) return numberAt(object, "rest_rad", false);
+  if (object.find(key) == nullptr) return {};
+  return turns ? kRadPerDegree * numberAt(object, key, false) : lengthAt(object, key, false);
+}
+
 /// Mass, centre and inertia of a link, in its frame.
 bool readMass(ObjectReader& joint, LinkMass& mass) {
   const Value* const value = joint.find("mass");
@@ -97,6 +113,9 @@ JointLines readLines(ObjectReader& object, const Value& value, const std::string
   if (!(joint.min < joint.max))
     findings.add(value, path,
                  said(TRANSLATE_NOOP("problem", "The joint's lower limit must be below its upper limit.")));
+  joint.facts.rest = restAt(object, turns);
+  if (joint.facts.rest && !(*joint.facts.rest >= joint.min && *joint.facts.rest <= joint.max))
+    findings.add(value, path, said(TRANSLATE_NOOP("problem", "The joint's rest must be within its limits.")));
   if (const Value* const name = object.find("name"))
     json::readText(*name, object.pathOf("name"), joint.facts.name, findings);
   joint.says_driven = object.find("driven") != nullptr;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/arm/general_arm.h"
 #include "core/arm/preset.h"
 #include "core/base/result.h"
 #include "core/chain/chain.h"
@@ -16,24 +17,18 @@ namespace underact::arm {
 /// The most joints that an arm file can have.
 inline constexpr std::size_t kMostJoints = 8;
 
-/// The data of an arm that is a haptic device.
+/// The data of an arm that is a haptic device, or simulated as one.
 struct DeviceFigures {
-  EncoderCounts counts_per_turn{};
+  EncoderCounts counts_per_turn{};  // of a joint that slides: steps per mm; 0: not stated, its values are exact
   double continuous_force_N = 0.0;
 };
 
 /// What a file says of a joint besides its geometry.
 struct JointFacts {
   std::string name;
-  bool driven = true;  // by a motor: it can render a force
-  bool sensed = true;  // its value is measured
-};
-
-/// The mass that a joint carries along, up to the next joint; with all joints at 0, in W.
-struct LinkMass {
-  double mass_kg = 0.0;
-  Vec3 p_WC = Vec3::Zero();             // its centre of mass
-  Mat3 inertia_W_kg_m2 = Mat3::Zero();  // about that
+  bool driven = true;          // by a motor: it can render a force
+  bool sensed = true;          // its value is measured
+  std::optional<double> rest;  // rad or m, within the limits: where it is when nobody has moved it
 };
 
 /// The form in which a file gives the geometry.
@@ -77,8 +72,10 @@ std::string_view fileOf(std::string_view name);
 /// closed form.
 std::optional<Geometry> omniGeometry(const Model& model);
 
-/// What a scene needs of an arm that is a haptic device; none of another one, or of one without omniGeometry().
-std::optional<Preset> presetOf(const Model& model);
+/// What a scene needs of its arm. Problems: a haptic device of omniGeometry() without its figures; an arm of more than
+/// six joints, or one with a joint that is not sensed, so that nobody would know where its tip is. The sentences have
+/// no place.
+Result<Preset> presetOf(const Model& model);
 
 /// The limits of an arm of six joints, rad.
 JointLimits limitsOf(const Model& model);

@@ -5,41 +5,111 @@
 #include <vector>
 
 #include "core/arm/apparent_mass.h"
+#include "core/arm/general_arm.h"
 #include "core/arm/model.h"
+#include "core/base/translate.h"
 
 namespace underact::arm {
 namespace {
 
-std::vector<Preset> devices() {
+constexpr double kUnstatedForce_N = 5.0;  // of an arm whose file does not say: what a hand on it takes for granted
+
+/// Those of all joints, with what the arm of a scene needs more.
+std::shared_ptr<const GeneralArm> generalOf(const Model& model) {
+  GeneralArm arm;
+  arm.chain = model.chain;
+  arm.masses = model.masses;
+  arm.X_WB = model.X_WB;
+  for (std::size_t joint = 0; joint < model.joints.size(); ++joint) {
+    const auto& [min, max] = std::pair{model.rows[joint].min, model.rows[joint].max};
+    arm.driven[joint] = model.joints[joint].driven;
+    arm.rest[joint] = model.joints[joint].rest.value_or(std::clamp(0.0, min, max));
+  }
+  return std::make_shared<const GeneralArm>(std::move(arm));
+}
+
+/// Of joints that the arm does not have: none.
+JointLimits generalLimits(const Model& model) {
+  JointLimits limits = limitsOf(model);
+  limits.of_wrist_size = model.limits_wrist_size;
+  for (std::size_t joint = model.rows.size(); joint < limits.min_rad.size(); ++joint)
+    limits.min_rad[joint] = -kInfinity, limits.max_rad[joint] = kInfinity;
+  return limits;
+}
+
+/// Whether the motors are those of the Omni: joints 1 to 3, and no more.
+bool drivesFirstThree(const Model& model) {
+  for (std::size_t joint = 0; joint < model.joints.size(); ++joint) {
+    if (model.joints[joint].driven != (joint < 3)) return false;
+  }
+  return true;
+}
+
+std::vector<Preset> all() {
   std::vector<Preset> all;
   for (const Model& model : models()) {
-    if (std::optional<Preset> preset = presetOf(model)) all.push_back(std::move(*preset));
+    if (Result<Preset> preset = presetOf(model)) all.push_back(std::move(preset).value());
   }
+  std::stable_partition(all.begin(), all.end(), isOmniForm);
   return all;
 }
 
 }  // namespace
 
-std::optional<Preset> presetOf(const Model& model) {
+Result<Preset> presetOf(const Model& model) {
   const std::optional<Geometry> geometry = omniGeometry(model);
-  if (!model.device || !geometry) return {};
-  return Preset{model.name,
-                model.title,
-                model.provenance,
-                *geometry,
-                limitsOf(model),
-                model.device->counts_per_turn,
-                model.device->continuous_force_N,
-                apparentMass_kg(model)};
+  if (geometry && model.device && drivesFirstThree(model)) {
+    return Preset{model.name,
+                  model.title,
+                  model.provenance,
+                  *geometry,
+                  limitsOf(model),
+                  model.device->counts_per_turn,
+                  model.device->continuous_force_N,
+                  apparentMass_kg(model)};
+  }
+  if (geometry && !model.device) {
+    return Problems{
+        {said(TRANSLATE_NOOP("problem",
+                             "The arm of a scene with the geometry of table 3.1 of the thesis is a haptic device, "
+                             "which needs %1 and %2 here: %3."),
+              {"\"encoder_counts_per_turn\"", "\"continuous_force_N\"",
+               R"("device": {"encoder_counts_per_turn": [4096, 4096, 4096, 4096, 4096, 4096], )"
+               R"("continuous_force_N": 1})"})}};
+  }
+  const std::size_t count = model.joints.size();
+  if (count > JointAngles().size()) {
+    return Problems{{said(TRANSLATE_NOOP("problem", "The arm of a scene can have up to six joints; this one has %1."),
+                          {std::to_string(count)})}};
+  }
+  for (std::size_t joint = 0; joint < count; ++joint) {
+    if (model.joints[joint].sensed) continue;
+    return Problems{{said(TRANSLATE_NOOP("problem",
+                                         "Joint %1 is not sensed, so that the position of the tip would be unknown: "
+                                         "the arm of a scene needs each of its joints sensed."),
+                          {std::to_string(joint + 1)})}};
+  }
+  Preset preset{model.name, model.title, model.provenance, {}, generalLimits(model), {}, kUnstatedForce_N, 0.0};
+  preset.geometry.general = generalOf(model);
+  if (model.device) {
+    preset.counts_per_turn = model.device->counts_per_turn;
+    preset.continuous_force_N = model.device->continuous_force_N;
+  }
+  return preset;
 }
 
-std::span<const Preset> presets() {
-  static const std::vector<Preset> kAll = devices();
+std::span<const Preset> sceneArms() {
+  static const std::vector<Preset> kAll = all();
   return kAll;
 }
 
+std::span<const Preset> presets() {
+  const std::span<const Preset> every = sceneArms();
+  return every.first(static_cast<std::size_t>(std::count_if(every.begin(), every.end(), isOmniForm)));
+}
+
 const Preset* findPreset(std::string_view name) {
-  const std::span<const Preset> every = presets();
+  const std::span<const Preset> every = sceneArms();
   const auto found =
       std::find_if(every.begin(), every.end(), [&](const Preset& preset) { return name == preset.name; });
   return found == every.end() ? nullptr : &*found;

@@ -171,7 +171,7 @@ class Walk {
     model_.chain.joints.push_back({turns ? chain::JointType::Revolute : chain::JointType::Prismatic,
                                    sense * (X_WLink_.linear() * joint.axis).normalized(), X_WLink_.translation(),
                                    joint.min, joint.max});
-    model_.joints.push_back({joint.name, true, true});
+    model_.joints.push_back({joint.name, true, true, {}});
     model_.masses.emplace_back();
     if (model_.joints.size() == kMostJoints + 1)
       family_.say(joint.line, "joint",

@@ -85,10 +85,12 @@ struct Check {
 /// A page of a lesson: what it says, what it shows and what it checks.
 struct Step {
   std::string title;
-  std::string text;    // Markdown with $formulas$
-  std::string hint;    // the same; empty: none
-  std::string scene;   // a shipped scene's name, or a file seen from the lesson's; empty: that of the step before
-  std::string camera;  // empty: as it is
+  std::string text;        // Markdown with $formulas$
+  std::string hint;        // the same; empty: none
+  std::string scene;       // a shipped scene's name, or a file seen from the lesson's; empty: that of the step before
+  bool continues = false;  // scene and arm stay as the student left them in the step before
+  std::vector<double> pose_deg;     // where the simulated arm begins, ° or mm by joint; empty: at rest
+  std::string camera;               // empty: the home view
   std::vector<std::string> layers;  // that are shown besides
   std::vector<std::string> panels;  // that are brought forward
   std::vector<Check> checks;        // none: it is read only
@@ -99,7 +101,8 @@ struct Step {
 struct Lesson {
   std::string title;
   std::string group;
-  double order = 0.0;  // among all lessons
+  double order = 0.0;    // among all lessons
+  double minutes = 0.0;  // that it takes; 0: not said
   std::string about;
   std::vector<Step> steps;  // at least one
   std::string file;

@@ -3,12 +3,16 @@
 
 #include "core/arm/branches.h"
 #include "core/arm/forward.h"
+#include "core/arm/general_arm.h"
 #include "core/arm/jacobian.h"
+#include "core/arm/model.h"
 #include "core/arm/sample.h"
 #include "core/arm/statics.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
+#include "core/chain/inverse.h"
 #include "core/lesson/quantity.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::lesson {
 namespace {
@@ -42,13 +46,47 @@ Values inDegrees(const arm::JointAngles& angles_rad) {
   return values;
 }
 
+/// Of each joint, in degrees, or mm where it slides.
+Values joints(const Observation& seen) {
+  Values values = inDegrees(seen.tick.q_rad);
+  const arm::GeneralArm* const general = seen.arm.geometry.general.get();
+  if (general == nullptr) return values;
+  for (std::size_t joint = 0; joint < seen.tick.q_rad.size(); ++joint) {
+    if (joint >= general->chain.joints.size()) {
+      values[joint] = kNotANumber;
+    } else if (general->chain.joints[joint].type == chain::JointType::Prismatic) {
+      values[joint] = kMillimetrePerMetre * seen.tick.q_rad[joint];
+    }
+  }
+  return values;
+}
+
+/// How many solutions the pose has on an arm that is not of the Omni's form, and how many are within the limits; none:
+/// it has no closed form.
+struct Count {
+  double all = kNotANumber, within = kNotANumber;
+};
+Count countOf(const Observation& seen) {
+  const arm::GeneralArm& general = *seen.arm.geometry.general;
+  const chain::Inverse inverse = chain::inverseOf(general.chain);
+  if (!inverse.isClosed()) return {};
+  const chain::InverseSolutions found = chain::solveAll(inverse, arm::tipPose(seen.arm.geometry, seen.tick.q_rad));
+  Count count{0.0, 0.0};
+  for (std::size_t index = 0; index < found.count; ++index) {
+    const std::span<const double> q = std::span(found.all[index].q).first(general.chain.joints.size());
+    count.all += 1.0;
+    if (arm::isWithinLimits(scene::modelOf(seen.scene), q)) count.within += 1.0;
+  }
+  return count;
+}
+
 arm::Solutions solutionsOf(const Observation& seen) {
   const arm::Geometry& geometry = seen.arm.geometry;
   return arm::solveAll(geometry, seen.arm.limits, arm::tipPose(geometry, seen.tick.q_rad));
 }
 
 arm::Dexterity dexterityOf(const Observation& seen) {
-  return arm::dexterity(seen.arm.geometry, seen.tick.q_rad);
+  return arm::dexterityOf(seen.arm.geometry, seen.tick.q_rad);
 }
 
 arm::SingularityDistances distancesOf(const Observation& seen) {
@@ -81,6 +119,8 @@ const scene::VirtualManipulator* robotOf(const scene::Description& scene) {
 }
 
 Values tipInBase_mm(const Observation& seen) {
+  const arm::GeneralArm* const general = seen.arm.geometry.general.get();
+  if (general != nullptr) return three(kMillimetrePerMetre * (general->X_WB.inverse(Eigen::Isometry) * seen.tick.p_WT));
   const Vec3 p_BT_W = seen.tick.p_WT - seen.arm.geometry.p_WB;
   return three(kMillimetrePerMetre * (arm::workspaceFromBase().transpose() * p_BT_W));
 }
@@ -97,13 +137,20 @@ Values branch(const Observation& seen) {
   return one(1.0 + (is.shoulder < 0 ? 4.0 : 0.0) + (is.elbow < 0 ? 2.0 : 0.0) + (is.wrist < 0 ? 1.0 : 0.0));
 }
 
+Values solutions(const Observation& seen) {
+  if (!arm::isOmniForm(seen.arm)) return one(countOf(seen).all);
+  return one(static_cast<double>(solutionsOf(seen).count));
+}
+
 Values solutionsWithin(const Observation& seen) {
+  if (!arm::isOmniForm(seen.arm)) return one(countOf(seen).within);
   const arm::Solutions all = solutionsOf(seen);
   return one(static_cast<double>(
       std::count_if(all.begin(), all.end(), [](const arm::Solution& one) { return one.within_limits; })));
 }
 
 Values limit_deg(const Observation& seen) {
+  if (!arm::isOmniForm(seen.arm)) return unknown();
   double least_rad = kInfinity;
   for (std::size_t joint = 0; joint < 3; ++joint) {
     const double q_rad = seen.tick.q_rad[joint];
@@ -167,20 +214,20 @@ std::span<const Quantity> quantities() {
        "Velocity of the tip in W, filtered.",
        [](const Observation& seen) { return three(kMillimetrePerMetre * seen.tick.v_WT); }},
       {"speed_mm_per_s", TRANSLATE_NOOP("problem", "The speed"), "mm/s", 1, 1, Euclidean, Nothing,
-       "Magnitude of the velocity.", [](const Observation& seen) { return one(kMillimetrePerMetre * seen.tick.v_WT.norm()); }},
+       "Magnitude of the velocity.",
+       [](const Observation& seen) { return one(kMillimetrePerMetre * seen.tick.v_WT.norm()); }},
       {"stylus", TRANSLATE_NOOP("problem", "The direction of the stylus"), "", 2, 3, Angle, Nothing,
        "Direction of the stylus: z of frame 6 in W. The distance between two directions is an angle.",
        [](const Observation& seen) { return three(arm::tipPose(seen.arm.geometry, seen.tick.q_rad).linear().col(2)); }},
       {"q_deg", TRANSLATE_NOOP("problem", "The joint angle"), "°", 1, 6, Largest, Nothing,
-       "Joint angles of the DH table.", [](const Observation& seen) { return inDegrees(seen.tick.q_rad); }},
+       "Joint angles of the DH table; prismatic joints in mm.", joints},
       {"device_deg", TRANSLATE_NOOP("problem", "The device's angle"), "°", 1, 6, Largest, Nothing,
        "The device's own angles: turret, thigh, shin (from the base), gimbal 1 to 3.",
        [](const Observation& seen) { return inDegrees(arm::deviceFromDh(seen.tick.q_rad)); }},
       {"branch", TRANSLATE_NOOP("problem", "The solution"), "", 0, 1, Euclidean, Nothing,
        "Number of the arm's current inverse solution, as in the panel Kinematics.", branch},
       {"solutions", TRANSLATE_NOOP("problem", "The number of inverse solutions"), "", 0, 1, Euclidean, Nothing,
-       "Number of inverse solutions of the pose.",
-       [](const Observation& seen) { return one(static_cast<double>(solutionsOf(seen).count)); }},
+       "Number of inverse solutions of the pose.", solutions},
       {"solutions_within", TRANSLATE_NOOP("problem", "The number of solutions within the limits"), "", 0, 1, Euclidean,
        Nothing, "Number of them with every joint within its limits.", solutionsWithin},
       {"det_Jp_cm3", TRANSLATE_NOOP("problem", "The determinant of J_p"), "cm³", 1, 1, Euclidean, Nothing,
@@ -204,7 +251,8 @@ std::span<const Quantity> quantities() {
       {"limit_deg", TRANSLATE_NOOP("problem", "The distance to the nearest joint limit"), "°", 1, 1, Largest, Nothing,
        "Distance to the nearest joint limit of joints 1 to 3.", limit_deg},
       {"force_N", TRANSLATE_NOOP("problem", "The force"), "N", 2, 1, Euclidean, Nothing,
-       "Magnitude of the force that is sent.", [](const Observation& seen) { return one(seen.tick.f_sent_T_W.norm()); }},
+       "Magnitude of the force that is sent.",
+       [](const Observation& seen) { return one(seen.tick.f_sent_T_W.norm()); }},
       {"force_vector_N", TRANSLATE_NOOP("problem", "The force"), "N", 2, 3, Euclidean, Nothing,
        "The force that is sent, in W.", [](const Observation& seen) { return three(seen.tick.f_sent_T_W); }},
       {"asked_N", TRANSLATE_NOOP("problem", "The commanded force"), "N", 2, 1, Euclidean, Nothing,
@@ -231,8 +279,9 @@ std::span<const Quantity> quantities() {
       {"energy_mJ", TRANSLATE_NOOP("problem", "The energy"), "mJ", 2, 1, Euclidean, Energy,
        "Energy that the stylus has put in and not got back; below 0 the scene is active.",
        [](const Observation& seen) { return one(kMillijoules * seen.tick.energy_J); }},
-      {"passive_N", TRANSLATE_NOOP("problem", "The damping force of the passivity controller"), "N", 2, 1, Euclidean, Energy,
-       "Damping force of the passivity controllers.", [](const Observation& seen) { return one(seen.tick.passive_N); }},
+      {"passive_N", TRANSLATE_NOOP("problem", "The damping force of the passivity controller"), "N", 2, 1, Euclidean,
+       Energy, "Damping force of the passivity controllers.",
+       [](const Observation& seen) { return one(seen.tick.passive_N); }},
       {"kp_N_per_mm", TRANSLATE_NOOP("problem", "The stiffness kp"), "N/mm", 2, 3, Euclidean, Nothing,
        "Stiffness of the first constraint, along x, y, z.",
        [](const Observation& seen) { return three(control(seen).gains.kp_N_per_mm); }},
@@ -246,7 +295,9 @@ std::span<const Quantity> quantities() {
        "Joints of the first virtual robot; prismatic joints in mm.", robotJoints},
       {"robot_energy_mJ", TRANSLATE_NOOP("problem", "The robot's energy"), "mJ", 2, 1, Euclidean, Robot,
        "Energy of the robot's springs.",
-       [](const Observation& seen) { return seen.robot.joints == 0 ? unknown() : one(kMillijoules * seen.robot.energy_J); }},
+       [](const Observation& seen) {
+         return seen.robot.joints == 0 ? unknown() : one(kMillijoules * seen.robot.energy_J);
+       }},
       {"moment_N_mm", TRANSLATE_NOOP("problem", "The moment that is not sent"), "N mm", 1, 1, Euclidean, Robot,
        "Magnitude of the moment, which is not sent.",
        [](const Observation& seen) {

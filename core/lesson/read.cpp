@@ -1,7 +1,9 @@
 #include "core/lesson/read.h"
 
 #include <cmath>
+#include <tuple>
 
+#include "core/arm/sample.h"
 #include "core/base/translate.h"
 #include "core/json/text.h"
 #include "core/lesson/read_parts.h"
@@ -11,6 +13,7 @@ namespace underact::lesson {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 20;
+constexpr std::size_t kMostJoints = std::tuple_size_v<arm::JointAngles>;
 
 void readVersion(ObjectReader& object) {
   const json::Value* const value = object.find("underact_lesson", true);
@@ -61,6 +64,34 @@ void readChecks(ObjectReader& object, std::vector<Check>& into) {
   }
 }
 
+bool readContinues(ObjectReader& object, bool is_first) {
+  bool continues = false;
+  const json::Value* const value = object.find("continues");
+  if (value == nullptr) return continues;
+  const std::string path = object.pathOf("continues");
+  if (isKind(*value, json::Kind::Bool, path, said(TRANSLATE_NOOP("problem", "true or false")), object.findings()))
+    continues = value->boolean;
+  if (continues && is_first)
+    object.findings().add(*value, path, said(TRANSLATE_NOOP("problem", "The first step has none before it.")));
+  return continues;
+}
+
+void readPose(ObjectReader& object, std::vector<double>& into) {
+  const json::Value* const list = object.find("pose_deg");
+  if (list == nullptr) return;
+  const std::string path = object.pathOf("pose_deg");
+  if (!isKind(*list, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of numbers")), object.findings()))
+    return;
+  if (list->items.empty() || list->items.size() > kMostJoints)
+    object.findings().add(*list, path,
+                          said(TRANSLATE_NOOP("problem", "A pose has 1 to %1 joints."), {std::to_string(kMostJoints)}));
+  for (std::size_t index = 0; index < list->items.size(); ++index) {
+    double value = 0.0;
+    readNumber(list->items[index], path + "[" + std::to_string(index) + "]", value, object.findings());
+    into.push_back(value);
+  }
+}
+
 Step readStep(const json::Value& value, const std::string& path, bool is_first, Findings& findings) {
   Step step;
   step.place = {findings.file(), value.line, value.column, path};
@@ -75,6 +106,8 @@ Step readStep(const json::Value& value, const std::string& path, bool is_first, 
       findings.add(*scene, object.pathOf("scene"),
                    said(TRANSLATE_NOOP("problem", "Name a scene, as in \"02_sphere\" or \"my_scene.json\".")));
   }
+  step.continues = readContinues(object, is_first);
+  readPose(object, step.pose_deg);
   step.camera = readCamera(object);
   step.layers = readNames(object, "layers", layerNames(), said(TRANSLATE_NOOP("problem", "layer")));
   step.panels = readNames(object, "panels", panelNames(), said(TRANSLATE_NOOP("problem", "panel")));
@@ -97,6 +130,14 @@ void readSteps(ObjectReader& object, std::vector<Step>& into) {
   }
 }
 
+void readMinutes(ObjectReader& object, double& minutes) {
+  const json::Value* const value = object.find("minutes");
+  if (value == nullptr) return;
+  readNumber(*value, "minutes", minutes, object.findings());
+  if (value->kind == json::Kind::Number && !(minutes > 0.0))
+    object.findings().add(*value, "minutes", said(TRANSLATE_NOOP("problem", "This must be above 0.")));
+}
+
 Lesson readWhole(const json::Value& root, Findings& findings) {
   Lesson lesson;
   lesson.file = findings.file();
@@ -106,6 +147,7 @@ Lesson readWhole(const json::Value& root, Findings& findings) {
   lesson.group = readLine(object, "group", false);
   lesson.about = readProse(object, "about", false);
   if (const json::Value* const order = object.find("order")) readNumber(*order, "order", lesson.order, findings);
+  readMinutes(object, lesson.minutes);
   readSteps(object, lesson.steps);
   if (const json::Value* const schema = object.find("$schema")) {  // for editors; says nothing about the lesson
     isKind(*schema, json::Kind::String, "$schema", said(TRANSLATE_NOOP("problem", "text in double quotes")), findings);

@@ -93,6 +93,7 @@ struct Recorder::Impl {
     for (servo::TickRecord record; tap->take(record);) batch.push_back(record);
     for (servo::Change change; tap->take(change);) note(writer.add(change, tap->takeScene(change.revision)));
     for (servo::FaultMark fault; tap->take(fault);) note(writer.add(fault));
+    for (servo::Push push; tap->take(push);) note(writer.add(push));
     for (const Mark& mark : takeMarks()) note(writer.mark(mark.tick, mark.label));
     for (const json::ObjectText& changed : takeNotes())
       note(writer.addProvenance(batch.empty() ? tap->firstTick() : batch.back().tick, changed));

@@ -54,6 +54,23 @@ class ToldFaults {
   std::size_t next_ = 0;
 };
 
+/// The forces that a program added, tick by tick.
+class AddedForces {
+ public:
+  explicit AddedForces(const std::vector<servo::Push>& pushes) : pushes_(pushes) {}
+  Vec3 at(std::int64_t tick) {
+    for (; next_ < pushes_.size() && pushes_[next_].tick <= tick; ++next_) now_ = pushes_[next_];
+    // A file may hold any two numbers, so the difference is computed without overflow.
+    const auto since = static_cast<std::uint64_t>(tick) - static_cast<std::uint64_t>(now_.tick);
+    return since < static_cast<std::uint64_t>(now_.ticks) ? now_.f_T_W : Vec3(Vec3::Zero());
+  }
+
+ private:
+  const std::vector<servo::Push>& pushes_;
+  std::size_t next_ = 0;
+  servo::Push now_;
+};
+
 /// Gets each tick as it is computed, after the scenes and faults that belong to it.
 struct Listener {
   std::function<void(const ChangeRow&, const scene::Description&)> change;
@@ -67,6 +84,7 @@ class Verification {
         listener_(listener),
         rerun_(std::move(rerun)),
         faults_(session.faults()),
+        forces_(session.pushes()),
         packer_(tickColumns()),
         files_in_(files_in) {}
 
@@ -76,7 +94,8 @@ class Verification {
     std::int64_t rows = 0;
     for (const servo::TickRecord& record : unpackTicks(recorded)) {
       if (!isNext(record) || !applyChanges(record)) break;
-      const servo::TickRecord now = servo::recordOf(rerun_.tick(record, faults_.at(record.tick), false));
+      const servo::TickRecord now =
+          servo::recordOf(rerun_.tick(record, faults_.at(record.tick), false, forces_.at(record.tick)));
       pack(now, rerun_.geometry(), packer_);
       if (listener_.tick) listener_.tick(now);
       ++rows;
@@ -123,7 +142,7 @@ class Verification {
       Result<tick::TickProgram> program = programOf(scene.value(), session_.info().header, files_in_);
       if (!program) return fail(program.problems());
       if (listener_.change) listener_.change(change, scene.value());
-      rerun_.replaceBy(std::move(program).value(), change.carry);
+      rerun_.replaceBy(std::move(program).value(), change.carry, change.over_ticks);
     }
     return true;
   }
@@ -147,6 +166,7 @@ class Verification {
   const Listener& listener_;
   servo::Rerun rerun_;
   ToldFaults faults_;
+  AddedForces forces_;
   Packer packer_;
   const std::vector<std::string>& files_in_;
   std::size_t next_change_ = 1;  // the first one is the beginning of the rerun
@@ -226,11 +246,13 @@ class RerunWriter {
     return writer_.begin(first.tick, first.revision, state.value(), scene.value());
   }
   void add(const ChangeRow& change, const scene::Description& scene) {
-    note(writer_.add(servo::Change{change.tick, change.revision, change.carry}, scene));
+    note(writer_.add(servo::Change{change.tick, change.revision, change.carry, change.over_ticks}, scene));
   }
   void add(const servo::TickRecord& record) {
     for (; next_fault_ < session_.faults().size() && session_.faults()[next_fault_].tick <= record.tick; ++next_fault_)
       note(writer_.add(session_.faults()[next_fault_]));
+    for (; next_push_ < session_.pushes().size() && session_.pushes()[next_push_].tick <= record.tick; ++next_push_)
+      note(writer_.add(session_.pushes()[next_push_]));
     for (; next_mark_ < session_.markers().size() && session_.markers()[next_mark_].tick <= record.tick; ++next_mark_)
       note(writer_.mark(session_.markers()[next_mark_].tick, session_.markers()[next_mark_].label));
     note(writer_.add(record));
@@ -248,7 +270,7 @@ class RerunWriter {
   }
   Session& session_;
   SessionWriter writer_;
-  std::size_t next_fault_ = 0, next_mark_ = 0;
+  std::size_t next_fault_ = 0, next_mark_ = 0, next_push_ = 0;
   Problems problems_;
 };
 
@@ -301,11 +323,13 @@ Problems replayWith(Session& session, const scene::Description& scene,
   if (!program) return program.problems();
   servo::Rerun rerun(std::move(program).value(), periodOf(session.info().header));
   ToldFaults faults(session.faults());
+  AddedForces forces(session.pushes());
   bool begins = true, goes_on = true;
   return session.eachBlock(
       [&](const Block& block, std::int64_t) {
         for (const servo::TickRecord& recorded : unpackTicks(block)) {
-          tick(recorded, servo::recordOf(rerun.tick(recorded, faults.at(recorded.tick), begins)));
+          tick(recorded,
+               servo::recordOf(rerun.tick(recorded, faults.at(recorded.tick), begins, forces.at(recorded.tick))));
           begins = false;
         }
         return goes_on;

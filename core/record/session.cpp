@@ -136,6 +136,7 @@ void Session::readSmallTables() {
   changes_ = rowsOf(kChanges, unpackChanges);
   for (ChangeRow& change : changes_) keepWithin(all_words, kLongestWords, words_left, change.scene);
   faults_ = rowsOf(kFaults, unpackFaults);
+  readSteering();
   provenance_ = rowsOf(kProvenance, unpackProvenance);
   for (ProvenanceRow& row : provenance_) keepWithin(all_words, kLongestWords, words_left, row.json);
   clock_ = rowsOf(kClock, unpackClock);
@@ -160,6 +161,21 @@ void Session::readSmallTables() {
       kSecondPerNanosecond * (static_cast<double>(unpackTicks(last.value().back()).back().time_ns) -
                               static_cast<double>(unpackTicks(first.value().front()).front().time_ns));
   if (by_clock_s > by_count_s) info_.duration_s = by_clock_s;  // it is less where an arm was reopened
+}
+
+/// A number that no servo makes counts as none: what is run again differs then, and says so.
+void Session::readSteering() {
+  pushes_.clear();
+  for (const SteeringRow& row : rowsOf(kSteering, unpackSteering)) {
+    if (row.ticks < 0 || !row.f_T_W.allFinite()) continue;
+    if (row.kind == Steering::Push) {
+      pushes_.push_back({row.tick, row.f_T_W, row.ticks});
+      continue;
+    }
+    const auto moved = std::find_if(changes_.begin(), changes_.end(),
+                                    [&row](const ChangeRow& change) { return change.revision == row.revision; });
+    if (moved != changes_.end()) moved->over_ticks = row.ticks;
+  }
 }
 
 /// The bytes of a table. Problems: some of them are damaged.

@@ -57,6 +57,8 @@ class Session {
   const std::vector<ChangeRow>& changes() const { return changes_; }
   const std::vector<Marker>& markers() const { return markers_; }
   const std::vector<servo::FaultMark>& faults() const { return faults_; }
+  /// The forces that a program added, in order. None in a session of a version before 0.2.0.
+  const std::vector<servo::Push>& pushes() const { return pushes_; }
   /// What was run: the first row all of it, a later one what changed. None in a session of version 0.1.0.
   const std::vector<ProvenanceRow>& provenance() const { return provenance_; }
   /// The system's clocks at some ticks, in order. None in a session of version 0.1.0.
@@ -98,6 +100,7 @@ class Session {
   explicit Session(UntrustedFile file) : file_(std::move(file)) {}
   Problems readInfo(const std::string& path);
   void readSmallTables();
+  void readSteering();
   Result<std::vector<std::byte>> bytesOf(TableIndex table, std::int64_t begin, std::int64_t end);
   Result<std::string> words(const Words& words);
   template <class Row>
@@ -108,6 +111,7 @@ class Session {
   std::vector<ChangeRow> changes_;
   std::vector<Marker> markers_;
   std::vector<servo::FaultMark> faults_;
+  std::vector<servo::Push> pushes_;
   std::vector<ProvenanceRow> provenance_;
   std::vector<ClockRow> clock_;
 };

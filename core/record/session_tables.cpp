@@ -50,6 +50,13 @@ constexpr std::array kConstraintColumns{
     Column{"force_N", "N", "its own force on the tip, before the gate", Kind::Real, 3, "W",
            "force_N_x,force_N_y,force_N_z"}};
 
+constexpr std::array kSteeringColumns{
+    kTick,
+    Column{"kind", "", "1 a force was added before the gate, 2 targets were carried to their places", Kind::Byte},
+    Column{"revision", "", "of the scene whose targets were carried; 0: none", Kind::Integer},
+    Column{"ticks", "", "how many ticks it took; 0: an added force ended", Kind::Integer},
+    Column{"force_N", "N", "that was added", Kind::Real, 3, "W", "force_N_x,force_N_y,force_N_z"}};
+
 void packVec3Row(const Vec3& value, double scale, Packer& packer) {
   for (const double coordinate : value) packer.real(scale * coordinate);
 }
@@ -117,8 +124,11 @@ std::array<Table, kTables> sessionTables(std::int64_t rate_hz, double block_s) {
       Table{"truth", kTruthColumns, ticks, ticks, kMostBlockRows, Presence::OnRequest, false,
             "what the simulated arm knows of a tick and no real arm says"},
       Table{"constraints", kConstraintColumns, ticks, ticks, kMostBlockRows, Presence::OnRequest, false,
-            "one constraint in one tick"}};
-  tables[kProvenance].presence = tables[kClock].presence = Presence::Later;
+            "one constraint in one tick"},
+      small(
+          "steering", kSteeringColumns,
+          "what a program that steered the servo did besides edits: a force that it added, a target that it carried")};
+  tables[kProvenance].presence = tables[kClock].presence = tables[kSteering].presence = Presence::Later;
   return tables;
 }
 
@@ -149,6 +159,16 @@ Block blockOf(const MarkerRow& row) {
   return rowOf(kMarkerColumns, [&row](Packer& packer) {
     packer.integer(row.tick);
     packWords(row.label, packer);
+  });
+}
+
+Block blockOf(const SteeringRow& row) {
+  return rowOf(kSteeringColumns, [&row](Packer& packer) {
+    packer.integer(row.tick);
+    packer.byte(static_cast<std::uint8_t>(row.kind));
+    packer.integer(static_cast<std::int64_t>(row.revision));
+    packer.integer(row.ticks);
+    packVec3Row(row.f_T_W, 1.0, packer);
   });
 }
 
@@ -222,6 +242,18 @@ std::vector<MarkerRow> unpackMarkers(const Block& block) {
   return rowsOf<MarkerRow>(kMarkerColumns, block, [](Unpacker& unpacker) {
     const std::int64_t tick = unpacker.integer();
     return MarkerRow{tick, unpackWords(unpacker)};
+  });
+}
+
+std::vector<SteeringRow> unpackSteering(const Block& block) {
+  return rowsOf<SteeringRow>(kSteeringColumns, block, [](Unpacker& unpacker) {
+    SteeringRow row;
+    row.tick = unpacker.integer();
+    row.kind = unpacker.byte() == static_cast<std::uint8_t>(Steering::Move) ? Steering::Move : Steering::Push;
+    row.revision = static_cast<std::uint64_t>(unpacker.integer());
+    row.ticks = unpacker.integer();
+    row.f_T_W = unpackVec3Row(unpacker, 1.0);
+    return row;
   });
 }
 

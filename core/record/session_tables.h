@@ -23,6 +23,7 @@ enum TableIndex : std::size_t {
   kClock,
   kTruth,
   kConstraints,
+  kSteering,
   kTables
 };
 
@@ -56,6 +57,18 @@ struct ChangeRow {
   std::uint64_t revision = 0;
   tick::Carry carry = tick::Carry::Arm;
   Words scene;
+  std::int64_t over_ticks = 0;  // of /steering: over which the targets were carried to their new places; 0: at once
+};
+/// What somebody did to the servo from outside besides an edit. Push: a force was added before the gate. Move: with the
+/// scene of that revision, its targets were carried to their places within so many ticks.
+enum class Steering : std::uint8_t { Push = 1, Move = 2 };
+/// A row of /steering.
+struct SteeringRow {
+  std::int64_t tick = 0;
+  Steering kind = Steering::Push;
+  std::uint64_t revision = 0;  // Move: of the scene
+  std::int64_t ticks = 0;
+  Vec3 f_T_W = Vec3::Zero();  // Push: N
 };
 /// A row of /markers.
 struct MarkerRow {
@@ -86,6 +99,7 @@ struct EndRow {
 // One row, packed as a block of its table.
 Block blockOf(const ChangeRow& row);
 Block blockOf(const MarkerRow& row);
+Block blockOf(const SteeringRow& row);
 Block blockOf(const ProvenanceRow& row);
 Block blockOf(const ClockRow& row);
 Block blockOf(const servo::FaultMark& row);
@@ -96,6 +110,7 @@ Block textBlock(std::string_view text);
 // The rows of a whole block; a value outside an enumeration is read as its first one.
 std::vector<ChangeRow> unpackChanges(const Block& block);
 std::vector<MarkerRow> unpackMarkers(const Block& block);
+std::vector<SteeringRow> unpackSteering(const Block& block);
 std::vector<servo::FaultMark> unpackFaults(const Block& block);
 std::vector<EndRow> unpackEnd(const Block& block);
 std::vector<ProvenanceRow> unpackProvenance(const Block& block);

@@ -136,7 +136,12 @@ Problems SessionWriter::begin(std::int64_t tick, std::uint64_t revision, const t
 }
 
 Problems SessionWriter::add(const servo::Change& change, const scene::Description& scene) {
-  return addScene(change.tick, change.revision, change.carry, scene);
+  Problems problems;
+  if (change.over_ticks > 0)
+    problems = file_.append(
+        kSteering, blockOf(SteeringRow{change.tick, Steering::Move, change.revision, change.over_ticks, Vec3::Zero()}));
+  keep(problems, addScene(change.tick, change.revision, change.carry, scene));
+  return problems;
 }
 
 Problems SessionWriter::add(const servo::TickRecord& record) {
@@ -148,6 +153,10 @@ Problems SessionWriter::add(const servo::TickRecord& record) {
 
 Problems SessionWriter::add(const servo::FaultMark& fault) {
   return file_.append(kFaults, blockOf(fault));
+}
+
+Problems SessionWriter::add(const servo::Push& push) {
+  return file_.append(kSteering, blockOf(SteeringRow{push.tick, Steering::Push, 0, push.ticks, push.f_T_W}));
 }
 
 Problems SessionWriter::mark(std::int64_t tick, std::string_view label) {

@@ -59,6 +59,7 @@ class SessionWriter {
   Problems add(const servo::Change& change, const scene::Description& scene);
   Problems add(const servo::TickRecord& record);
   Problems add(const servo::FaultMark& fault);
+  Problems add(const servo::Push& push);
   // Only where header.details was set.
   Problems add(const servo::TruthRow& row);
   Problems add(const servo::ConstraintRow& row);

@@ -44,6 +44,17 @@ void eachPart(State& state, Part&& part) {
   each(state.needs.joints, [&](auto& entry) { part(entry.follower); });
 }
 
+/// The way of each target that is being carried, behind all other parts; only of a state that carries one, so that all
+/// others have the layout that they always had.
+template <class State, class Part>
+void eachCarried(State& state, Part&& part) {
+  for (auto& entry : state.entries) {
+    part(entry.carried.done);
+    part(entry.carried.total);
+    part(entry.carried.from);
+  }
+}
+
 /// Eigen's fixed-size types have no pointers, although the standard does not call them trivial.
 template <class T>
 constexpr bool kIsPlain = std::is_trivially_destructible_v<T>&& std::is_standard_layout_v<T>;
@@ -52,11 +63,13 @@ constexpr bool kIsPlain = std::is_trivially_destructible_v<T>&& std::is_standard
 
 std::vector<std::byte> bytesOfState(const tick::TickState& state) {
   std::vector<std::byte> bytes;
-  eachPart(state, [&bytes](const auto& part) {
+  const auto add = [&bytes](const auto& part) {
     static_assert(kIsPlain<std::remove_cvref_t<decltype(part)>>);
     const auto* const begin = reinterpret_cast<const std::byte*>(&part);
     bytes.insert(bytes.end(), begin, begin + sizeof part);
-  });
+  };
+  eachPart(state, add);
+  if (state.carries) eachCarried(state, add);
   return bytes;
 }
 
@@ -78,15 +91,21 @@ std::string stateLayout() {
 Result<tick::TickState> stateOfBytes(const std::vector<std::byte>& bytes, const tick::TickProgram& program) {
   tick::TickState state = tick::makeState(program);
   std::size_t wanted = 0;
-  eachPart(state, [&wanted](const auto& part) { wanted += sizeof part; });
-  if (wanted != bytes.size())
+  const auto count = [&wanted](const auto& part) { wanted += sizeof part; };
+  eachPart(state, count);
+  const std::size_t without_carried = wanted;
+  eachCarried(state, count);
+  state.carries = bytes.size() == wanted && bytes.size() != without_carried;
+  if (bytes.size() != wanted && bytes.size() != without_carried)
     return Problems{
         {said(TRANSLATE_NOOP("problem", "The servo's state at the beginning was not recorded completely."))}};
   const std::byte* next = bytes.data();
-  eachPart(state, [&next](auto& part) {
+  const auto take = [&next](auto& part) {
     std::memcpy(static_cast<void*>(&part), next, sizeof part);
     next += sizeof part;
-  });
+  };
+  eachPart(state, take);
+  if (state.carries) eachCarried(state, take);
   // A modified byte may have any value, and a correct checksum.
   if (!isValid(state, program))
     return Problems{{said(TRANSLATE_NOOP(

@@ -83,7 +83,7 @@ std::vector<std::size_t> offsetsOf(std::span<const Column> columns, std::int64_t
 Packer::Packer(std::span<const Column> columns) : columns_(columns) {}
 
 void Packer::begin(std::int64_t most_rows) {
-  if (most_rows != most_rows_) {
+  if (most_rows != most_rows_ || offsets_.empty()) {
     offsets_ = offsetsOf(columns_, most_rows);
     bytes_.resize(offsets_.back());
   }

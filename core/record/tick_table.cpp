@@ -11,7 +11,7 @@ namespace {
 constexpr std::array kTickColumns{
     Column{"tick", "", "number of the tick since the servo was made", Kind::Integer, 1, "", "", "tick"},
     Column{"time_ns", "ns", "of the sample, on the arm's clock", Kind::Integer, 1, "", "", "time_s"},
-    Column{"q_rad", "rad", "joint angles 1 to 6 in the DH convention", Kind::Real, 6, "joints",
+    Column{"q_rad", "rad", "joint angles 1 to 6 in the DH convention; m where a joint slides", Kind::Real, 6, "joints",
            "q1_rad,q2_rad,q3_rad,q4_rad,q5_rad,q6_rad", "q1_rad,q2_rad,q3_rad,q4_rad,q5_rad,q6_rad"},
     Column{"buttons", "", "of the stylus; bit 0: the one nearer to the tip", Kind::Unsigned, 1, "", "", "buttons"},
     Column{"p_WT_mm", "mm", "position of the tip in the workspace frame", Kind::Real, 3, "W",

@@ -114,6 +114,7 @@ Gated gate(const Limits& limits, const GateState& state, const GateInput& asked,
   Vec3 f_T_W = clampForce(asked.f_T_W, limits.max_force_N);
   if (f_T_W != asked.f_T_W) cuts.clamp_N = std::max(0.0, sizeOf(asked.f_T_W) - sizeOf(f_T_W));
   f_T_W = through(f_T_W, limitSpeed(limits, next.v_WT, f_T_W), cuts.speed_N);
+  if (!motion.renders_all) f_T_W = through(f_T_W, limitMotors(motion, f_T_W), cuts.motors_N);
   f_T_W = through(f_T_W, limitEdge(limits, motion, f_T_W), cuts.edge_N);
   f_T_W = through(f_T_W, limitHeat(limits.thermal, next.heat, motion.J_p, f_T_W), cuts.heat_N);
   const Vec3 ramped_T_W = next.level * f_T_W;

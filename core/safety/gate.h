@@ -31,6 +31,9 @@ struct Motion {
   Mat3 J_p = Mat3::Zero();   // from the rates of joints 1 to 3 to v_WT; zero: no limits of heat and edge
   Vec3 room_below_rad = Vec3::Constant(kInfinity);  // of joints 1 to 3, to their stops
   Vec3 room_above_rad = Vec3::Constant(kInfinity);
+  // Of an arm that is not of the Omni's form, joints 1 to 3 are those that arm::watchedJoints() names.
+  bool renders_all = true;          // the motors can push the tip in every direction
+  Mat3 renders = Mat3::Identity();  // else what they render of a force: arm::renderable()
 };
 
 /// The input of the gate in this tick.

@@ -28,11 +28,12 @@ Limits limitsForHands(double max_force_N, const Vec3& continuous_N_m) {
 unsigned bitsOf(const Cuts& cuts) noexcept {
   return (cuts.clamp_N > 0.0 ? kClampBit : 0U) | (cuts.speed_N > 0.0 ? kSpeedBit : 0U) |
          (cuts.edge_N > 0.0 ? kEdgeBit : 0U) | (cuts.heat_N > 0.0 ? kHeatBit : 0U) |
-         (cuts.slew_N > 0.0 ? kSlewBit : 0U) | (cuts.frozen ? kFrozenBit : 0U);
+         (cuts.slew_N > 0.0 ? kSlewBit : 0U) | (cuts.frozen ? kFrozenBit : 0U) |
+         (cuts.motors_N > 0.0 ? kMotorsBit : 0U);
 }
 
 double sumOf(const Cuts& cuts) noexcept {
-  const double sum_N = cuts.clamp_N + cuts.speed_N + cuts.edge_N + cuts.heat_N + cuts.slew_N;
+  const double sum_N = cuts.clamp_N + cuts.speed_N + cuts.motors_N + cuts.edge_N + cuts.heat_N + cuts.slew_N;
   return sum_N < std::numeric_limits<double>::max() ? sum_N : std::numeric_limits<double>::max();
 }
 

@@ -37,11 +37,20 @@ struct Cuts {
   double edge_N = 0.0;
   double heat_N = 0.0;
   double slew_N = 0.0;
-  bool frozen = false;  // the sample has not moved for frozen_s: the force is let go until it does
+  bool frozen = false;    // the sample has not moved for frozen_s: the force is let go until it does
+  double motors_N = 0.0;  // what no motor can render; acts between speed and edge
 };
 
 /// The same as bits, for a row of a recording.
-enum CutBit : unsigned { kClampBit = 1, kSpeedBit = 2, kEdgeBit = 4, kHeatBit = 8, kSlewBit = 16, kFrozenBit = 32 };
+enum CutBit : unsigned {
+  kClampBit = 1,
+  kSpeedBit = 2,
+  kEdgeBit = 4,
+  kHeatBit = 8,
+  kSlewBit = 16,
+  kFrozenBit = 32,
+  kMotorsBit = 64
+};
 /// The CutBits of the limits that took something off. A cut that is not a number counts as none.
 unsigned bitsOf(const Cuts& cuts) noexcept UNDERACT_REAL_TIME;
 

@@ -10,7 +10,8 @@ namespace underact::safety {
 namespace {
 
 constexpr double kVelocityFilter_s = 5e-3;
-constexpr double kWarm = 0.9;  // heat from which on the force is cut
+constexpr double kRounding = 1e-12;  // of a force that is rendered whole
+constexpr double kWarm = 0.9;        // heat from which on the force is cut
 
 }  // namespace
 
@@ -39,6 +40,14 @@ Vec3 limitSpeed(const Limits& limits, const Vec3& v_WT, const Vec3& f_T_W) noexc
   const double width = limits.max_speed_m_per_s - limits.calm_speed_m_per_s;
   const double keep = width > 0.0 ? std::clamp((limits.max_speed_m_per_s - speed) / width, 0.0, 1.0) : 0.0;
   return f_T_W - ((1.0 - keep) * drive_N) * along_W;
+}
+
+Vec3 limitMotors(const Motion& motion, const Vec3& f_T_W) noexcept {
+  const Vec3 rendered_T_W = motion.renders * f_T_W;
+  if (!isFinite(rendered_T_W)) return Vec3::Zero();
+  const double cut2 = (f_T_W - rendered_T_W).squaredNorm(), size2 = f_T_W.squaredNorm();
+  if (cut2 <= kRounding * kRounding * size2) return f_T_W;
+  return rendered_T_W.squaredNorm() <= size2 ? rendered_T_W : Vec3::Zero();
 }
 
 Vec3 limitEdge(const Limits& limits, const Motion& motion, const Vec3& f_T_W) noexcept {

@@ -17,6 +17,9 @@ Vec3 followVelocity(const Vec3& last_W, const Vec3& v_WT, double dt_s) noexcept 
 /// The part of f_T_W that drives the stylus along v_WT fades between the calm and the greatest speed.
 Vec3 limitSpeed(const Limits& limits, const Vec3& v_WT, const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME;
 
+/// The part of f_T_W that the motors render; f_T_W itself where that is all but a rounding of it.
+Vec3 limitMotors(const Motion& motion, const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME;
+
 /// The whole force fades where it would press a driven joint against its stop.
 Vec3 limitEdge(const Limits& limits, const Motion& motion, const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME;
 

@@ -96,6 +96,14 @@ void Checker::checkControl(const std::string& key, const Control& control) {
               row.is_used(pd) ? said(TRANSLATE_NOOP("problem", "PD (or PID)")) : "PID"}));
   }
   checkAll(key + ".velocity", control.velocity);
+  const arm::Preset* const arm = findArm(scene_);
+  if (control.space == tick::Space::Joint && arm != nullptr && !arm::isOmniForm(*arm))
+    add(key + ".space",
+        said(
+            TRANSLATE_NOOP("problem",
+                           "The control of joints follows the closed form of the Omni's geometry, which the arm %1 has "
+                           "not; \"cartesian\" works with every arm."),
+            {json::shown(arm->name)}));
 }
 
 /// Checks the metric of unequal gains: zero gains flatten the shape to nothing. Source: target/target.h,
@@ -204,13 +212,13 @@ void Checker::checkArm() {
   if (findArm(scene_) != nullptr) return;
   if (isArmFile(scene_.arm))
     return add("arm", said(TRANSLATE_NOOP("problem", "The arm file %1 was not read."), {json::shown(scene_.arm)}));
-  if (arm::findModel(scene_.arm) != nullptr)
-    return add("arm", said(TRANSLATE_NOOP("problem",
-                                          "The arm %1 is for kinematics only: the arm of a scene is a haptic device "
-                                          "with the geometry of table 3.1 of the thesis."),
-                           {json::shown(scene_.arm)}));
+  if (const arm::Model* const model = arm::findModel(scene_.arm)) {
+    const Result<arm::Preset> preset = arm::presetOf(*model);
+    return add("arm", said(TRANSLATE_NOOP("problem", "The arm %1: %2"),
+                           {json::shown(scene_.arm), preset.problems().front().sentence}));
+  }
   std::vector<std::string> known;
-  for (const arm::Preset& preset : arm::presets()) known.emplace_back(preset.name);
+  for (const arm::Preset& preset : arm::sceneArms()) known.emplace_back(preset.name);
   const std::string nearest = json::nearestWord(scene_.arm, known);
   const Sentence listed = json::listed(known, "and");
   add("arm", nearest.empty() ? said(TRANSLATE_NOOP("problem",

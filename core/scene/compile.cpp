@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/arm/general_arm.h"
 #include "core/arm/inverse.h"
 #include "core/arm/jacobian.h"
 #include "core/base/units.h"
@@ -45,8 +46,14 @@ Result<shape::Box> make(const Box& box, const SourceLocation& place) {
   return shape::makeBox(metres(box.center_mm), metres(box.size_mm), box.R_WB, place);
 }
 
-/// For each joint the displacement of the tip per rad, m, with the tip in the middle of the workspace.
+/// For each joint the displacement of the tip per rad, m, with the tip in the middle of the workspace; of an arm that
+/// is not of the Omni's form, of the watched joints at its rest, and at least a tenth of the longest: a joint whose
+/// axis passes by the tip there has a motor all the same.
 Vec3 leversOf(const arm::Geometry& geometry) {
+  if (geometry.general != nullptr) {
+    const Vec3 levers = arm::positionJacobian(geometry, geometry.general->rest).colwise().norm();
+    return levers.cwiseMax(0.1 * levers.maxCoeff());
+  }
   return arm::positionJacobian(geometry, arm::solvePosition(geometry, Vec3::Zero()).q_rad).colwise().norm();
 }
 

@@ -28,18 +28,6 @@ Result<std::string> textOfArm(const Description& scene, const std::string& path,
   return ofScene(scene, said(TRANSLATE_NOOP("problem", "The arm %1: %2"), {path, text.problems().front().sentence}));
 }
 
-/// Why an arm that was read cannot be that of a scene.
-Sentence refusalOf(const arm::Model& model) {
-  if (!arm::omniGeometry(model))
-    return said(TRANSLATE_NOOP("problem",
-                               "The arm of a scene needs the geometry of table 3.1 of the thesis; this one is for "
-                               "kinematics only."));
-  return said(
-      TRANSLATE_NOOP("problem", "The arm of a scene is a haptic device, which needs %1 and %2 here: %3."),
-      {"\"encoder_counts_per_turn\"", "\"continuous_force_N\"",
-       R"("device": {"encoder_counts_per_turn": [4096, 4096, 4096, 4096, 4096, 4096], "continuous_force_N": 1})"});
-}
-
 }  // namespace
 
 bool isArmFile(std::string_view arm) {
@@ -59,10 +47,10 @@ Problems readSceneArm(Description& scene, NamedFiles files) {
   if (!text) return text.problems();
   Result<arm::Model> model = arm::readArmText(text.value(), path);
   if (!model) return model.problems();
-  std::optional<arm::Preset> preset = arm::presetOf(model.value());
-  if (!preset) return {{refusalOf(model.value()), {path, 1, 1, "device"}}};
-  scene.arm_file =
-      std::make_shared<const ArmFile>(ArmFile{std::move(text).value(), std::move(model).value(), std::move(*preset)});
+  Result<arm::Preset> preset = arm::presetOf(model.value());
+  if (!preset) return {{preset.problems().front().sentence, {path, 1, 1, "device"}}};
+  scene.arm_file = std::make_shared<const ArmFile>(
+      ArmFile{std::move(text).value(), std::move(model).value(), std::move(preset).value()});
   return {};
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/translate.h"
+#include "core/scene/all_settings.h"
 #include "core/scene/setting_rows.h"
 
 namespace underact::scene {
@@ -204,6 +205,24 @@ Result<Description> withJson(const Description& scene, const std::string& path, 
   return edited;
 }
 
+/// Adds each path of the scene that matches and is a setting.
+void addPaths(const Description& scene, const std::vector<std::string>& steps, std::vector<std::string>& paths) {
+  const auto star = std::find(steps.begin(), steps.end(), "*");
+  if (star == steps.end()) {
+    const std::string path = joinedSteps(steps);
+    const bool is_new = std::find(paths.begin(), paths.end(), path) == paths.end();
+    if (is_new && inScene(scene, steps, [](const auto&, const auto&) {})) paths.push_back(path);
+    return;
+  }
+  const bool is_first = star - steps.begin() == 1;
+  const std::size_t count = is_first ? scene.constraints.size() : manipulator::kMaxJoints;
+  for (std::size_t index = 0; index < count; ++index) {
+    std::vector<std::string> one = steps;
+    one[static_cast<std::size_t>(star - steps.begin())] = std::to_string(index);
+    addPaths(scene, one, paths);
+  }
+}
+
 /// Adds each place of the scene that matches the path and has a value.
 void addPlaces(const Description& scene, const std::vector<std::string>& steps, std::vector<std::string>& places) {
   const auto star = std::find(steps.begin(), steps.end(), "*");
@@ -285,6 +304,34 @@ Result<SettingValue> defaultAt(const Description& scene, const std::string& path
 
 Result<Description> withValue(const Description& scene, const std::string& path, const SettingValue& value) {
   return withJson(scene, path, jsonOf(value));
+}
+
+Result<Description> withFileValue(const Description& scene, const std::string& path, const json::Value& value) {
+  return withJson(scene, path, value);
+}
+
+bool appliesAt(const Description& scene, const std::string& path) {
+  const auto has_own = [](const Constraint& constraint) { return constraint.control.has_value(); };
+  if (path.starts_with("/control/") && std::all_of(scene.constraints.begin(), scene.constraints.end(), has_own))
+    return false;
+  bool applies = false;
+  const auto look = [&applies]<class Object>(const SettingOf<Object>& row, const auto& from) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(from)>, Object>)
+      applies = row.is_used == nullptr || row.is_used(from);
+    else
+      applies = from.has_value() && (row.is_used == nullptr || row.is_used(*from));
+  };
+  return inScene(scene, stepsOf(path), look) && applies;
+}
+
+std::vector<std::string> settingPaths(const Description& scene) {
+  std::vector<std::string> paths;
+  for (const Setting& setting : settings()) {
+    const std::string path = pathOf(setting);
+    addPaths(scene, stepsOf(path), paths);
+    if (path.starts_with("/control/")) addPaths(scene, stepsOf("/constraints/*" + path), paths);
+  }
+  return paths;
 }
 
 Result<Description> withText(const Description& scene, const std::string& given, const std::string& text) {

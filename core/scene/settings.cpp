@@ -85,7 +85,7 @@ constexpr SettingOf<Simulation> kOfSimulation[] = {
          .unit = TRANSLATE_NOOP("setting", "us"),
          .least = kShortestSubstep_us,
          .most = kLongestSubstep_us,
-         .wrong = TRANSLATE_NOOP("problem", "This must be from %1 to %2 us; here it is %3.")})};
+         .wrong = TRANSLATE_NOOP("problem", "This must be from %1 to %2 µs; here it is %3.")})};
 
 constexpr SettingOf<Control> kOfControl[] = {
     row::oneOf<&Control::law, kLawWords, kLawShown>(

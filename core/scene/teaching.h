@@ -8,12 +8,12 @@
 namespace underact::scene {
 
 /// The part of a course that a scene belongs to, in this order.
-enum class Group : std::uint8_t { Shapes, Walls, Orientation, Robots, Meshes, Curves, Stability };
+enum class Group : std::uint8_t { Shapes, Walls, Orientation, Robots, Meshes, Curves, Stability, Arms };
 
 inline constexpr json::Word<Group> kGroupWords[] = {{"shapes", Group::Shapes},           {"walls", Group::Walls},
                                                     {"orientation", Group::Orientation}, {"robots", Group::Robots},
                                                     {"meshes", Group::Meshes},           {"curves", Group::Curves},
-                                                    {"stability", Group::Stability}};
+                                                    {"stability", Group::Stability},     {"arms", Group::Arms}};
 
 /// Text for a class about a scene, in Markdown with formulas between dollars. It does not affect the simulation, so it
 /// is not part of the Description, and edits and recordings leave it out.

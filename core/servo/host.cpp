@@ -93,6 +93,7 @@ struct Host::Impl {
 
   /// Sends commands in order, without losing any: what finds no room now is sent with the next call.
   void send(const Command& command) {
+    ++orders;
     backlog.push_back(command);
     flush();
   }
@@ -110,14 +111,14 @@ struct Host::Impl {
     return program;
   }
 
-  Problems put(const scene::Description& wanted, Order order) {
+  Problems put(const scene::Description& wanted, Order order, std::int64_t over_ticks = 0) {
     Result<tick::TickProgram> program = programOf(wanted);
     if (!program) return program.problems();
     tick::TickState state = tick::makeState(program.value());
     scene = wanted;
     ++revision;
     keepScene();
-    send({order, new Instance{std::move(program).value(), std::move(state), revision}});
+    send({order, new Instance{std::move(program).value(), std::move(state), revision}, nullptr, over_ticks});
     return {};
   }
 
@@ -157,6 +158,7 @@ struct Host::Impl {
   std::deque<Command> backlog;
   scene::Description scene;
   std::uint64_t revision = 0;
+  std::uint64_t orders = 0;
   std::map<std::uint64_t, scene::Description> scenes;
   std::shared_ptr<Tap> tap;                  // the recorder's
   std::vector<std::shared_ptr<Tap>> ending;  // the servo may still write into them
@@ -176,16 +178,27 @@ Problems Host::load(const scene::Description& scene) {
   return impl_->put(scene, Order::Load);
 }
 
-Problems Host::edit(const scene::Description& edited) {
+Problems Host::edit(const scene::Description& edited, std::int64_t over_ticks) {
   switch (scene::changeBetween(impl_->scene, edited)) {
     case scene::Change::Gains:
       return impl_->put(edited, Order::Retune);
     case scene::Change::Targets:
-      return impl_->put(edited, Order::Move);
+      return over_ticks > 0 ? impl_->put(edited, Order::Retune, over_ticks) : impl_->put(edited, Order::Move);
     case scene::Change::Scene:
       break;
   }
   return impl_->put(edited, Order::Load);
+}
+
+void Host::push(const Vec3& f_T_W, std::int64_t ticks) {
+  Command command{Order::Push};
+  command.ticks = ticks;
+  command.push_T_W = f_T_W;
+  impl_->send(command);
+}
+
+std::uint64_t Host::orders() const {
+  return impl_->orders;
 }
 
 Result<tick::TickProgram> Host::programOf(const scene::Description& scene) const {

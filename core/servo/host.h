@@ -64,13 +64,23 @@ class Host {
   /// Replaces the scene by an edited one. Where the two are compatible (see scene::changeBetween()) the next tick takes
   /// it up without a ramp, and the laws keep their state; otherwise as load(). Problems: as load(); then the old scene
   /// stays.
-  Problems edit(const scene::Description& edited);
+  /// over_ticks: above 0, and where only targets move, they are carried to their new places over so many ticks, from
+  /// where they are in the next one, and the laws feel them move. A target of a kind that cannot be carried is moved at
+  /// once.
+  Problems edit(const scene::Description& edited, std::int64_t over_ticks = 0);
   /// The program that load() would run, for computations outside the servo. Problems: as load().
   Result<tick::TickProgram> programOf(const scene::Description& scene) const;
   /// The scene as loaded and edited.
   const scene::Description& scene() const;
   /// Goes up by one with each load and edit that was accepted; Snapshot::revision says which one is in effect.
   std::uint64_t revision() const;
+
+  /// Adds a force on the tip, N in W, finite, before the gate, from the next tick on and for so many, instead of an
+  /// earlier one. 0 ticks: none.
+  void push(const Vec3& f_T_W, std::int64_t ticks);
+  /// The number of orders given; a tick that has TickRecord::orders as high has taken up all of them (a load waits for
+  /// zero force: see revision()).
+  std::uint64_t orders() const;
 
   void start();          // also after a fault
   void stop();           // the force ramps to zero

@@ -107,22 +107,31 @@ void Loop::retire(Instance* instance) noexcept {
   retired_.push(instance);
 }
 
-void Loop::replaceBy(Instance* instance, tick::Carry carry) noexcept {
-  tick::carryOver(current_->state, instance->state, carry);
+void Loop::replaceBy(Instance* instance, tick::Carry carry, std::int64_t over_ticks) noexcept {
+  tick::carryOver(current_->program, current_->state, instance->program, instance->state, carry, over_ticks);
   retire(current_);
   current_ = instance;
-  if (tap_ != nullptr) tap_->add(Change{ticks_ + 1, instance->revision, carry});
+  if (tap_ != nullptr) tap_->add(Change{ticks_ + 1, instance->revision, carry, over_ticks});
+}
+
+void Loop::push(const Command& command) noexcept {
+  push_T_W_ = command.push_T_W;
+  push_left_ = command.ticks;
+  if (tap_ != nullptr) tap_->add(Push{ticks_ + 1, push_T_W_, push_left_});
 }
 
 void Loop::listen(Tap* tap) noexcept {
   if (tap_ != nullptr) tap_->end();
   tap_ = tap;
-  if (tap_ != nullptr) tap_->begin(ticks_ + 1, current_->revision, current_->state);
+  if (tap_ == nullptr) return;
+  tap_->begin(ticks_ + 1, current_->revision, current_->state);
+  if (push_left_ > 0) tap_->add(Push{ticks_ + 1, push_T_W_, push_left_});
 }
 
 void Loop::applyCommands() noexcept {
   Command command;
   while (commands_.pop(command)) {
+    ++orders_;
     switch (command.order) {
       case Order::Start:
         engaged_ = restart_ = true;
@@ -150,8 +159,12 @@ void Loop::applyCommands() noexcept {
           waiting_ = command.instance;
         } else {
           replaceBy(command.instance,
-                    command.order == Order::Retune ? tick::Carry::ArmAndLaws : tick::Carry::ArmAndMovedLaws);
+                    command.order == Order::Retune ? tick::Carry::ArmAndLaws : tick::Carry::ArmAndMovedLaws,
+                    command.ticks);
         }
+        break;
+      case Order::Push:
+        push(command);
         break;
     }
   }
@@ -251,6 +264,10 @@ void Loop::tick(const Wake& wake) noexcept {
   input.late = wake.lateness_ns >= period_ns_;
   input.period_s = kSecondPerNanosecond * static_cast<double>(period_ns_);
   input.waited_s = waited_s(wake.lateness_ns, period_ns_);
+  if (push_left_ > 0) {
+    input.push_T_W = push_T_W_;
+    --push_left_;
+  }
   const std::int64_t asked_ns = clocks_.now_ns();
   input.has_sample = device_.read(input.sample);
   const bool held = !hold_to_run_ || (input.sample.buttons & 1U) != 0;
@@ -267,6 +284,7 @@ void Loop::tick(const Wake& wake) noexcept {
   const Fault by_clocks = faultOfClocks(wake, input, begin_ns, with_sleep_ns);
   if (input.fault.kind == FaultKind::None) input.fault = by_clocks;
   if (tap_ != nullptr && input.fault.kind != FaultKind::None) tap_->add(FaultMark{ticks_ + 1, input.fault, true});
+  tick::carryTargets(current_->program, current_->state);
   tick::step(current_->program, input, current_->state, snapshot.report);
   device_.write(snapshot.report.force);
   snapshot.tick_ns = clocks_.now_ns() - begin_ns;
@@ -279,6 +297,7 @@ void Loop::tick(const Wake& wake) noexcept {
   snapshot.revision = current_->revision;
   snapshot.mode = mode();
   snapshot.input = bitsOf(input);
+  snapshot.orders = orders_;
   snapshot.lateness_ns = wake.lateness_ns;
   snapshot.late = late_;
   snapshot.waits_for_button = engaged_ && !held;

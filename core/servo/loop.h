@@ -28,14 +28,17 @@ struct Instance {
 
 /// Orders to the servo. Load: another scene, swapped in once the force has ramped to zero. Retune: the same scene with
 /// other gains, swapped in before the next tick. Move: likewise, with the targets moved. HoldToRun and RunFreely:
-/// whether the stylus button has to be held. Record and EndRecord: whether ticks are copied to a tap.
-enum class Order : std::uint8_t { Start, Stop, Load, Retune, Move, HoldToRun, RunFreely, Record, EndRecord };
+/// whether the stylus button has to be held. Record and EndRecord: whether ticks are copied to a tap. Push: a force is
+/// added before the gate, instead of any earlier one.
+enum class Order : std::uint8_t { Start, Stop, Load, Retune, Move, HoldToRun, RunFreely, Record, EndRecord, Push };
 
 /// An order, and what it needs.
 struct Command {
   Order order = Order::Stop;
   Instance* instance = nullptr;  // owned by the loop from here on; given back by reap()
   Tap* tap = nullptr;            // Record: lives until it has ended
+  std::int64_t ticks = 0;        // Retune: over which the targets are carried, 0: at once. Push: for how many
+  Vec3 push_T_W = Vec3::Zero();  // Push: N, finite
 };
 
 /// What the servo thread does each period: takes up commands, reads the arm, ticks, writes the force and hands the
@@ -85,7 +88,8 @@ class Loop {
  private:
   void letIn() noexcept UNDERACT_REAL_TIME;
   void listen(Tap* tap) noexcept UNDERACT_REAL_TIME;
-  void replaceBy(Instance* instance, tick::Carry carry) noexcept UNDERACT_REAL_TIME;
+  void replaceBy(Instance* instance, tick::Carry carry, std::int64_t over_ticks = 0) noexcept UNDERACT_REAL_TIME;
+  void push(const Command& command) noexcept UNDERACT_REAL_TIME;
   void retire(Instance* instance) noexcept UNDERACT_REAL_TIME;
   Mode mode() const noexcept UNDERACT_REAL_TIME;
   bool pushes() const noexcept UNDERACT_REAL_TIME;
@@ -105,6 +109,9 @@ class Loop {
   std::uint32_t epoch_ = 0;  // of the last sample
   bool hold_to_run_ = false;
   bool was_faulted_ = false;
+  Vec3 push_T_W_ = Vec3::Zero();
+  std::int64_t push_left_ = 0;  // ticks
+  std::uint64_t orders_ = 0;    // taken up
   std::int64_t period_ns_, watchdog_ns_;
   system::Clocks clocks_;
   SleepWatch sleep_;

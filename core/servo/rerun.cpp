@@ -14,14 +14,14 @@ Rerun::Rerun(tick::TickProgram program, tick::TickState state, std::int64_t peri
 Rerun::Rerun(tick::TickProgram program, std::int64_t period_ns)
     : program_(std::move(program)), state_(tick::makeState(program_)), period_ns_(period_ns) {}
 
-void Rerun::replaceBy(tick::TickProgram program, tick::Carry carry) {
+void Rerun::replaceBy(tick::TickProgram program, tick::Carry carry, std::int64_t over_ticks) {
   tick::TickState state = tick::makeState(program);
-  tick::carryOver(state_, state, carry);
+  tick::carryOver(program_, state_, program, state, carry, over_ticks);
   program_ = std::move(program);
   state_ = std::move(state);
 }
 
-const Snapshot& Rerun::tick(const TickRecord& recorded, const Fault& fault, bool restart) {
+const Snapshot& Rerun::tick(const TickRecord& recorded, const Fault& fault, bool restart, const Vec3& push_T_W) {
   tick::TickInput input;
   input.sample.time_ns = recorded.time_ns;
   input.sample.q_rad = recorded.q_rad;
@@ -31,12 +31,14 @@ const Snapshot& Rerun::tick(const TickRecord& recorded, const Fault& fault, bool
   input.restart = restart || (recorded.input & kRestarted) != 0;
   input.late = (recorded.input & kLate) != 0;
   input.fault = fault;
+  input.push_T_W = push_T_W;
   if (period_ns_ > 0) {  // as the loop does
     input.period_s = kSecondPerNanosecond * static_cast<double>(period_ns_);
     input.waited_s = waited_s(recorded.lateness_ns, period_ns_);
   }
   {
     const FlushDenormals flush;  // as the servo thread does
+    tick::carryTargets(program_, state_);
     tick::step(program_, input, state_, snapshot_.report);
   }
   snapshot_.ticks = recorded.tick;

@@ -15,11 +15,13 @@ class Rerun {
 
   /// The servo ticks with another period from now on.
   void setPeriod(std::int64_t period_ns) { period_ns_ = period_ns; }
-  /// Goes on with another program; carry: how much of the memory it takes over. Allocates.
-  void replaceBy(tick::TickProgram program, tick::Carry carry);
+  /// Goes on with another program; carry: how much of the memory it takes over; over_ticks: as in Change. Allocates.
+  void replaceBy(tick::TickProgram program, tick::Carry carry, std::int64_t over_ticks = 0);
   /// Runs a tick. recorded: its input, and when it was. fault: what the servo had found before the tick. restart: as if
-  /// Start had been pressed. The mode stays: it is the servo's, not the tick's.
-  const Snapshot& tick(const TickRecord& recorded, const Fault& fault, bool restart);
+  /// Start had been pressed. push_T_W: the force that somebody added, N. The mode stays: it is the servo's, not the
+  /// tick's.
+  const Snapshot& tick(const TickRecord& recorded, const Fault& fault, bool restart,
+                       const Vec3& push_T_W = Vec3::Zero());
   const Snapshot& snapshot() const { return snapshot_; }
   const arm::Geometry& geometry() const { return program_.geometry; }
 

@@ -42,6 +42,8 @@ TickRecord recordOf(const Snapshot& snapshot) noexcept {
   record.out_of_reach = report.out_of_reach;
   record.revision = snapshot.revision;
   record.input = snapshot.input;
+  record.orders = snapshot.orders;
+  record.mode = snapshot.mode;
   record.lateness_ns = snapshot.lateness_ns;
   record.tick_ns = snapshot.tick_ns;
   return record;

@@ -25,6 +25,7 @@ struct Snapshot {
   std::uint64_t revision = 0;  // of the program in effect; counts the loads and edits of the Host
   Mode mode = Mode::Idle;
   unsigned input = 0;            // InputBit
+  std::uint64_t orders = 0;      // that the Host gave and the servo has taken up, see Host::orders()
   std::int64_t lateness_ns = 0;  // of this tick's start
   std::int64_t tick_ns = 0;      // that the last tick took
   std::int64_t dropped = 0;      // records lost because they were not drained in time
@@ -55,7 +56,9 @@ struct TickRecord {
   int branch_changes = 0;     // see tick::TickReport
   bool out_of_reach = false;  // see tick::TickReport
   std::uint64_t revision = 0;
-  unsigned input = 0;  // InputBit
+  unsigned input = 0;        // InputBit
+  std::uint64_t orders = 0;  // see Snapshot
+  Mode mode = Mode::Idle;
   std::int64_t lateness_ns = 0;
   std::int64_t tick_ns = 0;
 };

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::int64_t kRoom_ns = 4'000'000'000;
 constexpr std::int64_t kRoomAtLeast = 16384;
-constexpr std::size_t kEvents = 1024;  // edits or faults between two readings of the recorder
+constexpr std::size_t kPushes = 16384;  // a program may push in each tick
+constexpr std::size_t kEvents = 1024;   // edits or faults between two readings of the recorder
 
 std::size_t roomFor(std::int64_t period_ns) {
   return static_cast<std::size_t>(std::max(kRoomAtLeast, kRoom_ns / std::max<std::int64_t>(period_ns, 1)));
@@ -22,11 +23,13 @@ Tap::Tap(std::int64_t period_ns, std::int64_t most_ticks, std::size_t details)
     : records_(roomFor(period_ns)),
       changes_(kEvents),
       faults_(kEvents),
+      pushes_(kPushes),
       details_(details),
       ticks_left_(most_ticks > 0 ? most_ticks : -1) {
   touchPages(records_);
   touchPages(changes_);
   touchPages(faults_);
+  touchPages(pushes_);
   if (details > 0) {
     truths_ = std::make_unique<boost::lockfree::spsc_queue<TruthRow>>(roomFor(period_ns));
     constraints_ = std::make_unique<boost::lockfree::spsc_queue<ConstraintRow>>(details * roomFor(period_ns));
@@ -56,6 +59,10 @@ void Tap::add(const Change& change) noexcept {
 
 void Tap::add(const FaultMark& fault) noexcept {
   if (listens() && !faults_.push(fault)) drop();
+}
+
+void Tap::add(const Push& push) noexcept {
+  if (listens() && !pushes_.push(push)) drop();
 }
 
 void Tap::add(const TruthRow& row) noexcept {

@@ -20,6 +20,14 @@ struct Change {
   std::int64_t tick = 0;
   std::uint64_t revision = 0;
   tick::Carry carry = tick::Carry::Arm;
+  std::int64_t over_ticks = 0;  // over which the targets are carried to their new places; 0: at once
+};
+
+/// From a tick on a force is added before the gate, for so many ticks, instead of any earlier one. 0 ticks: none is.
+struct Push {
+  std::int64_t tick = 0;
+  Vec3 f_T_W = Vec3::Zero();  // N
+  std::int64_t ticks = 0;
 };
 
 /// A fault that was found before a tick (from_servo: by the watchdog, say) or by it.
@@ -61,6 +69,7 @@ class Tap {
   void add(const TickRecord& record) noexcept UNDERACT_REAL_TIME;
   void add(const Change& change) noexcept UNDERACT_REAL_TIME;
   void add(const FaultMark& fault) noexcept UNDERACT_REAL_TIME;
+  void add(const Push& push) noexcept UNDERACT_REAL_TIME;
   /// Whether TruthRow and ConstraintRow are wanted; those of a tick come before its record.
   bool wantsDetails() const noexcept UNDERACT_REAL_TIME { return details_ > 0; }
   void add(const TruthRow& row) noexcept UNDERACT_REAL_TIME;       // only where these are wanted; what
@@ -78,6 +87,7 @@ class Tap {
   bool take(TickRecord& record) { return records_.pop(record); }
   bool take(Change& change) { return changes_.pop(change); }
   bool take(FaultMark& fault) { return faults_.pop(fault); }
+  bool take(Push& push) { return pushes_.pop(push); }
   bool take(TruthRow& row) { return truths_ != nullptr && truths_->pop(row); }
   bool take(ConstraintRow& row) { return constraints_ != nullptr && constraints_->pop(row); }
   /// The scene of a revision that a change named; the tap forgets it then.
@@ -101,6 +111,7 @@ class Tap {
   boost::lockfree::spsc_queue<TickRecord> records_;
   boost::lockfree::spsc_queue<Change> changes_;
   boost::lockfree::spsc_queue<FaultMark> faults_;
+  boost::lockfree::spsc_queue<Push> pushes_;
   std::unique_ptr<boost::lockfree::spsc_queue<TruthRow>> truths_;            // null: not wanted
   std::unique_ptr<boost::lockfree::spsc_queue<ConstraintRow>> constraints_;  // null: not wanted
   std::size_t details_;

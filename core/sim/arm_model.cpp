@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/arm/general_arm.h"
+
 namespace underact::sim {
 namespace {
 
@@ -26,7 +28,12 @@ arm::EncoderCounts countsOf(const arm::EncoderCounts& measured, const arm::Encod
 }
 
 ArmModel modelFor(const arm::Preset& arm, ArmModel model) {
-  if (model.name != kDefaultArmModel || !(arm.apparent_mass_kg > 0.0)) return model;
+  if (model.name != kDefaultArmModel) return model;
+  model.of_links = !arm::isOmniForm(arm) && !arm.geometry.general->masses.empty();
+  if (model.of_links)
+    model.provenance = "Inertia of the links in the file of the arm " + arm.name +
+                       "; back-drive friction below 0.26 N at the tip, as of the Omni by its vendor's sheets.";
+  if (!(arm.apparent_mass_kg > 0.0)) return model;
   model.mass_kg = arm.apparent_mass_kg;
   model.provenance = "Apparent mass of the links in the file of the arm " + arm.name +
                      ", with the tip in the middle of the workspace; back-drive friction below 0.26 N from the "

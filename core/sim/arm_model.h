@@ -16,6 +16,7 @@ struct ArmModel {
   double mass_kg = 0.0;                                    // apparent, at the tip
   double friction_N = 0.0;                                 // Coulomb, back-drive, at the tip
   bool encoders = true;                                    // angles come in steps; false: exact
+  bool of_links = false;                                   // the mass is that of the links in the arm's file, if any
   double damping_N_s_per_m = 0.0;                          // of the arm itself, at the tip
   std::optional<arm::EncoderCounts> counts_per_turn = {};  // as measured, 0 where not; none: those of the preset
 };

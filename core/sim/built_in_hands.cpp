@@ -3,6 +3,7 @@
 #include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/sim/hand_script.h"
+#include "core/sim/plant.h"
 
 namespace underact::sim {
 namespace {
@@ -24,6 +25,7 @@ HandScript along(std::initializer_list<Stop> stops, double repeat_s) {
     script.path.push_back(point);
   }
   script.repeat_s = repeat_s;
+  script.of_omni = true;
   return script;
 }
 
@@ -116,6 +118,14 @@ std::span<const BuiltInHand> builtInHands() {
     return hands;
   }();
   return kHands;
+}
+
+HandScript madeFor(const arm::Preset& arm, HandScript script) {
+  if (!script.of_omni || arm::isOmniForm(arm)) return script;
+  const Vec3 p_WRest = restingState(makePlant(arm, {}, {})).p_WT;
+  for (HandPoint& point : script.path) point.p_WT += p_WRest;
+  script.of_omni = false;
+  return script;
 }
 
 Result<HandScript> builtInHand(std::string_view name, std::uint64_t seed) {

@@ -1,4 +1,7 @@
 #pragma once
+#include <optional>
+
+#include "core/arm/sample.h"
 #include "core/base/types.h"
 
 namespace underact::sim {
@@ -16,6 +19,9 @@ struct HandSetpoint {
   Vec3 v_WT = Vec3::Zero();  // m/s
   Mat3 R_WT = Mat3::Identity();
   bool turns = false;  // R_WT counts; false: the wrist stays as it is
+  bool holds = true;   // false: loose fingers, which move with the stylus; the spring is slack and p_WT does not count
+  /// Of an arm that is not of the Omni's form: the joints are led to these values, and the position does not count.
+  std::optional<arm::JointAngles> posture = {};
 };
 
 }  // namespace underact::sim

@@ -5,9 +5,11 @@
 #include <cmath>
 
 #include "core/arm/forward.h"
+#include "core/arm/general_arm.h"
 #include "core/arm/inverse.h"
 #include "core/arm/jacobian.h"
 #include "core/base/units.h"
+#include "core/sim/joint_plant.h"
 
 namespace underact::sim {
 namespace {
@@ -122,7 +124,13 @@ Plant makePlant(const arm::Preset& arm, const ArmModel& model, const HandModel& 
   return plant;
 }
 
+PlantState restingState(const Plant& plant) noexcept {
+  if (!arm::isOmniForm(plant.arm)) return restingJoints(plant, nullptr);
+  return restingState(plant, Vec3(0.0, 0.0, 0.06));
+}
+
 PlantState restingState(const Plant& plant, const Vec3& p_WT) noexcept {
+  if (!arm::isOmniForm(plant.arm)) return restingJoints(plant, &p_WT);
   PlantState state;
   state.p_WT = p_WT;
   state.q_rad = arm::withinLimits(plant.arm.limits, arm::dhFromDevice({}));
@@ -137,8 +145,13 @@ PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, cons
   const Vec3 p_WEnd = knows_where ? setpoint.p_WT : state.p_WT;
   const Vec3 v_WH = knows_where ? setpoint.v_WT : Vec3::Zero();
   const Vec3 force_N = isFinite(f_T_W) ? f_T_W : Vec3::Zero();
+  if (!arm::isOmniForm(plant.arm)) {
+    const bool turns = setpoint.turns && isFinite(setpoint.R_WT);
+    return advanceJoints(plant, state, force_N, {p_WEnd, v_WH, setpoint.R_WT, turns, setpoint.holds, setpoint.posture},
+                         period_ns);
+  }
   const Pull pull{plant.model.mass_kg + plant.hand.mass_kg, plant.model.damping_N_s_per_m, plant.hand.damping_N_s_per_m,
-                  plant.hand.stiffness_N_per_m, plant.model.friction_N};
+                  setpoint.holds ? plant.hand.stiffness_N_per_m : 0.0, plant.model.friction_N};
   const Shares shares = sharesOf(plant.integration.integrator, pull.mass_kg);
   for (std::int64_t left_ns = period_ns; left_ns > 0;) {
     const std::int64_t step_ns = std::min(left_ns, plant.integration.substep_ns);
@@ -168,7 +181,18 @@ arm::JointAngles quantized(const arm::EncoderCounts& counts_per_turn, const arm:
 }
 
 arm::JointAngles shownAngles(const Plant& plant, const PlantState& state) noexcept {
-  return plant.model.encoders ? quantized(plant.arm.counts_per_turn, state.q_rad) : state.q_rad;
+  if (!plant.model.encoders) return state.q_rad;
+  const arm::GeneralArm* const general = plant.arm.geometry.general.get();
+  if (general == nullptr) return quantized(plant.arm.counts_per_turn, state.q_rad);
+  arm::JointAngles shown = state.q_rad;
+  for (std::size_t joint = 0; joint < std::min(shown.size(), general->chain.joints.size()); ++joint) {
+    const double counts = plant.arm.counts_per_turn[joint];
+    if (!(counts > 0.0)) continue;
+    const bool turns = general->chain.joints[joint].type == chain::JointType::Revolute;
+    const double step = turns ? 2.0 * kPi / counts : kMetrePerMillimetre / counts;
+    shown[joint] = step * std::round(shown[joint] / step);
+  }
+  return shown;
 }
 
 }  // namespace underact::sim

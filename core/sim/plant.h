@@ -27,10 +27,14 @@ struct PlantState {
   Vec3 p_WT = Vec3::Zero();  // m
   Vec3 v_WT = Vec3::Zero();  // m/s
   arm::JointAngles q_rad{};  // exact joints for p_WT, and the wrist
+  arm::JointAngles dq{};     // rad/s or m/s, of an arm that is not of the Omni's form
 };
 
-/// At rest at p_WT, finite (brought inside reach and joint limits), the wrist in the middle of its gimbal.
+/// At rest at p_WT, finite (brought inside reach and joint limits), the wrist in the middle of its gimbal. An arm that
+/// is not of the Omni's form: as near as a search from its rest comes, of 200 steps at most.
 PlantState restingState(const Plant& plant, const Vec3& p_WT) noexcept;
+/// At rest where the arm is when nobody has moved it: the Omni's tip 60 mm before the middle of the workspace.
+PlantState restingState(const Plant& plant) noexcept;
 
 /// The state after period_ns under the arm's force f_T_W (held over the period) and the hand's wish, in substeps as
 /// plant.integration says; with the mean velocity a force is neither early nor late. The dampers, the hand's spring and
@@ -38,7 +42,8 @@ PlantState restingState(const Plant& plant, const Vec3& p_WT) noexcept;
 /// period; until then it moves uniformly at its v_WT. Where the reach or a joint limit stops the motion, the tip stays
 /// at the limit and keeps only the velocity along it. A force that is not finite counts as none, a setpoint that is not
 /// finite as one to stay. Within reach exact to 4 ulp of displacement and speed for each substep in free motion, and to
-/// 64 ulp of all impulses otherwise. Finite in, finite out; deterministic to the bit. Cost: linear in period_ns.
+/// 64 ulp of all impulses otherwise. An arm that is not of the Omni's form moves in its joints (joint_plant.h). Finite
+/// in, finite out; deterministic to the bit. Cost: linear in period_ns.
 PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, const HandSetpoint& setpoint,
                    std::int64_t period_ns) noexcept UNDERACT_REAL_TIME;
 

@@ -1,10 +1,16 @@
 #include "core/tick/motion.h"
 
 #include "core/arm/forward.h"
+#include "core/arm/general_arm.h"
 #include "core/arm/jacobian.h"
 #include "core/base/units.h"
 
 namespace underact::tick {
+namespace {
+
+constexpr double kSlide_rad_per_m = 10.0;  // a slide's last 5 mm count as a turn's last 3 degrees
+
+}  // namespace
 
 double secondsSince(const TickState& state, std::int64_t time_ns) noexcept {
   if (!state.has_time) return 0.0;
@@ -19,8 +25,36 @@ GateTime gateTimeOf(const TickInput& input, const TickState& before, double by_a
   return {input.period_s, input.waited_s, safety::travelTime_s(by_arm_s, since_s)};
 }
 
+namespace {
+
+/// The same of an arm that is not of the Omni's form.
+void computeGeneral(const TickProgram& program, const arm::GeneralArm& arm, const arm::JointAngles& q_rad,
+                    TickReport& report, safety::Motion& motion) noexcept UNDERACT_REAL_TIME {
+  const chain::Kinematics at = chain::kinematics(arm.chain, q_rad);
+  report.p_WT = at.X_WT.translation();
+  if (program.needs.orientation) {
+    report.R_WT = at.X_WT.linear();
+    report.stylus_W = at.X_WT.linear().col(2);
+  }
+  motion.J_p = arm::watchedColumns(arm, at.J);
+  motion.renders_all = false;
+  motion.renders = arm::renderable(arm, at.J);
+}
+
+void computeRoom(const TickProgram& program, std::size_t joint, double q_rad, double scale, Eigen::Index axis,
+                 safety::Motion& motion) noexcept UNDERACT_REAL_TIME {
+  motion.room_below_rad[axis] = scale * (q_rad - program.joint_limits.min_rad[joint]);
+  motion.room_above_rad[axis] = scale * (program.joint_limits.max_rad[joint] - q_rad);
+}
+
+}  // namespace
+
 void computeKinematics(const TickProgram& program, const arm::JointAngles& q_rad, TickReport& report,
                        safety::Motion& motion) noexcept {
+  if (program.geometry.general != nullptr) {
+    computeGeneral(program, *program.geometry.general, q_rad, report, motion);
+    return;
+  }
   if (!program.needs.orientation) {
     if (!program.needs.motors) {
       report.p_WT = arm::tipPosition(program.geometry, q_rad);
@@ -42,11 +76,18 @@ void computeMotion(const TickProgram& program, const arm::JointAngles& q_rad, co
                    const Vec3& p_WT, safety::Motion& motion) noexcept {
   if (dt_s > 0.0) motion.v_WT = (p_WT - before.p_WT) / dt_s;
   motion.moved = !(dt_s > 0.0) || q_rad != before.q_rad;
-  for (std::size_t joint = 0; joint < 3; ++joint) {
-    const auto axis = static_cast<Eigen::Index>(joint);
-    motion.room_below_rad[axis] = q_rad[joint] - program.joint_limits.min_rad[joint];
-    motion.room_above_rad[axis] = program.joint_limits.max_rad[joint] - q_rad[joint];
+  if (program.geometry.general != nullptr) {
+    const arm::GeneralArm& arm = *program.geometry.general;
+    const arm::Watched watched = arm::watchedJoints(arm);
+    for (std::size_t i = 0; i < watched.count; ++i) {
+      const std::size_t joint = watched.joint[i];
+      const bool slides = arm.chain.joints[joint].type == chain::JointType::Prismatic;
+      computeRoom(program, joint, q_rad[joint], slides ? kSlide_rad_per_m : 1.0, static_cast<Eigen::Index>(i), motion);
+    }
+    return;
   }
+  for (std::size_t joint = 0; joint < 3; ++joint)
+    computeRoom(program, joint, q_rad[joint], 1.0, static_cast<Eigen::Index>(joint), motion);
 }
 
 }  // namespace underact::tick

@@ -14,6 +14,7 @@ TickReport evaluateAtRest(const TickProgram& program, const Vec3& p_WT, const Ma
     // An arm of length 0 whose base is at the position of the tip: its tip is there to the last bit, also for positions
     // that the real arm cannot reach.
     there.geometry = {0.0, 0.0, p_WT};
+    if (program.geometry.general != nullptr) there.joint_limits = arm::kNoJointLimits;
   }
   if (program.needs.orientation) input.sample.q_rad = arm::solveWrist(input.sample.q_rad, R_WT);
   TickState state = makeState(there);
@@ -31,6 +32,15 @@ TickReport evaluateAtRest(const TickProgram& program, const Vec3& p_WT, const Ma
     report.held[index].robot.steps += steps[index];
   }
   return report;
+}
+
+target::Status statusOf(const ConstraintReports& held) noexcept {
+  target::Status status = target::Status::Free;
+  for (const ConstraintReport& one : held) {
+    if (one.acts && one.status == target::Status::Unique) return target::Status::Unique;
+    if (one.status == target::Status::Degenerate) status = target::Status::Degenerate;
+  }
+  return status;
 }
 
 }  // namespace underact::tick

@@ -12,4 +12,7 @@ namespace underact::tick {
 /// the servo thread.
 TickReport evaluateAtRest(const TickProgram& program, const Vec3& p_WT, const Mat3& R_WT);
 
+/// The status of all constraints together: unique if one acts and pulls the stylus, free if none is touched.
+target::Status statusOf(const ConstraintReports& held) noexcept;
+
 }  // namespace underact::tick

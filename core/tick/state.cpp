@@ -18,14 +18,35 @@ void carryEntry(const Needs& of_last, const EntryState& last, const Needs& of_ne
   if (of_last.rate && of_next.rate) next.law = last.law;
 }
 
+/// Where a target is now.
+target::Placing placeNow(const EntryState& entry) noexcept UNDERACT_REAL_TIME {
+  const Carried& carried = entry.carried;
+  if (carried.total == 0) return entry.end;
+  return target::between(carried.from, entry.end,
+                         static_cast<double>(carried.done) / static_cast<double>(carried.total));
+}
+
+/// Whether it is on its way.
+bool carry(const EntryState& last, EntryState& next, std::int64_t over_ticks) noexcept UNDERACT_REAL_TIME {
+  if (next.end.kind == 0 || last.end.kind != next.end.kind) return false;
+  if (target::isSame(last.end, next.end)) {
+    next.carried = last.carried;
+  } else if (over_ticks > 0) {
+    next.carried = {0, over_ticks, placeNow(last)};
+  }
+  return next.carried.total > 0;
+}
+
 }  // namespace
 
 TickState makeState(const TickProgram& program) {
   TickState state;
   state.needs = program.needs;
   state.entries.resize(program.entries.size());
-  for (std::size_t index = 0; index < state.entries.size(); ++index)
+  for (std::size_t index = 0; index < state.entries.size(); ++index) {
     state.entries[index].target = target::makeState(program.entries[index].constraint.goal);
+    state.entries[index].end = target::placingOf(program.entries[index].constraint.goal);
+  }
   return state;
 }
 
@@ -45,6 +66,9 @@ bool isValid(const TickState& state, const TickProgram& program) {
     const EntryState& entry = state.entries[index];
     if (!isValid(entry.target, program.entries[index].constraint.goal)) return false;
     if (!isValid(entry.energy) || !isValid(entry.follower) || !isValid(entry.law)) return false;
+    const Carried& carried = entry.carried;
+    if (carried.total == 0) continue;
+    if (carried.done < 0 || carried.done >= carried.total || !target::isValid(carried.from, entry.end)) return false;
   }
   const auto isNumber = [](double angle_rad) { return std::isfinite(angle_rad); };
   return isFlag(state.has_time) && isFlag(state.limited) && isFlag(state.retuned) && state.p_WT.allFinite() &&
@@ -62,7 +86,7 @@ std::size_t bytesOf(const TickState& state) {
   return bytes;
 }
 
-void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
+void carryOver(const TickState& last, TickState& next, Carry what, std::int64_t over_ticks) noexcept {
   next.time_ns = last.time_ns;
   next.has_time = last.has_time;
   next.p_WT = last.p_WT;
@@ -72,15 +96,42 @@ void carryOver(const TickState& last, TickState& next, Carry what) noexcept {
   if (what == Carry::Arm) return;
   next.asked_T_W = last.asked_T_W;
   next.bump_T_W = last.bump_T_W;
-  next.retuned = true;
+  // A target that is carried moves the force by itself; to smooth its first tick out would be felt as a step of its
+  // own.
+  next.retuned = last.retuned || over_ticks == 0;
   if (last.entries.size() == next.entries.size()) {
-    for (std::size_t index = 0; index < next.entries.size(); ++index)
+    for (std::size_t index = 0; index < next.entries.size(); ++index) {
       carryEntry(last.needs, last.entries[index], next.needs, next.entries[index]);
+      if (carry(last.entries[index], next.entries[index], over_ticks)) next.carries = true;
+    }
   }
   if (what != Carry::ArmAndMovedLaws) return;
   for (EntryState& entry : next.entries) {
     entry.law.velocity.has_last = false;
     target::forgetPath(entry.target);
+  }
+}
+
+void carryOver(const TickProgram& last_program, const TickState& last, const TickProgram& next_program, TickState& next,
+               Carry what, std::int64_t over_ticks) noexcept {
+  carryOver(last, next, what, over_ticks);
+  const arm::Geometry &from = last_program.geometry, &to = next_program.geometry;
+  if ((from.general != nullptr || to.general != nullptr) && !(from == to)) next.has_time = false;
+}
+
+void carryTargets(TickProgram& program, TickState& state) noexcept {
+  if (!state.carries) return;
+  state.carries = false;
+  for (std::size_t index = 0; index < state.entries.size(); ++index) {
+    EntryState& entry = state.entries[index];
+    if (entry.carried.total == 0) continue;
+    ++entry.carried.done;
+    target::put(program.entries[index].constraint.goal, placeNow(entry));
+    if (entry.carried.done < entry.carried.total) {
+      state.carries = true;
+    } else {
+      entry.carried = {};
+    }
   }
 }
 

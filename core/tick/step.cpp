@@ -111,6 +111,7 @@ void step(const TickProgram& program, const TickInput& input, TickState& state, 
     const control::LawInput moment{law_dt_s, state.limited, isIdle(input, state.gate)};
     report.f_T_W = sumForces(program, moment, displacement_T_W, state, report);
     smoothForce(moment, state, report.f_T_W);
+    if (input.push_T_W != Vec3::Zero()) report.f_T_W += input.push_T_W;  // it is no step of a law, and not smoothed
     remember(report, state);
   }
   report.p_WT = state.p_WT;

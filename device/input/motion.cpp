@@ -81,6 +81,7 @@ Motion combined(const Motion& one, const Motion& other) {
 sim::HandSetpoint movedSetpoint(const sim::HandSetpoint& setpoint, const Motion& motion, double dt_s,
                                 const Pose& X_WT) {
   sim::HandSetpoint next = setpoint;
+  next.holds = true;
   if (!(dt_s > 0.0) || !motion.v_WT.allFinite() || !motion.w_WT_W.allFinite() || !X_WT.matrix().allFinite())
     return next;
   const double step_s = std::min(dt_s, kLongestStep_s);

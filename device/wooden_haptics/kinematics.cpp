@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/arm/statics.h"
+#include "core/base/excepted.h"
 #include "core/base/units.h"
 
 namespace underact::device {
@@ -30,7 +31,8 @@ bool isWoodenPosture(const arm::JointAngles& q_rad) {
 
 Currents_mA woodenCurrents(const WoodenModel& model, const WoodenWiring& wiring, const arm::JointAngles& q_rad,
                            const Vec3& f_T_W) noexcept {
-  const Vec3 torque_N_m = arm::torqueOf(woodenGeometry(model), q_rad, f_T_W);
+  const Vec3 torque_N_m =
+      UNDERACT_EXCEPTED("lengths alone: nothing to free", arm::torqueOf(woodenGeometry(model), q_rad, f_T_W));
   // From the angles of the bodies: q2 decreases with B, and q3 increases with B and C.
   const std::array<double, 3> body_N_m{torque_N_m[0], torque_N_m[2] - torque_N_m[1], torque_N_m[2]};
   std::array<double, 3> wanted_mA{};

@@ -7,6 +7,7 @@
 
 #include "core/arm/forward.h"
 #include "core/arm/inverse.h"
+#include "core/base/excepted.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/system/thread.h"
@@ -196,7 +197,9 @@ bool WoodenArm::read(arm::Sample& sample) noexcept {
   is_reached_ = true;
   sample.q_rad = q_rad_;
   if (!is_own_) {
-    const arm::PositionSolution reach = arm::solvePosition(arm_, arm::tipPosition(woodenGeometry(*model_), q_rad_));
+    const Vec3 p_WT =
+        UNDERACT_EXCEPTED("lengths alone: nothing to free", arm::tipPosition(woodenGeometry(*model_), q_rad_));
+    const arm::PositionSolution reach = arm::solvePosition(arm_, p_WT);
     sample.q_rad = reach.q_rad;
     is_reached_ = reach.reachable;
   }

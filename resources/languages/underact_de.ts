@@ -15,6 +15,10 @@
 <context>
     <name>QObject</name>
     <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
         <source>%1°</source>
         <translation>%1°</translation>
     </message>
@@ -199,12 +203,12 @@ z [mm]</translation>
         <translation>Szenen (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>/recorded.underact.json</source>
-        <translation>/recorded.underact.json</translation>
+        <source>recorded</source>
+        <translation>aufgezeichnet</translation>
     </message>
     <message>
-        <source>/new.underact.json</source>
-        <translation>/new.underact.json</translation>
+        <source>new</source>
+        <translation>neu</translation>
     </message>
     <message>
         <source>not made</source>
@@ -255,10 +259,6 @@ z [mm]</translation>
         <translation>%1 konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
         <source>This program does not know the session's arm “%1”.</source>
         <translation>Dieses Programm kennt den Arm „%1“ der Sitzung nicht.</translation>
     </message>
@@ -271,8 +271,8 @@ z [mm]</translation>
         <translation>Stift ziehen</translation>
     </message>
     <message>
-        <source>moves the simulated hand in the plane of the view</source>
-        <translation>bewegt die simulierte Hand in der Ebene der Ansicht</translation>
+        <source>moves the simulated hand in the plane of the view; when you release it, the hand lets go, unless Keep holding (F6) is on</source>
+        <translation>bewegt die simulierte Hand in der Ebene der Ansicht; beim Loslassen lässt auch die Hand los, außer Festhalten (F6) ist an</translation>
     </message>
     <message>
         <source>Wheel while dragging</source>
@@ -287,8 +287,8 @@ z [mm]</translation>
         <translation>Pfeiltasten</translation>
     </message>
     <message>
-        <source>move the hand 2 mm, with Shift 10 mm (press F2 first, or click the view)</source>
-        <translation>bewegen die Hand um 2 mm, mit Umschalt um 10 mm (zuerst F2 drücken oder die Ansicht anklicken)</translation>
+        <source>move the hand 2 mm, with Shift 10 mm (press F2 first, or click the view); it holds the stylus until you let go (Shift+F6)</source>
+        <translation>bewegen die Hand um 2 mm, mit Umschalt um 10 mm (vorher F2 drücken oder in die Ansicht klicken); sie hält den Stift, bis Sie loslassen (Umschalt+F6)</translation>
     </message>
     <message>
         <source>Page Up, Page Down</source>
@@ -303,8 +303,8 @@ z [mm]</translation>
         <translation>Strg und Pfeiltasten</translation>
     </message>
     <message>
-        <source>turn the stylus</source>
-        <translation>drehen den Stift</translation>
+        <source>turn the stylus; only turned, it goes where the scene sends it</source>
+        <translation>drehen den Stift; nur gedreht, geht er dorthin, wohin ihn die Szene schickt</translation>
     </message>
     <message>
         <source>Game controller, 3D mouse</source>
@@ -361,6 +361,10 @@ z [mm]</translation>
     <message>
         <source>F2, a double click or typing edits a number; Enter applies it</source>
         <translation>F2, ein Doppelklick oder Tippen ändert eine Zahl; die Eingabetaste übernimmt sie</translation>
+    </message>
+    <message>
+        <source>Stops the servo wherever you are, also in an open menu or dialog.</source>
+        <translation>Stoppt den Servo, wo Sie auch sind, auch in einem offenen Menü oder Dialog.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -439,6 +443,10 @@ Grenze: %4 (%5).</translation>
         <translation>▲ Der Fehler überschreitet die Grenze.</translation>
     </message>
     <message>
+        <source>The default; no other setting keeps the error within the bound here.</source>
+        <translation>Die Voreinstellung; auch keine andere Einstellung hält den Fehler hier innerhalb der Schranke.</translation>
+    </message>
+    <message>
         <source>→ Recommended: %1 (%2 per second, error %3)</source>
         <translation>→ Empfohlen: %1 (%2 je Sekunde, Fehler %3)</translation>
     </message>
@@ -471,6 +479,10 @@ Grenze: %4 (%5).</translation>
         <translation>%1 µm</translation>
     </message>
     <message>
+        <source>below 0.001 nm</source>
+        <translation>unter 0,001 nm</translation>
+    </message>
+    <message>
         <source>%1 nm</source>
         <translation>%1 nm</translation>
     </message>
@@ -481,6 +493,18 @@ Grenze: %4 (%5).</translation>
     <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>closed form where there is one, else %1</source>
+        <translation>geschlossene Form, wo es eine gibt, sonst %1</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>geschlossene Form</translation>
+    </message>
+    <message>
+        <source>µs</source>
+        <translation>µs</translation>
     </message>
     <message>
         <source>STL (binary)</source>
@@ -888,6 +912,13 @@ Grenze: %4 (%5).</translation>
     </message>
 </context>
 <context>
+    <name>QToolBar</name>
+    <message>
+        <source>Panels</source>
+        <translation>Bereiche</translation>
+    </message>
+</context>
+<context>
     <name>SceneView</name>
     <message>
         <source>desk</source>
@@ -994,6 +1025,108 @@ Grenze: %4 (%5).</translation>
     <message>
         <source>Recording blocks</source>
         <translation>Blöcke der Aufzeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>columns</name>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Columns [%1]</source>
+        <translation>Spalten [%1]</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+</context>
+<context>
+    <name>difference</name>
+    <message>
+        <source>centre</source>
+        <translation>Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>point on it</source>
+        <translation>Punkt darauf</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>orientation</source>
+        <translation>Orientierung</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>constraints</source>
+        <translation>Bindungen</translation>
+    </message>
+    <message>
+        <source>control law and gains</source>
+        <translation>Regelgesetz und Verstärkungen</translation>
+    </message>
+    <message>
+        <source>influence</source>
+        <translation>Einfluss</translation>
+    </message>
+    <message>
+        <source>velocity filter</source>
+        <translation>Geschwindigkeitsfilter</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>solver</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>home pose</source>
+        <translation>Grundstellung</translation>
     </message>
 </context>
 <context>
@@ -1358,15 +1491,11 @@ Drehen Sie den Stift, bis er nach oben zeigt, entlang $y$ von W; seine dritte Sp
 **fixed** axis of W multiplies from the left: first about $x$, then about $y$ is $R = R_y R_x$.
 
 Try it with a book: rotate it by 90° about $x$, then by 90° about $y$. Then reverse the order. The panel
-*Transforms* does the same: choose fixed axes, $R_x$ 90 and $R_y$ 90; it draws both orders.
-
-$R_x(90°)$ rotates $z$ to $-y$. $R_y(90°)$ rotates $z$ to $x$ and leaves $y$ unchanged.</source>
+*Transforms* does the same: choose fixed axes, $R_x$ 90 and $R_y$ 90; it draws both orders.</source>
         <translation>Zwei Drehungen nacheinander sind ein Produkt von Matrizen, und Matrizen sind nicht vertauschbar. Eine Drehung um eine **feste** Achse von W multipliziert von links: zuerst um $x$, dann um $y$ ist $R = R_y R_x$.
 
 Versuchen Sie es mit einem Buch: Drehen Sie es um 90° um $x$, dann um 90° um $y$. Danach in umgekehrter Reihenfolge. Der Bereich
-*Transformationen* macht dasselbe: Wählen Sie feste Achsen, $R_x$ 90 und $R_y$ 90; er zeichnet beide Reihenfolgen.
-
-$R_x(90°)$ führt $z$ nach $-y$. $R_y(90°)$ führt $z$ nach $x$ und lässt $y$ unverändert.</translation>
+*Transformationen* macht dasselbe: Wählen Sie feste Achsen, $R_x$ 90 und $R_y$ 90; er zeichnet beide Reihenfolgen.</translation>
     </message>
     <message>
         <source>First about $x$: $z$ becomes $-y$; the rotation about $y$ does not change that. First about $y$: $z$ becomes $x$; the rotation about $x$ does not change that.</source>
@@ -1661,12 +1790,12 @@ Drehen Sie Gelenk 4 über einen Bereich von 40° und halten Sie die Spitze höch
     <message>
         <source>Forward kinematics gives one pose for a set of joint angles. Inverse kinematics gives several sets of joint angles
 for one pose: the turret can face the stylus or turn its back on it, the elbow can be up or down, the wrist can be
-bent to one side or the other: $2 \cdot 2 \cdot 2$ solutions.
+bent to one side or the other.
 
 The view draws all of them as ghosts: those with solid lines are within the joint limits, those with dashed lines
 are not. Move the stylus and count the rows of *Inverse solutions* in the panel *Kinematics*.</source>
         <translation>Die Vorwärtskinematik ergibt aus Gelenkwinkeln eine einzige Lage. Die Rückwärtskinematik hat für eine Lage mehrere Lösungen: Der Drehturm kann dem Stift zugewandt oder von ihm
-abgewandt sein, der Ellbogen oben oder unten, das Handgelenk zur einen oder zur anderen Seite gebeugt: $2 \cdot 2 \cdot 2$ Lösungen.
+abgewandt sein, der Ellbogen oben oder unten, das Handgelenk zur einen oder zur anderen Seite gebeugt.
 
 Die Ansicht zeichnet sie alle als Geisterbilder: Die durchgezogenen halten die Gelenkgrenzen ein, die gestrichelten nicht. Bewegen Sie den Stift und zählen Sie
 die Zeilen von *Inverse Lösungen* im Bereich *Kinematik*.</translation>
@@ -2010,8 +2139,8 @@ back with 0.4 N, and hold it for one second. The orange arrow is the force; the 
 Der orange Pfeil ist die Kraft; die Kraftanzeige zeigt ihren Betrag.</translation>
     </message>
     <message>
-        <source>The stylus starts in front of the middle. Push it back to $(0, 0, 0)$ first, then 2 mm to the right.</source>
-        <translation>Der Stift beginnt vor der Mitte. Schieben Sie ihn zuerst zurück nach $(0, 0, 0)$, dann 2 mm nach rechts.</translation>
+        <source>Let go of the stylus: the spring brings it to the middle. Then pull it 2 mm to the right and hold it there.</source>
+        <translation>Lassen Sie den Stift los: Die Feder bringt ihn in die Mitte. Ziehen Sie ihn dann 2 mm nach rechts und halten Sie ihn dort.</translation>
     </message>
     <message>
         <source>Which motor carries it?</source>
@@ -2131,8 +2260,10 @@ Drücken Sie Start (F5), gehen Sie zur Mitte und ziehen Sie weg, bis die Kraft z
         <translation>Wie weit ist das?</translation>
     </message>
     <message>
-        <source>Read the force from the gauge, and calculate from it how far the tip is from its target.</source>
-        <translation>Lesen Sie die Kraft an der Kraftanzeige ab und berechnen Sie daraus, wie weit die Spitze von ihrem Ziel entfernt ist.</translation>
+        <source>Turn on **Keep holding** (F6), so that the hand stays where you release the mouse, and pull the stylus away from
+the middle. Read the force from the gauge, and calculate from it how far the tip is from its target.</source>
+        <translation>Schalten Sie **Weiter festhalten** (F6) ein, damit die Hand bleibt, wo Sie die Maus loslassen, und ziehen Sie den Stift von der
+Mitte weg. Lesen Sie die Kraft an der Anzeige ab, und berechnen Sie daraus, wie weit die Spitze von ihrem Ziel entfernt ist.</translation>
     </message>
     <message>
         <source>$e = F / k_p$: 0.5 N is 10 mm.</source>
@@ -2610,6 +2741,219 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <source>in all directions</source>
         <translation>in allen Richtungen</translation>
     </message>
+    <message>
+        <source>Two arms, two workspaces</source>
+        <translation>Zwei Arme, zwei Arbeitsräume</translation>
+    </message>
+    <message>
+        <source>Comparing arms</source>
+        <translation>Arme im Vergleich</translation>
+    </message>
+    <message>
+        <source>Where a UR5e and a SCARA reach, and where they lose a direction.</source>
+        <translation>Wie weit ein UR5e und ein SCARA reichen, und wo sie eine Richtung verlieren.</translation>
+    </message>
+    <message>
+        <source>Stretch the UR5e</source>
+        <translation>Den UR5e strecken</translation>
+    </message>
+    <message>
+        <source>The **UR5e** has three parallel axes: shoulder, elbow and first wrist joint. With six joints for six numbers of a
+pose, it loses a direction only in a singularity. The elbow's is the limit of its reach: both links in line.
+
+Pull the tool away from the base until the smallest singular value of $J_v$ is below 150 mm per radian.</source>
+        <translation>Der **UR5e** hat drei parallele Achsen: Schulter, Ellbogen und erstes Handgelenk. Mit sechs Gelenken für die sechs Zahlen
+einer Lage verliert er eine Richtung nur in einer Singularität. Die des Ellbogens ist die Grenze seiner Reichweite: beide Glieder in einer Linie.
+
+Ziehen Sie das Werkzeug von der Basis weg, bis der kleinste Singulärwert von $J_v$ unter 150 mm je Radiant liegt.</translation>
+    </message>
+    <message>
+        <source>Drag the tool outwards, away from the base, as far as it goes. The arm weighs 18 kg and follows slowly.</source>
+        <translation>Ziehen Sie das Werkzeug nach außen, von der Basis weg, so weit es geht. Der Arm wiegt 18 kg und folgt langsam.</translation>
+    </message>
+    <message>
+        <source>Stretch the SCARA</source>
+        <translation>Den SCARA strecken</translation>
+    </message>
+    <message>
+        <source>The **SCARA** moves in the plane with two joints and along $z$ with a slide. It has one singularity within its
+limits: both links in line, $q_2 = 0$. Its workspace is a part of a ring, as thick as the slide is long.
+
+Stretch it until $q_2$ is below 20°.</source>
+        <translation>Der **SCARA** bewegt sich mit zwei Gelenken in der Ebene und mit einem Schubgelenk entlang $z$. Innerhalb seiner Grenzen hat er eine
+Singularität: beide Glieder in einer Linie, $q_2 = 0$. Sein Arbeitsraum ist ein Teil eines Rings, so dick wie das Schubgelenk lang ist.
+
+Strecken Sie ihn, bis $q_2$ unter 20° liegt.</translation>
+    </message>
+    <message>
+        <source>Pull the tip away from the base. $q_2$ is in the panel *Kinematics*, under *Joints*.</source>
+        <translation>Ziehen Sie die Spitze von der Basis weg. $q_2$ steht im Bereich *Kinematik* unter *Gelenke*.</translation>
+    </message>
+    <message>
+        <source>What the SCARA cannot do</source>
+        <translation>Was der SCARA nicht kann</translation>
+    </message>
+    <message>
+        <source>Four joints cannot give all six numbers of a pose. Three of them set the position of the tip, and the fourth one
+turns the tool.
+
+Look at the *Jacobian* in the panel *Kinematics*: which rows are zero in every column?</source>
+        <translation>Vier Gelenke können nicht alle sechs Zahlen einer Lage ergeben. Drei von ihnen bestimmen die Position der Spitze, und das vierte
+dreht das Werkzeug.
+
+Sehen Sie sich im Bereich *Kinematik* die *Jacobi-Matrix* an: Welche Zeilen sind in jeder Spalte null?</translation>
+    </message>
+    <message>
+        <source>The rows of angular velocity about x and y, $\omega_x$ and $\omega_y$: the tool always points down.</source>
+        <translation>Die Zeilen der Winkelgeschwindigkeit um x und y, $\omega_x$ und $\omega_y$: Das Werkzeug zeigt immer nach unten.</translation>
+    </message>
+    <message>
+        <source>Which motion of the tool is missing?</source>
+        <translation>Welche Bewegung des Werkzeugs fehlt?</translation>
+    </message>
+    <message>
+        <source>moving along z</source>
+        <translation>die entlang z</translation>
+    </message>
+    <message>
+        <source>turning about z</source>
+        <translation>das Drehen um z</translation>
+    </message>
+    <message>
+        <source>tilting about x and y</source>
+        <translation>das Kippen um x und y</translation>
+    </message>
+    <message>
+        <source>Eight solutions, two, or none</source>
+        <translation>Acht Lösungen, zwei oder keine</translation>
+    </message>
+    <message>
+        <source>How many sets of joint values give the same pose depends on the geometry of the arm.</source>
+        <translation>Wie viele Sätze von Gelenkwerten dieselbe Lage ergeben, hängt von der Geometrie des Arms ab.</translation>
+    </message>
+    <message>
+        <source>The UR5e</source>
+        <translation>Der UR5e</translation>
+    </message>
+    <message>
+        <source>The **UR5e** can turn its shoulder in two ways, bend its wrist in two and its elbow in two, each whatever the others
+do. The panel *Kinematics* lists the solutions for a pose under *Inverse solutions*.</source>
+        <translation>Der **UR5e** kann seine Schulter auf zwei Arten drehen, sein Handgelenk auf zwei beugen und seinen Ellbogen auf zwei, jeweils unabhängig von den anderen. Der Bereich *Kinematik* führt die Lösungen für eine Lage unter *Inverse Lösungen* auf.</translation>
+    </message>
+    <message>
+        <source>Count the rows. Near the edge of the workspace some of them have no real angle, and are missing.</source>
+        <translation>Zählen Sie die Zeilen. Nahe am Rand des Arbeitsraums haben einige keinen reellen Winkel und fehlen.</translation>
+    </message>
+    <message>
+        <source>The SCARA</source>
+        <translation>Der SCARA</translation>
+    </message>
+    <message>
+        <source>Slide and last joint of the **SCARA** follow from the pose without a choice. What is left are two links in a plane.</source>
+        <translation>Schubgelenk und letztes Gelenk des **SCARA** folgen eindeutig aus der Lage. Übrig bleiben zwei Glieder in einer Ebene.</translation>
+    </message>
+    <message>
+        <source>The elbow is to the left or to the right of the line from the base to the tip.</source>
+        <translation>Der Ellbogen liegt links oder rechts der Linie von der Basis zur Spitze.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Most arms of six joints have no formula for their solutions: the equations lead to a polynomial of degree 16
+(Raghavan and Roth 1990). A maker who wants a formula chooses the geometry for it: three axes that meet in a point,
+or three that are parallel (Pieper 1968). Without it a program searches, as `underact-cli ik` does.</source>
+        <translation>Die meisten Arme mit sechs Gelenken haben keine Formel für ihre Lösungen: Die Gleichungen führen auf ein Polynom vom Grad 16
+(Raghavan und Roth 1990). Wer eine Formel will, wählt die Geometrie danach: drei Achsen, die sich in einem Punkt schneiden,
+oder drei parallele (Pieper 1968). Ohne sie sucht ein Programm, wie `underact-cli ik` es tut.</translation>
+    </message>
+    <message>
+        <source>The UR5e has three parallel axes; a KR 5 has a wrist whose three axes meet in a point.</source>
+        <translation>Der UR5e hat drei parallele Achsen; ein KR 5 hat ein Handgelenk, dessen drei Achsen sich in einem Punkt schneiden.</translation>
+    </message>
+    <message>
+        <source>Which change leaves the UR5e without its eight formulas?</source>
+        <translation>Welche Änderung nimmt dem UR5e seine acht Formeln?</translation>
+    </message>
+    <message>
+        <source>longer links</source>
+        <translation>längere Glieder</translation>
+    </message>
+    <message>
+        <source>tilting axis 3 by a degree</source>
+        <translation>Achse 3 um ein Grad neigen</translation>
+    </message>
+    <message>
+        <source>another tool</source>
+        <translation>ein anderes Werkzeug</translation>
+    </message>
+    <message>
+        <source>Joints to spare</source>
+        <translation>Gelenke übrig</translation>
+    </message>
+    <message>
+        <source>With more joints than coordinates, the arm can move while its tip rests.</source>
+        <translation>Mit mehr Gelenken als Koordinaten kann sich der Arm bewegen, während seine Spitze ruht.</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Zählen</translation>
+    </message>
+    <message>
+        <source>Three links in a plane have three joints; the place of the tip in that plane has two coordinates. The difference is
+the dimension of the **null space**: of the joint rates that do not move the tip, $J_v\,\dot q = 0$.</source>
+        <translation>Drei Glieder in einer Ebene haben drei Gelenke; der Ort der Spitze in dieser Ebene hat zwei Koordinaten. Der Unterschied ist
+die Dimension des **Nullraums**: der Gelenkgeschwindigkeiten, die die Spitze nicht bewegen, $J_v\,\dot q = 0$.</translation>
+    </message>
+    <message>
+        <source>$3 - 2$, as long as the arm is not stretched.</source>
+        <translation>$3 - 2$, solange der Arm nicht gestreckt ist.</translation>
+    </message>
+    <message>
+        <source>What is the dimension of the null space?</source>
+        <translation>Welche Dimension hat der Nullraum?</translation>
+    </message>
+    <message>
+        <source>Move the links, not the tip</source>
+        <translation>Die Glieder bewegen, nicht die Spitze</translation>
+    </message>
+    <message>
+        <source>The tip is held to a point. Turn the last link with the hand, so that joint 3 changes by 30°, and watch the others
+follow: the tip stays within 10 mm of the point.</source>
+        <translation>Die Spitze wird an einem Punkt gehalten. Drehen Sie das letzte Glied mit der Hand, sodass sich Gelenk 3 um 30° ändert, und sehen Sie zu, wie die
+anderen folgen: Die Spitze bleibt innerhalb von 10 mm um den Punkt.</translation>
+    </message>
+    <message>
+        <source>With the servo running, turn the stylus with Ctrl and the arrow keys.</source>
+        <translation>Drehen Sie bei laufendem Servo den Stift mit Strg und den Pfeiltasten.</translation>
+    </message>
+    <message>
+        <source>What it is good for</source>
+        <translation>Wozu das gut ist</translation>
+    </message>
+    <message>
+        <source>Arms of seven joints, as the Panda and the iiwa, use the null space to keep the elbow away from a wall, a joint
+away from its limit, or the arm away from a singularity, while the tool does its work.</source>
+        <translation>Arme mit sieben Gelenken wie der Panda und der iiwa nutzen den Nullraum, um den Ellbogen von einer Wand, ein Gelenk von
+seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das Werkzeug arbeitet.</translation>
+    </message>
+    <message>
+        <source>The tool's pose has six numbers, the arm seven joints.</source>
+        <translation>Die Lage des Werkzeugs hat sechs Zahlen, der Arm sieben Gelenke.</translation>
+    </message>
+    <message>
+        <source>An iiwa holds its flange still. What can move?</source>
+        <translation>Ein iiwa hält seinen Flansch still. Was kann sich bewegen?</translation>
+    </message>
+    <message>
+        <source>its elbow, on a circle</source>
+        <translation>sein Ellbogen, auf einem Kreis</translation>
+    </message>
+    <message>
+        <source>its flange, along a line</source>
+        <translation>sein Flansch, entlang einer Linie</translation>
+    </message>
 </context>
 <context>
     <name>limit</name>
@@ -2636,6 +2980,18 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Above 1 m/s, force in the direction of motion is reduced; from 2 m/s it is zero. Force against the motion is not limited.</source>
         <translation>Über 1 m/s wird Kraft in Bewegungsrichtung verringert; ab 2 m/s ist sie null. Kraft gegen die Bewegung wird nicht begrenzt.</translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation>Motoren</translation>
+    </message>
+    <message>
+        <source>motors</source>
+        <translation>Motoren</translation>
+    </message>
+    <message>
+        <source>Removes what no motor can render: a joint without a motor passes no torque on, and no joint moves the tip in some directions. Zero for haptic arms such as the Omni.</source>
+        <translation>Nimmt weg, was kein Motor erzeugen kann: Ein Gelenk ohne Motor gibt kein Moment weiter, und in manche Richtungen bewegt kein Gelenk die Spitze. Null bei haptischen Armen wie dem Omni.</translation>
     </message>
     <message>
         <source>Workspace edge</source>
@@ -2693,8 +3049,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Arm</translation>
     </message>
     <message>
-        <source>Joint angles, tip position and faults of the arm.</source>
-        <translation>Gelenkwinkel, Position der Spitze und Störungen des Arms.</translation>
+        <source>The scene's arm: its joint angles, tip position and faults.</source>
+        <translation>Der Arm der Szene: Gelenkwinkel, Lage der Spitze und Fehler.</translation>
     </message>
     <message>
         <source>Calibration</source>
@@ -2844,6 +3200,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
 <context>
     <name>problem</name>
     <message>
+        <source>Open a scene first; then it can be given another arm.</source>
+        <translation>Öffnen Sie zuerst eine Szene; dann kann sie einen anderen Arm bekommen.</translation>
+    </message>
+    <message>
         <source>This arm is already in use as the first arm. Choose another one here or there.</source>
         <translation>Dieser Arm wird schon als erster Arm verwendet. Wählen Sie hier oder dort einen anderen.</translation>
     </message>
@@ -2880,6 +3240,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Öffnen Sie zuerst eine Szene. Sie wird nach der Messung wiederhergestellt.</translation>
     </message>
     <message>
+        <source>Only arms with the geometry of table 3.1 of the thesis can be measured. Open a scene for one of them.</source>
+        <translation>Nur Arme mit der Geometrie aus Tabelle 3.1 der Thesis lassen sich vermessen. Öffnen Sie eine Szene für einen von ihnen.</translation>
+    </message>
+    <message>
         <source>A recording is being replayed. Close it first.</source>
         <translation>Eine Aufzeichnung wird wiedergegeben. Schließen Sie sie zuerst.</translation>
     </message>
@@ -2910,6 +3274,26 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Text typed during the recording is not in the file. Edit the details of the session below.</source>
         <translation>Was während der Aufzeichnung eingegeben wurde, steht nicht in der Datei. Ändern Sie die Angaben zur Sitzung unten.</translation>
+    </message>
+    <message>
+        <source>No scene is open in the window.</source>
+        <translation>Im Fenster ist keine Szene geöffnet.</translation>
+    </message>
+    <message>
+        <source>The window plays a recording. Close the replay there first.</source>
+        <translation>Das Fenster spielt eine Aufzeichnung ab. Schließen Sie dort zuerst die Wiedergabe.</translation>
+    </message>
+    <message>
+        <source>The window is in visitor mode. End it there first.</source>
+        <translation>Das Fenster ist im Besuchermodus. Beenden Sie ihn dort zuerst.</translation>
+    </message>
+    <message>
+        <source>The window measures with a scene of its own. End that there first.</source>
+        <translation>Das Fenster misst mit einer eigenen Szene. Beenden Sie das dort zuerst.</translation>
+    </message>
+    <message>
+        <source>The scene in the window has changes that are not saved. Save or undo them there first.</source>
+        <translation>Die Szene im Fenster hat ungesicherte Änderungen. Sichern Sie sie dort zuerst, oder machen Sie sie rückgängig.</translation>
     </message>
     <message>
         <source>No reference point has been touched.</source>
@@ -3024,12 +3408,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dies muss über 0 liegen.</translation>
     </message>
     <message>
-        <source>a list of six numbers</source>
-        <translation>eine Liste von sechs Zahlen</translation>
+        <source>a list of numbers, one for each joint</source>
+        <translation>eine Liste von Zahlen, eine je Gelenk</translation>
     </message>
     <message>
-        <source>This must be a list of six numbers.</source>
-        <translation>Dies muss eine Liste von sechs Zahlen sein.</translation>
+        <source>This must be a list of %1 numbers, one for each joint.</source>
+        <translation>Dies muss eine Liste von %1 Zahlen sein, eine je Gelenk.</translation>
     </message>
     <message>
         <source>This must be a number of at least 1.</source>
@@ -3046,10 +3430,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>an object, as in %1</source>
         <translation>ein Objekt wie %1</translation>
-    </message>
-    <message>
-        <source>Only an arm with the geometry of table 3.1 of the thesis can be a device; without "device" it can still be used for kinematics.</source>
-        <translation>Nur ein Arm mit der Geometrie von Tabelle 3.1 der Thesis kann ein Gerät sein; ohne „device“ lässt er sich weiterhin für die Kinematik benutzen.</translation>
     </message>
     <message>
         <source>an arm</source>
@@ -3120,6 +3500,18 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Diese Grenze ist schon durch „%1“ angegeben.</translation>
     </message>
     <message>
+        <source>A revolute joint rests at an angle: "%1".</source>
+        <translation>Ein Drehgelenk ruht bei einem Winkel: „%1“.</translation>
+    </message>
+    <message>
+        <source>A prismatic joint rests at a length: "%1".</source>
+        <translation>Ein Schubgelenk ruht bei einer Länge: „%1“.</translation>
+    </message>
+    <message>
+        <source>The rest is already given by "%1".</source>
+        <translation>Die Ruhelage steht schon in „%1“.</translation>
+    </message>
+    <message>
         <source>the mass of a link</source>
         <translation>die Masse eines Glieds</translation>
     </message>
@@ -3134,6 +3526,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The joint's lower limit must be below its upper limit.</source>
         <translation>Die untere Grenze des Gelenks muss unter der oberen liegen.</translation>
+    </message>
+    <message>
+        <source>The joint's rest must be within its limits.</source>
+        <translation>Die Ruhelage des Gelenks muss innerhalb seiner Grenzen liegen.</translation>
     </message>
     <message>
         <source>A joint that is not sensed cannot be driven.</source>
@@ -3182,6 +3578,18 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>The joints are already given by the table "dh".</source>
         <translation>Die Gelenke sind schon durch die Tabelle „dh“ angegeben.</translation>
+    </message>
+    <message>
+        <source>The arm of a scene with the geometry of table 3.1 of the thesis is a haptic device, which needs %1 and %2 here: %3.</source>
+        <translation>Der Arm einer Szene mit der Geometrie aus Tabelle 3.1 der Thesis ist ein haptisches Gerät und braucht hier %1 und %2: %3.</translation>
+    </message>
+    <message>
+        <source>The arm of a scene can have up to six joints; this one has %1.</source>
+        <translation>Der Arm einer Szene kann bis zu sechs Gelenke haben; dieser hat %1.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is not sensed, so that the position of the tip would be unknown: the arm of a scene needs each of its joints sensed.</source>
+        <translation>Gelenk %1 wird nicht gemessen, die Lage der Spitze wäre also unbekannt: Beim Arm einer Szene muss jedes Gelenk gemessen werden.</translation>
     </message>
     <message>
         <source>The link %1 has two parents.</source>
@@ -4132,6 +4540,18 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Ein Schritt hat höchstens %1 Prüfungen.</translation>
     </message>
     <message>
+        <source>The first step has none before it.</source>
+        <translation>Vor dem ersten Schritt ist keiner.</translation>
+    </message>
+    <message>
+        <source>a list of numbers</source>
+        <translation>eine Liste von Zahlen</translation>
+    </message>
+    <message>
+        <source>A pose has 1 to %1 joints.</source>
+        <translation>Eine Lage hat 1 bis %1 Gelenke.</translation>
+    </message>
+    <message>
         <source>a step in { }</source>
         <translation>ein Schritt in { }</translation>
     </message>
@@ -4972,6 +5392,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>PD (oder PID)</translation>
     </message>
     <message>
+        <source>The control of joints follows the closed form of the Omni's geometry, which the arm %1 has not; "cartesian" works with every arm.</source>
+        <translation>Die Gelenkregelung folgt der geschlossenen Form der Omni-Geometrie, die der Arm %1 nicht hat; „cartesian“ geht mit jedem Arm.</translation>
+    </message>
+    <message>
         <source>The gain along %1 is %2 while the others are larger, so no point of the %3 is nearest in the gains' own metric. Set "anisotropy" to "euclidean" in the control, or give every axis a gain.</source>
         <translation>Die Verstärkung entlang %1 ist %2, während die anderen größer sind, also ist bei dieser Bindung (Typ „%3“) kein Punkt der nächste in der eigenen Metrik der Verstärkungen. Setzen Sie „anisotropy“ in der Regelung auf „euclidean“, oder geben Sie jeder Achse eine Verstärkung.</translation>
     </message>
@@ -5012,8 +5436,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Armdatei %1 wurde nicht gelesen.</translation>
     </message>
     <message>
-        <source>The arm %1 is for kinematics only: the arm of a scene is a haptic device with the geometry of table 3.1 of the thesis.</source>
-        <translation>Der Arm %1 ist nur für die Kinematik: Der Arm einer Szene ist ein haptisches Gerät mit der Geometrie von Tabelle 3.1 der Arbeit.</translation>
+        <source>The arm %1: %2</source>
+        <translation>Der Arm %1: %2</translation>
     </message>
     <message>
         <source>The arm %1 is not known. Known arms: %2; or the name of an arm file, such as "my_arm.json".</source>
@@ -5288,18 +5712,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Der Arm %1 ist aus einer Datei, und die Aufzeichnung sagt nicht, was sie enthielt.</translation>
     </message>
     <message>
-        <source>The arm %1: %2</source>
-        <translation>Der Arm %1: %2</translation>
-    </message>
-    <message>
-        <source>The arm of a scene needs the geometry of table 3.1 of the thesis; this one is for kinematics only.</source>
-        <translation>Der Arm einer Szene braucht die Geometrie von Tabelle 3.1 der Arbeit; dieser ist nur für die Kinematik.</translation>
-    </message>
-    <message>
-        <source>The arm of a scene is a haptic device, which needs %1 and %2 here: %3.</source>
-        <translation>Der Arm einer Szene ist ein haptisches Gerät; dazu braucht die Datei %1 und %2: %3.</translation>
-    </message>
-    <message>
         <source>"arm_text" is the content of an arm file, but "arm" names none.</source>
         <translation>„arm_text“ ist der Inhalt einer Armdatei, aber „arm“ nennt keine.</translation>
     </message>
@@ -5348,8 +5760,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Dies muss zwischen 0 und der Haftreibung, %1, liegen; hier steht %2.</translation>
     </message>
     <message>
-        <source>This must be from %1 to %2 us; here it is %3.</source>
-        <translation>Dies muss zwischen %1 und %2 us liegen; hier steht %3.</translation>
+        <source>This must be from %1 to %2 µs; here it is %3.</source>
+        <translation>Dies muss zwischen %1 und %2 µs liegen; hier ist es %3.</translation>
     </message>
     <message>
         <source>This must be from 0 (orientation only) to 1 (position only); here it is %1.</source>
@@ -5502,6 +5914,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>not a finite number</source>
         <translation>keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a list of six numbers</source>
+        <translation>eine Liste von sechs Zahlen</translation>
     </message>
     <message>
         <source>This must be a list of six numbers, one for each joint.</source>
@@ -5764,12 +6180,80 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>WoodenHaptics (HID)</translation>
     </message>
     <message>
+        <source>Inverse3 (Haply's service)</source>
+        <translation>Inverse3 (Haplys Dienst)</translation>
+    </message>
+    <message>
         <source>Arm over the network</source>
         <translation>Arm über das Netz</translation>
     </message>
     <message>
         <source>There is no arm of the kind "%1". Known kinds: %2.</source>
         <translation>Arme der Art „%1“ gibt es nicht. Bekannte Arten: %2.</translation>
+    </message>
+    <message>
+        <source>The scene is for the arm "%1", which exists as a simulated arm only. Choose the simulated arm, or open another scene first.</source>
+        <translation>Die Szene ist für den Arm „%1“, den es nur simuliert gibt. Wählen Sie den simulierten Arm, oder öffnen Sie zuerst eine andere Szene.</translation>
+    </message>
+    <message>
+        <source>"%1" is not an address of Haply's service. Give HOST:PORT or HOST, and /ID for one of several arms, as in 127.0.0.1:10001 or 127.0.0.1:10001/04C3.</source>
+        <translation>„%1“ ist keine Adresse von Haplys Dienst. Geben Sie HOST:PORT oder HOST an, und /ID für einen von mehreren Armen, etwa 127.0.0.1:10001 oder 127.0.0.1:10001/04C3.</translation>
+    </message>
+    <message>
+        <source>Inverse3 %1 at %2</source>
+        <translation>Inverse3 %1 unter %2</translation>
+    </message>
+    <message>
+        <source>Haply's service at %1 has no Inverse3. Plug it in, switch it on, and open it again.</source>
+        <translation>Haplys Dienst unter %1 hat keinen Inverse3. Schließen Sie ihn an, schalten Sie ihn ein und öffnen Sie ihn noch einmal.</translation>
+    </message>
+    <message>
+        <source>Haply's service at %1 has no Inverse3 "%2". It has: %3.</source>
+        <translation>Haplys Dienst unter %1 hat keinen Inverse3 „%2“. Er hat: %3.</translation>
+    </message>
+    <message>
+        <source>What answers at %1 does not say where an Inverse3 is. Is it Haply's service?</source>
+        <translation>Was unter %1 antwortet, sagt nicht, wo ein Inverse3 ist. Ist es Haplys Dienst?</translation>
+    </message>
+    <message>
+        <source>Haply's service at %1 tells places in the axes %2. Set the basis of the Inverse3 to XYZ there.</source>
+        <translation>Haplys Dienst unter %1 gibt Positionen in den Achsen %2 an. Stellen Sie dort die Basis des Inverse3 auf XYZ.</translation>
+    </message>
+    <message>
+        <source>The connection to Haply's service at %1 was lost. Start the service and press Restart.</source>
+        <translation>Die Verbindung zu Haplys Dienst unter %1 ist abgebrochen. Starten Sie den Dienst und drücken Sie Neustart.</translation>
+    </message>
+    <message>
+        <source>Haply's service at %1 no longer has the Inverse3. Plug it in, switch it on, and press Restart.</source>
+        <translation>Haplys Dienst unter %1 hat den Inverse3 nicht mehr. Schließen Sie ihn an, schalten Sie ihn ein und drücken Sie Neustart.</translation>
+    </message>
+    <message>
+        <source>Haply's service at %1 sends messages that are not understood. Restart the service and press Restart.</source>
+        <translation>Haplys Dienst unter %1 sendet Nachrichten, die nicht verstanden werden. Starten Sie den Dienst neu und drücken Sie Neustart.</translation>
+    </message>
+    <message>
+        <source>Haply's service at %1 no longer says where the Inverse3 is. Check the service and press Restart.</source>
+        <translation>Haplys Dienst unter %1 sagt nicht mehr, wo der Inverse3 ist. Prüfen Sie den Dienst und drücken Sie Neustart.</translation>
+    </message>
+    <message>
+        <source>The Inverse3 has no power supply, so it gives no force. Connect it.</source>
+        <translation>Der Inverse3 hat keine Stromversorgung und gibt deshalb keine Kraft. Schließen Sie sie an.</translation>
+    </message>
+    <message>
+        <source>The Inverse3 is not calibrated, so it gives no force. Calibrate it as its manual says.</source>
+        <translation>Der Inverse3 ist nicht kalibriert und gibt deshalb keine Kraft. Kalibrieren Sie ihn, wie sein Handbuch es beschreibt.</translation>
+    </message>
+    <message>
+        <source>Haply's service says that the Inverse3 is not ready, so it gives no force.</source>
+        <translation>Haplys Dienst meldet, dass der Inverse3 nicht bereit ist; deshalb gibt er keine Kraft.</translation>
+    </message>
+    <message>
+        <source>No service of Haply answers at %1. Is it running there? Another address is given as haply:HOST:PORT.</source>
+        <translation>Unter %1 antwortet kein Dienst von Haply. Läuft er dort? Eine andere Adresse wird als haply:HOST:PORT angegeben.</translation>
+    </message>
+    <message>
+        <source>What answers at %1 is not Haply's service. Another address is given as haply:HOST:PORT.</source>
+        <translation>Was unter %1 antwortet, ist nicht Haplys Dienst. Eine andere Adresse wird als haply:HOST:PORT angegeben.</translation>
     </message>
     <message>
         <source>Game controllers cannot be read here (%1). Mouse, keyboard and 3D mice still work. Controllers need an X11 display, or a Wayland desktop with Xwayland.</source>
@@ -6399,6 +6883,26 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Hier hält nichts den Stift; es gibt nur einen Boden weit unten. Für Lektionen über die Bewegung des Arms, nicht über Kräfte.</translation>
     </message>
     <message>
+        <source>SCARA in free space</source>
+        <translation>SCARA im freien Raum</translation>
+    </message>
+    <message>
+        <source>Nothing holds the tip here; there is only a floor below the arm. For lessons about the motion of the arm, not about forces.</source>
+        <translation>Nichts hält hier die Spitze; es gibt nur einen Boden unter dem Arm. Für Lektionen über die Bewegung des Arms, nicht über Kräfte.</translation>
+    </message>
+    <message>
+        <source>UR5e in free space</source>
+        <translation>UR5e im freien Raum</translation>
+    </message>
+    <message>
+        <source>Three links held at a point</source>
+        <translation>Drei Glieder, an einem Punkt gehalten</translation>
+    </message>
+    <message>
+        <source>The tip of three links in a plane is held to a point. The links can still move.</source>
+        <translation>Die Spitze von drei Gliedern in einer Ebene wird an einem Punkt gehalten. Die Glieder können sich noch bewegen.</translation>
+    </message>
+    <message>
         <source>Soft spring</source>
         <translation>Weiche Feder</translation>
     </message>
@@ -6986,6 +7490,166 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <source>$q = C(s)$, where $s$ is the nearest point of the curve close to the previous one</source>
         <translation>$q = C(s)$, dabei ist $s$ die nächste Stelle der Kurve nahe der vorigen</translation>
     </message>
+    <message>
+        <source>UR5e above a table</source>
+        <translation>UR5e über einem Tisch</translation>
+    </message>
+    <message>
+        <source>Six joints, all driven, without a spherical wrist: a collaborative robot held by hand. Its tool is pushed off a table. The arm weighs 18 kg, and the hand moves it as slowly as that. Simulated only.</source>
+        <translation>Sechs Gelenke, alle angetrieben, ohne sphärisches Handgelenk: ein kollaborativer Roboter, von Hand gehalten. Ein Tisch stößt sein Werkzeug ab. Der Arm wiegt 18 kg, und so langsam bewegt ihn die Hand. Nur simuliert.</translation>
+    </message>
+    <message>
+        <source>Much inertia, little spring: the arm follows the hand late, and the table stops it.</source>
+        <translation>Viel Trägheit, wenig Feder: Der Arm folgt der Hand spät, und der Tisch hält ihn auf.</translation>
+    </message>
+    <message>
+        <source>Push down onto the table, 10 mm below the tool, then slide along it. Open Kinematics: the same pose has up to eight sets of joint angles.</source>
+        <translation>Drücken Sie nach unten auf den Tisch, 10 mm unter dem Werkzeug, und gleiten Sie dann an ihm entlang. Öffnen Sie Kinematik: Dieselbe Lage hat bis zu acht Sätze von Gelenkwinkeln.</translation>
+    </message>
+    <message>
+        <source>$\tau = J_v^T f$: six torques for three numbers of force</source>
+        <translation>$\tau = J_v^T f$: sechs Momente für drei Zahlen einer Kraft</translation>
+    </message>
+    <message>
+        <source>UR10e in front of a wall</source>
+        <translation>UR10e vor einer Wand</translation>
+    </message>
+    <message>
+        <source>The larger sister of the UR5e, with the same axes and longer links. A vertical wall stands 19 mm in front of its tool. Simulated only.</source>
+        <translation>Der größere Bruder des UR5e, mit denselben Achsen und längeren Gliedern. Eine senkrechte Wand steht 19 mm vor seinem Werkzeug. Nur simuliert.</translation>
+    </message>
+    <message>
+        <source>A wall, and the inertia of twice the mass of a UR5e.</source>
+        <translation>Eine Wand, und die Trägheit der doppelten Masse eines UR5e.</translation>
+    </message>
+    <message>
+        <source>Push forward, away from the base, into the wall. Compare the motion of the arm with that of the UR5e for the same pull.</source>
+        <translation>Drücken Sie nach vorn, von der Basis weg, in die Wand. Vergleichen Sie die Bewegung des Arms mit der des UR5e bei gleichem Zug.</translation>
+    </message>
+    <message>
+        <source>$M(q)\,\ddot q = \tau + J_v^T f_h$, where $f_h$ is the force of the hand</source>
+        <translation>$M(q)\,\ddot q = \tau + J_v^T f_h$, wobei $f_h$ die Kraft der Hand ist</translation>
+    </message>
+    <message>
+        <source>SCARA above a hole</source>
+        <translation>SCARA über einem Loch</translation>
+    </message>
+    <message>
+        <source>Two parallel joints, a vertical slide and a turn: four joints for assembly from above. The tip is kept inside a vertical hole. Simulated only.</source>
+        <translation>Zwei parallele Gelenke, ein senkrechtes Schubgelenk und eine Drehung: vier Gelenke für die Montage von oben. Die Spitze bleibt in einem senkrechten Loch. Nur simuliert.</translation>
+    </message>
+    <message>
+        <source>Free along the hole, a wall all around it.</source>
+        <translation>Frei entlang des Lochs, ringsum eine Wand.</translation>
+    </message>
+    <message>
+        <source>Move up and down: only the slide moves, along $z$. Then push sideways against the wall of the hole: only joints 1 and 2 feel it.</source>
+        <translation>Bewegen Sie sich auf und ab: Nur das Schubgelenk bewegt sich, entlang $z$. Drücken Sie dann seitlich gegen die Wand des Lochs: Das wirkt nur auf Gelenk 1 und 2.</translation>
+    </message>
+    <message>
+        <source>$\dot z = -\dot q_3$: only the slide moves the tip along $z$, and it moves it no other way</source>
+        <translation>$\dot z = -\dot q_3$: Nur das Schubgelenk bewegt die Spitze entlang $z$, und nur dorthin</translation>
+    </message>
+    <message>
+        <source>Three links in a plane</source>
+        <translation>Drei Glieder in einer Ebene</translation>
+    </message>
+    <message>
+        <source>Three parallel joints: the arm of the textbooks, which one can draw on paper. The tip is held to a circle in the plane of the arm. Simulated only.</source>
+        <translation>Drei parallele Gelenke: der Arm der Lehrbücher, den man auf Papier zeichnen kann. Die Spitze wird an einem Kreis in der Ebene des Arms gehalten. Nur simuliert.</translation>
+    </message>
+    <message>
+        <source>A groove around a circle, and nothing out of the plane: no joint moves the tip there, so no motor pushes there.</source>
+        <translation>Eine Rille um einen Kreis, und nichts aus der Ebene heraus: Dorthin bewegt kein Gelenk die Spitze, also drückt dort auch kein Motor.</translation>
+    </message>
+    <message>
+        <source>Pull the tip along the circle, then try to pull it out of the plane. With three joints for two coordinates, many postures have the same tip.</source>
+        <translation>Ziehen Sie die Spitze den Kreis entlang, dann versuchen Sie, sie aus der Ebene zu ziehen. Mit drei Gelenken für zwei Koordinaten haben viele Haltungen dieselbe Spitze.</translation>
+    </message>
+    <message>
+        <source>$f = J_v^{-T}\tau$ in the plane; $\tau$ cannot make a force along $z$</source>
+        <translation>$f = J_v^{-T}\tau$ in der Ebene; $\tau$ kann keine Kraft entlang $z$ erzeugen</translation>
+    </message>
+    <message>
+        <source>Stanford arm on a ball</source>
+        <translation>Stanford-Arm auf einer Kugel</translation>
+    </message>
+    <message>
+        <source>The arm of Scheinman, 1969: two turns, a slide of almost a metre, and a spherical wrist. The tip is pushed out of a ball. Simulated only.</source>
+        <translation>Der Arm von Scheinman, 1969: zwei Drehungen, ein Schubgelenk von fast einem Meter und ein sphärisches Handgelenk. Eine Kugel stößt die Spitze ab. Nur simuliert.</translation>
+    </message>
+    <message>
+        <source>A ball as on the Omni, with an arm that reaches by sliding.</source>
+        <translation>Eine Kugel wie beim Omni, mit einem Arm, der durch Schieben reicht.</translation>
+    </message>
+    <message>
+        <source>Push down into the ball, 10 mm below the tip. Pull the tip away from the base: joint 3 slides.</source>
+        <translation>Drücken Sie nach unten in die Kugel, 10 mm unter der Spitze. Ziehen Sie die Spitze von der Basis weg: Gelenk 3 schiebt.</translation>
+    </message>
+    <message>
+        <source>$J_v\,e_3 = a_3$: for a slide the column of the Jacobian is its axis</source>
+        <translation>$J_v\,e_3 = a_3$: Bei einem Schubgelenk ist die Spalte der Jacobi-Matrix seine Achse</translation>
+    </message>
+    <message>
+        <source>PUMA 560 along a line</source>
+        <translation>PUMA 560 an einer Linie</translation>
+    </message>
+    <message>
+        <source>The robot of the textbooks, with an offset shoulder and a spherical wrist. Its wrist centre is held to a line. Simulated only.</source>
+        <translation>Der Roboter der Lehrbücher, mit versetzter Schulter und sphärischem Handgelenk. Sein Handwurzelpunkt wird an einer Linie gehalten. Nur simuliert.</translation>
+    </message>
+    <message>
+        <source>Free along the line, a spring across it.</source>
+        <translation>Frei entlang der Linie, quer dazu eine Feder.</translation>
+    </message>
+    <message>
+        <source>Pull along the line, then across. Joints 4 to 6 have no part in it: their axes meet in the wrist centre, which is the tip here.</source>
+        <translation>Ziehen Sie entlang der Linie, dann quer. Gelenk 4 bis 6 sind nicht beteiligt: Ihre Achsen schneiden sich im Handwurzelpunkt, der hier die Spitze ist.</translation>
+    </message>
+    <message>
+        <source>$\dot p = J_p\,(\dot q_1, \dot q_2, \dot q_3)$</source>
+        <translation>$\dot p = J_p\,(\dot q_1, \dot q_2, \dot q_3)$</translation>
+    </message>
+    <message>
+        <source>IRB 120 around a circle</source>
+        <translation>IRB 120 um einen Kreis</translation>
+    </message>
+    <message>
+        <source>A small industrial robot with a spherical wrist 72 mm behind its flange. The flange is held to a vertical circle. Simulated only.</source>
+        <translation>Ein kleiner Industrieroboter mit einem sphärischen Handgelenk 72 mm hinter seinem Flansch. Der Flansch wird an einem senkrechten Kreis gehalten. Nur simuliert.</translation>
+    </message>
+    <message>
+        <source>A groove around a circle.</source>
+        <translation>Eine Rille um einen Kreis.</translation>
+    </message>
+    <message>
+        <source>Pull the flange around the circle. The wrist turns as well: it is not held, since the tip is 72 mm in front of it.</source>
+        <translation>Ziehen Sie den Flansch um den Kreis. Das Handgelenk dreht sich mit: Es wird nicht gehalten, da die Spitze 72 mm davor liegt.</translation>
+    </message>
+    <message>
+        <source>$\dot p = J_v\,\dot q$, six columns, none of them 0</source>
+        <translation>$\dot p = J_v\,\dot q$, sechs Spalten, keine davon 0</translation>
+    </message>
+    <message>
+        <source>KR 5 inside a box</source>
+        <translation>KR 5 in einem Quader</translation>
+    </message>
+    <message>
+        <source>A large industrial robot of 1.4 m reach. Its flange stays inside a box of 160 mm. Simulated only.</source>
+        <translation>Ein großer Industrieroboter mit 1,4 m Reichweite. Sein Flansch bleibt in einem Würfel von 160 mm. Nur simuliert.</translation>
+    </message>
+    <message>
+        <source>Free space with walls: nothing inside, a spring at each face.</source>
+        <translation>Freier Raum mit Wänden: innen nichts, an jeder Fläche eine Feder.</translation>
+    </message>
+    <message>
+        <source>Push against two faces at once, into an edge, then into a corner.</source>
+        <translation>Drücken Sie gegen zwei Flächen zugleich, in eine Kante, dann in eine Ecke.</translation>
+    </message>
+    <message>
+        <source>$f = k_p (q - p)$, $q$ on the nearest face</source>
+        <translation>$f = k_p (q - p)$, $q$ auf der nächsten Fläche</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
@@ -7016,6 +7680,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Stability</source>
         <translation>Stabilität</translation>
+    </message>
+    <message>
+        <source>Other arms</source>
+        <translation>Andere Arme</translation>
     </message>
 </context>
 <context>
@@ -7657,8 +8325,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Die Statuszeile</translation>
     </message>
     <message>
-        <source>Always up to date: the state of the servo, the arm, the servo rate, the latency, and the force with its limit, as on the gauge in the view.</source>
-        <translation>Immer aktuell: der Zustand des Servos, der Arm, die Servo-Taktrate, die Latenz und die Kraft mit ihrer Grenze, wie auf der Anzeige in der Ansicht.</translation>
+        <source>Always up to date: the state of the servo and its rate, with latency and scheduling in the tip, the arm, and the force with its limit, as on the gauge in the view.</source>
+        <translation>Immer aktuell: der Zustand des Servos und seine Rate, mit Latenz und Scheduling im Tipp, der Arm und die Kraft mit ihrer Grenze, wie auf der Anzeige in der Ansicht.</translation>
     </message>
     <message>
         <source>Record</source>
@@ -7681,8 +8349,8 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Hilfe</translation>
     </message>
     <message>
-        <source>Opens the guide; F1 does so at the page for whatever has the focus. The Help menu also has the list of keys and this tour. Esc stops the force from anywhere.</source>
-        <translation>Öffnet das Handbuch; F1 öffnet es auf der Seite zu dem, was den Fokus hat. Das Menü „Hilfe“ enthält auch die Liste der Tasten und diesen Rundgang. Esc stoppt die Kraft von überall.</translation>
+        <source>Opens the guide; F1 does so at the page for whatever has the focus. The Help menu also has the list of keys and this tour. Esc stops the force; Shift+Esc does so from anywhere.</source>
+        <translation>Öffnet die Anleitung; F1 öffnet sie auf der Seite zu dem, was den Fokus hat. Das Hilfemenü enthält auch die Liste der Tasten und diesen Rundgang. Esc stoppt die Kraft; Umschalt+Esc tut es von überall.</translation>
     </message>
 </context>
 <context>
@@ -7714,6 +8382,14 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>● right  ○ wrong  ◎ reversal</source>
         <translation>● richtig  ○ falsch  ◎ Umkehr</translation>
+    </message>
+    <message>
+        <source>not set</source>
+        <translation>nicht gesetzt</translation>
+    </message>
+    <message>
+        <source>%1 of “%2”</source>
+        <translation>%1 von „%2“</translation>
     </message>
     <message>
         <source>Add a curve</source>
@@ -7984,6 +8660,30 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>○ Kombination  ● auf der Front  ■ wie vorher  ◎ gewählt</translation>
     </message>
     <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>The language changes when you next start Underact.</source>
+        <translation>Die Sprache wechselt, wenn Sie Underact das nächste Mal starten.</translation>
+    </message>
+    <message>
+        <source>&amp;Restart now</source>
+        <translation>Jetzt &amp;neu starten</translation>
+    </message>
+    <message>
+        <source>Restart now</source>
+        <translation>Jetzt neu starten</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Später</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
         <source>Follow the &amp;system</source>
         <translation>Wie das &amp;System</translation>
     </message>
@@ -7998,14 +8698,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Uses German from the next start.</source>
         <translation>Verwendet ab dem nächsten Start Deutsch.</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Sprache</translation>
-    </message>
-    <message>
-        <source>The language changes when you next start Underact.</source>
-        <translation>Die Sprache wechselt, wenn Sie Underact das nächste Mal starten.</translation>
     </message>
     <message>
         <source>✓ Solved</source>
@@ -8200,6 +8892,26 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>„%1“ wurde nicht geöffnet. Szene und Arm sind unverändert.</translation>
     </message>
     <message>
+        <source>&amp;Keep holding</source>
+        <translation>&amp;Weiter festhalten</translation>
+    </message>
+    <message>
+        <source>The simulated hand keeps holding the stylus when you release the mouse; otherwise it lets go.</source>
+        <translation>Die simulierte Hand hält den Stift fest, wenn Sie die Maus loslassen; sonst lässt sie los.</translation>
+    </message>
+    <message>
+        <source>Keep holding</source>
+        <translation>Festhalten</translation>
+    </message>
+    <message>
+        <source>Let go of the st&amp;ylus</source>
+        <translation>St&amp;ift loslassen</translation>
+    </message>
+    <message>
+        <source>The simulated hand lets go: the stylus goes where the scene sends it.</source>
+        <translation>Die simulierte Hand lässt los: Der Stift geht dorthin, wohin ihn die Szene schickt.</translation>
+    </message>
+    <message>
         <source>&amp;Fit</source>
         <translation>&amp;Einpassen</translation>
     </message>
@@ -8276,12 +8988,36 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Blick von hinter dem Arm, entlang z.</translation>
     </message>
     <message>
+        <source>Home (defa&amp;ult view)</source>
+        <translation>Standardblic&amp;k</translation>
+    </message>
+    <message>
+        <source>Looks as at the start: from the front, a little from the right and above.</source>
+        <translation>Blickt wie am Anfang: von vorn, etwas von rechts und von oben.</translation>
+    </message>
+    <message>
         <source>B&amp;ottom</source>
         <translation>&amp;Unten</translation>
     </message>
     <message>
         <source>Looks up, along y.</source>
         <translation>Blick nach oben, entlang y.</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom to selection</source>
+        <translation>Aus&amp;wahl zeigen</translation>
+    </message>
+    <message>
+        <source>Shows the chosen inverse solution, or else the constraints and the tip, from the current direction.</source>
+        <translation>Zeigt die gewählte inverse Lösung, sonst die Bindungen und die Spitze, aus der jetzigen Richtung.</translation>
+    </message>
+    <message>
+        <source>Parallel pro&amp;jection</source>
+        <translation>Parallelpro&amp;jektion</translation>
+    </message>
+    <message>
+        <source>Draws without perspective (orthographic), so that lengths can be compared.</source>
+        <translation>Zeichnet ohne Perspektive (orthografisch), sodass sich Längen vergleichen lassen.</translation>
     </message>
     <message>
         <source>&amp;Move the hand with the keys</source>
@@ -8392,16 +9128,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>La&amp;yout</translation>
     </message>
     <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Bereiche</translation>
+    </message>
+    <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
     </message>
     <message>
         <source>Tool bar</source>
         <translation>Symbolleiste</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Ansicht</translation>
     </message>
     <message>
         <source>&amp;Start</source>
@@ -8416,8 +9152,12 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>S&amp;topp</translation>
     </message>
     <message>
-        <source>Stops the servo: the force goes to zero. Esc does the same from anywhere.</source>
-        <translation>Stoppt den Servo: Die Kraft geht auf null. Esc bewirkt von überall dasselbe.</translation>
+        <source>Stops the servo: the force goes to zero. Shift+Esc does so in an open menu or dialog, too.</source>
+        <translation>Stoppt den Servo: Die Kraft geht auf null. Umschalt+Esc tut das auch in einem offenen Menü oder Dialog.</translation>
+    </message>
+    <message>
+        <source>Scene saved as %1.</source>
+        <translation>Szene gespeichert als %1.</translation>
     </message>
     <message>
         <source>&amp;Open file…</source>
@@ -8490,6 +9230,18 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>Layers</source>
         <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>More panels</source>
+        <translation>Weitere Bereiche</translation>
+    </message>
+    <message>
+        <source>The other panels.</source>
+        <translation>Die übrigen Bereiche.</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
@@ -8678,16 +9430,16 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
         <translation>Gelenke 1–3</translation>
     </message>
     <message>
-        <source>Turret, thigh and shin: q1, q2, q3 as in the DH table; driven.</source>
-        <translation>Drehturm, Oberschenkel und Unterschenkel: q1, q2, q3 wie in der DH-Tabelle; angetrieben.</translation>
+        <source>q1, q2 and q3 as in the DH table; of the Omni turret, thigh and shin, which are driven.</source>
+        <translation>q1, q2 und q3 wie in der DH-Tabelle; beim Omni Drehturm, Oberschenkel und Unterschenkel, die angetrieben sind.</translation>
     </message>
     <message>
         <source>Joints 4–6</source>
         <translation>Gelenke 4–6</translation>
     </message>
     <message>
-        <source>The gimbal: q4, q5, q6 as in the DH table; measured, not driven.</source>
-        <translation>Das Kardangelenk: q4, q5, q6 wie in der DH-Tabelle; gemessen, nicht angetrieben.</translation>
+        <source>q4, q5 and q6 as in the DH table; of the Omni the gimbal, which is measured, not driven.</source>
+        <translation>q4, q5 und q6 wie in der DH-Tabelle; beim Omni der Kardan, der gemessen, aber nicht angetrieben wird.</translation>
     </message>
     <message>
         <source>Ramp</source>
@@ -8972,6 +9724,76 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
 </context>
 <context>
+    <name>underact::gui::ChainSolutionsSection</name>
+    <message>
+        <source>Inverse solutions</source>
+        <translation>Inverse Lösungen</translation>
+    </message>
+    <message>
+        <source>All sets of joint values that give the current pose of the tip, if the arm has a closed form.</source>
+        <translation>Alle Sätze von Gelenkwerten, die die jetzige Lage der Spitze ergeben, falls der Arm eine geschlossene Form hat.</translation>
+    </message>
+    <message>
+        <source>joint values</source>
+        <translation>Gelenkwerte</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>✗ outside</source>
+        <translation>✗ außerhalb</translation>
+    </message>
+    <message>
+        <source>Solution %1: degrees, or mm of a joint that slides.</source>
+        <translation>Lösung %1: Grad, oder mm bei einem Schubgelenk.</translation>
+    </message>
+    <message>
+        <source>This arm has no closed form here; underact-cli ik searches for its solutions.</source>
+        <translation>Dieser Arm hat hier keine geschlossene Form; underact-cli ik sucht seine Lösungen.</translation>
+    </message>
+    <message>
+        <source>%1 solutions, %2 within the joint limits.</source>
+        <translation>%1 Lösungen, %2 innerhalb der Gelenkgrenzen.</translation>
+    </message>
+    <message>
+        <source>✓ within</source>
+        <translation>✓ innerhalb</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::ChartWidget</name>
+    <message>
+        <source>&amp;Show all</source>
+        <translation>&amp;Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Copy &amp;picture</source>
+        <translation>&amp;Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Copy &amp;data</source>
+        <translation>&amp;Daten kopieren</translation>
+    </message>
+    <message>
+        <source>Save data &amp;as…</source>
+        <translation>Daten &amp;speichern unter …</translation>
+    </message>
+    <message>
+        <source>Save the data of the plots</source>
+        <translation>Daten der Diagramme speichern</translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv);;All files (*)</source>
+        <translation>CSV-Dateien (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Wheel: enlarge in time; Ctrl and wheel: in value. Shift and drag: a rectangle. Double click: show all. Right click: copy or save.</source>
+        <translation>Rad: in der Zeit vergrößern; Strg und Rad: im Wert. Umschalt und ziehen: ein Rechteck. Doppelklick: alles zeigen. Rechtsklick: kopieren oder speichern.</translation>
+    </message>
+</context>
+<context>
     <name>underact::gui::CheckDialog</name>
     <message>
         <source>&amp;Keep all cores busy</source>
@@ -9120,6 +9942,21 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     </message>
 </context>
 <context>
+    <name>underact::gui::ColumnButton</name>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Plots any columns of a session against time, up to six at once.</source>
+        <translation>Zeichnet beliebige Spalten einer Sitzung gegen die Zeit, bis zu sechs zugleich.</translation>
+    </message>
+    <message>
+        <source>Columns (%1)</source>
+        <translation>Spalten (%1)</translation>
+    </message>
+</context>
+<context>
     <name>underact::gui::CompareStrip</name>
     <message>
         <source>mean %1 N, maximum %2 N, RMS error %3 mm</source>
@@ -9168,10 +10005,6 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
 </context>
 <context>
     <name>underact::gui::CompareTool</name>
-    <message>
-        <source>not set</source>
-        <translation>nicht gesetzt</translation>
-    </message>
     <message>
         <source>%1: felt %2, other %3</source>
         <translation>%1: gefühlt %2, andere %3</translation>
@@ -9851,6 +10684,17 @@ und %2 weitere</translation>
     <message>
         <source>right-handed</source>
         <translation>rechtshändig</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::DragHint</name>
+    <message>
+        <source>How to begin</source>
+        <translation>Wie man beginnt</translation>
+    </message>
+    <message>
+        <source>Drag the stylus with the mouse.</source>
+        <translation>Ziehen Sie den Stift mit der Maus.</translation>
     </message>
 </context>
 <context>
@@ -11115,16 +11959,16 @@ und %2 weitere</translation>
         <translation>Geschwindigkeit v der Spitze (m/rad) und Winkelgeschwindigkeit ω des Stifts (rad/rad) je Gelenkgeschwindigkeit, im Koordinatensystem des Arbeitsraums: (v, ω) = J dq/dt; die Gelenkdrehmomente sind τ = Jᵀ F. Hergeleitet aus Gl. 3.5.</translation>
     </message>
     <message>
+        <source>&amp;Position only, J_p (3 × 3)</source>
+        <translation>Nur &amp;Position, J_p (3 × 3)</translation>
+    </message>
+    <message>
         <source>Velocity of the tip along %1 of W per joint rate, m/rad.</source>
         <translation>Geschwindigkeit der Spitze entlang %1 von W je Gelenkgeschwindigkeit, m/rad.</translation>
     </message>
     <message>
         <source>Angular velocity of the stylus about %1 of W per joint rate, rad/rad.</source>
         <translation>Winkelgeschwindigkeit des Stifts um %1 von W je Gelenkgeschwindigkeit, rad/rad.</translation>
-    </message>
-    <message>
-        <source>&amp;Position only, J_p (3 × 3)</source>
-        <translation>Nur &amp;Position, J_p (3 × 3)</translation>
     </message>
     <message>
         <source>Only the position part of the Jacobian</source>
@@ -11213,20 +12057,32 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::JointRow</name>
     <message>
-        <source>Joint %1, %2, slider</source>
-        <translation>Gelenk %1, %2, Schieberegler</translation>
-    </message>
-    <message>
-        <source>Joint %1, %2, degrees</source>
-        <translation>Gelenk %1, %2, Grad</translation>
-    </message>
-    <message>
         <source>Joint %1, limits</source>
         <translation>Gelenk %1, Grenzen</translation>
     </message>
     <message>
         <source>outside</source>
         <translation>außerhalb</translation>
+    </message>
+    <message>
+        <source>Joint %1, %2, slider</source>
+        <translation>Gelenk %1, %2, Schieberegler</translation>
+    </message>
+    <message>
+        <source>Joint %1, %2, millimetres</source>
+        <translation>Gelenk %1, %2, Millimeter</translation>
+    </message>
+    <message>
+        <source>Joint %1, %2, degrees</source>
+        <translation>Gelenk %1, %2, Grad</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Limits %1 to %2 mm</source>
+        <translation>Grenzen %1 bis %2 mm</translation>
     </message>
     <message>
         <source>Limits %1° to %2°</source>
@@ -11282,6 +12138,22 @@ und %2 weitere</translation>
     <message>
         <source>Angle q%1 of thesis table 3.1: measured, not driven.</source>
         <translation>Winkel q%1 der Thesis, Tabelle 3.1: gemessen, nicht angetrieben.</translation>
+    </message>
+    <message>
+        <source>slide</source>
+        <translation>schiebt</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>dreht</translation>
+    </message>
+    <message>
+        <source>Joint %1 of the arm's file: measured and driven.</source>
+        <translation>Gelenk %1 aus der Datei des Arms: gemessen und angetrieben.</translation>
+    </message>
+    <message>
+        <source>Joint %1 of the arm's file: measured, not driven.</source>
+        <translation>Gelenk %1 aus der Datei des Arms: gemessen, nicht angetrieben.</translation>
     </message>
     <message>
         <source>Each slider moves the simulated hand, which moves the arm.</source>
@@ -11552,7 +12424,77 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
+    <name>underact::gui::LessonCard</name>
+    <message>
+        <source>%1 min, all steps solved</source>
+        <translation>%1 min, alle Schritte gelöst</translation>
+    </message>
+    <message>
+        <source>%1 min, %2 steps</source>
+        <translation>%1 min, %2 Schritte</translation>
+    </message>
+    <message>
+        <source>%1 min, %2 of %3 steps solved</source>
+        <translation>%1 min, %2 von %3 Schritten gelöst</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::LessonComplete</name>
+    <message>
+        <source>Lesson complete</source>
+        <translation>Lektion abgeschlossen</translation>
+    </message>
+    <message>
+        <source>What comes next</source>
+        <translation>Was als Nächstes kommt</translation>
+    </message>
+    <message>
+        <source>Next lesson</source>
+        <translation>Nächste Lektion</translation>
+    </message>
+    <message>
+        <source>Begins the next lesson.</source>
+        <translation>Beginnt die nächste Lektion.</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>Goes to the next step.</source>
+        <translation>Geht zum nächsten Schritt.</translation>
+    </message>
+    <message>
+        <source>✓ Lesson complete</source>
+        <translation>✓ Lektion abgeschlossen</translation>
+    </message>
+    <message>
+        <source>The last step is solved</source>
+        <translation>Der letzte Schritt ist gelöst</translation>
+    </message>
+    <message>
+        <source>This was the last lesson. Your own comes next: see Writing lessons in the guide.</source>
+        <translation>Das war die letzte Lektion. Als Nächstes kommt Ihre eigene: siehe „Lektionen schreiben“ im Handbuch.</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Als Nächstes: %1</translation>
+    </message>
+    <message>
+        <source>Still open: step %1.</source>
+        <translation>Noch offen: Schritt %1.</translation>
+    </message>
+    <message>
+        <source>This step is solved.</source>
+        <translation>Dieser Schritt ist gelöst.</translation>
+    </message>
+</context>
+<context>
     <name>underact::gui::LessonList</name>
+    <message>
+        <source>Lesson %1: %2</source>
+        <translation>Lektion %1: %2</translation>
+    </message>
     <message>
         <source>About the selected lesson</source>
         <translation>Über die gewählte Lektion</translation>
@@ -11578,16 +12520,8 @@ und %2 weitere</translation>
         <translation>Warum es keine Lektionen gibt</translation>
     </message>
     <message>
-        <source>✓ %1</source>
-        <translation>✓ %1</translation>
-    </message>
-    <message>
-        <source>○ %1 (%2 of %3)</source>
-        <translation>○ %1 (%2 von %3)</translation>
-    </message>
-    <message>
-        <source>%1, %2 of %3 steps solved</source>
-        <translation>%1, %2 von %3 Schritten gelöst</translation>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>Recently opened</source>
@@ -11683,6 +12617,30 @@ und %2 weitere</translation>
         <translation>Speichert als Webseite, was Sie in der Lektion getan und gemessen haben.</translation>
     </message>
     <message>
+        <source>&amp;All lessons</source>
+        <translation>&amp;Alle Lektionen</translation>
+    </message>
+    <message>
+        <source>Begins one of the lessons that ship.</source>
+        <translation>Beginnt eine der mitgelieferten Lektionen.</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt lesson</source>
+        <translation>&amp;Nächste Lektion</translation>
+    </message>
+    <message>
+        <source>Begins the lesson that comes after this one.</source>
+        <translation>Beginnt die Lektion, die auf diese folgt.</translation>
+    </message>
+    <message>
+        <source>All lessons</source>
+        <translation>Alle Lektionen</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
         <source>&amp;Next</source>
         <translation>&amp;Weiter</translation>
     </message>
@@ -11715,12 +12673,24 @@ und %2 weitere</translation>
         <translation>Eine andere Lektionsdatei öffnen</translation>
     </message>
     <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>✓ %1</source>
+        <translation>✓ %1</translation>
+    </message>
+    <message>
         <source>Saved as %1.</source>
         <translation>Gespeichert als %1.</translation>
     </message>
     <message>
         <source>Not saved: %1. Choose another folder.</source>
         <translation>Nicht gespeichert: %1. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Report saved as %1.</source>
+        <translation>Bericht gespeichert als %1.</translation>
     </message>
     <message>
         <source>Save the report</source>
@@ -11910,6 +12880,81 @@ und %2 weitere</translation>
     <message>
         <source>Error and force over the last 10 seconds, and force against displacement along one axis.</source>
         <translation>Fehler und Kraft der letzten 10 Sekunden, und Kraft gegen Auslenkung entlang einer Achse.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::LiveService</name>
+    <message>
+        <source>Let pro&amp;grams steer</source>
+        <translation>Pro&amp;gramme steuern lassen</translation>
+    </message>
+    <message>
+        <source>Lets other programs of this computer listen to the scene and steer it. They need a token.</source>
+        <translation>Lässt andere Programme dieses Computers die Szene beobachten und steuern. Sie brauchen ein Token.</translation>
+    </message>
+    <message>
+        <source>Programs can steer the scene now, at %1.</source>
+        <translation>Programme können die Szene jetzt steuern, unter %1.</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke steering back</source>
+        <translation>S&amp;teuerung zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Ends what a program does to the scene, and lets none steer until this is turned off.</source>
+        <translation>Beendet, was ein Programm mit der Szene macht, und lässt keines steuern, bis dies ausgeschaltet wird.</translation>
+    </message>
+    <message>
+        <source>Stopped. No program steers until “Take steering back” is turned off.</source>
+        <translation>Gestoppt. Kein Programm steuert, bis „Steuerung zurücknehmen“ ausgeschaltet wird.</translation>
+    </message>
+    <message>
+        <source>Live service</source>
+        <translation>Live-Dienst</translation>
+    </message>
+    <message>
+        <source>The programs that listen to the scene or steer it.</source>
+        <translation>Die Programme, die die Szene beobachten oder steuern.</translation>
+    </message>
+    <message>
+        <source>Copied: %1</source>
+        <translation>Kopiert: %1</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;address, %1</source>
+        <translation>&amp;Adresse kopieren, %1</translation>
+    </message>
+    <message>
+        <source>Copy the path of the &amp;token's file</source>
+        <translation>Pfad der &amp;Token-Datei kopieren</translation>
+    </message>
+    <message>
+        <source>%1 steers</source>
+        <translation>%1 steuert</translation>
+    </message>
+    <message>
+        <source>%1 listens</source>
+        <translation>%1 beobachtet</translation>
+    </message>
+    <message>
+        <source>You steer</source>
+        <translation>Sie steuern</translation>
+    </message>
+    <message>
+        <source>No program</source>
+        <translation>Kein Programm</translation>
+    </message>
+    <message>
+        <source>1 program listens</source>
+        <translation>1 Programm beobachtet</translation>
+    </message>
+    <message>
+        <source>%1 programs listen</source>
+        <translation>%1 Programme beobachten</translation>
+    </message>
+    <message>
+        <source>Live service: %1</source>
+        <translation>Live-Dienst: %1</translation>
     </message>
 </context>
 <context>
@@ -12361,6 +13406,33 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
+    <name>underact::gui::Notice</name>
+    <message>
+        <source>What was done</source>
+        <translation>Was getan wurde</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Shows it: a session in its list, another file in its folder.</source>
+        <translation>Zeigt es: eine Sitzung in ihrer Liste, eine andere Datei in ihrem Ordner.</translation>
+    </message>
+    <message>
+        <source>Notice</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Closes the notice.</source>
+        <translation>Schließt den Hinweis.</translation>
+    </message>
+</context>
+<context>
     <name>underact::gui::PageView</name>
     <message>
         <source>Web page</source>
@@ -12454,6 +13526,18 @@ und %2 weitere</translation>
     <message>
         <source>Ener&amp;gy</source>
         <translation>Ener&amp;gie</translation>
+    </message>
+    <message>
+        <source>Stand still</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Plots stand still</source>
+        <translation>Diagramme stehen still</translation>
+    </message>
+    <message>
+        <source>Stops the plots where they are, to be read and enlarged; the servo goes on.</source>
+        <translation>Hält die Diagramme an, wo sie sind, um sie zu lesen und zu vergrößern; der Servo läuft weiter.</translation>
     </message>
     <message>
         <source>Error and force over the last 10 s, and force against displacement</source>
@@ -13177,6 +14261,10 @@ und %2 weitere</translation>
         <translation>Gelenk %1, %2</translation>
     </message>
     <message>
+        <source>This robot follows the angle about its one joint. At “Follows”, choose “%1” first; then add the joint.</source>
+        <translation>Dieser Roboter folgt dem Winkel um sein einziges Gelenk. Wählen Sie bei „Folgt“ zuerst „%1“ und fügen Sie dann das Gelenk hinzu.</translation>
+    </message>
+    <message>
         <source>add a joint</source>
         <translation>Gelenk hinzufügen</translation>
     </message>
@@ -13518,6 +14606,57 @@ und %2 weitere</translation>
     <message>
         <source>✗ It was the other one.</source>
         <translation>✗ Es war der andere.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::SceneArmBox</name>
+    <message>
+        <source>Scene &amp;for</source>
+        <translation>Szene &amp;für</translation>
+    </message>
+    <message>
+        <source>&amp;File…</source>
+        <translation>&amp;Datei…</translation>
+    </message>
+    <message>
+        <source>The arm that the scene is for</source>
+        <translation>Der Arm, für den die Szene ist</translation>
+    </message>
+    <message>
+        <source>Haptic arms, and arms that are only simulated. The scene keeps the choice when it is saved.</source>
+        <translation>Haptische Arme, und Arme, die nur simuliert werden. Die Szene behält die Wahl, wenn sie gespeichert wird.</translation>
+    </message>
+    <message>
+        <source>An arm from a file</source>
+        <translation>Ein Arm aus einer Datei</translation>
+    </message>
+    <message>
+        <source>An arm file of your own: a DH table, axes (both JSON) or URDF.</source>
+        <translation>Eine eigene Armdatei: DH-Tabelle, Achsen (beide JSON) oder URDF.</translation>
+    </message>
+    <message>
+        <source>File %1</source>
+        <translation>Datei %1</translation>
+    </message>
+    <message>
+        <source>Arm not taken</source>
+        <translation>Arm nicht übernommen</translation>
+    </message>
+    <message>
+        <source>The scene keeps its arm. %1:</source>
+        <translation>Die Szene behält ihren Arm. %1:</translation>
+    </message>
+    <message>
+        <source>arm %1</source>
+        <translation>Arm %1</translation>
+    </message>
+    <message>
+        <source>Choose an arm file</source>
+        <translation>Eine Armdatei wählen</translation>
+    </message>
+    <message>
+        <source>Arm files (*.json *.urdf *.xml);;All files (*)</source>
+        <translation>Armdateien (*.json *.urdf *.xml);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -14032,6 +15171,10 @@ und %2 weitere</translation>
         <translation>Spektrum</translation>
     </message>
     <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
         <source>Latency</source>
         <translation>Latenz</translation>
     </message>
@@ -14257,12 +15400,20 @@ und %2 weitere</translation>
         <translation>Letzte Sitzungen</translation>
     </message>
     <message>
+        <source>Recording saved: %1 (%2)</source>
+        <translation>Aufzeichnung gespeichert: %1 (%2)</translation>
+    </message>
+    <message>
         <source>&amp;Record</source>
         <translation>&amp;Aufzeichnen</translation>
     </message>
     <message>
         <source>Starts recording immediately, or stops it.</source>
         <translation>Startet die Aufzeichnung sofort oder stoppt sie.</translation>
+    </message>
+    <message>
+        <source>Stop recording %1</source>
+        <translation>Aufzeichnung beenden %1</translation>
     </message>
     <message>
         <source>Set a &amp;marker</source>
@@ -14301,8 +15452,8 @@ und %2 weitere</translation>
         <translation>&amp;Aufzeichnung stoppen</translation>
     </message>
     <message>
-        <source>Record %1</source>
-        <translation>Aufzeichnen %1</translation>
+        <source>Record</source>
+        <translation>Aufzeichnen</translation>
     </message>
     <message>
         <source>not recording</source>
@@ -14484,12 +15635,16 @@ und %2 weitere</translation>
         <translation>Servo</translation>
     </message>
     <message>
-        <source>The state of the servo.</source>
-        <translation>Der Zustand des Servos.</translation>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
     <message>
-        <source>Stopping</source>
-        <translation>Stoppt</translation>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>4000 Hz</source>
+        <translation>4000 Hz</translation>
     </message>
     <message>
         <source>Arm</source>
@@ -14502,10 +15657,6 @@ und %2 weitere</translation>
     <message>
         <source>Ticks per second.</source>
         <translation>Takte je Sekunde.</translation>
-    </message>
-    <message>
-        <source>4000 Hz</source>
-        <translation>4000 Hz</translation>
     </message>
     <message>
         <source>Latency</source>
@@ -14576,8 +15727,12 @@ und %2 weitere</translation>
         <translation>Kraft %1 / %2 N%3</translation>
     </message>
     <message>
-        <source> limited: %1</source>
-        <translation> begrenzt: %1</translation>
+        <source>, limited: %1</source>
+        <translation>, begrenzt: %1</translation>
+    </message>
+    <message>
+        <source>The state of the servo, and its ticks per second.</source>
+        <translation>Der Zustand des Servos und seine Takte je Sekunde.</translation>
     </message>
     <message>
         <source>not guarded</source>
@@ -14940,6 +16095,17 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
+    <name>underact::gui::StopBanner</name>
+    <message>
+        <source>Force is off. Start (F5)</source>
+        <translation>Kraft ist aus. Start (F5)</translation>
+    </message>
+    <message>
+        <source>The servo is stopped: nothing pushes. Press here or F5 to start it.</source>
+        <translation>Der Servo ist gestoppt: Nichts drückt. Hier oder F5 drücken, um ihn zu starten.</translation>
+    </message>
+</context>
+<context>
     <name>underact::gui::SwingPlot</name>
     <message>
         <source>Tip along %1 [mm]</source>
@@ -15088,6 +16254,10 @@ und %2 weitere</translation>
         <translation>Problem</translation>
     </message>
     <message>
+        <source>How to leave</source>
+        <translation>Wie man den Modus verlässt</translation>
+    </message>
+    <message>
         <source>Next</source>
         <translation>Weiter</translation>
     </message>
@@ -15106,6 +16276,10 @@ und %2 weitere</translation>
     <message>
         <source>About the scene</source>
         <translation>Über die Szene</translation>
+    </message>
+    <message>
+        <source>For demonstrators: Ctrl+Alt+Shift+U opens a panel with Stop and Leave visitor mode.</source>
+        <translation>Für Vorführende: Strg+Alt+Umschalt+U öffnet einen Bereich mit Stopp und Besuchermodus verlassen.</translation>
     </message>
 </context>
 <context>
@@ -15226,8 +16400,8 @@ und %2 weitere</translation>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Leaves the tour. Esc does too, and also stops the servo.</source>
-        <translation>Beendet den Rundgang. Esc beendet ihn ebenfalls und stoppt zudem den Servo.</translation>
+        <source>Leaves the tour, as does Esc.</source>
+        <translation>Verlässt den Rundgang, wie auch Esc.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -15520,6 +16694,10 @@ und %2 weitere</translation>
         <translation>Was Sie gerade getan haben</translation>
     </message>
     <message>
+        <source>Force now</source>
+        <translation>Kraft jetzt</translation>
+    </message>
+    <message>
         <source>Welcome: three things to try</source>
         <translation>Willkommen: drei Dinge zum Probieren</translation>
     </message>
@@ -15530,10 +16708,6 @@ und %2 weitere</translation>
     <message>
         <source>Three things to try first: push, move a slider, turn the stylus.</source>
         <translation>Drei Dinge zum Einstieg: drücken, einen Schieberegler bewegen, den Stift drehen.</translation>
-    </message>
-    <message>
-        <source>Try one of these</source>
-        <translation>Probieren Sie eines</translation>
     </message>
     <message>
         <source>To try</source>
@@ -15556,8 +16730,8 @@ und %2 weitere</translation>
         <translation>Schließt diese Karte; das Menü „Hilfe“ bringt sie zurück.</translation>
     </message>
     <message>
-        <source>Move a slider: the framed one sets the stiffness along x.</source>
-        <translation>Bewegen Sie einen Schieberegler: Der umrahmte stellt die Steifigkeit entlang x ein.</translation>
+        <source>Move a slider, here the stiffness. To feel it, turn on Keep holding (F6) and push a little first.</source>
+        <translation>Bewegen Sie einen Regler, hier die Steifigkeit. Um ihn zu fühlen, schalten Sie Festhalten (F6) ein und drücken vorher ein wenig.</translation>
     </message>
     <message>
         <source>Turn the stylus: hold Ctrl and drag it.</source>
@@ -15572,12 +16746,16 @@ und %2 weitere</translation>
         <translation>Noch offen</translation>
     </message>
     <message>
+        <source>Three things to try: %1 of 3 done</source>
+        <translation>Drei Dinge: %1 von 3 getan</translation>
+    </message>
+    <message>
         <source>The Help menu brings this card back.</source>
         <translation>Das Menü „Hilfe“ bringt diese Karte zurück.</translation>
     </message>
     <message>
-        <source>The arm pushes back with %1 N.</source>
-        <translation>Der Arm drückt mit %1 N zurück.</translation>
+        <source>The arm pushes back.</source>
+        <translation>Der Arm drückt zurück.</translation>
     </message>
     <message>
         <source>You feel the change at once.</source>
@@ -15586,6 +16764,21 @@ und %2 weitere</translation>
     <message>
         <source>The stylus has turned; in some scenes this moves the target.</source>
         <translation>Der Stift hat sich gedreht; in manchen Szenen bewegt das das Ziel.</translation>
+    </message>
+    <message>
+        <source>Force now: %1 of %2 N.</source>
+        <translation>Kraft jetzt: %1 von %2 N.</translation>
+    </message>
+    <message>
+        <source>That is the limit: push less deeply to feel a slider.</source>
+        <translation>Das ist die Grenze: Drücken Sie weniger tief, um einen Regler zu fühlen.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::WindowScene</name>
+    <message>
+        <source>changes by %1</source>
+        <translation>Änderungen von %1</translation>
     </message>
 </context>
 <context>

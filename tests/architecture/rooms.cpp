@@ -48,9 +48,11 @@ const std::vector<Library>& libraries() {
       {"TinyXML-2", std::regex("tinyxml2"), {"core/arm"}, false},
       {"SLEEF", std::regex("sleef"), {"core/base"}, false},
       {"Boost.Multiprecision", std::regex("boost/multiprecision"), {"core/error_bounds"}, true},
+      {"Boost.Beast", std::regex("boost/beast"), {"app/serve", "device"}, false},
       {"systemd", std::regex("systemd/"), {"core/system"}, false},
       {"CLI11", std::regex("CLI/"), {"app/options"}, false},
       {"MPI", std::regex("mpi\\.h"), {"app/sweeper"}, false},
+      {"pybind11", std::regex("pybind11"), {"app/bindings"}, true},
       {"MD4C", std::regex("md4c"), {"app/page"}, false},
       {"zlib", std::regex("zlib"), {"core/record"}, false},
       // Last: headers with an ending are of no C++ library, and of none of the above. Not of the system are ours, and

@@ -48,7 +48,7 @@ class Marks(unittest.TestCase):
         self.assertEqual(effects.marked(texts) - seen, set())
         for path in ("mesh/search", "tick/state", "tick/report", "servo/tap", "servo/history"):
             self.assertIn(f"core/{path}.cpp", analysed)
-        for path in ("wooden_haptics/wooden_arm", "openhaptics/openhaptics_arm", "remote/remote_arm"):
+        for path in ("wooden_haptics/wooden_arm", "openhaptics/openhaptics_arm", "remote/remote_arm", "haply/haply_arm"):
             self.assertIn(f"device/{path}.cpp", analysed)
 
     def test_a_new_marked_file_is_analysed_wherever_it_is(self):

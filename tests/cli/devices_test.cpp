@@ -31,7 +31,7 @@ TEST(Devices, ThatDoNotExistAreRefusedWithThoseThatDo) {
   const Outcome outcome = runCli({"run", shipped("02_sphere.json"), "--seconds", "0.1", "--device", "toaster"});
   EXPECT_EQ(outcome.exit, Exit::Fault);
   EXPECT_NE(outcome.err.find("\"toaster\""), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("simulated, openhaptics, wooden, remote"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("simulated, openhaptics, wooden, haply, remote"), std::string::npos) << outcome.err;
 }
 
 TEST(Devices, AreTriedWithoutForceForAReport) {

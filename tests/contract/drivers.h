@@ -14,6 +14,8 @@ std::unique_ptr<FarSide> woodenV1FarSide(std::string& why);
 std::unique_ptr<FarSide> woodenV2FarSide(std::string& why);
 std::unique_ptr<FarSide> woodenTeensyFarSide(std::string& why);
 std::unique_ptr<FarSide> remoteFarSide(std::string& why);
+std::unique_ptr<FarSide> haplyFarSide(std::string& why);
+std::unique_ptr<FarSide> haplyOldFarSide(std::string& why);
 std::unique_ptr<FarSide> woodenUhidV1FarSide(std::string& why);
 std::unique_ptr<FarSide> woodenUhidV2FarSide(std::string& why);
 

@@ -187,6 +187,32 @@ TEST(SimulatedArm, AWishThatIsNoPlaceIsNotHeard) {
   EXPECT_TRUE(arm.setpoint().p_WT.allFinite());
 }
 
+TEST(SimulatedArm, LooseFingersGoWhereTheForceGoesAndTakeHoldThereWithoutAJerk) {
+  SimulatedArm arm(touchOptions("ideal"));
+  sim::HandSetpoint setpoint = arm.setpoint();
+  setpoint.holds = false;
+  arm.setSetpoint(setpoint);
+  const auto push = [&arm](int reads, const Vec3& f_T_W) {
+    arm::Sample sample;
+    for (int read = 0; read < reads; ++read) {
+      arm.read(sample);
+      arm.write(gated(f_T_W));
+    }
+    return tipOf(sample);
+  };
+  const Vec3 pushed = push(500, Vec3(0.4, 0.0, 0.0));
+  // 0.4 N against the hand's damper alone, 4 N s/m, is 0.1 m/s, after 0.1 kg / 4 N s/m = 25 ms.
+  EXPECT_NEAR(pushed.x(), 0.1 * (0.5 - 0.025), 0.001);
+  const Vec3 rest = push(500, Vec3::Zero());
+  servo::Truth truth;
+  ASSERT_TRUE(arm.truth(truth));
+  EXPECT_LT(truth.f_hand_T_W.norm(), 1e-6) << "nothing pulls it back";
+  setpoint.p_WT = rest;
+  setpoint.holds = true;
+  arm.setSetpoint(setpoint);
+  EXPECT_LT((push(500, Vec3::Zero()) - rest).norm(), 1e-9);
+}
+
 TEST(SimulatedArm, AWishTakesTheStylusFromAScriptWithoutAJump) {
   SimulatedArm arm(touchOptions("ideal"));
   arm.follow(sim::builtInHand("still", 0).value());

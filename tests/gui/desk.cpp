@@ -84,6 +84,7 @@ void Desk::run(int ticks) {
 void Desk::handTo(const Vec3& p_WT, int ticks) {
   sim::HandSetpoint setpoint = arm().setpoint();
   setpoint.p_WT = p_WT;
+  setpoint.holds = true;
   arm().setSetpoint(setpoint);
   run(ticks);
 }

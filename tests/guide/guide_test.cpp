@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -178,7 +179,9 @@ TEST(SearchOfPages, FindsInTheGuideWhatPeopleLookFor) {
   EXPECT_EQ(first("energy"), "energy");
   EXPECT_EQ(first("hold to run"), "servo");
   EXPECT_EQ(first("jacobian singularities"), "course_jacobian");
-  EXPECT_EQ(first("kp_N_per_mm").substr(0, 5), "scene");
+  const std::vector<Hit> gains = search.find("kp_N_per_mm");  // scene files, and who sets them from outside
+  EXPECT_TRUE(std::any_of(gains.begin(), gains.begin() + std::min<std::ptrdiff_t>(3, std::ssize(gains)),
+                          [](const Hit& hit) { return hit.page.starts_with("scene"); }));
 }
 
 TEST(SceneList, HasTitleAboutAndWhatAClassReadsOfIt) {

@@ -49,7 +49,8 @@ class Breakages(unittest.TestCase):
         of = Counter(
             next(room for room in rooms() if one.file.startswith(room + "/")) for one in BREAKAGES
         )
-        self.assertEqual(set(rooms()) - set(of), set())
+        # The Python module is not in the build of the mutants; its tests are in Python.
+        self.assertEqual(set(rooms()) - set(of), {"app/bindings"})
         window = sum(count for room, count in of.items() if room.startswith("app/gui"))
         self.assertGreaterEqual(window, 10)
 

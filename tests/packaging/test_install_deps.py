@@ -22,7 +22,7 @@ RUN = """
 """
 TEST = """
     libgtest-dev libumockdev-dev umockdev xvfb xauth python3 python3-h5py python3-matplotlib
-    python3-pandas hunspell hunspell-en-gb diction dbus-daemon openmpi-bin duktape
+    python3-pandas python3-websockets pybind11-dev python3-dev hunspell hunspell-en-gb diction dbus-daemon openmpi-bin duktape
 """
 # On an empty Debian 12, with what these need in turn; 2026-11: 673 packages, 576 MB.
 MOST_PACKAGES, MOST_MB = 690, 590
@@ -59,6 +59,10 @@ class Lists(unittest.TestCase):
 
     def test_their_tests_take_these_besides(self):
         self.assertEqual(sorted(names("test")), sorted(TEST.split()))
+
+    def test_the_python_package_is_compiled_without_the_window(self):
+        window = {name for name in RUN.split() if re.match("qt6-|libqt6|libgl-|libvtk|libgl1-|fonts-", name)}
+        self.assertEqual(set(names("python")), set(RUN.split()) - window | {"python3-dev", "python3-venv", "python3-pip"})
 
     def test_lists_are_printed_where_there_is_no_apt(self):
         for group in GROUPS:

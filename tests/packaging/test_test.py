@@ -50,7 +50,8 @@ class Test(Scripts):
         status, lines, calls = self.run_it()
         self.assertEqual((status, lines[-1]), (0, "30 passed, 0 failed"))
         self.assertEqual(calls[0], "install-deps run test")
-        self.assertEqual(calls[1:3], ["cmake --preset release", "compile release"])
+        self.assertEqual(calls[1], "cmake --preset release -DUNDERACT_PYTHON=ON")
+        self.assertEqual(calls[2], "compile release")
         self.assertTrue(calls[3].startswith("ctest --preset release -j"))
         self.assertNotIn(" -R ", calls[3])
         self.assertEqual(len(calls), 4)
@@ -59,14 +60,14 @@ class Test(Scripts):
         status, lines, calls = self.run_it("--sanitizers")
         self.assertEqual((status, lines[-1]), (0, "90 passed, 0 failed"))
         presets = [call for call in calls if call.startswith("cmake")]
-        self.assertEqual(presets[0], "cmake --preset release")
+        self.assertEqual(presets[0], "cmake --preset release -DUNDERACT_PYTHON=ON")
         self.assertEqual([call[6:19] for call in presets[1:]], SANITIZED)
 
     def test_ci_leaves_nothing_out(self):
         status, lines, calls = self.run_it(script=".ci/run")
         self.assertEqual((status, lines[-1]), (0, "90 passed, 0 failed"))
         self.assertEqual(calls[0], "install-deps run test check package")
-        self.assertEqual(calls[1], "cmake --preset ci")
+        self.assertEqual(calls[1], "cmake --preset ci -DUNDERACT_PYTHON=ON")
         self.assertIn("each_alone build/alone", calls)
         self.assertEqual(len([call for call in calls if call.startswith("ctest")]), 3)
 

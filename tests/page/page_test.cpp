@@ -31,6 +31,16 @@ TEST(Page, SectionsHoldTheTextBetweenHeadings) {
   EXPECT_NE(page.sections[2].text.find("c\nd"), std::string::npos);
 }
 
+TEST(Page, ASearchFindsAFormulaAsItIsReadAndNotAsTex) {
+  const Page page = readPage("# T\n\nThe torque $\\tau = J_p^T f$, and $\\frac{K T}{2} < b$.\n", "");
+  const std::string& text = page.sections.back().text;
+  EXPECT_EQ(text.find('\\'), std::string::npos) << text;
+  EXPECT_EQ(text.find('{'), std::string::npos) << text;
+  EXPECT_NE(text.find("τ"), std::string::npos) << text;
+  EXPECT_NE(text.find("JpT"), std::string::npos) << text;
+  EXPECT_NE(text.find("<"), std::string::npos) << text;
+}
+
 TEST(Page, LinksAndPicturesAreListedWithTheirLines) {
   const Page page =
       readPage("a\n\n[b](c.md#d) and\n![e](f.png)\n", "x.md", [](const std::string& to) { return "made/" + to; });

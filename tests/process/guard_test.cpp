@@ -110,7 +110,7 @@ TEST(Guard, KilledItIsMissedAndReplacedAndTheNewOneSaysTheLastWord) {
   const pid_t second = program.guardBut(first);
   ASSERT_GT(second, 0);
   EXPECT_NE(second, first);
-  ASSERT_GT(program.arm().last_N(), 0.1);
+  ASSERT_TRUE(comes([&] { return program.arm().last_N() > 0.1; })) << program.arm().last_N() << " N";
   program.send(SIGKILL);
   program.waitUntilGone();
   EXPECT_TRUE(comes([&] { return program.arm().last_N() == 0.0; })) << program.arm().last_N() << " N for good";
@@ -150,7 +150,8 @@ TEST(Guard, OneThatDiesAtOnceEachTimeIsNotStartedForEver) {
   EXPECT_TRUE(comes([&] { return starts() == 7; })) << starts();
   std::this_thread::sleep_for(std::chrono::seconds(2));
   EXPECT_EQ(starts(), 7U) << "the first and six more, then no other for the rest of the minute";
-  EXPECT_GT(program.arm().last_N(), 0.1);
+  // Not at once: a tick that was late has just ended the force, which rises again from zero.
+  EXPECT_TRUE(comes([&] { return program.arm().last_N() > 0.1; })) << program.arm().last_N() << " N";
 }
 
 TEST(Guard, HoldsNeitherTheProgramsTerminalNorItsPipes) {

@@ -83,8 +83,10 @@ QString wrongWithRole(QWidget& widget) {
 }  // namespace
 
 QString idOf(const QWidget* widget) {
-  return widget == nullptr ? QString("nothing")
-                           : QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName());
+  if (widget == nullptr) return "nothing";
+  const QString id = QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName());
+  const bool has_place = !widget->objectName().isEmpty() || widget->parentWidget() == nullptr;
+  return has_place ? id : QString("%1in %2").arg(id, idOf(widget->parentWidget()));
 }
 
 LargeText::LargeText() : usual_(QApplication::font()) {
@@ -107,7 +109,8 @@ QList<QWidget*> focusable(QWidget& root) {
   for (QWidget* widget : QList<QWidget*>{&root} + root.findChildren<QWidget*>()) {
     if ((widget->focusPolicy() & Qt::TabFocus) == 0 || widget->focusProxy() != nullptr) continue;
     if (widget->window() != root.window() || widget->objectName().startsWith("qt_")) continue;
-    if (qobject_cast<QTabBar*>(widget) != nullptr && !widget->isVisible()) continue;  // of docks that are not there
+    const auto* const tabs = qobject_cast<QTabBar*>(widget);  // of docks that are not there
+    if (tabs != nullptr && (!tabs->isVisible() || tabs->count() == 0)) continue;
     if (qobject_cast<QComboBox*>(widget->parent()) != nullptr) continue;
     found << widget;
   }

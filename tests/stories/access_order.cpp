@@ -22,7 +22,8 @@ bool isBefore(const QWidget& b, const QWidget& a) {
 
 /// Out of what it scrolls in; of a widget larger than that, some of it is enough.
 bool isSeen(const QWidget& widget) {
-  return !widget.visibleRegion().isEmpty();
+  const auto* const area = qobject_cast<const QAbstractScrollArea*>(&widget);  // what it shows may cover all of it
+  return !widget.visibleRegion().isEmpty() || (area != nullptr && !area->viewport()->visibleRegion().isEmpty());
 }
 
 constexpr int kMostStops = 400;

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QLabel>
 #include <QPushButton>
+#include <cmath>
 
 #include "app/gui/compare/compare_tool.h"
 #include "app/gui/compare/two_views.h"
@@ -70,7 +71,7 @@ TEST(CompareStory, OtherGainsActOnTheSameMotion) {
   EXPECT_LT(desk.besideForce_N(), 0.8) << "a clamped force is not twice another";
   // Half the stiffness on the same error: half the force, but for what is left of the fading of the old one.
   EXPECT_NEAR(desk.besideForce_N(), 2.0 * desk.feltForce_N(), 1e-3);
-  EXPECT_TRUE(desk.text("compare.difference").contains("control.kp_N_per_mm: felt 0.25, other 0.5"))
+  EXPECT_TRUE(desk.text("compare.difference").contains("stiffness: felt 0.25 N/mm, other 0.5 N/mm"))
       << desk.text("compare.difference").toStdString();
   EXPECT_TRUE(desk.text("compare.figures").contains("Other scene:")) << desk.text("compare.figures").toStdString();
 }
@@ -205,6 +206,22 @@ TEST(CompareStory, PicturesOfIt) {
     desk.story.settle(300);
     desk.story.savePicture(QString("compare_projector_") + theme);
   }
+}
+
+TEST(CompareStory, BothViewsHaveOneScaleWhateverTheirHeadsSay) {
+  CompareDesk desk;
+  desk.story.window().resize(900, 700);
+  ASSERT_TRUE(desk.story.perform("compare.open", shippedScene("16_one_joint_robot")));
+  desk.story.settle(300);
+  desk.story.run(2);
+  desk.story.settle(100);
+  const auto scale_px = [](const SceneView& view) {
+    const QPointF way = view.screenOf({0.02, 0.0, 0.0}) - view.screenOf({0.0, 0.0, 0.0});
+    return std::hypot(way.x(), way.y());
+  };
+  auto* right = desk.story.find<SceneView>("view.beside");
+  EXPECT_EQ(right->height(), desk.story.view().height());
+  EXPECT_NEAR(scale_px(*right), scale_px(desk.story.view()), 0.01 * scale_px(*right));
 }
 
 }  // namespace underact::gui::test

@@ -90,8 +90,11 @@ QJsonObject read(const QString& name) {
 
 TEST(FaultStory, APulledCableIsSaidAndStartClearsIt) {
   Rig rig;
-  EXPECT_EQ(rig.label("status.mode"), "Running");
+  EXPECT_EQ(rig.label("status.mode"), "Running, 1000 Hz");
   EXPECT_EQ(rig.label("status.device"), "Arm on a loose cable (untested)");
+  EXPECT_TRUE(rig.find<QLabel>("status.mode")->toolTip().contains("latency p99"));
+  for (const char* detail : {"status.rate", "status.late", "status.scheduling"})
+    EXPECT_FALSE(rig.find(detail)->isVisible()) << detail << " is in the tip";
   EXPECT_EQ(rig.dialog(), nullptr);
   rig.pull();
   EXPECT_EQ(rig.host.snapshot().mode, servo::Mode::Faulted);
@@ -101,7 +104,7 @@ TEST(FaultStory, APulledCableIsSaidAndStartClearsIt) {
   ASSERT_TRUE(rig.window.actions().find("session.start")->isEnabled());
   rig.window.actions().perform("session.start");
   rig.run(100);
-  EXPECT_EQ(rig.label("status.mode"), "Running");
+  EXPECT_EQ(rig.label("status.mode"), "Running, 1000 Hz");
 }
 
 TEST(FaultStory, AFaultBringsItsDialogOnceWithASentenceAndWhatToDo) {
@@ -194,8 +197,22 @@ TEST(FaultStory, TheKeyboardStaysWithTheWindowAndEscStopsFromBoth) {
   rig.run(200);
   rig.window.actions().perform("session.start");
   ASSERT_TRUE(rig.host.running());
+  rig.dialog()->activateWindow();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return QGuiApplication::focusWindow() == rig.dialog()->windowHandle(); }));
   QTest::keyClick(rig.dialog()->windowHandle(), Qt::Key_Escape);
-  EXPECT_FALSE(rig.host.running());
+  EXPECT_FALSE(rig.host.running()) << "an arm that is not simulated: every Esc stops it";
+  EXPECT_FALSE(rig.dialog()->isVisible());
+}
+
+TEST(FaultStory, TheSentenceOfAFaultWinsOverTheBannerOfStop) {
+  Rig rig;
+  rig.pull();
+  EXPECT_FALSE(rig.find("view.stopped")->isVisible());
+  rig.window.actions().perform("session.start");
+  rig.run(100);
+  rig.window.actions().perform("session.stop");
+  rig.run(300);
+  EXPECT_TRUE(rig.find("view.stopped")->isVisible());
 }
 
 TEST(FaultStory, AFolderThatCannotBeWrittenIsToldAndTheFaultIsToldAllTheSame) {

@@ -153,10 +153,15 @@ TEST(FeelStory, TheSameGainsOnTheJointsFeelAndReadOtherwise) {
   EXPECT_GT((story.snapshot().report.f_T_W - on_the_tip).norm(), 0.05);
   auto* row = story.find<QWidget>("panel.gains.kp.x");
   ASSERT_NE(row, nullptr);
-  EXPECT_EQ(row->findChild<QLabel*>()->text(), "q1");
+  EXPECT_EQ(row->findChild<QLabel*>()->text(), QString::fromUtf8("q1–q3")) << "one row while they are linked";
   EXPECT_TRUE(story.find<QDoubleSpinBox>("panel.gains.kp.x.number")->accessibleName().contains("q1"));
   ASSERT_TRUE(story.perform("edit.undo"));
   story.run(1500);
+  EXPECT_EQ(row->findChild<QLabel*>()->text(), "x y z");
+  EXPECT_FALSE(story.find("panel.gains.kp.y")->isVisible());
+  story.find<QCheckBox>("panel.feel.link")->click();
+  EXPECT_TRUE(story.find("panel.gains.kp.y")->isVisible());
+  story.run(100);
   EXPECT_EQ(row->findChild<QLabel*>()->text(), "x");
 }
 

@@ -63,7 +63,7 @@ TEST(LabStory, BeforeItIsMeasuredItSaysWhatMeasuringDoesAndWhatTheSceneOffers) {
   EXPECT_FALSE(story.perform("lab.cancel"));
   EXPECT_FALSE(story.perform("lab.measure", "nobody", 1.0));
   EXPECT_EQ(story.text("choice.rate.value"), "Servo rate: 1000 Hz");
-  EXPECT_EQ(story.text("choice.simulation.value"), "Simulated arm: trapezoidal, 200 us");
+  EXPECT_EQ(story.text("choice.simulation.value"), "Simulated arm: trapezoidal, 200 µs");
   EXPECT_TRUE(story.find("panel.lab.choice.rate.figures")->isHidden());
   EXPECT_EQ(story.window().findChild<QLabel*>("panel.lab.choice.velocity.value"), nullptr);  // a P law has no rate
   EXPECT_TRUE(story.find("panel.lab.choice.rate")->toolTip().contains("16 kHz"));

@@ -1,10 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <QAbstractButton>
-#include <QAction>
 #include <QApplication>
 #include <QDir>
-#include <QDockWidget>
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
@@ -15,31 +12,17 @@
 #include <QTextEdit>
 #include <QTimer>
 
+#include "app/gui/lessons/lesson_card.h"
 #include "app/gui/lessons/lesson_library.h"
-#include "app/gui/window/features.h"
-#include "core/arm/forward.h"
 #include "core/base/units.h"
 #include "core/lesson/read.h"
-#include "core/lesson/window_names.h"
-#include "device/simulated_arm.h"
-#include "tests/stories/story.h"
+#include "tests/stories/lesson_steps.h"
 
 namespace underact::gui::test {
 namespace {
 
 QString saidOf(Story& story, int check) {
   return story.find<QLabel>(QString("panel.lessons.check%1.said").arg(check))->text();
-}
-
-QString title(Story& story) {
-  return story.find<QLabel>("panel.lessons.step")->text();
-}
-
-void lead(Story& story, const Vec3& p_mm) {
-  sim::HandSetpoint setpoint = story.arm().setpoint();
-  setpoint.p_WT = 1e-3 * p_mm;
-  story.arm().setSetpoint(setpoint);
-  story.run(2000);
 }
 
 /// What the question about edits, which comes next, is answered.
@@ -50,22 +33,6 @@ void answerUnsaved(QMessageBox::StandardButton button) {
     EXPECT_EQ(box->objectName(), "dialog.unsaved");
     box->button(button)->click();
   });
-}
-
-bool isOpen(Story& story, const char* panel) {
-  return !story.find<QDockWidget>(QString("dock.%1").arg(panel))->isHidden();
-}
-
-/// What of the window a lesson changes.
-std::string shapeOf(Story& story) {
-  QString shape = story.window().document().path();
-  for (const PanelRow& row : panelsOf(features()))
-    shape += isOpen(story, row.key) ? QString(" %1").arg(row.key) : QString();
-  for (const char* layer : lesson::layerNames()) {
-    const QAction* const action = story.window().actions().find(QString("layer.%1").arg(layer));
-    shape += action->isChecked() ? QString(" +%1").arg(layer) : QString();
-  }
-  return shape.toStdString();
 }
 
 /// By the Tab key, from wherever the focus is.
@@ -105,7 +72,7 @@ TEST(LessonsStory, TheFirstLessonIsSolvedByTheKeyboardAlone) {
   EXPECT_EQ(list->currentItem()->text(), "Frames and transforms");
   story.key(Qt::Key_Return);
   story.settle();
-  ASSERT_EQ(title(story), "The frame W");
+  ASSERT_EQ(stepTitle(story), "The frame W");
   story.key(Qt::Key_1, Qt::ControlModifier);  // the view from the front
   story.settle(400);
   story.key(Qt::Key_F2);  // the arrow keys move the hand; it starts at (0, 0, 50)
@@ -115,9 +82,9 @@ TEST(LessonsStory, TheFirstLessonIsSolvedByTheKeyboardAlone) {
   EXPECT_TRUE(saidOf(story, 1).contains("2 of 3 reached")) << saidOf(story, 1).toStdString();
   steps(story, Qt::Key_Down, 4);
   steps(story, Qt::Key_PageUp, 4);
-  EXPECT_TRUE(title(story).contains("✓")) << saidOf(story, 1).toStdString();
+  EXPECT_TRUE(stepTitle(story).contains("✓")) << saidOf(story, 1).toStdString();
   story.key(Qt::Key_F8);  // next
-  ASSERT_EQ(title(story), "The same position in B");
+  ASSERT_EQ(stepTitle(story), "The same position in B");
   story.run(500);
   const Vec3 p_mm = 1e3 * story.snapshot().report.p_WT;
   typeAnswer(story, 1, QString::number(p_mm.z() + 176.0));
@@ -125,20 +92,21 @@ TEST(LessonsStory, TheFirstLessonIsSolvedByTheKeyboardAlone) {
   typeAnswer(story, 3, "much");
   EXPECT_EQ(saidOf(story, 3), "“much” is not a number.");
   typeAnswer(story, 3, QString::number(p_mm.y() - 30.0));
-  EXPECT_TRUE(title(story).contains("✓")) << saidOf(story, 3).toStdString();
+  EXPECT_TRUE(stepTitle(story).contains("✓")) << saidOf(story, 3).toStdString();
   story.key(Qt::Key_F8);
   story.key(Qt::Key_1, Qt::ControlModifier);  // the view from the front
   story.settle(400);
   story.key(Qt::Key_F2);
-  steps(story, Qt::Key_Up, 4);  // to (0, 40, 40) from (0, 0, 10)
-  steps(story, Qt::Key_PageDown, 3);
+  steps(story, Qt::Key_Up, 4);  // to (0, 40, 40) from where each step begins, (0, 0, 50)
+  steps(story, Qt::Key_PageUp, 1);
   story.run(1500);
-  EXPECT_TRUE(title(story).contains("✓")) << saidOf(story, 1).toStdString();
+  EXPECT_TRUE(stepTitle(story).contains("✓")) << saidOf(story, 1).toStdString();
   story.key(Qt::Key_F8);
   story.key(Qt::Key_F2);
   story.settle(400);  // the camera goes to the front
-  for (int turn = 0; turn < 40 && !title(story).contains("✓"); ++turn) steps(story, Qt::Key_Up, 1, Qt::ControlModifier);
-  EXPECT_TRUE(title(story).contains("✓")) << saidOf(story, 1).toStdString();
+  for (int turn = 0; turn < 40 && !stepTitle(story).contains("✓"); ++turn)
+    steps(story, Qt::Key_Up, 1, Qt::ControlModifier);
+  EXPECT_TRUE(stepTitle(story).contains("✓")) << saidOf(story, 1).toStdString();
   story.key(Qt::Key_F8);
   for (int check = 1; check <= 2; ++check) {
     tabTo(story, QString("panel.lessons.check%1.choice1").arg(check));
@@ -147,7 +115,7 @@ TEST(LessonsStory, TheFirstLessonIsSolvedByTheKeyboardAlone) {
     tabTo(story, QString("panel.lessons.check%1.give").arg(check));
     story.key(Qt::Key_Space);
   }
-  EXPECT_TRUE(title(story).contains("✓"));
+  EXPECT_TRUE(stepTitle(story).contains("✓"));
   EXPECT_EQ(solvedSteps(lessonPath("01_frames")).size(), 5);
   story.key(Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_TRUE(story.find("panel.lessons.list")->isVisible());
@@ -159,17 +127,17 @@ TEST(LessonsStory, AWrongHandIsToldWhatIsMissing) {
   story.settle();
   EXPECT_TRUE(story.find("panel.lessons.servo")->isVisible());  // nothing pushes yet
   story.perform("session.start");
-  lead(story, {0, 0, 0});
-  lead(story, {3, 0, 0});
+  leadHand(story, {0, 0, 0});
+  leadHand(story, {3, 0, 0});
   EXPECT_FALSE(story.find("panel.lessons.servo")->isVisible());
   const QString missing = saidOf(story, 1);
   EXPECT_TRUE(missing.startsWith("○ To do: Held for 0.0 of 1.0 s. The force is 0.1")) << missing.toStdString();
   EXPECT_TRUE(missing.endsWith("it should be between 0.35 N and 0.45 N.")) << missing.toStdString();
-  EXPECT_FALSE(title(story).contains("✓"));
-  lead(story, {9.3, 0, 0});
-  lead(story, {9.3, 0, 0});
+  EXPECT_FALSE(stepTitle(story).contains("✓"));
+  leadHand(story, {9.3, 0, 0});
+  leadHand(story, {9.3, 0, 0});
   EXPECT_TRUE(saidOf(story, 1).startsWith("✓ Solved: Held for 1.0 of 1.0 s.")) << saidOf(story, 1).toStdString();
-  EXPECT_TRUE(title(story).contains("✓"));
+  EXPECT_TRUE(stepTitle(story).contains("✓"));
 }
 
 TEST(LessonsStory, TheGainsThatAStudentSetsCount) {
@@ -178,8 +146,8 @@ TEST(LessonsStory, TheGainsThatAStudentSetsCount) {
   ASSERT_TRUE(story.perform("lesson.next"));
   ASSERT_TRUE(story.perform("lesson.next"));
   story.perform("session.start");
-  lead(story, {0, 0, 0});
-  lead(story, {8, 0, 0});
+  leadHand(story, {0, 0, 0});
+  leadHand(story, {8, 0, 0});
   EXPECT_TRUE(saidOf(story, 1).contains("○"));
   ASSERT_TRUE(story.perform("gains.set", "kp", "x", 0.1));
   story.run(3000);
@@ -225,9 +193,9 @@ TEST(LessonsStory, AfterALessonTheWindowIsAsBefore) {
   ASSERT_TRUE(story.perform("lesson.start", "05_jacobian"));
   story.settle();
   EXPECT_NE(shapeOf(story), before);
-  EXPECT_TRUE(isOpen(story, "kinematics"));
-  EXPECT_TRUE(isOpen(story, "lessons"));
-  EXPECT_FALSE(isOpen(story, "scenes"));
+  EXPECT_TRUE(isPanelOpen(story, "kinematics"));
+  EXPECT_TRUE(isPanelOpen(story, "lessons"));
+  EXPECT_FALSE(isPanelOpen(story, "scenes"));
   EXPECT_TRUE(story.view().layers().motion_ellipsoid);
   ASSERT_TRUE(story.perform("lesson.next"));
   ASSERT_TRUE(story.perform("lesson.back"));
@@ -261,8 +229,8 @@ TEST(LessonsStory, AWindowClosedInALessonKeepsItsOwnSceneAndDocks) {
   }
   EXPECT_TRUE(QSettings().value("files/last").toString().endsWith("05_circle.json"));
   Story again("", {.first_start = false});
-  EXPECT_TRUE(isOpen(again, "scenes"));
-  EXPECT_TRUE(isOpen(again, "feel"));
+  EXPECT_TRUE(isPanelOpen(again, "scenes"));
+  EXPECT_TRUE(isPanelOpen(again, "feel"));
 }
 
 TEST(LessonsStory, ASceneThatWasOpenedMeanwhileStays) {
@@ -290,7 +258,7 @@ TEST(LessonsStory, ATeachersFileIsOpenedDroppedAndListedLately) {
   {
     Story story("02_sphere");
     ASSERT_TRUE(story.perform("scene.open", path));  // as a drop does, and the command line
-    EXPECT_EQ(title(story), "Pull");
+    EXPECT_EQ(stepTitle(story), "Pull");
     EXPECT_EQ(story.host().scene().title, "Point");
     story.perform("lesson.leave");
     EXPECT_EQ(story.host().scene().title, "Sphere");
@@ -317,33 +285,18 @@ TEST(LessonsStory, WhatWasSolvedIsRememberedAndGoesOnThere) {
     ASSERT_TRUE(story.perform("lesson.start", "02_dh"));
     ASSERT_TRUE(story.perform("lesson.answer", 1, 127.5));
     ASSERT_TRUE(story.perform("lesson.answer", 2, 149.4));
-    EXPECT_TRUE(title(story).contains("✓"));
+    EXPECT_TRUE(stepTitle(story).contains("✓"));
   }
   Story story("02_sphere", {.first_start = false});
   const auto* const list = story.find<QListWidget>("panel.lessons.list");
-  EXPECT_EQ(list->findItems("○ Denavit-Hartenberg parameters (1 of 5)", Qt::MatchExactly).size(), 1);
+  const QList<QListWidgetItem*> cards = list->findItems("Denavit-Hartenberg parameters", Qt::MatchExactly);
+  ASSERT_EQ(cards.size(), 1);
+  EXPECT_EQ(cards.front()->data(LessonCard::Number).toInt(), 2);
+  EXPECT_EQ(cards.front()->data(LessonCard::Solved).toInt(), 1);
+  EXPECT_EQ(cards.front()->toolTip(), "12 min, 1 of 5 steps solved");
   EXPECT_EQ(story.host().scene().title, "Sphere");  // the lesson was left with the window
   ASSERT_TRUE(story.perform("lesson.start", "02_dh"));
-  EXPECT_EQ(title(story), "One of them changes");
-}
-
-TEST(LessonsStory, TheNamesThatALessonMayUseAreTheWindowsOwn) {
-  Story story("02_sphere");
-  QStringList own, known;
-  for (const PanelRow& row : panelsOf(features())) own << row.key;
-  for (const char* name : lesson::panelNames()) known << name;
-  own.sort(), known.sort();
-  EXPECT_EQ(own, known);
-  for (const char* name : lesson::cameraNames()) {
-    EXPECT_NE(story.window().actions().find(QString("view.%1").arg(name)), nullptr) << name;
-  }
-  own.clear(), known.clear();
-  for (const QString& action : story.window().actions().names()) {
-    if (action.startsWith("layer.")) own << action.mid(6);
-  }
-  for (const char* name : lesson::layerNames()) known << name;
-  own.sort(), known.sort();
-  EXPECT_EQ(own, known);
+  EXPECT_EQ(stepTitle(story), "One of them changes");
 }
 
 /// A picture of each lesson for the guide: its first step, smaller than the window.

@@ -67,6 +67,7 @@ TEST(PicturesStory, APictureWithoutTheForceIsNotTheSame) {  // the comparison se
 
 TEST(PicturesStory, TheWindowForTheReadme) {
   Story story("02_sphere", {.servo = {.clock = servo::Clock::Thread}});  // so that its status line is a real one
+  story.perform("dock.plots", true);
   story.perform("session.start");
   feelTheBall(story);
   for (const char* theme : {"light", "dark"}) {

@@ -35,7 +35,7 @@ TEST(ProjectorStory, TheViewFillsTheWindowInLargeTypeAndEverythingIsAsItWasAfter
 TEST(ProjectorStory, ItIsRememberedAndSoIsTheLayoutBehindIt) {
   {
     Story story("02_sphere");
-    story.find("dock.shape")->hide();
+    story.find("dock.scenes")->hide();
     story.perform("view.projector", true);
   }
   Story story({}, {.first_start = false});
@@ -44,7 +44,7 @@ TEST(ProjectorStory, ItIsRememberedAndSoIsTheLayoutBehindIt) {
   story.perform("view.projector", false);
   story.settle();
   EXPECT_TRUE(story.find("dock.feel")->isVisible());
-  EXPECT_FALSE(story.find("dock.shape")->isVisible());
+  EXPECT_FALSE(story.find("dock.scenes")->isVisible());
 }
 
 TEST(ProjectorStory, TheGaugeIsLargerThere) {
@@ -57,6 +57,8 @@ TEST(ProjectorStory, TheGaugeIsLargerThere) {
       for (int x = image.width() - 400; x < image.width(); ++x) ink += image.pixelColor(x, y) != ground ? 1 : 0;
     return ink;
   };
+  story.perform("layer.arm", false);  // nor its shadow
+  story.settle(300);
   const int usual = gaugeInk();
   story.perform("view.projector", true);
   story.settle(300);

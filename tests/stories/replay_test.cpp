@@ -59,6 +59,10 @@ bool open(Story& story, const QString& path = sessionFile()) {
     story.window().frame();
     return story.window().player().isOpen() && !story.window().player().isLoading();
   });
+  if (is_open) {  // it plays: back to the beginning
+    story.window().player().pause();
+    story.window().player().seek(0);
+  }
   story.run(1);
   return is_open;
 }
@@ -74,7 +78,20 @@ std::function<QString()> textOf(Story& story, const char* name) {
 
 }  // namespace
 
-TEST(ReplayStory, ASessionOpensPausedWithItsSceneAndForcesGoToNoArm) {
+TEST(ReplayStory, ASessionBeginsToPlayWhenItIsOpened) {
+  Story story("03_line");
+  ASSERT_TRUE(story.perform("replay.open", sessionFile()));
+  Player& player = story.window().player();
+  ASSERT_TRUE(QTest::qWaitFor([&] {
+    story.window().frame();
+    return player.isOpen() && !player.isLoading();
+  }));
+  EXPECT_TRUE(player.isPlaying());
+  story.run(500);
+  EXPECT_GE(player.row(), 499);
+}
+
+TEST(ReplayStory, ASessionOpensWithItsSceneAndForcesGoToNoArm) {
   Story story("03_line");
   Player& player = story.window().player();
   EXPECT_FALSE(story.find("panel.replay")->isVisible());

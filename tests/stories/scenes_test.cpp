@@ -119,8 +119,8 @@ TEST(ScenesStory, TheGroupsStandInTeachingOrderEachWithItsScenes) {
     else
       ++scenes[headings.last()];
   }
-  EXPECT_EQ(headings,
-            (QStringList{"Shapes", "Walls", "Orientation", "Virtual robots", "Meshes", "Curves", "Stability"}));
+  EXPECT_EQ(headings, (QStringList{"Shapes", "Walls", "Orientation", "Virtual robots", "Meshes", "Curves", "Stability",
+                                   "Other arms"}));
   EXPECT_EQ(scenes["Walls"], 3);
   EXPECT_EQ(scenes["Orientation"], 2);
   EXPECT_EQ(scenes["Virtual robots"], 8);

@@ -39,7 +39,7 @@ TEST(SessionStory, OneClickRecordsAtOnceAndTheFileSaysWhoAndWhat) {
   desk.story->run(3000);
   ASSERT_TRUE(QTest::qWaitFor([&] { return desk.text("panel.sessions.status.0") == "00:02"; }, kLong_ms))
       << desk.text("panel.sessions.status.0").toStdString();
-  EXPECT_EQ(desk.story->find<QAbstractButton>("button.session.record")->text(), "Record 00:02");
+  EXPECT_EQ(desk.story->find<QAbstractButton>("button.session.record")->text(), "Stop recording 00:02");
   EXPECT_EQ(desk.text("panel.sessions.status.2"), "3000");
   EXPECT_TRUE(desk.text("panel.sessions.status.4").endsWith(" GB"))
       << desk.text("panel.sessions.status.4").toStdString();
@@ -319,6 +319,32 @@ TEST(SessionStory, ThePictureOfTheRecordingAndTheList) {
               kTolerance);
     panel->finish();
   }
+}
+
+TEST(SessionStory, AStoppedRecordingIsToldAndShowFindsItInTheList) {
+  Desk desk;
+  auto* notice = desk.story->find("notice");
+  EXPECT_FALSE(notice->isVisible());
+  const QAction* record = desk.story->window().actions().find("session.record");
+  ASSERT_TRUE(desk.record(true));
+  EXPECT_TRUE(record->iconText().startsWith("Stop recording")) << record->iconText().toStdString();
+  desk.story->run(500);
+  ASSERT_TRUE(desk.record(false));
+  EXPECT_EQ(record->iconText(), "Record");
+  ASSERT_TRUE(notice->isVisible());
+  EXPECT_TRUE(desk.text("notice.sentence").startsWith("Recording saved: "))
+      << desk.text("notice.sentence").toStdString();
+  EXPECT_TRUE(desk.story->view().rect().contains(notice->geometry()));
+  desk.story->savePicture("notice");
+  desk.story->perform("dock.sessions", false);
+  desk.story->click(desk.story->find("notice.show"));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        const QListWidgetItem* chosen = desk.list().currentItem();
+        return desk.list().isVisible() && chosen != nullptr && !chosen->isHidden();
+      },
+      kLong_ms));
+  EXPECT_FALSE(notice->isVisible());
 }
 
 }  // namespace underact::gui::test

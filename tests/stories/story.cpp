@@ -64,6 +64,7 @@ void Story::open(const QString& scene, const Beginning& beginning) {
     window_->activateWindow();
     EXPECT_TRUE(QTest::qWaitForWindowActive(window_.get()));
   }
+  EXPECT_TRUE(perform("hand.keep", beginning.keeps_holding));
   if (!scene.isEmpty()) {
     EXPECT_TRUE(perform("scene.open", scene.contains('/') ? scene : shippedScene(scene)));
   }
@@ -153,7 +154,8 @@ void Story::dragHandTo(const Vec3& p_W, bool hold) {
   constexpr int kSteps = 20;
   const HeldPaints held;
   const QPointF from = view().screenOf(snapshot().report.p_WT);
-  const QPointF way = view().screenOf(p_W) - view().screenOf(arm().setpoint().p_WT);
+  const bool holds = arm().setpoint().holds;
+  const QPointF way = view().screenOf(p_W) - (holds ? view().screenOf(arm().setpoint().p_WT) : from);
   press(&view(), from.toPoint());
   for (int step = 1; step <= kSteps; ++step) {
     moveTo(&view(), (from + way * step / kSteps).toPoint());

@@ -21,6 +21,7 @@ struct Beginning {
   QSize size{1280, 800};
   bool first_start = true;  // nothing is remembered from an earlier life of the window
   bool shown = true;
+  bool keeps_holding = true;                                 // the hand stays where the story puts it; a user's lets go
   std::vector<device::input::DeviceEnumerator*> hands = {};  // controllers and 3D mice; they outlive the story
   servo::HostOptions servo{.clock = servo::Clock::Manual};   // time by count: the machine's speed decides nothing
   std::vector<FeatureRow> features = gui::features();

@@ -113,8 +113,7 @@ TEST(ThreadsStory, WhatItDoesIsRecordedListedExportedAndReplayed) {
   ASSERT_TRUE(story.perform("replay.open", session));
   Player& player = story.window().player();
   ASSERT_TRUE(comes([&player] { return player.isOpen() && !player.isLoading(); }));
-  ASSERT_TRUE(story.perform("replay.play"));
-  EXPECT_TRUE(comes([&player] { return player.row() > 200; }));
+  EXPECT_TRUE(comes([&player] { return player.row() > 200; })) << "it plays when it is opened";
   EXPECT_TRUE(story.perform("replay.seek", 0.1));
   EXPECT_TRUE(comeTicks(story, 100));
   EXPECT_TRUE(story.perform("replay.close"));

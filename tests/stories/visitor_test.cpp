@@ -110,7 +110,8 @@ TEST(VisitorStory, AMinuteAfterTheLastVisitorItIsAsAtFirst) {
   desk.run(2'000);
   EXPECT_EQ(desk.scene(), "Sphere");
   EXPECT_TRUE(view.viewpoint().fits);
-  EXPECT_LT((desk.cable->arm().setpoint().p_WT - first).norm(), 1e-12);
+  // Nobody holds the stylus: it rests where friction leaves it.
+  EXPECT_LT((desk.cable->arm().setpoint().p_WT - first).norm(), 1e-4);
 }
 
 TEST(VisitorStory, AnUnpluggedArmIsSaidAndPushesAgainOnSomebodysWordAlone) {

@@ -47,10 +47,8 @@ bool isInsideQtsOwn(const QWidget* widget) {
 
 void collect(const QMenu* menu, QSet<QAction*>& all) {
   for (QAction* action : menu->actions()) {
-    if (action->menu() != nullptr)
-      collect(action->menu(), all);
-    else
-      all.insert(action);
+    if (action->menu() != nullptr) collect(action->menu(), all);
+    all.insert(action);
   }
 }
 
@@ -65,6 +63,10 @@ TEST(WindowStory, EveryWidgetThatTakesInputHasANameForStoriesAndOneForScreenRead
     const std::string what = std::string(widget->metaObject()->className()) + " " + widget->objectName().toStdString();
     EXPECT_FALSE(widget->objectName().isEmpty()) << what;
     EXPECT_FALSE(widget->accessibleName().isEmpty()) << what;
+    if (const auto* const button = qobject_cast<const QAbstractButton*>(widget)) {
+      EXPECT_FALSE(!button->isHidden() && button->text().isEmpty() && button->icon().isNull())
+          << what << " shows nothing";
+    }
     EXPECT_FALSE(names.contains(widget->objectName())) << what << " stands twice";
     names.insert(widget->objectName());
     ++seen;
@@ -79,7 +81,8 @@ TEST(WindowStory, EveryActionHasAMenuEntryAShortcutOfItsOwnAndATip) {
   QSet<QString> shortcuts;
   for (const QString& name : story.window().actions().names()) {
     QAction* action = story.window().actions().find(name);
-    if (action == nullptr || name == "menu.layers") continue;  // a command with arguments; a button that opens a menu
+    if (action == nullptr || name.startsWith("menu."))
+      continue;  // a command with arguments; a button that opens a menu
     EXPECT_TRUE(in_menus.contains(action)) << name.toStdString();
     EXPECT_FALSE(action->statusTip().isEmpty()) << name.toStdString();
     const QString keys = action->shortcut().toString();
@@ -130,20 +133,23 @@ TEST(WindowStory, LightAndDarkChangeWhileTheServoRuns) {
 TEST(WindowStory, LayoutThemeLayersAndFilesAreRememberedAndResetPutsThePanelsBack) {
   {
     Story story("04_plane");
-    story.find("dock.shape")->hide();
+    story.perform("dock.shape", true);
+    story.find("dock.scenes")->hide();
     story.perform("view.theme.dark");
     story.perform("layer.arm", false);
     story.perform("plots.axis", "z");
   }
   Story story({}, {.first_start = false});
-  EXPECT_FALSE(story.find("dock.shape")->isVisible());
+  EXPECT_TRUE(story.find("dock.shape")->isVisible());
+  EXPECT_FALSE(story.find("dock.scenes")->isVisible());
   EXPECT_TRUE(story.find("dock.feel")->isVisible());
   EXPECT_TRUE(story.window().actions().find("view.theme.dark")->isChecked());
   EXPECT_FALSE(story.view().layers().arm);
   EXPECT_EQ(story.find<QComboBox>("panel.plots.axis")->currentIndex(), 2);
   EXPECT_EQ(readSettings().last_scene, shippedScene("04_plane"));
   story.perform("layout.reset");
-  EXPECT_TRUE(story.find("dock.shape")->isVisible());
+  EXPECT_FALSE(story.find("dock.shape")->isVisible());
+  EXPECT_TRUE(story.find("dock.scenes")->isVisible());
 }
 
 TEST(WindowStory, SettingsOfANewerProgramAreSaidToBeAndLeftAsTheyAre) {
@@ -162,11 +168,11 @@ TEST(WindowStory, SettingsOfANewerProgramAreSaidToBeAndLeftAsTheyAre) {
     ASSERT_NE(box, nullptr);
     EXPECT_TRUE(box->text().contains("newer version of Underact"));
     box->accept();
-    story.perform("layer.triads", false);
+    story.perform("layer.force", false);
   }
   EXPECT_EQ(QSettings().value("settings/version").toInt(), kSettingsVersion + 1);
   EXPECT_FALSE(QSettings().value("layers/arm").toBool());
-  EXPECT_NE(QSettings().value("layers/triads").toString(), "false");
+  EXPECT_NE(QSettings().value("layers/force").toString(), "false");
   QSettings().clear();
 }
 

@@ -1,6 +1,7 @@
 #include "app/gui/arm/arm_panel.h"
 
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/gui/kit/readout.h"
 #include "app/gui/kit/tight_layout.h"
@@ -10,10 +11,14 @@
 namespace underact::gui {
 namespace {
 
-QString jointsText(const arm::JointAngles& q_rad, std::size_t first) {
-  QStringList angles;
-  for (std::size_t joint = first; joint < first + 3; ++joint) angles << numberText(q_rad[joint] / kRadPerDegree, 1);
-  return QObject::tr("%1°").arg(angles.join(QString("°, ")));
+/// Three joints, as far as there are so many: degrees, or mm.
+QString jointsText(const arm::JointAngles& q, const std::vector<bool>& slides, std::size_t first) {
+  QStringList values;
+  for (std::size_t joint = first; joint < std::min(first + 3, slides.size()); ++joint) {
+    values << (slides[joint] ? QObject::tr("%1 mm").arg(numberText(q[joint] * kMillimetrePerMetre, 1))
+                             : QObject::tr("%1°").arg(numberText(q[joint] / kRadPerDegree, 1)));
+  }
+  return values.isEmpty() ? QString(QChar(0x2013)) : values.join(", ");
 }
 
 QString faultText(FaultKind kind) {
@@ -43,25 +48,34 @@ QString faultText(FaultKind kind) {
 }  // namespace
 
 ArmPanel::ArmPanel(QWidget* parent) : Panel(parent), readout_(new Readout("panel.arm.value", this)) {
-  auto* column = tight<QVBoxLayout>(this);
-  column->addWidget(readout_);
-  column->addStretch(1);
+  column_ = tight<QVBoxLayout>(this);
+  column_->addWidget(readout_);
+  column_->addStretch(1);
   tip_ = readout_->addRow(tr("Tip"), tr("Position of the stylus tip in the workspace frame W: p_WT (x, y, z)."));
-  first_joints_ =
-      readout_->addRow(tr("Joints 1–3"), tr("Turret, thigh and shin: q1, q2, q3 as in the DH table; driven."));
-  last_joints_ =
-      readout_->addRow(tr("Joints 4–6"), tr("The gimbal: q4, q5, q6 as in the DH table; measured, not driven."));
+  first_joints_ = readout_->addRow(
+      tr("Joints 1–3"), tr("q1, q2 and q3 as in the DH table; of the Omni turret, thigh and shin, which are driven."));
+  last_joints_ = readout_->addRow(
+      tr("Joints 4–6"), tr("q4, q5 and q6 as in the DH table; of the Omni the gimbal, which is measured, not driven."));
   level_ =
       readout_->addRow(tr("Ramp"), tr("The share of the force that soft start and soft release pass on to the arm."));
   fault_ =
       readout_->addRow(tr("Fault"), tr("Why the servo stopped by itself. The line above the view says what to do."));
 }
 
+void ArmPanel::addAbove(QWidget* widget) {
+  column_->insertWidget(0, widget);
+}
+
+void ArmPanel::setArm(const arm::Model& model) {
+  slides_.clear();
+  for (const chain::DhRow& row : model.rows) slides_.push_back(row.type == chain::JointType::Prismatic);
+}
+
 void ArmPanel::present(const servo::Snapshot& snapshot) {
   const tick::TickReport& report = snapshot.report;
   readout_->set(tip_, placeText(report.p_WT * kMillimetrePerMetre));
-  readout_->set(first_joints_, jointsText(report.sample.q_rad, 0));
-  readout_->set(last_joints_, jointsText(report.sample.q_rad, 3));
+  readout_->set(first_joints_, jointsText(report.sample.q_rad, slides_, 0));
+  readout_->set(last_joints_, jointsText(report.sample.q_rad, slides_, 3));
   readout_->set(level_, tr("%1 %").arg(numberText(report.level * 100.0, 0)));
   readout_->set(fault_, faultText(report.fault.kind));
 }

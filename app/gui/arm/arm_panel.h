@@ -1,19 +1,30 @@
 #pragma once
+#include <vector>
+
 #include "app/gui/feature/panel.h"
+#include "core/arm/model.h"
+
+class QVBoxLayout;
 
 namespace underact::gui {
 
 class Readout;
 
-/// The state of the arm: tip, joints, ramp of the force, fault.
+/// Which arm the scene is for, and its state: tip, joints, ramp of the force, fault.
 class ArmPanel : public Panel {
   Q_OBJECT
  public:
   explicit ArmPanel(QWidget* parent);
+  /// Above the state.
+  void addAbove(QWidget* widget);
+  /// Which joints there are, and which of them slide. Without: the Omni's.
+  void setArm(const arm::Model& model);
   void present(const servo::Snapshot& snapshot) override;
 
  private:
+  QVBoxLayout* column_;
   Readout* readout_;
+  std::vector<bool> slides_ = std::vector<bool>(6, false);
   int tip_, first_joints_, last_joints_, level_, fault_;
 };
 

@@ -1,16 +1,43 @@
 #include "app/gui/feature/feature.h"
 
 #include <QCoreApplication>
+#include <QMainWindow>
 
 #include "app/gui/arm/arm_panel.h"
+#include "app/gui/arm/scene_arm_box.h"
+#include "app/gui/kit/actions.h"
+#include "app/gui/model/document.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::gui {
+namespace {
+
+Panel* makeArmPanel(const FeatureParts& parts, QWidget* parent) {
+  auto* const panel = new ArmPanel(parent);
+  auto* const box = new SceneArmBox(parts.document, parts.window, panel);
+  panel->addAbove(box);
+  const auto follow = [panel, document = &parts.document] { panel->setArm(scene::modelOf(document->scene())); };
+  QObject::connect(&parts.document, &Document::opened, panel, follow);
+  QObject::connect(&parts.document, &Document::edited, panel, follow);
+  parts.actions.addCommand("scene.arm", [box](const QVariantList& arm) {
+    if (!arm.isEmpty()) return box->take(arm.first().toString());
+    box->chooseFile();
+    return true;
+  });
+  return panel;
+}
+
+}  // namespace
 
 FeatureRow armFeature() {
   return {.panels = {{"arm", QT_TRANSLATE_NOOP("panel", "Arm"), Qt::RightDockWidgetArea, "Ctrl+Alt+4",
-                      QT_TRANSLATE_NOOP("panel", "Joint angles, tip position and faults of the arm."),
-                      [](const FeatureParts&, QWidget* parent) -> Panel* { return new ArmPanel(parent); }}},
-          .pages = {{"panel.arm", "window#arm"}}};
+                      QT_TRANSLATE_NOOP("panel", "The scene's arm: its joint angles, tip position and faults."),
+                      makeArmPanel, nullptr, true}},
+          .pages = {{"panel.arm", "window#arm"},
+                    {"dialog.scene_arm", "arm_files#in-a-scene"},
+                    {"dialog.scene_arm_problems", "arm_files#in-a-scene"}},
+          .opens = isArmFileName,
+          .open_action = "scene.arm"};
 }
 
 }  // namespace underact::gui

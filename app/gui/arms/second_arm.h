@@ -28,6 +28,8 @@ class SecondArm : public QObject {
 
   bool isOn() const { return simulated_.host != nullptr; }
   void setOn(bool on);
+  /// Whether it is on and can push somebody.
+  bool isReal() const { return isOn() && arms_->simulated() == nullptr; }
   /// Opens that arm in place of the current one. Problems: why not. Only while it is on.
   Problems choose(const QString& name);
   /// Loads the scene of that file; changed() or told() follows. Also possible before it is on.

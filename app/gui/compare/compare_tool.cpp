@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/gui/compare/compare_strip.h"
+#include "app/gui/compare/difference_words.h"
 #include "app/gui/compare/two_views.h"
 #include "app/gui/files/scene_files.h"
 #include "app/gui/kit/actions.h"
@@ -27,11 +28,8 @@ constexpr int kFramesAFigure = 12;   // numbers that change more often cannot be
 constexpr qsizetype kMostShown = 3;  // differences; the rest is in the tool tip
 
 QString wordsOf(const scene::Difference& difference) {
-  const auto value = [](const std::string& text) {
-    return text.empty() ? CompareTool::tr("not set") : QString::fromStdString(text);
-  };
-  return CompareTool::tr("%1: felt %2, other %3")
-      .arg(QString::fromStdString(difference.key), value(difference.one), value(difference.other));
+  const DifferenceWords words = differenceWords(difference);
+  return CompareTool::tr("%1: felt %2, other %3").arg(words.what, words.one, words.other);
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/gui/kit/message_label.h"
 #include "app/gui/kit/tight_layout.h"
@@ -47,7 +49,9 @@ void TwoViews::makeRight() {
   right_->setTheme(theme_);
   right_half_->layout()->addWidget(right_);
   static_cast<QVBoxLayout*>(right_half_->layout())->setStretchFactor(right_, 1);
-  setTabOrder(&left_, right_);
+  QWidget* last = &left_;
+  for (QPushButton* button : left_.findChildren<QPushButton*>()) last = button;  // what lies over it belongs to it
+  setTabOrder(last, right_);
 }
 
 bool TwoViews::showsRight() const {
@@ -78,6 +82,16 @@ void TwoViews::follow() {
   right_->setViewpoint(seen_);
 }
 
+/// A longer head takes more lines: with both of the same height both views have the same size, and thus the same scale.
+void TwoViews::levelHeads() {
+  int high = 0;
+  for (const QLabel* head : {left_head_, right_head_})
+    high = std::max(high, head->hasHeightForWidth() ? head->heightForWidth(head->width()) : head->sizeHint().height());
+  for (QLabel* head : {left_head_, right_head_}) {
+    if (head->height() != high || head->minimumHeight() != high) head->setFixedHeight(high);
+  }
+}
+
 void TwoViews::present() {
   if (!showsRight()) return;
   const OrbitCamera there = right_->viewpoint().camera;
@@ -86,6 +100,7 @@ void TwoViews::present() {
     left_.setViewpoint(seen_);
   }
   if (!(left_.viewpoint().camera == seen_.camera) || !(right_->layers() == left_.layers())) follow();
+  levelHeads();
   if (right_->gaugeScale() != left_.gaugeScale()) right_->setGaugeScale(left_.gaugeScale());
   for (QWidget* widget : QList<QWidget*>{right_, left_head_, right_head_}) {
     if (widget->font() != left_.font()) widget->setFont(left_.font());

@@ -28,6 +28,7 @@ class TwoViews : public QWidget {
   QLabel* head(const char* name, const QString& spoken, QVBoxLayout* column);
   void makeRight();
   void follow();
+  void levelHeads();
 
   SceneView& left_;
   QWidget* right_half_;

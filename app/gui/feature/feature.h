@@ -18,6 +18,7 @@ struct PanelRow {
   const char* tip;
   Panel* (*make)(const FeatureParts& parts, QWidget* parent);
   const char* behind = nullptr;  // key of the panel it shares a place with; initially closed
+  bool is_folded = false;        // initially closed, with a place of its own
 };
 
 using ServoListeners = std::vector<ServoListener*>;

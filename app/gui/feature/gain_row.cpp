@@ -36,7 +36,7 @@ GainRow::GainRow(int gain, int axis, QWidget* parent)
 }
 
 void GainRow::setAxisName(const QString& axis) {
-  setLabel(axis, QString("%1 %2").arg(translated(gain_.name), axis), "q1");
+  setLabel(axis, QString("%1 %2").arg(translated(gain_.name), axis), "q1–q3");
 }
 
 }  // namespace underact::gui

@@ -22,7 +22,7 @@ class GainRow : public ValueRow {
   Q_OBJECT
  public:
   GainRow(int gain, int axis, QWidget* parent = nullptr);
-  /// The row's label: "x" or "q1".
+  /// The row's label: "x" or "q1"; "x y z" or "q1–q3" of all axes.
   void setAxisName(const QString& axis);
 
  private:

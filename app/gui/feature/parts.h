@@ -34,6 +34,7 @@ class SceneView;
 class SecondArm;
 class ServoRate;
 class StatusLine;
+class WindowScene;
 struct Settings;
 
 /// What the window gives its features. It outlives them.
@@ -52,6 +53,7 @@ struct FeatureParts {
   Hand& hand;  // that of the view
   Player& player;
   Recording& recording;
+  WindowScene& steered;  // the scene for programs that steer it
   ServoRate& rate;
   ArmInUse& arm_in_use;                                 // model of the simulated arm
   ArmChoice& arms;                                      // the arm that the servo drives

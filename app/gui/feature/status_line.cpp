@@ -37,7 +37,7 @@ StatusLine::StatusLine(ServoFacts servo, double force_limit_N, QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 2, 12, 2);
   row->setSpacing(20);
-  mode_ = field("status.mode", tr("Servo"), tr("The state of the servo."), tr("Stopping"));
+  mode_ = field("status.mode", tr("Servo"), {}, tr("%1, %2").arg(tr("Running"), tr("4000 Hz")));
   device_ = field("status.device", tr("Arm"), {}, {});
   presentDevice();
   rate_ = field("status.rate", tr("Servo rate"), tr("Ticks per second."), tr("4000 Hz"));
@@ -45,6 +45,7 @@ StatusLine::StatusLine(ServoFacts servo, double force_limit_N, QWidget* parent)
                 tr("99 % of the ticks in the last 10 s began no later than this after their deadline."),
                 tr("latency p99 9999 µs"));
   scheduling_ = field("status.scheduling", tr("Scheduling"), {}, {});
+  for (QLabel* detail : {rate_, late_, scheduling_}) detail->hide();  // in the tip of the state
   guard_ = field("status.guard", tr("Guard"), {}, {});
   guard_->setProperty("role", "amber-text");
   presentScheduling();
@@ -81,7 +82,8 @@ void StatusLine::presentDevice(bool is_recorded) {
   is_recorded_ = is_recorded;
   const servo::DeviceInfo info = servo_.device();
   const QString title = sentenceText(info.title);
-  const bool is_said = is_recorded || title.contains("simulated", Qt::CaseInsensitive);
+  const QString in_english = QString::fromStdString(info.title);  // the kind may be a part of it in any language
+  const bool is_said = is_recorded || in_english.contains("simulated", Qt::CaseInsensitive);
   QString kind = info.simulated && !is_said ? tr(" (simulated)") : QString();
   if (info.untested) kind += tr(" (untested)");
   if (!is_recorded && info.simulated && !arm_model_.isEmpty()) kind += tr(": %1").arg(arm_model_);
@@ -92,22 +94,25 @@ void StatusLine::presentDevice(bool is_recorded) {
 }
 
 void StatusLine::present(const servo::Snapshot& snapshot) {
+  if (!since_measured_.isValid() || since_measured_.elapsed() >= kMeasureEvery_ms) {
+    presentRate(snapshot);
+    presentScheduling();
+    presentGuard();
+  }
   presentMode(snapshot);
   const double sent_N = snapshot.report.force.f_T_W().norm();
   const bool let_go = snapshot.report.cuts.frozen && snapshot.mode == servo::Mode::Running;
   const QString limit = snapshot.report.level > 0.0 || let_go ? mostLimiting(snapshot.report.cuts) : QString();
   updateText(force_, tr("force %1 / %2 N%3")
                          .arg(numberText(sent_N, 2), numberText(force_limit_N_, 2),
-                              limit.isEmpty() ? QString() : tr(" limited: %1").arg(limit)));
-  if (!since_measured_.isValid() || since_measured_.elapsed() >= kMeasureEvery_ms) {
-    presentRate(snapshot);
-    presentScheduling();
-    presentGuard();
-  }
+                              limit.isEmpty() ? QString() : tr(", limited: %1").arg(limit)));
 }
 
 void StatusLine::presentMode(const servo::Snapshot& snapshot) {
-  updateText(mode_, modeText(snapshot));
+  const bool runs = snapshot.mode == servo::Mode::Running && !snapshot.waits_for_button;
+  updateText(mode_, runs && !rate_->text().isEmpty() ? tr("%1, %2").arg(modeText(snapshot), rate_->text())
+                                                     : modeText(snapshot));
+  presentDetails();
   const char* role = snapshot.waits_for_button               ? "amber-text"
                      : snapshot.mode == servo::Mode::Running ? "running"
                      : snapshot.mode == servo::Mode::Faulted ? "alarm-text"
@@ -116,6 +121,20 @@ void StatusLine::presentMode(const servo::Snapshot& snapshot) {
     mode_->setProperty("role", role);
     mode_->setStyleSheet(mode_->styleSheet());  // makes the style read the property again
   }
+}
+
+/// The tip of the state: what happened, or how the servo keeps its time.
+void StatusLine::presentDetails() {
+  QStringList lines{fault_};
+  if (fault_.isEmpty()) {
+    lines = {tr("The state of the servo, and its ticks per second."), late_->text(), scheduling_->text(),
+             scheduling_->toolTip()};
+  }
+  lines.removeAll(QString());
+  const QString tip = lines.join("\n");
+  if (mode_->toolTip() == tip) return;
+  mode_->setToolTip(tip);
+  mode_->setAccessibleDescription(tip);
 }
 
 /// It changes when the servo restarts.
@@ -155,7 +174,8 @@ void StatusLine::presentRate(const servo::Snapshot& snapshot) {
 }
 
 void StatusLine::setFault(const QString& sentence) {
-  mode_->setToolTip(sentence.isEmpty() ? tr("The state of the servo.") : sentence);
+  fault_ = sentence;
+  presentDetails();
   setAccessibleDescription(sentence);
 }
 

@@ -34,6 +34,7 @@ class StatusLine : public QWidget {
  private:
   QLabel* field(const char* name, const QString& spoken, const QString& tip, const QString& widest);
   void presentMode(const servo::Snapshot& snapshot);
+  void presentDetails();
   void presentRate(const servo::Snapshot& snapshot);
   void presentScheduling();
   void presentGuard();
@@ -43,7 +44,7 @@ class StatusLine : public QWidget {
   QLabel *mode_, *device_, *rate_, *late_, *scheduling_, *guard_, *force_, *recording_, *live_, *tip_;
   QElapsedTimer since_measured_;
   std::int64_t ticks_at_measure_ = 0;
-  QString arm_model_, provenance_;
+  QString arm_model_, provenance_, fault_;
   bool is_recorded_ = false;
 };
 

@@ -24,6 +24,11 @@ bool areEqual(const Gains& gains) {
   return std::all_of(std::begin(kGains), std::end(kGains), [&](auto gain) { return areEqual(gains.*gain); });
 }
 
+/// Of the one row of linked axes.
+QString allAxes(const scene::Control& control) {
+  return control.space == tick::Space::Joint ? QString("q1–q3") : QString("x y z");
+}
+
 /// "x", or "q1" if the control law works on the joints.
 QString axisName(const scene::Control& control, int axis) {
   return control.space == tick::Space::Joint ? QString("q%1").arg(axis + 1) : QString(QChar('x' + axis));
@@ -37,6 +42,7 @@ GainSection::GainSection(QWidget* parent) : QWidget(parent), link_(new QCheckBox
   link_->setAccessibleName(tr("Link x, y and z"));
   link_->setToolTip(tr("Changing one axis changes all three."));
   column->addWidget(link_);
+  connect(link_, &QCheckBox::toggled, this, &GainSection::showRows);
   for (int gain = 0; gain < kGainKinds; ++gain) {
     auto* part = new QWidget(this);
     auto* rows = tight<QVBoxLayout>(part, 4);
@@ -64,11 +70,12 @@ void GainSection::present(const scene::Control& now, const scene::Control& own) 
   for (std::size_t gain = 0; gain < kGainKinds; ++gain) {
     for (int axis = 0; axis < 3; ++axis) {
       GainRow* const row = rows_[gain][static_cast<std::size_t>(axis)];
-      row->setAxisName(axisName(now, axis));
       row->present((now.gains.*kGains[gain])[axis], (own.gains.*kGains[gain])[axis]);
     }
   }
   if (!areEqual(now.gains)) link_->setChecked(false);  // so that changing one axis does not overwrite the others
+  now_ = now;
+  showRows();
   const bool in_joints = now.space == tick::Space::Joint;
   link_->setText(in_joints ? tr("L&ink q1, q2 and q3") : tr("L&ink x, y and z"));
   link_->setAccessibleName(link_->text().remove('&'));
@@ -76,8 +83,25 @@ void GainSection::present(const scene::Control& now, const scene::Control& own) 
   parts_[2]->setVisible(now.law == scene::LawType::PID);
 }
 
+/// One row for all axes while they are linked.
+void GainSection::showRows() {
+  const bool linked = link_->isChecked();
+  for (const auto& axes : rows_) {
+    for (int axis = 0; axis < 3; ++axis) {
+      GainRow* const row = axes[static_cast<std::size_t>(axis)];
+      row->setAxisName(axis == 0 && linked ? allAxes(now_) : axisName(now_, axis));
+      if (axis > 0) row->setVisible(!linked);
+    }
+  }
+}
+
 void GainSection::setWarning(int axis, const QString& reason) {
-  rows_[0][static_cast<std::size_t>(axis)]->setWarning(reason);
+  warnings_[static_cast<std::size_t>(axis)] = reason;
+  const auto first =
+      std::find_if(warnings_.begin(), warnings_.end(), [](const QString& one) { return !one.isEmpty(); });
+  const QString any = first == warnings_.end() ? QString() : *first;
+  for (std::size_t each = 0; each < warnings_.size(); ++each)
+    rows_[0][each]->setWarning(each == 0 && link_->isChecked() ? any : warnings_[each]);
 }
 
 bool GainSection::isHeld() const {

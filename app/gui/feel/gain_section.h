@@ -1,4 +1,5 @@
 #pragma once
+#include <QString>
 #include <QWidget>
 #include <array>
 
@@ -34,9 +35,13 @@ class GainSection : public QWidget {
   void asked(int gain, int axis, double value, bool fresh);
 
  private:
+  void showRows();
+
   QCheckBox* link_;
   std::array<QWidget*, kGainKinds> parts_{};
   std::array<std::array<GainRow*, 3>, kGainKinds> rows_{};
+  scene::Control now_;               // shown last
+  std::array<QString, 3> warnings_;  // of the stiffness
 };
 
 }  // namespace underact::gui

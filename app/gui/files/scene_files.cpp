@@ -1,9 +1,11 @@
 #include "app/gui/files/scene_files.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStandardPaths>
 #include <memory>
 #include <utility>
 
@@ -27,15 +29,24 @@ QString filterText() {
   return QObject::tr("Scenes (*.json);;All files (*)");
 }
 
-// The suggested path for a tuned scene: in its own folder, unless it came with the program. The double ending tells the
-// desktop that it is a scene; any JSON file can be opened.
+/// Whether it came with the program: nobody's own files go there.
+bool isShipped(const QString& path) {
+  const QString folder = QFileInfo(path).absolutePath();
+  return folder == sceneFolder() || folder.startsWith(shippedFolder(system::Resource::Lessons));
+}
+
+/// The folder of the user's own files.
+QString ownFolder() {
+  return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
+/// The suggested path for a tuned scene: its own, unless it came with the program or has none. The double ending tells
+/// the desktop that it is a scene; any JSON file can be opened.
 QString placeToSave(const Document& document) {
-  const bool has_file = !document.path().isEmpty();
-  const QString unnamed =
-      document.showsRecorded() ? QObject::tr("/recorded.underact.json") : QObject::tr("/new.underact.json");
-  const QFileInfo file(has_file ? document.path() : sceneFolder() + unnamed);
-  const bool shipped = !has_file || file.absolutePath() == sceneFolder();
-  return shipped ? file.baseName() + "-tuned.underact.json" : file.absoluteFilePath();
+  if (!document.path().isEmpty() && !isShipped(document.path())) return QFileInfo(document.path()).absoluteFilePath();
+  const QString unnamed = document.showsRecorded() ? QObject::tr("recorded") : QObject::tr("new");
+  const QString stem = document.path().isEmpty() ? unnamed : QFileInfo(document.path()).baseName();
+  return QDir(ownFolder()).filePath(stem + "-tuned.underact.json");
 }
 
 }  // namespace
@@ -98,9 +109,7 @@ bool SceneFiles::put(scene::Description scene) {
     return false;
   }
   problems_->hide();
-  const QString folder = QFileInfo(path).absolutePath();
-  const bool ships = folder == sceneFolder() || folder.startsWith(shippedFolder(system::Resource::Lessons));
-  if (!path.isEmpty() && !ships) recent_.add(path);
+  if (!path.isEmpty() && !isShipped(path)) recent_.add(path);
   return true;
 }
 
@@ -118,6 +127,7 @@ bool SceneFiles::saveAs(const QString& path) {
   const Problems problems = document_.saveAs(path);
   if (problems.empty()) {
     recent_.add(document_.path());
+    emit saved(document_.path());
     return true;
   }
   QMessageBox box(QMessageBox::Warning, tr("Scene not saved"), sentencesOf(problems), QMessageBox::Ok, window_);

@@ -31,6 +31,9 @@ class SceneFiles : public QObject {
   /// Asks what to do with unsaved edits, if any. false: the user cancelled.
   bool settleEdits();
 
+ signals:
+  void saved(const QString& path);
+
  private:
   bool saveBeforeLeaving();
   bool put(scene::Description scene);

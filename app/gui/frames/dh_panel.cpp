@@ -210,7 +210,13 @@ void DhPanel::showNumbers() {
 
 void DhPanel::draw() {
   drawn_ = isSeen();
-  parts_.view.draw(kDhOwner, drawn_ ? drawingOf(tables_.now(), joints(follows_->isChecked())) : Drawing{});
+  Drawing drawing;
+  if (drawn_) {
+    const std::vector<double> q = joints(follows_->isChecked());
+    drawing = drawingOf(tables_.now(), q);
+    if (table_->currentRow() >= 0) drawing.measures = measuresOf(tables_.now(), q, selected());
+  }
+  parts_.view.draw(kDhOwner, drawing);
 }
 
 void DhPanel::present(const servo::Snapshot& snapshot) {

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <array>
+#include <cmath>
 
 #include "app/gui/arms/joint_fields.h"
 #include "app/gui/kit/words.h"
@@ -192,6 +193,34 @@ Drawing drawingOf(const DhTable& table, std::span<const double> q) {
   }
   drawing.links.push_back({frames[table.rows.size()].translation(), frames.back().translation()});
   return drawing;
+}
+
+std::vector<DrawnMeasure> measuresOf(const DhTable& table, std::span<const double> q, std::size_t row) {
+  constexpr double kNoLength_m = 1e-5, kNoAngle_rad = 1e-4, kArcOfAlpha_m = 0.020, kArcOfTheta_m = 0.016;
+  std::vector<DrawnMeasure> measures;
+  if (row >= table.rows.size() || row >= q.size()) return measures;
+  const std::vector<Pose> frames = framesOf(table, q);
+  const Pose &before = frames[row], &here = frames[row + 1];
+  const DhRow& dh = table.rows[row];
+  const bool slides = dh.type == JointType::Prismatic;
+  const double theta_rad = dh.theta_rad + (slides ? 0.0 : q[row]), d_m = dh.d_m + (slides ? q[row] : 0.0);
+  const Vec3 x_W = before.linear().col(0), z_W = here.linear().col(2);
+  const Vec3 foot_W = before.translation() + dh.a_m * x_W;
+  const auto turn = [&](const QString& letter, int axis, const Vec3& leg_W, double angle_rad, const Vec3& about_W) {
+    if (std::abs(angle_rad) < kNoAngle_rad) return;
+    measures.push_back({QStringLiteral("%1 %2°").arg(letter, numberText(angle_rad / kRadPerDegree, 1)), axis, foot_W,
+                        leg_W, angle_rad, about_W});
+  };
+  const auto length = [&](const QString& letter, int axis, const Vec3& from_W, const Vec3& way_W, double length_m) {
+    if (std::abs(length_m) < kNoLength_m) return;
+    measures.push_back(
+        {QStringLiteral("%1 %2 mm").arg(letter, numberText(kMillimetrePerMetre * length_m, 1)), axis, from_W, way_W});
+  };
+  turn(QStringLiteral("α"), 0, kArcOfAlpha_m * before.linear().col(2), dh.alpha_rad, x_W);
+  length(QStringLiteral("a"), 0, before.translation(), dh.a_m * x_W, dh.a_m);
+  turn(QStringLiteral("θ"), 2, kArcOfTheta_m * x_W, theta_rad, z_W);
+  length(QStringLiteral("d"), 2, foot_W, d_m * z_W, d_m);
+  return measures;
 }
 
 }  // namespace underact::gui

@@ -52,5 +52,8 @@ DhTable withoutRow(DhTable table, std::size_t index);
 std::vector<Pose> framesOf(const DhTable& table, std::span<const double> q);
 /// Its links, joints and frames.
 Drawing drawingOf(const DhTable& table, std::span<const double> q);
+/// The four quantities of a row where they are: alpha and a about and along x of the frame before it, theta and d about
+/// and along z of its own, q included. Those that are 0 have no place. None: there is no such row.
+std::vector<DrawnMeasure> measuresOf(const DhTable& table, std::span<const double> q, std::size_t row);
 
 }  // namespace underact::gui

@@ -22,12 +22,17 @@ QString row(const QString& what, const QString& does) {
 
 QString handTable() {
   return "<table cellspacing='4'>" +
-         row(QObject::tr("Drag the stylus"), QObject::tr("moves the simulated hand in the plane of the view")) +
+         row(QObject::tr("Drag the stylus"),
+             QObject::tr(
+                 "moves the simulated hand in the plane of the view; when you release it, the hand lets go, unless "
+                 "Keep holding (F6) is on")) +
          row(QObject::tr("Wheel while dragging"), QObject::tr("moves the hand nearer or further away")) +
          row(QObject::tr("Arrow keys"),
-             QObject::tr("move the hand 2 mm, with Shift 10 mm (press F2 first, or click the view)")) +
+             QObject::tr("move the hand 2 mm, with Shift 10 mm (press F2 first, or click the view); it holds the "
+                         "stylus until you let go (Shift+F6)")) +
          row(QObject::tr("Page Up, Page Down"), QObject::tr("move the hand in depth")) +
-         row(QObject::tr("Ctrl and arrow keys"), QObject::tr("turn the stylus")) +
+         row(QObject::tr("Ctrl and arrow keys"),
+             QObject::tr("turn the stylus; only turned, it goes where the scene sends it")) +
          row(QObject::tr("Game controller, 3D mouse"),
              QObject::tr(
                  "move and rotate the simulated hand; the panel Input devices shows and edits their mappings")) +
@@ -50,6 +55,8 @@ QString keyTable(const Actions& actions) {
     if (action == nullptr || action->shortcut().isEmpty()) continue;
     table += row(action->shortcut().toString(QKeySequence::NativeText), action->statusTip());
   }
+  table += row(QKeySequence("Shift+Esc").toString(QKeySequence::NativeText),
+               QObject::tr("Stops the servo wherever you are, also in an open menu or dialog."));
   return table + "</table>";
 }
 

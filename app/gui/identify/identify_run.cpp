@@ -59,6 +59,10 @@ Problems IdentifyRun::begin(identify::Wanted wanted) {
 Problems IdentifyRun::refusalNow() const {
   if (!parts_.document.isOpen())
     return Problems{{said(QT_TRANSLATE_NOOP("problem", "Open a scene first. It is restored after the measurement."))}};
+  if (!arm::isOmniForm(scene::armOf(parts_.document.scene())))
+    return Problems{{said(QT_TRANSLATE_NOOP("problem",
+                                            "Only arms with the geometry of table 3.1 of the thesis can be measured. "
+                                            "Open a scene for one of them."))}};
   if (parts_.player.isOpen() || parts_.player.isLoading())
     return Problems{{said(QT_TRANSLATE_NOOP("problem", "A recording is being replayed. Close it first."))}};
   if (parts_.document.isTryingOut() && !hasOwnScene())

@@ -101,7 +101,7 @@ void InputDevices::move(const input::Motion& motion, double dt_s) {
   const bool moves = !motion.isAtRest() && snapshot.ticks > 0;
   if (moves) {
     const Pose X_WT = arm::tipPose(scene::armOf(servo_.scene()).geometry, snapshot.report.sample.q_rad);
-    hand_.moveTo(input::movedSetpoint(hand_.arm()->setpoint(), motion, dt_s, X_WT));
+    hand_.moveTo(input::movedSetpoint(hand_.setpoint(), motion, dt_s, X_WT));
   } else if (moved_) {
     hand_.rest();
   }

@@ -53,23 +53,22 @@ QString AngleBox::textFromValue(double value) const {
 }
 
 JointRow::JointRow(int joint, const QString& name, const QString& tip, QWidget* parent)
-    : QWidget(parent), slider_(new LimitSlider(this)), number_(new AngleBox(this)), state_(new QLabel(this)) {
+    : QWidget(parent),
+      joint_(joint),
+      name_(new QLabel(this)),
+      slider_(new LimitSlider(this)),
+      number_(new AngleBox(this)),
+      state_(new QLabel(this)) {
   const QString object_name = QString("panel.kinematics.joint.%1").arg(joint + 1);
   setObjectName(object_name);
-  setToolTip(tip);
-  auto* label = new QLabel(QString("q%1 %2").arg(joint + 1).arg(name), this);
-  label->setBuddy(number_);
-  label->setFixedWidth(fontMetrics().horizontalAdvance("q6 gimbal 3") + 4);
-  nameWidget(slider_, object_name + ".slider", tr("Joint %1, %2, slider").arg(joint + 1).arg(name));
+  name_->setBuddy(number_);
+  name_->setFixedWidth(fontMetrics().horizontalAdvance("q6 gimbal 3") + 4);
   slider_->setFocusPolicy(Qt::StrongFocus);
   slider_->setSingleStep(kStepsPerDegree);
   slider_->setPageStep(5 * kStepsPerDegree);
   slider_->setMinimumSize(64, 24);
-  nameWidget(number_, object_name + ".number", tr("Joint %1, %2, degrees").arg(joint + 1).arg(name));
   number_->setDecimals(1);
-  number_->setRange(-360.0, 360.0);
   number_->setSingleStep(1.0);
-  number_->setSuffix("°");
   number_->setKeyboardTracking(false);
   number_->setFocusPolicy(Qt::StrongFocus);
   number_->setAlignment(Qt::AlignRight);
@@ -78,11 +77,12 @@ JointRow::JointRow(int joint, const QString& name, const QString& tip, QWidget* 
   nameWidget(state_, object_name + ".state", tr("Joint %1, limits").arg(joint + 1));
   state_->setFixedSize(fontMetrics().horizontalAdvance(tr("outside")) + 12, fontMetrics().lineSpacing());
   auto* row = tight<QHBoxLayout>(this, 4);
-  row->addWidget(label);
+  row->addWidget(name_);
   row->addWidget(slider_, 1);
   row->addWidget(number_);
   row->addWidget(state_);
 
+  setJoint(name, tip, false);
   connect(slider_, &QSlider::valueChanged, this, [this](int value) {
     const double change_deg = static_cast<double>(value - shown_) / kStepsPerDegree;
     shown_ = value;
@@ -97,11 +97,28 @@ JointRow::JointRow(int joint, const QString& name, const QString& tip, QWidget* 
   connect(number_, &AngleBox::stepped, this, &JointRow::stepped);
 }
 
+void JointRow::setJoint(const QString& name, const QString& tip, bool slides) {
+  slides_ = slides;
+  setToolTip(tip);
+  const QString text = QString("q%1 %2").arg(joint_ + 1).arg(name);
+  name_->setText(fontMetrics().elidedText(text, Qt::ElideRight, name_->width()));
+  name_->setToolTip(text + "\n" + tip);
+  const QString object_name = objectName();
+  nameWidget(slider_, object_name + ".slider", tr("Joint %1, %2, slider").arg(joint_ + 1).arg(name));
+  nameWidget(number_, object_name + ".number",
+             (slides ? tr("Joint %1, %2, millimetres") : tr("Joint %1, %2, degrees")).arg(joint_ + 1).arg(name));
+  const QSignalBlocker silent(number_);
+  number_->setRange(slides ? -1e4 : -360.0, slides ? 1e4 : 360.0);
+  number_->setSuffix(slides ? tr(" mm") : QString("°"));
+}
+
 void JointRow::setLimits(double min_deg, double max_deg) {
   min_deg_ = min_deg;
   max_deg_ = max_deg;
   slider_->setLimits(min_deg, max_deg);
-  const QString limits = tr("Limits %1° to %2°").arg(numberText(min_deg, 1)).arg(numberText(max_deg, 1));
+  const QString limits = (slides_ ? tr("Limits %1 to %2 mm") : tr("Limits %1° to %2°"))
+                             .arg(numberText(min_deg, 1))
+                             .arg(numberText(max_deg, 1));
   slider_->setToolTip(toolTip() + "\n" + limits + tr(", marked below the slider."));
   number_->setToolTip(slider_->toolTip());
 }

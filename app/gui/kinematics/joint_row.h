@@ -34,12 +34,15 @@ class AngleBox : public FocusWheel<NumberBox> {
   void stepped(double by_deg);
 };
 
-/// One joint: its name, a slider with marks at its limits, the angle, and a word when it is at a limit or outside.
+/// One joint (degrees; mm of one that slides): its name, a slider with marks at its limits, the angle, and a word when
+/// it is at a limit or outside.
 class JointRow : public QWidget {
   Q_OBJECT
  public:
   JointRow(int joint, const QString& name, const QString& tip, QWidget* parent = nullptr);
   void setLimits(double min_deg, double max_deg);
+  /// What joint it is. slides: its values are mm; else degrees.
+  void setJoint(const QString& name, const QString& tip, bool slides);
   /// A slider that is held, and a number that is being typed, keep their values.
   void present(double angle_deg);
 
@@ -50,6 +53,9 @@ class JointRow : public QWidget {
  private:
   void showState(double angle_deg);
 
+  int joint_;
+  bool slides_ = false;
+  QLabel* name_;
   LimitSlider* slider_;
   AngleBox* number_;
   QLabel* state_;

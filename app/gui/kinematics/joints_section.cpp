@@ -1,6 +1,7 @@
 #include <QCoreApplication>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/gui/kinematics/distance_bar.h"
 #include "app/gui/kinematics/joint_row.h"
@@ -13,13 +14,9 @@ namespace underact::gui {
 JointsSection::JointsSection(QWidget* parent)
     : Section("joints", tr("Joints"), tr("The joint angles q of the DH table, as measured by the encoders."), parent),
       note_(quietLabel("panel.kinematics.joints.note", {}, this)) {
-  const std::array<QString, 6> names{tr("turret"),   tr("thigh"),    tr("shin"),
-                                     tr("gimbal 1"), tr("gimbal 2"), tr("gimbal 3")};
   for (int joint = 0; joint < 6; ++joint) {
     const auto index = static_cast<std::size_t>(joint);
-    const QString tip = joint < 3 ? tr("Angle q%1 of thesis table 3.1: measured and driven.").arg(joint + 1)
-                                  : tr("Angle q%1 of thesis table 3.1: measured, not driven.").arg(joint + 1);
-    rows_[index] = new JointRow(joint, names[index], tip, this);
+    rows_[index] = new JointRow(joint, {}, {}, this);
     connect(rows_[index], &JointRow::asked, this, [this, joint](double angle_deg) { emit asked(joint, angle_deg); });
     connect(rows_[index], &JointRow::stepped, this, [this, joint](double by_deg) { emit stepped(joint, by_deg); });
     column().addWidget(rows_[index]);
@@ -29,9 +26,33 @@ JointsSection::JointsSection(QWidget* parent)
   column().addWidget(note_);
 }
 
-void JointsSection::setLimits(const arm::JointLimits& limits) {
+void JointsSection::setArm(const arm::Preset& preset, const arm::Model& model) {
+  const std::array<QString, 6> names{tr("turret"),   tr("thigh"),    tr("shin"),
+                                     tr("gimbal 1"), tr("gimbal 2"), tr("gimbal 3")};
   for (std::size_t joint = 0; joint < rows_.size(); ++joint) {
-    rows_[joint]->setLimits(limits.min_rad[joint] / kRadPerDegree, limits.max_rad[joint] / kRadPerDegree);
+    rows_[joint]->setVisible(joint < model.joints.size());
+    if (joint >= model.joints.size()) continue;
+    const bool slides = model.rows[joint].type == chain::JointType::Prismatic;
+    const bool driven = model.joints[joint].driven;
+    const int number = static_cast<int>(joint) + 1;
+    if (arm::isOmniForm(preset)) {
+      rows_[joint]->setJoint(names[joint],
+                             (driven ? tr("Angle q%1 of thesis table 3.1: measured and driven.")
+                                     : tr("Angle q%1 of thesis table 3.1: measured, not driven."))
+                                 .arg(number),
+                             false);
+    } else {
+      const QString name = QString::fromStdString(model.joints[joint].name);
+      rows_[joint]->setJoint(name.isEmpty() ? (slides ? tr("slide") : tr("turn")) : name,
+                             (driven ? tr("Joint %1 of the arm's file: measured and driven.")
+                                     : tr("Joint %1 of the arm's file: measured, not driven."))
+                                 .arg(number),
+                             slides);
+    }
+    per_unit_[joint] = slides ? kMetrePerMillimetre : kRadPerDegree;
+    const double most = slides ? 10.0 : 2.0 * kPi;  // where the file states no limit
+    rows_[joint]->setLimits(std::max(-most, preset.limits.min_rad[joint]) / per_unit_[joint],
+                            std::min(most, preset.limits.max_rad[joint]) / per_unit_[joint]);
   }
 }
 
@@ -43,7 +64,9 @@ void JointsSection::setMovable(const QString& refusal) {
 }
 
 void JointsSection::present(const KinematicsNow& now) {
-  for (std::size_t joint = 0; joint < rows_.size(); ++joint) rows_[joint]->present(now.q_rad[joint] / kRadPerDegree);
+  for (std::size_t joint = 0; joint < rows_.size(); ++joint) {
+    if (per_unit_[joint] > 0.0) rows_[joint]->present(now.q_rad[joint] / per_unit_[joint]);
+  }
 }
 
 SingularitiesSection::SingularitiesSection(QWidget* parent)

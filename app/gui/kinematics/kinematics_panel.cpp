@@ -41,6 +41,7 @@ KinematicsPanel::KinematicsPanel(const Parts& parts, QWidget* parent) : Panel(pa
   column->addWidget(joints_ = new JointsSection(content));
   column->addWidget(singularities_ = new SingularitiesSection(content));
   column->addWidget(solutions_ = new SolutionsSection(content));
+  column->addWidget(chain_solutions_ = new ChainSolutionsSection(content));
   column->addWidget(dh_ = new DhSection(content));
   column->addWidget(angles_ = new AnglesSection(content));
   column->addWidget(jacobian_ = new JacobianSection(content));
@@ -50,6 +51,9 @@ KinematicsPanel::KinematicsPanel(const Parts& parts, QWidget* parent) : Panel(pa
   connect(joints_, &JointsSection::stepped, this, [this](int joint, double deg) { setJoint(joint, deg, true); });
   connect(solutions_, &SolutionsSection::wanted, this, &KinematicsPanel::showSolution);
   connect(&parts_.document, &Document::opened, this, &KinematicsPanel::sceneOpened);
+  connect(&parts_.document, &Document::edited, this, [this] {
+    if (!(scene::armOf(parts_.document.scene()).geometry == preset_.geometry)) sceneOpened();
+  });
   sceneOpened();
   addActions();
 }
@@ -66,6 +70,11 @@ void KinematicsPanel::addActions() {
   parts_.actions.addCommand("joint.set", [this](const QVariantList& values) {
     const int joint = values.value(0).toInt() - 1;
     return values.size() == 2 && joint >= 0 && joint < 6 && setJoint(joint, values[1].toDouble(), false);
+  });
+  parts_.actions.addCommand("kinematics.hide_counts", [this](const QVariantList& on) {
+    solutions_->hideCounts(on.value(0).toBool());
+    chain_solutions_->hideCounts(on.value(0).toBool());
+    return true;
   });
   parts_.actions.addCommand("solution.show", [this](const QVariantList& values) {  // 1 to 8; 0: none
     const int number = values.value(0, -1).toInt();
@@ -100,8 +109,19 @@ void KinematicsPanel::sceneOpened() {
   model_ = scene::modelOf(parts_.document.scene());
   geometry_ = preset.geometry;
   limits_ = preset.limits;
-  joints_->setLimits(limits_);
-  singularities_->setReach(geometry_.upper_m + geometry_.fore_m);
+  preset_ = preset;
+  const bool omni = arm::isOmniForm(preset);
+  if (!omni) inverse_ = chain::inverseOf(model_.chain);
+  joints_->setArm(preset, model_);
+  dh_->setArm(model_);
+  jacobian_->setArm(preset, model_);
+  if (!omni) chain_solutions_->setArm(model_, inverse_);
+  // What the Omni's table alone has: named singularities, branches, and a convention of the device.
+  for (QWidget* section :
+       {static_cast<QWidget*>(singularities_), static_cast<QWidget*>(solutions_), static_cast<QWidget*>(angles_)})
+    section->setVisible(omni);
+  chain_solutions_->setVisible(!omni);
+  if (omni) singularities_->setReach(geometry_.upper_m + geometry_.fore_m);
   setpoint_.reset();
   shown_ns_ = -1;
 }
@@ -130,17 +150,23 @@ void KinematicsPanel::present(const servo::Snapshot& snapshot) {
   }
   q_rad_ = q_rad;
   if (!isSeen() || !isDue(snapshot)) return;
-  const KinematicsNow now = kinematicsNow(geometry_, limits_, q_rad);
+  const bool omni = arm::isOmniForm(preset_);
+  const KinematicsNow now =
+      omni ? kinematicsNow(geometry_, limits_, q_rad) : kinematicsNow(preset_, model_, inverse_, q_rad);
   joints_->setMovable(
       parts_.player.isOpen()               ? tr("The replay moves the arm. Close the session to use the sliders.")
       : parts_.arms.simulated() == nullptr ? tr("A real arm is moved by hand: the sliders only show its joint angles.")
       : mode_ == servo::Mode::Idle         ? QString()
                                    : tr("The servo is running. Press Stop (Esc) to move the arm with the sliders."));
   joints_->present(now);
-  singularities_->present(now);
-  solutions_->present(now);
+  if (omni) {
+    singularities_->present(now);
+    solutions_->present(now);
+    angles_->present(now);
+  } else {
+    chain_solutions_->present(now);
+  }
   dh_->present(now, model_);
-  angles_->present(now);
   jacobian_->present(now);
 }
 
@@ -148,13 +174,19 @@ bool KinematicsPanel::setJoint(int joint, double angle_deg, bool relative) {
   device::SimulatedArm* const arm = parts_.arms.simulated();
   if (arm == nullptr || parts_.player.isOpen() || mode_ != servo::Mode::Idle) return false;
   const sim::HandSetpoint& last = arm->setpoint();
-  const bool is_ours = setpoint_ && last.p_WT == setpoint_->p_WT && last.R_WT == setpoint_->R_WT && last.turns;
+  const bool is_ours = setpoint_ && last.p_WT == setpoint_->p_WT && last.R_WT == setpoint_->R_WT && last.turns &&
+                       last.posture == setpoint_->posture;
   arm::JointAngles q_rad = is_ours ? setpoint_rad_ : q_rad_;
   double& moved_rad = q_rad[static_cast<std::size_t>(joint)];
-  moved_rad = relative ? moved_rad + angle_deg * kRadPerDegree : angle_deg * kRadPerDegree;
+  const auto index = static_cast<std::size_t>(joint);
+  if (index >= model_.rows.size()) return false;
+  const bool slides = model_.rows[index].type == chain::JointType::Prismatic;
+  const double value = angle_deg * (slides ? kMetrePerMillimetre : kRadPerDegree);
+  moved_rad = relative ? moved_rad + value : value;
   setpoint_rad_ = arm::withinLimits(limits_, q_rad);
   const Pose X_WT = arm::tipPose(geometry_, setpoint_rad_);
-  setpoint_ = sim::HandSetpoint{X_WT.translation(), Vec3::Zero(), X_WT.linear(), true};
+  setpoint_ = sim::HandSetpoint{X_WT.translation(), Vec3::Zero(), X_WT.linear(), true, true, {}};
+  if (!arm::isOmniForm(preset_)) setpoint_->posture = setpoint_rad_;
   arm->setSetpoint(*setpoint_);
   return true;
 }

@@ -7,6 +7,7 @@
 #include "app/gui/model/kinematics_now.h"
 #include "core/arm/model.h"
 
+class QCheckBox;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
@@ -18,12 +19,12 @@ class DistanceBar;
 class JointRow;
 class NumberTable;
 
-/// The six joint angles, with sliders that move the simulated arm.
+/// The joint angles, with sliders that move the simulated arm.
 class JointsSection : public Section {
   Q_OBJECT
  public:
   explicit JointsSection(QWidget* parent = nullptr);
-  void setLimits(const arm::JointLimits& limits);
+  void setArm(const arm::Preset& preset, const arm::Model& model);
   /// refusal: a sentence; empty: the sliders move the arm.
   void setMovable(const QString& refusal);
   void present(const KinematicsNow& now);
@@ -33,6 +34,7 @@ class JointsSection : public Section {
 
  private:
   std::array<JointRow*, 6> rows_{};
+  std::array<double, 6> per_unit_{};  // rad in a degree, m in a mm
   QLabel* note_;
 };
 
@@ -58,6 +60,8 @@ class SolutionsSection : public Section {
   /// number: 1 to 8; 0: none.
   void choose(int number);
   int chosen() const;
+  /// Whether the sentence with the number of solutions is hidden: a lesson asks for it.
+  void hideCounts(bool on);
  signals:
   void wanted(int number);  // also the same one again; 0: none
 
@@ -72,11 +76,30 @@ class SolutionsSection : public Section {
   arm::JointAngles q_rad_{};
 };
 
+/// The same of an arm that is not of the Omni's form: as many as its closed form gives, as a list.
+class ChainSolutionsSection : public Section {
+  Q_OBJECT
+ public:
+  explicit ChainSolutionsSection(QWidget* parent = nullptr);
+  /// inverse: of the model's chain.
+  void setArm(const arm::Model& model, const chain::Inverse& inverse);
+  void present(const KinematicsNow& now);
+  /// As SolutionsSection::hideCounts().
+  void hideCounts(bool on);
+
+ private:
+  arm::Model model_;
+  bool is_closed_ = false;
+  QLabel* status_;
+  NumberTable* table_;
+};
+
 /// The DH table with the current angles, and the same configuration in the device's own angles.
 class DhSection : public Section {
   Q_OBJECT
  public:
   explicit DhSection(QWidget* parent = nullptr);
+  void setArm(const arm::Model& model);
   void present(const KinematicsNow& now, const arm::Model& model);
 
  private:
@@ -97,9 +120,11 @@ class JacobianSection : public Section {
   Q_OBJECT
  public:
   explicit JacobianSection(QWidget* parent = nullptr);
+  void setArm(const arm::Preset& preset, const arm::Model& model);
   void present(const KinematicsNow& now);
 
  private:
+  QCheckBox* only_position_;
   QStackedWidget* tables_;
   NumberTable *whole_, *position_, *figures_;
 };

@@ -101,6 +101,10 @@ SolutionsSection::SolutionsSection(QWidget* parent)
   connect(table_, &QTableWidget::itemActivated, this, [this] { emit wanted(chosen()); });
 }
 
+void SolutionsSection::hideCounts(bool on) {
+  status_->setVisible(!on);
+}
+
 void SolutionsSection::buildTable() {
   nameWidget(table_, "panel.kinematics.solutions", tr("Inverse solutions"));
   table_->setHorizontalHeaderLabels({tr("no."), tr("shoulder"), tr("elbow"), tr("wrist"), tr("limits")});

@@ -2,6 +2,7 @@
 #include <QCheckBox>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/gui/kinematics/sections.h"
 #include "app/gui/kit/message_label.h"
@@ -51,14 +52,19 @@ DhSection::DhSection(QWidget* parent)
   column().addWidget(table_);
 }
 
+void DhSection::setArm(const arm::Model& model) {
+  table_->showOnly(static_cast<int>(std::min<std::size_t>(6, model.rows.size())), 4);
+}
+
 void DhSection::present(const KinematicsNow& now, const arm::Model& model) {
-  for (std::size_t index = 0; index < model.rows.size(); ++index) {
+  for (std::size_t index = 0; index < std::min<std::size_t>(6, model.rows.size()); ++index) {
     const chain::DhRow& row = model.rows[index];
+    const bool slides = row.type == chain::JointType::Prismatic;
     const auto line = static_cast<int>(index);
     table_->set(line, 0, degrees(row.alpha_rad));
     table_->set(line, 1, millimetreNumber(row.a_m));
-    table_->set(line, 2, degrees(row.theta_rad + now.q_rad[index]));
-    table_->set(line, 3, millimetreNumber(row.d_m));
+    table_->set(line, 2, degrees(row.theta_rad + (slides ? 0.0 : now.q_rad[index])));
+    table_->set(line, 3, millimetreNumber(row.d_m + (slides ? now.q_rad[index] : 0.0)));
   }
 }
 
@@ -101,6 +107,7 @@ JacobianSection::JacobianSection(QWidget* parent)
               tr("Velocity v of the tip (m/rad) and angular velocity ω of the stylus (rad/rad) per joint rate, in the "
                  "workspace frame: (v, ω) = J dq/dt; joint torques are τ = Jᵀ F. Derived from eq. 3.5."),
               parent),
+      only_position_(new QCheckBox(tr("&Position only, J_p (3 × 3)"), this)),
       tables_(new QStackedWidget(this)) {
   std::vector<NumberTable::Column> columns;
   for (int joint = 1; joint <= 6; ++joint) columns.push_back({QString("q%1").arg(joint), kWideGain});
@@ -121,10 +128,9 @@ JacobianSection::JacobianSection(QWidget* parent)
   upper_column->addWidget(position_);
   upper_column->addStretch(1);
   tables_->addWidget(upper);
-  auto* only_position = new QCheckBox(tr("&Position only, J_p (3 × 3)"), this);
-  nameWidget(only_position, "panel.kinematics.jacobian.position_only", tr("Only the position part of the Jacobian"),
+  nameWidget(only_position_, "panel.kinematics.jacobian.position_only", tr("Only the position part of the Jacobian"),
              tr("Joints 4 to 6 rotate the stylus about its tip without moving it: v = J_p (q1, q2, q3)'."));
-  connect(only_position, &QCheckBox::toggled, this, [this](bool on) { tables_->setCurrentIndex(on ? 1 : 0); });
+  connect(only_position_, &QCheckBox::toggled, this, [this](bool on) { tables_->setCurrentIndex(on ? 1 : 0); });
   figures_ = new NumberTable("panel.kinematics.figures", {{{}, "0.000, 0.000, 0.000 m/rad", true}}, this);
   figures_->addRow(tr("det J_p"), tr("L1 L2 cos q3 (L1 cos q2 + L2 sin(q2 + q3)), per rad³; 0 at a singularity."));
   figures_->addRow(tr("Manipulability"), tr("Yoshikawa's measure of manipulability, |det J_p|."));
@@ -133,9 +139,16 @@ JacobianSection::JacobianSection(QWidget* parent)
   figures_->addRow(tr("Singular values"),
                    tr("Of J_p: displacement of the tip along each axis of the motion ellipsoid per radian of joint "
                       "rotation. The force along the same axis per N m of joint torque is the reciprocal."));
-  column().addWidget(only_position);
+  column().addWidget(only_position_);
   column().addWidget(tables_);
   column().addWidget(figures_);
+}
+
+void JacobianSection::setArm(const arm::Preset& preset, const arm::Model& model) {
+  const bool omni = arm::isOmniForm(preset);
+  whole_->showOnly(6, static_cast<int>(std::min<std::size_t>(6, model.rows.size())));
+  only_position_->setVisible(omni);
+  if (!omni) only_position_->setChecked(false);
 }
 
 void JacobianSection::present(const KinematicsNow& now) {

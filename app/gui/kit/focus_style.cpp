@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QStyleOption>
 
+#include "app/gui/kit/contrast.h"
 #include "app/gui/kit/theme.h"
 
 namespace underact::gui {
@@ -22,6 +23,34 @@ void drawRing(const QStyleOption& option, const QRectF& place, QPainter& painter
 /// A click needs no ring to show where the focus is.
 bool hasKeys(const QStyleOption& option) {
   return option.state.testFlag(QStyle::State_HasFocus) && option.state.testFlag(QStyle::State_KeyboardFocusChange);
+}
+
+QPen outlinePen(const QStyleOption& option) {
+  QColor line = outlineColour(option.palette);
+  if (!option.state.testFlag(QStyle::State_Enabled)) line = mixed(option.palette.color(QPalette::Window), line, 0.5);
+  return QPen(line, 1.0);
+}
+
+/// Over the style's own outline, which is too close to its ground: the lines of Fusion are darker than the window, also
+/// where that is dark.
+void drawOutline(const QStyleOption& option, const QRectF& place, double radius, QPainter& painter) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing, radius > 0.0);
+  painter.setPen(outlinePen(option));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRoundedRect(place.adjusted(0.5, 0.5, -0.5, -0.5), radius, radius);
+  painter.restore();
+}
+
+/// As Fusion draws it.
+void drawRadioOutline(const QStyleOption& option, QPainter& painter) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(outlinePen(option));
+  painter.setBrush(Qt::NoBrush);
+  const double radius = (option.rect.width() + (option.rect.width() + 1) % 2) / 2.0 - 1.0;
+  painter.drawEllipse(QPointF(option.rect.center() + QPoint(1, 1)), radius, radius);
+  painter.restore();
 }
 
 }  // namespace
@@ -50,6 +79,14 @@ void FocusStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
     return painter->fillRect(option->rect, is_under ? focusColour(option->palette) : line);
   }
   if (element != PE_FrameFocusRect) QProxyStyle::drawPrimitive(element, option, painter, widget);
+  const bool has_focus = option->state.testFlag(State_HasFocus);
+  if (element == PE_IndicatorCheckBox) drawOutline(*option, option->rect, 0.0, *painter);
+  if (element == PE_IndicatorRadioButton) drawRadioOutline(*option, *painter);
+  if (element == PE_FrameLineEdit && !has_focus) drawOutline(*option, option->rect, 2.0, *painter);
+  const auto* const button = qstyleoption_cast<const QStyleOptionButton*>(option);
+  const bool is_flat = button != nullptr && button->features.testFlag(QStyleOptionButton::Flat);
+  if (element == PE_PanelButtonCommand && !is_flat && !has_focus)
+    drawOutline(*option, option->rect.adjusted(0, 1, 0, 0), 2.0, *painter);
   const bool is_field = element == PE_FrameLineEdit && hasKeys(*option);
   const bool is_ring = element == PE_FrameFocusRect && option->state.testFlag(State_KeyboardFocusChange);
   if (is_field || is_ring) drawRing(*option, option->rect, *painter);
@@ -70,6 +107,11 @@ void FocusStyle::drawControl(ControlElement element, const QStyleOption* option,
 void FocusStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                                     const QWidget* widget) const {
   QProxyStyle::drawComplexControl(control, option, painter, widget);
+  if (!option->state.testFlag(State_HasFocus)) {
+    if (control == CC_SpinBox) drawOutline(*option, option->rect, 2.0, *painter);
+    if (control == CC_Slider)
+      drawOutline(*option, subControlRect(CC_Slider, option, SC_SliderHandle, widget), 2.0, *painter);
+  }
   const bool is_ours = control == CC_ComboBox || control == CC_SpinBox || control == CC_Slider;
   if (is_ours && hasKeys(*option)) drawRing(*option, option->rect, *painter);
 }

@@ -6,10 +6,12 @@
 #include <QPainterPath>
 #include <functional>
 
+#include "app/gui/kit/panel_icons.h"
+
 namespace underact::gui {
 namespace {
 
-using Draw = void (*)(QPainter& painter, const Theme& theme);  // in a square of 24 x 24
+using Draw = DrawIcon;
 
 QPen ink(const Theme& theme, double width = 1.6) {
   return QPen(theme.ink, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
@@ -57,6 +59,15 @@ void drawRecord(QPainter& painter, const Theme& theme) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(alarm(theme));
   painter.drawEllipse(QPointF(12, 12), 5, 5);
+}
+// A stylus between two fingers.
+void drawHold(QPainter& painter, const Theme& theme) {
+  painter.setPen(ink(theme, 2.6));
+  painter.drawLine(QPointF(12, 3.5), QPointF(12, 20.5));
+  painter.setPen(ink(theme));
+  painter.setBrush(constraintFill(theme));
+  painter.drawRoundedRect(QRectF(3, 8, 6, 8), 2.5, 2.5);
+  painter.drawRoundedRect(QRectF(15, 8, 6, 8), 2.5, 2.5);
 }
 // Of a recording: in the ink colour, so that it is not mistaken for the servo's Start.
 void drawPlay(QPainter& painter, const Theme& theme) {
@@ -242,15 +253,22 @@ void drawUnderact(QPainter& painter, const Theme& theme) {
 }
 
 const QHash<QString, Draw>& drawings() {
-  static const QHash<QString, Draw> kAll{
-      {"start", drawStart},   {"stop", drawStop},         {"record", drawRecord},    {"play", drawPlay},
-      {"pause", drawPause},   {"back", drawBack},         {"forward", drawForward},  {"fit", drawFit},
-      {"front", drawFront},   {"top", drawTop},           {"side", drawSide},        {"isometric", drawIsometric},
-      {"layers", drawLayers}, {"help", drawHelp},         {"open", drawOpen},        {"save", drawSave},
-      {"undo", drawUndo},     {"redo", drawRedo},         {"reset", drawReset},      {"file", drawFile},
-      {"point", drawPoint},   {"sphere", drawSphere},     {"line", drawLine},        {"plane", drawPlane},
-      {"circle", drawCircle}, {"cylinder", drawCylinder}, {"box", drawBox},          {"virtual_manipulator", drawRobot},
-      {"mesh", drawMesh},     {"curve", drawCurve},       {"underact", drawUnderact}};
+  static const QHash<QString, Draw> kAll{{"start", drawStart},       {"stop", drawStop},
+                                         {"record", drawRecord},     {"play", drawPlay},
+                                         {"pause", drawPause},       {"back", drawBack},
+                                         {"forward", drawForward},   {"fit", drawFit},
+                                         {"front", drawFront},       {"top", drawTop},
+                                         {"side", drawSide},         {"isometric", drawIsometric},
+                                         {"layers", drawLayers},     {"help", drawHelp},
+                                         {"open", drawOpen},         {"save", drawSave},
+                                         {"undo", drawUndo},         {"redo", drawRedo},
+                                         {"reset", drawReset},       {"file", drawFile},
+                                         {"point", drawPoint},       {"sphere", drawSphere},
+                                         {"line", drawLine},         {"plane", drawPlane},
+                                         {"circle", drawCircle},     {"cylinder", drawCylinder},
+                                         {"box", drawBox},           {"virtual_manipulator", drawRobot},
+                                         {"mesh", drawMesh},         {"curve", drawCurve},
+                                         {"underact", drawUnderact}, {"hold", drawHold}};
   return kAll;
 }
 
@@ -306,7 +324,7 @@ class FileEngine : public QIconEngine {
 }  // namespace
 
 QIcon icon(const QString& name, const Theme& theme) {
-  const Draw draw = drawings().value(name, nullptr);
+  const Draw draw = drawings().value(name, panelDrawings().value(name, nullptr));
   return draw == nullptr ? QIcon() : QIcon(new Engine(draw, theme));
 }
 

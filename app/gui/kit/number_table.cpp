@@ -17,6 +17,7 @@ NumberTable::NumberTable(const QString& object_name, std::vector<Column> columns
     head->setProperty("role", "quiet");
     head->setAlignment(columns_[column].words ? Qt::AlignLeft : Qt::AlignRight);
     grid_->addWidget(head, 0, static_cast<int>(column) + 1);
+    heads_.push_back(head);
   }
   grid_->setColumnStretch(static_cast<int>(columns_.size()) + 1, 1);
 }
@@ -27,6 +28,7 @@ void NumberTable::addRow(const QString& head, const QString& tip) {
   left->setProperty("role", "quiet");
   left->setToolTip(tip);
   grid_->addWidget(left, row, 0);
+  lefts_.push_back(left);
   std::vector<QLabel*> cells;
   for (std::size_t column = 0; column < columns_.size(); ++column) {
     auto* cell = new QLabel(this);
@@ -50,6 +52,17 @@ void NumberTable::set(int row, int column, const QString& text) {
 
 QString NumberTable::text(int row, int column) const {
   return cells_[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)]->text();
+}
+
+void NumberTable::showOnly(int rows, int columns) {
+  for (std::size_t column = 0; column < heads_.size(); ++column)
+    heads_[column]->setVisible(static_cast<int>(column) < columns);
+  for (std::size_t row = 0; row < cells_.size(); ++row) {
+    const bool shown = static_cast<int>(row) < rows;
+    lefts_[row]->setVisible(shown);
+    for (std::size_t column = 0; column < cells_[row].size(); ++column)
+      cells_[row][column]->setVisible(shown && static_cast<int>(column) < columns);
+  }
 }
 
 QLabel* quietLabel(const QString& object_name, const QString& text, QWidget* parent) {

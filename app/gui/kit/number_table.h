@@ -24,10 +24,13 @@ class NumberTable : public QWidget {
   /// row, column: from 0.
   void set(int row, int column, const QString& text);
   QString text(int row, int column) const;
+  /// The first rows and columns only; the others are hidden.
+  void showOnly(int rows, int columns);
 
  private:
   QGridLayout* grid_;
   std::vector<Column> columns_;
+  std::vector<QLabel*> heads_, lefts_;
   std::vector<std::vector<QLabel*>> cells_;
 };
 

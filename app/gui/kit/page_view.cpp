@@ -14,6 +14,7 @@
 #include <QTextCursor>
 #include <QThreadPool>
 #include <QWheelEvent>
+#include <QtMath>
 #include <algorithm>
 
 #include "app/gui/kit/theme.h"
@@ -126,6 +127,10 @@ bool PageView::toMark(bool next) {
   setTextCursor(to);
   ensureCursorVisible();
   return true;
+}
+
+int PageView::contentHeight() const {
+  return qCeil(document()->size().height()) + 2 * frameWidth();
 }
 
 void PageView::setZoom(int percent) {

@@ -18,6 +18,8 @@ class PageView : public QTextBrowser {
   void showPage(const QString& markdown, const QString& folder);
   /// The page shown last: its headings and its errors.
   const page::Page& page() const { return page_; }
+  /// The height that shows all of the page without scrolling.
+  int contentHeight() const;
   /// In percent of the program's own font; 50 to 300.
   void setZoom(int percent);
   int zoom() const { return zoom_; }

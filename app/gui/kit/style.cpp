@@ -1,5 +1,6 @@
 #include "app/gui/kit/style.h"
 
+#include "app/gui/kit/contrast.h"
 #include "app/gui/kit/icons.h"
 
 namespace underact::gui {
@@ -30,11 +31,15 @@ QToolBar QToolButton:hover { background: %hover; }
 QToolBar QToolButton:pressed, QToolBar QToolButton:checked { background: %line; }
 QToolBar QToolButton:focus { border-color: %blue; }
 QToolBar QToolButton[role="start"], QToolBar QToolButton[role="stop"] { padding: 6px 16px; font-weight: 600; }
-QToolBar QToolButton[role="start"] { border: 1px solid %line; }
+QToolBar QToolButton[role="start"] { border: 1px solid %outline; }
 QToolBar QToolButton[role="start"]:focus { border-color: %blue; }
 QToolBar QToolButton[role="stop"] { border: 2px solid %red; padding: 5px 22px; }
 QToolBar QToolButton[role="stop"]:hover { background: %redground; }
 QToolBar QToolButton[role="record"]:checked { background: %redground; border-color: %red; font-weight: 600; }
+QToolBar#rail { border-bottom: none; border-right: 1px solid %line; padding: 2px; spacing: 0px; }
+QToolBar QToolButton[role="rail"] { padding: 1px 4px; }
+QToolBar QToolButton[role="rail"]:checked { background: %selected; }
+QToolBar QToolButton[role="rail"]::menu-indicator { image: none; width: 0; }
 QToolBar QToolButton[role="menu"] { padding-right: 22px; }
 QToolBar QToolButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: center right; right: 6px; }
 QToolBar QLabel { color: %quiet; padding: 0 4px; }
@@ -42,7 +47,11 @@ QDockWidget { titlebar-close-icon: none; font-weight: 600; }
 QDockWidget::title { text-align: left; padding: 6px 12px; border-bottom: 1px solid %line; }
 QStatusBar { border-top: 1px solid %line; }
 QStatusBar::item { border: none; }
-QFrame[role="card"] { background: %ground; border: 1px solid %line; border-radius: 8px; }
+QFrame[role="card"] { background: %ground; border: 1px solid %outline; border-radius: 8px; }
+QPushButton[role="banner"] { color: %ink; background: %warmground; border: 2px solid %warm; border-radius: 8px; }
+QPushButton[role="banner"] { padding: 8px 20px; font-weight: 600; }
+QPushButton[role="banner"]:hover { background: %hover; }
+QPushButton[role="banner"]:focus { border-color: %blue; }
 QFrame[role="card"] QLabel { border: none; background: transparent; }
 QLabel[role="quiet"] { color: %quiet; }
 QLabel[role="section"] { font-weight: 600; padding-top: 4px; }
@@ -53,7 +62,7 @@ QLabel[role="amber-text"] { color: %warm; font-weight: 600; }
 QLabel[role="alarm"] { color: %ink; background: %redground; border-left: 3px solid %red; padding: 6px 8px; }
 QLabel[role="amber"] { color: %ink; background: %warmground; border-left: 3px solid %warm; padding: 6px 8px; }
 QDoubleSpinBox[amber="true"] { border: 2px solid %warm; border-radius: 3px; background: %warmground; color: %ink; }
-QToolButton[role="choice"] { padding: 3px 8px; border: 1px solid %line; border-radius: 4px; }
+QToolButton[role="choice"] { padding: 3px 8px; border: 1px solid %outline; border-radius: 4px; }
 QToolButton[role="choice"]:hover { background: %hover; }
 QToolButton[role="choice"]:checked { background: %line; border-color: %blue; }
 QToolButton[role="choice"]:focus { background: %hover; border: 2px solid %blue; padding: 2px 7px; }
@@ -80,6 +89,7 @@ QListWidget::item:selected:focus { background: %selected; }
       .replace("%selected", between(theme.constraint, theme.background, theme.dark ? 0.45 : 0.22))
       .replace("%ground", ground)
       .replace("%limited", limited)
+      .replace("%outline", outlineColour(paletteOf(theme)).name())
       .replace("%line", line)
       .replace("%hover", hover)
       .replace("%quiet", quiet)

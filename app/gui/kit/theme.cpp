@@ -10,8 +10,8 @@
 #include <QScopedValueRollback>
 #include <QStyle>
 #include <QTimer>
-#include <algorithm>
-#include <cmath>
+
+#include "app/gui/kit/contrast.h"
 
 namespace underact::gui {
 namespace {
@@ -36,20 +36,6 @@ bool hasSessionBus() {
 uint schemeIn(QVariant value) {  // Read wraps the number twice, SettingChanged once
   while (value.userType() == qMetaTypeId<QDBusVariant>()) value = value.value<QDBusVariant>().variant();
   return value.toUInt();
-}
-
-/// Source: WCAG 2.1, relative luminance.
-double luminance(const QColor& colour) {
-  const auto linear = [](double share) {
-    return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
-  };
-  return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
-}
-
-/// 1 where they are the same, 21 of black and white.
-double contrast(const QColor& a, const QColor& b) {
-  const auto [less, more] = std::minmax({luminance(a), luminance(b)});
-  return (more + 0.05) / (less + 0.05);
 }
 
 }  // namespace
@@ -222,13 +208,13 @@ QColor readable(const QColor& colour, const Theme& theme) {
   constexpr int kSteps = 20;
   for (int step = 0; step < kSteps; ++step) {
     const QColor words = mixed(colour, theme.ink, static_cast<double>(step) / kSteps);
-    if (contrast(words, theme.background) >= kWords) return words;
+    if (contrastOf(words, theme.background) >= kWords) return words;
   }
   return theme.ink;
 }
 
 QColor focusColour(const QPalette& palette) {
-  const bool is_dark = luminance(palette.color(QPalette::Window)) < luminance(palette.color(QPalette::WindowText));
+  const bool is_dark = luminanceOf(palette.color(QPalette::Window)) < luminanceOf(palette.color(QPalette::WindowText));
   const QColor chosen = palette.color(QPalette::Highlight);
   return is_dark ? chosen.lighter(150) : chosen;
 }

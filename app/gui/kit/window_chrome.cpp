@@ -15,6 +15,7 @@ void WindowChrome::hideChrome(Keep keep) {
   had_status_ = !window_->statusBar()->isHidden();
   for (QDockWidget* dock : window_->findChildren<QDockWidget*>()) dock->hide();
   window_->statusBar()->hide();
+  if (auto* const rail = window_->findChild<QToolBar*>("rail")) rail->hide();  // of panels, which are hidden, too
   if (keep == Keep::MenusAndTools) return;
   for (QToolBar* bar : window_->findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) bar->hide();
   window_->menuBar()->hide();

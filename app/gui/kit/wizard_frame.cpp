@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 
 #include "app/gui/kit/message_label.h"
+#include "app/gui/kit/stop_key.h"
 
 namespace underact::gui {
 
@@ -13,6 +14,7 @@ void frameWizard(QWizard& wizard, std::span<const std::pair<QWizard::WizardButto
     nameWidget(button, name, wizard.buttonText(which).remove('&').remove('<').remove('>').trimmed());
     button->setIcon({});
   }
+  wizard.setProperty(StopKey::kEscStops, true);
   constexpr int kHighLines = 46;
   const int line = wizard.fontMetrics().lineSpacing();
   const QWidget* const behind = wizard.parentWidget();

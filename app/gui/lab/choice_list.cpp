@@ -25,15 +25,20 @@ QString figuresOf(const tradeoff::Choice& choice, const tradeoff::Summary& now) 
 }
 
 /// Marks a choice by words and a sign; the colour only adds to them.
-void mark(const tradeoff::ChoiceResult& choice_result, const tradeoff::Summary* now, ChoiceWords& words) {
+void mark(const tradeoff::ChoiceResult& choice_result, const tradeoff::Summary* now, bool is_default,
+          ChoiceWords& words) {
   const tradeoff::Choice& choice = *choice_result.choice;
-  words.is_beyond = now != nullptr && now->error > choice.bound;
-  if (words.is_beyond) words.mark = QObject::tr("▲ The error exceeds the bound.");
   const tradeoff::Summary* best = recommendedOf(choice_result);
+  const bool exceeds = now != nullptr && now->error > choice.bound;
+  // Where nothing is better, the program's own default is what it recommends: no warning.
+  words.is_beyond = exceeds && (best != nullptr || !is_default);
+  if (words.is_beyond) words.mark = QObject::tr("▲ The error exceeds the bound.");
+  if (exceeds && !words.is_beyond)
+    words.mark = QObject::tr("The default; no other setting keeps the error within the bound here.");
   if (best == nullptr || (now != nullptr && now->option == best->option)) return;
-  const QString better = QObject::tr("→ Recommended: %1 (%2 per second, error %3)")
-                             .arg(QString::fromStdString(best->option), timeText(best->cost_us_per_s),
-                                  errorText(best->error, choice.unit));
+  const QString better =
+      QObject::tr("→ Recommended: %1 (%2 per second, error %3)")
+          .arg(optionText(best->option), timeText(best->cost_us_per_s), errorText(best->error, choice.unit));
   words.mark = words.is_beyond ? words.mark + ' ' + better : better;
 }
 
@@ -47,7 +52,7 @@ std::vector<ChoiceWords> choiceWords(const scene::Description& scene, const trad
     ChoiceWords words;
     words.key = choice.key;
     words.name = choiceName(choice);
-    words.value = QString::fromStdString(valueText(choice, scene, now));
+    words.value = optionText(valueText(choice, scene, now));
     words.tip = tipOf(choice);
     const auto choice_result = std::find_if(choice_results.begin(), choice_results.end(),
                                             [&](const tradeoff::ChoiceResult& one) { return one.choice == &choice; });
@@ -55,7 +60,7 @@ std::vector<ChoiceWords> choiceWords(const scene::Description& scene, const trad
       const tradeoff::Summary* measured = measuredOf(*choice_result, now);
       words.figures =
           measured != nullptr ? figuresOf(choice, *measured) : QObject::tr("not measured with this setting");
-      mark(*choice_result, measured, words);
+      mark(*choice_result, measured, choice.same(now, tradeoff::Settings{}), words);
     }
     all.push_back(std::move(words));
   }

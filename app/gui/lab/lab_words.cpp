@@ -45,6 +45,7 @@ QString lengthText(double mm) {
   if (mm == 0.0) return QObject::tr("0 mm");
   if (mm >= 0.1) return QObject::tr("%1 mm").arg(shortText(mm));
   if (mm >= 1e-4) return QObject::tr("%1 µm").arg(shortText(1e3 * mm));
+  if (mm < 1e-9) return QObject::tr("below 0.001 nm");  // far below what any number here is true to
   return QObject::tr("%1 nm").arg(shortText(1e6 * mm));
 }
 
@@ -57,6 +58,16 @@ QString durationText(double seconds) {
   if (seconds < 90.0)
     return QObject::tr("%1 s").arg(std::lround(seconds < 20.0 ? seconds : 5.0 * std::round(seconds / 5.0)));
   return QObject::tr("%1 min").arg(std::lround(seconds / 60.0));
+}
+
+QString optionText(const std::string& name) {
+  QString text = QString::fromStdString(name);
+  static const QString kWhere = "closed form where there is one, else ";
+  if (text.startsWith(kWhere))
+    return QObject::tr("closed form where there is one, else %1").arg(text.mid(kWhere.size()));
+  if (text == "closed form") return QObject::tr("closed form");
+  if (text.endsWith(" us")) text.replace(text.size() - 2, 2, QObject::tr("µs"));
+  return text;
 }
 
 QString choiceName(const tradeoff::Choice& choice) {

@@ -8,18 +8,19 @@
 namespace underact::gui {
 
 FeatureRow lessonsFeature() {
-  return {.panels = {{"lessons", QT_TRANSLATE_NOOP("panel", "Lessons"), Qt::LeftDockWidgetArea, "Ctrl+L",
-                      QT_TRANSLATE_NOOP("panel",
-                                        "Exercises in robot kinematics and forces that check what your hand does."),
-                      [](const FeatureParts& all, QWidget* parent) -> Panel* {
-                        return new LessonsPanel({all.document, all.actions, all.view, all.player}, parent);
-                      },
-                      "scenes"}},
-          .pages = {{"panel.lessons", "lessons"},
-                    {"dialog.open_lesson", "lessons"},
-                    {"dialog.save_lesson_report", "lessons#the-report"}},
-          .opens = isLessonFile,
-          .open_action = "lesson.open"};
+  return {
+      .panels =
+          {{"lessons", QT_TRANSLATE_NOOP("panel", "Lessons"), Qt::LeftDockWidgetArea, "Ctrl+L",
+            QT_TRANSLATE_NOOP("panel", "Exercises in robot kinematics and forces that check what your hand does."),
+            [](const FeatureParts& all, QWidget* parent) -> Panel* {
+              return new LessonsPanel({all.document, all.actions, all.view, all.player, all.servo, all.hand}, parent);
+            },
+            "scenes"}},
+      .pages = {{"panel.lessons", "lessons"},
+                {"dialog.open_lesson", "lessons"},
+                {"dialog.save_lesson_report", "lessons#the-report"}},
+      .opens = isLessonFile,
+      .open_action = "lesson.open"};
 }
 
 }  // namespace underact::gui

@@ -49,6 +49,13 @@ bool isLessonFile(const QString& path) {
   return text && lesson::isLessonText(text.value());
 }
 
+const lesson::Lesson* lessonAfter(const std::vector<lesson::Lesson>& lessons, const QString& path) {
+  const auto here = std::find_if(lessons.begin(), lessons.end(), [&](const lesson::Lesson& one) {
+    return QFileInfo(QString::fromStdString(one.file)) == QFileInfo(path);
+  });
+  return here == lessons.end() || here + 1 == lessons.end() ? nullptr : &*(here + 1);
+}
+
 QString lessonPath(const QString& name) {
   if (name.contains('/') || name.endsWith(".json")) return QFileInfo(name).absoluteFilePath();
   return QDir(lessonFolder()).filePath(name + ".json");

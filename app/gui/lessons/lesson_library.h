@@ -16,6 +16,9 @@ std::vector<lesson::Lesson> shippedLessons();
 /// Whether a file is meant as a lesson, even if it has errors.
 bool isLessonFile(const QString& path);
 
+/// The one after that of that path; null: it is the last, or not among them.
+const lesson::Lesson* lessonAfter(const std::vector<lesson::Lesson>& lessons, const QString& path);
+
 /// The path of a lesson: the file itself, or the shipped lesson of that name.
 QString lessonPath(const QString& name);
 

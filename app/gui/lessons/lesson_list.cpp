@@ -9,24 +9,29 @@
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/message_label.h"
 #include "app/gui/kit/shipped.h"
+#include "app/gui/lessons/lesson_card.h"
 #include "app/gui/lessons/lesson_library.h"
 #include "app/gui/model/data_words.h"
 #include "app/gui/model/scene_library.h"
 #include "core/lesson/read.h"
+#include "core/lesson/stage.h"
 
 namespace underact::gui {
 namespace {
 
-constexpr int kPath = Qt::UserRole;
-constexpr int kAbout = Qt::UserRole + 1;
+/// The number of a card with this title, for screen readers.
+QString spokenTitle(const QString& title, int number) {
+  return number > 0 ? LessonList::tr("Lesson %1: %2").arg(number).arg(title) : title;
+}
 
 }  // namespace
 
-LessonList::LessonList(RecentFiles& recent, Actions& actions, QWidget* parent)
+LessonList::LessonList(const std::vector<lesson::Lesson>& shipped, RecentFiles& recent, Actions& actions,
+                       QWidget* parent)
     : QWidget(parent),
       recent_(recent),
       actions_(actions),
-      shipped_(shippedLessons()),
+      shipped_(shipped),
       list_(new QListWidget(this)),
       about_(messageLabel("panel.lessons.about", tr("About the selected lesson"), "quiet", this)),
       note_(messageLabel("panel.lessons.why", tr("Why the lesson did not start"), "amber", this)) {
@@ -35,6 +40,9 @@ LessonList::LessonList(RecentFiles& recent, Actions& actions, QWidget* parent)
   list_->setFrameShape(QFrame::NoFrame);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setWordWrap(true);
+  list_->setItemDelegate(new LessonCard(list_));
+  list_->setResizeMode(QListView::Adjust);
+  list_->setSpacing(2);
   about_->setMinimumHeight(3 * fontMetrics().lineSpacing());
   about_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   note_->hide();
@@ -68,47 +76,53 @@ void LessonList::addHeading(const QString& text) {
   item->setFont(font);
 }
 
-void LessonList::addLesson(const lesson::Lesson& lesson) {
+void LessonList::addLesson(const lesson::Lesson& lesson, int number) {
   const QString path = QString::fromStdString(lesson.file);
   const auto all = static_cast<int>(lesson.steps.size());
   const int solved = std::min(static_cast<int>(solvedSteps(path).size()), all);
   const QString title = QString::fromStdString(lesson.title);
-  const QString mark = solved == all ? tr("✓ %1") : solved > 0 ? tr("○ %1 (%2 of %3)") : QString("%1");
-  const QString text = solved == all || solved == 0 ? mark.arg(title) : mark.arg(title).arg(solved).arg(all);
-  auto* const item = new QListWidgetItem(text, list_);
-  item->setData(kPath, path);
-  item->setData(kAbout, QString::fromStdString(lesson.about));
-  item->setData(Qt::AccessibleTextRole, tr("%1, %2 of %3 steps solved").arg(title).arg(solved).arg(all));
+  const int minutes = qRound(lesson::minutesOf(lesson));
+  auto* const item = new QListWidgetItem(title, list_);
+  item->setData(LessonCard::Path, path);
+  item->setData(LessonCard::About, QString::fromStdString(lesson.about));
+  item->setData(LessonCard::Number, number);
+  item->setData(LessonCard::Minutes, minutes);
+  item->setData(LessonCard::Steps, all);
+  item->setData(LessonCard::Solved, solved);
+  const QString line = cardLine(minutes, all, solved);
+  item->setToolTip(line);
+  item->setData(Qt::AccessibleTextRole, tr("%1, %2").arg(spokenTitle(title, number), line));
 }
 
 void LessonList::rebuild() {
   const QListWidgetItem* const current = list_->currentItem();
-  const QString kept = current == nullptr ? QString() : current->data(kPath).toString();
+  const QString kept = current == nullptr ? QString() : current->data(LessonCard::Path).toString();
   list_->clear();
   std::string group;
+  int number = 0;
   for (const lesson::Lesson& lesson : shipped_) {
     if (lesson.group != group) addHeading(QString::fromStdString(group = lesson.group));
-    addLesson(lesson);
+    addLesson(lesson, ++number);
   }
   const QStringList recent = recent_.paths();
   if (!recent.isEmpty()) addHeading(tr("Recently opened"));
   for (const QString& path : recent) {
     const Result<lesson::Lesson> read = lesson::readLessonFile(path.toStdString());
-    if (read) addLesson(translated(read.value()));
+    if (read) addLesson(translated(read.value()), 0);
   }
   for (int row = 0; row < list_->count(); ++row) {
-    if (!kept.isEmpty() && list_->item(row)->data(kPath).toString() == kept) list_->setCurrentRow(row);
+    if (!kept.isEmpty() && list_->item(row)->data(LessonCard::Path).toString() == kept) list_->setCurrentRow(row);
   }
 }
 
 void LessonList::describe() {
   const QListWidgetItem* const item = list_->currentItem();
-  about_->setText(item == nullptr ? QString() : item->data(kAbout).toString());
+  about_->setText(item == nullptr ? QString() : item->data(LessonCard::About).toString());
 }
 
 // Queued: opening the lesson rebuilds this list.
 void LessonList::open(QListWidgetItem* item) {
-  const QString path = item->data(kPath).toString();
+  const QString path = item->data(LessonCard::Path).toString();
   if (path.isEmpty()) return;
   QMetaObject::invokeMethod(
       this, [this, path] { actions_.perform("lesson.start", path); }, Qt::QueuedConnection);

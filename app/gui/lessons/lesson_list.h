@@ -18,20 +18,21 @@ class RecentFiles;
 class LessonList : public QWidget {
   Q_OBJECT
  public:
-  LessonList(RecentFiles& recent, Actions& actions, QWidget* parent);
+  /// `shipped`: those that come with the program.
+  LessonList(const std::vector<lesson::Lesson>& shipped, RecentFiles& recent, Actions& actions, QWidget* parent);
   void rebuild();
   /// Shows why a lesson did not start; empty: nothing.
   void setNote(const QString& text);
 
  private:
   void addHeading(const QString& text);
-  void addLesson(const lesson::Lesson& lesson);
+  void addLesson(const lesson::Lesson& lesson, int number);  // 0: it has none
   void describe();
   void open(QListWidgetItem* item);
 
   RecentFiles& recent_;
   Actions& actions_;
-  std::vector<lesson::Lesson> shipped_;
+  const std::vector<lesson::Lesson>& shipped_;
   QListWidget* list_;
   QLabel* about_;
   QLabel* note_;

@@ -7,9 +7,11 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/message_label.h"
@@ -18,6 +20,7 @@
 #include "app/gui/kit/tab_order.h"
 #include "app/gui/kit/tight_layout.h"
 #include "app/gui/lessons/check_row.h"
+#include "app/gui/lessons/lesson_complete.h"
 #include "app/gui/lessons/lesson_run.h"
 #include "app/gui/lessons/lesson_words.h"
 
@@ -25,6 +28,8 @@ namespace underact::gui {
 namespace {
 
 constexpr const char* kButtons[] = {"lesson.back", "lesson.hint", "lesson.next", "lesson.leave", "lesson.report"};
+constexpr int kFramesAShare = 10;
+constexpr int kTextPercent = 45;                    // of the room, where text and questions ask for more than there is
 constexpr const char* kSecondRow = "lesson.leave";  // the second row begins with it; the name field is between
 
 }  // namespace
@@ -32,6 +37,7 @@ constexpr const char* kSecondRow = "lesson.leave";  // the second row begins wit
 LessonPage::LessonPage(LessonRun& run, Actions& actions, QWidget* parent)
     : QWidget(parent),
       run_(run),
+      actions_(actions),
       lesson_(messageLabel("panel.lessons.lesson", tr("Lesson"), "quiet", this)),
       title_(messageLabel("panel.lessons.step", tr("Step"), "section", this)),
       text_(new PageView(this)),
@@ -50,11 +56,20 @@ LessonPage::LessonPage(LessonRun& run, Actions& actions, QWidget* parent)
   column->setSpacing(4);
   column->addWidget(lesson_);
   column->addWidget(title_);
-  column->addWidget(text_, 3);
-  column->addWidget(panelScroll(checks_, this), 2);
+  column->addWidget(text_);
+  column->addWidget(scroll_ = panelScroll(makeContent(), this), 1);
   column->addWidget(servo_);
   addButtons(column, actions);
   column->addWidget(note_);
+}
+
+QWidget* LessonPage::makeContent() {
+  auto* const content = new QWidget(this);
+  auto* const column = tight<QVBoxLayout>(content, 8);
+  column->addWidget(checks_);
+  column->addWidget(complete_ = new LessonComplete(actions_, content));
+  column->addStretch(1);
+  return content;
 }
 
 QWidget* LessonPage::makeChecks() {
@@ -86,6 +101,7 @@ void LessonPage::addButtons(QVBoxLayout* column, Actions& actions) {
 
 void LessonPage::showStep() {
   hinted_ = false;
+  frame_ = 0;
   note_->hide();
   for (CheckRow* const row : rows_) delete row;
   rows_.clear();
@@ -98,9 +114,31 @@ void LessonPage::showStep() {
     row->show();
     rows_.push_back(row);
   }
+  scroll_->verticalScrollBar()->setValue(0);
   orderTabs({this});  // otherwise Tab follows the order of creation
   showText();
   present();
+}
+
+/// Text and questions share the room by what is in them: neither is cut while the other has some to spare.
+void LessonPage::shareRoom() {
+  const int room = scroll_->geometry().bottom() - text_->geometry().top();
+  const int text = text_->contentHeight();
+  const QWidget& content = *scroll_->widget();
+  const int below =
+      layout()->spacing() + (content.hasHeightForWidth() ? content.heightForWidth(scroll_->viewport()->width())
+                                                         : content.sizeHint().height());
+  const int least = 5 * fontMetrics().lineSpacing();
+  const int wanted = text + below <= room ? text : std::max({least, room - below, room * kTextPercent / 100});
+  const int height = std::min({wanted, text, std::max(least, room - least)});
+  // Without this the bar of a text that had less room before stays.
+  text_->setVerticalScrollBarPolicy(height >= text ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
+  if (height != text_->height() || text_->minimumHeight() != height) text_->setFixedHeight(height);
+}
+
+void LessonPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  QMetaObject::invokeMethod(this, &LessonPage::shareRoom, Qt::QueuedConnection);  // the parts have their sizes by then
 }
 
 void LessonPage::showText() {
@@ -139,7 +177,9 @@ void LessonPage::present() {
   for (std::size_t index = 0; index < rows_.size() && index < states.size(); ++index) {
     rows_[index]->present(run_.step().checks[index], states[index]);
   }
+  complete_->present(run_);
   const QString start = asksForStart();
+  if (++frame_ % kFramesAShare == 1) shareRoom();
   servo_->setVisible(!start.isEmpty());
   servo_->setText(start);
 }
@@ -152,6 +192,7 @@ bool LessonPage::showHint() {
   if (!hasHint()) return false;
   hinted_ = true;
   showText();
+  shareRoom();
   text_->moveCursor(QTextCursor::End);
   text_->ensureCursorVisible();
   return true;

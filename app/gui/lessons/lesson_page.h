@@ -4,12 +4,14 @@
 
 class QLabel;
 class QLineEdit;
+class QScrollArea;
 class QVBoxLayout;
 
 namespace underact::gui {
 
 class Actions;
 class CheckRow;
+class LessonComplete;
 class LessonRun;
 class PageView;
 
@@ -31,7 +33,12 @@ class LessonPage : public QWidget {
   void setNote(const QString& text);
   PageView& text() { return *text_; }
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void shareRoom();
+  QWidget* makeContent();
   QWidget* makeChecks();
   void addButtons(QVBoxLayout* column, Actions& actions);
   void showText();
@@ -39,15 +46,19 @@ class LessonPage : public QWidget {
   QString asksForStart() const;
 
   LessonRun& run_;
+  Actions& actions_;
   QLabel* lesson_;
   QLabel* title_;
   PageView* text_;
   QWidget* checks_;
+  QScrollArea* scroll_ = nullptr;  // text, checks and what comes next
+  LessonComplete* complete_ = nullptr;
   QLabel* servo_;
   QLineEdit* name_;
   QLabel* note_;
   std::vector<CheckRow*> rows_;
   bool hinted_ = false;
+  int frame_ = 0;
 };
 
 }  // namespace underact::gui

@@ -1,5 +1,6 @@
 #include "app/gui/lessons/lesson_run.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/gui/lessons/lesson_library.h"
@@ -11,6 +12,12 @@
 #include "core/scene/scene_arm.h"
 
 namespace underact::gui {
+namespace {
+
+// Until the servo has taken up the scene and the arm its place; a tick from before would count for the wrong step.
+constexpr std::int64_t kSettles_ns = 20'000'000;
+
+}  // namespace
 
 LessonRun::LessonRun(const LessonParts& parts, Panel& panel) : QObject(&panel), parts_(parts), place_(parts, panel) {}
 
@@ -41,6 +48,7 @@ bool LessonRun::begin(const QString& path, QString& why) {
 bool LessonRun::go(std::size_t step) {
   if (!isOn() || step >= lesson_->steps.size() || !place_.arrange(*lesson_, step)) return false;
   at_ = step;
+  begins_ns_ = parts_.servo.snapshot().report.sample.time_ns + kSettles_ns;
   if (states_[at_].empty()) states_[at_].resize(lesson_->steps[at_].checks.size());
   settle();
   emit changed();
@@ -65,7 +73,7 @@ bool LessonRun::answer(std::size_t check, double number) {
 }
 
 void LessonRun::add(const servo::TickRecord& tick) {
-  if (!isOn() || !parts_.document.isOpen()) return;
+  if (!isOn() || !parts_.document.isOpen() || tick.time_ns < begins_ns_) return;
   const scene::Description& scene = parts_.document.scene();
   const lesson::Observation seen{tick, scene, scene::armOf(scene), robot_};
   std::vector<lesson::CheckState>& states = states_[at_];
@@ -85,6 +93,17 @@ void LessonRun::poll(const servo::Snapshot& snapshot) {
   }
   settle();
   emit progressed();
+}
+
+bool LessonRun::asksFor(std::initializer_list<std::string_view> quantity_keys) const {
+  return isOn() && !isSolved(at_) &&
+         std::any_of(quantity_keys.begin(), quantity_keys.end(),
+                     [this](std::string_view key) { return lesson::asksFor(step(), states_[at_], key); });
+}
+
+std::vector<lesson::TargetPlace> LessonRun::targets() const {
+  if (!isOn() || !parts_.document.isOpen()) return {};
+  return lesson::targetsOf(step(), scene::armOf(parts_.document.scene()));
 }
 
 /// Marks the current step as solved if all of its checks are.

@@ -1,11 +1,14 @@
 #pragma once
 #include <QObject>
 #include <QSet>
+#include <initializer_list>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "app/gui/lessons/lesson_window_state.h"
 #include "core/lesson/check.h"
+#include "core/lesson/stage.h"
 
 namespace underact::gui {
 
@@ -35,6 +38,10 @@ class LessonRun : public QObject {
   /// Whether a step was solved, now or earlier. A step without checks is solved at once.
   bool isSolved(std::size_t step) const { return solved_.contains(step); }
   bool isAllSolved() const { return static_cast<std::size_t>(solved_.size()) == lesson_->steps.size(); }
+  /// Whether the current step asks a question, not answered yet, for one of these quantities.
+  bool asksFor(std::initializer_list<std::string_view> quantity_keys) const;
+  /// The places where the current step wants the tip, and which of them were reached.
+  std::vector<lesson::TargetPlace> targets() const;
   bool isServoRunning() const { return servo_runs_; }
 
  signals:
@@ -55,6 +62,7 @@ class LessonRun : public QObject {
   QSet<std::size_t> solved_;
   target::Robot robot_;  // of the last frame
   bool servo_runs_ = false;
+  std::int64_t begins_ns_ = 0;  // of the step: ticks before it belong to the step before
 };
 
 }  // namespace underact::gui

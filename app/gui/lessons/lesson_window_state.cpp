@@ -9,7 +9,11 @@
 #include "app/gui/kit/actions.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/scene_library.h"
+#include "app/gui/view/hand.h"
+#include "core/lesson/layers.h"
+#include "core/lesson/stage.h"
 #include "core/lesson/window_names.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::gui {
 namespace {
@@ -46,10 +50,17 @@ bool LessonWindowState::arrange(const lesson::Lesson& lesson, std::size_t step) 
   const lesson::Step& now = lesson.steps[step];
   const QString path = QFileInfo(QString::fromStdString(lesson::sceneFileOf(lesson, step, sceneFolder().toStdString())))
                            .absoluteFilePath();
-  if ((!now.scene.empty() || parts_.document.path() != path) && !openScene(path)) return false;
-  showLayers(now.layers);
+  const bool is_there = parts_.document.path() == path;
+  const bool is_fresh = is_there && !parts_.document.modified();
+  if (!(is_there && now.continues) && !is_fresh && !openScene(path)) return false;
+  if (!(is_there && now.continues)) parts_.hand.standAt(lesson::startOf(now, scene::armOf(parts_.document.scene())));
+  const Layers shown;  // those of a first start, not of whoever was here before
+  for (const lesson::Layer& layer : lesson::layers()) {
+    const bool wanted = std::find(now.layers.begin(), now.layers.end(), layer.name) != now.layers.end();
+    showLayer(layer.name, wanted || shown.*layer.shown);
+  }
   showPanels(now.panels);
-  if (!now.camera.empty()) parts_.actions.perform("view." + QString::fromStdString(now.camera));
+  parts_.actions.perform("view." + (now.camera.empty() ? QString("home") : QString::fromStdString(now.camera)));
   return true;
 }
 
@@ -64,13 +75,9 @@ void LessonWindowState::discardExercise() {
   if (!shown_.isEmpty() && parts_.document.path() == shown_) parts_.document.undoStack().setClean();
 }
 
-void LessonWindowState::showLayers(const std::vector<std::string>& layers) {
-  for (const char* name : lesson::layerNames()) {
-    const bool wanted = std::find(layers.begin(), layers.end(), name) != layers.end();
-    const QString action = layerAction(name);
-    const bool on = wanted || layers_.value(action);
-    if (parts_.actions.find(action)->isChecked() != on) parts_.actions.perform(action, on);
-  }
+void LessonWindowState::showLayer(const char* name, bool on) {
+  const QString action = layerAction(name);
+  if (parts_.actions.find(action)->isChecked() != on) parts_.actions.perform(action, on);
 }
 
 /// The lesson alone on the left, the panels of the step on the right, so that both are visible beside the view.
@@ -105,7 +112,7 @@ void LessonWindowState::putBack() {
   } else if (is_lessons && !scene_.constraints.empty()) {
     static_cast<void>(parts_.document.open(scene_));  // it was in effect before
   }
-  showLayers({});
+  for (const char* name : lesson::layerNames()) showLayer(name, layers_.value(layerAction(name)));
   window()->restoreState(docks_);
   parts_.view.setViewpoint(viewpoint_);
 }

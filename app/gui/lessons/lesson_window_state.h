@@ -4,6 +4,7 @@
 #include <QString>
 
 #include "app/gui/feature/panel.h"
+#include "app/gui/model/servo_facts.h"
 #include "app/gui/view/scene_view.h"
 #include "core/lesson/lesson.h"
 
@@ -16,6 +17,8 @@ struct LessonParts {
   Actions& actions;
   SceneView& view;
   Player& player;
+  ServoFacts servo;
+  Hand& hand;
 };
 
 /// Saves scene, layers, camera and docks before a lesson, arranges them for its steps, and restores them afterwards.
@@ -26,14 +29,15 @@ class LessonWindowState {
 
   /// Saves scene, layers, camera and docks. Asks what to do with unsaved edits. false: nothing has changed.
   bool keep();
-  /// Opens the scene of a step if it names one or another one is open, and shows the layers and panels it asks for.
+  /// Sets all that the step needs, whatever was before: its scene as in the file, the arm's pose, layers, panels and
+  /// view. A step that continues leaves scene and arm as they are, if its scene is open.
   bool arrange(const lesson::Lesson& lesson, std::size_t step);
   /// Restores the window as saved by keep(). A scene that the user has opened meanwhile stays.
   void putBack();
 
  private:
   bool openScene(const QString& path);
-  void showLayers(const std::vector<std::string>& layers);
+  void showLayer(const char* name, bool on);
   void showPanels(const std::vector<std::string>& panels);
   QMainWindow* window() const;
   /// Discards edits of the lesson's own scene without asking: they were part of the exercise.

@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QDateTime>
 #include <QDir>
+#include <QMenu>
 #include <QPushButton>
 #include <QSaveFile>
 #include <QSettings>
@@ -33,19 +34,21 @@ constexpr const char* kRecent = "lessons/recent";
 LessonsPanel::LessonsPanel(const LessonParts& parts, QWidget* parent)
     : Panel(parent),
       parts_(parts),
+      shipped_(shippedLessons()),
       recent_(new RecentFiles(this)),
       run_(new LessonRun(parts, *this)),
       pages_(new QStackedWidget(this)) {
   recent_->set(QSettings().value(kRecent).toStringList());
   addActions();
   addStepActions();
-  pages_->addWidget(list_ = new LessonList(*recent_, parts_.actions, pages_));
+  pages_->addWidget(list_ = new LessonList(shipped_, *recent_, parts_.actions, pages_));  // its button is an action's
   pages_->addWidget(page_ = new LessonPage(*run_, parts_.actions, pages_));
   auto* const column = tight<QVBoxLayout>(this);
   column->addWidget(pages_);
   connect(recent_, &RecentFiles::changed, this, [this] { QSettings().setValue(kRecent, recent_->paths()); });
   connect(run_, &LessonRun::changed, this, &LessonsPanel::showState);
   connect(run_, &LessonRun::progressed, page_, &LessonPage::present);
+  connect(run_, &LessonRun::progressed, this, &LessonsPanel::presentStage);
   connect(run_, &LessonRun::solved, this, &LessonsPanel::saySolved);
   connect(run_, &LessonRun::problems, this, &LessonsPanel::showProblems);
   connect(&page_->text(), &PageView::asked, this, &LessonsPanel::follow);
@@ -74,12 +77,40 @@ void LessonsPanel::addActions() {
                        chooseReport();
                        return true;
                      });
+  parts_.actions
+      .add({"lesson.all", tr("&All lessons"), QKeySequence("Shift+F8"), tr("Begins one of the lessons that ship.")},
+           [this](const QVariantList&) {
+             bringForward();
+             return true;
+           })
+      ->setMenu(makeMenu());
+  parts_.actions.add(
+      {"lesson.after", tr("Ne&xt lesson"), QKeySequence("Ctrl+F8"), tr("Begins the lesson that comes after this one.")},
+      [this](const QVariantList&) {
+        const lesson::Lesson* const after = run_->isOn() ? lessonAfter(shipped_, run_->path()) : nullptr;
+        return after != nullptr && start(QString::fromStdString(after->file));
+      });
   parts_.actions.addCommand("lesson.start",
                             [this](const QVariantList& name) { return start(lessonPath(name.value(0).toString())); });
   parts_.actions.addCommand("lesson.answer", [this](const QVariantList& values) {  // number of the check, answer
     const int check = values.value(0).toInt();
     return values.size() == 2 && check > 0 && run_->answer(static_cast<std::size_t>(check - 1), values[1].toDouble());
   });
+}
+
+/// The lessons by number, with the first letter of none.
+QMenu* LessonsPanel::makeMenu() {
+  auto* const menu = new QMenu(tr("All lessons"), this);
+  menu->setObjectName("menu.lessons.all");
+  int number = 0;
+  for (const lesson::Lesson& lesson : shipped_) {
+    const QString title = QString::fromStdString(lesson.title).replace('&', "&&");
+    QAction* const action = menu->addAction(tr("%1. %2").arg(++number).arg(title));
+    action->setStatusTip(QString::fromStdString(lesson.about));
+    connect(action, &QAction::triggered, this,
+            [this, path = QString::fromStdString(lesson.file)] { parts_.actions.perform("lesson.start", path); });
+  }
+  return menu;
 }
 
 void LessonsPanel::addStepActions() {
@@ -133,6 +164,8 @@ void LessonsPanel::showState() {
     if (had_focus) list_->setFocus();
   }
   enableActions();
+  is_new_step_ = true;
+  presentStage();
 }
 
 void LessonsPanel::enableActions() {
@@ -140,7 +173,31 @@ void LessonsPanel::enableActions() {
   for (const char* name : {"lesson.leave", "lesson.report"}) parts_.actions.find(name)->setEnabled(on);
   parts_.actions.find("lesson.back")->setEnabled(on && run_->at() > 0);
   parts_.actions.find("lesson.next")->setEnabled(on && run_->at() + 1 < run_->lesson().steps.size());
+  const lesson::Lesson* const after = on ? lessonAfter(shipped_, run_->path()) : nullptr;
+  QAction* const next_lesson = parts_.actions.find("lesson.after");
+  next_lesson->setEnabled(after != nullptr);
+  next_lesson->setData(after != nullptr ? QString::fromStdString(after->title) : QString());  // for "Lesson complete"
   parts_.actions.find("lesson.hint")->setEnabled(page_ != nullptr && page_->hasHint());
+}
+
+/// Draws where the tip is to go, and leaves unsaid what a question asks for.
+void LessonsPanel::presentStage() {
+  Drawing drawing;
+  const std::vector<lesson::TargetPlace> targets = run_->targets();
+  for (std::size_t index = 0; index < targets.size(); ++index) {
+    const bool reached = lesson::isReached(targets[index], run_->states(run_->at()));
+    const QString name = targets.size() > 1 ? QString::number(index + 1) : tr("Target");
+    drawing.targets.push_back(
+        {reached ? tr("✓ %1").arg(name) : name, targets[index].p_WT, targets[index].within_m, reached});
+  }
+  std::vector<bool> reached;
+  for (const DrawnTarget& target : drawing.targets) reached.push_back(target.reached);
+  if (is_new_step_ || reached != reached_) parts_.view.draw("lessons", drawing);
+  reached_ = std::move(reached);
+  const bool hides = run_->asksFor({"solutions", "solutions_within"});
+  if (is_new_step_ || hides != hides_counts_) parts_.actions.perform("kinematics.hide_counts", hides);
+  hides_counts_ = hides;
+  is_new_step_ = false;
 }
 
 void LessonsPanel::add(const servo::TickRecord& tick) {
@@ -177,6 +234,7 @@ bool LessonsPanel::saveReport(const QString& path) {
   const bool saved = file.open(QIODevice::WriteOnly) && file.write(page) == page.size() && file.commit();
   page_->setNote(saved ? tr("Saved as %1.").arg(QDir::toNativeSeparators(path))
                        : tr("Not saved: %1. Choose another folder.").arg(file.errorString()));
+  if (saved) parts_.actions.perform("notice.tell", tr("Report saved as %1.").arg(QFileInfo(path).fileName()), path);
   return saved;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 #include <QPointer>
+#include <vector>
 
 #include "app/gui/feature/panel.h"
 #include "app/gui/lessons/lesson_window_state.h"
 
+class QMenu;
 class QStackedWidget;
 class QUrl;
 
@@ -36,14 +38,19 @@ class LessonsPanel : public Panel {
   void enableActions();
   void follow(const QUrl& link);
   void saySolved();
+  void presentStage();
+  QMenu* makeMenu();
 
   LessonParts parts_;
-  RecentFiles* recent_;  // lesson files; scene files have their own list
+  std::vector<lesson::Lesson> shipped_;  // read once, in the order of their numbers
+  RecentFiles* recent_;                  // lesson files; scene files have their own list
   LessonRun* run_;
   QPointer<ProblemsDialog> problems_;  // for a lesson that could not be opened
   QStackedWidget* pages_;
   LessonList* list_ = nullptr;
   LessonPage* page_ = nullptr;
+  std::vector<bool> reached_;  // of the targets in the view
+  bool hides_counts_ = false, is_new_step_ = false;
 };
 
 }  // namespace underact::gui

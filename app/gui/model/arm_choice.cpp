@@ -23,6 +23,7 @@ ArmChoice::ArmChoice(servo::Host& host, Document& document, device::ChosenArm* c
   poll_timer_.setInterval(kPollTrial_ms);
   connect(&poll_timer_, &QTimer::timeout, this, &ArmChoice::poll);
   connect(&document_, &Document::opened, this, &ArmChoice::sceneOpened);
+  connect(&document_, &Document::edited, this, &ArmChoice::sceneOpened);
 }
 
 ArmChoice::~ArmChoice() = default;

@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "app/gui/kit/edit.h"
@@ -13,6 +14,8 @@
 namespace underact::gui {
 namespace {
 
+constexpr std::chrono::milliseconds kTellsAfter{40};
+
 scene::SettingValue valueIn(const scene::Description& scene, std::size_t index, const std::string& path) {
   const Result<scene::SettingValue> value = scene::valueAt(scene, "/constraints/" + std::to_string(index) + path);
   return value ? value.value() : scene::SettingValue();
@@ -21,6 +24,9 @@ scene::SettingValue valueIn(const scene::Description& scene, std::size_t index, 
 }  // namespace
 
 Document::Document(servo::Host& host, QObject* parent) : QObject(parent), host_(host), undo_(this) {
+  tells_.setSingleShot(true);
+  tells_.setInterval(kTellsAfter);
+  connect(&tells_, &QTimer::timeout, this, &Document::edited);
   connect(&undo_, &QUndoStack::cleanChanged, this, [this] { emit modifiedChanged(modified()); });
 }
 
@@ -54,13 +60,27 @@ Problems Document::saveAs(const QString& path) {
 }
 
 Problems Document::edit(const scene::Description& after, const QString& what, int gesture) {
+  if (scene::isSame(scene(), after)) return {};
+  Problems problems = change(after, what, gesture, 0);
+  if (!problems.empty()) return problems;
+  emit edited();
+  emit editedHere();
+  return {};
+}
+
+Problems Document::steer(const scene::Description& after, const QString& what, int gesture, std::int64_t over_ticks) {
+  if (scene::isSame(scene(), after)) return {};
+  Problems problems = change(after, what, gesture, over_ticks);
+  if (problems.empty() && !tells_.isActive()) tells_.start();
+  return problems;
+}
+
+Problems Document::change(const scene::Description& after, const QString& what, int gesture, std::int64_t over_ticks) {
   const scene::Description before = scene();
-  if (scene::isSame(before, after)) return {};
-  Problems problems = host_.edit(after);
+  Problems problems = host_.edit(after, over_ticks);
   if (!problems.empty()) return problems;
   kept_.reset();
   pushEdit(throughMirror(before), throughMirror(after), what, gesture);
-  emit edited();
   return {};
 }
 

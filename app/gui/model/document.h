@@ -1,5 +1,6 @@
 #pragma once
 #include <QObject>
+#include <QTimer>
 #include <QUndoStack>
 #include <optional>
 
@@ -26,6 +27,9 @@ class Document : public QObject {
   /// Replaces scene() by after, an edited copy. what: "stiffness x", for the undo menu. gesture: successive edits with
   /// the same number (one drag) become one step. Problems: the old scene stays.
   Problems edit(const scene::Description& after, const QString& what, int gesture);
+  /// The same for a program, which may send hundreds in a second: panels are told of the newest only, some 25 times a
+  /// second. over_ticks: as for servo::Host::edit().
+  Problems steer(const scene::Description& after, const QString& what, int gesture, std::int64_t over_ticks);
   /// A number not used by any edit yet.
   int newGesture() { return ++gestures_; }
 
@@ -77,10 +81,12 @@ class Document : public QObject {
  signals:
   void opened();
   void edited();
+  void editedHere();  // besides: by the person, not by a program
   void modifiedChanged(bool modified);
   void leftHandedChanged(bool on);
 
  private:
+  Problems change(const scene::Description& after, const QString& what, int gesture, std::int64_t over_ticks);
   /// Both as written, since the hand may be another one when they take effect again.
   void pushEdit(scene::Description before, scene::Description after, const QString& what, int gesture);
   void put(const scene::Description& written);  // a scene that was in effect before
@@ -100,6 +106,7 @@ class Document : public QObject {
   bool is_open_ = false;
   bool left_handed_ = false, keeps_as_written_ = false, is_mirrored_ = false;
   QUndoStack undo_;
+  QTimer tells_;  // of what a program has done
   int gestures_ = 0;
 };
 

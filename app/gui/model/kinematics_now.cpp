@@ -17,6 +17,22 @@ KinematicsNow kinematicsNow(const arm::Geometry& geometry, const arm::JointLimit
   return now;
 }
 
+KinematicsNow kinematicsNow(const arm::Preset& preset, const arm::Model& model, const chain::Inverse& inverse,
+                            const arm::JointAngles& q) {
+  KinematicsNow now;
+  now.q_rad = q;
+  now.kinematics = arm::kinematics(preset.geometry, q);
+  now.J_p = arm::positionJacobian(preset.geometry, q);
+  now.dexterity = arm::dexterityOf(preset.geometry, q);
+  now.distances = arm::singularityDistances(preset.geometry, q);
+  const chain::InverseSolutions found = chain::solveAll(inverse, now.kinematics.X_WT);
+  for (std::size_t index = 0; index < found.count; ++index) {
+    const std::span<const double> values = std::span(found.all[index].q).first(model.rows.size());
+    now.of_chain.push_back({{values.begin(), values.end()}, arm::isWithinLimits(model, values)});
+  }
+  return now;
+}
+
 int numberOf(const arm::Branch& branch) {
   return 1 + (branch.shoulder < 0 ? 4 : 0) + (branch.elbow < 0 ? 2 : 0) + (branch.wrist < 0 ? 1 : 0);
 }

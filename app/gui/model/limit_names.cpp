@@ -16,6 +16,11 @@ std::span<const LimitName> limitNames() {
                          "Above 1 m/s, force in the direction of motion is reduced; from 2 m/s it is zero. Force "
                          "against the motion is not limited."),
        safety::kSpeedBit, &Cuts::speed_N},
+      {"motors", QT_TRANSLATE_NOOP("limit", "Motors"), QT_TRANSLATE_NOOP("limit", "motors"),
+       QT_TRANSLATE_NOOP("limit",
+                         "Removes what no motor can render: a joint without a motor passes no torque on, and no joint "
+                         "moves the tip in some directions. Zero for haptic arms such as the Omni."),
+       safety::kMotorsBit, &Cuts::motors_N},
       {"edge", QT_TRANSLATE_NOOP("limit", "Workspace edge"), QT_TRANSLATE_NOOP("limit", "edge"),
        QT_TRANSLATE_NOOP("limit", "Within 3° of a joint's stop, a force that presses towards it fades out."),
        safety::kEdgeBit, &Cuts::edge_N},

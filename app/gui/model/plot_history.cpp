@@ -15,44 +15,12 @@ float onScreen(double value, double factor) {
   return static_cast<float>(factor * value);
 }
 
-/// largest_step: a larger step breaks the line.
 std::size_t thin(const PlotHistory& history, float PlotRow::*value, std::size_t columns, std::span<PlotPoint> points,
                  float largest_step) {
-  const double now_s = history.newest_s(),
-               column_s = PlotHistory::kSpan_s / static_cast<double>(std::max<std::size_t>(columns, 1));
-  std::size_t used = 0;
-  double column_end_s = -1.0;  // no column started
-  PlotPoint least, greatest;
-  const auto put = [&](const PlotPoint& point) {
-    const bool broken = used > 0 && std::abs(point.y - points[used - 1].y) > largest_step;
-    if (used + (broken ? 2 : 1) > points.size()) return;
-    if (broken) points[used++] = {point.x, std::numeric_limits<float>::quiet_NaN()};
-    points[used++] = point;
-  };
-  const auto close = [&] {
-    if (column_end_s < 0.0) return;
-    put(least.x <= greatest.x ? least : greatest);
-    if (least.x != greatest.x) put(least.x <= greatest.x ? greatest : least);
-  };
-  for (std::size_t index = 0; index < history.size(); ++index) {
-    const PlotRow& row = history.row(index);
-    const float y = row.*value;
-    if (!std::isfinite(y)) continue;
-    const PlotPoint point{static_cast<float>(row.time_s - now_s), y};
-    if (row.time_s >= column_end_s) {
-      close();
-      column_end_s = column_s * (std::floor(row.time_s / column_s) + 1.0);
-      if (column_end_s <= row.time_s) column_end_s += column_s;  // rounding at a column's edge
-      least = greatest = point;
-    } else if (y < least.y) {
-      least = point;
-    } else if (y > greatest.y) {
-      greatest = point;
-    }
-  }
-  close();
-  repeatLast(points, used);
-  return used;
+  const double column_s = PlotHistory::kSpan_s / static_cast<double>(std::max<std::size_t>(columns, 1));
+  return thinRows(
+      history.size(), [&](std::size_t row) { return history.row(row).time_s; },
+      [&](std::size_t row) { return history.row(row).*value; }, column_s, -history.newest_s(), largest_step, points);
 }
 
 }  // namespace

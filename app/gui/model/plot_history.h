@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "app/gui/model/thin_rows.h"
 #include "core/servo/snapshot.h"
 
 namespace underact::gui {
@@ -60,14 +61,6 @@ class PlotHistory {
   std::size_t first_ = 0;
   std::size_t size_ = 0;
 };
-
-struct PlotPoint {
-  float x = 0.0F;
-  float y = 0.0F;
-};
-
-/// Fills the points after the first `used` with the last of these.
-void repeatLast(std::span<PlotPoint> points, std::size_t used);
 
 /// A value against the time before the newest row, s: the least and the greatest value in each of `columns` columns of
 /// the span, in order, so that a spike of one tick is drawn. Columns keep their ticks as time passes, so the line does

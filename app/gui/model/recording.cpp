@@ -42,10 +42,19 @@ Recording::~Recording() {
 
 bool Recording::start() {
   if (isRunning()) return false;
+  startAt(newSessionFile(folder_, QDateTime::currentDateTime(), QString::fromStdString(host_.scene().title)));
+  return isRunning();
+}
+
+bool Recording::startAs(const QString& name) {
+  if (isRunning()) return false;
+  startAt(folder_ + '/' + name);
+  return isRunning();
+}
+
+void Recording::startAt(const QString& path) {
   notice_ = prepareSessionFolder(folder_);
   if (notice_.isEmpty()) {
-    const QString path =
-        newSessionFile(folder_, QDateTime::currentDateTime(), QString::fromStdString(host_.scene().title));
     if (run_) options_.run = run_();
     Result<std::unique_ptr<record::Recorder>> recorder =
         record::Recorder::start(host_, path.toStdString(), words_, options_);
@@ -61,7 +70,6 @@ bool Recording::start() {
     }
   }
   emit changed();
-  return isRunning();
 }
 
 bool Recording::stop(record::EndReason reason) {

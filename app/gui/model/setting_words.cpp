@@ -24,7 +24,9 @@ QString settingTip(std::string_view path) {
 }
 
 QString settingUnit(std::string_view path) {
-  return settingText(path, &scene::Setting::unit);
+  const QString unit = settingText(path, &scene::Setting::unit);
+  return unit == "us" ? QString::fromUtf8("µs")
+                      : unit;  // as everywhere else in the window; files and commands are ASCII
 }
 
 double settingMost(std::string_view path) {

@@ -41,6 +41,7 @@ Settings readSettings() {
   settings.plot_axis = std::clamp(stored.value("plots/axis", 0).toInt(), 0, 2);
   settings.energy_plot = stored.value("plots/energy", fresh.energy_plot).toBool();
   settings.hold_to_run = stored.value("servo/hold_to_run", fresh.hold_to_run).toBool();
+  settings.keeps_holding = stored.value("hand/keeps_holding", fresh.keeps_holding).toBool();
   settings.arm_model = stored.value("arm/model").toString();
   settings.device = stored.value("arm/device").toString();
   const int rate_hz = stored.value("servo/rate_hz", fresh.servo_rate_hz).toInt();
@@ -70,6 +71,7 @@ void writeSettings(const Settings& settings) {
   stored.setValue("plots/axis", settings.plot_axis);
   stored.setValue("plots/energy", settings.energy_plot);
   stored.setValue("servo/hold_to_run", settings.hold_to_run);
+  stored.setValue("hand/keeps_holding", settings.keeps_holding);
   stored.setValue("arm/model", settings.arm_model);
   stored.setValue("arm/device", settings.device);
   stored.setValue("servo/rate_hz", settings.servo_rate_hz);

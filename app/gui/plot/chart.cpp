@@ -16,6 +16,7 @@ constexpr double kLabelRoom_px = 56.0;                                        //
 constexpr double kLineRoom_px = 26.0;                                         // between two labels on the y axis
 constexpr double kSwatch_px = 16.0, kSwatchGap_px = 4.0, kNameGap_px = 12.0;  // of the legend
 constexpr double kDash_px = 8.0, kDashGap_px = 5.0;
+constexpr double kMostColumns = 100'000.0;
 
 QString tickText(double value, int decimals) {
   if (std::abs(value) < 1e-9) value = 0.0;
@@ -78,9 +79,7 @@ void Chart::setPlace(const QRectF& area, double scale, const QFont& font) {
   const double left = std::ceil(metrics.horizontalAdvance(QStringLiteral("\u221200.0")) + kGap);
   area_ = area;
   legend_lines_ = left + titleWidth() + legendWidth() + 1.5 * kGap > area.width() ? legendLines() : 0;
-  const double lines = 1.0 + legend_lines_;
-  const double top = std::ceil(lines * metrics.height() + 1.5 * kGap),
-               bottom = std::ceil(metrics.height() + 1.25 * kGap);
+  const double top = std::ceil(metrics.height() + 1.5 * kGap), bottom = std::ceil(metrics.height() + 1.25 * kGap);
   axes_ = area.adjusted(left, top, -1.5 * kGap, -bottom);
   if (axes_.width() < 8.0) axes_.setWidth(8.0);
   if (axes_.height() < 8.0) axes_.setHeight(8.0);
@@ -95,11 +94,29 @@ void Chart::setCurveShown(std::size_t curve, bool shown) {
 }
 
 std::size_t Chart::columns() const {
-  return static_cast<std::size_t>(std::max(8.0, scale_ * axes_.width()));
+  const double enlarged = (whole_.x_to - whole_.x_from) / (x_to_ - x_from_);
+  const double all = scale_ * axes_.width() * (std::isfinite(enlarged) ? std::max(enlarged, 1.0) : 1.0);
+  return static_cast<std::size_t>(std::clamp(all, 8.0, kMostColumns));
 }
 
 void Chart::setRange(double x_from, double x_to, double y_from, double y_to) {
-  if (x_from == x_from_ && x_to == x_to_ && y_from == y_from_ && y_to == y_to_) return;
+  whole_ = {x_from, x_to, y_from, y_to};
+  show(part_.value_or(whole_));
+}
+
+void Chart::showPart(const Part& part) {
+  part_ = part;
+  show(part);
+}
+
+void Chart::showWhole() {
+  part_.reset();
+  show(whole_);
+}
+
+void Chart::show(const Part& part) {
+  const auto& [x_from, x_to, y_from, y_to] = part;
+  if (part == seen()) return;
   x_from_ = x_from;
   x_to_ = x_to;
   y_from_ = y_from;
@@ -108,8 +125,8 @@ void Chart::setRange(double x_from, double x_to, double y_from, double y_to) {
 }
 
 void Chart::setTicks() {
-  x_ticks_ = ticks(x_from_, x_to_, static_cast<int>(axes_.width() / kLabelRoom_px));
-  const int most = static_cast<int>(axes_.height() / kLineRoom_px);
+  x_ticks_ = ticks(x_from_, x_to_, std::max(2, static_cast<int>(axes_.width() / kLabelRoom_px)));
+  const int most = std::max(2, static_cast<int>(axes_.height() / kLineRoom_px));
   y_ticks_ = tick_step_ > 0.0 ? multiples(y_from_, y_to_, tick_step_, most) : ticks(y_from_, y_to_, most);
 }
 
@@ -219,7 +236,7 @@ void Chart::paintWords(QPainter& painter) const {
                      text);
   }
   const double title_base = std::round(area_.top() + 0.5 * kGap + metrics.ascent());
-  paintLegend(painter, legend_lines_ > 0 ? std::round(title_base + metrics.height()) : title_base);
+  paintLegend(painter, title_base);
   painter.setFont(boldOf(font_));
   painter.setPen(theme_.ink);
   // Above its axis; farther left if it is too long.
@@ -228,19 +245,22 @@ void Chart::paintWords(QPainter& painter) const {
   painter.drawText(QPointF(std::round(left), title_base), title);
 }
 
+/// Beside the title; where there is no room, over the axes at their top right, so that it takes nothing from them.
 void Chart::paintLegend(QPainter& painter, double base) const {
   const QFontMetricsF metrics(font_);
-  const double from = legend_lines_ > 1 ? area_.left() + kGap : axes_.right() - legendWidth();
-  double left = legend_lines_ > 0 ? std::max(from, area_.left() + kGap) : from;
+  const bool is_over = legend_lines_ > 0;
+  double left = axes_.right() - (is_over ? widestName() + 0.5 * kGap : legendWidth());
+  if (is_over) {
+    base = std::round(axes_.top() + 0.5 * kGap + metrics.ascent());
+    const QRectF under(left - 0.5 * kGap, axes_.top() + 2.0, widestName() + kGap,
+                       legend_lines_ * std::round(metrics.height()) + 0.5 * kGap);
+    painter.fillRect(under & axes_, faint(theme_.background, 0.8));
+  }
   painter.setFont(font_);
   painter.setPen(mixed(theme_.quiet, theme_.ink, 0.55));
   for (std::size_t curve = 0; curve < curves_.size(); ++curve) {
     const double width = nameWidth(curves_[curve]);
-    if (width <= 0.0) continue;
-    if (legend_lines_ > 1 && left > from && left + width > area_.right() - kGap) {
-      left = from;
-      base += std::round(metrics.height());
-    }
+    if (width <= 0.0 || (is_over && base > axes_.bottom())) continue;
     const double thick = std::max(1.0, std::round(static_cast<double>(curves_[curve].width)));
     const double top = std::round(base - 0.32 * metrics.ascent() - 0.5 * thick);
     const double dash = curves_[curve].dashed ? 0.4 * kSwatch_px : kSwatch_px;
@@ -248,8 +268,18 @@ void Chart::paintLegend(QPainter& painter, double base) const {
       painter.fillRect(QRectF(std::round(left + at), top, std::round(dash), thick), colours_[curve]);
     }
     painter.drawText(QPointF(std::round(left + kSwatch_px + kSwatchGap_px), base), curves_[curve].name);
-    left += width + kNameGap_px;
+    if (is_over) {
+      base += std::round(metrics.height());
+    } else {
+      left += width + kNameGap_px;
+    }
   }
+}
+
+double Chart::widestName() const {
+  double width = 0.0;
+  for (const Curve& curve : curves_) width = std::max(width, nameWidth(curve));
+  return width;
 }
 
 /// With its swatch; 0: not in the legend.
@@ -268,19 +298,8 @@ double Chart::legendWidth() const {
 }
 
 int Chart::legendLines() const {
-  const double room = area_.width() - 2.0 * kGap;
-  double used = 0.0;
-  int lines = 1;
-  for (const Curve& curve : curves_) {
-    const double name = nameWidth(curve);
-    if (name <= 0.0) continue;
-    if (used > 0.0 && used + name > room) {
-      used = 0.0;
-      ++lines;
-    }
-    used += name + kNameGap_px;
-  }
-  return lines;
+  return static_cast<int>(
+      std::count_if(curves_.begin(), curves_.end(), [this](const Curve& curve) { return nameWidth(curve) > 0.0; }));
 }
 
 double Chart::titleWidth() const {

@@ -3,10 +3,14 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "app/gui/model/plot_columns.h"
 #include "app/gui/plot/chart.h"
+#include "app/gui/plot/column_chart.h"
 #include "app/gui/plot/plot_range.h"
 #include "core/arm/preset.h"
+#include "core/base/units.h"
 
 namespace underact::gui {
 namespace {
@@ -34,13 +38,17 @@ double greatestOf(std::span<const PlotPoint> points) {
 struct LivePlot::Impl {
   explicit Impl(LivePlot* owner) : plot(owner) {
     angles.setTickStep(45.0);
+    path.setPaths();
+    force.setHelper(0);
+    energy.setHelper(0);
+    energy.setHelper(1);
     angles.setRange(-PlotHistory::kSpan_s, 0.0, -180.0, 180.0);
   }
 
   void place(double scale) {
     const double width = plot->width(), height = plot->height();
     double path_width = std::clamp(0.26 * width, std::min(180.0, 0.3 * width), 1.6 * height + 60.0);
-    const double against_time = 2.0 + (energy_shown ? 1.0 : 0.0) + (angles_shown ? 1.0 : 0.0);
+    const double against_time = 2.0 + (energy_shown ? 1.0 : 0.0) + (angles_shown ? 1.0 : 0.0) + (columns ? 1.0 : 0.0);
     const double least = kLeastChart_lines * plot->fontMetrics().lineSpacing();
     letPathFit(against_time <= 2.0 || (width - path_width) / against_time >= least);
     if (!path_fits) path_width = 0.0;
@@ -56,23 +64,25 @@ struct LivePlot::Impl {
     error.reserve(2 * (error.columns() + 2));
     force.reserve(2 * (force.columns() + 2));
     path.reserve(4 * (kPathGroups + 2));
+    if (columns) columns->reserve(2 * (columns->columns() + 2));
     data_changed = true;
   }
 
   void fill() {
     data_changed = false;
-    const double now_s = history.newest_s();
-    const std::size_t errors = thinByTime(history, &PlotRow::error_mm, error.columns(), error.points(0));
-    const std::size_t asked = thinByTime(history, &PlotRow::asked_N, force.columns(), force.points(1));
-    const std::size_t sent = thinByTime(history, &PlotRow::sent_N, force.columns(), force.points(2));
-    const std::size_t passive = thinByTime(history, &PlotRow::passive_N, force.columns(), force.points(3));
-    const std::size_t steps = thinPath(history, static_cast<std::size_t>(axis), kPathGroups, path.points(0));
+    const PlotHistory& rows_seen = held ? held->history : history;
+    const double now_s = rows_seen.newest_s();
+    const std::size_t errors = thinByTime(rows_seen, &PlotRow::error_mm, error.columns(), error.points(0));
+    const std::size_t asked = thinByTime(rows_seen, &PlotRow::asked_N, force.columns(), force.points(1));
+    const std::size_t sent = thinByTime(rows_seen, &PlotRow::sent_N, force.columns(), force.points(2));
+    const std::size_t passive = thinByTime(rows_seen, &PlotRow::passive_N, force.columns(), force.points(3));
+    const std::size_t steps = thinPath(rows_seen, static_cast<std::size_t>(axis), kPathGroups, path.points(0));
     const double limit = limit_N;
     std::fill(force.points(0).begin(), force.points(0).end(), PlotPoint{0.0F, static_cast<float>(limit)});
     force.points(0)[0].x = static_cast<float>(-PlotHistory::kSpan_s);
 
-    const std::size_t old_errors = thinByTime(history, &PlotRow::recorded_error_mm, error.columns(), error.points(1));
-    const std::size_t old_sent = thinByTime(history, &PlotRow::recorded_N, force.columns(), force.points(4));
+    const std::size_t old_errors = thinByTime(rows_seen, &PlotRow::recorded_error_mm, error.columns(), error.points(1));
+    const std::size_t old_sent = thinByTime(rows_seen, &PlotRow::recorded_N, force.columns(), force.points(4));
     error.setCurveShown(1, old_errors > 0);
     force.setCurveShown(4, old_sent > 0);
     const double most_mm =
@@ -92,12 +102,17 @@ struct LivePlot::Impl {
     error.setRange(-PlotHistory::kSpan_s, 0.0, 0.0, top_mm);
     force.setRange(-PlotHistory::kSpan_s, 0.0, 0.0, force_range.end());
     path.setRange(-away_range.end(), away_range.end(), -along_range.end(), along_range.end());
-    if (angles_shown) drawAngles();
-    if (energy_shown) drawEnergy(now_s);
+    if (angles_shown) drawAngles(rows_seen);
+    if (energy_shown) drawEnergy(rows_seen, now_s);
+    const std::optional<ColumnRows>& rows = held ? held->rows : column_rows;
+    if (columns && rows) {
+      const double newest_s = rows->size() > 0 ? rows->time_s(rows->size() - 1) : 0.0;
+      fillColumnChart(*columns, *rows, newest_s - PlotHistory::kSpan_s, newest_s, -newest_s);
+    }
   }
 
-  void drawEnergy(double now_s) {
-    const std::size_t stored = thinByTime(history, &PlotRow::energy_mJ, energy.columns(), energy.points(2));
+  void drawEnergy(const PlotHistory& rows_seen, double now_s) {
+    const std::size_t stored = thinByTime(rows_seen, &PlotRow::energy_mJ, energy.columns(), energy.points(2));
     const std::span<const PlotPoint> line = energy.points(2).first(stored);
     const std::size_t active = strokesBelowZero(line, energy.points(1));
     if (active == 0) std::fill(energy.points(1).begin(), energy.points(1).end(), PlotPoint{});
@@ -126,18 +141,29 @@ struct LivePlot::Impl {
     std::vector<Chart*> charts{&error, &force};
     if (energy_shown) charts.push_back(&energy);
     if (angles_shown) charts.push_back(&angles);
+    if (columns) charts.push_back(&*columns);
     if (path_fits) charts.push_back(&path);
     return charts;
   }
 
-  void drawAngles() {
-    thinAngle(history, &PlotRow::alpha_deg, angles.columns(), angles.points(0));
-    thinAngle(history, &PlotRow::beta_deg, angles.columns(), angles.points(1));
-    thinAngle(history, &PlotRow::theta_deg, angles.columns(), angles.points(2));
+  void drawAngles(const PlotHistory& rows_seen) {
+    thinAngle(rows_seen, &PlotRow::alpha_deg, angles.columns(), angles.points(0));
+    thinAngle(rows_seen, &PlotRow::beta_deg, angles.columns(), angles.points(1));
+    thinAngle(rows_seen, &PlotRow::theta_deg, angles.columns(), angles.points(2));
   }
+
+  /// What is shown while the picture stands still.
+  struct Held {
+    PlotHistory history;
+    std::optional<ColumnRows> rows;
+  };
 
   LivePlot* plot;
   PlotHistory history;
+  std::optional<ColumnRows> column_rows;
+  std::optional<Chart> columns;
+  std::optional<Held> held;
+  Theme theme = Theme::light();
   Chart error{LivePlot::tr("Error [mm]"),
               LivePlot::tr("time [s]"),
               {{QString(), 1.5F}, {LivePlot::tr("recorded"), 1.5F, true}}};
@@ -180,7 +206,12 @@ LivePlot::~LivePlot() = default;
 
 void LivePlot::add(const servo::TickRecord& record, const RecordedBeside& recorded) {
   impl_->history.add(record, recorded);
-  impl_->data_changed = true;
+  if (impl_->column_rows) {
+    const double now_s = kSecondPerNanosecond * static_cast<double>(record.time_ns);
+    impl_->column_rows->add(now_s, record);
+    impl_->column_rows->dropBefore(now_s - PlotHistory::kSpan_s);
+  }
+  if (!impl_->held) impl_->data_changed = true;
 }
 
 void LivePlot::redraw() {
@@ -197,8 +228,37 @@ void LivePlot::clear() {
   draw();
 }
 
+void LivePlot::showColumns(const std::vector<int>& columns) {
+  impl_->columns.reset();
+  impl_->column_rows.reset();
+  if (!columns.empty()) {
+    impl_->columns = columnChart(columns);
+    impl_->column_rows.emplace(columns);
+    setColumnColours(*impl_->columns, impl_->theme);
+  }
+  if (impl_->held) impl_->held->rows = impl_->column_rows;
+  placeAnew();
+}
+
+void LivePlot::hold(bool on) {
+  if (on == holds()) return;
+  if (on) {
+    impl_->held = Impl::Held{impl_->history, impl_->column_rows};
+  } else {
+    impl_->held.reset();
+  }
+  impl_->data_changed = true;
+  draw();
+}
+
+bool LivePlot::holds() const {
+  return impl_->held.has_value();
+}
+
 void LivePlot::setTheme(const Theme& theme) {
   Impl& my = *impl_;
+  my.theme = theme;
+  if (my.columns) setColumnColours(*my.columns, theme);
   setBackground(theme);
   my.error.setColours(theme, {theme.target, theme.ink});
   my.force.setColours(

@@ -28,6 +28,11 @@ class LivePlot : public ChartWidget {
   bool showsAngles() const;
   void showEnergy(bool shown);
   bool showsEnergy() const;
+  /// Columns of a session in a chart of their own, from now on; empty: none. Indices in plotColumns().
+  void showColumns(const std::vector<int>& columns);
+  /// Whether the picture stands still, to be read and enlarged; ticks go on being taken.
+  void hold(bool on);
+  bool holds() const;
   /// The limit line in the force plot, N.
   void setForceLimit(double continuous_N);
 

@@ -13,8 +13,9 @@ FeatureRow plotsFeature() {
                       "panel", "Error and force over the last 10 s, and force against displacement along one axis."),
                   [](const FeatureParts& all, QWidget* parent) -> Panel* {
                     return new PlotsPanel({all.document, all.actions, all.player, all.settings}, parent);
-                  }}},
-      .pages = {{"panel.plots", "window#plots"}}};
+                  },
+                  nullptr, true}},
+      .pages = {{"panel.plots", "window#plots"}, {"dialog.save_plot", "window#plots"}}};
 }
 
 }  // namespace underact::gui

@@ -14,6 +14,7 @@
 #include "app/gui/model/document.h"
 #include "app/gui/model/player.h"
 #include "app/gui/model/settings.h"
+#include "app/gui/plot/column_button.h"
 #include "app/gui/plot/live_plot.h"
 #include "core/scene/scene_arm.h"
 
@@ -27,7 +28,11 @@ PlotsPanel::PlotsPanel(const Parts& parts, QWidget* parent)
       player_(parts.player),
       plot_(new LivePlot(this)),
       axis_(new QComboBox(this)),
-      energy_(new QCheckBox(tr("Ener&gy"), this)) {
+      energy_(new QCheckBox(tr("Ener&gy"), this)),
+      hold_(new QCheckBox(tr("Stand still"), this)),
+      columns_(new ColumnButton("panel.plots.columns", this)) {
+  nameWidget(hold_, "panel.plots.hold", tr("Plots stand still"),
+             tr("Stops the plots where they are, to be read and enlarged; the servo goes on."));
   nameWidget(plot_, "panel.plots.plot", tr("Error and force over the last 10 s, and force against displacement"));
   plot_->setMinimumHeight(96);
   nameWidget(
@@ -45,6 +50,8 @@ PlotsPanel::PlotsPanel(const Parts& parts, QWidget* parent)
   strip->setContentsMargins(12, 4, 12, 0);
   strip->setSpacing(8);
   strip->addWidget(energy_);
+  strip->addWidget(hold_);
+  strip->addWidget(columns_);
   strip->addStretch(1);
   strip->addWidget(label);
   strip->addWidget(axis_);
@@ -59,6 +66,18 @@ PlotsPanel::PlotsPanel(const Parts& parts, QWidget* parent)
         shown ? tip : tr("There is not enough room for this plot: switch Energy off, or make the window wider."));
   });
   connect(energy_, &QCheckBox::toggled, plot_, &LivePlot::showEnergy);
+  connect(hold_, &QCheckBox::toggled, plot_, &LivePlot::hold);
+  connect(columns_, &ColumnButton::changed, this, [this] { plot_->showColumns(columns_->chosen()); });
+  parts.actions.addCommand("plots.hold", [this](const QVariantList& on) {
+    hold_->setChecked(on.value(0).toBool());
+    return true;
+  });
+  parts.actions.addCommand("plots.columns", [this](const QVariantList& names) {
+    QStringList wanted;
+    for (const QVariant& name : names) wanted << name.toString();
+    columns_->choose(wanted);
+    return columns_->names().size() == wanted.size();
+  });
   const auto showAngles = [this, &document = parts.document] {
     const std::vector<scene::Constraint>& held = document.scene().constraints;
     plot_->showAngles(std::any_of(held.begin(), held.end(), [](const scene::Constraint& constraint) {

@@ -6,6 +6,7 @@ class QComboBox;
 
 namespace underact::gui {
 
+class ColumnButton;
 class LivePlot;
 class Player;
 
@@ -30,7 +31,8 @@ class PlotsPanel : public Panel {
   Player& player_;
   LivePlot* plot_;
   QComboBox* axis_;
-  QCheckBox* energy_;
+  QCheckBox *energy_, *hold_;
+  ColumnButton* columns_;
   int frame_ = 0;
 };
 

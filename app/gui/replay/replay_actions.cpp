@@ -154,6 +154,7 @@ void addReplayActions(Actions& actions, Player& player, SceneFiles& files, QWidg
     actions.find("replay.what_if")->setChecked(player.isOpen() && player.whatIf());
   };
   enable();
+  QObject::connect(&player, &Player::opened, &actions, [&player] { player.play(); });
   for (const auto signal : {&Player::opened, &Player::closed, &Player::changed})
     QObject::connect(&player, signal, &actions, enable);
   QObject::connect(&player, &Player::whatIfChanged, &actions, enable);

@@ -1,5 +1,8 @@
 #pragma once
+#include <memory>
+
 #include "app/gui/feature/panel.h"
+#include "app/gui/model/plot_columns.h"
 
 class QComboBox;
 class QLabel;
@@ -7,6 +10,7 @@ class QStackedWidget;
 
 namespace underact::gui {
 
+class ColumnButton;
 class LatenessChart;
 class SessionPlot;
 
@@ -21,13 +25,17 @@ class SessionPanel : public Panel {
   };
   SessionPanel(const Parts& parts, QWidget* parent);
   void present(const servo::Snapshot& snapshot) override;
+  void poll(const servo::Snapshot& snapshot) override;
   void setTheme(const Theme& theme) override;
 
  private:
   void show();
+  void readColumns();
 
   Parts parts_;
   QComboBox* kind_;
+  ColumnButton* columns_;
+  std::unique_ptr<Background<Result<std::shared_ptr<const ColumnRows>>>> load_;  // of the columns
   QStackedWidget* pages_;
   QLabel* nothing_;
   SessionPlot* plot_;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "app/gui/plot/chart.h"
+#include "app/gui/plot/column_chart.h"
 #include "app/gui/plot/plot_range.h"
 #include "app/gui/replay/thin_session.h"
 
@@ -46,6 +47,15 @@ struct SessionPlot::Impl {
   explicit Impl(SessionPlot* owner) : plot(owner) {
     angles.setTickStep(45.0);
     for (Chart* chart : {&force_lines, &error_lines}) chart->setTickStep(kStep_dB);
+    error.setHelper(1);
+    force.setHelper(2);
+    angles.setHelper(3);
+    energy.setHelper(0);
+    energy.setHelper(2);
+    for (Chart& chart : along) {
+      chart.setPaths();
+      chart.setHelper(1);
+    }
   }
 
   /// From left to right.
@@ -61,6 +71,8 @@ struct SessionPlot::Impl {
         return {&energy};
       case SessionPlotKind::Spectrum:
         return {&force_lines, &error_lines};
+      case SessionPlotKind::Columns:
+        return {&columns};
     }
     return {};
   }
@@ -109,6 +121,9 @@ struct SessionPlot::Impl {
       case SessionPlotKind::Spectrum:
         fillLines(force_lines, data ? data->forceSpectrum() : std::vector<SpectrumLine>{});
         return fillLines(error_lines, data ? data->errorSpectrum() : std::vector<SpectrumLine>{});
+      case SessionPlotKind::Columns:
+        if (column_rows) return fillColumnChart(columns, *column_rows, 0.0, end_s(), 0.0);
+        return columns.setRange(0.0, end_s(), 0.0, 1.0);
     }
   }
 
@@ -201,6 +216,9 @@ struct SessionPlot::Impl {
   SessionPlot* plot;
   std::shared_ptr<const SessionData> data;
   SessionPlotKind kind = SessionPlotKind::ErrorAndForce;
+  std::shared_ptr<const ColumnRows> column_rows;
+  Chart columns = columnChart({});
+  Theme theme = Theme::light();
   double cursor_s = 0.0;
   bool cursor_changed = true;
   Chart error{SessionPlot::tr("Error [mm]"), SessionPlot::tr("time [s]"), {{QString(), 1.5F}, {QString(), 1.0F}}};
@@ -251,6 +269,13 @@ void SessionPlot::setKind(SessionPlotKind kind) {
   placeAnew();
 }
 
+void SessionPlot::setColumns(std::shared_ptr<const ColumnRows> rows) {
+  impl_->column_rows = std::move(rows);
+  impl_->columns = columnChart(impl_->column_rows ? impl_->column_rows->columns() : std::vector<int>{});
+  setColumnColours(impl_->columns, impl_->theme);
+  placeAnew();
+}
+
 SessionPlotKind SessionPlot::kind() const {
   return impl_->kind;
 }
@@ -266,6 +291,8 @@ void SessionPlot::setTheme(const Theme& theme) {
   Impl& my = *impl_;
   const QColor quiet = mixed(theme.background, theme.ink, 0.55);
   setBackground(theme);
+  my.theme = theme;
+  setColumnColours(my.columns, theme);
   my.error.setColours(theme, {theme.target, theme.ink});
   my.force.setColours(theme, {quiet, theme.force, theme.ink});
   for (Chart& chart : my.along) chart.setColours(theme, {theme.force, theme.ink});
@@ -281,17 +308,26 @@ QPointF SessionPlot::placeOf(double time_s) const {
 }
 
 void SessionPlot::mousePressEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || !impl_->isAgainstTime() || !impl_->data) return;
+  ChartWidget::mousePressEvent(event);
+  const bool is_plain = event->button() == Qt::LeftButton && !event->modifiers().testFlag(Qt::ShiftModifier);
+  if (!is_plain || !isTaken(event->position())) return;
   for (const Chart* chart : impl_->shown()) {
     if (const std::optional<double> time_s = chart->xAt(event->position())) emit timeAsked(*time_s);
   }
 }
 
 void SessionPlot::mouseMoveEvent(QMouseEvent* event) {
-  if ((event->buttons() & Qt::LeftButton) == 0 || !impl_->isAgainstTime() || !impl_->data) return;
+  ChartWidget::mouseMoveEvent(event);
+  const bool is_plain = event->buttons() == Qt::LeftButton && !event->modifiers().testFlag(Qt::ShiftModifier);
+  if (!is_plain || !isTaken(event->position())) return;
   for (const Chart* chart : impl_->shown()) {
     if (const std::optional<double> time_s = chart->xAt(event->position())) emit timeAsked(*time_s);
   }
+}
+
+/// A click in a chart against time jumps there.
+bool SessionPlot::isTaken(const QPointF&) const {
+  return impl_->isAgainstTime() && impl_->data != nullptr;
 }
 
 std::vector<Chart*> SessionPlot::shown() const {

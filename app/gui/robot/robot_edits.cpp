@@ -120,6 +120,14 @@ bool RobotEdits::setJoint(int joint, int field, const QString& text) {
 }
 
 bool RobotEdits::addJoint(int after) {
+  const scene::VirtualManipulator* const shown = robot();
+  if (shown != nullptr && shown->orientation == manipulator::Orientation::Angle)
+    return refuse(
+        {{tr("This robot follows the angle about its one joint. At “Follows”, choose “%1” first; then add the "
+             "joint.")
+              .arg(settingChoice("/constraints/*/orientation", "axis"))
+              .toStdString(),
+          {}}});
   const bool added = change(tr("add a joint"), [&](scene::VirtualManipulator& robot) {
     if (!isJoint(robot, after)) return noSuchJoint();
     robot.joints.insert(robot.joints.begin() + after + 1, nextJoint(robot, static_cast<std::size_t>(after)));

@@ -42,7 +42,8 @@ constexpr GroupRow kGroups[] = {{scene::Group::Shapes, QT_TRANSLATE_NOOP("scenes
                                 {scene::Group::Robots, QT_TRANSLATE_NOOP("scenes", "Virtual robots")},
                                 {scene::Group::Meshes, QT_TRANSLATE_NOOP("scenes", "Meshes")},
                                 {scene::Group::Curves, QT_TRANSLATE_NOOP("scenes", "Curves")},
-                                {scene::Group::Stability, QT_TRANSLATE_NOOP("scenes", "Stability")}};
+                                {scene::Group::Stability, QT_TRANSLATE_NOOP("scenes", "Stability")},
+                                {scene::Group::Arms, QT_TRANSLATE_NOOP("scenes", "Other arms")}};
 
 /// The description of a scene as a page.
 QString pageOf(const SceneEntry& entry) {
@@ -145,6 +146,12 @@ void ScenesPanel::addScene(const SceneEntry& entry) {
 QIcon ScenesPanel::iconOf(const QListWidgetItem& item) const {
   const QString picture = scenePicture(item.data(kPathRole).toString(), theme_.dark);
   return picture.isEmpty() ? icon(item.data(kType).toString(), theme_) : fileIcon(picture);
+}
+
+QSize ScenesPanel::sizeHint() const {
+  const int margins = layout()->contentsMargins().left() + layout()->contentsMargins().right();
+  const int bar = list_->verticalScrollBar()->sizeHint().width();
+  return {list_->sizeHintForColumn(0) + bar + margins, Panel::sizeHint().height()};
 }
 
 void ScenesPanel::rebuild() {

@@ -25,6 +25,8 @@ class ScenesPanel : public Panel {
   };
   ScenesPanel(const Parts& parts, QWidget* parent);
   void setTheme(const Theme& theme) override;
+  /// Wide enough for the longest name.
+  QSize sizeHint() const override;
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

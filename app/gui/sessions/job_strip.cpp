@@ -57,13 +57,15 @@ JobStrip::JobStrip(QWidget* parent)
 JobStrip::~JobStrip() = default;
 
 bool JobStrip::beginCsv(const QString& session, const QString& out) {
+  if (!isBusy()) out_ = out;
   return beginJob(tr("Exporting %1").arg(QFileInfo(session).fileName()), [session, out](WorkState& state) -> JobResult {
     const CsvFile done = writeCsvFile(session.toStdString(), out.toStdString(), state);
-    return {sentenceOf(done, out), !done.problems.empty()};
+    return {sentenceOf(done, out), !done.problems.empty(), !done.cancelled && done.problems.empty()};
   });
 }
 
 bool JobStrip::beginRerun(const QString& session) {
+  if (!isBusy()) out_.clear();
   return beginJob(tr("Running %1 again").arg(QFileInfo(session).fileName()), [session](WorkState& state) {
     const RerunCheck check = checkRerun(session.toStdString(), state);
     JobResult result;
@@ -82,12 +84,13 @@ bool JobStrip::beginJob(const QString& sentence, std::function<JobResult(WorkSta
 
 bool JobStrip::beginPlots(const QString& session, const QString& out) {
   if (isBusy()) return false;
+  out_ = out;
   begin(tr("Drawing the plots of %1").arg(QFileInfo(session).fileName()), 0);  // indeterminate progress
   plots_ = new PlotsRun(session, out, this);
   connect(plots_, &PlotsRun::finished, this, [this](bool done, const QString& sentence) {
     plots_->deleteLater();
     plots_ = nullptr;
-    end(sentence, !done);
+    end({sentence, !done, done});
   });
   plots_->begin();
   return true;
@@ -112,13 +115,14 @@ void JobStrip::poll() {
   if (!done) return;
   poll_timer_.stop();
   job_.reset();
-  end(done->sentence, done->is_alarm);
+  end(*done);
 }
 
-void JobStrip::end(const QString& sentence, bool alarm) {
+void JobStrip::end(const JobResult& result) {
   bar_->hide();
   cancel_->hide();
-  say(sentence, alarm);
+  say(result.sentence, result.is_alarm);
+  if (result.is_saved && !out_.isEmpty()) emit saved(result.sentence, out_);
   emit ended();
 }
 

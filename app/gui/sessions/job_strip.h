@@ -19,6 +19,7 @@ class PlotsRun;
 struct JobResult {
   QString sentence;
   bool is_alarm = false;  // it is an error
+  bool is_saved = false;  // it wrote the file
 };
 
 /// Runs one long job on a session at a time: shows its progress, a button to cancel it, and its result.
@@ -38,15 +39,18 @@ class JobStrip : public QWidget {
 
  signals:
   void ended();
+  /// What was written, and where.
+  void saved(const QString& sentence, const QString& path);
 
  private:
   void begin(const QString& sentence, int most);
   bool beginJob(const QString& sentence, std::function<JobResult(WorkState&)> work);
   void poll();
-  void end(const QString& sentence, bool alarm);
+  void end(const JobResult& result);
 
   std::unique_ptr<Background<JobResult>> job_;
   PlotsRun* plots_ = nullptr;
+  QString out_;  // what the job writes; empty: nothing
   QLabel* told_;
   QProgressBar* bar_;
   QPushButton* cancel_;

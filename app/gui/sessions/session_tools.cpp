@@ -38,6 +38,8 @@ SessionTools::SessionTools(Actions& actions, SessionList& list, JobStrip& job, Q
   connect(&list, &SessionList::menuAsked, this, [this](const QPoint& where) { menu_->popup(where); });
   connect(&list, &SessionList::deleteAsked, this, [this] { actions_.perform("sessions.delete"); });
   connect(&job, &JobStrip::ended, this, &SessionTools::presentChosen);
+  connect(&job, &JobStrip::saved, this,
+          [this](const QString& sentence, const QString& path) { actions_.perform("notice.tell", sentence, path); });
   presentChosen();
 }
 

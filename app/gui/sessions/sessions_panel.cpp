@@ -1,6 +1,7 @@
 #include "app/gui/sessions/sessions_panel.h"
 
 #include <QAction>
+#include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
 #include <QVBoxLayout>
@@ -53,6 +54,10 @@ SessionsPanel::SessionsPanel(const Parts& parts, QWidget* parent)
     list_->setBusy({});
     list_->chooseLater(path);
     if (!recording_->notice().isEmpty()) bringForward();  // it shows the reason
+    parts_.actions.perform(
+        "notice.tell",
+        tr("Recording saved: %1 (%2)").arg(QFileInfo(path).fileName(), clockText(recording_->status().duration_s)),
+        path);
     if (seen_) list_->refresh();
   });
   record_->present();
@@ -60,19 +65,20 @@ SessionsPanel::SessionsPanel(const Parts& parts, QWidget* parent)
 }
 
 void SessionsPanel::addRecordActions() {
-  parts_.actions.add({"session.record",
-                      tr("&Record"),
-                      QKeySequence("Ctrl+Shift+R"),
-                      tr("Starts recording immediately, or stops it."),
-                      "record",
-                      {},
-                      true},
-                     [this](const QVariantList& on) {
-                       if (!on.value(0).toBool()) return recording_->stop();
-                       const bool begun = recording_->start();
-                       if (!begun) bringForward();  // it shows the reason
-                       return begun;
-                     });
+  QAction* const record = parts_.actions.add({"session.record",
+                                              tr("&Record"),
+                                              QKeySequence("Ctrl+Shift+R"),
+                                              tr("Starts recording immediately, or stops it."),
+                                              "record",
+                                              {},
+                                              true},
+                                             [this](const QVariantList& on) {
+                                               if (!on.value(0).toBool()) return recording_->stop();
+                                               const bool begun = recording_->start();
+                                               if (!begun) bringForward();  // it shows the reason
+                                               return begun;
+                                             });
+  record->setProperty("widestText", tr("Stop recording %1").arg(clockText(0.0)));
   parts_.actions
       .add({"session.mark", tr("Set a &marker"), QKeySequence("M"), tr("Marks this moment in the recording."), {}},
            [this](const QVariantList& label) {
@@ -139,7 +145,7 @@ void SessionsPanel::presentRecording() {
   QAction* record = parts_.actions.find("session.record");
   record->setChecked(runs);  // it may have ended by itself
   record->setText(runs ? tr("Stop &recording") : tr("&Record"));
-  record->setIconText(tr("Record %1").arg(clockText(runs ? status.duration_s : 0.0)));
+  record->setIconText(runs ? tr("Stop recording %1").arg(clockText(status.duration_s)) : tr("Record"));
   parts_.actions.find("session.mark")->setEnabled(runs);
   if (!runs)
     parts_.status.setRecording(recording_->notice().isEmpty() ? QString() : tr("not recording"), recording_->notice(),

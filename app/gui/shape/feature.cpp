@@ -11,7 +11,8 @@ FeatureRow shapeFeature() {
                       QT_TRANSLATE_NOOP("panel", "The geometry of the constraint in numbers, and the distance to it."),
                       [](const FeatureParts& all, QWidget* parent) -> Panel* {
                         return new ShapePanel({all.document, all.actions}, parent);
-                      }}},
+                      },
+                      nullptr, true}},
           .pages = {{"panel.shape", "window#shape"}}};
 }
 

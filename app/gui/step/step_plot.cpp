@@ -161,6 +161,7 @@ struct StepPlot::Impl {
 };
 
 StepPlot::StepPlot(QWidget* parent) : ChartWidget(parent), impl_(std::make_unique<Impl>()) {
+  impl_->plane.setPaths();
   setObjectName("panel.step.plot");
   setAccessibleName(tr("Step response and poles"));
   setToolTip(

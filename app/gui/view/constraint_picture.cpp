@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/arm/forward.h"
+#include "core/arm/general_arm.h"
 #include "core/base/units.h"
 #include "core/curve/along.h"
 #include "core/scene/compile.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::gui {
 namespace {
@@ -99,6 +102,10 @@ void ConstraintPicture::setLineWidth(double scale) {
 }
 
 void ConstraintPicture::setScene(const scene::Description& scene) {
+  const arm::Preset& arm = scene::armOf(scene);
+  middle_mm_.setZero();
+  if (!arm::isOmniForm(arm))
+    middle_mm_ = kMillimetrePerMetre * arm::tipPosition(arm.geometry, arm.geometry.general->rest);
   held_.clear();
   for (const scene::Constraint& constraint : scene.constraints) held_.push_back({constraint.shape, constraint.side});
   build();
@@ -187,7 +194,7 @@ void ConstraintPicture::add(const scene::Sphere& sphere) {
 void ConstraintPicture::add(const scene::Line& line) {
   const Vec3 direction = line.direction.normalized();
   double from = 0.0, to = 0.0;
-  clipOrNear(line.point_mm, direction, 0.0, from, to);
+  clipOrNear(line.point_mm - middle_mm_, direction, 0.0, from, to);
   const Vec3 a_mm = line.point_mm + from * direction, b_mm = line.point_mm + to * direction;
   bold_.segment(a_mm, b_mm, theme_.constraint);
   extent_mm_.insert(extent_mm_.end(), {a_mm, b_mm});
@@ -195,12 +202,14 @@ void ConstraintPicture::add(const scene::Line& line) {
 
 void ConstraintPicture::add(const scene::Plane& plane) {
   const Vec3 normal = plane.normal.normalized();
-  std::vector<Vec3> corners = cutOfPlane(plane.point_mm, normal);
+  const Vec3 from_middle_mm = plane.point_mm - middle_mm_;
+  std::vector<Vec3> corners = cutOfPlane(from_middle_mm, normal);
+  for (Vec3& corner : corners) corner += middle_mm_;
   const Vec3 u = gridDirection(normal), v = normal.cross(u);
   if (corners.empty()) {  // it misses the region
     const double half = kRegion_mm.x();
     for (const auto& [a, b] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
-      corners.push_back(plane.point_mm.dot(normal) * normal + half * (a * u + b * v));
+      corners.push_back(middle_mm_ + from_middle_mm.dot(normal) * normal + half * (a * u + b * v));
     }
   }
   addTint(polygon(corners, normal));
@@ -220,7 +229,8 @@ void ConstraintPicture::add(const scene::Plane& plane) {
     for (double step = std::ceil(least / kGrid_mm); step * kGrid_mm < most; step += 1.0) {
       const Vec3 start_mm = plane.point_mm + step * kGrid_mm * across;
       double from = 0.0, to = 0.0;
-      if (clip(start_mm, way, 1e-9, from, to)) fine_.segment(start_mm + from * way, start_mm + to * way, soft);
+      if (clip(start_mm - middle_mm_, way, 1e-9, from, to))
+        fine_.segment(start_mm + from * way, start_mm + to * way, soft);
     }
   }
   extent_mm_.insert(extent_mm_.end(), corners.begin(), corners.end());
@@ -241,7 +251,7 @@ void ConstraintPicture::add(const scene::Circle& circle) {
 void ConstraintPicture::add(const scene::Cylinder& cylinder) {
   const Vec3 axis = cylinder.axis.normalized(), u = axis.unitOrthogonal(), v = axis.cross(u);
   double from = 0.0, to = 0.0;
-  clipOrNear(cylinder.point_mm, axis, 0.0, from, to);
+  clipOrNear(cylinder.point_mm - middle_mm_, axis, 0.0, from, to);
   const Vec3 a_mm = cylinder.point_mm + from * axis, b_mm = cylinder.point_mm + to * axis;
   vtkActor& tube = addTint(unitTube(64, false));
   tube.GetProperty()->BackfaceCullingOn();

@@ -66,6 +66,7 @@ class ConstraintPicture {
   std::vector<Ball> balls_;
   std::vector<Tube> tubes_;
   std::vector<Vec3> extent_mm_;
+  Vec3 middle_mm_ = Vec3::Zero();  // of the region: the origin, or where the tip of another arm rests
   Vec3 eye_mm_ = Vec3::Constant(kNotANumber);
 };
 

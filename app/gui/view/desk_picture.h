@@ -25,6 +25,7 @@ class DeskPicture {
   void setLineWidth(double device_pixels_per_pixel);
   void setDesk(const std::optional<Desk>& desk);
   void show(bool shown);
+  bool isKnown() const { return desk_.has_value(); }
   /// The identity if there is no desk.
   Mat3 R_WD() const { return desk_ ? Mat3(desk_->X_WD.linear()) : Mat3(Mat3::Identity()); }
   std::size_t marks() const { return shown_ && desk_ ? desk_->points_D.size() : 0; }  // drawn

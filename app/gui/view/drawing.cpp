@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "app/gui/view/hand_picture.h"
@@ -18,10 +19,12 @@ constexpr int kSides = 4;  // of a stylus: the lines along it
 
 }  // namespace
 
-DrawingPicture::DrawingPicture() : actor_(makeActor(lines_.data(), Kind::Mark)) {}
+DrawingPicture::DrawingPicture()
+    : actor_(makeActor(lines_.data(), Kind::Mark)), lit_actor_(makeActor(lit_.data(), Kind::Mark)) {}
 
 void DrawingPicture::setLineWidth(double scale) {
   actor_->GetProperty()->SetLineWidth(static_cast<float>(2.0 * scale));
+  lit_actor_->GetProperty()->SetLineWidth(static_cast<float>(4.0 * scale));
 }
 
 void DrawingPicture::draw(const QString& owner, const Drawing& drawing) {
@@ -44,8 +47,15 @@ std::size_t DrawingPicture::framesDrawn() const {
   return count;
 }
 
+std::size_t DrawingPicture::targetsDrawn() const {
+  std::size_t count = 0;
+  for (const Drawing& drawing : drawings_) count += drawing.targets.size();
+  return count;
+}
+
 void DrawingPicture::build() {
   lines_.clear();
+  lit_.clear();
   labels_.clear();
   for (const Drawing& drawing : drawings_) {
     for (const DrawnLink& link : drawing.links) add(link);
@@ -53,8 +63,11 @@ void DrawingPicture::build() {
     for (const DrawnFrame& frame : drawing.frames) add(frame);
     for (const DrawnStylus& stylus : drawing.styluses) add(stylus);
     for (const DrawnWords& words : drawing.words) add(words);
+    for (const DrawnMeasure& measure : drawing.measures) add(measure);
+    for (const DrawnTarget& target : drawing.targets) add(target);
   }
   lines_.done();
+  lit_.done();
 }
 
 void DrawingPicture::add(const DrawnFrame& frame) {
@@ -117,6 +130,41 @@ void DrawingPicture::add(const DrawnStylus& stylus) {
     const std::array<Vec3, 3> along_mm{tip_mm, taper_mm + out_mm, end_mm + out_mm};
     lines_.chain(along_mm, theme_.virtual_robot, false);
   }
+}
+
+void DrawingPicture::add(const DrawnMeasure& measure) {
+  if (!measure.p_W.allFinite() || !measure.way_W.allFinite() || !std::isfinite(measure.turn_rad)) return;
+  const std::array<QColor, 3> colours{theme_.x_axis, theme_.y_axis, theme_.z_axis};
+  const QColor& colour = colours[static_cast<std::size_t>(measure.axis)];
+  const Vec3 p_mm = kMillimetrePerMetre * measure.p_W;
+  if (measure.turn_rad == 0.0) {
+    const Vec3 way_mm = kMillimetrePerMetre * measure.way_W;
+    lit_.segment(p_mm, p_mm + way_mm, colour);
+    labels_.push_back({measure.text, p_mm + 0.5 * way_mm, colour, true});
+    return;
+  }
+  const int parts = std::max(2, static_cast<int>(std::abs(measure.turn_rad) / 0.1));
+  std::vector<Vec3> arc;
+  for (int part = 0; part <= parts; ++part) {
+    const Eigen::AngleAxisd turn(measure.turn_rad * part / parts, measure.axis_W);
+    arc.push_back(p_mm + kMillimetrePerMetre * (turn * measure.way_W));
+  }
+  lit_.chain(arc, colour, false);
+  lines_.segment(p_mm, arc.front(), colour);
+  lines_.segment(p_mm, arc.back(), colour);
+  labels_.push_back({measure.text, p_mm + 1.3 * (arc[arc.size() / 2] - p_mm), colour, true});
+}
+
+void DrawingPicture::add(const DrawnTarget& target) {
+  if (!target.p_W.allFinite() || !(target.radius_m > 0.0)) return;
+  const Vec3 p_mm = kMillimetrePerMetre * target.p_W;
+  const double radius_mm = kMillimetrePerMetre * target.radius_m;
+  const QColor colour = target.reached ? mixed(theme_.background, theme_.target, 0.4) : theme_.target;
+  Lines& lines = target.reached ? lines_ : lit_;
+  for (int axis = 0; axis < 3; ++axis)  // a ball from any side
+    lines.circle(p_mm, Vec3::Unit(axis), Vec3::Unit((axis + 1) % 3), radius_mm, colour);
+  labels_.push_back({target.text, p_mm + Vec3(0.0, radius_mm + kLabelGap_mm, 0.0),
+                     target.reached ? colour : readable(colour, theme_), true});
 }
 
 void DrawingPicture::add(const DrawnWords& words) {

@@ -46,14 +46,35 @@ struct DrawnWords {
   Vec3 p_W = Vec3::Zero();
 };
 
+/// A length or an angle, lit: thick, in the colour of an axis, with its name and value beside it.
+struct DrawnMeasure {
+  QString text;
+  int axis = 0;                 // whose colour: 0 x, 1 y, 2 z
+  Vec3 p_W = Vec3::Zero();      // where it begins; the centre of an angle's arc
+  Vec3 way_W = Vec3::Zero();    // of a length: to its end; of an angle: its first leg
+  double turn_rad = 0.0;        // of an angle; 0: it is a length
+  Vec3 axis_W = Vec3::UnitZ();  // about which the angle turns
+};
+
+/// A place that the tip should reach: a ball of rings, with its name.
+struct DrawnTarget {
+  QString text;
+  Vec3 p_W = Vec3::Zero();
+  double radius_m = 0.0;
+  bool reached = false;  // drawn faint
+};
+
 struct Drawing {
   std::vector<DrawnFrame> frames;
   std::vector<DrawnLink> links;
   std::vector<DrawnJoint> joints;
   std::vector<DrawnStylus> styluses;
   std::vector<DrawnWords> words;
+  std::vector<DrawnMeasure> measures;
+  std::vector<DrawnTarget> targets;
   bool isEmpty() const {
-    return frames.empty() && links.empty() && joints.empty() && styluses.empty() && words.empty();
+    return frames.empty() && links.empty() && joints.empty() && styluses.empty() && words.empty() && measures.empty() &&
+           targets.empty();
   }
 };
 
@@ -67,8 +88,10 @@ class DrawingPicture {
   /// Replaces what that owner drew before; empty: nothing. Parts with numbers that are not finite are left out.
   void draw(const QString& owner, const Drawing& drawing);
   vtkActor* mark() const { return actor_; }
+  vtkActor* lit() const { return lit_actor_; }  // the measures
   const std::vector<Label>& labels() const { return labels_; }
   std::size_t framesDrawn() const;
+  std::size_t targetsDrawn() const;
 
  private:
   void build();
@@ -76,12 +99,14 @@ class DrawingPicture {
   void add(const DrawnLink& link);
   void add(const DrawnJoint& joint);
   void add(const DrawnStylus& stylus);
+  void add(const DrawnMeasure& measure);
+  void add(const DrawnTarget& target);
   void add(const DrawnWords& words);
 
   Theme theme_ = Theme::light();
   QMap<QString, Drawing> drawings_;
-  Lines lines_;
-  vtkSmartPointer<vtkActor> actor_;
+  Lines lines_, lit_;
+  vtkSmartPointer<vtkActor> actor_, lit_actor_;
   std::vector<Label> labels_;
 };
 

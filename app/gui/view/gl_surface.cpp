@@ -14,6 +14,13 @@
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
 
 namespace underact::gui {
+namespace {
+
+// Creases darken within this distance: of the size of a gap between two links. 128 samples show no grain.
+constexpr double kCrease_mm = 25.0, kLeastDepth_mm = 1.0;
+constexpr int kSamplesOfCreases = 128;
+
+}  // namespace
 
 QSurfaceFormat surfaceFormat() {
   QSurfaceFormat format;
@@ -32,6 +39,10 @@ GlSurface::GlSurface(Before before, Words words, QWidget* parent)
   setAttribute(Qt::WA_TransparentForMouseEvents);  // its parent handles the mouse
   renderer_->SetBackgroundAlpha(1.0);              // otherwise the widget blends with the window behind it
   renderer_->SetClippingRangeExpansion(0.0);
+  renderer_->SetSSAORadius(kCrease_mm);
+  renderer_->SetSSAOBias(kLeastDepth_mm);
+  renderer_->SetSSAOKernelSize(kSamplesOfCreases);
+  renderer_->SSAOBlurOn();
 }
 
 GlSurface::~GlSurface() {
@@ -56,11 +67,12 @@ void GlSurface::initializeGL() {
   window_->InitializeFromCurrentContext();
   QOpenGLFunctions* gl = context()->functions();
   renderer_name_ = QString::fromLatin1(reinterpret_cast<const char*>(gl->glGetString(GL_RENDERER)));
-  software_ = false;
+  bool software = false;
   for (const char* word : {"llvmpipe", "softpipe", "SwiftShader", "swrast", "GDI Generic", "Basic Render"}) {
-    software_ = software_ || renderer_name_.contains(QLatin1String(word), Qt::CaseInsensitive);
+    software = software || renderer_name_.contains(QLatin1String(word), Qt::CaseInsensitive);
   }
-  window_->SetMultiSamples(software_ ? 0 : 4);
+  window_->SetMultiSamples(0);  // edges are lines, which are smoothed: see paintGL()
+  renderer_->SetUseSSAO(occludes_.value_or(!software));
   window_->AddRenderer(renderer_);
   context_ends_ = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlSurface::release);
 }
@@ -91,10 +103,10 @@ void GlSurface::paintGL() {
   window_->GetState()->Push();
   before_(pixels);
   // Antialiased lines at a fraction of the cost of multisampling; VTK leaves the switch alone.
-  if (software_) gl->glEnable(GL_LINE_SMOOTH);
+  gl->glEnable(GL_LINE_SMOOTH);
   window_->Render();
   window_->GetState()->Pop();
-  if (software_) gl->glDisable(GL_LINE_SMOOTH);
+  gl->glDisable(GL_LINE_SMOOTH);
   if (words_) {
     for (const GLenum switched : {GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST}) {
       gl->glDisable(switched);  // QPainter assumes that they are off
@@ -108,6 +120,12 @@ void GlSurface::paintGL() {
   for (GLenum error = gl->glGetError(); error != GL_NO_ERROR && errors_ < 1000; error = gl->glGetError()) ++errors_;
   ++frames_;
   emit drawn(1e-6 * static_cast<double>(clock.nsecsElapsed()));
+}
+
+void GlSurface::setOcclusion(bool on) {
+  occludes_ = on;
+  renderer_->SetUseSSAO(on);
+  update();
 }
 
 QImage GlSurface::picture() {

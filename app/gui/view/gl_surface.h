@@ -6,6 +6,7 @@
 #include <QOpenGLWidget>
 #include <QSurfaceFormat>
 #include <functional>
+#include <optional>
 
 class QPainter;
 class vtkGenericOpenGLRenderWindow;
@@ -35,6 +36,9 @@ class GlSurface : public QOpenGLWidget {
   void setBackground(const QColor& colour);
   /// The name of the GL renderer; known after the first frame.
   QString rendererName() const { return renderer_name_; }
+  /// Whether creases are darkened (screen-space ambient occlusion). By default where a graphics card draws, which has
+  /// not been tried: software GL draws a third of the frames with it.
+  void setOcclusion(bool on);
   QImage picture();
   qint64 framesDrawn() const { return frames_; }
   /// GL errors since construction; should be 0.
@@ -58,7 +62,7 @@ class GlSurface : public QOpenGLWidget {
   vtkNew<vtkRenderer> renderer_;
   QMetaObject::Connection context_ends_;
   QString renderer_name_;
-  bool software_ = false;
+  std::optional<bool> occludes_;
   qint64 frames_ = 0;
   int errors_ = 0;
 };

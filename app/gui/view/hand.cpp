@@ -8,6 +8,7 @@ namespace underact::gui {
 Hand::Hand(SceneView* view, device::SimulatedArm* arm, QObject* parent) : QObject(parent), view_(view), arm_(arm) {
   view_->setHandAvailable(arm_ != nullptr);
   if (arm_ == nullptr) return;
+  tip_p_WT_ = arm_->setpoint().p_WT;
   connect(view_, &SceneView::handGrabbed, this, [this] {
     moving_ = true;
     view_->setHandSetpoint(arm_->setpoint());  // starts at the hand, not at the tip, which contact holds back
@@ -16,7 +17,11 @@ Hand::Hand(SceneView* view, device::SimulatedArm* arm, QObject* parent) : QObjec
     moving_ = true;  // the keys move it without grabbing
     arm_->setSetpoint(setpoint);
   });
-  connect(view_, &SceneView::handReleased, this, [this] { moving_ = false; });
+  connect(view_, &SceneView::handReleased, this, [this](bool by_mouse) {
+    moving_ = false;
+    if (by_mouse && !keeps_holding_) letGo();
+  });
+  letGo();
 }
 
 Hand::~Hand() {
@@ -25,6 +30,7 @@ Hand::~Hand() {
 
 void Hand::present(const servo::Snapshot& snapshot) {
   if (arm_ == nullptr) return;
+  if (snapshot.ticks > 0 && snapshot.report.p_WT.allFinite()) tip_p_WT_ = snapshot.report.p_WT;
   const bool faulted = snapshot.mode == servo::Mode::Faulted;
   if (faulted == faulted_) return;
   faulted_ = faulted;
@@ -45,11 +51,46 @@ void Hand::setAbsent(bool on) {
   showHint();
 }
 
+sim::HandSetpoint Hand::setpoint() const {
+  sim::HandSetpoint setpoint = arm_->setpoint();
+  if (!setpoint.holds) setpoint.p_WT = tip_p_WT_;
+  return setpoint;
+}
+
+void Hand::take(const sim::HandSetpoint& setpoint) {
+  arm_->setSetpoint(setpoint);
+  view_->setHandSetpoint(setpoint);  // a drag continues from there
+}
+
 void Hand::moveTo(const sim::HandSetpoint& setpoint) {
   if (!isThere()) return;
   moving_ = true;
-  arm_->setSetpoint(setpoint);
-  view_->setHandSetpoint(setpoint);  // a drag continues from there
+  take(setpoint);
+}
+
+void Hand::standAt(const std::optional<arm::JointAngles>& q) {
+  if (!isThere()) return;
+  moving_ = false;
+  arm_->standAt(q);
+  tip_p_WT_ = arm_->setpoint().p_WT;
+  view_->setHandSetpoint(arm_->setpoint());
+}
+
+void Hand::setKeepsHolding(bool on) {
+  keeps_holding_ = on;
+  view_->setKeepsHolding(on);
+  if (arm_ == nullptr) return;
+  if (!on) return letGo();
+  sim::HandSetpoint here = setpoint();
+  here.holds = true;
+  take(here);
+}
+
+void Hand::letGo() {
+  if (arm_ == nullptr || moving_) return;
+  sim::HandSetpoint loose = setpoint();
+  loose.holds = false;
+  take(loose);
 }
 
 void Hand::press(unsigned stylus_buttons) {

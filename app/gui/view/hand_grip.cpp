@@ -34,28 +34,39 @@ void HandGrip::set(const sim::HandSetpoint& setpoint) {
   known_ = true;
 }
 
-void HandGrip::take(const Pose& X_WT) {
-  if (known_) return;
-  setpoint_ = {};
+bool HandGrip::take(const Pose& X_WT) {
+  moved_ = false;
+  if (known_ && setpoint_.holds) return false;
+  if (!known_ || !setpoint_.turns) setpoint_ = {{}, Vec3::Zero(), X_WT.linear(), false, true};
   setpoint_.p_WT = X_WT.translation();
-  setpoint_.R_WT = X_WT.linear();
-  known_ = true;
+  setpoint_.holds = known_ = true;
+  return true;
+}
+
+void HandGrip::hold(const Vec3& p_WT) {
+  moved_ = true;
+  if (setpoint_.holds) return;
+  setpoint_.p_WT = p_WT;
+  setpoint_.holds = true;
 }
 
 void HandGrip::drag(const OrbitCamera& camera, const QSizeF& size, const Vec3& p_WT, const QPointF& way) {
   const double depth_mm = std::max(project(camera, size, kMillimetrePerMetre * p_WT).depth_mm, 1.0);
+  hold(p_WT);
   const double pixel_m = kMetrePerMillimetre * pixelLength_mm(size, depth_mm);
   setpoint_.p_WT += pixel_m * (way.x() * camera.right_W() - way.y() * camera.up_W());
   keepInside();
 }
 
-void HandGrip::deepen(const OrbitCamera& camera, double way_m) {
+void HandGrip::deepen(const OrbitCamera& camera, const Vec3& p_WT, double way_m) {
+  hold(p_WT);
   setpoint_.p_WT -= way_m * camera.back_W();
   keepInside();
 }
 
 void HandGrip::beginTurn(const Mat3& R_WT) {
   if (!setpoint_.turns) setpoint_.R_WT = R_WT;
+  if (!moved_ && !keeps_holding_) setpoint_.holds = false;
 }
 
 void HandGrip::turn(const OrbitCamera& camera, const Mat3& R_WT, const QPointF& way) {
@@ -64,7 +75,8 @@ void HandGrip::turn(const OrbitCamera& camera, const Mat3& R_WT, const QPointF& 
   turnAbout(camera.right_W(), kTurnPerPixel_rad * way.y());
 }
 
-void HandGrip::step(const OrbitCamera& camera, const Vec3& right_up_away, double length_m) {
+void HandGrip::step(const OrbitCamera& camera, const Vec3& p_WT, const Vec3& right_up_away, double length_m) {
+  hold(p_WT);
   setpoint_.p_WT += length_m * (nearestAxes(camera) * right_up_away);
   keepInside();
 }

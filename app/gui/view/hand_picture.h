@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "app/gui/kit/theme.h"
+#include "app/gui/view/arm_picture.h"
+#include "app/gui/view/dimple_picture.h"
 #include "app/gui/view/orbit_camera.h"
 #include "app/gui/view/pieces.h"
-#include "core/arm/forward.h"
+#include "core/arm/model.h"
 #include "core/servo/snapshot.h"
 
 namespace underact::gui {
@@ -15,13 +17,13 @@ namespace underact::gui {
 /// What moves: arm, stylus, targets with their error lines, the force arrow or, on a fault, the ring with a cross.
 class HandPicture {
  public:
-  static constexpr double kArrow_mm = 60.0;  // of the continuous force
-  // The stylus in its own frame T: a round tip at 0, the body along +z, towards the hand.
+  static constexpr double kArrow_mm = 60.0;  // of the continuous force, of an arm of the Omni's size
+  // A stylus that nobody holds, in its own frame T: a round tip at 0, the body along +z, towards the hand.
   static constexpr double kTip_mm = 2.2, kNeck_mm = 1.5, kBody_mm = 3.2, kTaper_mm = 15.0, kEnd_mm = 84.0;
 
   HandPicture();
   void setTheme(const Theme& theme);
-  void setGeometry(const arm::Geometry& geometry);
+  void setArm(const arm::Model& model);
   void setForceLimit(double continuous_N) { force_limit_N_ = continuous_N; }
   void setLineWidth(double device_pixels_per_pixel);
   void show(bool arm, bool target, bool force);
@@ -31,43 +33,46 @@ class HandPicture {
   /// Outlines and markers as seen by the camera. size: of the picture, logical pixels.
   void update(const OrbitCamera& camera, const QSizeF& size);
 
-  bool known() const { return known_; }  // a pose has come
-  const Pose& X_WT() const { return X_WT_; }
-  const arm::Skeleton& skeleton() const { return skeleton_; }
+  bool known() const { return arm_.known(); }  // a pose has come
+  const Pose& X_WT() const { return arm_.X_WT(); }
+  const ArmPicture& arm() const { return arm_; }
   double force_N() const { return force_N_; }
   bool limited() const { return limited_; }
   bool faulted() const { return faulted_; }
 
   /// In the order of drawing; targets() grows with the scene.
   std::vector<vtkActor*> solids() const;
-  std::vector<vtkActor*> lines() const { return {outline_actor_, error_actor_}; }
-  vtkActor* mark() const { return mark_actor_; }
-  /// As many target markers as there are constraints.
-  void setConstraints(std::size_t count);
+  std::vector<vtkActor*> lines() const { return {arm_.outline(), outline_actor_, error_actor_}; }
+  /// Over the tints.
+  std::vector<vtkActor*> dimples() const { return dimple_.actors(); }
+  std::size_t dimplesDrawn() const { return dimple_.dimples(); }
+  /// Drawn over everything.
+  std::vector<vtkActor*> marks() const { return {through_actor_, mark_actor_}; }
+  /// A target marker for each constraint, and a dimple for each surface.
+  void setScene(const scene::Description& scene);
   const std::vector<vtkSmartPointer<vtkActor>>& targets() const { return targets_; }
 
  private:
-  void placeArm();
   void placeForce();
   void placeTargets();
 
   Theme theme_ = Theme::light();
-  arm::Geometry geometry_;
+  ArmPicture arm_;
+  DimplePicture dimple_;
   double force_limit_N_ = 0.88;
-  bool show_arm_ = true, show_target_ = true, show_force_ = true;
+  bool show_target_ = true, show_force_ = true;
 
-  bool known_ = false, limited_ = false, faulted_ = false;
+  bool limited_ = false, faulted_ = false;
   double force_N_ = 0.0;
-  Pose X_WT_ = Pose::Identity();
-  arm::Skeleton skeleton_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  double size_ = 1.0;  // of the arm, relative to the Omni
   Vec3 force_end_mm_ = Vec3::Zero(), head_mm_ = Vec3::Zero();
   bool arrow_ = false;
   std::vector<Vec3> held_mm_;
 
-  vtkSmartPointer<vtkActor> upper_, fore_, shoulder_, elbow_, stylus_, shaft_, head_, bar_;
+  vtkSmartPointer<vtkActor> shaft_, head_, bar_;
   std::vector<vtkSmartPointer<vtkActor>> targets_;
-  Lines outlines_, errors_, mark_;
-  vtkSmartPointer<vtkActor> outline_actor_, error_actor_, mark_actor_;
+  Lines outlines_, errors_, through_, mark_;
+  vtkSmartPointer<vtkActor> outline_actor_, error_actor_, through_actor_, mark_actor_;
 };
 
 }  // namespace underact::gui

@@ -24,9 +24,19 @@ constexpr double kBend_mm = 14.0;    // a ghost's wrist: its axis 5
 constexpr double kDash_mm = 5.0;     // and as long as a gap
 constexpr double kHollow_mm = 3.6;   // the joints of the highlighted ghost
 constexpr double kStylus_mm = 84.0;
+constexpr double kApart_mm = 2.4;    // between the lines of two solutions with the same links
 constexpr double kNumber_mm = 16.0;  // of a ghost's number from its elbow
 constexpr double kSamePlace_mm = 0.5;
 constexpr int kEllipseParts = 72;
+constexpr double kEllipsoidOpacity = 0.3, kFlattest_mm = 0.05;
+
+/// Which of these places it is; a new one is appended.
+std::size_t placeAmong(std::vector<Vec3>& places_mm, const Vec3& p_mm) {
+  std::size_t place = 0;
+  while (place < places_mm.size() && (places_mm[place] - p_mm).norm() > kSamePlace_mm) ++place;
+  if (place == places_mm.size()) places_mm.push_back(p_mm);
+  return place;
+}
 
 void addDashes(Lines& lines, const Vec3& a_mm, const Vec3& b_mm, const QColor& colour) {
   const Vec3 way_mm = b_mm - a_mm;
@@ -53,18 +63,26 @@ Figure figureOf(const arm::Model& model, const arm::Geometry& geometry, const ar
 KinematicsPicture::KinematicsPicture()
     : thin_actor_(makeActor(thin_.data(), Kind::Line)),
       frame_actor_(makeActor(frame_.data(), Kind::Mark)),
-      mark_actor_(makeActor(mark_.data(), Kind::Mark)) {
+      mark_actor_(makeActor(mark_.data(), Kind::Mark)),
+      motion_actor_(makeActor(unitSphere(40, 20), Kind::Tint)),
+      force_actor_(makeActor(unitSphere(40, 20), Kind::Tint)) {
+  for (vtkActor* actor : {motion_actor_.Get(), force_actor_.Get()}) {
+    actor->SetVisibility(false);
+    actor->GetProperty()->SetOpacity(kEllipsoidOpacity);
+  }
   setArm(*arm::findPreset(arm::kDefaultArm), *arm::findModel(arm::kDefaultArm));
 }
 
 void KinematicsPicture::setTheme(const Theme& theme) {
   theme_ = theme;
+  ghost_.setColour(theme.virtual_robot);
 }
 
 void KinematicsPicture::setArm(const arm::Preset& preset, const arm::Model& model) {
   geometry_ = preset.geometry;
   limits_ = preset.limits;
   model_ = model;
+  ghost_.setChain(model.chain, GhostArm::Parts::WithStylus);
 }
 
 void KinematicsPicture::setLineWidth(double scale) {
@@ -105,16 +123,30 @@ std::vector<Vec3> KinematicsPicture::extent_mm() const {
   return points;
 }
 
+std::vector<Vec3> KinematicsPicture::chosenExtent_mm() const {
+  const std::optional<arm::JointAngles> at_rad = chosen_rad();
+  if (!at_rad) return {};
+  const Figure at = figureOf(model_, geometry_, *at_rad);
+  return {at.shoulder_mm, at.elbow_mm, at.tip_mm,
+          at.tip_mm + kStylus_mm * arm::tipPose(geometry_, *at_rad).linear().col(2)};
+}
+
 void KinematicsPicture::update(const OrbitCamera& camera) {
   thin_.clear();
   frame_.clear();
   mark_.clear();
   labels_.clear();
+  ghost_.hide();
+  motion_actor_->SetVisibility(false);
+  force_actor_->SetVisibility(false);
   if (known_) {
     if (ghosts_) addSolutions();
     addEllipsoids();
     if (frames_) addFrames();
-    if (const std::optional<arm::JointAngles> at_rad = chosen_rad()) addChosen(*at_rad, camera);
+    if (const std::optional<arm::JointAngles> at_rad = chosen_rad()) {
+      addChosen(*at_rad, camera);
+      ghost_.present(*at_rad);
+    }
   }
   thin_.done();
   frame_.done();
@@ -124,7 +156,7 @@ void KinematicsPicture::update(const OrbitCamera& camera) {
 void KinematicsPicture::addFrames() {
   const std::array<QColor, 3> colours{theme_.x_axis, theme_.y_axis, theme_.z_axis};
   const std::array<Pose, 6> frames = arm::linkFrames(model_, q_rad_);
-  for (std::size_t index = 0; index < frames.size(); ++index) {
+  for (std::size_t index = 0; index < std::min(frames.size(), model_.rows.size()); ++index) {
     const Vec3 origin_mm = kMillimetrePerMetre * frames[index].translation();
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Vec3 direction = frames[index].linear().col(static_cast<Eigen::Index>(axis));
@@ -139,18 +171,60 @@ void KinematicsPicture::addFrames() {
 
 void KinematicsPicture::addSolutions() {
   // Solutions outside the limits first, so that a line shared with one inside is drawn solid.
+  const std::vector<double> aside = aside_mm();
   for (const bool within : {false, true}) {
-    for (const arm::Solution& solution : solutions_) {
-      if (solution.within_limits == within) addSolution(solution);
+    for (std::size_t index = 0; index < solutions_.count; ++index) {
+      const arm::Solution& solution = *(solutions_.begin() + static_cast<std::ptrdiff_t>(index));
+      if (solution.within_limits == within) addSolution(solution, aside[index]);
     }
   }
-  addElbowNumbers();
+  // The eight share two elbows (a turret that faces away reaches the same position with the other elbow), two ways to
+  // face and two to bend the wrist: three numbers name each of them.
+  const auto elbow = [this](const arm::Solution& one) {
+    return Vec3(kMillimetrePerMetre * arm::skeleton(geometry_, one.q_rad).p_WElbow);
+  };
+  addNumbers(elbow, [this](const Vec3& place_mm) { return Vec3(place_mm + kNumber_mm * outwards(place_mm)); });
+  const auto facing = [this](const arm::Solution& one) {
+    const Figure at = figureOf(model_, geometry_, one.q_rad);
+    return Vec3(at.shoulder_mm + (kFacing_mm + kBeyond_mm) * at.facing_W);
+  };
+  const auto bend = [this](const arm::Solution& one) {
+    const Figure at = figureOf(model_, geometry_, one.q_rad);
+    return Vec3(at.tip_mm + (kBend_mm + kBeyond_mm) * at.bend_W);
+  };
+  const auto there = [](const Vec3& place_mm) { return place_mm; };
+  addNumbers(facing, there);
+  addNumbers(bend, there);
 }
 
-void KinematicsPicture::addSolution(const arm::Solution& solution) {
+/// How far each solution is drawn beside its true place, so that those with the same links lie apart.
+std::vector<double> KinematicsPicture::aside_mm() const {
+  std::vector<Vec3> elbows_mm;
+  std::vector<int> places, order, count;
+  for (const arm::Solution& solution : solutions_) {
+    const Vec3 elbow_mm = kMillimetrePerMetre * arm::skeleton(geometry_, solution.q_rad).p_WElbow;
+    const std::size_t place = placeAmong(elbows_mm, elbow_mm);
+    count.resize(elbows_mm.size());
+    places.push_back(static_cast<int>(place));
+    order.push_back(count[place]++);
+  }
+  std::vector<double> aside;
+  for (std::size_t index = 0; index < places.size(); ++index)
+    aside.push_back(kApart_mm * (order[index] - 0.5 * (count[static_cast<std::size_t>(places[index])] - 1)));
+  return aside;
+}
+
+void KinematicsPicture::addSolution(const arm::Solution& solution, double aside_mm) {
   const Figure at = figureOf(model_, geometry_, solution.q_rad);
-  const std::array<std::array<Vec3, 2>, 4> strokes{{{at.shoulder_mm, at.elbow_mm},
-                                                    {at.elbow_mm, at.tip_mm},
+  // Aside within the plane of the arm, where it is seen from the side; an arm that is stretched has no plane.
+  const Vec3 normal = (at.elbow_mm - at.shoulder_mm).cross(at.tip_mm - at.elbow_mm);
+  const auto beside = [&](const Vec3& from_mm, const Vec3& to_mm) {
+    const Vec3 way = normal.cross(to_mm - from_mm);
+    return way.norm() > 1e-6 ? Vec3(aside_mm * way.normalized()) : Vec3(Vec3::Zero());
+  };
+  const Vec3 upper_mm = beside(at.shoulder_mm, at.elbow_mm), fore_mm = beside(at.elbow_mm, at.tip_mm);
+  const std::array<std::array<Vec3, 2>, 4> strokes{{{at.shoulder_mm + upper_mm, at.elbow_mm + upper_mm},
+                                                    {at.elbow_mm + fore_mm, at.tip_mm + fore_mm},
                                                     {at.shoulder_mm, at.shoulder_mm + kFacing_mm * at.facing_W},
                                                     {at.tip_mm, at.tip_mm + kBend_mm * at.bend_W}}};
   const QColor faint = mixed(theme_.background, theme_.virtual_robot, 0.75);
@@ -162,24 +236,18 @@ void KinematicsPicture::addSolution(const arm::Solution& solution) {
   }
 }
 
-// The eight share two elbows: a turret that faces away reaches the same position with the other elbow.
-void KinematicsPicture::addElbowNumbers() {
-  std::vector<Vec3> elbows_mm;
+void KinematicsPicture::addNumbers(const std::function<Vec3(const arm::Solution&)>& place_mm,
+                                   const std::function<Vec3(const Vec3& place_mm)>& label_mm) {
+  std::vector<Vec3> places_mm;
   std::vector<QStringList> numbers;
   for (const arm::Solution& solution : solutions_) {
-    const Vec3 elbow_mm = kMillimetrePerMetre * arm::skeleton(geometry_, solution.q_rad).p_WElbow;
-    std::size_t place = 0;
-    while (place < elbows_mm.size() && (elbows_mm[place] - elbow_mm).norm() > kSamePlace_mm) ++place;
-    if (place == elbows_mm.size()) {
-      elbows_mm.push_back(elbow_mm);
-      numbers.emplace_back();
-    }
+    const std::size_t place = placeAmong(places_mm, place_mm(solution));
+    numbers.resize(places_mm.size());
     numbers[place] << QString::number(numberOf(solution.branch));
   }
-  for (std::size_t place = 0; place < elbows_mm.size(); ++place) {
+  for (std::size_t place = 0; place < places_mm.size(); ++place) {
     labels_.push_back({QCoreApplication::translate("SceneView", "no. ") + numbers[place].join(QLatin1Char(' ')),
-                       elbows_mm[place] + kNumber_mm * outwards(elbows_mm[place]),
-                       mixed(theme_.virtual_robot, theme_.ink, 0.35), false});
+                       label_mm(places_mm[place]), mixed(theme_.virtual_robot, theme_.ink, 0.35), false});
   }
 }
 
@@ -210,10 +278,11 @@ void KinematicsPicture::addChosen(const arm::JointAngles& q_rad, const OrbitCame
 
 void KinematicsPicture::addEllipsoids() {
   if (!motion_ && !force_) return;
-  const arm::Dexterity dexterity = arm::dexterity(geometry_, q_rad_);
+  const arm::Dexterity dexterity = arm::dexterityOf(geometry_, q_rad_);
   if (motion_) {
     const QColor colour = theme_.dark ? theme_.motion : mixed(theme_.motion, theme_.ink, 0.25);
-    addEllipsoid(dexterity, kMillimetrePerMetre * kTurn_rad * dexterity.gain_m, colour, QStringLiteral("v"));
+    addEllipsoid(*motion_actor_, dexterity, kMillimetrePerMetre * kTurn_rad * dexterity.gain_m, colour,
+                 QStringLiteral("v"));
   }
   if (force_ && force_limit_N_ > 0.0) {
     const double scale_mm = kTorque_N_m * HandPicture::kArrow_mm / force_limit_N_;
@@ -222,13 +291,20 @@ void KinematicsPicture::addEllipsoids() {
       const double gain_m = dexterity.gain_m[axis];
       half_mm[axis] = gain_m * kLongest_mm > scale_mm ? scale_mm / gain_m : kLongest_mm;
     }
-    addEllipsoid(dexterity, half_mm, theme_.force, QStringLiteral("f"));
+    addEllipsoid(*force_actor_, dexterity, half_mm, theme_.force, QStringLiteral("f"));
   }
 }
 
-void KinematicsPicture::addEllipsoid(const arm::Dexterity& dexterity, const Vec3& half_mm, const QColor& colour,
-                                     const QString& letter) {
+void KinematicsPicture::addEllipsoid(vtkActor& surface, const arm::Dexterity& dexterity, const Vec3& half_mm,
+                                     const QColor& colour, const QString& letter) {
   const Vec3 tip_mm = kMillimetrePerMetre * X_WT_.translation();
+  Eigen::Matrix4d X = Eigen::Matrix4d::Identity();
+  X.block<3, 3>(0, 0) = dexterity.axes_W * half_mm.cwiseMax(kFlattest_mm).asDiagonal();
+  if (X.block<3, 3>(0, 0).determinant() < 0.0) X.col(2) *= -1.0;  // its outside stays outside
+  X.block<3, 1>(0, 3) = tip_mm;
+  place(surface, X);
+  setColour(surface, colour);
+  surface.SetVisibility(true);
   std::array<Vec3, kEllipseParts> points;
   for (int axis = 0; axis < 3; ++axis) {  // the ellipse in the plane of the other two
     const int one = (axis + 1) % 3, other = (axis + 2) % 3;

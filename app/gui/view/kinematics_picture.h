@@ -2,10 +2,12 @@
 #include <vtkActor.h>
 #include <vtkSmartPointer.h>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "app/gui/kit/theme.h"
+#include "app/gui/view/ghost_arm.h"
 #include "app/gui/view/orbit_camera.h"
 #include "app/gui/view/pieces.h"
 #include "app/gui/view/workspace_picture.h"
@@ -18,7 +20,8 @@ namespace underact::gui {
 
 /// For teaching: the link frames, the inverse solutions as ghosts of the arm, and the ellipsoids at the tip to which a
 /// ball of joint rotations and one of joint torques map. A function of the arm, its joints, the chosen solution and the
-/// theme. Lines only: a translucent surface halves the frame rate of software GL.
+/// theme. The highlighted solution is a translucent solid arm, and the ellipsoids are translucent surfaces; the other
+/// solutions are lines, since each surface costs frames on software GL.
 class KinematicsPicture {
  public:
   static constexpr double kTurn_rad = 0.25;    // motion ellipsoid: displacement of the tip for this joint rotation
@@ -42,19 +45,27 @@ class KinematicsPicture {
   std::vector<vtkActor*> lines() const { return {thin_actor_}; }
   // Link frames, whose axes lie in the links and in the stylus, and the highlighted ghost: drawn over everything.
   std::vector<vtkActor*> marks() const { return {frame_actor_, mark_actor_}; }
+  /// Drawn with the tints.
+  std::vector<vtkActor*> surfaces() const { return {ghost_.actor(), motion_actor_, force_actor_}; }
   const std::vector<Label>& labels() const { return labels_; }
   std::vector<Vec3> extent_mm() const;
+  /// Of the highlighted solution; empty: there is none.
+  std::vector<Vec3> chosenExtent_mm() const;
   std::size_t solutionsDrawn() const { return ghosts_ ? solutions_.count : 0; }
   std::optional<arm::JointAngles> chosen_rad() const;
 
  private:
   void addFrames();
   void addSolutions();
-  void addSolution(const arm::Solution& solution);
+  void addSolution(const arm::Solution& solution, double aside_mm);
   void addChosen(const arm::JointAngles& q_rad, const OrbitCamera& camera);
   void addEllipsoids();
-  void addEllipsoid(const arm::Dexterity& dexterity, const Vec3& half_mm, const QColor& colour, const QString& letter);
-  void addElbowNumbers();
+  void addEllipsoid(vtkActor& surface, const arm::Dexterity& dexterity, const Vec3& half_mm, const QColor& colour,
+                    const QString& letter);
+  /// The numbers of the solutions that share a place, where label_mm() puts them.
+  void addNumbers(const std::function<Vec3(const arm::Solution&)>& place_mm,
+                  const std::function<Vec3(const Vec3& place_mm)>& label_mm);
+  std::vector<double> aside_mm() const;
   Vec3 outwards(const Vec3& elbow_mm) const;  // a direction, away from the middle of shoulder and tip
 
   Theme theme_ = Theme::light();
@@ -72,7 +83,8 @@ class KinematicsPicture {
   arm::Solutions solutions_;
 
   Lines thin_, frame_, mark_;
-  vtkSmartPointer<vtkActor> thin_actor_, frame_actor_, mark_actor_;
+  vtkSmartPointer<vtkActor> thin_actor_, frame_actor_, mark_actor_, motion_actor_, force_actor_;
+  GhostArm ghost_;  // of the highlighted solution
   std::vector<Label> labels_;
 };
 

@@ -8,7 +8,8 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kNearest_mm = 40.0, kFarthest_mm = 6000.0;
+constexpr double kNearest_mm = 40.0, kFarthest_mm = 30000.0;
+constexpr double kParallelEye = 1e4;  // of the distance
 
 double slope(double share) {
   return std::tan(0.5 * OrbitCamera::kViewAngle_rad) * share;
@@ -30,12 +31,12 @@ Vec3 OrbitCamera::up_W() const {
 }
 
 Vec3 OrbitCamera::eye_mm() const {
-  return focus_mm + distance_mm * back_W();
+  return focus_mm + (parallel ? kParallelEye : 1.0) * distance_mm * back_W();
 }
 
 OnScreen project(const OrbitCamera& camera, const QSizeF& size, const Vec3& p_mm) {
   const Vec3 from_eye_mm = p_mm - camera.eye_mm();
-  const double depth_mm = -from_eye_mm.dot(camera.back_W());
+  const double depth_mm = camera.parallel ? camera.distance_mm : -from_eye_mm.dot(camera.back_W());
   const double pixel_mm = pixelLength_mm(size, std::max(depth_mm, 1e-6));
   return {{0.5 * size.width() + from_eye_mm.dot(camera.right_W()) / pixel_mm,
            0.5 * size.height() - from_eye_mm.dot(camera.up_W()) / pixel_mm},
@@ -68,6 +69,13 @@ OrbitCamera zoomed(OrbitCamera camera, const QSizeF& size, const QPointF& pointe
   return camera;
 }
 
+OrbitCamera lookingFrom(OrbitCamera camera, const Vec3& from_W) {
+  const Vec3 from_D = camera.R_WD.transpose() * from_W.normalized();
+  camera.elevation_rad = std::asin(std::clamp(from_D.y(), -1.0, 1.0));
+  camera.azimuth_rad = std::hypot(from_D.x(), from_D.z()) > 1e-6 ? std::atan2(from_D.x(), from_D.z()) : 0.0;
+  return camera;
+}
+
 OrbitCamera fitted(OrbitCamera camera, const QSizeF& size, std::span<const Vec3> points_mm, const QMarginsF& room) {
   if (points_mm.empty() || size.isEmpty()) return camera;
   const Vec3 right_W = camera.right_W(), up_W = camera.up_W(), back_W = camera.back_W();
@@ -76,6 +84,21 @@ OrbitCamera fitted(OrbitCamera camera, const QSizeF& size, std::span<const Vec3>
   const auto side = [](double margin, double length) { return slope(std::max(1.0 - 2.0 * margin / length, 0.3)); };
   const double to_right = aspect * side(room.right(), size.width()), to_left = aspect * side(room.left(), size.width());
   const double to_top = side(room.top(), size.height()), to_bottom = side(room.bottom(), size.height());
+  if (camera.parallel) {
+    Vec3 least = Vec3::Constant(kInfinity), most = -least;
+    for (const Vec3& p_mm : points_mm) {
+      const Vec3 p(p_mm.dot(right_W), p_mm.dot(up_W), p_mm.dot(back_W));
+      least = least.cwiseMin(p);
+      most = most.cwiseMax(p);
+    }
+    camera.distance_mm = std::clamp(
+        std::max((most.x() - least.x()) / (to_right + to_left), (most.y() - least.y()) / (to_top + to_bottom)),
+        kNearest_mm, kFarthest_mm);
+    const double x = 0.5 * (most.x() + least.x() + camera.distance_mm * (to_left - to_right));
+    const double y = 0.5 * (most.y() + least.y() + camera.distance_mm * (to_bottom - to_top));
+    camera.focus_mm = x * right_W + y * up_W + 0.5 * (least.z() + most.z()) * back_W;
+    return camera;
+  }
   // Each point keeps the eye behind the four planes: eye_z slope >= p_z slope + (p_x - eye_x), and so on.
   double right = -kInfinity, left = -kInfinity, top = -kInfinity, bottom = -kInfinity, depth_sum = 0.0;
   for (const Vec3& p_mm : points_mm) {
@@ -97,6 +120,7 @@ OrbitCamera fitted(OrbitCamera camera, const QSizeF& size, std::span<const Vec3>
 
 OrbitCamera between(const OrbitCamera& a, const OrbitCamera& b, double share) {
   OrbitCamera camera;
+  camera.parallel = b.parallel;
   camera.focus_mm = a.focus_mm + share * (b.focus_mm - a.focus_mm);
   camera.distance_mm = a.distance_mm * std::pow(b.distance_mm / a.distance_mm, share);
   camera.azimuth_rad = a.azimuth_rad + share * std::remainder(b.azimuth_rad - a.azimuth_rad, 2.0 * kPi);

@@ -9,6 +9,8 @@
 #include "app/gui/view/scene_view.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
+#include "core/scene/scene_arm.h"
+#include "device/simulated_arm.h"
 
 namespace underact::gui {
 namespace {
@@ -23,16 +25,19 @@ Result<QImage> pictureOf(const std::string& scene_file, QSize size, const Theme&
   Problems problems = scene ? scene::loadMeshes(scene.value()) : scene.problems();
   if (problems.empty()) problems = simulated.host->load(scene.value());
   if (!problems.empty()) return problems;
+  const arm::Preset& arm = scene::armOf(scene.value());
+  simulated.arm->become(arm);
   simulated.host->run(1);  // the stylus is drawn where the arm says that it is
   SceneView view;
   view.setAttribute(Qt::WA_DontShowOnScreen);
   view.resize(size);
-  view.show();
   view.setTheme(theme);
   view.showWords(with_words);
-  if (!with_words) view.setLayers({.workspace = false, .triads = false, .arm = false});
+  // Of a scene for another arm the arm is what it shows.
+  if (!with_words) view.setLayers({.workspace = false, .triads = false, .arm = !arm::isOmniForm(arm)});
   view.setScene(scene.value());
   view.present(simulated.host->snapshot());
+  view.show();  // now: a view that is seen would take its time to turn to another arm's desk
   return view.picture();
 }
 

@@ -51,8 +51,8 @@ class SeeThroughMapper : public vtkOpenGLPolyDataMapper {
 };
 vtkStandardNewMacro(SeeThroughMapper);
 
-/// First the depth alone, then the colour of what is nearest, so that no layer shows through another. Offset slightly
-/// away from the eye, so that lines on the surface stay in front.
+/// Where it is seen through, first the depth alone, then the colour of what is nearest, so that no layer shows through
+/// another. Offset slightly away from the eye, so that lines on the surface stay in front.
 class BodyMapper : public vtkOpenGLPolyDataMapper {
  public:
   static BodyMapper* New();
@@ -67,9 +67,11 @@ class BodyMapper : public vtkOpenGLPolyDataMapper {
     GLint compare = GL_LEQUAL;
     gl->glGetIntegerv(GL_DEPTH_FUNC, &compare);
     gl->glDepthFunc(GL_LEQUAL);  // Qt may have left it at a function that rejects equal depths
-    state->vtkglColorMask(kNo, kNo, kNo, kNo);
-    vtkOpenGLPolyDataMapper::RenderPieceDraw(renderer, actor);
-    state->vtkglColorMask(kYes, kYes, kYes, kYes);
+    if (actor->GetProperty()->GetOpacity() < 1.0) {
+      state->vtkglColorMask(kNo, kNo, kNo, kNo);
+      vtkOpenGLPolyDataMapper::RenderPieceDraw(renderer, actor);
+      state->vtkglColorMask(kYes, kYes, kYes, kYes);
+    }
     vtkOpenGLPolyDataMapper::RenderPieceDraw(renderer, actor);
     gl->glDepthFunc(static_cast<GLenum>(compare));
     gl->glPolygonOffset(0.0F, 0.0F);

@@ -65,11 +65,15 @@ void RobotPicture::setScene(const scene::Description& scene) {
   for (std::size_t index = 0; index < program.value().entries.size(); ++index) {
     const auto* made = std::get_if<manipulator::Manipulator>(&program.value().entries[index].constraint.goal);
     if (made == nullptr) continue;
-    Robot robot{index, *made, manipulator::clampedToLimits(*made, {}), Vec3::Zero()};
+    Robot robot;
+    robot.index = index;
+    robot.manipulator = *made;
+    robot.theta = manipulator::clampedToLimits(*made, {});
     for (const Robot& old : before) {  // edited: it keeps its pose until the servo reports a new one
       const bool alike = old.manipulator.chain.joints.size() == made->chain.joints.size();
       if (old.index == index && alike) robot.theta = manipulator::clampedToLimits(*made, old.theta);
     }
+    robot.body->setChain(made->chain, GhostArm::Parts::Chain);
     robots_.push_back(robot);
   }
 }
@@ -88,6 +92,12 @@ void RobotPicture::present(const servo::Snapshot& snapshot) {
   known_ = snapshot.ticks > 0 || report.held.size() > 0;
 }
 
+std::vector<vtkActor*> RobotPicture::surfaces() const {
+  std::vector<vtkActor*> surfaces;
+  for (const Robot& robot : robots_) surfaces.push_back(robot.body->actor());
+  return surfaces;
+}
+
 std::vector<Vec3> RobotPicture::extent_mm() const {
   std::vector<Vec3> points;
   if (!show_) return points;
@@ -103,8 +113,9 @@ void RobotPicture::update(const OrbitCamera& camera) {
   thin_.clear();
   thick_.clear();
   labels_.clear();
-  if (show_) {
-    for (const Robot& robot : robots_) add(robot, camera);
+  for (const Robot& robot : robots_) {
+    robot.body->hide();
+    if (show_) add(robot, camera);
   }
   thin_.done();
   thick_.done();
@@ -115,6 +126,8 @@ void RobotPicture::add(const Robot& robot, const OrbitCamera& camera) {
   const double size_mm =
       std::clamp(kOfReach * kMillimetrePerMetre * robot.manipulator.reach_m, kLeastJoint_mm, kRobotJoint_mm);
   const Vec3 tip_mm = millimetresOf(figure.X_WV.translation());
+  robot.body->setColour(theme_.virtual_robot);
+  robot.body->present(robot.theta);
   addBase(millimetresOf(figure.joints.front().from_W), size_mm, camera.right_W());
   Vec3 last_mm = millimetresOf(figure.joints.front().from_W);
   double rim_mm = size_mm;

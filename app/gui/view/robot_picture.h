@@ -2,9 +2,11 @@
 #include <vtkActor.h>
 #include <vtkSmartPointer.h>
 
+#include <memory>
 #include <vector>
 
 #include "app/gui/kit/theme.h"
+#include "app/gui/view/ghost_arm.h"
 #include "app/gui/view/orbit_camera.h"
 #include "app/gui/view/pieces.h"
 #include "app/gui/view/robot_figure.h"
@@ -16,7 +18,7 @@ namespace underact::gui {
 
 /// The virtual robots of a scene in the tick shown: hollow joints, links, base and end effector V, the directions in
 /// which V can move, and the moment that is never sent. Before the first tick, and until the servo has taken up an
-/// edited chain, a robot is in its home pose. Lines only.
+/// edited chain, a robot is in its home pose. Lines over translucent solids.
 class RobotPicture {
  public:
   static constexpr double kWay_mm = 15.0;              // the directions in which V can move: half their length
@@ -33,6 +35,8 @@ class RobotPicture {
   void update(const OrbitCamera& camera);
 
   std::vector<vtkActor*> lines() const { return {thin_actor_, thick_actor_}; }
+  /// Drawn with the tints; others after setScene().
+  std::vector<vtkActor*> surfaces() const;
   const std::vector<Label>& labels() const { return labels_; }
   /// End effectors and joints in their current pose.
   std::vector<Vec3> extent_mm() const;
@@ -44,6 +48,7 @@ class RobotPicture {
     manipulator::Manipulator manipulator;
     manipulator::Values theta{};
     Vec3 moment_W = Vec3::Zero();
+    std::shared_ptr<GhostArm> body = std::make_shared<GhostArm>();
   };
   void add(const Robot& robot, const OrbitCamera& camera);
   void addJoint(const JointFigure& joint, double size_mm, const Vec3& eye_mm);

@@ -35,17 +35,18 @@ SceneView::~SceneView() {
 
 void SceneView::setScene(const scene::Description& scene) {
   const arm::Preset& preset = scene::armOf(scene);
-  impl_->hand.setGeometry(preset.geometry);
+  impl_->hand.setArm(scene::modelOf(scene));
   impl_->kinematics.setArm(preset, scene::modelOf(scene));
-  impl_->hand.setConstraints(scene.constraints.size());
+  impl_->hand.setScene(scene);
   impl_->constraint.setScene(scene);
   impl_->robots.setScene(scene);
   impl_->meshes.setScene(scene);
   impl_->scene = scene;
-  impl_->workspace.setBase(kMillimetrePerMetre * preset.geometry.p_WB);
+  impl_->workspace.setArm(scene::modelOf(scene));
   impl_->actors_changed = true;
   setForceLimit(preset.continuous_force_N);
   if (impl_->shown) impl_->showArm();
+  impl_->turnToDesk();
   if (impl_->camera_is_mine) impl_->fit();
   impl_->surface->update();
 }
@@ -119,6 +120,7 @@ void SceneView::setTheme(const Theme& theme) {
   impl_->constraint.setTheme(theme);
   impl_->workspace.setTheme(theme);
   impl_->hand.setTheme(theme);
+  impl_->shadow.setTheme(theme);
   impl_->kinematics.setTheme(theme);
   impl_->influence.setTheme(theme);
   impl_->robots.setTheme(theme);
@@ -136,6 +138,7 @@ void SceneView::setLayers(const Layers& layers) {
   impl_->layers = layers;
   impl_->workspace.show(layers.workspace, layers.triads);
   impl_->hand.show(layers.arm, layers.target, layers.force);
+  impl_->shadow.show(layers.arm);
   impl_->kinematics.show(layers.link_frames, layers.ghosts, layers.motion_ellipsoid, layers.force_ellipsoid);
   impl_->influence.show(layers.influence);
   impl_->robots.show(layers.robot);
@@ -210,9 +213,36 @@ void SceneView::moveCamera(Camera camera) {
     case Camera::Isometric:
       from(45, 35.264);
       break;
+    case Camera::Home:
+      from(kHomeAzimuth_deg, kHomeElevation_deg);
+      break;
   }
   impl_->camera_is_mine = true;  // it shows everything, and continues to when the window is resized
   impl_->moveTo(impl_->fitted(wanted));
+}
+
+void SceneView::lookFrom(const Vec3& from_W) {
+  impl_->camera_is_mine = true;
+  impl_->moveTo(impl_->fitted(lookingFrom(impl_->wanted(), from_W)));
+}
+
+void SceneView::fitSelection() {
+  const std::vector<Vec3> selected = impl_->selected();
+  if (selected.empty()) return;
+  impl_->camera_is_mine = false;
+  impl_->moveTo(gui::fitted(impl_->wanted(), impl_->size(), selected, kRoom_px));
+}
+
+void SceneView::setParallel(bool on) {
+  OrbitCamera wanted = impl_->wanted();
+  if (wanted.parallel == on) return;
+  wanted.parallel = on;
+  impl_->moveTo(impl_->camera_is_mine ? impl_->fitted(wanted) : wanted);
+  emit parallelChanged(on);
+}
+
+bool SceneView::isParallel() const {
+  return impl_->wanted().parallel;
 }
 
 bool SceneView::moving() const {
@@ -228,15 +258,21 @@ std::size_t SceneView::framesInDrawings() const {
   return impl_->drawings.framesDrawn();
 }
 
+std::size_t SceneView::targetsInDrawings() const {
+  return impl_->drawings.targetsDrawn();
+}
+
 Viewpoint SceneView::viewpoint() const {
   return {impl_->wanted(), impl_->camera_is_mine};
 }
 
 void SceneView::setViewpoint(const Viewpoint& viewpoint) {
   impl_->movement.stop();
+  const bool was_parallel = impl_->camera.parallel;
   impl_->camera = viewpoint.camera;
   impl_->camera_is_mine = viewpoint.fits;
   if (viewpoint.fits) impl_->fit();
+  if (was_parallel != viewpoint.camera.parallel) emit parallelChanged(viewpoint.camera.parallel);
   impl_->surface->update();
 }
 
@@ -251,6 +287,10 @@ std::size_t SceneView::pathPartsDrawn() const {
 
 std::size_t SceneView::trianglesDrawn() const {
   return impl_->meshes.triangles();
+}
+
+std::size_t SceneView::dimplesDrawn() const {
+  return impl_->hand.dimplesDrawn();
 }
 
 std::size_t SceneView::patchDrawn() const {
@@ -293,13 +333,6 @@ void SceneView::showWords(bool on) {
   impl_->surface->update();
 }
 
-QRectF SceneView::stylusOnScreen() const {
-  if (!impl_->hand.known()) return {};
-  const QPointF tip = screenOf(impl_->hand.X_WT().translation());
-  const QPointF end = screenOf(impl_->hand.X_WT() * Vec3(0.0, 0.0, Impl::kBody_m));
-  return QRectF(tip, end).normalized().adjusted(-1.0, -1.0, 1.0, 1.0);
-}
-
 void SceneView::setGaugeScale(double scale) {
   impl_->gauge_scale = scale;
   impl_->surface->update();
@@ -316,6 +349,10 @@ void SceneView::setHandAvailable(bool available) {
 
 void SceneView::setHandSetpoint(const sim::HandSetpoint& setpoint) {
   impl_->grip.set(setpoint);
+}
+
+void SceneView::setKeepsHolding(bool on) {
+  impl_->grip.setKeepsHolding(on);
 }
 
 QImage SceneView::picture() {

@@ -18,7 +18,7 @@
 
 namespace underact::gui {
 
-enum class Camera { Fit, Front, Back, Left, Right, Top, Bottom, Isometric };
+enum class Camera { Fit, Front, Back, Left, Right, Top, Bottom, Isometric, Home };
 
 /// From where the view is seen.
 struct Viewpoint {
@@ -52,8 +52,14 @@ class SceneView : public QWidget {
   void setTheme(const Theme& theme);
   void setLayers(const Layers& layers);
   const Layers& layers() const;
-  void moveCamera(Camera camera);  // takes 0.2 s; Fit keeps the direction
-  bool moving() const;             // a moveCamera() is in progress
+  void moveCamera(Camera camera);     // takes 0.2 s; Fit keeps the direction
+  void lookFrom(const Vec3& from_W);  // the same from a direction of W
+  /// Shows what is selected: the chosen inverse solution if there is one, else the constraints and the tip.
+  void fitSelection();
+  /// Orthographic, or in perspective.
+  void setParallel(bool on);
+  bool isParallel() const;
+  bool moving() const;  // a moveCamera() is in progress
   Viewpoint viewpoint() const;
   /// At once, without animation.
   void setViewpoint(const Viewpoint& viewpoint);
@@ -68,12 +74,14 @@ class SceneView : public QWidget {
   /// What a panel draws beside the scene; replaces what it drew before; empty: nothing.
   void draw(const QString& owner, const Drawing& drawing);
   std::size_t framesInDrawings() const;
+  std::size_t targetsInDrawings() const;
   /// The path of the tip in a recording; empty: none.
   void setRecordedPath(std::vector<PathPoint> path);
   std::size_t pathPartsDrawn() const;
   /// Triangles of all meshes, as drawn; corners of the patch where the stylus touches one.
   std::size_t trianglesDrawn() const;
   std::size_t patchDrawn() const;
+  std::size_t dimplesDrawn() const;  // where the stylus pushes into a surface that is no mesh
   /// The range along an axis of W in which a cut can meet something: the workspace, extended by the meshes and by the
   /// stylus if the cut follows it.
   std::pair<double, double> sectionRange_mm(int axis) const;
@@ -94,13 +102,16 @@ class SceneView : public QWidget {
   void setHandAvailable(bool available);
   /// The hand was moved by another source (a script, a game controller): drags start from here.
   void setHandSetpoint(const sim::HandSetpoint& setpoint);
+  /// Whether a hand that only turns the stylus holds its position, too.
+  void setKeepsHolding(bool on);
 
   /// What a drag, the wheel or an arrow key did to the hand. Arrows move 2 mm (Shift 10 mm) in the view's own plane,
   /// Page Up / Down in depth; Ctrl with arrows turns the stylus. Emitted from mouse and key events in the view.
  signals:
   void handGrabbed();  // by the mouse, or the first key
   void handMoved(const underact::sim::HandSetpoint& setpoint);
-  void handReleased();          // nobody moves it any more; it stays at the last setpoint
+  void handReleased(bool by_mouse);  // nobody moves it any more
+  void parallelChanged(bool on);
   void drawn(double frame_ms);  // after each picture: the time it took to draw
 
  public:

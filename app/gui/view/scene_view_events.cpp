@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/view/axis_gizmo.h"
 #include "app/gui/view/scene_view_impl.h"
 #include "core/base/units.h"
 
@@ -53,16 +54,22 @@ void SceneView::Impl::cameraByHand(const OrbitCamera& wanted) {
 
 bool SceneView::Impl::overStylus(const QPointF& pointer) const {
   if (!hand_available || !hand.known()) return false;
-  const QPointF tip = view->screenOf(hand.X_WT().translation());
-  const QPointF end = view->screenOf(hand.X_WT() * Vec3(0.0, 0.0, kBody_m));
+  const auto [tip_W, end_W] = hand.arm().stylus_W();
+  const QPointF tip = view->screenOf(tip_W), end = view->screenOf(end_W);
   const QPointF off = pointer - tip;
   return std::hypot(off.x(), off.y()) <= kGrab_px || distanceToSegment(pointer, tip, end) <= kGrabBody_px;
+}
+
+std::optional<Vec3> SceneView::Impl::gizmoAt(const QPointF& pointer) const {
+  return has_words ? AxisGizmo::ballAt(pointer, size(), camera) : std::nullopt;
 }
 
 void SceneView::Impl::showPointer(const QPointF& pointer) {
   Qt::CursorShape shape = Qt::ArrowCursor;
   if (drag == Drag::Hand) {
     shape = Qt::ClosedHandCursor;
+  } else if (drag == Drag::None && gizmoAt(pointer)) {
+    shape = Qt::PointingHandCursor;
   } else if (drag == Drag::None && overStylus(pointer)) {
     shape = Qt::OpenHandCursor;
   }
@@ -71,14 +78,14 @@ void SceneView::Impl::showPointer(const QPointF& pointer) {
 
 void SceneView::Impl::take() {
   if (held_by_mouse || !held_by_keys.isEmpty()) return;
-  grip.take(hand.X_WT());
   emit view->handGrabbed();
+  if (grip.take(hand.X_WT())) emit view->handMoved(grip.setpoint());
 }
 
 void SceneView::Impl::releaseKeys() {
   if (held_by_keys.isEmpty()) return;
   held_by_keys.clear();
-  if (!held_by_mouse) emit view->handReleased();
+  if (!held_by_mouse) emit view->handReleased(false);
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
@@ -86,6 +93,13 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
   my.last = my.pressed = event->position();
   if (my.drag != Drag::None) return;  // one button at a time
   const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
+  if (event->button() == Qt::LeftButton && !shift) {
+    if (const std::optional<Vec3> from_W = my.gizmoAt(event->position())) {
+      // Again on the axis that points at the eye: from the other side.
+      const bool is_there = from_W->dot(my.wanted().back_W()) > 0.9999;
+      return lookFrom(is_there ? Vec3(-*from_W) : *from_W);
+    }
+  }
   if (event->button() == Qt::LeftButton && !shift && my.overStylus(event->position())) {
     my.take();
     my.held_by_mouse = true;
@@ -132,11 +146,12 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   my.held_by_mouse = false;
   my.drag = Drag::None;
   my.showPointer(event->position());
-  if (held && my.held_by_keys.isEmpty()) emit handReleased();
+  if (held && my.held_by_keys.isEmpty()) emit handReleased(true);
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || impl_->overStylus(event->position())) return mousePressEvent(event);
+  const bool is_taken = impl_->overStylus(event->position()) || impl_->gizmoAt(event->position());
+  if (event->button() != Qt::LeftButton || is_taken) return mousePressEvent(event);
   moveCamera(Camera::Fit);
 }
 
@@ -146,7 +161,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
   event->accept();
   if (notches == 0.0) return;
   if (my.drag == Drag::Hand) {
-    my.grip.deepen(my.camera, kWheelDepth_m * notches);
+    my.grip.deepen(my.camera, my.hand.X_WT().translation(), kWheelDepth_m * notches);
     emit handMoved(my.grip.setpoint());
   } else {
     my.cameraByHand(zoomed(my.camera, my.size(), event->position(), std::pow(0.87, notches)));
@@ -171,14 +186,15 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
   if (modifiers.testFlag(Qt::ControlModifier)) {
     my.grip.turnStep(my.camera, my.hand.X_WT().linear(), way, kTurn_rad);
   } else {
-    my.grip.step(my.camera, way, modifiers.testFlag(Qt::ShiftModifier) ? kBigStep_m : kStep_m);
+    my.grip.step(my.camera, my.hand.X_WT().translation(), way,
+                 modifiers.testFlag(Qt::ShiftModifier) ? kBigStep_m : kStep_m);
   }
   emit handMoved(my.grip.setpoint());
 }
 
 void SceneView::keyReleaseEvent(QKeyEvent* event) {
   if (event->isAutoRepeat() || !impl_->held_by_keys.remove(event->key())) return QWidget::keyReleaseEvent(event);
-  if (impl_->held_by_keys.isEmpty() && !impl_->held_by_mouse) emit handReleased();
+  if (impl_->held_by_keys.isEmpty() && !impl_->held_by_mouse) emit handReleased(false);
 }
 
 void SceneView::focusInEvent(QFocusEvent* event) {

@@ -5,8 +5,10 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
+#include <QLineF>
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 
 #include "app/gui/kit/words.h"
 #include "core/base/units.h"
@@ -15,14 +17,12 @@ namespace underact::gui {
 namespace {
 
 constexpr int kPoll_ms = 200, kGhost_ms = 800;
-const QMarginsF kRoom_px(52.0, 60.0, 52.0, 44.0);  // the hint is at the top
+constexpr double kThickestPen_m = 0.005;  // from its middle, of the Omni's size
 
-/// From the front, a little from the right and above: so that the sphere, the stylus and the arm behind it do not
-/// overlap.
 OrbitCamera firstLook() {
   OrbitCamera camera;
-  camera.azimuth_rad = 32.0 * kRadPerDegree;
-  camera.elevation_rad = 20.0 * kRadPerDegree;
+  camera.azimuth_rad = kHomeAzimuth_deg * kRadPerDegree;
+  camera.elevation_rad = kHomeElevation_deg * kRadPerDegree;
   return camera;
 }
 
@@ -31,12 +31,15 @@ OrbitCamera firstLook() {
 SceneView::Impl::Impl(SceneView* owner) : view(owner), camera(firstLook()) {
   surface =
       new GlSurface([this](QSize pixels) { before(pixels); }, [this](QPainter& painter) { paintWords(painter); }, view);
-  const vtkNew<vtkLight> key;  // follows the camera, a little from its left and above
-  key->SetLightTypeToCameraLight();
-  key->SetPosition(-0.4, 0.6, 1.0);
-  key->SetFocalPoint(0.0, 0.0, 0.0);
   surface->renderer().SetAutomaticLightCreation(false);
-  surface->renderer().AddLight(key);
+  for (std::size_t index = 0; index < kLights.size(); ++index) {  // they follow the camera
+    const vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(kLights[index].x(), kLights[index].y(), kLights[index].z());
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+    light->SetIntensity(kLightStrengths[index]);
+    surface->renderer().AddLight(light);
+  }
   movement.setDuration(kPoll_ms);
   movement.setStartValue(0.0);
   movement.setEndValue(1.0);
@@ -61,6 +64,7 @@ void SceneView::Impl::before(QSize pixels) {
     actors_changed = false;
     vtkRenderer& renderer = surface->renderer();
     renderer.RemoveAllViewProps();
+    renderer.AddActor(shadow.actor());
     for (vtkActor* actor : hand.solids()) renderer.AddActor(actor);
     renderer.AddActor(meshes.face());
     for (const auto& target : hand.targets()) renderer.AddActor(target);
@@ -70,10 +74,16 @@ void SceneView::Impl::before(QSize pixels) {
     }
     for (vtkActor* actor : meshes.actors()) renderer.AddActor(actor);
     for (const auto& tint : constraint.tints()) renderer.AddActor(tint);
+    for (const auto& surfaces : {robots.surfaces(), kinematics.surfaces()}) {
+      for (vtkActor* actor : surfaces) renderer.AddActor(actor);
+    }
+    for (vtkActor* actor : hand.dimples()) renderer.AddActor(actor);
     for (vtkActor* actor : kinematics.marks()) renderer.AddActor(actor);
+    renderer.AddActor(workspace.mark());
     renderer.AddActor(influence.rings());
-    renderer.AddActor(hand.mark());
+    for (vtkActor* actor : hand.marks()) renderer.AddActor(actor);
     renderer.AddActor(drawings.mark());
+    renderer.AddActor(drawings.lit());
     if (second) renderer.AddViewProp(second->prop());
   }
   constraint.setLineWidth(scale);
@@ -90,23 +100,33 @@ void SceneView::Impl::before(QSize pixels) {
   constraint.update(camera.eye_mm());
   workspace.update(camera);
   hand.update(camera, size());
+  shadow.update(camera);
   kinematics.update(camera);
   influence.update(camera, size());
   robots.update(camera);
   meshes.update(camera.eye_mm());
   if (second) second->update(camera, size());
   vtkCamera* eye = surface->renderer().GetActiveCamera();
-  const Vec3 eye_mm = camera.eye_mm(), up_W = camera.up_W();
+  const double around_mm = camera.focus_mm.norm() + 600.0 * std::max(1.0, hand.arm().stand().size);
+  // In parallel projection the eye's distance changes nothing but the range of depths.
+  const double away_mm = camera.distance_mm + (camera.parallel ? around_mm : 0.0), far_mm = away_mm + around_mm;
+  const Vec3 eye_mm = camera.focus_mm + away_mm * camera.back_W(), up_W = camera.up_W();
   eye->SetPosition(eye_mm.data());
   eye->SetFocalPoint(camera.focus_mm.data());
   eye->SetViewUp(up_W.data());
   eye->SetViewAngle(OrbitCamera::kViewAngle_rad / kRadPerDegree);
-  const double far_mm = camera.distance_mm + camera.focus_mm.norm() + 600.0;
-  eye->SetClippingRange(std::max(0.01 * far_mm, camera.distance_mm - camera.focus_mm.norm() - 600.0), far_mm);
+  eye->SetParallelProjection(camera.parallel);
+  eye->SetParallelScale(camera.distance_mm * std::tan(0.5 * OrbitCamera::kViewAngle_rad));
+  eye->SetClippingRange(std::max(0.01 * far_mm, away_mm - around_mm), far_mm);
 }
 
 void SceneView::Impl::showArm() {
   hand.present(*shown);
+  const ArmStand& stand = hand.arm().stand();
+  Pose X_WD = Pose::Identity();
+  X_WD.linear() = stand.R_WD;
+  X_WD.translation() = stand.p_WG;
+  shadow.present(hand.arm().shadowRods(), X_WD, stand.size);
   kinematics.present(shown->report.sample.q_rad);
   influence.present(shown->report);
   robots.present(*shown);
@@ -147,8 +167,8 @@ void SceneView::Impl::paintWords(QPainter& painter) {
 
 std::vector<Vec3> SceneView::Impl::extent() const {
   std::vector<Vec3> points = constraint.extent_mm();
-  const Vec3 half_mm = workspaceHalf_mm();
-  for (int corner = 0; corner < 8; ++corner) {
+  const Vec3 half_mm = workspace.half_mm();
+  for (int corner = 0; layers.workspace && corner < 8; ++corner) {
     points.push_back(
         half_mm.cwiseProduct(Vec3((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1)));
   }
@@ -161,15 +181,21 @@ std::vector<Vec3> SceneView::Impl::extent() const {
     points.insert(points.end(), of_second.begin(), of_second.end());
   }
   if (hand.known()) {
-    points.push_back(kMillimetrePerMetre * hand.X_WT().translation());
-    points.push_back(kMillimetrePerMetre * (hand.X_WT() * Vec3(0.0, 0.0, kBody_m)));
-    if (layers.arm) {
-      points.push_back(kMillimetrePerMetre * hand.skeleton().p_WShoulder);
-      points.push_back(kMillimetrePerMetre * hand.skeleton().p_WElbow);
-    }
+    const std::vector<Vec3> of_arm = hand.arm().extent_mm();
+    points.insert(points.end(), of_arm.begin(), of_arm.end());
     const std::vector<Vec3> ghosts = kinematics.extent_mm();
     points.insert(points.end(), ghosts.begin(), ghosts.end());
   }
+  return points;
+}
+
+std::vector<Vec3> SceneView::Impl::selected() const {
+  if (const std::vector<Vec3> chosen = kinematics.chosenExtent_mm(); !chosen.empty()) return chosen;
+  std::vector<Vec3> points = constraint.extent_mm();
+  points.insert(points.end(), meshes.extent_mm().begin(), meshes.extent_mm().end());
+  const std::vector<Vec3> of_robots = robots.extent_mm();
+  points.insert(points.end(), of_robots.begin(), of_robots.end());
+  if (hand.known()) points.push_back(kMillimetrePerMetre * hand.X_WT().translation());
   return points;
 }
 
@@ -180,7 +206,7 @@ OrbitCamera SceneView::Impl::wanted() const {
 /// The picture rotates when the desk, or whether it is followed, has changed.
 void SceneView::Impl::turnToDesk() {
   OrbitCamera turned = wanted();
-  const Mat3 R_WD = layers.from_desk ? desk.R_WD() : Mat3(Mat3::Identity());
+  const Mat3 R_WD = layers.from_desk && desk.isKnown() ? desk.R_WD() : hand.arm().stand().R_WD;
   if (turned.R_WD == R_WD) return;
   turned.R_WD = R_WD;
   moveTo(camera_is_mine ? fitted(turned) : turned);
@@ -189,6 +215,7 @@ void SceneView::Impl::turnToDesk() {
 void SceneView::Impl::fit() {
   OrbitCamera& ends_as = movement.state() == QAbstractAnimation::Running ? to : camera;
   ends_as = fitted(ends_as);
+  surface->update();  // a widget of OpenGL that is resized has been drawn by now
 }
 
 OrbitCamera SceneView::Impl::fitted(const OrbitCamera& looking) const {
@@ -205,6 +232,17 @@ void SceneView::Impl::moveTo(const OrbitCamera& wanted) {
     camera = to;
   }
   surface->update();
+}
+
+QRectF SceneView::stylusOnScreen() const {
+  if (!impl_->hand.known()) return {};
+  const auto [tip_W, end_W] = impl_->hand.arm().stylus_W();
+  const QPointF tip = screenOf(tip_W), end = screenOf(end_W);
+  const double thick_m = kThickestPen_m * impl_->hand.arm().stand().size;
+  double around = 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+    around = std::max(around, QLineF(end, screenOf(end_W + thick_m * Vec3::Unit(axis))).length());
+  return QRectF(tip, end).normalized().adjusted(-around, -around, around, around);
 }
 
 }  // namespace underact::gui

@@ -15,18 +15,22 @@
 #include "app/gui/view/robot_picture.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/view/second_world.h"
+#include "app/gui/view/shadow_picture.h"
 #include "app/gui/view/view_words.h"
 #include "app/gui/view/workspace_picture.h"
 
 namespace underact::gui {
+
+// The first look: from the front, a little from the right and above, so that the sphere, the stylus and the arm behind
+// it do not overlap.
+inline constexpr double kHomeAzimuth_deg = 32.0, kHomeElevation_deg = 20.0;
+inline const QMarginsF kRoom_px(52.0, 60.0, 52.0, 44.0);  // about what is fitted; the hint is at the top
 
 /// What a pressed button does.
 enum class Drag { None, Hand, Orbit, Pan, Zoom };
 
 /// scene_view.cpp: the interface; scene_view_impl.cpp: drawing; scene_view_events.cpp: mouse and keys.
 struct SceneView::Impl {
-  static constexpr double kBody_m = 0.084;  // of the stylus, as drawn
-
   explicit Impl(SceneView* owner);
 
   QSizeF size() const { return view->size(); }
@@ -36,6 +40,7 @@ struct SceneView::Impl {
   void showArm();  // according to the snapshot shown
   void paintWords(QPainter& painter);
   std::vector<Vec3> extent() const;
+  std::vector<Vec3> selected() const;
   void fit();
   OrbitCamera wanted() const;  // where the camera is, or is moving to
   void turnToDesk();
@@ -43,6 +48,7 @@ struct SceneView::Impl {
   void moveTo(const OrbitCamera& wanted);
   void cameraByHand(const OrbitCamera& wanted);  // from now on it stays where the user put it
   bool overStylus(const QPointF& pointer) const;
+  std::optional<Vec3> gizmoAt(const QPointF& pointer) const;  // the direction of its ball there
   void showPointer(const QPointF& pointer);
   void take();
   void releaseKeys();
@@ -52,6 +58,7 @@ struct SceneView::Impl {
   ConstraintPicture constraint;
   WorkspacePicture workspace;
   HandPicture hand;
+  ShadowPicture shadow;
   KinematicsPicture kinematics;
   InfluencePicture influence;
   RobotPicture robots;

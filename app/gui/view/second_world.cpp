@@ -30,9 +30,9 @@ SecondWorld::SecondWorld() : assembly_(vtkSmartPointer<vtkAssembly>::New()) {}
 
 void SecondWorld::setScene(const scene::Description& scene) {
   const arm::Preset& preset = scene::armOf(scene);
-  hand_.setGeometry(preset.geometry);
+  hand_.setArm(scene::modelOf(scene));
   hand_.setForceLimit(preset.continuous_force_N);
-  hand_.setConstraints(scene.constraints.size());
+  hand_.setScene(scene);
   constraint_.setScene(scene);
   robots_.setScene(scene);
   meshes_.setScene(scene);
@@ -50,8 +50,10 @@ void SecondWorld::assemble() {
   }
   for (vtkActor* actor : meshes_.actors()) assembly_->AddPart(actor);
   for (const auto& tint : constraint_.tints()) assembly_->AddPart(tint);
+  for (vtkActor* actor : robots_.surfaces()) assembly_->AddPart(actor);
+  for (vtkActor* actor : hand_.dimples()) assembly_->AddPart(actor);
   assembly_->AddPart(influence_.rings());
-  assembly_->AddPart(hand_.mark());
+  for (vtkActor* actor : hand_.marks()) assembly_->AddPart(actor);
   setPlace(X_WS_mm_);
 }
 
@@ -126,9 +128,8 @@ std::vector<Vec3> SecondWorld::extent_mm() const {
   const std::vector<Vec3> of_robots = robots_.extent_mm();
   points.insert(points.end(), of_robots.begin(), of_robots.end());
   if (hand_.known()) {
-    points.push_back(kMillimetrePerMetre * hand_.X_WT().translation());
-    points.push_back(kMillimetrePerMetre * hand_.skeleton().p_WShoulder);
-    points.push_back(kMillimetrePerMetre * hand_.skeleton().p_WElbow);
+    const std::vector<Vec3> of_arm = hand_.arm().extent_mm();
+    points.insert(points.end(), of_arm.begin(), of_arm.end());
   }
   for (Vec3& point : points) point = X_WS_mm_ * point;
   return points;

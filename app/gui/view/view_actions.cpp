@@ -31,6 +31,8 @@ void addCameras(Actions& actions, SceneView& view) {
       {"view.left", QT_TR_NOOP("&Left"), "Ctrl+5", QT_TR_NOOP("Looks from the left, along x."), "", "", Camera::Left},
       {"view.back", QT_TR_NOOP("&Back"), "Ctrl+6", QT_TR_NOOP("Looks from behind the arm, along z."), "", "",
        Camera::Back},
+      {"view.home", QT_TR_NOOP("Home (defa&ult view)"), "Ctrl+8",
+       QT_TR_NOOP("Looks as at the start: from the front, a little from the right and above."), "", "", Camera::Home},
       {"view.bottom", QT_TR_NOOP("B&ottom"), "Ctrl+7", QT_TR_NOOP("Looks up, along y."), "", "", Camera::Bottom}};
   for (const Row& row : rows) {
     actions.add({row.name, tr(row.text), QKeySequence(row.shortcut), tr(row.tip), row.icon, tr(row.button)},
@@ -39,6 +41,25 @@ void addCameras(Actions& actions, SceneView& view) {
                   return true;
                 });
   }
+  actions.add(
+      {"view.selection", tr("&Zoom to selection"), QKeySequence("Ctrl+9"),
+       tr("Shows the chosen inverse solution, or else the constraints and the tip, from the current direction.")},
+      [&view](const QVariantList&) {
+        view.fitSelection();
+        return true;
+      });
+  QAction* parallel = actions.add({"view.parallel",
+                                   tr("Parallel pro&jection"),
+                                   QKeySequence("F4"),
+                                   tr("Draws without perspective (orthographic), so that lengths can be compared."),
+                                   {},
+                                   {},
+                                   true},
+                                  [&view](const QVariantList& on) {
+                                    view.setParallel(on.value(0).toBool());
+                                    return true;
+                                  });
+  QObject::connect(&view, &SceneView::parallelChanged, parallel, &QAction::setChecked);
   actions.add({"view.focus", tr("&Move the hand with the keys"), QKeySequence("F2"),
                tr("Gives the view the keyboard focus, so that the arrow keys move the hand.")},
               [&view](const QVariantList&) {

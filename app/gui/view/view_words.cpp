@@ -9,12 +9,14 @@
 
 #include "app/gui/kit/larger_font.h"
 #include "app/gui/kit/number_box.h"
+#include "app/gui/view/axis_gizmo.h"
+#include "app/gui/view/label_places.h"
 
 namespace underact::gui {
 namespace {
 
+constexpr double kPlate = 3.0;         // beside a label
 constexpr double kWordsMargin = 16.0;  // from the view's edges; spacing by a 4-pixel grid
-constexpr double kTriad = 76.0;
 
 QString newtons(double force_N) {
   return localNumber(force_N, 'f', 2);
@@ -54,21 +56,43 @@ void ViewWords::paintLabels(QPainter& painter, const WordsState& state, const st
   QFont strong = larger(state.font, 0.95), large = larger(state.font, 1.5);
   strong.setBold(true);
   large.setBold(true);
+  const auto fontOf = [&](const Label& label) -> const QFont& {
+    return label.large ? large : label.strong ? strong : plain;
+  };
+  std::vector<const Label*> seen;
   for (const Label& label : labels) {
-    const OnScreen place = project(state.camera, state.size, label.p_mm);
-    if (place.depth_mm <= 0.0) continue;
-    const QFont& font = label.large ? large : label.strong ? strong : plain;
-    const QFontMetricsF metrics(font);
-    const double width = metrics.horizontalAdvance(label.text);
-    const double down = label.large ? metrics.height() : 0.0;
-    const QPointF left(std::round(place.pixel.x() - 0.5 * width),
-                       std::round(place.pixel.y() + 0.5 * (metrics.ascent() - metrics.descent()) + down));
-    if (label.large)
-      painter.fillRect(QRectF(left.x() - 4.0, left.y() - metrics.ascent(), width + 8.0, metrics.height()),
-                       state.theme.background);
-    painter.setFont(font);
+    if (project(state.camera, state.size, label.p_mm).depth_mm > 0.0) seen.push_back(&label);
+  }
+  // Large words first, then names, then the digits of ticks: what comes later gives way.
+  std::stable_sort(seen.begin(), seen.end(), [](const Label* a, const Label* b) {
+    return std::pair(a->large, a->strong) > std::pair(b->large, b->strong);
+  });
+  std::vector<WantedLabel> wanted;
+  for (const Label* label : seen) {
+    const QFontMetricsF metrics(fontOf(*label));
+    const double width = metrics.horizontalAdvance(label->text), height = metrics.ascent() + metrics.descent();
+    const QPointF place = project(state.camera, state.size, label->p_mm).pixel;
+    const double down = label->large ? metrics.height() : 0.0;
+    const QPointF base(std::round(place.x() - 0.5 * width),
+                       std::round(place.y() + 0.5 * (metrics.ascent() - metrics.descent()) + down));
+    wanted.push_back({label->text, QRectF(base.x(), base.y() - metrics.ascent(), width, height), !label->large});
+  }
+  const QPointF gizmo = AxisGizmo::middle(state.size);
+  const double half = 0.5 * AxisGizmo::kSide;
+  const std::vector<std::optional<QPointF>> places =
+      placesOfLabels(wanted, {QRectF(gizmo - QPointF(half, half), gizmo + QPointF(half, half))});
+  for (std::size_t index = 0; index < seen.size(); ++index) {
+    if (!places[index]) continue;
+    const Label& label = *seen[index];
+    const QFontMetricsF metrics(fontOf(label));
+    const QRectF at = wanted[index].where.translated(*places[index]);
+    if (label.large || !label.strong) {  // thin words may stand over an arm of their own shade
+      painter.fillRect(QRectF(at.left() - kPlate, at.top(), at.width() + 2.0 * kPlate, metrics.height()),
+                       label.large ? state.theme.background : faint(state.theme.background, 0.6));
+    }
+    painter.setFont(fontOf(label));
     painter.setPen(readable(label.colour, state.theme));
-    painter.drawText(left, label.text);
+    painter.drawText(QPointF(at.left(), at.top() + metrics.ascent()), label.text);
   }
 }
 
@@ -85,7 +109,7 @@ void ViewWords::paintLegend(QPainter& painter, const WordsState& state) {
   strong.setBold(true);
   const QFont plain = larger(state.font, 0.85);
   const double line = std::ceil(QFontMetricsF(strong).height());
-  double base = std::round(state.size.height() - kTriad - kWordsMargin - line);
+  double base = std::round(state.size.height() - AxisGizmo::kSide - kWordsMargin - line);
   for (const Row& row : rows) {
     painter.setFont(strong);
     painter.setPen(readable(row.colour, state.theme));
@@ -164,28 +188,14 @@ void ViewWords::paintHint(QPainter& painter, const WordsState& state) {
 }
 
 void ViewWords::paintTriad(QPainter& painter, const WordsState& state) {
-  const Vec3 right_W = state.camera.right_W(), up_W = state.camera.up_W(), back_W = state.camera.back_W();
-  QString key = state.theme.ink.name() + state.font.key();
-  for (const Vec3& way : {right_W, back_W}) key += QStringLiteral(" %1 %2 %3").arg(way.x()).arg(way.y()).arg(way.z());
-  const QImage& image = triad_.image(key, {kTriad, kTriad}, state.scale, [&](QPainter& p, const QSizeF& area) {
-    const QPointF middle(0.5 * area.width(), 0.5 * area.height());
-    const std::array<QColor, 3> colours{state.theme.x_axis, state.theme.y_axis, state.theme.z_axis};
-    std::array<int, 3> order{0, 1, 2};  // axes that point away from the eye first
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return back_W[a] < back_W[b]; });
-    QFont font = larger(state.font, 0.85);
-    font.setBold(true);
-    p.setFont(font);
-    for (const int axis : order) {
-      const QPointF way(right_W[axis], -up_W[axis]);
-      const QColor& colour = colours[static_cast<std::size_t>(axis)];
-      p.setPen(QPen(colour, 2.0, Qt::SolidLine, Qt::RoundCap));
-      p.drawLine(middle, middle + 24.0 * way);
-      p.setPen(readable(colour, state.theme));
-      const QPointF end = middle + 31.0 * way;
-      p.drawText(QRectF(end - QPointF(10, 10), QSizeF(20, 20)), Qt::AlignCenter, QString(QLatin1Char("xyz"[axis])));
-    }
+  QString key = state.theme.ink.name() + state.theme.background.name() + state.font.key();
+  for (const Vec3& way : {state.camera.right_W(), state.camera.back_W()})
+    key += QStringLiteral(" %1 %2 %3").arg(way.x()).arg(way.y()).arg(way.z());
+  constexpr double kSide = AxisGizmo::kSide;
+  const QImage& image = triad_.image(key, {kSide, kSide}, state.scale, [&](QPainter& p, const QSizeF&) {
+    AxisGizmo::paint(p, state.camera, state.theme, state.font);
   });
-  painter.drawImage(QPointF(kWordsMargin - 8.0, std::round(state.size.height() - kTriad - kWordsMargin + 8.0)), image);
+  painter.drawImage(AxisGizmo::middle(state.size) - QPointF(0.5 * kSide, 0.5 * kSide), image);
 }
 
 }  // namespace underact::gui

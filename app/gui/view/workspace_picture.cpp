@@ -5,7 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/arm/forward.h"
+#include "app/gui/view/arm_solids.h"
+#include "core/base/units.h"
 
 namespace underact::gui {
 namespace {
@@ -25,15 +26,19 @@ const Vec3& workspaceHalf_mm() {
 }
 
 WorkspacePicture::WorkspacePicture()
-    : box_actor_(makeActor(box_.data(), Kind::Line)), triad_actor_(makeActor(triad_.data(), Kind::Line)) {}
+    : box_actor_(makeActor(box_.data(), Kind::Line)),
+      triad_actor_(makeActor(triad_.data(), Kind::Mark)) {}  // B is inside the arm
 
 void WorkspacePicture::setTheme(const Theme& theme) {
   theme_ = theme;
   build();
 }
 
-void WorkspacePicture::setBase(const Vec3& p_WB_mm) {
-  p_WB_mm_ = p_WB_mm;
+void WorkspacePicture::setArm(const arm::Model& model) {
+  X_WB_mm_ = model.X_WB;
+  X_WB_mm_.translation() *= kMillimetrePerMetre;
+  has_box_ = arm::omniGeometry(model).has_value();
+  size_ = standOf(model).size;
   build();
 }
 
@@ -75,7 +80,7 @@ void WorkspacePicture::build() {
   box_.clear();
   triad_.clear();
   labels_.clear();
-  if (workspace_) {
+  if (workspace_ && has_box_) {
     const Vec3 half_mm = workspaceHalf_mm();
     addBoxEdges(box_, half_mm, Vec3::Zero(), Mat3::Identity(), theme_.quiet);
     const double below = -sign_.y() * half_mm.y();
@@ -88,8 +93,8 @@ void WorkspacePicture::build() {
     if (end_on_.y() == 0.0) addTicks(1, upright_mm_, upright_mm_.cwiseQuotient(half_mm).normalized());
   }
   if (triads_) {
-    addTriad(Vec3::Zero(), Mat3::Identity(), QStringLiteral("W"), 22.0);
-    addTriad(p_WB_mm_, arm::workspaceFromBase(), QStringLiteral("B"), 22.0);
+    addTriad(Vec3::Zero(), Mat3::Identity(), QStringLiteral("W"), size_ * 22.0);
+    addTriad(X_WB_mm_.translation(), X_WB_mm_.linear(), QStringLiteral("B"), size_ * 22.0);
   }
   box_.done();
   triad_.done();
@@ -114,9 +119,9 @@ void WorkspacePicture::addTriad(const Vec3& p_mm, const Mat3& R, const QString& 
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Vec3 direction = R.col(static_cast<Eigen::Index>(axis));
     triad_.segment(p_mm, p_mm + length_mm * direction, colours[axis]);
-    labels_.push_back({letters[axis], p_mm + (length_mm + 4.0) * direction, colours[axis], true});
+    labels_.push_back({letters[axis], p_mm + (1.18 * length_mm) * direction, colours[axis], true});
   }
-  const Vec3 corner = -9.0 * (R.col(0) + R.col(1) + R.col(2)).normalized();  // away from the three
+  const Vec3 corner = -0.41 * length_mm * (R.col(0) + R.col(1) + R.col(2)).normalized();  // away from the three
   labels_.push_back({name, p_mm + corner, mixed(theme_.quiet, theme_.ink, 0.7), true});
 }
 

@@ -8,6 +8,7 @@
 #include "app/gui/kit/theme.h"
 #include "app/gui/view/orbit_camera.h"
 #include "app/gui/view/pieces.h"
+#include "core/arm/model.h"
 
 namespace underact::gui {
 
@@ -28,14 +29,18 @@ class WorkspacePicture {
  public:
   WorkspacePicture();
   void setTheme(const Theme& theme);
-  void setBase(const Vec3& p_WB_mm);
+  /// The box is that of haptic devices of the Omni's form; of other arms only the triads are drawn.
+  void setArm(const arm::Model& model);
   void show(bool workspace, bool triads);
   void setLineWidth(double device_pixels_per_pixel);
   /// Ticks are placed where the camera sees them best.
   void update(const OrbitCamera& camera);
 
-  std::vector<vtkActor*> lines() const { return {box_actor_, triad_actor_}; }
+  std::vector<vtkActor*> lines() const { return {box_actor_}; }
+  vtkActor* mark() const { return triad_actor_; }
   const std::vector<Label>& labels() const { return labels_; }
+  /// Half of the box; 0 where the arm has none.
+  Vec3 half_mm() const { return has_box_ ? workspaceHalf_mm() : Vec3(Vec3::Zero()); }
 
  private:
   void build();
@@ -43,7 +48,9 @@ class WorkspacePicture {
   void addTriad(const Vec3& p_mm, const Mat3& R, const QString& name, double length_mm);
 
   Theme theme_ = Theme::light();
-  Vec3 p_WB_mm_ = Vec3::Zero();
+  Pose X_WB_mm_ = Pose::Identity();
+  bool has_box_ = true;
+  double size_ = 1.0;  // of the arm, relative to the Omni
   bool workspace_ = true, triads_ = true;
   // Of the last update(): on which side the eye is, which axes of W point at it, and where the vertical ticks are.
   Vec3 sign_ = Vec3::Ones();

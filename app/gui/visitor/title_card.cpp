@@ -29,6 +29,7 @@ TitleCard::TitleCard(QWidget* parent)
       feel_(messageLabel("visitor.feel", tr("What to feel"), "", this)),
       try_(messageLabel("visitor.try", tr("What to try"), "", this)),
       trouble_(messageLabel("visitor.trouble", tr("Problem"), "alarm", this)),
+      way_out_(messageLabel("visitor.way_out", tr("How to leave"), "quiet", this)),
       next_(pushButton("visitor.next", tr("Next"), tr("Shows the next scene."), this)),
       start_(pushButton("visitor.go", tr("Start"), tr("Turns the force on. Esc turns it off."), this)) {
   setObjectName("visitor");
@@ -42,10 +43,13 @@ TitleCard::TitleCard(QWidget* parent)
   grid->addWidget(feel_, 1, 0);
   grid->addWidget(try_, 2, 0);
   grid->addWidget(trouble_, 3, 0);
+  grid->addWidget(way_out_, 4, 0, 1, 2);
   grid->addWidget(start_, 0, 1, 2, 1);
   grid->addWidget(next_, 2, 1, 2, 1);
   grid->setColumnStretch(0, 1);
-  for (QLabel* label : {title_, feel_, try_, trouble_}) label->setTextInteractionFlags(Qt::NoTextInteraction);
+  way_out_->setText(tr("For demonstrators: Ctrl+Alt+Shift+U opens a panel with Stop and Leave visitor mode."));
+  way_out_->hide();
+  for (QLabel* label : {title_, feel_, try_, trouble_, way_out_}) label->setTextInteractionFlags(Qt::NoTextInteraction);
   connect(next_, &QPushButton::clicked, this, &TitleCard::nextAsked);
   connect(start_, &QPushButton::clicked, this, &TitleCard::startAsked);
   setState(false, {});
@@ -65,10 +69,17 @@ void TitleCard::setState(bool can_start, const QString& trouble) {
   try_->setVisible(trouble.isEmpty());  // the problem is shown instead
 }
 
+void TitleCard::showWayOut(bool on) {
+  way_out_->setVisible(on);
+}
+
 void TitleCard::fitInto(int height_px) {
   setType(title_, height_px / 24.0, true);
   for (QWidget* words : {static_cast<QWidget*>(feel_), static_cast<QWidget*>(try_), static_cast<QWidget*>(trouble_)})
     setType(words, height_px / 38.0);
+  setType(way_out_, height_px / 50.0);
+  const int side = height_px / 24, above = height_px / 40;
+  layout()->setContentsMargins(side, above, side, above);
   setType(next_, height_px / 30.0);
   setType(start_, height_px / 20.0, true);
   // Independent of its text, so that the view above keeps its size and does not jump or render again.

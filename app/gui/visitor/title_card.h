@@ -14,6 +14,8 @@ class TitleCard : public QFrame {
   void setScene(const QString& title, const QString& feel, const QString& try_this);
   /// can_start: the force is off; trouble: why, in a sentence, or empty.
   void setState(bool can_start, const QString& trouble);
+  /// Whether it says how to leave visitor mode: only at first, while the demonstrator is there.
+  void showWayOut(bool on);
   /// The font scales with the height of the screen.
   void fitInto(int height_px);
 
@@ -22,7 +24,7 @@ class TitleCard : public QFrame {
   void startAsked();
 
  private:
-  QLabel *title_, *feel_, *try_, *trouble_;
+  QLabel *title_, *feel_, *try_, *trouble_, *way_out_;
   QPushButton *next_, *start_;
 };
 

@@ -11,8 +11,10 @@
 #include "app/gui/kit/problems_dialog.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
+#include "app/gui/model/settings.h"
 #include "app/gui/view/hand.h"
 #include "app/gui/visitor/demonstrator_panel.h"
+#include "app/gui/visitor/drag_hint.h"
 #include "app/gui/visitor/title_card.h"
 #include "device/simulated_arm.h"
 
@@ -21,6 +23,8 @@ namespace {
 
 constexpr double kType = 1.4;        // font scale of the view
 constexpr double kMoved_m = 0.002;   // more than the noise of an arm at rest
+constexpr double kWayOut_s = 15.0;   // it is said how to leave
+constexpr double kAlone_s = 6.0;     // after the last touch it is shown how to drag
 constexpr double kSettling_s = 3.0;  // a new scene moves the tip by itself
 
 QString named(const QString& key) {
@@ -42,7 +46,11 @@ struct VisitorMode::Before {
 };
 
 VisitorMode::VisitorMode(const FeatureParts& parts)
-    : QObject(parts.window), parts_(parts), card_(new TitleCard(parts.middle.parentWidget())), chrome_(parts.window) {
+    : QObject(parts.window),
+      parts_(parts),
+      card_(new TitleCard(parts.middle.parentWidget())),
+      hint_(new DragHint(parts.view)),
+      chrome_(parts.window) {
   parts.middle.addWidget(card_);
   parts_.actions.add(
       {named("start"), tr("&Visitor mode"), QKeySequence("Ctrl+Alt+Shift+S"),
@@ -95,7 +103,8 @@ bool VisitorMode::start(const QStringList& scenes) {
                                             parts_.view.viewpoint(),
                                             parts_.servo.running(),
                                             {}});
-  if (parts_.hand.arm() != nullptr) before_->hand = parts_.hand.arm()->setpoint();
+  if (parts_.hand.arm() != nullptr) before_->hand = parts_.hand.setpoint();
+  began_s_ = touched_s_ = static_cast<double>(parts_.servo.snapshot().ticks) / parts_.servo.rateHz();
   carousel_ = {};
   carousel_.setDwell(visitor_settings_.dwell_s);
   lock();
@@ -113,7 +122,7 @@ void VisitorMode::restoreWindow() {
   chrome_.hideChrome(WindowChrome::Keep::Nothing);
   parts_.window->setContextMenuPolicy(Qt::PreventContextMenu);
   parts_.window->setWindowState(parts_.window->windowState() | Qt::WindowFullScreen);
-  parts_.view.setLayers({});
+  parts_.view.setLayers(quietLayers());  // no frames, and no box with ticks
   parts_.view.setFont(larger(before_->view_font, kType));
   card_->setScene(tr("Loading"), {}, {});
   card_->fitInto(parts_.window->height());
@@ -131,6 +140,7 @@ void VisitorMode::leave() {
   load_.reset();
   if (panel_ != nullptr) panel_->close();
   card_->hide();
+  hint_->present(false);
   parts_.actions.allowAll();
   parts_.actions.find(named("demonstrator"))->setEnabled(false);
   if (!before_->was_running) parts_.control.stop();
@@ -186,6 +196,7 @@ void VisitorMode::show(std::size_t index) {
 void VisitorMode::reset() {
   parts_.view.setViewpoint({before_->viewpoint.camera, true});
   if (before_->hand) {
+    before_->hand->holds = true;  // at its place until the next visitor takes it
     parts_.hand.moveTo(*before_->hand);
     parts_.hand.rest();
   }
@@ -212,7 +223,9 @@ void VisitorMode::poll(const servo::Snapshot&) {
   takeLoaded();
   time_s_ = static_cast<double>(snapshot.ticks) / parts_.servo.rateHz();
   tellState(snapshot);
-  switch (carousel_.at(time_s_, isTouched(snapshot, time_s_))) {
+  const bool touched = isTouched(snapshot, time_s_);
+  presentHints(touched);
+  switch (carousel_.at(time_s_, touched)) {
     case Carousel::Step::Stay:
       break;
     case Carousel::Step::Next:
@@ -222,6 +235,18 @@ void VisitorMode::poll(const servo::Snapshot&) {
       reset();
       break;
   }
+}
+
+/// To whom it may concern: how to leave, at first; how to begin, while nobody does.
+void VisitorMode::presentHints(bool touched) {
+  if (touched) touched_s_ = time_s_;
+  card_->showWayOut(time_s_ - began_s_ < kWayOut_s);
+  const bool can_drag = parts_.hand.arm() != nullptr && parts_.servo.running() && panel_ == nullptr;
+  hint_->present(can_drag && !scenes_.empty() && time_s_ - touched_s_ > kAlone_s);
+}
+
+void VisitorMode::setTheme(const Theme& theme) {
+  hint_->setTheme(theme);
 }
 
 void VisitorMode::tellState(const servo::Snapshot& snapshot) {

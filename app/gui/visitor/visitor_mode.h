@@ -20,6 +20,7 @@
 namespace underact::gui {
 
 class DemonstratorPanel;
+class DragHint;
 class TitleCard;
 
 /// The window for visitors who are alone with the arm: the view, a title card, scenes in turn and reduced force. All
@@ -33,6 +34,7 @@ class VisitorMode : public QObject, public ServoListener {
 
   bool isOn() const { return chrome_.isOff(); }
   void poll(const servo::Snapshot& snapshot) override;
+  void setTheme(const Theme& theme) override;
   bool mayClose() const override;
   void leave() override;
   /// The index of the scene shown, from 0, and the scenes.
@@ -53,10 +55,12 @@ class VisitorMode : public QObject, public ServoListener {
   void setVisitorSettings(const VisitorSettings& visitor_settings);
   void showPanel();
   bool isTouched(const servo::Snapshot& snapshot, double time_s);
+  void presentHints(bool touched);
   void tellState(const servo::Snapshot& snapshot);
 
   FeatureParts parts_;
   TitleCard* card_;
+  DragHint* hint_;
   WindowChrome chrome_;
   std::unique_ptr<Before> before_;
   VisitorSettings visitor_settings_;
@@ -66,7 +70,7 @@ class VisitorMode : public QObject, public ServoListener {
   std::size_t index_ = 0;
   Carousel carousel_;
   QString trouble_;  // why Start failed
-  double time_s_ = 0.0, shown_s_ = 0.0;
+  double time_s_ = 0.0, shown_s_ = 0.0, touched_s_ = 0.0, began_s_ = 0.0;
   Vec3 rest_p_WT_ = Vec3::Zero();
   bool pressed_ = false;  // whether a button of the card was pressed since the last frame
 };

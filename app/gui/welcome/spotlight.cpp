@@ -1,10 +1,21 @@
 #include "app/gui/welcome/spotlight.h"
 
 #include <QPainter>
+#include <QPainterPath>
 
 namespace underact::gui {
 
-constexpr int kLine_px = 4, kRoom_px = 2;
+constexpr int kLine_px = 4, kRoom_px = 2, kRound_px = 8;
+
+namespace {
+
+QPainterPath rounded(const QRectF& rect, double radius_px) {
+  QPainterPath path;
+  path.addRoundedRect(rect, radius_px, radius_px);
+  return path;
+}
+
+}  // namespace
 
 Spotlight::Spotlight(const QString& name, QWidget* window) : QWidget(window) {
   setObjectName(name);
@@ -43,7 +54,11 @@ void Spotlight::follow() {
   const QRect wanted = target.adjusted(-out, -out, out, out) & parentWidget()->rect();
   if (wanted == geometry() && !mask().isEmpty()) return;
   setGeometry(wanted);
-  setMask(QRegion(rect()) - QRegion(rect().adjusted(kLine_px, kLine_px, -kLine_px, -kLine_px)));  // only the frame
+  const QRect inside = rect().adjusted(kLine_px, kLine_px, -kLine_px, -kLine_px);
+  const auto region = [](const QRect& of, int radius_px) {
+    return QRegion(rounded(of, radius_px).toFillPolygon().toPolygon());
+  };
+  setMask(region(rect(), kRound_px) - region(inside, kRound_px - kLine_px));  // only the frame
   raise();
 }
 
@@ -56,8 +71,9 @@ void Spotlight::setTheme(const Theme& theme) {
 void Spotlight::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), line_);
-  painter.setPen(edge_);  // visible on any background, also without colour vision
-  painter.drawRect(rect().adjusted(0, 0, -1, -1));
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(edge_, 2));  // visible on any background, also without colour vision
+  painter.drawPath(rounded(rect(), kRound_px));
 }
 
 }  // namespace underact::gui

@@ -14,7 +14,6 @@
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/message_label.h"
 #include "app/gui/kit/push_button.h"
-#include "app/gui/kit/stop_key.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/welcome/spotlight.h"
 
@@ -46,8 +45,8 @@ constexpr std::array kStops{
                            "restores the scene's own value.")},
     Stop{"status", QT_TRANSLATE_NOOP("tour", "The status line"),
          QT_TRANSLATE_NOOP("tour",
-                           "Always up to date: the state of the servo, the arm, the servo rate, the latency, and the "
-                           "force with its limit, as on the gauge in the view.")},
+                           "Always up to date: the state of the servo and its rate, with latency and scheduling in "
+                           "the tip, the arm, and the force with its limit, as on the gauge in the view.")},
     Stop{"button.session.record", QT_TRANSLATE_NOOP("tour", "Record"),
          QT_TRANSLATE_NOOP("tour",
                            "Press it to record every tick in a session; press it again to stop. The Sessions panel "
@@ -59,7 +58,7 @@ constexpr std::array kStops{
     Stop{"button.help.guide", QT_TRANSLATE_NOOP("tour", "Help"),
          QT_TRANSLATE_NOOP("tour",
                            "Opens the guide; F1 does so at the page for whatever has the focus. The Help menu also has "
-                           "the list of keys and this tour. Esc stops the force from anywhere.")}};
+                           "the list of keys and this tour. Esc stops the force; Shift+Esc does so from anywhere.")}};
 
 QString words(const char* text) {
   return QCoreApplication::translate("tour", text);
@@ -84,7 +83,6 @@ Tour::Tour(const FeatureParts& parts)
   setAttribute(Qt::WA_NoMousePropagation);
   hide();
   build();
-  new StopKey([this] { end(); }, this);  // wherever the focus is
   actions_.add({"help.tour", tr("&Tour of the window"), QKeySequence("Ctrl+Shift+T"),
                 tr("Shows what is where in the window, in eight stops; Esc leaves the tour at any stop.")},
                [this](const QVariantList&) {
@@ -101,8 +99,7 @@ void Tour::build() {
   count_->setWordWrap(false);
   back_ = pushButton("tour.back", tr("Back"), tr("Goes to the previous stop."), this);
   next_ = pushButton("tour.next", tr("Next"), tr("Goes to the next stop, as does Enter."), this);
-  auto* leaves =
-      pushButton("tour.close", tr("Close"), tr("Leaves the tour. Esc does too, and also stops the servo."), this);
+  auto* leaves = pushButton("tour.close", tr("Close"), tr("Leaves the tour, as does Esc."), this);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(count_, 1);
   for (QPushButton* button : {back_, next_, leaves}) buttons->addWidget(button);

@@ -4,6 +4,7 @@
 #include <QMainWindow>
 
 #include "app/gui/feature/feature.h"
+#include "app/gui/kit/stop_key.h"
 #include "app/gui/kit/theme.h"
 
 class QLabel;
@@ -14,14 +15,16 @@ namespace underact::gui {
 class Spotlight;
 
 /// A tour of the window: at each stop a frame marks a part of the window, and a card explains it. Enter continues; Esc
-/// (which stops the servo, as always) and Close leave the tour at any stop and restore the panels.
-class Tour : public QFrame, public ServoListener {
+/// and Close leave the tour at any stop and restore the panels.
+class Tour : public QFrame, public ServoListener, public LeftByEsc {
   Q_OBJECT
  public:
   explicit Tour(const FeatureParts& parts);
   void present(const servo::Snapshot&) override { follow(); }  // the target may move
   void end();
   void setTheme(const Theme& theme) override;
+  bool isOpen() const override { return stop_ >= 0; }
+  void leaveByEsc() override { end(); }
   int stop() const { return stop_; }  // from 0; -1: no tour
   static int stops();
 

@@ -21,6 +21,7 @@
 #include "app/gui/view/scene_view.h"
 #include "app/gui/welcome/spotlight.h"
 #include "core/base/units.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::gui {
 namespace {
@@ -28,6 +29,7 @@ namespace {
 constexpr double kPush_N = 0.05;  // five times the last digit of the force shown: enough to be felt
 constexpr double kTurn_rad = 15.0 * kRadPerDegree;
 constexpr int kConfirmed_s = 4;
+constexpr int kSettles_ticks = 1000;
 constexpr int kMargin_px = 16, kAway_px = 12, kTriad_px = 88;  // the view's triad is at the bottom left
 
 struct PushRow {
@@ -70,8 +72,11 @@ Welcome::Welcome(const FeatureParts& parts)
       document_(parts.document),
       actions_(parts.actions),
       rate_(parts.rate),
-      slider_(new Spotlight("welcome.frame", parts.window)),
+      servo_(parts.servo),
+      spotlight_(new Spotlight("welcome.frame", parts.window)),
+      title_(sectionTitle({}, this)),
       confirmed_(messageLabel("welcome.confirmed", tr("What you just did"), "", this)),
+      live_(messageLabel("welcome.live", tr("Force now"), "quiet", this)),
       was_seen_(parts.settings.has_pushed),
       is_asked_(!was_seen_) {
   setObjectName("welcome");
@@ -87,15 +92,15 @@ Welcome::Welcome(const FeatureParts& parts)
                       return true;
                     });
   connect(&document_, &Document::opened, this, [this] { tell(); });
-  connect(&document_, &Document::edited, this, [this] { edited_ = true; });
+  connect(&document_, &Document::editedHere, this, [this] { edited_ = true; });
 }
 
 void Welcome::build(Actions& actions) {
-  auto* title = sectionTitle(tr("Try one of these"), this);
+  title_->setObjectName("welcome.title");
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 12, 16, 12);
   column->setSpacing(8);
-  column->addWidget(title);
+  column->addWidget(title_);
   const char* const names[] = {"welcome.push", "welcome.slider", "welcome.turn"};
   for (int thing = 0; thing < kThings; ++thing) {
     QLabel*& row = rows_[static_cast<std::size_t>(thing)];
@@ -103,6 +108,7 @@ void Welcome::build(Actions& actions) {
     column->addWidget(row);
   }
   column->addWidget(confirmed_);
+  column->addWidget(live_);
   auto* tour = pushButton("welcome.tour", tr("Tour of the window"),
                           tr("Shows what is where in the window, in eight stops."), this);
   auto* leave = pushButton("welcome.close", tr("Close"), tr("Closes this card; the Help menu brings it back."), this);
@@ -138,20 +144,25 @@ void Welcome::close() {
 
 void Welcome::tell() {
   const QString texts[] = {pushWords(document_.scene()),
-                           tr("Move a slider: the framed one sets the stiffness along x."),
+                           tr("Move a slider, here the stiffness. To feel it, turn on Keep holding (F6) and "
+                              "push a little first."),
                            tr("Turn the stylus: hold Ctrl and drag it.")};
   for (std::size_t thing = 0; thing < kThings; ++thing) {
     rows_[thing]->setText((is_done_[thing] ? QString::fromUtf8("✓  ") : QString::fromUtf8("○  ")) + texts[thing]);
     rows_[thing]->setAccessibleDescription(is_done_[thing] ? tr("Done") : tr("Not done yet"));
+    QFont font = this->font();
+    font.setBold(static_cast<Thing>(thing) == next());
+    rows_[thing]->setFont(font);
   }
+  title_->setText(tr("Three things to try: %1 of 3 done").arg(std::count(is_done_.begin(), is_done_.end(), true)));
   confirmed_->setVisible(!confirmed_->text().isEmpty());
 }
 
 void Welcome::done(Thing thing, const QString& sentence) {
   if (is_done_[thing]) return;
   is_done_[thing] = true;
-  was_seen_ = true;
-  confirmed_->setText(sentence + " " + tr("The Help menu brings this card back."));
+  was_seen_ = next() == kThings;
+  confirmed_->setText(was_seen_ ? sentence + " " + tr("The Help menu brings this card back.") : sentence);
   tell();
   QAccessibleEvent said(confirmed_, QAccessible::Alert);
   QAccessible::updateAccessibility(&said);
@@ -161,12 +172,36 @@ void Welcome::watch(const servo::Snapshot& snapshot) {
   const tick::TickReport& report = snapshot.report;
   if (!began_rad_) began_rad_ = report.sample.q_rad;
   const double force_N = report.force.f_T_W().norm();
-  if (hand_.moves() && force_N > kPush_N) done(Push, tr("The arm pushes back with %1 N.").arg(numberText(force_N, 2)));
+  if (hand_.moves() && force_N > kPush_N) done(Push, tr("The arm pushes back."));
   if (edited_) done(Slider, tr("You feel the change at once."));
   if (hand_.moves() && wristTurn_rad(*began_rad_, report.sample.q_rad) > kTurn_rad)
     done(Turn, tr("The stylus has turned; in some scenes this moves the target."));
-  const bool any = std::any_of(is_done_.begin(), is_done_.end(), [](bool one) { return one; });
-  if (any && leaves_at_tick_ < 0) leaves_at_tick_ = snapshot.ticks;
+  if (next() == kThings && leaves_at_tick_ < 0) leaves_at_tick_ = snapshot.ticks;
+  tellForce(report);
+}
+
+/// The numbers of the gauge, and what to do where the limit hides what a slider changes.
+void Welcome::tellForce(const tick::TickReport& report) {
+  const double limit_N = scene::armOf(document_.scene()).continuous_force_N * servo_.forceShare();
+  const QString now =
+      tr("Force now: %1 of %2 N.").arg(numberText(report.force.f_T_W().norm(), 2), numberText(limit_N, 2));
+  updateText(live_, report.cut_N > 0.0 ? now + " " + tr("That is the limit: push less deeply to feel a slider.") : now);
+}
+
+Welcome::Thing Welcome::next() const {
+  return static_cast<Thing>(std::find(is_done_.begin(), is_done_.end(), false) - is_done_.begin());
+}
+
+/// Of the next thing to do, in the window.
+QRect Welcome::nextPlace() const {
+  if (next() == Slider) {
+    const auto* row = view_.window()->findChild<QWidget*>("panel.gains.kp.x");
+    return row == nullptr ? QRect() : Spotlight::seenRect(*row);
+  }
+  if (next() == kThings) return {};
+  const QRect stylus =
+      view_.stylusOnScreen().toAlignedRect().adjusted(-kAway_px, -kAway_px, kAway_px, kAway_px) & view_.rect();
+  return stylus.translated(view_.mapTo(view_.window(), QPoint()));
 }
 
 void Welcome::remember(Settings& settings) {
@@ -174,7 +209,8 @@ void Welcome::remember(Settings& settings) {
 }
 
 void Welcome::present(const servo::Snapshot& snapshot) {
-  const bool may_show = !actions_.isLocked();
+  const QAction* const leaves_lesson = actions_.find("lesson.leave");  // a lesson says itself what to do
+  const bool may_show = !actions_.isLocked() && (leaves_lesson == nullptr || !leaves_lesson->isEnabled());
   // The card is about the mouse, so it is of no use to someone who holds a real arm.
   const bool is_seen = may_show && is_asked_ && hand_.arm() != nullptr && snapshot.ticks > 0 && document_.isOpen();
   if (is_seen) {
@@ -186,17 +222,15 @@ void Welcome::present(const servo::Snapshot& snapshot) {
     is_shown_ = shows;
     setVisible(shows);
     if (shows) {
-      slider_->pointAt([this] {
-        const auto* row = view_.window()->findChild<QWidget*>("panel.gains.kp.x");
-        return row == nullptr ? QRect() : Spotlight::seenRect(*row);
-      });
+      spotlight_->pointAt([this] { return nextPlace(); });
     } else {
-      slider_->pointNowhere();
+      spotlight_->pointNowhere();
     }
   }
   if (!shows) return;
+  if (snapshot.ticks < kSettles_ticks) move(0, 0);  // the view has not found its place yet: neither has the card
   place();
-  slider_->follow();
+  spotlight_->follow();
 }
 
 // It moves only to make way for the stylus or to fit a smaller window.
@@ -205,16 +239,30 @@ void Welcome::place() {
   const QRect stylus = view_.stylusOnScreen().toAlignedRect().adjusted(-kAway_px, -kAway_px, kAway_px, kAway_px);
   if (view_.rect().contains(geometry()) && !geometry().intersects(stylus) && !pos().isNull()) return;
   const int right = view_.width() - width() - kMargin_px, bottom = view_.height() - height() - kMargin_px;
-  const QPoint corners[] = {
-      {kMargin_px, kMargin_px}, {right, kMargin_px}, {kMargin_px, bottom - kTriad_px}, {right, bottom - kTriad_px}};
-  const auto is_free = [&](const QPoint& corner) { return !QRect(corner, size()).intersects(stylus); };
+  const int middle = bottom / 2, centre = right / 2;
+  const QPoint corners[] = {{kMargin_px, kMargin_px},
+                            {right, kMargin_px},
+                            {kMargin_px, bottom - kTriad_px},
+                            {right, bottom - kTriad_px},
+                            {kMargin_px, bottom},
+                            {right, bottom},
+                            {kMargin_px, middle},
+                            {right, middle},
+                            {centre, kMargin_px},
+                            {centre, bottom}};  // over the axes and the gauge where it has to be
+  const auto* banner = view_.findChild<QWidget*>("view.stopped");
+  const QRect stopped = banner == nullptr || banner->isHidden() ? QRect() : banner->geometry();
+  const auto is_free = [&](const QPoint& corner) {
+    const QRect there(corner, size());
+    return !there.intersects(stylus) && !there.intersects(stopped);
+  };
   const QPoint* chosen = std::find_if(std::begin(corners), std::end(corners), is_free);
   move(chosen == std::end(corners) ? corners[0] : *chosen);
   raise();
 }
 
 void Welcome::setTheme(const Theme& theme) {
-  slider_->setTheme(theme);
+  spotlight_->setTheme(theme);
 }
 
 }  // namespace underact::gui

@@ -15,15 +15,16 @@ namespace underact::gui {
 
 class Spotlight;
 
-/// The first minute: a card over the view with three things to try. Each is ticked off when done; the card disappears a
-/// little later and comes back only on request. It keeps clear of the stylus.
+/// The first minute: a card over the view with three things to try. Each is ticked off when done, and the next one is
+/// framed; when all are done, the card disappears a little later and comes back only on request. It keeps clear of the
+/// stylus.
 class Welcome : public QFrame, public ServoListener {
   Q_OBJECT
  public:
   explicit Welcome(const FeatureParts& parts);
   void present(const servo::Snapshot& snapshot) override;
   void setTheme(const Theme& theme) override;
-  /// Once something has been done, or the card was closed, it does not come back by itself.
+  /// Once all have been done, or the card was closed, it does not come back by itself.
   void remember(Settings& settings) override;
 
  private:
@@ -34,17 +35,21 @@ class Welcome : public QFrame, public ServoListener {
   void tell();
   void done(Thing thing, const QString& sentence);
   void watch(const servo::Snapshot& snapshot);
+  void tellForce(const tick::TickReport& report);
   void place();
+  Thing next() const;
+  QRect nextPlace() const;
 
   SceneView& view_;
   const Hand& hand_;
   Document& document_;
   const Actions& actions_;
   const ServoRate& rate_;
-  Spotlight* slider_;
+  const ServoFacts servo_;
+  Spotlight* spotlight_;
   std::array<QLabel*, kThings> rows_{};
   std::array<bool, kThings> is_done_{};
-  QLabel* confirmed_;
+  QLabel *title_, *confirmed_, *live_;
   bool was_seen_, is_asked_, is_shown_ = false;
   bool edited_ = false;  // since the card was shown
   std::optional<arm::JointAngles> began_rad_;

@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMainWindow>
+#include <algorithm>
 
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/message_label.h"
@@ -12,17 +13,29 @@
 namespace underact::gui {
 namespace {
 
+constexpr int kLeastLines = 12, kMostPercent = 20;       // of a panel's width
+constexpr int kPlotsPercent = 25, kSessionPercent = 42;  // of the window's height
+
+/// Plots below the view, which were closed, get enough of the window to be read.
+void heighten(QDockWidget* dock) {
+  auto* const window = qobject_cast<QMainWindow*>(dock->window());
+  if (window == nullptr || homeOf(dock) != Qt::BottomDockWidgetArea || dock->isFloating()) return;
+  const int least = window->height() * (dock->objectName() == "dock.session" ? kSessionPercent : kPlotsPercent) / 100;
+  if (dock->height() < least) window->resizeDocks({dock}, {least}, Qt::Vertical);
+}
+
 QAction* addDockAction(Actions& actions, const PanelRow& row, QDockWidget* dock) {
   QAction* action = actions.add({dock->objectName(),
                                  dock->windowTitle(),
                                  QKeySequence(row.shortcut),
                                  QCoreApplication::translate("panel", row.tip),
-                                 {},
+                                 row.key,  // its icon
                                  {},
                                  true},
                                 [dock](const QVariantList& on) {
                                   dock->setVisible(on.value(0).toBool());
                                   dock->raise();  // in front of the panels it shares its tabs with
+                                  if (on.value(0).toBool()) heighten(dock);
                                   return true;
                                 });
   QObject::connect(dock, &QDockWidget::visibilityChanged, action,
@@ -40,6 +53,13 @@ void resize(QMainWindow* window, const QList<QPair<QDockWidget*, int>>& sizes, Q
     lengths << lines * window->fontMetrics().lineSpacing();
   }
   if (!docks.isEmpty()) window->resizeDocks(docks, lengths, orientation);
+}
+
+/// As wide as what is in it asks for, in the room there is.
+void widen(QMainWindow* window, QDockWidget* dock) {
+  if (dock == nullptr) return;
+  const int most = std::max(kLeastLines * window->fontMetrics().lineSpacing(), window->width() * kMostPercent / 100);
+  window->resizeDocks({dock}, {std::min(dock->widget()->sizeHint().width(), most)}, Qt::Horizontal);
 }
 
 }  // namespace
@@ -61,6 +81,7 @@ Docks::Docks(const std::vector<FeatureRow>& rows, const FeatureParts& parts)
     addDockAction(parts.actions, row, made);
     docks_.insert(row.key, made);
     panels_.push_back(panel);
+    if (row.is_folded) made->hide();
     if (row.behind == nullptr) continue;
     if (QDockWidget* front = dock(row.behind)) window_->tabifyDockWidget(front, made);
     made->hide();
@@ -76,9 +97,10 @@ void Docks::arrange() {
     window_->addDockWidget(row.area, one);
     QDockWidget* front = row.behind == nullptr ? nullptr : dock(row.behind);
     if (front != nullptr) window_->tabifyDockWidget(front, one);
-    one->setVisible(row.behind == nullptr);
+    one->setVisible(row.behind == nullptr && !row.is_folded);
   }
-  resize(window_, {{dock("scenes"), 15}, {dock("feel"), 20}}, Qt::Horizontal);
+  resize(window_, {{dock("feel"), 18}}, Qt::Horizontal);
+  widen(window_, dock("scenes"));
   resize(window_, {{dock("feel"), 26}, {dock("shape"), 9}, {dock("arm"), 10}}, Qt::Vertical);
   resize(window_, {{dock("plots"), 13}}, Qt::Vertical);
 }

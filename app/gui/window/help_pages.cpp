@@ -10,6 +10,7 @@ std::vector<HelpPage> helpPages(const std::vector<FeatureRow>& rows) {
       {"button", "window#starting-and-stopping"},
       {"status", "window#the-status-line"},
       {"load", "meshes"},
+      {"notice", "window#the-view"},
       {"dialog", "window"},
       {"dialog.newer_settings", "install"},
       {"dialog.not_saved", "window#feel"},

@@ -23,6 +23,7 @@
 #include "app/gui/view/hand.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/window/docks.h"
+#include "app/gui/window/stop_banner.h"
 
 namespace underact::gui {
 
@@ -35,10 +36,7 @@ void MainWindow::frame() {
   services_.player->poll();
   for (ServoListener* listener : listeners_) listener->before();
   const servo::Snapshot snapshot = given_.host.snapshot();
-  given_.host.drain([this](const servo::TickRecord& record) {
-    services_.player->add(record);
-    for (ServoListener* listener : listeners_) listener->add(record);
-  });
+  drain();
   services_.second->poll();
   if (pacer_->isSeen()) {
     if (snapshot.ticks > 0) services_.view->present(snapshot);  // before the first tick the stylus position is unknown
@@ -51,6 +49,13 @@ void MainWindow::frame() {
   for (ServoListener* listener : listeners_) listener->poll(snapshot);
 }
 
+void MainWindow::drain() {
+  given_.host.drain([this](const servo::TickRecord& record) {
+    services_.player->add(record);
+    for (ServoListener* listener : listeners_) listener->add(record);
+  });
+}
+
 void MainWindow::presentMode(const servo::Snapshot& snapshot) {
   const bool faulted = snapshot.mode == servo::Mode::Faulted;
   const QString sentence = faulted ? sentenceText(describe(snapshot.report.fault)) : QString();
@@ -59,6 +64,11 @@ void MainWindow::presentMode(const servo::Snapshot& snapshot) {
     services_.status->setFault(sentence);
     QAccessibleEvent alert(services_.status, QAccessible::Alert);
     if (faulted) QAccessible::updateAccessibility(&alert);
+  }
+  if (banner_ != nullptr) {
+    const bool may_start =
+        services_.document->isOpen() && !services_.player->isOpen() && !services_.actions->isLocked();
+    banner_->present(may_start && snapshot.mode == servo::Mode::Idle);
   }
   // Stop is always enabled: nobody in trouble should find it grey.
   const bool all_run =

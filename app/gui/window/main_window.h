@@ -10,6 +10,7 @@ namespace underact::gui {
 
 class Docks;
 class FramePacer;
+class StopBanner;
 class DeferredStyleSheet;
 
 /// The window: the view in the middle and the features around it. Each frame it hands the servo's newest snapshot to
@@ -36,6 +37,7 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
+  void drain();  // gives everybody the ticks since the last time
   void buildFeatures();
   void presentMode(const servo::Snapshot& snapshot);
   void sceneOpened();
@@ -55,6 +57,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<Docks> docks_;
   ServoListeners listeners_;
   bool arranged_ = false;
+  StopBanner* banner_ = nullptr;
   QString fault_;  // the sentence announced last
 };
 

@@ -1,8 +1,10 @@
 // Builds the window; its behaviour is in main_window.cpp.
+#include <QScreen>
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "app/gui/arms/second_arm.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/deferred_style_sheet.h"
 #include "app/gui/kit/frame_pacer.h"
@@ -11,11 +13,16 @@
 #include "app/gui/kit/tab_order.h"
 #include "app/gui/model/arm_choice.h"
 #include "app/gui/model/document.h"
+#include "app/gui/model/window_scene.h"
+#include "app/gui/view/hand_actions.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/view/view_actions.h"
 #include "app/gui/window/docks.h"
 #include "app/gui/window/main_window.h"
 #include "app/gui/window/menus.h"
+#include "app/gui/window/notice.h"
+#include "app/gui/window/rail.h"
+#include "app/gui/window/stop_banner.h"
 #include "app/gui/window/window_actions.h"
 
 namespace underact::gui {
@@ -35,7 +42,7 @@ MainWindow::MainWindow(const WindowParts& given, std::vector<FeatureRow> rows)
   setDockNestingEnabled(true);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  resize(1280, 800);
+  resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
   setMinimumSize(800, 560);
   given_.theme.choose(settings_.theme);
   buildFeatures();
@@ -46,15 +53,21 @@ MainWindow::MainWindow(const WindowParts& given, std::vector<FeatureRow> rows)
   restore();
   setTheme(given_.theme.theme());
   connect(&given_.theme, &ThemeWatcher::changed, this, &MainWindow::setTheme);
-  new StopKey([this] { actions().perform("session.stop"); }, this);
+  new StopKey([this] { actions().perform("session.stop"); },
+              [this] { return services_.arms->simulated() == nullptr || services_.second->isReal(); }, this);
+  banner_ = new StopBanner(view());
+  connect(banner_, &QPushButton::clicked, this, [this] { actions().perform("session.start"); });
   connect(pacer_, &FramePacer::frame, this, &MainWindow::frame);
   pacer_->start();
 }
 
 void MainWindow::buildFeatures() {
   const FeatureParts parts = services_.parts(given_, settings_, pages_, [this] { return busyReason(); });
+  services_.steered->setDrain([this] { drain(); });
+  new Notice(view(), actions());
   addWindowActions(parts, rows_, [this] { docks_->arrange(); });
   addViewActions(actions(), view(), given_.theme);
+  addHandActions(actions(), parts.hand, settings_.keeps_holding);
   ServoListeners tools;
   for (const FeatureRow& row : rows_) {
     if (row.make != nullptr) row.make(parts, tools);
@@ -64,9 +77,11 @@ void MainWindow::buildFeatures() {
   listeners_.insert(listeners_.end(), tools.begin(), tools.end());
   buildMenus(this, actions(), parts.recent);
   buildToolBar(this, actions());
-  // From left to right and top to bottom: tool bar, the first panel, the view and its strips, then the other panels.
+  buildRail(this, actions());
+  // From left to right and top to bottom: tool bar, rail, the first panel, the view and its strips, then the other
+  // panels.
   const std::vector<Panel*>& panels = docks_->panels();
-  QList<QWidget*> groups{findChild<QToolBar*>()};
+  QList<QWidget*> groups{findChild<QToolBar*>("toolbar"), findChild<QToolBar*>("rail")};
   if (!panels.empty()) groups << panels.front();
   groups << &view();
   for (int index = 1; index < parts.middle.count(); ++index) groups << parts.middle.itemAt(index)->widget();

@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QFileInfo>
-#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
@@ -15,6 +14,7 @@
 #include "app/gui/kit/message_label.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/scene_library.h"
+#include "app/gui/window/narrow_bar.h"
 #include "core/lesson/layers.h"
 
 namespace underact::gui {
@@ -53,7 +53,8 @@ void keepWidth(QToolBar* bar, QAction* action) {
   bold.setWeight(QFont::DemiBold);
   const QFontMetrics metrics(bold);
   const int margins = bar->iconSize().width() + 2 * metrics.averageCharWidth() + 28;
-  button->setMinimumWidth(metrics.horizontalAdvance(action->iconText()) + margins);
+  const QString widest = action->property("widestText").toString();
+  button->setMinimumWidth(metrics.horizontalAdvance(widest.isEmpty() ? action->iconText() : widest) + margins);
 }
 
 QStringList layerNames() {
@@ -77,13 +78,34 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
   fillRecent(recent_menu, actions, recent);
   QObject::connect(&recent, &RecentFiles::changed, recent_menu,
                    [recent_menu, &actions, &recent] { fillRecent(recent_menu, actions, recent); });
-  fillMenu(file, actions, {"scenes.find", "-", "scene.save_as", "-", "live.send", "live.address", "-", "app.quit"});
+  fillMenu(file, actions,
+           {"scenes.find", "-", "scene.save_as", "-", "live.send", "live.address", "service.on", "service.take_back",
+            "-", "app.quit"});
   fillMenu(named(bar->addMenu(tr("&Edit")), "menu.edit"), actions,
            {"edit.undo", "edit.redo", "-", "gains.reset", "-", "scene.left_handed"});
   fillMenu(named(bar->addMenu(tr("&Servo")), "menu.servo"), actions,
-           {"session.start", "session.stop", "session.hold_to_run", "-", "servo.restart", "servo.check", "servo.fault",
-            "-", "devices.look", "devices.simulated", "second.on", "registration.open", "-", "identify.open",
-            "arm.open", "arm.vendor", "-", "calibration.left", "calibration.right"});
+           {"session.start",
+            "session.stop",
+            "session.hold_to_run",
+            "-",
+            "hand.keep",
+            "hand.let_go",
+            "-",
+            "servo.restart",
+            "servo.check",
+            "servo.fault",
+            "-",
+            "devices.look",
+            "devices.simulated",
+            "second.on",
+            "registration.open",
+            "-",
+            "identify.open",
+            "arm.open",
+            "arm.vendor",
+            "-",
+            "calibration.left",
+            "calibration.right"});
   fillMenu(named(bar->addMenu(tr("Sessio&ns")), "menu.sessions"), actions,
            {"session.record", "session.mark", "-", "sessions.find", "sessions.export", "sessions.plots",
             "sessions.follow", "sessions.rerun", "sessions.show", "sessions.edit", "sessions.recover",
@@ -94,11 +116,12 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
             "replay.loop_out", "-", "replay.what_if", "-", "replay.files", "replay.close", "-", "ghost.open"});
   fillMenu(named(replay->addMenu(tr("&Ghost")), "menu.ghost"), actions, {"ghost.play", "ghost.restart", "ghost.close"});
   fillMenu(named(bar->addMenu(tr("Less&ons")), "menu.lessons"), actions,
-           {"lesson.open", "-", "lesson.back", "lesson.next", "lesson.hint", "-", "lesson.report", "lesson.leave"});
+           {"lesson.all", "lesson.open", "-", "lesson.back", "lesson.next", "lesson.hint", "lesson.after", "-",
+            "lesson.report", "lesson.leave"});
   QMenu* view = named(bar->addMenu(tr("&View")), "menu.view");
   fillMenu(view, actions,
-           {"view.fit", "view.front", "view.top", "view.side", "view.isometric", "view.left", "view.back",
-            "view.bottom", "-", "view.focus", "-"});
+           {"view.fit", "view.selection", "view.home", "-", "view.front", "view.top", "view.side", "view.isometric",
+            "view.left", "view.back", "view.bottom", "-", "view.parallel", "-", "view.focus", "-"});
   fillMenu(named(view->addMenu(tr("L&ayers")), "menu.layers"), actions, layerNames());
   fillMenu(named(view->addMenu(tr("T&heme")), "menu.theme"), actions,
            {"view.theme.system", "view.theme.light", "view.theme.dark"});
@@ -108,7 +131,8 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
            {"-", "compare.on", "compare.swap", "compare.same", "compare.open", "-", "view.projector", "visitor.start",
             "visitor.demonstrator"});
   QMenu* layout = named(bar->addMenu(tr("&Layout")), "menu.layout");
-  for (const QDockWidget* dock : docksOf(window)) layout->addAction(actions.find(dock->objectName()));
+  QMenu* panels = named(layout->addMenu(tr("&Panels")), "menu.panels");
+  for (const QDockWidget* dock : docksOf(window)) panels->addAction(actions.find(dock->objectName()));
   fillMenu(layout, actions, {"-", "layout.reset"});
   fillMenu(named(bar->addMenu(tr("&Help")), "menu.help"), actions,
            {"help.guide", "help.welcome", "help.tour", "help.keys", "help.figures", "-", "help.about"});
@@ -136,8 +160,8 @@ void buildToolBar(QMainWindow* window, Actions& actions) {
   bar->addSeparator();
   button("session.record", "record");
   if (QAction* record = actions.find("session.record")) keepWidth(bar, record);
+  button("hand.keep", "hold");
   bar->addSeparator();
-  bar->addWidget(new QLabel(tr("View"), bar));
   for (const char* name : {"view.fit", "view.front", "view.top", "view.side"}) button(name, "");
   bar->addSeparator();
   QAction* layers = actions.find("menu.layers");
@@ -148,7 +172,11 @@ void buildToolBar(QMainWindow* window, Actions& actions) {
   button("menu.layers", "menu");
   qobject_cast<QToolButton*>(bar->widgetForAction(layers))->setPopupMode(QToolButton::InstantPopup);
   bar->addSeparator();
+  button("dock.lessons", "");
   button("help.guide", "");
+  // The axes in the corner of the view look from the sides, too.
+  new NarrowBar(bar, {"button.view.side", "button.view.top", "button.view.front", "button.view.fit",
+                      "button.menu.layers", "button.hand.keep", "button.help.guide"});
 }
 
 }  // namespace underact::gui

@@ -19,6 +19,7 @@
 #include "app/gui/model/recording.h"
 #include "app/gui/model/scene_library.h"
 #include "app/gui/model/servo_rate.h"
+#include "app/gui/model/window_scene.h"
 #include "app/gui/view/drawn_mesh.h"
 #include "app/gui/view/hand.h"
 #include "app/gui/view/scene_view.h"
@@ -39,8 +40,10 @@ Services::Services(const WindowParts& given, const Settings& settings, QMainWind
       loads(new LoadStrip(owner)),
       files(new SceneFiles(*document, *recent, *loads, owner)),
       view(new SceneView(owner)),
+      view_memory(std::make_unique<ViewMemory>(*view)),
       player(new Player(given.host, *document, given.replay, makeDrawnMeshes, owner)),
       recording(new Recording(given.host, owner)),
+      steered(new WindowScene({given.host, *document, *player, *recording, *actions}, owner)),
       rate(new ServoRate(given.host, owner)),
       arms(new ArmChoice(given.host, *document, given.chosen, given.arm, owner)),
       second(new SecondArm(given.host, *arms, *view, owner)),
@@ -99,9 +102,13 @@ void Services::connectThem(const WindowParts& given) {
   QObject::connect(document, &Document::edited, window, integrate);
   QObject::connect(document, &Document::opened, window, [this] {
     view->setScene(document->scene());
+    view_memory->enter(document->showsRecorded() ? QString() : document->path());
     presentForceLimit();
   });
-  QObject::connect(document, &Document::edited, window, [this] { view->followEdit(document->scene()); });
+  QObject::connect(document, &Document::edited, window, [this] {
+    view->followEdit(document->scene());
+    presentForceLimit();
+  });
   QObject::connect(rate, &ServoRate::changed, window, [this](int, int rate_hz) {
     status->measureAnew();
     second->setRate(rate_hz);
@@ -136,6 +143,7 @@ FeatureParts Services::parts(const WindowParts& given, const Settings& settings,
           .hand = *hand,
           .player = *player,
           .recording = *recording,
+          .steered = *steered,
           .rate = *rate,
           .arm_in_use = *arm_in_use,
           .arms = *arms,
@@ -150,7 +158,9 @@ FeatureParts Services::parts(const WindowParts& given, const Settings& settings,
 }
 
 void Services::remember(Settings& settings) const {
+  view_memory->keep();
   settings.layers = view->layers();
+  settings.keeps_holding = hand->keepsHolding();
   settings.recent = recent->paths();
   settings.left_handed = document->isLeftHanded();
   settings.servo_rate_hz = rate->chosen().value_or(settings.servo_rate_hz);

@@ -1,9 +1,11 @@
 #pragma once
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "app/gui/feature/feature.h"
 #include "app/gui/model/settings.h"
+#include "app/gui/view/view_memory.h"
 
 namespace underact::device {
 class ReplayedArm;
@@ -39,8 +41,10 @@ struct Services {
   LoadStrip* loads;
   SceneFiles* files;
   SceneView* view;
+  std::unique_ptr<ViewMemory> view_memory;
   Player* player;
   Recording* recording;
+  WindowScene* steered;
   ServoRate* rate;
   ArmChoice* arms;
   SecondArm* second;

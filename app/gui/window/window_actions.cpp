@@ -1,6 +1,7 @@
 #include "app/gui/window/window_actions.h"
 
 #include <QAction>
+#include <QFileInfo>
 #include <QMainWindow>
 
 #include "app/gui/arms/second_arm.h"
@@ -15,6 +16,7 @@ namespace {
 
 void addServo(const FeatureParts& parts) {
   SecondArm& second = parts.second;
+  Actions& actions = parts.actions;
   parts.actions.add(
       {"session.start", tr("&Start"), QKeySequence("F5"), tr("Starts the servo, also after a fault."), "start"},
       [control = parts.control, &second](const QVariantList&) {
@@ -22,18 +24,23 @@ void addServo(const FeatureParts& parts) {
         second.start();
         return true;
       });
-  parts.actions.add({"session.stop", tr("S&top"), QKeySequence("Esc"),
-                     tr("Stops the servo: the force goes to zero. Esc does the same from anywhere."), "stop"},
-                    [control = parts.control, &second](const QVariantList&) {
-                      control.stop();
-                      second.stop();
-                      return true;
-                    });
+  parts.actions.add(
+      {"session.stop", tr("S&top"), QKeySequence("Esc"),
+       tr("Stops the servo: the force goes to zero. Shift+Esc does so in an open menu or dialog, too."), "stop"},
+      [control = parts.control, &second, &actions](const QVariantList&) {
+        control.stop();
+        second.stop();
+        actions.perform("service.hold");  // no program starts again what a person has stopped
+        return true;
+      });
 }
 
 void addFiles(const FeatureParts& parts, const std::vector<FeatureRow>& rows) {
   Actions& actions = parts.actions;
   SceneFiles& files = parts.files;
+  QObject::connect(&files, &SceneFiles::saved, &actions, [&actions](const QString& path) {
+    actions.perform("notice.tell", tr("Scene saved as %1.").arg(QFileInfo(path).fileName()), path);
+  });
   actions.add({"scene.open", tr("&Open file…"), QKeySequence::Open, tr("Opens a scene file."), "open"},
               [&actions, &files, rows](const QVariantList& path) {
                 if (path.isEmpty()) {
@@ -97,6 +104,9 @@ void addWindowActions(const FeatureParts& parts, const std::vector<FeatureRow>& 
   parts.actions.add({"menu.layers", tr("La&yers"), QKeySequence("Ctrl+Alt+Y"), tr("Shows or hides parts of the view."),
                      "layers", tr("Layers")},
                     [](const QVariantList&) { return true; });
+  parts.actions.add(
+      {"menu.panels", tr("More panels"), QKeySequence("Ctrl+Alt+Shift+P"), tr("The other panels."), "more", tr("More")},
+      [](const QVariantList&) { return true; });
   parts.actions.add(
       {"layout.reset", tr("&Reset"), QKeySequence("Ctrl+Alt+0"), tr("Restores the default layout of the panels.")},
       [arrange](const QVariantList&) {

@@ -46,7 +46,8 @@ TEST(Model, EachShippedFileCanBeReadAndIsFoundByItsName) {
   }
   EXPECT_EQ(models().size(), files);
   EXPECT_EQ(std::size(kArmFiles), files);
-  EXPECT_EQ(presets().size(), 3U);  // omni-thesis, touch-measured, woodenhaptics
+  EXPECT_EQ(presets().size(), 3U);     // omni-thesis, touch-measured, woodenhaptics
+  EXPECT_EQ(sceneArms().size(), 11U);  // all but those of seven joints, Panda and iiwa
 }
 
 TEST(Model, TheTableOfTheThesisIsItsStraightLineCode) {  // two derivations: rows of the table, and eq. 3.5 and 3.6
@@ -100,10 +101,15 @@ TEST(ArmFile, NamesWhatIsWrongAndWhere) {
             std::string::npos);
   EXPECT_NE(problemOf(armWith(kRow, kIdentity, ", \"tool\": 1")).find("not known in an arm file"), std::string::npos);
   EXPECT_NE(
-      problemOf(armWith(kRow, kIdentity,
-                        R"(, "device": {"continuous_force_N": 1, "encoder_counts_per_turn": [1, 1, 1, 1, 1, 1]})"))
-          .find("Only an arm with the geometry of table 3.1"),
+      problemOf(armWith(kRow, kIdentity, R"(, "device": {"continuous_force_N": 1, "encoder_counts_per_turn": [1, 1]})"))
+          .find("This must be a list of 6 numbers, one for each joint."),
       std::string::npos);
+  EXPECT_NE(problemOf(armWith(R"({"alpha_deg": 0, "a_mm": 0, "d_mm": 0, "max_deg": 5, "rest_deg": 6})"))
+                .find("The joint's rest must be within its limits"),
+            std::string::npos);
+  EXPECT_NE(problemOf(armWith(R"({"alpha_deg": 0, "a_mm": 0, "d_mm": 0, "rest_mm": 6})"))
+                .find("rests at an angle: \"rest_deg\""),
+            std::string::npos);
   EXPECT_NE(problemOf(R"({"underact_arm": 2, "name": "a", "title": "b", "provenance": "c", "dh": [], "X_WB": )" +
                       kIdentity + "}"),
             "");

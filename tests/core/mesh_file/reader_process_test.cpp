@@ -63,8 +63,8 @@ TEST(ReaderProcess, ThatHangsIsEndedWithinASecond) {
       reader.problem(),
       "The file is damaged, or has very large faces: reading it took longer than 0.8 s, which is enough for a file "
       "of its size.");
-  // 0.8 s of the processor; on a busy machine that takes longer to get.
-  EXPECT_LT(secondsSince(start), 5.0);
+  // 0.8 s of the processor, which a busy machine takes many times as long to give. Left alone it would hang for ever.
+  EXPECT_LT(secondsSince(start), 60.0);
 }
 
 TEST(ReaderProcess, ThatFloodsIsEnded) {

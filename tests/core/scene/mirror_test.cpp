@@ -178,6 +178,7 @@ std::vector<Named> everyScene() {
 TEST(Mirror, EachSceneOnTheMirroredArmPushesWithTheMirrorImageOfItsForce) {
   for (const auto& [name, scene] : everyScene()) {
     const arm::Geometry& geometry = arm::findPreset(scene.arm)->geometry;
+    if (geometry.general != nullptr) continue;  // the mirror image of such an arm is another arm
     double most_N = 0.0;
     for (int draw = 0; draw < test::sweep(3, 40); ++draw) {
       const Sway motion(test::Seed{static_cast<std::uint64_t>(100 + draw)});

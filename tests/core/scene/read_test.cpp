@@ -129,12 +129,12 @@ TEST(ReadScene, EveryProblemIsToldAtOnceInTheOrderOfTheFile) {
 })")),
       R"(2:21: underact_scene: The scene has version 2, but this program only reads version 1. Use a newer version of Underact.
 3:12: title: The title is empty; say in a few words what the scene lets you feel.
-4:10: arm: The arm "omnni" is not known. Known arms: "omni-thesis", "touch-measured" and "woodenhaptics"; or the name of an arm file, such as "my_arm.json".
+4:10: arm: The arm "omnni" is not known. Known arms: "omni-thesis", "touch-measured", "woodenhaptics", "abb-irb-120", "cobra-600", "kr5", "planar-3", "puma-560", "stanford", "ur10e" and "ur5e"; or the name of an arm file, such as "my_arm.json".
 5:22: control.law: This must be "P", "PD" or "PID"; here it is "PI".
 5:43: control.kp_N_per_mm: A gain must be 0 or above, otherwise the arm pushes away; here it is -1.
 5:47: control.gain: The key "gain" is not known in a control. Known keys: "law", "kp_N_per_mm", "kd_N_s_per_mm", "ki_N_per_mm_s", "anisotropy", "passivity", "space" and "velocity".
 6:14: combine: This must be "sum" or "nearest"; here it is "add".
-6:50: simulation.substep_us: This must be from 5 to 10000 us; here it is 1.
+6:50: simulation.substep_us: This must be from 5 to 10000 µs; here it is 1.
 6:53: simulation.step: The key "step" is not known in a simulation. Known keys: "integrator" and "substep_us".
 6:78: simulation.integrator: This must be "mean_velocity", "end_velocity" or "trapezoidal"; here it is "euler".
 8:5: constraints[0].center_mm: The key "center_mm" is missing; a sphere needs it.

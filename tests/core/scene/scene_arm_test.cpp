@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "core/arm/arm_text.h"
+#include "core/arm/general_arm.h"
 #include "core/scene/compile.h"
 #include "core/scene/edit.h"
 #include "core/scene/load_meshes.h"
@@ -60,7 +62,7 @@ TEST_F(SceneArm, FromAFileHasItsLengthsLimitsEncodersAndForce) {
 }
 
 TEST_F(SceneArm, FileOfAnArmThatShipsIsThatArmToTheBit) {
-  for (const arm::Preset& preset : arm::presets()) {
+  for (const arm::Preset& preset : arm::sceneArms()) {
     folder.write("mine.json", std::string(arm::fileOf(preset.name)));
     const Description by_file = read("mine.json").value(), by_name = read(preset.name).value();
     EXPECT_EQ(findArm(by_name), &preset);
@@ -90,12 +92,12 @@ TEST_F(SceneArm, MistakesHaveTheLineInTheFileOfTheArm) {
   EXPECT_EQ(problemWith("{").substr(0, 12), "mine.json:1:");
   const std::string no_device = test::armFileWithoutDevice("140");
   EXPECT_EQ(problemWith(no_device),
-            "mine.json:1: device: The arm of a scene is a haptic device, which needs \"encoder_counts_per_turn\" and "
-            "\"continuous_force_N\" here: \"device\": {\"encoder_counts_per_turn\": [4096, 4096, 4096, 4096, 4096, "
+            "mine.json:1: device: The arm of a scene with the geometry of table 3.1 of the thesis is a haptic device, "
+            "which needs \"encoder_counts_per_turn\" and \"continuous_force_N\" here: \"device\": "
+            "{\"encoder_counts_per_turn\": [4096, 4096, 4096, 4096, 4096, "
             "4096], \"continuous_force_N\": 1}.");
-  EXPECT_EQ(problemWith(std::string(arm::fileOf("puma-560"))),
-            "mine.json:1: device: The arm of a scene needs the geometry of table 3.1 of the thesis; this one is for "
-            "kinematics only.");
+  EXPECT_EQ(problemWith(std::string(arm::fileOf("panda"))),
+            "mine.json:1: device: The arm of a scene can have up to six joints; this one has 7.");
 }
 
 TEST_F(SceneArm, FileThatCannotBeReadIsAProblemOfTheScene) {
@@ -122,7 +124,32 @@ TEST_F(SceneArm, AllProblemsOfTheSceneAreToldBesideThoseOfItsArm) {
 TEST_F(SceneArm, NamesAreCorrected) {
   const auto toldOf = [](const std::string& arm) { return firstProblem(readScene(sceneWithArm(arm), "s")); };
   EXPECT_NE(toldOf("touch-mesured").find("Did you mean \"touch-measured\"?"), std::string::npos);
-  EXPECT_NE(toldOf("puma-560").find("\"puma-560\" is for kinematics only"), std::string::npos);
+  EXPECT_NE(toldOf("panda").find("The arm \"panda\": The arm of a scene can have up to six joints"), std::string::npos);
+}
+
+TEST_F(SceneArm, OfAnotherFormIsNamedOrAFileOrUrdf) {
+  const tick::TickProgram by_name = compile(read("ur5e").value()).value();
+  ASSERT_NE(by_name.geometry.general, nullptr);
+  EXPECT_EQ(by_name.limits.max_force_N, 5.0) << "its file does not say";
+  folder.write("mine.urdf", arm::textOf(*arm::findModel("ur5e"), arm::ArmForm::Urdf).value());
+  const Result<Description> by_file = read("mine.urdf");
+  ASSERT_TRUE(by_file) << firstProblem(by_file);
+  const arm::GeneralArm& arm = *compile(by_file.value()).value().geometry.general;
+  EXPECT_EQ(arm.chain.joints.size(), 6U);
+  EXPECT_EQ(arm.driven, by_name.geometry.general->driven);
+}
+
+TEST_F(SceneArm, OfAnotherFormHasNoControlInJointSpace) {
+  const std::string text = sceneWithArm("ur5e", "\"control\": {\"space\": \"joint\"},\n");
+  EXPECT_NE(firstProblem(readScene(text, "s")).find("control.space: The control of joints follows the closed form"),
+            std::string::npos)
+      << firstProblem(readScene(text, "s"));
+}
+
+TEST_F(SceneArm, OfAnotherFormIsTheSameArmAgainFromARecording) {
+  const Description scene = read("cobra-600").value();
+  const Description again = readScene(writeScene(withoutFolders(scene)), "session.h5", NamedFiles::Closed).value();
+  EXPECT_EQ(compile(again).value().geometry, compile(scene).value().geometry);
 }
 
 TEST_F(SceneArm, RecordedSceneContainsTheFileAndNeedsItNoMore) {

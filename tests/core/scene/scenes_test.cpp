@@ -194,7 +194,7 @@ TEST(SceneSchema, HasTheArmsAndTheJointsThatTheReaderHas) {  // the settings: se
   for (const auto& word : kJointWords) joints.insert(word.word);
   const json::Value& joint = *root.find("$defs")->find("joint")->find("properties");
   EXPECT_EQ(wordsOf(*joint.find("type")->find("enum")), joints);
-  for (const arm::Preset& preset : arm::presets()) arms.insert(preset.name);
+  for (const arm::Preset& preset : arm::sceneArms()) arms.insert(preset.name);
   EXPECT_EQ(wordsOf(*root.find("properties")->find("arm")->find("anyOf")->items.at(0).find("enum")), arms);
 }
 

@@ -31,8 +31,8 @@ TEST(Teaching, EveryProblemIsToldWithItsPlace) {
   const std::string text = sceneThatTeaches(R"({"group": "wall", "feel": 7, "equatoin": "push"})");
   EXPECT_EQ(
       test::joined(test::problemsIn(text)),
-      "2:20: teach.group: This must be \"shapes\", \"walls\", \"orientation\", \"robots\", \"meshes\", \"curves\" "
-      "or \"stability\"; here it is \"wall\".\n"
+      "2:20: teach.group: This must be \"shapes\", \"walls\", \"orientation\", \"robots\", \"meshes\", \"curves\", "
+      "\"stability\" or \"arms\"; here it is \"wall\".\n"
       "2:36: teach.feel: This must be text in double quotes; here it is a number.\n"
       "2:39: teach.equatoin: The key \"equatoin\" is not known in what a scene teaches. Did you mean \"equation\"?\n");
   EXPECT_EQ(teachingIn(text), std::nullopt);

@@ -113,6 +113,19 @@ TEST(HandScript, StartsAgainWhenItIsToRepeat) {
   }
 }
 
+TEST(HandScript, BuiltInIsAroundTheRestOfAnArmOfAnotherFormAndAFileIsNot) {
+  const arm::Preset& arm = *arm::findPreset("ur5e");
+  const HandScript script = builtIn("still");
+  const Vec3 p_WRest = restingState(makePlant(arm, {}, {})).p_WT;
+  const HandScript moved = madeFor(arm, script);
+  EXPECT_EQ(moved.path[1].p_WT, Vec3(script.path[1].p_WT + p_WRest));
+  EXPECT_EQ(madeFor(arm, moved).path[1].p_WT, moved.path[1].p_WT) << "twice is once";
+  EXPECT_EQ(madeFor(*arm::findPreset("touch-measured"), script).path[1].p_WT, script.path[1].p_WT);
+  HandScript own = script;
+  own.of_omni = false;
+  EXPECT_EQ(madeFor(arm, own).path[1].p_WT, script.path[1].p_WT);
+}
+
 TEST(HandScript, EveryBuiltInHandStaysInReachAndLimitsOfEveryArm) {
   for (const BuiltInHand& hand : builtInHands()) {
     const HandScript script = builtIn(hand.name);

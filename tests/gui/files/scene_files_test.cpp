@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QMessageBox>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -55,6 +58,26 @@ void answerWith(QMessageBox::StandardButton button) {
 }
 
 }  // namespace
+
+TEST(SceneFiles, WhatShipsIsSavedInTheUsersOwnFolderAndIsTold) {
+  const QString own = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  ASSERT_TRUE(QDir().mkpath(own));
+  for (const char* shipped : {"/scenes/02_sphere.json", "/resources/lessons/scenes/free.json"}) {
+    FilesDesk desk;
+    ASSERT_TRUE(desk.files.open(QString(UNDERACT_SOURCE) + shipped));
+    desk.files.chooseAndSave();
+    auto* dialog = desk.window.findChild<QFileDialog*>("dialog.save");
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_EQ(dialog->directory().absolutePath(), QDir(own).absolutePath()) << shipped;
+    delete dialog;
+  }
+  FilesDesk desk;
+  QString told;
+  QObject::connect(&desk.files, &SceneFiles::saved, [&told](const QString& path) { told = path; });
+  ASSERT_TRUE(desk.files.open(desk.sphere("ball.json")));
+  ASSERT_TRUE(desk.files.saveAs(desk.folder.filePath("saved.json")));
+  EXPECT_EQ(told, desk.folder.filePath("saved.json"));
+}
 
 TEST(SceneFiles, WhatIsOpenedIsAmongThoseOpenedLatelyButNotWhatShips) {
   FilesDesk desk;

@@ -51,6 +51,30 @@ TEST(DhTable, FramesAreWhereTheGeometryOfAPlaneHasThem) {
   EXPECT_EQ(drawingOf(table, q).joints.size(), 3U);
 }
 
+TEST(DhTable, TheMeasuresOfARowLeadFromTheFrameBeforeItToItsOwn) {
+  DhTable table = tableOf(*arm::findModel("puma-560"));
+  const std::vector<double> q{0.3, -0.4, 0.5, 0.6, -0.7, 0.8};
+  const std::vector<Pose> frames = framesOf(table, q);
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    Vec3 at_W = frames[row].translation();
+    Vec3 x_W = frames[row].linear().col(0), z_W = frames[row].linear().col(2);
+    for (const DrawnMeasure& measure : measuresOf(table, q, row)) {
+      EXPECT_EQ(measure.axis, measure.text.startsWith("θ") || measure.text.startsWith("d") ? 2 : 0);
+      if (measure.turn_rad == 0.0) {
+        EXPECT_TRUE(measure.p_W.isApprox(at_W, 1e-9)) << measure.text.toStdString();
+        at_W += measure.way_W;
+        continue;
+      }
+      const Vec3 leg_W = Eigen::AngleAxisd(measure.turn_rad, measure.axis_W) * measure.way_W.normalized();
+      (measure.axis == 0 ? z_W : x_W) = leg_W;
+    }
+    EXPECT_TRUE(at_W.isApprox(frames[row + 1].translation(), 1e-9)) << row;
+    EXPECT_TRUE(z_W.isApprox(frames[row + 1].linear().col(2), 1e-9)) << row;
+    EXPECT_TRUE(x_W.isApprox(frames[row + 1].linear().col(0), 1e-9)) << row;
+  }
+  EXPECT_TRUE(measuresOf(table, q, 6).empty());
+}
+
 TEST(TransformPanel, OrderMattersAndIsSaidToUnlessTheStepsCommute) {
   Desk desk(framesFeature());
   EXPECT_TRUE(desk.label("panel.transform.apart").endsWith("order matters."));

@@ -4,9 +4,13 @@
 
 #include <QDirIterator>
 #include <QFile>
+#include <QPainter>
 #include <QRegularExpression>
+#include <QStyleOption>
 #include <map>
 
+#include "app/gui/kit/contrast.h"
+#include "app/gui/kit/focus_style.h"
 #include "app/gui/kit/icons.h"
 #include "app/gui/kit/page_view.h"
 #include "app/gui/kit/style.h"
@@ -102,7 +106,8 @@ TEST_P(Contrast, WordsOfTheStyleSheetAreReadableOnWhatTheyStandOn) {
 TEST_P(Contrast, WhatTheStyleSheetFramesIsSeenToBeFramed) {
   int frames = 0;
   for (const Rule& rule : rulesOf(styleSheet(theme))) {
-    static const QRegularExpression kTelling(":focus|:checked|alarm|amber|stop");  // other frames are only neat
+    static const QRegularExpression kTelling(
+        ":focus|:checked|alarm|amber|stop|start|choice|card|banner");  // others are only neat
     const QColor frame = borderOf(rule);
     if (!rule.who.contains(kTelling) || !frame.isValid()) continue;
     for (const auto& [name, ground] : grounds)
@@ -119,6 +124,41 @@ TEST_P(Contrast, TheFocusIsSeenOnEveryGroundAndNoRuleHidesIt) {
     const bool has_frame = borderOf(rule).isValid() || rule.who.contains("::item");  // an item has its ring
     EXPECT_TRUE(has_frame || !rule.who.contains(":focus")) << rule.who.toStdString();
   }
+}
+
+TEST_P(Contrast, TheOutlineOfWhatCanBeUsedIsSeenOnWhateverItStandsOn) {
+  for (const QPalette::ColorRole role :
+       {QPalette::Window, QPalette::Base, QPalette::AlternateBase, QPalette::Button, QPalette::ToolTipBase})
+    EXPECT_GE(contrast(outlineColour(palette), palette.color(role)), kDrawn) << role;
+}
+
+TEST_P(Contrast, AnUntickedBoxAndAFieldHaveThatOutline) {
+  const FocusStyle style;
+  const auto edge = [&](auto draw) {
+    QImage image(40, 40, QImage::Format_RGB32);
+    image.fill(palette.color(QPalette::Window));
+    QPainter painter(&image);
+    draw(painter);
+    return image.pixelColor(5, 20);  // in the middle of the left edge
+  };
+  QStyleOptionButton box;
+  box.rect = QRect(5, 5, 30, 30);
+  box.palette = palette;
+  box.state = QStyle::State_Enabled | QStyle::State_Off;
+  QStyleOptionFrame field;
+  field.rect = box.rect;
+  field.palette = palette;
+  field.state = QStyle::State_Enabled;
+  field.lineWidth = 1;
+  const std::map<std::string, QColor> edges{
+      {"box",
+       edge([&](QPainter& painter) { style.drawPrimitive(QStyle::PE_IndicatorCheckBox, &box, &painter, nullptr); })},
+      {"field",
+       edge([&](QPainter& painter) { style.drawPrimitive(QStyle::PE_FrameLineEdit, &field, &painter, nullptr); })},
+      {"button",
+       edge([&](QPainter& painter) { style.drawPrimitive(QStyle::PE_PanelButtonCommand, &box, &painter, nullptr); })}};
+  for (const auto& [name, colour] : edges)
+    EXPECT_GE(contrast(colour, palette.color(QPalette::Window)), kDrawn) << name << ' ' << colour.name().toStdString();
 }
 
 TEST_P(Contrast, WhatIsDrawnStandsOutFromTheViewAndFromThePanels) {

@@ -29,8 +29,23 @@ TEST(LabWords, WhatIsBeyondTheBoundOrWorseThanAnotherIsMarkedInWords) {
   EXPECT_FALSE(words.front().is_beyond);
   EXPECT_EQ(words.front().mark, "");
   EXPECT_TRUE(words.front().figures.contains("500 ns for the servo's tick"));
+  const int usual_hz = tradeoff::Settings{}.rate_hz;  // the default where nothing is better: no warning, but said
+  choice_result.options = {option("1000 Hz", 100.0, 2.0 * rate.bound), option("250 Hz", 90.0, 4.0 * rate.bound)};
+  tradeoff::recommend(rate.bound, choice_result.options);
+  words = choiceWords(scene, tradeoff::settingsOf(scene, usual_hz), {choice_result});
+  EXPECT_FALSE(words.front().is_beyond);
+  EXPECT_TRUE(words.front().mark.startsWith("The default;")) << words.front().mark.toStdString();
+  words = choiceWords(scene, tradeoff::settingsOf(scene, 250), {choice_result});
+  EXPECT_TRUE(words.front().is_beyond);
   words = choiceWords(scene, tradeoff::settingsOf(scene, 300), {choice_result});
   EXPECT_TRUE(words.front().figures.startsWith("not measured"));
+}
+
+TEST(LabWords, AnOptionIsWrittenAsTheNumbersBesideItAre) {
+  EXPECT_EQ(optionText("trapezoidal, 200 us"), QString::fromUtf8("trapezoidal, 200 µs"));
+  EXPECT_EQ(optionText("closed form"), "closed form");
+  EXPECT_EQ(optionText("closed form where there is one, else 20 steps"),
+            "closed form where there is one, else 20 steps");
 }
 
 TEST(LabWords, NumbersHaveThreeDigitsInTheUnitThatMakesThemShort) {
@@ -41,6 +56,7 @@ TEST(LabWords, NumbersHaveThreeDigitsInTheUnitThatMakesThemShort) {
   EXPECT_EQ(lengthText(0.5), "0.5 mm");
   EXPECT_EQ(lengthText(2e-6), "2 nm");
   EXPECT_EQ(lengthText(0.0), "0 mm");
+  EXPECT_EQ(lengthText(2.1e-14), "below 0.001 nm") << "no 0.000000021 nm";
   EXPECT_EQ(errorText(55.04, "mm/s"), "55 mm/s");
   EXPECT_EQ(durationText(0.3), "a second");
   EXPECT_EQ(durationText(33.0), "35 s");

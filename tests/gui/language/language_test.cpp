@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QPushButton>
+#include <QTest>
+#include <utility>
 
+#include "app/gui/kit/restart.h"
 #include "app/gui/language/language_actions.h"
 #include "tests/gui/desk.h"
 
@@ -27,6 +31,21 @@ TEST(LanguageActions, OneIsChosenAtATimeIsRememberedAndIsSaidToComeLater) {
   delete told;
   ASSERT_TRUE(desk.perform("language.de"));
   EXPECT_EQ(desk.window().findChild<QWidget*>("dialog.language"), nullptr) << "nothing has changed";
+  chooseLanguage("system");
+}
+
+TEST(LanguageActions, RestartNowClosesTheWindowAndStartsTheProgramOnce) {
+  int starts = 0;
+  const auto before = std::exchange(programStarter(), [&starts] { ++starts; });
+  Desk desk(languageFeature());
+  ASSERT_TRUE(desk.perform("language.de"));
+  auto* now = desk.find<QPushButton>("dialog.language.restart");
+  ASSERT_NE(now, nullptr);
+  now->click();
+  EXPECT_TRUE(QTest::qWaitFor([&starts] { return starts > 0; }));
+  EXPECT_EQ(starts, 1);
+  EXPECT_FALSE(desk.window().isVisible());
+  programStarter() = before;
   chooseLanguage("system");
 }
 

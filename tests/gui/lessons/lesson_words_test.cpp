@@ -77,7 +77,9 @@ TEST(CheckRow, GivesTheNumberThatIsTypedAndTheChoiceThatIsMade) {
 TEST(LessonRun, ARightAnswerSolvesItsStepWhichIsRememberedAndReported) {
   Desk desk(lessonsFeature());
   const QString path = anyLesson(desk);
-  LessonRun run({desk.document(), desk.actions(), desk.view(), *desk.services().player}, desk.panel<LessonsPanel>());
+  LessonRun run({desk.document(), desk.actions(), desk.view(), *desk.services().player, desk.services().host,
+                 *desk.services().hand},
+                desk.panel<LessonsPanel>());
   QString why;
   ASSERT_TRUE(run.begin(path, why)) << why.toStdString();
   EXPECT_FALSE(run.answer(3, 6.0)) << "there is no such question";

@@ -47,6 +47,15 @@ TEST(RobotPanel, JointsComeMoveAndGo) {
   EXPECT_FALSE(desk.perform("robot.joint.move", 1, -1)) << "nothing is before the first";
 }
 
+TEST(RobotPanel, ARobotThatFollowsTheAngleOfItsOneJointSaysWhatToDoForAnother) {
+  Desk desk(robotFeature(), "16_one_joint_robot");
+  EXPECT_FALSE(desk.perform("robot.joint.add", 1));
+  EXPECT_TRUE(desk.label("panel.robot.refusal").contains("At “Follows”, choose"))
+      << desk.label("panel.robot.refusal").toStdString();
+  ASSERT_TRUE(desk.perform("robot.orientation.set", QString("axis")));
+  EXPECT_TRUE(desk.perform("robot.joint.add", 1));
+}
+
 TEST(RobotPanel, WhereNothingOfTheTurnIsFollowedItsStiffnessGoesAndComesBack) {
   Desk desk(robotFeature(), "16_one_joint_robot");
   ASSERT_TRUE(desk.perform("robot.orientation.set", QString("full")));

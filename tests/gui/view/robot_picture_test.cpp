@@ -152,6 +152,21 @@ TEST(RobotPicture, JointsAreHollow) {
   EXPECT_GT(shown.at(Vec3::Zero(), 30.0), 20);
 }
 
+TEST(RobotPicture, LinksAreTranslucentSolidsAboutTheLines) {
+  RobotShown shown(kOneJoint);
+  shown.view.present(snapshotOf(kOneJoint, {}));
+  const auto pale = [&](const Vec3& p_mm) {
+    return count(shown.view.picture(), shown.view.screenOf(kMetrePerMillimetre * p_mm), 0.5, [](const QColor& c) {
+      return c.saturation() > 12 && c.saturation() < 60 && c.hue() > 300 && c.hue() < 345;
+    });
+  };
+  EXPECT_GT(pale({20, 1.0, 0}), 0);
+  EXPECT_EQ(pale({20, 4.0, 0}), 0);
+  shown.view.present(snapshotOf(kOneJoint, {0.5 * kPi}));
+  EXPECT_EQ(pale({20, 1.0, 0}), 0);
+  EXPECT_GT(pale({1.0, 20, 0}), 0);
+}
+
 TEST(RobotPicture, AnEditIsSeenAndJointsThatTheServoHasNotTakenUpAreNotMixedUp) {
   RobotShown shown(kOneJoint);
   shown.view.present(snapshotOf(kOneJoint, {0.5 * kPi}));

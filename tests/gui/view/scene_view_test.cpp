@@ -151,7 +151,7 @@ TEST(SceneView, OrbitAndPanMoveThePictureAndNotTheHand) {
     Shown shown(sceneOf(kSphere));
     shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
     QSignalSpy moved(&shown.view, &SceneView::handMoved), grabbed(&shown.view, &SceneView::handGrabbed);
-    const QPointF tip = shown.view.screenOf(kTipInFront), from = modifiers == Qt::NoModifier ? QPointF(60, 500) : tip;
+    const QPointF tip = shown.view.screenOf(kTipInFront), from = modifiers == Qt::NoModifier ? QPointF(60, 420) : tip;
     shown.drag(from, from + QPointF(50, 10), Qt::LeftButton, modifiers);
     EXPECT_EQ(moved.count() + grabbed.count(), 0);
     EXPECT_GT(std::abs(shown.view.screenOf(kTipInFront).x() - tip.x()), 3.0);
@@ -240,6 +240,30 @@ TEST(SceneView, CtrlDragTurnsTheStylusFromWhereItIs) {
   EXPECT_TRUE(setpoint.p_WT.isApprox(kTipInFront, 1e-12));
 }
 
+TEST(SceneView, AHandThatOnlyTurnsIsLooseUnlessItKeepsHoldingOrHasMoved) {
+  Shown shown(sceneOf(kSphere));
+  shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
+  std::vector<bool> holds;
+  QObject::connect(&shown.view, &SceneView::handMoved,
+                   [&](const sim::HandSetpoint& moved) { holds.push_back(moved.holds); });
+  const QPointF tip = shown.view.screenOf(kTipInFront);
+  shown.drag(tip, tip + QPointF(20, 0), Qt::LeftButton, Qt::ControlModifier);
+  EXPECT_TRUE(holds.front()) << "as long as the button is only down";
+  EXPECT_FALSE(holds.back());
+  shown.key(Qt::Key_Left, Qt::ControlModifier);
+  EXPECT_FALSE(holds.back());
+  shown.key(Qt::Key_Left);
+  EXPECT_TRUE(holds.back());
+  shown.view.setKeepsHolding(true);
+  shown.key(Qt::Key_Left, Qt::ControlModifier);
+  EXPECT_TRUE(holds.back());
+  shown.view.setKeepsHolding(false);
+  shown.send(QEvent::MouseButtonPress, tip, Qt::LeftButton, Qt::LeftButton);
+  shown.send(QEvent::MouseMove, tip + QPointF(9, 0), Qt::NoButton, Qt::LeftButton);
+  shown.send(QEvent::MouseMove, tip + QPointF(9, 9), Qt::NoButton, Qt::LeftButton, Qt::ControlModifier);
+  EXPECT_TRUE(holds.back()) << "moved first, then turned";
+}
+
 TEST(SceneView, ThePointerShowsWhatItCanGrab) {
   Shown shown(sceneOf(kSphere));
   shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
@@ -305,7 +329,7 @@ TEST(SceneView, DrawsAPictureWithoutBeingShown) {
   view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
   const QImage picture = view.picture();
   EXPECT_EQ(picture.size(), QSize(500, 400) * picture.devicePixelRatio());
-  EXPECT_GT(count(picture, view.screenOf(Vec3(0, 0.030, 0)), 2.0, test::isBlue), 0);
+  EXPECT_GT(count(picture, view.screenOf(Vec3(-0.020, -0.020, 0)), 2.0, test::isBlue), 0);
 }
 
 TEST(SceneView, LivesOnInAnotherWindow) {

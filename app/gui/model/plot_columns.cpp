@@ -1,0 +1,132 @@
+#include "app/gui/model/plot_columns.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/record/columns.h"
+#include "core/record/session.h"
+#include "core/record/tick_table.h"
+#include "device/recorded.h"
+
+namespace underact::gui {
+namespace {
+
+/// Takes the fields of a tick as numbers; a word, of which only the fault is one, as that of its number.
+struct Numbers {
+  std::span<float> values;
+  std::size_t next = 0;
+  void number(double value) {
+    if (next < values.size()) values[next++] = static_cast<float>(value);
+  }
+  template <class Integer>
+  void integer(Integer value) {
+    number(static_cast<double>(value));
+  }
+  double of_word = 0.0;
+  void word(std::string_view) { number(of_word); }
+};
+
+/// Those that CSV does not have, but a tick does.
+constexpr const char* kBesides[] = {"v_WT_mm_per_s", "heat", "input"};
+
+QString text(std::string_view view) {
+  return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
+}
+
+}  // namespace
+
+const std::vector<PlotColumn>& plotColumns() {
+  static const std::vector<PlotColumn> kAll = [] {
+    std::vector<PlotColumn> all;
+    for (const record::CsvField& field : record::csvFields())
+      all.push_back({text(field.name), text(field.unit), text(field.column->meaning)});
+    for (const char* const name : kBesides) {
+      for (const record::Column& column : record::tickColumns()) {
+        if (column.name != name) continue;
+        for (const std::string_view part : record::partsOf(column))
+          all.push_back({text(part), text(column.unit), text(column.meaning)});
+      }
+    }
+    return all;
+  }();
+  return kAll;
+}
+
+int findPlotColumn(const QString& name) {
+  const std::vector<PlotColumn>& all = plotColumns();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const PlotColumn& one) { return one.name == name; });
+  return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+}
+
+void fillColumns(const servo::TickRecord& record, std::span<float> values) {
+  Numbers row{values};
+  row.of_word = static_cast<double>(record.fault);
+  record::fillRow(record, row);
+  for (const double speed_m_per_s : record.v_WT) row.number(kMillimetrePerMetre * speed_m_per_s);
+  for (const double heat : record.heat) row.number(heat);
+  row.number(static_cast<double>(record.input));
+}
+
+ColumnRows::ColumnRows(std::vector<int> columns, std::size_t most)
+    : columns_(std::move(columns)), most_(most), all_(plotColumns().size()) {}
+
+void ColumnRows::add(double time_s, const servo::TickRecord& record) {
+  if (size() > 0 && time_s < times_s_.back()) {  // another device: its past is another one
+    times_s_.clear();
+    values_.clear();
+    first_ = 0;
+  }
+  if (seen_++ % every_ != 0) return;
+  fillColumns(record, all_);
+  times_s_.push_back(time_s);
+  for (const int column : columns_) values_.push_back(all_[static_cast<std::size_t>(column)]);
+  if (size() >= most_) halve();
+}
+
+void ColumnRows::dropBefore(double time_s) {
+  while (first_ < times_s_.size() && times_s_[first_] < time_s) ++first_;
+  if (first_ < times_s_.size() / 2 || first_ < 1024) return;  // seldom: it moves all others
+  times_s_.erase(times_s_.begin(), times_s_.begin() + static_cast<std::ptrdiff_t>(first_));
+  values_.erase(values_.begin(), values_.begin() + static_cast<std::ptrdiff_t>(first_ * columns_.size()));
+  first_ = 0;
+}
+
+void ColumnRows::halve() {
+  const std::size_t width = columns_.size(), half = size() / 2;
+  for (std::size_t row = 0; row < half; ++row) {
+    times_s_[row] = times_s_[first_ + 2 * row];
+    for (std::size_t index = 0; index < width; ++index)
+      values_[row * width + index] = values_[(first_ + 2 * row) * width + index];
+  }
+  times_s_.resize(half);
+  values_.resize(half * width);
+  first_ = 0;
+  every_ *= 2;
+}
+
+std::size_t thinColumn(const ColumnRows& rows, std::size_t index, std::size_t parts, double from_s, double to_s,
+                       double shift_s, std::span<PlotPoint> points) {
+  const double part_s = (to_s - from_s) / static_cast<double>(std::max<std::size_t>(parts, 1));
+  return thinRows(
+      rows.size(), [&](std::size_t row) { return rows.time_s(row); },
+      [&](std::size_t row) { return rows.value(row, index); }, part_s, shift_s, std::numeric_limits<float>::infinity(),
+      points);
+}
+
+Result<std::shared_ptr<const ColumnRows>> readColumns(const std::string& path, const std::vector<int>& columns,
+                                                      WorkState& state) {
+  Result<record::Session> session = record::Session::open(path);
+  if (!session) return session.problems();
+  const auto rate_hz = static_cast<double>(session.value().info().header.rate_hz);
+  auto rows = std::make_shared<ColumnRows>(columns);
+  device::LoadWatch watch;
+  watch.cancelled = &state.cancelled;
+  watch.row = [&](std::int64_t row, const servo::TickRecord& record) {
+    rows->add(static_cast<double>(row) / rate_hz, record);
+  };
+  const Result<std::shared_ptr<const device::Recorded>> recorded = device::loadRecorded(session.value(), watch);
+  if (!recorded) return recorded.problems();
+  return std::shared_ptr<const ColumnRows>(std::move(rows));
+}
+
+}  // namespace underact::gui

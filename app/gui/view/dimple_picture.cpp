@@ -1,0 +1,117 @@
+#include "app/gui/view/dimple_picture.h"
+
+#include <vtkCellArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+constexpr int kDimpleRings = 10, kDimpleSectors = 36;
+constexpr double kDimpleOpacity = 0.7;
+constexpr double kNoDepth_mm = 0.01;  // shallower: the direction of the surface is not known
+
+bool isSurface(const scene::Shape& shape) {
+  return std::holds_alternative<scene::Sphere>(shape) || std::holds_alternative<scene::Plane>(shape) ||
+         std::holds_alternative<scene::Cylinder>(shape) || std::holds_alternative<scene::Box>(shape);
+}
+
+/// How deep a dimple is at that share of its radius: 1 in the middle, 0 at the rim, and level at both.
+double depthAt(double share) {
+  const double t = 1.0 - std::clamp(share, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+}  // namespace
+
+DimplePicture::DimplePicture()
+    : data_(vtkSmartPointer<vtkPolyData>::New()),
+      points_(vtkSmartPointer<vtkPoints>::New()),
+      cells_(vtkSmartPointer<vtkCellArray>::New()),
+      colours_(vtkSmartPointer<vtkUnsignedCharArray>::New()) {
+  colours_->SetNumberOfComponents(4);
+  colours_->SetName("colour");
+  data_->SetPoints(points_);
+  data_->SetPolys(cells_);
+  data_->GetPointData()->SetScalars(colours_);
+  actor_ = makeActor(data_, Kind::Line);  // unlit, and without depth
+  ring_actor_ = makeActor(rings_.data(), Kind::Line);
+}
+
+void DimplePicture::setScene(const scene::Description& scene) {
+  is_surface_.clear();
+  for (const scene::Constraint& constraint : scene.constraints) is_surface_.push_back(isSurface(constraint.shape));
+}
+
+void DimplePicture::setLineWidth(double scale) {
+  ring_actor_->GetProperty()->SetLineWidth(static_cast<float>(1.25 * scale));
+}
+
+void DimplePicture::present(const tick::TickReport& report, const Vec3& p_WT, double force_share, double size) {
+  dimples_ = 0;
+  points_->Reset();
+  cells_->Reset();
+  colours_->Reset();
+  rings_.clear();
+  if (shown_ && force_share > kLeastShare && p_WT.allFinite()) {
+    const double radius_mm = size * (kLeast_mm + (kMost_mm - kLeast_mm) * std::sqrt(std::min(1.0, force_share)));
+    for (std::size_t index = 0; index < std::min(report.held.size(), is_surface_.size()); ++index) {
+      const tick::ConstraintReport& held = report.held[index];
+      if (!is_surface_[index] || !held.acts || held.status != target::Status::Unique || !held.p_WP.allFinite())
+        continue;
+      add(kMillimetrePerMetre * held.p_WP, kMillimetrePerMetre * p_WT, radius_mm);
+    }
+  }
+  rings_.done();
+  points_->Modified();
+  cells_->Modified();
+  colours_->Modified();
+  data_->Modified();
+}
+
+void DimplePicture::add(const Vec3& target_mm, const Vec3& tip_mm, double radius_mm) {
+  const Vec3 down_mm = tip_mm - target_mm;
+  if (!(down_mm.norm() > kNoDepth_mm)) return;
+  ++dimples_;
+  const Vec3 u = down_mm.unitOrthogonal(), v = down_mm.normalized().cross(u);
+  const auto at = [&](double share, double angle_rad) {
+    return Vec3(target_mm + depthAt(share) * down_mm +
+                share * radius_mm * (std::cos(angle_rad) * u + std::sin(angle_rad) * v));
+  };
+  const vtkIdType first = points_->GetNumberOfPoints();
+  for (int ring = 0; ring <= kDimpleRings; ++ring) {
+    const double share = static_cast<double>(ring) / kDimpleRings;
+    const QColor colour = mixed(theme_.force, theme_.constraint, share);
+    for (int sector = 0; sector <= kDimpleSectors; ++sector) {
+      points_->InsertNextPoint(at(share, 2.0 * kPi * sector / kDimpleSectors).data());
+      const std::array<unsigned char, 4> rgba{
+          static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
+          static_cast<unsigned char>(colour.blue()),
+          static_cast<unsigned char>(std::lround(255.0 * kDimpleOpacity * depthAt(share)))};
+      colours_->InsertNextTypedTuple(rgba.data());
+    }
+  }
+  for (int ring = 0; ring < kDimpleRings; ++ring) {
+    for (int sector = 0; sector < kDimpleSectors; ++sector) {
+      const vtkIdType corner = first + ring * (kDimpleSectors + 1) + sector, next = corner + kDimpleSectors + 1;
+      const std::array<vtkIdType, 4> quad{corner, corner + 1, next + 1, next};
+      cells_->InsertNextCell(4, quad.data());
+    }
+  }
+  for (const double share : {0.34, 0.67, 1.0}) {
+    std::array<Vec3, kDimpleSectors> ring;
+    for (int sector = 0; sector < kDimpleSectors; ++sector)
+      ring[static_cast<std::size_t>(sector)] = at(share, 2.0 * kPi * sector / kDimpleSectors);
+    rings_.chain(ring, faint(theme_.constraint, 1.0 - 0.45 * share), true);
+  }
+}
+
+}  // namespace underact::gui

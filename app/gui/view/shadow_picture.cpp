@@ -1,0 +1,162 @@
+#include "app/gui/view/shadow_picture.h"
+
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace underact::gui {
+namespace {
+
+// Of an arm of the Omni's size, m.
+constexpr double kSharpest_m = 0.004;  // the soft edge of a shadow on the desk itself
+constexpr double kWidening = 0.30;     // and how much it widens with height
+constexpr double kFading_m = 0.10;     // at this height it is half as dark
+constexpr float kLeastShade = 0.004F;
+constexpr double kDarkest = 0.55, kDarkestOnDark = 0.75;
+
+struct FlatRod {
+  double ax, az, bx, bz, from_radius, to_radius, from_height, to_height;
+};
+
+double smooth(double share) {
+  const double t = std::clamp(share, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+double edgeOf(double height_m, double size) {
+  return kSharpest_m * size + kWidening * height_m;
+}
+
+}  // namespace
+
+ShadowField shadowOf(std::span<const ShadowRod> rods, const Pose& X_WD, double size) {
+  constexpr int n = ShadowField::kPoints;
+  ShadowField field;
+  if (rods.empty()) return field;
+  const Pose X_DW = X_WD.inverse();
+  std::vector<FlatRod> flat;
+  double least_x = kInfinity, most_x = -kInfinity, least_z = kInfinity, most_z = -kInfinity;
+  for (const ShadowRod& rod : rods) {
+    const Vec3 a = X_DW * rod.from_W, b = X_DW * rod.to_W;
+    const double ha = std::max(0.0, a.y() - rod.from_radius_m), hb = std::max(0.0, b.y() - rod.to_radius_m);
+    flat.push_back({a.x(), a.z(), b.x(), b.z(), rod.from_radius_m, rod.to_radius_m, ha, hb});
+    const double around = std::max(rod.from_radius_m + edgeOf(ha, size), rod.to_radius_m + edgeOf(hb, size));
+    least_x = std::min({least_x, a.x() - around, b.x() - around});
+    most_x = std::max({most_x, a.x() + around, b.x() + around});
+    least_z = std::min({least_z, a.z() - around, b.z() - around});
+    most_z = std::max({most_z, a.z() + around, b.z() + around});
+  }
+  const double step_x = (most_x - least_x) / (n - 1), step_z = (most_z - least_z) / (n - 1);
+  field.p_WCorner = X_WD * Vec3(least_x, 0.0, least_z);
+  field.x_W = X_WD.linear().col(0) * (most_x - least_x);
+  field.z_W = X_WD.linear().col(2) * (most_z - least_z);
+  field.shade.assign(static_cast<std::size_t>(n * n), 0.0F);
+  for (const FlatRod& rod : flat) {
+    const double wx = rod.bx - rod.ax, wz = rod.bz - rod.az, length2 = wx * wx + wz * wz;
+    const double around =
+        std::max(rod.from_radius + edgeOf(rod.from_height, size), rod.to_radius + edgeOf(rod.to_height, size));
+    const auto range = [&](double p, double q, double least, double step) {
+      const int from = static_cast<int>(std::floor((std::min(p, q) - around - least) / step));
+      const int to = static_cast<int>(std::ceil((std::max(p, q) + around - least) / step));
+      return std::array<int, 2>{std::max(from, 0), std::min(to, n - 1)};
+    };
+    const auto [from_x, to_x] = range(rod.ax, rod.bx, least_x, step_x);
+    const auto [from_z, to_z] = range(rod.az, rod.bz, least_z, step_z);
+    for (int row = from_z; row <= to_z; ++row) {
+      for (int column = from_x; column <= to_x; ++column) {
+        const double px = least_x + column * step_x - rod.ax, pz = least_z + row * step_z - rod.az;
+        const double share = length2 > 0.0 ? std::clamp((px * wx + pz * wz) / length2, 0.0, 1.0) : 0.0;
+        const double away = std::sqrt(std::pow(px - share * wx, 2) + std::pow(pz - share * wz, 2));
+        const double radius = rod.from_radius + share * (rod.to_radius - rod.from_radius);
+        const double height = rod.from_height + share * (rod.to_height - rod.from_height);
+        const double edge = edgeOf(height, size);
+        const double cover = std::min(1.0, 1.6 * radius / edge) / (1.0 + height / (kFading_m * size));
+        const double dark = cover * smooth((radius + edge - away) / (2.0 * std::min(edge, radius + edge)));
+        float& shade = field.shade[static_cast<std::size_t>(row * n + column)];
+        shade += (1.0F - shade) * static_cast<float>(dark);
+      }
+    }
+  }
+  return field;
+}
+
+ShadowPicture::ShadowPicture()
+    : data_(vtkSmartPointer<vtkPolyData>::New()),
+      points_(vtkSmartPointer<vtkPoints>::New()),
+      cells_(vtkSmartPointer<vtkCellArray>::New()),
+      colours_(vtkSmartPointer<vtkUnsignedCharArray>::New()) {
+  constexpr int n = ShadowField::kPoints;
+  points_->SetNumberOfPoints(n * n);
+  colours_->SetNumberOfComponents(4);
+  colours_->SetNumberOfTuples(n * n);
+  colours_->SetName("colour");
+  colours_->Fill(0.0);
+  for (vtkIdType at = 0; at < n * n; ++at) points_->SetPoint(at, 0.0, 0.0, 0.0);
+  data_->SetPoints(points_);
+  data_->SetPolys(cells_);
+  data_->GetPointData()->SetScalars(colours_);
+  actor_ = makeActor(data_, Kind::Line);  // unlit, and without depth
+  actor_->SetVisibility(false);
+}
+
+void ShadowPicture::setTheme(const Theme& theme) {
+  theme_ = theme;
+  colour();
+}
+
+void ShadowPicture::present(std::span<const ShadowRod> rods, const Pose& X_WD, double size) {
+  constexpr int n = ShadowField::kPoints;
+  X_WD_ = X_WD;
+  field_ = shadowOf(rods, X_WD, size);
+  if (field_.shade.empty()) return;
+  for (int row = 0; row < n; ++row) {
+    for (int column = 0; column < n; ++column) {
+      const Vec3 p_mm = kMillimetrePerMetre * (field_.p_WCorner + static_cast<double>(column) / (n - 1) * field_.x_W +
+                                               static_cast<double>(row) / (n - 1) * field_.z_W);
+      points_->SetPoint(row * n + column, p_mm.data());
+    }
+  }
+  cells_->Reset();  // only where there is some shade: what is blended costs time
+  for (int row = 0; row + 1 < n; ++row) {
+    for (int column = 0; column + 1 < n; ++column) {
+      const vtkIdType corner = row * n + column;
+      const std::array<vtkIdType, 4> quad{corner, corner + 1, corner + n + 1, corner + n};
+      const bool shaded = std::any_of(quad.begin(), quad.end(), [this](vtkIdType at) {
+        return field_.shade[static_cast<std::size_t>(at)] > kLeastShade;
+      });
+      if (shaded) cells_->InsertNextCell(4, quad.data());
+    }
+  }
+  cells_->Modified();
+  points_->Modified();
+  colour();
+}
+
+void ShadowPicture::colour() {
+  const double darkest = theme_.dark ? kDarkestOnDark : kDarkest;
+  const QColor ink = mixed(theme_.background, Qt::black, theme_.dark ? 0.85 : 0.75);
+  for (std::size_t at = 0; at < field_.shade.size(); ++at) {
+    const std::array<unsigned char, 4> rgba{
+        static_cast<unsigned char>(ink.red()), static_cast<unsigned char>(ink.green()),
+        static_cast<unsigned char>(ink.blue()),
+        static_cast<unsigned char>(std::lround(255.0 * darkest * static_cast<double>(field_.shade[at])))};
+    colours_->SetTypedTuple(static_cast<vtkIdType>(at), rgba.data());
+  }
+  colours_->Modified();
+  data_->Modified();
+}
+
+void ShadowPicture::update(const OrbitCamera& camera) {
+  const Vec3 from_desk_mm = camera.eye_mm() - kMillimetrePerMetre * X_WD_.translation();
+  actor_->SetVisibility(shown_ && !field_.shade.empty() && from_desk_mm.dot(X_WD_.linear().col(1)) > 0.0);
+}
+
+}  // namespace underact::gui

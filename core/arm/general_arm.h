@@ -1,0 +1,50 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "core/arm/sample.h"
+#include "core/base/real_time.h"
+#include "core/base/types.h"
+#include "core/chain/kinematics.h"
+
+namespace underact::arm {
+
+/// The mass that a joint carries along, up to the next joint; with all joints at 0, in W.
+struct LinkMass {
+  double mass_kg = 0.0;
+  Vec3 p_WC = Vec3::Zero();             // its centre of mass
+  Mat3 inertia_W_kg_m2 = Mat3::Zero();  // about that
+};
+
+/// An arm of a scene that has not the form of the Omni's table: any chain of 1 to 6 joints. Its joint values are rad,
+/// or m where a joint slides; those beyond its joints are 0.
+struct GeneralArm {
+  chain::Chain chain;
+  std::array<bool, 6> driven{};  // by a motor
+  std::vector<LinkMass> masses;  // as many as joints, or none
+  Pose X_WB = Pose::Identity();  // frame 0 of the table
+  JointAngles rest{};            // within the limits: where it is when nobody has moved it
+};
+
+/// The joints that the gate watches, with their columns of J_p and their motors' heat: the first three that are driven.
+/// joint[i]: 0 to 5.
+struct Watched {
+  std::array<std::size_t, 3> joint{};
+  std::size_t count = 0;
+};
+/// As many as there are, at most three. Cost: constant.
+Watched watchedJoints(const GeneralArm& arm) noexcept UNDERACT_REAL_TIME;
+
+/// The columns of J that move the tip, of the watched joints; 0 beyond. m/rad, or 1 where the joint slides.
+Mat3 watchedColumns(const GeneralArm& arm, const chain::Jacobian& J) noexcept UNDERACT_REAL_TIME;
+
+/// The part of a force on the tip that the motors can render, as a matrix: f -> P f. An undriven joint passes no torque
+/// on, so its column of J and a force that it carries are at right angles; and where no joint moves the tip in a
+/// direction, no motor pushes in it. P projects onto what is left. A joint that moves the tip less than kLeastLever_m
+/// (of the other joints: beyond what they do) fades out, so that P is continuous. Symmetric, gains within 0 and 1 to 16
+/// ulp. Source: statics, tau = J^T f with tau = 0 at the undriven joints.
+Mat3 renderable(const GeneralArm& arm, const chain::Jacobian& J) noexcept UNDERACT_REAL_TIME;
+
+inline constexpr double kLeastLever_m = 1e-3;
+
+}  // namespace underact::arm

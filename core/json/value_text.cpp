@@ -1,0 +1,29 @@
+#include "core/json/value_text.h"
+
+namespace underact::json {
+
+std::string textOf(const Value& value) {
+  switch (value.kind) {
+    case Kind::Null:
+      return "null";
+    case Kind::Bool:
+      return value.boolean ? "true" : "false";
+    case Kind::Number:
+      return numberText(value.number);
+    case Kind::String:
+      return quotedText(value.text);
+    case Kind::Array:
+    case Kind::Object:
+      break;
+  }
+  const bool is_object = value.kind == Kind::Object;
+  std::string text(is_object ? "{" : "[");
+  for (std::size_t index = 0; index < value.items.size(); ++index) {
+    if (index > 0) text += ", ";
+    if (is_object) text += quotedText(value.keys[index]) + ": ";
+    text += textOf(value.items[index]);
+  }
+  return text + (is_object ? "}" : "]");
+}
+
+}  // namespace underact::json

@@ -1,0 +1,171 @@
+// Arms that are not of the Omni's form, as scenes have them: which forces their motors can render, and which models a
+// scene takes.
+#include "core/arm/general_arm.h"
+
+#include "core/arm/forward.h"
+#include "core/arm/jacobian.h"
+#include "core/arm/model.h"
+#include "core/arm/preset.h"
+#include "core/base/units.h"
+#include "tests/support/property.h"
+
+namespace underact::arm {
+namespace {
+
+constexpr std::array kSceneArms{"ur5e", "ur10e", "puma-560", "abb-irb-120", "kr5", "stanford", "cobra-600", "planar-3"};
+
+const GeneralArm& armNamed(const char* name) {
+  return *findPreset(name)->geometry.general;
+}
+
+JointAngles drawnWithin(const Preset& preset, test::Random& random) {
+  JointAngles q{};
+  for (std::size_t joint = 0; joint < preset.geometry.general->chain.joints.size(); ++joint) {
+    q[joint] =
+        random.between(std::max(-kPi, preset.limits.min_rad[joint]), std::min(kPi, preset.limits.max_rad[joint]));
+  }
+  return q;
+}
+
+}  // namespace
+
+TEST(GeneralArm, ShippedArmsOfUpToSixJointsAreArmsOfScenes) {
+  for (const char* name : kSceneArms) {
+    const Preset* const preset = findPreset(name);
+    ASSERT_NE(preset, nullptr) << name;
+    EXPECT_FALSE(isOmniForm(*preset)) << name;
+    EXPECT_GT(preset->continuous_force_N, 0.0);
+  }
+  EXPECT_EQ(findPreset("panda"), nullptr);
+  EXPECT_NE(presetOf(*findModel("panda")).problems()[0].sentence.find("up to six joints"), std::string::npos);
+  for (const Preset& preset : presets()) EXPECT_TRUE(isOmniForm(preset)) << preset.name;
+}
+
+TEST(GeneralArm, RestsWithinItsLimitsAwayFromSingularities) {
+  for (const char* name : kSceneArms) {
+    const Preset& preset = *findPreset(name);
+    const JointAngles& rest = preset.geometry.general->rest;
+    EXPECT_TRUE(isWithinLimits(*findModel(name), std::span(rest).first(findModel(name)->rows.size()))) << name;
+    const Dexterity dexterity = dexterityOf(preset.geometry, rest);
+    EXPECT_GT(dexterity.gain_m[1], 0.03) << name;
+  }
+}
+
+TEST(GeneralArm, TipAndJacobianAreThoseOfItsChain) {
+  test::Random random(test::Seed{32});
+  for (const char* name : kSceneArms) {
+    const Preset& preset = *findPreset(name);
+    for (int i = 0; i < 100; ++i) {
+      const JointAngles q = drawnWithin(preset, random);
+      const chain::Kinematics at = chain::kinematics(armNamed(name).chain, q);
+      EXPECT_EQ(tipPosition(preset.geometry, q), at.X_WT.translation());
+      EXPECT_EQ(tipPose(preset.geometry, q).matrix(), at.X_WT.matrix());
+      EXPECT_EQ(tip(preset.geometry, q).J_p.col(0), Vec3(at.J.col(0).head<3>()));
+      EXPECT_EQ(positionJacobian(preset.geometry, q), tip(preset.geometry, q).J_p);
+    }
+  }
+}
+
+TEST(GeneralArm, WithAllJointsDrivenRendersWhateverMovesTheTip) {
+  test::Random random(test::Seed{33});
+  for (const char* name : {"ur5e", "puma-560", "stanford"}) {
+    for (int i = 0; i < 100; ++i) {
+      const chain::Jacobian J = chain::jacobian(armNamed(name).chain, drawnWithin(*findPreset(name), random));
+      if (Mat3(J.topRows<3>() * J.topRows<3>().transpose()).determinant() < 1e-6) continue;  // near a singularity
+      EXPECT_LT((renderable(armNamed(name), J) - Mat3::Identity()).norm(), 1e-14) << name;
+    }
+  }
+}
+
+TEST(GeneralArm, InAPlaneRendersNoForceOutOfIt) {
+  test::Random random(test::Seed{34});
+  const GeneralArm& planar = armNamed("planar-3");
+  Mat3 plane = Mat3::Identity();
+  plane(2, 2) = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    JointAngles q = drawnWithin(*findPreset("planar-3"), random);
+    if (std::abs(std::sin(q[1])) < 0.05) continue;  // stretched, where a direction of the plane is lost
+    EXPECT_LT((renderable(planar, chain::jacobian(planar.chain, q)) - plane).norm(), 1e-13);
+  }
+}
+
+TEST(GeneralArm, AnUndrivenJointPassesNoTorqueOn) {  // the part that is left is the nearest such force
+  test::Random random(test::Seed{35});
+  int all = 0, exact = 0;
+  for (const char* name : kSceneArms) {
+    const std::size_t joints = armNamed(name).chain.joints.size();
+    for (int i = 0; i < 200; ++i) {
+      GeneralArm arm = armNamed(name);
+      for (std::size_t joint = 0; joint < joints; ++joint) arm.driven[joint] = random.between(0.0, 1.0) < 0.6;
+      const chain::Jacobian J = chain::jacobian(arm.chain, drawnWithin(*findPreset(name), random));
+      const Vec3 asked = random.inBox(10.0);
+      const Mat3 P = renderable(arm, J);
+      const Vec3 rendered = P * asked;
+      EXPECT_LE(rendered.norm(), asked.norm() * (1.0 + 1e-14));
+      EXPECT_LE((P - P.transpose()).norm(), 1e-15);
+      ++all;
+      if ((P * P - P).norm() < 1e-12) {  // nothing fades: a projection, which gives the nearest force
+        ++exact;
+        EXPECT_LE(std::abs(rendered.dot(asked - rendered)), 1e-11 * asked.squaredNorm());
+      }
+      for (std::size_t joint = 0; joint < joints; ++joint) {
+        if (arm.driven[joint]) continue;
+        // A joint with a lever below kLeastLever_m fades: at most that times a quarter and the force stays.
+        EXPECT_LE(std::abs(J.col(static_cast<Eigen::Index>(joint)).head<3>().dot(rendered)),
+                  0.5 * kLeastLever_m * asked.norm())
+            << name << " joint " << joint + 1;
+      }
+    }
+  }
+  EXPECT_GT(exact, 0.97 * all);
+}
+
+TEST(GeneralArm, TwoOfThreeOfAPlanarArmPushAlongTheLineToTheFreeJoint) {
+  GeneralArm arm = armNamed("planar-3");
+  arm.driven = {true, true, false};
+  const JointAngles q{0.3, 0.7, 0.5};
+  const chain::Jacobian J = chain::jacobian(arm.chain, q);
+  const Mat3 P = renderable(arm, J);
+  std::array<Pose, 3> links;
+  const Vec3 p_WT = chain::forward(arm.chain, q, links).translation();
+  const Vec3 line = (p_WT - links[2] * arm.chain.joints[2].p_WJ).normalized();
+  EXPECT_LT((P - line * line.transpose()).norm(), 1e-14);
+}
+
+TEST(GeneralArm, WatchesTheFirstThreeDrivenJoints) {
+  GeneralArm arm = armNamed("ur5e");
+  arm.driven = {false, true, true, false, true, true};
+  const Watched watched = watchedJoints(arm);
+  ASSERT_EQ(watched.count, 3U);
+  EXPECT_EQ(watched.joint, (std::array<std::size_t, 3>{1, 2, 4}));
+}
+
+TEST(GeneralArm, WhatASceneCannotHaveIsSaidWithTheReason) {
+  Model model = *findModel("planar-3");
+  model.joints[1].sensed = false;
+  EXPECT_NE(presetOf(model).problems()[0].sentence.find("Joint 2 is not sensed"), std::string::npos);
+  model = *findModel("omni-thesis");
+  model.device.reset();
+  EXPECT_NE(presetOf(model).problems()[0].sentence.find("is a haptic device"), std::string::npos);
+}
+
+TEST(GeneralArm, OfTheOmnisFormWithOtherMotorsIsNotTakenForAnOmni) {
+  Model model = *findModel("omni-thesis");
+  model.joints[2].driven = false;
+  const Preset preset = presetOf(model).value();
+  ASSERT_FALSE(isOmniForm(preset));
+  const JointAngles q{0.1, 0.6, 0.4, 0.2, 1.5, 0.3};
+  EXPECT_LT((tipPosition(preset.geometry, q) - tipPosition(findPreset("omni-thesis")->geometry, q)).norm(), 1e-15);
+  EXPECT_EQ(preset.limits.of_wrist_size, model.limits_wrist_size);
+}
+
+TEST(GeneralArm, AreEqualByContent) {
+  const Preset a = presetOf(*findModel("ur5e")).value();
+  Model other = *findModel("ur5e");
+  EXPECT_EQ(a.geometry, presetOf(other).value().geometry);
+  other.joints[3].driven = false;
+  EXPECT_FALSE(a.geometry == presetOf(other).value().geometry);
+  EXPECT_FALSE(a.geometry == findPreset("omni-thesis")->geometry);
+}
+
+}  // namespace underact::arm
