@@ -14,6 +14,7 @@ Everything equals the answers of `underact-cli`, to the last bit.
 
 from __future__ import annotations
 
+import functools
 import os
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -34,6 +35,20 @@ __all__ = ["Arm", "Dexterity", "Joint", "Solutions", "Statics", "load", "names"]
 
 _NONE = np.zeros(3)  # no force, no moment
 _NONE.flags.writeable = False
+
+
+@functools.cache
+def _facts(solutions: int) -> np.dtype[np.void]:
+    """What stands in a pose's record, as app/bindings/inverse.cpp writes it."""
+    fields = [
+        ("count", np.int32, ()),
+        ("reachable", np.bool_, ()),
+        ("singular", np.bool_, ()),
+        ("within", np.bool_, (solutions,)),
+        ("branch", np.int8, (solutions, 3)),
+        ("family", np.uint8, (solutions,)),
+    ]
+    return np.dtype(fields, align=True)
 
 
 @dataclass(frozen=True)
@@ -93,33 +108,48 @@ class Solutions:
     """
 
     q: NDArray[np.float64]
-    count: NDArray[np.int32]
-    reachable: NDArray[np.bool_]
-    singular: NDArray[np.bool_]
 
     def __init__(self, found: tuple[Any, ...]):
-        q, self.count, self.reachable, self.singular, *self._rest, most = found
-        self._most = most
-        self.q = q if most == q.shape[-2] else q[..., :most, :]
+        q, self._bytes, self._most, self._branches, self._families = found
+        self.q = q if self._most == q.shape[-2] else q[..., : self._most, :]
+        self._k = q.shape[-2]
 
-    # Made when they are asked for: one pose is solved in the time that making all of them takes.
+    # Views, made when they are asked for: one pose is solved in the time that making all takes.
+    def _fact(self, name: str) -> NDArray[Any]:
+        facts: NDArray[Any] = self._bytes.view(_facts(self._k))[..., 0][name]
+        return facts
+
+    @property
+    def count(self) -> NDArray[np.int32]:
+        """How many solutions there are."""
+        return self._fact("count")
+
+    @property
+    def reachable(self) -> NDArray[np.bool_]:
+        """Whether the arm is long enough."""
+        return self._fact("reachable")
+
+    @property
+    def singular(self) -> NDArray[np.bool_]:
+        """Whether it is a singular pose."""
+        return self._fact("singular")
+
     @property
     def within_limits(self) -> NDArray[np.bool_]:
         """Whether all joints are within their limits."""
-        within: NDArray[np.bool_] = self._rest[0][..., : self._most]
-        return within
+        return self._fact("within")[..., : self._most]
 
     @property
     def branch(self) -> dict[str, NDArray[np.int8]]:
         """The branch of each solution, by name."""
-        branch, names = self._rest[1], self._rest[3]
-        return {name: branch[..., : self._most, i] for i, name in enumerate(names)}
+        branch = self._fact("branch")
+        return {name: branch[..., : self._most, i] for i, name in enumerate(self._branches)}
 
     @property
     def family(self) -> NDArray[np.str_]:
         """What stays the same along a self-motion; "" for an isolated solution."""
-        family, families = self._rest[2], self._rest[4]
-        named: NDArray[np.str_] = np.array(families)[family[..., : self._most]]
+        family = self._fact("family")[..., : self._most]
+        named: NDArray[np.str_] = np.array(self._families)[family]
         return named
 
     def __repr__(self) -> str:
@@ -220,8 +250,10 @@ class Arm(_core.Arm):
         return self._text(given.text(form, "form"))
 
     def plot(self, q: ArrayLike, axes: Any = None, **line: Any) -> Any:
-        """Draws the arm at q, (n,) or (m, n), into 3D axes of matplotlib, and gives the axes. line:
-        of `plot`.
+        """Draws the arm at q, (n,) or (m, n), and gives what it drew into.
+
+        axes: 3D axes of matplotlib, a plotter of PyVista or "pyvista"; None: a new figure of
+        matplotlib. line: how the links look: color, linewidth and so on.
         """
         from .pictures import plot_arm
 
