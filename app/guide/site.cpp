@@ -31,6 +31,10 @@ std::string searchIndex(const Guide& guide) {
   return made + "];\n";
 }
 
+bool isNotebook(const std::string& link) {
+  return link.ends_with(".ipynb") && link.find_first_of("/:") == std::string::npos;
+}
+
 std::string sheetOf(const page::Colours& colours) {
   return "body { color: " + colours.ink + "; background-color: " + colours.ground + "; }\n" + page::pageStyle(colours);
 }
@@ -60,7 +64,7 @@ class Writer {
     const fs::path path = fs::path(out_) / to;
     fs::create_directories(path.parent_path(), error);
     fs::copy_file(from, path, fs::copy_options::overwrite_existing, error);
-    if (error) refuse("This picture could not be copied: " + error.message() + ".", from.string());
+    if (error) refuse("This file could not be copied: " + error.message() + ".", from.string());
   }
   void refuse(std::string sentence, std::string file) { problems_.push_back({std::move(sentence), {std::move(file)}}); }
   Problems take() { return std::move(problems_); }
@@ -74,11 +78,12 @@ class Writer {
 
 Problems writeSite(const Guide& guide, const std::string& out) {
   Writer writer(out);
-  std::set<std::string> pictures;
+  std::set<std::string> pictures, notebooks;
   for (const Entry& entry : guide.entries) {
     writer.write(entry.name + ".html", sitePage(guide, entry));
     for (const Problem& problem : entry.page.problems) writer.refuse(problem.sentence, problem.place.file);
     for (const page::Page::Link& link : entry.page.links) {
+      if (isNotebook(link.to)) notebooks.insert(link.to);
       if (!link.is_picture) continue;
       pictures.insert(link.to);
       if (const std::string dark = darkPicture(guide, link.to); !dark.empty()) pictures.insert(dark);
@@ -86,6 +91,7 @@ Problems writeSite(const Guide& guide, const std::string& out) {
   }
   if (!guide.entries.empty()) writer.write("index.html", sitePage(guide, guide.entries.front()));
   for (const std::string& picture : pictures) writer.copy(fs::path(guide.folder) / picture, siteLink(picture));
+  for (const std::string& notebook : notebooks) writer.copy(fs::path(guide.folder) / notebook, notebook);
   writer.write("style.css", styleSheet());
   writer.write("search_index.js", searchIndex(guide));
   for (const char* name : {"site.css", "search.js"}) {

@@ -35,7 +35,7 @@ class Notebooks(unittest.TestCase):
     def test_the_guide_names_each(self):
         page = (GUIDE / "python_package.md").read_text(encoding="utf-8")
         for path in ROOT.glob("resources/guide/*.ipynb"):
-            self.assertIn(f"`{path.name}`", page)
+            self.assertIn(f"[{path.name}]({path.name})", page)  # opens it
 
 
 if __name__ == "__main__":

@@ -78,6 +78,8 @@ TEST(TheGuide, EveryLinkLeadsSomewhere) {
         const Entry* other = target.page.empty() ? &entry : theGuide().find(target.page);
         ASSERT_NE(other, nullptr) << where;
         EXPECT_TRUE(hasAnchor(other->page, target.anchor)) << where;
+      } else if (link.to.ends_with(".ipynb")) {
+        EXPECT_TRUE(fs::is_regular_file(fs::path(kFolder) / link.to)) << where;
       } else {
         const bool is_known = link.to.rfind("https://", 0) == 0 || link.to.rfind("action:", 0) == 0 ||
                               link.to.rfind("lesson:", 0) == 0;  // actions: in a story

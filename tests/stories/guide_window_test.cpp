@@ -5,12 +5,15 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QApplication>
+#include <QDesktopServices>
 #include <QDir>
 #include <QDockWidget>
+#include <QFile>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMessageBox>
 #include <QScrollBar>
+#include <QTextBrowser>
 #include <QTreeWidget>
 
 #include "app/gui/guide/guide_tool.h"
@@ -159,6 +162,39 @@ TEST(GuideWindowStory, LinksOpenScenesPagesAndActionsAndShowAddresses) {
   ASSERT_NE(box, nullptr);
   EXPECT_TRUE(box->informativeText().contains("https://underact.example/a?b=c"));
   box->reject();
+}
+
+TEST(GuideWindowStory, ANotebookOpensAsACopyThatKeepsItsChanges) {
+  Reader reader("python_package");
+  QTextBrowser system;  // in the place of the desktop's: a URL is given to one of its methods
+  QList<QUrl> opened;
+  QObject::connect(&system, &QTextBrowser::anchorClicked, [&](const QUrl& url) { opened << url; });
+  QDesktopServices::setUrlHandler("file", &system, "anchorClicked");
+  const auto open = [&](const char* link) {
+    emit reader.page().anchorClicked(QUrl(link));
+    auto* button = reader.find<QAbstractButton>("dialog.notebook.open");
+    ASSERT_NE(button, nullptr) << link;
+    reader.click(button);
+  };
+  open("first_steps.ipynb");
+  ASSERT_EQ(opened.size(), 1);
+  QFile copy(opened.front().toLocalFile());
+  EXPECT_TRUE(copy.fileName().endsWith("/Underact/notebooks/first_steps.ipynb"));
+  ASSERT_TRUE(copy.open(QIODevice::ReadWrite)) << "it can be worked on";
+  EXPECT_TRUE(copy.readAll().contains("nbformat"));
+  copy.resize(0);
+  copy.write("mine");
+  copy.close();
+  open("first_steps.ipynb");
+  ASSERT_TRUE(copy.open(QIODevice::ReadOnly));
+  EXPECT_EQ(copy.readAll(), QByteArray("mine"));
+  EXPECT_EQ(opened.size(), 2);
+  open("no_such.ipynb");
+  EXPECT_EQ(opened.size(), 2);
+  auto* problems = reader.find<QMessageBox>("dialog.notebook_problems");
+  ASSERT_NE(problems, nullptr);
+  problems->reject();
+  QDesktopServices::unsetUrlHandler("file");
 }
 
 TEST(GuideWindowStory, EveryActionThatAPageLinksToIsOneOfTheWindows) {

@@ -6,6 +6,7 @@
 #include <QUrl>
 
 #include "app/gui/guide/guide_window.h"
+#include "app/gui/guide/notebook.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/problems_dialog.h"
 #include "app/gui/model/scene_library.h"
@@ -73,6 +74,8 @@ void GuideTool::follow(const QUrl& link) {
     actions_.perform("lesson.start", name);
   } else if (link.scheme() == "scene" && !name.contains('/')) {
     actions_.perform("scene.open", QDir(sceneFolder()).filePath(name + ".json"));
+  } else if (link.scheme() == "notebook" && !name.contains('/')) {
+    askToOpenNotebook(window_->file(name + ".ipynb"), window_);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "app/gui/guide/guide_window.h"
 
+#include <QDir>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -78,6 +79,10 @@ QWidget* GuideWindow::buildBar() {
 
 int GuideWindow::zoom() const {
   return page_->zoom();
+}
+
+QString GuideWindow::file(const QString& name) const {
+  return QDir(QString::fromStdString(guide_.folder)).filePath(name);
 }
 
 void GuideWindow::search(const QString& words) {

@@ -27,6 +27,8 @@ class GuideWindow : public QWidget {
   int zoom() const;
   /// Puts the text into the search field.
   void search(const QString& words);
+  /// The path of a file beside the pages.
+  QString file(const QString& name) const;
 
  signals:
   /// A link to something other than a page: "scene:02_sphere", "lesson:...", "action:...".

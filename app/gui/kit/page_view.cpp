@@ -51,7 +51,8 @@ QUrl askedFor(const QUrl& link) {
   if (!link.isRelative()) return link;
   const QFileInfo file(link.path());
   QUrl url;
-  url.setScheme(file.suffix() == "json" ? "scene" : "guide");
+  const QString kind = file.suffix();
+  url.setScheme(kind == "json" ? "scene" : kind == "ipynb" ? "notebook" : "guide");
   url.setPath(file.completeBaseName());
   if (link.hasFragment()) url.setFragment(link.fragment());
   return url;
@@ -205,7 +206,7 @@ void PageView::follow(const QUrl& link) {
   if (link.scheme() == "http" || link.scheme() == "https") return confirmAddress(link);
   if (link.isRelative() && link.path().isEmpty()) return scrollToAnchor(link.fragment());
   const QUrl to = askedFor(link);
-  static const QStringList kKnown{"scene", "lesson", "action", "guide"};
+  static const QStringList kKnown{"scene", "lesson", "action", "guide", "notebook"};
   if (kKnown.contains(to.scheme())) emit asked(to);
 }
 

@@ -55,6 +55,10 @@ def lost(pages: dict[str, dict[str, Any]]) -> Iterator[str]:
             if link.startswith("https://"):
                 continue
             to, _, anchor = link.partition("#")
+            if to.endswith(".ipynb"):
+                if not pathlib.Path(unquote(to.removeprefix("file://"))).is_file():
+                    yield f"{name_of(page)}: {name_of(to)} is not there"
+                continue
             if to not in pages:
                 yield f"{name_of(page)}: {name_of(to)} is no page"
             elif anchor and unquote(anchor) not in pages[to]["anchors"]:
