@@ -1,4 +1,9 @@
-"""Arms, scenes and paths in 3D, in a notebook or a file: into axes of matplotlib. Lengths mm."""
+"""Arms, scenes and sessions in 3D, in a notebook or a file. Lengths mm.
+
+axes: 3D axes of matplotlib; a plotter of PyVista, or "pyvista" for a new one; None: a new figure of
+matplotlib. Each function gives what it drew into, for the next one. line: color, linewidth, and
+what else `plot` of matplotlib or `add_mesh` of PyVista takes.
+"""
 
 from __future__ import annotations
 
@@ -7,75 +12,72 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import shapes
+from .canvas import Canvas, canvas
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    from numpy.typing import ArrayLike, NDArray
 
     from .arm import Arm, Joint
     from .scene import Scene
+    from .session import Session
 
 _LINKS, _TIP, _SHAPE = "#1A1A1A", "#D55E00", "#0072B2"  # as in the figures of sessions
 
 
-def new_axes() -> Any:
-    """3D axes of a new figure of pyplot."""
-    import matplotlib.pyplot as pyplot
-
-    axes = pyplot.figure(figsize=(5.0, 5.0)).add_subplot(projection="3d")
-    axes.set(xlabel="x (mm)", ylabel="y (mm)", zlabel="z (mm)")
-    return axes
-
-
-def same_scale(axes: Any) -> None:
-    """Makes a millimetre as long along each axis as along the others."""
-    box = axes.xy_dataLim, axes.zz_dataLim  # of all that was drawn, before and now
-    limits = np.array([box[0].intervalx, box[0].intervaly, box[1].intervalx])
-    half = max(np.ptp(limits, axis=1).max() / 2, 1.0)
-    for middle, set_limits in zip(
-        limits.mean(axis=1), (axes.set_xlim, axes.set_ylim, axes.set_zlim)
-    ):
-        set_limits(middle - half, middle + half)
-    axes.set_box_aspect((1, 1, 1), zoom=0.85)  # room for the labels
-
-
 def plot_arm(arm: Arm, q: ArrayLike, axes: Any = None, **line: Any) -> Any:
     """The arm at q, (n,), or at each of (m, n): its links as a line, its joints and its tip as
-    points.
+    dots.
     """
-    axes = new_axes() if axes is None else axes
-    style = {"color": _LINKS, "linewidth": 2.0, **line}
+    to = canvas(axes)
     points = arm.skeleton(np.atleast_2d(np.asarray(q, dtype=float)))
+    color, width = line.pop("color", _LINKS), line.pop("linewidth", 2.0)
     for at in points:
-        axes.plot(*at.T, marker="o", markersize=3, **style)
-        axes.plot(*at[-1:].T, marker="o", markersize=5, color=_TIP, linestyle="none")
-    same_scale(axes)
-    return axes
+        to.line(at, color, width, **line)
+        to.dots(at[:-1], color, 3.0)
+        to.dots(at[-1:], _TIP, 5.0)
+    to.finish()
+    return to.into
 
 
 def plot_scene(scene: Scene, axes: Any = None, extent_mm: float = 80.0) -> Any:
     """The shapes of a scene as lines, and its meshes; what has no ends as far as extent_mm from the
     origin.
     """
-    axes = new_axes() if axes is None else axes
+    to = canvas(axes)
     corners = extent_mm * np.array(
         [[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float
     )
     for index, constraint in enumerate(scene.as_dict()["constraints"]):
-        for outline in shapes.outlines(constraint, corners):
-            axes.plot(*outline.T, color=_SHAPE, linewidth=0.8)
+        _draw_shape(to, constraint, corners)
         if constraint["type"] == "mesh":
-            at, faces = scene.mesh(index)
-            axes.plot_trisurf(*at.T, triangles=faces, color=_SHAPE, alpha=0.3, linewidth=0)
-    same_scale(axes)
-    return axes
+            to.surface(*scene.mesh(index), _SHAPE)
+    to.finish()
+    return to.into
+
+
+def _draw_shape(to: Canvas, constraint: dict[str, Any], reach_mm: NDArray[np.float64]) -> None:
+    for outline in shapes.outlines(constraint, reach_mm):
+        to.line(outline, _SHAPE, 0.8)
 
 
 def plot_path(p_mm: ArrayLike, axes: Any = None, **line: Any) -> Any:
     """A path, (m, 3), as of the tip in a session."""
-    axes = new_axes() if axes is None else axes
-    axes.plot(*np.asarray(p_mm, dtype=float).T, **{"color": _TIP, "linewidth": 1.0, **line})
-    same_scale(axes)
-    return axes
+    to = canvas(axes)
+    color, width = line.pop("color", _TIP), line.pop("linewidth", 1.0)
+    to.line(np.asarray(p_mm, dtype=float), color, width, **line)
+    to.finish()
+    return to.into
+
+
+def plot_session(session: Session, axes: Any = None) -> Any:
+    """Where the tip went in a session, and the shapes of the scene with which it began, as far as
+    the tip went; meshes are files of their own and are left out.
+    """
+    to = canvas(axes)
+    path_mm = session.ticks["p_WT_mm"]
+    for constraint in session.scene["constraints"]:
+        _draw_shape(to, constraint, path_mm)
+    return plot_path(path_mm, to.into)
 
 
 def sliders(arm: Arm, q: ArrayLike | None = None, scene: Scene | None = None) -> Any:

@@ -288,8 +288,10 @@ class Scene:
         return self._core._mesh(self._index(constraint))
 
     def plot(self, axes: Any = None, extent_mm: float = 80.0) -> Any:
-        """Draws its shapes into 3D axes of matplotlib, and gives the axes. extent_mm: how far what
-        has no ends is drawn.
+        """Draws its shapes, and gives what it drew into.
+
+        axes: 3D axes of matplotlib, a plotter of PyVista or "pyvista"; None: a new figure of
+        matplotlib. extent_mm: how far what has no ends is drawn.
         """
         from .pictures import plot_scene
 
