@@ -20,6 +20,7 @@ make_root() {
   chmod 755 "$root"
   # How this machine reaches packages: proxies and certificates, if there are any.
   cp -a /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/" 2>/dev/null || true
+  cp -L /etc/pip.conf "$root/etc/" 2>/dev/null || true
   cp -a /etc/apt/auth.conf.d "$root/etc/apt/" 2>/dev/null || true
   cp -L /etc/resolv.conf /etc/hosts "$root/etc/" 2>/dev/null || true
   cp -a /etc/ssl/certs/. "$root/etc/ssl/certs/" 2>/dev/null || true
