@@ -120,12 +120,12 @@ def copy_texts(packages, folder):
             shutil.copyfile(os.path.join(COMMON, name), os.path.join(folder, "common", name))
 
 
-def write_sources(packages, path):
-    """Where the source of each carried package is, as the LGPL asks."""
+def write_sources(packages, path, where="usr/lib"):
+    """Where the source of each carried package is, as the LGPL asks. where: the libraries lie."""
     lines = [
         "The source of every library carried here, as Debian built it:",
         "https://snapshot.debian.org/package/SOURCE/VERSION/. Each library is a file of its own in",
-        "usr/lib: another build of the same interface may take its place.",
+        f"{where}: another build of the same interface may take its place.",
         "",
     ]
     for package in sorted(packages):

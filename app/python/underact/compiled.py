@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import importlib
 import os
+import sys
+from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 
@@ -22,10 +25,27 @@ def core() -> ModuleType:
     if _MESH_READER.exists():
         os.environ.setdefault("UNDERACT_MESH_READER", str(_MESH_READER))
     try:
-        return importlib.import_module("underact._core")
+        with _functions_looked_up_when_called():
+            return importlib.import_module("underact._core")
     except ImportError as error:
         raise NotCompiled(
             f"The compiled part of the package underact cannot be loaded ({error}). Arms, "
             "scenes and simulation require it; sessions do not. Install the wheel for this "
             "Python, or run `pip install .` in the sources."
         ) from error
+
+
+@contextlib.contextmanager
+def _functions_looked_up_when_called() -> Iterator[None]:
+    """As in programs. A wheel's HDF5 comes without the libraries behind its driver of S3, which is
+    never called; Python would look for their functions when it loads the module.
+    """
+    if sys.platform == "win32":
+        yield
+        return
+    flags = sys.getdlopenflags()
+    sys.setdlopenflags(os.RTLD_LAZY)
+    try:
+        yield
+    finally:
+        sys.setdlopenflags(flags)
