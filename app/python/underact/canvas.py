@@ -104,4 +104,5 @@ class _PyVista:
         self.into.add_mesh(pyvista.PolyData(at, counted.ravel()), color=color, opacity=0.3)
 
     def finish(self) -> None:
-        self.into.show_grid(xtitle="x (mm)", ytitle="y (mm)", ztitle="z (mm)")
+        titles = {"xtitle": "x (mm)", "ytitle": "y (mm)", "ztitle": "z (mm)"}
+        self.into.show_grid(**titles, font_size=10, fmt="%.0f")
