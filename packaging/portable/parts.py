@@ -49,13 +49,10 @@ DISPLAY = {
 }
 SYSTEM = {**C_LIBRARY, **DISPLAY}
 
-# Libraries whose functions nothing in the bundle can reach: (who asks for it, which) -> the
-# functions it asks for. Making the bundle stops where one more is asked for, or where one is looked
-# up before it is called, or where a program of ours calls NEVER_CALLED.
-LEFT_OUT = {
-    # HDF5's driver of files on S3 (H5FDros3.c, H5FDs3comms.c) calls these. No program opens an
-    # address, and behind libcurl are Kerberos, LDAP, two kinds of TLS and twenty more.
-    ("libhdf5_serial.so.103", "libcurl.so.4"): {
+# HDF5's driver of files on S3 (H5FDros3.c, H5FDs3comms.c) calls these. No program opens an
+# address, and behind libcurl are Kerberos, LDAP, two kinds of TLS and twenty more.
+_S3 = {
+    "libcurl.so.4": {
         "curl_easy_cleanup",
         "curl_easy_init",
         "curl_easy_perform",
@@ -65,7 +62,15 @@ LEFT_OUT = {
         "curl_slist_append",
         "curl_slist_free_all",
     },
-    ("libhdf5_serial.so.103", "libcrypto.so.3"): {"EVP_sha256", "HMAC", "SHA256"},
+    "libcrypto.so.3": {"EVP_sha256", "HMAC", "SHA256"},
+}
+# Libraries whose functions nothing in a bundle or wheel can reach: (who asks for it, which) -> the
+# functions it asks for. Making it stops where one more is asked for, or where one is looked
+# up before it is called, or where a program of ours calls NEVER_CALLED.
+LEFT_OUT = {
+    (f"libhdf5_serial.so.{number}", library): functions
+    for number in (103, 310)  # of Debian 12 and 13
+    for library, functions in _S3.items()
 }
 NEVER_CALLED = ("H5Pset_fapl_ros3", "H5FD_ros3", "H5FD_s3comms")
 
