@@ -1,43 +1,22 @@
 #include <gtest/gtest.h>
 
-#include <QAction>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
-#include <QDir>
-#include <QDoubleSpinBox>
-#include <QFile>
 #include <QFileDialog>
-#include <QLabel>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 
-#include "app/gui/ghost/ghost_hand.h"
-#include "app/gui/model/player.h"
-#include "app/gui/visitor/visitor_mode.h"
 #include "app/gui/window/features.h"
-#include "core/record/recorder.h"
-#include "core/scene/read.h"
+#include "tests/stories/ghost_desk.h"
 #include "tests/stories/language_desk.h"
-#include "tests/stories/session_desk.h"
 
 namespace underact::gui::test {
 namespace {
-
-constexpr int kTeacherTicks = 3000, kStep = 25;  // of the teacher's hand; between two wishes
-constexpr int kAll = kTeacherTicks + 2 * kStep;  // in which the ghost has come to its end
-
-/// The teacher's hand: 30 mm to the right and back, in a loop, in 3 s.
-Vec3 teacherAt(int tick) {
-  const double angle_rad = 3.14159265 * std::clamp(tick, 0, kTeacherTicks) / kTeacherTicks;
-  return {0.030 * std::sin(angle_rad), 0.015 * std::sin(2.0 * angle_rad), 0.06};
-}
 
 /// How far from the teacher's hand one is at most that comes so many ticks later.
 double largestLag_m(int lag) {
@@ -46,58 +25,6 @@ double largestLag_m(int lag) {
     largest_m = std::max(largest_m, (teacherAt(tick) - teacherAt(tick - lag)).norm());
   return largest_m;
 }
-
-void moveHand(device::SimulatedArm& arm, const Vec3& p_W) {
-  sim::HandSetpoint setpoint = arm.setpoint();
-  setpoint.p_WT = p_W;
-  arm.setSetpoint(setpoint);
-}
-
-/// A session of 3 s beside the sphere.
-QString teacherSession() {
-  static const QString kPath = [] {
-    const QString path = temporaryFile("teacher.h5");
-    SimulatedHost simulated = makeSimulatedHost({.clock = servo::Clock::Manual});
-    Document document(*simulated.host);
-    EXPECT_TRUE(document.open(scene::readSceneFile(shippedScene("02_sphere").toStdString()).value()).empty());
-    moveHand(*simulated.arm, teacherAt(0));
-    simulated.host->run(500);
-    auto recorder = record::Recorder::start(*simulated.host, path.toStdString(), {.name = "Round the ball"});
-    EXPECT_TRUE(static_cast<bool>(recorder));
-    for (int tick = 0; tick < kTeacherTicks; tick += kStep) {
-      moveHand(*simulated.arm, teacherAt(tick));
-      simulated.host->run(kStep);
-    }
-    EXPECT_TRUE(recorder.value()->stop().empty());
-    return path;
-  }();
-  return kPath;
-}
-
-/// Waits for what is read in another thread; no tick comes meanwhile.
-bool waitFor(const std::function<bool()>& what) {
-  return QTest::qWaitFor(what, kLong_ms);
-}
-
-/// A window with the teacher's ghost in it.
-struct Class : Story {
-  explicit Class(const QString& scene = "02_sphere", const QString& path = teacherSession()) : Story(scene) {
-    moveHand(arm(), teacherAt(0));
-    run(500);
-    EXPECT_TRUE(perform("ghost.open", path));
-    EXPECT_TRUE(waitFor([this] { return ghost().isOpen(); }));
-  }
-  GhostHand& ghost() { return *window().findChild<GhostHand*>(); }
-  const ghost::State& state() { return ghost().state(); }
-  /// The student's hand does what the teacher's did from one tick to another, so many ticks later.
-  void follow(int from, int to, int lag = 0) {
-    for (int tick = from; tick < to; tick += kStep) {
-      moveHand(arm(), teacherAt(tick - lag));
-      run(kStep);
-    }
-  }
-  QString text(const char* label) { return find<QLabel>(label)->text(); }
-};
 
 }  // namespace
 
@@ -109,7 +36,7 @@ TEST(GhostStory, WhoFollowsExactlyIsNearAllTheWayAndIsToldSo) {
   EXPECT_EQ(story.state().phase, ghost::Phase::Going);
   EXPECT_TRUE(story.text("ghost.told").startsWith("Average 0.")) << story.text("ghost.told").toStdString();
   EXPECT_FALSE(story.find("ghost.copy")->isVisible()) << "there is no result yet";
-  story.follow(kTeacherTicks / 2, kAll);
+  story.follow(kTeacherTicks / 2, kTeacherAll);
   ASSERT_EQ(story.state().phase, ghost::Phase::Ended);
   EXPECT_LT(story.state().last_round->largest_m, 0.001);
   EXPECT_EQ(story.state().last_round->nearShare(), 1.0);
@@ -124,7 +51,7 @@ TEST(GhostStory, WhoFollowsExactlyIsNearAllTheWayAndIsToldSo) {
 
 TEST(GhostStory, WhoLagsIsFartherAway) {
   Class story;
-  story.follow(0, kAll, 300);
+  story.follow(0, kTeacherAll, 300);
   ASSERT_TRUE(story.state().last_round);
   EXPECT_NEAR(story.state().last_round->largest_m, largestLag_m(300), 0.001);
   EXPECT_GT(story.state().last_round->mean_m(), 0.004);
@@ -232,22 +159,6 @@ TEST(GhostStory, ForTheLeftHandItGoesInTheSameMirrorAsTheScenes) {
   ASSERT_TRUE(story.perform("scene.left_handed", false));
 }
 
-TEST(GhostStory, ASceneWithFilesIsKnownAgain) {
-  const QString path = temporaryFile("on_a_mesh.h5");
-  Class story("02_sphere");
-  ASSERT_TRUE(story.perform("scene.open", shippedScene("26_bumpy_sphere")));
-  ASSERT_TRUE(waitFor([&] { return story.window().document().scene().title != "Sphere"; }));
-  {
-    auto recorder = record::Recorder::start(story.host(), path.toStdString(), {});
-    ASSERT_TRUE(static_cast<bool>(recorder));
-    story.run(500);
-    ASSERT_TRUE(recorder.value()->stop().empty());
-  }
-  ASSERT_TRUE(story.perform("ghost.open", path));
-  ASSERT_TRUE(waitFor([&] { return story.ghost().ghost().path == path.toStdString(); }));
-  EXPECT_FALSE(story.ghost().isElsewhere());
-}
-
 TEST(GhostStory, NothingOfItIsDrawnWhenItIsClosed) {
   const auto ghostly = [](const QImage& image) {  // pixels of its colour
     int count = 0;
@@ -269,79 +180,6 @@ TEST(GhostStory, NothingOfItIsDrawnWhenItIsClosed) {
   EXPECT_FALSE(story.perform("ghost.play"));
   story.settle(300);
   EXPECT_LT(ghostly(story.view().picture()), 20) << "but where two other colours meet";
-}
-
-TEST(GhostStory, AFileThatIsNoSessionIsSaidAndNothingChanges) {
-  Story story("02_sphere");
-  ASSERT_TRUE(story.perform("ghost.open", temporaryFile("broken.h5", "this is no session")));
-  ASSERT_TRUE(waitFor([&] { return story.window().findChild<QMessageBox*>("dialog.session_problems") != nullptr; }));
-  auto* box = story.find<QMessageBox>("dialog.session_problems");
-  EXPECT_TRUE(box->text().contains("broken.h5"));
-  EXPECT_FALSE(box->informativeText().isEmpty());
-  box->close();
-  EXPECT_FALSE(story.window().findChild<GhostHand*>()->isOpen());
-  EXPECT_FALSE(story.find("ghost")->isVisible());
-}
-
-TEST(GhostStory, WhatIsDamagedIsSaidAndTheRestIsFollowed) {
-  const QString path = temporaryFile("damaged.h5");
-  QFile::remove(path);
-  ASSERT_TRUE(QFile::copy(teacherSession(), path));
-  QFile file(path);
-  ASSERT_TRUE(file.open(QIODevice::ReadWrite));
-  ASSERT_TRUE(file.seek(file.size() * 6 / 10));
-  file.write(QByteArray(2000, 'Z'));
-  file.close();
-  Class story("02_sphere", path);
-  auto* box = story.find<QMessageBox>("dialog.session_problems");
-  EXPECT_TRUE(box->text().endsWith("is damaged. You follow the part that could be read.")) << box->text().toStdString();
-  box->close();
-  story.run(250);
-  EXPECT_EQ(story.state().phase, ghost::Phase::Going);
-}
-
-TEST(GhostStory, ReadingCanBeCancelledAndNothingChanges) {
-  Story story("02_sphere");
-  ASSERT_TRUE(story.perform("ghost.open", teacherSession()));
-  ASSERT_TRUE(story.find("load.cancel")->isVisible());
-  story.find<QPushButton>("load.cancel")->click();  // at once: before anybody looks at what was read
-  story.settle(300);
-  EXPECT_FALSE(story.window().findChild<GhostHand*>()->isOpen());
-  EXPECT_EQ(story.window().findChild<QMessageBox*>("dialog.session_problems"), nullptr);
-}
-
-TEST(GhostStory, AReplayAndAGhostAreNotThereTogether) {
-  Class story;
-  ASSERT_TRUE(story.perform("replay.open", teacherSession()));
-  ASSERT_TRUE(waitFor([&] {
-    story.window().frame();
-    return story.window().player().isOpen();
-  }));
-  EXPECT_FALSE(story.ghost().isOpen());
-  EXPECT_FALSE(story.perform("ghost.open", teacherSession()));
-  auto* box = story.find<QMessageBox>("dialog.session_problems");
-  EXPECT_TRUE(box->informativeText().contains("Close the replay first."));
-  box->close();
-  ASSERT_TRUE(story.perform("replay.close"));
-  EXPECT_TRUE(story.perform("ghost.open", teacherSession()));
-}
-
-TEST(GhostStory, VisitorsFollowNobody) {
-  Class story;
-  ASSERT_TRUE(story.perform("visitor.start", QStringList{shippedScene("02_sphere")}));
-  story.run(100);
-  EXPECT_FALSE(story.ghost().isOpen());
-  story.window().findChild<VisitorMode*>()->leave();
-}
-
-TEST(GhostStory, ASessionOfTheListIsFollowedByItsMenu) {
-  Desk desk;
-  const QString path = desk.session(400, "by the teacher");
-  ASSERT_TRUE(desk.listed(1));
-  ASSERT_TRUE(desk.choose(path));
-  ASSERT_TRUE(desk.story->perform("sessions.follow"));
-  ASSERT_TRUE(waitFor([&] { return desk.story->window().findChild<GhostHand*>()->isOpen(); }));
-  EXPECT_EQ(desk.story->window().findChild<GhostHand*>()->ghost().name, "by the teacher");
 }
 
 TEST(GhostStory, AllOfItIsDoneByKeys) {
@@ -374,7 +212,7 @@ TEST(GhostStory, AllOfItIsDoneByKeys) {
 TEST(GhostStory, AScreenReaderGetsTheResultOnceAndEachPartHasANameAndAPage) {
   Class story;
   QSignalSpy ended(&story.ghost(), &GhostHand::ended);
-  story.follow(0, kAll);
+  story.follow(0, kTeacherAll);
   story.run(500);
   EXPECT_EQ(ended.count(), 1);
   EXPECT_EQ(story.find("ghost.told")->accessibleDescription(), story.text("ghost.told"));
@@ -413,7 +251,7 @@ TEST(GhostStory, PicturesOfIt) {
     const QString made = QString(UNDERACT_BINARY) + "/pictures/ghost_%1.png";
     EXPECT_TRUE(story.picture().save(made.arg(QString("projector_") + theme)));
     story.perform("view.projector", false);
-    story.follow(700, kAll, 300);
+    story.follow(700, kTeacherAll, 300);
     EXPECT_TRUE(story.picture().save(made.arg(QString("result_") + theme)));
   }
   Class elsewhere("03_line");

@@ -1,83 +1,11 @@
-#include <gtest/gtest.h>
-
-#include <QApplication>
 #include <QComboBox>
-#include <QHeaderView>
-#include <QLabel>
-#include <QListWidget>
-#include <QPushButton>
-#include <QScrollArea>
 #include <QSlider>
-#include <QTableWidget>
 #include <cmath>
 
 #include "tests/stories/picture_difference.h"
-#include "tests/stories/story.h"
+#include "tests/stories/robot_desk.h"
 
 namespace underact::gui::test {
-namespace {
-
-/// The columns of the table of joints.
-enum Column { kType, kAxisX, kAxisY, kAxisZ, kPointX, kPointY, kPointZ, kMin, kMax, kSpring, kRest };
-
-/// A window with the Robot panel open.
-struct Robot : Story {
-  explicit Robot(const QString& scene, const Beginning& beginning = {}) : Story(scene, beginning) {
-    EXPECT_TRUE(perform("dock.robot", true));
-    perform("view.theme.light");
-    settle();
-  }
-  const scene::VirtualManipulator& robot(std::size_t index = 0) {
-    return std::get<scene::VirtualManipulator>(host().scene().constraints.at(index).shape);
-  }
-  target::Robot now() { return snapshot().report.held[0].robot; }
-  Vec3 wanted_N() { return snapshot().report.f_T_W; }  // before the gate
-  QTableWidget* joints() { return find<QTableWidget>("panel.robot.joints"); }
-  QString refusal() {
-    auto* label = find<QLabel>("panel.robot.refusal");
-    return label->isVisible() ? label->text() : QString();
-  }
-  /// The value beside a label of the read-out.
-  QString readout(const QString& label) {
-    for (const QLabel* value : find("panel.robot.now")->findChildren<QLabel*>()) {
-      if (value->accessibleName() == label) return value->text();
-    }
-    ADD_FAILURE() << "no row " << label.toStdString();
-    return {};
-  }
-  /// The stylus held there, the servo running, everything at rest. z_W: where the stylus points; zero: as it is.
-  void hold(const Vec3& p_W, const Vec3& z_W = Vec3::Zero()) {
-    sim::HandSetpoint setpoint;
-    setpoint.p_WT = p_W;
-    if (!z_W.isZero()) {
-      setpoint.turns = true;
-      setpoint.R_WT = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), z_W).toRotationMatrix();
-    }
-    arm().setSetpoint(setpoint);
-    perform("session.start");
-    run(3000);
-  }
-  void clickThere(const QString& name) {
-    auto* widget = find(name);
-    auto* scroll = find("panel.robot")->findChild<QScrollArea*>();
-    if (scroll->isAncestorOf(widget)) scroll->ensureWidgetVisible(widget);
-    settle(20);
-    click(widget);
-  }
-  /// By the keys, as a person types over a cell.
-  void typeCell(QTableWidget* table, int row, int column, const QString& text) {
-    find("panel.robot")->findChild<QScrollArea*>()->ensureWidgetVisible(table);
-    table->setFocus(Qt::TabFocusReason);
-    table->setCurrentCell(row, column);
-    key(Qt::Key_F2);
-    key(Qt::Key_A, Qt::ControlModifier);
-    for (const QChar letter : text) QTest::keyClick(window().windowHandle(), letter.toLatin1());
-    key(Qt::Key_Return);
-    settle(20);
-  }
-};
-
-}  // namespace
 
 TEST(RobotStory, AJointThatIsAddedIsFeltDrawnAndTakenBack) {
   Robot story("16_one_joint_robot");
@@ -157,12 +85,12 @@ TEST(RobotStory, TheThesissLawIsTakenForOneJointAndRefusedForTwoInAWord) {
 TEST(RobotStory, EveryCellIsTypedAndOneStepBackEach) {
   Robot story("20_scara");
   const int steps = story.window().document().undoStack().count();
-  story.typeCell(story.joints(), 0, kPointX, "-55.5");
+  story.typeCell(story.joints(), 0, Robot::kPointX, "-55.5");
   EXPECT_EQ(story.robot().joints[0].point_mm.x(), -55.5);
-  EXPECT_EQ(story.joints()->item(0, kPointX)->text(), QString(QChar(0x2212)) + "55.5");
-  story.typeCell(story.joints(), 0, kMax, "90");
+  EXPECT_EQ(story.joints()->item(0, Robot::kPointX)->text(), QString(QChar(0x2212)) + "55.5");
+  story.typeCell(story.joints(), 0, Robot::kMax, "90");
   EXPECT_NEAR(*story.robot().joints[0].max, std::acos(0.0), 1e-12);
-  story.typeCell(story.joints(), 0, kSpring, "40");
+  story.typeCell(story.joints(), 0, Robot::kSpring, "40");
   EXPECT_EQ(story.robot().joints[0].stiffness, 40.0);
   EXPECT_EQ(story.window().document().undoStack().count(), steps + 3);
   for (int step = 0; step < 3; ++step) story.perform("edit.undo");
@@ -173,12 +101,12 @@ TEST(RobotStory, EveryCellIsTypedAndOneStepBackEach) {
 
 TEST(RobotStory, AnImpossibleEditIsRefusedAndTheOldNumberIsBack) {
   Robot story("16_one_joint_robot");
-  story.typeCell(story.joints(), 0, kAxisZ, "0");
+  story.typeCell(story.joints(), 0, Robot::kAxisZ, "0");
   EXPECT_TRUE(story.refusal().contains("must not be [0, 0, 0]")) << story.refusal().toStdString();
-  EXPECT_EQ(story.joints()->item(0, kAxisZ)->text(), "1.000");
-  story.typeCell(story.joints(), 0, kPointX, "1e");
+  EXPECT_EQ(story.joints()->item(0, Robot::kAxisZ)->text(), "1.000");
+  story.typeCell(story.joints(), 0, Robot::kPointX, "1e");
   EXPECT_TRUE(story.refusal().contains("not a number")) << story.refusal().toStdString();
-  EXPECT_EQ(story.joints()->item(0, kPointX)->text(), "0.0");
+  EXPECT_EQ(story.joints()->item(0, Robot::kPointX)->text(), "0.0");
   story.clickThere("panel.robot.joint.add");
   EXPECT_TRUE(story.refusal().contains("about its one joint")) << story.refusal().toStdString();
   EXPECT_EQ(story.robot().joints.size(), 1u);
@@ -291,114 +219,6 @@ TEST(RobotStory, TheReadoutSaysWhatTheSolverFoundAndWhichJointStandsAtALimit) {
   story.settle();
   EXPECT_TRUE(story.readout("Joint q1").startsWith("at maximum")) << story.readout("Joint q1").toStdString();
   EXPECT_NEAR(story.now().theta[0], -3.0 * std::acos(-1.0) / 180.0, 1e-6);
-}
-
-TEST(RobotStory, ItIsSeenWhereOpaqueChildrenCoverAllOfIt) {
-  Robot story("16_one_joint_robot");
-  auto* const panel = story.find("panel.robot");
-  QWidget cover(panel);
-  cover.setAttribute(Qt::WA_OpaquePaintEvent);
-  cover.setGeometry(panel->rect());
-  cover.show();
-  ASSERT_TRUE(panel->visibleRegion().isEmpty());
-  const QString before = story.readout("Joint q1");
-  story.hold({0.050, 0.0, 0.0}, Vec3(1.0, 0.35, 0.0));
-  EXPECT_NE(story.readout("Joint q1"), before);
-}
-
-TEST(RobotStory, TheShapePanelSaysWhatTheRobotIsAndOpensItsJoints) {
-  Story story("23_two_beams");
-  story.perform("dock.shape", true);
-  story.settle();
-  QStringList texts;
-  for (const QLabel* label : story.find("panel.shape")->findChildren<QLabel*>()) texts << label->text();
-  EXPECT_TRUE(texts.contains("Virtual robot"));
-  EXPECT_TRUE(texts.contains("Springs"));
-  story.click(story.find("panel.shape.edit_robot"));
-  story.settle();
-  EXPECT_FALSE(story.find("panel.robot.joints")->visibleRegion().isEmpty());
-  story.perform("scene.open", shippedScene("02_sphere"));
-  EXPECT_FALSE(story.find("panel.shape.edit_robot")->isVisible());
-}
-
-TEST(RobotStory, RobotsHaveAHeadingOfTheirOwnInTheListOfScenes) {
-  Story story("02_sphere");
-  const auto* list = story.find<QListWidget>("panel.scenes.list");
-  int shapes = -1, robots = -1;
-  for (int row = 0; row < list->count(); ++row) {
-    if (list->item(row)->text() == "Shapes") shapes = row;
-    if (list->item(row)->text() == "Virtual robots") robots = row;
-  }
-  EXPECT_EQ(shapes, 0);
-  ASSERT_GT(robots, 10);
-  EXPECT_EQ(list->item(robots + 1)->text(), "A robot of one joint");
-  EXPECT_FALSE(list->item(robots + 1)->icon().isNull());
-}
-
-TEST(RobotStory, EachRobotLooksAsItDid) {
-  for (const char* name : {"16_one_joint_robot", "18_sphere_of_two_joints", "21_puma_560", "22_out_of_reach"}) {
-    Robot story(name);
-    story.hold({0.012, 0.018, 0.034});
-    EXPECT_EQ(story.view().robotsDrawn(), 1u);
-    EXPECT_LT(story.imageDifference(name), kTolerance) << name;
-  }
-  Robot dark("18_sphere_of_two_joints");
-  dark.perform("view.theme.dark");
-  dark.hold({0.012, 0.018, 0.034});
-  EXPECT_LT(dark.imageDifference("robot_dark"), kTolerance);
-}
-
-TEST(RobotStory, NothingIsCutAtTheUsualTextNorAtTwiceIt) {
-  const QFont usual = QApplication::font();
-  for (const double share : {1.0, 2.0}) {
-    QFont font = usual;
-    font.setPointSizeF(share * usual.pointSizeF());
-    QApplication::setFont(font);
-    {
-      Robot story("21_puma_560", {.size = {1920, 1080}});
-      story.hold({0.012, 0.018, 0.034});
-      story.settle();
-      for (const QLabel* label : story.find("panel.robot")->findChildren<QLabel*>()) {
-        if (!label->isVisible() || label->text().isEmpty() || label->wordWrap()) continue;
-        EXPECT_GE(label->width(), label->fontMetrics().horizontalAdvance(label->text())) << label->text().toStdString();
-      }
-      for (const char* name : {"panel.robot.joints", "panel.robot.home"}) {
-        const auto* table = story.find<QTableWidget>(name);
-        for (int column = 0; column < table->columnCount(); ++column) {
-          for (int row = 0; row < table->rowCount(); ++row) {
-            EXPECT_GE(table->columnWidth(column),
-                      table->fontMetrics().horizontalAdvance(table->item(row, column)->text()) + 6)
-                << name << ' ' << row << ' ' << column;
-          }
-        }
-        EXPECT_GE(table->verticalHeader()->sectionSize(0), table->fontMetrics().height());
-      }
-      for (const QPushButton* button : story.find("panel.robot")->findChildren<QPushButton*>()) {
-        EXPECT_GE(button->width(), button->fontMetrics().horizontalAdvance(button->text()))
-            << button->text().toStdString();
-      }
-      EXPECT_TRUE(
-          story.picture().save(QString("%1/pictures/window_robot_text_%2.png").arg(UNDERACT_BINARY).arg(share)));
-    }
-  }
-  QApplication::setFont(usual);
-}
-
-// To be looked at by people: build/.../pictures/window_robot_THEME.png.
-TEST(RobotStory, TheWindowOfARobot) {
-  for (const char* theme : {"light", "dark"}) {
-    Robot story("16_one_joint_robot");
-    story.perform(QString("view.theme.") + theme);
-    story.hold({0.046, 0.012, 0.0}, Vec3(1.0, 0.9, 0.2));
-    story.view().setHint({});
-    story.settle(300);
-    EXPECT_TRUE(story.picture().save(QString("%1/pictures/window_robot_%2.png").arg(UNDERACT_BINARY).arg(theme)));
-  }
-  Robot puma("21_puma_560");
-  puma.hold({0.012, 0.018, 0.034});
-  puma.view().setHint({});
-  puma.settle(300);
-  EXPECT_TRUE(puma.picture().save(QString("%1/pictures/window_robot_puma.png").arg(UNDERACT_BINARY)));
 }
 
 }  // namespace underact::gui::test
