@@ -19,7 +19,6 @@ namespace {
 constexpr int kRate_hz = 1000;
 constexpr std::int64_t kTicksAtOnce = 16;  // a frame of the window: a robot's joints hardly move in it
 constexpr double kAfterwards_s = 1.0;
-const Vec3 kStart_p_WT(0.0, 0.0, 0.05);  // as in the window
 
 Problems refused(const LessonSetting& setting, const std::string& why) {
   return {{"The setting " + setting.key + "=" + setting.value + " " + why, {"the settings", 1, 0, setting.key}}};
@@ -99,7 +98,7 @@ Result<LessonOutcome> LessonDesk::tryStep(const lesson::Step& step, scene::Descr
     options.model = model_;
     options.hand = attempt.hand.hand;
     options.rate_hz = kRate_hz;
-    options.start_p_WT = kStart_p_WT;
+    options.start_p_WT = kFirst_p_WT;
     options.integration = integrationOf(scene.simulation);
     auto arm = std::make_unique<SimulatedArm>(options);
     arm_ = arm.get();

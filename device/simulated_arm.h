@@ -11,6 +11,10 @@
 
 namespace underact::device {
 
+/// Where the tip rests in a new window, and where a lesson's scripted hand finds it: on the sphere of the first start,
+/// where there is no force yet.
+inline const Vec3 kFirst_p_WT(0.0, 0.0, 0.05);
+
 /// A simulated arm: its joints, encoders, friction and mass, held by a hand. Each read() is one period later, whatever
 /// the wall clock says, so it runs live and faster than real time with the same numbers.
 class SimulatedArm final : public servo::DevicePort {

@@ -15,6 +15,7 @@
 #include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
 #include "device/lesson_attempt.h"
+#include "device/simulated_arm.h"
 
 namespace underact::test {
 

@@ -40,7 +40,7 @@ TEST_P(Lessons, EachStepTellsTheWrongHandWhatIsMissing) {
 
 TEST_P(Lessons, NothingIsSolvedByDoingNothing) {
   device::LessonAttempt still;
-  still.hand.path = {{0.0, Vec3(0, 0, 0.05)}, {3.0, Vec3(0, 0, 0.05)}};  // where the arm of the window begins
+  still.hand.path = {{0.0, device::kFirst_p_WT}, {3.0, device::kFirst_p_WT}};
   for (std::size_t step = 0; step < lesson_.steps.size(); ++step) {
     const device::LessonOutcome outcome = outcomeOf(lesson_, step, still);
     EXPECT_FALSE(outcome.isSolved()) << "step " << step + 1 << "\n" << told(lesson_.steps[step], outcome);

@@ -10,7 +10,7 @@ device::SimulatedArm::Options simulatedArmOptions(int rate_hz) {
   options.arm = *arm::findPreset(arm::kDefaultArm);
   options.model = *sim::findArmModel(sim::kDefaultArmModel);
   options.rate_hz = rate_hz;
-  options.start_p_WT = {0.0, 0.0, 0.05};  // on the sphere of the first start, where there is no force yet
+  options.start_p_WT = device::kFirst_p_WT;
   return options;
 }
 
