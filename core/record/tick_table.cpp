@@ -59,16 +59,16 @@ Vec3 unpackVec3(Unpacker& unpacker, double scale = 1.0) {
   return value;
 }
 
-Eigen::Vector4d quaternionOf(const servo::TickRecord& record, const arm::Geometry& geometry) {
-  if ((record.input & servo::kHadSample) == 0) return Eigen::Vector4d::Constant(kNotANumber);
-  const Eigen::Quaterniond turn(arm::tipPose(geometry, record.q_rad).linear());
-  return {turn.w(), turn.x(), turn.y(), turn.z()};
-}
-
 }  // namespace
 
 std::span<const Column> tickColumns() {
   return kTickColumns;
+}
+
+Eigen::Vector4d turnOf(const servo::TickRecord& record, const arm::Geometry& geometry) {
+  if ((record.input & servo::kHadSample) == 0) return Eigen::Vector4d::Constant(kNotANumber);
+  const Eigen::Quaterniond turn(arm::tipPose(geometry, record.q_rad).linear());
+  return {turn.w(), turn.x(), turn.y(), turn.z()};
 }
 
 void pack(const servo::TickRecord& record, const arm::Geometry& geometry, Packer& packer) {
@@ -77,7 +77,7 @@ void pack(const servo::TickRecord& record, const arm::Geometry& geometry, Packer
   for (const double angle_rad : record.q_rad) packer.real(angle_rad);
   packer.unsigned32(record.buttons);
   packVec3(kMillimetrePerMetre * record.p_WT, packer);
-  for (const double part : quaternionOf(record, geometry)) packer.real(part);
+  for (const double part : turnOf(record, geometry)) packer.real(part);
   packVec3(kMillimetrePerMetre * record.v_WT, packer);
   packVec3(kMillimetrePerMetre * record.p_WP, packer);
   packer.real(kMillimetrePerMetre * record.error_m);

@@ -14,6 +14,9 @@ std::span<const Column> tickColumns();
 /// it.
 void pack(const servo::TickRecord& record, const arm::Geometry& geometry, Packer& packer);
 
+/// The turn of the stylus in W as a quaternion, w x y z: column quat_WT. Not numbers where the arm gave no sample.
+Eigen::Vector4d turnOf(const servo::TickRecord& record, const arm::Geometry& geometry);
+
 /// The rows of a block. Lengths come back in m; what the file does not hold keeps its default.
 std::vector<servo::TickRecord> unpackTicks(const Block& block);
 

@@ -3,6 +3,7 @@
 #include <QDockWidget>
 #include <QWheelEvent>
 
+#include "app/gui/model/player.h"
 #include "app/gui/plot/live_plot.h"
 #include "tests/stories/story.h"
 
@@ -30,6 +31,32 @@ TEST(PlotsStory, AnyColumnIsPlottedReadAndEnlarged) {
   story.savePicture("plots_columns");
   EXPECT_TRUE(story.perform("plots.hold", false));
   plot->showAll();
+}
+
+TEST(PlotsStory, HowTheStylusIsTurnedIsPlottedLiveAndFromASession) {
+  Story story("02_sphere");
+  ASSERT_TRUE(story.perform("dock.plots", true));
+  ASSERT_TRUE(story.perform("plots.columns", "quat_WT_w"));
+  story.perform("session.start");
+  story.run(1500);
+  story.settle(200);
+  EXPECT_TRUE(story.find<LivePlot>("panel.plots.plot")->dataText('\t').contains("quat_WT_w"));
+  ASSERT_TRUE(story.perform("replay.open", QString(UNDERACT_SOURCE "/tests/golden/session.h5")));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        story.window().frame();
+        return story.window().player().isOpen();
+      },
+      kLong_ms));
+  ASSERT_TRUE(story.perform("dock.session", true));
+  ASSERT_TRUE(story.perform("session.columns", "quat_WT_w", "quat_WT_x"));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        story.window().frame();
+        const QString data = story.find<ChartWidget>("panel.session.plot")->dataText('\t');
+        return data.contains("quat_WT_x") && data.count('\n') > 3;
+      },
+      kLong_ms));
 }
 
 TEST(PlotsStory, AtTheFirstStartPlotsNumbersAndFramesAreFoldedAway) {

@@ -6,6 +6,7 @@
 #include "core/record/columns.h"
 #include "core/record/session.h"
 #include "core/record/tick_table.h"
+#include "core/scene/scene_arm.h"
 #include "device/recorded.h"
 
 namespace underact::gui {
@@ -27,7 +28,7 @@ struct Numbers {
 };
 
 /// Those that CSV does not have, but a tick does.
-constexpr const char* kBesides[] = {"v_WT_mm_per_s", "heat", "input"};
+constexpr const char* kBesides[] = {"quat_WT", "v_WT_mm_per_s", "heat", "input"};
 
 QString text(std::string_view view) {
   return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
@@ -58,17 +59,21 @@ int findPlotColumn(const QString& name) {
   return found == all.end() ? -1 : static_cast<int>(found - all.begin());
 }
 
-void fillColumns(const servo::TickRecord& record, std::span<float> values) {
+void fillColumns(const servo::TickRecord& record, const arm::Geometry& geometry, std::span<float> values) {
   Numbers row{values};
   row.of_word = static_cast<double>(record.fault);
   record::fillRow(record, row);
+  for (const double part : record::turnOf(record, geometry)) row.number(part);
   for (const double speed_m_per_s : record.v_WT) row.number(kMillimetrePerMetre * speed_m_per_s);
   for (const double heat : record.heat) row.number(heat);
   row.number(static_cast<double>(record.input));
 }
 
 ColumnRows::ColumnRows(std::vector<int> columns, std::size_t most)
-    : columns_(std::move(columns)), most_(most), all_(plotColumns().size()) {}
+    : columns_(std::move(columns)),
+      geometry_(arm::findPreset(arm::kDefaultArm)->geometry),
+      most_(most),
+      all_(plotColumns().size()) {}
 
 void ColumnRows::add(double time_s, const servo::TickRecord& record) {
   if (size() > 0 && time_s < times_s_.back()) {  // another device: its past is another one
@@ -77,7 +82,7 @@ void ColumnRows::add(double time_s, const servo::TickRecord& record) {
     first_ = 0;
   }
   if (seen_++ % every_ != 0) return;
-  fillColumns(record, all_);
+  fillColumns(record, geometry_, all_);
   times_s_.push_back(time_s);
   for (const int column : columns_) values_.push_back(all_[static_cast<std::size_t>(column)]);
   if (size() >= most_) halve();
@@ -113,15 +118,45 @@ std::size_t thinColumn(const ColumnRows& rows, std::size_t index, std::size_t pa
       points);
 }
 
+namespace {
+
+/// The arm of a session's ticks, in their order: that of the scene in effect.
+class ArmOfTicks {
+ public:
+  explicit ArmOfTicks(record::Session& session) {
+    for (const record::ChangeRow& change : session.changes()) {
+      const Result<scene::Description> scene = session.scene(change);
+      if (scene && !scene.value().constraints.empty())
+        begins_.push_back({change.tick, scene::armOf(scene.value()).geometry});
+    }
+  }
+  /// Tells rows which arm it is, where that has changed by this tick.
+  void follow(std::int64_t tick, ColumnRows& rows) {
+    for (; next_ < begins_.size() && begins_[next_].tick <= tick; ++next_) rows.setGeometry(begins_[next_].geometry);
+  }
+
+ private:
+  struct Begin {
+    std::int64_t tick = 0;
+    arm::Geometry geometry;
+  };
+  std::vector<Begin> begins_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
 Result<std::shared_ptr<const ColumnRows>> readColumns(const std::string& path, const std::vector<int>& columns,
                                                       WorkState& state) {
   Result<record::Session> session = record::Session::open(path);
   if (!session) return session.problems();
   const auto rate_hz = static_cast<double>(session.value().info().header.rate_hz);
   auto rows = std::make_shared<ColumnRows>(columns);
+  ArmOfTicks arm_of_ticks(session.value());
   device::LoadWatch watch;
   watch.cancelled = &state.cancelled;
   watch.row = [&](std::int64_t row, const servo::TickRecord& record) {
+    arm_of_ticks.follow(record.tick, *rows);
     rows->add(static_cast<double>(row) / rate_hz, record);
   };
   const Result<std::shared_ptr<const device::Recorded>> recorded = device::loadRecorded(session.value(), watch);

@@ -8,6 +8,7 @@
 
 #include "app/gui/kit/background.h"
 #include "app/gui/model/plot_history.h"
+#include "core/arm/preset.h"
 #include "core/base/result.h"
 
 namespace underact::gui {
@@ -19,21 +20,23 @@ struct PlotColumn {
   QString meaning;  // of its column
 };
 
-/// All there are, in the order of a session's columns. The turn of the stylus (quat_WT) is not among them: a tick has
-/// it only where a scene needs it.
+/// All there are: those of CSV in its order, then those that only sessions have.
 const std::vector<PlotColumn>& plotColumns();
 
 /// The index of that name; -1: there is none.
 int findPlotColumn(const QString& name);
 
-/// The numbers of a tick in that order. values: as many as there are columns.
-void fillColumns(const servo::TickRecord& record, std::span<float> values);
+/// The numbers of a tick in that order. geometry: of the arm, for the turn of the stylus, which the servo computes only
+/// where a scene needs it. values: as many as there are columns.
+void fillColumns(const servo::TickRecord& record, const arm::Geometry& geometry, std::span<float> values);
 
 /// Columns against time, s: a row for each tick, or for each of several ticks in a row.
 class ColumnRows {
  public:
   /// columns: of plotColumns(), as many as are chosen; most: rows, above which every other one is dropped; even.
   explicit ColumnRows(std::vector<int> columns, std::size_t most = std::size_t{1} << 20);
+  /// Of the arm whose ticks are added from now on; at first the default arm's.
+  void setGeometry(const arm::Geometry& geometry) { geometry_ = geometry; }
   void add(double time_s, const servo::TickRecord& record);
   /// Drops the rows before that time.
   void dropBefore(double time_s);
@@ -47,6 +50,7 @@ class ColumnRows {
   void halve();
 
   std::vector<int> columns_;
+  arm::Geometry geometry_;
   std::size_t most_, first_ = 0;
   std::int64_t every_ = 1, seen_ = 0;
   std::vector<double> times_s_;

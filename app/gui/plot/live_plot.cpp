@@ -160,6 +160,7 @@ struct LivePlot::Impl {
 
   LivePlot* plot;
   PlotHistory history;
+  arm::Geometry geometry = arm::findPreset(arm::kDefaultArm)->geometry;
   std::optional<ColumnRows> column_rows;
   std::optional<Chart> columns;
   std::optional<Held> held;
@@ -234,10 +235,16 @@ void LivePlot::showColumns(const std::vector<int>& columns) {
   if (!columns.empty()) {
     impl_->columns = columnChart(columns);
     impl_->column_rows.emplace(columns);
+    impl_->column_rows->setGeometry(impl_->geometry);
     setColumnColours(*impl_->columns, impl_->theme);
   }
   if (impl_->held) impl_->held->rows = impl_->column_rows;
   placeAnew();
+}
+
+void LivePlot::setGeometry(const arm::Geometry& geometry) {
+  impl_->geometry = geometry;
+  if (impl_->column_rows) impl_->column_rows->setGeometry(geometry);
 }
 
 void LivePlot::hold(bool on) {

@@ -3,6 +3,7 @@
 
 #include "app/gui/model/plot_history.h"
 #include "app/gui/plot/chart_widget.h"
+#include "core/arm/preset.h"
 #include "core/servo/snapshot.h"
 
 namespace underact::gui {
@@ -30,6 +31,8 @@ class LivePlot : public ChartWidget {
   bool showsEnergy() const;
   /// Columns of a session in a chart of their own, from now on; empty: none. Indices in plotColumns().
   void showColumns(const std::vector<int>& columns);
+  /// Of the arm whose ticks are added, for the columns that say how the stylus is turned.
+  void setGeometry(const arm::Geometry& geometry);
   /// Whether the picture stands still, to be read and enlarged; ticks go on being taken.
   void hold(bool on);
   bool holds() const;

@@ -88,7 +88,9 @@ PlotsPanel::PlotsPanel(const Parts& parts, QWidget* parent)
   connect(&parts.document, &Document::opened, this, showAngles);
   connect(&parts.document, &Document::opened, this, [this, &document = parts.document] {
     plot_->clear();
-    plot_->setForceLimit(scene::armOf(document.scene()).continuous_force_N);
+    const arm::Preset& arm = scene::armOf(document.scene());
+    plot_->setForceLimit(arm.continuous_force_N);
+    plot_->setGeometry(arm.geometry);
   });
   parts.actions.addCommand("plots.energy", [this](const QVariantList& on) {
     energy_->setChecked(on.value(0).toBool());

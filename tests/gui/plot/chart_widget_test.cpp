@@ -134,7 +134,7 @@ TEST(LivePlotHold, StandsStillWhileTicksGoOn) {
 
 TEST(PlotColumns, HaveTheNumbersOfATickInTheOrderOfTheirNames) {
   std::vector<float> values(plotColumns().size());
-  fillColumns(tickAt(7, 0.002), values);
+  fillColumns(tickAt(7, 0.002), arm::findPreset(arm::kDefaultArm)->geometry, values);
   const auto of = [&](const char* name) {
     const int index = findPlotColumn(name);
     EXPECT_GE(index, 0) << name;
@@ -147,6 +147,32 @@ TEST(PlotColumns, HaveTheNumbersOfATickInTheOrderOfTheirNames) {
   EXPECT_FLOAT_EQ(of("heat_3"), 0.3F);
   EXPECT_EQ(of("input"), 5.0F);
   EXPECT_EQ(findPlotColumn("nonsense"), -1);
+}
+
+/// The turn of the stylus as the columns say it, with joint 1 at that angle, in rad.
+Eigen::Quaterniond turnAt(double q1_rad, const ColumnRows& like) {
+  ColumnRows rows = like;
+  servo::TickRecord record = tickAt(0, 0.001);
+  record.q_rad = {q1_rad, 0.6, 0.3, 0.2, 1.2, -0.4};
+  rows.add(0.0, record);
+  const auto part = [&](std::size_t index) { return static_cast<double>(rows.value(0, index)); };
+  return {part(0), part(1), part(2), part(3)};
+}
+
+TEST(PlotColumns, SayHowTheStylusIsTurned) {
+  ColumnRows rows({findPlotColumn("quat_WT_w"), findPlotColumn("quat_WT_x"), findPlotColumn("quat_WT_y"),
+                   findPlotColumn("quat_WT_z")});
+  const Eigen::Quaterniond before = turnAt(0.0, rows), after = turnAt(0.5, rows);
+  EXPECT_NEAR(before.norm(), 1.0, 1e-6);
+  const Eigen::AngleAxisd between(after * before.inverse());  // joint 1 turns all that follows, about the upright axis
+  EXPECT_NEAR(between.angle(), 0.5, 1e-6);
+  EXPECT_NEAR(std::abs(between.axis().y()), 1.0, 1e-6);
+  rows.setGeometry(arm::findPreset("puma-560")->geometry);
+  EXPECT_GT(turnAt(0.0, rows).angularDistance(before), 0.1) << "the same angles of another arm";
+  servo::TickRecord without = tickAt(0, 0.001);
+  without.input = 0;
+  rows.add(0.0, without);
+  EXPECT_TRUE(std::isnan(rows.value(0, 0))) << "the arm gave no sample";
 }
 
 TEST(PlotColumns, RowsAreHalvedAndOldOnesDropped) {
