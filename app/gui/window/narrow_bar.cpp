@@ -4,21 +4,45 @@
 #include <QLayout>
 #include <QToolBar>
 #include <QToolButton>
+#include <algorithm>
+#include <utility>
 
 namespace underact::gui {
+
+constexpr int kMargins_px = 16;  // beside the words of a button in a bar along a side
 
 NarrowBar::NarrowBar(QToolBar* bar, QStringList buttons) : QObject(bar), bar_(bar), buttons_(std::move(buttons)) {
   bar_->installEventFilter(this);
 }
 
+NarrowBar::NarrowBar(QToolBar* bar, int words_from_px) : QObject(bar), bar_(bar), words_from_px_(words_from_px) {
+  bar_->window()->installEventFilter(this);  // the bar's own width follows from its words
+  fitBeside();
+}
+
 bool NarrowBar::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize || event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
+  if (words_from_px_ > 0) {
+    if (event->type() == QEvent::Resize) fitBeside();
+  } else if (event->type() == QEvent::Resize || event->type() == QEvent::StyleChange ||
+             event->type() == QEvent::FontChange) {
     QMetaObject::invokeMethod(
-        this, [this] { fit(); }, Qt::QueuedConnection);
+        this, [this] { fitAlong(); }, Qt::QueuedConnection);
+  }
   return QObject::eventFilter(watched, event);
 }
 
-void NarrowBar::fit() {
+void NarrowBar::fitBeside() {
+  const bool has_words = bar_->window()->width() >= words_from_px_;
+  const Qt::ToolButtonStyle wanted = has_words ? Qt::ToolButtonTextUnderIcon : Qt::ToolButtonIconOnly;
+  if (std::exchange(is_fitted_, true) && bar_->toolButtonStyle() == wanted) return;
+  bar_->setToolButtonStyle(wanted);
+  int width = 0;
+  for (const QAction* action : bar_->actions())
+    width = std::max(width, bar_->fontMetrics().horizontalAdvance(action->iconText()) + kMargins_px);
+  for (QAction* action : bar_->actions()) bar_->widgetForAction(action)->setMinimumWidth(has_words ? width : 0);
+}
+
+void NarrowBar::fitAlong() {
   int room = bar_->width();
   int wanted = bar_->layout()->contentsMargins().left() + bar_->layout()->contentsMargins().right();
   for (QAction* action : bar_->actions()) {

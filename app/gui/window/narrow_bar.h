@@ -6,21 +6,27 @@ class QToolBar;
 
 namespace underact::gui {
 
-/// Where a tool bar is too narrow for all of its buttons with their words, these lose theirs, one after another, until
-/// all fit: none is pushed out of the window.
+/// Takes the words from the buttons of a tool bar while the window is too narrow for them, so that none is pushed out
+/// of it and the view keeps its room; their tips say them.
 class NarrowBar : public QObject {
  public:
-  /// buttons: object names, the first loses its words first.
+  /// A bar along the window's upper edge: one button after another, until all fit. buttons: object names, the first
+  /// loses its words first.
   NarrowBar(QToolBar* bar, QStringList buttons);
+  /// A bar along a side: all at once where the window is narrower than that, px. With words, all are equally wide.
+  NarrowBar(QToolBar* bar, int words_from_px);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void fit();
+  void fitAlong();
+  void fitBeside();
 
   QToolBar* bar_;
   QStringList buttons_;
+  int words_from_px_ = 0;  // 0: along the upper edge
+  bool is_fitted_ = false;
 };
 
 }  // namespace underact::gui
