@@ -6,6 +6,7 @@
 #include <QEvent>
 #include <QFileInfo>
 #include <QImageReader>
+#include <QKeyEvent>
 #include <QMessageBox>
 #include <QPointer>
 #include <QPushButton>
@@ -193,6 +194,28 @@ void PageView::resizeEvent(QResizeEvent* event) {
   const bool has_picture =
       std::any_of(page_.links.begin(), page_.links.end(), [](const page::Page::Link& link) { return link.is_picture; });
   if (has_picture && viewport()->width() != width_) render();
+}
+
+/// A caret would say that one can write here. Qt shows one where the keys can select while the focus comes; it comes
+/// back with the first selection by keys.
+void PageView::focusInEvent(QFocusEvent* event) {
+  const Qt::TextInteractionFlags flags = textInteractionFlags();
+  setTextInteractionFlags(Qt::TextBrowserInteraction);
+  QTextBrowser::focusInEvent(event);
+  setTextInteractionFlags(flags);
+}
+
+/// Without a caret these keys move the page; with Shift they select, as in a text.
+void PageView::keyPressEvent(QKeyEvent* event) {
+  using Action = QAbstractSlider::SliderAction;
+  static const QHash<int, Action> kMoves{
+      {Qt::Key_Up, QAbstractSlider::SliderSingleStepSub},   {Qt::Key_Down, QAbstractSlider::SliderSingleStepAdd},
+      {Qt::Key_PageUp, QAbstractSlider::SliderPageStepSub}, {Qt::Key_PageDown, QAbstractSlider::SliderPageStepAdd},
+      {Qt::Key_Home, QAbstractSlider::SliderToMinimum},     {Qt::Key_End, QAbstractSlider::SliderToMaximum}};
+  const auto move = kMoves.constFind(event->key());
+  const bool is_plain = (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+  if (!is_plain || move == kMoves.constEnd()) return QTextBrowser::keyPressEvent(event);
+  verticalScrollBar()->triggerAction(*move);
 }
 
 void PageView::wheelEvent(QWheelEvent* event) {
