@@ -8,14 +8,11 @@
 
 #include "app/gui/kit/theme.h"
 #include "app/gui/view/arm_solids.h"
+#include "app/gui/view/lights.h"
 #include "app/gui/view/orbit_camera.h"
 #include "app/gui/view/solid_mesh.h"
 
 namespace underact::gui {
-
-/// Directions to the key and the fill light, right, up and back of the camera, and their strengths: they follow it.
-inline const std::array<Vec3, 2> kLights{Vec3(-0.45, 0.75, 0.9), Vec3(0.9, -0.1, 0.5)};
-inline constexpr std::array<double, 2> kLightStrengths{0.95, 0.34};
 
 /// A rod as the arm's shadow knows it, m, in W.
 struct ShadowRod {

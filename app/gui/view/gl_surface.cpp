@@ -2,13 +2,20 @@
 
 #include <vtkAutoInit.h>
 #include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
 
+#include <QElapsedTimer>
+#include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QOpenGLPaintDevice>
+#include <QOpenGLWidget>
+#include <QPaintEvent>
 #include <QPainter>
+#include <algorithm>
+#include <cstring>
 
 // What vtk_module_autoinit() of CMake would do for every program that links this room.
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
@@ -19,6 +26,17 @@ namespace {
 // Creases darken within this distance: of the size of a gap between two links. 128 samples show no grain.
 constexpr double kCrease_mm = 25.0, kLeastDepth_mm = 1.0;
 constexpr int kSamplesOfCreases = 128;
+
+bool isSoftware(const QString& renderer_name) {
+  const char* const words[] = {"llvmpipe", "softpipe", "SwiftShader", "swrast", "GDI Generic", "Basic Render"};
+  return std::any_of(std::begin(words), std::end(words), [&](const char* word) {
+    return renderer_name.contains(QLatin1String(word), Qt::CaseInsensitive);
+  });
+}
+
+QString nameOfRenderer(QOpenGLContext& context) {
+  return QString::fromLatin1(reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER)));
+}
 
 }  // namespace
 
@@ -33,9 +51,76 @@ QSurfaceFormat surfaceFormat() {
   return format;
 }
 
+/// What software GL draws into.
+struct GlSurface::InMemory {
+  /// Null: there is no context, or a graphics card draws.
+  static std::unique_ptr<InMemory> make() {
+    auto made = std::make_unique<InMemory>();
+    made->context.setFormat(surfaceFormat());
+    if (!made->context.create()) return nullptr;
+    made->nowhere.setFormat(made->context.format());
+    made->nowhere.create();
+    if (!made->context.makeCurrent(&made->nowhere) || !isSoftware(nameOfRenderer(made->context))) return nullptr;
+    return made;
+  }
+
+  QOffscreenSurface nowhere;
+  QOpenGLContext context;
+  QImage rows;   // as GL has them, the lowest first
+  QImage image;  // with the words
+  bool is_stale = true;
+};
+
+/// Where a graphics card draws.
+class GlSurface::Composed : public QOpenGLWidget {
+ public:
+  explicit Composed(GlSurface& surface) : QOpenGLWidget(&surface), surface_(surface) {
+    setFormat(surfaceFormat());
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+  }
+  ~Composed() override { release(); }
+
+ protected:
+  void initializeGL() override {
+    release();
+    surface_.begin(*context());
+    context_ends_ = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Composed::release);
+  }
+  void resizeGL(int, int) override {}  // paintGL() asks: a move to another screen may change only the scale
+  void paintGL() override {
+    QElapsedTimer clock;
+    clock.start();
+    const QSize pixels = surface_.devicePixels();
+    surface_.render(*context(), pixels);
+    if (surface_.words_) {
+      for (const GLenum switched : {GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST}) {
+        context()->functions()->glDisable(switched);  // QPainter assumes that they are off
+      }
+      // Not QPainter(this): while a window is grabbed it would paint elsewhere.
+      QOpenGLPaintDevice paper(pixels);
+      paper.setDevicePixelRatio(devicePixelRatioF());
+      QPainter painter(&paper);
+      surface_.words_(painter);
+    }
+    surface_.end(*context(), 1e-6 * static_cast<double>(clock.nsecsElapsed()));
+  }
+
+ private:
+  // The context goes while the picture stays: VTK's resources on the graphics card are released, and created again in
+  // the next context.
+  void release() {
+    disconnect(context_ends_);
+    if (surface_.window_ == nullptr) return;
+    makeCurrent();
+    surface_.release();
+  }
+
+  GlSurface& surface_;
+  QMetaObject::Connection context_ends_;
+};
+
 GlSurface::GlSurface(Before before, Words words, QWidget* parent)
-    : QOpenGLWidget(parent), before_(std::move(before)), words_(std::move(words)) {
-  setFormat(surfaceFormat());
+    : QWidget(parent), before_(std::move(before)), words_(std::move(words)), in_memory_(InMemory::make()) {
   setAttribute(Qt::WA_TransparentForMouseEvents);  // its parent handles the mouse
   renderer_->SetBackgroundAlpha(1.0);              // otherwise the widget blends with the window behind it
   renderer_->SetClippingRangeExpansion(0.0);
@@ -43,46 +128,50 @@ GlSurface::GlSurface(Before before, Words words, QWidget* parent)
   renderer_->SetSSAOBias(kLeastDepth_mm);
   renderer_->SetSSAOKernelSize(kSamplesOfCreases);
   renderer_->SSAOBlurOn();
+  if (in_memory_) {
+    setAttribute(Qt::WA_NoSystemBackground);  // not WA_OpaquePaintEvent: Qt would take the view for hidden
+  } else {
+    composed_ = new Composed(*this);
+  }
 }
 
 GlSurface::~GlSurface() {
-  release();
+  delete composed_;
+  if (in_memory_ && window_ != nullptr && in_memory_->context.makeCurrent(&in_memory_->nowhere)) release();
 }
 
 void GlSurface::setBackground(const QColor& colour) {
   renderer_->SetBackground(colour.redF(), colour.greenF(), colour.blueF());
 }
 
+void GlSurface::update() {
+  if (composed_ != nullptr) return composed_->update();
+  in_memory_->is_stale = true;
+  QWidget::update();
+}
+
 QSize GlSurface::devicePixels() const {
   return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1});
 }
 
-void GlSurface::initializeGL() {
-  release();
+/// In a context that is current.
+void GlSurface::begin(QOpenGLContext& context) {
   window_ = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
   window_->SetReadyForRendering(true);
   window_->SetIsCurrent(true);
   window_->SetOwnContext(false);
-  window_->SetFrameBlitModeToBlitToCurrent();
+  if (in_memory_)
+    window_->SetFrameBlitModeToNoBlit();  // drawInMemory() reads it from where VTK has it
+  else
+    window_->SetFrameBlitModeToBlitToCurrent();
   window_->InitializeFromCurrentContext();
-  QOpenGLFunctions* gl = context()->functions();
-  renderer_name_ = QString::fromLatin1(reinterpret_cast<const char*>(gl->glGetString(GL_RENDERER)));
-  bool software = false;
-  for (const char* word : {"llvmpipe", "softpipe", "SwiftShader", "swrast", "GDI Generic", "Basic Render"}) {
-    software = software || renderer_name_.contains(QLatin1String(word), Qt::CaseInsensitive);
-  }
-  window_->SetMultiSamples(0);  // edges are lines, which are smoothed: see paintGL()
-  renderer_->SetUseSSAO(occludes_.value_or(!software));
+  renderer_name_ = nameOfRenderer(context);
+  window_->SetMultiSamples(0);  // edges are lines, which are smoothed: see render()
+  renderer_->SetUseSSAO(occludes_.value_or(!isSoftware(renderer_name_)));
   window_->AddRenderer(renderer_);
-  context_ends_ = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlSurface::release);
 }
 
-// The context goes while the picture stays: VTK's resources on the graphics card are released, and created again in the
-// next context.
 void GlSurface::release() {
-  if (window_ == nullptr) return;
-  disconnect(context_ends_);
-  makeCurrent();
   window_->SetIsCurrent(true);
   window_->RemoveRenderer(renderer_);  // releases what its actors hold
   window_->Finalize();
@@ -90,36 +179,69 @@ void GlSurface::release() {
   window_ = nullptr;
 }
 
-void GlSurface::resizeGL(int, int) {}  // paintGL asks: a move to another screen may change only the scale
-
-void GlSurface::paintGL() {
-  QElapsedTimer clock;
-  clock.start();
-  const QSize pixels = devicePixels();
+void GlSurface::render(QOpenGLContext& context, QSize pixels) {
   if (QSize(window_->GetSize()[0], window_->GetSize()[1]) != pixels) window_->SetSize(pixels.width(), pixels.height());
-  QOpenGLFunctions* gl = context()->functions();
   window_->SetIsCurrent(true);
-  window_->GetState()->Reset();  // Qt has drawn meanwhile
+  window_->GetState()->Reset();  // Qt may have drawn meanwhile
   window_->GetState()->Push();
   before_(pixels);
   // Antialiased lines at a fraction of the cost of multisampling; VTK leaves the switch alone.
-  gl->glEnable(GL_LINE_SMOOTH);
+  context.functions()->glEnable(GL_LINE_SMOOTH);
   window_->Render();
   window_->GetState()->Pop();
-  gl->glDisable(GL_LINE_SMOOTH);
+  context.functions()->glDisable(GL_LINE_SMOOTH);
+}
+
+void GlSurface::end(QOpenGLContext& context, double frame_ms) {
+  QOpenGLFunctions& gl = *context.functions();
+  for (GLenum error = gl.glGetError(); error != GL_NO_ERROR && errors_ < 1000; error = gl.glGetError()) ++errors_;
+  ++frames_;
+  emit drawn(frame_ms);
+}
+
+void GlSurface::drawInMemory() {
+  QElapsedTimer clock;
+  clock.start();
+  InMemory& my = *in_memory_;
+  const QSize pixels = devicePixels();
+  if (!my.context.makeCurrent(&my.nowhere)) return;
+  if (window_ == nullptr) begin(my.context);
+  render(my.context, pixels);
+  if (my.image.size() != pixels) {
+    my.rows = QImage(pixels, QImage::Format_RGB32);
+    my.image = QImage(pixels, QImage::Format_RGB32);
+  }
+  my.image.setDevicePixelRatio(devicePixelRatioF());
+  QOpenGLFunctions& gl = *my.context.functions();
+  window_->GetState()->PushReadFramebufferBinding();
+  window_->GetDisplayFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
+  window_->GetDisplayFramebuffer()->ActivateReadBuffer(0);
+  gl.glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl.glReadPixels(0, 0, pixels.width(), pixels.height(), GL_BGRA, GL_UNSIGNED_BYTE, my.rows.bits());
+  window_->GetState()->PopReadFramebufferBinding();
+  for (int row = 0; row < pixels.height(); ++row) {
+    std::memcpy(my.image.scanLine(row), my.rows.constScanLine(pixels.height() - 1 - row),
+                static_cast<std::size_t>(my.image.bytesPerLine()));
+  }
   if (words_) {
-    for (const GLenum switched : {GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST}) {
-      gl->glDisable(switched);  // QPainter assumes that they are off
-    }
-    // Not QPainter(this): while a window is grabbed it would paint elsewhere.
-    QOpenGLPaintDevice paper(pixels);
-    paper.setDevicePixelRatio(devicePixelRatioF());
-    QPainter painter(&paper);
+    QPainter painter(&my.image);
     words_(painter);
   }
-  for (GLenum error = gl->glGetError(); error != GL_NO_ERROR && errors_ < 1000; error = gl->glGetError()) ++errors_;
-  ++frames_;
-  emit drawn(1e-6 * static_cast<double>(clock.nsecsElapsed()));
+  my.is_stale = false;
+  end(my.context, 1e-6 * static_cast<double>(clock.nsecsElapsed()));
+}
+
+void GlSurface::paintEvent(QPaintEvent* event) {
+  if (!in_memory_) return;
+  if (in_memory_->is_stale || in_memory_->image.size() != devicePixels()) drawInMemory();
+  QPainter painter(this);
+  painter.setClipRegion(event->region());
+  painter.drawImage(QPointF(), in_memory_->image);
+}
+
+void GlSurface::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (composed_ != nullptr) composed_->setGeometry(rect());
 }
 
 void GlSurface::setOcclusion(bool on) {
@@ -129,7 +251,12 @@ void GlSurface::setOcclusion(bool on) {
 }
 
 QImage GlSurface::picture() {
-  return grabFramebuffer();
+  if (composed_ != nullptr) {
+    composed_->setGeometry(rect());  // not yet where it was never shown
+    return composed_->grabFramebuffer();
+  }
+  drawInMemory();
+  return in_memory_->image;
 }
 
 }  // namespace underact::gui

@@ -2,12 +2,13 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
-#include <QElapsedTimer>
-#include <QOpenGLWidget>
 #include <QSurfaceFormat>
+#include <QWidget>
 #include <functional>
+#include <memory>
 #include <optional>
 
+class QOpenGLContext;
 class QPainter;
 class vtkGenericOpenGLRenderWindow;
 class vtkRenderer;
@@ -20,9 +21,13 @@ namespace underact::gui {
 QSurfaceFormat surfaceFormat();
 
 /// A Qt widget that shows one VTK renderer, with text drawn over it by Qt (the system's font, crisp at any scale).
-/// Survives the loss of its context: when moved to another window, floated or shown again. Draws only when update() is
-/// called.
-class GlSurface : public QOpenGLWidget {
+/// Draws only when update() is called.
+///
+/// With a graphics card, a QOpenGLWidget inside shows the picture; it survives the loss of its context, when it is
+/// moved to another window, floated or shown again. Software GL draws into memory, and the picture is painted like any
+/// other widget's: a QOpenGLWidget would have the whole window put together by GL as well, which takes software GL
+/// longer than the picture itself.
+class GlSurface : public QWidget {
   Q_OBJECT
  public:
   /// before: called before each frame with the context current, to change the picture; sizes in device pixels. words:
@@ -34,6 +39,8 @@ class GlSurface : public QOpenGLWidget {
 
   vtkRenderer& renderer() { return *renderer_; }
   void setBackground(const QColor& colour);
+  /// Asks for a new picture.
+  void update();
   /// The name of the GL renderer; known after the first frame.
   QString rendererName() const { return renderer_name_; }
   /// Whether creases are darkened (screen-space ambient occlusion). By default where a graphics card draws, which has
@@ -48,19 +55,26 @@ class GlSurface : public QOpenGLWidget {
   void drawn(double frame_ms);
 
  protected:
-  void initializeGL() override;
-  void resizeGL(int width, int height) override;
-  void paintGL() override;
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  class Composed;
+  struct InMemory;
+
+  void begin(QOpenGLContext& context);
   void release();
+  void render(QOpenGLContext& context, QSize pixels);
+  void drawInMemory();
+  void end(QOpenGLContext& context, double frame_ms);
   QSize devicePixels() const;
 
   Before before_;
   Words words_;
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;
-  QMetaObject::Connection context_ends_;
+  std::unique_ptr<InMemory> in_memory_;  // with software GL
+  Composed* composed_ = nullptr;         // with a graphics card
   QString renderer_name_;
   std::optional<bool> occludes_;
   qint64 frames_ = 0;

@@ -11,6 +11,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkProperty.h>
+#include <vtkShaderProperty.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <QOpenGLContext>
@@ -18,7 +19,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
+#include "app/gui/view/lights.h"
 #include "core/base/units.h"
 
 namespace underact::gui {
@@ -81,6 +84,33 @@ class BodyMapper : public vtkOpenGLPolyDataMapper {
 };
 vtkStandardNewMacro(BodyMapper);
 
+/// What a surface reflects of the lights, computed at its corners: for each pixel it takes software GL as long as all
+/// the rest. Directions in the camera's frame; the words are VTK's, which it puts into its own shaders.
+void lightCorners(vtkActor& actor, bool from_both_sides) {
+  std::string lit = "  vec3 n = normalize(normalVCVSOutput);\n";
+  if (from_both_sides) lit += "  n = n.z < 0.0 ? -n : n;\n";
+  lit += "  litVSOutput = vec2(0.0);\n  vec3 l;\n  float d;\n";
+  for (std::size_t light = 0; light < kLights.size(); ++light) {
+    const Vec3 way = kLights[light].normalized();
+    const auto word = [](double value) { return QByteArray::number(value, 'f', 6).toStdString(); };
+    const std::string strength = word(kLightStrengths[light]);
+    lit += "  l = vec3(" + word(way.x()) + ", " + word(way.y()) + ", " + word(way.z()) + ");\n  d = dot(n, l);\n";
+    lit += "  litVSOutput += " + strength +
+           " * vec2(max(d, 0.0), d > 0.0 ? pow(max(1e-5, reflect(-l, n).z), 28.0) : 0.0);\n";
+  }
+  vtkShaderProperty& shader = *actor.GetShaderProperty();
+  shader.AddVertexShaderReplacement("//VTK::CustomUniforms::Dec", true,
+                                    "//VTK::CustomUniforms::Dec\nout vec2 litVSOutput;\n", false);
+  shader.AddVertexShaderReplacement("//VTK::CustomEnd::Impl", true, lit, false);
+  shader.AddFragmentShaderReplacement("//VTK::CustomUniforms::Dec", true,
+                                      "//VTK::CustomUniforms::Dec\nin vec2 litVSOutput;\n", false);
+  shader.AddFragmentShaderReplacement("//VTK::Normal::Impl", true, "", false);
+  shader.AddFragmentShaderReplacement("//VTK::Light::Impl", true,
+                                      "  gl_FragData[0] = vec4(ambientColor + litVSOutput.x * diffuseColor + "
+                                      "litVSOutput.y * specularColor, opacity);\n  //VTK::SSAO::Impl\n",
+                                      false);
+}
+
 Vec3 anyAcross(const Vec3& direction) {
   return direction.unitOrthogonal();
 }
@@ -120,9 +150,14 @@ vtkSmartPointer<vtkActor> makeActor(vtkPolyData* data, Kind kind) {
   // Drawn with the opaque actors, in the order of addition: VTK's own handling of translucency uses a second
   // floating-point buffer and halves the frame rate of software GL.
   actor->ForceOpaqueOn();
+  // VTK's shaders ask for each pixel whether it is seen at all, which keeps GL from leaving out hidden ones early.
+  actor->GetShaderProperty()->AddFragmentShaderReplacement("  if (gl_FragData[0].a <= 0.0)\n    {\n    discard;\n    }",
+                                                           true, "", false);
   vtkProperty& property = *actor->GetProperty();
   property.SetInterpolationToGouraud();
+  const bool has_normals = data->GetPointData()->GetNormals() != nullptr;
   if (kind == Kind::Solid) {
+    if (has_normals) lightCorners(*actor, false);
     property.SetAmbient(0.55);
     property.SetDiffuse(0.5);
     property.BackfaceCullingOn();
@@ -130,6 +165,7 @@ vtkSmartPointer<vtkActor> makeActor(vtkPolyData* data, Kind kind) {
     property.SetAmbient(0.45);
     property.SetDiffuse(0.65);
   } else if (kind == Kind::Tint) {
+    if (has_normals) lightCorners(*actor, true);
     property.SetAmbient(0.7);
     property.SetDiffuse(0.35);
     property.SetOpacity(0.25);

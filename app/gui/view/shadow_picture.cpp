@@ -18,7 +18,7 @@ namespace {
 // Of an arm of the Omni's size, m.
 constexpr double kSharpest_m = 0.004;  // the soft edge of a shadow on the desk itself
 constexpr double kWidening = 0.30;     // and how much it widens with height
-constexpr double kFading_m = 0.10;     // at this height it is half as dark
+constexpr double kFading_m = 0.06;     // at this height it is half as dark: from far above it would look like a stain
 constexpr float kLeastShade = 0.004F;
 constexpr double kDarkest = 0.55, kDarkestOnDark = 0.75;
 

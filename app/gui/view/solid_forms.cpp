@@ -8,7 +8,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kEdgeParts = 4, kCapParts = 6;
+constexpr int kEdgeParts = 2, kCapParts = 4;
 
 void addQuarter(std::vector<Ring>& profile, double radius, double z, double edge, double from_rad, int parts) {
   for (int part = 0; part <= parts; ++part) {
@@ -45,19 +45,23 @@ std::vector<Ring> taperedRod(double from_m, double to_m, double from_radius_m, d
 }
 
 std::vector<std::array<Eigen::Vector2d, 2>> stripNormals(std::span<const Ring> profile) {
-  constexpr double kSmooth = 0.7;  // the cosine of the angle between strips
+  constexpr double kSmooth = 0.69;  // the cosine of the angle between strips: 45 degrees and less
   std::vector<Eigen::Vector2d> own;
+  std::vector<double> lengths;
   for (std::size_t strip = 0; strip + 1 < profile.size(); ++strip) {
     const Eigen::Vector2d way(profile[strip + 1].radius - profile[strip].radius,
                               profile[strip + 1].z - profile[strip].z);
     const double length = way.norm();
+    lengths.push_back(length);
     own.push_back(length > 0.0 ? Eigen::Vector2d(way.y() / length, -way.x() / length) : Eigen::Vector2d::Zero());
   }
   for (std::size_t strip = 0; strip < own.size(); ++strip) {  // without length: as its neighbour
     if (own[strip].isZero() && strip > 0) own[strip] = own[strip - 1];
   }
+  // By their lengths: the side of a rod is straight up to its rounded edge.
   const auto between = [&](std::size_t strip, std::size_t other) {
-    return own[strip].dot(own[other]) > kSmooth ? Eigen::Vector2d((own[strip] + own[other]).normalized()) : own[strip];
+    const Eigen::Vector2d sum = lengths[strip] * own[strip] + lengths[other] * own[other];
+    return own[strip].dot(own[other]) > kSmooth && !sum.isZero() ? Eigen::Vector2d(sum.normalized()) : own[strip];
   };
   std::vector<std::array<Eigen::Vector2d, 2>> normals;
   for (std::size_t strip = 0; strip < own.size(); ++strip) {

@@ -16,8 +16,15 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kLeastSectors = 20, kMostSectors = 48, kRodSectors = 14;
-constexpr double kSectorLength_m = 0.0028;  // at most, of a solid of that size
+constexpr int kLeastSectors = 12, kMostSectors = 48, kRodSectors = 12;
+constexpr double kBentParts = 24.0;      // of a half circle
+constexpr double kFlatness_m = 0.00007;  // at most, between a circle and its chords: less than a pixel
+
+/// Corners of a circle.
+int sectorsOf(double radius_m) {
+  const double wanted = kPi / std::sqrt(2.0 * kFlatness_m / std::max(radius_m, kFlatness_m));
+  return std::clamp(4 * static_cast<int>(std::ceil(0.25 * wanted)), kLeastSectors, kMostSectors);
+}
 
 class LinkMesh {
  public:
@@ -31,8 +38,7 @@ class LinkMesh {
   void add(const TurnedForm& form) {
     double widest_m = 0.0;
     for (const Ring& ring : form.profile) widest_m = std::max(widest_m, ring.radius);
-    const int sectors =
-        std::clamp(4 * static_cast<int>(2.0 * kPi * widest_m / kSectorLength_m / 4.0), kLeastSectors, kMostSectors);
+    const int sectors = sectorsOf(widest_m);
     const std::vector<std::array<Eigen::Vector2d, 2>> normals = stripNormals(form.profile);
     for (std::size_t strip = 0; strip < normals.size(); ++strip) {
       const Ring &lower = form.profile[strip], &upper = form.profile[strip + 1];
@@ -53,7 +59,7 @@ class LinkMesh {
   }
 
   void add(const BentForm& form) {
-    const int parts = std::max(4, static_cast<int>(form.turn_rad / kPi * 36.0));
+    const int parts = std::max(4, static_cast<int>(form.turn_rad / kPi * kBentParts));
     const vtkIdType first = points_->GetNumberOfPoints();
     const Vec3 across_W = form.from_W.cross(form.to_W);
     for (int part = 0; part <= parts; ++part) {
@@ -160,13 +166,21 @@ void outlineOf(const OutlinePen& pen, const TurnedForm& form) {
   const auto join = [&](const Station& a, const Station& b) {
     const double turn_rad = b.half_rad - a.half_rad;
     if ((a.half_rad == 0.0 || a.half_rad == kPi) && a.half_rad == b.half_rad) return;  // all of it, or nothing, is seen
+    const auto towardsEye = [&](const Station& station, double angle_rad) {  // above 0: it faces the eye there
+      return station.normal.x() * (away * std::cos(angle_rad) - station.ring.radius) +
+             station.normal.y() * (eye_S.z() - station.ring.z);
+    };
+    const auto shareAt = [&](double angle_rad) {  // between the two, where the surface turns away from the eye
+      const double of_a = towardsEye(a, angle_rad), of_b = towardsEye(b, angle_rad);
+      return of_a == of_b ? 0.5 : std::clamp(of_a / (of_a - of_b), 0.0, 1.0);
+    };
     if (turn_rad == 0.0 && a.ring.z == b.ring.z && a.ring.radius == b.ring.radius) return;
     const int parts = std::max(1, static_cast<int>(std::abs(turn_rad) / 0.12));
     for (const double side : {-1.0, 1.0}) {
       for (int part = 0; part < parts; ++part) {
         const double from = static_cast<double>(part) / parts, to = (part + 1.0) / parts;
         const double from_rad = a.half_rad + from * turn_rad, to_rad = a.half_rad + to * turn_rad;
-        pen.lines.segment(at(a, from, b, from_rad, side), at(a, to, b, to_rad, side),
+        pen.lines.segment(at(a, shareAt(from_rad), b, from_rad, side), at(a, shareAt(to_rad), b, to_rad, side),
                           shadeOf(a, 0.5 * (from_rad + to_rad), side));
       }
     }

@@ -4,9 +4,11 @@
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <algorithm>
 #include <clocale>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <functional>
 #include <memory>
 #include <string_view>
@@ -24,12 +26,12 @@
 // In one run, in turn: the servo alone, and the servo beside a window that draws a moving stylus at 1280 x 800, that is
 // dragged to other sizes, and that is given another scene every 200 ms; then a servo of 4 kHz beside the window,
 // recorded and not (alone with the argument "recorded"). Each 10 s; the figures are of that time alone. With the
-// argument "meshes" only how long pictures of large meshes take; with "starts" only how long the program takes to its
-// first picture, and its memory.
+// argument "frames" only how many frames are drawn, and what one costs; with "meshes" only how long pictures of large
+// meshes take; with "starts" only how long the program takes to its first picture, and its memory.
 namespace underact::gui {
 namespace {
 
-constexpr int kPhase_ms = 10'000;
+constexpr int kPhase_ms = 10'000, kFrames_ms = 5'000;
 
 QString scenePath(const char* name) {
   return QString(UNDERACT_SOURCE) + "/scenes/" + name + ".json";
@@ -42,14 +44,14 @@ void print(const char* phase, const servo::Percentiles& late, std::int64_t dropp
 }
 
 /// Runs the event loop for one phase; each(ms since its start) every 8 ms.
-void pass(const std::function<void(double)>& each) {
+void pass(const std::function<void(double)>& each, int phase_ms = kPhase_ms) {
   QElapsedTimer clock;
   clock.start();
   QTimer timer;
   QObject::connect(&timer, &QTimer::timeout, &timer, [&] { each(static_cast<double>(clock.nsecsElapsed()) * 1e-6); });
   timer.start(8);
   QEventLoop loop;  // quit() of the program would close the window
-  QTimer::singleShot(kPhase_ms, &loop, &QEventLoop::quit);
+  QTimer::singleShot(phase_ms, &loop, &QEventLoop::quit);
   loop.exec();
 }
 
@@ -121,6 +123,30 @@ void measureWithWindow(bool first_round) {
   print("with a scene loaded every 200 ms", simulated.host->timing().lateLately(), dropped());
 }
 
+/// Frames a second, and the processor time that each costs the whole program: that hardly depends on what else runs.
+void measureFramesAlone() {
+  SimulatedHost simulated = makeSimulatedHost({});
+  ThemeWatcher theme;
+  MainWindow window({*simulated.host, simulated.arm, theme});
+  window.resize(1280, 800);
+  window.show();
+  window.actions().perform("scene.open", scenePath("02_sphere"));
+  window.actions().perform("session.start");
+  double drawing_ms = 0.0;
+  QObject::connect(&window.view(), &SceneView::drawn, &window, [&](double frame_ms) { drawing_ms += frame_ms; });
+  for (int round = 0; round < 3; ++round) {
+    drawing_ms = 0.0;
+    const qint64 before = window.view().framesDrawn();
+    const std::clock_t used = std::clock();
+    pass([&](double ms) { moveHand(*simulated.arm, ms); }, kFrames_ms);
+    const auto frames = static_cast<double>(std::max<qint64>(window.view().framesDrawn() - before, 1));
+    std::printf("%5.1f frames/s, the view's drawing %.1f ms each, %.1f ms of processor time each\n",
+                1e3 * frames / kFrames_ms, drawing_ms / frames,
+                1e3 * static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC / frames);
+    std::fflush(stdout);
+  }
+}
+
 /// A session of a 4 kHz servo beside the window: no tick may be missing in it.
 void measureRecorded() {
   const QTemporaryDir folder;
@@ -174,6 +200,8 @@ int main(int argc, char** argv) {
     underact::gui::measureMeshFrames(UNDERACT_SOURCE);
   } else if (argc > 1 && std::string_view(argv[1]) == "starts") {
     underact::gui::measureStarts();
+  } else if (argc > 1 && std::string_view(argv[1]) == "frames") {
+    underact::gui::measureFramesAlone();
   } else if (argc > 1 && std::string_view(argv[1]) == "recorded") {
     underact::gui::measureRecorded();
   } else {
