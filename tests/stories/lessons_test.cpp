@@ -264,6 +264,7 @@ TEST(LessonsStory, ATeachersFileIsOpenedDroppedAndListedLately) {
     EXPECT_EQ(story.host().scene().title, "Sphere");
   }
   Story again("02_sphere", {.first_start = false});
+  again.perform("dock.lessons", true);
   auto* const list = again.find<QListWidget>("panel.lessons.list");
   EXPECT_EQ(list->findItems("My springs", Qt::MatchExactly).size(), 1);
 }
@@ -288,6 +289,7 @@ TEST(LessonsStory, WhatWasSolvedIsRememberedAndGoesOnThere) {
     EXPECT_TRUE(stepTitle(story).contains("✓"));
   }
   Story story("02_sphere", {.first_start = false});
+  story.perform("dock.lessons", true);
   const auto* const list = story.find<QListWidget>("panel.lessons.list");
   const QList<QListWidgetItem*> cards = list->findItems("Denavit-Hartenberg parameters", Qt::MatchExactly);
   ASSERT_EQ(cards.size(), 1);

@@ -5,6 +5,7 @@
 #include <QListWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/message_label.h"
@@ -26,12 +27,11 @@ QString spokenTitle(const QString& title, int number) {
 
 }  // namespace
 
-LessonList::LessonList(const std::vector<lesson::Lesson>& shipped, RecentFiles& recent, Actions& actions,
-                       QWidget* parent)
+LessonList::LessonList(Shipped shipped, RecentFiles& recent, Actions& actions, QWidget* parent)
     : QWidget(parent),
       recent_(recent),
       actions_(actions),
-      shipped_(shipped),
+      shipped_(std::move(shipped)),
       list_(new QListWidget(this)),
       about_(messageLabel("panel.lessons.about", tr("About the selected lesson"), "quiet", this)),
       note_(messageLabel("panel.lessons.why", tr("Why the lesson did not start"), "amber", this)) {
@@ -45,6 +45,7 @@ LessonList::LessonList(const std::vector<lesson::Lesson>& shipped, RecentFiles& 
   list_->setSpacing(2);
   about_->setMinimumHeight(3 * fontMetrics().lineSpacing());
   about_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  about_->hide();
   note_->hide();
   auto* const open = new QToolButton(this);
   open->setDefaultAction(actions_.find("lesson.open"));
@@ -65,7 +66,6 @@ LessonList::LessonList(const std::vector<lesson::Lesson>& shipped, RecentFiles& 
   connect(list_, &QListWidget::itemActivated, this, &LessonList::open);
   connect(list_, &QListWidget::currentItemChanged, this, &LessonList::describe);
   connect(&recent_, &RecentFiles::changed, this, &LessonList::rebuild);
-  rebuild();
 }
 
 void LessonList::addHeading(const QString& text) {
@@ -94,13 +94,20 @@ void LessonList::addLesson(const lesson::Lesson& lesson, int number) {
   item->setData(Qt::AccessibleTextRole, tr("%1, %2").arg(spokenTitle(title, number), line));
 }
 
+void LessonList::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (is_stale_) rebuild();
+}
+
 void LessonList::rebuild() {
+  is_stale_ = !isVisible();
+  if (is_stale_) return;
   const QListWidgetItem* const current = list_->currentItem();
   const QString kept = current == nullptr ? QString() : current->data(LessonCard::Path).toString();
   list_->clear();
   std::string group;
   int number = 0;
-  for (const lesson::Lesson& lesson : shipped_) {
+  for (const lesson::Lesson& lesson : shipped_()) {
     if (lesson.group != group) addHeading(QString::fromStdString(group = lesson.group));
     addLesson(lesson, ++number);
   }
@@ -118,6 +125,7 @@ void LessonList::rebuild() {
 void LessonList::describe() {
   const QListWidgetItem* const item = list_->currentItem();
   about_->setText(item == nullptr ? QString() : item->data(LessonCard::About).toString());
+  about_->setVisible(!about_->text().isEmpty());  // without words its room is the list's
 }
 
 // Queued: opening the lesson rebuilds this list.

@@ -1,5 +1,6 @@
 #pragma once
 #include <QWidget>
+#include <functional>
 #include <vector>
 
 #include "core/lesson/lesson.h"
@@ -18,11 +19,16 @@ class RecentFiles;
 class LessonList : public QWidget {
   Q_OBJECT
  public:
-  /// `shipped`: those that come with the program.
-  LessonList(const std::vector<lesson::Lesson>& shipped, RecentFiles& recent, Actions& actions, QWidget* parent);
+  /// Gives those that come with the program: reads them, the first time.
+  using Shipped = std::function<const std::vector<lesson::Lesson>&()>;
+  LessonList(Shipped shipped, RecentFiles& recent, Actions& actions, QWidget* parent);
+  /// At once if it is seen, else when it is shown.
   void rebuild();
   /// Shows why a lesson did not start; empty: nothing.
   void setNote(const QString& text);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
 
  private:
   void addHeading(const QString& text);
@@ -32,7 +38,8 @@ class LessonList : public QWidget {
 
   RecentFiles& recent_;
   Actions& actions_;
-  const std::vector<lesson::Lesson>& shipped_;
+  Shipped shipped_;
+  bool is_stale_ = true;
   QListWidget* list_;
   QLabel* about_;
   QLabel* note_;

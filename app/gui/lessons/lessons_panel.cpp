@@ -34,14 +34,14 @@ constexpr const char* kRecent = "lessons/recent";
 LessonsPanel::LessonsPanel(const LessonParts& parts, QWidget* parent)
     : Panel(parent),
       parts_(parts),
-      shipped_(shippedLessons()),
       recent_(new RecentFiles(this)),
       run_(new LessonRun(parts, *this)),
       pages_(new QStackedWidget(this)) {
   recent_->set(QSettings().value(kRecent).toStringList());
   addActions();
   addStepActions();
-  pages_->addWidget(list_ = new LessonList(shipped_, *recent_, parts_.actions, pages_));  // its button is an action's
+  pages_->addWidget(list_ = new LessonList([this]() -> const std::vector<lesson::Lesson>& { return shipped(); },
+                                           *recent_, parts_.actions, pages_));  // its button is an action's
   pages_->addWidget(page_ = new LessonPage(*run_, parts_.actions, pages_));
   auto* const column = tight<QVBoxLayout>(this);
   column->addWidget(pages_);
@@ -87,7 +87,7 @@ void LessonsPanel::addActions() {
   parts_.actions.add(
       {"lesson.after", tr("Ne&xt lesson"), QKeySequence("Ctrl+F8"), tr("Begins the lesson that comes after this one.")},
       [this](const QVariantList&) {
-        const lesson::Lesson* const after = run_->isOn() ? lessonAfter(shipped_, run_->path()) : nullptr;
+        const lesson::Lesson* const after = run_->isOn() ? lessonAfter(shipped(), run_->path()) : nullptr;
         return after != nullptr && start(QString::fromStdString(after->file));
       });
   parts_.actions.addCommand("lesson.start",
@@ -98,19 +98,30 @@ void LessonsPanel::addActions() {
   });
 }
 
-/// The lessons by number, with the first letter of none.
+const std::vector<lesson::Lesson>& LessonsPanel::shipped() {
+  if (!shipped_) shipped_ = shippedLessons();
+  return *shipped_;
+}
+
+/// The lessons by number, with the first letter of none; filled once it is opened.
 QMenu* LessonsPanel::makeMenu() {
   auto* const menu = new QMenu(tr("All lessons"), this);
   menu->setObjectName("menu.lessons.all");
+  connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+    if (menu->isEmpty()) fillMenu(*menu);
+  });
+  return menu;
+}
+
+void LessonsPanel::fillMenu(QMenu& menu) {
   int number = 0;
-  for (const lesson::Lesson& lesson : shipped_) {
+  for (const lesson::Lesson& lesson : shipped()) {
     const QString title = QString::fromStdString(lesson.title).replace('&', "&&");
-    QAction* const action = menu->addAction(tr("%1. %2").arg(++number).arg(title));
+    QAction* const action = menu.addAction(tr("%1. %2").arg(++number).arg(title));
     action->setStatusTip(QString::fromStdString(lesson.about));
     connect(action, &QAction::triggered, this,
             [this, path = QString::fromStdString(lesson.file)] { parts_.actions.perform("lesson.start", path); });
   }
-  return menu;
 }
 
 void LessonsPanel::addStepActions() {
@@ -173,7 +184,7 @@ void LessonsPanel::enableActions() {
   for (const char* name : {"lesson.leave", "lesson.report"}) parts_.actions.find(name)->setEnabled(on);
   parts_.actions.find("lesson.back")->setEnabled(on && run_->at() > 0);
   parts_.actions.find("lesson.next")->setEnabled(on && run_->at() + 1 < run_->lesson().steps.size());
-  const lesson::Lesson* const after = on ? lessonAfter(shipped_, run_->path()) : nullptr;
+  const lesson::Lesson* const after = on ? lessonAfter(shipped(), run_->path()) : nullptr;
   QAction* const next_lesson = parts_.actions.find("lesson.after");
   next_lesson->setEnabled(after != nullptr);
   next_lesson->setData(after != nullptr ? QString::fromStdString(after->title) : QString());  // for "Lesson complete"

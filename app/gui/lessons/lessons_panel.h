@@ -1,5 +1,6 @@
 #pragma once
 #include <QPointer>
+#include <optional>
 #include <vector>
 
 #include "app/gui/feature/panel.h"
@@ -40,10 +41,13 @@ class LessonsPanel : public Panel {
   void saySolved();
   void presentStage();
   QMenu* makeMenu();
+  void fillMenu(QMenu& menu);
+  /// Those that come with the program, in the order of their numbers; read when they are first asked for.
+  const std::vector<lesson::Lesson>& shipped();
 
   LessonParts parts_;
-  std::vector<lesson::Lesson> shipped_;  // read once, in the order of their numbers
-  RecentFiles* recent_;                  // lesson files; scene files have their own list
+  std::optional<std::vector<lesson::Lesson>> shipped_;
+  RecentFiles* recent_;  // lesson files; scene files have their own list
   LessonRun* run_;
   QPointer<ProblemsDialog> problems_;  // for a lesson that could not be opened
   QStackedWidget* pages_;

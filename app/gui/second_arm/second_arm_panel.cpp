@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "app/gui/arms/second_arm.h"
 #include "app/gui/kit/actions.h"
@@ -119,7 +120,6 @@ QWidget* SecondArmPanel::buildChoices() {
   side_ = chooser("panel.second.side", tr("Side of the second arm"),
                   tr("The side of the first arm on which it stands."), box);
   side_->addItems({tr("left"), tr("right")});
-  for (const SceneEntry& entry : shippedScenes()) scene_->addItem(entry.title, entry.path);
   file_ = pushButton("panel.second.file", tr("Another scene file…"), tr("Opens a scene file for the second arm."), box);
   mirrors_ = new QCheckBox(tr("Mirrors my hand"), box);
   nameWidget(mirrors_, "panel.second.mirror", tr("Mirrors my hand"),
@@ -202,6 +202,12 @@ void SecondArmPanel::present(const servo::Snapshot&) {
 
 void SecondArmPanel::showEvent(QShowEvent* event) {
   Panel::showEvent(event);
+  if (!std::exchange(has_scenes_, true)) {  // reading them all takes a while: once they can be chosen from
+    const QSignalBlocker quiet(scene_);
+    scene_->clear();
+    for (const SceneEntry& entry : shippedScenes()) scene_->addItem(entry.title, entry.path);
+    presentChoices();
+  }
   search_->search();
 }
 

@@ -43,6 +43,7 @@ class SecondArmPanel : public Panel {
   QPushButton* file_ = nullptr;
   QWidget* choices_ = nullptr;
   Readout* readout_ = nullptr;
+  bool has_scenes_ = false;
   int mode_ = 0, device_ = 0, force_ = 0, tip_ = 0;
 };
 

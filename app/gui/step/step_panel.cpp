@@ -300,6 +300,8 @@ QString StepPanel::noteOnMeasured() const {
 }
 
 void StepPanel::refresh() {
+  is_stale_ = !isVisible();
+  if (is_stale_) return;  // nobody sees it: the response is computed when the panel is opened
   QString note;
   StepPicture picture;
   if (figure_ == 0) {
@@ -325,6 +327,11 @@ void StepPanel::refresh() {
   figures_->present(picture,
                     has_first ? naturalMotionOf(picture.responses.front().transfer) : naturalMotion(held_, law_));
   note_->setText(note);
+}
+
+void StepPanel::showEvent(QShowEvent* event) {
+  Panel::showEvent(event);
+  if (is_stale_) refresh();
 }
 
 void StepPanel::setTheme(const Theme& theme) {

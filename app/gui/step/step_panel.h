@@ -31,6 +31,9 @@ class StepPanel : public Panel {
   StepPanel(const Parts& parts, QWidget* parent);
   void setTheme(const Theme& theme) override;
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   void build();
   void connectParts();
@@ -56,6 +59,7 @@ class StepPanel : public Panel {
   int figure_ = 0;
   scene::LawType law_ = scene::LawType::P;
   lab::HeldMass held_;
+  bool is_stale_ = true;                  // what is shown is older than the values
   std::optional<lab::ArmStep> measured_;  // with the values shown; none: not measured, or changed since
 
   StepPlot* plot_ = nullptr;
