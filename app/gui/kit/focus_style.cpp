@@ -3,9 +3,11 @@
 #include <QAbstractScrollArea>
 #include <QApplication>
 #include <QPainter>
+#include <QSlider>
 #include <QStyleOption>
 
 #include "app/gui/kit/contrast.h"
+#include "app/gui/kit/flat_forms.h"
 #include "app/gui/kit/theme.h"
 
 namespace underact::gui {
@@ -23,12 +25,6 @@ void drawRing(const QStyleOption& option, const QRectF& place, QPainter& painter
 /// A click needs no ring to show where the focus is.
 bool hasKeys(const QStyleOption& option) {
   return option.state.testFlag(QStyle::State_HasFocus) && option.state.testFlag(QStyle::State_KeyboardFocusChange);
-}
-
-QPen outlinePen(const QStyleOption& option) {
-  QColor line = outlineColour(option.palette);
-  if (!option.state.testFlag(QStyle::State_Enabled)) line = mixed(option.palette.color(QPalette::Window), line, 0.5);
-  return QPen(line, 1.0);
 }
 
 /// Over the style's own outline, which is too close to its ground: the lines of Fusion are darker than the window, also
@@ -78,15 +74,14 @@ void FocusStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
         mixed(option->palette.color(QPalette::Window), option->palette.color(QPalette::WindowText), 0.16);
     return painter->fillRect(option->rect, is_under ? focusColour(option->palette) : line);
   }
+  const auto* const button = qstyleoption_cast<const QStyleOptionButton*>(option);
+  if (element == PE_IndicatorCheckBox) return drawCheckBox(*option, *painter);
+  if (element == PE_PanelButtonCommand && button != nullptr && !button->features.testFlag(QStyleOptionButton::Flat))
+    return drawFlatButton(*button, *painter);
   if (element != PE_FrameFocusRect) QProxyStyle::drawPrimitive(element, option, painter, widget);
   const bool has_focus = option->state.testFlag(State_HasFocus);
-  if (element == PE_IndicatorCheckBox) drawOutline(*option, option->rect, 0.0, *painter);
   if (element == PE_IndicatorRadioButton) drawRadioOutline(*option, *painter);
   if (element == PE_FrameLineEdit && !has_focus) drawOutline(*option, option->rect, 2.0, *painter);
-  const auto* const button = qstyleoption_cast<const QStyleOptionButton*>(option);
-  const bool is_flat = button != nullptr && button->features.testFlag(QStyleOptionButton::Flat);
-  if (element == PE_PanelButtonCommand && !is_flat && !has_focus)
-    drawOutline(*option, option->rect.adjusted(0, 1, 0, 0), 2.0, *painter);
   const bool is_field = element == PE_FrameLineEdit && hasKeys(*option);
   const bool is_ring = element == PE_FrameFocusRect && option->state.testFlag(State_KeyboardFocusChange);
   if (is_field || is_ring) drawRing(*option, option->rect, *painter);
@@ -106,14 +101,26 @@ void FocusStyle::drawControl(ControlElement element, const QStyleOption* option,
 
 void FocusStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                                     const QWidget* widget) const {
-  QProxyStyle::drawComplexControl(control, option, painter, widget);
-  if (!option->state.testFlag(State_HasFocus)) {
-    if (control == CC_SpinBox) drawOutline(*option, option->rect, 2.0, *painter);
-    if (control == CC_Slider)
-      drawOutline(*option, subControlRect(CC_Slider, option, SC_SliderHandle, widget), 2.0, *painter);
+  const auto* const slider = qstyleoption_cast<const QStyleOptionSlider*>(option);
+  if (control == CC_ScrollBar && slider != nullptr)
+    return drawScrollBar(*slider, subControlRect(control, option, SC_ScrollBarSlider, widget), *painter);
+  if (control == CC_Slider && slider != nullptr && slider->tickPosition == QSlider::NoTicks) {
+    drawSlider(*slider, subControlRect(control, option, SC_SliderGroove, widget),
+               subControlRect(control, option, SC_SliderHandle, widget), *painter);
+  } else {
+    QProxyStyle::drawComplexControl(control, option, painter, widget);
   }
+  if (control == CC_SpinBox && !option->state.testFlag(State_HasFocus))
+    drawOutline(*option, option->rect, 2.0, *painter);
   const bool is_ours = control == CC_ComboBox || control == CC_SpinBox || control == CC_Slider;
   if (is_ours && hasKeys(*option)) drawRing(*option, option->rect, *painter);
+}
+
+QRect FocusStyle::subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
+                                 const QWidget* widget) const {
+  const auto* const bar = control == CC_ScrollBar ? qstyleoption_cast<const QStyleOptionSlider*>(option) : nullptr;
+  return bar == nullptr ? QProxyStyle::subControlRect(control, option, part, widget)
+                        : partOfScrollBar(*bar, part, pixelMetric(PM_ScrollBarSliderMin, option, widget));
 }
 
 int FocusStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
@@ -125,6 +132,7 @@ int FocusStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWid
 
 int FocusStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
   if (metric == PM_DockWidgetSeparatorExtent) return 1;
+  if (metric == PM_ScrollBarExtent) return 12;
   return QProxyStyle::pixelMetric(metric, option, widget);
 }
 

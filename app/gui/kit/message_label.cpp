@@ -14,6 +14,7 @@ QLabel* messageLabel(const char* name, const QString& spoken, const char* role, 
   auto* label = new QLabel(parent);
   nameWidget(label, name, spoken);
   label->setProperty("role", role);
+  label->setIndent(0);  // a role with a border would be indented by half a letter
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
