@@ -75,6 +75,7 @@ ScenesPanel::ScenesPanel(const Parts& parts, QWidget* parent)
   list_->setFrameShape(QFrame::NoFrame);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setTextElideMode(Qt::ElideRight);
+  list_->setWordWrap(true);  // beside a picture there is room for two lines
   const int high = qMax(kPicture_px, qRound(2.4 * fontMetrics().height()));
   list_->setIconSize({high * 4 / 3, high});
   nameWidget(about_, "panel.scenes.about", tr("About the selected scene"));

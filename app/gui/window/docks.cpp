@@ -38,8 +38,10 @@ QAction* addDockAction(Actions& actions, const PanelRow& row, QDockWidget* dock)
                                   if (on.value(0).toBool()) heighten(dock);
                                   return true;
                                 });
-  QObject::connect(dock, &QDockWidget::visibilityChanged, action,
-                   [dock, action] { action->setChecked(!dock->isHidden()); });
+  // Checked: it is in front. One behind a tab comes forward when its button is pressed, and is not closed.
+  QObject::connect(dock, &QDockWidget::visibilityChanged, action, [dock, action](bool is_front) {
+    if (dock->window()->isVisible()) action->setChecked(is_front);
+  });
   return action;
 }
 

@@ -158,10 +158,13 @@ void buildToolBar(QMainWindow* window, Actions& actions) {
   button("session.start", "start");
   button("session.stop", "stop");
   bar->addSeparator();
+  button("hand.keep", "hold");
   button("session.record", "record");
   if (QAction* record = actions.find("session.record")) keepWidth(bar, record);
-  button("hand.keep", "hold");
-  bar->addSeparator();
+  // What the arm does is at the left, what is seen of it at the right: between them the record button may grow.
+  auto* const between = new QWidget(bar);
+  between->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  bar->addWidget(between);
   for (const char* name : {"view.fit", "view.front", "view.top", "view.side"}) button(name, "");
   bar->addSeparator();
   QAction* layers = actions.find("menu.layers");
