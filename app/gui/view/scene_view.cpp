@@ -230,7 +230,7 @@ void SceneView::fitSelection() {
   const std::vector<Vec3> selected = impl_->selected();
   if (selected.empty()) return;
   impl_->camera_is_mine = false;
-  impl_->moveTo(gui::fitted(impl_->wanted(), impl_->size(), selected, kRoom_px));
+  impl_->moveTo(gui::fitted(impl_->wanted(), impl_->size(), selected, impl_->room_px()));
 }
 
 void SceneView::setParallel(bool on) {
@@ -335,6 +335,7 @@ void SceneView::showWords(bool on) {
 
 void SceneView::setGaugeScale(double scale) {
   impl_->gauge_scale = scale;
+  if (impl_->camera_is_mine) impl_->fit();
   impl_->surface->update();
 }
 
@@ -353,6 +354,12 @@ void SceneView::setHandSetpoint(const sim::HandSetpoint& setpoint) {
 
 void SceneView::setKeepsHolding(bool on) {
   impl_->grip.setKeepsHolding(on);
+}
+
+void SceneView::setTaken(int from_top_px) {
+  if (impl_->taken_px == from_top_px) return;
+  impl_->taken_px = from_top_px;
+  if (impl_->camera_is_mine) impl_->moveTo(impl_->fitted(impl_->wanted()));
 }
 
 QImage SceneView::picture() {

@@ -115,6 +115,8 @@ class SceneView : public QWidget {
   void drawn(double frame_ms);  // after each picture: the time it took to draw
 
  public:
+  /// Keeps what is fitted below that many pixels at the top, where a card stands over the view; 0: none does.
+  void setTaken(int from_top_px);
   /// A picture of the view as it is now.
   QImage picture();
   /// Where a point of W (m) is drawn, in the widget's own logical pixels: stories find the stylus by it.

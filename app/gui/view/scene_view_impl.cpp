@@ -17,6 +17,7 @@ namespace underact::gui {
 namespace {
 
 constexpr int kPoll_ms = 200, kGhost_ms = 800;
+constexpr double kMostTaken = 0.36;       // of the height, by a card over the view
 constexpr double kThickestPen_m = 0.005;  // from its middle, of the Omni's size
 
 OrbitCamera firstLook() {
@@ -203,6 +204,14 @@ OrbitCamera SceneView::Impl::wanted() const {
   return movement.state() == QAbstractAnimation::Running ? to : camera;
 }
 
+/// A card over the view has its room as long as the arm stays larger than it.
+QMarginsF SceneView::Impl::room_px() const {
+  QMarginsF room = kRoom_px;
+  room.setBottom(std::max(1.0, gauge_scale) * room.bottom());  // the gauge stands below the arm
+  if (taken_px > room.top() && taken_px < kMostTaken * size().height()) room.setTop(taken_px);
+  return room;
+}
+
 /// The picture rotates when the desk, or whether it is followed, has changed.
 void SceneView::Impl::turnToDesk() {
   OrbitCamera turned = wanted();
@@ -219,7 +228,7 @@ void SceneView::Impl::fit() {
 }
 
 OrbitCamera SceneView::Impl::fitted(const OrbitCamera& looking) const {
-  return gui::fitted(looking, size(), extent(), kRoom_px);
+  return gui::fitted(looking, size(), extent(), room_px());
 }
 
 void SceneView::Impl::moveTo(const OrbitCamera& wanted) {

@@ -43,6 +43,7 @@ struct SceneView::Impl {
   std::vector<Vec3> selected() const;
   void fit();
   OrbitCamera wanted() const;  // where the camera is, or is moving to
+  QMarginsF room_px() const;   // about what is fitted
   void turnToDesk();
   OrbitCamera fitted(const OrbitCamera& looking) const;  // shows everything from there
   void moveTo(const OrbitCamera& wanted);
@@ -73,6 +74,7 @@ struct SceneView::Impl {
   Layers layers;
   QString hint;
   double force_limit_N = 0.0, gauge_scale = 1.0;
+  int taken_px = 0;  // at the top
   bool has_words = true;
   bool actors_changed = true;
   std::optional<servo::Snapshot> shown;

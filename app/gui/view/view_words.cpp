@@ -90,9 +90,15 @@ void ViewWords::paintLabels(QPainter& painter, const WordsState& state, const st
       painter.fillRect(QRectF(at.left() - kPlate, at.top(), at.width() + 2.0 * kPlate, metrics.height()),
                        label.large ? state.theme.background : faint(state.theme.background, 0.6));
     }
+    const QPointF base(at.left(), at.top() + metrics.ascent());
     painter.setFont(fontOf(label));
+    if (label.strong && !label.large) {  // a rim, so that names can be read over an arm of their own shade
+      painter.setPen(state.theme.background);
+      for (const QPointF& off : {QPointF(-1, 0), QPointF(1, 0), QPointF(0, -1), QPointF(0, 1)})
+        painter.drawText(base + off, label.text);
+    }
     painter.setPen(readable(label.colour, state.theme));
-    painter.drawText(QPointF(at.left(), at.top() + metrics.ascent()), label.text);
+    painter.drawText(base, label.text);
   }
 }
 

@@ -64,7 +64,7 @@ void Spotlight::follow() {
 
 void Spotlight::setTheme(const Theme& theme) {
   line_ = theme.dark ? theme.orientation : theme.constraint;
-  edge_ = theme.ink;
+  edge_ = theme.background;
   update();
 }
 
@@ -72,7 +72,7 @@ void Spotlight::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), line_);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(edge_, 2));  // visible on any background, also without colour vision
+  painter.setPen(QPen(edge_, 2));  // what it frames may be as dark as the line
   painter.drawPath(rounded(rect(), kRound_px));
 }
 

@@ -221,6 +221,7 @@ void Welcome::present(const servo::Snapshot& snapshot) {
   if (shows != is_shown_) {
     is_shown_ = shows;
     setVisible(shows);
+    view_.setTaken(shows ? kMargin_px + heightForWidth(width()) + kAway_px : 0);  // the arm stands below the card
     if (shows) {
       spotlight_->pointAt([this] { return nextPlace(); });
     } else {
