@@ -280,9 +280,7 @@ QString LabPanel::wordsOf(const std::optional<std::size_t>& chosen) const {
 QString LabPanel::differencesText() const {
   QStringList lines;
   for (const tradeoff::Difference& one : tradeoff::differences(order_.scene, order_.own(), now())) {
-    lines << tr("%1: %2 → %3")
-                 .arg(QString::fromStdString(one.what), QString::fromStdString(one.before),
-                      QString::fromStdString(one.after));
+    lines << tr("%1: %2 → %3").arg(QString::fromStdString(one.what), optionText(one.before), optionText(one.after));
   }
   return lines.isEmpty() ? tr("Nothing differs from the scene as it was measured.") : lines.join('\n');
 }

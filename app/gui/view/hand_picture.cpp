@@ -106,7 +106,7 @@ void HandPicture::present(const servo::Snapshot& snapshot) {
   faulted_ = report.fault.kind != FaultKind::None || snapshot.mode == servo::Mode::Faulted;
   const Vec3& f_T_W = report.force.f_T_W();
   force_N_ = f_T_W.allFinite() ? f_T_W.norm() : 0.0;
-  limited_ = report.cut_N > 0.0;
+  limited_ = report.cut_N > 0.0 && force_N_ > kLeastForce_N;  // while the force is off, no limit is felt
   const Vec3 tip_mm = kMillimetrePerMetre * X_WT().translation();
   arrow_ = force_N_ > kLeastForce_N && !faulted_ && force_limit_N_ > 0.0;
   if (arrow_) force_end_mm_ = tip_mm + size_ * kArrow_mm / force_limit_N_ * f_T_W;
