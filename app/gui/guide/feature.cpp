@@ -14,7 +14,9 @@ void makeGuide(const FeatureParts& parts, ServoListeners& listeners) {
 FeatureRow guideFeature() {
   return {.pages = {{"guide", "window#this-guide"},
                     {"button.help.guide", "window#this-guide"},
-                    {"dialog.guide_problems", "install"}},
+                    {"dialog.guide_problems", "install"},
+                    {"dialog.notebook", "python_package#notebooks"},
+                    {"dialog.notebook_problems", "python_package#notebooks"}},
           .make = makeGuide};
 }
 
