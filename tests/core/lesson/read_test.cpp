@@ -75,7 +75,7 @@ TEST(ReadLesson, EveryProblemIsToldAtOnceWithItsPlace) {
   EXPECT_TRUE(has("There is no camera \"fornt\". Did you mean \"front\"?"));
   EXPECT_TRUE(has("lesson.json:3:27: error: steps[0].checks[0].measure: There is no quantity \"force\". Did you mean"));
   EXPECT_TRUE(has("checks[1].measure: Give a range"));
-  EXPECT_TRUE(has("The quantity q_deg has the parts 1 to 6."));
+  EXPECT_TRUE(has("The quantity q_deg has the parts 1 to 8."));
   EXPECT_TRUE(has("steps[0].checks[3].near: This must be a list of 6 numbers; here it has 2."));
   EXPECT_TRUE(has("Give 2 to 9 answers to choose from."));
   EXPECT_TRUE(has("This must be the number of the right answer, 1 to 1."));
