@@ -1,6 +1,8 @@
 #include "core/arm/solid_file.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <variant>
 
 #include "core/arm/arm_text.h"
@@ -60,8 +62,11 @@ LinkSolid readSolid(ObjectReader& object, const Value& value, std::size_t joints
     solid.link = static_cast<std::size_t>(link);
   }
   SolidKind kind = SolidKind::Box;
-  if (const Value* const type = object.find("type", true))
-    json::readWord(*type, object.pathOf("type"), kSolidKinds, kind, object.findings());
+  const Value* const type = object.find("type", true);
+  if (type != nullptr) json::readWord(*type, object.pathOf("type"), kSolidKinds, kind, object.findings());
+  const bool is_known = type != nullptr && std::any_of(std::begin(kSolidKinds), std::end(kSolidKinds),
+                                                       [&](const auto& word) { return type->text == word.word; });
+  if (!is_known) return solid;  // its other keys cannot be judged
   solid.form = readForm(object, kind);
   readPose(object, "X_WS", false, solid.X_WS);
   object.finish();

@@ -7720,7 +7720,7 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     </message>
     <message>
         <source>Turn the tool with Ctrl and the arrow keys: the moment turns it back. Move joint 3 with its slider in the panel Kinematics, with the servo stopped: the elbow goes round, the flange stays near its pose.</source>
-        <translation>Drehen Sie das Werkzeug mit Strg und den Pfeiltasten: Das Moment dreht es zurück. Bewegen Sie bei angehaltenem Servo Gelenk 3 mit seinem Schieberegler im Bereich Kinematik: Der Ellbogen wandert, der Flansch bleibt nahe an seiner Pose.</translation>
+        <translation>Drehen Sie das Werkzeug mit Strg und den Pfeiltasten: Das Moment dreht es zurück. Bewegen Sie bei gestopptem Servo Gelenk 3 mit seinem Schieberegler im Bereich Kinematik: Der Ellbogen wandert, der Flansch bleibt nahe an seiner Pose.</translation>
     </message>
     <message>
         <source>$\tau = J_v^T f + J_\omega^T m$: seven torques for six numbers</source>

@@ -59,7 +59,7 @@ TEST(ReadLesson, ScenesAreShippedOnesOrFilesSeenFromTheLesson) {
 TEST(ReadLesson, EveryProblemIsToldAtOnceWithItsPlace) {
   const std::vector<std::string> lines = problemsIn(R"({"underact_lesson": 2, "titel": "T",
  "steps": [{"title": "", "text": [], "layers": ["gosts"], "camera": "fornt",
-   "checks": [{"measure": "force", "above": 1}, {"measure": "force_N"}, {"measure": "q_deg", "part": 7, "below": 1},
+   "checks": [{"measure": "force", "above": 1}, {"measure": "force_N"}, {"measure": "q_deg", "part": 9, "below": 1},
               {"measure": "q_deg", "near": [1, 2], "within": 1}, {"question": "Q", "choices": ["a"], "right": 3}]}]})");
   const auto has = [&lines](const std::string& what) {
     return std::any_of(lines.begin(), lines.end(),
