@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/arm/general_arm.h"
 #include "core/arm/inverse.h"
@@ -50,12 +51,73 @@ Moving<N> movingAt(const arm::GeneralArm& arm, const arm::JointAngles& q) noexce
   return moving;
 }
 
+// Eigen multiplies matrices of eight and more in blocks, for which it may allocate: then they are multiplied here.
+constexpr std::size_t kInBlocks = 8;
+
+/// factor J^T J.
+template <std::size_t N>
+Square<N> squareOf(double factor, const Rows<N>& J) noexcept UNDERACT_REAL_TIME {
+  if constexpr (N < kInBlocks) {
+    return factor * J.transpose() * J;
+  } else {
+    Square<N> A;
+    for (Eigen::Index i = 0; i < A.rows(); ++i) {
+      for (Eigen::Index j = 0; j < A.cols(); ++j) A(i, j) = factor * J.col(i).dot(J.col(j));
+    }
+    return A;
+  }
+}
+
+/// J^T X J.
+template <std::size_t N>
+Square<N> squareWith(const Mat3& X, const Rows<N>& J) noexcept UNDERACT_REAL_TIME {
+  if constexpr (N < kInBlocks) {
+    return J.transpose() * X * J;
+  } else {
+    Square<N> A;
+    for (Eigen::Index j = 0; j < A.cols(); ++j) {
+      const Vec3 X_J = X * J.col(j);
+      for (Eigen::Index i = 0; i < A.rows(); ++i) A(i, j) = J.col(i).dot(X_J);
+    }
+    return A;
+  }
+}
+
+/// J J^T.
+template <std::size_t N>
+Mat3 acrossOf(const Rows<N>& J) noexcept UNDERACT_REAL_TIME {
+  if constexpr (N < kInBlocks) {
+    return J * J.transpose();
+  } else {
+    Mat3 A = Mat3::Zero();
+    for (Eigen::Index j = 0; j < J.cols(); ++j) A += J.col(j) * J.col(j).transpose();
+    return A;
+  }
+}
+
+/// A b.
+template <std::size_t N>
+Column<N> times(const Square<N>& A, const Column<N>& b) noexcept UNDERACT_REAL_TIME {
+  if constexpr (N < kInBlocks) {
+    return A * b;
+  } else {
+    Column<N> sum = Column<N>::Zero();
+    for (Eigen::Index j = 0; j < A.cols(); ++j) sum += b[j] * A.col(j);
+    return sum;
+  }
+}
+
+template <std::size_t... I>
+std::array<Pose, sizeof...(I)> homesOf(std::index_sequence<I...>) noexcept UNDERACT_REAL_TIME {
+  const Pose home = Pose::Identity();
+  return {((void)I, home)...};
+}
+
 /// The inertia of the links in the joints.
 template <std::size_t N>
 Square<N> inertiaOf(const arm::GeneralArm& arm, const arm::JointAngles& q) noexcept UNDERACT_REAL_TIME {
   const std::size_t count = std::min(N, arm.chain.joints.size());
-  std::array<Pose, N> links;
-  links.fill(Pose::Identity());
+  std::array<Pose, N> links = homesOf(std::make_index_sequence<N>());
   chain::forward(arm.chain, q, links);
   Square<N> M = Square<N>::Zero();
   for (std::size_t link = 0; link < std::min(count, arm.masses.size()); ++link) {
@@ -74,7 +136,7 @@ Square<N> inertiaOf(const arm::GeneralArm& arm, const arm::JointAngles& q) noexc
         w.col(column) = axis_W;
       }
     }
-    M += mass.mass_kg * v.transpose() * v + w.transpose() * (R * mass.inertia_W_kg_m2 * R.transpose()) * w;
+    M += squareOf<N>(mass.mass_kg, v) + squareWith<N>(R * mass.inertia_W_kg_m2 * R.transpose(), w);
   }
   return M;
 }
@@ -99,16 +161,16 @@ Period<N> periodOf(const Plant& plant, const PlantState& state) noexcept UNDERAC
     period.M = inertiaOf<N>(arm, state.q_rad);
     period.D = (kDampingRate_1_per_s * period.M.diagonal()).asDiagonal();
   } else {
-    period.M = plant.model.mass_kg * at.J_v.transpose() * at.J_v;
+    period.M = squareOf<N>(plant.model.mass_kg, at.J_v);
   }
-  period.M += plant.hand.mass_kg * at.J_v.transpose() * at.J_v;
+  period.M += squareOf<N>(plant.hand.mass_kg, at.J_v);
   const double reach_m = chain::reachOf(arm.chain);
   for (std::size_t joint = 0; joint < N; ++joint) {
     const bool turns = joint >= arm.chain.joints.size() || arm.chain.joints[joint].type == chain::JointType::Revolute;
     const auto i = static_cast<Eigen::Index>(joint);
     period.M(i, i) += kArmature_kg * (turns ? std::max(1e-4, reach_m * reach_m) : 1.0);
   }
-  period.D += plant.model.damping_N_s_per_m * at.J_v.transpose() * at.J_v;
+  period.D += squareOf<N>(plant.model.damping_N_s_per_m, at.J_v);
   return period;
 }
 
@@ -135,17 +197,17 @@ Column<N> ratesAfter(const Plant& plant, const Period<N>& period, const Moving<N
         (1.0 + 2.0 * dt_s * kLead_rad_per_s + dt_s * dt_s * kLead_rad_per_s * kLead_rad_per_s) * period.M +
         dt_s * period.D;
     const Column<N> way = Eigen::Map<const Column<N>>(wish.posture->data()) - Eigen::Map<const Column<N>>(q.data());
-    return solved<N>(A, period.M * (dq + dt_s * kLead_rad_per_s * kLead_rad_per_s * way) + dt_s * tau);
+    return solved<N>(A, times<N>(period.M, dq + dt_s * kLead_rad_per_s * kLead_rad_per_s * way) + dt_s * tau);
   }
   const HandModel& hand = plant.hand;
   const double speed_m_per_s = (at.J_v * dq).norm();
   const double b = hand.damping_N_s_per_m, k = wish.holds ? hand.stiffness_N_per_m : 0.0;
   const double against = b + plant.model.friction_N / (speed_m_per_s + kSoftSpeed_m_per_s);
   const double k_w = wish.turns ? kGrip_m * kGrip_m * hand.stiffness_N_per_m : 0.0, b_w = kGrip_m * kGrip_m * b;
-  const Square<N> pushing = at.J_v.transpose() * at.J_v, turning = at.J_w.transpose() * at.J_w;
+  const Square<N> pushing = squareOf<N>(1.0, at.J_v), turning = squareOf<N>(1.0, at.J_w);
   const Square<N> A = period.M + dt_s * (period.D + (against + dt_s * k) * pushing + (b_w + dt_s * k_w) * turning);
   const Vec3 hand_N = k * (wish.p_WT - at.p_WT) + b * wish.v_WT;
-  Column<N> right = period.M * dq + dt_s * (tau + at.J_v.transpose() * hand_N);
+  Column<N> right = times<N>(period.M, dq) + dt_s * (tau + at.J_v.transpose() * hand_N);
   if (wish.turns) right += (dt_s * k_w) * at.J_w.transpose() * rotationVector(wish.R_WT * at.R_WT.transpose());
   return solved<N>(A, right);
 }
@@ -187,7 +249,7 @@ PlantState restAt(const Plant& plant, const Vec3* p_WT) noexcept UNDERACT_REAL_T
     if (way_W.norm() < kFound_m) break;
     SymmetricSystem<3> system;
     system.size = 3;
-    const Mat3 square = at.J_v * at.J_v.transpose() + kDamping_m2 * Mat3::Identity();
+    const Mat3 square = acrossOf<N>(at.J_v) + kDamping_m2 * Mat3::Identity();
     const Vec3 capped_W = way_W * std::min(1.0, 0.1 / way_W.norm());
     for (std::size_t i = 0; i < 3; ++i) {
       system.b[i] = capped_W[static_cast<Eigen::Index>(i)];

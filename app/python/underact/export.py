@@ -96,12 +96,12 @@ def csv_metadata(session: Session, name: str) -> dict:
         columns.append(one)
         frames[field["name"]] = described["frame"]
     described = layout.DESCRIBED["joints"]["q_more_rad"]
-    for name in MORE_JOINTS if session.more_joints() is not None else ():
-        one = {"name": name, "titles": name, "datatype": "double", "null": ""}
+    for part in MORE_JOINTS if session.more_joints() is not None else ():
+        one = {"name": part, "titles": part, "datatype": "double", "null": ""}
         one["dc:description"] = described["meaning"]
         one["schema:unitText"] = described["unit"]
         columns.append(one)
-        frames[name] = described["frame"]
+        frames[part] = described["frame"]
     return {
         "@context": "http://www.w3.org/ns/csvw",
         "url": name,

@@ -261,7 +261,8 @@ class Session:
         import pandas
 
         more = self.more_joints()
-        beyond = {} if more is None else {f"q{7 + part}_rad": column for part, column in enumerate(more.T)}
+        parts = layout.DESCRIBED["joints"]["q_more_rad"]["parts"]
+        beyond = {} if more is None else dict(zip(parts, more.T))
         return pandas.DataFrame({"time_s": self.time_s, **_split(self.ticks), **beyond})
 
     def follow(

@@ -39,8 +39,8 @@ def optional(name):
 
 def text_of(cli, name, form):
     """The arm in another form."""
-    done = subprocess.run([cli, "arm", "convert", name, "--to", form], capture_output=True, check=True)
-    return done.stdout.decode()
+    words = [cli, "arm", "convert", name, "--to", form]
+    return subprocess.run(words, capture_output=True, check=True).stdout.decode()
 
 
 class Case:
@@ -99,10 +99,8 @@ class Case:
         count = sum(map(len, good)) / len(good)
         worst = max((max(one) for one in good if one), default=float("nan"))
         together = f", all in one call {least_all:.1f} us" if solve_all is not None else ""
-        print(
-            f"  {what:50} {least:8.1f} us  {100 * solved:5.1f} %  {count:5.2f}  {worst:.0e}{together}",
-            flush=True,
-        )
+        figures = f"{least:8.1f} us  {100 * solved:5.1f} %  {count:5.2f}  {worst:.0e}"
+        print(f"  {what:50} {figures}{together}", flush=True)
 
 
 def ours(case):
@@ -169,7 +167,8 @@ def kdl(case):
     for i, joint in enumerate(case.poe["joints"]):
         slides = joint["type"] == "prismatic"
         place = last if slides else places[i]
-        chain.addSegment(k.Segment(k.Joint(f"to{i}", k.Joint.Fixed), k.Frame(k.Vector(*(place - last)))))
+        way = k.Frame(k.Vector(*(place - last)))
+        chain.addSegment(k.Segment(k.Joint(f"to{i}", k.Joint.Fixed), way))
         kind = k.Joint.TransAxis if slides else k.Joint.RotAxis
         one = k.Joint(f"j{i}", k.Vector(0, 0, 0), k.Vector(*joint["axis"]), kind)
         chain.addSegment(k.Segment(one, k.Frame()))
