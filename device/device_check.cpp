@@ -56,7 +56,7 @@ std::string line(const char* format, Value... value) {
 
 std::string movedText(const DeviceCheck& trial) {
   std::string text;
-  for (std::size_t joint = 0; joint < trial.least_rad.size(); ++joint) {
+  for (std::size_t joint = 0; joint < arm::firstSix(trial.least_rad).size(); ++joint) {
     text += line("Joint %d: %.2f to %.2f degrees", static_cast<int>(joint) + 1, trial.least_rad[joint] / kRadPerDegree,
                  trial.largest_rad[joint] / kRadPerDegree);
   }

@@ -60,7 +60,7 @@ struct LoadWatch {
 };
 
 /// Reads a whole session. Where the arm gave no sample, or one that is not a number, and where ticks are missing, the
-/// joints are those of the row before. Cost: 64 bytes per tick. Problems: as record::Session::open(); no ticks in it;
+/// joints are those of the row before. Cost: 80 bytes per tick. Problems: as record::Session::open(); no ticks in it;
 /// it was cancelled.
 Result<std::shared_ptr<const Recorded>> loadRecorded(const std::string& path, const LoadWatch& watch = {});
 /// The same for an open session.

@@ -43,6 +43,12 @@ Result<std::optional<SimulatedRun>> wholeRunOf(Session& session) {
   return std::optional(std::move(run).value());
 }
 
+/// To the bit.
+bool hasSameMoreJoints(const servo::TickRecord& a, const servo::TickRecord& b) {
+  const auto beyond = [](const servo::TickRecord& record) { return std::as_bytes(arm::beyondSix(record.q_rad)); };
+  return std::equal(beyond(a).begin(), beyond(a).end(), beyond(b).begin());
+}
+
 /// A servo on the simulated arm, as it was.
 class Again {
  public:
@@ -76,18 +82,23 @@ class Again {
     const std::vector<servo::TickRecord> rows = record::unpackTicks(recorded);
     record::Packer packer(record::tickColumns());
     packer.begin(recorded.rows);
+    std::optional<std::int64_t> joints_differ;  // the first row in which one beyond the sixth does
     for (std::size_t at = 0; at < rows.size(); at += kAtOnce) {
       std::vector<std::int64_t> lateness_ns;
       for (std::size_t row = at; row < std::min(at + kAtOnce, rows.size()); ++row)
         lateness_ns.push_back(rows[row].lateness_ns);
       host_->run(static_cast<std::int64_t>(lateness_ns.size()), lateness_ns);
       host_->drain([&](const servo::TickRecord& now) {
+        const auto row = static_cast<std::size_t>(packer.rows());
+        if (!joints_differ && row < rows.size() && !hasSameMoreJoints(rows[row], now)) joints_differ = packer.rows();
         record::pack(now, geometry_, packer);
         if (options_.tick) options_.tick(now);
       });
     }
     if (result_.differs || packer.rows() != recorded.rows) return true;  // the rest is run, too
-    const auto difference = record::firstDifference(recorded, packer.block());
+    auto difference = record::firstDifference(recorded, packer.block());
+    if (joints_differ && (!difference || *joints_differ < difference->first))
+      difference = {*joints_differ, "q_more_rad"};
     result_.ticks += difference ? difference->first : recorded.rows;
     if (difference)
       result_.differs = record::Difference{rows[static_cast<std::size_t>(difference->first)].tick, difference->second};

@@ -60,10 +60,10 @@ bool SimulatedArm::read(arm::Sample& sample) noexcept {
   } else if (scripted_) {
     heeded_ = sim::setpointAt(script_, time_ns_ - script_start_ns_);
   }
-  Vec3 f_T_W = f_T_W_;
-  if (is_cut_.load(std::memory_order_relaxed)) f_T_W.setZero();
+  Vec3 f_T_W = f_T_W_, m_T_W = m_T_W_;
+  if (is_cut_.load(std::memory_order_relaxed)) f_T_W.setZero(), m_T_W.setZero();
   takeUp();
-  state_ = sim::advance(plant_, state_, f_T_W, heeded_, period_ns_);
+  state_ = sim::advance(plant_, state_, f_T_W, heeded_, period_ns_, m_T_W);
   sample.time_ns = time_ns_;
   sample.epoch = epoch_;
   sample.q_rad = sim::shownAngles(plant_, state_);
@@ -94,6 +94,7 @@ void SimulatedArm::takeUp() noexcept {
 
 void SimulatedArm::write(const safety::GatedForce& force) noexcept {
   f_T_W_ = force.f_T_W();
+  m_T_W_ = force.m_T_W();
   is_cut_.store(false, std::memory_order_relaxed);
 }
 

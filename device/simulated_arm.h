@@ -101,7 +101,7 @@ class SimulatedArm final : public servo::DevicePort {
   sim::PlantState state_;
   std::int64_t period_ns_;
   std::int64_t time_ns_ = 0;  // of the last read
-  Vec3 f_T_W_ = Vec3::Zero();
+  Vec3 f_T_W_ = Vec3::Zero(), m_T_W_ = Vec3::Zero();
   std::atomic<bool> is_cut_{false};
   std::atomic<bool> button_{false};
   std::atomic<unsigned> buttons_{0};

@@ -1,12 +1,15 @@
+#include <algorithm>
 #include <cstring>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/bindings/numbers.h"
 #include "app/bindings/parts.h"
 #include "app/bindings/simulation.h"
 #include "core/base/units.h"
-#include "core/record/tick_table.h"
+#include "core/record/session_tables.h"
 #include "core/sim/arm_model.h"
 
 namespace underact::bindings {
@@ -128,6 +131,14 @@ py::dict columns(const Simulation& simulation) {
     found[py::str(std::string(column.name))] = columnOf(column.kind, shape, from);
     from += static_cast<std::size_t>(rows) * record::bytesOf(column);
   }
+  if (arm::jointsOf(simulation.geometry()) <= 6) return found;
+  std::vector<double> more;
+  for (const servo::TickRecord& one : simulation.ticks()) {
+    for (const double angle_rad : arm::beyondSix(one.q_rad)) more.push_back(angle_rad);
+  }
+  const record::Column& joints = record::jointColumns().back();
+  found[py::str(std::string(joints.name))] =
+      columnOf(joints.kind, {static_cast<py::ssize_t>(rows), joints.width}, std::as_bytes(std::span(more)).data());
   return found;
 }
 
@@ -142,11 +153,12 @@ py::tuple last(const Simulation& simulation) {
   static constexpr const char* kModes[] = {"stopped", "running", "stopping", "fault"};
   const servo::TickRecord& one = simulation.last();
   const auto vector = [](const Vec3& value, double unit) { return arrayOf({value.data(), 3}, unit); };
-  return py::make_tuple(simulation.count(), kSecondPerNanosecond * static_cast<double>(one.time_ns),
-                        arrayOf(one.q_rad, 1.0), vector(one.p_WT, kMillimetrePerMetre),
-                        vector(one.v_WT, kMillimetrePerMetre), vector(one.p_WP, kMillimetrePerMetre),
-                        kMillimetrePerMetre * one.error_m, vector(one.f_sent_T_W, 1.0), std::string(name(one.fault)),
-                        kModes[static_cast<std::size_t>(one.mode)]);
+  return py::make_tuple(
+      simulation.count(), kSecondPerNanosecond * static_cast<double>(one.time_ns),
+      arrayOf(std::span(one.q_rad).first(std::max<std::size_t>(6, arm::jointsOf(simulation.geometry()))), 1.0),
+      vector(one.p_WT, kMillimetrePerMetre), vector(one.v_WT, kMillimetrePerMetre),
+      vector(one.p_WP, kMillimetrePerMetre), kMillimetrePerMetre * one.error_m, vector(one.f_sent_T_W, 1.0),
+      std::string(name(one.fault)), kModes[static_cast<std::size_t>(one.mode)]);
 }
 
 }  // namespace

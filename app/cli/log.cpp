@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <ostream>
@@ -83,7 +85,14 @@ Exit verifyBlocks(const std::string& path, const Streams& streams) {
   Progress progress(streams);
   Problems problems = session.value().info().damage;
   const Problems unread = session.value().eachBlock(
-      [](const record::Block&, std::int64_t) { return true; },
+      [&](const record::Block& block, std::int64_t row) {
+        const auto isDamaged = [](double angle_rad) { return std::isnan(angle_rad); };
+        if (std::any_of(block.more_joints.begin(), block.more_joints.end(), isDamaged))
+          problems.push_back({"Joints 7 and 8 of rows " + std::to_string(row + 1) + " to " +
+                                  std::to_string(row + block.rows) + " are damaged.",
+                              {path}});
+        return true;
+      },
       [&](const record::Gap& gap) {
         problems.push_back({"Rows " + std::to_string(gap.first_row + 1) + " to " +
                                 std::to_string(gap.first_row + gap.rows) + " of the ticks are damaged.",

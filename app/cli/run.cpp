@@ -12,6 +12,7 @@
 #include "app/cli/run_in_progress.h"
 #include "app/stream/live_stream.h"
 #include "core/record/provenance.h"
+#include "core/scene/scene_arm.h"
 #include "core/servo/host.h"
 #include "core/system/signals.h"
 #include "device/simulated_run.h"
@@ -114,7 +115,8 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   }
   const Problems unkept = reportFaults(host, run, options.fault_file, streams);
   const std::string scheduling = options.fast ? "as fast as possible" : host.scheduling().name;
-  JsonObject summary = run.summary().json({options.rate_hz, options.seed, options.fast, scheduling, host.guarding()});
+  JsonObject summary = run.summary().json({options.rate_hz, options.seed, options.fast, scheduling, host.guarding(),
+                                           scene::rendersMoment(prepared->scene.description)});
   run.addStream(summary);
   streams.out << summary.text() << '\n';
   Problems unwritten = run.closeRecording();

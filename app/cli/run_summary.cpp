@@ -24,6 +24,7 @@ constexpr servo::Percentiles kNoPercentiles{kNotANumber, kNotANumber, kNotANumbe
 
 void RunSummary::add(const servo::TickRecord& record) {
   figures_.add(record.error_m, record.f_sent_T_W.norm());
+  peak_moment_N_m_ = std::max(peak_moment_N_m_, record.m_sent_T_W.norm());
   if ((record.limits & safety::kClampBit) != 0U) ++clamped_;
   work_.add(record.f_sent_T_W, record.p_WT);
   energy_.add(record.energy_J);
@@ -52,6 +53,10 @@ JsonObject RunSummary::json(const Setting& setting) const {
   object.addNumber("peak_force_N", figures_.peakForce_N());
   object.addNumber("mean_force_N", figures_.meanForce_N());
   object.addNumber("rms_force_N", figures_.rmsForce_N());
+  if (setting.renders_moment) {
+    object.addText("moment", *setting.renders_moment ? "rendered" : "not rendered");
+    object.addNumber("peak_moment_N_mm", kMillimetrePerMetre * peak_moment_N_m_);
+  }
   object.addInteger("clamped_ticks", clamped_);
   object.addNumber("rms_error_mm", kMillimetrePerMetre * figures_.rmsError_m());
   object.addVector("final_p_mm", kMillimetrePerMetre * work_.p_WT());

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,14 @@ class RunSummary {
     std::uint64_t seed = 0;
     bool fast = false;  // then no tick can be late
     std::string scheduling;
-    std::string guard;  // see servo::Host::guarding()
+    std::string guard;                        // see servo::Host::guarding()
+    std::optional<bool> renders_moment = {};  // none: the scene asks for no moment
   };
   JsonObject json(const Setting& setting) const;
 
  private:
   record::TickFigures figures_;
+  double peak_moment_N_m_ = 0.0;
   std::int64_t clamped_ = 0;
   record::Work work_;
   record::StoredEnergy energy_;

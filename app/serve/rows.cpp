@@ -7,6 +7,7 @@
 
 #include "app/serve/request.h"
 #include "core/json/text.h"
+#include "core/record/session_tables.h"
 
 namespace underact::serve {
 namespace {
@@ -52,6 +53,17 @@ void append(std::string& bytes, const void* value, std::size_t count) {
   bytes.append(static_cast<const char*>(value), count);
 }
 
+/// Those of a tick, and the joints beyond the sixth, which a session has in a table of their own.
+const std::vector<record::Column>& servedColumns() {
+  static const std::vector<record::Column> kAll = [] {
+    const std::span<const record::Column> ticks = record::tickColumns();
+    std::vector<record::Column> all(ticks.begin(), ticks.end());
+    all.push_back(record::jointColumns().back());
+    return all;
+  }();
+  return kAll;
+}
+
 }  // namespace
 
 TickNumbers::TickNumbers() : packer_(record::tickColumns()) {}
@@ -65,6 +77,7 @@ const std::vector<double>& TickNumbers::of(const servo::TickRecord& record, cons
   for (const record::Column& column : record::tickColumns()) {
     for (int part = 0; part < column.width; ++part) numbers_.push_back(next(unpacker, column.kind));
   }
+  for (const double angle_rad : arm::beyondSix(record.q_rad)) numbers_.push_back(angle_rad);
   return numbers_;
 }
 
@@ -72,16 +85,16 @@ Subscription::Subscription(std::vector<std::size_t> columns, std::int64_t stride
     : columns_(std::move(columns)), stride_(stride), format_(format) {
   for (const std::size_t index : columns_) {
     std::size_t offset = 0;
-    for (std::size_t before = 0; before < index; ++before) offset += widthOf(record::tickColumns()[before]);
+    for (std::size_t before = 0; before < index; ++before) offset += widthOf(servedColumns()[before]);
     offsets_.push_back(offset);
-    width_ += widthOf(record::tickColumns()[index]);
+    width_ += widthOf(servedColumns()[index]);
   }
 }
 
 std::vector<json::ObjectText> Subscription::columnTexts() const {
   std::vector<json::ObjectText> texts;
   for (const std::size_t index : columns_) {
-    const record::Column& column = record::tickColumns()[index];
+    const record::Column& column = servedColumns()[index];
     json::ObjectText text;
     text.addText("name", column.name);
     text.addText("unit", column.unit);
@@ -101,7 +114,7 @@ void Subscription::add(std::int64_t tick, const std::vector<double>& numbers) {
   row.reserve(width_);
   for (std::size_t at = 0; at < columns_.size(); ++at) {
     const double* const first = numbers.data() + offsets_[at];
-    row.insert(row.end(), first, first + record::tickColumns()[columns_[at]].width);
+    row.insert(row.end(), first, first + servedColumns()[columns_[at]].width);
   }
 }
 
@@ -130,7 +143,7 @@ std::string Subscription::jsonOf(std::size_t rows) const {
   std::string text = "{\"ticks\": {";
   std::size_t offset = 0;
   for (std::size_t at = 0; at < columns_.size(); ++at) {
-    const record::Column& column = record::tickColumns()[columns_[at]];
+    const record::Column& column = servedColumns()[columns_[at]];
     text += (at > 0 ? ", " : "") + json::quotedText(column.name) + ": [";
     for (std::size_t row = 0; row < rows; ++row)
       text += (row > 0 ? ", " : "") + textOfCell(rows_[row].data() + offset, column);
@@ -142,7 +155,7 @@ std::string Subscription::jsonOf(std::size_t rows) const {
 
 Result<std::vector<std::size_t>> findColumns(const std::vector<std::string>& names) {
   std::vector<std::string> known;
-  for (const record::Column& column : record::tickColumns()) known.emplace_back(column.name);
+  for (const record::Column& column : servedColumns()) known.emplace_back(column.name);
   std::vector<std::size_t> found{0};  // tick, which names the rows
   Problems problems;
   for (std::size_t at = 0; at < names.size(); ++at) {

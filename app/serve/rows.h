@@ -13,7 +13,7 @@
 
 namespace underact::serve {
 
-/// All numbers of a tick as doubles, in the order of record::tickColumns().
+/// All numbers of a tick as doubles, in the order of record::tickColumns(), then the joints beyond the sixth.
 class TickNumbers {
  public:
   TickNumbers();
@@ -37,7 +37,7 @@ struct Message {
 /// What a client wants of each tick, and the rows that it has not got yet.
 class Subscription {
  public:
-  /// columns: of record::tickColumns(), by their indices, tick first; stride: every how many ticks.
+  /// columns: as findColumns() gives them, tick first; stride: every how many ticks.
   Subscription(std::vector<std::size_t> columns, std::int64_t stride, RowFormat format);
   std::int64_t stride() const { return stride_; }
   /// The columns with their units, for the answer.

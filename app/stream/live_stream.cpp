@@ -26,10 +26,11 @@ constexpr std::chrono::milliseconds kBetweenBursts{2};
 /// A tick as one JSON object, in place.
 class Message {
  public:
-  Message(const servo::TickRecord& record, const std::string& session_id) {
+  Message(const servo::TickRecord& record, const std::string& session_id)
+      : fields_(record::csvFields(record.joints > 6)) {
     add("{\"timestamp\":");
     addNumber(kSecondPerNanosecond * static_cast<double>(record.time_ns));
-    record::fillRow(record, *this);
+    record::fillRow(record, *this, record.joints > 6);
     add(",\"underact_live\":");
     addNumber(kLiveVersion);
     if (!session_id.empty()) {
@@ -81,8 +82,8 @@ class Message {
                                      text_.data());
   }
 
-  const std::vector<record::CsvField>& fields_ = record::csvFields();
-  std::array<char, 2048> text_{};  // 34 columns of at most 25 characters, and their names
+  const std::vector<record::CsvField>& fields_;
+  std::array<char, 2048> text_{};  // 36 columns of at most 25 characters, and their names
   std::size_t size_ = 0;
   std::size_t column_ = 0;
 };

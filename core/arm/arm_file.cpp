@@ -4,6 +4,7 @@
 #include "core/arm/file_values.h"
 #include "core/arm/joint_reader.h"
 #include "core/arm/model.h"
+#include "core/arm/solid_file.h"
 #include "core/arm/urdf.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
@@ -25,6 +26,9 @@ void readDevice(const Value& value, Model& model, Findings& findings) {
   device.continuous_force_N = numberAt(object, "continuous_force_N", true, 1.0);
   if (!(device.continuous_force_N > 0.0))
     findings.add(value, "device.continuous_force_N", said(TRANSLATE_NOOP("problem", "This must be above 0.")));
+  device.continuous_moment_N_m = numberAt(object, "continuous_moment_N_m", false);
+  if (!(device.continuous_moment_N_m >= 0.0))
+    findings.add(value, "device.continuous_moment_N_m", said(TRANSLATE_NOOP("problem", "This must be 0 or above.")));
   // An arm of the thesis's kind is one that is plugged in, and has encoders; another one may be simulated alone.
   const std::size_t joints = model.joints.size();
   const Value* const counts = object.find("encoder_counts_per_turn", omniGeometry(model).has_value());
@@ -70,6 +74,7 @@ Model readWhole(const Value& root, Findings& findings) {
     if (const Value* const value = object.find(key, true)) json::readText(*value, key, *text, findings);
   }
   readJoints(object, model);
+  readSolids(object, model);
   if (const Value* const device = object.find("device")) readDevice(*device, model, findings);
   object.finish();
   if (model.device) undriveGimbal(root, model);

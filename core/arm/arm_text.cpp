@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/arm/file_values.h"
+#include "core/arm/solid_file.h"
 #include "core/base/translate.h"
 #include "core/base/trig.h"
 #include "core/base/units.h"
@@ -24,19 +26,6 @@ std::string listText(std::span<const double> numbers, double factor = 1.0) {
   return text + "]";
 }
 
-std::string poseText(const Pose& X) {
-  std::string text;
-  for (Eigen::Index row = 0; row < 4; ++row) {
-    std::array<double, 4> numbers{};
-    for (Eigen::Index column = 0; column < 4; ++column) {
-      const double number = X.matrix()(row, column) * (row < 3 && column == 3 ? kMillimetrePerMetre : 1.0);
-      numbers[static_cast<std::size_t>(column)] = number == 0.0 ? 0.0 : number;
-    }
-    text += (row == 0 ? "[" : ", ") + listText(numbers);
-  }
-  return text + "]";
-}
-
 /// Limits, name, motor and mass of a joint, each after a comma. X_WLink: the frame of the masses.
 std::string moreOf(const Model& model, std::size_t i, const Pose& X_WLink) {
   const chain::Joint& joint = model.chain.joints[i];
@@ -53,6 +42,8 @@ std::string moreOf(const Model& model, std::size_t i, const Pose& X_WLink) {
     text += turns ? ", \"rest_rad\": " + numberText(*facts.rest)
                   : ", \"rest_mm\": " + numberText(kMillimetrePerMetre * *facts.rest);
   }
+  if (facts.max_torque)
+    text += std::string(", \"") + (turns ? "max_torque_N_m" : "max_force_N") + "\": " + numberText(*facts.max_torque);
   if (!facts.name.empty()) text += ", \"name\": " + quotedText(facts.name);
   if (!facts.driven) text += ", \"driven\": false";
   if (!facts.sensed) text += ", \"sensed\": false";
@@ -95,12 +86,14 @@ Result<std::string> tableText(const Model& model) {
             ", \"d_mm\": " + numberText(kMillimetrePerMetre * row.d_m) + moreOf(model, i, frames[i]) +
             (i + 1 < model.rows.size() ? "},\n" : "}\n");
   }
-  text += "  ],\n  \"X_WB\": " + poseText(model.X_WB) + ",\n  \"X_NT\": " + poseText(model.X_NT);
+  text += "  ],\n  \"X_WB\": " + poseText(model.X_WB) + ",\n  \"X_NT\": " + poseText(model.X_NT) + solidsText(model);
   if (model.device) {
     const std::span<const double> counts(model.device->counts_per_turn.data(), model.joints.size());
     const bool stated = std::any_of(counts.begin(), counts.end(), [](double count) { return count > 0.0; });
     text += ",\n  \"device\": {" + (stated ? "\"encoder_counts_per_turn\": " + listText(counts) + ", " : "") +
-            "\"continuous_force_N\": " + numberText(model.device->continuous_force_N) + "}";
+            "\"continuous_force_N\": " + numberText(model.device->continuous_force_N);
+    const double moment_N_m = model.device->continuous_moment_N_m;
+    text += (moment_N_m > 0.0 ? ", \"continuous_moment_N_m\": " + numberText(moment_N_m) : "") + "}";
   }
   return text + "\n}\n";
 }
@@ -117,7 +110,7 @@ Result<std::string> screwsText(const Model& model) {
       text += ", \"point_mm\": " + listText({joint.p_WJ.data(), 3}, kMillimetrePerMetre);
     text += moreOf(model, i, Pose::Identity()) + (i + 1 < model.chain.joints.size() ? "},\n" : "}\n");
   }
-  return text + "  ],\n  \"X_WT_home\": " + poseText(model.chain.X_WT_home) + "\n}\n";
+  return text + "  ],\n  \"X_WT_home\": " + poseText(model.chain.X_WT_home) + solidsText(model) + "\n}\n";
 }
 
 /// Roll, pitch and yaw of a rotation: fixed axes x, y, z. Source: Craig, eq. 2.66 and 2.67.
@@ -140,7 +133,7 @@ class UrdfWriter {
   std::string text() {
     printer_.OpenElement("robot");
     printer_.PushAttribute("name", model_.name.c_str());
-    link("base_link", nullptr, Vec3::Zero());
+    link("base_link", 0, Vec3::Zero());
     Vec3 p_WLast = Vec3::Zero();
     std::string last = "base_link";
     for (std::size_t i = 0; i < model_.chain.joints.size(); ++i) {
@@ -148,7 +141,7 @@ class UrdfWriter {
       // A slide has no point of its own: its link stays with the one before.
       const Vec3 p_WLink = joint.type == chain::JointType::Revolute ? joint.p_WJ : p_WLast;
       const std::string name = "link" + std::to_string(i + 1);
-      link(name, model_.masses.empty() ? nullptr : &model_.masses[i], p_WLink);
+      link(name, i + 1, p_WLink);
       open(nameOf(i), kindOf(joint), last, name, p_WLink - p_WLast, Vec3::Zero());
       child("axis", {{"xyz", wordsOf(joint.axis_W)}});
       if (std::isfinite(joint.min))
@@ -157,7 +150,7 @@ class UrdfWriter {
       printer_.CloseElement();
       p_WLast = p_WLink, last = name;
     }
-    link("tip", nullptr, Vec3::Zero());
+    link("tip", model_.chain.joints.size() + 1, Vec3::Zero());
     const Pose& X = model_.chain.X_WT_home;
     open("tool", "fixed", last, "tip", X.translation() - p_WLast, anglesOf(X.linear()));
     printer_.CloseElement();
@@ -183,10 +176,15 @@ class UrdfWriter {
     if (joint.type == chain::JointType::Prismatic) return "prismatic";
     return std::isfinite(joint.min) ? "revolute" : "continuous";
   }
-  void link(const std::string& name, const LinkMass* mass, const Vec3& p_WLink) {
+  /// index: 0 the base, i what joint i moves, one more the tip, which has nothing of its own.
+  void link(const std::string& name, std::size_t index, const Vec3& p_WLink) {
     printer_.OpenElement("link");
     printer_.PushAttribute("name", name.c_str());
-    if (mass != nullptr) {
+    for (const LinkSolid& solid : model_.solids) {
+      if (solid.link == index) visual(solid, p_WLink);
+    }
+    if (index > 0 && index <= model_.masses.size()) {
+      const LinkMass* const mass = &model_.masses[index - 1];
       const Mat3& I = mass->inertia_W_kg_m2;
       printer_.OpenElement("inertial");
       child("origin", {{"xyz", wordsOf(mass->p_WC - p_WLink)}});
@@ -199,6 +197,19 @@ class UrdfWriter {
                         {"izz", numberText(I(2, 2))}});
       printer_.CloseElement();
     }
+    printer_.CloseElement();
+  }
+  void visual(const LinkSolid& solid, const Vec3& p_WLink) {
+    printer_.OpenElement("visual");
+    child("origin",
+          {{"xyz", wordsOf(solid.X_WS.translation() - p_WLink)}, {"rpy", wordsOf(anglesOf(solid.X_WS.linear()))}});
+    printer_.OpenElement("geometry");
+    if (const auto* const box = std::get_if<BoxSolid>(&solid.form)) child("box", {{"size", wordsOf(box->size_m)}});
+    if (const auto* const ball = std::get_if<SphereSolid>(&solid.form))
+      child("sphere", {{"radius", numberText(ball->radius_m)}});
+    if (const auto* const rod = std::get_if<CylinderSolid>(&solid.form))
+      child("cylinder", {{"radius", numberText(rod->radius_m)}, {"length", numberText(rod->length_m)}});
+    printer_.CloseElement();
     printer_.CloseElement();
   }
   void open(const std::string& name, const char* type, const std::string& parent, const std::string& child_name,
@@ -231,6 +242,11 @@ Result<std::string> urdfText(const Model& model) {
     if (model.limits_wrist_size && i == 4)
       say(TRANSLATE_NOOP("problem", "Joint %1 has limits on the magnitude of its angle, which URDF cannot express."),
           i);
+  }
+  for (const LinkSolid& solid : model.solids) {
+    if (!std::holds_alternative<CapsuleSolid>(solid.form)) continue;
+    problems.push_back({said(TRANSLATE_NOOP("problem", "A capsule is none of the forms of URDF."))});
+    break;
   }
   if (!problems.empty()) return problems;
   return UrdfWriter(model).text();

@@ -84,4 +84,17 @@ void readPose(json::ObjectReader& object, const char* key, bool required, Pose& 
   X.translation() = kMetrePerMillimetre * matrix.topRightCorner<3, 1>();
 }
 
+std::string poseText(const Pose& X) {
+  std::string text;
+  for (Eigen::Index row = 0; row < 4; ++row) {
+    text += row == 0 ? "[" : ", ";
+    for (Eigen::Index column = 0; column < 4; ++column) {
+      const double number = X.matrix()(row, column) * (row < 3 && column == 3 ? kMillimetrePerMetre : 1.0);
+      text += (column == 0 ? "[" : ", ") + json::numberText(number == 0.0 ? 0.0 : number);
+    }
+    text += "]";
+  }
+  return text + "]";
+}
+
 }  // namespace underact::arm

@@ -18,5 +18,7 @@ Vec3 pointAt(json::ObjectReader& object, const char* key, bool required);
 bool flagAt(json::ObjectReader& object, const char* key, bool otherwise);
 /// Four rows of four, the last 0, 0, 0, 1, lengths mm; X as it was where the key is absent.
 void readPose(json::ObjectReader& object, const char* key, bool required, Pose& X);
+/// The same as text.
+std::string poseText(const Pose& X);
 
 }  // namespace underact::arm

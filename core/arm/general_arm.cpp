@@ -8,31 +8,39 @@
 namespace underact::arm {
 namespace {
 
-/// Projects onto the span of the columns for which take(joint) is true: Gram and Schmidt, the longest remainder first.
-template <class Take>
-Mat3 ontoSpan(const chain::Jacobian& J, const Take& take) noexcept {
-  const auto columns = static_cast<std::size_t>(J.cols());
-  std::array<Vec3, chain::kMaxJoints> rest;
-  std::size_t count = 0;
-  for (std::size_t joint = 0; joint < std::min(columns, rest.size()); ++joint) {
-    if (take(joint)) rest[count++] = J.col(static_cast<Eigen::Index>(joint)).head<3>();
-  }
-  Mat3 P = Mat3::Zero();
-  for (int rank = 0; rank < 3; ++rank) {
+/// Projects onto the span of so many columns: Gram and Schmidt, the longest remainder first. One that is shorter than
+/// least fades out.
+template <int D>
+Eigen::Matrix<double, D, D> ontoSpan(std::array<Eigen::Matrix<double, D, 1>, chain::kMaxJoints>& rest,
+                                     std::size_t count, double least) noexcept UNDERACT_REAL_TIME {
+  using Column = Eigen::Matrix<double, D, 1>;
+  Eigen::Matrix<double, D, D> P = Eigen::Matrix<double, D, D>::Zero();
+  for (int rank = 0; rank < D; ++rank) {
     std::size_t longest = count;
     double size2 = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
       if (rest[i].squaredNorm() > size2) longest = i, size2 = rest[i].squaredNorm();
     }
     if (longest == count) break;
-    const Vec3 way_W = rest[longest] / std::sqrt(size2);
-    P += std::min(1.0, size2 / (kLeastLever_m * kLeastLever_m)) * way_W * way_W.transpose();
+    const Column way_W = rest[longest] / std::sqrt(size2);
+    P += std::min(1.0, size2 / (least * least)) * way_W * way_W.transpose();
     for (std::size_t i = 0; i < count; ++i) {
       // Twice: once leaves a remainder of a rounding of the whole column, which is a direction like any other.
       for (int pass = 0; pass < 2; ++pass) rest[i] -= rest[i].dot(way_W) * way_W;
     }
   }
   return P;
+}
+
+/// Onto what the joints do to the tip's position for which take(joint) is true.
+template <class Take>
+Mat3 ontoMoved(const chain::Jacobian& J, const Take& take) noexcept UNDERACT_REAL_TIME {
+  std::array<Vec3, chain::kMaxJoints> columns;
+  std::size_t count = 0;
+  for (std::size_t joint = 0; joint < std::min(static_cast<std::size_t>(J.cols()), columns.size()); ++joint) {
+    if (take(joint)) columns[count++] = J.col(static_cast<Eigen::Index>(joint)).head<3>();
+  }
+  return ontoSpan<3>(columns, count, kLeastLever_m);
 }
 
 bool isSame(const chain::Joint& a, const chain::Joint& b) noexcept UNDERACT_REAL_TIME {
@@ -50,7 +58,8 @@ bool operator==(const GeneralArm& a, const GeneralArm& b) noexcept {
                     isSame) &&
          a.chain.X_WT_home.matrix() == b.chain.X_WT_home.matrix() && a.driven == b.driven &&
          std::equal(a.masses.begin(), a.masses.end(), b.masses.begin(), b.masses.end(), isSameMass) &&
-         a.X_WB.matrix() == b.X_WB.matrix() && a.rest == b.rest;
+         a.X_WB.matrix() == b.X_WB.matrix() && a.rest == b.rest && a.max_torque == b.max_torque &&
+         a.max_moment_N_m == b.max_moment_N_m;
 }
 
 Watched watchedJoints(const GeneralArm& arm) noexcept {
@@ -62,19 +71,42 @@ Watched watchedJoints(const GeneralArm& arm) noexcept {
   return watched;
 }
 
-Mat3 watchedColumns(const GeneralArm& arm, const chain::Jacobian& J) noexcept {
+std::size_t jointsOf(const Geometry& geometry) noexcept {
+  return geometry.general != nullptr ? geometry.general->chain.joints.size() : firstSix(JointAngles{}).size();
+}
+
+Mat3 watchedColumns(const Watched& watched, const chain::Jacobian& J) noexcept {
   Mat3 J_p = Mat3::Zero();
-  const Watched watched = watchedJoints(arm);
-  for (std::size_t i = 0; i < watched.count; ++i) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, watched.count); ++i) {
     J_p.col(static_cast<Eigen::Index>(i)) = J.col(static_cast<Eigen::Index>(watched.joint[i])).head<3>();
   }
   return J_p;
 }
 
 Mat3 renderable(const GeneralArm& arm, const chain::Jacobian& J) noexcept {
-  const Mat3 reached = ontoSpan(J, [](std::size_t) { return true; });
-  const Mat3 slack = ontoSpan(J, [&](std::size_t joint) { return joint >= arm.driven.size() || !arm.driven[joint]; });
+  const Mat3 reached = ontoMoved(J, [](std::size_t) { return true; });
+  const Mat3 slack = ontoMoved(J, [&](std::size_t joint) { return joint >= arm.driven.size() || !arm.driven[joint]; });
   return reached - slack;
+}
+
+Mat6 renderableWrench(const chain::Jacobian& J, double moment_arm_m) noexcept {
+  std::array<Vec6, chain::kMaxJoints> columns;
+  const std::size_t count = std::min(static_cast<std::size_t>(J.cols()), columns.size());
+  for (std::size_t joint = 0; joint < count; ++joint) {
+    columns[joint] = J.col(static_cast<Eigen::Index>(joint));
+    columns[joint].head<3>() /= moment_arm_m;
+  }
+  return ontoSpan<6>(columns, count, kLeastLever_m / moment_arm_m);
+}
+
+bool rendersMoment(const GeneralArm& arm) {
+  const std::size_t joints = arm.chain.joints.size();
+  if (joints < 6 || !std::all_of(arm.driven.begin(), arm.driven.begin() + static_cast<std::ptrdiff_t>(joints),
+                                 [](bool driven) { return driven; }))
+    return false;
+  constexpr double kAsLong_m = 0.1;  // a turn of a radian counts as that far
+  const Mat6 P = renderableWrench(chain::jacobian(arm.chain, arm.rest), kAsLong_m);
+  return (P - Mat6::Identity()).norm() < 1e-9;
 }
 
 }  // namespace underact::arm

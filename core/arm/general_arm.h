@@ -16,27 +16,29 @@ struct LinkMass {
   Mat3 inertia_W_kg_m2 = Mat3::Zero();  // about that
 };
 
-/// An arm of a scene that has not the form of the Omni's table: any chain of 1 to 6 joints. Its joint values are rad,
+/// An arm of a scene that has not the form of the Omni's table: any chain of 1 to 8 joints. Its joint values are rad,
 /// or m where a joint slides; those beyond its joints are 0.
 struct GeneralArm {
   chain::Chain chain;
-  std::array<bool, 6> driven{};  // by a motor
-  std::vector<LinkMass> masses;  // as many as joints, or none
-  Pose X_WB = Pose::Identity();  // frame 0 of the table
-  JointAngles rest{};            // within the limits: where it is when nobody has moved it
+  std::array<bool, kMostJoints> driven{};        // by a motor
+  std::vector<LinkMass> masses;                  // as many as joints, or none
+  Pose X_WB = Pose::Identity();                  // frame 0 of the table
+  JointAngles rest{};                            // within the limits: where it is when nobody has moved it
+  bool renders_moment = false;                   // rendersMoment()
+  double max_moment_N_m = 0.0;                   // if it does
+  std::array<double, kMostJoints> max_torque{};  // of each joint, N m, or N where it slides; 0: not stated
 };
 
-/// The joints that the gate watches, with their columns of J_p and their motors' heat: the first three that are driven.
-/// joint[i]: 0 to 5.
+/// The joints that the gate watches, with their stops and their motors' heat: those that are driven. joint[i]: 0 to 7.
 struct Watched {
-  std::array<std::size_t, 3> joint{};
+  std::array<std::size_t, kMostJoints> joint{};
   std::size_t count = 0;
 };
-/// As many as there are, at most three. Cost: constant.
+/// As many as there are. Cost: constant.
 Watched watchedJoints(const GeneralArm& arm) noexcept UNDERACT_REAL_TIME;
 
-/// The columns of J that move the tip, of the watched joints; 0 beyond. m/rad, or 1 where the joint slides.
-Mat3 watchedColumns(const GeneralArm& arm, const chain::Jacobian& J) noexcept UNDERACT_REAL_TIME;
+/// The columns of J that move the tip, of the first three watched joints; 0 beyond. m/rad, or 1 where the joint slides.
+Mat3 watchedColumns(const Watched& watched, const chain::Jacobian& J) noexcept UNDERACT_REAL_TIME;
 
 /// The part of a force on the tip that the motors can render, as a matrix: f -> P f. An undriven joint passes no torque
 /// on, so its column of J and a force that it carries are at right angles; and where no joint moves the tip in a
@@ -44,6 +46,14 @@ Mat3 watchedColumns(const GeneralArm& arm, const chain::Jacobian& J) noexcept UN
 /// (of the other joints: beyond what they do) fades out, so that P is continuous. Symmetric, gains within 0 and 1 to 16
 /// ulp. Source: statics, tau = J^T f with tau = 0 at the undriven joints.
 Mat3 renderable(const GeneralArm& arm, const chain::Jacobian& J) noexcept UNDERACT_REAL_TIME;
+
+/// The same of a force and a moment together, scaled as (kMomentArm_m f, m), of an arm all of whose joints are driven:
+/// in a direction in which no joint moves the tip, no motor pushes or turns.
+Mat6 renderableWrench(const chain::Jacobian& J, double moment_arm_m) noexcept UNDERACT_REAL_TIME;
+
+/// Whether its motors render a moment about the tip beside a force: all its joints are driven, and at its rest they
+/// move and turn the tip in all six directions. A joint without a motor would have to pass on a torque of the moment.
+bool rendersMoment(const GeneralArm& arm);
 
 inline constexpr double kLeastLever_m = 1e-3;
 

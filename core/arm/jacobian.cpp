@@ -45,14 +45,14 @@ Pair decompose(double a, double b, double c, double d) noexcept UNDERACT_REAL_TI
 
 Mat3 positionJacobian(const Geometry& geometry, const JointAngles& q_rad) noexcept {
   if (geometry.general != nullptr)
-    return watchedColumns(*geometry.general, chain::jacobian(geometry.general->chain, q_rad));
+    return watchedColumns(watchedJoints(*geometry.general), chain::jacobian(geometry.general->chain, q_rad));
   return positionJacobian(planeOf(geometry, q_rad));
 }
 
 Tip tip(const Geometry& geometry, const JointAngles& q_rad) noexcept {
   if (geometry.general != nullptr) {
     const chain::Kinematics at = chain::kinematics(geometry.general->chain, q_rad);
-    return {at.X_WT.translation(), watchedColumns(*geometry.general, at.J)};
+    return {at.X_WT.translation(), watchedColumns(watchedJoints(*geometry.general), at.J)};
   }
   const Plane at = planeOf(geometry, q_rad);
   return {geometry.p_WB + Vec3(at.turret.sin * at.out_m, at.up_m, at.turret.cos * at.out_m), positionJacobian(at)};
@@ -116,7 +116,7 @@ Dexterity dexterityOf(const Geometry& geometry, const JointAngles& q_rad) {
     if (arm.driven[static_cast<std::size_t>(joint)]) square += way * way.transpose();
   }
   Dexterity result;
-  result.J = watchedColumns(arm, J);
+  result.J = watchedColumns(watchedJoints(arm), J);
   if (!square.allFinite()) return result;
   const PrincipalAxes principal = principalAxes(square);
   for (Eigen::Index axis = 0; axis < 3; ++axis) {

@@ -68,6 +68,20 @@ std::optional<double> restAt(ObjectReader& object, bool turns) {
   return turns ? kRadPerDegree * numberAt(object, key, false) : lengthAt(object, key, false);
 }
 
+/// The most that its motor gives.
+std::optional<double> torqueAt(ObjectReader& object, bool turns) {
+  const char *const key = turns ? "max_torque_N_m" : "max_force_N", *const other =
+                                                                        turns ? "max_force_N" : "max_torque_N_m";
+  object.refuse(other, turns ? said(TRANSLATE_NOOP("problem", "A revolute joint has a torque: \"%1\"."), {key})
+                             : said(TRANSLATE_NOOP("problem", "A prismatic joint has a force: \"%1\"."), {key}));
+  const json::Value* const value = object.find(key);
+  if (value == nullptr) return {};
+  const double most = numberAt(object, key, false, 1.0);
+  if (!(most > 0.0))
+    object.findings().add(*value, object.pathOf(key), said(TRANSLATE_NOOP("problem", "This must be above 0.")));
+  return most;
+}
+
 /// Mass, centre and inertia of a link, in its frame.
 bool readMass(ObjectReader& joint, LinkMass& mass) {
   const Value* const value = joint.find("mass");
@@ -116,6 +130,7 @@ JointLines readLines(ObjectReader& object, const Value& value, const std::string
   joint.facts.rest = restAt(object, turns);
   if (joint.facts.rest && !(*joint.facts.rest >= joint.min && *joint.facts.rest <= joint.max))
     findings.add(value, path, said(TRANSLATE_NOOP("problem", "The joint's rest must be within its limits.")));
+  joint.facts.max_torque = torqueAt(object, turns);
   if (const Value* const name = object.find("name"))
     json::readText(*name, object.pathOf("name"), joint.facts.name, findings);
   joint.says_driven = object.find("driven") != nullptr;

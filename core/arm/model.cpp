@@ -61,8 +61,8 @@ std::optional<Geometry> omniGeometry(const Model& model) {
 }
 
 JointLimits limitsOf(const Model& model) {
-  JointLimits limits;
-  for (std::size_t joint = 0; joint < std::min<std::size_t>(6, model.rows.size()); ++joint) {
+  JointLimits limits = kNoJointLimits;
+  for (std::size_t joint = 0; joint < std::min(kMostJoints, model.rows.size()); ++joint) {
     limits.min_rad[joint] = model.rows[joint].min;
     limits.max_rad[joint] = model.rows[joint].max;
   }
@@ -88,8 +88,9 @@ bool isWithinLimits(const Model& model, std::span<const double> q) {
   return true;
 }
 
-std::array<Pose, 6> linkFrames(const Model& model, const JointAngles& q_rad) noexcept {
-  std::array<Pose, 6> frames;
+std::array<Pose, kMostJoints> linkFrames(const Model& model, const JointAngles& q_rad) noexcept {
+  std::array<Pose, kMostJoints> frames;
+  frames.fill(Pose::Identity());
   chain::framesOf(model.rows, model.X_WB, q_rad, frames);
   return frames;
 }

@@ -8,27 +8,27 @@
 
 #include "core/arm/general_arm.h"
 #include "core/arm/preset.h"
+#include "core/arm/solid.h"
 #include "core/base/result.h"
 #include "core/chain/chain.h"
 #include "core/chain/dh.h"
 
 namespace underact::arm {
 
-/// The most joints that an arm file can have.
-inline constexpr std::size_t kMostJoints = 8;
-
 /// The data of an arm that is a haptic device, or simulated as one.
 struct DeviceFigures {
   EncoderCounts counts_per_turn{};  // of a joint that slides: steps per mm; 0: not stated, its values are exact
   double continuous_force_N = 0.0;
+  double continuous_moment_N_m = 0.0;  // 0: not stated
 };
 
 /// What a file says of a joint besides its geometry.
 struct JointFacts {
   std::string name;
-  bool driven = true;          // by a motor: it can render a force
-  bool sensed = true;          // its value is measured
-  std::optional<double> rest;  // rad or m, within the limits: where it is when nobody has moved it
+  bool driven = true;                     // by a motor: it can render a force
+  bool sensed = true;                     // its value is measured
+  std::optional<double> rest;             // rad or m, within the limits: where it is when nobody has moved it
+  std::optional<double> max_torque = {};  // N m, or N where it slides: the most that its motor gives
 };
 
 /// The form in which a file gives the geometry.
@@ -46,6 +46,7 @@ struct Model {
   Pose X_NT = Pose::Identity();    // the tool in the last frame
   std::vector<JointFacts> joints;  // as many as rows
   std::vector<LinkMass> masses;    // as many as rows, 0 where the file says nothing; empty: it has none
+  std::vector<LinkSolid> solids;   // what it looks like; empty: the file says nothing, and it is drawn by formula
   bool limits_wrist_size = false;  // those of joint 5 are of its absolute value
   std::optional<DeviceFigures> device;
 };
@@ -72,19 +73,18 @@ std::string_view fileOf(std::string_view name);
 /// closed form.
 std::optional<Geometry> omniGeometry(const Model& model);
 
-/// What a scene needs of its arm. Problems: a haptic device of omniGeometry() without its figures; an arm of more than
-/// six joints, or one with a joint that is not sensed, so that nobody would know where its tip is. The sentences have
-/// no place.
+/// What a scene needs of its arm. Problems: a haptic device of omniGeometry() without its figures; a joint that is not
+/// sensed, so that nobody would know where the tip is. The sentences have no place.
 Result<Preset> presetOf(const Model& model);
 
-/// The limits of an arm of six joints, rad.
+/// The limits of its joints, rad or m; of joints that it does not have: none.
 JointLimits limitsOf(const Model& model);
 
 /// Whether each joint is within its limits; a revolute joint may be a full turn away. q: one value for each joint, rad
 /// or m.
 bool isWithinLimits(const Model& model, std::span<const double> q);
 
-/// The frames 1 to 6 of the table of an arm of six joints in W.
-std::array<Pose, 6> linkFrames(const Model& model, const JointAngles& q_rad) noexcept;
+/// The frames of the rows of the table in W, as many as there are.
+std::array<Pose, kMostJoints> linkFrames(const Model& model, const JointAngles& q_rad) noexcept;
 
 }  // namespace underact::arm

@@ -12,6 +12,7 @@
 namespace underact::arm {
 namespace {
 
+constexpr double kGrip_m = 0.1;           // a moment that is not stated: that of the force at a hand's grip
 constexpr double kUnstatedForce_N = 5.0;  // of an arm whose file does not say: what a hand on it takes for granted
 
 /// Those of all joints, with what the arm of a scene needs more.
@@ -23,17 +24,20 @@ std::shared_ptr<const GeneralArm> generalOf(const Model& model) {
   for (std::size_t joint = 0; joint < model.joints.size(); ++joint) {
     const auto& [min, max] = std::pair{model.rows[joint].min, model.rows[joint].max};
     arm.driven[joint] = model.joints[joint].driven;
+    arm.max_torque[joint] = model.joints[joint].max_torque.value_or(0.0);
     arm.rest[joint] = model.joints[joint].rest.value_or(std::clamp(0.0, min, max));
   }
+  arm.renders_moment = rendersMoment(arm);
+  const double force_N = model.device ? model.device->continuous_force_N : kUnstatedForce_N;
+  const double stated_N_m = model.device ? model.device->continuous_moment_N_m : 0.0;
+  arm.max_moment_N_m = stated_N_m > 0.0 ? stated_N_m : kGrip_m * force_N;
   return std::make_shared<const GeneralArm>(std::move(arm));
 }
 
-/// Of joints that the arm does not have: none.
 JointLimits generalLimits(const Model& model) {
   JointLimits limits = limitsOf(model);
   limits.of_wrist_size = model.limits_wrist_size;
-  for (std::size_t joint = model.rows.size(); joint < limits.min_rad.size(); ++joint)
-    limits.min_rad[joint] = -kInfinity, limits.max_rad[joint] = kInfinity;
+  if (model.rows.size() < 5) limits.min_rad[4] = -kInfinity;
   return limits;
 }
 
@@ -77,12 +81,7 @@ Result<Preset> presetOf(const Model& model) {
                R"("device": {"encoder_counts_per_turn": [4096, 4096, 4096, 4096, 4096, 4096], )"
                R"("continuous_force_N": 1})"})}};
   }
-  const std::size_t count = model.joints.size();
-  if (count > JointAngles().size()) {
-    return Problems{{said(TRANSLATE_NOOP("problem", "The arm of a scene can have up to six joints; this one has %1."),
-                          {std::to_string(count)})}};
-  }
-  for (std::size_t joint = 0; joint < count; ++joint) {
+  for (std::size_t joint = 0; joint < model.joints.size(); ++joint) {
     if (model.joints[joint].sensed) continue;
     return Problems{{said(TRANSLATE_NOOP("problem",
                                          "Joint %1 is not sensed, so that the position of the tip would be unknown: "

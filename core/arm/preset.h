@@ -31,6 +31,9 @@ struct Geometry {
   }
 };
 
+/// How many joints the arm has.
+std::size_t jointsOf(const Geometry& geometry) noexcept UNDERACT_REAL_TIME;
+
 /// rad, DH angles; m where a joint slides.
 struct JointLimits {
   JointAngles min_rad{};
@@ -40,12 +43,13 @@ struct JointLimits {
   bool operator==(const JointLimits&) const = default;
 };
 
-inline constexpr JointLimits kNoJointLimits{{-kInfinity, -kInfinity, -kInfinity, -kInfinity, 0.0, -kInfinity},
-                                            {kInfinity, kInfinity, kInfinity, kInfinity, kInfinity, kInfinity}};
+inline constexpr JointLimits kNoJointLimits{
+    {-kInfinity, -kInfinity, -kInfinity, -kInfinity, 0.0, -kInfinity, -kInfinity, -kInfinity},
+    {kInfinity, kInfinity, kInfinity, kInfinity, kInfinity, kInfinity, kInfinity, kInfinity}};
 
 /// Steps per turn of the encoders: turret, thigh and shin (the shin's angle is measured from the base, not from the
-/// thigh), then the three of the gimbal. Of other arms: of each joint.
-using EncoderCounts = std::array<double, 6>;
+/// thigh), then the three of the gimbal. Of other arms: of each joint; 0 beyond their joints.
+using EncoderCounts = std::array<double, kMostJoints>;
 
 /// An arm that a scene can have: a haptic device of the thesis's kind, or (geometry.general) one that is simulated.
 struct Preset {

@@ -1,13 +1,36 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "core/base/real_time.h"
 
 namespace underact::arm {
 
-/// The six joint angles, rad, in the DH convention (thesis table 3.1), whatever the device's own convention is.
-using JointAngles = std::array<double, 6>;
+/// The most joints that an arm has.
+inline constexpr std::size_t kMostJoints = 8;
+
+/// The joint values of an arm, 0 beyond its joints: of the Omni and its like six angles, rad, in the DH convention
+/// (thesis table 3.1), whatever the device's own convention is; of others rad, or m where a joint slides.
+using JointAngles = std::array<double, kMostJoints>;
+
+/// Those of an arm of the Omni's kind.
+constexpr std::span<const double, 6> firstSix(const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
+  return std::span(q_rad).first<6>();
+}
+/// The same, to be written.
+constexpr std::span<double, 6> firstSix(JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
+  return std::span(q_rad).first<6>();
+}
+
+/// The others.
+constexpr std::span<const double, kMostJoints - 6> beyondSix(const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
+  return std::span(q_rad).last<kMostJoints - 6>();
+}
+constexpr std::span<double, kMostJoints - 6> beyondSix(JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
+  return std::span(q_rad).last<kMostJoints - 6>();
+}
 
 /// The state of an arm at one moment.
 struct Sample {
@@ -21,7 +44,7 @@ struct Sample {
 /// base. Source: Beckman 2007, figure 3.5: q1 = -q1p, q2 = q2p, q3 = q3p - q2p; the gimbal: q4 = -g1, q5 = g2 + pi/2,
 /// q6 = -g3 - pi/2, which reproduces a public recording. The signs on hardware are not verified.
 JointAngles dhFromDevice(const JointAngles& device_rad) noexcept UNDERACT_REAL_TIME;
-/// The inverse of dhFromDevice().
+/// The inverse of dhFromDevice(). Joints beyond the sixth are 0 in both.
 JointAngles deviceFromDh(const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
 /// The joint angles between two configurations, share 0 to 1 (clamped). Each joint moves linearly through the angles in

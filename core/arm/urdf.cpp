@@ -136,9 +136,12 @@ class Walk {
  public:
   Walk(const UrdfTree& tree, LinkFamily& family, Model& model) : tree_(tree), family_(family), model_(model) {}
 
-  void go(const std::vector<UrdfStep>& steps) {
+  void go(std::size_t base, const std::vector<UrdfStep>& steps) {
+    show(tree_.links[base]);
     for (const UrdfStep& step : steps) pass(step);
     model_.chain.X_WT_home = X_WLink_;
+    // With a mesh among them, which is not read, the rest would be a part of an arm.
+    if (any_mesh_ || model_.solids.size() > kMostSolids) model_.solids.clear();
     if (!any_mass_) model_.masses.clear();
   }
 
@@ -178,7 +181,14 @@ class Walk {
                   said(TRANSLATE_NOOP("problem", "An arm has from one to eight joints; this is the ninth.")));
   }
 
+  void show(const UrdfLink& link) {
+    any_mesh_ |= link.has_mesh;
+    for (const LinkSolid& solid : link.solids)
+      model_.solids.push_back({model_.joints.size(), X_WLink_ * solid.X_WS, solid.form});
+  }
+
   void carry(const UrdfLink& link) {
+    show(link);
     if (!link.mass || model_.masses.empty()) return;
     any_mass_ = true;
     const Mat3& R = X_WLink_.linear();
@@ -190,7 +200,7 @@ class Walk {
   LinkFamily& family_;
   Model& model_;
   Pose X_WLink_ = Pose::Identity();
-  bool any_mass_ = false;
+  bool any_mass_ = false, any_mesh_ = false;
 };
 
 }  // namespace
@@ -208,7 +218,7 @@ Result<Model> readUrdf(std::string_view text, const std::string& file_name, cons
   const std::size_t base = family.end(ends.base, "base"), tip = family.end(ends.tip, "tip");
   if (!family.problems().empty()) return family.problems();
   Model model;
-  Walk(tree, family, model).go(family.way(base, tip));
+  Walk(tree, family, model).go(base, family.way(base, tip));
   if (family.problems().empty() && model.joints.empty())
     family.say(tree.links[tip].line, "tip",
                said(TRANSLATE_NOOP("problem", "No joint between link %1 and link %2 moves."),

@@ -151,11 +151,48 @@ class TreeReader {
     return X;
   }
 
+  /// A length of a form, which has to be above 0.
+  double sizeOf(const XMLElement& form, const char* key) {
+    if (form.Attribute(key) == nullptr) attribute(form, key, form.Name());
+    const double size_m = one(form, key, 1.0);
+    if (!(size_m > 0.0 && size_m <= kFurthest_m))
+      say(form, key, said(TRANSLATE_NOOP("problem", "A length must be above 0 and at most 1000 m.")));
+    return size_m;
+  }
+
+  void readVisuals(const XMLElement& element, UrdfLink& link) {
+    for (const XMLElement* visual = element.FirstChildElement("visual"); visual != nullptr;
+         visual = visual->NextSiblingElement("visual")) {
+      const XMLElement* const geometry = visual->FirstChildElement("geometry");
+      const XMLElement* const form = geometry == nullptr ? nullptr : geometry->FirstChildElement();
+      if (form == nullptr) continue;
+      LinkSolid solid;
+      const std::string_view what = form->Name();
+      if (what == "box") {
+        BoxSolid box{Vec3::Constant(1.0)};
+        if (form->Attribute("size") == nullptr) attribute(*form, "size", "box");
+        if (three(*form, "size", box.size_m) && !(box.size_m.minCoeff() > 0.0 && box.size_m.maxCoeff() <= kFurthest_m))
+          say(*form, "size", said(TRANSLATE_NOOP("problem", "A length must be above 0 and at most 1000 m.")));
+        solid.form = box;
+      } else if (what == "cylinder") {
+        solid.form = CylinderSolid{sizeOf(*form, "radius"), sizeOf(*form, "length")};
+      } else if (what == "sphere") {
+        solid.form = SphereSolid{sizeOf(*form, "radius")};
+      } else {
+        link.has_mesh = true;
+        continue;
+      }
+      solid.X_WS = readOrigin(*visual);
+      link.solids.push_back(solid);
+    }
+  }
+
   UrdfLink readLink(const XMLElement& element) {
-    UrdfLink link{named(element, "link", links_), element.GetLineNum(), {}};
+    UrdfLink link{named(element, "link", links_), element.GetLineNum(), {}, {}, false};
     const XMLElement* const inertial = element.FirstChildElement("inertial");
     for (const XMLElement* one = element.FirstChildElement(); one != nullptr; one = one->NextSiblingElement())
       checkWord(*one, {"inertial", "visual", "collision"});
+    readVisuals(element, link);
     if (inertial == nullptr) return link;
     for (const XMLElement* one = inertial->FirstChildElement(); one != nullptr; one = one->NextSiblingElement())
       checkWord(*one, {"origin", "mass", "inertia"});

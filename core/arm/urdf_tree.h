@@ -15,6 +15,8 @@ struct UrdfLink {
   std::string name;
   int line = 0;
   std::optional<LinkMass> mass;
+  std::vector<LinkSolid> solids;  // in the link's frame
+  bool has_mesh = false;          // one of its pictures is a mesh, which is not read
 };
 
 /// How a joint moves; Other: in a way that no arm here has.

@@ -26,7 +26,7 @@ const tick::TickReport& Loop::tick(const tick::TickProgram& program, tick::TickS
 }
 
 void Loop::move() {
-  arm_ = advance(plant_, arm_, report_.force.f_T_W(), setpoint_, period_ns_);
+  arm_ = advance(plant_, arm_, report_.force.f_T_W(), setpoint_, period_ns_, report_.force.m_T_W());
   input_.sample.time_ns += period_ns_;
   input_.sample.q_rad = shownAngles(plant_, arm_);
 }

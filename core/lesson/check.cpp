@@ -102,8 +102,10 @@ bool advance(const AskChoice&, CheckState&, double) {
 double numberOf(const Measure& measure, const Values& values) {
   if (measure.part > 0) return values[measure.part - 1];
   if (measure.quantity->parts == 1) return values[0];
+  std::size_t known = measure.quantity->parts;
+  while (known > 1 && std::isnan(values[known - 1])) --known;  // joints that the arm does not have
   double sum = 0.0;
-  for (std::size_t part = 0; part < measure.quantity->parts; ++part) sum += values[part] * values[part];
+  for (std::size_t part = 0; part < known; ++part) sum += values[part] * values[part];
   return std::sqrt(sum);
 }
 

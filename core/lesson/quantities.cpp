@@ -42,7 +42,8 @@ Values three(const Vec3& vector) {
 
 Values inDegrees(const arm::JointAngles& angles_rad) {
   Values values = unknown();
-  std::transform(angles_rad.begin(), angles_rad.end(), values.begin(), [](double a) { return a / kRadPerDegree; });
+  const std::span<const double, 6> six_rad = arm::firstSix(angles_rad);
+  std::transform(six_rad.begin(), six_rad.end(), values.begin(), [](double a) { return a / kRadPerDegree; });
   return values;
 }
 
@@ -54,8 +55,9 @@ Values joints(const Observation& seen) {
   for (std::size_t joint = 0; joint < seen.tick.q_rad.size(); ++joint) {
     if (joint >= general->chain.joints.size()) {
       values[joint] = kNotANumber;
-    } else if (general->chain.joints[joint].type == chain::JointType::Prismatic) {
-      values[joint] = kMillimetrePerMetre * seen.tick.q_rad[joint];
+    } else {
+      const bool slides = general->chain.joints[joint].type == chain::JointType::Prismatic;
+      values[joint] = slides ? kMillimetrePerMetre * seen.tick.q_rad[joint] : seen.tick.q_rad[joint] / kRadPerDegree;
     }
   }
   return values;
@@ -219,7 +221,7 @@ std::span<const Quantity> quantities() {
       {"stylus", TRANSLATE_NOOP("problem", "The direction of the stylus"), "", 2, 3, Angle, Nothing,
        "Direction of the stylus: z of frame 6 in W. The distance between two directions is an angle.",
        [](const Observation& seen) { return three(arm::tipPose(seen.arm.geometry, seen.tick.q_rad).linear().col(2)); }},
-      {"q_deg", TRANSLATE_NOOP("problem", "The joint angle"), "°", 1, 6, Largest, Nothing,
+      {"q_deg", TRANSLATE_NOOP("problem", "The joint angle"), "°", 1, 8, Largest, Nothing,
        "Joint angles of the DH table; prismatic joints in mm.", joints},
       {"device_deg", TRANSLATE_NOOP("problem", "The device's angle"), "°", 1, 6, Largest, Nothing,
        "The device's own angles: turret, thigh, shin (from the base), gimbal 1 to 3.",

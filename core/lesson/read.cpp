@@ -13,7 +13,6 @@ namespace underact::lesson {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 20;
-constexpr std::size_t kMostJoints = std::tuple_size_v<arm::JointAngles>;
 
 void readVersion(ObjectReader& object) {
   const json::Value* const value = object.find("underact_lesson", true);
@@ -82,9 +81,9 @@ void readPose(ObjectReader& object, std::vector<double>& into) {
   const std::string path = object.pathOf("pose_deg");
   if (!isKind(*list, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of numbers")), object.findings()))
     return;
-  if (list->items.empty() || list->items.size() > kMostJoints)
-    object.findings().add(*list, path,
-                          said(TRANSLATE_NOOP("problem", "A pose has 1 to %1 joints."), {std::to_string(kMostJoints)}));
+  if (list->items.empty() || list->items.size() > arm::kMostJoints)
+    object.findings().add(
+        *list, path, said(TRANSLATE_NOOP("problem", "A pose has 1 to %1 joints."), {std::to_string(arm::kMostJoints)}));
   for (std::size_t index = 0; index < list->items.size(); ++index) {
     double value = 0.0;
     readNumber(list->items[index], path + "[" + std::to_string(index) + "]", value, object.findings());

@@ -70,9 +70,12 @@ std::vector<double> readPlace(const Value& value, const std::string& path, const
   }
   const std::size_t parts = measure.quantity->parts;
   const bool may_be_fewer = measure.quantity->needs == Needs::Robot;  // a robot may have fewer joints
-  const Sentence expected = said(TRANSLATE_NOOP("problem", "a list of %1 numbers"), {std::to_string(parts)});
+  constexpr std::size_t kUsualJoints = 6;                             // more may follow, of an arm that has them
+  const std::size_t fewest = may_be_fewer ? 1 : std::min(parts, kUsualJoints);
+  const std::string count = std::to_string(may_be_fewer ? parts : fewest);
+  const Sentence expected = said(TRANSLATE_NOOP("problem", "a list of %1 numbers"), {count});
   if (!isKind(value, json::Kind::Array, path, expected, findings)) return {0.0};
-  if (value.items.empty() || value.items.size() > parts || (value.items.size() < parts && !may_be_fewer))
+  if (value.items.size() > parts || value.items.size() < fewest)
     findings.add(value, path,
                  said(TRANSLATE_NOOP("problem", "This must be %1; here it has %2."),
                       {expected, std::to_string(value.items.size())}));
@@ -86,7 +89,7 @@ std::vector<double> readPlace(const Value& value, const std::string& path, const
       findings.add(item, path, said(TRANSLATE_NOOP("problem", "This is not a finite number.")));
     place.push_back(item.kind == json::Kind::Number ? item.number : kNotANumber);
   }
-  place.resize(parts, kNotANumber);
+  if (may_be_fewer) place.resize(parts, kNotANumber);
   return place;
 }
 

@@ -27,7 +27,7 @@ std::optional<TargetPlace> placeOf(const Measure& measure, const std::vector<dou
                        kMetrePerMillimetre * within, 0, 0};
   if (key != "q_deg") return {};
   const Vec3 q_rad = kRadPerDegree * place;
-  const arm::JointAngles joints{q_rad.x(), q_rad.y(), q_rad.z(), 0.0, 0.0, 0.0};
+  const arm::JointAngles joints{q_rad.x(), q_rad.y(), q_rad.z()};
   return TargetPlace{arm::tipPosition(arm.geometry, joints), kReachOfJoints_m, 0, 0};
 }
 
@@ -41,7 +41,8 @@ std::optional<arm::JointAngles> startOf(const Step& step, const arm::Preset& arm
   if (step.pose_deg.empty()) return {};
   arm::JointAngles q{};
   const arm::GeneralArm* const general = arm.geometry.general.get();
-  const std::size_t joints = general == nullptr ? q.size() : std::min(q.size(), general->chain.joints.size());
+  const std::size_t joints =
+      general == nullptr ? arm::firstSix(q).size() : std::min(q.size(), general->chain.joints.size());
   for (std::size_t joint = 0; joint < std::min(joints, step.pose_deg.size()); ++joint) {
     const bool slides = general != nullptr && general->chain.joints[joint].type == chain::JointType::Prismatic;
     q[joint] = step.pose_deg[joint] * (slides ? kMetrePerMillimetre : kRadPerDegree);

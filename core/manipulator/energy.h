@@ -15,7 +15,7 @@ struct Energy {
   Vec3 e_o_W = Vec3::Zero();  // of the orientation, a rotation vector, rad (Axis: z_V - z_T, no unit)
   double weight = 1.0;        // Angle: how much the stylus's angle counts, see weightOfAngle()
   Vec3 f_W = Vec3::Zero();    // K e: the force on the hand, N
-  Vec3 m_W = Vec3::Zero();    // and its moment about T, N m; never sent
+  Vec3 m_W = Vec3::Zero();    // and its moment about T, N m; few arms render it
   double energy_J = kInfinity;
   Values slope{};  // dV/dtheta, N m/rad or N
 };

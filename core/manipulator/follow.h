@@ -37,7 +37,7 @@ struct Followed {
   bool slewing = false;             // the target is on its way to the tip
   double better_J = 0.0;            // what another known minimum would save; 0: none is known
   Vec3 f_along_T_W = Vec3::Zero();  // the thesis's law: what it adds to the pull towards the target
-  Vec3 moment_W = Vec3::Zero();     // on the hand about the stylus's tip, N m; never sent
+  Vec3 moment_W = Vec3::Zero();     // on the hand about the stylus's tip, N m; few arms render it
 };
 
 /// The target never moves faster than this, so that the change to another minimum is no jolt: at 0.5 N/mm the force

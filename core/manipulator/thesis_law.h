@@ -9,7 +9,7 @@ struct ThesisPull {
   double error_rad = 0.0;           // e_theta = theta - the stylus's own angle, in [-pi, pi]
   Vec3 p_WP = Vec3::Zero();         // nearest in the joint's plane
   Vec3 f_along_T_W = Vec3::Zero();  // -(ko e_theta / L) t, t the tangent
-  Vec3 moment_W = Vec3::Zero();     // ko e_theta about the axis, N m; never sent
+  Vec3 moment_W = Vec3::Zero();     // ko e_theta about the axis, N m; few arms render it
   bool is_unique = false;           // false: the stylus is on the axis
 };
 

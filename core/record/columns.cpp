@@ -22,26 +22,33 @@ const Column* columnOf(std::string_view name) {
   return found == columns.end() ? nullptr : &*found;
 }
 
+std::vector<CsvField> fieldsWith(bool more_joints) {
+  std::vector<CsvField> fields;
+  for (const std::string_view name : kCsvOrder) {
+    const Column* const column = columnOf(name);
+    if (column == nullptr) continue;
+    const std::vector<std::string_view> names = csvNamesOf(*column);
+    for (std::size_t part = 0; part < names.size(); ++part) {
+      const bool is_time = names[part] == "time_s", is_word = names[part] == "fault";
+      fields.push_back({names[part], column, part, is_time ? "s" : column->unit,
+                        is_time   ? "float64"
+                        : is_word ? "string"
+                                  : typeWord(*column)});
+    }
+  }
+  if (!more_joints) return fields;
+  const Column& joints = jointColumns().back();
+  const std::vector<std::string_view> names = csvNamesOf(joints);
+  for (std::size_t part = 0; part < names.size(); ++part)
+    fields.push_back({names[part], &joints, part, joints.unit, typeWord(joints)});
+  return fields;
+}
+
 }  // namespace
 
-const std::vector<CsvField>& csvFields() {
-  static const std::vector<CsvField> kFields = [] {
-    std::vector<CsvField> fields;
-    for (const std::string_view name : kCsvOrder) {
-      const Column* const column = columnOf(name);
-      if (column == nullptr) continue;
-      const std::vector<std::string_view> names = csvNamesOf(*column);
-      for (std::size_t part = 0; part < names.size(); ++part) {
-        const bool is_time = names[part] == "time_s", is_word = names[part] == "fault";
-        fields.push_back({names[part], column, part, is_time ? "s" : column->unit,
-                          is_time   ? "float64"
-                          : is_word ? "string"
-                                    : typeWord(*column)});
-      }
-    }
-    return fields;
-  }();
-  return kFields;
+const std::vector<CsvField>& csvFields(bool more_joints) {
+  static const std::vector<CsvField> kSix = fieldsWith(false), kMore = fieldsWith(true);
+  return more_joints ? kMore : kSix;
 }
 
 }  // namespace underact::record

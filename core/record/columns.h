@@ -19,19 +19,20 @@ struct CsvField {
 };
 
 /// The numbers of a tick in the order of a CSV recording, by the table of a session's columns: lengths mm, angles rad,
-/// forces N, time s.
-const std::vector<CsvField>& csvFields();
+/// forces N, time s. more_joints: with those beyond the sixth, at the end.
+const std::vector<CsvField>& csvFields(bool more_joints = false);
 
-/// Passes the fields of a tick to a row in the order of csvFields(), by row.integer(), row.number() or row.word().
+/// Passes the fields of a tick to a row in the order of csvFields(more_joints), by row.integer(), row.number() or
+/// row.word().
 template <class Row>
-void fillRow(const servo::TickRecord& record, Row& row) {
+void fillRow(const servo::TickRecord& record, Row& row, bool more_joints = false) {
   constexpr double kMicrosecondPerNanosecond = 1e-3;
   const auto vector = [&row](const Vec3& value) {
     for (const double coordinate : value) row.number(coordinate);
   };
   row.integer(record.tick);
   row.number(kSecondPerNanosecond * static_cast<double>(record.time_ns));
-  for (const double angle_rad : record.q_rad) row.number(angle_rad);
+  for (const double angle_rad : arm::firstSix(record.q_rad)) row.number(angle_rad);
   vector(kMillimetrePerMetre * record.p_WT);
   vector(kMillimetrePerMetre * record.p_WP);
   row.number(kMillimetrePerMetre * record.error_m);
@@ -50,6 +51,8 @@ void fillRow(const servo::TickRecord& record, Row& row) {
   row.integer(record.limits);
   row.number(1e3 * record.energy_J);
   row.number(record.passive_N);
+  if (!more_joints) return;
+  for (const double angle_rad : arm::beyondSix(record.q_rad)) row.number(angle_rad);
 }
 
 }  // namespace underact::record

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "core/base/translate.h"
 #include "core/record/columns.h"
@@ -14,13 +15,13 @@
 namespace underact::record {
 namespace {
 
-std::string header() {
+std::string header(bool more_joints) {
   std::string text;
-  for (const CsvField& field : csvFields()) text.append(text.empty() ? "" : ",").append(field.name);
+  for (const CsvField& field : csvFields(more_joints)) text.append(text.empty() ? "" : ",").append(field.name);
   return text + "\n";
 }
 
-/// One line, in place. 34 fields of at most 25 characters each fit.
+/// One line, in place. 36 fields of at most 25 characters each fit.
 class Row {
  public:
   template <class Integer>
@@ -64,9 +65,12 @@ Result<CsvWriter> CsvWriter::into(system::Descriptor made, const std::string& pa
   if (file == nullptr)
     return Problems{
         {said(TRANSLATE_NOOP("problem", "The recording cannot be started: %1."), {std::strerror(errno)}), {path}}};
-  CsvWriter writer(file, path);
-  writer.write(header());
-  return writer;
+  return CsvWriter(file, path);
+}
+
+void CsvWriter::writeHeader() {
+  if (std::exchange(has_header_, true)) return;
+  write(header(more_joints_));
 }
 
 void CsvWriter::write(std::string_view text) {
@@ -75,13 +79,16 @@ void CsvWriter::write(std::string_view text) {
 
 void CsvWriter::add(const servo::TickRecord& record) {
   if (error_ != 0) return;
+  if (!has_header_) more_joints_ = more_joints_ || record.joints > 6;
+  writeHeader();
   Row row;
-  fillRow(record, row);
+  fillRow(record, row, more_joints_);
   write(row.finished());
 }
 
 Problems CsvWriter::close() {
   if (file_ == nullptr) return {};
+  writeHeader();  // of a recording without a row
   if (std::fflush(file_.get()) != 0 && error_ == 0) error_ = errno;
   if (std::fclose(file_.release()) != 0 && error_ == 0) error_ = errno;
   if (error_ == 0) return {};
@@ -90,6 +97,7 @@ Problems CsvWriter::close() {
 
 CsvExport exportCsv(Session& session, CsvWriter& csv, const std::function<bool(double share)>& goes_on) {
   CsvExport done;
+  csv.setMoreJoints(session.hasMoreJoints());
   done.unread = session.eachBlock(
       [&](const Block& block, std::int64_t) {
         for (const servo::TickRecord& record : unpackTicks(block)) csv.add(record);

@@ -23,6 +23,9 @@ class CsvWriter {
   /// For a recording: a new file that its owner alone may read and write. Problems: those of checkNew(); it cannot be
   /// made.
   static Result<CsvWriter> create(const std::string& path, system::Existing existing);
+  /// Whether there are columns for joints beyond the sixth, to be told before the first row; else as the arm of the
+  /// first row has them.
+  void setMoreJoints(bool on) { more_joints_ = on; }
   /// Writes a row. After a failure nothing more is written.
   void add(const servo::TickRecord& record);
   /// Whether something could not be written; close() says why.
@@ -38,9 +41,11 @@ class CsvWriter {
   static Result<CsvWriter> into(system::Descriptor made, const std::string& path);
   CsvWriter(std::FILE* file, std::string path) : file_(file), path_(std::move(path)) {}
   void write(std::string_view text);
+  void writeHeader();
   std::unique_ptr<std::FILE, Closer> file_;
   std::string path_;
   int error_ = 0;  // errno of the first failure
+  bool more_joints_ = false, has_header_ = false;
 };
 
 /// The result of an export.

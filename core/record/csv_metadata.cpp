@@ -68,7 +68,7 @@ void addRun(Session& session, ObjectText& notes) {
 Result<std::string> csvMetadata(Session& session, const std::string& file_name) {
   std::vector<ObjectText> columns;
   ObjectText frames, schema, notes, all;
-  for (const CsvField& field : csvFields()) {
+  for (const CsvField& field : csvFields(session.hasMoreJoints())) {
     ObjectText& column = columns.emplace_back();
     column.addText("name", field.name);
     column.addText("titles", field.name);

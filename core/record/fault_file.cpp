@@ -76,12 +76,17 @@ std::string listText(const std::vector<Text>& phrases) {
   return "[" + text + "]";
 }
 
+bool haveMoreJoints(const std::vector<servo::TickRecord>& records) {
+  return std::any_of(records.begin(), records.end(), [](const servo::TickRecord& record) { return record.joints > 6; });
+}
+
 std::string rowsText(const std::vector<servo::TickRecord>& records) {
   std::string text = "[";
+  const bool more_joints = haveMoreJoints(records);
   for (const servo::TickRecord& record : records) {
     text += text.size() > 1 ? ",\n    [" : "\n    [";
     JsonRow row(text);
-    fillRow(record, row);
+    fillRow(record, row, more_joints);
     text += "]";
   }
   return text + "]";
@@ -153,7 +158,7 @@ std::string isoTime(std::int64_t unix_time_s) {
 
 std::string faultText(const servo::FaultReport& report, const FaultWords& words) {
   std::vector<std::string> columns;
-  for (const CsvField& field : csvFields()) columns.emplace_back(field.name);
+  for (const CsvField& field : csvFields(haveMoreJoints(report.last_second))) columns.emplace_back(field.name);
   const auto yesNo = [](bool is) { return std::string(is ? "true" : "false"); };
   std::string text;
   member(text, "underact_fault", "1");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <utility>
 
@@ -37,6 +38,13 @@ void keepWithin(std::int64_t all, std::int64_t longest, std::int64_t& left, Word
   } else {
     words = {-1, -1};
   }
+}
+
+/// The number of a tick, which is the first column.
+std::int64_t tickOf(const Block& ticks, std::size_t row) {
+  std::int64_t tick = 0;
+  std::memcpy(&tick, &ticks.bytes[row * sizeof tick], sizeof tick);
+  return tick;
 }
 
 bool isAnyDamaged(const std::vector<Block>& blocks) {
@@ -137,6 +145,7 @@ void Session::readSmallTables() {
   for (ChangeRow& change : changes_) keepWithin(all_words, kLongestWords, words_left, change.scene);
   faults_ = rowsOf(kFaults, unpackFaults);
   readSteering();
+  findJoints();
   provenance_ = rowsOf(kProvenance, unpackProvenance);
   for (ProvenanceRow& row : provenance_) keepWithin(all_words, kLongestWords, words_left, row.json);
   clock_ = rowsOf(kClock, unpackClock);
@@ -250,8 +259,50 @@ Result<tick::TickState> Session::start(const tick::TickProgram& program) {
   return state;
 }
 
+/// Where /joints begins.
+void Session::findJoints() {
+  joints_from_ = 0;
+  const std::int64_t block_rows = file_.blockRows(kJoints);
+  if (!hasMoreJoints() || (file_.rows(kJoints) + block_rows - 1) / block_rows >= blocks()) return;
+  const Result<std::vector<Block>> first = file_.read(kJoints, 0, 1);
+  if (!first || !areThere(first.value())) return;
+  // Its rows begin with the block of ticks in which such an arm came.
+  const std::int64_t tick = unpackJoints(first.value().front()).front().tick;
+  for (std::int64_t count = blocks(); count > 0;) {
+    const std::int64_t half = count / 2, block = joints_from_ + half;
+    const Result<std::vector<Block>> ticks = file_.read(kTicks, block, 1);
+    if (!ticks || !areThere(ticks.value()) || tickOf(ticks.value().front(), 0) < tick) {
+      joints_from_ = block + 1;
+      count -= half + 1;
+    } else {
+      count = half;
+    }
+  }
+}
+
+/// Joints 7 and 8 of blocks of ticks.
+void Session::addJoints(std::int64_t first_block, std::vector<Block>& ticks) {
+  constexpr std::size_t kMore = std::tuple_size_v<decltype(JointsRow::q)>;
+  std::int64_t block = first_block - 1;
+  for (Block& of_ticks : ticks) {
+    if (++block < joints_from_ || of_ticks.bytes.empty()) continue;
+    of_ticks.more_joints.assign(static_cast<std::size_t>(of_ticks.rows) * kMore, kNotANumber);
+    const Result<std::vector<Block>> read = file_.read(kJoints, block - joints_from_, 1);
+    if (!read || !areThere(read.value())) continue;
+    const std::vector<JointsRow> rows = unpackJoints(read.value().front());
+    for (std::size_t row = 0; row < std::min(rows.size(), static_cast<std::size_t>(of_ticks.rows)); ++row) {
+      if (rows[row].tick != tickOf(of_ticks, row)) continue;  // no recorder does that
+      std::copy_n(rows[row].q.begin(), kMore, of_ticks.more_joints.begin() + static_cast<std::ptrdiff_t>(row * kMore));
+    }
+  }
+}
+
 Result<std::vector<Block>> Session::readTicks(std::int64_t first_block, std::int64_t count) {
-  return file_.read(kTicks, first_block, count);
+  Result<std::vector<Block>> read = file_.read(kTicks, first_block, count);
+  if (!read || !hasMoreJoints()) return read;
+  std::vector<Block> ticks = std::move(read).value();
+  addJoints(first_block, ticks);
+  return ticks;
 }
 
 Problems Session::eachBlock(const std::function<bool(const Block&, std::int64_t)>& visit,

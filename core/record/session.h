@@ -85,6 +85,8 @@ class Session {
   Result<std::vector<Block>> readBlocks(TableIndex table, std::int64_t first_block, std::int64_t count) {
     return file_.read(table, first_block, count);
   }
+  /// Whether an arm in it has more than six joints.
+  bool hasMoreJoints() const { return file_.rows(kJoints) > 0; }
   /// Rows of any table.
   std::int64_t rows(TableIndex table) const { return file_.rows(table); }
   /// Calls visit() for each block in order, and damaged() for each damaged one, until visit() returns false. progress:
@@ -101,6 +103,8 @@ class Session {
   Problems readInfo(const std::string& path);
   void readSmallTables();
   void readSteering();
+  void findJoints();
+  void addJoints(std::int64_t first_block, std::vector<Block>& ticks);
   Result<std::vector<std::byte>> bytesOf(TableIndex table, std::int64_t begin, std::int64_t end);
   Result<std::string> words(const Words& words);
   template <class Row>
@@ -114,6 +118,7 @@ class Session {
   std::vector<servo::Push> pushes_;
   std::vector<ProvenanceRow> provenance_;
   std::vector<ClockRow> clock_;
+  std::int64_t joints_from_ = 0;  // the block of ticks that the first block of /joints belongs to
 };
 
 }  // namespace underact::record

@@ -57,6 +57,10 @@ constexpr std::array kSteeringColumns{
     Column{"ticks", "", "how many ticks it took; 0: an added force ended", Kind::Integer},
     Column{"force_N", "N", "that was added", Kind::Real, 3, "W", "force_N_x,force_N_y,force_N_z"}};
 
+constexpr std::array kJointColumns{
+    kTick, Column{"q_more_rad", "rad", "joint angles 7 and 8, of an arm that has them; m where a joint slides",
+                  Kind::Real, 2, "joints", "q7_rad,q8_rad", "q7_rad,q8_rad"}};
+
 void packVec3Row(const Vec3& value, double scale, Packer& packer) {
   for (const double coordinate : value) packer.real(scale * coordinate);
 }
@@ -125,9 +129,10 @@ std::array<Table, kTables> sessionTables(std::int64_t rate_hz, double block_s) {
             "what the simulated arm knows of a tick and no real arm says"},
       Table{"constraints", kConstraintColumns, ticks, ticks, kMostBlockRows, Presence::OnRequest, false,
             "one constraint in one tick"},
-      small(
-          "steering", kSteeringColumns,
-          "what a program that steered the servo did besides edits: a force that it added, a target that it carried")};
+      small("steering", kSteeringColumns,
+            "what a program that steered the servo did besides edits: a force that it added, a target that it carried"),
+      Table{"joints", kJointColumns, ticks, ticks, kMostBlockRows, Presence::Later, true,
+            "one tick of the servo, of a session with an arm of more than six joints"}};
   tables[kProvenance].presence = tables[kClock].presence = tables[kSteering].presence = Presence::Later;
   return tables;
 }
@@ -198,6 +203,24 @@ void pack(const servo::ConstraintRow& row, Packer& packer) {
   packer.byte(row.acts ? 1 : 0);
   packVec3Row(row.p_WP, kMillimetrePerMetre, packer);
   packVec3Row(row.f_T_W, 1.0, packer);
+}
+
+std::span<const Column> jointColumns() {
+  return kJointColumns;
+}
+
+void packMoreJoints(const servo::TickRecord& record, Packer& packer) {
+  packer.integer(record.tick);
+  for (const double angle_rad : arm::beyondSix(record.q_rad)) packer.real(angle_rad);
+}
+
+std::vector<JointsRow> unpackJoints(const Block& block) {
+  return rowsOf<JointsRow>(kJointColumns, block, [](Unpacker& unpacker) {
+    JointsRow row;
+    row.tick = unpacker.integer();
+    for (double& value : row.q) value = unpacker.real();
+    return row;
+  });
 }
 
 Block blockOf(const servo::FaultMark& row) {

@@ -24,6 +24,7 @@ enum TableIndex : std::size_t {
   kTruth,
   kConstraints,
   kSteering,
+  kJoints,
   kTables
 };
 
@@ -120,5 +121,16 @@ std::vector<servo::ConstraintRow> unpackConstraints(const Block& block);
 // For a Packer of that table's columns.
 void pack(const servo::TruthRow& row, Packer& packer);
 void pack(const servo::ConstraintRow& row, Packer& packer);
+/// The joints beyond the sixth.
+void packMoreJoints(const servo::TickRecord& record, Packer& packer);
+
+/// A row of /joints: those of the arm in that tick beyond the sixth, 0 where it does not have them.
+struct JointsRow {
+  std::int64_t tick = 0;
+  std::array<double, 2> q{};  // rad, or m where the joint slides
+};
+std::vector<JointsRow> unpackJoints(const Block& block);
+/// The columns of /joints.
+std::span<const Column> jointColumns();
 
 }  // namespace underact::record

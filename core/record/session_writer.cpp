@@ -58,10 +58,12 @@ SessionWriter::SessionWriter(Hdf5File file, const SessionHeader& header)
       packer_(tickColumns()),
       truths_(sessionTables(header.rate_hz)[kTruth].columns),
       constraints_(sessionTables(header.rate_hz)[kConstraints].columns),
+      joints_(jointColumns()),
       provenance_(header.provenance) {
   packer_.begin(block_rows_);
   truths_.begin(block_rows_);
   constraints_.begin(block_rows_);
+  joints_.begin(block_rows_);
 }
 
 Result<SessionWriter> SessionWriter::create(const std::string& path, const SessionHeader& header,
@@ -87,7 +89,7 @@ Problems SessionWriter::addScene(std::int64_t tick, std::uint64_t revision, tick
   const Words words =
       addText(scene.constraints.empty() ? std::string() : scene::writeScene(scene::withoutFolders(scene)), problems);
   keep(problems, file_.append(kChanges, blockOf(ChangeRow{tick, revision, carry, words})));
-  if (!scene.constraints.empty()) geometry_ = scene::armOf(scene).geometry;
+  if (!scene.constraints.empty()) arms_.emplace_back(tick, scene::armOf(scene).geometry);
   const json::ObjectText by_scene = sceneProvenance(scene);
   if (std::exchange(by_scene_, by_scene.text()) == by_scene.text()) return problems;
   json::ObjectText all = std::exchange(provenance_, {});  // all of it with the first scene
@@ -144,7 +146,19 @@ Problems SessionWriter::add(const servo::Change& change, const scene::Descriptio
   return problems;
 }
 
+/// From the first tick of an arm of more than six joints on, /joints has a row for each tick, and its blocks are those
+/// of /ticks.
+void SessionWriter::addMoreJoints(const servo::TickRecord& record) {
+  if (!has_joints_ && record.joints <= 6) return;
+  if (!std::exchange(has_joints_, true)) {
+    for (const servo::TickRecord& before : unpackTicks(packer_.block())) packMoreJoints(before, joints_);
+  }
+  packMoreJoints(record, joints_);
+}
+
 Problems SessionWriter::add(const servo::TickRecord& record) {
+  for (; !arms_.empty() && arms_.front().first <= record.tick; arms_.pop_front()) geometry_ = arms_.front().second;
+  addMoreJoints(record);
   pack(record, geometry_, packer_);
   last_tick_ = record.tick;
   ++ticks_;
@@ -172,7 +186,9 @@ Problems SessionWriter::mark(std::int64_t tick, std::string_view label) {
 }
 
 Problems SessionWriter::writeTicks() {
-  Problems problems = file_.append(kTicks, packer_.block());
+  Problems problems = file_.append(kJoints, joints_.block());  // first: a tick without its joints cannot be replayed
+  joints_.begin(block_rows_);
+  keep(problems, file_.append(kTicks, packer_.block()));
   packer_.begin(block_rows_);
   unflushed_ = true;
   return problems;

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
+#include <deque>
 #include <string>
+#include <utility>
 
 #include "core/arm/model.h"
 #include "core/base/result.h"
@@ -82,17 +84,19 @@ class SessionWriter {
   SessionWriter(Hdf5File file, const SessionHeader& header);
   Problems addScene(std::int64_t tick, std::uint64_t revision, tick::Carry carry, const scene::Description& scene);
   Words addText(std::string_view text, Problems& problems);
+  void addMoreJoints(const servo::TickRecord& record);
   Problems writeTicks();
   Problems writeFull(Packer& packer, TableIndex table);
 
   Hdf5File file_;
-  arm::Geometry geometry_;
+  arm::Geometry geometry_;                                   // of the last tick's arm
+  std::deque<std::pair<std::int64_t, arm::Geometry>> arms_;  // that come, with their first ticks: told before these
   std::int64_t block_rows_;
-  Packer packer_, truths_, constraints_;
+  Packer packer_, truths_, constraints_, joints_;
   json::ObjectText provenance_;  // for the first row
   std::string by_scene_;         // the last row's members that the scene says
   std::int64_t ticks_ = 0, last_tick_ = 0, text_bytes_ = 0;
-  bool unflushed_ = false;
+  bool unflushed_ = false, has_joints_ = false;
 };
 
 /// Replaces those attributes of a session. Problems: the file cannot be written (it may be being recorded).

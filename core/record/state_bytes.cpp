@@ -1,5 +1,6 @@
 #include "core/record/state_bytes.h"
 
+#include <array>
 #include <cstring>
 #include <type_traits>
 
@@ -7,6 +8,10 @@
 
 namespace underact::record {
 namespace {
+
+/// Behind a follower, as a compiler once left it there.
+using FollowerEnd = std::array<std::byte, 4>;
+constexpr std::size_t kFollowerBytes = 6 * sizeof(double) + sizeof(arm::Branch) + sizeof(bool) + sizeof(FollowerEnd);
 
 /// The state of each target of a kind. An entry of another kind has none; its bytes are those of a state before a first
 /// tick.
@@ -19,18 +24,35 @@ void eachMemory(Entries& entries, Part&& part) {
   }
 }
 
+safety::GateCore& coreOf(safety::GateState& state) {
+  return state;
+}
+const safety::GateCore& coreOf(const safety::GateState& state) {
+  return state;
+}
+
+/// A follower, which arms of six joints have.
+template <class Follower, class Part>
+void eachPartOf(Follower& follower, Part&& part) {
+  for (auto& angle_rad : arm::firstSix(follower.q_rad)) part(angle_rad);
+  part(follower.branch);
+  part(follower.begun);
+  FollowerEnd end{};
+  part(end);
+}
+
 /// All parts of a state, in one place for both directions: everything that carryOver() copies is among them.
 template <class State, class Part>
 void eachPart(State& state, Part&& part) {
   part(state.time_ns);
   part(state.has_time);
   part(state.p_WT);
-  part(state.q_rad);
+  for (auto& angle_rad : arm::firstSix(state.q_rad)) part(angle_rad);
   part(state.limited);
   part(state.asked_T_W);
   part(state.bump_T_W);
   part(state.retuned);
-  part(state.gate);
+  part(coreOf(state.gate));
   const auto each = [&state](bool is_needed, auto&& of_entry) {
     for (std::size_t index = 0; is_needed && index < state.entries.size(); ++index) of_entry(state.entries[index]);
   };
@@ -41,7 +63,13 @@ void eachPart(State& state, Part&& part) {
   if (state.needs.curves) eachMemory<target::CurveState>(state.entries, part);
   each(state.needs.friction, [&](auto& entry) { part(entry.target.grip); });
   each(state.needs.energy, [&](auto& entry) { part(entry.energy); });
-  each(state.needs.joints, [&](auto& entry) { part(entry.follower); });
+  each(state.needs.joints, [&](auto& entry) { eachPartOf(entry.follower, part); });
+  if (state.needs.more_joints) {
+    for (auto& angle_rad : arm::beyondSix(state.q_rad)) part(angle_rad);
+  }
+  if (!state.needs.more_motors) return;
+  for (auto& heat : state.gate.more_heat) part(heat);
+  part(state.gate.m_T_W);
 }
 
 /// The way of each target that is being carried, behind all other parts; only of a state that carries one, so that all
@@ -80,9 +108,9 @@ std::string stateLayout() {
   eachPart(none, [&bytes](const auto& part) { bytes += sizeof part; });
   std::string layout = "1";
   for (const std::size_t size :
-       {bytes, sizeof(safety::GateState), sizeof(control::LawState), sizeof(target::InfluenceState),
+       {bytes, sizeof(safety::GateCore), sizeof(control::LawState), sizeof(target::InfluenceState),
         sizeof(manipulator::State), sizeof(target::MeshState), sizeof(target::CurveState), sizeof(target::Grip),
-        sizeof(control::EnergyState), sizeof(arm::FollowerState)}) {
+        sizeof(control::EnergyState), kFollowerBytes}) {
     layout += ":" + std::to_string(size);
   }
   return layout;

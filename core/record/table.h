@@ -55,6 +55,8 @@ std::size_t rowBytes(const Table& table);
 struct Block {
   std::int64_t rows = 0;
   std::vector<std::byte> bytes;
+  /// Of ticks: row by row the joints beyond the sixth, from /joints; NaN where they cannot be read.
+  std::vector<double> more_joints = {};
 };
 
 /// CRC-32 as in zlib and PNG.

@@ -1,5 +1,6 @@
 #include "core/record/tick_table.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/arm/forward.h"
@@ -74,7 +75,7 @@ Eigen::Vector4d turnOf(const servo::TickRecord& record, const arm::Geometry& geo
 void pack(const servo::TickRecord& record, const arm::Geometry& geometry, Packer& packer) {
   packer.integer(record.tick);
   packer.integer(record.time_ns);
-  for (const double angle_rad : record.q_rad) packer.real(angle_rad);
+  for (const double angle_rad : arm::firstSix(record.q_rad)) packer.real(angle_rad);
   packer.unsigned32(record.buttons);
   packVec3(kMillimetrePerMetre * record.p_WT, packer);
   for (const double part : turnOf(record, geometry)) packer.real(part);
@@ -107,7 +108,7 @@ std::vector<servo::TickRecord> unpackTicks(const Block& block) {
     servo::TickRecord& record = records.emplace_back();
     record.tick = unpacker.integer();
     record.time_ns = unpacker.integer();
-    for (double& angle_rad : record.q_rad) angle_rad = unpacker.real();
+    for (double& angle_rad : arm::firstSix(record.q_rad)) angle_rad = unpacker.real();
     record.buttons = unpacker.unsigned32();
     record.p_WT = unpackVec3(unpacker, kMillimetrePerMetre);
     for (int part = 0; part < 4; ++part) unpacker.real();
@@ -131,6 +132,11 @@ std::vector<servo::TickRecord> unpackTicks(const Block& block) {
     record.tick_ns = nanoseconds(unpacker.real());
     record.revision = static_cast<std::uint64_t>(unpacker.integer());
     record.input = unpacker.byte();
+    if (block.more_joints.empty()) continue;
+    const std::span<double> beyond = arm::beyondSix(record.q_rad);
+    record.joints = static_cast<int>(record.q_rad.size());
+    std::copy_n(block.more_joints.begin() + static_cast<std::ptrdiff_t>((records.size() - 1) * beyond.size()),
+                beyond.size(), beyond.begin());
   }
   return records;
 }

@@ -4,12 +4,13 @@
 #include "core/base/fault.h"
 #include "core/base/real_time.h"
 #include "core/base/types.h"
+#include "core/safety/driven.h"
 #include "core/safety/limits.h"
 
 namespace underact::safety {
 
-/// All memory of the gate.
-struct GateState {
+/// The memory of the gate, as sessions have it.
+struct GateCore {
   double level = 0.0;         // share of the force that passes, 0 to 1
   int missed = 0;             // ticks in a row without a new sample
   int late = 0;               // ticks in a row that came late while the servo pushed
@@ -19,6 +20,12 @@ struct GateState {
   Vec3 heat = Vec3::Zero();   // of motors 1 to 3: 0 cold, 1 at their continuous torque
   Fault letting_go = {};      // why the force is being ramped to zero; becomes the fault at zero
   Fault fault = {};           // what stopped the servo; stays until it is started again
+};
+
+/// All memory of the gate: with that of an arm that is not of the Omni's form.
+struct GateState : GateCore {
+  std::array<double, kMostDriven - 3> more_heat{};  // of its driven joints beyond the third
+  Vec3 m_T_W = Vec3::Zero();                        // the moment sent last
 };
 
 /// For bytes from a file: whether the gate's state is finite, shares are within 0 to 1, and faults exist.
@@ -31,9 +38,8 @@ struct Motion {
   Mat3 J_p = Mat3::Zero();   // from the rates of joints 1 to 3 to v_WT; zero: no limits of heat and edge
   Vec3 room_below_rad = Vec3::Constant(kInfinity);  // of joints 1 to 3, to their stops
   Vec3 room_above_rad = Vec3::Constant(kInfinity);
-  // Of an arm that is not of the Omni's form, joints 1 to 3 are those that arm::watchedJoints() names.
-  bool renders_all = true;          // the motors can push the tip in every direction
-  Mat3 renders = Mat3::Identity();  // else what they render of a force: arm::renderable()
+  Mat3 renders = Mat3::Identity();  // what the motors render of a force: see Driven
+  const Driven* driven = nullptr;   // of an arm that is not of the Omni's form, in place of joints 1 to 3
 };
 
 /// The input of the gate in this tick.
@@ -44,7 +50,8 @@ struct GateInput {
   Fault fault = {};      // what is wrong with this tick's sample
   bool late = false;     // this tick started a whole period late
   Motion motion = {};
-  double waited_s = 0.0;  // beside dt_s: deadlines that passed without a tick, >= 0
+  double waited_s = 0.0;      // beside dt_s: deadlines that passed without a tick, >= 0
+  Vec3 m_T_W = Vec3::Zero();  // a moment about the tip, N m; without effect on an arm that renders none
 };
 
 struct Gated;
@@ -54,12 +61,15 @@ class GatedForce {
  public:
   GatedForce() = default;  // zero is always safe
   const Vec3& f_T_W() const noexcept UNDERACT_REAL_TIME { return f_T_W_; }
+  /// Beside it a moment about the tip, N m; zero but of an arm whose motors render one.
+  const Vec3& m_T_W() const noexcept UNDERACT_REAL_TIME { return m_T_W_; }
 
  private:
   friend Gated gate(const Limits& limits, const GateState& state, const GateInput& asked,
                     double dt_s) noexcept UNDERACT_REAL_TIME;
-  explicit GatedForce(const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME : f_T_W_(f_T_W) {}
+  GatedForce(const Vec3& f_T_W, const Vec3& m_T_W) noexcept UNDERACT_REAL_TIME : f_T_W_(f_T_W), m_T_W_(m_T_W) {}
   Vec3 f_T_W_ = Vec3::Zero();
+  Vec3 m_T_W_ = Vec3::Zero();
 };
 
 /// The result of gate().
@@ -75,7 +85,9 @@ struct Gated {
 /// force or sample that is not finite, or a jump, gives such a fault at once; too many late ticks in a row first ramp
 /// the force to zero. dt_s: a period of the servo, >= 0. What protects by slowness (soft start, slew) advances by dt_s
 /// alone, however late the tick; what protects by elapsed time (release, heat, frozen time) also counts waited_s. Gives
-/// |force| <= max_force_N (1 + 4 ulp), finite for any input. Cost: constant.
+/// |force| <= max_force_N (1 + 4 ulp) and |moment| <= max_moment_N_m (1 + 4 ulp), finite for any input. A moment is
+/// clamped, slowed (by kMomentArm_m) and ramped as the force is, and every limit of a joint scales both. Cost:
+/// constant.
 Gated gate(const Limits& limits, const GateState& state, const GateInput& asked,
            double dt_s) noexcept UNDERACT_REAL_TIME;
 

@@ -1,13 +1,28 @@
 #pragma once
+#include <array>
+#include <cstddef>
+
 #include "core/base/real_time.h"
 #include "core/base/types.h"
 
 namespace underact::safety {
 
+/// The most driven joints of an arm.
+inline constexpr std::size_t kMostDriven = 8;
+
+/// The lever arm at which a moment counts as much as a force: a hand's grip on a tool.
+inline constexpr double kMomentArm_m = 0.1;
+
+/// One number for each driven joint; infinite: no limit.
+using PerDriven = std::array<double, kMostDriven>;
+inline constexpr PerDriven kNoTorqueLimits{kInfinity, kInfinity, kInfinity, kInfinity,
+                                           kInfinity, kInfinity, kInfinity, kInfinity};
+
 /// The thermal model of motors 1 to 3: heat 1 is the steady state at the continuous torque.
 struct Thermal {
-  Vec3 continuous_N_m = Vec3::Zero();  // continuous torque; a motor of 0 is not watched
-  double time_constant_s = 60.0;       // assumed: no data sheet of the arm states it
+  Vec3 continuous_N_m = Vec3::Zero();                         // continuous torque; a motor of 0 is not watched
+  double time_constant_s = 60.0;                              // assumed: no data sheet of the arm states it
+  std::array<double, kMostDriven - 3> more_continuous_N_m{};  // of the driven joints of an arm that has more
 };
 
 /// The limits of the gate. One that is infinite, or 0 where so stated, is off.
@@ -24,6 +39,9 @@ struct Limits {
   double frozen_s = 0.0;                  // joints bit-identical for so long: release; 0: off
   double edge_rad = 0.0;                  // within this of a joint's stop a force towards it fades; 0: off
   Thermal thermal = {};
+  // Of an arm that is not of the Omni's form.
+  double max_moment_N_m = 0.0;                 // of an arm that renders one
+  PerDriven max_torque_N_m = kNoTorqueLimits;  // of its driven joints; N where they slide
 };
 
 /// The limits for a hand on an arm: all of them on except frozen_s, which depends on the device (a real encoder shows
@@ -37,8 +55,9 @@ struct Cuts {
   double edge_N = 0.0;
   double heat_N = 0.0;
   double slew_N = 0.0;
-  bool frozen = false;    // the sample has not moved for frozen_s: the force is let go until it does
-  double motors_N = 0.0;  // what no motor can render; acts between speed and edge
+  bool frozen = false;      // the sample has not moved for frozen_s: the force is let go until it does
+  double motors_N = 0.0;    // what no motor can render; acts between speed and edge
+  double moment_N_m = 0.0;  // what all of them took off the moment; no bit, and not in the sum
 };
 
 /// The same as bits, for a row of a recording.

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kVelocityFilter_s = 5e-3;
 constexpr double kRounding = 1e-12;  // of a force that is rendered whole
-constexpr double kWarm = 0.9;        // heat from which on the force is cut
 
 }  // namespace
 
@@ -31,14 +30,19 @@ Vec3 followVelocity(const Vec3& last_W, const Vec3& v_WT, double dt_s) noexcept 
   return isFinite(next_W) ? next_W : Vec3::Zero();
 }
 
+double speedShare(const Limits& limits, const Vec3& v_WT) noexcept {
+  if (!(v_WT.squaredNorm() > limits.calm_speed_m_per_s * limits.calm_speed_m_per_s)) return 1.0;
+  const double width = limits.max_speed_m_per_s - limits.calm_speed_m_per_s;
+  return width > 0.0 ? std::clamp((limits.max_speed_m_per_s - sizeOf(v_WT)) / width, 0.0, 1.0) : 0.0;
+}
+
 Vec3 limitSpeed(const Limits& limits, const Vec3& v_WT, const Vec3& f_T_W) noexcept {
   if (!(v_WT.squaredNorm() > limits.calm_speed_m_per_s * limits.calm_speed_m_per_s)) return f_T_W;
   const double speed = sizeOf(v_WT);
   const Vec3 along_W = v_WT / speed;
   const double drive_N = f_T_W.dot(along_W);
   if (!(drive_N > 0.0)) return f_T_W;
-  const double width = limits.max_speed_m_per_s - limits.calm_speed_m_per_s;
-  const double keep = width > 0.0 ? std::clamp((limits.max_speed_m_per_s - speed) / width, 0.0, 1.0) : 0.0;
+  const double keep = speedShare(limits, v_WT);
   return f_T_W - ((1.0 - keep) * drive_N) * along_W;
 }
 

@@ -5,6 +5,8 @@ namespace underact::safety {
 
 // Each limit, applied to a force of at most max_force_N. None makes it larger or not finite.
 
+inline constexpr double kWarm = 0.9;  // heat from which on the force is cut
+
 /// Whether all three are finite.
 bool isFinite(const Vec3& v) noexcept UNDERACT_REAL_TIME;
 
@@ -16,6 +18,9 @@ Vec3 followVelocity(const Vec3& last_W, const Vec3& v_WT, double dt_s) noexcept 
 
 /// The part of f_T_W that drives the stylus along v_WT fades between the calm and the greatest speed.
 Vec3 limitSpeed(const Limits& limits, const Vec3& v_WT, const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME;
+
+/// The share that limitSpeed() leaves of a force along v_WT.
+double speedShare(const Limits& limits, const Vec3& v_WT) noexcept UNDERACT_REAL_TIME;
 
 /// The part of f_T_W that the motors render; f_T_W itself where that is all but a rounding of it.
 Vec3 limitMotors(const Motion& motion, const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME;

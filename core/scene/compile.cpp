@@ -1,5 +1,7 @@
 #include "core/scene/compile.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <type_traits>
@@ -55,6 +57,29 @@ Vec3 leversOf(const arm::Geometry& geometry) {
     return levers.cwiseMax(0.1 * levers.maxCoeff());
   }
   return arm::positionJacobian(geometry, arm::solvePosition(geometry, Vec3::Zero()).q_rad).colwise().norm();
+}
+
+/// The limits of the driven joints of an arm that is not of the Omni's form. What a motor bears without end is what
+/// the continuous force takes of it at the arm's rest, and, where a moment is rendered, what that takes; at least a
+/// tenth of the greatest.
+void limitJoints(const arm::GeneralArm& arm, double force_N, safety::Limits& limits) {
+  const chain::Jacobian J = chain::jacobian(arm.chain, arm.rest);
+  const arm::Watched watched = arm::watchedJoints(arm);
+  std::array<double, safety::kMostDriven> bears{};
+  for (std::size_t i = 0; i < watched.count; ++i) {
+    const auto column = J.col(static_cast<Eigen::Index>(watched.joint[i]));
+    bears[i] = force_N * column.head<3>().norm();
+    if (arm.renders_moment) bears[i] = std::max(bears[i], arm.max_moment_N_m * column.tail<3>().norm());
+    const double most = arm.max_torque[watched.joint[i]];
+    if (most > 0.0) limits.max_torque_N_m[i] = most;
+  }
+  const double least = 0.1 * *std::max_element(bears.begin(), bears.end());
+  for (std::size_t i = 0; i < watched.count; ++i) {
+    const double continuous = std::min(std::max(bears[i], least), limits.max_torque_N_m[i]);
+    i < 3 ? limits.thermal.continuous_N_m[static_cast<Eigen::Index>(i)] = continuous
+          : limits.thermal.more_continuous_N_m[i - 3] = continuous;
+  }
+  if (arm.renders_moment) limits.max_moment_N_m = arm.max_moment_N_m;
 }
 
 /// The filter of a joint: noise and acceleration are those of the tip at the end of its lever arm.
@@ -152,8 +177,9 @@ Result<tick::TickProgram> compile(const Description& scene) {
         {std::move(held), lawOf(control, preset.continuous_force_N, lever_m), control.space, control.passivity});
   }
   if (!problems.empty()) return problems;
-  const safety::Limits limits =
+  safety::Limits limits =
       safety::limitsForHands(preset.continuous_force_N, preset.continuous_force_N * leversOf(preset.geometry));
+  if (preset.geometry.general != nullptr) limitJoints(*preset.geometry.general, preset.continuous_force_N, limits);
   return tick::makeProgram(preset.geometry, std::move(entries), scene.combine, limits, preset.limits);
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/arm/general_arm.h"
 #include "core/base/translate.h"
 #include "core/json/text.h"
 #include "core/scene/load_meshes.h"
@@ -68,6 +69,16 @@ const arm::Model& modelOf(const Description& scene) {
   if (isArmFile(scene.arm) && scene.arm_file != nullptr) return scene.arm_file->model;
   const arm::Model* const found = arm::findModel(scene.arm);
   return found != nullptr ? *found : *arm::findModel(arm::kDefaultArm);
+}
+
+std::optional<bool> rendersMoment(const Description& scene) {
+  const bool asks = std::any_of(scene.constraints.begin(), scene.constraints.end(), [](const Constraint& constraint) {
+    const auto* const robot = std::get_if<VirtualManipulator>(&constraint.shape);
+    return robot != nullptr && robot->orientation != manipulator::Orientation::None;
+  });
+  if (!asks) return {};
+  const arm::Geometry& geometry = armOf(scene).geometry;
+  return geometry.general != nullptr && geometry.general->renders_moment;
 }
 
 std::string_view armTextOf(const Description& scene) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -38,6 +39,9 @@ const arm::Preset* findArm(const Description& scene);
 const arm::Preset& armOf(const Description& scene);
 /// The same arm as in its file, with masses and the names of its joints.
 const arm::Model& modelOf(const Description& scene);
+
+/// Whether the arm's motors render the moment that virtual robots with an orientation ask for; none: none does.
+std::optional<bool> rendersMoment(const Description& scene);
 
 /// The content of the file of the scene's arm; empty where there is no such arm. It lives as armOf().
 std::string_view armTextOf(const Description& scene);

@@ -10,6 +10,7 @@ TickRecord recordOf(const Snapshot& snapshot) noexcept {
   record.tick = snapshot.ticks;
   record.time_ns = report.sample.time_ns;
   record.q_rad = report.sample.q_rad;
+  record.joints = report.joints;
   record.buttons = report.sample.buttons;
   record.p_WT = report.p_WT;
   record.p_WP.setConstant(kNotANumber);
@@ -27,6 +28,7 @@ TickRecord recordOf(const Snapshot& snapshot) noexcept {
   record.error_m = tick::errorOf(report);
   record.f_asked_T_W = report.f_T_W;
   record.f_sent_T_W = report.force.f_T_W();
+  record.m_sent_T_W = report.force.m_T_W();
   record.level = report.level;
   record.cut_N = report.cut_N;
   record.heat = report.heat;

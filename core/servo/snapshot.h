@@ -38,6 +38,7 @@ struct TickRecord {
   std::int64_t tick = 0;
   std::int64_t time_ns = 0;
   arm::JointAngles q_rad{};
+  int joints = 6;  // that count of these; an arm of fewer has 0 in the rest
   std::uint32_t buttons = 0;
   Vec3 p_WT = Vec3::Zero();
   Vec3 p_WP = Vec3::Zero();  // of the first constraint that acts; NaN where none does
@@ -46,6 +47,7 @@ struct TickRecord {
   target::Angles angles;     // of the first influenced target that acts; NaN where none does
   Vec3 f_asked_T_W = Vec3::Zero();
   Vec3 f_sent_T_W = Vec3::Zero();
+  Vec3 m_sent_T_W = Vec3::Zero();  // the moment beside it, N m, of an arm that renders one; sessions do not hold it
   double level = 0.0;
   double cut_N = 0.0;
   Vec3 heat = Vec3::Zero();  // see tick::TickReport

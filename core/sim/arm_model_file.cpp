@@ -49,7 +49,7 @@ void readCounts(const Value& list, ArmModel& model, Findings& findings) {
     return findings.add(list, kKey,
                         said(TRANSLATE_NOOP("problem", "This must be a list of six numbers, one for each joint.")));
   arm::EncoderCounts counts{};
-  for (std::size_t joint = 0; joint < counts.size(); ++joint) {
+  for (std::size_t joint = 0; joint < arm::firstSix(counts).size(); ++joint) {
     const Value& count = list.items[joint];
     if (count.kind == json::Kind::Null) continue;  // not measured
     counts[joint] = count.number;
@@ -198,7 +198,7 @@ std::string armModelText(const ArmModelFile& file) {
   if (!arm.encoders) add("encoders", "false");
   if (arm.counts_per_turn) {
     std::string counts;
-    for (const double count : *arm.counts_per_turn)
+    for (const double count : arm::firstSix(*arm.counts_per_turn))
       counts += (counts.empty() ? "" : ", ") + (count > 0.0 ? numberText(count) : std::string("null"));
     add("counts_per_turn", "[" + counts + "]");
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/arm/general_arm.h"
 #include "core/arm/inverse.h"
@@ -12,7 +13,6 @@
 namespace underact::sim {
 namespace {
 
-constexpr std::size_t kJoints = 6;
 constexpr double kDampingRate_1_per_s = 10.0;  // of the joints, times their inertia: no maker states their friction
 constexpr double kArmature_kg = 1e-3;          // at the end of the reach: a joint whose links weigh nothing still moves
 constexpr double kSoftSpeed_m_per_s = 1e-3;    // up to which Coulomb's friction grows
@@ -21,41 +21,110 @@ constexpr double kGrip_m = 0.05;               // from the fingers to the tip
 constexpr int kSearch = 200;                   // steps to a position of the tip
 constexpr double kDamping_m2 = 1e-4, kFound_m = 1e-6;
 
-using Square = Eigen::Matrix<double, kJoints, kJoints>;
-using Column = Eigen::Matrix<double, kJoints, 1>;
-using Rows = Eigen::Matrix<double, 3, kJoints>;
+/// Of an arm of up to N joints; 0 beyond its joints. Arms of up to six are computed with six, so that their bits do not
+/// depend on how many others have.
+template <std::size_t N>
+using Square = Eigen::Matrix<double, N, N>;
+template <std::size_t N>
+using Column = Eigen::Matrix<double, N, 1>;
+template <std::size_t N>
+using Rows = Eigen::Matrix<double, 3, N>;
 
 /// The Jacobian at the tip, 0 beyond the arm's joints.
+template <std::size_t N>
 struct Moving {
   Vec3 p_WT = Vec3::Zero();
   Mat3 R_WT = Mat3::Identity();
-  Rows J_v = Rows::Zero(), J_w = Rows::Zero();
+  Rows<N> J_v = Rows<N>::Zero(), J_w = Rows<N>::Zero();
 };
 
-Moving movingAt(const arm::GeneralArm& arm, const arm::JointAngles& q) noexcept UNDERACT_REAL_TIME {
+template <std::size_t N>
+Moving<N> movingAt(const arm::GeneralArm& arm, const arm::JointAngles& q) noexcept UNDERACT_REAL_TIME {
   const chain::Kinematics at = chain::kinematics(arm.chain, q);
-  Moving moving;
+  Moving<N> moving;
   moving.p_WT = at.X_WT.translation();
   moving.R_WT = at.X_WT.linear();
-  for (Eigen::Index joint = 0; joint < std::min<Eigen::Index>(kJoints, at.J.cols()); ++joint) {
+  for (Eigen::Index joint = 0; joint < std::min<Eigen::Index>(N, at.J.cols()); ++joint) {
     moving.J_v.col(joint) = at.J.col(joint).head<3>();
     moving.J_w.col(joint) = at.J.col(joint).tail<3>();
   }
   return moving;
 }
 
-/// The inertia of the links in the joints.
-Square inertiaOf(const arm::GeneralArm& arm, const arm::JointAngles& q) noexcept UNDERACT_REAL_TIME {
-  const std::size_t count = std::min(kJoints, arm.chain.joints.size());
+// Eigen multiplies matrices of eight and more in blocks, for which it may allocate: then they are multiplied here.
+constexpr std::size_t kInBlocks = 8;
+
+/// factor J^T J.
+template <std::size_t N>
+Square<N> squareOf(double factor, const Rows<N>& J) noexcept UNDERACT_REAL_TIME {
+  if constexpr (N < kInBlocks) {
+    return factor * J.transpose() * J;
+  } else {
+    Square<N> A;
+    for (Eigen::Index i = 0; i < A.rows(); ++i) {
+      for (Eigen::Index j = 0; j < A.cols(); ++j) A(i, j) = factor * J.col(i).dot(J.col(j));
+    }
+    return A;
+  }
+}
+
+/// J^T X J.
+template <std::size_t N>
+Square<N> squareWith(const Mat3& X, const Rows<N>& J) noexcept UNDERACT_REAL_TIME {
+  if constexpr (N < kInBlocks) {
+    return J.transpose() * X * J;
+  } else {
+    Square<N> A;
+    for (Eigen::Index j = 0; j < A.cols(); ++j) {
+      const Vec3 X_J = X * J.col(j);
+      for (Eigen::Index i = 0; i < A.rows(); ++i) A(i, j) = J.col(i).dot(X_J);
+    }
+    return A;
+  }
+}
+
+/// J J^T.
+template <std::size_t N>
+Mat3 acrossOf(const Rows<N>& J) noexcept UNDERACT_REAL_TIME {
+  if constexpr (N < kInBlocks) {
+    return J * J.transpose();
+  } else {
+    Mat3 A = Mat3::Zero();
+    for (Eigen::Index j = 0; j < J.cols(); ++j) A += J.col(j) * J.col(j).transpose();
+    return A;
+  }
+}
+
+/// A b.
+template <std::size_t N>
+Column<N> times(const Square<N>& A, const Column<N>& b) noexcept UNDERACT_REAL_TIME {
+  if constexpr (N < kInBlocks) {
+    return A * b;
+  } else {
+    Column<N> sum = Column<N>::Zero();
+    for (Eigen::Index j = 0; j < A.cols(); ++j) sum += b[j] * A.col(j);
+    return sum;
+  }
+}
+
+template <std::size_t... I>
+std::array<Pose, sizeof...(I)> homesOf(std::index_sequence<I...>) noexcept UNDERACT_REAL_TIME {
   const Pose home = Pose::Identity();
-  std::array<Pose, kJoints> links{home, home, home, home, home, home};
+  return {((void)I, home)...};
+}
+
+/// The inertia of the links in the joints.
+template <std::size_t N>
+Square<N> inertiaOf(const arm::GeneralArm& arm, const arm::JointAngles& q) noexcept UNDERACT_REAL_TIME {
+  const std::size_t count = std::min(N, arm.chain.joints.size());
+  std::array<Pose, N> links = homesOf(std::make_index_sequence<N>());
   chain::forward(arm.chain, q, links);
-  Square M = Square::Zero();
+  Square<N> M = Square<N>::Zero();
   for (std::size_t link = 0; link < std::min(count, arm.masses.size()); ++link) {
     const arm::LinkMass& mass = arm.masses[link];
     const Mat3 R = links[link].linear();
     const Vec3 p_WC = links[link] * mass.p_WC;
-    Rows v = Rows::Zero(), w = Rows::Zero();
+    Rows<N> v = Rows<N>::Zero(), w = Rows<N>::Zero();
     for (std::size_t joint = 0; joint <= link; ++joint) {
       const chain::Joint& one = arm.chain.joints[joint];
       const Vec3 axis_W = links[joint].linear() * one.axis_W;  // a joint's own motion leaves its axis where it is
@@ -67,113 +136,120 @@ Square inertiaOf(const arm::GeneralArm& arm, const arm::JointAngles& q) noexcept
         w.col(column) = axis_W;
       }
     }
-    M += mass.mass_kg * v.transpose() * v + w.transpose() * (R * mass.inertia_W_kg_m2 * R.transpose()) * w;
+    M += squareOf<N>(mass.mass_kg, v) + squareWith<N>(R * mass.inertia_W_kg_m2 * R.transpose(), w);
   }
   return M;
 }
 
 /// What does not change within a period.
+template <std::size_t N>
 struct Period {
-  Square M = Square::Zero();  // of arm and hand
-  Square D = Square::Zero();  // of the joints
+  Square<N> M = Square<N>::Zero();  // of arm and hand
+  Square<N> D = Square<N>::Zero();  // of the joints
 };
 
 bool weighsLinks(const Plant& plant) noexcept UNDERACT_REAL_TIME {
   return plant.model.of_links && !plant.arm.geometry.general->masses.empty();
 }
 
-Period periodOf(const Plant& plant, const PlantState& state) noexcept UNDERACT_REAL_TIME {
+template <std::size_t N>
+Period<N> periodOf(const Plant& plant, const PlantState& state) noexcept UNDERACT_REAL_TIME {
   const arm::GeneralArm& arm = *plant.arm.geometry.general;
-  const Moving at = movingAt(arm, state.q_rad);
-  Period period;
+  const Moving<N> at = movingAt<N>(arm, state.q_rad);
+  Period<N> period;
   if (weighsLinks(plant)) {
-    period.M = inertiaOf(arm, state.q_rad);
+    period.M = inertiaOf<N>(arm, state.q_rad);
     period.D = (kDampingRate_1_per_s * period.M.diagonal()).asDiagonal();
   } else {
-    period.M = plant.model.mass_kg * at.J_v.transpose() * at.J_v;
+    period.M = squareOf<N>(plant.model.mass_kg, at.J_v);
   }
-  period.M += plant.hand.mass_kg * at.J_v.transpose() * at.J_v;
+  period.M += squareOf<N>(plant.hand.mass_kg, at.J_v);
   const double reach_m = chain::reachOf(arm.chain);
-  for (std::size_t joint = 0; joint < kJoints; ++joint) {
+  for (std::size_t joint = 0; joint < N; ++joint) {
     const bool turns = joint >= arm.chain.joints.size() || arm.chain.joints[joint].type == chain::JointType::Revolute;
     const auto i = static_cast<Eigen::Index>(joint);
     period.M(i, i) += kArmature_kg * (turns ? std::max(1e-4, reach_m * reach_m) : 1.0);
   }
-  period.D += plant.model.damping_N_s_per_m * at.J_v.transpose() * at.J_v;
+  period.D += squareOf<N>(plant.model.damping_N_s_per_m, at.J_v);
   return period;
 }
 
 /// A^-1 b, A symmetric; 0 where rounding leaves A no positive pivot.
-Column solved(const Square& A, const Column& b) noexcept UNDERACT_REAL_TIME {
-  SymmetricSystem<kJoints> system;
-  system.size = kJoints;
-  for (std::size_t i = 0; i < kJoints; ++i) {
+template <std::size_t N>
+Column<N> solved(const Square<N>& A, const Column<N>& b) noexcept UNDERACT_REAL_TIME {
+  SymmetricSystem<N> system;
+  system.size = N;
+  for (std::size_t i = 0; i < N; ++i) {
     system.b[i] = b[static_cast<Eigen::Index>(i)];
     for (std::size_t j = 0; j <= i; ++j) system.a[i][j] = A(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
   }
-  if (!solveInPlace(system)) return Column::Zero();
-  return Eigen::Map<const Column>(system.b.data());
+  if (!solveInPlace(system)) return Column<N>::Zero();
+  return Eigen::Map<const Column<N>>(system.b.data());
 }
 
 /// The joints' rates at the end of a substep.
-Column ratesAfter(const Plant& plant, const Period& period, const Moving& at, const Column& tau,
-                  const HandSetpoint& wish, double dt_s, const arm::JointAngles& q,
-                  const Column& dq) noexcept UNDERACT_REAL_TIME {
+template <std::size_t N>
+Column<N> ratesAfter(const Plant& plant, const Period<N>& period, const Moving<N>& at, const Column<N>& tau,
+                     const HandSetpoint& wish, double dt_s, const arm::JointAngles& q,
+                     const Column<N>& dq) noexcept UNDERACT_REAL_TIME {
   if (wish.posture) {
-    const Square A = (1.0 + 2.0 * dt_s * kLead_rad_per_s + dt_s * dt_s * kLead_rad_per_s * kLead_rad_per_s) * period.M +
-                     dt_s * period.D;
-    const Column way = Eigen::Map<const Column>(wish.posture->data()) - Eigen::Map<const Column>(q.data());
-    return solved(A, period.M * (dq + dt_s * kLead_rad_per_s * kLead_rad_per_s * way) + dt_s * tau);
+    const Square<N> A =
+        (1.0 + 2.0 * dt_s * kLead_rad_per_s + dt_s * dt_s * kLead_rad_per_s * kLead_rad_per_s) * period.M +
+        dt_s * period.D;
+    const Column<N> way = Eigen::Map<const Column<N>>(wish.posture->data()) - Eigen::Map<const Column<N>>(q.data());
+    return solved<N>(A, times<N>(period.M, dq + dt_s * kLead_rad_per_s * kLead_rad_per_s * way) + dt_s * tau);
   }
   const HandModel& hand = plant.hand;
   const double speed_m_per_s = (at.J_v * dq).norm();
   const double b = hand.damping_N_s_per_m, k = wish.holds ? hand.stiffness_N_per_m : 0.0;
   const double against = b + plant.model.friction_N / (speed_m_per_s + kSoftSpeed_m_per_s);
   const double k_w = wish.turns ? kGrip_m * kGrip_m * hand.stiffness_N_per_m : 0.0, b_w = kGrip_m * kGrip_m * b;
-  const Square pushing = at.J_v.transpose() * at.J_v, turning = at.J_w.transpose() * at.J_w;
-  const Square A = period.M + dt_s * (period.D + (against + dt_s * k) * pushing + (b_w + dt_s * k_w) * turning);
+  const Square<N> pushing = squareOf<N>(1.0, at.J_v), turning = squareOf<N>(1.0, at.J_w);
+  const Square<N> A = period.M + dt_s * (period.D + (against + dt_s * k) * pushing + (b_w + dt_s * k_w) * turning);
   const Vec3 hand_N = k * (wish.p_WT - at.p_WT) + b * wish.v_WT;
-  Column right = period.M * dq + dt_s * (tau + at.J_v.transpose() * hand_N);
+  Column<N> right = times<N>(period.M, dq) + dt_s * (tau + at.J_v.transpose() * hand_N);
   if (wish.turns) right += (dt_s * k_w) * at.J_w.transpose() * rotationVector(wish.R_WT * at.R_WT.transpose());
-  return solved(A, right);
+  return solved<N>(A, right);
 }
 
-/// The torques of the motors for the force that they render.
-Column torquesOf(const arm::GeneralArm& arm, const Moving& at, const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME {
-  Column tau = at.J_v.transpose() * f_T_W;
-  for (std::size_t joint = 0; joint < kJoints; ++joint) {
+/// The torques of the motors for what they render.
+template <std::size_t N>
+Column<N> torquesOf(const arm::GeneralArm& arm, const Moving<N>& at, const Pushed& pushed) noexcept UNDERACT_REAL_TIME {
+  Column<N> tau = at.J_v.transpose() * pushed.f_T_W;
+  if (pushed.m_T_W != Vec3::Zero()) tau += at.J_w.transpose() * pushed.m_T_W;
+  for (std::size_t joint = 0; joint < N; ++joint) {
     if (!arm.driven[joint]) tau[static_cast<Eigen::Index>(joint)] = 0.0;
   }
   return tau;
 }
 
 /// One substep's motion, and the stops: a joint there keeps no speed towards its stop.
-void move(const Plant& plant, double dt_s, Column& dq, arm::JointAngles& q) noexcept UNDERACT_REAL_TIME {
+template <std::size_t N>
+void move(const Plant& plant, double dt_s, Column<N>& dq, arm::JointAngles& q) noexcept UNDERACT_REAL_TIME {
   arm::JointAngles meant = q;
-  for (std::size_t joint = 0; joint < kJoints; ++joint) meant[joint] += dt_s * dq[static_cast<Eigen::Index>(joint)];
+  for (std::size_t joint = 0; joint < N; ++joint) meant[joint] += dt_s * dq[static_cast<Eigen::Index>(joint)];
   q = arm::withinLimits(plant.arm.limits, meant);
-  for (std::size_t joint = 0; joint < kJoints; ++joint) {
+  for (std::size_t joint = 0; joint < N; ++joint) {
     if (q[joint] != meant[joint]) dq[static_cast<Eigen::Index>(joint)] = 0.0;
   }
 }
 
-}  // namespace
-
-PlantState restingJoints(const Plant& plant, const Vec3* p_WT) noexcept {
+template <std::size_t N>
+PlantState restAt(const Plant& plant, const Vec3* p_WT) noexcept UNDERACT_REAL_TIME {
   const arm::GeneralArm& arm = *plant.arm.geometry.general;
   PlantState state;
   state.q_rad = arm::withinLimits(plant.arm.limits, arm.rest);
-  state.p_WT = movingAt(arm, state.q_rad).p_WT;
+  state.p_WT = movingAt<N>(arm, state.q_rad).p_WT;
   if (p_WT == nullptr || !(p_WT->allFinite())) return state;
   arm::JointAngles q = state.q_rad;
   for (int step = 0; step < kSearch; ++step) {
-    const Moving at = movingAt(arm, q);
+    const Moving<N> at = movingAt<N>(arm, q);
     const Vec3 way_W = *p_WT - at.p_WT;
     if (way_W.norm() < (state.p_WT - *p_WT).norm()) state.q_rad = q, state.p_WT = at.p_WT;
     if (way_W.norm() < kFound_m) break;
     SymmetricSystem<3> system;
     system.size = 3;
-    const Mat3 square = at.J_v * at.J_v.transpose() + kDamping_m2 * Mat3::Identity();
+    const Mat3 square = acrossOf<N>(at.J_v) + kDamping_m2 * Mat3::Identity();
     const Vec3 capped_W = way_W * std::min(1.0, 0.1 / way_W.norm());
     for (std::size_t i = 0; i < 3; ++i) {
       system.b[i] = capped_W[static_cast<Eigen::Index>(i)];
@@ -181,38 +257,56 @@ PlantState restingJoints(const Plant& plant, const Vec3* p_WT) noexcept {
         system.a[i][j] = square(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
     }
     if (!solveInPlace(system)) break;
-    const Column dq = at.J_v.transpose() * Vec3(system.b[0], system.b[1], system.b[2]);
-    for (std::size_t joint = 0; joint < kJoints; ++joint) q[joint] += dq[static_cast<Eigen::Index>(joint)];
+    const Column<N> dq = at.J_v.transpose() * Vec3(system.b[0], system.b[1], system.b[2]);
+    for (std::size_t joint = 0; joint < N; ++joint) q[joint] += dq[static_cast<Eigen::Index>(joint)];
     q = arm::withinLimits(plant.arm.limits, q);
   }
   return state;
 }
 
-PlantState advanceJoints(const Plant& plant, PlantState state, const Vec3& f_T_W, const HandSetpoint& setpoint,
-                         std::int64_t period_ns) noexcept {
+template <std::size_t N>
+PlantState advanceBy(const Plant& plant, PlantState state, const Pushed& pushed, const HandSetpoint& setpoint,
+                     std::int64_t period_ns) noexcept UNDERACT_REAL_TIME {
   const arm::GeneralArm& arm = *plant.arm.geometry.general;
   const PlantState before = state;
-  const Period period = periodOf(plant, state);
-  Column dq = Eigen::Map<const Column>(state.dq.data());
+  const Period<N> period = periodOf<N>(plant, state);
+  Column<N> dq = Eigen::Map<const Column<N>>(state.dq.data());
   HandSetpoint wish = setpoint;
   for (std::int64_t left_ns = period_ns; left_ns > 0;) {
     const std::int64_t step_ns = std::min(left_ns, plant.integration.substep_ns);
     left_ns -= step_ns;
     const double dt_s = kSecondPerNanosecond * static_cast<double>(step_ns);
     wish.p_WT = setpoint.p_WT - (kSecondPerNanosecond * static_cast<double>(left_ns)) * setpoint.v_WT;
-    const Moving at = movingAt(arm, state.q_rad);
-    dq = ratesAfter(plant, period, at, torquesOf(arm, at, f_T_W), wish, dt_s, state.q_rad, dq);
-    move(plant, dt_s, dq, state.q_rad);
+    const Moving<N> at = movingAt<N>(arm, state.q_rad);
+    dq = ratesAfter<N>(plant, period, at, torquesOf<N>(arm, at, pushed), wish, dt_s, state.q_rad, dq);
+    move<N>(plant, dt_s, dq, state.q_rad);
   }
-  const Moving at = movingAt(arm, state.q_rad);
+  const Moving<N> at = movingAt<N>(arm, state.q_rad);
   state.p_WT = at.p_WT;
   state.v_WT = at.J_v * dq;
-  std::copy_n(dq.data(), kJoints, state.dq.begin());
+  std::copy_n(dq.data(), N, state.dq.begin());
   if (dq.allFinite() && at.p_WT.allFinite() && state.v_WT.allFinite()) return state;
   state = before;  // an overflow
   state.v_WT.setZero();
   state.dq = {};
   return state;
+}
+
+/// Whether six joints are enough for it.
+bool hasUpToSix(const Plant& plant) noexcept UNDERACT_REAL_TIME {
+  return plant.arm.geometry.general->chain.joints.size() <= 6;
+}
+
+}  // namespace
+
+PlantState restingJoints(const Plant& plant, const Vec3* p_WT) noexcept {
+  return hasUpToSix(plant) ? restAt<6>(plant, p_WT) : restAt<arm::kMostJoints>(plant, p_WT);
+}
+
+PlantState advanceJoints(const Plant& plant, PlantState state, const Pushed& pushed, const HandSetpoint& setpoint,
+                         std::int64_t period_ns) noexcept {
+  return hasUpToSix(plant) ? advanceBy<6>(plant, state, pushed, setpoint, period_ns)
+                           : advanceBy<arm::kMostJoints>(plant, state, pushed, setpoint, period_ns);
 }
 
 }  // namespace underact::sim

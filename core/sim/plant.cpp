@@ -139,7 +139,7 @@ PlantState restingState(const Plant& plant, const Vec3& p_WT) noexcept {
 }
 
 PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, const HandSetpoint& setpoint,
-                   std::int64_t period_ns) noexcept {
+                   std::int64_t period_ns, const Vec3& m_T_W) noexcept {
   const PlantState before = state;
   const bool knows_where = isFinite(setpoint.p_WT) && isFinite(setpoint.v_WT);
   const Vec3 p_WEnd = knows_where ? setpoint.p_WT : state.p_WT;
@@ -147,8 +147,9 @@ PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, cons
   const Vec3 force_N = isFinite(f_T_W) ? f_T_W : Vec3::Zero();
   if (!arm::isOmniForm(plant.arm)) {
     const bool turns = setpoint.turns && isFinite(setpoint.R_WT);
-    return advanceJoints(plant, state, force_N, {p_WEnd, v_WH, setpoint.R_WT, turns, setpoint.holds, setpoint.posture},
-                         period_ns);
+    const Vec3 moment_N_m = isFinite(m_T_W) ? m_T_W : Vec3::Zero();
+    return advanceJoints(plant, state, {force_N, moment_N_m},
+                         {p_WEnd, v_WH, setpoint.R_WT, turns, setpoint.holds, setpoint.posture}, period_ns);
   }
   const Pull pull{plant.model.mass_kg + plant.hand.mass_kg, plant.model.damping_N_s_per_m, plant.hand.damping_N_s_per_m,
                   setpoint.holds ? plant.hand.stiffness_N_per_m : 0.0, plant.model.friction_N};
@@ -173,7 +174,7 @@ PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, cons
 
 arm::JointAngles quantized(const arm::EncoderCounts& counts_per_turn, const arm::JointAngles& q_rad) noexcept {
   arm::JointAngles device_rad = arm::deviceFromDh(q_rad);
-  for (std::size_t joint = 0; joint < device_rad.size(); ++joint) {
+  for (std::size_t joint = 0; joint < arm::firstSix(device_rad).size(); ++joint) {
     const double step_rad = 2.0 * kPi / counts_per_turn[joint];
     device_rad[joint] = step_rad * std::round(device_rad[joint] / step_rad);
   }

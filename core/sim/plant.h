@@ -36,7 +36,8 @@ PlantState restingState(const Plant& plant, const Vec3& p_WT) noexcept;
 /// At rest where the arm is when nobody has moved it: the Omni's tip 60 mm before the middle of the workspace.
 PlantState restingState(const Plant& plant) noexcept;
 
-/// The state after period_ns under the arm's force f_T_W (held over the period) and the hand's wish, in substeps as
+/// The state after period_ns under the arm's force f_T_W and, of an arm that renders one, its moment m_T_W (both held
+/// over the period) and the hand's wish, in substeps as
 /// plant.integration says; with the mean velocity a force is neither early nor late. The dampers, the hand's spring and
 /// the Coulomb friction are implicit, so that sticking does not chatter at any step size. wish: at the end of the
 /// period; until then it moves uniformly at its v_WT. Where the reach or a joint limit stops the motion, the tip stays
@@ -45,7 +46,7 @@ PlantState restingState(const Plant& plant) noexcept;
 /// 64 ulp of all impulses otherwise. An arm that is not of the Omni's form moves in its joints (joint_plant.h). Finite
 /// in, finite out; deterministic to the bit. Cost: linear in period_ns.
 PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, const HandSetpoint& setpoint,
-                   std::int64_t period_ns) noexcept UNDERACT_REAL_TIME;
+                   std::int64_t period_ns, const Vec3& m_T_W = Vec3::Zero()) noexcept UNDERACT_REAL_TIME;
 
 /// The joints as the encoders show them: steps of turret, thigh and shin, and of the gimbal.
 arm::JointAngles quantized(const arm::EncoderCounts& counts_per_turn,

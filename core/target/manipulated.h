@@ -9,7 +9,7 @@ struct Robot {
   std::size_t joints = 0;           // 0: the constraint is none
   manipulator::Values theta{};      // rad or m
   Vec3 n_W = Vec3::Zero();          // z of its tip V
-  Vec3 moment_W = Vec3::Zero();     // the moment of the force, N m; never sent
+  Vec3 moment_W = Vec3::Zero();     // the moment of the force, N m; few arms render it
   Vec3 f_along_T_W = Vec3::Zero();  // the thesis's law: what it adds to the control's force
   double energy_J = 0.0;
   double left = 0.0;  // see manipulator::Followed

@@ -79,6 +79,14 @@ Vec3 sumForces(const TickProgram& program, const control::LawInput& moment, cons
   return sum_T_W;
 }
 
+Vec3 sumMoments(const ConstraintReports& held) noexcept {
+  Vec3 sum_T_W = Vec3::Zero();
+  for (const ConstraintReport& one : held) {
+    if (one.acts && one.status == target::Status::Unique && one.robot.joints > 0) sum_T_W += one.robot.moment_W;
+  }
+  return sum_T_W;
+}
+
 void smoothForce(const control::LawInput& moment, TickState& state, Vec3& f_T_W) noexcept {
   if (moment.idle) {
     state.bump_T_W.setZero();

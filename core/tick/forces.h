@@ -12,6 +12,9 @@ namespace underact::tick {
 Vec3 sumForces(const TickProgram& program, const control::LawInput& moment, const Vec3& displacement_T_W,
                TickState& state, TickReport& report) noexcept UNDERACT_REAL_TIME;
 
+/// The moment of all virtual robots that act.
+Vec3 sumMoments(const ConstraintReports& held) noexcept UNDERACT_REAL_TIME;
+
 /// Removes the step in the force after a change of gains or targets: the difference is added and fades out.
 void smoothForce(const control::LawInput& moment, TickState& state, Vec3& f_T_W) noexcept UNDERACT_REAL_TIME;
 

@@ -29,30 +29,35 @@ namespace {
 
 /// The same of an arm that is not of the Omni's form.
 void computeGeneral(const TickProgram& program, const arm::GeneralArm& arm, const arm::JointAngles& q_rad,
-                    TickReport& report, safety::Motion& motion) noexcept UNDERACT_REAL_TIME {
+                    TickReport& report, safety::Driven& driven, safety::Motion& motion) noexcept UNDERACT_REAL_TIME {
   const chain::Kinematics at = chain::kinematics(arm.chain, q_rad);
   report.p_WT = at.X_WT.translation();
   if (program.needs.orientation) {
     report.R_WT = at.X_WT.linear();
     report.stylus_W = at.X_WT.linear().col(2);
   }
-  motion.J_p = arm::watchedColumns(arm, at.J);
-  motion.renders_all = false;
-  motion.renders = arm::renderable(arm, at.J);
-}
-
-void computeRoom(const TickProgram& program, std::size_t joint, double q_rad, double scale, Eigen::Index axis,
-                 safety::Motion& motion) noexcept UNDERACT_REAL_TIME {
-  motion.room_below_rad[axis] = scale * (q_rad - program.joint_limits.min_rad[joint]);
-  motion.room_above_rad[axis] = scale * (program.joint_limits.max_rad[joint] - q_rad);
+  driven.count = program.watched.count;
+  driven.turns = program.needs.moment;
+  driven.renders = arm::renderable(arm, at.J);
+  if (driven.turns) driven.renders_wrench = arm::renderableWrench(at.J, safety::kMomentArm_m);
+  for (std::size_t i = 0; i < driven.count; ++i) {
+    const std::size_t joint = program.watched.joint[i];
+    const auto column = at.J.col(static_cast<Eigen::Index>(joint));
+    driven.J_v[i] = column.head<3>();
+    driven.J_w[i] = column.tail<3>();
+    const double scale = arm.chain.joints[joint].type == chain::JointType::Prismatic ? kSlide_rad_per_m : 1.0;
+    driven.room_below_rad[i] = scale * (q_rad[joint] - program.joint_limits.min_rad[joint]);
+    driven.room_above_rad[i] = scale * (program.joint_limits.max_rad[joint] - q_rad[joint]);
+  }
+  motion.driven = &driven;
 }
 
 }  // namespace
 
 void computeKinematics(const TickProgram& program, const arm::JointAngles& q_rad, TickReport& report,
-                       safety::Motion& motion) noexcept {
+                       safety::Driven& driven, safety::Motion& motion) noexcept {
   if (program.geometry.general != nullptr) {
-    computeGeneral(program, *program.geometry.general, q_rad, report, motion);
+    computeGeneral(program, *program.geometry.general, q_rad, report, driven, motion);
     return;
   }
   if (!program.needs.orientation) {
@@ -76,18 +81,12 @@ void computeMotion(const TickProgram& program, const arm::JointAngles& q_rad, co
                    const Vec3& p_WT, safety::Motion& motion) noexcept {
   if (dt_s > 0.0) motion.v_WT = (p_WT - before.p_WT) / dt_s;
   motion.moved = !(dt_s > 0.0) || q_rad != before.q_rad;
-  if (program.geometry.general != nullptr) {
-    const arm::GeneralArm& arm = *program.geometry.general;
-    const arm::Watched watched = arm::watchedJoints(arm);
-    for (std::size_t i = 0; i < watched.count; ++i) {
-      const std::size_t joint = watched.joint[i];
-      const bool slides = arm.chain.joints[joint].type == chain::JointType::Prismatic;
-      computeRoom(program, joint, q_rad[joint], slides ? kSlide_rad_per_m : 1.0, static_cast<Eigen::Index>(i), motion);
-    }
-    return;
+  if (program.geometry.general != nullptr) return;  // known already
+  for (std::size_t joint = 0; joint < 3; ++joint) {
+    const auto axis = static_cast<Eigen::Index>(joint);
+    motion.room_below_rad[axis] = q_rad[joint] - program.joint_limits.min_rad[joint];
+    motion.room_above_rad[axis] = program.joint_limits.max_rad[joint] - q_rad[joint];
   }
-  for (std::size_t joint = 0; joint < 3; ++joint)
-    computeRoom(program, joint, q_rad[joint], 1.0, static_cast<Eigen::Index>(joint), motion);
 }
 
 }  // namespace underact::tick

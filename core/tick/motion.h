@@ -25,9 +25,10 @@ struct GateTime {
 GateTime gateTimeOf(const TickInput& input, const TickState& before, double by_arm_s,
                     double law_dt_s) noexcept UNDERACT_REAL_TIME;
 
-/// Computes the position of the tip, and the direction of the stylus where a target needs it.
+/// Computes the position of the tip, what the motors of an arm that is not of the Omni's form render there (into
+/// driven), and the direction of the stylus where a target needs it.
 void computeKinematics(const TickProgram& program, const arm::JointAngles& q_rad, TickReport& report,
-                       safety::Motion& motion) noexcept UNDERACT_REAL_TIME;
+                       safety::Driven& driven, safety::Motion& motion) noexcept UNDERACT_REAL_TIME;
 
 /// Computes the motion of the arm since the last sample, and the distance of its driven joints from their stops. dt_s:
 /// 0 where there is no last sample.

@@ -22,6 +22,12 @@ TickProgram makeProgram(const arm::Geometry& geometry, std::vector<Entry> entrie
     program.needs.joints |= entry.space == Space::Joint;
   }
   program.needs.motors = limits.edge_rad > 0.0 || (limits.thermal.continuous_N_m.array() > 0.0).any();
+  program.needs.more_joints = arm::jointsOf(geometry) > 6;
+  if (geometry.general != nullptr) {
+    program.watched = arm::watchedJoints(*geometry.general);
+    program.needs.moment = program.needs.robots && geometry.general->renders_moment;
+    program.needs.more_motors = program.watched.count > 3;
+  }
   program.needs.choice = combine == Combine::Nearest && program.entries.size() > 1;
   return program;
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/arm/general_arm.h"
 #include "core/arm/preset.h"
 #include "core/control/law.h"
 #include "core/control/passivity.h"
@@ -30,6 +31,9 @@ struct Needs {
   bool joints = false;       // the joint angles of the target, and J_p (space: joint)
   bool energy = false;       // the energy of each constraint (passivity)
   bool motors = false;       // J_p for the gate: the heat of the motors, and the joints' stops
+  bool more_joints = false;  // the arm has more than six
+  bool moment = false;       // of virtual robots, on an arm whose motors render it
+  bool more_motors = false;  // the heat of more than three, and the moment
 };
 
 /// The space of a law. Cartesian: force from the error, N from m. Joint: torques of joints 1 to 3 from their errors, N
@@ -52,6 +56,7 @@ struct TickProgram {
   std::vector<Entry> entries;  // 1 to kMaxConstraints
   Combine combine = Combine::Sum;
   safety::Limits limits;
+  arm::Watched watched = {};  // of an arm that is not of the Omni's form
 };
 
 /// entries: 1 to kMaxConstraints. The needs follow from the entries.

@@ -52,11 +52,13 @@ class ConstraintReports {
 /// All results of a tick, for view, plots and recorder.
 struct TickReport {
   arm::Sample sample;
+  int joints = 6;                // of the arm, if it has more than six; their values: sample
   Vec3 p_WT = Vec3::Zero();      // the tip
   Mat3 R_WT = Mat3::Identity();  // its orientation; the identity where the program does not need it
   Vec3 stylus_W = Vec3::Zero();  // its direction, z of frame 6; zero where the program does not need it
   ConstraintReports held;        // in the order of the scene
   Vec3 f_T_W = Vec3::Zero();     // asked, before the gate
+  Vec3 m_T_W = Vec3::Zero();     // asked beside it, about the tip, N m; only of an arm whose motors render a moment
   safety::GatedForce force;      // sent
   double level = 0.0;            // share that the ramps let through
   safety::Cuts cuts;             // which limits act

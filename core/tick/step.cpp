@@ -24,12 +24,14 @@ Fault judge(const TickInput& input, const TickState& state, double dt_s) noexcep
 }
 
 /// Resets the report to that of a tick without results.
-void begin(const arm::Sample& sample, TickReport& report) noexcept UNDERACT_REAL_TIME {
+void begin(const TickProgram& program, const arm::Sample& sample, TickReport& report) noexcept UNDERACT_REAL_TIME {
   report.sample = sample;
+  report.joints = program.needs.more_joints ? static_cast<int>(arm::jointsOf(program.geometry)) : 6;
   report.held.resize(0);
   report.R_WT.setIdentity();
   report.stylus_W.setZero();
   report.f_T_W.setZero();
+  report.m_T_W.setZero();
   report.branch_changes = 0;
   report.out_of_reach = false;
   report.damping_m = 0.0;
@@ -100,10 +102,11 @@ void step(const TickProgram& program, const TickInput& input, TickState& state, 
   const double law_dt_s = is_good && dt_s <= kLongestTick_s ? dt_s : 0.0;
   const GateTime time = gateTimeOf(input, state, dt_s, law_dt_s);
   safety::Motion motion;
-  begin(input.sample, report);
+  safety::Driven driven;  // of an arm that is not of the Omni's form
+  begin(program, input.sample, report);
   if (is_good) {
     if (dt_s > kLongestTick_s) reset(state);
-    computeKinematics(program, input.sample.q_rad, report, motion);  // the targets depend on it
+    computeKinematics(program, input.sample.q_rad, report, driven, motion);  // the targets depend on it
     computeMotion(program, input.sample.q_rad, state, time.way_s, report.p_WT, motion);
     findTargets(program, law_dt_s, state, report);
     if (program.needs.choice) keepNearest(report.held);
@@ -111,11 +114,13 @@ void step(const TickProgram& program, const TickInput& input, TickState& state, 
     const control::LawInput moment{law_dt_s, state.limited, isIdle(input, state.gate)};
     report.f_T_W = sumForces(program, moment, displacement_T_W, state, report);
     smoothForce(moment, state, report.f_T_W);
+    if (program.needs.moment) report.m_T_W = sumMoments(report.held);
     if (input.push_T_W != Vec3::Zero()) report.f_T_W += input.push_T_W;  // it is no step of a law, and not smoothed
     remember(report, state);
   }
   report.p_WT = state.p_WT;
-  const safety::GateInput asked{report.f_T_W, input.engage, input.restart, fault, input.late, motion, time.waited_s};
+  const safety::GateInput asked{report.f_T_W, input.engage, input.restart, fault,
+                                input.late,   motion,       time.waited_s, report.m_T_W};
   const safety::Gated gated = safety::gate(program.limits, state.gate, asked, time.dt_s);
   state.gate = gated.next;
   tell(gated, report);

@@ -929,6 +929,10 @@ Grenze: %4 (%5).</translation>
         <translation>Nr. </translation>
     </message>
     <message>
+        <source>moment, sent</source>
+        <translation>Moment, gesendet</translation>
+    </message>
+    <message>
         <source>moment, not sent</source>
         <translation>Moment, nicht gesendet</translation>
     </message>
@@ -3408,6 +3412,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Dies muss über 0 liegen.</translation>
     </message>
     <message>
+        <source>This must be 0 or above.</source>
+        <translation>Dieser Wert muss 0 oder größer sein.</translation>
+    </message>
+    <message>
         <source>a list of numbers, one for each joint</source>
         <translation>eine Liste von Zahlen, eine je Gelenk</translation>
     </message>
@@ -3454,6 +3462,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>Joint %1 has limits on the magnitude of its angle, which URDF cannot express.</source>
         <translation>Gelenk %1 hat Grenzen für den Betrag seines Winkels; das lässt sich in URDF nicht angeben.</translation>
+    </message>
+    <message>
+        <source>A capsule is none of the forms of URDF.</source>
+        <translation>URDF kennt keine Kapsel.</translation>
     </message>
     <message>
         <source>A length must lie within 1e6 mm (1 km).</source>
@@ -3512,12 +3524,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Ruhelage steht schon in „%1“.</translation>
     </message>
     <message>
-        <source>the mass of a link</source>
-        <translation>die Masse eines Glieds</translation>
+        <source>A revolute joint has a torque: "%1".</source>
+        <translation>Ein Drehgelenk hat ein Drehmoment: &quot;%1&quot;.</translation>
     </message>
     <message>
-        <source>This must be 0 or above.</source>
-        <translation>Dieser Wert muss 0 oder größer sein.</translation>
+        <source>A prismatic joint has a force: "%1".</source>
+        <translation>Ein Schubgelenk hat eine Kraft: &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>the mass of a link</source>
+        <translation>die Masse eines Glieds</translation>
     </message>
     <message>
         <source>This must be six numbers: xx, yy, zz, xy, xz and yz.</source>
@@ -3584,12 +3600,28 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Der Arm einer Szene mit der Geometrie aus Tabelle 3.1 der Thesis ist ein haptisches Gerät und braucht hier %1 und %2: %3.</translation>
     </message>
     <message>
-        <source>The arm of a scene can have up to six joints; this one has %1.</source>
-        <translation>Der Arm einer Szene kann bis zu sechs Gelenke haben; dieser hat %1.</translation>
-    </message>
-    <message>
         <source>Joint %1 is not sensed, so that the position of the tip would be unknown: the arm of a scene needs each of its joints sensed.</source>
         <translation>Gelenk %1 wird nicht gemessen, die Lage der Spitze wäre also unbekannt: Beim Arm einer Szene muss jedes Gelenk gemessen werden.</translation>
+    </message>
+    <message>
+        <source>Each length must be above 0.</source>
+        <translation>Jede Länge muss über 0 liegen.</translation>
+    </message>
+    <message>
+        <source>This must be a whole number from 0, the base, to %1, the last link.</source>
+        <translation>Das muss eine ganze Zahl von 0, der Basis, bis %1, dem letzten Glied, sein.</translation>
+    </message>
+    <message>
+        <source>a list of solids, in { } each</source>
+        <translation>eine Liste von Körpern, jeder in { }</translation>
+    </message>
+    <message>
+        <source>An arm has at most %1 solids; this one has %2.</source>
+        <translation>Ein Arm hat höchstens %1 Körper; dieser hat %2.</translation>
+    </message>
+    <message>
+        <source>a solid</source>
+        <translation>ein Körper</translation>
     </message>
     <message>
         <source>The link %1 has two parents.</source>
@@ -3666,6 +3698,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>A length must lie within 1000 m.</source>
         <translation>Eine Länge darf höchstens 1000 m betragen.</translation>
+    </message>
+    <message>
+        <source>A length must be above 0 and at most 1000 m.</source>
+        <translation>Eine Länge muss über 0 liegen und darf höchstens 1000 m sein.</translation>
     </message>
     <message>
         <source>The element &lt;%1&gt; is missing; &lt;joint&gt; needs it.</source>
@@ -7650,6 +7686,46 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <source>$f = k_p (q - p)$, $q$ on the nearest face</source>
         <translation>$f = k_p (q - p)$, $q$ auf der nächsten Fläche</translation>
     </message>
+    <message>
+        <source>Panda at a wall</source>
+        <translation>Panda an einer Wand</translation>
+    </message>
+    <message>
+        <source>Seven joints for six numbers. The flange is pushed back by a wall 20 mm in front of it, as of a cupboard that one wipes. Simulated only.</source>
+        <translation>Sieben Gelenke für sechs Zahlen. Eine Wand 20 mm vor dem Flansch drückt ihn zurück, wie ein Schrank, den man abwischt. Nur simuliert.</translation>
+    </message>
+    <message>
+        <source>Nothing, then a wall that one can slide along. The arm follows with seven joints, of which one is to spare.</source>
+        <translation>Nichts, dann eine Wand, an der man entlanggleiten kann. Der Arm folgt mit sieben Gelenken, von denen eines übrig ist.</translation>
+    </message>
+    <message>
+        <source>Slide up and down the wall, and watch the elbow. Open Kinematics: no closed form, so underact-cli ik searches, and finds a whole family.</source>
+        <translation>Gleiten Sie an der Wand auf und ab und beobachten Sie den Ellbogen. Öffnen Sie Kinematik: keine geschlossene Form, daher sucht underact-cli ik und findet eine ganze Schar.</translation>
+    </message>
+    <message>
+        <source>$\tau = J_v^T f$: seven torques for three numbers of force</source>
+        <translation>$\tau = J_v^T f$: sieben Drehmomente für drei Zahlen der Kraft</translation>
+    </message>
+    <message>
+        <source>An iiwa holds its pose</source>
+        <translation>Ein iiwa hält seine Pose</translation>
+    </message>
+    <message>
+        <source>The flange is held to a pose: its place by a force, its orientation by a moment, which this arm can render because all its joints are driven. The elbow stays free. Simulated only.</source>
+        <translation>Der Flansch wird in einer Pose gehalten: sein Ort durch eine Kraft, seine Orientierung durch ein Moment, das dieser Arm ausüben kann, weil alle seine Gelenke angetrieben sind. Der Ellbogen bleibt frei. Nur simuliert.</translation>
+    </message>
+    <message>
+        <source>A spring against each displacement, and one against each turn. The moment is limited to 500 N mm.</source>
+        <translation>Eine Feder gegen jede Verschiebung und eine gegen jede Drehung. Das Moment ist auf 500 N mm begrenzt.</translation>
+    </message>
+    <message>
+        <source>Turn the tool with Ctrl and the arrow keys: the moment turns it back. Move joint 3 with its slider in the panel Kinematics, with the servo stopped: the elbow goes round, the flange stays near its pose.</source>
+        <translation>Drehen Sie das Werkzeug mit Strg und den Pfeiltasten: Das Moment dreht es zurück. Bewegen Sie bei gestopptem Servo Gelenk 3 mit seinem Schieberegler im Bereich Kinematik: Der Ellbogen wandert, der Flansch bleibt nahe an seiner Pose.</translation>
+    </message>
+    <message>
+        <source>$\tau = J_v^T f + J_\omega^T m$: seven torques for six numbers</source>
+        <translation>$\tau = J_v^T f + J_\omega^T m$: sieben Drehmomente für sechs Zahlen</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
@@ -9434,12 +9510,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>q1, q2 und q3 wie in der DH-Tabelle; beim Omni Drehturm, Oberschenkel und Unterschenkel, die angetrieben sind.</translation>
     </message>
     <message>
-        <source>Joints 4–6</source>
-        <translation>Gelenke 4–6</translation>
+        <source>Further joints</source>
+        <translation>Weitere Gelenke</translation>
     </message>
     <message>
-        <source>q4, q5 and q6 as in the DH table; of the Omni the gimbal, which is measured, not driven.</source>
-        <translation>q4, q5 und q6 wie in der DH-Tabelle; beim Omni der Kardan, der gemessen, aber nicht angetrieben wird.</translation>
+        <source>q4 and the joints after it, as in the DH table; of the Omni the gimbal, which is measured, not driven.</source>
+        <translation>q4 und die folgenden Gelenke wie in der DH-Tabelle; beim Omni der Kardan, der gemessen, aber nicht angetrieben wird.</translation>
     </message>
     <message>
         <source>Ramp</source>
@@ -14330,6 +14406,14 @@ und %2 weitere</translation>
     <message>
         <source>V = e·K e / 2 plus the energy of the joint springs, in this tick.</source>
         <translation>V = e·K e / 2 und die Energie der Gelenkfedern, in diesem Takt.</translation>
+    </message>
+    <message>
+        <source>Moment, sent</source>
+        <translation>Moment, gesendet</translation>
+    </message>
+    <message>
+        <source>m = Kθ e_o about the tip of the stylus. All joints of this arm are driven, so that it is rendered beside the force.</source>
+        <translation>m = Kθ e_o um die Spitze des Stifts. Alle Gelenke dieses Arms sind angetrieben, daher wird es neben der Kraft ausgeübt.</translation>
     </message>
     <message>
         <source>Moment, not sent</source>

@@ -72,6 +72,25 @@ class Csv(InFolder):
             ours[same], theirs[same], check_dtype=False, check_exact=True
         )
 
+    def test_has_the_joints_beyond_the_sixth_of_an_arm_that_has_them(self):
+        scene = str(ROOT / "scenes/38_panda_wall.json")
+        words = ["run", scene, "--hand", "sweep", "--seconds", "0.3", "--fast"]
+        for name in ("a.h5", "b.csv"):
+            subprocess.run(
+                [CLI, *words, "--record", self.folder / name], check=True, stdout=subprocess.DEVNULL
+            )
+        with Session(self.folder / "a.h5") as session:
+            self.assertEqual(session.more_joints().shape, (300, 2))
+            np.testing.assert_array_equal(session.frame()["q7_rad"], session.more_joints()[:, 0])
+            export.csv(session, self.folder / "a.csv")
+        ours, theirs = (pandas.read_csv(self.folder / name) for name in ("a.csv", "b.csv"))
+        self.assertEqual(list(ours.columns), list(theirs.columns))
+        np.testing.assert_array_equal(ours["q7_rad"], theirs["q7_rad"])
+        self.assertGreater(ours["q7_rad"].abs().min(), 0.1)
+        about = json.loads((self.folder / "a.csv-metadata.json").read_text())
+        self.assertEqual(about["url"], "a.csv")
+        self.assertEqual(about["tableSchema"]["columns"][-2]["name"], "q7_rad")
+
     def test_is_its_owners_alone(self):
         umask = os.umask(0)
         try:

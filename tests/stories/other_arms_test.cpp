@@ -29,7 +29,7 @@ QStringList shippedForOtherArms() {
 TEST(OtherArmsStory, EachSceneOpensFreeOfFaultsWithItsArmAtRest) {
   Story story("02_sphere");
   const QStringList names = shippedForOtherArms();
-  ASSERT_EQ(names.size(), 8);
+  ASSERT_EQ(names.size(), 10);
   for (const QString& name : names) {
     ASSERT_TRUE(story.perform("scene.open", shippedScene(name))) << name.toStdString();
     story.perform("session.start");
@@ -102,6 +102,42 @@ TEST(OtherArmsStory, TheKinematicsPanelHasAsManyRowsAsTheArmHasJoints) {
   EXPECT_TRUE(story.perform("joint.set", 3, 40.0));
   story.run(3000);
   EXPECT_NEAR(story.snapshot().report.sample.q_rad[2], 0.040, 1e-3);
+}
+
+TEST(OtherArmsStory, ASeventhJointIsShownAndMovedByItsSlider) {
+  Story story("38_panda_wall");
+  EXPECT_TRUE(story.perform("view.kinematics"));
+  story.settle();
+  story.run(500);
+  EXPECT_TRUE(story.find("panel.kinematics.joint.7")->isVisible());
+  EXPECT_FALSE(story.find("panel.kinematics.joint.8")->isVisible());
+  EXPECT_EQ(story.find<QLabel>("panel.kinematics.dh.7.3")->text(), "45.0") << "theta with the joint at rest";
+  story.perform("session.stop");
+  story.run(200);
+  EXPECT_TRUE(story.perform("joint.set", 7, -20.0));
+  EXPECT_FALSE(story.perform("joint.set", 8, 5.0));
+  story.run(4000);
+  EXPECT_NEAR(story.snapshot().report.sample.q_rad[6], -20.0 * kRadPerDegree, 0.01);
+  EXPECT_EQ(story.snapshot().report.joints, 7);
+}
+
+TEST(OtherArmsStory, AMomentIsSentByAnArmThatRendersItAndThePanelSaysSo) {
+  Story story("39_iiwa_pose");
+  EXPECT_TRUE(story.perform("dock.robot", true));
+  story.perform("session.start");
+  story.run(600);
+  device::SimulatedArm& arm = story.arm();
+  sim::HandSetpoint wish = arm.setpoint();
+  wish.turns = true;
+  wish.R_WT = Eigen::AngleAxisd(0.2, Vec3::UnitX()) *
+              arm::tipPose(arm::findPreset("iiwa7")->geometry, story.snapshot().report.sample.q_rad).linear();
+  arm.setSetpoint(wish);
+  story.run(3000);
+  EXPECT_GT(story.snapshot().report.force.m_T_W().norm(), 0.01);
+  EXPECT_LE(story.snapshot().report.force.m_T_W().norm(), 0.5 * (1.0 + 1e-12));
+  bool says = false;
+  for (const QLabel* label : story.window().findChildren<QLabel*>()) says |= label->text() == "Moment, sent";
+  EXPECT_TRUE(says);
 }
 
 }  // namespace underact::gui::test

@@ -11,10 +11,10 @@
 namespace underact::gui {
 namespace {
 
-/// Three joints, as far as there are so many: degrees, or mm.
-QString jointsText(const arm::JointAngles& q, const std::vector<bool>& slides, std::size_t first) {
+/// So many joints, as far as there are so many: degrees, or mm.
+QString jointsText(const arm::JointAngles& q, const std::vector<bool>& slides, std::size_t first, std::size_t count) {
   QStringList values;
-  for (std::size_t joint = first; joint < std::min(first + 3, slides.size()); ++joint) {
+  for (std::size_t joint = first; joint < std::min(first + count, slides.size()); ++joint) {
     values << (slides[joint] ? QObject::tr("%1 mm").arg(numberText(q[joint] * kMillimetrePerMetre, 1))
                              : QObject::tr("%1°").arg(numberText(q[joint] / kRadPerDegree, 1)));
   }
@@ -55,7 +55,8 @@ ArmPanel::ArmPanel(QWidget* parent) : Panel(parent), readout_(new Readout("panel
   first_joints_ = readout_->addRow(
       tr("Joints 1–3"), tr("q1, q2 and q3 as in the DH table; of the Omni turret, thigh and shin, which are driven."));
   last_joints_ = readout_->addRow(
-      tr("Joints 4–6"), tr("q4, q5 and q6 as in the DH table; of the Omni the gimbal, which is measured, not driven."));
+      tr("Further joints"),
+      tr("q4 and the joints after it, as in the DH table; of the Omni the gimbal, which is measured, not driven."));
   level_ =
       readout_->addRow(tr("Ramp"), tr("The share of the force that soft start and soft release pass on to the arm."));
   fault_ =
@@ -74,8 +75,8 @@ void ArmPanel::setArm(const arm::Model& model) {
 void ArmPanel::present(const servo::Snapshot& snapshot) {
   const tick::TickReport& report = snapshot.report;
   readout_->set(tip_, placeText(report.p_WT * kMillimetrePerMetre));
-  readout_->set(first_joints_, jointsText(report.sample.q_rad, slides_, 0));
-  readout_->set(last_joints_, jointsText(report.sample.q_rad, slides_, 3));
+  readout_->set(first_joints_, jointsText(report.sample.q_rad, slides_, 0, 3));
+  readout_->set(last_joints_, jointsText(report.sample.q_rad, slides_, 3, arm::kMostJoints));
   readout_->set(level_, tr("%1 %").arg(numberText(report.level * 100.0, 0)));
   readout_->set(fault_, faultText(report.fault.kind));
 }

@@ -14,7 +14,7 @@ namespace underact::gui {
 JointsSection::JointsSection(QWidget* parent)
     : Section("joints", tr("Joints"), tr("The joint angles q of the DH table, as measured by the encoders."), parent),
       note_(quietLabel("panel.kinematics.joints.note", {}, this)) {
-  for (int joint = 0; joint < 6; ++joint) {
+  for (int joint = 0; joint < static_cast<int>(rows_.size()); ++joint) {
     const auto index = static_cast<std::size_t>(joint);
     rows_[index] = new JointRow(joint, {}, {}, this);
     connect(rows_[index], &JointRow::asked, this, [this, joint](double angle_deg) { emit asked(joint, angle_deg); });

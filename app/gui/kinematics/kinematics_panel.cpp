@@ -69,7 +69,7 @@ void KinematicsPanel::addActions() {
       });
   parts_.actions.addCommand("joint.set", [this](const QVariantList& values) {
     const int joint = values.value(0).toInt() - 1;
-    return values.size() == 2 && joint >= 0 && joint < 6 && setJoint(joint, values[1].toDouble(), false);
+    return values.size() == 2 && joint >= 0 && setJoint(joint, values[1].toDouble(), false);
   });
   parts_.actions.addCommand("kinematics.hide_counts", [this](const QVariantList& on) {
     solutions_->hideCounts(on.value(0).toBool());
@@ -177,9 +177,9 @@ bool KinematicsPanel::setJoint(int joint, double angle_deg, bool relative) {
   const bool is_ours = setpoint_ && last.p_WT == setpoint_->p_WT && last.R_WT == setpoint_->R_WT && last.turns &&
                        last.posture == setpoint_->posture;
   arm::JointAngles q_rad = is_ours ? setpoint_rad_ : q_rad_;
-  double& moved_rad = q_rad[static_cast<std::size_t>(joint)];
   const auto index = static_cast<std::size_t>(joint);
   if (index >= model_.rows.size()) return false;
+  double& moved_rad = q_rad[index];
   const bool slides = model_.rows[index].type == chain::JointType::Prismatic;
   const double value = angle_deg * (slides ? kMetrePerMillimetre : kRadPerDegree);
   moved_rad = relative ? moved_rad + value : value;

@@ -33,8 +33,8 @@ class JointsSection : public Section {
   void stepped(int joint, double by_deg);
 
  private:
-  std::array<JointRow*, 6> rows_{};
-  std::array<double, 6> per_unit_{};  // rad in a degree, m in a mm
+  std::array<JointRow*, arm::kMostJoints> rows_{};
+  std::array<double, arm::kMostJoints> per_unit_{};  // rad in a degree, m in a mm
   QLabel* note_;
 };
 

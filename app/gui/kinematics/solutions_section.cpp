@@ -178,7 +178,8 @@ void SolutionsSection::showChosen() {
       text = tr("Solution %1 does not exist here: at a singularity, two solutions coincide.").arg(number);
     } else {
       QStringList angles;
-      for (const double angle_rad : found->q_rad) angles << numberText(angle_rad / kRadPerDegree, 1) + "°";
+      for (const double angle_rad : arm::firstSix(found->q_rad))
+        angles << numberText(angle_rad / kRadPerDegree, 1) + "°";
       text = QString("q = %1").arg(angles.join(", "));
       if (found->family != arm::Family::None) text += "; " + familyText(found->family);
     }

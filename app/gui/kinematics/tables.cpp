@@ -14,6 +14,7 @@
 namespace underact::gui {
 namespace {
 
+constexpr int kMostJoints = arm::kMostJoints;
 const QString kWideAngle = "−000.0", kWideLength = "−000.0", kWideGain = "−0.000";
 
 QString degrees(double angle_rad) {
@@ -44,7 +45,7 @@ DhSection::DhSection(QWidget* parent)
                               {tr("θ [°]"), kWideAngle},
                               {tr("d [mm]"), kWideLength}},
                              this)) {
-  for (int row = 1; row <= 6; ++row) {
+  for (int row = 1; row <= kMostJoints; ++row) {
     table_->addRow(
         QString("i = %1").arg(row),
         DhSection::tr("Twist α and length a of link %1, angle θ and offset d of joint %2.").arg(row - 1).arg(row));
@@ -53,11 +54,11 @@ DhSection::DhSection(QWidget* parent)
 }
 
 void DhSection::setArm(const arm::Model& model) {
-  table_->showOnly(static_cast<int>(std::min<std::size_t>(6, model.rows.size())), 4);
+  table_->showOnly(static_cast<int>(model.rows.size()), 4);
 }
 
 void DhSection::present(const KinematicsNow& now, const arm::Model& model) {
-  for (std::size_t index = 0; index < std::min<std::size_t>(6, model.rows.size()); ++index) {
+  for (std::size_t index = 0; index < model.rows.size(); ++index) {
     const chain::DhRow& row = model.rows[index];
     const bool slides = row.type == chain::JointType::Prismatic;
     const auto line = static_cast<int>(index);
@@ -110,7 +111,7 @@ JacobianSection::JacobianSection(QWidget* parent)
       only_position_(new QCheckBox(tr("&Position only, J_p (3 × 3)"), this)),
       tables_(new QStackedWidget(this)) {
   std::vector<NumberTable::Column> columns;
-  for (int joint = 1; joint <= 6; ++joint) columns.push_back({QString("q%1").arg(joint), kWideGain});
+  for (int joint = 1; joint <= kMostJoints; ++joint) columns.push_back({QString("q%1").arg(joint), kWideGain});
   whole_ = new NumberTable("panel.kinematics.jacobian.whole", columns, this);
   position_ = new NumberTable("panel.kinematics.jacobian.position", {columns.begin(), columns.begin() + 3}, this);
   for (const char axis : {'x', 'y', 'z'}) {
@@ -146,13 +147,13 @@ JacobianSection::JacobianSection(QWidget* parent)
 
 void JacobianSection::setArm(const arm::Preset& preset, const arm::Model& model) {
   const bool omni = arm::isOmniForm(preset);
-  whole_->showOnly(6, static_cast<int>(std::min<std::size_t>(6, model.rows.size())));
+  whole_->showOnly(6, static_cast<int>(model.rows.size()));
   only_position_->setVisible(omni);
   if (!omni) only_position_->setChecked(false);
 }
 
 void JacobianSection::present(const KinematicsNow& now) {
-  setAll(*whole_, now.kinematics.J);
+  setAll(*whole_, now.J);
   setAll(*position_, now.J_p);
   const arm::Dexterity& dexterity = now.dexterity;
   figures_->set(0, 0, tr("%1 m³").arg(numberText(dexterity.det_m3, 6)));

@@ -9,11 +9,13 @@ KinematicsNow kinematicsNow(const arm::Geometry& geometry, const arm::JointLimit
   KinematicsNow now;
   now.q_rad = q_rad;
   now.device_rad = arm::deviceFromDh(q_rad);
-  now.kinematics = arm::kinematics(geometry, q_rad);
+  const arm::Kinematics kinematics = arm::kinematics(geometry, q_rad);
+  now.X_WT = kinematics.X_WT;
+  now.J = kinematics.J;
   now.J_p = arm::positionJacobian(geometry, q_rad);
   now.dexterity = arm::dexterity(geometry, q_rad);
   now.distances = arm::singularityDistances(geometry, q_rad);
-  now.solutions = arm::solveAll(geometry, limits, now.kinematics.X_WT);
+  now.solutions = arm::solveAll(geometry, limits, now.X_WT);
   return now;
 }
 
@@ -21,11 +23,13 @@ KinematicsNow kinematicsNow(const arm::Preset& preset, const arm::Model& model, 
                             const arm::JointAngles& q) {
   KinematicsNow now;
   now.q_rad = q;
-  now.kinematics = arm::kinematics(preset.geometry, q);
+  const chain::Kinematics kinematics = chain::kinematics(model.chain, q);
+  now.X_WT = kinematics.X_WT;
+  now.J = kinematics.J;
   now.J_p = arm::positionJacobian(preset.geometry, q);
   now.dexterity = arm::dexterityOf(preset.geometry, q);
   now.distances = arm::singularityDistances(preset.geometry, q);
-  const chain::InverseSolutions found = chain::solveAll(inverse, now.kinematics.X_WT);
+  const chain::InverseSolutions found = chain::solveAll(inverse, now.X_WT);
   for (std::size_t index = 0; index < found.count; ++index) {
     const std::span<const double> values = std::span(found.all[index].q).first(model.rows.size());
     now.of_chain.push_back({{values.begin(), values.end()}, arm::isWithinLimits(model, values)});

@@ -18,7 +18,8 @@ struct ChainSolution {
 struct KinematicsNow {
   arm::JointAngles q_rad{};
   arm::JointAngles device_rad{};
-  arm::Kinematics kinematics;  // X_WT and the 6 x 6 Jacobian
+  Pose X_WT = Pose::Identity();
+  chain::Jacobian J;  // a column for each joint
   Mat3 J_p = Mat3::Zero();
   arm::Dexterity dexterity;
   arm::SingularityDistances distances;

@@ -39,7 +39,7 @@ QString text(std::string_view view) {
 const std::vector<PlotColumn>& plotColumns() {
   static const std::vector<PlotColumn> kAll = [] {
     std::vector<PlotColumn> all;
-    for (const record::CsvField& field : record::csvFields())
+    for (const record::CsvField& field : record::csvFields(true))
       all.push_back({text(field.name), text(field.unit), text(field.column->meaning)});
     for (const char* const name : kBesides) {
       for (const record::Column& column : record::tickColumns()) {
@@ -62,7 +62,7 @@ int findPlotColumn(const QString& name) {
 void fillColumns(const servo::TickRecord& record, const arm::Geometry& geometry, std::span<float> values) {
   Numbers row{values};
   row.of_word = static_cast<double>(record.fault);
-  record::fillRow(record, row);
+  record::fillRow(record, row, true);
   for (const double part : record::turnOf(record, geometry)) row.number(part);
   for (const double speed_m_per_s : record.v_WT) row.number(kMillimetrePerMetre * speed_m_per_s);
   for (const double heat : record.heat) row.number(heat);

@@ -32,9 +32,10 @@ RobotNowSection::RobotNowSection(QWidget* parent)
   column().addWidget(readout_);
 }
 
-void RobotNowSection::setRobot(const manipulator::Manipulator& manipulator) {
-  const bool same_rows = joint_rows_.size() == manipulator.chain.joints.size();
+void RobotNowSection::setRobot(const manipulator::Manipulator& manipulator, bool is_sent) {
+  const bool same_rows = joint_rows_.size() == manipulator.chain.joints.size() && is_sent_ == is_sent;
   manipulator_ = manipulator;
+  is_sent_ = is_sent;
   if (same_rows) return;
   readout_->clear();
   joint_rows_.clear();
@@ -44,9 +45,12 @@ void RobotNowSection::setRobot(const manipulator::Manipulator& manipulator) {
       tr("Remaining step"),
       tr("The largest step that any joint would still take by itself, in rad or fractions of the reach."));
   energy_ = readout_->addRow(tr("Energy"), tr("V = e·K e / 2 plus the energy of the joint springs, in this tick."));
-  moment_ = readout_->addRow(
-      tr("Moment, not sent"),
-      tr("m = Kθ e_o about the tip of the stylus. The arm has no motors for it: it is shown, but never sent."));
+  moment_ =
+      is_sent
+          ? readout_->addRow(tr("Moment, sent"), tr("m = Kθ e_o about the tip of the stylus. All joints of this arm "
+                                                    "are driven, so that it is rendered beside the force."))
+          : readout_->addRow(tr("Moment, not sent"), tr("m = Kθ e_o about the tip of the stylus. The arm has no "
+                                                        "motors for it: it is shown, but never sent."));
   target_ = readout_->addRow(tr("Target"),
                              tr("At the end effector, or moving there at no more than 2 m/s after a minimum has "
                                 "vanished or a better one was adopted. Not unique: every position is equally good."));

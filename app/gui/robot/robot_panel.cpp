@@ -177,7 +177,8 @@ void RobotPanel::refresh() {
   home_->present(shown->X_WV_home, edits_->angles_deg());
   const Result<tick::TickProgram> program = scene::compile(parts_.document.scene());
   if (program)
-    now_->setRobot(std::get<manipulator::Manipulator>(program.value().entries[edits_->index()].constraint.goal));
+    now_->setRobot(std::get<manipulator::Manipulator>(program.value().entries[edits_->index()].constraint.goal),
+                   program.value().needs.moment);
   shown_ns_ = -1;
 }
 

@@ -19,7 +19,8 @@ class RobotNowSection : public Section {
   Q_OBJECT
  public:
   explicit RobotNowSection(QWidget* parent = nullptr);
-  void setRobot(const manipulator::Manipulator& manipulator);
+  /// is_sent: the arm renders the moment.
+  void setRobot(const manipulator::Manipulator& manipulator, bool is_sent);
   void present(const tick::ConstraintReport& held);
 
  private:
@@ -27,6 +28,7 @@ class RobotNowSection : public Section {
   std::vector<int> joint_rows_;
   manipulator::Manipulator manipulator_;
   int found_ = 0, left_ = 0, energy_ = 0, moment_ = 0, target_ = 0, better_ = 0;
+  bool is_sent_ = false;
 };
 
 /// The table of joints, with buttons to add, remove and move one.

@@ -67,6 +67,21 @@ bool isSameChain(const chain::Chain& a, const chain::Chain& b) {
          std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(), b.joints.end(), alike);
 }
 
+bool areSame(const std::vector<arm::LinkSolid>& a, const std::vector<arm::LinkSolid>& b) {
+  const auto sizesOf = [](const arm::SolidForm& form) -> Vec3 {
+    if (const auto* const box = std::get_if<arm::BoxSolid>(&form)) return box->size_m;
+    if (const auto* const ball = std::get_if<arm::SphereSolid>(&form)) return {ball->radius_m, 0.0, 0.0};
+    if (const auto* const rod = std::get_if<arm::CylinderSolid>(&form)) return {rod->radius_m, rod->length_m, 0.0};
+    const auto& capsule = std::get<arm::CapsuleSolid>(form);
+    return {capsule.radius_m, capsule.length_m, 0.0};
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](const arm::LinkSolid& one, const arm::LinkSolid& other) {
+                      return one.link == other.link && one.form.index() == other.form.index() &&
+                             one.X_WS.matrix() == other.X_WS.matrix() && sizesOf(one.form) == sizesOf(other.form);
+                    });
+}
+
 }  // namespace
 
 Finishes armFinishes(const Theme& theme) {
@@ -80,9 +95,11 @@ ArmPicture::ArmPicture() : outline_actor_(makeActor(outlines_.data(), Kind::Line
 }
 
 void ArmPicture::setArm(const arm::Model& model) {
-  if (!actors_.empty() && isSameChain(model.chain, chain_)) return;  // an edit of the scene: the pose stays
+  if (!actors_.empty() && isSameChain(model.chain, chain_) && areSame(model.solids, own_solids_))
+    return;  // an edit of the scene: the pose stays
   arm_ = solidsOf(model);
   chain_ = model.chain;
+  own_solids_ = model.solids;
   known_ = false;
   X_WT_ = chain_.X_WT_home;
   X_WLinks_.assign(chain_.joints.size() + 1, Pose::Identity());

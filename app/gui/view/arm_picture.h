@@ -52,6 +52,7 @@ class ArmPicture {
   Theme theme_ = Theme::light();
   ArmSolids arm_;
   chain::Chain chain_;
+  std::vector<arm::LinkSolid> own_solids_;  // of the arm's file
   bool show_arm_ = true, show_stylus_ = true, known_ = false;
   Pose X_WT_ = Pose::Identity();
   std::vector<Pose> X_WLinks_;  // of the base first

@@ -238,12 +238,36 @@ ArmSolids chainSolids(const arm::Model& model) {
   return arm;
 }
 
+namespace {
+
+/// A solid of the arm's file.
+Form formOf(const arm::LinkSolid& solid) {
+  constexpr double kBevel = 0.05;  // of a radius
+  if (const auto* const box = std::get_if<arm::BoxSolid>(&solid.form)) return BoxForm{solid.X_WS, 0.5 * box->size_m};
+  if (const auto* const ball = std::get_if<arm::SphereSolid>(&solid.form))
+    return TurnedForm{solid.X_WS, taperedRod(0.0, 0.0, ball->radius_m, ball->radius_m)};
+  if (const auto* const rod = std::get_if<arm::CylinderSolid>(&solid.form))
+    return TurnedForm{solid.X_WS,
+                      roundedRod(-0.5 * rod->length_m, 0.5 * rod->length_m, rod->radius_m, kBevel * rod->radius_m)};
+  const auto& capsule = std::get<arm::CapsuleSolid>(solid.form);
+  return TurnedForm{solid.X_WS,
+                    taperedRod(-0.5 * capsule.length_m, 0.5 * capsule.length_m, capsule.radius_m, capsule.radius_m)};
+}
+
+}  // namespace
+
 ArmSolids solidsOf(const arm::Model& model) {
   ArmSolids arm;
   arm.stand = standOf(model);
   arm.axes = drawnAxes(model);
   arm.p_WTip = arm.p_WEnd = model.chain.X_WT_home.translation();
   if (arm.axes.empty()) return arm;
+  if (!model.solids.empty()) {
+    for (const arm::LinkSolid& solid : model.solids)
+      arm.solids.push_back({std::min(solid.link, arm.axes.size()), Finish::Shell, formOf(solid)});
+    addStylus(arm, model);
+    return arm;
+  }
   const bool gimbal = hasGimbal(arm, kSamePlaceShare * reachOfModel(model));
   addBase(arm, arm::omniGeometry(model).has_value());
   addJoints(arm, model, gimbal ? arm.axes.size() - 3 : arm.axes.size());

@@ -17,7 +17,7 @@ namespace underact::gui {
 namespace {
 
 // Frames 1 and 2 share their origin, and so do 4, 5 and 6: each a little smaller than the one before.
-constexpr std::array<double, 6> kAxis_mm{30.0, 24.0, 24.0, 30.0, 24.0, 18.0};
+constexpr std::array<double, arm::kMostJoints> kAxis_mm{30.0, 24.0, 24.0, 30.0, 24.0, 18.0, 18.0, 18.0};
 constexpr double kBeyond_mm = 5.0;   // of a label
 constexpr double kFacing_mm = 18.0;  // a ghost's turret: the way it faces
 constexpr double kBend_mm = 14.0;    // a ghost's wrist: its axis 5
@@ -53,7 +53,7 @@ struct Figure {
 
 Figure figureOf(const arm::Model& model, const arm::Geometry& geometry, const arm::JointAngles& q_rad) {
   const arm::Skeleton skeleton = arm::skeleton(geometry, q_rad);
-  const std::array<Pose, 6> frames = arm::linkFrames(model, q_rad);
+  const std::array<Pose, arm::kMostJoints> frames = arm::linkFrames(model, q_rad);
   return {kMillimetrePerMetre * skeleton.p_WShoulder, kMillimetrePerMetre * skeleton.p_WElbow,
           kMillimetrePerMetre * skeleton.p_WTip, frames[0].linear().col(0), frames[4].linear().col(2)};
 }
@@ -155,7 +155,7 @@ void KinematicsPicture::update(const OrbitCamera& camera) {
 
 void KinematicsPicture::addFrames() {
   const std::array<QColor, 3> colours{theme_.x_axis, theme_.y_axis, theme_.z_axis};
-  const std::array<Pose, 6> frames = arm::linkFrames(model_, q_rad_);
+  const std::array<Pose, arm::kMostJoints> frames = arm::linkFrames(model_, q_rad_);
   for (std::size_t index = 0; index < std::min(frames.size(), model_.rows.size()); ++index) {
     const Vec3 origin_mm = kMillimetrePerMetre * frames[index].translation();
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -163,8 +163,8 @@ void KinematicsPicture::addFrames() {
       frame_.segment(origin_mm, origin_mm + kAxis_mm[index] * direction, colours[axis]);
     }
     const Vec3 z_W = frames[index].linear().col(2);  // the axis of the joint
-    // Frame 6 stands in the stylus, along it: its name at the stylus' end.
-    const double name_mm = kBeyond_mm + (index == 5 ? kStylus_mm : kAxis_mm[index]);
+    // The last frame stands in the stylus, along it: its name at the stylus' end.
+    const double name_mm = kBeyond_mm + (index + 1 == model_.rows.size() ? kStylus_mm : kAxis_mm[index]);
     labels_.push_back({QString("{%1}").arg(index + 1), origin_mm + name_mm * z_W, theme_.ink, true});
   }
 }

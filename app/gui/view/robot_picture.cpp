@@ -62,6 +62,7 @@ void RobotPicture::setScene(const scene::Description& scene) {
   const std::vector<Robot> before = std::exchange(robots_, {});
   const Result<tick::TickProgram> program = scene::compile(scene);
   if (!program) return;
+  is_sent_ = program.value().needs.moment;
   for (std::size_t index = 0; index < program.value().entries.size(); ++index) {
     const auto* made = std::get_if<manipulator::Manipulator>(&program.value().entries[index].constraint.goal);
     if (made == nullptr) continue;
@@ -248,7 +249,8 @@ void RobotPicture::addMoment(const Vec3& moment_W, const OrbitCamera& camera) {
   }
   const Vec3 end_mm = at(angle_rad), way = axis.cross(end_mm - middle_mm).normalized();
   addArrow(thin_, end_mm - 0.1 * way, end_mm + 0.1 * way, camera.back_W(), theme_.force);
-  labels_.push_back({QCoreApplication::translate("SceneView", "moment, not sent"),
+  labels_.push_back({is_sent_ ? QCoreApplication::translate("SceneView", "moment, sent")
+                              : QCoreApplication::translate("SceneView", "moment, not sent"),
                      middle_mm - (kMomentRadius_mm + 8.0) * camera.up_W(), mixed(theme_.force, theme_.ink, 0.45),
                      false});
 }

@@ -17,8 +17,8 @@
 namespace underact::gui {
 
 /// The virtual robots of a scene in the tick shown: hollow joints, links, base and end effector V, the directions in
-/// which V can move, and the moment that is never sent. Before the first tick, and until the servo has taken up an
-/// edited chain, a robot is in its home pose. Lines over translucent solids.
+/// which V can move, and the moment, which hardly any arm can render. Before the first tick, and until the servo has
+/// taken up an edited chain, a robot is in its home pose. Lines over translucent solids.
 class RobotPicture {
  public:
   static constexpr double kWay_mm = 15.0;              // the directions in which V can move: half their length
@@ -61,7 +61,8 @@ class RobotPicture {
   Theme theme_ = Theme::light();
   bool show_ = true;
   std::vector<Robot> robots_;
-  bool known_ = false;  // a tick has arrived
+  bool known_ = false;    // a tick has arrived
+  bool is_sent_ = false;  // the arm renders the moment
   Vec3 p_WT_ = Vec3::Zero();
   Lines thin_, thick_;
   vtkSmartPointer<vtkActor> thin_actor_, thick_actor_;

@@ -25,6 +25,8 @@ CSV_COLUMNS: dict[str, tuple[str, int | None]] = {
     for field in layout.COLUMNS["csv"]
 }
 
+#: the columns behind them where an arm has more than six joints
+MORE_JOINTS = layout.DESCRIBED["joints"]["q_more_rad"]["csv"]
 
 #: what to ask pip for: a newer pyarrow wants a newer numpy than Debian 12 has
 _PACKAGES = {"pyarrow": "'pyarrow<17'", "mcap": "mcap"}
@@ -50,6 +52,9 @@ def _flat(session: Session) -> dict[str, np.ndarray]:
     for name, (column, part) in CSV_COLUMNS.items():
         values = session.ticks[column]
         flat[name] = values if part is None else values[:, part]
+    more = session.more_joints()
+    if more is not None:
+        flat.update(zip(MORE_JOINTS, more.T))
     flat["time_s"] = session.time_s
     flat["fault"] = np.array(
         [layout.word(layout.FAULTS, int(kind)) for kind in flat["fault"]], dtype=object
@@ -90,6 +95,13 @@ def csv_metadata(session: Session, name: str) -> dict:
         one["schema:unitText"] = field["unit"]
         columns.append(one)
         frames[field["name"]] = described["frame"]
+    described = layout.DESCRIBED["joints"]["q_more_rad"]
+    for part in MORE_JOINTS if session.more_joints() is not None else ():
+        one = {"name": part, "titles": part, "datatype": "double", "null": ""}
+        one["dc:description"] = described["meaning"]
+        one["schema:unitText"] = described["unit"]
+        columns.append(one)
+        frames[part] = described["frame"]
     return {
         "@context": "http://www.w3.org/ns/csvw",
         "url": name,
@@ -143,6 +155,8 @@ def parquet(session: Session, out: str | Path) -> None:
     for name, column in layout.DESCRIBED["ticks"].items():
         for part in layout.part_names(name):
             about[part] = column
+    for part in layout.DESCRIBED["joints"]["q_more_rad"]["parts"]:
+        about[part] = layout.DESCRIBED["joints"]["q_more_rad"]
     fields = [
         field.with_metadata(
             {key: about.get(field.name, {}).get(key, "") for key in ("unit", "frame", "meaning")}

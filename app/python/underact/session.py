@@ -223,6 +223,29 @@ class Session:
         return self._tables.get("constraints")
 
     @property
+    def joints(self) -> "Table | None":
+        """Joints 7 and 8 of the ticks of an arm that has them, by column; None in a session of an
+        earlier version. more_joints() has a row for every tick.
+        """
+        return self._tables.get("joints")
+
+    def more_joints(self) -> np.ndarray | None:
+        """Joints 7 and 8 at each tick, shape (rows, 2), rad, or m where a joint slides; 0 where the
+        arm does not have them, NaN where the file is damaged. None: no arm has more than six.
+        """
+        table = self.joints
+        if table is None or table.common_rows() == 0:
+            return None
+        ticks, known, values = self.ticks["tick"], table["tick"], table["q_more_rad"]
+        if len(known) == 0:
+            return np.full((len(ticks), values.shape[1]), np.nan)
+        found = np.where((ticks >= known[0])[:, None], np.nan, np.zeros(values.shape[1]))
+        at = np.minimum(np.searchsorted(known, ticks), len(known) - 1)
+        there = known[at] == ticks
+        found[there] = values[at[there]]
+        return found
+
+    @property
     def duration_s(self) -> float:
         """From the first tick to the last, s; 0 where there are fewer than two."""
         time_ns = self.ticks["time_ns"]
@@ -232,11 +255,15 @@ class Session:
         """All ticks as a pandas DataFrame, a row a tick.
 
         Columns: time_s, then those of /ticks; a vector is split (p_WT_mm_x, p_WT_mm_y, p_WT_mm_z;
-        q1_rad to q6_rad; alpha_rad, beta_rad, theta_rad). Needs pandas.
+        q1_rad to q6_rad, and q7_rad and q8_rad where an arm has them; alpha_rad, beta_rad,
+        theta_rad). Needs pandas.
         """
         import pandas
 
-        return pandas.DataFrame({"time_s": self.time_s, **_split(self.ticks)})
+        more = self.more_joints()
+        parts = layout.DESCRIBED["joints"]["q_more_rad"]["parts"]
+        beyond = {} if more is None else dict(zip(parts, more.T))
+        return pandas.DataFrame({"time_s": self.time_s, **_split(self.ticks), **beyond})
 
     def follow(
         self,

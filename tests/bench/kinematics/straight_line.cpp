@@ -13,7 +13,7 @@ namespace {
 
 arm::JointAngles sixOf(const std::vector<double>& q) {
   arm::JointAngles q_rad{};
-  std::copy_n(q.begin(), q_rad.size(), q_rad.begin());
+  std::copy_n(q.begin(), std::min(q.size(), q_rad.size()), q_rad.begin());
   return q_rad;
 }
 

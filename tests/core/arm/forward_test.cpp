@@ -49,7 +49,7 @@ TEST(Forward, MeetsTheFormulasOfATouch) {  // oracle: the device's own formulas,
   for (int draw = 0; draw < underact::test::sweep(500, 50000); ++draw) {
     JointAngles device{};
     for (double& angle_rad : device) angle_rad = random.between(-kPi, kPi);
-    const auto& [q1, q2, q3, g1, g2, g3] = device;
+    const auto& [q1, q2, q3, g1, g2, g3, none7, none8] = device;
     const double r = 0.13335 * std::cos(q2) + 0.13335 * std::sin(q3);
     const Vec3 p_WT(-std::sin(q1) * r, 0.13335 * std::sin(q2) - 0.13335 * std::cos(q3) + 0.02335,
                     std::cos(q1) * r - 0.16835);

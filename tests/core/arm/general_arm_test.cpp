@@ -12,7 +12,8 @@
 namespace underact::arm {
 namespace {
 
-constexpr std::array kSceneArms{"ur5e", "ur10e", "puma-560", "abb-irb-120", "kr5", "stanford", "cobra-600", "planar-3"};
+constexpr std::array kSceneArms{"ur5e",     "ur10e",     "puma-560", "abb-irb-120", "kr5",
+                                "stanford", "cobra-600", "planar-3", "panda",       "iiwa7"};
 
 const GeneralArm& armNamed(const char* name) {
   return *findPreset(name)->geometry.general;
@@ -29,15 +30,15 @@ JointAngles drawnWithin(const Preset& preset, test::Random& random) {
 
 }  // namespace
 
-TEST(GeneralArm, ShippedArmsOfUpToSixJointsAreArmsOfScenes) {
+TEST(GeneralArm, ShippedArmsOfUpToEightJointsAreArmsOfScenes) {
   for (const char* name : kSceneArms) {
     const Preset* const preset = findPreset(name);
     ASSERT_NE(preset, nullptr) << name;
     EXPECT_FALSE(isOmniForm(*preset)) << name;
     EXPECT_GT(preset->continuous_force_N, 0.0);
   }
-  EXPECT_EQ(findPreset("panda"), nullptr);
-  EXPECT_NE(presetOf(*findModel("panda")).problems()[0].sentence.find("up to six joints"), std::string::npos);
+  EXPECT_EQ(jointsOf(findPreset("panda")->geometry), 7U);
+  EXPECT_EQ(jointsOf(findPreset("omni-thesis")->geometry), 6U);
   for (const Preset& preset : presets()) EXPECT_TRUE(isOmniForm(preset)) << preset.name;
 }
 
@@ -132,12 +133,46 @@ TEST(GeneralArm, TwoOfThreeOfAPlanarArmPushAlongTheLineToTheFreeJoint) {
   EXPECT_LT((P - line * line.transpose()).norm(), 1e-14);
 }
 
-TEST(GeneralArm, WatchesTheFirstThreeDrivenJoints) {
+TEST(GeneralArm, WatchesAllDrivenJoints) {
   GeneralArm arm = armNamed("ur5e");
   arm.driven = {false, true, true, false, true, true};
   const Watched watched = watchedJoints(arm);
-  ASSERT_EQ(watched.count, 3U);
-  EXPECT_EQ(watched.joint, (std::array<std::size_t, 3>{1, 2, 4}));
+  ASSERT_EQ(watched.count, 4U);
+  EXPECT_EQ(watched.joint, (std::array<std::size_t, kMostJoints>{1, 2, 4, 5}));
+  EXPECT_EQ(watchedJoints(armNamed("panda")).count, 7U);
+}
+
+TEST(GeneralArm, AMomentIsRenderedBySixOfSixMotorsAndNotByTwoOfThreeOrThreeOfSix) {
+  GeneralArm planar = armNamed("planar-3");
+  planar.driven = {true, true, false};
+  EXPECT_FALSE(rendersMoment(planar));
+  GeneralArm six = armNamed("ur5e");
+  EXPECT_TRUE(rendersMoment(six));
+  six.driven = {true, true, true};
+  EXPECT_FALSE(rendersMoment(six));
+  six.driven = {true, true, true, true, true, false};
+  EXPECT_FALSE(rendersMoment(six)) << "the undriven joint would have to pass on a torque";
+  six.driven.fill(true);
+  six.rest[4] = 0.0;  // axes 4 and 6 parallel
+  EXPECT_FALSE(rendersMoment(six)) << "at its rest a direction is lost";
+  for (const char* name : kSceneArms) {
+    const bool spans = jointsOf(findPreset(name)->geometry) >= 6;
+    EXPECT_EQ(armNamed(name).renders_moment, spans) << name;
+  }
+}
+
+TEST(GeneralArm, AtASingularityTheWrenchThatNoMotorMakesIsTakenOff) {
+  const GeneralArm& arm = armNamed("ur5e");
+  JointAngles q = arm.rest;
+  q[4] = 0.0;
+  const chain::Jacobian J = chain::jacobian(arm.chain, q);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(
+      Eigen::MatrixXd(Eigen::DiagonalMatrix<double, 6>(Vec6(10, 10, 10, 1, 1, 1)) * J), Eigen::ComputeFullU);
+  ASSERT_LT(svd.singularValues()[5], 1e-12);
+  const Vec6 lost = svd.matrixU().col(5);
+  const Mat6 P = renderableWrench(J, 0.1);
+  EXPECT_LT((P * lost).norm(), 1e-12);
+  EXPECT_LT((P - (Mat6::Identity() - lost * lost.transpose())).norm(), 1e-10);
 }
 
 TEST(GeneralArm, WhatASceneCannotHaveIsSaidWithTheReason) {

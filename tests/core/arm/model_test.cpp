@@ -46,8 +46,8 @@ TEST(Model, EachShippedFileCanBeReadAndIsFoundByItsName) {
   }
   EXPECT_EQ(models().size(), files);
   EXPECT_EQ(std::size(kArmFiles), files);
-  EXPECT_EQ(presets().size(), 3U);     // omni-thesis, touch-measured, woodenhaptics
-  EXPECT_EQ(sceneArms().size(), 11U);  // all but those of seven joints, Panda and iiwa
+  EXPECT_EQ(presets().size(), 3U);  // omni-thesis, touch-measured, woodenhaptics
+  EXPECT_EQ(sceneArms().size(), 13U);
 }
 
 TEST(Model, TheTableOfTheThesisIsItsStraightLineCode) {  // two derivations: rows of the table, and eq. 3.5 and 3.6

@@ -47,9 +47,11 @@ double mostApart(const Angles& a, const Angles& b) {
 double setDistance(const Solutions& found, const underact::test::Value& solutions) {
   double most_rad = 0.0;
   for (const underact::test::Value& expected : solutions.items) {
+    const arm::JointAngles q_rad = underact::test::anglesOf(*expected.find("q"));
+    const Angles six{q_rad[0], q_rad[1], q_rad[2], q_rad[3], q_rad[4], q_rad[5]};
     double least_rad = kInfinity;
     for (std::size_t i = 0; i < found.exact; ++i) {
-      least_rad = std::min(least_rad, mostApart(found.all[i].q, underact::test::anglesOf(*expected.find("q"))));
+      least_rad = std::min(least_rad, mostApart(found.all[i].q, six));
     }
     most_rad = std::max(most_rad, least_rad);
   }

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/arm/general_arm.h"
 #include "core/base/units.h"
 #include "tests/core/lesson/lesson_support.h"
 #include "tests/support/property.h"
@@ -113,4 +114,19 @@ TEST(Quantities, OfARobotAreKnownWhereTheSceneHasIt) {
 }
 
 }  // namespace
+TEST(Quantities, JointsBeyondTheSixthAreKnownOfAnArmThatHasThem) {
+  const arm::Preset& panda = *arm::findPreset("panda");
+  servo::TickRecord tick;
+  tick.q_rad = panda.geometry.general->rest;
+  const scene::Description scene;
+  const target::Robot robot;
+  const Quantity& quantity = *findQuantity("q_deg");
+  const Values of_seven = quantity.of({tick, scene, panda, robot});
+  EXPECT_NEAR(of_seven[6], 45.0, 1e-12);
+  EXPECT_TRUE(std::isnan(of_seven[7]));
+  const Values of_omni = quantity.of(test::Moment().seen());
+  EXPECT_FALSE(std::isnan(of_omni[5]));
+  EXPECT_TRUE(std::isnan(of_omni[6]));
+}
+
 }  // namespace underact::lesson

@@ -59,7 +59,7 @@ TEST(ReadLesson, ScenesAreShippedOnesOrFilesSeenFromTheLesson) {
 TEST(ReadLesson, EveryProblemIsToldAtOnceWithItsPlace) {
   const std::vector<std::string> lines = problemsIn(R"({"underact_lesson": 2, "titel": "T",
  "steps": [{"title": "", "text": [], "layers": ["gosts"], "camera": "fornt",
-   "checks": [{"measure": "force", "above": 1}, {"measure": "force_N"}, {"measure": "q_deg", "part": 7, "below": 1},
+   "checks": [{"measure": "force", "above": 1}, {"measure": "force_N"}, {"measure": "q_deg", "part": 9, "below": 1},
               {"measure": "q_deg", "near": [1, 2], "within": 1}, {"question": "Q", "choices": ["a"], "right": 3}]}]})");
   const auto has = [&lines](const std::string& what) {
     return std::any_of(lines.begin(), lines.end(),
@@ -75,7 +75,7 @@ TEST(ReadLesson, EveryProblemIsToldAtOnceWithItsPlace) {
   EXPECT_TRUE(has("There is no camera \"fornt\". Did you mean \"front\"?"));
   EXPECT_TRUE(has("lesson.json:3:27: error: steps[0].checks[0].measure: There is no quantity \"force\". Did you mean"));
   EXPECT_TRUE(has("checks[1].measure: Give a range"));
-  EXPECT_TRUE(has("The quantity q_deg has the parts 1 to 6."));
+  EXPECT_TRUE(has("The quantity q_deg has the parts 1 to 8."));
   EXPECT_TRUE(has("steps[0].checks[3].near: This must be a list of 6 numbers; here it has 2."));
   EXPECT_TRUE(has("Give 2 to 9 answers to choose from."));
   EXPECT_TRUE(has("This must be the number of the right answer, 1 to 1."));

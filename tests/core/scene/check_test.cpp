@@ -190,7 +190,7 @@ TEST(SceneRules, ASceneEditedInMemoryIsHeldToTheSameRules) {
   scene.constraints.push_back({"", Box{}, target::Side::Both, {}, {}});
   EXPECT_EQ(problemsOf(scene),
             R"(0:0: title: The title is empty; say in a few words what the scene lets you feel.
-0:0: arm: The arm "stylus" is not known. Known arms: "omni-thesis", "touch-measured", "woodenhaptics", "abb-irb-120", "cobra-600", "kr5", "planar-3", "puma-560", "stanford", "ur10e" and "ur5e"; or the name of an arm file, such as "my_arm.json".
+0:0: arm: The arm "stylus" is not known. Known arms: "omni-thesis", "touch-measured", "woodenhaptics", "abb-irb-120", "cobra-600", "iiwa7", "kr5", "panda", "planar-3", "puma-560", "stanford", "ur10e" and "ur5e"; or the name of an arm file, such as "my_arm.json".
 0:0: control.kp_N_per_mm[0]: This is not a finite number; the largest is about 1.8e308.
 3:5: constraints[0].center_mm[1]: This is not a finite number; the largest is about 1.8e308.
 3:5: constraints[0].center_mm[2]: This must lie within 1e6 mm (1 km); here it is 2e+06.

@@ -129,7 +129,7 @@ TEST(ReadScene, EveryProblemIsToldAtOnceInTheOrderOfTheFile) {
 })")),
       R"(2:21: underact_scene: The scene has version 2, but this program only reads version 1. Use a newer version of Underact.
 3:12: title: The title is empty; say in a few words what the scene lets you feel.
-4:10: arm: The arm "omnni" is not known. Known arms: "omni-thesis", "touch-measured", "woodenhaptics", "abb-irb-120", "cobra-600", "kr5", "planar-3", "puma-560", "stanford", "ur10e" and "ur5e"; or the name of an arm file, such as "my_arm.json".
+4:10: arm: The arm "omnni" is not known. Known arms: "omni-thesis", "touch-measured", "woodenhaptics", "abb-irb-120", "cobra-600", "iiwa7", "kr5", "panda", "planar-3", "puma-560", "stanford", "ur10e" and "ur5e"; or the name of an arm file, such as "my_arm.json".
 5:22: control.law: This must be "P", "PD" or "PID"; here it is "PI".
 5:43: control.kp_N_per_mm: A gain must be 0 or above, otherwise the arm pushes away; here it is -1.
 5:47: control.gain: The key "gain" is not known in a control. Known keys: "law", "kp_N_per_mm", "kd_N_s_per_mm", "ki_N_per_mm_s", "anisotropy", "passivity", "space" and "velocity".

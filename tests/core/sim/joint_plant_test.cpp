@@ -14,7 +14,7 @@ namespace underact::sim {
 namespace {
 
 constexpr std::int64_t kJointTick_ns = 1'000'000;
-constexpr std::array kJointArms{"ur5e", "puma-560", "stanford", "cobra-600", "planar-3"};
+constexpr std::array kJointArms{"ur5e", "puma-560", "stanford", "cobra-600", "planar-3", "panda", "iiwa7"};
 
 Plant plantNamed(const char* name, const HandModel& hand = {}, const char* model = "vendor-nominal") {
   return makePlant(*arm::findPreset(name), modelFor(*arm::findPreset(name), *findArmModel(model)), hand,
@@ -57,7 +57,7 @@ TEST(JointPlant, BringsTheTipWhereTheHandWantsIt) {
 }
 
 TEST(JointPlant, HandAndMotorsBalance) {  // at rest: k (p_w - p) = -f, in the directions that the arm has
-  for (const char* name : {"ur5e", "puma-560", "stanford"}) {
+  for (const char* name : {"ur5e", "puma-560", "stanford", "panda"}) {
     Plant plant = plantNamed(name, {0.1, 4.0, 300.0});
     plant.model.friction_N = 0.0;
     const PlantState rest = restingState(plant);

@@ -123,6 +123,29 @@ TEST(ArmSolids, ArmsOfOneToEightJointsThatTurnOrSlideAreDrawn) {
   }
 }
 
+TEST(ArmSolids, ThoseOfTheArmsFileAreDrawnInPlaceOfTheFormula) {
+  arm::Model model = armOf(3);
+  const std::size_t by_formula = solidsOf(model).solids.size();
+  model.solids = {{0, Pose::Identity(), arm::BoxSolid{Vec3(0.1, 0.1, 0.02)}},
+                  {1, Pose::Identity(), arm::CylinderSolid{0.02, 0.2}},
+                  {2, Pose::Identity(), arm::CapsuleSolid{0.01, 0.1}},
+                  {3, Pose::Identity(), arm::SphereSolid{0.02}}};
+  const ArmSolids drawn = solidsOf(model);
+  ASSERT_GE(drawn.solids.size(), 4U);
+  EXPECT_NE(drawn.solids.size(), by_formula);
+  EXPECT_EQ(std::get<BoxForm>(drawn.solids[0].form).half_m, Vec3(0.05, 0.05, 0.01));
+  const TurnedForm& rod = std::get<TurnedForm>(drawn.solids[1].form);
+  EXPECT_EQ(rod.profile.front().z, -0.1);
+  EXPECT_EQ(rod.profile.back().z, 0.1);
+  const TurnedForm& capsule = std::get<TurnedForm>(drawn.solids[2].form);
+  EXPECT_NEAR(capsule.profile.front().z, -0.06, 1e-15);
+  EXPECT_NEAR(std::get<TurnedForm>(drawn.solids[3].form).profile.back().z, 0.02, 1e-15);
+  ArmPicture picture;
+  picture.setArm(model);
+  EXPECT_TRUE(picture.present(std::vector<double>(3, 0.1)));
+  EXPECT_EQ(picture.solids().size(), 4U);
+}
+
 TEST(ArmSolids, AnArmOfTwiceTheSizeIsDrawnTwiceAsLarge) {
   arm::Model large = modelNamed("ur5e");
   const ArmSolids small = solidsOf(large);

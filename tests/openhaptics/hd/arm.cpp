@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/arm/sample.h"
@@ -40,7 +41,9 @@ void Arm::advance(std::int64_t period_ns) {
 
 std::array<double, 6> Arm::deviceAngles() {
   if (frozen) return shown_;
-  std::array<double, 6> angles = arm::deviceFromDh(sim::shownAngles(plant, state));
+  const arm::JointAngles device_rad = arm::deviceFromDh(sim::shownAngles(plant, state));
+  std::array<double, 6> angles{};
+  std::copy_n(device_rad.begin(), angles.size(), angles.begin());
   if (periods / kTremorPeriods % 2 == 1) angles[0] += kTurn_rad / plant.arm.counts_per_turn[0];
   shown_ = angles;
   return angles;
