@@ -1,5 +1,6 @@
 #include "core/chain/redundancy.h"
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,18 @@ double scaleOfJoint(const Chain& chain, std::size_t i, double reach_m) {
   return chain.joints[i].type == JointType::Prismatic ? reach_m : 1.0;
 }
 
+/// Whether a square J surely has no singular value below this share of the largest; asked before its singular values,
+/// which take ten times as long. Its determinant is their product, and that of all but the least is at most what equal
+/// ones of the same norm would give (arithmetic and geometric mean).
+bool isRegular(const Eigen::MatrixXd& J, double relative) {
+  constexpr double kForRounding = 2.0;
+  if (J.rows() != J.cols() || J.rows() < 2) return false;
+  using Bounded = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
+  const double others = static_cast<double>(J.rows() - 1), norm = J.norm();
+  const double least = std::abs(Bounded(J).partialPivLu().determinant()) * std::pow(others / (norm * norm), others / 2);
+  return least > kForRounding * relative * norm;
+}
+
 }  // namespace
 
 std::vector<std::vector<double>> nullSpace(const Chain& chain, std::span<const double> q, Asks asks, double relative) {
@@ -25,7 +38,7 @@ std::vector<std::vector<double>> nullSpace(const Chain& chain, std::span<const d
   J.topRows(3) /= reach_m;
   for (Eigen::Index i = 0; i < J.cols(); ++i) J.col(i) *= scaleOfJoint(chain, static_cast<std::size_t>(i), reach_m);
   if (asks == Asks::Position) J = Eigen::MatrixXd(J.topRows(3));
-  if (!J.allFinite()) return {};
+  if (!J.allFinite() || isRegular(J, relative)) return {};
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeFullV);
   const Eigen::VectorXd& gains = svd.singularValues();
   std::vector<std::vector<double>> basis;

@@ -287,5 +287,28 @@ TEST(SelfMotion, NamesTheJointsThatLeaveTheTip) {
       selfMotion(test::omni().chain(), std::vector<double>{0.3, 0.5, 0.4, 0.7, 0.9, 0.2}, Asks::Pose, 1e-6).empty());
 }
 
+TEST(SelfMotion, IsOneExactlyWhereTheLeastGainIsBelowTheShare) {
+  Random random({36});
+  int singular = 0, regular = 0;
+  for (const test::Arm& arm : {test::omni(), test::puma(), ur5e()}) {
+    const Chain chain = arm.chain();
+    for (int trial = 0; trial < 3000; ++trial) {
+      std::vector<double> q;
+      for (int joint = 0; joint < 6; ++joint) q.push_back(random.between(-kPi, kPi));
+      if (trial % 3 == 0) q[4] = std::pow(10.0, random.between(-9.0, 0.0));  // as near to a straight wrist as wanted
+      const double relative = std::pow(10.0, random.between(-8.0, -0.5));
+      Eigen::MatrixXd J = jacobian(chain, q);
+      J.topRows(3) /= reachOf(chain);
+      const Eigen::VectorXd gains = J.jacobiSvd().singularValues();
+      if (std::abs(gains[5] / gains[0] / relative - 1.0) < 1e-6) continue;  // decided by rounding
+      const bool expected = gains[5] < relative * gains[0];
+      EXPECT_EQ(!selfMotion(chain, q, Asks::Pose, relative).empty(), expected) << arm.name << ", trial " << trial;
+      (expected ? singular : regular)++;
+    }
+  }
+  EXPECT_GT(singular, 1000);
+  EXPECT_GT(regular, 3000);
+}
+
 }  // namespace
 }  // namespace underact::chain
