@@ -267,6 +267,36 @@ z [mm]</translation>
         <translation>Diese Sitzung hat nur einen Takt: Es gibt nichts, dem man folgen könnte.</translation>
     </message>
     <message>
+        <source>It cannot be copied to %1.</source>
+        <translation>Es kann nicht nach %1 kopiert werden.</translation>
+    </message>
+    <message>
+        <source>This computer has no program for notebooks. Open %1 with Jupyter or VS Code.</source>
+        <translation>Dieser Rechner hat kein Programm für Notebooks. Öffnen Sie %1 mit Jupyter oder VS Code.</translation>
+    </message>
+    <message>
+        <source>Notebook</source>
+        <translation>Notebook</translation>
+    </message>
+    <message>
+        <source>The notebook cannot be opened.</source>
+        <translation>Das Notebook kann nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>Another program opens this notebook, for example Jupyter or VS Code.</source>
+        <translation>Dieses Notebook öffnet ein anderes Programm, zum Beispiel Jupyter oder VS Code.</translation>
+    </message>
+    <message>
+        <source>It opens a copy of your own, which keeps your changes:
+%1</source>
+        <translation>Es öffnet eine eigene Kopie, in der Ihre Änderungen bleiben:
+%1</translation>
+    </message>
+    <message>
+        <source>Open my copy</source>
+        <translation>Meine Kopie öffnen</translation>
+    </message>
+    <message>
         <source>Drag the stylus</source>
         <translation>Stift ziehen</translation>
     </message>
@@ -3525,11 +3555,11 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     </message>
     <message>
         <source>A revolute joint has a torque: "%1".</source>
-        <translation>Ein Drehgelenk hat ein Drehmoment: &quot;%1&quot;.</translation>
+        <translation>Ein Drehgelenk hat ein Drehmoment: "%1".</translation>
     </message>
     <message>
         <source>A prismatic joint has a force: "%1".</source>
-        <translation>Ein Schubgelenk hat eine Kraft: &quot;%1&quot;.</translation>
+        <translation>Ein Schubgelenk hat eine Kraft: "%1".</translation>
     </message>
     <message>
         <source>the mass of a link</source>
