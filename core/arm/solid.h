@@ -24,7 +24,7 @@ struct CapsuleSolid {
 struct SphereSolid {
   double radius_m = 0.0;
 };
-
+/// What a solid is.
 using SolidForm = std::variant<BoxSolid, CylinderSolid, CapsuleSolid, SphereSolid>;
 
 /// A solid that moves with a link: 0 is the base, i the link behind joint i.

@@ -123,12 +123,12 @@ void pack(const servo::TruthRow& row, Packer& packer);
 void pack(const servo::ConstraintRow& row, Packer& packer);
 /// The joints beyond the sixth.
 void packMoreJoints(const servo::TickRecord& record, Packer& packer);
-
 /// A row of /joints: those of the arm in that tick beyond the sixth, 0 where it does not have them.
 struct JointsRow {
   std::int64_t tick = 0;
   std::array<double, 2> q{};  // rad, or m where the joint slides
 };
+/// A block of /joints, row by row.
 std::vector<JointsRow> unpackJoints(const Block& block);
 /// The columns of /joints.
 std::span<const Column> jointColumns();

@@ -149,6 +149,10 @@ class StaticPages(unittest.TestCase):
                 if link.startswith("https://"):
                     continue
                 to, _, anchor = link.partition("#")
+                if to.endswith(".ipynb"):  # lies beside its pages
+                    notebook = pathlib.Path(self.folder.name) / to
+                    self.assertEqual(notebook.read_bytes(), (GUIDE / to).read_bytes())
+                    continue
                 self.assertIn(to or name, self.pages, f"{name}: {link}")
                 if anchor:
                     self.assertIn(anchor, self.pages[to or name].ids(), f"{name}: {link}")
