@@ -226,11 +226,21 @@ ArmStand standOf(const arm::Model& model) {
   return stand;
 }
 
-ArmSolids chainSolids(const arm::Model& model) {
+namespace {
+
+/// Where an arm stands, turns and ends, without a solid.
+ArmSolids begun(const arm::Model& model) {
   ArmSolids arm;
   arm.stand = standOf(model);
   arm.axes = drawnAxes(model);
   arm.p_WTip = arm.p_WEnd = model.chain.X_WT_home.translation();
+  return arm;
+}
+
+}  // namespace
+
+ArmSolids chainSolids(const arm::Model& model) {
+  ArmSolids arm = begun(model);
   if (arm.axes.empty()) return arm;
   addJoints(arm, model, arm.axes.size());
   const DrawnAxis& last = arm.axes.back();
@@ -257,10 +267,7 @@ Form formOf(const arm::LinkSolid& solid) {
 }  // namespace
 
 ArmSolids solidsOf(const arm::Model& model) {
-  ArmSolids arm;
-  arm.stand = standOf(model);
-  arm.axes = drawnAxes(model);
-  arm.p_WTip = arm.p_WEnd = model.chain.X_WT_home.translation();
+  ArmSolids arm = begun(model);
   if (arm.axes.empty()) return arm;
   if (!model.solids.empty()) {
     for (const arm::LinkSolid& solid : model.solids)
