@@ -22,9 +22,8 @@ constexpr double kRounding = 0x1p-48;   // relative to the energy and its terms:
 /// What is constant during a descent, and the present curvature.
 class Slope {
  public:
-  Slope(const Manipulator& manipulator, const Pose& X_WT) noexcept UNDERACT_REAL_TIME
+  explicit Slope(const Manipulator& manipulator) noexcept UNDERACT_REAL_TIME
       : m_(manipulator),
-        X_WT_(X_WT),
         count_(std::min(manipulator.chain.joints.size(), kMaxJoints)) {}
 
   /// Finds the joints that a limit holds there.
@@ -97,7 +96,6 @@ class Slope {
   }
 
   const Manipulator& m_;
-  const Pose& X_WT_;
   std::size_t count_;
   Hessian H_;
   Values spread_{};
@@ -114,7 +112,7 @@ double roundingOf(const Manipulator& m, const Pose& X_WT, const Energy& at) noex
 }  // namespace
 
 Descent descend(const Manipulator& m, const Pose& X_WT, int max_steps, Energy& at) noexcept {
-  Slope slope(m, X_WT);
+  Slope slope(m);
   Descent descent;
   double damping = 0.0, growth = 2.0;
   Energy other;

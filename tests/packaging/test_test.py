@@ -28,6 +28,7 @@ mkdir -p "$(dirname "$junit")"
 [ $failures = 0 ]
 """
 )
+CMAKE = CALLED + 'echo "by $(basename "${CXX:-the default}"): $2" >>"$LOG.compilers"\n'
 SANITIZED = ["--preset asan", "--preset tsan"]
 
 
@@ -37,8 +38,9 @@ class Test(Scripts):
         "packaging/install-deps": CALLED + "exit ${INSTALLED:-0}\n",
         "packaging/compile": BUILD,
         "tests/architecture/each_alone": CALLED + '[ "${BREAK:-}" != alone ]\n',
-        "bin/cmake": CALLED,
+        "bin/cmake": CMAKE,
         "bin/ctest": CTEST,
+        "bin/clang++-29": CALLED,
     }
 
     def run_it(self, *words, script="packaging/test", **more):
@@ -62,6 +64,16 @@ class Test(Scripts):
         presets = [call for call in calls if call.startswith("cmake")]
         self.assertEqual(presets[0], "cmake --preset release -DUNDERACT_PYTHON=ON")
         self.assertEqual([call[6:19] for call in presets[1:]], SANITIZED)
+
+    def compilers(self, *words):
+        """Which compiler each build was configured for."""
+        self.run_it(*words)
+        return (self.folder / "log.compilers").read_text().splitlines()
+
+    def test_what_ships_is_built_by_the_default_compiler_and_each_file_alone_by_clang(self):
+        got = self.compilers("--strict", "--sanitizers")
+        wanted = [f"the default: {preset}" for preset in ("ci", "asan", "tsan")]
+        self.assertEqual(got, [f"by {build}" for build in [*wanted, "clang++-29: alone"]])
 
     def test_ci_leaves_nothing_out(self):
         status, lines, calls = self.run_it(script=".ci/run")
