@@ -7,7 +7,7 @@ namespace underact::lab {
 std::span<const ThesisStep> thesisSteps() {
   // B.3: (s + 1)(s + 2)(s + 30); its two slow parts, 5/29 / (s + 1) - 5/28 / (s + 2) = (135 - 5 s) / 812 / ((s + 1)
   // (s + 2)), of a gain a little too small; and a second order of the right gain, 1/12.
-  static const std::vector<ThesisStep> kSteps{
+  static const std::vector<ThesisStep> all{
       {"B.1",
        TRANSLATE_NOOP("step", "First order system response"),
        TRANSLATE_NOOP("step", "a/(s + a) ends at 1, 1/(s + a) at 1/a, 3a/(s + a) at 3; here a = 2."),
@@ -43,7 +43,7 @@ std::span<const ThesisStep> thesisSteps() {
                       "Rise, peak, overshoot of 38 % and settling; damping ratio 0.2943, natural frequency 1 rad/s."),
        18.0,
        {{"ζ 0.2943", secondOrder(1.0, 0.2943)}}}};
-  return kSteps;
+  return all;
 }
 
 }  // namespace underact::lab

@@ -156,7 +156,8 @@ class Verification {
     std::size_t at = 0;
     for (const Column& column : tickColumns()) {
       const auto begin = block.bytes.begin() + static_cast<std::ptrdiff_t>(at);
-      first.bytes.insert(first.bytes.end(), begin, begin + static_cast<std::ptrdiff_t>(rows * bytesOf(column)));
+      first.bytes.insert(first.bytes.end(), begin,
+                         begin + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(rows) * bytesOf(column)));
       at += static_cast<std::size_t>(block.rows) * bytesOf(column);
     }
     return first;
