@@ -58,10 +58,10 @@ Trajectory TrajectoryBuilder::take() {
   return std::move(way_);
 }
 
-Trajectory mirrored(Trajectory way) {
+Trajectory mirrored(Trajectory way, const arm::MirrorPlane& plane) {
   for (Row& row : way.rows) {
-    row.place.p_WG.x() = -row.place.p_WG.x();
-    row.place.stylus_W.x() = -row.place.stylus_W.x();
+    row.place.p_WG = plane.positionSeen(row.place.p_WG);
+    row.place.stylus_W = plane.directionSeen(row.place.stylus_W);
   }
   return way;
 }

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/arm/mirror.h"
 #include "core/arm/preset.h"
 #include "core/arm/sample.h"
 #include "core/base/types.h"
@@ -56,8 +57,8 @@ class TrajectoryBuilder {
   Trajectory way_;
 };
 
-/// The trajectory reflected across the plane x = 0 of W, for a stylus in the other hand. Twice is the original.
-Trajectory mirrored(Trajectory way);
+/// The trajectory reflected across the plane of its arm, for a stylus in the other hand. Twice is the original.
+Trajectory mirrored(Trajectory way, const arm::MirrorPlane& plane);
 
 /// The pose of the stylus at a time of the trajectory, clamped to it; interpolated linearly between two rows, except
 /// across a gap, where it stays at the first. way: of one row or more. Not finite in: the beginning. Cost: logarithmic

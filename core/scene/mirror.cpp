@@ -2,29 +2,19 @@
 
 #include <utility>
 
+#include "core/base/units.h"
+#include "core/scene/scene_arm.h"
+
 namespace underact::scene {
 namespace {
 
 using Signs = Vec3;  // 1 or -1 each: the diagonal of a reflection
 
-const Signs kMirror{-1.0, 1.0, 1.0};  // S of the header
-// That of the arm: in its reflection y of frame 6 is reversed, so that the frame stays right-handed.
+// That of the arm: in its reflection y of the tip's frame is reversed, so that the frame stays right-handed.
 const Signs kTip{1.0, -1.0, 1.0};
 
 double flipped(double number) {
   return number == 0.0 ? number : -number;  // a file should not say -0
-}
-
-/// The reflection of a position, or of a direction with a sense.
-Vec3 seen(const Vec3& v) {
-  return {flipped(v.x()), v.y(), v.z()};
-}
-
-/// The reflection of an axis of rotation: a right-handed screw becomes left-handed, so that an axis at right angles to
-/// the mirror stays, and one parallel to it is reversed. Angles keep their sign, and so do limits, rest positions and
-/// springs.
-Vec3 seenTurning(const Vec3& axis) {
-  return {axis.x(), flipped(axis.y()), flipped(axis.z())};
 }
 
 /// left R right.
@@ -37,66 +27,93 @@ void reflect(Matrix& R, const Signs& left, const Signs& right) {
   }
 }
 
-void mirror(Point& point) {
-  point.position_mm = seen(point.position_mm);
-}
-void mirror(Sphere& sphere) {
-  sphere.center_mm = seen(sphere.center_mm);
-}
-void mirror(Line& line) {
-  line.point_mm = seen(line.point_mm);
-  line.direction = seen(line.direction);
-}
-void mirror(Plane& plane) {
-  plane.point_mm = seen(plane.point_mm);
-  plane.normal = seen(plane.normal);
-}
-void mirror(Circle& circle) {
-  circle.center_mm = seen(circle.center_mm);
-  circle.normal = seen(circle.normal);  // as a line: nothing rotates about it
-}
-void mirror(Cylinder& cylinder) {
-  cylinder.point_mm = seen(cylinder.point_mm);
-  cylinder.axis = seen(cylinder.axis);
-}
-void mirror(Box& box) {
-  box.center_mm = seen(box.center_mm);
-  reflect(box.R_WB, kMirror, kMirror);
-}
-
-void mirror(VirtualManipulator& robot) {
-  for (Joint& joint : robot.joints) {
-    joint.axis = joint.type == chain::JointType::Revolute ? seenTurning(joint.axis) : seen(joint.axis);
-    joint.point_mm = seen(joint.point_mm);
+/// Reflects what a scene file says, in its units.
+class SceneMirror {
+ public:
+  explicit SceneMirror(const arm::MirrorPlane& plane)
+      : axis_(plane.axis), twice_at_mm_(2.0 * kMillimetrePerMetre * plane.at_m) {
+    signs_[axis_] = -1.0;
   }
-  reflect(robot.X_WV_home, kMirror, kTip);  // compared with the arm's tip
-  robot.X_WV_home(0, 3) = flipped(robot.X_WV_home(0, 3));
-}
 
-/// S (p_WM + s R p_M) = S p_WM + (-s) (-S R) p_M: a negative scale is the part that a rotation cannot do.
-template <class FromFile>
-void mirrorPlacement(FromFile& placed) {
-  placed.scale_mm_per_unit = -placed.scale_mm_per_unit;
-  reflect(placed.X_WM, -kMirror, Signs::Ones());
-  placed.X_WM(0, 3) = flipped(placed.X_WM(0, 3));
-}
-void mirror(Mesh& mesh) {
-  mirrorPlacement(mesh);
-}
-void mirror(Curve& curve) {
-  mirrorPlacement(curve);  // its points keep their order, so the guide starts from the same end
-}
+  void reflect(Point& point) const { position(point.position_mm); }
+  void reflect(Sphere& sphere) const { position(sphere.center_mm); }
+  void reflect(Line& line) const {
+    position(line.point_mm);
+    direction(line.direction);
+  }
+  void reflect(Plane& plane) const {
+    position(plane.point_mm);
+    direction(plane.normal);
+  }
+  void reflect(Circle& circle) const {
+    position(circle.center_mm);
+    direction(circle.normal);  // as a line: nothing rotates about it
+  }
+  void reflect(Cylinder& cylinder) const {
+    position(cylinder.point_mm);
+    direction(cylinder.axis);
+  }
+  void reflect(Box& box) const {
+    position(box.center_mm);
+    scene::reflect(box.R_WB, signs_, signs_);
+  }
+  void reflect(VirtualManipulator& robot) const {
+    for (Joint& joint : robot.joints) {
+      if (joint.type == chain::JointType::Revolute)
+        turningAxis(joint.axis);
+      else
+        direction(joint.axis);
+      position(joint.point_mm);
+    }
+    scene::reflect(robot.X_WV_home, signs_, kTip);  // compared with the arm's tip
+    coordinate(robot.X_WV_home(axis_, 3));
+  }
+  void reflect(Mesh& mesh) const { placement(mesh); }
+  void reflect(Curve& curve) const { placement(curve); }  // its points keep their order: the guide starts as before
+
+ private:
+  void coordinate(double& at_mm) const { at_mm = twice_at_mm_ == 0.0 ? flipped(at_mm) : twice_at_mm_ - at_mm; }
+  void position(Vec3& p_mm) const { coordinate(p_mm[axis_]); }
+  void direction(Vec3& v) const { v[axis_] = flipped(v[axis_]); }
+  /// An axis of rotation: a right-handed screw becomes left-handed, so that an axis at right angles to the mirror
+  /// stays, and one parallel to it is reversed. Angles keep their sign, and so do limits, rest positions and springs.
+  void turningAxis(Vec3& axis) const {
+    for (Eigen::Index other = 0; other < 3; ++other) {
+      if (other != axis_) axis[other] = flipped(axis[other]);
+    }
+  }
+  /// S (p_WM + s R p_M) = S p_WM + (-s) (-S R) p_M: a negative scale is the part that a rotation cannot do.
+  template <class FromFile>
+  void placement(FromFile& placed) const {
+    placed.scale_mm_per_unit = -placed.scale_mm_per_unit;
+    scene::reflect(placed.X_WM, -signs_, Signs::Ones());
+    coordinate(placed.X_WM(axis_, 3));
+  }
+
+  Eigen::Index axis_;
+  double twice_at_mm_;
+  Signs signs_ = Signs::Ones();  // S of the header
+};
 
 }  // namespace
 
-Constraint mirrored(Constraint constraint) {
-  std::visit([](auto& shape) { mirror(shape); }, constraint.shape);
+arm::MirrorPlane mirrorPlaneOf(const Description& scene) {
+  return arm::mirrorPlane(modelOf(scene));
+}
+
+Constraint mirrored(Constraint constraint, const arm::MirrorPlane& plane) {
+  std::visit([mirror = SceneMirror(plane)](auto& shape) { mirror.reflect(shape); }, constraint.shape);
   return constraint;
 }
 
-Description mirrored(Description scene) {
-  for (Constraint& constraint : scene.constraints) constraint = mirrored(std::move(constraint));
+Description mirrored(Description scene, const arm::MirrorPlane& plane) {
+  for (Constraint& constraint : scene.constraints) constraint = mirrored(std::move(constraint), plane);
   return scene;
+}
+
+Description mirrored(Description scene) {
+  const arm::MirrorPlane plane = mirrorPlaneOf(scene);
+  return mirrored(std::move(scene), plane);
 }
 
 }  // namespace underact::scene

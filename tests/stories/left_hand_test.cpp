@@ -255,6 +255,22 @@ TEST(LeftHandStory, AMirroredMeshIsDrawnFromItsOutside) {
   EXPECT_LT(worstBlockDifference(mirrored_cut, story.view().picture()), kTolerance);
 }
 
+TEST(LeftHandStory, OfAnArmWhoseZIsUpItIsAcrossThePlaneThatTheArmFaces) {
+  Story story(temporaryFile("right_ball_ur5e.json", R"({"underact_scene": 1, "title": "Ball of a UR5e", "arm": "ur5e",
+      "constraints": [{"type": "sphere", "center_mm": [650, -130, 200], "radius_mm": 60, "side": "outside"}]})"));
+  const auto middle_mm = [&story] {
+    return std::get<scene::Sphere>(story.host().scene().constraints.at(0).shape).center_mm;
+  };
+  ASSERT_TRUE(story.perform(kAction, true));
+  EXPECT_EQ(middle_mm(), Vec3(650, 130, 200));
+  ASSERT_TRUE(story.perform("scene.arm", "omni-thesis"));
+  EXPECT_EQ(middle_mm(), Vec3(-650, -130, 200)) << "what the file says, across the plane of the new arm";
+  ASSERT_TRUE(story.perform("edit.undo"));
+  EXPECT_EQ(middle_mm(), Vec3(650, 130, 200));
+  ASSERT_TRUE(story.perform(kAction, false));
+  EXPECT_EQ(middle_mm(), Vec3(650, -130, 200));
+}
+
 TEST(LeftHandStory, PicturesOfIt) {
   for (const char* theme : {"light", "dark"}) {
     Story story("27_bracket");

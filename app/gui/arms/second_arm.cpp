@@ -8,6 +8,7 @@
 #include "app/gui/view/scene_view.h"
 #include "core/base/units.h"
 #include "core/record/fault_file.h"
+#include "core/scene/mirror.h"
 #include "core/scene/scene_arm.h"
 
 namespace underact::gui {
@@ -15,12 +16,12 @@ namespace {
 
 constexpr double kApart_mm = 260.0;  // between the centres of the workspaces: neither arm reaches into the other's
 
-/// Mirrored across x = 0.
-sim::HandSetpoint mirrored(sim::HandSetpoint setpoint) {
-  const Vec3 flip(-1.0, 1.0, 1.0);
-  setpoint.p_WT = flip.cwiseProduct(setpoint.p_WT);
-  setpoint.v_WT = flip.cwiseProduct(setpoint.v_WT);
+sim::HandSetpoint mirrored(sim::HandSetpoint setpoint, const arm::MirrorPlane& plane) {
+  const Vec3 flip = plane.directionSeen(Vec3::Ones());
+  setpoint.p_WT = plane.positionSeen(setpoint.p_WT);
+  setpoint.v_WT = plane.directionSeen(setpoint.v_WT);
   setpoint.R_WT = (flip.asDiagonal() * setpoint.R_WT * flip.asDiagonal()).eval();  // still a rotation
+  setpoint.posture.reset();  // the mirror image of its joints is not known: the tip is led
   return setpoint;
 }
 
@@ -148,13 +149,14 @@ void SecondArm::takeFaults() {
 /// The hand of a simulated arm mirrors the first one.
 void SecondArm::moveHand() {
   if (!mirrors_ || arms_->simulated() == nullptr) return;
+  const arm::MirrorPlane plane = scene::mirrorPlaneOf(document_->scene());
   if (const device::SimulatedArm* hand = first_arms_.simulated()) {
-    simulated_.arm->setSetpoint(mirrored(hand->setpoint()));
+    simulated_.arm->setSetpoint(mirrored(hand->setpoint(), plane));
     return;
   }
   const tick::TickReport report = first_.snapshot().report;
   if (report.p_WT.allFinite())
-    simulated_.arm->setSetpoint(mirrored({report.p_WT, Vec3::Zero(), Mat3::Identity(), false}));
+    simulated_.arm->setSetpoint(mirrored({report.p_WT, Vec3::Zero(), Mat3::Identity(), false}, plane));
 }
 
 void SecondArm::poll() {

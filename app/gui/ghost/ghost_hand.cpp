@@ -84,7 +84,7 @@ void GhostHand::restart() {
 void GhostHand::setMirrored(bool on) {
   if (!isOpen() || on == is_mirrored_) return;
   is_mirrored_ = on;
-  ghost_->way = ghost::mirrored(std::move(ghost_->way));
+  ghost_->way = ghost::mirrored(std::move(ghost_->way), ghost_->mirror);
   restart();
 }
 

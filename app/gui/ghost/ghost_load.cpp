@@ -53,7 +53,8 @@ Result<LoadedGhost> loadGhost(const std::string& path, const TaskMonitor& monito
   if (preset == nullptr)
     return oneProblem(QObject::tr("This program does not know the session's arm “%1”.").arg(recorded.arm.c_str()),
                       path);
-  LoadedGhost ghost{recorded.name, path, wayOf(recorded, preset->geometry), {}, recorded.damage};
+  const arm::MirrorPlane mirror = first != nullptr ? scene::mirrorPlaneOf(first->scene) : arm::MirrorPlane{};
+  LoadedGhost ghost{recorded.name, path, wayOf(recorded, preset->geometry), mirror, {}, recorded.damage};
   if (ghost.way.rows.size() < 2)
     return oneProblem(QObject::tr("This session has only one tick: there is nothing to follow."), path);
   if (first != nullptr) ghost.scene = first->scene;

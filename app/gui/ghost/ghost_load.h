@@ -14,6 +14,7 @@ struct LoadedGhost {
   std::string name;  // of the session, or its file
   std::string path;
   ghost::Trajectory way;
+  arm::MirrorPlane mirror;                  // of its arm
   std::optional<scene::Description> scene;  // of the recording: the first one; none: no scene could be read
   Problems damage;                          // what could not be read of the file
 };

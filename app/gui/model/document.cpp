@@ -77,10 +77,14 @@ Problems Document::steer(const scene::Description& after, const QString& what, i
 
 Problems Document::change(const scene::Description& after, const QString& what, int gesture, std::int64_t over_ticks) {
   const scene::Description before = scene();
-  Problems problems = host_.edit(after, over_ticks);
+  // What is written stays as it is when the scene gets another arm, which may be mirrored elsewhere.
+  const arm::MirrorPlane plane = scene::mirrorPlaneOf(before);
+  const scene::Description written = is_mirrored_ ? scene::mirrored(after, plane) : after;
+  const bool moves = is_mirrored_ && !(plane == scene::mirrorPlaneOf(after));
+  Problems problems = host_.edit(moves ? throughMirror(written) : after, over_ticks);
   if (!problems.empty()) return problems;
   kept_.reset();
-  pushEdit(throughMirror(before), throughMirror(after), what, gesture);
+  pushEdit(throughMirror(before), written, what, gesture);
   return {};
 }
 

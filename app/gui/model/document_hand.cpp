@@ -51,7 +51,7 @@ scene::Description Document::throughMirror(scene::Description scene) const {
 }
 
 scene::Constraint Document::throughMirror(scene::Constraint constraint) const {
-  return is_mirrored_ ? scene::mirrored(std::move(constraint)) : constraint;
+  return is_mirrored_ ? scene::mirrored(std::move(constraint), scene::mirrorPlaneOf(scene())) : constraint;
 }
 
 /// The hand is not an edit: it is not saved in files.

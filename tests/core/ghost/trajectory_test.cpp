@@ -103,7 +103,7 @@ TEST(Trajectory, AStylusThatTurnsRoundHasADirectionAllTheWay) {
 }
 
 TEST(Trajectory, InAMirrorIsAtTheOtherSideAndTwiceItself) {
-  const Trajectory way = swing(250.0, 300), other = mirrored(way), again = mirrored(other);
+  const Trajectory way = swing(250.0, 300), other = mirrored(way, {}), again = mirrored(other, {});
   ASSERT_EQ(other.rows.size(), way.rows.size());
   for (std::size_t index = 0; index < way.rows.size(); ++index) {
     const StylusPose &one = way.rows[index].place, &image = other.rows[index].place;
@@ -112,6 +112,9 @@ TEST(Trajectory, InAMirrorIsAtTheOtherSideAndTwiceItself) {
     EXPECT_EQ(again.rows[index].place.p_WG, one.p_WG);
   }
   EXPECT_GT(poseAt(way, 0.5).p_WG.x() - poseAt(other, 0.5).p_WG.x(), 0.01) << "it was at one side";
+  const StylusPose &one = way.rows[7].place, image = mirrored(way, {1, 0.1}).rows[7].place;  // that of another arm
+  EXPECT_EQ(image.p_WG, Vec3(one.p_WG.x(), 0.2 - one.p_WG.y(), one.p_WG.z()));
+  EXPECT_EQ(image.stylus_W, Vec3(one.stylus_W.x(), 0.0 - one.stylus_W.y(), one.stylus_W.z()));
 }
 
 TEST(WayAhead, IsInEvenStepsAndEndsAtAGapAndAtTheEnd) {

@@ -1,10 +1,13 @@
 #include "core/scene/mirror.h"
 
+#include "core/arm/arm_text.h"
 #include "core/arm/forward.h"
 #include "core/base/trig.h"
+#include "core/chain/numeric_inverse.h"
 #include "core/scene/compile.h"
 #include "core/scene/fields.h"
 #include "core/scene/load_meshes.h"
+#include "core/scene/scene_arm.h"
 #include "core/scene/settings.h"
 #include "core/scene/write.h"
 #include "tests/core/scene/random_scene.h"
@@ -178,7 +181,7 @@ std::vector<Named> everyScene() {
 TEST(Mirror, EachSceneOnTheMirroredArmPushesWithTheMirrorImageOfItsForce) {
   for (const auto& [name, scene] : everyScene()) {
     const arm::Geometry& geometry = arm::findPreset(scene.arm)->geometry;
-    if (geometry.general != nullptr) continue;  // the mirror image of such an arm is another arm
+    if (geometry.general != nullptr) continue;  // below: the mirror image of such an arm is another arm
     double most_N = 0.0;
     for (int draw = 0; draw < test::sweep(3, 40); ++draw) {
       const Sway motion(test::Seed{static_cast<std::uint64_t>(100 + draw)});
@@ -198,6 +201,95 @@ TEST(Mirror, EachSceneOnTheMirroredArmPushesWithTheMirrorImageOfItsForce) {
       }
     }
     EXPECT_GT(most_N, 0.01) << name << ": nothing was felt, so nothing is shown";
+  }
+}
+
+/// Another arm keeps its joints, which bring the tip to the mirrored pose in a way of their own: what it is held to
+/// there is the mirror image, at the same distance.
+TEST(Mirror, OtherArmsAreHeldToTheMirrorImageAcrossTheirOwnPlane) {
+  int arms = 0;
+  for (const std::filesystem::path& file : test::sceneFiles()) {
+    const Description scene = shippedFrom(file);
+    const arm::Preset& preset = armOf(scene);
+    if (preset.geometry.general == nullptr) continue;
+    ++arms;
+    EXPECT_EQ(mirrorPlaneOf(scene), (arm::MirrorPlane{1, 0.0})) << file << ": they face x, and stand on the origin";
+    const chain::Chain& chain = preset.geometry.general->chain;
+    const std::size_t joints = chain.joints.size();
+    const Vec3 across(1.0, -1.0, 1.0);
+    Random random(test::Seed{20261126});
+    int reached = 0;
+    for (int draw = 0; draw < test::sweep(20, 2000); ++draw) {
+      arm::JointAngles q = preset.geometry.general->rest;
+      for (std::size_t joint = 0; joint < joints; ++joint) {
+        const bool slides = chain.joints[joint].type == chain::JointType::Prismatic;
+        q[joint] += random.between(-1.0, 1.0) * (slides ? 0.02 : 0.4);
+      }
+      const Pose X_WT = chain::forward(chain, q);
+      Pose X_WM = X_WT;
+      X_WM.translation() = across.cwiseProduct(X_WT.translation());
+      X_WM.linear() = across.asDiagonal() * X_WT.linear() * kTip.asDiagonal();
+      chain::NumericOptions options;
+      options.restarts = 20;
+      if (joints < 6) options.rotation_length_m = 0.0;
+      const chain::NumericSolution found = chain::solveNumerically(chain, X_WM, preset.geometry.general->rest, options);
+      if (!found.reached) continue;
+      ++reached;
+      arm::JointAngles image{};
+      std::copy_n(found.q.begin(), joints, image.begin());
+      test::Hand right(compile(scene).value()), left(compile(mirrored(scene)).value());
+      const tick::TickReport &r = right.feed(q), &l = left.feed(image);
+      for (std::size_t index = 0; index < r.held.size(); ++index) {
+        ASSERT_EQ(r.held[index].status, l.held[index].status) << file;
+        ASSERT_NEAR(r.held[index].distance_m, l.held[index].distance_m, 1e-8) << file;
+        ASSERT_LE((across.cwiseProduct(r.held[index].p_WP) - l.held[index].p_WP).norm(), 1e-8) << file;
+      }
+    }
+    EXPECT_GT(reached, 5) << file;
+  }
+  EXPECT_GE(arms, 10);
+}
+
+/// The UR5e with its base elsewhere; rows: of X_WB, mm.
+arm::MirrorPlane planeOfUr5eAt(const std::string& rows) {
+  std::string text(arm::fileOf("ur5e"));
+  const std::size_t key = text.find("\"X_WB\""), from = text.find("[[", key), to = text.find("]]", from);
+  text.replace(from, to + 2 - from, rows);
+  return arm::mirrorPlane(arm::readArm(text, "moved.json").value());
+}
+
+TEST(Mirror, APlaneGoesThroughTheBaseAlongTheWayItFaces) {
+  EXPECT_EQ(arm::mirrorPlane(*arm::findModel(arm::kDefaultArm)), arm::MirrorPlane{});
+  EXPECT_EQ(planeOfUr5eAt("[[1, 0, 0, 50], [0, 1, 0, 200], [0, 0, 1, 0], [0, 0, 0, 1]]"), (arm::MirrorPlane{1, 0.2}));
+  EXPECT_EQ(planeOfUr5eAt("[[0, -1, 0, 50], [1, 0, 0, 200], [0, 0, 1, 0], [0, 0, 0, 1]]"), (arm::MirrorPlane{0, 0.05}))
+      << "it faces y";
+  EXPECT_EQ(planeOfUr5eAt("[[0, 0, 1, 50], [0, 1, 0, 200], [-1, 0, 0, 0], [0, 0, 0, 1]]"), (arm::MirrorPlane{1, 0.2}))
+      << "on a wall: away from it";
+  const std::string urdf = arm::textOf(*arm::findModel("ur5e"), arm::ArmForm::Urdf).value();
+  const arm::MirrorPlane from_urdf = arm::mirrorPlane(arm::readArmText(urdf, "ur5e.urdf").value());
+  EXPECT_EQ(from_urdf, (arm::MirrorPlane{1, 0.0}));
+}
+
+TEST(Mirror, AcrossAPlaneBesideTheOriginPositionsMoveAndDirectionsTurn) {
+  const Constraint plane =
+      readScene(test::sceneWith(R"({"type": "plane", "point_mm": [5, 6, 7], "normal": [1, -2, 3]})"), "")
+          .value()
+          .constraints.at(0);
+  const arm::MirrorPlane mirror{1, 0.2};
+  const auto once = std::get<Plane>(mirrored(plane, mirror).shape);
+  EXPECT_EQ(once.point_mm, Vec3(5, 394, 7));
+  EXPECT_EQ(once.normal, Vec3(1, 2, 3));
+  EXPECT_EQ(std::get<Plane>(mirrored(mirrored(plane, mirror), mirror).shape).point_mm, Vec3(5, 6, 7));
+}
+
+TEST(Mirror, TwiceIsTheSceneOfAnotherArmToTheLastBit) {
+  test::RandomScene random(test::Seed{13});
+  for (int i = 0; i < test::sweep(200, 20'000); ++i) {
+    Description scene = random.next();
+    scene.arm = "ur5e";
+    const Description once = mirrored(scene);
+    ASSERT_TRUE(same(mirrored(once), scene)) << writeScene(scene);
+    ASSERT_EQ(mirrorPlaneOf(once).axis, 1);
   }
 }
 
