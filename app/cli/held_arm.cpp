@@ -7,6 +7,7 @@
 
 #include "app/cli/arm_choice.h"
 #include "app/cli/hands.h"
+#include "app/cli/recording.h"
 #include "app/cli/setting_overrides.h"
 #include "app/options/scheduling_options.h"
 #include "core/arm/preset.h"
@@ -60,12 +61,7 @@ sim::HandScript asHeld(sim::HandScript script, const HeldArm& options) {
   return script;
 }
 
-}  // namespace
-
-bool HeldArm::isSimulated() const {
-  return device == kSimulated;
-}
-
+/// Why the options are not compatible; empty: they are.
 std::string wrongIn(const HeldArm& options) {
   if (options.isSimulated())
     return options.hand.empty() ? "--hand: somebody has to hold the simulated arm. Give a built-in hand, or a file."
@@ -75,11 +71,26 @@ std::string wrongIn(const HeldArm& options) {
   return options.fast ? "--fast: only the simulated arm can run faster than real time. Omit --fast." : "";
 }
 
+}  // namespace
+
+bool HeldArm::isSimulated() const {
+  return device == kSimulated;
+}
+
 std::string fileName(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
 std::optional<Prepared> prepare(const HeldArm& options, std::int64_t ticks, const Streams& streams, Exit& exit) {
+  if (const std::string wrong = wrongIn(options); !wrong.empty()) {
+    streams.err << wrong << '\n';
+    exit = Exit::Usage;
+    return {};
+  }
+  if (const Problems problems = Recording::check(options.record, options.existing()); !problems.empty()) {
+    exit = fail(problems, Exit::File, streams);
+    return {};
+  }
   Result<LoadedScene> scene = loadScene(options.scene, streams);
   if (!scene) {
     exit = fail(scene.problems(), streams);

@@ -9,6 +9,7 @@
 #include "app/cli/scene_file.h"
 #include "core/servo/host.h"
 #include "core/sim/arm_model.h"
+#include "core/system/private_file.h"
 #include "core/system/scheduling.h"
 #include "device/simulated_run.h"
 
@@ -31,7 +32,10 @@ struct HeldArm {
   std::string arm_model{sim::kDefaultArmModel};
   std::string device{"simulated"};
   system::SchedulingRequest scheduling;
+  std::string record;      // the file of the recording; empty: none
+  bool overwrite = false;  // it may exist
   bool isSimulated() const;
+  system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
 };
 
 /// The same, read.
@@ -46,10 +50,8 @@ void addRateOptions(Command command, HeldArm& options);
 void addSeedOption(Command command, HeldArm& options);
 void addArmOptions(Command command, HeldArm& options);
 
-/// Why the options are not compatible; empty: they are.
-std::string wrongIn(const HeldArm& options);
-
-/// ticks: for how many it runs. Empty: something was wrong; it has been printed, and exit is its status.
+/// Checks what is asked for, the file of the recording too, and reads it, in this order. ticks: for how many it runs.
+/// Empty: something was wrong; it has been printed, and exit is its status.
 std::optional<Prepared> prepare(const HeldArm& options, std::int64_t ticks, const Streams& streams, Exit& exit);
 
 /// The arm, open. Problems: there is none; it cannot be opened.

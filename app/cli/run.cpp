@@ -24,14 +24,11 @@ constexpr double kLongestRun_s = 1e6;
 
 struct RunOptions : HeldArm {
   double seconds = 0.0;
-  std::string record;
-  bool overwrite = false;
   record::SessionMetadata words;  // of the recording
   double block_s = record::kBlock_s;
   bool details = false;
   std::string stream;  // empty: none
   std::string fault_file;
-  system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
 };
 
 std::int64_t ticksOf(const RunOptions& options) {
@@ -83,12 +80,6 @@ Exit startListeners(const RunOptions& options, const Prepared& prepared, servo::
 }
 
 Exit runScene(const RunOptions& options, const Streams& streams) {
-  if (const std::string wrong = wrongIn(options); !wrong.empty()) {
-    streams.err << wrong << '\n';
-    return Exit::Usage;
-  }
-  if (const Problems problems = Recording::check(options.record, options.existing()); !problems.empty())
-    return fail(problems, Exit::File, streams);
   Exit exit = Exit::Well;
   std::optional<Prepared> prepared = prepare(options, ticksOf(options), streams, exit);
   if (!prepared) return exit;

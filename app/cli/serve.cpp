@@ -7,7 +7,6 @@
 #include "app/cli/command.h"
 #include "app/cli/held_arm.h"
 #include "app/cli/json_object.h"
-#include "app/cli/recording.h"
 #include "app/cli/shipped.h"
 #include "app/serve/haply.h"
 #include "app/serve/host_alone.h"
@@ -29,10 +28,7 @@ struct ServeOptions : HeldArm {
   bool anyone_steers = false;
   int haply_port = serve::kHaplyPort;
   bool haply = false;
-  std::string record;
-  bool overwrite = false;
   std::string sessions;  // empty: where the window keeps them
-  system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
 };
 
 double nowSeconds() {
@@ -56,12 +52,6 @@ Exit runService(ServeOptions options, const Streams& streams) {
     if (!shipped.value().empty()) options.scene = shipped.value().front();
   }
   if (options.hand.empty() && options.isSimulated()) options.hand = "still";
-  if (const std::string wrong = wrongIn(options); !wrong.empty()) {
-    streams.err << wrong << '\n';
-    return Exit::Usage;
-  }
-  if (const Problems problems = Recording::check(options.record, options.existing()); !problems.empty())
-    return fail(problems, Exit::File, streams);
   Exit exit = Exit::Well;
   std::optional<Prepared> prepared = prepare(options, 0, streams, exit);
   if (!prepared) return exit;
