@@ -1,10 +1,6 @@
 #include "app/gui/view/dimple_picture.h"
 
-#include <vtkCellArray.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkProperty.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <array>
@@ -33,18 +29,8 @@ double depthAt(double share) {
 }  // namespace
 
 DimplePicture::DimplePicture()
-    : data_(vtkSmartPointer<vtkPolyData>::New()),
-      points_(vtkSmartPointer<vtkPoints>::New()),
-      cells_(vtkSmartPointer<vtkCellArray>::New()),
-      colours_(vtkSmartPointer<vtkUnsignedCharArray>::New()) {
-  colours_->SetNumberOfComponents(4);
-  colours_->SetName("colour");
-  data_->SetPoints(points_);
-  data_->SetPolys(cells_);
-  data_->GetPointData()->SetScalars(colours_);
-  actor_ = makeActor(data_, Kind::Line);  // unlit, and without depth
-  ring_actor_ = makeActor(rings_.data(), Kind::Line);
-}
+    : actor_(makeActor(faces_.data(), Kind::Line)),  // unlit, and without depth
+      ring_actor_(makeActor(rings_.data(), Kind::Line)) {}
 
 void DimplePicture::setScene(const scene::Description& scene) {
   is_surface_.clear();
@@ -57,9 +43,7 @@ void DimplePicture::setLineWidth(double scale) {
 
 void DimplePicture::present(const tick::TickReport& report, const Vec3& p_WT, double force_share, double size) {
   dimples_ = 0;
-  points_->Reset();
-  cells_->Reset();
-  colours_->Reset();
+  faces_.clear();
   rings_.clear();
   if (shown_ && force_share > kLeastShare && p_WT.allFinite()) {
     const double radius_mm = size * (kLeast_mm + (kMost_mm - kLeast_mm) * std::sqrt(std::min(1.0, force_share)));
@@ -70,11 +54,8 @@ void DimplePicture::present(const tick::TickReport& report, const Vec3& p_WT, do
       add(kMillimetrePerMetre * held.p_WP, kMillimetrePerMetre * p_WT, radius_mm);
     }
   }
+  faces_.done();
   rings_.done();
-  points_->Modified();
-  cells_->Modified();
-  colours_->Modified();
-  data_->Modified();
 }
 
 void DimplePicture::add(const Vec3& target_mm, const Vec3& tip_mm, double radius_mm) {
@@ -86,24 +67,19 @@ void DimplePicture::add(const Vec3& target_mm, const Vec3& tip_mm, double radius
     return Vec3(target_mm + depthAt(share) * down_mm +
                 share * radius_mm * (std::cos(angle_rad) * u + std::sin(angle_rad) * v));
   };
-  const vtkIdType first = points_->GetNumberOfPoints();
+  std::vector<vtkIdType> corners;
   for (int ring = 0; ring <= kDimpleRings; ++ring) {
     const double share = static_cast<double>(ring) / kDimpleRings;
-    const QColor colour = mixed(theme_.force, theme_.constraint, share);
-    for (int sector = 0; sector <= kDimpleSectors; ++sector) {
-      points_->InsertNextPoint(at(share, 2.0 * kPi * sector / kDimpleSectors).data());
-      const std::array<unsigned char, 4> rgba{
-          static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
-          static_cast<unsigned char>(colour.blue()),
-          static_cast<unsigned char>(std::lround(255.0 * kDimpleOpacity * depthAt(share)))};
-      colours_->InsertNextTypedTuple(rgba.data());
-    }
+    QColor colour = mixed(theme_.force, theme_.constraint, share);
+    colour.setAlpha(static_cast<int>(std::lround(255.0 * kDimpleOpacity * depthAt(share))));
+    for (int sector = 0; sector <= kDimpleSectors; ++sector)
+      corners.push_back(faces_.corner(at(share, 2.0 * kPi * sector / kDimpleSectors), colour));
   }
   for (int ring = 0; ring < kDimpleRings; ++ring) {
     for (int sector = 0; sector < kDimpleSectors; ++sector) {
-      const vtkIdType corner = first + ring * (kDimpleSectors + 1) + sector, next = corner + kDimpleSectors + 1;
-      const std::array<vtkIdType, 4> quad{corner, corner + 1, next + 1, next};
-      cells_->InsertNextCell(4, quad.data());
+      const auto corner = static_cast<std::size_t>(ring * (kDimpleSectors + 1) + sector);
+      const std::size_t next = corner + kDimpleSectors + 1;
+      faces_.face(std::array{corners[corner], corners[corner + 1], corners[next + 1], corners[next]});
     }
   }
   for (const double share : {0.34, 0.67, 1.0}) {

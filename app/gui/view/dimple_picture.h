@@ -9,10 +9,6 @@
 #include "core/scene/description.h"
 #include "core/tick/report.h"
 
-class vtkCellArray;
-class vtkPoints;
-class vtkUnsignedCharArray;
-
 namespace underact::gui {
 
 /// How a surface gives where the tip is pressed against it: a dimple from the surface down to the tip, the wider the
@@ -41,11 +37,7 @@ class DimplePicture {
   bool shown_ = true;
   std::vector<bool> is_surface_;  // of each constraint
   std::size_t dimples_ = 0;
-  vtkSmartPointer<vtkPolyData> data_;
-  vtkSmartPointer<vtkPoints> points_;
-  vtkSmartPointer<vtkCellArray> cells_;
-  vtkSmartPointer<vtkUnsignedCharArray> colours_;
-  Lines rings_;
+  Lines faces_, rings_;
   vtkSmartPointer<vtkActor> actor_, ring_actor_;
 };
 

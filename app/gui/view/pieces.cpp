@@ -216,31 +216,40 @@ Lines::Lines()
     : data_(vtkSmartPointer<vtkPolyData>::New()),
       points_(vtkSmartPointer<vtkPoints>::New()),
       cells_(vtkSmartPointer<vtkCellArray>::New()),
+      faces_(vtkSmartPointer<vtkCellArray>::New()),
       colours_(vtkSmartPointer<vtkUnsignedCharArray>::New()) {
   colours_->SetNumberOfComponents(4);
   colours_->SetName("colour");
   data_->SetPoints(points_);
   data_->SetLines(cells_);
+  data_->SetPolys(faces_);
   data_->GetPointData()->SetScalars(colours_);
 }
 
 void Lines::clear() {
   points_->Reset();
   cells_->Reset();
+  faces_->Reset();
   colours_->Reset();
+}
+
+vtkIdType Lines::corner(const Vec3& p_mm, const QColor& colour) {
+  const std::array<unsigned char, 4> rgba{
+      static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
+      static_cast<unsigned char>(colour.blue()), static_cast<unsigned char>(colour.alpha())};
+  colours_->InsertNextTypedTuple(rgba.data());
+  return points_->InsertNextPoint(p_mm.data());
+}
+
+void Lines::face(std::span<const vtkIdType> corners) {
+  faces_->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
 }
 
 void Lines::chain(std::span<const Vec3> points_mm, const QColor& colour, bool closed) {
   if (points_mm.size() < 2) return;
-  const std::array<unsigned char, 4> rgba{
-      static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
-      static_cast<unsigned char>(colour.blue()), static_cast<unsigned char>(colour.alpha())};
   const vtkIdType first = points_->GetNumberOfPoints();
   cells_->InsertNextCell(static_cast<int>(points_mm.size()) + (closed ? 1 : 0));
-  for (const Vec3& p_mm : points_mm) {
-    cells_->InsertCellPoint(points_->InsertNextPoint(p_mm.data()));
-    colours_->InsertNextTypedTuple(rgba.data());
-  }
+  for (const Vec3& p_mm : points_mm) cells_->InsertCellPoint(corner(p_mm, colour));
   if (closed) cells_->InsertCellPoint(first);
 }
 
@@ -283,6 +292,7 @@ void Lines::sides(const Vec3& eye_mm, const Vec3& a_mm, const Vec3& b_mm, double
 void Lines::done() {
   points_->Modified();
   cells_->Modified();
+  faces_->Modified();
   colours_->Modified();
   data_->Modified();
 }

@@ -32,7 +32,7 @@ void place(vtkActor& actor, const Eigen::Matrix4d& X);
 Eigen::Matrix4d along(const Vec3& a_mm, const Vec3& b_mm, double radius_mm);
 Eigen::Matrix4d at(const Vec3& p_mm, double scale);
 
-/// Lines, each point with its own colour; can be rebuilt at any time.
+/// Lines and faces, each point with its own colour; can be rebuilt at any time.
 class Lines {
  public:
   Lines();
@@ -47,12 +47,15 @@ class Lines {
   void outline(const Vec3& eye_mm, const Vec3& center_mm, double radius_mm, const QColor& colour);
   void sides(const Vec3& eye_mm, const Vec3& a_mm, const Vec3& b_mm, double a_radius_mm, double b_radius_mm,
              const QColor& colour);
+  /// A corner of faces, and a face with such corners.
+  vtkIdType corner(const Vec3& p_mm, const QColor& colour);
+  void face(std::span<const vtkIdType> corners);
   void done();  // after the last line: draw them
 
  private:
   vtkSmartPointer<vtkPolyData> data_;
   vtkSmartPointer<vtkPoints> points_;
-  vtkSmartPointer<vtkCellArray> cells_;
+  vtkSmartPointer<vtkCellArray> cells_, faces_;
   vtkSmartPointer<vtkUnsignedCharArray> colours_;
 };
 
