@@ -401,6 +401,10 @@ z [mm]</translation>
         <translation>Schließen</translation>
     </message>
     <message>
+        <source>one of many: %1</source>
+        <translation>eine von vielen: %1</translation>
+    </message>
+    <message>
         <source>one of many: only %1 is defined</source>
         <translation>eine von vielen: nur %1 ist bestimmt</translation>
     </message>
@@ -421,8 +425,20 @@ z [mm]</translation>
         <translation>, jetzt</translation>
     </message>
     <message>
+        <source>A search from %1 starts found no solution for this pose.</source>
+        <translation>Eine Suche von %1 Startpunkten aus fand keine Lösung für diese Lage.</translation>
+    </message>
+    <message>
         <source>The arm cannot reach this pose: there is no solution.</source>
         <translation>Der Arm kann diese Lage nicht erreichen: Es gibt keine Lösung.</translation>
+    </message>
+    <message>
+        <source>More joints than the pose takes: infinitely many solutions. These %1 are from a search from %2 starts; %3 are within the joint limits.</source>
+        <translation>Mehr Gelenke, als die Lage braucht: unendlich viele Lösungen. Diese %1 fand eine Suche von %2 Startpunkten aus; %3 liegen innerhalb der Gelenkgrenzen.</translation>
+    </message>
+    <message>
+        <source>No closed form: a search from %2 starts found %1 solutions, %3 within the joint limits.</source>
+        <translation>Keine geschlossene Form: Eine Suche von %2 Startpunkten aus fand %1 Lösungen, %3 innerhalb der Gelenkgrenzen.</translation>
     </message>
     <message>
         <source>%1 solutions, %2 within the joint limits.</source>
@@ -9830,45 +9846,6 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     </message>
 </context>
 <context>
-    <name>underact::gui::ChainSolutionsSection</name>
-    <message>
-        <source>Inverse solutions</source>
-        <translation>Inverse Lösungen</translation>
-    </message>
-    <message>
-        <source>All sets of joint values that give the current pose of the tip, if the arm has a closed form.</source>
-        <translation>Alle Sätze von Gelenkwerten, die die jetzige Lage der Spitze ergeben, falls der Arm eine geschlossene Form hat.</translation>
-    </message>
-    <message>
-        <source>joint values</source>
-        <translation>Gelenkwerte</translation>
-    </message>
-    <message>
-        <source>limits</source>
-        <translation>Grenzen</translation>
-    </message>
-    <message>
-        <source>✗ outside</source>
-        <translation>✗ außerhalb</translation>
-    </message>
-    <message>
-        <source>Solution %1: degrees, or mm of a joint that slides.</source>
-        <translation>Lösung %1: Grad, oder mm bei einem Schubgelenk.</translation>
-    </message>
-    <message>
-        <source>This arm has no closed form here; underact-cli ik searches for its solutions.</source>
-        <translation>Dieser Arm hat hier keine geschlossene Form; underact-cli ik sucht seine Lösungen.</translation>
-    </message>
-    <message>
-        <source>%1 solutions, %2 within the joint limits.</source>
-        <translation>%1 Lösungen, %2 innerhalb der Gelenkgrenzen.</translation>
-    </message>
-    <message>
-        <source>✓ within</source>
-        <translation>✓ innerhalb</translation>
-    </message>
-</context>
-<context>
     <name>underact::gui::ChartWidget</name>
     <message>
         <source>&amp;Show all</source>
@@ -15670,8 +15647,8 @@ und %2 weitere</translation>
         <translation>Inverse Lösungen</translation>
     </message>
     <message>
-        <source>All sets of joint angles that give the current pose of the stylus: thesis eq. 3.11 to 3.20 and figure 3.4, with their errata.</source>
-        <translation>Alle Sätze von Gelenkwinkeln, die die jetzige Lage des Stifts ergeben: Thesis, Gl. 3.11 bis 3.20 und Abbildung 3.4, mit ihren Errata.</translation>
+        <source>All sets of joint values that give the current pose of the stylus; of an arm without a closed form those that a search finds. Of a haptic arm: thesis eq. 3.11 to 3.20 and figure 3.4, with their errata.</source>
+        <translation>Alle Sätze von Gelenkwerten, die die jetzige Lage des Stifts ergeben; für einen Arm ohne geschlossene Form die, die eine Suche findet. Für einen haptischen Arm: Thesis, Gl. 3.11 bis 3.20 und Abbildung 3.4, mit ihren Errata.</translation>
     </message>
     <message>
         <source>&amp;Go there</source>
@@ -15714,6 +15691,10 @@ und %2 weitere</translation>
         <translation>Handgelenk</translation>
     </message>
     <message>
+        <source>joint values</source>
+        <translation>Gelenkwerte</translation>
+    </message>
+    <message>
         <source>limits</source>
         <translation>Grenzen</translation>
     </message>
@@ -15734,12 +15715,24 @@ und %2 weitere</translation>
         <translation>+: sin q5 ≥ 0; −: Das Handgelenk ist andersherum gebeugt. In der Ansicht: die kurze Linie an der Spitze, Achse 5.</translation>
     </message>
     <message>
+        <source>Degrees, or mm of a joint that slides.</source>
+        <translation>Grad, oder mm bei einem Schubgelenk.</translation>
+    </message>
+    <message>
         <source>Whether all joints are within their limits. Now: the current configuration of the arm.</source>
         <translation>Ob alle Gelenke innerhalb ihrer Grenzen liegen. Jetzt: die jetzige Stellung des Arms.</translation>
     </message>
     <message>
         <source>Solution %1 does not exist here: at a singularity, two solutions coincide.</source>
         <translation>Lösung %1 gibt es hier nicht: An einer Singularität fallen zwei Lösungen zusammen.</translation>
+    </message>
+    <message>
+        <source>Solution %1 does not exist here.</source>
+        <translation>Lösung %1 gibt es hier nicht.</translation>
+    </message>
+    <message>
+        <source>null space (%1)</source>
+        <translation>Nullraum (%1)</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QLabel>
+#include <QTableWidget>
 
 #include "core/arm/arm_text.h"
 #include "core/arm/forward.h"
@@ -95,7 +96,7 @@ TEST(OtherArmsStory, TheKinematicsPanelHasAsManyRowsAsTheArmHasJoints) {
   story.run(500);
   EXPECT_TRUE(story.find("panel.kinematics.joint.4")->isVisible());
   EXPECT_FALSE(story.find("panel.kinematics.joint.5")->isVisible());
-  EXPECT_EQ(story.find<QLabel>("panel.kinematics.chain_solutions.status")->text().left(11), "2 solutions");
+  EXPECT_EQ(story.find<QLabel>("panel.kinematics.solutions.status")->text().left(11), "2 solutions");
   EXPECT_EQ(story.find<QLabel>("panel.kinematics.dh.3.4")->text(), "100.0") << "d of the slide";
   story.perform("session.stop");
   story.run(200);
@@ -119,6 +120,49 @@ TEST(OtherArmsStory, ASeventhJointIsShownAndMovedByItsSlider) {
   story.run(4000);
   EXPECT_NEAR(story.snapshot().report.sample.q_rad[6], -20.0 * kRadPerDegree, 0.01);
   EXPECT_EQ(story.snapshot().report.joints, 7);
+}
+
+TEST(OtherArmsStory, EightGhostsOfAUr5eAreListedSelectedAndSeen) {
+  Story story("30_ur5e_table");
+  story.perform("view.theme.light");
+  story.perform("session.stop");
+  EXPECT_TRUE(story.perform("dock.kinematics", true));
+  EXPECT_TRUE(story.perform("layer.ghosts", true));
+  story.run(500);
+  story.settle();
+  EXPECT_EQ(story.view().solutionsDrawn(), 8U);
+  EXPECT_EQ(story.find<QLabel>("panel.kinematics.solutions.status")->text(), "8 solutions, 8 within the joint limits.");
+  auto* const table = story.find<QTableWidget>("panel.kinematics.solutions");
+  EXPECT_FALSE(table->isRowHidden(7));
+  EXPECT_TRUE(table->isRowHidden(8));
+  int now = 0;
+  for (int row = 0; row < 8; ++row) now += table->item(row, 5)->text().contains("now") ? 1 : 0;
+  EXPECT_EQ(now, 1) << "the arm itself";
+  EXPECT_FALSE(story.perform("solution.show", 9));
+  ASSERT_TRUE(story.perform("solution.show", 6));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !story.view().solutionMoving(); }));
+  const arm::JointAngles chosen = *story.view().chosenSolution_rad();
+  const arm::Geometry& geometry = arm::findPreset("ur5e")->geometry;
+  EXPECT_LT((arm::tipPosition(geometry, chosen) - story.snapshot().report.p_WT).norm(), 1e-9);
+  const QString angles = story.find<QLabel>("panel.kinematics.solutions.angles")->text();
+  EXPECT_TRUE(angles.contains("shoulder") && angles.contains("wrist")) << angles.toStdString();
+  story.view().clearFocus();
+  story.settle(300);
+  story.savePicture("ur5e_ghosts");
+  EXPECT_TRUE(story.perform("scene.open", shippedScene("02_sphere")));
+  EXPECT_FALSE(story.view().chosenSolution_rad().has_value()) << "another arm has other solutions";
+}
+
+TEST(OtherArmsStory, OfAnArmWithJointsToSpareThePanelSaysWhatItsSolutionsAre) {
+  Story story("38_panda_wall");
+  EXPECT_TRUE(story.perform("view.kinematics"));
+  story.settle();
+  story.run(500);
+  const QString status = story.find<QLabel>("panel.kinematics.solutions.status")->text();
+  EXPECT_TRUE(status.contains("infinitely many") && status.contains("16 starts")) << status.toStdString();
+  EXPECT_GT(story.view().solutionsDrawn(), 2U);
+  ASSERT_TRUE(story.perform("solution.show", 2));
+  EXPECT_TRUE(story.find<QLabel>("panel.kinematics.solutions.angles")->text().contains("null space"));
 }
 
 TEST(OtherArmsStory, AMomentIsSentByAnArmThatRendersItAndThePanelSaysSo) {

@@ -41,7 +41,6 @@ KinematicsPanel::KinematicsPanel(const Parts& parts, QWidget* parent) : Panel(pa
   column->addWidget(joints_ = new JointsSection(content));
   column->addWidget(singularities_ = new SingularitiesSection(content));
   column->addWidget(solutions_ = new SolutionsSection(content));
-  column->addWidget(chain_solutions_ = new ChainSolutionsSection(content));
   column->addWidget(dh_ = new DhSection(content));
   column->addWidget(angles_ = new AnglesSection(content));
   column->addWidget(jacobian_ = new JacobianSection(content));
@@ -73,12 +72,11 @@ void KinematicsPanel::addActions() {
   });
   parts_.actions.addCommand("kinematics.hide_counts", [this](const QVariantList& on) {
     solutions_->hideCounts(on.value(0).toBool());
-    chain_solutions_->hideCounts(on.value(0).toBool());
     return true;
   });
-  parts_.actions.addCommand("solution.show", [this](const QVariantList& values) {  // 1 to 8; 0: none
+  parts_.actions.addCommand("solution.show", [this](const QVariantList& values) {  // from 1; 0: none
     const int number = values.value(0, -1).toInt();
-    if (number < 0 || number > 8) return false;
+    if (number < 0 || number > solutions_->most()) return false;
     if (solutions_->chosen() == number) return showSolution(number);
     solutions_->choose(number);
     return true;
@@ -111,16 +109,14 @@ void KinematicsPanel::sceneOpened() {
   limits_ = preset.limits;
   preset_ = preset;
   const bool omni = arm::isOmniForm(preset);
-  if (!omni) inverse_ = chain::inverseOf(model_.chain);
+  finder_ = SolutionFinder(preset, model_);
   joints_->setArm(preset, model_);
   dh_->setArm(model_);
   jacobian_->setArm(preset, model_);
-  if (!omni) chain_solutions_->setArm(model_, inverse_);
-  // What the Omni's table alone has: named singularities, branches, and a convention of the device.
-  for (QWidget* section :
-       {static_cast<QWidget*>(singularities_), static_cast<QWidget*>(solutions_), static_cast<QWidget*>(angles_)})
-    section->setVisible(omni);
-  chain_solutions_->setVisible(!omni);
+  solutions_->setArm(model_, omni);
+  // What the Omni's table alone has: named singularities, and a convention of the device.
+  singularities_->setVisible(omni);
+  angles_->setVisible(omni);
   if (omni) singularities_->setReach(geometry_.upper_m + geometry_.fore_m);
   setpoint_.reset();
   shown_ns_ = -1;
@@ -151,8 +147,7 @@ void KinematicsPanel::present(const servo::Snapshot& snapshot) {
   q_rad_ = q_rad;
   if (!isSeen() || !isDue(snapshot)) return;
   const bool omni = arm::isOmniForm(preset_);
-  const KinematicsNow now =
-      omni ? kinematicsNow(geometry_, limits_, q_rad) : kinematicsNow(preset_, model_, inverse_, q_rad);
+  const KinematicsNow now = kinematicsNow(preset_, model_, finder_, q_rad);
   joints_->setMovable(
       parts_.player.isOpen()               ? tr("The replay moves the arm. Close the session to use the sliders.")
       : parts_.arms.simulated() == nullptr ? tr("A real arm is moved by hand: the sliders only show its joint angles.")
@@ -161,11 +156,9 @@ void KinematicsPanel::present(const servo::Snapshot& snapshot) {
   joints_->present(now);
   if (omni) {
     singularities_->present(now);
-    solutions_->present(now);
     angles_->present(now);
-  } else {
-    chain_solutions_->present(now);
   }
+  solutions_->present(now);
   dh_->present(now, model_);
   jacobian_->present(now);
 }
@@ -192,10 +185,7 @@ bool KinematicsPanel::setJoint(int joint, double angle_deg, bool relative) {
 }
 
 bool KinematicsPanel::showSolution(int number) {
-  if (number > 0)
-    parts_.view.chooseSolution(branchOf(number));
-  else
-    parts_.view.chooseSolution({});
+  parts_.view.chooseSolution(number);
   return true;
 }
 

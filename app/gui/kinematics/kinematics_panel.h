@@ -11,7 +11,6 @@ class QVBoxLayout;
 namespace underact::gui {
 
 class AnglesSection;
-class ChainSolutionsSection;
 class DhSection;
 class JacobianSection;
 class JointsSection;
@@ -51,14 +50,13 @@ class KinematicsPanel : public Panel {
   JointsSection* joints_ = nullptr;
   SingularitiesSection* singularities_ = nullptr;
   SolutionsSection* solutions_ = nullptr;
-  ChainSolutionsSection* chain_solutions_ = nullptr;
   DhSection* dh_ = nullptr;
   AnglesSection* angles_ = nullptr;
   JacobianSection* jacobian_ = nullptr;
 
   arm::Model model_;  // of the scene's arm
   arm::Preset preset_;
-  chain::Inverse inverse_;  // of an arm that is not of the Omni's form
+  SolutionFinder finder_;
   arm::Geometry geometry_;
   arm::JointLimits limits_;
   servo::Mode mode_ = servo::Mode::Running;

@@ -51,15 +51,19 @@ class SingularitiesSection : public Section {
   DistanceBar *shoulder_, *elbow_, *wrist_;
 };
 
-/// The inverse solutions for the pose of the stylus; one can be selected.
+/// The inverse solutions for the pose of the stylus; one can be selected. Of an arm of the Omni's form by their
+/// branches, which are always eight; of any other as a list of joint values, as long as there are solutions.
 class SolutionsSection : public Section {
   Q_OBJECT
  public:
   explicit SolutionsSection(QWidget* parent = nullptr);
+  void setArm(const arm::Model& model, bool is_omni);
   void present(const KinematicsNow& now);
-  /// number: 1 to 8; 0: none.
+  /// number: 1 to most(); 0: none.
   void choose(int number);
   int chosen() const;
+  /// The largest number that there is now.
+  int most() const { return rows_; }
   /// Whether the sentence with the number of solutions is hidden: a lesson asks for it.
   void hideCounts(bool on);
  signals:
@@ -67,31 +71,20 @@ class SolutionsSection : public Section {
 
  private:
   void buildTable();
+  void showRows(int rows);
+  int limitsWidth() const;
   void showChosen();
+  bool isArm(const NumberedSolution& solution) const;
+  QString valuesText(const NumberedSolution& solution, int decimals, bool with_units) const;
 
+  arm::Model model_;
+  bool is_omni_ = true;
+  int rows_ = -1;
   QLabel *status_, *angles_;
   QTableWidget* table_;
   QPushButton *again_, *none_;
-  arm::Solutions solutions_;
+  NumberedSolutions solutions_;
   arm::JointAngles q_rad_{};
-};
-
-/// The same of an arm that is not of the Omni's form: as many as its closed form gives, as a list.
-class ChainSolutionsSection : public Section {
-  Q_OBJECT
- public:
-  explicit ChainSolutionsSection(QWidget* parent = nullptr);
-  /// inverse: of the model's chain.
-  void setArm(const arm::Model& model, const chain::Inverse& inverse);
-  void present(const KinematicsNow& now);
-  /// As SolutionsSection::hideCounts().
-  void hideCounts(bool on);
-
- private:
-  arm::Model model_;
-  bool is_closed_ = false;
-  QLabel* status_;
-  NumberTable* table_;
 };
 
 /// The DH table with the current angles, and the same configuration in the device's own angles.

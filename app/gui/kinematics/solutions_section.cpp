@@ -17,61 +17,96 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kSolutions = 8;
+constexpr int kOmniRows = 8;
 constexpr double kSameAngle_rad = 1e-6;
+/// The columns: the branch of an arm of the Omni's form, the joint values of any other.
+enum Column { kNumber, kShoulder, kElbow, kWrist, kValues, kLimits, kColumns };
 
 const QString kMinus = QString(QChar(0x2212));
 
-QString signText(std::int8_t sign) {
+QString signText(int sign) {
   return sign > 0 ? QString("+") : kMinus;
 }
 
-QString familyText(arm::Family family) {
-  return QObject::tr("one of many: only %1 is defined").arg(QString(arm::name(family)).replace('-', QChar(0x2212)));
+/// "q6-q4" with the sign of arithmetic.
+QString plainFamily(const NumberedSolution& solution) {
+  return QString::fromStdString(solution.family).replace('-', QChar(0x2212));
 }
 
-QString limitsText(const arm::Solution& solution, bool is_arm) {
-  QString text = solution.within_limits ? QObject::tr("✓ within") : QObject::tr("✗ outside");
-  if (solution.family == arm::Family::Q1Free) return text + QObject::tr(", q1 free");
-  if (solution.family != arm::Family::None) {
-    return text + ", " + QString(arm::name(solution.family)).replace('-', QChar(0x2212));
-  }
+QString familyText(const NumberedSolution& solution) {
+  const QString family = plainFamily(solution);
+  const bool moves = family.endsWith(" free") || family.endsWith(" together");
+  return moves ? QObject::tr("one of many: %1").arg(family)
+               : QObject::tr("one of many: only %1 is defined").arg(family);
+}
+
+QString limitsText(const NumberedSolution& solution, bool is_arm) {
+  const QString text = solution.within_limits ? QObject::tr("✓ within") : QObject::tr("✗ outside");
+  if (solution.family == "q1 free") return text + QObject::tr(", q1 free");
+  if (!solution.family.empty()) return text + ", " + plainFamily(solution);
   return is_arm ? text + QObject::tr(", now") : text;
 }
 
-bool isSame(const arm::JointAngles& a_rad, const arm::JointAngles& b_rad) {
-  return std::equal(a_rad.begin(), a_rad.end(), b_rad.begin(),
-                    [](double a, double b) { return std::abs(std::remainder(a - b, 2.0 * kPi)) < kSameAngle_rad; });
+QString countText(const NumberedSolutions& solutions) {
+  const auto count = static_cast<int>(solutions.all.size());
+  const auto within = static_cast<int>(std::count_if(solutions.all.begin(), solutions.all.end(),
+                                                     [](const NumberedSolution& one) { return one.within_limits; }));
+  if (count == 0) {
+    return solutions.is_searched
+               ? QObject::tr("A search from %1 starts found no solution for this pose.").arg(kSearchStarts)
+               : QObject::tr("The arm cannot reach this pose: there is no solution.");
+  }
+  if (solutions.has_surplus)
+    return QObject::tr(
+               "More joints than the pose takes: infinitely many solutions. These %1 are from a search from %2 "
+               "starts; %3 are within the joint limits.")
+        .arg(count)
+        .arg(kSearchStarts)
+        .arg(within);
+  if (solutions.is_searched)
+    return QObject::tr("No closed form: a search from %2 starts found %1 solutions, %3 within the joint limits.")
+        .arg(count)
+        .arg(kSearchStarts)
+        .arg(within);
+  return QObject::tr("%1 solutions, %2 within the joint limits.").arg(count).arg(within);
 }
 
-QString statusText(const arm::Solutions& solutions) {
-  if (!solutions.reachable) return QObject::tr("The arm cannot reach this pose: there is no solution.");
-  const auto within =
-      std::count_if(solutions.begin(), solutions.end(), [](const arm::Solution& one) { return one.within_limits; });
-  QString text = QObject::tr("%1 solutions, %2 within the joint limits.").arg(solutions.count).arg(within);
+QString statusText(const NumberedSolutions& solutions) {
   QStringList where;
   if (solutions.at_shoulder) where << QObject::tr("shoulder");
   if (solutions.at_elbow) where << QObject::tr("elbow");
   if (solutions.at_wrist) where << QObject::tr("wrist");
-  if (!where.isEmpty()) text += QObject::tr(" Singular at the %1.").arg(where.join(QObject::tr(" and ")));
-  return text;
+  const QString text = countText(solutions);
+  if (where.isEmpty() || solutions.all.empty()) return text;
+  return text + QObject::tr(" Singular at the %1.").arg(where.join(QObject::tr(" and ")));
+}
+
+/// The branch in words: shoulder +, elbow -, wrist +.
+QString branchText(const NumberedSolution& solution) {
+  QStringList words;
+  for (const chain::BranchName& one : solution.branch) {
+    const std::string_view name = one.name != nullptr ? one.name : "";
+    if (name == "shoulder") words << QObject::tr("shoulder") + ' ' + signText(one.choice);
+    if (name == "elbow") words << QObject::tr("elbow") + ' ' + signText(one.choice);
+    if (name == "wrist") words << QObject::tr("wrist") + ' ' + signText(one.choice);
+  }
+  return words.join(", ");
 }
 
 }  // namespace
 
 SolutionsSection::SolutionsSection(QWidget* parent)
     : Section("solutions", tr("Inverse solutions"),
-              tr("All sets of joint angles that give the current pose of the stylus: thesis eq. 3.11 to 3.20 and "
-                 "figure 3.4, with their errata."),
+              tr("All sets of joint values that give the current pose of the stylus; of an arm without a closed form "
+                 "those that a search finds. Of a haptic arm: thesis eq. 3.11 to 3.20 and figure 3.4, with their "
+                 "errata."),
               parent),
-      status_(quietLabel("panel.kinematics.solutions.status", {}, this)),
-      angles_(quietLabel("panel.kinematics.solutions.angles", {}, this)),
-      table_(new QTableWidget(kSolutions, 5, this)),
+      status_(quietLabel("panel.kinematics.solutions.status", QString(), this)),
+      angles_(quietLabel("panel.kinematics.solutions.angles", QString(), this)),
+      table_(new QTableWidget(kMostSolutions, kColumns, this)),
       again_(new QPushButton(tr("&Go there"), this)),
       none_(new QPushButton(tr("Show &none"), this)) {
-  status_->setMinimumHeight(2 * fontMetrics().lineSpacing());
   status_->setAlignment(Qt::AlignTop);
-  angles_->setFixedHeight(2 * fontMetrics().lineSpacing());
   angles_->setAlignment(Qt::AlignTop);
   buildTable();
   nameWidget(again_, "panel.kinematics.solutions.again", tr("Move the ghost to the selected solution"),
@@ -99,6 +134,7 @@ SolutionsSection::SolutionsSection(QWidget* parent)
   });
   // Enter, or a double click, on the selected row: play it again.
   connect(table_, &QTableWidget::itemActivated, this, [this] { emit wanted(chosen()); });
+  setArm(*arm::findModel(arm::kDefaultArm), true);
 }
 
 void SolutionsSection::hideCounts(bool on) {
@@ -107,23 +143,26 @@ void SolutionsSection::hideCounts(bool on) {
 
 void SolutionsSection::buildTable() {
   nameWidget(table_, "panel.kinematics.solutions", tr("Inverse solutions"));
-  table_->setHorizontalHeaderLabels({tr("no."), tr("shoulder"), tr("elbow"), tr("wrist"), tr("limits")});
-  const std::array<QString, 5> tips{
+  table_->setHorizontalHeaderLabels(
+      {tr("no."), tr("shoulder"), tr("elbow"), tr("wrist"), tr("joint values"), tr("limits")});
+  const std::array<QString, kColumns> tips{
       tr("The number of the solution, as in the view."),
       tr("+: the turret faces the wrist centre; −: it faces away. In the view: the short line at the shoulder."),
       tr("+: cos q3 ≥ 0, as for a real arm; −: the other elbow."),
       tr("+: sin q5 ≥ 0; −: the wrist is bent the other way. In the view: the short line at the tip, axis 5."),
+      tr("Degrees, or mm of a joint that slides."),
       tr("Whether all joints are within their limits. Now: the current configuration of the arm.")};
-  for (int column = 0; column < 5; ++column) {
+  for (int column = 0; column < kColumns; ++column) {
     table_->horizontalHeaderItem(column)->setToolTip(tips[static_cast<std::size_t>(column)]);
   }
-  table_->horizontalHeaderItem(4)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  for (const int column : {kValues, kLimits})
+    table_->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().lineSpacing() + 4);
   table_->verticalHeader()->setMinimumSectionSize(fontMetrics().lineSpacing() + 4);
   table_->horizontalHeader()->setSectionsClickable(false);
   table_->horizontalHeader()->setHighlightSections(false);
-  for (int column = 0; column < 4; ++column) {
+  for (int column = 0; column < kValues; ++column) {
     table_->setColumnWidth(column, fontMetrics().horizontalAdvance(table_->horizontalHeaderItem(column)->text()) + 12);
   }
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
@@ -136,18 +175,72 @@ void SolutionsSection::buildTable() {
   table_->setFrameShape(QFrame::NoFrame);
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  for (int row = 0; row < kSolutions; ++row) {
-    const arm::Branch branch = branchOf(row + 1);
-    const std::array<QString, 5> texts{QString::number(row + 1), signText(branch.shoulder), signText(branch.elbow),
-                                       signText(branch.wrist), QString()};
-    for (int column = 0; column < 5; ++column) {
+  for (int row = 0; row < kMostSolutions; ++row) {
+    std::array<QString, kColumns> texts;
+    texts[kNumber] = QString::number(row + 1);
+    if (row < kOmniRows) {
+      const arm::Branch branch = branchOf(row + 1);
+      texts[kShoulder] = signText(branch.shoulder);
+      texts[kElbow] = signText(branch.elbow);
+      texts[kWrist] = signText(branch.wrist);
+    }
+    for (int column = 0; column < kColumns; ++column) {
       auto* item = new QTableWidgetItem(texts[static_cast<std::size_t>(column)]);
-      if (column < 4) item->setTextAlignment(Qt::AlignCenter);
+      if (column < kValues) item->setTextAlignment(Qt::AlignCenter);
       table_->setItem(row, column, item);
     }
   }
-  const int rows = kSolutions * table_->verticalHeader()->defaultSectionSize();
-  table_->setFixedHeight(rows + table_->horizontalHeader()->sizeHint().height() + 2);
+}
+
+void SolutionsSection::setArm(const arm::Model& model, bool is_omni) {
+  table_->clearSelection();
+  model_ = model;
+  is_omni_ = is_omni;
+  for (const int column : {kShoulder, kElbow, kWrist}) table_->setColumnHidden(column, !is_omni);
+  table_->setColumnHidden(kValues, is_omni);
+  QStringList widest;
+  for (std::size_t joint = 0; joint < model.rows.size(); ++joint) widest << kMinus + "000";
+  table_->setColumnWidth(kValues, fontMetrics().horizontalAdvance(widest.join(", ")) + 12);
+  table_->setMinimumWidth(is_omni ? 0 : table_->columnWidth(kNumber) + table_->columnWidth(kValues) + limitsWidth());
+  status_->setMinimumHeight((is_omni ? 2 : 3) * fontMetrics().lineSpacing());
+  angles_->setFixedHeight((is_omni ? 2 : 4) * fontMetrics().lineSpacing());
+  showRows(is_omni ? kOmniRows : 0);
+}
+
+/// Of the longest text that is usual there; that of a family is longer.
+int SolutionsSection::limitsWidth() const {
+  NumberedSolution within, outside;
+  within.within_limits = true;
+  return std::max(fontMetrics().horizontalAdvance(limitsText(within, true)),
+                  fontMetrics().horizontalAdvance(limitsText(outside, false))) +
+         12;
+}
+
+void SolutionsSection::showRows(int rows) {
+  if (rows == rows_) return;
+  rows_ = rows;
+  for (int row = 0; row < kMostSolutions; ++row) table_->setRowHidden(row, row >= rows);
+  table_->setFixedHeight(rows * table_->verticalHeader()->defaultSectionSize() +
+                         table_->horizontalHeader()->sizeHint().height() + 2);
+}
+
+bool SolutionsSection::isArm(const NumberedSolution& solution) const {
+  for (std::size_t joint = 0; joint < model_.rows.size(); ++joint) {
+    const double apart = solution.q[joint] - q_rad_[joint];
+    const bool slides = model_.rows[joint].type == chain::JointType::Prismatic;
+    if (std::abs(slides ? apart : std::remainder(apart, 2.0 * kPi)) >= kSameAngle_rad) return false;
+  }
+  return true;
+}
+
+QString SolutionsSection::valuesText(const NumberedSolution& solution, int decimals, bool with_units) const {
+  QStringList values;
+  for (std::size_t joint = 0; joint < model_.rows.size(); ++joint) {
+    const bool slides = model_.rows[joint].type == chain::JointType::Prismatic;
+    const QString number = numberText(solution.q[joint] / (slides ? kMetrePerMillimetre : kRadPerDegree), decimals);
+    values << (!with_units ? number : number + (slides ? " mm" : "°"));
+  }
+  return values.join(", ");
 }
 
 void SolutionsSection::present(const KinematicsNow& now) {
@@ -155,15 +248,17 @@ void SolutionsSection::present(const KinematicsNow& now) {
   q_rad_ = now.q_rad;
   const QString status = statusText(solutions_);
   if (status_->text() != status) status_->setText(status);
-  std::array<QString, kSolutions> texts;
-  texts.fill(QString(QChar(0x2013)));  // no separate solution: it coincides with another one at a singularity
-  for (const arm::Solution& one : solutions_) {
-    texts[static_cast<std::size_t>(numberOf(one.branch) - 1)] = limitsText(one, isSame(one.q_rad, q_rad_));
-  }
-  for (int row = 0; row < kSolutions; ++row) {
-    QTableWidgetItem* item = table_->item(row, 4);
-    const QString& text = texts[static_cast<std::size_t>(row)];
-    if (item->text() != text) item->setText(text);
+  if (!is_omni_) showRows(solutions_.all.empty() ? 0 : std::min(kMostSolutions, solutions_.all.back().number));
+  for (int row = 0; row < rows_; ++row) {
+    const NumberedSolution* const one = solutions_.find(row + 1);
+    // No separate solution: it coincides with another one at a singularity.
+    const QString none = QString(QChar(0x2013));
+    const QString limits = one != nullptr ? limitsText(*one, isArm(*one)) : none;
+    const QString values = is_omni_ || one == nullptr ? QString() : valuesText(*one, 0, false);
+    for (const auto& [column, text] : {std::pair{kLimits, limits}, {kValues, values}}) {
+      QTableWidgetItem* const item = table_->item(row, column);
+      if (item->text() != text) item->setText(text);
+    }
   }
   showChosen();
 }
@@ -171,17 +266,21 @@ void SolutionsSection::present(const KinematicsNow& now) {
 void SolutionsSection::showChosen() {
   QString text;
   if (const int number = chosen(); number > 0) {
-    const arm::Solution* found = std::find_if(solutions_.begin(), solutions_.end(), [number](const arm::Solution& one) {
-      return numberOf(one.branch) == number;
-    });
-    if (found == solutions_.end()) {
-      text = tr("Solution %1 does not exist here: at a singularity, two solutions coincide.").arg(number);
+    const NumberedSolution* const found = solutions_.find(number);
+    if (found == nullptr) {
+      text = is_omni_ ? tr("Solution %1 does not exist here: at a singularity, two solutions coincide.").arg(number)
+                      : tr("Solution %1 does not exist here.").arg(number);
     } else {
-      QStringList angles;
-      for (const double angle_rad : arm::firstSix(found->q_rad))
-        angles << numberText(angle_rad / kRadPerDegree, 1) + "°";
-      text = QString("q = %1").arg(angles.join(", "));
-      if (found->family != arm::Family::None) text += "; " + familyText(found->family);
+      text = QString("q = %1").arg(valuesText(*found, 1, true));
+      if (!found->family.empty()) text += "; " + familyText(*found);
+      if (!is_omni_) {
+        if (const QString branch = branchText(*found); !branch.isEmpty()) text += "; " + branch;
+        for (const std::vector<double>& free : found->null_space) {
+          QStringList shares;
+          for (const double share : free) shares << numberText(share, 2);
+          text += "; " + tr("null space (%1)").arg(shares.join(", "));
+        }
+      }
     }
   }
   if (angles_->text() != text) angles_->setText(text);

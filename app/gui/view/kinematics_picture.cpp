@@ -21,30 +21,11 @@ constexpr std::array<double, arm::kMostJoints> kAxis_mm{30.0, 24.0, 24.0, 30.0, 
 constexpr double kBeyond_mm = 5.0;   // of a label
 constexpr double kFacing_mm = 18.0;  // a ghost's turret: the way it faces
 constexpr double kBend_mm = 14.0;    // a ghost's wrist: its axis 5
-constexpr double kDash_mm = 5.0;     // and as long as a gap
-constexpr double kHollow_mm = 3.6;   // the joints of the highlighted ghost
 constexpr double kStylus_mm = 84.0;
-constexpr double kApart_mm = 2.4;    // between the lines of two solutions with the same links
-constexpr double kNumber_mm = 16.0;  // of a ghost's number from its elbow
+constexpr double kApart_mm = 2.4;  // between the lines of two solutions with the same links
 constexpr double kSamePlace_mm = 0.5;
 constexpr int kEllipseParts = 72;
 constexpr double kEllipsoidOpacity = 0.3, kFlattest_mm = 0.05;
-
-/// Which of these places it is; a new one is appended.
-std::size_t placeAmong(std::vector<Vec3>& places_mm, const Vec3& p_mm) {
-  std::size_t place = 0;
-  while (place < places_mm.size() && (places_mm[place] - p_mm).norm() > kSamePlace_mm) ++place;
-  if (place == places_mm.size()) places_mm.push_back(p_mm);
-  return place;
-}
-
-void addDashes(Lines& lines, const Vec3& a_mm, const Vec3& b_mm, const QColor& colour) {
-  const Vec3 way_mm = b_mm - a_mm;
-  const int pieces = std::max(1, static_cast<int>(way_mm.norm() / (2.0 * kDash_mm)));
-  for (int piece = 0; piece < pieces; ++piece) {
-    lines.segment(a_mm + way_mm * ((piece + 0.25) / pieces), a_mm + way_mm * ((piece + 0.75) / pieces), colour);
-  }
-}
 
 /// Shoulder, elbow and tip of the arm at q_rad, mm, which way its turret faces and its wrist's axis 5 points.
 struct Figure {
@@ -59,6 +40,21 @@ Figure figureOf(const arm::Model& model, const arm::Geometry& geometry, const ar
 }
 
 }  // namespace
+
+std::size_t placeAmong(std::vector<Vec3>& places_mm, const Vec3& p_mm) {
+  std::size_t place = 0;
+  while (place < places_mm.size() && (places_mm[place] - p_mm).norm() > kSamePlace_mm) ++place;
+  if (place == places_mm.size()) places_mm.push_back(p_mm);
+  return place;
+}
+
+void addDashes(Lines& lines, const Vec3& a_mm, const Vec3& b_mm, double dash_mm, const QColor& colour) {
+  const Vec3 way_mm = b_mm - a_mm;
+  const int pieces = std::max(1, static_cast<int>(way_mm.norm() / (2.0 * dash_mm)));
+  for (int piece = 0; piece < pieces; ++piece) {
+    lines.segment(a_mm + way_mm * ((piece + 0.25) / pieces), a_mm + way_mm * ((piece + 0.75) / pieces), colour);
+  }
+}
 
 KinematicsPicture::KinematicsPicture()
     : thin_actor_(makeActor(thin_.data(), Kind::Line)),
@@ -75,14 +71,16 @@ KinematicsPicture::KinematicsPicture()
 
 void KinematicsPicture::setTheme(const Theme& theme) {
   theme_ = theme;
-  ghost_.setColour(theme.virtual_robot);
+  for (GhostArm* ghost : {&ghost_, &others_}) ghost->setColour(theme.virtual_robot);
 }
 
 void KinematicsPicture::setArm(const arm::Preset& preset, const arm::Model& model) {
   geometry_ = preset.geometry;
-  limits_ = preset.limits;
   model_ = model;
-  ghost_.setChain(model.chain, GhostArm::Parts::WithStylus);
+  finder_ = SolutionFinder(preset, model);
+  solutions_.reset();
+  ghost_.setArm(model);
+  others_.setArm(model);
 }
 
 void KinematicsPicture::setLineWidth(double scale) {
@@ -102,22 +100,31 @@ void KinematicsPicture::present(const arm::JointAngles& q_rad) {
   if (!std::all_of(q_rad.begin(), q_rad.end(), [](double angle) { return std::isfinite(angle); })) return;
   q_rad_ = q_rad;
   X_WT_ = arm::tipPose(geometry_, q_rad);
-  solutions_ = arm::solveAll(geometry_, limits_, X_WT_);
+  solutions_.reset();
   known_ = true;
 }
 
+const NumberedSolutions& KinematicsPicture::solutions() const {
+  if (!solutions_) solutions_ = finder_.at(X_WT_);
+  return *solutions_;
+}
+
 std::optional<arm::JointAngles> KinematicsPicture::chosen_rad() const {
-  const arm::Solution* found = std::find_if(solutions_.begin(), solutions_.end(),
-                                            [this](const arm::Solution& one) { return chosen_ == one.branch; });
-  if (!known_ || found == solutions_.end()) return {};
-  return arm::interpolated(q_rad_, found->q_rad, share_);
+  const NumberedSolution* const found = known_ && chosen_ > 0 ? solutions().find(chosen_) : nullptr;
+  if (found == nullptr) return {};
+  return arm::interpolated(q_rad_, found->q, share_);
 }
 
 std::vector<Vec3> KinematicsPicture::extent_mm() const {
   std::vector<Vec3> points;
   if (!known_ || !ghosts_) return points;
-  for (const arm::Solution& solution : solutions_) {
-    const Vec3 elbow_mm = kMillimetrePerMetre * arm::skeleton(geometry_, solution.q_rad).p_WElbow;
+  for (const NumberedSolution& solution : solutions().all) {
+    if (!isOmni()) {
+      const std::vector<Vec3> of_arm = skeletonExtent_mm(solution.q);
+      points.insert(points.end(), of_arm.begin(), of_arm.end());
+      continue;
+    }
+    const Vec3 elbow_mm = kMillimetrePerMetre * arm::skeleton(geometry_, solution.q).p_WElbow;
     points.push_back(elbow_mm + kNumber_mm * outwards(elbow_mm));
   }
   return points;
@@ -126,6 +133,7 @@ std::vector<Vec3> KinematicsPicture::extent_mm() const {
 std::vector<Vec3> KinematicsPicture::chosenExtent_mm() const {
   const std::optional<arm::JointAngles> at_rad = chosen_rad();
   if (!at_rad) return {};
+  if (!isOmni()) return skeletonExtent_mm(*at_rad);
   const Figure at = figureOf(model_, geometry_, *at_rad);
   return {at.shoulder_mm, at.elbow_mm, at.tip_mm,
           at.tip_mm + kStylus_mm * arm::tipPose(geometry_, *at_rad).linear().col(2)};
@@ -137,15 +145,16 @@ void KinematicsPicture::update(const OrbitCamera& camera) {
   mark_.clear();
   labels_.clear();
   ghost_.hide();
+  others_.hide();
   motion_actor_->SetVisibility(false);
   force_actor_->SetVisibility(false);
   if (known_) {
-    if (ghosts_) addSolutions();
+    if (ghosts_) isOmni() ? addSolutions() : addArms();
     addEllipsoids();
     if (frames_) addFrames();
     if (const std::optional<arm::JointAngles> at_rad = chosen_rad()) {
-      addChosen(*at_rad, camera);
-      ghost_.present(*at_rad);
+      isOmni() ? addChosen(*at_rad, camera) : addChosenArm(*at_rad, camera);
+      ghost_.presentAll({*at_rad});
     }
   }
   thin_.done();
@@ -155,17 +164,18 @@ void KinematicsPicture::update(const OrbitCamera& camera) {
 
 void KinematicsPicture::addFrames() {
   const std::array<QColor, 3> colours{theme_.x_axis, theme_.y_axis, theme_.z_axis};
+  const double scale = isOmni() ? 1.0 : others_.size();
   const std::array<Pose, arm::kMostJoints> frames = arm::linkFrames(model_, q_rad_);
   for (std::size_t index = 0; index < std::min(frames.size(), model_.rows.size()); ++index) {
     const Vec3 origin_mm = kMillimetrePerMetre * frames[index].translation();
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Vec3 direction = frames[index].linear().col(static_cast<Eigen::Index>(axis));
-      frame_.segment(origin_mm, origin_mm + kAxis_mm[index] * direction, colours[axis]);
+      frame_.segment(origin_mm, origin_mm + scale * kAxis_mm[index] * direction, colours[axis]);
     }
     const Vec3 z_W = frames[index].linear().col(2);  // the axis of the joint
     // The last frame stands in the stylus, along it: its name at the stylus' end.
     const double name_mm = kBeyond_mm + (index + 1 == model_.rows.size() ? kStylus_mm : kAxis_mm[index]);
-    labels_.push_back({QString("{%1}").arg(index + 1), origin_mm + name_mm * z_W, theme_.ink, true});
+    labels_.push_back({QString("{%1}").arg(index + 1), origin_mm + scale * name_mm * z_W, theme_.ink, true});
   }
 }
 
@@ -173,23 +183,23 @@ void KinematicsPicture::addSolutions() {
   // Solutions outside the limits first, so that a line shared with one inside is drawn solid.
   const std::vector<double> aside = aside_mm();
   for (const bool within : {false, true}) {
-    for (std::size_t index = 0; index < solutions_.count; ++index) {
-      const arm::Solution& solution = *(solutions_.begin() + static_cast<std::ptrdiff_t>(index));
+    for (std::size_t index = 0; index < aside.size(); ++index) {
+      const NumberedSolution& solution = solutions().all[index];
       if (solution.within_limits == within) addSolution(solution, aside[index]);
     }
   }
   // The eight share two elbows (a turret that faces away reaches the same position with the other elbow), two ways to
   // face and two to bend the wrist: three numbers name each of them.
-  const auto elbow = [this](const arm::Solution& one) {
-    return Vec3(kMillimetrePerMetre * arm::skeleton(geometry_, one.q_rad).p_WElbow);
+  const auto elbow = [this](const NumberedSolution& one) {
+    return Vec3(kMillimetrePerMetre * arm::skeleton(geometry_, one.q).p_WElbow);
   };
   addNumbers(elbow, [this](const Vec3& place_mm) { return Vec3(place_mm + kNumber_mm * outwards(place_mm)); });
-  const auto facing = [this](const arm::Solution& one) {
-    const Figure at = figureOf(model_, geometry_, one.q_rad);
+  const auto facing = [this](const NumberedSolution& one) {
+    const Figure at = figureOf(model_, geometry_, one.q);
     return Vec3(at.shoulder_mm + (kFacing_mm + kBeyond_mm) * at.facing_W);
   };
-  const auto bend = [this](const arm::Solution& one) {
-    const Figure at = figureOf(model_, geometry_, one.q_rad);
+  const auto bend = [this](const NumberedSolution& one) {
+    const Figure at = figureOf(model_, geometry_, one.q);
     return Vec3(at.tip_mm + (kBend_mm + kBeyond_mm) * at.bend_W);
   };
   const auto there = [](const Vec3& place_mm) { return place_mm; };
@@ -201,8 +211,8 @@ void KinematicsPicture::addSolutions() {
 std::vector<double> KinematicsPicture::aside_mm() const {
   std::vector<Vec3> elbows_mm;
   std::vector<int> places, order, count;
-  for (const arm::Solution& solution : solutions_) {
-    const Vec3 elbow_mm = kMillimetrePerMetre * arm::skeleton(geometry_, solution.q_rad).p_WElbow;
+  for (const NumberedSolution& solution : solutions().all) {
+    const Vec3 elbow_mm = kMillimetrePerMetre * arm::skeleton(geometry_, solution.q).p_WElbow;
     const std::size_t place = placeAmong(elbows_mm, elbow_mm);
     count.resize(elbows_mm.size());
     places.push_back(static_cast<int>(place));
@@ -214,8 +224,8 @@ std::vector<double> KinematicsPicture::aside_mm() const {
   return aside;
 }
 
-void KinematicsPicture::addSolution(const arm::Solution& solution, double aside_mm) {
-  const Figure at = figureOf(model_, geometry_, solution.q_rad);
+void KinematicsPicture::addSolution(const NumberedSolution& solution, double aside_mm) {
+  const Figure at = figureOf(model_, geometry_, solution.q);
   // Aside within the plane of the arm, where it is seen from the side; an arm that is stretched has no plane.
   const Vec3 normal = (at.elbow_mm - at.shoulder_mm).cross(at.tip_mm - at.elbow_mm);
   const auto beside = [&](const Vec3& from_mm, const Vec3& to_mm) {
@@ -232,18 +242,18 @@ void KinematicsPicture::addSolution(const arm::Solution& solution, double aside_
     if (solution.within_limits)
       thin_.segment(a_mm, b_mm, theme_.virtual_robot);
     else
-      addDashes(thin_, a_mm, b_mm, faint);
+      addDashes(thin_, a_mm, b_mm, kDash_mm, faint);
   }
 }
 
-void KinematicsPicture::addNumbers(const std::function<Vec3(const arm::Solution&)>& place_mm,
+void KinematicsPicture::addNumbers(const std::function<Vec3(const NumberedSolution&)>& place_mm,
                                    const std::function<Vec3(const Vec3& place_mm)>& label_mm) {
   std::vector<Vec3> places_mm;
   std::vector<QStringList> numbers;
-  for (const arm::Solution& solution : solutions_) {
+  for (const NumberedSolution& solution : solutions().all) {
     const std::size_t place = placeAmong(places_mm, place_mm(solution));
     numbers.resize(places_mm.size());
-    numbers[place] << QString::number(numberOf(solution.branch));
+    numbers[place] << QString::number(solution.number);
   }
   for (std::size_t place = 0; place < places_mm.size(); ++place) {
     labels_.push_back({QCoreApplication::translate("SceneView", "no. ") + numbers[place].join(QLatin1Char(' ')),

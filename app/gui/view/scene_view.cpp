@@ -152,10 +152,10 @@ void SceneView::setLayers(const Layers& layers) {
   impl_->surface->update();
 }
 
-void SceneView::chooseSolution(const std::optional<arm::Branch>& branch) {
+void SceneView::chooseSolution(int number) {
   impl_->ghost_way.stop();
-  impl_->kinematics.choose(branch);
-  if (branch && isVisible()) {
+  impl_->kinematics.choose(number);
+  if (number > 0 && isVisible()) {
     impl_->ghost_way.start();
   } else {
     impl_->kinematics.setShare(1.0);

@@ -11,7 +11,7 @@
 #include "app/gui/view/drawing.h"
 #include "app/gui/view/orbit_camera.h"
 #include "app/gui/view/path_picture.h"
-#include "core/arm/branches.h"
+#include "core/arm/sample.h"
 #include "core/scene/description.h"
 #include "core/servo/snapshot.h"
 #include "core/sim/hand.h"
@@ -63,9 +63,9 @@ class SceneView : public QWidget {
   Viewpoint viewpoint() const;
   /// At once, without animation.
   void setViewpoint(const Viewpoint& viewpoint);
-  /// The highlighted inverse solution, whatever the layers are; none: no solution. A ghost of the arm moves there from
-  /// the current configuration in 0.8 s, each time this is called, and stays.
-  void chooseSolution(const std::optional<arm::Branch>& branch);
+  /// The highlighted inverse solution by its number (NumberedSolution), whatever the layers are; 0: no solution. A
+  /// ghost of the arm moves there from the current configuration in 0.8 s, each time this is called, and stays.
+  void chooseSolution(int number);
   bool solutionMoving() const;  // it is moving
   /// How many inverse solutions are drawn, and the joints of the highlighted one.
   std::size_t solutionsDrawn() const;

@@ -17,6 +17,7 @@ namespace underact::gui {
 namespace {
 
 constexpr int kLeastSectors = 12, kMostSectors = 48, kRodSectors = 12;
+constexpr double kSamePlace = 1e-6;      // of two poses of a link
 constexpr double kBentParts = 24.0;      // of a half circle
 constexpr double kFlatness_m = 0.00007;  // at most, between a circle and its chords: less than a pixel
 
@@ -253,11 +254,19 @@ vtkSmartPointer<vtkPolyData> meshOfLink(std::span<const ArmSolid> solids, std::s
   return mesh.done();
 }
 
-vtkSmartPointer<vtkPolyData> meshOfArm(std::span<const ArmSolid> solids, std::span<const Pose> X_WLinks) {
+vtkSmartPointer<vtkPolyData> meshOfArms(std::span<const ArmSolid> solids, std::span<const std::vector<Pose>> X_WLinks) {
   LinkMesh mesh;
-  for (const ArmSolid& solid : solids) {
-    mesh.setLink(X_WLinks[solid.link]);
-    std::visit([&](const auto& form) { mesh.add(form); }, solid.form);
+  for (std::size_t index = 0; index < X_WLinks.size(); ++index) {
+    const auto isThere = [&](std::size_t link) {  // twice in one place, a translucent surface is speckled
+      return std::any_of(
+          X_WLinks.begin(), X_WLinks.begin() + static_cast<std::ptrdiff_t>(index),
+          [&](const std::vector<Pose>& before) { return before[link].isApprox(X_WLinks[index][link], kSamePlace); });
+    };
+    for (const ArmSolid& solid : solids) {
+      if (isThere(solid.link)) continue;
+      mesh.setLink(X_WLinks[index][solid.link]);
+      std::visit([&](const auto& form) { mesh.add(form); }, solid.form);
+    }
   }
   return mesh.done();
 }

@@ -5,6 +5,7 @@
 #include <QColor>
 #include <array>
 #include <span>
+#include <vector>
 
 #include "app/gui/view/solid_forms.h"
 
@@ -16,8 +17,9 @@ using Finishes = std::array<QColor, kFinishes>;
 /// The surfaces of the solids of a link, mm, each point with the colour of its finish.
 vtkSmartPointer<vtkPolyData> meshOfLink(std::span<const ArmSolid> solids, std::size_t link, const Finishes& finishes);
 
-/// Those of all links in one, each displaced by X_WLinks (of the base first); without colours.
-vtkSmartPointer<vtkPolyData> meshOfArm(std::span<const ArmSolid> solids, std::span<const Pose> X_WLinks);
+/// Those of all links in one, each displaced by X_WLinks (of the base first), as often as there are configurations,
+/// but once where a link is in the same place in several; without colours.
+vtkSmartPointer<vtkPolyData> meshOfArms(std::span<const ArmSolid> solids, std::span<const std::vector<Pose>> X_WLinks);
 
 /// The light that a surface reflects, as the renderer computes it, for lines along its edges: directions to the lights
 /// in W, of length 1, and their strength.

@@ -77,7 +77,7 @@ TEST(KinematicsPicture, GhostsStandWhereTheLibraryPutsTheirElbows) {
 
 TEST(KinematicsPicture, TheChosenGhostIsSolidAndNothingHidesIt) {
   Taught taught(&Layers::arm);
-  taught.view.chooseSolution(arm::Branch{1, -1, 1});
+  taught.view.chooseSolution(3);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !taught.view.solutionMoving(); }));
   const arm::Solution solution = taught.solutions().all[2];
   ASSERT_EQ(solution.branch, (arm::Branch{1, -1, 1}));
@@ -87,11 +87,11 @@ TEST(KinematicsPicture, TheChosenGhostIsSolidAndNothingHidesIt) {
   EXPECT_GT(taught.at(ghost.p_WElbow, isPurple, 10.0), 10);
   const Pose X_WT = arm::tipPose(preset().geometry, solution.q_rad);
   EXPECT_GT(taught.at(X_WT * Vec3(0, 0, 0.050), isPurple), 0);  // along the stylus, though the stylus is there
-  taught.view.chooseSolution(arm::Branch{1, 1, 1});             // the arm itself: over its links
+  taught.view.chooseSolution(1);                                // the arm itself: over its links
   ASSERT_TRUE(QTest::qWaitFor([&] { return !taught.view.solutionMoving(); }));
   const arm::Skeleton own = arm::skeleton(preset().geometry, taught.q_rad());
   EXPECT_GT(taught.at(0.5 * (own.p_WElbow + own.p_WShoulder), isPurple), 0);
-  taught.view.chooseSolution({});
+  taught.view.chooseSolution(0);
   EXPECT_EQ(taught.at(0.5 * (own.p_WElbow + own.p_WShoulder), isPurple, 6.0), 0);
 }
 
@@ -182,6 +182,98 @@ TEST(KinematicsPicture, AtASingularityNothingGrowsWithoutEndAndNothingBreaks) {
     EXPECT_LT(taught.view.solutionsDrawn(), 8u);
     EXPECT_EQ(taught.view.glErrors(), 0);
   }
+}
+
+/// A view of another arm, a little from its rest.
+struct OtherArm : Shown {
+  explicit OtherArm(const std::string& arm)
+      : Shown(
+            [&] {
+              scene::Description scene;
+              scene.arm = arm;
+              return scene;
+            }(),
+            Camera::Isometric) {
+    const arm::Preset& preset = *arm::findPreset(arm);
+    servo::Snapshot snapshot = test::snapshotAt(kTip, kTip, Vec3::Zero());
+    snapshot.report.sample.q_rad = preset.geometry.general->rest;
+    for (std::size_t joint = 0; joint < preset.geometry.general->chain.joints.size(); ++joint)
+      snapshot.report.sample.q_rad[joint] += 0.02;
+    const Pose X_WT = arm::tipPose(preset.geometry, snapshot.report.sample.q_rad);
+    snapshot.report.p_WT = snapshot.report.held[0].p_WP = X_WT.translation();
+    found = SolutionFinder(preset, *arm::findModel(arm)).at(X_WT);
+    Layers layers = only(&Layers::ghosts);
+    layers.arm = false;  // it hides ghosts behind it
+    view.setLayers(layers);
+    view.present(snapshot);
+    moveCamera(Camera::Fit);
+    ghost.setArm(*arm::findModel(arm));
+  }
+  /// On how many of its links the ghost is seen: somewhere, since some are dashed.
+  int linksSeen(const arm::JointAngles& q) {
+    const QImage picture = view.picture();
+    const std::vector<Vec3> points_mm = ghost.skeleton_mm(q);
+    const auto fits = [](const QColor& c) { return c.saturation() > 15 && c.hue() > 300 && c.hue() < 345; };
+    int seen = 0;
+    for (std::size_t index = 0; index + 1 < points_mm.size(); ++index) {
+      int here = 0;
+      for (double share = 0.05; share < 1.0; share += 0.05) {
+        const Vec3 p_W = 1e-3 * (points_mm[index] + share * (points_mm[index + 1] - points_mm[index]));
+        here += count(picture, view.screenOf(p_W), 1.5, fits);
+      }
+      seen += here > 0 ? 1 : 0;
+    }
+    return seen;
+  }
+  NumberedSolutions found;
+  GhostArm ghost;
+};
+
+TEST(KinematicsPicture, EachSolutionOfAnotherArmIsDrawnFromJointToJoint) {
+  for (const char* name : {"ur5e", "cobra-600", "planar-3", "puma-560", "stanford", "panda"}) {
+    OtherArm arm(name);
+    EXPECT_EQ(arm.view.solutionsDrawn(), arm.found.all.size()) << name;
+    EXPECT_GT(arm.found.all.size(), 1U) << name;
+    for (const NumberedSolution& one : arm.found.all) {
+      EXPECT_GE(arm.linksSeen(one.q), 2) << name << ' ' << one.number;
+    }
+    // To be looked at by people.
+    Layers layers = only(&Layers::ghosts);
+    arm.view.resize(1280, 800);
+    arm.view.setLayers(layers);
+    arm.moveCamera(Camera::Fit);
+    EXPECT_TRUE(arm.view.picture().save(QString("%1/pictures/ghosts_%2.png").arg(UNDERACT_BINARY).arg(name)));
+    EXPECT_EQ(arm.view.glErrors(), 0);
+    layers.ghosts = layers.arm = false;
+    arm.view.setLayers(layers);
+    EXPECT_EQ(arm.view.solutionsDrawn(), 0u);
+    EXPECT_EQ(arm.linksSeen(arm.found.all.back().q), 0) << name;
+  }
+}
+
+TEST(KinematicsPicture, AChosenSolutionOfAnotherArmIsTheOneOfThatNumber) {
+  OtherArm arm("ur5e");
+  ASSERT_EQ(arm.found.all.size(), 8U);
+  for (const int number : {2, 7}) {
+    arm.view.chooseSolution(number);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !arm.view.solutionMoving(); }));
+    EXPECT_EQ(*arm.view.chosenSolution_rad(), arm.found.find(number)->q);
+  }
+  arm.view.setLayers(only(&Layers::arm));  // whatever the layers are
+  EXPECT_GE(arm.linksSeen(arm.found.find(7)->q), 3);
+  arm.view.chooseSolution(12);
+  EXPECT_FALSE(arm.view.chosenSolution_rad().has_value());
+}
+
+TEST(GhostArm, LooksLikeTheSolidsOfItsFile) {
+  arm::Model model = *arm::findModel("planar-3");
+  GhostArm plain, solid;
+  plain.setArm(model);
+  model.solids.push_back({2, Pose::Identity(), arm::BoxSolid{Vec3(0.3, 0.3, 0.3)}});
+  solid.setArm(model);
+  for (GhostArm* ghost : {&plain, &solid}) ghost->presentAll({arm::JointAngles{}});
+  EXPECT_LT(plain.actor()->GetBounds()[5], 100.0);
+  EXPECT_NEAR(solid.actor()->GetBounds()[5], 150.0, 1e-3);
 }
 
 }  // namespace
