@@ -1,6 +1,7 @@
 // What the page says in words: mode, numbers, who steers, and what went wrong.
 
 import { CUT_N } from "./history.js";
+import { jointTexts } from "./kinematics.js";
 
 const MODES = { stopped: "Stopped", running: "Running", fault: "Fault" };
 const find = (id) => document.getElementById(id);
@@ -16,7 +17,7 @@ function holderText(by, may) {
 export class Desk {
   constructor() {
     this.parts = Object.fromEntries(
-      ["said", "mode", "force", "error", "tip", "holder", "start", "stop", "lease", "connect", "view"].map((id) => [id, find(id)]),
+      ["said", "mode", "force", "error", "tip", "joints", "holder", "start", "stop", "lease", "connect", "view"].map((id) => [id, find(id)]),
     );
     this.described_s = 0;
   }
@@ -41,19 +42,21 @@ export class Desk {
     this.parts.connect.textContent = is_connected ? "Disconnect" : "Connect";
   }
 
-  numbers(tick, force_limit_N) {
+  /** arm: its file, undefined of an arm that this page does not have. */
+  numbers(tick, force_limit_N, arm) {
     const force_N = Math.hypot(...tick.force_sent_N);
-    const { force, error, tip, view } = this.parts;
+    const { force, error, tip, joints, view } = this.parts;
     force.textContent = `${fixed(force_N, 2)} N of ${fixed(force_limit_N, 2)} N${tick.cut_N > CUT_N ? ", cut by a limit" : ""}`;
     error.textContent = `${fixed(tick.error_mm, 1)} mm`;
     tip.textContent = `${tick.p_WT_mm.map((one) => fixed(one, 1)).join(", ")} mm`;
+    joints.textContent = arm && arm.dh.length <= tick.q_rad.length ? jointTexts(arm, tick.q_rad).join(", ") : "–";
     if (Math.abs(tick.time_s - this.described_s) < 1) return;
     this.described_s = tick.time_s;
     view.setAttribute("aria-label", `The arm: tip at ${tip.textContent}, force ${force.textContent}, error ${error.textContent}.`);
   }
 
   nothing() {
-    for (const name of ["mode", "force", "error", "tip"]) this.parts[name].textContent = "–";
+    for (const name of ["mode", "force", "error", "tip", "joints"]) this.parts[name].textContent = "–";
     this.mode("");
   }
 }

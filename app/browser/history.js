@@ -1,6 +1,6 @@
 // The last seconds of ticks, in rings that are never enlarged.
 
-export const COLUMNS = ["q_rad", "p_WT_mm", "p_WP_mm", "error_mm", "force_sent_N", "cut_N"];
+export const COLUMNS = ["q_rad", "q_more_rad", "p_WT_mm", "p_WP_mm", "error_mm", "force_sent_N", "cut_N"];
 export const CUT_N = 1e-3; // of the force: more than that, and a limit has taken it away
 
 const length = (vector) => Math.hypot(...vector);
@@ -35,6 +35,7 @@ export class History {
     }
     this.rows += last + 1;
     this.latest = Object.fromEntries(COLUMNS.map((column) => [column, ticks[column][last]]));
+    this.latest.q_rad = [...this.latest.q_rad, ...this.latest.q_more_rad]; // all eight, 0 where an arm has fewer
     this.latest.time_s = ticks.tick[last] / this.rate_hz;
   }
 

@@ -38,3 +38,21 @@ export function linkOrigins(arm, q) {
   }
   return origins;
 }
+
+/** Whether z is up in W, as for robots; in the workspace of a haptic arm, y is. */
+export function isUpright(arm) {
+  return arm.X_WB[2][2] > 0.9;
+}
+
+/** How far its tip is from its base along the links, mm, with slides at 0. */
+export function reachOf(arm) {
+  const origins = linkOrigins(arm, new Array(arm.dh.length).fill(0));
+  return origins.slice(1).reduce((sum, one, index) => sum + Math.hypot(...one.map((x, axis) => x - origins[index][axis])), 0);
+}
+
+/** The joints of an arm in words, first to last: degrees, mm where one slides. q as for linkOrigins(). */
+export function jointTexts(arm, q) {
+  return arm.dh.map((row, index) =>
+    row.type === "prismatic" ? `${(1000 * q[index]).toFixed(1)} mm` : `${((180 * q[index]) / Math.PI).toFixed(1)}°`,
+  );
+}

@@ -123,7 +123,7 @@ document.addEventListener("keydown", (event) => {
   if (event.key === "Escape" && about !== null) steer("stop");
 });
 
-const page = (globalThis.underactPage = { pictures: 0, rows: () => history.rows }); // for tests
+const page = (globalThis.underactPage = { pictures: 0, rows: () => history.rows, links: () => view?.seen() }); // for tests
 let numbers_at_ms = 0;
 function picture(now_ms) {
   requestAnimationFrame(picture);
@@ -132,7 +132,7 @@ function picture(now_ms) {
     view?.place(tick);
     if (now_ms - numbers_at_ms >= NUMBERS_MS) {
       numbers_at_ms = now_ms;
-      desk.numbers(tick, about.force_limit_N);
+      desk.numbers(tick, about.force_limit_N, arms[about.arm]);
     }
   }
   view?.draw(now_ms);

@@ -1,7 +1,7 @@
 // Constraints of a scene as objects of three.js, in mm, in W.
 import * as THREE from "three";
 
-const LONG = 320; // mm: what is infinite is drawn so long
+const LONG = 320; // mm at a haptic arm: what is infinite is drawn so long
 const Z = new THREE.Vector3(0, 0, 1);
 const Y = new THREE.Vector3(0, 1, 0);
 
@@ -11,9 +11,9 @@ function placed(object, position, from, to) {
   return object;
 }
 
-/** Makers by the type of a constraint: (constraint, materials) to an object. */
+/** Makers by the type of a constraint: (constraint, materials, size) to an object. size: as View.size. */
 const MAKERS = {
-  point: (c, m) => placed(new THREE.Mesh(new THREE.SphereGeometry(3, 24, 16), m.solid), c.position_mm),
+  point: (c, m, size) => placed(new THREE.Mesh(new THREE.SphereGeometry(3 * size, 24, 16), m.solid), c.position_mm),
   sphere: (c, m) => {
     const group = new THREE.Group();
     const shape = new THREE.SphereGeometry(c.radius_mm, 48, 32);
@@ -21,16 +21,16 @@ const MAKERS = {
     group.add(new THREE.LineSegments(new THREE.EdgesGeometry(new THREE.SphereGeometry(c.radius_mm, 16, 8), 1), m.edge));
     return placed(group, c.center_mm);
   },
-  line: (c, m) => placed(new THREE.Mesh(new THREE.CylinderGeometry(0.8, 0.8, LONG), m.solid), c.point_mm, Y, c.direction),
-  plane: (c, m) => {
+  line: (c, m, size) => placed(new THREE.Mesh(new THREE.CylinderGeometry(0.8 * size, 0.8 * size, LONG * size), m.solid), c.point_mm, Y, c.direction),
+  plane: (c, m, size) => {
     const group = new THREE.Group();
-    const shape = new THREE.PlaneGeometry(LONG, LONG);
+    const shape = new THREE.PlaneGeometry(LONG * size, LONG * size);
     group.add(new THREE.Mesh(shape, m.fill), new THREE.LineSegments(new THREE.EdgesGeometry(shape), m.edge));
     return placed(group, c.point_mm, Z, c.normal);
   },
-  circle: (c, m) => placed(new THREE.Mesh(new THREE.TorusGeometry(c.radius_mm, 0.8, 8, 96), m.solid), c.center_mm, Z, c.normal),
-  cylinder: (c, m) => {
-    const shape = new THREE.CylinderGeometry(c.radius_mm, c.radius_mm, LONG, 48, 1, true);
+  circle: (c, m, size) => placed(new THREE.Mesh(new THREE.TorusGeometry(c.radius_mm, 0.8 * size, 8, 96), m.solid), c.center_mm, Z, c.normal),
+  cylinder: (c, m, size) => {
+    const shape = new THREE.CylinderGeometry(c.radius_mm, c.radius_mm, LONG * size, 48, 1, true);
     return placed(new THREE.Mesh(shape, m.fill), c.point_mm, Y, c.axis);
   },
   box: (c, m) => {
@@ -47,12 +47,12 @@ const MAKERS = {
 };
 
 /** The objects of a scene, and the names of the constraints that this page does not draw. */
-export function drawn(scene, materials) {
+export function drawn(scene, materials, size) {
   const objects = [];
   const left = [];
   for (const constraint of scene.constraints) {
     const make = MAKERS[constraint.type];
-    if (make) objects.push(make(constraint, materials));
+    if (make) objects.push(make(constraint, materials, size));
     else left.push(`${constraint.name} (${constraint.type.replace("_", " ")})`);
   }
   return { objects, left };

@@ -2,11 +2,12 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { CUT_N } from "./history.js";
-import { linkOrigins } from "./kinematics.js";
+import { isUpright, linkOrigins, reachOf } from "./kinematics.js";
 import { drawn } from "./shapes.js";
 
 const FORCE_MM_PER_N = 80;
 const HEAD_MM = 9;
+const HAPTIC_MM = 300; // the reach of a haptic arm, for which the sizes here are
 const TURN_RAD = Math.PI / 36;
 const UP = new THREE.Vector3(0, 1, 0);
 const SLOW_MS = 25; // between pictures, on average of LOOKED_AT: fewer pixels then, down to FEWEST of a side
@@ -31,18 +32,17 @@ export class View {
   constructor(canvas, arms) {
     Object.assign(this, { canvas, arms, share: 1, pictures: 0, since_ms: 0 });
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !isSoftware() });
-    this.camera = new THREE.PerspectiveCamera(35, 1, 1, 5000);
-    this.camera.position.set(170, 150, 470);
+    this.camera = new THREE.PerspectiveCamera(35, 1, 1, 20000);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enablePan = false;
     this.controls.minDistance = 100;
-    this.controls.maxDistance = 2000;
     this.canvas.addEventListener("keydown", (event) => this.key(event));
     this.scene = new THREE.Scene();
     const light = new THREE.DirectionalLight(0xffffff, 2);
     light.position.set(1, 2, 2);
     this.scene.add(new THREE.AmbientLight(0xffffff, 1.4), light);
     this.make();
+    this.stand(null);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.paint());
     this.paint();
   }
@@ -58,6 +58,7 @@ export class View {
     this.target = new THREE.MeshBasicMaterial({ depthTest: false }); // seen within a shape, too
     this.push = new THREE.MeshBasicMaterial();
     this.box = new THREE.LineSegments(new THREE.EdgesGeometry(new THREE.BoxGeometry(160, 120, 70)), new THREE.LineBasicMaterial());
+    this.world = new THREE.Group(); // W in the frame of the camera, whose y is up
     this.links = new THREE.Group();
     this.joints = [];
     this.rods = [];
@@ -68,7 +69,8 @@ export class View {
     this.force.add(this.shaft, this.head);
     this.constraints = new THREE.Group();
     this.nearest.visible = this.force.visible = false;
-    this.scene.add(this.box, this.links, this.nearest, this.force, this.constraints);
+    this.world.add(this.box, this.links, this.nearest, this.force, this.constraints);
+    this.scene.add(this.world);
   }
 
   paint() {
@@ -82,12 +84,12 @@ export class View {
 
   /** Shows the constraints of a scene; gives the names of those that it cannot draw. */
   show(scene, arm_name) {
-    this.table = this.arms[arm_name];
+    this.stand(arm_name);
     for (const old of [...this.constraints.children]) {
       this.constraints.remove(old);
       old.traverse((part) => part.geometry?.dispose());
     }
-    const { objects, left } = drawn(scene, this.materials);
+    const { objects, left } = drawn(scene, this.materials, this.size);
     if (objects.length > 0) this.constraints.add(...objects);
     return left;
   }
@@ -96,6 +98,7 @@ export class View {
   place(tick) {
     const is_known = this.table !== undefined && this.table.dh.length <= tick.q_rad.length;
     const origins = is_known ? linkOrigins(this.table, tick.q_rad) : [[0, 0, -200], tick.p_WT_mm];
+    if (this.must_frame && is_known) this.frame(origins);
     this.bend(origins.map((origin) => new THREE.Vector3(...origin)));
     this.nearest.visible = tick.p_WP_mm.length === 3;
     if (this.nearest.visible) this.nearest.position.set(...tick.p_WP_mm);
@@ -105,8 +108,34 @@ export class View {
     if (!this.force.visible) return;
     this.force.position.set(...tick.p_WT_mm);
     this.force.quaternion.setFromUnitVectors(UP, force.divideScalar(force_N));
-    this.shaft.scale.y = this.head.position.y = FORCE_MM_PER_N * force_N;
+    this.shaft.scale.y = this.head.position.y = (FORCE_MM_PER_N * force_N) / this.size; // in the group's own measure
     this.push.color.copy(tick.cut_N > CUT_N ? this.colours.cut : this.colours.force);
+  }
+
+  /** Another arm. A haptic arm stands behind its workspace, whose middle is looked at; of another one all is seen. */
+  stand(arm_name) {
+    if (this.arm_name === arm_name) return;
+    this.arm_name = arm_name;
+    this.table = this.arms[arm_name];
+    this.is_robot = this.table !== undefined && isUpright(this.table);
+    this.size = this.is_robot ? Math.max(1, reachOf(this.table) / HAPTIC_MM) : 1;
+    this.world.rotation.x = this.is_robot ? -0.5 * Math.PI : 0; // its z is up, and the camera's y
+    this.world.updateMatrixWorld();
+    this.box.visible = !this.is_robot;
+    for (const one of [this.nearest, this.force]) one.scale.setScalar(this.size);
+    this.frame([[0, 0, 0]]);
+    this.must_frame = this.is_robot; // where it is, the next tick says
+  }
+
+  /** Turns the camera to the middle of points, mm, in W. */
+  frame(points) {
+    this.must_frame = false;
+    const middle = new THREE.Box3().setFromPoints(points.map((point) => new THREE.Vector3(...point))).getCenter(new THREE.Vector3());
+    this.world.localToWorld(middle);
+    this.controls.target.copy(middle);
+    this.camera.position.set(170, 150, 470).multiplyScalar(this.size).add(middle);
+    this.controls.maxDistance = 2000 * this.size;
+    this.controls.update();
   }
 
   /** Balls at the joints and rods between them; the last one is the tip. */
@@ -121,13 +150,19 @@ export class View {
       ball.visible = index < origins.length;
       rod.visible = index + 1 < origins.length && origins[index].distanceTo(origins[index + 1]) > 1e-3;
       if (ball.visible) ball.position.copy(origins[index]);
-      ball.scale.setScalar(index + 1 === origins.length ? 4 : 6);
+      ball.scale.setScalar(this.size * (index + 1 === origins.length ? 4 : 6));
       if (!rod.visible) return;
       const along = origins[index + 1].clone().sub(origins[index]);
-      rod.scale.y = along.length();
+      rod.scale.set(this.size, along.length(), this.size);
       rod.position.copy(origins[index]).addScaledVector(along, 0.5);
       rod.quaternion.setFromUnitVectors(UP, along.normalize());
     });
+  }
+
+  /** Where the joints of the arm that are drawn are in the picture, base first: x and y from -1 to 1. */
+  seen() {
+    const drawn = this.joints.filter(({ visible }) => visible);
+    return drawn.map((ball) => ball.getWorldPosition(new THREE.Vector3()).project(this.camera).toArray().slice(0, 2));
   }
 
   key(event) {

@@ -278,6 +278,30 @@ class Page(unittest.TestCase):
                 page.text("not-drawn"),
             )
 
+    def test_draws_an_arm_of_seven_joints_as_the_others_and_reads_all_of_them(self) -> None:
+        for scene in ("38_panda_wall", "39_iiwa_pose"):
+            service = self.service("--start", "--allow-origin", "null", scene=scene)
+            with self.page() as page:
+                self.runs(page, service)
+                self.assertTrue(page.comes(lambda: page.text("joints").count("°") == 7))
+                self.assertNotEqual(page.text("joints").split(", ")[6], "0.0°")
+                seen = page.browser.run("underactPage.links()")
+                self.assertGreaterEqual(len(seen), 8)  # base, seven frames, and a flange
+                self.assertLess(max(abs(one) for place in seen for one in place), 1, "out of sight")
+                (x, y), (x_tip, y_tip) = seen[0], seen[-1]
+                bends = [abs((a - x) * (y_tip - y) - (b - y) * (x_tip - x)) for a, b in seen]
+                self.assertGreater(max(bends), 0.05, "a line from base to tip")
+                self.assertGreater(max(place[1] for place in seen), y + 0.4, "it lies on its side")
+                page.picture(scene)
+                self.assertEqual(page.browser.run("checks.tooWide(false)"), [])
+                service.end()
+
+    def test_reads_the_six_joints_of_a_haptic_arm(self) -> None:
+        service = self.service("--start", "--allow-origin", "null")
+        with self.page() as page:
+            self.runs(page, service)
+            self.assertTrue(page.comes(lambda: page.text("joints").count("°") == 6))
+
     def test_loads_nothing_from_elsewhere(self) -> None:
         with self.page() as page:
             time.sleep(0.5)

@@ -23,11 +23,19 @@ RINGS = """
 import { History } from "%s";
 const history = new History(1, 4);
 for (let tick = 0; tick < 10; ++tick)
-  history.take({ tick: [250 * tick], q_rad: [[]], p_WT_mm: [[]], p_WP_mm: [[]], cut_N: [0],
-                 error_mm: [tick], force_sent_N: [[3 * tick, 0, 4 * tick]] });
+  history.take({ tick: [250 * tick], q_rad: [[1, 2, 3, 4, 5, 6]], q_more_rad: [[7, 8]],
+                 p_WT_mm: [[]], p_WP_mm: [[]], cut_N: [0], error_mm: [tick], force_sent_N: [[3 * tick, 0, 4 * tick]] });
 const rows = [];
 history.each((age_s, force_N, error_mm) => rows.push([age_s, force_N, error_mm]));
-console.log(JSON.stringify({ rows, latest: history.latest.time_s, count: history.rows }));
+const { time_s: latest, q_rad: q } = history.latest;
+console.log(JSON.stringify({ rows, latest, q, count: history.rows }));
+"""
+READ = """
+import { readFileSync } from "node:fs";
+import { isUpright, jointTexts, reachOf } from "%s";
+const [arm, q] = process.argv.slice(2);
+const file = JSON.parse(readFileSync(arm, "utf8"));
+console.log(JSON.stringify([jointTexts(file, JSON.parse(q)), isUpright(file), reachOf(file)]));
 """
 
 
@@ -69,6 +77,21 @@ class Sources(unittest.TestCase):
         self.assertEqual([row[0] for row in said["rows"]], [0.75, 0.5, 0.25, 0.0])
         self.assertEqual(said["rows"][-1][1:], [45, 9])
         self.assertEqual((said["latest"], said["count"]), (2.25, 10))
+        self.assertEqual(said["q"], [1, 2, 3, 4, 5, 6, 7, 8])
+
+    def test_joints_are_read_in_degrees_and_slides_in_mm(self):
+        q = json.dumps([0.5, -1, 0.05, 0.25, 1, 1, -0.1, 0])
+
+        def read(arm):
+            return said_by(READ, "kinematics.js", str(ROOT / f"resources/arms/{arm}.json"), q)
+
+        texts, is_upright, reach_mm = read("cobra-600")
+        self.assertEqual(texts, ["28.6°", "-57.3°", "50.0 mm", "14.3°"])
+        self.assertTrue(is_upright)
+        texts, is_upright, reach_mm = read("panda")
+        self.assertEqual((len(texts), texts[6], is_upright), (7, "-5.7°", True))
+        self.assertGreater(reach_mm, 1000)
+        self.assertFalse(read("omni-thesis")[1])
 
 
 class Parts(unittest.TestCase):

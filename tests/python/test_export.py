@@ -15,6 +15,13 @@ from support import CLI, ROOT, InFolder, command, works
 from underact import Session, export
 
 
+def seven_joints(path):
+    """A session of 0.3 s of an arm of seven joints, as the program records it."""
+    words = ["run", ROOT / "scenes/38_panda_wall.json", "--hand", "sweep", "--seconds", "0.3"]
+    subprocess.run([CLI, *words, "--fast", "--record", path], check=True, stdout=subprocess.DEVNULL)
+    return path
+
+
 class Csv(InFolder):
     def test_has_the_numbers_of_the_session(self):
         path = write_session(self.folder / "a.h5", 250)
@@ -158,6 +165,40 @@ class Mcap(InFolder):
             events = [(time_ns, topic) for time_ns, topic, _ in messages if topic != "/tick"]
             self.assertEqual(events, [(501_000_000, "/faults"), (1_501_000_000, "/markers")])
             self.assertEqual(set(messages[0][2]), set(session.ticks))
+
+    def test_messages_have_the_joints_beyond_the_sixth_of_an_arm_that_has_them(self):
+        with Session(seven_joints(self.folder / "a.h5")) as session:
+            ticks = [message for _, topic, message in export._messages(session) if topic == "/tick"]
+            self.assertEqual([one["q_rad"] for one in ticks], session.ticks["q_rad"].tolist())
+            self.assertEqual([one["q_more_rad"] for one in ticks], session.more_joints().tolist())
+            self.assertGreater(min(abs(one["q_more_rad"][0]) for one in ticks), 0.1)
+            schema = export._tick_schema(session)
+            self.assertEqual(list(schema), ["time_s", *ticks[0]])
+            self.assertEqual((schema["q_more_rad"]["minItems"], ticks[0]["q_more_rad"][1]), (2, 0))
+            self.assertEqual(schema["q_more_rad"]["items"]["unit"], "rad")
+
+    def test_of_six_joints_says_nothing_of_more(self):
+        with Session(write_session(self.folder / "a.h5", 100)) as session:
+            self.assertEqual(list(export._tick_schema(session)), ["time_s", *session.ticks])
+            self.assertEqual(list(next(export._messages(session))[2]), list(session.ticks))
+
+    def test_of_seven_joints_is_read_back_where_mcap_is_there(self):
+        if not works("mcap.reader"):
+            return  # of PyPI only; the tests above say what it is given
+        from mcap.reader import make_reader
+
+        with Session(seven_joints(self.folder / "a.h5")) as session:
+            export.mcap(session, self.folder / "a.mcap")
+            six, more = session.ticks["q_rad"], session.more_joints()
+        with open(self.folder / "a.mcap", "rb") as file:
+            messages = [
+                (json.loads(s.data), json.loads(m.data))
+                for s, c, m in make_reader(file).iter_messages()
+                if c.topic == "/tick"
+            ]
+        said = [one["q_rad"] + one["q_more_rad"] for _, one in messages]
+        np.testing.assert_array_equal(said, np.hstack([six, more]))
+        self.assertEqual(set(messages[0][0]["properties"]), set(messages[0][1]))
 
     def test_is_read_back_where_mcap_is_there(self):
         if not works("mcap.reader"):

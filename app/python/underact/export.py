@@ -25,8 +25,9 @@ CSV_COLUMNS: dict[str, tuple[str, int | None]] = {
     for field in layout.COLUMNS["csv"]
 }
 
-#: the columns behind them where an arm has more than six joints
-MORE_JOINTS = layout.DESCRIBED["joints"]["q_more_rad"]["csv"]
+#: what an arm of more than six joints has besides, and its columns of CSV
+MORE = "q_more_rad"
+MORE_JOINTS = layout.DESCRIBED["joints"][MORE]["csv"]
 
 #: what to ask pip for: a newer pyarrow wants a newer numpy than Debian 12 has
 _PACKAGES = {"pyarrow": "'pyarrow<17'", "mcap": "mcap"}
@@ -95,7 +96,7 @@ def csv_metadata(session: Session, name: str) -> dict:
         one["schema:unitText"] = field["unit"]
         columns.append(one)
         frames[field["name"]] = described["frame"]
-    described = layout.DESCRIBED["joints"]["q_more_rad"]
+    described = layout.DESCRIBED["joints"][MORE]
     for part in MORE_JOINTS if session.more_joints() is not None else ():
         one = {"name": part, "titles": part, "datatype": "double", "null": ""}
         one["dc:description"] = described["meaning"]
@@ -155,8 +156,8 @@ def parquet(session: Session, out: str | Path) -> None:
     for name, column in layout.DESCRIBED["ticks"].items():
         for part in layout.part_names(name):
             about[part] = column
-    for part in layout.DESCRIBED["joints"]["q_more_rad"]["parts"]:
-        about[part] = layout.DESCRIBED["joints"]["q_more_rad"]
+    for part in layout.DESCRIBED["joints"][MORE]["parts"]:
+        about[part] = layout.DESCRIBED["joints"][MORE]
     fields = [
         field.with_metadata(
             {key: about.get(field.name, {}).get(key, "") for key in ("unit", "frame", "meaning")}
@@ -199,12 +200,19 @@ def _tick_schema(session: Session) -> dict:
             "frame": described.get("frame", ""),
             "meaning": described.get("meaning", session.ticks.meanings[column]),
         }
-        properties[column] = (
-            one
-            if width == 1
-            else {"type": "array", "items": one, "minItems": width, "maxItems": width}
-        )
+        properties[column] = _array_of(one, width)
+    if session.more_joints() is not None:
+        described = layout.DESCRIBED["joints"][MORE]
+        one = {key: described[key] for key in ("unit", "frame", "meaning")}
+        one = {"type": ["number", "null"], "description": described["unit"], **one}
+        properties[MORE] = _array_of(one, described["width"])
     return properties
+
+
+def _array_of(one: dict, width: int) -> dict:
+    if width == 1:
+        return one
+    return {"type": "array", "items": one, "minItems": width, "maxItems": width}
 
 
 def _messages(session: Session) -> Iterator[tuple[int, str, dict]]:
@@ -231,6 +239,9 @@ def _messages(session: Session) -> Iterator[tuple[int, str, dict]]:
     ]
     events.sort(key=lambda event: event[0])
     columns = {name: ticks[name].tolist() for name in ticks}
+    more = session.more_joints()
+    if more is not None:
+        columns[MORE] = more.tolist()
     for row, now_ns in enumerate(time_ns.tolist()):
         yield now_ns, "/tick", {name: _plain(values[row]) for name, values in columns.items()}
         while events and events[0][0] <= now_ns:
@@ -245,8 +256,8 @@ def _plain(value: object) -> object:
 
 
 def mcap(session: Session, out: str | Path) -> None:
-    """JSON messages with schemas on /tick, /markers and /faults, stamped with the clock. Needs the
-    package mcap.
+    """JSON messages with schemas on /tick, /markers and /faults, stamped with the clock; joints 7
+    and 8 as q_more_rad in /tick, of an arm that has them. Needs the package mcap.
     """
     try:
         from mcap.writer import Writer
