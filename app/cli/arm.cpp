@@ -4,6 +4,7 @@
 #include "app/cli/arm_choice.h"
 #include "app/cli/scene_file.h"
 #include "core/arm/arm_text.h"
+#include "core/arm/solid_place.h"
 
 namespace underact::cli {
 namespace {
@@ -21,6 +22,7 @@ Exit convert(const ConvertOptions& options, const Streams& streams) {
   const Result<std::string> text = arm::textOf(arm.value().model, to);
   if (!text) return fail(text.problems(), Exit::BadInput, streams);
   streams.out << text.value();
+  printNotes(arm::solidProblems(arm.value().model), streams.err);
   return Exit::Well;
 }
 

@@ -34,7 +34,11 @@ void print(const Problems& problems, std::ostream& stream) {
 }
 
 void printNotes(const LoadedScene& scene, std::ostream& stream) {
-  for (const Problem& note : scene::meshNotes(scene.description))
+  printNotes(scene::meshNotes(scene.description), stream);
+}
+
+void printNotes(const Problems& notes, std::ostream& stream) {
+  for (const Problem& note : notes)
     stream << note.place.file << ':' << note.place.line << ':' << note.place.column << ": note: " << note.place.key
            << ": " << note.sentence << '\n';
 }

@@ -27,6 +27,7 @@ void print(const Problems& problems, std::ostream& stream);
 
 /// Prints what is worth knowing about a scene without problems, one line per note: see scene::meshNotes().
 void printNotes(const LoadedScene& scene, std::ostream& stream);
+void printNotes(const Problems& notes, std::ostream& stream);
 
 /// File if something could not be read at all; else BadInput.
 Exit exitOf(const Problems& problems);

@@ -5,6 +5,7 @@
 #include "core/arm/joint_reader.h"
 #include "core/arm/model.h"
 #include "core/arm/solid_file.h"
+#include "core/arm/solid_place.h"
 #include "core/arm/urdf.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
@@ -105,7 +106,7 @@ Result<Model> readArmFile(const std::string& path) {
   if (isUrdfName(path)) return readUrdfFile(path, {});
   const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "an arm")));
   if (!text) return text.problems();
-  return readArm(text.value(), path);
+  return withFolderOf(path, readArm(text.value(), path));
 }
 
 }  // namespace underact::arm

@@ -209,6 +209,8 @@ class UrdfWriter {
       child("sphere", {{"radius", numberText(ball->radius_m)}});
     if (const auto* const rod = std::get_if<CylinderSolid>(&solid.form))
       child("cylinder", {{"radius", numberText(rod->radius_m)}, {"length", numberText(rod->length_m)}});
+    if (const auto* const mesh = std::get_if<MeshSolid>(&solid.form))
+      child("mesh", {{"filename", mesh->name}, {"scale", wordsOf(mesh->m_per_unit)}});
     printer_.CloseElement();
     printer_.CloseElement();
   }

@@ -47,14 +47,15 @@ struct Model {
   std::vector<JointFacts> joints;  // as many as rows
   std::vector<LinkMass> masses;    // as many as rows, 0 where the file says nothing; empty: it has none
   std::vector<LinkSolid> solids;   // what it looks like; empty: the file says nothing, and it is drawn by formula
+  std::string folder;  // of the file on this disk that it was read from; empty: of none, and no mesh of it is opened
   bool limits_wrist_size = false;  // those of joint 5 are of its absolute value
   std::optional<DeviceFigures> device;
 };
 
 /// An arm from JSON text. Problems: all at once. Keys: the guide, "Arm files".
 Result<Model> readArm(std::string_view text, const std::string& file_name);
-/// The same of a file; one whose name ends in .urdf or .xml is read as readUrdf() does. Problems, too: it cannot be
-/// read.
+/// The same of a file, whose folder the model keeps; one whose name ends in .urdf or .xml is read as readUrdf() does.
+/// Problems, too: it cannot be read.
 Result<Model> readArmFile(const std::string& path);
 
 /// The same of the text of a file of that name.

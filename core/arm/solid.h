@@ -1,7 +1,9 @@
 #pragma once
 #include <cstddef>
+#include <string>
 #include <variant>
 
+#include "core/base/result.h"
 #include "core/base/types.h"
 
 namespace underact::arm {
@@ -24,8 +26,14 @@ struct CapsuleSolid {
 struct SphereSolid {
   double radius_m = 0.0;
 };
+/// The surface in a mesh file, whose frame is S. solid_place.h says which file its name means.
+struct MeshSolid {
+  std::string name;  // as the arm's file has it: relative to that file's folder, or package://NAME/...
+  Vec3 m_per_unit = Vec3::Constant(1e-3);  // along each axis; one below 0 mirrors it
+  SourceLocation place = {};               // of the name
+};
 /// What a solid is.
-using SolidForm = std::variant<BoxSolid, CylinderSolid, CapsuleSolid, SphereSolid>;
+using SolidForm = std::variant<BoxSolid, CylinderSolid, CapsuleSolid, SphereSolid, MeshSolid>;
 
 /// A solid that moves with a link: 0 is the base, i the link behind joint i.
 struct LinkSolid {
@@ -36,5 +44,9 @@ struct LinkSolid {
 
 /// The most that an arm has.
 inline constexpr std::size_t kMostSolids = 256;
+/// The longest name of a mesh file, bytes.
+inline constexpr std::size_t kLongestMeshName = 1024;
+/// Factors of a mesh are at most that, and at least its inverse, m.
+inline constexpr double kMostMetresPerUnit = 1e3, kLeastMetresPerUnit = 1e-9;
 
 }  // namespace underact::arm

@@ -7,6 +7,7 @@
 
 #include "core/arm/arm_text.h"
 #include "core/arm/file_values.h"
+#include "core/arm/solid_place.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
 
@@ -17,11 +18,12 @@ using json::Findings;
 using json::ObjectReader;
 using json::Value;
 
-enum class SolidKind { Box, Cylinder, Capsule, Sphere };
+enum class SolidKind { Box, Cylinder, Capsule, Sphere, Mesh };
 constexpr json::Word<SolidKind> kSolidKinds[] = {{"box", SolidKind::Box},
                                                  {"cylinder", SolidKind::Cylinder},
                                                  {"capsule", SolidKind::Capsule},
-                                                 {"sphere", SolidKind::Sphere}};
+                                                 {"sphere", SolidKind::Sphere},
+                                                 {"mesh", SolidKind::Mesh}};
 
 /// A length above 0, m.
 double sizeAt(ObjectReader& object, const char* key) {
@@ -32,7 +34,29 @@ double sizeAt(ObjectReader& object, const char* key) {
   return size_m;
 }
 
+MeshSolid readMeshSolid(ObjectReader& object) {
+  MeshSolid mesh;
+  Findings& findings = object.findings();
+  const std::string path = object.pathOf("file");
+  if (const Value* const file = object.find("file", true)) {
+    json::readText(*file, path, mesh.name, findings);
+    mesh.place = {findings.file(), file->line, file->column, path};
+    if (file->kind == json::Kind::String && mesh.name.empty())
+      findings.add(*file, path, said(TRANSLATE_NOOP("problem", "This must be the name of a mesh file.")));
+    if (mesh.name.size() > kLongestMeshName)
+      findings.add(*file, path, said(TRANSLATE_NOOP("problem", "The name of the mesh is longer than 1024 bytes.")));
+  }
+  const Value* const scale = object.find("scale_mm_per_unit");
+  if (scale == nullptr) return mesh;
+  mesh.m_per_unit = pointAt(object, "scale_mm_per_unit", true);
+  if (!isMeshScale(mesh.m_per_unit))
+    findings.add(*scale, object.pathOf("scale_mm_per_unit"),
+                 said(TRANSLATE_NOOP("problem", "Each factor must be from 1e-6 to 1e6, or the same below 0.")));
+  return mesh;
+}
+
 SolidForm readForm(ObjectReader& object, SolidKind kind) {
+  if (kind == SolidKind::Mesh) return readMeshSolid(object);
   if (kind == SolidKind::Box) {
     BoxSolid box;
     box.size_m = pointAt(object, "size_mm", true);
@@ -78,6 +102,11 @@ std::string lengthText(const char* key, double length_m) {
 }
 
 std::string formText(const SolidForm& form) {
+  if (const auto* const mesh = std::get_if<MeshSolid>(&form)) {
+    const Vec3 mm = kMillimetrePerMetre * mesh->m_per_unit;
+    return "\"mesh\", \"file\": " + json::quotedText(mesh->name) + ", \"scale_mm_per_unit\": [" +
+           json::numberText(mm.x()) + ", " + json::numberText(mm.y()) + ", " + json::numberText(mm.z()) + "]";
+  }
   if (const auto* const box = std::get_if<BoxSolid>(&form)) {
     const Vec3 mm = kMillimetrePerMetre * box->size_m;
     return R"("box", "size_mm": [)" + json::numberText(mm.x()) + ", " + json::numberText(mm.y()) + ", " +

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "core/arm/joint_reader.h"
+#include "core/arm/solid_place.h"
 #include "core/arm/urdf_tree.h"
 #include "core/base/translate.h"
 #include "core/json/text.h"
@@ -140,8 +141,8 @@ class Walk {
     show(tree_.links[base]);
     for (const UrdfStep& step : steps) pass(step);
     model_.chain.X_WT_home = X_WLink_;
-    // With a mesh among them, which is not read, the rest would be a part of an arm.
-    if (any_mesh_ || model_.solids.size() > kMostSolids) model_.solids.clear();
+    // With a form among them that no solid has, the rest would be a part of an arm.
+    if (any_other_ || model_.solids.size() > kMostSolids) model_.solids.clear();
     if (!any_mass_) model_.masses.clear();
   }
 
@@ -182,7 +183,7 @@ class Walk {
   }
 
   void show(const UrdfLink& link) {
-    any_mesh_ |= link.has_mesh;
+    any_other_ |= link.has_other_form;
     for (const LinkSolid& solid : link.solids)
       model_.solids.push_back({model_.joints.size(), X_WLink_ * solid.X_WS, solid.form});
   }
@@ -200,7 +201,7 @@ class Walk {
   LinkFamily& family_;
   Model& model_;
   Pose X_WLink_ = Pose::Identity();
-  bool any_mass_ = false, any_mesh_ = false;
+  bool any_mass_ = false, any_other_ = false;
 };
 
 }  // namespace
@@ -236,7 +237,7 @@ Result<Model> readUrdf(std::string_view text, const std::string& file_name, cons
 Result<Model> readUrdfFile(const std::string& path, const UrdfEnds& ends) {
   const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "an arm")), kLargestUrdf);
   if (!text) return text.problems();
-  return readUrdf(text.value(), path, ends);
+  return withFolderOf(path, readUrdf(text.value(), path, ends));
 }
 
 }  // namespace underact::arm

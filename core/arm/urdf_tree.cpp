@@ -7,6 +7,7 @@
 #include <span>
 #include <unordered_set>
 
+#include "core/arm/solid_place.h"
 #include "core/base/translate.h"
 #include "core/base/trig.h"
 #include "core/json/text.h"
@@ -160,6 +161,21 @@ class TreeReader {
     return size_m;
   }
 
+  /// Its unit is the metre, multiplied by the scale.
+  MeshSolid readMesh(const XMLElement& form) {
+    checkAttributes(form, {"filename", "scale"});
+    MeshSolid mesh;
+    mesh.m_per_unit = Vec3::Ones();
+    mesh.name = attribute(form, "filename", "mesh");
+    mesh.place = {file_, form.GetLineNum(), 0, "filename"};
+    if (mesh.name.size() > kLongestMeshName)
+      say(form, "filename", said(TRANSLATE_NOOP("problem", "The name of the mesh is longer than 1024 bytes.")));
+    if (three(form, "scale", mesh.m_per_unit) && !isMeshScale(mesh.m_per_unit))
+      say(form, "scale",
+          said(TRANSLATE_NOOP("problem", "Each factor must be from 1e-9 to 1000, or the same below 0.")));
+    return mesh;
+  }
+
   void readVisuals(const XMLElement& element, UrdfLink& link) {
     for (const XMLElement* visual = element.FirstChildElement("visual"); visual != nullptr;
          visual = visual->NextSiblingElement("visual")) {
@@ -178,8 +194,10 @@ class TreeReader {
         solid.form = CylinderSolid{sizeOf(*form, "radius"), sizeOf(*form, "length")};
       } else if (what == "sphere") {
         solid.form = SphereSolid{sizeOf(*form, "radius")};
+      } else if (what == "mesh") {
+        solid.form = readMesh(*form);
       } else {
-        link.has_mesh = true;
+        link.has_other_form = true;
         continue;
       }
       solid.X_WS = readOrigin(*visual);

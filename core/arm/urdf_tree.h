@@ -16,7 +16,7 @@ struct UrdfLink {
   int line = 0;
   std::optional<LinkMass> mass;
   std::vector<LinkSolid> solids;  // in the link's frame
-  bool has_mesh = false;          // one of its pictures is a mesh, which is not read
+  bool has_other_form = false;    // one of its pictures is none of the forms of URDF
 };
 
 /// How a joint moves; Other: in a way that no arm here has.

@@ -2,11 +2,13 @@
 
 #include <cmath>
 
+#include "core/arm/solid_place.h"
 #include "core/base/translate.h"
 #include "core/json/json.h"
 #include "core/json/text.h"
 #include "core/mesh_file/report.h"
 #include "core/mesh_file/union_report.h"
+#include "core/scene/scene_arm.h"
 
 namespace underact::scene {
 namespace {
@@ -40,6 +42,8 @@ Problems meshNotes(const Description& scene) {
     notes.push_back(
         {said(TRANSLATE_NOOP("problem", "The mesh %1: %2"), {json::shown(mesh->file), note}), constraint.place});
   }
+  const Problems of_arm = arm::solidProblems(modelOf(scene));
+  notes.insert(notes.end(), of_arm.begin(), of_arm.end());
   return notes;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/arm/general_arm.h"
+#include "core/arm/solid_place.h"
 #include "core/base/translate.h"
 #include "core/json/text.h"
 #include "core/scene/load_meshes.h"
@@ -48,6 +49,7 @@ Problems readSceneArm(Description& scene, NamedFiles files) {
   if (!text) return text.problems();
   Result<arm::Model> model = arm::readArmText(text.value(), path);
   if (!model) return model.problems();
+  if (scene.arm_text.empty()) model = arm::withFolderOf(path, std::move(model));
   Result<arm::Preset> preset = arm::presetOf(model.value());
   if (!preset) return {{preset.problems().front().sentence, {path, 1, 1, "device"}}};
   scene.arm_file = std::make_shared<const ArmFile>(

@@ -59,6 +59,10 @@
         <translation>im Ruhezustand</translation>
     </message>
     <message>
+        <source>Some meshes of the arm are not drawn. The panel Arm says why.</source>
+        <translation>Einige Netze des Arms werden nicht gezeichnet. Warum, sagt der Bereich Arm.</translation>
+    </message>
+    <message>
         <source>type</source>
         <translation>Art</translation>
     </message>
@@ -3374,6 +3378,18 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Diese Sitzung enthält keine Takte.</translation>
     </message>
     <message>
+        <source>The file is larger than 64 MiB.</source>
+        <translation>Die Datei ist größer als 64 MiB.</translation>
+    </message>
+    <message>
+        <source>The file contains nothing to draw.</source>
+        <translation>Die Datei enthält nichts, was gezeichnet werden könnte.</translation>
+    </message>
+    <message>
+        <source>The mesh %1 is not drawn: %2</source>
+        <translation>Das Netz %1 wird nicht gezeichnet: %2</translation>
+    </message>
+    <message>
         <source>The file is damaged: reading stopped after %1 vertices and %2 faces.</source>
         <translation>Die Datei ist beschädigt: Nach %1 Ecken und %2 Flächen ging es beim Lesen nicht weiter.</translation>
     </message>
@@ -3650,6 +3666,18 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Gelenk %1 wird nicht gemessen, die Lage der Spitze wäre also unbekannt: Beim Arm einer Szene muss jedes Gelenk gemessen werden.</translation>
     </message>
     <message>
+        <source>This must be the name of a mesh file.</source>
+        <translation>Das muss der Name einer Netzdatei sein.</translation>
+    </message>
+    <message>
+        <source>The name of the mesh is longer than 1024 bytes.</source>
+        <translation>Der Name des Netzes ist länger als 1024 Bytes.</translation>
+    </message>
+    <message>
+        <source>Each factor must be from 1e-6 to 1e6, or the same below 0.</source>
+        <translation>Jeder Faktor muss zwischen 1e-6 und 1e6 liegen, oder ebenso unter 0.</translation>
+    </message>
+    <message>
         <source>Each length must be above 0.</source>
         <translation>Jede Länge muss über 0 liegen.</translation>
     </message>
@@ -3668,6 +3696,22 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>a solid</source>
         <translation>ein Körper</translation>
+    </message>
+    <message>
+        <source>The mesh %1 is not drawn: its name leads out of the folder of the arm's file, or of the package that this folder is in.</source>
+        <translation>Das Netz %1 wird nicht gezeichnet: Sein Name führt aus dem Ordner der Armdatei hinaus oder aus dem Paket, in dem dieser Ordner liegt.</translation>
+    </message>
+    <message>
+        <source>The mesh %1 is not drawn: a recording contains the file of the arm, not the meshes beside it.</source>
+        <translation>Das Netz %1 wird nicht gezeichnet: Eine Aufzeichnung enthält die Datei des Arms, nicht die Netze daneben.</translation>
+    </message>
+    <message>
+        <source>The mesh %1 is not drawn: there is no such package in the folder of the arm's file, and none with a package.xml in the folders above.</source>
+        <translation>Das Netz %1 wird nicht gezeichnet: Ein solches Paket gibt es im Ordner der Armdatei nicht, und auch keines mit einer package.xml in den Ordnern darüber.</translation>
+    </message>
+    <message>
+        <source>The mesh %1 is not drawn: there is no such file.</source>
+        <translation>Das Netz %1 wird nicht gezeichnet: Eine solche Datei gibt es nicht.</translation>
     </message>
     <message>
         <source>The link %1 has two parents.</source>
@@ -3748,6 +3792,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>A length must be above 0 and at most 1000 m.</source>
         <translation>Eine Länge muss über 0 liegen und darf höchstens 1000 m sein.</translation>
+    </message>
+    <message>
+        <source>Each factor must be from 1e-9 to 1000, or the same below 0.</source>
+        <translation>Jeder Faktor muss zwischen 1e-9 und 1000 liegen, oder ebenso unter 0.</translation>
     </message>
     <message>
         <source>The element &lt;%1&gt; is missing; &lt;joint&gt; needs it.</source>
@@ -9540,6 +9588,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
 <context>
     <name>underact::gui::ArmPanel</name>
     <message>
+        <source>Meshes of the arm that are not drawn</source>
+        <translation>Netze des Arms, die nicht gezeichnet werden</translation>
+    </message>
+    <message>
         <source>Tip</source>
         <translation>Spitze</translation>
     </message>
@@ -9578,6 +9630,14 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>Why the servo stopped by itself. The line above the view says what to do.</source>
         <translation>Warum der Servo von selbst gestoppt hat. Die Zeile über der Ansicht sagt, was zu tun ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more.</source>
+        <translation><numerusform>Und %n weiteres.</numerusform><numerusform>Und %n weitere.</numerusform></translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
     </message>
     <message>
         <source>%1 %</source>

@@ -1,18 +1,23 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "core/arm/arm_text.h"
+#include "core/arm/solid_place.h"
 #include "core/arm/urdf.h"
 #include "core/chain/inverse.h"
 #include "tests/support/property.h"
+#include "tests/support/scratch_folder.h"
 
 namespace underact::arm {
 namespace {
+
+namespace fs = std::filesystem;
 
 using test::Random;
 
@@ -49,7 +54,24 @@ const std::vector<std::string> kWords{"\"type\": \"prismatic\"",
                                       "\"",
                                       "'",
                                       "\xff",
-                                      "/>"};
+                                      "/>",
+                                      "<visual><geometry><mesh filename=\"package://a/../b.stl\" scale=\"1 1 -1\"/>"
+                                      "</geometry></visual>",
+                                      "filename=\"../../../../etc/passwd\"",
+                                      "\"type\": \"mesh\", \"file\": \"a.stl\"",
+                                      "\"scale_mm_per_unit\": [1, -1, 1000]",
+                                      "package://",
+                                      "..",
+                                      "/"};
+
+/// Names of meshes, as files from anybody have them.
+const std::vector<std::string> kMeshNames{"meshes/a.stl",
+                                          "../meshes/a.stl",
+                                          "package://robot/meshes/a.stl",
+                                          "package://robot/../../secret.stl",
+                                          "file:///etc/passwd",
+                                          "/etc/passwd",
+                                          "linked/a.stl"};
 
 std::string mutated(std::string text, Random& random) {
   const std::size_t changes = 1 + random.below(6);
@@ -79,6 +101,37 @@ std::string mutated(std::string text, Random& random) {
   return text;
 }
 
+/// The folder of the arm of this test, with a package, a secret beside it and a link that leads there.
+const fs::path& folderOfArm() {
+  static const test::ScratchFolder scratch;
+  static const fs::path folder = [] {
+    const fs::path root = fs::canonical(scratch.path());
+    for (const char* name : {"robot/package.xml", "robot/meshes/a.stl", "robot/urdf/meshes/a.stl", "secret/a.stl",
+                             "secret.stl", "a.stl"}) {
+      fs::create_directories((root / name).parent_path());
+      std::ofstream(root / name) << "text";
+    }
+    fs::create_directory_symlink(root / "secret", root / "robot/urdf/linked");
+    return root / "robot/urdf";
+  }();
+  return folder;
+}
+
+/// Each mesh is a file of the package that the arm is in, or has a sentence.
+void expectSoundMeshes(Model model) {
+  ASSERT_TRUE(model.folder.empty());
+  model.folder = folderOfArm().string();
+  const std::string package = folderOfArm().parent_path().string() + "/";
+  for (const LinkSolid& solid : model.solids) {
+    const auto* const mesh = std::get_if<MeshSolid>(&solid.form);
+    if (mesh == nullptr) continue;
+    ASSERT_TRUE(isMeshScale(mesh->m_per_unit));
+    const Result<std::string> file = fileOfSolid(model, *mesh);
+    ASSERT_TRUE(file ? (file.value() + "/").starts_with(package) : !file.problems().front().sentence.empty())
+        << mesh->name;
+  }
+}
+
 /// What reads is an arm that everything can be asked of; what does not has its problems, each a sentence.
 void expectSound(const Result<Model>& read) {
   if (!read) {
@@ -100,10 +153,28 @@ void expectSound(const Result<Model>& read) {
   for (std::size_t i = 0; i < found.count; ++i) {
     for (std::size_t joint = 0; joint < count; ++joint) ASSERT_TRUE(std::isfinite(found.all[i].q[joint]));
   }
+  expectSoundMeshes(model);
   for (const ArmForm form : {ArmForm::ModifiedDh, ArmForm::Exponentials, ArmForm::Urdf}) {
     const Result<std::string> text = textOf(model, form);
     ASSERT_TRUE(text || !text.problems().empty());
   }
+}
+
+TEST(ArmMutation, NoNameOfAMeshLeadsOutOfWhatWasOpened) {
+  Random random({322});
+  Model model;
+  model.folder = folderOfArm().string();
+  const std::string package = folderOfArm().parent_path().string() + "/";
+  int found = 0;
+  for (int draw = 0; draw < test::sweep(3000, 100000); ++draw) {
+    std::string name = kMeshNames[random.below(kMeshNames.size())];
+    if (random.below(4) > 0) name = mutated(name, random);
+    if (random.below(3) == 0) name.insert(random.below(name.size() + 1), random.below(2) == 0 ? "../" : "/");
+    const Result<std::string> file = fileOfSolid(model, {name, Vec3::Ones(), {}});
+    found += file ? 1 : 0;
+    ASSERT_TRUE(file ? (file.value() + "/").starts_with(package) : !file.problems().front().sentence.empty()) << name;
+  }
+  EXPECT_GT(found, 100) << "hardly any name is still one of a file";
 }
 
 TEST(ArmMutation, FilesAreAnArmOrSayWhatIsWrong) {
@@ -117,6 +188,13 @@ TEST(ArmMutation, FilesAreAnArmOrSayWhatIsWrong) {
     }
   }
   ASSERT_GE(robots.size(), 5U);
+  for (const std::string& name : kMeshNames) {  // an arm that is drawn by meshes
+    Model model = *findModel("ur5e");
+    for (const std::size_t link : {std::size_t{0}, std::size_t{3}})
+      model.solids.push_back({link, Pose::Identity(), MeshSolid{name, Vec3(1.0, -1.0, 1e-3), {}}});
+    texts.push_back(textOf(model, ArmForm::ModifiedDh).value());
+    robots.push_back(textOf(model, ArmForm::Urdf).value());
+  }
   const int draws = test::sweep(3000, 100000);
   int arms = 0, urdf_arms = 0;
   for (int draw = 0; draw < draws && !testing::Test::HasFailure(); ++draw) {

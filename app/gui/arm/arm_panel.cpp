@@ -1,8 +1,10 @@
 #include "app/gui/arm/arm_panel.h"
 
+#include <QLabel>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/readout.h"
 #include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
@@ -10,6 +12,8 @@
 
 namespace underact::gui {
 namespace {
+
+constexpr int kMostNotDrawn = 5;
 
 /// So many joints, as far as there are so many: degrees, or mm.
 QString jointsText(const arm::JointAngles& q, const std::vector<bool>& slides, std::size_t first, std::size_t count) {
@@ -50,6 +54,9 @@ QString faultText(FaultKind kind) {
 ArmPanel::ArmPanel(QWidget* parent) : Panel(parent), readout_(new Readout("panel.arm.value", this)) {
   column_ = tight<QVBoxLayout>(this);
   column_->addWidget(readout_);
+  not_drawn_ = messageLabel("panel.arm.not_drawn", tr("Meshes of the arm that are not drawn"), "warning", this);
+  not_drawn_->hide();
+  column_->addWidget(not_drawn_);
   column_->addStretch(1);
   tip_ = readout_->addRow(tr("Tip"), tr("Position of the stylus tip in the workspace frame W: p_WT (x, y, z)."));
   first_joints_ = readout_->addRow(
@@ -70,6 +77,22 @@ void ArmPanel::addAbove(QWidget* widget) {
 void ArmPanel::setArm(const arm::Model& model) {
   slides_.clear();
   for (const chain::DhRow& row : model.rows) slides_.push_back(row.type == chain::JointType::Prismatic);
+}
+
+bool ArmPanel::showNotDrawn(const Problems& problems) {
+  QStringList lines;
+  for (const Problem& problem : problems) {
+    if (lines.size() == kMostNotDrawn) {
+      lines << tr("And %n more.", nullptr, static_cast<int>(problems.size()) - kMostNotDrawn);
+      break;
+    }
+    const QString sentence = sentenceText(problem.sentence);
+    lines << (problem.place.line > 0 ? tr("Line %1: %2").arg(QString::number(problem.place.line), sentence) : sentence);
+  }
+  const QString text = lines.join('\n');
+  const bool is_new = !text.isEmpty() && text != not_drawn_->text();
+  showMessage(not_drawn_, text);
+  return is_new;
 }
 
 void ArmPanel::present(const servo::Snapshot& snapshot) {

@@ -7,6 +7,7 @@
 #include "app/gui/arm/scene_arm_box.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/model/document.h"
+#include "app/gui/view/scene_view.h"
 #include "core/scene/scene_arm.h"
 
 namespace underact::gui {
@@ -19,6 +20,12 @@ Panel* makeArmPanel(const FeatureParts& parts, QWidget* parent) {
   const auto follow = [panel, document = &parts.document] { panel->setArm(scene::modelOf(document->scene())); };
   QObject::connect(&parts.document, &Document::opened, panel, follow);
   QObject::connect(&parts.document, &Document::edited, panel, follow);
+  panel->showNotDrawn(parts.view.armProblems());
+  const auto tell = [panel, actions = &parts.actions](const Problems& problems) {
+    if (!panel->showNotDrawn(problems)) return;
+    actions->perform("notice.tell", QObject::tr("Some meshes of the arm are not drawn. The panel Arm says why."), "");
+  };
+  QObject::connect(&parts.view, &SceneView::armRead, panel, tell);
   parts.actions.addCommand("scene.arm", [box](const QVariantList& arm) {
     if (!arm.isEmpty()) return box->take(arm.first().toString());
     box->chooseFile();

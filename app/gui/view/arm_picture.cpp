@@ -58,6 +58,17 @@ void addRods(std::vector<ShadowRod>& rods, const BoxForm& form, const Pose& X_WL
                   form.half_m.x()});
 }
 
+/// A mesh is about as a rod along the longest edge of its box.
+void addRods(std::vector<ShadowRod>& rods, const MeshForm& form, const Pose& X_WLink) {
+  const Pose X_WS = X_WLink * form.X_WS;
+  const Vec3 middle = 0.5 * (form.mesh->low + form.mesh->high).cwiseProduct(form.m_per_unit);
+  const Vec3 half = 0.5 * (form.mesh->high - form.mesh->low).cwiseProduct(form.m_per_unit).cwiseAbs();
+  Eigen::Index axis = 0;
+  const double longest_m = half.maxCoeff(&axis), radius_m = 0.5 * (half.sum() - longest_m);
+  const Vec3 way = std::max(0.0, longest_m - radius_m) * Vec3::Unit(axis);
+  rods.push_back({X_WS * Vec3(middle - way), X_WS * Vec3(middle + way), radius_m, radius_m});
+}
+
 bool isSameChain(const chain::Chain& a, const chain::Chain& b) {
   const auto alike = [](const chain::Joint& one, const chain::Joint& other) {
     return one.type == other.type && one.axis_W == other.axis_W && one.p_WJ == other.p_WJ && one.min == other.min &&
@@ -69,16 +80,22 @@ bool isSameChain(const chain::Chain& a, const chain::Chain& b) {
 
 bool areSame(const std::vector<arm::LinkSolid>& a, const std::vector<arm::LinkSolid>& b) {
   const auto sizesOf = [](const arm::SolidForm& form) -> Vec3 {
+    if (const auto* const mesh = std::get_if<arm::MeshSolid>(&form)) return mesh->m_per_unit;
     if (const auto* const box = std::get_if<arm::BoxSolid>(&form)) return box->size_m;
     if (const auto* const ball = std::get_if<arm::SphereSolid>(&form)) return {ball->radius_m, 0.0, 0.0};
     if (const auto* const rod = std::get_if<arm::CylinderSolid>(&form)) return {rod->radius_m, rod->length_m, 0.0};
     const auto& capsule = std::get<arm::CapsuleSolid>(form);
     return {capsule.radius_m, capsule.length_m, 0.0};
   };
+  const auto nameOf = [](const arm::SolidForm& form) {
+    const auto* const mesh = std::get_if<arm::MeshSolid>(&form);
+    return mesh != nullptr ? mesh->name : std::string();
+  };
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [&](const arm::LinkSolid& one, const arm::LinkSolid& other) {
                       return one.link == other.link && one.form.index() == other.form.index() &&
-                             one.X_WS.matrix() == other.X_WS.matrix() && sizesOf(one.form) == sizesOf(other.form);
+                             one.X_WS.matrix() == other.X_WS.matrix() && sizesOf(one.form) == sizesOf(other.form) &&
+                             nameOf(one.form) == nameOf(other.form);
                     });
 }
 
@@ -95,11 +112,21 @@ ArmPicture::ArmPicture() : outline_actor_(makeActor(outlines_.data(), Kind::Line
 }
 
 void ArmPicture::setArm(const arm::Model& model) {
-  if (!actors_.empty() && isSameChain(model.chain, chain_) && areSame(model.solids, own_solids_))
+  if (!actors_.empty() && isSameChain(model.chain, chain_) && areSame(model.solids, model_.solids) &&
+      model.folder == model_.folder)
     return;  // an edit of the scene: the pose stays
+  model_ = model;
+  reading_.reset();
+  problems_.clear();
+  if (hasMeshes(model)) {
+    reading_ = std::make_unique<Background<ArmMeshes>>([model](WorkState& state) {
+      TaskMonitor monitor;
+      monitor.cancelled = &state.cancelled;
+      return readArmMeshes(model, monitor);
+    });
+  }
   arm_ = solidsOf(model);
   chain_ = model.chain;
-  own_solids_ = model.solids;
   known_ = false;
   X_WT_ = chain_.X_WT_home;
   X_WLinks_.assign(chain_.joints.size() + 1, Pose::Identity());
@@ -113,6 +140,16 @@ void ArmPicture::setArm(const arm::Model& model) {
     property.SetSpecularPower(kArmShine);
   }
   place();
+}
+
+bool ArmPicture::takeRead() {
+  std::optional<ArmMeshes> read = reading_ ? reading_->take() : std::nullopt;
+  if (!read) return false;
+  reading_.reset();
+  arm_ = solidsOf(model_, *read);
+  problems_ = std::move(read->problems);
+  build();
+  return true;
 }
 
 void ArmPicture::build() {

@@ -3,9 +3,11 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "app/gui/kit/background.h"
 #include "app/gui/kit/theme.h"
 #include "app/gui/view/arm_solids.h"
 #include "app/gui/view/lights.h"
@@ -24,7 +26,13 @@ struct ShadowRod {
 class ArmPicture {
  public:
   ArmPicture();
+  /// Meshes among the solids of its file are read in another thread; until takeRead() it is drawn without them.
   void setArm(const arm::Model& model);
+  bool isReading() const { return reading_ != nullptr; }
+  /// Shows the meshes, once, when they are read; true then.
+  bool takeRead();
+  /// What is wrong with those that were read and are not drawn.
+  const Problems& problems() const { return problems_; }
   void setTheme(const Theme& theme);
   void setLineWidth(double device_pixels_per_pixel);
   void show(bool arm, bool stylus);
@@ -52,7 +60,9 @@ class ArmPicture {
   Theme theme_ = Theme::light();
   ArmSolids arm_;
   chain::Chain chain_;
-  std::vector<arm::LinkSolid> own_solids_;  // of the arm's file
+  arm::Model model_;
+  std::unique_ptr<Background<ArmMeshes>> reading_;
+  Problems problems_;
   bool show_arm_ = true, show_stylus_ = true, known_ = false;
   Pose X_WT_ = Pose::Identity();
   std::vector<Pose> X_WLinks_;  // of the base first

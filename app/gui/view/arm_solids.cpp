@@ -264,14 +264,29 @@ Form formOf(const arm::LinkSolid& solid) {
                     taperedRod(-0.5 * capsule.length_m, 0.5 * capsule.length_m, capsule.radius_m, capsule.radius_m)};
 }
 
+/// Those of the arm's file that can be drawn.
+std::vector<ArmSolid> ownSolids(const arm::Model& model, const ArmMeshes& meshes) {
+  std::vector<ArmSolid> solids;
+  for (std::size_t index = 0; index < model.solids.size(); ++index) {
+    const arm::LinkSolid& solid = model.solids[index];
+    const std::size_t link = std::min(solid.link, model.chain.joints.size());
+    const auto* const mesh = std::get_if<arm::MeshSolid>(&solid.form);
+    if (mesh == nullptr) {
+      solids.push_back({link, Finish::Shell, formOf(solid)});
+    } else if (index < meshes.of_solids.size() && meshes.of_solids[index] != nullptr) {
+      solids.push_back({link, Finish::Shell, MeshForm{solid.X_WS, mesh->m_per_unit, meshes.of_solids[index]}});
+    }
+  }
+  return solids;
+}
+
 }  // namespace
 
-ArmSolids solidsOf(const arm::Model& model) {
+ArmSolids solidsOf(const arm::Model& model, const ArmMeshes& meshes) {
   ArmSolids arm = begun(model);
   if (arm.axes.empty()) return arm;
-  if (!model.solids.empty()) {
-    for (const arm::LinkSolid& solid : model.solids)
-      arm.solids.push_back({std::min(solid.link, arm.axes.size()), Finish::Shell, formOf(solid)});
+  arm.solids = ownSolids(model, meshes);
+  if (!arm.solids.empty()) {
     addStylus(arm, model);
     return arm;
   }

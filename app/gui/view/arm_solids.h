@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "app/gui/view/arm_mesh.h"
 #include "app/gui/view/solid_forms.h"
 #include "core/arm/model.h"
 
@@ -38,8 +39,9 @@ struct ArmSolids {
 ArmStand standOf(const arm::Model& model);
 std::vector<DrawnAxis> drawnAxes(const arm::Model& model);
 /// Base, housings, links, and what carries the tip: a gimbal with a stylus where the last three axes meet in the tip, a
-/// pointed tool elsewhere.
-ArmSolids solidsOf(const arm::Model& model);
+/// pointed tool elsewhere. An arm whose file has solids is drawn by those, and by its meshes that are read; where none
+/// of them can be drawn, as any other.
+ArmSolids solidsOf(const arm::Model& model, const ArmMeshes& meshes = {});
 
 /// Housings and links alone, to the tip: of a virtual robot, which has neither base nor stylus.
 ArmSolids chainSolids(const arm::Model& model);

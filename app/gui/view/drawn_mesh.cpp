@@ -21,9 +21,9 @@ constexpr double kSharp_deg = 40.0;  // a larger angle between faces is an edge
 constexpr int kFinest = 256;         // boxes along the longest side; each becomes a vertex
 constexpr int kCoarsest = 16;
 
-vtkSmartPointer<vtkPolyData> copyOf(const mesh::Surface& surface) {
-  const std::vector<Eigen::Vector3f>& corners = surface.triangles.p_MV;
-  const std::vector<mesh::Face>& faces = surface.triangles.faces;
+vtkSmartPointer<vtkPolyData> copyOf(const mesh::Triangles& triangles) {
+  const std::vector<Eigen::Vector3f>& corners = triangles.p_MV;
+  const std::vector<mesh::Face>& faces = triangles.faces;
   const vtkNew<vtkFloatArray> places;
   places->SetNumberOfComponents(3);
   places->SetNumberOfTuples(static_cast<vtkIdType>(corners.size()));
@@ -105,7 +105,7 @@ vtkSmartPointer<vtkPolyData> edgesOf(vtkPolyData* data) {
 
 std::shared_ptr<const DrawnMesh> make(const mesh::Surface& surface, const TaskMonitor& monitor, std::size_t most) {
   DrawnMesh drawn;
-  vtkSmartPointer<vtkPolyData> data = copyOf(surface);
+  vtkSmartPointer<vtkPolyData> data = copyOf(surface.triangles);
   drawn.is_coarser = surface.triangles.faces.size() > most;
   if (drawn.is_coarser) {
     data = coarser(data, monitor, most);
@@ -142,6 +142,15 @@ std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Sur
   if (drawn == nullptr) return nullptr;
   const std::scoped_lock lock(mutex);
   return kept.emplace(surface.get(), Kept{surface, drawn}).first->second.drawn;
+}
+
+vtkSmartPointer<vtkPolyData> bodyOf(const mesh::Triangles& triangles, const TaskMonitor& monitor, std::size_t most) {
+  vtkSmartPointer<vtkPolyData> data = copyOf(triangles);
+  if (triangles.faces.size() > most) data = coarser(data, monitor, most);
+  if (monitor.isCancelled()) return nullptr;
+  data = withNormals(data);
+  data->ComputeBounds();
+  return data;
 }
 
 vtkSmartPointer<vtkPolyData> turnedOver(vtkPolyData* body) {

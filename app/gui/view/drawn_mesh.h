@@ -14,6 +14,10 @@ namespace underact::gui {
 /// Meshes with more triangles are drawn coarser; what is felt has all of them.
 inline constexpr std::size_t kMostDrawn = 100'000;
 
+/// Triangles as they are drawn: with normals, smooth but for sharp edges. most: above, they are made coarser. Any
+/// thread. null: it was cancelled.
+vtkSmartPointer<vtkPolyData> bodyOf(const mesh::Triangles& triangles, const TaskMonitor& monitor, std::size_t most);
+
 /// A mesh as it is drawn, in its own frame and unit.
 struct DrawnMesh {
   vtkSmartPointer<vtkPolyData> body;   // triangles with normals: smooth, but with breaks at sharp edges

@@ -24,6 +24,9 @@ class HandPicture {
   HandPicture();
   void setTheme(const Theme& theme);
   void setArm(const arm::Model& model);
+  /// As those of the arm's picture.
+  bool isReadingArm() const { return arm_.isReading(); }
+  bool takeArmRead() { return arm_.takeRead(); }
   void setForceLimit(double continuous_N) { force_limit_N_ = continuous_N; }
   void setLineWidth(double device_pixels_per_pixel);
   void show(bool arm, bool target, bool force);

@@ -44,6 +44,7 @@ void SceneView::setScene(const scene::Description& scene) {
   impl_->scene = scene;
   impl_->workspace.setArm(scene::modelOf(scene));
   impl_->actors_changed = true;
+  impl_->awaitArms();
   setForceLimit(preset.continuous_force_N);
   if (impl_->shown) impl_->showArm();
   impl_->turnToDesk();
@@ -75,6 +76,7 @@ void SceneView::showSecond(const scene::Description& scene) {
     impl_->second->setLayers(impl_->layers);
   }
   impl_->second->setScene(scene);
+  impl_->awaitArms();
   impl_->actors_changed = true;
   if (impl_->camera_is_mine) moveCamera(Camera::Fit);
   impl_->surface->update();

@@ -81,6 +81,8 @@ class SceneView : public QWidget {
   /// Triangles of all meshes, as drawn; corners of the patch where the stylus touches one.
   std::size_t trianglesDrawn() const;
   std::size_t patchDrawn() const;
+  /// Why meshes of the scene's arm are not drawn, as armRead() says.
+  const Problems& armProblems() const;
   std::size_t dimplesDrawn() const;  // where the stylus pushes into a surface that is no mesh
   /// The range along an axis of W in which a cut can meet something: the workspace, extended by the meshes and by the
   /// stylus if the cut follows it.
@@ -112,6 +114,8 @@ class SceneView : public QWidget {
   void handMoved(const underact::sim::HandSetpoint& setpoint);
   void handReleased(bool by_mouse);  // nobody moves it any more
   void parallelChanged(bool on);
+  /// A scene is shown, or its arm's meshes have been read since. problems: why some are not drawn.
+  void armRead(const underact::Problems& problems);
   void drawn(double frame_ms);  // after each picture: the time it took to draw
 
  public:

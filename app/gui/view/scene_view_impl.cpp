@@ -16,7 +16,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kPoll_ms = 200, kGhost_ms = 800;
+constexpr int kPoll_ms = 200, kGhost_ms = 800, kArmsRead_ms = 50;
 constexpr double kMostTaken = 0.36;       // of the height, by a card over the view
 constexpr double kThickestPen_m = 0.005;  // from its middle, of the Omni's size
 
@@ -49,6 +49,8 @@ SceneView::Impl::Impl(SceneView* owner) : view(owner), camera(firstLook()) {
     camera = between(from, to, share.toDouble());
     surface->update();
   });
+  arms_read.setInterval(kArmsRead_ms);
+  connect(&arms_read, &QTimer::timeout, view, [this] { takeArms(); });
   ghost_way.setDuration(kGhost_ms);
   ghost_way.setStartValue(0.0);
   ghost_way.setEndValue(1.0);
@@ -119,6 +121,24 @@ void SceneView::Impl::before(QSize pixels) {
   eye->SetParallelProjection(camera.parallel);
   eye->SetParallelScale(camera.distance_mm * std::tan(0.5 * OrbitCamera::kViewAngle_rad));
   eye->SetClippingRange(std::max(0.01 * far_mm, away_mm - around_mm), far_mm);
+}
+
+const Problems& SceneView::armProblems() const {
+  return impl_->hand.arm().problems();
+}
+
+void SceneView::Impl::awaitArms() {
+  if (hand.isReadingArm() || (second && second->isReadingArm())) arms_read.start();
+  emit view->armRead(hand.arm().problems());
+}
+
+void SceneView::Impl::takeArms() {
+  const bool read = hand.takeArmRead(), also = second && second->takeArmRead();
+  if (!hand.isReadingArm() && !(second && second->isReadingArm())) arms_read.stop();
+  if (!read && !also) return;
+  if (shown) showArm();
+  surface->update();
+  if (read) emit view->armRead(hand.arm().problems());
 }
 
 void SceneView::Impl::showArm() {

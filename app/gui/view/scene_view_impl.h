@@ -1,5 +1,6 @@
 #pragma once
 #include <QSet>
+#include <QTimer>
 #include <QVariantAnimation>
 #include <optional>
 #include <vector>
@@ -37,7 +38,9 @@ struct SceneView::Impl {
 
   /// Before each frame, with the context current: the only place where actors are added and removed.
   void before(QSize pixels);
-  void showArm();  // according to the snapshot shown
+  void showArm();    // according to the snapshot shown
+  void awaitArms();  // whose meshes are read in another thread
+  void takeArms();
   void paintWords(QPainter& painter);
   std::vector<Vec3> extent() const;
   std::vector<Vec3> selected() const;
@@ -81,6 +84,7 @@ struct SceneView::Impl {
 
   OrbitCamera camera, from, to;
   bool camera_is_mine = true;  // not moved by the user: it keeps everything in the picture
+  QTimer arms_read;            // looks for the meshes of arms
   QVariantAnimation movement;
   QVariantAnimation ghost_way;  // of the chosen solution's ghost
 

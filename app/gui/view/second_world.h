@@ -19,6 +19,8 @@ class SecondWorld {
  public:
   SecondWorld();
   void setScene(const scene::Description& scene);
+  bool isReadingArm() const { return hand_.isReadingArm(); }
+  bool takeArmRead() { return hand_.takeArmRead(); }
   void setPlace(const Pose& X_WS_mm);
   void setTheme(const Theme& theme);
   void setLayers(const Layers& layers);

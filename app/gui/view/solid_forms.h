@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -38,7 +39,16 @@ struct BoxForm {
   Vec3 half_m = Vec3::Zero();
 };
 
-using Form = std::variant<TurnedForm, BentForm, BoxForm>;
+struct ArmMesh;
+
+/// A mesh in its own frame S.
+struct MeshForm {
+  Pose X_WS = Pose::Identity();
+  Vec3 m_per_unit = Vec3::Ones();  // one below 0 mirrors it
+  std::shared_ptr<const ArmMesh> mesh;
+};
+
+using Form = std::variant<TurnedForm, BentForm, BoxForm, MeshForm>;
 
 /// A solid that moves with a link: 0 is the base, i the link behind joint i.
 struct ArmSolid {

@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
+#include "app/gui/view/arm_mesh.h"
 #include "core/base/units.h"
 
 namespace underact::gui {
@@ -89,6 +91,26 @@ class LinkMesh {
           point(form.X_WS, form.half_m.cwiseProduct(normal + a * u + b * v), normal);
         quad({first, first + 1, first + 2, first + 3});
       }
+    }
+  }
+
+  void add(const MeshForm& form) {
+    const vtkIdType first = points_->GetNumberOfPoints();
+    vtkPolyData& body = *form.mesh->body;
+    vtkDataArray& normals = *body.GetPointData()->GetNormals();
+    for (vtkIdType corner = 0; corner < body.GetNumberOfPoints(); ++corner) {
+      const Vec3 p = form.mesh->origin + Eigen::Map<const Vec3>(body.GetPoint(corner));
+      const Vec3 normal = Eigen::Map<const Vec3>(normals.GetTuple3(corner)).cwiseQuotient(form.m_per_unit);
+      point(form.X_WS, p.cwiseProduct(form.m_per_unit), normal.stableNormalized());
+    }
+    const bool is_mirrored = form.m_per_unit.prod() < 0.0;  // its corners go round the other way then
+    vtkCellArray& triangles = *body.GetPolys();
+    vtkIdType count = 0;
+    const vtkIdType* corners = nullptr;
+    for (triangles.InitTraversal(); triangles.GetNextCell(count, corners) != 0;) {
+      std::array<vtkIdType, 3> three{first + corners[0], first + corners[1], first + corners[2]};
+      if (is_mirrored) std::swap(three[1], three[2]);
+      cells_->InsertNextCell(3, three.data());
     }
   }
 
@@ -241,6 +263,9 @@ void outlineOf(const OutlinePen& pen, const BoxForm& form) {
     }
   }
 }
+
+/// A mesh has none: the edges that turn away from the eye are others in each picture, of as many as it has.
+void outlineOf(const OutlinePen&, const MeshForm&) {}
 
 }  // namespace
 

@@ -78,7 +78,7 @@ TEST(Solids, ThatNoArmHasAreErrorsAtTheirKeys) {
   EXPECT_NE(solidProblem(many).find("at most 256"), std::string::npos);
 }
 
-TEST(Solids, OfUrdfAreItsPrimitivesUnlessAMeshIsAmongThem) {
+TEST(Solids, OfUrdfAreItsFormsUnlessAnotherOneIsAmongThem) {
   const auto robot = [](const std::string& picture) {
     return R"(<robot name="r"><link name="a"/><link name="b"><visual><origin xyz="0 0 0.1"/><geometry>)" + picture +
            R"(</geometry></visual><visual><geometry><sphere radius="0.02"/></geometry></visual></link>
@@ -89,7 +89,7 @@ TEST(Solids, OfUrdfAreItsPrimitivesUnlessAMeshIsAmongThem) {
   ASSERT_EQ(model.solids.size(), 2U);
   EXPECT_EQ(model.solids[0].link, 1U);
   EXPECT_EQ(model.solids[0].X_WS.translation(), Vec3(1.0, 0.0, 0.1));
-  EXPECT_TRUE(readUrdf(robot(R"(<mesh filename="a.stl"/>)"), "r.urdf", {}).value().solids.empty());
+  EXPECT_TRUE(readUrdf(robot(R"(<capsule radius="1" length="2"/>)"), "r.urdf", {}).value().solids.empty());
   const Result<Model> wrong = readUrdf(robot(R"(<box size="0.1 0 0.3"/>)"), "r.urdf", {});
   ASSERT_FALSE(wrong);
   EXPECT_EQ(wrong.problems()[0].place.line, 1);
