@@ -60,6 +60,15 @@ void printFirstPicture(const Began& began, double frame_ms) {
                processor_ms, frame_ms);
 }
 
+int endWithoutOpenGl() {
+  std::fputs(
+      "No OpenGL: this display offers none, not even drawn by software. Install its driver (for software: Mesa), or "
+      "use "
+      "underact-cli, which needs none.\n",
+      stderr);
+  return 2;
+}
+
 int runWindow(const options::WindowOptions& options, const Began& began) {
   SimulatedHost simulated = makeSimulatedHost({.rate_hz = options.rate_hz.value_or(readSettings().servo_rate_hz),
                                                .scheduling = options.scheduling,
@@ -69,6 +78,7 @@ int runWindow(const options::WindowOptions& options, const Began& began) {
   device::input::SpaceMice space_mice(device::hidapiBus());
   MainWindow window(
       {*simulated.host, simulated.arm, theme, simulated.replay, simulated.chosen, {&controllers, &space_mice}});
+  if (!hasOpenGl()) return endWithoutOpenGl();
   if (qEnvironmentVariableIsSet("UNDERACT_TIMING")) {
     QObject::connect(&window.view(), &SceneView::drawn, &window, [&began, first = true](double frame_ms) mutable {
       if (std::exchange(first, false)) printFirstPicture(began, frame_ms);
@@ -127,8 +137,11 @@ int run(int argc, char** argv) {
   makeWidgetsAccessible();
   // Pictures are for the guide.
   speak(options.picture.empty() && options.small_pictures.empty() ? chosenLanguage() : "en");
-  if (!options.picture.empty()) return drawPicture(options.picture, options.out);
-  if (!options.small_pictures.empty()) return drawSmallPictures(options.small_pictures);
+  if (!options.picture.empty() || !options.small_pictures.empty()) {
+    const int exit =
+        options.picture.empty() ? drawSmallPictures(options.small_pictures) : drawPicture(options.picture, options.out);
+    return hasOpenGl() ? exit : endWithoutOpenGl();
+  }
   return runWindow(options, began);
 }
 

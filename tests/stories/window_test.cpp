@@ -222,4 +222,17 @@ TEST(WindowStory, TheProgramDrawsAPictureAndSaysWhatItIs) {
   EXPECT_EQ(program.exitCode(), 2);
 }
 
+TEST(WindowStory, WithoutOpenGlTheProgramSaysSoAndEnds) {
+  QProcess program;
+  QProcessEnvironment without = QProcessEnvironment::systemEnvironment();
+  without.insert("QT_QPA_PLATFORM", "offscreen");  // which has none where there is no screen
+  without.remove("DISPLAY");
+  program.setProcessEnvironment(without);
+  program.start(UNDERACT_WINDOW, {shippedScene("02_sphere")});
+  ASSERT_TRUE(program.waitForFinished(60000));
+  EXPECT_EQ(program.exitStatus(), QProcess::NormalExit);
+  EXPECT_EQ(program.exitCode(), 2);
+  EXPECT_TRUE(program.readAllStandardError().contains("No OpenGL"));
+}
+
 }  // namespace underact::gui::test

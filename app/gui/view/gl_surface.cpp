@@ -27,6 +27,8 @@ namespace {
 constexpr double kCrease_mm = 25.0, kLeastDepth_mm = 1.0;
 constexpr int kSamplesOfCreases = 128;
 
+bool has_opengl = true;  // until a context could not be made
+
 bool isSoftware(const QString& renderer_name) {
   const char* const words[] = {"llvmpipe", "softpipe", "SwiftShader", "swrast", "GDI Generic", "Basic Render"};
   return std::any_of(std::begin(words), std::end(words), [&](const char* word) {
@@ -39,6 +41,10 @@ QString nameOfRenderer(QOpenGLContext& context) {
 }
 
 }  // namespace
+
+bool hasOpenGl() {
+  return has_opengl;
+}
 
 QSurfaceFormat surfaceFormat() {
   QSurfaceFormat format;
@@ -57,7 +63,8 @@ struct GlSurface::InMemory {
   static std::unique_ptr<InMemory> make() {
     auto made = std::make_unique<InMemory>();
     made->context.setFormat(surfaceFormat());
-    if (!made->context.create()) return nullptr;
+    has_opengl = made->context.create();
+    if (!has_opengl) return nullptr;
     made->nowhere.setFormat(made->context.format());
     made->nowhere.create();
     if (!made->context.makeCurrent(&made->nowhere) || !isSoftware(nameOfRenderer(made->context))) return nullptr;
@@ -130,7 +137,7 @@ GlSurface::GlSurface(Before before, Words words, QWidget* parent)
   renderer_->SSAOBlurOn();
   if (in_memory_) {
     setAttribute(Qt::WA_NoSystemBackground);  // not WA_OpaquePaintEvent: Qt would take the view for hidden
-  } else {
+  } else if (has_opengl) {
     composed_ = new Composed(*this);
   }
 }
@@ -146,6 +153,7 @@ void GlSurface::setBackground(const QColor& colour) {
 
 void GlSurface::update() {
   if (composed_ != nullptr) return composed_->update();
+  if (!in_memory_) return;
   in_memory_->is_stale = true;
   QWidget::update();
 }
@@ -255,6 +263,7 @@ QImage GlSurface::picture() {
     composed_->setGeometry(rect());  // not yet where it was never shown
     return composed_->grabFramebuffer();
   }
+  if (!in_memory_) return {};
   drawInMemory();
   return in_memory_->image;
 }
