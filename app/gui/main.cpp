@@ -62,9 +62,8 @@ void printFirstPicture(const Began& began, double frame_ms) {
 
 int endWithoutOpenGl() {
   std::fputs(
-      "No OpenGL: this display offers none, not even drawn by software. Install its driver (for software: Mesa), or "
-      "use "
-      "underact-cli, which needs none.\n",
+      "No OpenGL: this display offers none, not even drawn by software. Install its driver (Mesa for software),\n"
+      "or use underact-cli, which needs none.\n",
       stderr);
   return 2;
 }

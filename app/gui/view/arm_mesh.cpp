@@ -79,19 +79,16 @@ Result<std::shared_ptr<const ArmMesh>> readMesh(const std::string& path, std::si
 
 }  // namespace
 
-bool hasMeshes(const arm::Model& model) {
-  return std::any_of(model.solids.begin(), model.solids.end(),
-                     [](const arm::LinkSolid& solid) { return std::holds_alternative<arm::MeshSolid>(solid.form); });
+std::size_t countMeshes(const arm::Model& model) {
+  return static_cast<std::size_t>(
+      std::count_if(model.solids.begin(), model.solids.end(),
+                    [](const arm::LinkSolid& solid) { return std::holds_alternative<arm::MeshSolid>(solid.form); }));
 }
 
 ArmMeshes readArmMeshes(const arm::Model& model, const TaskMonitor& monitor) {
   ArmMeshes meshes;
   meshes.of_solids.resize(model.solids.size());
-  const auto count =
-      static_cast<std::size_t>(std::count_if(model.solids.begin(), model.solids.end(), [](const arm::LinkSolid& solid) {
-        return std::holds_alternative<arm::MeshSolid>(solid.form);
-      }));
-  const std::size_t most = std::min(kMostDrawn, kMostArmTriangles / std::max<std::size_t>(count, 1));
+  const std::size_t most = std::min(kMostDrawn, kMostArmTriangles / std::max<std::size_t>(countMeshes(model), 1));
   std::set<std::string> failed;  // files: several solids may name one
   for (std::size_t index = 0; index < model.solids.size() && !monitor.isCancelled(); ++index) {
     const auto* const solid = std::get_if<arm::MeshSolid>(&model.solids[index].form);

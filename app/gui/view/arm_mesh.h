@@ -29,7 +29,7 @@ struct ArmMeshes {
 inline constexpr std::uint64_t kLargestArmMesh = std::uint64_t{64} << 20;
 inline constexpr std::size_t kMostArmTriangles = 200'000;
 
-bool hasMeshes(const arm::Model& model);
+std::size_t countMeshes(const arm::Model& model);
 
 /// Reads them in the reader's own process, with its bounds; what is in use already is not read again. Any thread but
 /// the servo's: it takes a moment for a file. Cancelled: what is missing has no problem.

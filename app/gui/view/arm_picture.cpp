@@ -118,7 +118,7 @@ void ArmPicture::setArm(const arm::Model& model) {
   model_ = model;
   reading_.reset();
   problems_.clear();
-  if (hasMeshes(model)) {
+  if (countMeshes(model) > 0) {
     reading_ = std::make_unique<Background<ArmMeshes>>([model](WorkState& state) {
       TaskMonitor monitor;
       monitor.cancelled = &state.cancelled;
