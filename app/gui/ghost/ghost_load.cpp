@@ -8,6 +8,7 @@
 #include "app/gui/view/drawn_mesh.h"
 #include "core/arm/preset.h"
 #include "core/scene/edit.h"
+#include "core/scene/mirror.h"
 #include "core/scene/scene_arm.h"
 #include "device/recorded.h"
 
