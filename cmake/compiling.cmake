@@ -14,6 +14,12 @@ if(UNDERACT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   endif()
 endif()
 
+# GCC looks for what it can free whenever its memory has doubled, and goes through all the precompiled headers for it: a tenth to a
+# sixth of its time, to save about a tenth of at most 1.2 GB.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:SHELL:--param ggc-min-expand=300 --param ggc-min-heapsize=262144>")
+endif()
+
 option(CMAKE_UNITY_BUILD "Compile the files of a folder together" ON)
 
 set(UNDERACT_COMMON_HEADERS
