@@ -47,17 +47,16 @@ function(underact_target_of room into)
   set(${into} underact_${name} PARENT_SCOPE)
 endfunction()
 
-# What Qt's meta-object compiler makes of the headers of TARGET, the room FOLDER, goes through the compiler together with its first
-# files: by itself, as CMake has it, each of forty rooms would read its headers once more for it.
-function(underact_moc target folder)
-  set(made ${CMAKE_CURRENT_BINARY_DIR}/${target}_autogen/mocs_compilation.cpp)
-  set(unit ${PROJECT_BINARY_DIR}/generated/mocs/${target}.cpp)
-  set_target_properties(${target} PROPERTIES AUTOMOC ON)
-  set_source_files_properties(${made} PROPERTIES HEADER_FILE_ONLY ON GENERATED ON)
-  file(CONFIGURE OUTPUT ${unit} CONTENT "#include \"${made}\"\n")
+# What Qt's meta-object compiler makes of HEADERS, those of TARGET, the room FOLDER, goes through the compiler together with its first
+# files: by itself each of forty rooms would read its headers once more for it. Not by AUTOMOC, which reads all that the headers include
+# and waits for what the room links: together 55 s of a processor, and our headers have no macro that the meta-object compiler must know.
+function(underact_moc target folder headers)
+  set(made ${PROJECT_BINARY_DIR}/generated/mocs/${target}.cpp)
+  add_custom_command(OUTPUT ${made} DEPENDS ${headers} ${PROJECT_SOURCE_DIR}/cmake/moc.cmake VERBATIM COMMENT "Meta-objects of ${folder}"
+                     COMMAND ${CMAKE_COMMAND} -DMOC=$<TARGET_FILE:Qt6::moc> -DMADE=${made} "-DHEADERS=${headers}" -P ${PROJECT_SOURCE_DIR}/cmake/moc.cmake)
   string(MAKE_C_IDENTIFIER "${folder}_0" group)
-  set_source_files_properties(${unit} PROPERTIES SKIP_AUTOMOC ON UNITY_GROUP ${group})
-  target_sources(${target} PRIVATE ${unit})
+  set_source_files_properties(${made} PROPERTIES UNITY_GROUP ${group})
+  target_sources(${target} PRIVATE ${made})
 endfunction()
 
 function(underact_room folder)
@@ -93,7 +92,8 @@ function(underact_room folder)
       underact_compile(${target} LIKE ${like})
     endif()
     if(folder MATCHES "^app/gui/")
-      underact_moc(${target} ${folder})
+      list(FILTER sources INCLUDE REGEX "\\.h$")
+      underact_moc(${target} ${folder} "${sources}")
     endif()
     target_compile_options(${target} PRIVATE ${UNDERACT_WARNINGS})
     target_link_libraries(${target} PRIVATE ${room_USES})
