@@ -35,7 +35,7 @@ double predictedTick_ns(const scene::Description& scene) {
 LabPanel::LabPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts_(parts) {
   build();
   addCommands();
-  connect(&poll_timer_, &QTimer::timeout, this, &LabPanel::poll);
+  connect(&poll_timer_, &QTimer::timeout, this, &LabPanel::pollRun);
   connect(&parts_.document, &Document::opened, this, &LabPanel::sceneOpened);
   connect(&parts_.document, &Document::edited, this, &LabPanel::sceneEdited);
   connect(&parts_.rate, &ServoRate::changed, this, [this] { stale_ = true; });
@@ -111,7 +111,7 @@ bool LabPanel::cancel() {
   return true;
 }
 
-void LabPanel::poll() {
+void LabPanel::pollRun() {
   measuring_->setShare(run_->share());
   std::optional<LabResult> result = run_->take();
   if (!result) return;

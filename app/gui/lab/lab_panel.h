@@ -38,7 +38,7 @@ class LabPanel : public Panel {
   // Measuring.
   bool measure(const std::string& hand, double seconds);  // hand: empty for all
   bool cancel();
-  void poll();
+  void pollRun();
   void end(LabResult result);
   void forget(const QString& why);
   bool hasTriedRate() const;

@@ -43,7 +43,7 @@ class ReplayBar : public QWidget, public ServoListener {
   Player& player_;
   Actions& actions_;
   QWidget *loading_, *replay_;
-  QLabel *reading_, *time_, *here_, *name_;
+  QLabel *reading_, *time_, *here_;
   QProgressBar* progress_;
   QToolButton *play_, *back_, *forward_;
   ScrubSlider* scrub_;

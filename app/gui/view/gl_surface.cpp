@@ -100,7 +100,8 @@ class GlSurface::Composed : public QOpenGLWidget {
     const QSize pixels = surface_.devicePixels();
     surface_.render(*context(), pixels);
     if (surface_.words_) {
-      for (const GLenum switched : {GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST}) {
+      for (const GLenum switched :
+           std::initializer_list<GLenum>{GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST}) {
         context()->functions()->glDisable(switched);  // QPainter assumes that they are off
       }
       // Not QPainter(this): while a window is grabbed it would paint elsewhere.

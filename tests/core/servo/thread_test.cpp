@@ -55,7 +55,8 @@ void dropPrivileges() {
   __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
   __user_cap_data_struct data[2]{};
   if (syscall(SYS_capget, &header, data) != 0) return;
-  for (const unsigned bit : {CAP_IPC_LOCK, CAP_SYS_NICE}) data[0].effective &= ~(1U << bit);
+  for (const unsigned bit : std::initializer_list<unsigned>{CAP_IPC_LOCK, CAP_SYS_NICE})
+    data[0].effective &= ~(1U << bit);
   syscall(SYS_capset, &header, data);
 }
 

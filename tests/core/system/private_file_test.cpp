@@ -24,7 +24,7 @@ std::string contentOf(const std::string& path) {
 
 TEST(MakeNew, IsItsOwnersAloneWhateverTheUmaskIs) {
   const test::ScratchFolder folder;
-  for (const mode_t mask : {0, 022, 077, 0577}) {
+  for (const mode_t mask : {0U, 022U, 077U, 0577U}) {
     const test::Umask umask(mask);
     const Descriptor file = makeNew(folder.file("new"), Existing::Replace);
     ASSERT_TRUE(file.isOpen());

@@ -22,7 +22,8 @@ TEST(WoodenReport, TheLengthTellsTheFormat) {
   EXPECT_EQ(formatOf(8)->protocol, WoodenProtocol::V1);
   EXPECT_EQ(formatOf(14)->protocol, WoodenProtocol::V2);
   EXPECT_EQ(formatOf(64)->protocol, WoodenProtocol::V2);
-  for (const std::size_t bytes : {0, 7, 9, 13, 15, 63, 65}) EXPECT_FALSE(formatOf(bytes)) << bytes;
+  for (const std::size_t bytes : std::initializer_list<std::size_t>{0, 7, 9, 13, 15, 63, 65})
+    EXPECT_FALSE(formatOf(bytes)) << bytes;
 }
 
 TEST(WoodenReport, WordsAreSignedAndTheirLowByteIsFirst) {  // by hand
