@@ -1,60 +1,68 @@
 #include "tests/support/constraint_vectors.h"
 
 #include <gtest/gtest.h>
-#include <rapidjson/document.h>
-#include <rapidjson/istreamwrapper.h>
 
 #include <fstream>
+#include <iterator>
+
+#include "core/json/json.h"
 
 namespace underact::test {
 namespace {
 
-using Json = rapidjson::Value;
+using Json = json::Value;
+
+/// What lacks counts as null.
+const Json& at(const Json& object, std::string_view key) {
+  static const Json null;
+  const Json* found = object.find(key);
+  return found != nullptr ? *found : null;
+}
 
 double number(const Json& json) {
-  return json.IsNumber() ? json.GetDouble() : kNotANumber;
+  return json.kind == json::Kind::Number ? json.number : kNotANumber;
 }
 
 Vec3 vector(const Json& json) {
-  if (!json.IsArray()) return Vec3::Constant(kNotANumber);
-  return {number(json[0]), number(json[1]), number(json[2])};
+  if (json.items.size() != 3) return Vec3::Constant(kNotANumber);
+  return {number(json.items[0]), number(json.items[1]), number(json.items[2])};
 }
 
 GoldenShape shapeOf(const Json& json, const std::string& name) {
   GoldenShape shape;
   shape.name = name;
-  shape.type = json["type"].GetString();
+  shape.type = at(json, "type").text;
   for (const char* key : {"point", "center"}) {
-    if (json.HasMember(key)) shape.place = vector(json[key]);
+    if (json.find(key) != nullptr) shape.place = vector(at(json, key));
   }
   for (const char* key : {"direction", "normal", "axis"}) {
-    if (json.HasMember(key)) shape.direction = vector(json[key]);
+    if (json.find(key) != nullptr) shape.direction = vector(at(json, key));
   }
-  if (json.HasMember("radius")) shape.radius = number(json["radius"]);
+  if (json.find("radius") != nullptr) shape.radius = number(at(json, "radius"));
   return shape;
 }
 
 GoldenCase caseOf(const Json& json) {
   GoldenCase one;
-  one.tag = json["tag"].GetString();
-  one.P = vector(json["P"]);
-  one.Q = vector(json["Q"]);
-  one.force = vector(json["force"]);
-  one.kp = Vec3::Constant(number(json["kp"]));
-  one.degenerate = json["degenerate"].GetBool();
-  one.distance = number(json["distance"]);
-  if (json.HasMember("tol_abs_Q")) one.tol_Q = number(json["tol_abs_Q"]);
-  if (json.HasMember("tol_abs_F")) one.tol_F = number(json["tol_abs_F"]);
+  one.tag = at(json, "tag").text;
+  one.P = vector(at(json, "P"));
+  one.Q = vector(at(json, "Q"));
+  one.force = vector(at(json, "force"));
+  one.kp = Vec3::Constant(number(at(json, "kp")));
+  one.degenerate = at(json, "degenerate").boolean;
+  one.distance = number(at(json, "distance"));
+  if (json.find("tol_abs_Q") != nullptr) one.tol_Q = number(at(json, "tol_abs_Q"));
+  if (json.find("tol_abs_F") != nullptr) one.tol_F = number(at(json, "tol_abs_F"));
   return one;
 }
 
 GoldenCase anisotropicCase(const Json& json) {
   GoldenCase one;
   one.tag = "anisotropic";
-  one.P = vector(json["P"]);
-  one.Q = vector(json["Q"]);
-  one.force = vector(json["force_componentwise"]);
-  one.kp = vector(json["kp_vec"]);
+  one.P = vector(at(json, "P"));
+  one.Q = vector(at(json, "Q"));
+  one.force = vector(at(json, "force_componentwise"));
+  one.kp = vector(at(json, "kp_vec"));
   one.distance = (one.Q - one.P).norm();
   // meta.tol: 64 ulp of the largest coordinate involved.
   one.tol_Q = 64 * 0x1p-52 * std::max(one.P.cwiseAbs().maxCoeff(), one.Q.cwiseAbs().maxCoeff());
@@ -63,32 +71,32 @@ GoldenCase anisotropicCase(const Json& json) {
 }
 
 ConstraintVectors read() {
-  std::ifstream file(UNDERACT_TEST_DATA "/golden/constraints.json");
-  rapidjson::IStreamWrapper stream(file);
-  rapidjson::Document document;
-  document.ParseStream<rapidjson::kParseFullPrecisionFlag>(stream);
   ConstraintVectors all;
-  if (document.HasParseError()) {
-    ADD_FAILURE() << "tests/golden/constraints.json cannot be read";
+  const std::string name = UNDERACT_TEST_DATA "/golden/constraints.json";
+  std::ifstream file(name);
+  const Result<Json> parsed = json::parse(std::string{std::istreambuf_iterator<char>(file), {}}, name);
+  if (!parsed) {
+    ADD_FAILURE() << describe(parsed.problems().at(0));
     return all;
   }
-  for (const Json& set : document["shapes"].GetArray()) {
-    GoldenSet read{shapeOf(set["shape"], set["name"].GetString()), {}};
+  const Json& document = parsed.value();
+  for (const Json& set : at(document, "shapes").items) {
+    GoldenSet read{shapeOf(at(set, "shape"), at(set, "name").text), {}};
     if (read.shape.name == "sphere_4") continue;
-    for (const Json& one : set["cases"].GetArray()) read.cases.push_back(caseOf(one));
+    for (const Json& one : at(set, "cases").items) read.cases.push_back(caseOf(one));
     all.sets.push_back(read);
   }
-  for (const Json& one : document["extreme_optional"].GetArray()) {
-    all.extreme.push_back({shapeOf(one["shape"], "extreme"), {caseOf(one["case"])}});
+  for (const Json& one : at(document, "extreme_optional").items) {
+    all.extreme.push_back({shapeOf(at(one, "shape"), "extreme"), {caseOf(at(one, "case"))}});
   }
-  for (const Json& one : document["anisotropic"].GetArray()) {
-    all.anisotropic.push_back({shapeOf(one["shape"], "anisotropic"), {anisotropicCase(one)}});
+  for (const Json& one : at(document, "anisotropic").items) {
+    all.anisotropic.push_back({shapeOf(at(one, "shape"), "anisotropic"), {anisotropicCase(one)}});
   }
-  for (const Json& one : document["invalid"].GetArray()) {
-    if (one.HasMember("shape")) all.invalid.push_back(shapeOf(one["shape"], one["expect"].GetString()));
+  for (const Json& one : at(document, "invalid").items) {
+    if (const Json* shape = one.find("shape")) all.invalid.push_back(shapeOf(*shape, at(one, "expect").text));
   }
-  for (const Json& one : document["clamp"].GetArray()) {
-    all.clamp.push_back({vector(one["force"]), vector(one["clamped"]), number(one["max"])});
+  for (const Json& one : at(document, "clamp").items) {
+    all.clamp.push_back({vector(at(one, "force")), vector(at(one, "clamped")), number(at(one, "max"))});
   }
   return all;
 }
