@@ -31,7 +31,9 @@ if(UNDERACT_SANITIZE)
   # A null pointer faults by itself, which ASan reports with its line. Checking for it before each access, and for alignment, is a
   # third of the compiler's time. packaging/soak has UBSan alone with all its checks.
   if(UNDERACT_SANITIZE STREQUAL "address,undefined")
-    target_compile_options(underact_flags INTERFACE -fno-sanitize=null,alignment,object-size,vptr)
+    # Clang's looks also at how a function is called through a pointer, and a maker's library has its own names for what it takes.
+    target_compile_options(underact_flags INTERFACE -fno-sanitize=null,alignment,object-size,vptr
+                                                    $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=function>)
   endif()
   target_link_options(underact_flags INTERFACE -fsanitize=${UNDERACT_SANITIZE})
 endif()

@@ -40,7 +40,9 @@ class Test(Scripts):
         "tests/architecture/each_alone": CALLED + '[ "${BREAK:-}" != alone ]\n',
         "bin/cmake": CMAKE,
         "bin/ctest": CTEST,
-        "bin/clang++-29": CALLED,
+        # Two that are new enough; the newer one has no sanitizers.
+        "bin/clang++-28": "cat >/dev/null\n",
+        "bin/clang++-29": "cat >/dev/null; exit 1\n",
     }
 
     def run_it(self, *words, script="packaging/test", **more):
@@ -70,10 +72,16 @@ class Test(Scripts):
         self.run_it(*words)
         return (self.folder / "log.compilers").read_text().splitlines()
 
-    def test_what_ships_is_built_by_the_default_compiler_and_each_file_alone_by_clang(self):
+    def test_what_ships_is_built_by_the_default_compiler_and_the_checks_by_clang(self):
         got = self.compilers("--strict", "--sanitizers")
-        wanted = [f"the default: {preset}" for preset in ("ci", "asan", "tsan")]
-        self.assertEqual(got, [f"by {build}" for build in [*wanted, "clang++-29: alone"]])
+        wanted = [f"clang++-28: {preset}" for preset in ("asan", "tsan", "alone")]
+        self.assertEqual(got, [f"by {build}" for build in ["the default: ci", *wanted]])
+
+    def test_without_a_clang_that_has_sanitizers_all_is_built_by_the_default_compiler(self):
+        for version in range(20, 30):  # also in place of those that are installed
+            self.write(f"bin/clang++-{version}", "cat >/dev/null; exit 1\n")
+        got = self.compilers("--strict", "--sanitizers")
+        self.assertEqual(got, [f"by the default: {preset}" for preset in ("ci", "asan", "tsan", "alone")])
 
     def test_ci_leaves_nothing_out(self):
         status, lines, calls = self.run_it(script=".ci/run")

@@ -12,7 +12,7 @@ endif()
 function(threads_test name)
   add_test(NAME ${name} COMMAND ${XVFB_RUN} -a -s "-screen 0 1920x1200x24" $<TARGET_FILE:threads_stories> ${ARGN})
   set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS gui
-                       ENVIRONMENT "QT_QPA_PLATFORM=xcb;LIBGL_ALWAYS_SOFTWARE=1;TSAN_OPTIONS=ignore_noninstrumented_modules=1")
+                       ENVIRONMENT "QT_QPA_PLATFORM=xcb;LIBGL_ALWAYS_SOFTWARE=1;TSAN_OPTIONS=ignore_noninstrumented_modules=1${UNDERACT_SYMBOLIZER}")
 endfunction()
 threads_test(threads_stories)
 threads_test(planted_race_in_window --gtest_also_run_disabled_tests --gtest_filter=PlantedRace.*)
