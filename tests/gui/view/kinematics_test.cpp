@@ -210,10 +210,12 @@ struct OtherArm : Shown {
     ghost.setArm(*arm::findModel(arm));
   }
   /// On how many of its links the ghost is seen: somewhere, since some are dashed.
-  int linksSeen(const arm::JointAngles& q) {
+  int linksSeen(const arm::JointAngles& q, int saturation = 15) {
     const QImage picture = view.picture();
     const std::vector<Vec3> points_mm = ghost.skeleton_mm(q);
-    const auto fits = [](const QColor& c) { return c.saturation() > 15 && c.hue() > 300 && c.hue() < 345; };
+    const auto fits = [saturation](const QColor& c) {
+      return c.saturation() > saturation && c.hue() > 300 && c.hue() < 345;
+    };
     int seen = 0;
     for (std::size_t index = 0; index + 1 < points_mm.size(); ++index) {
       int here = 0;
@@ -236,6 +238,10 @@ TEST(KinematicsPicture, EachSolutionOfAnotherArmIsDrawnFromJointToJoint) {
     EXPECT_GT(arm.found.all.size(), 1U) << name;
     for (const NumberedSolution& one : arm.found.all) {
       EXPECT_GE(arm.linksSeen(one.q), 2) << name << ' ' << one.number;
+      // The lines are stronger than the translucent solids, even where several of these lie over one another.
+      if (one.within_limits) {
+        EXPECT_GE(arm.linksSeen(one.q, 90), 3) << name << ' ' << one.number;
+      }
     }
     // To be looked at by people.
     Layers layers = only(&Layers::ghosts);
