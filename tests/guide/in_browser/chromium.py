@@ -41,6 +41,7 @@ class Browser:
         attached = self.ask("Target.attachToTarget", targetId=page, flatten=True)
         self._session = attached["sessionId"]
         self.ask("Page.enable")
+        self.ask("Page.setLifecycleEventsEnabled", enabled=True)
         self.ask("Runtime.enable")
 
     def ask(self, method: str, **values: Any) -> dict[str, Any]:
@@ -60,12 +61,16 @@ class Browser:
         return message["result"]
 
     def open(self, address: str) -> None:
-        """Shows a page and waits until it is loaded."""
+        """Shows a page and waits until it is loaded: it, and not one that a link led to just before."""
         self._events.clear()
-        failed = self.ask("Page.navigate", url=address).get("errorText")
-        if failed:
-            raise RuntimeError(f"{address}: {failed}")
-        while not any(event.get("method") == "Page.loadEventFired" for event in self._events):
+        asked = self.ask("Page.navigate", url=address)
+        if asked.get("errorText"):
+            raise RuntimeError(f"{address}: {asked['errorText']}")
+        while "loaderId" in asked and not any(  # without one it stays in the document that it shows
+            event.get("method") == "Page.lifecycleEvent"
+            and (event["params"]["loaderId"], event["params"]["name"]) == (asked["loaderId"], "load")
+            for event in self._events
+        ):
             self._events.append(self._next())
 
     def errors(self) -> list[str]:
