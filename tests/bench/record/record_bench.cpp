@@ -194,7 +194,7 @@ int main(int argc, char** argv) {
   const double seconds = argc > 2 ? std::atof(argv[2]) : 10.0;
   const std::string path = (folder / "underact-record-bench.file").string();
   const std::vector<servo::TickRecord> ticks = someTicks(200'000);
-  for (const std::size_t block : {100, 400, 1000}) {
+  for (const std::size_t block : {100u, 400u, 1000u}) {
     const Load load{ticks, block};
     std::printf("%zu ticks in blocks of %zu, as at %zu Hz, into %s\n", ticks.size(), block, 10 * block, folder.c_str());
     measureSession(path, load);

@@ -234,11 +234,15 @@ TEST(HaplyArm, AnArmThatIsNotReadyIsShownAndNotPushed) {
   ASSERT_TRUE(rig.open().empty());
   ASSERT_TRUE(rig.push());
   const std::uint32_t epoch = rig.sample.epoch;
-  for (const auto& [calibrated, power, words] :
-       {std::tuple{false, true, "is not calibrated"}, {true, false, "no power supply"}, {true, true, "is not ready"}}) {
-    rig.service.setStatus(calibrated, power, calibrated && !power);
-    EXPECT_TRUE(comes([&] { return rig.tick() && has(rig.arm->trouble(), words); })) << words;
-    EXPECT_TRUE(rig.staysAtRest()) << words;
+  struct Row {
+    bool calibrated, power;
+    const char* words;
+  };
+  for (const Row& row :
+       {Row{false, true, "is not calibrated"}, {true, false, "no power supply"}, {true, true, "is not ready"}}) {
+    rig.service.setStatus(row.calibrated, row.power, row.calibrated && !row.power);
+    EXPECT_TRUE(comes([&] { return rig.tick() && has(rig.arm->trouble(), row.words); })) << row.words;
+    EXPECT_TRUE(rig.staysAtRest()) << row.words;
   }
   rig.service.setStatus(true, true, true);
   EXPECT_TRUE(rig.push());
