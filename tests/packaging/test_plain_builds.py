@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -10,14 +11,21 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
+def compilers(commands):
+    """The names of those that the commands call, without what stands before them, such as ccache."""
+    before = [command[: next(at for at, word in enumerate(command) if word.startswith("-"))] for command in commands]
+    return {os.path.basename(words[-1]) for words in before}
+
+
 class PlainBuilds(unittest.TestCase):
-    def configured(self, *words):
-        """(kind of build, every command that compiles) of one in a folder of its own."""
+    def configured(self, *words, **more):
+        """(kind of build, every command that compiles) of one in a folder of its own, with MORE in the environment."""
         with tempfile.TemporaryDirectory(prefix="under act ") as folder:
             done = subprocess.run(
                 ["cmake", *words, "-B", folder, f"-DUNDERACT_GUI={os.environ['UNDERACT_GUI']}"]
                 + ["-DUNDERACT_BENCH=OFF"],  # whose library a newcomer has not
                 cwd=ROOT,
+                env={**{name: value for name, value in os.environ.items() if name not in ("CC", "CXX")}, **more},
                 capture_output=True,
                 text=True,
                 check=False,
@@ -33,6 +41,7 @@ class PlainBuilds(unittest.TestCase):
     def test_without_a_type_it_is_an_optimised_one(self):
         kind, commands = self.configured("-S", ".")
         self.assertEqual(kind, "RelWithDebInfo")
+        self.assertNotRegex("".join(compilers(commands)), "clang")
         for command in commands:
             self.assertIn("-O2", command)
             self.assertNotIn("-Werror", command)
@@ -47,10 +56,22 @@ class PlainBuilds(unittest.TestCase):
 
     def test_warnings_are_errors_with_the_preset_of_ci_alone(self):
         presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))
-        rows = {row["name"]: row["cacheVariables"] for row in presets["configurePresets"]}
-        self.assertNotIn("CMAKE_COMPILE_WARNING_AS_ERROR", rows["release"])
+        rows = {row["name"]: row.get("cacheVariables", {}) for row in presets["configurePresets"]}
+        self.assertNotIn("CMAKE_COMPILE_WARNING_AS_ERROR", {**rows["base"], **rows["release"]})
         for command in self.configured("--preset", "ci", "-DUNDERACT_TESTS=OFF")[1]:
             self.assertIn("-Werror", command)
+
+    def test_the_presets_take_the_oldest_clang_that_will_do(self):
+        clang = [f"clang++-{version}" for version in range(15, 30) if shutil.which(f"clang++-{version}")]
+        if not clang:
+            self.skipTest("no clang from 15 on")
+        self.assertEqual(compilers(self.configured("--preset", "release", "-DUNDERACT_TESTS=OFF")[1]), {clang[0]})
+
+    def test_a_compiler_that_is_named_is_taken(self):
+        preset = ("--preset", "release", "-DUNDERACT_TESTS=OFF")
+        self.assertEqual(compilers(self.configured(*preset, CC="gcc", CXX="g++")[1]), {"g++"})
+        named = ("-DCMAKE_C_COMPILER=gcc", "-DCMAKE_CXX_COMPILER=g++")
+        self.assertEqual(compilers(self.configured(*preset, *named)[1]), {"g++"})
 
 
 if __name__ == "__main__":
