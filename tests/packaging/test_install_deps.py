@@ -7,6 +7,8 @@ import subprocess
 import tempfile
 import unittest
 
+from stand_ins import CALLED, Scripts
+
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "packaging/install-deps"
 GROUPS = ("run", "test", "check", "package", "soak")
 
@@ -112,6 +114,31 @@ class Lists(unittest.TestCase):
         print(f"{len(sizes)} packages, {sum(sizes) / 1e6:.0f} MB")
         self.assertLessEqual(len(sizes), MOST_PACKAGES)
         self.assertLessEqual(sum(sizes) / 1e6, MOST_MB)
+
+
+class Alternatives(Scripts):
+    """Of clang-15|clang one is enough. Nothing is installed but what INSTALLED names; the release has all but what LACKS names."""
+
+    COPIES = ("packaging/install-deps",)
+    STAND_INS = {
+        "bin/id": "#!/bin/sh\necho 0\n",
+        "bin/dpkg-query": '#!/bin/sh\nfor name in $INSTALLED; do echo "installed $name "; done\n',
+        "bin/apt-cache": '#!/bin/sh\n[ "$2" != "$LACKS" ]\n',
+        "bin/apt-get": CALLED,
+    }
+
+    def installs(self, installed="", lacks=""):
+        """The Clangs that it has apt install."""
+        done, calls = self.call("packaging/install-deps", "run", INSTALLED=installed, LACKS=lacks)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return re.findall(r"clang\S*", next(call for call in calls if " install " in call and " -y " in call))
+
+    def test_the_first_that_the_release_has_is_installed(self):
+        self.assertEqual(self.installs(), ["clang-15"])
+        self.assertEqual(self.installs(lacks="clang-15"), ["clang"])
+
+    def test_where_one_is_installed_none_is(self):
+        self.assertEqual(self.installs(installed="clang"), [])
 
 
 if __name__ == "__main__":
