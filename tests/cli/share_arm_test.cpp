@@ -2,12 +2,12 @@
 
 #include <csignal>
 #include <fstream>
-#include <regex>
 
 #include "device/remote/arm_side.h"
 #include "tests/cli/process.h"
 #include "tests/cli/session.h"
 #include "tests/support/comes.h"
+#include "tests/support/pattern.h"
 #include "tests/support/scratch_folder.h"
 
 namespace underact::test {
@@ -18,9 +18,8 @@ using cli::Exit;
 /// "remote:HOST:PORT", as the sharing program says how it is opened.
 std::string deviceOf(const Process& shared) {
   EXPECT_TRUE(shared.says("--device remote:"));
-  std::smatch found;
-  const std::string said = shared.said();
-  return std::regex_search(said, found, std::regex("remote:[0-9.]+:[0-9]+")) ? found.str() : "";
+  const std::vector<PatternMatch> found = matchesOf("remote:[0-9.]+:[0-9]+", shared.said());
+  return found.empty() ? "" : found[0].groups[0];
 }
 
 std::vector<std::string> runOf(const std::string& device, const char* seconds) {
@@ -37,11 +36,10 @@ class ShareArm : public testing::Test {
 TEST_F(ShareArm, PrintsTheLineThatTheOtherComputerNeeds) {
   const Outcome shown = runCli({"share-arm", "--show-key"});
   ASSERT_EQ(shown.exit, Exit::Well) << shown.err;
-  std::smatch line;
-  ASSERT_TRUE(std::regex_search(shown.out, line, std::regex("  underact-cli (share-arm --allow='[^']{40} [^']+')\n")))
-      << shown.out;
+  const std::vector<PatternMatch> line = matchesOf("  underact-cli (share-arm --allow='[^']{40} [^']+')\n", shown.out);
+  ASSERT_FALSE(line.empty()) << shown.out;
   // As it is, in a shell: whatever characters the key has.
-  const ProcessOutcome allowed = shell(program() + " " + line[1].str() + " 2>&1");
+  const ProcessOutcome allowed = shell(program() + " " + line[0].groups[1] + " 2>&1");
   EXPECT_EQ(allowed.exit, 0) << allowed.out;
   std::ifstream file(scratch.file("keys/arm_clients"));
   std::string key;
@@ -118,10 +116,9 @@ TEST_F(ShareArm, AKilledProgramsForceEndsWithinFivePeriods) {
   client.kill(SIGKILL);
   EXPECT_TRUE(shared.says("stopped sending. Zero force"));
   EXPECT_TRUE(shared.says("No force received: zero after "));
-  const std::string said = shared.said();
-  const std::regex pause("No force received: zero after ([0-9]+) more periods at most.");
-  for (std::sregex_iterator at(said.begin(), said.end(), pause), end; at != end; ++at)
-    EXPECT_LT(std::stoi((*at)[1]), device::remote::kQuietPeriods);
+  for (const PatternMatch& pause :
+       matchesOf("No force received: zero after ([0-9]+) more periods at most.", shared.said()))
+    EXPECT_LT(std::stoi(pause.groups[1]), device::remote::kQuietPeriods);
   Process next(scratch, "next", runOf(device, "60"));
   EXPECT_TRUE(comes([&] {
     const std::string now = shared.said();

@@ -1,12 +1,12 @@
 #include "device/openhaptics/openhaptics_arm.h"
 
 #include <clocale>
-#include <regex>
 
 #include "core/servo/host.h"
 #include "device/openhaptics/scheduler.h"
 #include "tests/openhaptics/arm_fixture.h"
 #include "tests/openhaptics/contains.h"
+#include "tests/support/pattern.h"
 
 namespace underact::device::openhaptics {
 namespace {
@@ -46,12 +46,11 @@ TEST_F(OpenHapticsArmTest, TellsWhatItsDriverKnowsInOurUnits) {
 TEST_F(OpenHapticsArmTest, PlaceAndTurnOfTheStylusAreWhatTheDriverHasThem) {
   open();
   // The stand-in writes both down from the facts' own formulas. What is left is the rounding of %g, six digits.
-  const std::regex kNumber("([-+.e0-9]+) (mm|degrees) apart");
   for (const char* line : {"Tip, by the arm against by the model omni-thesis: ", "Stylus, likewise: "}) {
     const std::string text = lineOf(arm->listing(), line);
-    std::smatch match;
-    ASSERT_TRUE(std::regex_match(text, match, kNumber)) << line << text;
-    EXPECT_LT(std::stod(match[1]), 1e-5) << line << text;  // acos(1 - ulp) is 1e-6 degrees
+    const std::vector<test::PatternMatch> match = test::matchesOf("^([-+.e0-9]+) (mm|degrees) apart$", text);
+    ASSERT_EQ(match.size(), 1u) << line << text;
+    EXPECT_LT(std::stod(match[0].groups[1]), 1e-5) << line << text;  // acos(1 - ulp) is 1e-6 degrees
   }
 }
 

@@ -14,7 +14,6 @@
 #include <QSettings>
 #include <QTableWidget>
 #include <optional>
-#include <regex>
 #include <set>
 
 #include "app/gui/kit/number_box.h"
@@ -25,6 +24,7 @@
 #include "tests/core/scene/scene_support.h"
 #include "tests/stories/language_desk.h"
 #include "tests/stories/story.h"
+#include "tests/support/pattern.h"
 
 namespace underact::gui::test {
 namespace {
@@ -93,12 +93,11 @@ QByteArray savedAfterAnEdit() {
 
 /// The text with each of its numbers, words and keys, one at a time, made what it must not be.
 std::vector<std::string> spoiled(const std::string& text) {
-  static const std::regex piece(R"re("[^"]*"|-?\d[\d.e+-]*|true|false)re");
   std::vector<std::string> made;
-  for (std::sregex_iterator at(text.begin(), text.end(), piece), end; at != end; ++at) {
+  for (const underact::test::PatternMatch& piece :
+       underact::test::matchesOf(R"re("[^"]*"|-?\d[\d.e+-]*|true|false)re", text)) {
     for (const char* instead : {"-1e9", "0", "\"nonsense\"", "\"\"", "[]", "{}", "null", "[1, 2, 3]", "", "1e-300"})
-      made.push_back(std::string(text).replace(static_cast<std::size_t>(at->position()),
-                                               static_cast<std::size_t>(at->length()), instead));
+      made.push_back(std::string(text).replace(piece.at, piece.groups[0].size(), instead));
   }
   return made;
 }

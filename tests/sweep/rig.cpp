@@ -12,12 +12,12 @@
 #include <csignal>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <sstream>
 #include <thread>
 
 #include "app/sweeper/command.h"
 #include "core/sweep/journal.h"
+#include "tests/support/pattern.h"
 
 namespace underact::test {
 namespace {
@@ -132,9 +132,8 @@ bool isFree(const std::string& result) {
 }
 
 int runNow(const std::string& said) {
-  std::smatch found;
-  const std::string text = contentOf(said);
-  return std::regex_search(text, found, std::regex(" cells, ([0-9]+) of them run now")) ? std::stoi(found[1]) : -1;
+  const std::vector<PatternMatch> found = matchesOf(" cells, ([0-9]+) of them run now", contentOf(said));
+  return found.empty() ? -1 : std::stoi(found[0].groups[1]);
 }
 
 std::string contentOf(const std::string& path) {

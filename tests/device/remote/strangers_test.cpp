@@ -7,12 +7,12 @@
 
 #include <filesystem>
 #include <fstream>
-#include <regex>
 
 #include "core/system/thread_priority.h"
 #include "device/remote/connection_limit.h"
 #include "device/remote/remote_arm.h"
 #include "tests/support/comes.h"
+#include "tests/support/pattern.h"
 #include "tests/support/shared_arm.h"
 
 namespace underact::device::remote {
@@ -22,19 +22,20 @@ using test::comes;
 using test::SharedArm;
 
 /// How the thread of that name is scheduled; below 0: there is none.
-int policyOf(const std::regex& thread) {
+int policyOf(const std::string& thread) {
   for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
     std::ifstream file(task.path() / "comm");
     std::string name;
     std::getline(file, name);
-    if (std::regex_match(name, thread)) return sched_getscheduler(std::stoi(task.path().filename()));
+    if (!test::matchesOf("^" + thread + "$", name).empty())
+      return sched_getscheduler(std::stoi(task.path().filename()));
   }
   return -1;
 }
 
 /// Of what carries messages at the arm's side.
 int policyOfHub() {
-  return policyOf(std::regex("[0-9]+/ZMQbg/IO/0"));
+  return policyOf("[0-9]+/ZMQbg/IO/0");
 }
 
 /// Connects so many times, and goes at once: every other time without a goodbye, so that who listens finds nobody.
@@ -99,9 +100,9 @@ TEST(RemoteStrangers, GetRealTimeNeitherWithoutASeatNorByAStorm) {
   EXPECT_TRUE(comes([&] { return policyOfHub() == urgent; }));
   for (int storm = 0; storm < 40 && policyOfHub() != SCHED_OTHER; ++storm) knock(port, 200);
   EXPECT_TRUE(comes([] { return policyOfHub() == SCHED_OTHER; })) << "they are too many";
-  EXPECT_EQ(policyOf(std::regex("underact-share")), SCHED_OTHER) << "who turns them away";
+  EXPECT_EQ(policyOf("underact-share"), SCHED_OTHER) << "who turns them away";
   EXPECT_TRUE(comes([&] { return policyOfHub() == urgent; })) << "it is quiet again";
-  EXPECT_TRUE(comes([&] { return policyOf(std::regex("underact-share")) == urgent; }));
+  EXPECT_TRUE(comes([&] { return policyOf("underact-share") == urgent; }));
   seat.reset();
   EXPECT_TRUE(comes([] { return policyOfHub() == SCHED_OTHER; })) << "nobody has the arm";
 }
@@ -116,8 +117,8 @@ TEST(RemoteStrangers, AreToldOfOnceASecondHoweverManyTheyAre) {
   const auto count = [&] {
     int sum = 0;
     for (const std::string& line : linesWith(far.told(), "was refused")) {
-      std::smatch found;
-      sum += std::regex_search(line, found, std::regex("([0-9]+) times")) ? std::stoi(found[1]) : 1;
+      const std::vector<test::PatternMatch> found = test::matchesOf("([0-9]+) times", line);
+      sum += found.empty() ? 1 : std::stoi(found[0].groups[1]);
     }
     return sum;
   };

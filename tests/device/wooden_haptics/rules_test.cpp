@@ -5,12 +5,12 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "device/wooden_haptics/models.h"
+#include "tests/support/pattern.h"
 
 namespace underact::device {
 namespace {
@@ -25,12 +25,12 @@ std::string hex(unsigned value) {
 
 /// The ids that a rule gives to whoever sits there; a rule without a product: "*".
 std::set<Id> idsOf(const std::string& rules) {
-  static const std::regex kRule(
-      R"re((^|\n)[A-Z]+=="[^"]*", ATTRS?\{idVendor\}=="([0-9a-f]{4})",( ATTRS?\{idProduct\}=="([0-9a-f|]+)",)? TAG\+="uaccess")re");
+  constexpr const char* kRule =
+      R"re((^|\n)[A-Z]+=="[^"]*", ATTRS?\{idVendor\}=="([0-9a-f]{4})",( ATTRS?\{idProduct\}=="([0-9a-f|]+)",)? TAG\+="uaccess")re";
   std::set<Id> ids;
-  for (std::sregex_iterator rule(rules.begin(), rules.end(), kRule), end; rule != end; ++rule) {
-    const std::string products = (*rule)[4].matched ? (*rule)[4].str() : "*";
-    for (std::size_t at = 0; at < products.size(); at += 5) ids.insert({(*rule)[2], products.substr(at, 4)});
+  for (const test::PatternMatch& rule : test::matchesOf(kRule, rules)) {
+    const std::string products = rule.groups[4].empty() ? "*" : rule.groups[4];
+    for (std::size_t at = 0; at < products.size(); at += 5) ids.insert({rule.groups[2], products.substr(at, 4)});
   }
   return ids;
 }
