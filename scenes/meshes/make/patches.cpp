@@ -99,9 +99,9 @@ Patch Rulers::flat(int u, int v, double w, Parts u_parts, Parts v_parts) const {
   };
   const auto [u0, u1] = bounds(u, u_parts);
   const auto [v0, v1] = bounds(v, v_parts);
-  return {u1 - u0, v1 - v0, false, [this, u, v, w, u0 = u0, v0 = v0](int i, int j) {
-            return at(u, v, ruler(u).points[static_cast<std::size_t>(u0 + i)],
-                      ruler(v).points[static_cast<std::size_t>(v0 + j)], w);
+  return {u1 - u0, v1 - v0, false, [this, u, v, w, u_begin = u0, v_begin = v0](int i, int j) {
+            return at(u, v, ruler(u).points[static_cast<std::size_t>(u_begin + i)],
+                      ruler(v).points[static_cast<std::size_t>(v_begin + j)], w);
           }};
 }
 
