@@ -1,11 +1,12 @@
-# underact_room(FOLDER [LINKS room ...] [USES library ...] [SHOWS library ...] [WITHOUT folder ...] [PRECOMPILES header ... | LIKE room]
-#               [PROGRAM name [IN folder] [COMPONENT name] [STARTS program ...] [OPENS target ...]])
+# underact_room(FOLDER [SELDOM] [LINKS room ...] [USES library ...] [SHOWS library ...] [WITHOUT folder ...]
+#               [PRECOMPILES header ... | LIKE room] [PROGRAM name [IN folder] [COMPONENT name] [STARTS program ...] [OPENS target ...]])
 # Makes one static target of the sources of FOLDER and the folders below it; WITHOUT: those of them that are rooms of their own (all:
 # every one). A room is called as its folder is, without core/, device/ or app/: gui/kit, whose target is underact_gui_kit. PRECOMPILES: headers
 # that it reads once; else it has those of the room LIKE which it is compiled, of base where none is named. A LINKS that is no target
 # yet is an error, so the order of the calls is the order of the architecture. With PROGRAM, main.cpp is left out of the room and
 # becomes the program of that name, installed IN bin, another folder, or nowhere. STARTS: other programs that it starts; OPENS:
-# targets that make files which it opens. Whoever builds it has them, too.
+# targets that make files which it opens. Whoever builds it has them, too. SELDOM: none of it runs at each
+# tick, nor takes long, and it is optimized less; so are all rooms of app/ but that of the Python module.
 include_guard()
 
 # GCC 12 finds members of std::function and of Eigen's decompositions "maybe uninitialized" that are not, and, in precompiled
@@ -16,13 +17,17 @@ set(UNDERACT_WARNINGS -Wall -Wextra -Wconversion -Wshadow
                       $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-array-bounds -Wno-subobject-linkage>
                       $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>)
 
-# Of the window's rooms and of tests: -O2 takes a fifth more of the compiler's time, and draws no picture faster, as VTK and Qt do the
+# Of what no servo thread runs and nobody waits for: the rooms of app/, those of core that say so, and tests. -O2 takes a fifth more of the
+# compiler's time there, and inlining what nobody has called inline a fifth again; no picture is drawn faster, as VTK and Qt do the
 # work. From 13 on GCC refuses headers that were precompiled with -O2 unless this loop option, which -O2 sets, is the same.
 include(CheckCXXCompilerFlag)
 set(UNDERACT_LESS_OPTIMIZED $<$<NOT:$<CONFIG:Debug>>:-O1>)
 check_cxx_compiler_flag(-munroll-only-small-loops UNDERACT_HAS_SMALL_LOOPS)
 if(UNDERACT_HAS_SMALL_LOOPS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND UNDERACT_LESS_OPTIMIZED $<$<NOT:$<CONFIG:Debug>>:-munroll-only-small-loops>)
+endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  list(APPEND UNDERACT_LESS_OPTIMIZED $<$<NOT:$<CONFIG:Debug>>:-mllvm> $<$<NOT:$<CONFIG:Debug>>:-inline-threshold=5>)
 endif()
 
 add_library(underact_flags INTERFACE)
@@ -71,7 +76,7 @@ function(underact_moc target folder headers)
 endfunction()
 
 function(underact_room folder)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "PROGRAM;IN;COMPONENT;LIKE" "LINKS;USES;SHOWS;WITHOUT;STARTS;OPENS;PRECOMPILES")
+  cmake_parse_arguments(PARSE_ARGV 1 room "SELDOM" "PROGRAM;IN;COMPONENT;LIKE" "LINKS;USES;SHOWS;WITHOUT;STARTS;OPENS;PRECOMPILES")
   if(room_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "underact_room(${folder}): what is ${room_UNPARSED_ARGUMENTS}?")
   endif()
@@ -102,8 +107,10 @@ function(underact_room folder)
     else()
       underact_compile(${target} LIKE ${like})
     endif()
-    if(folder MATCHES "^app/gui/")
+    if(room_SELDOM OR (folder MATCHES "^app/" AND NOT folder STREQUAL "app/bindings"))
       target_compile_options(${target} PRIVATE ${UNDERACT_LESS_OPTIMIZED})
+    endif()
+    if(folder MATCHES "^app/gui/")
       list(FILTER sources INCLUDE REGEX "\\.h$")
       underact_moc(${target} ${folder} "${sources}")
     endif()
@@ -121,9 +128,7 @@ function(underact_room folder)
   if(room_PROGRAM)
     add_executable(${room_PROGRAM} ${PROJECT_SOURCE_DIR}/${folder}/main.cpp)
     target_compile_options(${room_PROGRAM} PRIVATE ${UNDERACT_WARNINGS})
-    if(folder STREQUAL "app/gui")
-      target_compile_options(${room_PROGRAM} PRIVATE ${UNDERACT_LESS_OPTIMIZED})
-    endif()
+    target_compile_options(${room_PROGRAM} PRIVATE ${UNDERACT_LESS_OPTIMIZED})
     target_link_libraries(${room_PROGRAM} PRIVATE ${target})
     underact_compile(${room_PROGRAM} LIKE ${like})
     if(room_STARTS OR room_OPENS)
