@@ -114,6 +114,16 @@ std::size_t cellsIn(const std::string& result) {
   return lines > 0 ? lines - 1 : 0;
 }
 
+bool waitForEnd(pid_t pid) {
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (std::chrono::steady_clock::now() < end) {
+    const std::string status = contentOf("/proc/" + std::to_string(pid) + "/status");
+    if (status.empty() || status.find("\nState:\tZ") != std::string::npos) return true;
+    std::this_thread::sleep_for(2ms);
+  }
+  return false;
+}
+
 bool waitForCells(const std::string& result, std::size_t cells) {
   const auto end = std::chrono::steady_clock::now() + kPatience;
   while (cellsIn(result) < cells) {

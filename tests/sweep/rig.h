@@ -51,6 +51,9 @@ std::vector<std::string> linesOf(const std::string& text);
 /// The child of mpirun that is this rank; -1: there is none.
 pid_t rankOf(pid_t mpirun, int rank);
 
+/// Waits, a minute at most, until a process has ended, even where its parent has not asked how. False: it has not.
+bool waitForEnd(pid_t pid);
+
 /// Waits, a minute at most, until so many cells are in the journal of a result. False: they did not come.
 bool waitForCells(const std::string& result, std::size_t cells);
 
