@@ -110,10 +110,11 @@ class Bench:
         self.compiling = {"CCACHE_BASEDIR": str(self.source), "CCACHE_NOHASHDIR": "1"}
 
     def configure(self) -> None:
-        """Copies and configures, as the preset `ci`, without benchmarks."""
+        """Copies and configures, as the preset `ci`; what a breakage leaves unused is no error."""
         copy_tracked(self.source)
         words = ["cmake", "--preset", "ci", "-B", str(self.binary), "-DUNDERACT_BENCH=OFF"]
-        well, said = run([*words, "-DUNDERACT_SANITIZE="], 600, self.source, self.compiling)
+        words += ["-DUNDERACT_SANITIZE=", "-DCMAKE_COMPILE_WARNING_AS_ERROR=OFF"]
+        well, said = run(words, 600, self.source, self.compiling)
         if not well:
             raise ListError(f"It does not configure:\n{said}")
 
