@@ -5,8 +5,8 @@
 # that it reads once; else it has those of the room LIKE which it is compiled, of base where none is named. A LINKS that is no target
 # yet is an error, so the order of the calls is the order of the architecture. With PROGRAM, main.cpp is left out of the room and
 # becomes the program of that name, installed IN bin, another folder, or nowhere. STARTS: other programs that it starts; OPENS:
-# targets that make files which it opens. Whoever builds it has them, too. SELDOM: none of it runs at each
-# tick, nor takes long, and it is optimized less; so are all rooms of app/ but that of the Python module.
+# targets that make files which it opens. Whoever builds it has them, too. SELDOM: none of it runs at each tick, nor
+# takes long, and it is optimized less; so are all rooms of app/ but that of the Python module.
 include_guard()
 
 # GCC 12 finds members of std::function and of Eigen's decompositions "maybe uninitialized" that are not, and, in precompiled
@@ -127,8 +127,7 @@ function(underact_room folder)
   endforeach()
   if(room_PROGRAM)
     add_executable(${room_PROGRAM} ${PROJECT_SOURCE_DIR}/${folder}/main.cpp)
-    target_compile_options(${room_PROGRAM} PRIVATE ${UNDERACT_WARNINGS})
-    target_compile_options(${room_PROGRAM} PRIVATE ${UNDERACT_LESS_OPTIMIZED})
+    target_compile_options(${room_PROGRAM} PRIVATE ${UNDERACT_LESS_OPTIMIZED} ${UNDERACT_WARNINGS})
     target_link_libraries(${room_PROGRAM} PRIVATE ${target})
     underact_compile(${room_PROGRAM} LIKE ${like})
     if(room_STARTS OR room_OPENS)
