@@ -166,6 +166,7 @@ void Story::dragHandTo(const Vec3& p_W, bool hold) {
 
 void Story::settle(int ms) {
   QTest::qWait(ms);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return !view().moving(); }, kLong_ms));  // the camera moves in real time
   window_->frame();
   QTest::qWait(20);
 }

@@ -65,7 +65,7 @@ class Story {
   void type(QWidget* number, const QString& text);  // over what is there, then Enter
   /// The stylus from where it is to p_W (m), in steps, with ticks in between; the button stays down with hold.
   void dragHandTo(const Vec3& p_W, bool hold = false);
-  void settle(int ms = 60);  // lets the window catch up
+  void settle(int ms = 60);  // lets the window catch up, and the camera arrive
 
   /// The window as it is on the screen.
   QImage picture();
