@@ -67,6 +67,12 @@ class PlainBuilds(unittest.TestCase):
             self.skipTest("no clang from 15 on")
         self.assertEqual(compilers(self.configured("--preset", "release", "-DUNDERACT_TESTS=OFF")[1]), {clang[0]})
 
+    def test_packages_have_lines_for_debuggers_and_what_a_newcomer_builds_has_none(self):
+        for preset, options in (("release", []), ("package", ["-g1"])):
+            for command in self.configured("--preset", preset, "-DUNDERACT_TESTS=OFF")[1]:
+                self.assertEqual([word for word in command if word.startswith("-g") and word != "-g0"], options)
+                self.assertIn("-O2", command)
+
     def test_a_compiler_that_is_named_is_taken(self):
         preset = ("--preset", "release", "-DUNDERACT_TESTS=OFF")
         self.assertEqual(compilers(self.configured(*preset, CC="gcc", CXX="g++")[1]), {"g++"})
