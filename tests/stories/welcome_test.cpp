@@ -20,7 +20,7 @@ struct FirstStart {
     story->window().resize(1280, 800);
     story->perform("session.start");
     story->run(500);
-    story->settle();  // the card has made the camera move, and its frame follows the stylus when the next frame is drawn
+    story->settle();  // the card has moved the camera, and its frame follows with the next picture
   }
   QWidget* card() { return story->find("welcome"); }
   QString row(const char* name) { return story->find<QLabel>(QString("welcome.") + name)->text(); }
