@@ -27,8 +27,8 @@ using test::OwnGuard;
 
 class GuardedProgram : public test::WiredProgram {
  public:
-  explicit GuardedProgram(const std::string& guard = UNDERACT_GUARD, const std::string& way = "wait")
-      : WiredProgram(UNDERACT_DYING_PROGRAM, {guard, way}) {}
+  explicit GuardedProgram(const std::string& guard = UNDERACT_GUARD)
+      : WiredProgram(UNDERACT_DYING_PROGRAM, {guard, "go on"}) {}
   /// The guard beside it that is none of these; below 0: none came.
   pid_t guardBut(pid_t other = -1) {
     pid_t found = -1;
@@ -150,7 +150,7 @@ TEST(Guard, OneThatDiesAtOnceEachTimeIsNotStartedForEver) {
   EXPECT_TRUE(comes([&] { return starts() == 7; })) << starts();
   std::this_thread::sleep_for(std::chrono::seconds(2));
   EXPECT_EQ(starts(), 7U) << "the first and six more, then no other for the rest of the minute";
-  // Not at once: a tick that was late has just ended the force, which rises again from zero.
+  // Not at once: a busy machine may just have ended the force, which rises again from zero.
   EXPECT_TRUE(comes([&] { return program.arm().last_N() > 0.1; })) << program.arm().last_N() << " N";
 }
 
