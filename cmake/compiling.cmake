@@ -37,10 +37,11 @@ set(UNDERACT_WINDOW_HEADERS
     <vtkActor.h> <vtkNew.h> <vtkPolyData.h> <vtkSmartPointer.h>
     <core/scene/description.h> <core/scene/edit.h> <core/servo/host.h> <core/servo/snapshot.h>)  # ours that nearly all of it includes
 
-# underact_compile(TARGET [HEADERS header ...] [LIKE target] [TOGETHER]): of the files of TARGET, those of a folder together, at most
-# twenty at a time, with TOGETHER those of all its folders; with HEADERS precompiled, or with those of another target.
+# underact_compile(TARGET [HEADERS header ...] [LIKE target] [TOGETHER name]): of the files of TARGET, those of a folder together, at
+# most forty at a time (twenty took a fifth longer), with TOGETHER those of all its folders, in units of that name; with HEADERS
+# precompiled, or with those of another target.
 function(underact_compile target)
-  cmake_parse_arguments(PARSE_ARGV 1 compile "TOGETHER" "LIKE" "HEADERS")
+  cmake_parse_arguments(PARSE_ARGV 1 compile "" "LIKE;TOGETHER" "HEADERS")
   if(compile_LIKE)
     target_precompile_headers(${target} REUSE_FROM ${compile_LIKE})
   elseif(compile_HEADERS)
@@ -53,7 +54,7 @@ function(underact_compile target)
     get_filename_component(source ${source} ABSOLUTE)
     get_filename_component(folder ${source} DIRECTORY)
     if(compile_TOGETHER)
-      set(folder ${CMAKE_CURRENT_SOURCE_DIR})
+      set(folder ${PROJECT_SOURCE_DIR}/${compile_TOGETHER})
     endif()
     list(APPEND folders "${folder}")
     list(APPEND "files of ${folder}" ${source})
@@ -62,7 +63,7 @@ function(underact_compile target)
   foreach(folder IN LISTS folders)
     list(SORT "files of ${folder}")
     list(LENGTH "files of ${folder}" count)
-    math(EXPR units "(${count} + 19) / 20")
+    math(EXPR units "(${count} + 39) / 40")
     file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR} ${folder})
     string(MAKE_C_IDENTIFIER "${name}" name)
     set(index 0)

@@ -1,19 +1,20 @@
-# underact_room(FOLDER [SELDOM] [LINKS room ...] [USES library ...] [SHOWS library ...] [WITHOUT folder ...]
+# underact_room(FOLDER [SELDOM] [OF folder ...] [LINKS room ...] [USES library ...] [SHOWS library ...] [WITHOUT folder ...]
 #               [PRECOMPILES header ... | LIKE room] [PROGRAM name [IN folder] [COMPONENT name] [STARTS program ...] [OPENS target ...]])
-# Makes one static target of the sources of FOLDER and the folders below it; WITHOUT: those of them that are rooms of their own (all:
-# every one). A room is called as its folder is, without core/, device/ or app/: gui/kit, whose target is underact_gui_kit. PRECOMPILES: headers
-# that it reads once; else it has those of the room LIKE which it is compiled, of base where none is named. A LINKS that is no target
-# yet is an error, so the order of the calls is the order of the architecture. With PROGRAM, main.cpp is left out of the room and
-# becomes the program of that name, installed IN bin, another folder, or nowhere. STARTS: other programs that it starts; OPENS:
-# targets that make files which it opens. Whoever builds it has them, too. SELDOM: none of it runs at each tick, nor
-# takes long, and it is optimized less; so are all rooms of app/ but that of the Python module.
+# Makes one static target of the sources of FOLDER and the folders below it, or OF other folders, which are compiled together; WITHOUT:
+# those below it that are rooms of their own (all: every one). A room is called as its folder is, without core/, device/ or app/:
+# gui/kit, whose target is underact_gui_kit. PRECOMPILES: headers that it reads once; else it has those of the room LIKE which it is
+# compiled, of base where none is named. A LINKS that is no target yet is an error, so the order of the calls is the order of the
+# architecture. With PROGRAM, main.cpp is left out of the room and becomes the program of that name, installed IN bin, another folder, or
+# nowhere. STARTS: other programs that it starts; OPENS: targets that make files which it opens. Whoever builds it has them, too. SELDOM:
+# none of it runs at each tick, nor takes long, and it is optimized less; so are all rooms of app/ but that of the Python module.
 include_guard()
 
 # GCC 12 finds members of std::function and of Eigen's decompositions "maybe uninitialized" that are not, and, in precompiled
 # headers, std::string's copies out of bounds. Compiled with others, a test's fixture in an unnamed namespace looks to it as one in
 # a header. Clang names what the standard library deprecates and uses itself. The next compiler warns of something else: so a
-# warning is an error only where CMAKE_COMPILE_WARNING_AS_ERROR says so, as the preset "ci" does.
-set(UNDERACT_WARNINGS -Wall -Wextra -Wconversion -Wshadow
+# warning is an error only where CMAKE_COMPILE_WARNING_AS_ERROR says so, as the preset "ci" does. That a name in a function is one that
+# a file compiled before it has for itself is none: that file may be new. Each file alone must have no such name.
+set(UNDERACT_WARNINGS -Wall -Wextra -Wconversion -Wshadow $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-error=shadow>
                       $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-array-bounds -Wno-subobject-linkage>
                       $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>)
 
@@ -63,20 +64,25 @@ function(underact_target_of room into)
   set(${into} underact_${name} PARENT_SCOPE)
 endfunction()
 
-# What Qt's meta-object compiler makes of HEADERS, those of TARGET, the room FOLDER, goes through the compiler together with its first
+# What Qt's meta-object compiler makes of the headers among SOURCES, those of TARGET that stand in FOLDER, goes through the compiler together with its first
 # files: by itself each of forty rooms would read its headers once more for it. Not by AUTOMOC, which reads all that the headers include
 # and waits for what the room links: together 55 s of a processor, and our headers have no macro that the meta-object compiler must know.
-function(underact_moc target folder headers)
-  set(made ${PROJECT_BINARY_DIR}/generated/mocs/${target}.cpp)
+function(underact_moc target folder sources)
+  set(headers ${sources})
+  list(FILTER headers INCLUDE REGEX "^${PROJECT_SOURCE_DIR}/${folder}/.*\\.h$")
+  list(FILTER sources INCLUDE REGEX "^${PROJECT_SOURCE_DIR}/${folder}/.*\\.cpp$")
+  list(GET sources 0 first)
+  get_source_file_property(group ${first} UNITY_GROUP)
+  underact_target_of(${folder} name)
+  set(made ${PROJECT_BINARY_DIR}/generated/mocs/${name}.cpp)
   add_custom_command(OUTPUT ${made} DEPENDS ${headers} ${PROJECT_SOURCE_DIR}/cmake/moc.cmake VERBATIM COMMENT "Meta-objects of ${folder}"
                      COMMAND ${CMAKE_COMMAND} -DMOC=$<TARGET_FILE:Qt6::moc> -DMADE=${made} "-DHEADERS=${headers}" -P ${PROJECT_SOURCE_DIR}/cmake/moc.cmake)
-  string(MAKE_C_IDENTIFIER "${folder}_0" group)
   set_source_files_properties(${made} PROPERTIES UNITY_GROUP ${group})
   target_sources(${target} PRIVATE ${made})
 endfunction()
 
 function(underact_room folder)
-  cmake_parse_arguments(PARSE_ARGV 1 room "SELDOM" "PROGRAM;IN;COMPONENT;LIKE" "LINKS;USES;SHOWS;WITHOUT;STARTS;OPENS;PRECOMPILES")
+  cmake_parse_arguments(PARSE_ARGV 1 room "SELDOM" "PROGRAM;IN;COMPONENT;LIKE" "OF;LINKS;USES;SHOWS;WITHOUT;STARTS;OPENS;PRECOMPILES")
   if(room_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "underact_room(${folder}): what is ${room_UNPARSED_ARGUMENTS}?")
   endif()
@@ -85,7 +91,16 @@ function(underact_room folder)
   if(room_WITHOUT STREQUAL "all")
     set(recurse)
   endif()
-  file(GLOB${recurse} sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp ${PROJECT_SOURCE_DIR}/${folder}/*.h)
+  set(together TOGETHER ${folder})
+  if(NOT room_OF)
+    set(room_OF ${folder})
+    set(together)
+  endif()
+  set(sources)
+  foreach(part IN LISTS room_OF)
+    file(GLOB${recurse} found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${part}/*.cpp ${PROJECT_SOURCE_DIR}/${part}/*.h)
+    list(APPEND sources ${found})
+  endforeach()
   list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/${folder}/main.cpp)
   foreach(other IN LISTS room_WITHOUT)
     list(FILTER sources EXCLUDE REGEX "/${folder}/${other}/")
@@ -105,14 +120,15 @@ function(underact_room folder)
       underact_compile(${target} HEADERS ${room_PRECOMPILES})
       set(like ${target})
     else()
-      underact_compile(${target} LIKE ${like})
+      underact_compile(${target} LIKE ${like} ${together})
     endif()
     if(room_SELDOM OR (folder MATCHES "^app/" AND NOT folder STREQUAL "app/bindings"))
       target_compile_options(${target} PRIVATE ${UNDERACT_LESS_OPTIMIZED})
     endif()
     if(folder MATCHES "^app/gui/")
-      list(FILTER sources INCLUDE REGEX "\\.h$")
-      underact_moc(${target} ${folder} "${sources}")
+      foreach(part IN LISTS room_OF)
+        underact_moc(${target} ${part} "${sources}")
+      endforeach()
     endif()
     target_compile_options(${target} PRIVATE ${UNDERACT_WARNINGS})
     target_link_libraries(${target} PRIVATE ${room_USES})
@@ -145,21 +161,29 @@ endfunction()
 # underact_feature(FOLDER [LINKS room ...]): a room of the window that does one thing, and has a feature.cpp that gives its row,
 # NAMEFeature(). Without its line, or its folder, the window does without it.
 set(UNDERACT_FEATURES)
+set(UNDERACT_FEATURE_LINKS gui/feature)
 function(underact_feature folder)
   cmake_parse_arguments(PARSE_ARGV 1 feature "" "" "LINKS")
   if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${folder}/feature.cpp)
     message(FATAL_ERROR "${folder} has no feature.cpp.")
   endif()
-  underact_room(${folder} LINKS gui/feature ${feature_LINKS} LIKE gui/view)
   string(REGEX REPLACE "^app/" "" room ${folder})
   set(UNDERACT_FEATURES ${UNDERACT_FEATURES} ${room} PARENT_SCOPE)
+  set(UNDERACT_FEATURE_LINKS ${UNDERACT_FEATURE_LINKS} ${feature_LINKS} PARENT_SCOPE)
 endfunction()
 
-# underact_features(OUT): writes the table of them, in their order; OUT: the source that has it.
+# underact_features(OUT): makes them, and writes the table of them, in their order; OUT: the source that has it. They are compiled
+# together: apart, each of 34 would instantiate what all of them have in common, a third of the compiler's time for them. That none
+# includes another, or what its own line does not link, is tested.
 function(underact_features out)
+  list(TRANSFORM UNDERACT_FEATURES PREPEND app/ OUTPUT_VARIABLE folders)
+  list(REMOVE_DUPLICATES UNDERACT_FEATURE_LINKS)
+  underact_room(app/gui/features OF ${folders} LINKS ${UNDERACT_FEATURE_LINKS} LIKE gui/view)
   set(UNDERACT_FEATURE_DECLARATIONS)
   set(UNDERACT_FEATURE_ROWS)
   foreach(room IN LISTS UNDERACT_FEATURES)
+    underact_target_of(${room} target)
+    add_library(${target} ALIAS underact_gui_features)
     get_filename_component(name ${room} NAME)
     string(REGEX MATCHALL "_[a-z]" humps ${name})
     foreach(hump IN LISTS humps)  # second_arm: secondArmFeature()

@@ -50,6 +50,12 @@ class EachAlone(unittest.TestCase):
         self.assertEqual((status, said.splitlines()[-1]), (1, "2 files, each alone: 1 wrong"))
         self.assertIn("hidden.cpp", said)
 
+    def test_a_name_in_a_function_that_hides_one_of_the_file_is_wrong(self):
+        self.compiles("hides.cpp", "const int kOne = 1;\nint one() { int kOne = 2; return kOne; }\n", "-o hides.o -c")
+        status, said = self.look()
+        self.assertEqual((status, said.splitlines()[-1]), (1, "2 files, each alone: 1 wrong"))
+        self.assertIn("kOne", said)
+
     def test_a_header_that_does_not_compile_is_told(self):
         self.compiles("build/cmake_pch.hxx.cxx", "#error no\n", "-x c++-header -o all.gch -c")
         status, said = self.look()

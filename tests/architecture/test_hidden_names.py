@@ -74,6 +74,23 @@ class HiddenNames(unittest.TestCase):
             text = f"namespace underact::new {{\n{one}\n}}  // namespace underact::new\n"
             self.assertEqual(len(self.beside(text, hiding("class Same {\n};"))), 1, one)
 
+    def test_so_is_each_name_of_an_enumeration_that_has_no_scope(self):
+        for one in (
+            "enum Row { kOne, kSame };",
+            "enum { kSame = 3 };",
+            "enum Row : std::uint8_t {\n  kOne = 1,\n  kSame,\n};",
+        ):
+            said = self.beside(hiding("constexpr int kSame = 1;"), hiding(one))
+            self.assertEqual(len(said), 1, one)
+            self.assertIn("kSame stands in a.cpp", said[0])
+        self.assertEqual(self.beside(hiding("int kSame = 1;"), hiding("enum class A { kSame };")), [])
+
+    def test_features_of_the_window_count_as_one_folder(self):
+        files = {"app/gui/a/one.cpp": hiding("int i;"), "app/gui/b/two.cpp": hiding("int i;")}
+        self.assertEqual(self.said(files), [])
+        features = {f"app/gui/{folder}/feature.cpp": "" for folder in "ab"}
+        self.assertEqual(len(self.said(files | features)), 1)
+
     def test_what_is_no_name_of_the_files_own_is_none(self):
         for one in (
             "class Other;\nusing base::Same;",

@@ -18,10 +18,10 @@ using chain::JointType;
 constexpr double kRight = kPi / 2;
 constexpr double kNewLink_m = 0.08, kAxis_m = 0.02;
 
-struct Row {
+struct DhFieldRow {
   const char *key, *head, *tip;
 };
-constexpr std::array<Row, kDhFields> kRows{
+constexpr std::array<DhFieldRow, kDhFields> kRows{
     {{"type", QT_TRANSLATE_NOOP("explore", "joint"),
       QT_TRANSLATE_NOOP("explore", "R, revolute: q adds to θ. P, prismatic: q adds to d.")},
      {"alpha", QT_TRANSLATE_NOOP("explore", "α\n[°]"),

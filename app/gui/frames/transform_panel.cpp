@@ -32,7 +32,7 @@ constexpr const char* kTransformOwner = "transform";
 constexpr std::size_t kMostSteps = 6;
 constexpr double kMostTurn_deg = 360.0, kMostShift_mm = 200.0;  // the range of the view
 constexpr double kSame_m = 5e-5, kSame_rad = 5e-4;              // not visible on the screen
-constexpr const char* kKeys[chain::kStepKinds] = {"Rx", "Ry", "Rz", "Dx", "Dy", "Dz"};
+constexpr const char* kTransformKeys[chain::kStepKinds] = {"Rx", "Ry", "Rz", "Dx", "Dy", "Dz"};
 
 double stepUnit(StepKind kind) {
   return chain::isRotationStep(kind) ? 1.0 / kRadPerDegree : kMillimetrePerMetre;
@@ -145,9 +145,9 @@ bool TransformPanel::setStep(int row, const QString& kind, const QString& amount
   if (row < 0 || row >= static_cast<int>(state.steps.size())) return false;
   Step& step = state.steps[static_cast<std::size_t>(row)];
   if (!kind.isEmpty()) {
-    const auto* const found = std::find(std::begin(kKeys), std::end(kKeys), kind);
-    if (found == std::end(kKeys)) return false;
-    const auto now = static_cast<StepKind>(found - std::begin(kKeys));
+    const auto* const found = std::find(std::begin(kTransformKeys), std::end(kTransformKeys), kind);
+    if (found == std::end(kTransformKeys)) return false;
+    const auto now = static_cast<StepKind>(found - std::begin(kTransformKeys));
     // The number on the screen stays, in its new unit.
     step = {now, step.amount * stepUnit(step.kind) / stepUnit(now)};
   }
@@ -207,10 +207,10 @@ void TransformPanel::refresh() {
   for (int row = 0; row < count; ++row) {
     const Step& step = state.steps[static_cast<std::size_t>(row)];
     const double amount = step.amount * stepUnit(step.kind);
-    EditTable::Cell kind{kKeys[static_cast<std::size_t>(step.kind)], kKeys[static_cast<std::size_t>(step.kind)],
-                         tr("step %1, kind").arg(row + 1),
+    EditTable::Cell kind{kTransformKeys[static_cast<std::size_t>(step.kind)],
+                         kTransformKeys[static_cast<std::size_t>(step.kind)], tr("step %1, kind").arg(row + 1),
                          tr("R: rotation about an axis. D: translation along an axis.")};
-    for (const char* const key : kKeys) kind.choices << key;
+    for (const char* const key : kTransformKeys) kind.choices << key;
     table_->setCell(row, 0, kind);
     table_->setCell(row, 1,
                     {numberText(amount, 1), exactNumber(amount), tr("step %1, value").arg(row + 1),

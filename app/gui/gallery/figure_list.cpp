@@ -17,7 +17,7 @@ QJsonDocument documentOf(const QString& path) {
   return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()) : QJsonDocument();
 }
 
-std::optional<double> numberOf(const QJsonValue& value) {
+std::optional<double> figureNumber(const QJsonValue& value) {
   return value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
 }
 
@@ -25,7 +25,7 @@ QString wholePath(const QDir& folder, const QString& name) {
   return name.isEmpty() ? QString() : folder.filePath(name);
 }
 
-FigureRow rowOf(const QJsonObject& object, const QDir& folder) {
+FigureRow figureRow(const QJsonObject& object, const QDir& folder) {
   FigureRow row;
   row.key = object["figure"].toString();
   row.title = object["title"].toString();
@@ -42,8 +42,9 @@ FigureRow rowOf(const QJsonObject& object, const QDir& folder) {
   }
   for (const QJsonValue& value : object["numbers"].toArray()) {
     const QJsonObject number = value.toObject();
-    row.numbers.push_back({number["what"].toString(), number["unit"].toString(), numberOf(number["measured"]),
-                           numberOf(number["expected"]), numberOf(number["tolerance"]), number["passed"].toBool()});
+    row.numbers.push_back({number["what"].toString(), number["unit"].toString(), figureNumber(number["measured"]),
+                           figureNumber(number["expected"]), figureNumber(number["tolerance"]),
+                           number["passed"].toBool()});
   }
   return row;
 }
@@ -66,7 +67,7 @@ Result<FigureList> readFigures(const QString& folder) {
     return Problems{
         {said(QT_TRANSLATE_NOOP("problem", "The list of figures cannot be read. Make the figures again.")), place}};
   FigureList list;
-  for (const QJsonValue& value : document.array()) list.rows.push_back(rowOf(value.toObject(), dir));
+  for (const QJsonValue& value : document.array()) list.rows.push_back(figureRow(value.toObject(), dir));
   const QJsonObject mark = documentOf(dir.filePath(kMark)).object();
   list.program_version = mark["program_version"].toString();
   list.made = QDateTime::fromString(mark["made"].toString(), Qt::ISODate);

@@ -10,8 +10,8 @@
 namespace underact::gui {
 namespace {
 
-constexpr std::size_t kPoints = 2000;
-constexpr std::size_t kTarget = 0, kMeasured = 1, kFit = 2;
+constexpr std::size_t kSwingPoints = 2000;
+constexpr std::size_t kTarget = 0, kMeasuredSwing = 1, kSwingFit = 2;
 constexpr float kGap = std::numeric_limits<float>::quiet_NaN();
 
 /// Takes every n-th point, so that they fit into the curve, and fills the rest with gaps.
@@ -31,9 +31,9 @@ void fill(std::span<PlotPoint> into, const std::vector<SwingPoint>& from) {
 struct SwingPlot::Impl {
   void draw(const SwingPicture& picture) {
     fill(chart.points(kTarget), picture.target);
-    fill(chart.points(kMeasured), picture.measured);
-    fill(chart.points(kFit), picture.fit);
-    chart.setCurveShown(kFit, !picture.fit.empty());
+    fill(chart.points(kMeasuredSwing), picture.measured);
+    fill(chart.points(kSwingFit), picture.fit);
+    chart.setCurveShown(kSwingFit, !picture.fit.empty());
     double from_s = 0.0, to_s = 1.0, least_mm = -1.0, most_mm = 1.0;
     if (!picture.measured.empty()) {
       from_s = picture.measured.front().t_s;
@@ -67,7 +67,7 @@ SwingPlot::SwingPlot(const QString& object_name, QWidget* parent)
       tr("The tip is pulled towards the target and swings. The dashed line is the fitted model: a mass with friction "
          "and damping under the force that was sent."));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
-  impl_->chart.reserve(kPoints);
+  impl_->chart.reserve(kSwingPoints);
   impl_->draw({});
   setTheme(Theme::light());
 }

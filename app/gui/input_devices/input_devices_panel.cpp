@@ -22,14 +22,14 @@ namespace {
 
 constexpr int kId = Qt::UserRole;
 
-QString stateOf(const InputDeviceEntry& entry) {
+QString inputDeviceState(const InputDeviceEntry& entry) {
   if (!entry.seen.missing.empty()) return InputDevicesPanel::tr("not ready");
   if (!entry.used) return InputDevicesPanel::tr("switched off");
   return entry.moves ? InputDevicesPanel::tr("moves the stylus") : InputDevicesPanel::tr("ready");
 }
 
 QString titleOf(const InputDeviceEntry& entry) {
-  return QString("%1 – %2").arg(sentenceText(entry.seen.name), stateOf(entry));
+  return QString("%1 – %2").arg(sentenceText(entry.seen.name), inputDeviceState(entry));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 constexpr int kOmniRows = 8;
 constexpr double kSameAngle_rad = 1e-6;
 /// The columns: the branch of an arm of the Omni's form, the joint values of any other.
-enum Column { kNumber, kShoulder, kElbow, kWrist, kValues, kLimits, kColumns };
+enum SolutionColumn { kNumber, kShoulder, kElbow, kWrist, kValues, kLimits, kSolutionColumns };
 
 const QString kMinus = QString(QChar(0x2212));
 
@@ -103,7 +103,7 @@ SolutionsSection::SolutionsSection(QWidget* parent)
               parent),
       status_(quietLabel("panel.kinematics.solutions.status", QString(), this)),
       angles_(quietLabel("panel.kinematics.solutions.angles", QString(), this)),
-      table_(new QTableWidget(kMostSolutions, kColumns, this)),
+      table_(new QTableWidget(kMostSolutions, kSolutionColumns, this)),
       again_(new QPushButton(tr("&Go there"), this)),
       none_(new QPushButton(tr("Show &none"), this)) {
   status_->setAlignment(Qt::AlignTop);
@@ -145,14 +145,14 @@ void SolutionsSection::buildTable() {
   nameWidget(table_, "panel.kinematics.solutions", tr("Inverse solutions"));
   table_->setHorizontalHeaderLabels(
       {tr("no."), tr("shoulder"), tr("elbow"), tr("wrist"), tr("joint values"), tr("limits")});
-  const std::array<QString, kColumns> tips{
+  const std::array<QString, kSolutionColumns> tips{
       tr("The number of the solution, as in the view."),
       tr("+: the turret faces the wrist centre; −: it faces away. In the view: the short line at the shoulder."),
       tr("+: cos q3 ≥ 0, as for a real arm; −: the other elbow."),
       tr("+: sin q5 ≥ 0; −: the wrist is bent the other way. In the view: the short line at the tip, axis 5."),
       tr("Degrees, or mm of a joint that slides."),
       tr("Whether all joints are within their limits. Now: the current configuration of the arm.")};
-  for (int column = 0; column < kColumns; ++column) {
+  for (int column = 0; column < kSolutionColumns; ++column) {
     table_->horizontalHeaderItem(column)->setToolTip(tips[static_cast<std::size_t>(column)]);
   }
   for (const int column : {kValues, kLimits})
@@ -176,7 +176,7 @@ void SolutionsSection::buildTable() {
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   for (int row = 0; row < kMostSolutions; ++row) {
-    std::array<QString, kColumns> texts;
+    std::array<QString, kSolutionColumns> texts;
     texts[kNumber] = QString::number(row + 1);
     if (row < kOmniRows) {
       const arm::Branch branch = branchOf(row + 1);
@@ -184,7 +184,7 @@ void SolutionsSection::buildTable() {
       texts[kElbow] = signText(branch.elbow);
       texts[kWrist] = signText(branch.wrist);
     }
-    for (int column = 0; column < kColumns; ++column) {
+    for (int column = 0; column < kSolutionColumns; ++column) {
       auto* item = new QTableWidgetItem(texts[static_cast<std::size_t>(column)]);
       if (column < kValues) item->setTextAlignment(Qt::AlignCenter);
       table_->setItem(row, column, item);

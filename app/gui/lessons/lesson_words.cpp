@@ -11,7 +11,7 @@
 namespace underact::gui {
 namespace {
 
-QString row(const QString& head, const QString& cell) {
+QString reportRow(const QString& head, const QString& cell) {
   return QString("<tr><th>%1</th><td>%2</td></tr>\n").arg(head.toHtmlEscaped(), cell.toHtmlEscaped());
 }
 
@@ -49,10 +49,10 @@ QString lessonReport(const LessonRun& run, const QString& name, const QDateTime&
                      "th{text-align:left;padding-right:1em}h2{font-size:1.1em}</style></head><body>\n<h1>%1</h1>\n")
                      .arg(title.toHtmlEscaped());
   page += "<table>\n";
-  if (!name.isEmpty()) page += row(tr("Name"), name);
-  page += row(tr("Date"), QLocale().toString(when, QLocale::LongFormat));
-  page += row(tr("Solved"), tr("%1 of %2 steps").arg(solved).arg(run.lesson().steps.size()));
-  page += row(tr("Program"), QString("Underact %1").arg(kVersion));
+  if (!name.isEmpty()) page += reportRow(tr("Name"), name);
+  page += reportRow(tr("Date"), QLocale().toString(when, QLocale::LongFormat));
+  page += reportRow(tr("Solved"), tr("%1 of %2 steps").arg(solved).arg(run.lesson().steps.size()));
+  page += reportRow(tr("Program"), QString("Underact %1").arg(kVersion));
   page += "</table>\n";
   for (std::size_t step = 0; step < run.lesson().steps.size(); ++step) page += stepText(run, step);
   return page + "</body></html>\n";

@@ -24,7 +24,8 @@ namespace {
 using registration::Registration;
 
 /// The pose of the second arm in the frame of the first: X_WS = X_DW^-1 X_DS.
-std::optional<Pose> placeOf(const std::optional<Registration>& first, const std::optional<Registration>& second) {
+std::optional<Pose> placeOfSecondArm(const std::optional<Registration>& first,
+                                     const std::optional<Registration>& second) {
   if (!first || !second) return {};
   return Pose(first->fit.X_DW.inverse() * second->fit.X_DW);
 }
@@ -103,7 +104,7 @@ void RegistrationTool::place() {
   if (const auto& first = of(Which::First))
     desk = Desk{first->fit.X_DW.inverse(), registration::referencePointsOf(first->touches)};
   parts_.view.setDesk(desk);
-  const std::optional<Pose> X_WS = placeOf(of(Which::First), of(Which::Second));
+  const std::optional<Pose> X_WS = placeOfSecondArm(of(Which::First), of(Which::Second));
   if (X_WS || parts_.second.placed()) parts_.second.setPlace(X_WS);
 }
 

@@ -14,7 +14,7 @@
 namespace underact::gui {
 namespace {
 
-void chooseSession(Actions& actions, QWidget* window) {
+void chooseReplay(Actions& actions, QWidget* window) {
   askForFile(window, "dialog.session", tr("Replay a session"), {}, tr("Recorded sessions (*.h5 *.hdf5);;All files (*)"),
              [&actions](const QString& path) { actions.perform("replay.open", path); });
 }
@@ -110,7 +110,7 @@ void addReplayActions(Actions& actions, Player& player, SceneFiles& files, QWidg
                tr("Opens a recorded session and replays it."), "open"},
               [&actions, &player, &files, window](const QVariantList& path) {
                 if (path.isEmpty()) {
-                  chooseSession(actions, window);
+                  chooseReplay(actions, window);
                   return true;
                 }
                 if (player.isOpen() && !files.settleEdits()) return false;  // edits made to the previous one

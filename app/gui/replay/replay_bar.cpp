@@ -30,7 +30,7 @@ namespace underact::gui {
 namespace {
 
 constexpr int kFramesAPlace = 3;  // while playing: numbers that change more often cannot be read
-constexpr std::array kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
+constexpr std::array kReplaySpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 
 /// "1:02.345"
 QString timeText(double time_s) {
@@ -119,11 +119,11 @@ void ReplayBar::buildChoices(QVBoxLayout* column) {
   speed_->setObjectName("panel.replay.speed");
   nameChooser(speed_, tr("Speed"),
               tr("Speed of the hand relative to the recording. At 1 × the samples are exactly the recorded ones."));
-  for (const double speed : kSpeeds) speed_->addItem(tr("%1 ×").arg(speed), speed);
+  for (const double speed : kReplaySpeeds) speed_->addItem(tr("%1 ×").arg(speed), speed);
   speed_->setCurrentIndex(3);
   speed_->setFocusPolicy(Qt::StrongFocus);
   connect(speed_, &QComboBox::activated, this,
-          [this](int index) { player_.setSpeed(kSpeeds[static_cast<std::size_t>(index)]); });
+          [this](int index) { player_.setSpeed(kReplaySpeeds[static_cast<std::size_t>(index)]); });
   row->addWidget(speed_);
   row->addWidget(box("loop", tr("Loop")));
   for (const auto& [action, words] : {std::pair{"loop_in", tr("In")}, {"loop_out", tr("Out")}}) {
@@ -181,9 +181,9 @@ void ReplayBar::presentPlace() {
 }
 
 void ReplayBar::presentSpeed() {
-  const auto found = std::find(kSpeeds.begin(), kSpeeds.end(), player_.speed());
+  const auto found = std::find(kReplaySpeeds.begin(), kReplaySpeeds.end(), player_.speed());
   const QSignalBlocker silent(speed_);
-  speed_->setCurrentIndex(found == kSpeeds.end() ? -1 : static_cast<int>(found - kSpeeds.begin()));
+  speed_->setCurrentIndex(found == kReplaySpeeds.end() ? -1 : static_cast<int>(found - kReplaySpeeds.begin()));
 }
 
 QString ReplayBar::busyReason() const {

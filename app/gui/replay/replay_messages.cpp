@@ -13,7 +13,7 @@
 namespace underact::gui {
 namespace {
 
-void tell(QWidget* window, const QString& what, const Problems& problems) {
+void tellOfReplay(QWidget* window, const QString& what, const Problems& problems) {
   showProblemsBox("dialog.session_problems", tr("Recorded session"), what, problems, window);
 }
 
@@ -27,8 +27,9 @@ void connectReplayMessages(const FeatureParts& parts) {
   QObject::connect(&player, &Player::opened, window, [&player, window, &status, &hand] {
     const device::Recorded& recorded = player.recorded();
     if (!recorded.damage.empty()) {
-      tell(window, tr("“%1” is damaged. The readable part is replayed.").arg(QString::fromStdString(recorded.name)),
-           recorded.damage);
+      tellOfReplay(window,
+                   tr("“%1” is damaged. The readable part is replayed.").arg(QString::fromStdString(recorded.name)),
+                   recorded.damage);
     }
     hand.setReplaying(true);
     status.presentDevice(true);
@@ -39,10 +40,10 @@ void connectReplayMessages(const FeatureParts& parts) {
   });
   QObject::connect(&player, &Player::failed, window, [&player, window](const QString& path, const Problems& problems) {
     const QString file = QFileInfo(path).fileName();
-    tell(window,
-         player.isOpen() ? tr("A scene of “%1” cannot be run. The previous scene stays in effect.").arg(file)
-                         : tr("“%1” was not opened. The scene and the arm are unchanged.").arg(file),
-         problems);
+    tellOfReplay(window,
+                 player.isOpen() ? tr("A scene of “%1” cannot be run. The previous scene stays in effect.").arg(file)
+                                 : tr("“%1” was not opened. The scene and the arm are unchanged.").arg(file),
+                 problems);
   });
 }
 

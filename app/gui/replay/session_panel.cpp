@@ -18,8 +18,8 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kColumns = 5, kLateness = 6;  // in the chooser, after those of SessionPlotKind
-constexpr int kFramesAPlot = 3;             // as the live plots
+constexpr int kSessionColumns = 5, kLateness = 6;  // in the chooser, after those of SessionPlotKind
+constexpr int kFramesASessionPlot = 3;             // as the live plots
 
 }  // namespace
 
@@ -94,7 +94,7 @@ void SessionPanel::show() {
   const int index = kind_->currentIndex();
   if (index != kLateness) plot_->setKind(static_cast<SessionPlotKind>(index));
   kind_->setEnabled(parts_.player.isOpen());
-  columns_->setVisible(index == kColumns);
+  columns_->setVisible(index == kSessionColumns);
   columns_->setEnabled(parts_.player.isOpen());
   pages_->setCurrentWidget(!parts_.player.isOpen() ? static_cast<QWidget*>(nothing_)
                            : index == kLateness    ? static_cast<QWidget*>(lateness_)
@@ -106,7 +106,7 @@ void SessionPanel::readColumns() {
   load_.reset();
   plot_->setColumns({});
   if (!parts_.player.isOpen() || columns_->chosen().empty()) return;
-  kind_->setCurrentIndex(kColumns);
+  kind_->setCurrentIndex(kSessionColumns);
   load_ = std::make_unique<Background<Result<std::shared_ptr<const ColumnRows>>>>(
       [path = parts_.player.recorded().path, columns = columns_->chosen()](WorkState& state) {
         return gui::readColumns(path, columns, state);
@@ -122,7 +122,7 @@ void SessionPanel::poll(const servo::Snapshot&) {
 }
 
 void SessionPanel::present(const servo::Snapshot&) {
-  if (!parts_.player.isOpen() || ++frame_ % kFramesAPlot != 0) return;
+  if (!parts_.player.isOpen() || ++frame_ % kFramesASessionPlot != 0) return;
   if (!isSeen()) return;
   plot_->setCursor(parts_.player.secondsAt(parts_.player.row()));
 }

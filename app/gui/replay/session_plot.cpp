@@ -14,7 +14,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kLeastError_mm = 1.0, kLeastForce_N = 0.2, kLeastEnergy_mJ = 1.0, kLeastAway_mm = 1.0;
+constexpr double kLeastShownError_mm = 1.0, kLeastForce_N = 0.2, kLeastEnergy_mJ = 1.0, kLeastAway_mm = 1.0;
 constexpr double kSessionRoom = 1.05;
 constexpr double kSessionAskedShown = 2.5;   // times the greatest force sent: the commanded force has no limit
 constexpr double kMostFrequency_hz = 250.0;  // a hand reaches some 20 Hz, the buzzing of a stiff scene stays below this
@@ -131,7 +131,7 @@ struct SessionPlot::Impl {
     against(error, 0, [](const SessionRow& row) { return row.plot.error_mm; });
     against(force, 0, [](const SessionRow& row) { return row.plot.asked_N; });
     against(force, 1, [](const SessionRow& row) { return row.plot.sent_N; });
-    error.setRange(0.0, end_s(), 0.0, endOf(greatestOf(error.points(0), &PlotPoint::y), kLeastError_mm));
+    error.setRange(0.0, end_s(), 0.0, endOf(greatestOf(error.points(0), &PlotPoint::y), kLeastShownError_mm));
     const double sent_N = std::max(greatestOf(force.points(1), &PlotPoint::y), kLeastForce_N);
     const double asked_N = std::min(greatestOf(force.points(0), &PlotPoint::y), kSessionAskedShown * sent_N);
     force.setRange(0.0, end_s(), 0.0, endOf(std::max(sent_N, asked_N), kLeastForce_N));

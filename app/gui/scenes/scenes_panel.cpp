@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kPathRole = Qt::UserRole;
 constexpr int kAbout = Qt::UserRole + 1;
-constexpr int kType = Qt::UserRole + 2;
+constexpr int kTypeRole = Qt::UserRole + 2;
 constexpr int kPicture_px = 40;  // minimum height
 
 bool isHeading(const QListWidgetItem& item) {
@@ -138,7 +138,7 @@ void ScenesPanel::addScene(const SceneEntry& entry) {
   auto* item = new QListWidgetItem(entry.title, list_);
   item->setData(kPathRole, entry.path);
   item->setData(kAbout, pageOf(entry));
-  item->setData(kType, entry.type.isEmpty() ? QString("file") : entry.type);
+  item->setData(kTypeRole, entry.type.isEmpty() ? QString("file") : entry.type);
   item->setToolTip(entry.title + "\n" + entry.path);
   item->setIcon(iconOf(*item));
 }
@@ -146,7 +146,7 @@ void ScenesPanel::addScene(const SceneEntry& entry) {
 /// The scene's picture; for a user's own scene, the icon of its type.
 QIcon ScenesPanel::iconOf(const QListWidgetItem& item) const {
   const QString picture = scenePicture(item.data(kPathRole).toString(), theme_.dark);
-  return picture.isEmpty() ? icon(item.data(kType).toString(), theme_) : fileIcon(picture);
+  return picture.isEmpty() ? icon(item.data(kTypeRole).toString(), theme_) : fileIcon(picture);
 }
 
 QSize ScenesPanel::sizeHint() const {
@@ -183,7 +183,7 @@ void ScenesPanel::filter(const QString& text) {
     }
     const bool fits = item->text().contains(text, Qt::CaseInsensitive) ||
                       item->data(kAbout).toString().contains(text, Qt::CaseInsensitive) ||
-                      item->data(kType).toString().contains(text, Qt::CaseInsensitive);
+                      item->data(kTypeRole).toString().contains(text, Qt::CaseInsensitive);
     item->setHidden(!fits);
     if (fits && heading != nullptr) heading->setHidden(false);  // headings without scenes stay hidden
   }

@@ -10,7 +10,7 @@
 namespace underact::gui {
 namespace {
 
-enum RateRow { kAsked, kMeasured };
+enum RateRow { kAskedRate, kMeasuredRate };
 enum LateRow { kLate, kFirstCause, kLeftOut = kFirstCause + static_cast<int>(servo::kLateCauses), kDropped };
 enum TimeRow { kSinceStart, kLately, kTickTime };
 
@@ -70,8 +70,8 @@ TimeSection::TimeSection(QWidget* parent)
 
 void TimeSection::present(const servo::Snapshot& snapshot, const servo::Timing& timing, int rate_hz,
                           double measured_hz) {
-  rate_->set(kAsked, tr("%1 Hz").arg(rate_hz));
-  rate_->set(kMeasured, measured_hz == 0.0 ? tr("by hand") : tr("%1 Hz").arg(numberText(measured_hz, 0)));
+  rate_->set(kAskedRate, tr("%1 Hz").arg(rate_hz));
+  rate_->set(kMeasuredRate, measured_hz == 0.0 ? tr("by hand") : tr("%1 Hz").arg(numberText(measured_hz, 0)));
   const auto row = [this](int index, const servo::Percentiles& us) {
     const double values[] = {us.p50_us, us.p99_us, us.p999_us, us.max_us};
     for (int column = 0; column < 4; ++column) {

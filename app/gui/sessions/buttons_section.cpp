@@ -14,7 +14,7 @@ QString settingOf(int button) {
   return QString("recording/stylus_button_%1").arg(button + 1);
 }
 
-QString tipOf(int button) {
+QString buttonTip(int button) {
   return button == 0 ? QObject::tr(
                            "The stylus button nearer the tip. On the simulated arm it is the Space key, while the view "
                            "has the focus (F2).")
@@ -35,7 +35,7 @@ ButtonsSection::ButtonsSection(QWidget* parent)
     auto* box = new QComboBox(this);
     box->setObjectName(QString("panel.sessions.button.%1").arg(button + 1));
     box->setAccessibleName(QString(names[button]).remove('&'));
-    box->setToolTip(tipOf(button));
+    box->setToolTip(buttonTip(button));
     box->setFocusPolicy(Qt::StrongFocus);  // the wheel scrolls the panel
     box->addItems({tr("No action"), tr("Start or stop recording"), tr("Set a marker")});
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -67,7 +67,8 @@ void ButtonsSection::add(const servo::TickRecord& record) {
 
 void ButtonsSection::setHoldToRun(bool on) {
   uses_[0]->setEnabled(!on);
-  uses_[0]->setToolTip(on ? tr("Hold to run is on: this button enables the force and does nothing else.") : tipOf(0));
+  uses_[0]->setToolTip(on ? tr("Hold to run is on: this button enables the force and does nothing else.")
+                          : buttonTip(0));
 }
 
 }  // namespace underact::gui

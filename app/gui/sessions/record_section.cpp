@@ -24,7 +24,7 @@
 namespace underact::gui {
 namespace {
 
-enum Row { kTime, kSize, kTicks, kMarks, kDisk, kLasts };
+enum RecordRow { kTime, kSize, kTicks, kMarks, kDisk, kLasts };
 
 /// Warnings during a recording: ticks that were lost, and a disk that is nearly full.
 QString warningOf(const record::RecorderStatus& status, bool runs) {

@@ -15,8 +15,8 @@
 namespace underact::gui {
 namespace {
 
-enum Row { kFinal, kRise, kSettling, kPeak, kOvershoot, kOmega, kZeta, kError, kLeft, kRows };
-enum Column { kModel, kMeasured, kFitted, kColumns };
+enum FigureOfStep { kFinal, kRise, kSettling, kPeak, kOvershoot, kOmega, kZeta, kError, kLeft, kStepFigures };
+enum StepColumn { kModel, kMeasuredStep, kFitted, kStepColumns };
 
 const QString kNone(QChar(0x2013));
 
@@ -30,7 +30,7 @@ QString figureText(const std::optional<double>& value, const QString& none = kNo
   return value ? figureText(*value) : none;
 }
 
-std::optional<double> percent(const std::optional<double>& share) {
+std::optional<double> inPercent(const std::optional<double>& share) {
   return share ? std::optional(100.0 * *share) : std::nullopt;
 }
 
@@ -71,15 +71,15 @@ StepFigures::StepFigures(QWidget* parent)
 }
 
 void StepFigures::present(const StepPicture& picture, const lab::NaturalMotion& motion) {
-  for (int row = 0; row < kRows; ++row) {
-    for (int column = 0; column < kColumns; ++column) table_->set(row, column, {});
+  for (int row = 0; row < kStepFigures; ++row) {
+    for (int column = 0; column < kStepColumns; ++column) table_->set(row, column, {});
   }
   const auto tell = [this](int column, const lab::StepMetrics& metrics, const QString& never) {
     table_->set(kFinal, column, figureText(metrics.final_value));
     table_->set(kRise, column, figureText(metrics.rise_10_90_s));
     table_->set(kSettling, column, figureText(metrics.settling_2pct_s, never));
     table_->set(kPeak, column, figureText(metrics.peak_time_s));
-    table_->set(kOvershoot, column, figureText(percent(metrics.overshoot_fraction)));
+    table_->set(kOvershoot, column, figureText(inPercent(metrics.overshoot_fraction)));
   };
   poles_->setText(picture.responses.empty() ? QString() : polesText(picture.responses.front().transfer));
   if (picture.responses.empty()) return;
@@ -87,8 +87,8 @@ void StepFigures::present(const StepPicture& picture, const lab::NaturalMotion& 
   table_->set(kOmega, kModel, figureText(motion.omega_n_rad_per_s));
   table_->set(kZeta, kModel, figureText(motion.zeta));
   if (!picture.measured) return;
-  tell(kMeasured, lab::metricsOf(*picture.measured), tr("never"));
-  table_->set(kError, kMeasured, figureText(kMillimetrePerMetre * picture.steady_error_m));
+  tell(kMeasuredStep, lab::metricsOf(*picture.measured), tr("never"));
+  table_->set(kError, kMeasuredStep, figureText(kMillimetrePerMetre * picture.steady_error_m));
   if (!picture.fit) return;
   lab::StepMetrics fit = lab::metricsOf(lab::secondOrder(picture.fit->omega_n_rad_per_s, picture.fit->zeta));
   fit.final_value = picture.fit->gain;

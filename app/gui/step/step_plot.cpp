@@ -13,19 +13,19 @@
 namespace underact::gui {
 namespace {
 
-constexpr std::size_t kPoints = 600;
+constexpr std::size_t kCurvePoints = 600;
 constexpr double kStepRoom = 1.08;
 constexpr double kMarkWide = 0.025, kMarkHigh = 0.07;  // half a cross, shares of the s-plane's chart
 // Curves of the chart against time.
-constexpr std::size_t kMarks = 0, kFirst = 1, kMeasuredCurve = kFirst + StepPlot::kMostResponses,
-                      kFit = kMeasuredCurve + 1;
+constexpr std::size_t kTimeMarks = 0, kFirst = 1, kMeasuredCurve = kFirst + StepPlot::kMostResponses,
+                      kFitCurve = kMeasuredCurve + 1;
 // Curves of the s-plane.
 constexpr std::size_t kAxes = 0, kPoles = 1, kZeros = 2;
 
-constexpr float kGap = std::numeric_limits<float>::quiet_NaN();
+constexpr float kCurveGap = std::numeric_limits<float>::quiet_NaN();
 
-float onScreen(double value) {
-  return std::isfinite(static_cast<float>(value)) ? static_cast<float>(value) : kGap;
+float plotted(double value) {
+  return std::isfinite(static_cast<float>(value)) ? static_cast<float>(value) : kCurveGap;
 }
 
 /// Fills a curve with strokes, each followed by a gap; the rest of the points are gaps.
@@ -33,15 +33,15 @@ class Strokes {
  public:
   explicit Strokes(std::span<PlotPoint> points) : points_(points) {}
   ~Strokes() {
-    while (used_ < points_.size()) points_[used_++] = {kGap, kGap};
+    while (used_ < points_.size()) points_[used_++] = {kCurveGap, kCurveGap};
   }
   void line(double x_from, double y_from, double x_to, double y_to) {
     to(x_from, y_from);
     to(x_to, y_to);
     end();
   }
-  void to(double x, double y) { put({onScreen(x), onScreen(y)}); }
-  void end() { put({kGap, kGap}); }
+  void to(double x, double y) { put({plotted(x), plotted(y)}); }
+  void end() { put({kCurveGap, kCurveGap}); }
 
  private:
   void put(PlotPoint point) {
@@ -52,12 +52,12 @@ class Strokes {
 };
 
 std::vector<Chart::Curve> timeCurves() {
-  std::vector<Chart::Curve> curves(kFit + 1);
-  curves[kMarks] = {StepPlot::tr("2 % band, peak, settling"), 1.0F, true};
+  std::vector<Chart::Curve> curves(kFitCurve + 1);
+  curves[kTimeMarks] = {StepPlot::tr("2 % band, peak, settling"), 1.0F, true};
   for (std::size_t curve = kFirst; curve < kMeasuredCurve; ++curve) curves[curve] = {QString(), 1.5F};
   curves[kFirst].width = 2.0F;
   curves[kMeasuredCurve] = {StepPlot::tr("measured"), 1.5F};
-  curves[kFit] = {StepPlot::tr("fit"), 1.5F, true};
+  curves[kFitCurve] = {StepPlot::tr("fit"), 1.5F, true};
   return curves;
 }
 
@@ -67,10 +67,10 @@ struct StepPlot::Impl {
   void drawTime(const StepPicture& shown) {
     double least = 0.0, most = 0.0;
     const auto fill = [&](std::size_t curve, bool there, const auto& valueAt) {
-      for (std::size_t index = 0; index < kPoints; ++index) {
-        const double t_s = shown.seconds * static_cast<double>(index) / (kPoints - 1);
+      for (std::size_t index = 0; index < kCurvePoints; ++index) {
+        const double t_s = shown.seconds * static_cast<double>(index) / (kCurvePoints - 1);
         const double y = there ? valueAt(t_s) : std::numeric_limits<double>::quiet_NaN();
-        time.points(curve)[index] = {onScreen(t_s), onScreen(y)};
+        time.points(curve)[index] = {plotted(t_s), plotted(y)};
         if (!std::isfinite(y)) continue;
         least = std::min(least, y);
         most = std::max(most, y);
@@ -88,7 +88,7 @@ struct StepPlot::Impl {
       const std::vector<double>& value = shown.measured->value;
       return index < value.size() ? value[index] : std::numeric_limits<double>::quiet_NaN();
     });
-    fill(kFit, shown.fit.has_value(), [&](double t_s) {
+    fill(kFitCurve, shown.fit.has_value(), [&](double t_s) {
       return shown.fit->gain * lab::secondOrderAt(shown.fit->omega_n_rad_per_s, shown.fit->zeta, t_s);
     });
     if (most <= least) most = least + 1.0;
@@ -100,8 +100,8 @@ struct StepPlot::Impl {
   void drawMarks(const StepPicture& shown, double top) {
     const lab::StepMetrics& metrics = shown.metrics;
     const bool one = shown.responses.size() == 1 && metrics.final_value.value_or(0.0) != 0.0;
-    time.setCurveShown(kMarks, one);
-    Strokes strokes(time.points(kMarks));
+    time.setCurveShown(kTimeMarks, one);
+    Strokes strokes(time.points(kTimeMarks));
     if (!one) return;
     const double final_value = *metrics.final_value;
     for (const double share : {0.98, 1.02}) strokes.line(0.0, share * final_value, shown.seconds, share * final_value);
@@ -168,8 +168,8 @@ StepPlot::StepPlot(QWidget* parent) : ChartWidget(parent), impl_(std::make_uniqu
       tr("Above: the response to a unit step. Below: poles and zeros in the s-plane; poles to the left of the "
          "imaginary axis decay, the faster the farther away."));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
-  impl_->time.reserve(kPoints);
-  impl_->plane.reserve(kPoints);
+  impl_->time.reserve(kCurvePoints);
+  impl_->plane.reserve(kCurvePoints);
   setTheme(Theme::light());
 }
 

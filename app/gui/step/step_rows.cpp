@@ -14,7 +14,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr const char* kKeys[] = {"kp", "kd", "ki", "mass", "damping"};
+constexpr const char* kStepRowKeys[] = {"kp", "kd", "ki", "mass", "damping"};
 
 ValueKind stepKind(int quantity) {
   if (quantity == StepRows::kMass)
@@ -53,7 +53,7 @@ StepRows::StepRows(QWidget* parent) : QWidget(parent), choices_(panelForm()) {
   const QString labels[] = {"kp", "kd", "ki", tr("mass"), tr("b")};
   const QString spoken[] = {tr("Stiffness kp"), tr("Damping kd"), tr("Integral ki"), tr("Mass"), tr("Damping b")};
   for (int quantity = 0; quantity < kQuantities; ++quantity) {
-    auto* row = new ValueRow(stepKind(quantity), QString("panel.step.%1").arg(kKeys[quantity]), this);
+    auto* row = new ValueRow(stepKind(quantity), QString("panel.step.%1").arg(kStepRowKeys[quantity]), this);
     row->setLabel(labels[quantity], spoken[quantity], tr("mass"));
     connect(row, &ValueRow::changed, this,
             [this, quantity](double value, bool) { emit quantityChanged(quantity, value); });
@@ -79,7 +79,7 @@ double StepRows::unitOf(int quantity) {
 
 int StepRows::quantityOf(const QString& key) {
   for (int quantity = 0; quantity < kQuantities; ++quantity) {
-    if (key == kKeys[quantity]) return quantity;
+    if (key == kStepRowKeys[quantity]) return quantity;
   }
   return -1;
 }

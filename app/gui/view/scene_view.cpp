@@ -306,8 +306,8 @@ std::pair<double, double> SceneView::sectionRange_mm(int axis) const {
     least = std::min(least, p_mm[axis]);
     most = std::max(most, p_mm[axis]);
   }
-  constexpr double kFarthest_mm = 1e8;  // of a mesh in map coordinates; a slider's steps are whole numbers
-  return {std::max(least, -kFarthest_mm), std::min(most, kFarthest_mm)};
+  constexpr double kFarthestMesh_mm = 1e8;  // of a mesh in map coordinates; a slider's steps are whole numbers
+  return {std::max(least, -kFarthestMesh_mm), std::min(most, kFarthestMesh_mm)};
 }
 
 std::size_t SceneView::cutPartsDrawn() const {

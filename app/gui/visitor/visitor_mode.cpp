@@ -21,11 +21,11 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kType = 1.4;        // font scale of the view
-constexpr double kMoved_m = 0.002;   // more than the noise of an arm at rest
-constexpr double kWayOut_s = 15.0;   // it is said how to leave
-constexpr double kAlone_s = 6.0;     // after the last touch it is shown how to drag
-constexpr double kSettling_s = 3.0;  // a new scene moves the tip by itself
+constexpr double kVisitorType = 1.4;  // font scale of the view
+constexpr double kMoved_m = 0.002;    // more than the noise of an arm at rest
+constexpr double kWayOut_s = 15.0;    // it is said how to leave
+constexpr double kAlone_s = 6.0;      // after the last touch it is shown how to drag
+constexpr double kSettling_s = 3.0;   // a new scene moves the tip by itself
 
 QString named(const QString& key) {
   return QStringLiteral("visitor.") + key;
@@ -123,7 +123,7 @@ void VisitorMode::restoreWindow() {
   parts_.window->setContextMenuPolicy(Qt::PreventContextMenu);
   parts_.window->setWindowState(parts_.window->windowState() | Qt::WindowFullScreen);
   parts_.view.setLayers(quietLayers());  // no frames, and no box with ticks
-  parts_.view.setFont(larger(before_->view_font, kType));
+  parts_.view.setFont(larger(before_->view_font, kVisitorType));
   card_->setScene(tr("Loading"), {}, {});
   card_->fitInto(parts_.window->height());
   card_->show();

@@ -5,7 +5,7 @@
 
 namespace underact::gui {
 
-constexpr int kLine_px = 4, kRoom_px = 2, kRound_px = 8;
+constexpr int kLine_px = 4, kAround_px = 2, kRound_px = 8;
 
 namespace {
 
@@ -50,7 +50,7 @@ void Spotlight::follow() {
   const QRect target = where_ ? where_() : QRect();
   setVisible(!target.isEmpty());
   if (target.isEmpty()) return;
-  const int out = kLine_px + kRoom_px;
+  const int out = kLine_px + kAround_px;
   const QRect wanted = target.adjusted(-out, -out, out, out) & parentWidget()->rect();
   if (wanted == geometry() && !mask().isEmpty()) return;
   setGeometry(wanted);

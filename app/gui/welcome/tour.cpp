@@ -60,7 +60,7 @@ constexpr std::array kStops{
                            "Opens the guide; F1 does so at the page for whatever has the focus. The Help menu also has "
                            "the list of keys and this tour. Esc stops the force; Shift+Esc does so from anywhere.")}};
 
-QString words(const char* text) {
+QString tourWords(const char* text) {
   return QCoreApplication::translate("tour", text);
 }
 
@@ -129,8 +129,8 @@ void Tour::go(int stop) {
     dock->show();
     dock->raise();
   }
-  title_->setText(words(at.title));
-  text_->setText(words(at.text));
+  title_->setText(tourWords(at.title));
+  text_->setText(tourWords(at.text));
   count_->setText(tr("%1 of %2").arg(stop + 1).arg(stops()));
   back_->setEnabled(stop > 0);
   next_->setText(stop + 1 < stops() ? tr("Next") : tr("Done"));
