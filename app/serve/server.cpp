@@ -1,34 +1,25 @@
-// The only file that includes Boost.Beast, which takes the compiler longer than the rest of the room.
 #include "app/serve/server.h"
 
 #include <algorithm>
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/steady_timer.hpp>
-#include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
-#include <boost/beast/http.hpp>
-#include <boost/beast/websocket.hpp>
 #include <chrono>
 #include <map>
 #include <optional>
 #include <utility>
 
+#include "core/web_socket/connection.h"
+
 namespace underact::serve {
 namespace {
 
-namespace asio = boost::asio;
-namespace beast = boost::beast;
-namespace http = beast::http;
-namespace websocket = beast::websocket;
-using asio::ip::tcp;
-using boost::system::error_code;
+using web_socket::Milliseconds;
 
-constexpr std::chrono::milliseconds kBusy{1}, kIdle{10};
-constexpr std::chrono::seconds kHandshake{5};
-constexpr std::chrono::seconds kSilence{30};  // a client that does not answer a ping for so long is taken for dead
+constexpr Milliseconds kBusy{1}, kIdle{10};
+constexpr Milliseconds kHandshake{5000};
+constexpr Milliseconds kSilence{30000};  // a client that does not answer a ping for so long is taken for dead
 constexpr std::uint32_t kLongestHeader = 16384;
 constexpr std::uint64_t kLongestBody = 65536;
+
+constexpr int kForbidden = 403, kUpgradeRequired = 426;  // of HTTP
 
 double nowSeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -44,14 +35,11 @@ struct Shared {
 /// One connection; it lives as long as an operation of it is under way.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(tcp::socket socket, Shared& shared, int number)
-      : stream_(std::move(socket)), shared_(shared), number_(number) {}
+  Connection(web_socket::Connection line, Shared& shared, int number)
+      : line_(std::move(line)), shared_(shared), number_(number) {}
   void begin() {
-    parser_.header_limit(kLongestHeader);
-    parser_.body_limit(kLongestBody);
-    beast::get_lowest_layer(stream_).expires_after(kHandshake);
-    http::async_read_header(beast::get_lowest_layer(stream_), buffer_, parser_,
-                            [self = shared_from_this()](error_code error, std::size_t) { self->answer(error); });
+    line_.limit({kLongestHeader, kLongestBody, kLongestFrame, kHandshake, kSilence});
+    line_.readHeader([self = shared_from_this()](bool is_read) { self->answer(is_read); });
   }
   /// Sends what waits, reads on where that was put off, and closes what is to be closed.
   void pump() {
@@ -69,63 +57,41 @@ class Connection : public std::enable_shared_from_this<Connection> {
   bool isOver() const { return is_over_; }
   void end() {
     is_over_ = true;
-    error_code ignored;
-    beast::get_lowest_layer(stream_).socket().close(ignored);
+    line_.end();
   }
 
  private:
-  void answer(error_code error) {
-    if (error || is_over_) return end();
-    const http::request<http::string_body>& request = parser_.get();
-    const auto origin = request.find(http::field::origin);
-    const bool is_refused = origin != request.end() && std::find(shared_.origins.begin(), shared_.origins.end(),
-                                                                 std::string(origin->value())) == shared_.origins.end();
-    if (is_refused)
-      return respond(http::status::forbidden, "Pages of this origin may not connect. See --allow-origin.\n");
-    if (!websocket::is_upgrade(request))
-      return http::async_read(
-          beast::get_lowest_layer(stream_), buffer_, parser_,
-          [self = shared_from_this()](error_code unread, std::size_t) { self->answerHttp(unread); });
-    beast::get_lowest_layer(stream_).expires_never();
-    stream_.set_option(websocket::stream_base::timeout{kHandshake, kSilence, true});
-    stream_.read_message_max(kLongestFrame);
-    stream_.auto_fragment(false);  // a message is one frame: simple clients read no others
-    error_code ignored;
-    beast::get_lowest_layer(stream_).socket().set_option(tcp::no_delay(true), ignored);
-    stream_.async_accept(request, [self = shared_from_this()](error_code refused) {
-      if (refused || self->is_over_) return self->end();
+  void answer(bool is_read) {
+    if (!is_read || is_over_) return end();
+    const web_socket::Request request = line_.request();
+    const bool is_refused = request.origin && std::find(shared_.origins.begin(), shared_.origins.end(),
+                                                        *request.origin) == shared_.origins.end();
+    if (is_refused) return respond(kForbidden, "", "Pages of this origin may not connect. See --allow-origin.\n");
+    if (!request.is_upgrade)
+      return line_.readBody([self = shared_from_this()](bool is_whole) { self->answerHttp(is_whole); });
+    line_.accept([self = shared_from_this()](bool is_accepted) {
+      if (!is_accepted || self->is_over_) return self->end();
       self->is_open_ = true;
       self->shared_.endpoint.open(self->number_);
       self->pump();
     });
   }
-  void answerHttp(error_code error) {
-    if (error || is_over_) return end();
-    const http::request<http::string_body>& request = parser_.get();
-    const std::optional<HttpAnswer> answer =
-        shared_.endpoint.answer({std::string(request.method_string()), std::string(request.target()), request.body()});
-    if (!answer) return respond(http::status::upgrade_required, "This is a WebSocket service.\n");
-    response_.set(http::field::content_type, "application/json");
-    respond(static_cast<http::status>(answer->status), answer->body);
+  void answerHttp(bool is_read) {
+    if (!is_read || is_over_) return end();
+    const web_socket::Request request = line_.request();
+    const std::optional<HttpAnswer> answer = shared_.endpoint.answer({request.method, request.target, request.body});
+    if (!answer) return respond(kUpgradeRequired, "", "This is a WebSocket service.\n");
+    respond(answer->status, "application/json", answer->body);
   }
-  void respond(http::status status, std::string body) {
-    response_.result(status);
-    response_.version(parser_.get().version());
-    response_.body() = std::move(body);
-    response_.keep_alive(false);
-    response_.prepare_payload();
-    http::async_write(beast::get_lowest_layer(stream_), response_,
-                      [self = shared_from_this()](error_code, std::size_t) { self->end(); });
+  void respond(int status, const std::string& type, const std::string& body) {
+    line_.respond(status, type, body, [self = shared_from_this()](bool) { self->end(); });
   }
   void read() {
     is_reading_ = true;
-    stream_.async_read(buffer_, [self = shared_from_this()](error_code error, std::size_t) {
+    line_.read([self = shared_from_this()](bool is_read, std::string_view message, bool is_text) {
       self->is_reading_ = false;
-      if (error || self->is_over_) return self->end();
-      const auto data = self->buffer_.data();
-      self->shared_.endpoint.receive(self->number_, {static_cast<const char*>(data.data()), data.size()},
-                                     self->stream_.got_text(), nowSeconds());
-      self->buffer_.consume(self->buffer_.size());
+      if (!is_read || self->is_over_) return self->end();
+      self->shared_.endpoint.receive(self->number_, message, is_text, nowSeconds());
       if (self->shared_.endpoint.isBusy()) self->shared_.hurry();
       self->pump();
     });
@@ -133,48 +99,44 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void write() {
     is_writing_ = true;
     message_ = shared_.endpoint.takeMessage(number_);
-    stream_.binary(message_.is_binary);
-    stream_.async_write(asio::buffer(message_.bytes), [self = shared_from_this()](error_code error, std::size_t) {
+    line_.write(message_.bytes, message_.is_binary, [self = shared_from_this()](bool is_written) {
       self->is_writing_ = false;
-      if (error || self->is_over_) return self->end();
+      if (!is_written || self->is_over_) return self->end();
       self->pump();
     });
   }
   void close() {
     is_writing_ = true;  // nothing more is written
-    stream_.async_close(websocket::close_code::policy_error, [self = shared_from_this()](error_code) { self->end(); });
+    line_.close(web_socket::kPolicyError, [self = shared_from_this()](bool) { self->end(); });
   }
 
-  websocket::stream<beast::tcp_stream> stream_;
+  web_socket::Connection line_;
   Shared& shared_;
   int number_;
-  beast::flat_buffer buffer_;
-  http::request_parser<http::string_body> parser_;
-  http::response<http::string_body> response_;
   Message message_;
   bool is_open_ = false, is_reading_ = false, is_writing_ = false, is_over_ = false;
 };
 
 /// A port, and the endpoint behind it.
 struct Listener {
-  Listener(asio::io_context& context, std::vector<std::string> allowed)
-      : origins(std::move(allowed)), acceptor(context) {}
+  Listener(web_socket::Loop& loop, std::vector<std::string> allowed) : origins(std::move(allowed)), door(loop) {}
 
   void accept() {
-    acceptor.async_accept([this](error_code error, tcp::socket socket) {
-      if (error == asio::error::operation_aborted || shared == nullptr) return;
-      if (!error) take(std::move(socket));
-      if (!error || connections.size() < kMostClients + kMostUnknown) {
+    door.accept([this](std::optional<web_socket::Connection> line) {
+      if (shared == nullptr) return;
+      const bool is_here = line.has_value();
+      if (is_here) take(std::move(*line));
+      if (is_here || connections.size() < kMostClients + kMostUnknown) {
         accept();
       } else {
         pauses = true;  // no descriptors are left: the next one is taken with the next beat
       }
     });
   }
-  void take(tcp::socket socket) {
+  void take(web_socket::Connection line) {
     const std::optional<int> number = shared->endpoint.connect(nowSeconds());
     if (!number) return;  // too many: the socket closes
-    const auto connection = std::make_shared<Connection>(std::move(socket), *shared, *number);
+    const auto connection = std::make_shared<Connection>(std::move(line), *shared, *number);
     connections[*number] = connection;
     connection->begin();
   }
@@ -197,12 +159,11 @@ struct Listener {
       shared->endpoint.disconnect(number);
     }
     connections.clear();
-    error_code ignored;
-    acceptor.close(ignored);
+    door.close();
   }
 
   std::vector<std::string> origins;
-  tcp::acceptor acceptor;
+  web_socket::Listener door;
   std::unique_ptr<Shared> shared;
   bool pauses = false;
   std::map<int, std::shared_ptr<Connection>> connections;
@@ -212,16 +173,9 @@ struct Listener {
 
 struct Server::Impl {
   Problems listen(int port, std::vector<std::string> origins) {
-    auto listener = std::make_unique<Listener>(context, std::move(origins));
-    tcp::acceptor& acceptor = listener->acceptor;
-    const tcp::endpoint here(asio::ip::address_v4::loopback(), static_cast<std::uint16_t>(port));
-    error_code error;
-    acceptor.open(here.protocol(), error);
-    if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
-    if (!error) acceptor.bind(here, error);
-    if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
-    if (error)
-      return Problems{{"The service cannot listen at port " + std::to_string(port) + ": " + error.message() +
+    auto listener = std::make_unique<Listener>(loop, std::move(origins));
+    if (const std::string why = listener->door.open(port); !why.empty())
+      return Problems{{"The service cannot listen at port " + std::to_string(port) + ": " + why +
                        ". With port 0 it takes a free one."}};
     listeners.push_back(std::move(listener));
     return {};
@@ -237,21 +191,18 @@ struct Server::Impl {
   }
   void beat() {
     poll();
-    if (!goes_on()) return context.stop();
+    if (!goes_on()) return loop.stop();
     beatIn(isBusy() ? kBusy : kIdle);
   }
-  void beatIn(std::chrono::milliseconds time) {
-    timer.expires_after(time);  // instead of an earlier wait
-    timer.async_wait([this](error_code error) {
-      if (!error) beat();
-    });
+  void beatIn(Milliseconds time) {
+    timer.start(time, [this] { beat(); });
   }
   void hurry() {
-    if (goes_on && timer.expiry() > std::chrono::steady_clock::now() + kBusy) beatIn(kBusy);
+    if (goes_on && timer.end() > std::chrono::steady_clock::now() + kBusy) beatIn(kBusy);
   }
 
-  asio::io_context context{1};
-  asio::steady_timer timer{context};
+  web_socket::Loop loop;
+  web_socket::Timer timer{loop};
   std::vector<std::unique_ptr<Listener>> listeners;
   std::function<bool()> goes_on;  // of run(); none: step() is called by another loop
 };
@@ -272,15 +223,14 @@ Problems Server::alsoListen(int port) {
 }
 
 int Server::port(std::size_t listener) const {
-  error_code error;
-  return impl_->listeners.at(listener)->acceptor.local_endpoint(error).port();
+  return impl_->listeners.at(listener)->door.port();
 }
 
 void Server::run(const std::vector<Endpoint*>& endpoints, const std::function<bool()>& goes_on) {
   begin(endpoints);
   impl_->goes_on = goes_on;
   impl_->beat();
-  impl_->context.run();
+  impl_->loop.run();
   impl_->goes_on = nullptr;
   end();
 }
@@ -295,16 +245,14 @@ void Server::begin(const std::vector<Endpoint*>& endpoints) {
 }
 
 void Server::step() {
-  impl_->context.restart();  // where all was done at the last step, it has stopped
-  impl_->context.poll();
+  impl_->loop.poll();
   impl_->poll();
-  impl_->context.poll();  // what was written, so that the next message can be
+  impl_->loop.poll();  // what was written, so that the next message can be
 }
 
 void Server::end() {
   for (const auto& one : impl_->listeners) one->end();
-  impl_->context.restart();
-  impl_->context.poll();  // what was under way ends
+  impl_->loop.poll();  // what was under way ends
   for (const auto& one : impl_->listeners) one->shared.reset();
 }
 

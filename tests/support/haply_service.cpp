@@ -1,29 +1,17 @@
 #include "tests/support/haply_service.h"
 
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/post.hpp>
-#include <boost/beast/core/buffers_to_string.hpp>
-#include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
-#include <boost/beast/http.hpp>
-#include <boost/beast/websocket.hpp>
 #include <deque>
 #include <future>
 #include <mutex>
 #include <set>
+#include <stdexcept>
 #include <thread>
 
 #include "core/json/json.h"
+#include "core/web_socket/connection.h"
 
 namespace underact::test {
 namespace {
-
-namespace asio = boost::asio;
-namespace beast = boost::beast;
-namespace http = beast::http;
-using asio::ip::tcp;
-using boost::system::error_code;
 
 std::string xyz(double x, double y, double z) {
   return "{\"x\": " + json::numberText(x) + ", \"y\": " + json::numberText(y) + ", \"z\": " + json::numberText(z) + "}";
@@ -45,9 +33,8 @@ struct HaplyService::Impl {
   void take(const std::string& frame);
 
   const Options options;
-  asio::io_context context{1};
-  asio::executor_work_guard<asio::io_context::executor_type> work{context.get_executor()};
-  tcp::acceptor acceptor{context};
+  web_socket::Loop loop;
+  web_socket::Listener listener{loop};
   std::set<std::shared_ptr<Connection>> connections;
   std::thread thread;
   int port = 0;
@@ -64,45 +51,41 @@ struct HaplyService::Impl {
 };
 
 struct HaplyService::Impl::Connection : std::enable_shared_from_this<Connection> {
-  Connection(tcp::socket socket, Impl& whose) : stream(std::move(socket)), service(whose) {}
+  Connection(web_socket::Connection its_line, Impl& whose) : line(std::move(its_line)), service(whose) {}
   void begin() {
-    http::async_read(beast::get_lowest_layer(stream), buffer, request,
-                     [self = shared_from_this()](error_code error, std::size_t) {
-                       if (error) return self->end();
-                       if (!beast::websocket::is_upgrade(self->request)) return self->answerHttp();
-                       self->stream.auto_fragment(false);
-                       self->stream.async_accept(self->request, [self](error_code refused) {
-                         if (refused) return self->end();
-                         self->is_client = true;
-                         {
-                           const std::scoped_lock lock(self->service.mutex);
-                           ++self->service.clients;
-                           self->service.greeting.clear();
-                         }
-                         self->say(self->service.state(true));
-                         self->read();
-                       });
-                     });
+    line.readHeader([self = shared_from_this()](bool is_read) {
+      if (!is_read) return self->end();
+      if (self->line.request().is_upgrade) return self->greet();
+      self->line.readBody([self](bool is_whole) { is_whole ? self->answerHttp() : self->end(); });
+    });
+  }
+  void greet() {
+    line.accept([self = shared_from_this()](bool is_accepted) {
+      if (!is_accepted) return self->end();
+      self->is_client = true;
+      {
+        const std::scoped_lock lock(self->service.mutex);
+        ++self->service.clients;
+        self->service.greeting.clear();
+      }
+      self->say(self->service.state(true));
+      self->read();
+    });
   }
   void answerHttp() {
+    const std::string target = line.request().target;
     std::string body;
-    if (request.target() == "/version" && service.options.has_version)
+    if (target == "/version" && service.options.has_version)
       body = R"({"build_time": "", "git_branch": "", "git_describe": "", "git_hash": "", "git_tag": "",
                  "project_name": "stand-in", "project_version": ")" +
              service.options.version + "\"}";
-    if (request.target() == "/devices") body = service.state(true);
-    response.result(body.empty() ? http::status::not_found : http::status::ok);
-    response.body() = body;
-    response.keep_alive(false);
-    response.prepare_payload();
-    http::async_write(beast::get_lowest_layer(stream), response,
-                      [self = shared_from_this()](error_code, std::size_t) { self->end(); });
+    if (target == "/devices") body = service.state(true);
+    line.respond(body.empty() ? 404 : 200, "", body, [self = shared_from_this()](bool) { self->end(); });
   }
   void read() {
-    stream.async_read(frame, [self = shared_from_this()](error_code error, std::size_t) {
-      if (error || self->is_over) return self->end();  // a frame that had come when it was ended
-      self->service.take(beast::buffers_to_string(self->frame.data()));
-      self->frame.consume(self->frame.size());
+    line.read([self = shared_from_this()](bool is_read, std::string_view frame, bool) {
+      if (!is_read || self->is_over) return self->end();  // a frame that had come when it was ended
+      self->service.take(std::string(frame));
       self->say(self->service.state(false));
       self->read();
     });
@@ -113,44 +96,37 @@ struct HaplyService::Impl::Connection : std::enable_shared_from_this<Connection>
     if (waiting.size() == 1) write();
   }
   void write() {
-    stream.async_write(asio::buffer(waiting.front()), [self = shared_from_this()](error_code error, std::size_t) {
-      if (error) return self->end();
+    line.write(waiting.front(), false, [self = shared_from_this()](bool is_written) {
+      if (!is_written) return self->end();
       self->waiting.pop_front();
       if (!self->waiting.empty()) self->write();
     });
   }
   void end() {
     is_over = true;
-    error_code ignored;
-    beast::get_lowest_layer(stream).socket().close(ignored);
+    line.end();
     if (service.connections.erase(shared_from_this()) == 0 || !is_client) return;
     const std::scoped_lock lock(service.mutex);
     if (--service.clients == 0) service.f_W.setZero();
   }
 
-  beast::websocket::stream<beast::tcp_stream> stream;
+  web_socket::Connection line;
   Impl& service;
-  beast::flat_buffer buffer, frame;
-  http::request<http::string_body> request;
-  http::response<http::string_body> response;
   std::deque<std::string> waiting;
   bool is_client = false, is_over = false;
 };
 
 void HaplyService::Impl::listen() {
-  const tcp::endpoint here(asio::ip::address_v4::loopback(), static_cast<std::uint16_t>(port));
-  acceptor.open(here.protocol());
-  acceptor.set_option(tcp::acceptor::reuse_address(true));
-  acceptor.bind(here);
-  acceptor.listen();
-  port = acceptor.local_endpoint().port();
+  const std::string why = listener.open(port);
+  if (!why.empty()) throw std::runtime_error(why);
+  port = listener.port();
   accept();
 }
 
 void HaplyService::Impl::accept() {
-  acceptor.async_accept([this](error_code error, tcp::socket socket) {
-    if (error) return;
-    const auto connection = std::make_shared<Connection>(std::move(socket), *this);
+  listener.accept([this](std::optional<web_socket::Connection> line) {
+    if (!line) return;
+    const auto connection = std::make_shared<Connection>(std::move(*line), *this);
     connections.insert(connection);
     connection->begin();
     accept();
@@ -224,13 +200,12 @@ HaplyService::HaplyService() : HaplyService(Options{}) {}
 
 HaplyService::HaplyService(const Options& options) : impl_(std::make_unique<Impl>(options)) {
   impl_->listen();
-  impl_->thread = std::thread([this] { impl_->context.run(); });
+  impl_->thread = std::thread([this] { impl_->loop.run(); });
 }
 
 HaplyService::~HaplyService() {
   stop();
-  impl_->work.reset();
-  impl_->context.stop();
+  impl_->loop.stop();
   impl_->thread.join();
 }
 
@@ -240,9 +215,8 @@ int HaplyService::port() const {
 
 void HaplyService::stop() {
   std::promise<void> done;
-  asio::post(impl_->context, [&] {
-    error_code ignored;
-    impl_->acceptor.close(ignored);
+  impl_->loop.post([&] {
+    impl_->listener.close();
     const auto all = impl_->connections;
     for (const auto& connection : all) connection->end();
     done.set_value();
@@ -252,7 +226,7 @@ void HaplyService::stop() {
 
 void HaplyService::start() {
   std::promise<void> done;
-  asio::post(impl_->context, [&] {
+  impl_->loop.post([&] {
     impl_->listen();
     done.set_value();
   });

@@ -8,8 +8,9 @@
 
 namespace underact::test {
 
-/// Haply's service and the Inverse3 behind it, made from the messages that its own client crate publishes: it shares no
-/// line with device/haply or app/serve. A WebSocket and plain HTTP at a free port of this computer. Any thread.
+/// Haply's service and the Inverse3 behind it, made from the messages that its own client crate publishes: but for the
+/// sockets (core/web_socket) it shares no line with device/haply or app/serve. A WebSocket and plain HTTP at a free
+/// port of this computer. Any thread.
 class HaplyService {
  public:
   struct Options {

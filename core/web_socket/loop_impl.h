@@ -1,0 +1,17 @@
+#pragma once
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+
+#include "core/web_socket/connection.h"
+#include "core/web_socket/loop.h"
+
+namespace underact::web_socket {
+
+struct Loop::Impl {
+  boost::asio::io_context context{1};
+};
+
+/// Of one who has connected.
+Connection connectionOf(boost::asio::ip::tcp::socket socket);
+
+}  // namespace underact::web_socket
