@@ -19,6 +19,10 @@ Eigen::MatrixXd leastSquares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b)
   return A.colPivHouseholderQr().solve(b);
 }
 
+Eigen::MatrixXd leastSquaresRest(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b) {
+  return b - A * leastSquares(A, b);
+}
+
 Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b) {
   return A.ldlt().solve(b);
 }

@@ -20,6 +20,9 @@ Eigen::VectorXcd eigenvaluesOf(const Eigen::MatrixXd& matrix);
 /// (Eigen's ColPivHouseholderQR). With linearly dependent columns of A, one of many.
 Eigen::MatrixXd leastSquares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b);
 
+/// What leastSquares() leaves of b: b - A x.
+Eigen::MatrixXd leastSquaresRest(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b);
+
 /// The solution x of A x = b, of a symmetric A (n x n) that is not indefinite, whose lower half is read, and b (n x m),
 /// both finite (Eigen's LDLT). Where A is singular, pivots of 0 contribute nothing to x.
 Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b);

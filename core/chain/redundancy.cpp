@@ -1,11 +1,11 @@
 #include "core/chain/redundancy.h"
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/axis_geometry.h"
+#include "core/base/determinant.h"
+#include "core/base/singular_values.h"
 
 namespace underact::chain {
 namespace {
@@ -24,9 +24,8 @@ double scaleOfJoint(const Chain& chain, std::size_t i, double reach_m) {
 bool isRegular(const Eigen::MatrixXd& J, double relative) {
   constexpr double kForRounding = 2.0;
   if (J.rows() != J.cols() || J.rows() < 2) return false;
-  using Bounded = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
   const double others = static_cast<double>(J.rows() - 1), norm = J.norm();
-  const double least = std::abs(Bounded(J).partialPivLu().determinant()) * std::pow(others / (norm * norm), others / 2);
+  const double least = std::abs(determinantOf(J)) * std::pow(others / (norm * norm), others / 2);
   return least > kForRounding * relative * norm;
 }
 
@@ -39,13 +38,12 @@ std::vector<std::vector<double>> nullSpace(const Chain& chain, std::span<const d
   for (Eigen::Index i = 0; i < J.cols(); ++i) J.col(i) *= scaleOfJoint(chain, static_cast<std::size_t>(i), reach_m);
   if (asks == Asks::Position) J = Eigen::MatrixXd(J.topRows(3));
   if (!J.allFinite() || isRegular(J, relative)) return {};
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeFullV);
-  const Eigen::VectorXd& gains = svd.singularValues();
+  const auto [gains, motions] = rightSingularValues(J);
   std::vector<std::vector<double>> basis;
   for (Eigen::Index i = 0; i < J.cols(); ++i) {
     const double gain = i < gains.size() ? gains[i] : 0.0;
     if (!(gain < relative * std::max(gains[0], 1e-300)) && i < gains.size()) continue;
-    const Eigen::VectorXd motion = svd.matrixV().col(i);
+    const Eigen::VectorXd motion = motions.col(i);
     basis.emplace_back(motion.data(), motion.data() + motion.size());
   }
   return basis;

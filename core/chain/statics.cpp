@@ -1,6 +1,6 @@
 #include "core/chain/statics.h"
 
-#include <Eigen/SVD>
+#include "core/base/singular_values.h"
 
 namespace underact::chain {
 
@@ -13,12 +13,11 @@ Ellipsoid positionEllipsoid(const Jacobian& J, const std::vector<bool>& driven) 
     if (joint >= driven.size() || driven[joint]) J_p.col(count++) = J.col(i).head<3>();
   }
   if (count == 0 || !J_p.allFinite()) return ellipsoid;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J_p.leftCols(count), Eigen::ComputeFullU);
-  const Eigen::VectorXd& gains = svd.singularValues();
+  const auto [gains, axes_W] = leftSingularValues(J_p.leftCols(count));
   ellipsoid.manipulability = 1.0;
   for (Eigen::Index i = 0; i < 3; ++i) {
     const auto axis = static_cast<std::size_t>(i);
-    ellipsoid.axis_W[axis] = svd.matrixU().col(i);
+    ellipsoid.axis_W[axis] = axes_W.col(i);
     if (i >= gains.size()) continue;
     ellipsoid.gain[axis] = gains[i];
     ellipsoid.manipulability *= gains[i];

@@ -112,7 +112,7 @@ Vec3 slowNoise(std::span<const Row> rows, double period_s) {
       places.block<1, 3>(row, 3 * which) = rows[from + static_cast<std::size_t>(row)].p_WT - rows[from].p_WT;
     }
   }
-  const Eigen::MatrixXd left = places - powers * leastSquares(powers, places);
+  const Eigen::MatrixXd left = leastSquaresRest(powers, places);
   Vec3 squares = Vec3::Zero();
   for (Eigen::Index which = 0; which < stretches; ++which)
     squares += left.middleCols<3>(3 * which).colwise().squaredNorm().transpose();

@@ -1,8 +1,8 @@
 #include "core/shape/ellipse.h"
 
-#include <Eigen/SVD>
 #include <cmath>
 
+#include "core/base/singular_values.h"
 #include "core/shape/quadric.h"
 
 namespace underact::shape {
@@ -19,9 +19,8 @@ Span spanAcross(const Vec3& axis_W, double radius_m) {
 }
 
 Ellipse fromSpan(const Vec3& p_WC, const Span& span_W) {
-  const Eigen::JacobiSVD<Span> svd(span_W, Eigen::ComputeFullU);
-  const Mat3& axes_W = svd.matrixU();
-  return {p_WC, axes_W.col(0), axes_W.col(1), axes_W.col(2), svd.singularValues()[0], svd.singularValues()[1]};
+  const auto [half_m, axes_W] = ellipseAxes(span_W);
+  return {p_WC, axes_W.col(0), axes_W.col(1), axes_W.col(2), half_m[0], half_m[1]};
 }
 
 struct InPlane {

@@ -14,11 +14,13 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Row = Eigen::RowVectorXd;
 
+constexpr Eigen::Index kMemory = 2;  // of each filter
+
 /// A filter as s' = A s + b x, dx/dt = c s + d x.
 struct LinearFilter {
-  Matrix A;
-  Eigen::VectorXd b;
-  Row c;
+  Eigen::Matrix2d A;
+  Eigen::Vector2d b;
+  Eigen::RowVector2d c;
   double d = 0.0;
 };
 
@@ -26,7 +28,7 @@ struct LinearFilter {
 LinearFilter lowPass(double time_constant_s, double period_s) {
   const double share = period_s / (period_s + time_constant_s);
   LinearFilter filter;
-  filter.A = Matrix::Zero(2, 2);
+  filter.A.setZero();
   filter.A.row(1) << -share / period_s, 1.0 - share;
   filter.b = Eigen::Vector2d(1.0, share / period_s);
   filter.c = filter.A.row(1);
@@ -66,8 +68,8 @@ LinearFilter filterOf(const SampledWall& wall) {
 
 /// The transfer function from x to dx/dt for x = z^n.
 std::complex<double> rateOf(const LinearFilter& filter, const std::complex<double>& z) {
-  const Eigen::MatrixXcd zI_A = z * Eigen::MatrixXcd::Identity(filter.b.size(), filter.b.size()) - filter.A;
-  const Eigen::VectorXcd memory = zI_A.partialPivLu().solve(filter.b.cast<std::complex<double>>());
+  const Eigen::Matrix2cd zI_A = z * Eigen::Matrix2cd::Identity() - filter.A;
+  const Eigen::Vector2cd memory = zI_A.partialPivLu().solve(filter.b.cast<std::complex<double>>());
   return (filter.c.cast<std::complex<double>>() * memory)(0) + filter.d;
 }
 
@@ -118,10 +120,10 @@ Loop loopOf(const SampledWall& wall) {
 
 double radiusOf(const Loop& loop, double stiffness_N_per_m) {
   const auto& [wall, filter, period] = loop;
-  const Eigen::Index memory = filter.b.size(), size = 2 + memory + wall.delay_ticks;
+  const Eigen::Index size = 2 + kMemory + wall.delay_ticks;
   Row asked = Row::Zero(size);
   asked[0] = -stiffness_N_per_m - wall.kd_N_s_per_m * filter.d;
-  asked.segment(2, memory) = -wall.kd_N_s_per_m * filter.c;
+  asked.segment<kMemory>(2) = -wall.kd_N_s_per_m * filter.c;
   Row acting = asked;
   if (wall.delay_ticks > 0) {
     acting.setZero();
@@ -130,10 +132,10 @@ double radiusOf(const Loop& loop, double stiffness_N_per_m) {
   Matrix step = Matrix::Zero(size, size);
   step.topLeftCorner(2, 2) = period.topLeftCorner<2, 2>();
   step.topRows(2) += period.block<2, 1>(0, 2) * acting;
-  step.block(2, 0, memory, 1) = filter.b;
-  step.block(2, 2, memory, memory) = filter.A;
-  if (wall.delay_ticks > 0) step.row(2 + memory) = asked;
-  for (Eigen::Index n = 3 + memory; n < size; ++n) step(n, n - 1) = 1.0;
+  step.block<kMemory, 1>(2, 0) = filter.b;
+  step.block<kMemory, kMemory>(2, 2) = filter.A;
+  if (wall.delay_ticks > 0) step.row(2 + kMemory) = asked;
+  for (Eigen::Index n = 3 + kMemory; n < size; ++n) step(n, n - 1) = 1.0;
   return eigenvaluesOf(step).cwiseAbs().maxCoeff();
 }
 
