@@ -3,8 +3,9 @@
 
 namespace underact {
 
-/// Of a finite square matrix of at least 1 and at most 6 rows; nothing is allocated (Eigen's PartialPivLU).
-using AtMostSix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
+using AtMostSix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;  // allocates nothing
+
+/// Of a finite square matrix of at least one row and at most six (Eigen's PartialPivLU).
 double determinantOf(const AtMostSix& matrix);
 
 }  // namespace underact

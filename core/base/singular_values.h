@@ -10,16 +10,18 @@ struct SingularValues {
   Eigen::VectorXd values;
   Eigen::MatrixXd vectors;
 };
-/// A: of any size but 0, finite. vectors: of the image (U), or of the arguments (V) (Eigen's JacobiSVD).
+/// A (m x n): of any size but 0, finite. vectors: U (m x m), of the image (Eigen's JacobiSVD).
 SingularValues leftSingularValues(const Eigen::MatrixXd& A);
+/// As above. vectors: V (n x n), of the arguments.
 SingularValues rightSingularValues(const Eigen::MatrixXd& A);
 
-/// The principal axes and half axes of an ellipse, the longer first, and as third axis the normal of its plane; pair:
-/// two conjugate half diameters, finite (Eigen's JacobiSVD).
+/// The principal half axes of an ellipse, the longer first, their directions, and as third axis the normal of its
+/// plane.
 struct EllipseAxes {
   Eigen::Vector2d half_m;
   Mat3 axes;
 };
+/// pair: two conjugate half diameters, m, finite (Eigen's JacobiSVD).
 EllipseAxes ellipseAxes(const Eigen::Matrix<double, 3, 2>& pair);
 
 }  // namespace underact

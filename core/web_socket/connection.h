@@ -40,20 +40,25 @@ inline constexpr std::uint16_t kNormalEnd = 1000, kPolicyError = 1008;
 /// always called, unless the loop is gone; nothing else is called.
 class Connection {
  public:
-  struct Impl;
+  struct Impl;  // Beast's stream, and what is under way
+  /// Not connected yet. loop: outlives it.
   explicit Connection(Loop& loop);
   explicit Connection(std::shared_ptr<Impl> impl);  // for this room alone
   ~Connection();
+  /// What was moved from can only be destroyed.
   Connection(Connection&&) noexcept;
-  Connection& operator=(Connection&&) noexcept;
+  Connection& operator=(Connection&&) noexcept;  // likewise
   /// Before all else.
   void limit(const Limits& limits);
 
   // Who was accepted: what it asks, and the answer.
+  /// Its request, but for the body.
   void readHeader(Then then);
   /// What was left out by readHeader().
   void readBody(Then then);
+  /// What was read of it.
   Request request() const;
+  /// Over plain HTTP. status: as in HTTP, 200; content_type: empty: not said.
   void respond(int status, const std::string& content_type, const std::string& body, Then then);
   /// The handshake, for a request that is_upgrade.
   void accept(Then then);

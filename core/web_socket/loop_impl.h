@@ -7,6 +7,7 @@
 
 namespace underact::web_socket {
 
+/// What the files of this room know of a loop.
 struct Loop::Impl {
   boost::asio::io_context context{1};
 };
