@@ -64,9 +64,10 @@ function(underact_target_of room into)
   set(${into} underact_${name} PARENT_SCOPE)
 endfunction()
 
-# What Qt's meta-object compiler makes of the headers among SOURCES, those of TARGET that stand in FOLDER, goes through the compiler together with its first
-# files: by itself each of forty rooms would read its headers once more for it. Not by AUTOMOC, which reads all that the headers include
-# and waits for what the room links: together 55 s of a processor, and our headers have no macro that the meta-object compiler must know.
+# What Qt's meta-object compiler makes of the headers among SOURCES, those of TARGET that stand in FOLDER, goes through the compiler
+# together with its first files: by itself each of forty rooms would read its headers once more for it. Not by AUTOMOC, which reads all
+# that the headers include and waits for what the room links: together 55 s of a processor, and our headers have no macro that the
+# meta-object compiler must know.
 function(underact_moc target folder sources)
   set(headers ${sources})
   list(FILTER headers INCLUDE REGEX "^${PROJECT_SOURCE_DIR}/${folder}/.*\\.h$")
