@@ -13,6 +13,9 @@ namespace underact::gui {
 
 class Chart;
 
+// A moving hand needs 60 frames per second, a plot is readable at 20: the rest of the time is left to the servo.
+inline constexpr int kFramesAPlot = 3;
+
 /// A widget of charts, painted by Qt into the window's own picture: an OpenGL context of its own, even a shared one,
 /// costs 20 MB and a tenth of a second with software GL. Derived classes say which charts there are and where; it
 /// draws only when draw() or placeAnew() is called.

@@ -20,9 +20,6 @@
 
 namespace underact::gui {
 
-// A moving hand needs 60 frames per second, a plot is readable at 20: the rest of the time is left to the servo.
-constexpr int kFramesAPlot = 3;
-
 PlotsPanel::PlotsPanel(const Parts& parts, QWidget* parent)
     : Panel(parent),
       player_(parts.player),

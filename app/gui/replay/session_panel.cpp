@@ -19,7 +19,6 @@ namespace underact::gui {
 namespace {
 
 constexpr int kSessionColumns = 5, kLateness = 6;  // in the chooser, after those of SessionPlotKind
-constexpr int kFramesASessionPlot = 3;             // as the live plots
 
 }  // namespace
 
@@ -122,7 +121,7 @@ void SessionPanel::poll(const servo::Snapshot&) {
 }
 
 void SessionPanel::present(const servo::Snapshot&) {
-  if (!parts_.player.isOpen() || ++frame_ % kFramesASessionPlot != 0) return;
+  if (!parts_.player.isOpen() || ++frame_ % kFramesAPlot != 0) return;
   if (!isSeen()) return;
   plot_->setCursor(parts_.player.secondsAt(parts_.player.row()));
 }

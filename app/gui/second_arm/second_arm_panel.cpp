@@ -26,7 +26,7 @@
 namespace underact::gui {
 namespace {
 
-QString secondArmModeText(servo::Mode mode) {
+QString modeText(servo::Mode mode) {
   switch (mode) {
     case servo::Mode::Idle:
       return SecondArmPanel::tr("stopped");
@@ -195,7 +195,7 @@ void SecondArmPanel::present(const servo::Snapshot&) {
   const servo::Snapshot snapshot = second_.servo().snapshot();
   const servo::DeviceInfo info = second_.servo().device();
   readout_->set(device_, sentenceText(info.title) + (info.untested ? tr(" (untested)") : QString()));
-  readout_->set(mode_, secondArmModeText(snapshot.mode));
+  readout_->set(mode_, modeText(snapshot.mode));
   readout_->set(force_, tr("%1 N").arg(numberText(snapshot.report.force.f_T_W().norm(), 2)));
   readout_->set(tip_, placeText(snapshot.report.p_WT * kMillimetrePerMetre));
 }
