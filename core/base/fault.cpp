@@ -28,6 +28,8 @@ Sentence whatHappened(const Fault& fault) {
                   {seen(2), allowed(2)});
     case FaultKind::Asleep:
       return said(TRANSLATE_NOOP("problem", "The computer was asleep for %1 s."), {seen(1)});
+    case FaultKind::WindowBusy:
+      return said(TRANSLATE_NOOP("problem", "The window was too busy to hear Stop for %1 s."), {seen(1)});
   }
   return {};
 }
@@ -47,6 +49,7 @@ Sentence whatToDo(const Fault& fault) {
           "problem", "Close programs that keep the computer busy or choose a lower rate, then press Start."));
     case FaultKind::StoodStill:
     case FaultKind::Asleep:
+    case FaultKind::WindowBusy:
       return said(TRANSLATE_NOOP("problem", "Press Start to continue."));
     case FaultKind::OddClock:
       return said(TRANSLATE_NOOP("problem", "Restart the servo to reopen the arm, then press Start."));
@@ -79,6 +82,8 @@ const char* name(FaultKind kind) {
       return "odd_clock";
     case FaultKind::Asleep:
       return "asleep";
+    case FaultKind::WindowBusy:
+      return "window_busy";
   }
   return "none";
 }

@@ -16,8 +16,9 @@ enum class FaultKind : std::uint8_t {
   StoodStill,   // no tick for longer than the watchdog allows; seen: seconds
   OddClock,     // the arm's clock and the servo's disagree; seen: seconds by the arm's, allowed: by the servo's
   Asleep,       // the machine was suspended while the servo pushed; seen: seconds
+  WindowBusy,   // the window's thread stood still, so that nobody could press Stop there; seen, allowed: seconds
 };
-inline constexpr int kFaultKinds = 9;
+inline constexpr int kFaultKinds = 10;
 
 /// A fault as numbers only, so that the tick can make one; describe() makes sentences of it, outside the tick.
 struct Fault {
@@ -36,7 +37,7 @@ Sentence whatToDo(const Fault& fault);
 Sentence describe(const Fault& fault);
 
 /// A word for logs: "none", "no_sample", "stale_sample", "not_finite", "too_fast", "too_late", "stood_still",
-/// "odd_clock", "asleep".
+/// "odd_clock", "asleep", "window_busy".
 const char* name(FaultKind kind);
 
 }  // namespace underact

@@ -57,7 +57,13 @@ struct Host::Impl {
     if (guard) loop.countInto(&guard->beats());
     driven = DeviceClockedLoop::start(loop, *device, options.rate_hz, limit_ns);
     if (!driven) thread.emplace(loop, options.rate_hz, options.scheduling);
-    if (limit_ns > 0) watchdog.emplace(loop, *device, limit_ns);
+    if (limit_ns > 0)
+      watchdog.emplace(
+          [this] { return loop.beats(); }, limit_ns,
+          [this](std::int64_t pause_ns) {
+            loop.reportStall(pause_ns);
+            device->cut();
+          });
   }
 
   bool ticksByItself() const { return thread.has_value() || driven != nullptr; }
@@ -163,6 +169,7 @@ struct Host::Impl {
   std::shared_ptr<Tap> tap;                  // the recorder's
   std::vector<std::shared_ptr<Tap>> ending;  // the servo may still write into them
   bool started = false;
+  std::uint64_t started_after = 0;  // Loop::stops() at the last start()
   bool hold_to_run = false;
   double force_share = 1.0;
   Timing timing;
@@ -215,16 +222,28 @@ std::uint64_t Host::revision() const {
 
 void Host::start() {
   impl_->started = true;
-  impl_->send({Order::Start});
+  impl_->started_after = impl_->loop.stops();
+  Command command{Order::Start};
+  command.stops = impl_->started_after;
+  impl_->send(command);
 }
 
 void Host::stop() {
-  impl_->started = false;
+  ++impl_->loop.stops();
   impl_->send({Order::Stop});
 }
 
 bool Host::running() const {
-  return impl_->started && impl_->loop.snapshot().mode != Mode::Faulted;
+  return impl_->started && impl_->started_after == impl_->loop.stops() &&
+         impl_->loop.snapshot().mode != Mode::Faulted;
+}
+
+std::atomic<std::uint64_t>& Host::stops() noexcept {
+  return impl_->loop.stops();
+}
+
+void Host::reportBusyWindow(std::int64_t pause_ns) noexcept {
+  impl_->loop.reportBusyWindow(pause_ns);
 }
 
 void Host::setHoldToRun(bool on) {
@@ -278,9 +297,10 @@ Problems Host::setRate(int rate_hz) {
   impl_->timed_from = impl_->loop.snapshot().ticks;
   // A fault during the release remains a fault, and needs a Start as always.
   const bool went_well = !impl_->pushes() && impl_->loop.snapshot().mode != Mode::Faulted;
+  const bool was_stopped = impl_->started_after != impl_->loop.stops();  // meanwhile, by another thread
   impl_->started = false;
   if (was_begun) begin();
-  if (was_running && went_well) start();
+  if (was_running && went_well && !was_stopped) start();
   return {};
 }
 

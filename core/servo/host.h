@@ -1,4 +1,5 @@
 #pragma once
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -83,8 +84,13 @@ class Host {
   std::uint64_t orders() const;
 
   void start();          // also after a fault
-  void stop();           // the force ramps to zero
+  void stop();           // the force ramps to zero, and forces of push() end
   bool running() const;  // start() was called last, and no fault since
+  /// Counted up by any thread, or by the handler of a signal, it stops the servo with the next tick, whatever this
+  /// host's own thread is doing; a start() before that is void.
+  std::atomic<std::uint64_t>& stops() noexcept;
+  /// Any thread: the window's thread, where Stop is pressed, has stood still for so long. A fault, if the servo pushes.
+  void reportBusyWindow(std::int64_t pause_ns) noexcept;
   /// Hold to run: the servo pushes only while the stylus button nearer to the tip is held.
   void setHoldToRun(bool on);
   /// As set last.

@@ -128,13 +128,24 @@ void Loop::listen(Tap* tap) noexcept {
   if (push_left_ > 0) tap_->add(Push{ticks_ + 1, push_T_W_, push_left_});
 }
 
+/// Ends the force, also that of a client.
+void Loop::heedStops() noexcept {
+  const std::uint64_t stops = stops_.load(std::memory_order_acquire);
+  if (stops == heeded_) return;
+  heeded_ = stops;
+  engaged_ = false;
+  if (push_left_ > 0) push({Order::Push});
+}
+
 void Loop::applyCommands() noexcept {
+  heedStops();
   Command command;
   while (commands_.pop(command)) {
     ++orders_;
     switch (command.order) {
       case Order::Start:
-        engaged_ = restart_ = true;
+        heedStops();
+        if (command.stops == heeded_) engaged_ = restart_ = true;
         break;
       case Order::Stop:
         engaged_ = false;
@@ -191,8 +202,11 @@ bool Loop::pushes() const noexcept {
 Fault Loop::faultOf(const Wake& wake) noexcept {
   const std::int64_t told_ns = stood_still_ns_.exchange(0, std::memory_order_relaxed);
   const std::int64_t pause_ns = std::max(told_ns, wake.lateness_ns);
-  if (watchdog_ns_ <= 0 || pause_ns < watchdog_ns_) return {};
+  const std::int64_t busy_ns = busy_window_ns_.exchange(0, std::memory_order_relaxed);
   if (!pushes()) return {};
+  if (watchdog_ns_ <= 0 || pause_ns < watchdog_ns_)
+    return busy_ns > 0 ? Fault{FaultKind::WindowBusy, kSecondPerNanosecond * static_cast<double>(busy_ns), 0.0}
+                       : Fault{};
   return {FaultKind::StoodStill, kSecondPerNanosecond * static_cast<double>(pause_ns),
           kSecondPerNanosecond * static_cast<double>(watchdog_ns_)};
 }

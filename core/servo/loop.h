@@ -37,6 +37,7 @@ struct Command {
   Order order = Order::Stop;
   Instance* instance = nullptr;  // owned by the loop from here on; given back by reap()
   Tap* tap = nullptr;            // Record: lives until it has ended
+  std::uint64_t stops = 0;       // Start: Loop::stops() when it was given; one that is higher by then has ended it
   std::int64_t ticks = 0;        // Retune: over which the targets are carried, 0: at once. Push: for how many
   Vec3 push_T_W = Vec3::Zero();  // Push: N, finite
 };
@@ -84,8 +85,14 @@ class Loop {
   void countInto(std::atomic<std::int64_t>* beats) noexcept { beats_ = beats != nullptr ? beats : &own_beats_; }
   /// Called by the watchdog when it has cut the force: the next tick is a fault.
   void reportStall(std::int64_t pause_ns) noexcept { stood_still_ns_.store(pause_ns, std::memory_order_relaxed); }
+  /// Called when the window's thread has stood still for so long: the next tick is a fault, if it pushes.
+  void reportBusyWindow(std::int64_t pause_ns) noexcept { busy_window_ns_.store(pause_ns, std::memory_order_relaxed); }
+  /// Whoever counts it up stops the servo with the next tick: Order::Stop past the queue, and past its writer. A
+  /// signal's handler may, too.
+  std::atomic<std::uint64_t>& stops() noexcept { return stops_; }
 
  private:
+  void heedStops() noexcept UNDERACT_REAL_TIME;
   void letIn() noexcept UNDERACT_REAL_TIME;
   void listen(Tap* tap) noexcept UNDERACT_REAL_TIME;
   void replaceBy(Instance* instance, tick::Carry carry, std::int64_t over_ticks = 0) noexcept UNDERACT_REAL_TIME;
@@ -121,7 +128,10 @@ class Loop {
   LateTicks late_;
   std::atomic<std::int64_t> own_beats_{0};
   std::atomic<std::int64_t>* beats_ = &own_beats_;
-  std::atomic<std::int64_t> stood_still_ns_{0};
+  std::atomic<std::int64_t> stood_still_ns_{0}, busy_window_ns_{0};
+  std::atomic<std::uint64_t> stops_{0};
+  static_assert(std::atomic<std::uint64_t>::is_always_lock_free);  // for handlers of signals
+  std::uint64_t heeded_ = 0;                                       // of stops_
   std::array<History, kHistories> histories_;
   History* history_;  // the one being written
   std::int64_t ticks_ = 0;

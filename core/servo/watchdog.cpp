@@ -1,6 +1,7 @@
 #include "core/servo/watchdog.h"
 
 #include <chrono>
+#include <utility>
 
 #include "core/system/clock.h"
 
@@ -8,8 +9,8 @@ namespace underact::servo {
 
 constexpr int kLooksInLimit = 5;  // checks within the limit, so that it is late by a fifth at most
 
-Watchdog::Watchdog(Loop& loop, DevicePort& device, std::int64_t limit_ns)
-    : loop_(loop), device_(device), limit_ns_(limit_ns), thread_(&Watchdog::run, this) {}
+Watchdog::Watchdog(std::function<std::int64_t()> turns, std::int64_t limit_ns, std::function<void(std::int64_t)> stalled)
+    : turns_(std::move(turns)), limit_ns_(limit_ns), stalled_(std::move(stalled)), thread_(&Watchdog::run, this) {}
 
 Watchdog::~Watchdog() {
   {
@@ -22,16 +23,15 @@ Watchdog::~Watchdog() {
 
 void Watchdog::run() {
   const std::chrono::nanoseconds pause(limit_ns_ / kLooksInLimit);
-  std::int64_t seen = loop_.beats(), seen_ns = system::monotonicNow_ns();
+  std::int64_t seen = turns_(), seen_ns = system::monotonicNow_ns();
   std::unique_lock<std::mutex> lock(mutex_);
   while (!wake_.wait_for(lock, pause, [this] { return ends_; })) {
-    const std::int64_t beats = loop_.beats(), now_ns = system::monotonicNow_ns();
-    if (beats != seen) {
-      seen = beats;
+    const std::int64_t turns = turns_(), now_ns = system::monotonicNow_ns();
+    if (turns != seen) {
+      seen = turns;
       seen_ns = now_ns;
     } else if (now_ns - seen_ns >= limit_ns_) {
-      loop_.reportStall(now_ns - seen_ns);
-      device_.cut();
+      stalled_(now_ns - seen_ns);
     }
   }
 }

@@ -1,20 +1,19 @@
 #pragma once
-#include <atomic>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <thread>
 
-#include "core/servo/loop.h"
-
 namespace underact::servo {
 
-/// Watches a loop's ticks from a thread of its own. After limit_ns without a tick it writes zero force to the device,
-/// repeatedly while ticks are missing, and reports the length of the pause to the loop.
+/// Watches something that counts its turns (the servo's ticks, those of the window's thread) from a thread of its own.
+/// After limit_ns without a turn it says for how long there was none, again and again until there is one.
 class Watchdog {
  public:
-  /// Starts the thread; the destructor ends it and waits. loop and device outlive it. limit_ns: above 0.
-  Watchdog(Loop& loop, DevicePort& device, std::int64_t limit_ns);
+  /// turns: the count; stalled: gets the length of the pause, ns. Both are called from the watchdog's thread. Starts the
+  /// thread; the destructor ends it and waits. limit_ns: above 0.
+  Watchdog(std::function<std::int64_t()> turns, std::int64_t limit_ns, std::function<void(std::int64_t)> stalled);
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
@@ -22,9 +21,9 @@ class Watchdog {
  private:
   void run();
 
-  Loop& loop_;
-  DevicePort& device_;
+  std::function<std::int64_t()> turns_;
   std::int64_t limit_ns_;
+  std::function<void(std::int64_t)> stalled_;
   std::mutex mutex_;
   std::condition_variable wake_;
   bool ends_ = false;

@@ -45,6 +45,8 @@ QString faultText(FaultKind kind) {
       return QObject::tr("clock error");
     case FaultKind::Asleep:
       return QObject::tr("asleep");
+    case FaultKind::WindowBusy:
+      return QObject::tr("window busy");
   }
   return {};
 }

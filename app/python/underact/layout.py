@@ -73,6 +73,7 @@ FAULTS = (
     "stood_still",
     "odd_clock",
     "asleep",
+    "window_busy",
 )
 CARRIES = ("loaded", "gains", "targets")
 REASONS = ("stopped", "program ended", "disk full", "recovered")

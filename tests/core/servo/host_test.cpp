@@ -59,6 +59,60 @@ TEST(Host, PushesOnlyBetweenStartAndStop) {
   EXPECT_EQ(rig.seen.last_size_N, 0.0);
 }
 
+TEST(Host, WhoeverCountsTheStopsUpStopsItPastTheQueueAndPastEarlierStarts) {
+  Rig rig;
+  ASSERT_TRUE(rig.host->load(sphereScene(50)).empty());
+  rig.host->start();
+  rig.host->push({0.1, 0.0, 0.0}, 1000);
+  rig.host->run(500);
+  ASSERT_TRUE(rig.host->running());
+  for (int more = 0; more < 500; ++more) rig.host->start();  // what the queue has no room for waits at the host
+  ++rig.host->stops();
+  EXPECT_FALSE(rig.host->running());
+  rig.host->run(60);
+  EXPECT_EQ(rig.host->snapshot().mode, Mode::Idle);
+  EXPECT_EQ(rig.seen.last_size_N, 0.0);
+  for (int tick = 0; tick < 100; ++tick) {
+    rig.host->snapshot();  // sends what waits
+    rig.host->run(10);
+  }
+  EXPECT_EQ(rig.host->snapshot().mode, Mode::Idle) << "a Start from before the stop came into effect";
+  rig.host->start();
+  rig.host->run(500);
+  EXPECT_TRUE(rig.host->running());
+  EXPECT_NEAR(rig.seen.last_size_N, 0.5, 1e-9) << "the client's force outlived the stop";
+}
+
+TEST(Host, AnotherThreadStopsItWithinTwoTicksWhileItsOwnIsBusy) {
+  ScriptedPort::Seen seen;
+  Host host(std::make_unique<ScriptedPort>(seen), HostOptions{1000, Clock::Thread});
+  ASSERT_TRUE(host.load(sphereScene(50)).empty());
+  host.start();
+  host.begin();
+  ASSERT_TRUE(test::comes([&] { return seen.last_size_N > 0.49; }));
+  std::atomic<std::uint64_t>& stops = host.stops();
+  std::thread([&stops] { ++stops; }).join();
+  EXPECT_TRUE(test::comes([&] { return seen.last_size_N == 0.0; }));  // this thread never calls the host meanwhile
+  EXPECT_FALSE(host.running());
+}
+
+TEST(Host, AWindowThatIsBusyIsAFaultWhereItPushesAndNothingElsewhere) {
+  Rig rig;
+  ASSERT_TRUE(rig.host->load(sphereScene(50)).empty());
+  rig.host->reportBusyWindow(700'000'000);
+  rig.host->run(10);
+  EXPECT_EQ(rig.host->snapshot().mode, Mode::Idle);
+  rig.host->start();
+  rig.host->run(500);
+  ASSERT_EQ(rig.host->snapshot().mode, Mode::Running) << "an earlier report was kept for later";
+  rig.host->reportBusyWindow(700'000'000);
+  rig.host->run(1);
+  EXPECT_EQ(rig.host->snapshot().mode, Mode::Faulted);
+  EXPECT_EQ(rig.seen.last_size_N, 0.0);
+  EXPECT_EQ(describe(rig.host->takeFault()->fault),
+            "The window was too busy to hear Stop for 0.7 s. Force is off. Press Start to continue.");
+}
+
 TEST(Host, AShareOfTheForceIsTheMostThatIsSentFromTheNextTickOnWhateverSceneComes) {
   Rig rig;
   ASSERT_TRUE(rig.host->load(sphereScene(50, 0.5)).empty());  // 5 N are asked for

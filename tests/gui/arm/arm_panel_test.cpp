@@ -30,7 +30,7 @@ TEST(ArmPanel, SaysWhereTipAndJointsAreInMillimetresAndDegrees) {
 TEST(ArmPanel, EachKindOfFaultHasAWordOfItsOwn) {
   ArmPanel panel(nullptr);
   QStringList words;
-  for (int kind = 0; kind <= static_cast<int>(FaultKind::Asleep); ++kind) {
+  for (int kind = 0; kind < kFaultKinds; ++kind) {
     servo::Snapshot snapshot;
     snapshot.report.fault.kind = static_cast<FaultKind>(kind);
     panel.present(snapshot);
