@@ -11,10 +11,10 @@ namespace {
 constexpr Column kTick{"tick", "", "number of the tick", Kind::Integer};
 constexpr Column kTextAt{"text_at", "", "where its words begin in /text/bytes", Kind::Integer};
 constexpr Column kTextBytes{"text_bytes", "", "how many bytes of UTF-8 they are", Kind::Integer};
-constexpr Column kFaultKind{
-    "kind", "",
-    "1 no_sample, 2 stale_sample, 3 not_finite, 4 too_fast, 5 too_late, 6 stood_still, 7 odd_clock, 8 asleep",
-    Kind::Byte};
+constexpr Column kFaultKind{"kind", "",
+                            "1 no_sample, 2 stale_sample, 3 not_finite, 4 too_fast, 5 too_late, 6 stood_still, 7 "
+                            "odd_clock, 8 asleep, 9 window_busy",
+                            Kind::Byte};
 
 constexpr std::array kChangeColumns{
     kTick, Column{"revision", "", "of the scene, from this tick on", Kind::Integer},

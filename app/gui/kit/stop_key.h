@@ -29,6 +29,10 @@ class StopKey : public QObject {
   StopKey(std::function<void()> stop, std::function<bool()> always, QWidget* window);
   ~StopKey() override;
   bool eventFilter(QObject* watched, QEvent* event) override;
+  /// Whether somebody may be pushed now.
+  bool always() const { return always_(); }
+  /// Whether Esc would stop the servo now.
+  bool wouldStop() const { return always_() || !isSomethingOnTop(); }
 
  private:
   bool isSomethingOnTop() const;
