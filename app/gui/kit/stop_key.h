@@ -24,6 +24,8 @@ class StopKey : public QObject {
   Q_OBJECT
  public:
   static constexpr const char* kEscStops = "escStops";
+  /// The property of a button that does what this key does.
+  static constexpr const char* kStops = "stops";
 
   /// window: contains the LeftByEsc widgets, and owns this.
   StopKey(std::function<void()> stop, std::function<bool()> always, QWidget* window);

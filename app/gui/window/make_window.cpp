@@ -58,8 +58,7 @@ MainWindow::MainWindow(const WindowParts& given, std::vector<FeatureRow> rows)
       new StopKey([this] { actions().perform("session.stop"); },
                   [this] { return services_.arms->simulated() == nullptr || services_.second->isReal(); }, this);
   if (given.busy_limit_s > 0.0)
-    new WindowWatch(given.host, *services_.second, *key, findChild<QWidget*>("button.session.stop"), given.busy_limit_s,
-                    this);
+    watch_ = std::make_unique<WindowWatch>(given.host, *services_.second, *key, given.busy_limit_s);
   banner_ = new StopBanner(view());
   connect(banner_, &QPushButton::clicked, this, [this] { actions().perform("session.start"); });
   connect(pacer_, &FramePacer::frame, this, &MainWindow::frame);

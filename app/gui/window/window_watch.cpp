@@ -1,5 +1,6 @@
 #include "app/gui/window/window_watch.h"
 
+#include <QApplication>
 #include <QScreen>
 #include <QWidget>
 #include <chrono>
@@ -17,10 +18,10 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kBeat{50}, kLook{2};
 constexpr int kLooks = 20;
+constexpr int kTurnsALook = 20;  // for buttons that are new
 
 /// Where it is on the screen, in the screen's own pixels.
 QRect placeOf(const QWidget& widget) {
-  if (!widget.isVisible()) return {};
   const QPoint origin = widget.screen()->geometry().topLeft();
   const double scale = widget.devicePixelRatioF();
   const QPoint from_origin = widget.mapToGlobal(QPoint(0, 0)) - origin;
@@ -37,9 +38,8 @@ const double WindowWatch::kLimit_s = 20.0;
 const double WindowWatch::kLimit_s = 0.5;
 #endif
 
-WindowWatch::WindowWatch(servo::Host& host, SecondArm& second, const StopKey& key, QWidget* stop_button, double limit_s,
-                         QObject* parent)
-    : QObject(parent), host_(host), second_(second), key_(key), stop_button_(stop_button) {
+WindowWatch::WindowWatch(servo::Host& host, SecondArm& second, const StopKey& key, double limit_s)
+    : host_(host), second_(second), key_(key) {
   connect(&beat_, &QTimer::timeout, this, &WindowWatch::turn);
   beat_.start(kBeat);
   const auto stalled = [this](std::int64_t pause_ns) {
@@ -57,18 +57,23 @@ WindowWatch::~WindowWatch() = default;
 void WindowWatch::turn() {
   always_stops_ = key_.always();
   stops_ = key_.wouldStop();
-  ++turns_;
-  if (stop_button_ == nullptr) return;
-  const QRect place_px = placeOf(*stop_button_);
+  if (turns_++ % kTurnsALook == 0) {
+    buttons_.clear();
+    for (QWidget* const widget : QApplication::allWidgets())
+      if (widget->property(StopKey::kStops).toBool()) buttons_.emplace_back(widget);
+  }
+  QRegion places_px;
+  for (const QPointer<QWidget>& button : buttons_)
+    if (button != nullptr && button->isVisible()) places_px += placeOf(*button);
   const std::scoped_lock lock(mutex_);
-  button_px_ = place_px;
+  buttons_px_ = places_px;
 }
 
 /// From the ear's thread.
 void WindowWatch::hear(const StopEar::Press& press) {
   if (!press.is_key) {
     const std::scoped_lock lock(mutex_);
-    if (button_px_.contains(press.at_px)) stop();
+    if (buttons_px_.contains(press.at_px)) stop();
     return;
   }
   if (press.is_shift || always_stops_) return stop();

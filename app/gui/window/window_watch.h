@@ -1,10 +1,12 @@
 #pragma once
 #include <QObject>
-#include <QRect>
+#include <QPointer>
+#include <QRegion>
 #include <QTimer>
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 #include "app/gui/kit/stop_ear.h"
 #include "core/servo/watchdog.h"
@@ -20,18 +22,17 @@ namespace underact::gui {
 class SecondArm;
 class StopKey;
 
-/// Stop, while the window's thread is busy. Esc, Shift+Esc and a click on Stop are heard by a thread of their own (see
-/// StopEar), which waits for the window's only where Esc may be meant for something else, and then 40 ms at most. If
-/// the window's thread has not turned for a while and a servo pushes, that is a fault.
+/// Stop, while the window's thread is busy. Esc, Shift+Esc and a click on Stop (StopKey::kStops) are heard by a thread
+/// of their own (see StopEar), which waits for the window's only where Esc may be meant for something else, and then 40
+/// ms at most. If the window's thread has not turned for a while and a servo pushes, that is a fault.
 class WindowWatch : public QObject {
   Q_OBJECT
  public:
   /// How long the window's thread may stand still. Longer under a sanitizer, which makes it slow.
   static const double kLimit_s;
 
-  /// host, second: outlive it. stop_button: may be null. limit_s: above 0.
-  WindowWatch(servo::Host& host, SecondArm& second, const StopKey& key, QWidget* stop_button, double limit_s,
-              QObject* parent);
+  /// host, second and key outlive it. limit_s: above 0.
+  WindowWatch(servo::Host& host, SecondArm& second, const StopKey& key, double limit_s);
   ~WindowWatch() override;
   /// Whether keys are heard while the window's thread is busy.
   bool hears() const { return ear_ != nullptr; }
@@ -44,13 +45,13 @@ class WindowWatch : public QObject {
   servo::Host& host_;
   SecondArm& second_;
   const StopKey& key_;
-  QWidget* stop_button_;
+  std::vector<QPointer<QWidget>> buttons_;
   QTimer beat_;
   // What the other threads know of the window's.
   std::atomic<std::int64_t> turns_{0}, answers_{0};
   std::atomic<bool> always_stops_{true}, stops_{true};
-  std::mutex mutex_;  // of the rectangle
-  QRect button_px_;
+  std::mutex mutex_;  // of the next line
+  QRegion buttons_px_;
   std::unique_ptr<servo::Watchdog> watchdog_;
   std::unique_ptr<StopEar> ear_;
 };

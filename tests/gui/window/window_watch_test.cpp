@@ -25,11 +25,12 @@ struct Watched {
         is_real(arm_is_real),
         key([this] { desk.perform("session.stop"); }, [this] { return is_real; }, &desk.window()),
         button("Stop", &desk.window()) {
+    button.setProperty(StopKey::kStops, true);
     button.setGeometry(100, 100, 80, 40);
     desk.show();
     desk.window().activateWindow();
     EXPECT_TRUE(QTest::qWaitForWindowActive(&desk.window()));
-    watch = std::make_unique<WindowWatch>(desk.host(), *desk.services().second, key, &button, limit_s, nullptr);
+    watch = std::make_unique<WindowWatch>(desk.host(), *desk.services().second, key, limit_s);
     EXPECT_TRUE(watch->hears());
     QTest::qWait(200);  // it turns a few times
     desk.perform("session.start");
