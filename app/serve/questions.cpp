@@ -68,41 +68,27 @@ void Service::Impl::hello(Client& client, const Request& request) {
 void Service::Impl::tellScene(Client& client, const Request& request) {
   Keys keys(request);
   if (!keys.areGood()) return refuse(client, request, keys.problems());
-  json::ObjectText answer = wellAnswer(request.id);
-  answer.addJson("scene", scene::writeScene(host.scene()));
-  client.send(answer.text());
+  reckon(client, [answer = wellAnswer(request.id)](const scene::Description& scene) mutable {
+    answer.addJson("scene", scene::writeScene(scene));
+    return answer.text();
+  });
 }
 
 void Service::Impl::tellSettings(Client& client, const Request& request) {
   Keys keys(request);
   if (!keys.areGood()) return refuse(client, request, keys.problems());
-  json::ObjectText answer = wellAnswer(request.id);
-  answer.addJson("settings", settingsText(host.scene()));
-  client.send(answer.text());
+  reckon(client, [answer = wellAnswer(request.id)](const scene::Description& scene) mutable {
+    answer.addJson("settings", settingsText(scene));
+    return answer.text();
+  });
 }
 
 void Service::Impl::get(Client& client, const Request& request) {
-  Keys keys(request);
-  const json::Value* const paths = keys.list("paths");
-  std::string values;
-  if (paths != nullptr && paths->items.size() > kMostPaths) keys.add(*paths, "paths", "These are too many paths.");
-  for (std::size_t at = 0; paths != nullptr && at < std::min(paths->items.size(), kMostPaths); ++at) {
-    const json::Value& path = paths->items[at];
-    if (path.kind != json::Kind::String) {
-      keys.add(path, "paths[" + std::to_string(at) + "]", "This must be the path of a setting, as text.");
-      continue;
-    }
-    const Result<scene::SettingValue> value = scene::valueAt(host.scene(), path.text);
-    if (!value)
-      keys.add(path, path.text.empty() ? "paths" : path.text, value.problems().front().sentence);
-    else if (scene::isNone(value.value()))
-      keys.add(path, path.text, "This setting has no value now.");
-    else
-      values += (values.empty() ? "" : ", ") + scene::fileTextOf(value.value());
-  }
-  if (!keys.areGood()) return refuse(client, request, keys.problems());
+  const bool is_ready = request.values && request.revision == host.revision();
+  const Result<std::string> values = is_ready ? *request.values : valuesFor(request, host.scene());
+  if (!values) return refuse(client, request, values.problems());
   json::ObjectText answer = wellAnswer(request.id);
-  answer.addJson("values", "[" + values + "]");
+  answer.addJson("values", values.value());
   client.send(answer.text());
 }
 
@@ -133,7 +119,8 @@ void Service::Impl::tellStatus(Client& client, const Request& request) {
 void Service::Impl::lease(Client& client, const Request& request) {
   Keys keys(request);
   const std::optional<std::string> what = keys.text("lease", 100);
-  if (what && *what != "take" && *what != "give") keys.add(request.root, "lease", "This must be \"take\" or \"give\".");
+  if (what && *what != "take" && *what != "give")
+    keys.add(request.root(), "lease", "This must be \"take\" or \"give\".");
   if (!keys.areGood()) return refuse(client, request, keys.problems());
   if (*what == "take") {
     if (const std::string why = whyNotSteer(client); !why.empty())
@@ -151,16 +138,16 @@ void Service::Impl::subscribe(Client& client, const Request& request) {
   Keys keys(request);
   const json::Value* const columns = keys.list("columns");
   const std::optional<double> hz = keys.number("hz", 1.0, host.rateHz());
-  const bool has_format = request.root.find("format") != nullptr;
+  const bool has_format = request.root().find("format") != nullptr;
   const std::optional<std::string> format = keys.text("format", 100, false);
   if (format && *format != "json" && *format != "binary")
-    keys.add(request.root, "format", "This must be \"json\" or \"binary\".");
+    keys.add(request.root(), "format", "This must be \"json\" or \"binary\".");
   std::vector<std::string> names;
   for (std::size_t at = 0; columns != nullptr && at < columns->items.size(); ++at) {
     if (columns->items[at].kind != json::Kind::String)
       keys.add(columns->items[at], "columns[" + std::to_string(at) + "]",
                "This must be the name of a column, as text.");
-    else if (names.size() < kMostPaths)
+    else
       names.push_back(columns->items[at].text);
   }
   if (!keys.areGood()) return refuse(client, request, keys.problems());
