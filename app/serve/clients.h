@@ -22,6 +22,7 @@ struct Client {
   bool is_known = false;
   bool closes = false;
   bool is_silent = false;  // it takes no messages
+  bool is_challenged = false;
   int bad_frames = 0;
   double connected_s = 0.0;
   std::optional<Subscription> subscription = {};

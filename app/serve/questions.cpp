@@ -2,10 +2,12 @@
 #include <underact/version.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "app/serve/scene_parts.h"
 #include "app/serve/service_impl.h"
+#include "app/serve/token.h"
 #include "core/json/text.h"
 #include "core/scene/scene_arm.h"
 #include "core/scene/settings.h"
@@ -15,6 +17,7 @@ namespace underact::serve {
 namespace {
 
 constexpr std::size_t kLongestName = 100;
+constexpr std::size_t kShortestNonce = 32, kLongestNonce = 128;
 
 /// In a time that does not depend on where they differ.
 bool isSameToken(std::string_view given, std::string_view token) {
@@ -62,6 +65,25 @@ void Service::Impl::hello(Client& client, const Request& request) {
   answer.addText("mode", modeWord(last.mode));
   answer.addInteger("tick", last.tick);
   answer.addBool("may_steer", maySteer(client));
+  client.send(answer.text());
+}
+
+void Service::Impl::challenge(Client& client, const Request& request) {
+  Keys keys(request);
+  const std::optional<std::string> nonce = keys.text("nonce", kLongestNonce);
+  if (nonce && (nonce->size() < kShortestNonce ||
+                !std::all_of(nonce->begin(), nonce->end(), [](unsigned char one) { return std::isxdigit(one) != 0; })))
+    keys.add(request.root(), "nonce", "This must be 32 to 128 hexadecimal digits.");
+  Problems problems = keys.areGood() ? Problems() : keys.problems();
+  if (client.is_known || std::exchange(client.is_challenged, true))
+    problems = problemAt("/do", "A challenge comes once, before \"hello\".");
+  if (!problems.empty()) {
+    refuse(client, request, problems);
+    client.closes = client.closes || !client.is_known;
+    return;
+  }
+  json::ObjectText answer = wellAnswer(request.id);
+  answer.addText("proof", proofOf(options.token, *nonce));
   client.send(answer.text());
 }
 

@@ -29,8 +29,9 @@ const char* modeWord(servo::Mode mode) {
   return "stopped";
 }
 
-const std::array<Service::Impl::Command, 18> Service::Impl::kCommands{{
+const std::array<Service::Impl::Command, 19> Service::Impl::kCommands{{
     {"hello", false, &Impl::hello},
+    {"challenge", false, &Impl::challenge},
     {"scene", false, &Impl::tellScene},
     {"load", true, &Impl::load},
     {"settings", false, &Impl::tellSettings},
@@ -56,7 +57,7 @@ void Service::Impl::perform(Client& client, const Request& request) {
     client.closes = client.closes || !client.is_known;
     return;
   }
-  if (!client.is_known && request.what != "hello") {
+  if (!client.is_known && request.what != "hello" && request.what != "challenge") {
     refuse(client, request, problemAt("/do", "The first request must be \"hello\", with the token."));
     client.closes = true;
     return;

@@ -62,10 +62,11 @@ struct Service::Impl {
     bool steers;
     void (Impl::*perform)(Client&, const Request&);
   };
-  static const std::array<Command, 18> kCommands;
+  static const std::array<Command, 19> kCommands;
 
   // Requests.
   void hello(Client& client, const Request& request);
+  void challenge(Client& client, const Request& request);
   void tellScene(Client& client, const Request& request);
   void load(Client& client, const Request& request);
   void tellSettings(Client& client, const Request& request);

@@ -1,11 +1,14 @@
-"""Strangers at the live service's port: pages of browsers, connections that
-say nothing, and too many of them.
+"""Strangers at the live service's port, and at the place of it: pages of browsers, connections that
+say nothing, too many of them, and a program that would like to have the token.
 """
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import http.client
+import importlib
+import json
 import os
 import resource
 import socket
@@ -14,7 +17,9 @@ import time
 import unittest
 from pathlib import Path
 
+import underact
 from test_live import Served
+from underact.live import LiveError
 
 
 class Strangers(Served):
@@ -116,6 +121,28 @@ class Strangers(Served):
             resource.prlimit(process.pid, resource.RLIMIT_NOFILE, (most, most))
             with self.connect("next") as late:
                 self.assertEqual(late.status()["clients"], ["test", "next"])
+
+    def test_sends_no_token_to_a_stranger_at_its_port(self):
+        websockets = importlib.import_module("websockets")
+        heard: list[str] = []
+
+        async def stranger(socket) -> None:
+            async for frame in socket:
+                heard.append(frame)
+                proof = {"id": json.loads(frame)["id"], "ok": True, "proof": "0" * 64}
+                await socket.send(json.dumps(proof))
+
+        async def meet() -> None:
+            async with websockets.serve(stranger, "127.0.0.1", 0) as server:
+                port = server.sockets[0].getsockname()[1]
+                await underact.connect_async(port=port, token_file=self.folder / "token")
+
+        (self.folder / "token").write_text("a-token-of-my-own-0123456789\n")
+        with self.assertRaises(LiveError) as refused:
+            asyncio.run(meet())
+        self.assertIn("does not know this token", str(refused.exception))
+        self.assertEqual([json.loads(one)["do"] for one in heard], ["challenge"])
+        self.assertNotIn("a-token", "".join(heard))
 
 
 if __name__ == "__main__":

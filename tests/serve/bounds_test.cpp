@@ -132,5 +132,28 @@ TEST(LiveServiceBounds, AGlanceSeesIdAndNameAtTheTopOfTheFirstBytesAlone) {
   }
 }
 
+TEST(Challenge, IsAnsweredOnceBeforeHelloByWhoKnowsTheToken) {
+  Desk desk;
+  const char* const challenge = R"({"id": 1, "do": "challenge", "nonce": "00112233445566778899aabbccddeeff"})";
+  const int client = desk.connect();
+  EXPECT_NE(desk.ask(client, challenge).find("e2f18cb41fd0132236a07d04a640d4835d49aa14a1e3cadc7a6af79b13bd33bb"),
+            std::string::npos)
+      << "by Python's hmac";
+  EXPECT_TRUE(desk.isRequest(challenge));
+  EXPECT_FALSE(desk.service->closes(client));
+  EXPECT_FALSE(Desk::isWell(desk.ask(client, challenge)));
+  EXPECT_TRUE(desk.service->closes(client)) << "no second one";
+  const int known = desk.join("lab");
+  EXPECT_FALSE(Desk::isWell(desk.ask(known, challenge)));
+  EXPECT_FALSE(desk.service->closes(known));
+  for (const char* const nonce : {"00", "0011223344556677889900112233445g", ""}) {
+    const int other = desk.connect();
+    const std::string text = R"({"id": 1, "do": "challenge", "nonce": ")" + std::string(nonce) + "\"}";
+    EXPECT_FALSE(desk.isRequest(text));
+    EXPECT_NE(desk.ask(other, text).find("/nonce"), std::string::npos);
+    EXPECT_TRUE(desk.service->closes(other));
+  }
+}
+
 }  // namespace
 }  // namespace underact::test
