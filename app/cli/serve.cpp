@@ -87,6 +87,8 @@ Exit runService(ServeOptions options, const Streams& streams) {
     const Problems problems = alone.startRecordingAt(options.record, options.existing());
     if (!problems.empty()) return fail(problems, Exit::File, streams);
   }
+  // From here on a signal ends the force itself, even while this thread is busy.
+  const system::Interrupt stopping(system::Reader::MayGo, &host.stops());
   host.begin();
   alone.noteServo();
   JsonObject line;

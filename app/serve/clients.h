@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/serve/request.h"
+#include "app/serve/endpoint.h"
 #include "app/serve/rows.h"
 
 namespace underact::serve {
@@ -12,6 +12,8 @@ namespace underact::serve {
 inline constexpr std::size_t kMostMessages = 1000;           // answers and events that wait for a client
 inline constexpr std::size_t kMostMessageBytes = 4U << 20U;  // the same, bytes
 inline constexpr int kMostBadFrames = 3;
+inline constexpr std::size_t kMostHeldBack = 100;             // requests that wait until an earlier one is done
+inline constexpr std::size_t kMostHeldBackBytes = 4U << 20U;  // the same, bytes
 
 /// One end of a connection.
 struct Client {
@@ -20,12 +22,14 @@ struct Client {
   bool is_known = false;
   bool closes = false;
   bool is_silent = false;  // it takes no messages
+  bool is_challenged = false;
   int bad_frames = 0;
   double connected_s = 0.0;
   std::optional<Subscription> subscription = {};
   std::deque<Message> messages = {};  // answers and events
   std::size_t message_bytes = 0;
-  std::deque<Request> held_back = {};  // until its load is done
+  std::deque<Frame> held_back = {};
+  std::size_t held_back_bytes = 0;
   std::int64_t dropped_events = 0;
 
   /// An answer always finds room: a client that does not take its answers is not read.

@@ -1,4 +1,6 @@
 #pragma once
+#include <atomic>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +12,15 @@ namespace underact::serve {
 inline constexpr std::size_t kMostClients = 8;           // that have said hello
 inline constexpr std::size_t kMostUnknown = 32;          // that have not yet
 inline constexpr std::size_t kLongestFrame = 1U << 20U;  // bytes
+inline constexpr std::size_t kLongestAtOnce = 16384;     // of a frame that the endpoint's thread reads itself, bytes
+
+/// A message of WebSocket, as it came.
+struct Frame {
+  std::string text;
+  bool is_text = true;
+  std::uint64_t stops = 0;   // Endpoint::stops() when it had come
+  bool has_stopped = false;  // it is a stop, and was counted there
+};
 
 /// A request over plain HTTP.
 struct HttpRequest {
@@ -24,7 +35,8 @@ struct HttpAnswer {
   std::string body;
 };
 
-/// What the sockets of a server belong to: messages in, messages out. One thread; no call waits.
+/// What the sockets of a server belong to: messages in, messages out. One thread, but for what says otherwise; no call
+/// waits.
 class Endpoint {
  public:
   Endpoint() = default;
@@ -40,6 +52,10 @@ class Endpoint {
   /// Without effect where it is gone already.
   virtual void disconnect(int connection) = 0;
   virtual void receive(int connection, std::string_view text, bool is_text, double now_s) = 0;
+  /// The same, with what the sockets' thread knows of it.
+  virtual void receive(int connection, Frame frame, double now_s);
+  /// Whether it may send many frames, and longer than a few seconds: it has said who it is.
+  virtual bool isKnown(int connection) const = 0;
   /// Whether a message waits to be sent to it.
   virtual bool hasMessage(int connection) const = 0;
   /// The next one. Only where there is one.
@@ -52,12 +68,35 @@ class Endpoint {
   /// To be called each millisecond while isBusy(), otherwise 30 times a second. now_s: any clock that is not set.
   virtual void poll(double now_s) = 0;
   virtual bool isBusy() const = 0;
-
   /// The answer to a request over plain HTTP; none: it speaks WebSocket alone.
   virtual std::optional<HttpAnswer> answer(const HttpRequest& request);
+
+  // Any thread: the sockets' own, while that of the endpoint may be busy.
+  /// Whether a known client's frame ends the force: stops() is counted up as soon as it comes. Bounded for any frame.
+  virtual bool isStop(std::string_view text) const;
+  /// To be counted up by who stops the servo; null: frames stop nothing.
+  virtual std::atomic<std::uint64_t>* stops();
+  /// The answer to a frame that is one too many, instead of receive(); none: such frames have to wait. Bounded.
+  virtual std::optional<std::string> tooSoon(std::string_view text) const;
 };
 
 inline void Endpoint::open(int) {}
+
+inline void Endpoint::receive(int connection, Frame frame, double now_s) {
+  receive(connection, frame.text, frame.is_text, now_s);
+}
+
+inline bool Endpoint::isStop(std::string_view) const {
+  return false;
+}
+
+inline std::atomic<std::uint64_t>* Endpoint::stops() {
+  return nullptr;
+}
+
+inline std::optional<std::string> Endpoint::tooSoon(std::string_view) const {
+  return std::nullopt;
+}
 
 inline std::optional<HttpAnswer> Endpoint::answer(const HttpRequest&) {
   return std::nullopt;

@@ -87,7 +87,9 @@ void HaplyService::disconnect(int connection) {
 void HaplyService::receive(int connection, std::string_view text, bool is_text, double) {
   if (impl_->client != connection) return;
   const Result<haply::Frame> read =
-      is_text ? haply::readFrame(text) : Result<haply::Frame>(Problems{{"This frame is binary; it must be JSON."}});
+      is_text && text.size() <= kLongestAtOnce
+          ? haply::readFrame(text)
+          : Result<haply::Frame>(Problems{{"A frame must be JSON text, of at most 16384 bytes."}});
   if (!read) {
     json::ObjectText answer;
     answer.addText("error", read.problems().front().sentence);
@@ -125,6 +127,10 @@ void HaplyService::poll(double) {
   if (!impl_->wants_state || impl_->service.lastTick().tick <= impl_->asked_at) return;
   impl_->messages.push_back({impl_->state(impl_->wants_all).text(), false});
   impl_->wants_state = impl_->wants_all = false;
+}
+
+bool HaplyService::isKnown(int connection) const {
+  return impl_->client == connection;
 }
 
 bool HaplyService::isBusy() const {

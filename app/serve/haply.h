@@ -23,6 +23,7 @@ class HaplyService final : public Endpoint {
   std::optional<int> connect(double now_s) override;
   void open(int connection) override;
   void disconnect(int connection) override;
+  using Endpoint::receive;
   void receive(int connection, std::string_view text, bool is_text, double now_s) override;
   bool hasMessage(int connection) const override;
   Message takeMessage(int connection) override;
@@ -30,6 +31,7 @@ class HaplyService final : public Endpoint {
   bool closes(int connection) const override;
   void poll(double now_s) override;
   bool isBusy() const override;
+  bool isKnown(int connection) const override;
   std::optional<HttpAnswer> answer(const HttpRequest& request) override;
 
  private:

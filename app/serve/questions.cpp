@@ -2,10 +2,12 @@
 #include <underact/version.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "app/serve/scene_parts.h"
 #include "app/serve/service_impl.h"
+#include "app/serve/token.h"
 #include "core/json/text.h"
 #include "core/scene/scene_arm.h"
 #include "core/scene/settings.h"
@@ -15,6 +17,7 @@ namespace underact::serve {
 namespace {
 
 constexpr std::size_t kLongestName = 100;
+constexpr std::size_t kShortestNonce = 32, kLongestNonce = 128;
 
 /// In a time that does not depend on where they differ.
 bool isSameToken(std::string_view given, std::string_view token) {
@@ -65,44 +68,49 @@ void Service::Impl::hello(Client& client, const Request& request) {
   client.send(answer.text());
 }
 
+void Service::Impl::challenge(Client& client, const Request& request) {
+  Keys keys(request);
+  const std::optional<std::string> nonce = keys.text("nonce", kLongestNonce);
+  if (nonce && (nonce->size() < kShortestNonce ||
+                !std::all_of(nonce->begin(), nonce->end(), [](unsigned char one) { return std::isxdigit(one) != 0; })))
+    keys.add(request.root(), "nonce", "This must be 32 to 128 hexadecimal digits.");
+  Problems problems = keys.areGood() ? Problems() : keys.problems();
+  if (client.is_known || std::exchange(client.is_challenged, true))
+    problems = problemAt("/do", "A challenge comes once, before \"hello\".");
+  if (!problems.empty()) {
+    refuse(client, request, problems);
+    client.closes = client.closes || !client.is_known;
+    return;
+  }
+  json::ObjectText answer = wellAnswer(request.id);
+  answer.addText("proof", proofOf(options.token, *nonce));
+  client.send(answer.text());
+}
+
 void Service::Impl::tellScene(Client& client, const Request& request) {
   Keys keys(request);
   if (!keys.areGood()) return refuse(client, request, keys.problems());
-  json::ObjectText answer = wellAnswer(request.id);
-  answer.addJson("scene", scene::writeScene(host.scene()));
-  client.send(answer.text());
+  reckon(client, [answer = wellAnswer(request.id)](const scene::Description& scene) mutable {
+    answer.addJson("scene", scene::writeScene(scene));
+    return answer.text();
+  });
 }
 
 void Service::Impl::tellSettings(Client& client, const Request& request) {
   Keys keys(request);
   if (!keys.areGood()) return refuse(client, request, keys.problems());
-  json::ObjectText answer = wellAnswer(request.id);
-  answer.addJson("settings", settingsText(host.scene()));
-  client.send(answer.text());
+  reckon(client, [answer = wellAnswer(request.id)](const scene::Description& scene) mutable {
+    answer.addJson("settings", settingsText(scene));
+    return answer.text();
+  });
 }
 
 void Service::Impl::get(Client& client, const Request& request) {
-  Keys keys(request);
-  const json::Value* const paths = keys.list("paths");
-  std::string values;
-  if (paths != nullptr && paths->items.size() > kMostPaths) keys.add(*paths, "paths", "These are too many paths.");
-  for (std::size_t at = 0; paths != nullptr && at < std::min(paths->items.size(), kMostPaths); ++at) {
-    const json::Value& path = paths->items[at];
-    if (path.kind != json::Kind::String) {
-      keys.add(path, "paths[" + std::to_string(at) + "]", "This must be the path of a setting, as text.");
-      continue;
-    }
-    const Result<scene::SettingValue> value = scene::valueAt(host.scene(), path.text);
-    if (!value)
-      keys.add(path, path.text.empty() ? "paths" : path.text, value.problems().front().sentence);
-    else if (scene::isNone(value.value()))
-      keys.add(path, path.text, "This setting has no value now.");
-    else
-      values += (values.empty() ? "" : ", ") + scene::fileTextOf(value.value());
-  }
-  if (!keys.areGood()) return refuse(client, request, keys.problems());
+  const bool is_ready = request.values && request.revision == host.revision();
+  const Result<std::string> values = is_ready ? *request.values : valuesFor(request, host.scene());
+  if (!values) return refuse(client, request, values.problems());
   json::ObjectText answer = wellAnswer(request.id);
-  answer.addJson("values", "[" + values + "]");
+  answer.addJson("values", values.value());
   client.send(answer.text());
 }
 
@@ -133,7 +141,8 @@ void Service::Impl::tellStatus(Client& client, const Request& request) {
 void Service::Impl::lease(Client& client, const Request& request) {
   Keys keys(request);
   const std::optional<std::string> what = keys.text("lease", 100);
-  if (what && *what != "take" && *what != "give") keys.add(request.root, "lease", "This must be \"take\" or \"give\".");
+  if (what && *what != "take" && *what != "give")
+    keys.add(request.root(), "lease", "This must be \"take\" or \"give\".");
   if (!keys.areGood()) return refuse(client, request, keys.problems());
   if (*what == "take") {
     if (const std::string why = whyNotSteer(client); !why.empty())
@@ -151,16 +160,16 @@ void Service::Impl::subscribe(Client& client, const Request& request) {
   Keys keys(request);
   const json::Value* const columns = keys.list("columns");
   const std::optional<double> hz = keys.number("hz", 1.0, host.rateHz());
-  const bool has_format = request.root.find("format") != nullptr;
+  const bool has_format = request.root().find("format") != nullptr;
   const std::optional<std::string> format = keys.text("format", 100, false);
   if (format && *format != "json" && *format != "binary")
-    keys.add(request.root, "format", "This must be \"json\" or \"binary\".");
+    keys.add(request.root(), "format", "This must be \"json\" or \"binary\".");
   std::vector<std::string> names;
   for (std::size_t at = 0; columns != nullptr && at < columns->items.size(); ++at) {
     if (columns->items[at].kind != json::Kind::String)
       keys.add(columns->items[at], "columns[" + std::to_string(at) + "]",
                "This must be the name of a column, as text.");
-    else if (names.size() < kMostPaths)
+    else
       names.push_back(columns->items[at].text);
   }
   if (!keys.areGood()) return refuse(client, request, keys.problems());

@@ -26,15 +26,16 @@ void Service::Impl::mark(Client& client, const Request& request) {
 
 void Service::Impl::record(Client& client, const Request& request) {
   Keys keys(request);
-  const bool stops = request.root.find("stop") != nullptr;
+  const bool stops = request.root().find("stop") != nullptr;
   const std::optional<bool> stop = keys.flag("stop", false);
   const std::optional<std::string> file = keys.text("file", kLongestFileName, !stops);
-  if (stops && file) keys.add(request.root, "file", "Give either \"file\" or \"stop\", not both.");
-  if (stop && !*stop) keys.add(request.root, "stop", "This must be true, or be omitted.");
+  if (stops && file) keys.add(request.root(), "file", "Give either \"file\" or \"stop\", not both.");
+  if (stop && !*stop) keys.add(request.root(), "stop", "This must be true, or be omitted.");
   const bool is_plain = file && !file->empty() && file->front() != '.' &&
                         file->find_first_of(std::string("/\\\0", 3)) == std::string::npos && file->ends_with(".h5");
   if (file && !is_plain)
-    keys.add(request.root, "file", "This must be the name of a new file in the sessions folder, as in \"trial_7.h5\".");
+    keys.add(request.root(), "file",
+             "This must be the name of a new file in the sessions folder, as in \"trial_7.h5\".");
   if (!keys.areGood()) return refuse(client, request, keys.problems());
   const std::optional<RecordingNow> now = steered.recording();
   json::ObjectText answer = wellAnswer(request.id);

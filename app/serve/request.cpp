@@ -1,7 +1,10 @@
 #include "app/serve/request.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <set>
+#include <string_view>
+#include <unordered_set>
 #include <utility>
 
 #include "core/json/text.h"
@@ -10,38 +13,90 @@
 namespace underact::serve {
 namespace {
 
-constexpr std::size_t kMostProblems = 100;  // in one answer
-constexpr std::size_t kLongestId = 200;     // bytes
+constexpr std::size_t kLongestId = 200;    // bytes
+constexpr std::size_t kLongestStep = 200;  // of a path, bytes: a frame may be one long key
+constexpr std::size_t kMostKeys = 50;      // of the request itself
+constexpr std::size_t kGlanced = 4096;
 
 /// A step of a JSON pointer: RFC 6901.
 std::string stepOf(std::string_view key) {
   std::string step;
-  for (const char one : key) step += one == '~' ? "~0" : one == '/' ? "~1" : std::string(1, one);
+  for (std::size_t at = 0; at < key.size();) {
+    const std::size_t length = std::max<std::size_t>(1, json::codePointLength(key, at));
+    if (at + length > kLongestStep) return step + "…";
+    step += key[at] == '~' ? "~0" : key[at] == '/' ? "~1" : std::string(key.substr(at, length));
+    at += length;
+  }
   return step;
 }
 
-void judge(const json::Value& value, const std::string& path, Problems& problems) {
-  if (problems.size() >= kMostProblems) return;
-  const auto add = [&](const std::string& where, const std::string& sentence) {
-    problems.push_back({sentence, {{}, value.line, value.column, where}});
+/// A value, and the way to it: only a problem makes a text of it.
+struct Way {
+  const Way* before = nullptr;
+  const json::Value* in = nullptr;
+  std::size_t index = 0;
+
+  std::string text() const {
+    if (in == nullptr) return {};
+    return before->text() + "/" + (in->kind == json::Kind::Object ? stepOf(in->keys[index]) : std::to_string(index));
+  }
+};
+
+void judge(const json::Value& value, const Way& way, Problems& problems) {
+  const auto add = [&](const Way& where, const std::string& sentence) {
+    if (problems.size() < kMostProblems) problems.push_back({sentence, {{}, value.line, value.column, where.text()}});
   };
-  if (value.kind == json::Kind::Null) add(path, "null is never a value. Omit the key.");
-  if (value.kind == json::Kind::Number && !std::isfinite(value.number)) add(path, "This number is too large.");
-  std::set<std::string> seen;
-  for (std::size_t index = 0; index < value.items.size(); ++index) {
-    const bool is_object = value.kind == json::Kind::Object;
-    const std::string where = path + "/" + (is_object ? stepOf(value.keys[index]) : std::to_string(index));
-    if (is_object && !seen.insert(value.keys[index]).second) add(where, "This key appears twice. Remove one of them.");
-    judge(value.items[index], where, problems);
+  if (value.kind == json::Kind::Null) add(way, "null is never a value. Omit the key.");
+  if (value.kind == json::Kind::Number && !std::isfinite(value.number)) add(way, "This number is too large.");
+  std::unordered_set<std::string_view> seen;
+  for (std::size_t index = 0; index < value.items.size() && problems.size() < kMostProblems; ++index) {
+    const Way step{&way, &value, index};
+    if (value.kind == json::Kind::Object && !seen.insert(value.keys[index]).second)
+      add(step, "This key appears twice. Remove one of them.");
+    judge(value.items[index], step, problems);
   }
 }
 
-bool isScalar(const json::Value& value) {
-  return value.kind == json::Kind::String || value.kind == json::Kind::Bool ||
+bool isId(const json::Value& value) {
+  return (value.kind == json::Kind::String && value.text.size() <= kLongestId) || value.kind == json::Kind::Bool ||
          (value.kind == json::Kind::Number && std::isfinite(value.number));
 }
 
 }  // namespace
+
+Glance glanceAt(std::string_view text) {
+  text = text.substr(0, kGlanced);
+  std::string_view key;
+  std::optional<std::string_view> id, what;
+  bool is_value = false;  // of the key
+  for (std::size_t at = 0, end = 0, depth = 0; at < text.size(); at = end) {
+    const char first = text[at];
+    end = at + 1;
+    if (first == '"') {
+      while (end < text.size() && text[end] != '"') end += text[end] == '\\' ? 2 : 1;
+      ++end;
+    } else if (first == '-' || std::isalnum(static_cast<unsigned char>(first)) != 0) {
+      end = text.find_first_of(",:]} \t\r\n", at);
+    }
+    if (end > text.size()) break;  // it goes on
+    if (first == '{' || first == '[') ++depth;
+    if ((first == '}' || first == ']') && depth > 0) --depth;
+    if (depth != 1) continue;
+    if (first == ':' || first == ',') is_value = first == ':';
+    if (end - at < 2 && std::isalnum(static_cast<unsigned char>(first)) == 0) continue;
+    const std::string_view token = text.substr(at, end - at);
+    if (!is_value) key = token;
+    if (is_value && key == "\"id\"" && !id) id = token;
+    if (is_value && key == "\"do\"" && !what) what = token;
+  }
+  Glance glance;
+  const auto take = [](const std::optional<std::string_view>& token) {
+    return token && token->size() <= 2 * kLongestId ? json::parse(*token, {}) : Result<json::Value>(Problems{});
+  };
+  if (const Result<json::Value> value = take(id); value && isId(value.value())) glance.id = json::textOf(value.value());
+  if (const Result<json::Value> value = take(what); value) glance.what = value.value().text;
+  return glance;
+}
 
 Result<Request> readRequest(std::string_view text) {
   Result<json::Value> root = json::parse(text, {});
@@ -52,16 +107,18 @@ Result<Request> readRequest(std::string_view text) {
   if (what == nullptr) return problemAt("/do", "The key \"do\" is missing: it names the request.");
   Request request;
   const json::Value* const id = root.value().find("id");
-  if (id != nullptr && isScalar(*id) && id->text.size() <= kLongestId) request.id = json::textOf(*id);
+  if (id != nullptr && isId(*id)) request.id = json::textOf(*id);
   if (what->kind == json::Kind::String) request.what = what->text;
-  request.root = std::move(root).value();
+  request.read = std::make_shared<const json::Value>(std::move(root).value());
   return request;
 }
 
 Problems generalProblems(const Request& request) {
+  if (request.root().keys.size() > kMostKeys)
+    return problemAt("", "A request has at most " + std::to_string(kMostKeys) + " keys.");
   Problems problems;
-  judge(request.root, "", problems);
-  if (request.root.find("id") == nullptr) {
+  judge(request.root(), {}, problems);
+  if (request.root().find("id") == nullptr) {
     problems.push_back({"The key \"id\" is missing: the answer carries it.", {{}, 0, 0, "/id"}});
   } else if (request.id == "null" && problems.empty()) {
     problems.push_back({"The id must be a number, true, false, or text of at most 200 bytes.", {{}, 0, 0, "/id"}});
@@ -70,7 +127,7 @@ Problems generalProblems(const Request& request) {
 }
 
 Keys::Keys(const Request& request)
-    : findings_(std::string()), reader_(request.root, "", "\"" + request.what + "\"", findings_) {
+    : findings_(std::string()), reader_(request.root(), "", "\"" + request.what + "\"", findings_) {
   reader_.find("id");
   reader_.find("do");
 }

@@ -1,21 +1,46 @@
 #pragma once
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/json/json.h"
 #include "core/json/object_reader.h"
 #include "core/json/object_text.h"
+#include "core/scene/description.h"
 
 namespace underact::serve {
 
+inline constexpr std::size_t kMostProblems = 100;   // in one answer
+inline constexpr std::size_t kMostHints = 10;       // of them, how many say which word is near: to look for it is slow
+inline constexpr std::size_t kMostSettings = 5000;  // in a request: more than a scene has
+
 /// A request as it came: an object with "do".
 struct Request {
+  const json::Value& root() const { return *read; }
+
   std::string id = "null";  // as JSON; null: it has none, or none that an answer can carry
   std::string what;         // of "do"
-  json::Value root;
+  std::shared_ptr<const json::Value> read;
+  std::uint64_t stops = 0;   // as in Frame
+  bool has_stopped = false;  // likewise
+
+  // What a worker has found out already, of a long one.
+  std::optional<Problems> general = {};                   // generalProblems()
+  std::uint64_t revision = 0;                             // of the scene that these belong to:
+  std::optional<Result<scene::Description>> edited = {};  // by set
+  std::optional<Result<std::string>> values = {};         // of get
 };
+
+/// What the first bytes of a frame say, without reading it: the id, as JSON, and the name of the request.
+struct Glance {
+  std::string id = "null", what;
+};
+/// Looks at 4096 bytes at most, and at nothing within lists and objects. What does not stand there is empty, or null.
+Glance glanceAt(std::string_view text);
 
 /// Reads a frame. Problems: it is not JSON, or has no "do"; such frames are counted.
 Result<Request> readRequest(std::string_view text);

@@ -162,8 +162,9 @@ Result<std::vector<std::size_t>> findColumns(const std::vector<std::string>& nam
     const auto column = std::find(known.begin(), known.end(), names[at]);
     const auto index = static_cast<std::size_t>(column - known.begin());
     const std::string path = "/columns/" + std::to_string(at);
+    if (problems.size() >= kMostProblems) break;
     if (column == known.end()) {
-      const std::string nearest = json::nearestWord(names[at], known);
+      const std::string nearest = problems.size() < kMostHints ? json::nearestWord(names[at], known) : "";
       problems.push_back({"A session has no column " + json::shown(names[at]) +
                               (nearest.empty() ? ". \"underact-cli log columns\" prints all of them."
                                                : ". Did you mean \"" + nearest + "\"?"),

@@ -11,6 +11,7 @@
 #include "core/scene/edit.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
+#include "core/scene/settings.h"
 #include "core/scene/write.h"
 #include "core/system/resource_paths.h"
 
@@ -192,6 +193,7 @@ Result<scene::Description> withMoved(const scene::Description& scene, const std:
   Problems problems;
   for (std::size_t at = 0; at < values.keys.size(); ++at) {
     const std::string& key = values.keys[at];
+    if (problems.size() >= kMostProblems) break;
     if (std::find(placementKeys().begin(), placementKeys().end(), key) == placementKeys().end()) {
       problems.push_back(
           {"This key does not say where a constraint is, or how large. A setting is changed by \"set\", "
@@ -237,6 +239,43 @@ Result<scene::Description> openScene(const std::string& name) {
   if (!scene) return scene;
   if (Problems problems = scene::loadMeshes(scene.value()); !problems.empty()) return problems;
   return scene;
+}
+
+Result<scene::Description> editedBy(const Request& request, const scene::Description& scene) {
+  Keys keys(request);
+  const json::Value* const values = keys.object("values");
+  if (!keys.areGood()) return keys.problems();
+  if (values->keys.empty()) return problemAt("/values", "This must have a path at least, with its value.");
+  if (values->keys.size() > kMostSettings) return problemAt("/values", "These are too many values.");
+  return scene::withFileValues(scene, *values, kMostProblems, kMostHints);
+}
+
+Result<std::string> valuesFor(const Request& request, const scene::Description& scene) {
+  Keys keys(request);
+  const json::Value* const paths = keys.list("paths");
+  std::string values;
+  if (paths != nullptr && paths->items.size() > kMostSettings) keys.add(*paths, "paths", "These are too many paths.");
+  std::size_t problems = 0;
+  for (std::size_t at = 0; paths != nullptr && at < std::min(paths->items.size(), kMostSettings); ++at) {
+    const json::Value& path = paths->items[at];
+    ++problems;
+    if (path.kind != json::Kind::String) {
+      keys.add(path, "paths[" + std::to_string(at) + "]", "This must be the path of a setting, as text.");
+    } else if (const std::string where = path.text.empty() ? "paths" : path.text;
+               problems > kMostHints && !scene::hasSetting(scene, path.text)) {
+      keys.add(path, where, "There is no such setting.");
+    } else if (const Result<scene::SettingValue> value = scene::valueAt(scene, path.text); !value) {
+      keys.add(path, where, value.problems().front().sentence);
+    } else if (scene::isNone(value.value())) {
+      keys.add(path, where, "This setting has no value now.");
+    } else {
+      --problems;
+      values += (values.empty() ? "" : ", ") + scene::fileTextOf(value.value());
+    }
+    if (problems >= kMostProblems) break;
+  }
+  if (!keys.areGood()) return keys.problems();
+  return "[" + values + "]";
 }
 
 std::string settingsText(const scene::Description& scene) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "app/serve/request.h"
 #include "core/base/result.h"
 #include "core/json/json.h"
 #include "core/scene/description.h"
@@ -29,6 +30,12 @@ Result<scene::Description> openScene(const std::string& name);
 
 /// The scene of a JSON text, with its meshes loaded. beside: a file whose folder relative names are meant in.
 Result<scene::Description> sceneOf(const std::string& text, const std::string& beside);
+
+/// The scene with the values of a request "set". Any thread. Problems: those of the request, or of a value.
+Result<scene::Description> editedBy(const Request& request, const scene::Description& scene);
+
+/// The list of values for a request "get": JSON. Any thread. Problems: those of the request, or of a path.
+Result<std::string> valuesFor(const Request& request, const scene::Description& scene);
 
 /// All settings of the scene as the list of an answer: JSON.
 std::string settingsText(const scene::Description& scene);

@@ -2,209 +2,172 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <utility>
 
-#include "core/web_socket/connection.h"
+#include "app/serve/sockets.h"
 
 namespace underact::serve {
 namespace {
 
-using web_socket::Milliseconds;
-
-constexpr Milliseconds kBusy{1}, kIdle{10};
-constexpr Milliseconds kHandshake{5000};
-constexpr Milliseconds kSilence{30000};  // a client that does not answer a ping for so long is taken for dead
-constexpr std::uint32_t kLongestHeader = 16384;
-constexpr std::uint64_t kLongestBody = 65536;
-
-constexpr int kForbidden = 403, kUpgradeRequired = 426;  // of HTTP
+constexpr std::chrono::milliseconds kBusy{1}, kIdle{10};
+constexpr double kStep_s = 0.005;  // of requests, between two looks at the ticks
+constexpr std::size_t kMostSent = 64, kMostSentBytes = std::size_t{1} << 20;  // given to the sockets, and not gone yet
 
 double nowSeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// What the connections of an endpoint share between begin() and end().
-struct Shared {
-  Endpoint& endpoint;
-  const std::vector<std::string>& origins;
-  std::function<void()> hurry;  // a request waits for a tick: look soon
+/// A connection as the endpoint knows it.
+struct Held {
+  std::shared_ptr<Line> line;
+  bool is_open = false;       // and the endpoint knows it
+  bool has_received = false;  // since send(): there is room for more
 };
 
-/// One connection; it lives as long as an operation of it is under way.
-class Connection : public std::enable_shared_from_this<Connection> {
- public:
-  Connection(web_socket::Connection line, Shared& shared, int number)
-      : line_(std::move(line)), shared_(shared), number_(number) {}
-  void begin() {
-    line_.limit({kLongestHeader, kLongestBody, kLongestFrame, kHandshake, kSilence});
-    line_.readHeader([self = shared_from_this()](bool is_read) { self->answer(is_read); });
-  }
-  /// Sends what waits, reads on where that was put off, and closes what is to be closed.
-  void pump() {
-    if (!is_open_) {
-      if (shared_.endpoint.closes(number_)) end();
-      return;
-    }
-    if (!is_writing_ && shared_.endpoint.hasMessage(number_)) {
-      write();
-    } else if (!is_writing_ && shared_.endpoint.closes(number_)) {
-      close();
-    }
-    if (!is_reading_ && shared_.endpoint.mayBeRead(number_)) read();
-  }
-  bool isOver() const { return is_over_; }
-  void end() {
-    is_over_ = true;
-    line_.end();
-  }
+/// An endpoint, and its connections by their numbers.
+struct Served {
+  explicit Served(Endpoint& its_endpoint) : endpoint(its_endpoint) {}
 
- private:
-  void answer(bool is_read) {
-    if (!is_read || is_over_) return end();
-    const web_socket::Request request = line_.request();
-    const bool is_refused = request.origin && std::find(shared_.origins.begin(), shared_.origins.end(),
-                                                        *request.origin) == shared_.origins.end();
-    if (is_refused) return respond(kForbidden, "", "Pages of this origin may not connect. See --allow-origin.\n");
-    if (!request.is_upgrade)
-      return line_.readBody([self = shared_from_this()](bool is_whole) { self->answerHttp(is_whole); });
-    line_.accept([self = shared_from_this()](bool is_accepted) {
-      if (!is_accepted || self->is_over_) return self->end();
-      self->is_open_ = true;
-      self->shared_.endpoint.open(self->number_);
-      self->pump();
-    });
-  }
-  void answerHttp(bool is_read) {
-    if (!is_read || is_over_) return end();
-    const web_socket::Request request = line_.request();
-    const std::optional<HttpAnswer> answer = shared_.endpoint.answer({request.method, request.target, request.body});
-    if (!answer) return respond(kUpgradeRequired, "", "This is a WebSocket service.\n");
-    respond(answer->status, "application/json", answer->body);
-  }
-  void respond(int status, const std::string& type, const std::string& body) {
-    line_.respond(status, type, body, [self = shared_from_this()](bool) { self->end(); });
-  }
-  void read() {
-    is_reading_ = true;
-    line_.read([self = shared_from_this()](bool is_read, std::string_view message, bool is_text) {
-      self->is_reading_ = false;
-      if (!is_read || self->is_over_) return self->end();
-      self->shared_.endpoint.receive(self->number_, message, is_text, nowSeconds());
-      if (self->shared_.endpoint.isBusy()) self->shared_.hurry();
-      self->pump();
-    });
-  }
-  void write() {
-    is_writing_ = true;
-    message_ = shared_.endpoint.takeMessage(number_);
-    line_.write(message_.bytes, message_.is_binary, [self = shared_from_this()](bool is_written) {
-      self->is_writing_ = false;
-      if (!is_written || self->is_over_) return self->end();
-      self->pump();
-    });
-  }
-  void close() {
-    is_writing_ = true;  // nothing more is written
-    line_.close(web_socket::kPolicyError, [self = shared_from_this()](bool) { self->end(); });
-  }
-
-  web_socket::Connection line_;
-  Shared& shared_;
-  int number_;
-  Message message_;
-  bool is_open_ = false, is_reading_ = false, is_writing_ = false, is_over_ = false;
-};
-
-/// A port, and the endpoint behind it.
-struct Listener {
-  Listener(web_socket::Loop& loop, std::vector<std::string> allowed) : origins(std::move(allowed)), door(loop) {}
-
-  void accept() {
-    door.accept([this](std::optional<web_socket::Connection> line) {
-      if (shared == nullptr) return;
-      const bool is_here = line.has_value();
-      if (is_here) take(std::move(*line));
-      if (is_here || connections.size() < kMostClients + kMostUnknown) {
-        accept();
+  /// Whether one of them is to be closed.
+  bool take(std::vector<std::shared_ptr<Line>> fresh) {
+    bool are_many = false;
+    for (std::shared_ptr<Line>& line : fresh) {
+      if (const std::optional<int> number = endpoint.connect(nowSeconds())) {
+        connections[*number] = {std::move(line)};
       } else {
-        pauses = true;  // no descriptors are left: the next one is taken with the next beat
+        const std::lock_guard<std::mutex> lock(line->mutex);
+        line->closes = are_many = true;
       }
-    });
-  }
-  void take(web_socket::Connection line) {
-    const std::optional<int> number = shared->endpoint.connect(nowSeconds());
-    if (!number) return;  // too many: the socket closes
-    const auto connection = std::make_shared<Connection>(std::move(line), *shared, *number);
-    connections[*number] = connection;
-    connection->begin();
-  }
-  void poll() {
-    shared->endpoint.poll(nowSeconds());
-    for (auto one = connections.begin(); one != connections.end();) {
-      one->second->pump();
-      if (!one->second->isOver()) {
-        ++one;
-        continue;
-      }
-      shared->endpoint.disconnect(one->first);
-      one = connections.erase(one);
     }
-    if (std::exchange(pauses, false)) accept();
+    return are_many;
   }
-  void end() {
-    for (auto& [number, connection] : connections) {
-      connection->end();
-      shared->endpoint.disconnect(number);
+  /// Gives the endpoint the next thing that has come of a connection. false: there is none, or it has to wait.
+  bool receive(int number, Held& held) {
+    Line& line = *held.line;
+    std::unique_lock<std::mutex> lock(line.mutex);
+    const bool opens = line.is_open && !std::exchange(held.is_open, line.is_open);
+    const std::optional<HttpRequest> question = std::exchange(line.question, std::nullopt);
+    lock.unlock();
+    if (opens) endpoint.open(number);
+    if (question) {
+      const std::optional<HttpAnswer> answer = endpoint.answer(*question);
+      lock.lock();
+      line.answer = answer;
+      lock.unlock();
     }
-    connections.clear();
-    door.close();
+    const bool is_read = endpoint.mayBeRead(number);
+    lock.lock();
+    if (line.frames.empty() || !(is_read || line.frames.front().has_stopped)) return false;
+    Frame frame = std::move(line.frames.front());
+    lock.unlock();
+    const std::size_t bytes = frame.text.size();
+    endpoint.receive(number, std::move(frame), nowSeconds());
+    const bool is_known = endpoint.isKnown(number);
+    lock.lock();
+    line.frames.pop_front();
+    line.frame_bytes -= bytes;
+    line.is_known = is_known;
+    held.has_received = true;
+    return true;
+  }
+  /// Tells the sockets what the endpoint has for them. Whether there is anything new.
+  bool send(int number, Held& held) {
+    Line& line = *held.line;
+    std::unique_lock<std::mutex> lock(line.mutex);
+    std::size_t count = line.messages.size(), bytes = line.message_bytes;
+    lock.unlock();
+    std::vector<Message> messages;
+    for (; count < kMostSent && bytes < kMostSentBytes && endpoint.hasMessage(number); ++count) {
+      messages.push_back(endpoint.takeMessage(number));
+      bytes += messages.back().bytes.size();
+    }
+    const bool has_more = endpoint.hasMessage(number), is_known = endpoint.isKnown(number),
+               may_be_read = endpoint.mayBeRead(number), closes = !has_more && endpoint.closes(number);
+    lock.lock();
+    const bool is_news = std::exchange(held.has_received, false) || !messages.empty() || line.is_known != is_known ||
+                         line.may_be_read != may_be_read || line.closes != closes || line.answer;
+    for (Message& message : messages) {
+      line.message_bytes += message.bytes.size();
+      line.messages.push_back(std::move(message));
+    }
+    line.has_more = has_more;
+    line.is_known = is_known;
+    line.may_be_read = may_be_read;
+    line.closes = closes;
+    return is_news;
+  }
+  /// Whether nothing more comes of it.
+  bool isOver(int number, const Held& held) const {
+    const std::lock_guard<std::mutex> lock(held.line->mutex);
+    return held.line->is_gone && (held.line->frames.empty() || !endpoint.mayBeRead(number));
   }
 
-  std::vector<std::string> origins;
-  web_socket::Listener door;
-  std::unique_ptr<Shared> shared;
-  bool pauses = false;
-  std::map<int, std::shared_ptr<Connection>> connections;
+  Endpoint& endpoint;
+  std::map<int, Held> connections;
 };
 
 }  // namespace
 
 struct Server::Impl {
   Problems listen(int port, std::vector<std::string> origins) {
-    auto listener = std::make_unique<Listener>(loop, std::move(origins));
-    if (const std::string why = listener->door.open(port); !why.empty())
-      return Problems{{"The service cannot listen at port " + std::to_string(port) + ": " + why +
-                       ". With port 0 it takes a free one."}};
-    listeners.push_back(std::move(listener));
-    return {};
+    const std::string why = sockets.listen(port, std::move(origins));
+    if (why.empty()) return {};
+    return Problems{{"The service cannot listen at port " + std::to_string(port) + ": " + why +
+                     ". With port 0 it takes a free one."}};
   }
-  bool isBusy() const {
-    return std::any_of(listeners.begin(), listeners.end(),
-                       [](const auto& one) { return one->shared && one->shared->endpoint.isBusy(); });
+  void ring() {
+    const std::lock_guard<std::mutex> lock(mutex);
+    is_rung = true;
+    wakes.notify_one();
   }
-  void poll() {
-    for (const auto& one : listeners) {
-      if (one->shared) one->poll();
+  void wait() {
+    const bool is_busy =
+        std::any_of(served.begin(), served.end(), [](const Served& one) { return one.endpoint.isBusy(); });
+    std::unique_lock<std::mutex> lock(mutex);
+    wakes.wait_for(lock, is_busy ? kBusy : kIdle, [this] { return is_rung; });
+    is_rung = false;
+  }
+  /// One request of each connection in turn, as nobody is to wait for another's hundreds.
+  void receive() {
+    const double end_s = nowSeconds() + kStep_s;
+    for (bool has_more = true; has_more;) {
+      if (goes_on && !goes_on()) return;
+      has_more = false;
+      for (Served& one : served) {
+        for (auto& [number, held] : one.connections) has_more = one.receive(number, held) || has_more;
+      }
+      if (has_more && nowSeconds() > end_s) return ring();
+    }
+    for (Served& one : served) {
+      for (auto each = one.connections.begin(); each != one.connections.end();) {
+        const bool is_over = one.isOver(each->first, each->second);
+        if (is_over) one.endpoint.disconnect(each->first);
+        each = is_over ? one.connections.erase(each) : std::next(each);
+      }
     }
   }
-  void beat() {
-    poll();
-    if (!goes_on()) return loop.stop();
-    beatIn(isBusy() ? kBusy : kIdle);
-  }
-  void beatIn(Milliseconds time) {
-    timer.start(time, [this] { beat(); });
-  }
-  void hurry() {
-    if (goes_on && timer.end() > std::chrono::steady_clock::now() + kBusy) beatIn(kBusy);
+  void step() {
+    bool is_news = false;
+    for (std::size_t door = 0; door < served.size(); ++door)
+      is_news = served[door].take(sockets.takeNew(door)) || is_news;
+    receive();
+    for (Served& one : served) {
+      one.endpoint.poll(nowSeconds());
+      for (auto& [number, held] : one.connections) is_news = one.send(number, held) || is_news;
+    }
+    if (is_news) sockets.look();
   }
 
-  web_socket::Loop loop;
-  web_socket::Timer timer{loop};
-  std::vector<std::unique_ptr<Listener>> listeners;
+  std::mutex mutex;  // of:
+  bool is_rung = false;
+  std::condition_variable wakes;
+  std::vector<Served> served;
   std::function<bool()> goes_on;  // of run(); none: step() is called by another loop
+  Sockets sockets{[this] { ring(); }};
 };
 
 Server::Server(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -223,37 +186,35 @@ Problems Server::alsoListen(int port) {
 }
 
 int Server::port(std::size_t listener) const {
-  return impl_->listeners.at(listener)->door.port();
+  return impl_->sockets.port(listener);
 }
 
 void Server::run(const std::vector<Endpoint*>& endpoints, const std::function<bool()>& goes_on) {
   begin(endpoints);
   impl_->goes_on = goes_on;
-  impl_->beat();
-  impl_->loop.run();
+  while (goes_on()) {
+    impl_->step();
+    impl_->wait();
+  }
   impl_->goes_on = nullptr;
   end();
 }
 
 void Server::begin(const std::vector<Endpoint*>& endpoints) {
-  for (std::size_t index = 0; index < endpoints.size(); ++index) {
-    Listener& listener = *impl_->listeners.at(index);
-    listener.shared =
-        std::make_unique<Shared>(Shared{*endpoints[index], listener.origins, [impl = impl_.get()] { impl->hurry(); }});
-    listener.accept();
-  }
+  for (Endpoint* const endpoint : endpoints) impl_->served.emplace_back(*endpoint);
+  impl_->sockets.start(endpoints);
 }
 
 void Server::step() {
-  impl_->loop.poll();
-  impl_->poll();
-  impl_->loop.poll();  // what was written, so that the next message can be
+  impl_->step();
 }
 
 void Server::end() {
-  for (const auto& one : impl_->listeners) one->end();
-  impl_->loop.poll();  // what was under way ends
-  for (const auto& one : impl_->listeners) one->shared.reset();
+  impl_->sockets.stop();
+  for (Served& one : impl_->served) {
+    for (const auto& [number, held] : one.connections) one.endpoint.disconnect(number);
+  }
+  impl_->served.clear();
 }
 
 }  // namespace underact::serve

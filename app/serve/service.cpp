@@ -1,7 +1,6 @@
 #include "app/serve/service.h"
 
 #include <algorithm>
-#include <chrono>
 #include <string_view>
 #include <utility>
 
@@ -13,7 +12,6 @@ namespace underact::serve {
 namespace {
 
 constexpr double kAnswerWithin_s = 2.0;  // a servo that ticks answers in some milliseconds; a load waits for zero force
-constexpr std::size_t kMostHeldBack = 100;
 constexpr const char* kPerson = "window";
 
 }  // namespace
@@ -31,8 +29,9 @@ const char* modeWord(servo::Mode mode) {
   return "stopped";
 }
 
-const std::array<Service::Impl::Command, 18> Service::Impl::kCommands{{
+const std::array<Service::Impl::Command, 19> Service::Impl::kCommands{{
     {"hello", false, &Impl::hello},
+    {"challenge", false, &Impl::challenge},
     {"scene", false, &Impl::tellScene},
     {"load", true, &Impl::load},
     {"settings", false, &Impl::tellSettings},
@@ -52,20 +51,13 @@ const std::array<Service::Impl::Command, 18> Service::Impl::kCommands{{
     {"constraint.move", true, &Impl::move},
 }};
 
-void Service::Impl::receive(Client& client, Request request) {
-  if (isOpening(client.number) && request.what != "stop")
-    client.held_back.push_back(std::move(request));
-  else
-    perform(client, request);
-}
-
 void Service::Impl::perform(Client& client, const Request& request) {
-  if (const Problems problems = generalProblems(request); !problems.empty()) {
+  if (const Problems problems = request.general ? *request.general : generalProblems(request); !problems.empty()) {
     refuse(client, request, problems);
     client.closes = client.closes || !client.is_known;
     return;
   }
-  if (!client.is_known && request.what != "hello") {
+  if (!client.is_known && request.what != "hello" && request.what != "challenge") {
     refuse(client, request, problemAt("/do", "The first request must be \"hello\", with the token."));
     client.closes = true;
     return;
@@ -76,7 +68,7 @@ void Service::Impl::perform(Client& client, const Request& request) {
     std::vector<std::string> known;
     for (const Command& one : kCommands) known.emplace_back(one.name);
     const std::string nearest = json::nearestWord(request.what, known);
-    const std::string what = request.root.find("do")->kind == json::Kind::String
+    const std::string what = request.root().find("do")->kind == json::Kind::String
                                  ? "There is no request " + json::shown(request.what) + "."
                                  : "\"do\" must be the name of a request, as text.";
     refuse(client, request, problemAt("/do", what + (nearest.empty() ? "" : " Did you mean \"" + nearest + "\"?")));
@@ -123,7 +115,8 @@ std::string Service::Impl::whyNotSteer(const Client& client) const {
 
 void Service::Impl::answerWaiting(const servo::TickRecord& record) {
   for (auto one = waiting.begin(); one != waiting.end();) {
-    if (record.orders < one->orders || record.revision < one->revision) {
+    const bool still_runs = one->stops && record.mode == servo::Mode::Running && record.orders == one->orders;
+    if (record.orders < one->orders || record.revision < one->revision || still_runs) {
       ++one;
       continue;
     }
@@ -223,20 +216,41 @@ const scene::Description& Service::scene() const {
 
 void Service::disconnect(int connection) {
   if (impl_->clients.erase(connection) == 0) return;
+  impl_->reading.drop(connection);
+  impl_->reckoning.drop(connection);
   if (impl_->holder == connection) impl_->giveBack();
 }
 
 void Service::receive(int connection, std::string_view text, bool is_text, double now_s) {
+  receive(connection, Frame{std::string(text), is_text, impl_->host.stops()}, now_s);
+}
+
+void Service::receive(int connection, Frame frame, double now_s) {
   const auto found = impl_->clients.find(connection);
   if (found == impl_->clients.end() || found->second.closes) return;
   impl_->now_s = now_s;
-  Client& client = found->second;
-  Result<Request> request =
-      is_text ? readRequest(text) : Result<Request>(problemAt("", "This frame is binary; a request is JSON text."));
-  if (request) return impl_->receive(client, std::move(request).value());
-  client.send(problemAnswer("null", request.problems()));
-  ++client.bad_frames;
-  client.closes = client.bad_frames >= kMostBadFrames;
+  impl_->receive(found->second, std::move(frame));
+}
+
+bool Service::isKnown(int connection) const {
+  const auto found = impl_->clients.find(connection);
+  return found != impl_->clients.end() && found->second.is_known;
+}
+
+bool Service::isStop(std::string_view text) const {
+  return glanceAt(text).what == "stop";
+}
+
+std::atomic<std::uint64_t>* Service::stops() {
+  return &impl_->host.stops();
+}
+
+std::optional<std::string> Service::tooSoon(std::string_view text) const {
+  return problemAnswer(
+      glanceAt(text).id,
+      problemAt("",
+                "This is one request too many: at most 2000 requests and 4 MiB a second are taken, and "
+                "as many may wait."));
 }
 
 bool Service::hasMessage(int connection) const {
@@ -269,8 +283,7 @@ bool Service::mayBeRead(int connection) const {
   const auto found = impl_->clients.find(connection);
   if (found == impl_->clients.end() || found->second.closes) return false;
   const Client& client = found->second;
-  return client.messages.size() < kMostMessages && client.message_bytes < kMostMessageBytes &&
-         client.held_back.size() < kMostHeldBack;
+  return client.messages.size() < kMostMessages && client.message_bytes < kMostMessageBytes;
 }
 
 bool Service::closes(int connection) const {
@@ -280,22 +293,7 @@ bool Service::closes(int connection) const {
 
 void Service::poll(double now_s) {
   impl_->now_s = now_s;
-  for (std::size_t index = 0; index < impl_->openings.size();) {
-    Opening& opening = impl_->openings[index];
-    if (opening.read.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-      ++index;
-      continue;
-    }
-    Opening done = std::move(opening);
-    impl_->openings.erase(impl_->openings.begin() + static_cast<std::ptrdiff_t>(index));
-    impl_->finish(done);
-    const auto found = impl_->clients.find(done.client);
-    while (found != impl_->clients.end() && !found->second.held_back.empty() && !impl_->isOpening(done.client)) {
-      const Request next = std::move(found->second.held_back.front());
-      found->second.held_back.pop_front();
-      impl_->perform(found->second, next);
-    }
-  }
+  impl_->takeWork();
   impl_->host.snapshot();  // sends commands that are waiting
   impl_->steered.drain(*this);
   while (!impl_->waiting.empty() && now_s - impl_->waiting.front().since_s > kAnswerWithin_s) {
@@ -315,8 +313,12 @@ void Service::poll(double now_s) {
 
 bool Service::isBusy() const {
   const auto subscribed = [](const auto& one) { return one.second.subscription.has_value(); };
-  return !impl_->waiting.empty() || !impl_->openings.empty() ||
+  return !impl_->waiting.empty() || !impl_->reading.isEmpty() || !impl_->reckoning.isEmpty() ||
          std::any_of(impl_->clients.begin(), impl_->clients.end(), subscribed);
+}
+
+int Service::workers() const {
+  return impl_->reading.threads() + impl_->reckoning.threads();
 }
 
 bool Service::hasClients() const {

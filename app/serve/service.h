@@ -23,7 +23,8 @@ struct ServiceOptions {
 /// The live service without its sockets: JSON text in, messages out. Everything that the wire (the guide's page
 /// live_service.md) says is here: requests, the lease, subscriptions, events, limits. Whatever it
 /// steers takes effect between two ticks of the host, so a session of the host has every act at its tick. One thread:
-/// that of the host; it never waits for the servo or for a client.
+/// that of the host; it never waits for the servo or for a client. What takes longer than some milliseconds, a thread
+/// of its own does.
 class Service final : public Endpoint {
  public:
   /// scene: loaded; it outlives the service.
@@ -38,6 +39,11 @@ class Service final : public Endpoint {
   Message takeMessage(int connection) override;
   bool mayBeRead(int connection) const override;
   bool closes(int connection) const override;
+  void receive(int connection, Frame frame, double now_s) override;
+  bool isKnown(int connection) const override;
+  bool isStop(std::string_view text) const override;
+  std::atomic<std::uint64_t>* stops() override;
+  std::optional<std::string> tooSoon(std::string_view text) const override;
 
   // From what is steered, in drain().
   void add(const servo::TickRecord& record);
@@ -55,6 +61,8 @@ class Service final : public Endpoint {
   const servo::TickRecord& lastTick() const;
   const scene::Description& scene() const;
 
+  /// The threads that work for it.
+  int workers() const;
   bool hasClients() const;
   /// The clients that have said hello, in the order in which they connected.
   std::vector<std::string> clientNames() const;

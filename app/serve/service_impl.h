@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
-#include <future>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,14 +11,15 @@
 #include <vector>
 
 #include "app/serve/clients.h"
+#include "app/serve/request.h"
 #include "app/serve/service.h"
+#include "app/serve/worker.h"
 
 namespace underact::serve {
 
 // Inside the room: the service's parts, which answer its requests.
 
 constexpr std::size_t kLongestWords = 4096;  // of a key that is a name or a path, bytes
-constexpr std::size_t kMostPaths = 10'000;   // in a request
 
 /// "running", "stopped" or "fault".
 const char* modeWord(servo::Mode mode);
@@ -30,12 +31,11 @@ struct Opened {
   bool is_named = false;
 };
 
-/// A worker that reads for a client.
+/// What a worker reads for a client.
 struct Opening {
   int client = 0;
   std::string id;
   std::string root;  // of the problems' paths
-  std::future<Result<Opened>> read;
 };
 
 /// An answer that waits for the tick in which its request comes into effect.
@@ -44,6 +44,7 @@ struct Waiting {
   std::string id;
   std::uint64_t orders = 0, revision = 0;
   bool has_mode = false;
+  bool stops = false;  // the tick must not be one that still runs, or there was another order since
   double since_s = 0.0;
 };
 
@@ -61,10 +62,11 @@ struct Service::Impl {
     bool steers;
     void (Impl::*perform)(Client&, const Request&);
   };
-  static const std::array<Command, 18> kCommands;
+  static const std::array<Command, 19> kCommands;
 
   // Requests.
   void hello(Client& client, const Request& request);
+  void challenge(Client& client, const Request& request);
   void tellScene(Client& client, const Request& request);
   void load(Client& client, const Request& request);
   void tellSettings(Client& client, const Request& request);
@@ -83,21 +85,28 @@ struct Service::Impl {
   void remove(Client& client, const Request& request);
   void move(Client& client, const Request& request);
 
-  void receive(Client& client, Request request);
+  /// A frame, at once or once the worker has read it or what was before it.
+  void receive(Client& client, Frame frame);
+  void readLong(const Client& client, Frame frame);
+  void holdBack(Client& client, Frame frame);
+  void take(Client& client, const Result<Request>& request);
   void perform(Client& client, const Request& request);
   void refuse(Client& client, const Request& request, const Problems& problems) {
     client.send(problemAnswer(request.id, problems));
   }
   void waitForTick(const Client& client, const std::string& id, bool has_mode = false) {
-    waiting.push_back({client.number, id, host.orders(), 0, has_mode, now_s});
+    waiting.push_back({client.number, id, host.orders(), 0, has_mode, false, now_s});
   }
   /// Edits or loads, and answers once it is in effect.
   void edit(Client& client, const Request& request, const scene::Description& edited, std::int64_t over_ticks = 0);
-  void open(Client& client, const Request& request, const std::string& root, std::future<Result<Opened>> read);
-  void finish(Opening& opening);
-  bool isOpening(int client) const {
-    return std::any_of(openings.begin(), openings.end(), [=](const Opening& one) { return one.client == client; });
-  }
+  void open(const Client& client, const Request& request, const std::string& root,
+            std::function<Result<Opened>()> read);
+  void finish(const Opening& opening, const Result<Opened>& opened);
+  /// Sends what a worker makes of the scene as it is now.
+  void reckon(const Client& client, std::function<std::string(const scene::Description&)> answer);
+  bool isAtWork(int client) const { return reading.has(client) || reckoning.has(client); }
+  /// What workers have done, and what had to wait for it.
+  void takeWork();
 
   // The lease.
   bool maySteer(const Client& client) const { return whyNotSteer(client).empty(); }
@@ -140,11 +149,11 @@ struct Service::Impl {
   bool is_taken_back = false;  // by the person at the program itself
   bool pushed = false;
   std::deque<Waiting> waiting;
-  std::vector<Opening> openings;
   std::map<std::uint64_t, Edit> edits;  // that are not in effect yet
   servo::TickRecord last;
   TickNumbers numbers;
   double now_s = 0.0;
+  Worker reading, reckoning;  // of files; of long requests and answers
 };
 
 }  // namespace underact::serve

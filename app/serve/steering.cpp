@@ -18,43 +18,44 @@ constexpr double kMostForce_N = 1e6;  // what the gate lets through is far less
 
 }  // namespace
 
-void Service::Impl::open(Client& client, const Request& request, const std::string& root,
-                         std::future<Result<Opened>> read) {
-  openings.push_back({client.number, request.id, root, std::move(read)});
+void Service::Impl::open(const Client& client, const Request& request, const std::string& root,
+                         std::function<Result<Opened>()> read) {
+  reading.add(client.number,
+              [this, opening = Opening{client.number, request.id, root}, read = std::move(read)]() -> Worker::Then {
+                const auto opened = std::make_shared<const Result<Opened>>(read());
+                return [this, opening, opened] { finish(opening, *opened); };
+              });
 }
 
 void Service::Impl::load(Client& client, const Request& request) {
   Keys keys(request);
   const json::Value* const scene = keys.object("scene", false);
   const std::optional<std::string> file = keys.text("file", kLongestWords, false);
-  const bool has_file = request.root.find("file") != nullptr;
+  const bool has_file = request.root().find("file") != nullptr;
   if (scene != nullptr && has_file) keys.add(*scene, "scene", "Give either \"scene\" or \"file\", not both.");
-  if (request.root.find("scene") == nullptr && !has_file)
-    keys.add(request.root, "scene", "Give the scene, as \"scene\" or as the name of a \"file\".");
+  if (request.root().find("scene") == nullptr && !has_file)
+    keys.add(request.root(), "scene", "Give the scene, as \"scene\" or as the name of a \"file\".");
   if (!keys.areGood()) return refuse(client, request, keys.problems());
-  const auto read = [text = scene != nullptr ? json::textOf(*scene) : std::string(), name = file.value_or(""),
-                     beside = host.scene().file]() -> Result<Opened> {
-    Result<scene::Description> opened = text.empty() ? openScene(name) : sceneOf(text, beside);
-    if (!opened) return opened.problems();
-    return Opened{std::move(opened).value()};
-  };
-  open(client, request, scene != nullptr ? "/scene" : "/file", std::async(std::launch::async, read));
+  open(client, request, scene != nullptr ? "/scene" : "/file",
+       [whole = request.read, scene, name = file.value_or(""), beside = host.scene().file]() -> Result<Opened> {
+         Result<scene::Description> opened = scene == nullptr ? openScene(name) : sceneOf(json::textOf(*scene), beside);
+         if (!opened) return opened.problems();
+         return Opened{std::move(opened).value()};
+       });
 }
 
 void Service::Impl::add(Client& client, const Request& request) {
   Keys keys(request);
   const json::Value* const constraint = keys.object("constraint");
   if (!keys.areGood()) return refuse(client, request, keys.problems());
-  const auto read = [scene = host.scene(), wanted = *constraint]() -> Result<Opened> {
-    Result<scene::Constraint> opened = readConstraint(scene, wanted);
+  open(client, request, "/constraint", [whole = request.read, constraint, scene = host.scene()]() -> Result<Opened> {
+    Result<scene::Constraint> opened = readConstraint(scene, *constraint);
     if (!opened) return opened.problems();
-    return Opened{{}, std::move(opened).value(), wanted.find("name") != nullptr};
-  };
-  open(client, request, "/constraint", std::async(std::launch::async, read));
+    return Opened{{}, std::move(opened).value(), constraint->find("name") != nullptr};
+  });
 }
 
-void Service::Impl::finish(Opening& opening) {
-  const Result<Opened> opened = opening.read.get();
+void Service::Impl::finish(const Opening& opening, const Result<Opened>& opened) {
   const auto found = clients.find(opening.client);
   if (found == clients.end()) return;  // it has gone: what it wanted is not done
   Client& client = found->second;
@@ -102,51 +103,29 @@ void Service::Impl::edit(Client& client, const Request& request, const scene::De
 }
 
 void Service::Impl::set(Client& client, const Request& request) {
-  Keys keys(request);
-  const json::Value* const values = keys.object("values");
-  if (!keys.areGood()) return refuse(client, request, keys.problems());
-  if (values->keys.empty())
-    return refuse(client, request, problemAt("/values", "This must have a path at least, with its value."));
-  scene::Description edited = host.scene();
-  std::vector<std::size_t> left(values->keys.size());
-  for (std::size_t index = 0; index < left.size(); ++index) left[index] = index;
-  Problems problems;
-  // One value may allow another, as the greater static friction the greater dynamic one: they have no order.
-  for (std::size_t before = left.size() + 1; !left.empty() && left.size() < before;) {
-    before = left.size();
-    problems.clear();
-    std::vector<std::size_t> again;
-    for (const std::size_t index : left) {
-      Result<scene::Description> next = scene::withFileValue(edited, values->keys[index], values->items[index]);
-      if (next) {
-        edited = std::move(next).value();
-        continue;
-      }
-      again.push_back(index);
-      for (Problem problem : next.problems()) {
-        if (problem.place.key.empty()) problem.place.key = values->keys[index];
-        problems.push_back(problem);
-      }
-    }
-    left = std::move(again);
-  }
-  if (!left.empty()) return refuse(client, request, problems);
-  edit(client, request, edited);
+  const bool is_ready = request.edited && request.revision == host.revision();
+  const Result<scene::Description> edited = is_ready ? *request.edited : editedBy(request, host.scene());
+  if (!edited) return refuse(client, request, edited.problems());
+  edit(client, request, edited.value());
 }
 
 void Service::Impl::start(Client& client, const Request& request) {
   Keys keys(request);
   if (!keys.areGood()) return refuse(client, request, keys.problems());
+  if (request.stops != host.stops())
+    return refuse(client, request,
+                  problemAt("/do", "The servo was stopped after this request had come. Send it again."));
   host.start();
   waitForTick(client, request.id, true);
 }
 
 void Service::Impl::stop(Client& client, const Request& request) {
-  host.stop();  // whatever else the request says
+  if (!request.has_stopped) host.stop();  // whatever else the request says
   endForce();
   Keys keys(request);
   if (!keys.areGood()) return refuse(client, request, keys.problems());
   waitForTick(client, request.id, true);
+  waiting.back().stops = true;
 }
 
 void Service::Impl::force(Client& client, const Request& request) {
@@ -161,7 +140,7 @@ void Service::Impl::force(Client& client, const Request& request) {
   if (list != nullptr && !are_three) keys.add(*list, "f_N", "This must be a list of 3 numbers, N, for x, y and z.");
   if (are_three && f_T_W.cwiseAbs().maxCoeff() > kMostForce_N)
     keys.add(*list, "f_N", "Each number must be from -1e6 to 1e6 N; the gate clamps to the arm's limit.");
-  const bool has_time = request.root.find("for_ms") != nullptr;
+  const bool has_time = request.root().find("for_ms") != nullptr;
   const std::optional<double> for_ms = keys.number("for_ms", 1.0, kLongestForce_ms, false);
   if (!keys.areGood()) return refuse(client, request, keys.problems());
   const double wanted_ms = has_time ? *for_ms : kUsualForce_ms;

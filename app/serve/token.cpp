@@ -1,6 +1,9 @@
 #include "app/serve/token.h"
 
+#include <sodium/crypto_auth_hmacsha256.h>
+
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -16,6 +19,7 @@ namespace {
 
 constexpr std::size_t kShortestToken = 16, kLongestToken = 200;
 constexpr unsigned kOthersRights = 077;
+constexpr char kHexDigits[] = "0123456789abcdef";
 
 std::string variable(const char* name) {
   const char* const value = std::getenv(name);
@@ -60,13 +64,24 @@ MadeToken::~MadeToken() {
 
 std::string newToken() {
   std::random_device random;  // of the system, as for keys
-  constexpr char kDigits[] = "0123456789abcdef";
   std::string token;
   for (int word = 0; word < 8; ++word) {
     const std::uint32_t bits = random();
-    for (unsigned shift = 0; shift < 32; shift += 4) token += kDigits[(bits >> shift) & 15U];
+    for (unsigned shift = 0; shift < 32; shift += 4) token += kHexDigits[(bits >> shift) & 15U];
   }
   return token;
+}
+
+std::string proofOf(std::string_view token, std::string_view nonce) {
+  const auto bytesOf = [](std::string_view text) { return reinterpret_cast<const unsigned char*>(text.data()); };
+  crypto_auth_hmacsha256_state state;
+  crypto_auth_hmacsha256_init(&state, bytesOf(token), token.size());
+  crypto_auth_hmacsha256_update(&state, bytesOf(nonce), nonce.size());
+  std::array<unsigned char, crypto_auth_hmacsha256_BYTES> proof{};
+  crypto_auth_hmacsha256_final(&state, proof.data());
+  std::string text;
+  for (const unsigned char byte : proof) text += {kHexDigits[byte >> 4U], kHexDigits[byte & 15U]};
+  return text;
 }
 
 Result<Token> tokenFor(const std::string& file, int port) {

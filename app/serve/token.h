@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/base/result.h"
@@ -28,6 +29,9 @@ class MadeToken {
 
 /// 64 hexadecimal digits that nobody can guess.
 std::string newToken();
+
+/// What only who knows the token can say of a nonce: its HMAC-SHA-256 under the token, as hexadecimal digits.
+std::string proofOf(std::string_view token, std::string_view nonce);
 
 /// With a file: the token in it, or, where it does not exist, a new one. Without: a new one in the user's runtime
 /// folder, in a file named by the port; one that an earlier service has left is replaced. Problems: others than its

@@ -9,8 +9,14 @@ namespace underact::scene {
 
 // The settings of a scene for those who go through all of them, or have a value as a file has it.
 
-/// The scene with another value at path, as withValue(), from a value as it stands in a file; null: none.
-Result<Description> withFileValue(const Description& scene, const std::string& path, const json::Value& value);
+/// The scene with all of the values as they stand in a file, by their paths, in whatever order they are possible; null:
+/// none. Problems: not many more than most_problems, of which the first most_hints name the nearest path where there is
+/// none.
+Result<Description> withFileValues(const Description& scene, const json::Value& values, std::size_t most_problems,
+                                   std::size_t most_hints);
+
+/// Whether the scene has a setting at the path.
+bool hasSetting(const Description& scene, const std::string& path);
 
 /// Whether the value has an effect in the scene as it is: not the damping of a P law, nor the scene's control where
 /// each constraint has its own. False, too, for a path without a setting.

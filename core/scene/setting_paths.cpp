@@ -1,126 +1,31 @@
 // Settings by their paths.
 #include <algorithm>
-#include <charconv>
 #include <optional>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "core/base/translate.h"
 #include "core/scene/all_settings.h"
 #include "core/scene/setting_rows.h"
+#include "core/scene/setting_visit.h"
 
 namespace underact::scene {
 namespace {
 
-using Steps = std::span<const std::string>;
-
-std::vector<std::string> stepsOf(std::string_view path) {
-  std::vector<std::string> steps;
-  while (!path.empty() && path.front() == '/') {
-    path.remove_prefix(1);
-    const std::size_t length = std::min(path.find('/'), path.size());
-    steps.emplace_back(path.substr(0, length));
-    path.remove_prefix(length);
-  }
-  if (!path.empty()) steps.clear();  // a path begins with /
-  return steps;
-}
-
-std::string joinedSteps(Steps steps) {
-  std::string path;
-  for (const std::string& step : steps) path += "/" + step;
-  return path;
-}
-
-std::optional<std::size_t> numberOfStep(const std::string& step) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), number);
-  if (error != std::errc() || end != step.data() + step.size()) return std::nullopt;
-  return number;
-}
-
-// Each calls visit(row, object) for the setting at the end of the steps; false: there is none. Optional objects are
-// passed as std::optional.
-
-template <class Object, class Visit>
-bool atKey(Object& object, const std::string& key, const Visit& visit) {
-  for (const auto& row : rowsOf<std::remove_const_t<Object>>()) {
-    if (key != row.is.key || !isThere(row, std::as_const(object))) continue;
-    visit(row, object);
-    return true;
-  }
-  return false;
-}
-
-template <class Part, class Object, class Visit>
-bool atOptional(Object& object, const std::string& key, const Visit& visit) {
-  for (const SettingOf<Part>& row : rowsOf<Part>()) {
-    if (key != row.is.key) continue;
-    visit(row, object);
-    return true;
-  }
-  return false;
-}
-
-template <class Its, class Visit>
-bool atControl(Its& control, Steps steps, const Visit& visit) {
-  if (steps.size() == 2 && steps[0] == "velocity") return atKey(control.velocity, steps[1], visit);
-  return steps.size() == 1 && atKey(control, steps[0], visit);
-}
-
-template <class Its, class Visit>
-bool inShape(Its& shape, Steps steps, const Visit& visit) {
-  if (steps.size() == 1) return atKey(shape, steps[0], visit);
-  using Plain = std::remove_const_t<Its>;
-  if constexpr (std::is_same_v<Plain, Curve>)
-    return steps.size() == 2 && steps[0] == "guide" && atOptional<CurveGuidance>(shape.guide, steps[1], visit);
-  if constexpr (std::is_same_v<Plain, VirtualManipulator>) {
-    if (steps.size() == 2 && steps[0] == "solver") return atKey(shape.solver, steps[1], visit);
-    const std::optional<std::size_t> joint =
-        steps.size() == 3 && steps[0] == "joints" ? numberOfStep(steps[1]) : std::nullopt;
-    return joint && *joint < shape.joints.size() && atKey(shape.joints[*joint], steps[2], visit);
-  }
-  return false;
-}
-
-template <class Scene, class Visit>
-bool inConstraint(Scene& scene, std::size_t index, Steps steps, const Visit& visit) {
-  auto& constraint = scene.constraints[index];
-  if (steps.size() > 1 && steps[0] == "control") {
-    if constexpr (std::is_const_v<Scene>) {
-      return atControl(controlOf(scene, index), steps.subspan(1), visit);
-    } else {
-      if (!constraint.control) constraint.control = scene.control;
-      return atControl(*constraint.control, steps.subspan(1), visit);
-    }
-  }
-  if (steps.size() == 2 && steps[0] == "influence")
-    return takesInfluence(constraint.shape) && atOptional<Influence>(constraint.influence, steps[1], visit);
-  if (steps.size() == 2 && steps[0] == "friction")
-    return takesFriction(constraint.shape) && atOptional<Friction>(constraint.friction, steps[1], visit);
-  if (steps.size() == 1 && atKey(constraint, steps[0], visit)) return true;
-  return std::visit([&](auto& shape) { return inShape(shape, steps, visit); }, constraint.shape);
-}
-
-template <class Scene, class Visit>
-bool inScene(Scene& scene, Steps steps, const Visit& visit) {
-  if (steps.empty()) return false;
-  if (steps.size() == 1) return atKey(scene, steps[0], visit);
-  if (steps[0] == "control") return atControl(scene.control, steps.subspan(1), visit);
-  if (steps[0] == "simulation") return steps.size() == 2 && atKey(scene.simulation, steps[1], visit);
-  const std::optional<std::size_t> index = steps[0] == "constraints" ? numberOfStep(steps[1]) : std::nullopt;
-  return index && *index < scene.constraints.size() && inConstraint(scene, *index, steps.subspan(2), visit);
-}
+constexpr int kMostRounds = 8;  // values that allow one another in a longer row do not exist
 
 Problems problemAt(const std::string& path, Sentence sentence) {
   return {{std::move(sentence), {{}, 0, 0, path}}};
 }
 
-/// The problem of a path without a setting in the scene.
-Problems nowhere(const Description& scene, const std::string& path) {
+/// The problem of a path without a setting in the scene. has_hint: it names the nearest path, which takes long.
+Problems nowhere(const Description& scene, const std::string& path, bool has_hint = true) {
   const Setting* const setting = findSetting(path);
   if (setting == nullptr) {
     std::vector<std::string> known;
-    for (const Setting& one : settings()) known.push_back(pathOf(one));
+    for (std::size_t index = 0; has_hint && index < settings().size(); ++index)
+      known.push_back(pathOf(settings()[index]));
     const std::string nearest = json::nearestWord(path, known);
     return problemAt(
         path, nearest.empty()
@@ -196,22 +101,35 @@ class Putting {
   Findings& findings_;
 };
 
+/// Puts a value into the scene. Problems: those of the value or the path; then the scene is as it was.
+Problems put(Description& scene, const std::string& path, const json::Value& value, bool has_hint = true) {
+  const std::vector<std::string> steps = stepsOf(path);
+  if (!inScene(std::as_const(scene), steps, [](const auto&, const auto&) {})) return nowhere(scene, path, has_hint);
+  // What is made for the value, such as a control of its own, must not stay without it.
+  const std::optional<std::size_t> index = steps[0] == "constraints" ? numberOfStep(steps[1]) : std::nullopt;
+  std::optional<Constraint> before;
+  if (index) before = scene.constraints[*index];
+  Findings findings({});
+  inScene(scene, steps, Putting(value, path, findings));
+  Problems problems = findings.take();
+  if (!problems.empty() && before) scene.constraints[*index] = std::move(*before);
+  return problems;
+}
+
 Result<Description> withJson(const Description& scene, const std::string& path, const json::Value& value) {
   Description edited = scene;
-  Findings findings({});
-  if (!inScene(edited, stepsOf(path), Putting(value, path, findings))) return nowhere(scene, path);
-  Problems problems = findings.take();
+  Problems problems = put(edited, path, value);
   if (!problems.empty()) return problems;
   return edited;
 }
 
 /// Adds each path of the scene that matches and is a setting.
-void addPaths(const Description& scene, const std::vector<std::string>& steps, std::vector<std::string>& paths) {
+void addPaths(const Description& scene, const std::vector<std::string>& steps, std::unordered_set<std::string>& seen,
+              std::vector<std::string>& paths) {
   const auto star = std::find(steps.begin(), steps.end(), "*");
   if (star == steps.end()) {
     const std::string path = joinedSteps(steps);
-    const bool is_new = std::find(paths.begin(), paths.end(), path) == paths.end();
-    if (is_new && inScene(scene, steps, [](const auto&, const auto&) {})) paths.push_back(path);
+    if (inScene(scene, steps, [](const auto&, const auto&) {}) && seen.insert(path).second) paths.push_back(path);
     return;
   }
   const bool is_first = star - steps.begin() == 1;
@@ -219,7 +137,7 @@ void addPaths(const Description& scene, const std::vector<std::string>& steps, s
   for (std::size_t index = 0; index < count; ++index) {
     std::vector<std::string> one = steps;
     one[static_cast<std::size_t>(star - steps.begin())] = std::to_string(index);
-    addPaths(scene, one, paths);
+    addPaths(scene, one, seen, paths);
   }
 }
 
@@ -265,9 +183,13 @@ const Setting* findSetting(std::string_view path) {
   }
   const bool is_of_control = steps.size() > 3 && steps[0] == "constraints" && steps[2] == "control";
   const std::string plain = joinedSteps(Steps(steps).subspan(is_of_control ? 2 : 0));
-  const auto found = std::find_if(settings().begin(), settings().end(),
-                                  [&](const Setting& setting) { return pathOf(setting) == plain; });
-  return found == settings().end() ? nullptr : &*found;
+  static const std::unordered_map<std::string, const Setting*> kByPath = [] {
+    std::unordered_map<std::string, const Setting*> by_path;
+    for (const Setting& setting : settings()) by_path.emplace(pathOf(setting), &setting);
+    return by_path;
+  }();
+  const auto found = kByPath.find(plain);
+  return found == kByPath.end() ? nullptr : found->second;
 }
 
 Result<Setting> settingAt(const Description& scene, const std::string& path) {
@@ -306,8 +228,36 @@ Result<Description> withValue(const Description& scene, const std::string& path,
   return withJson(scene, path, jsonOf(value));
 }
 
-Result<Description> withFileValue(const Description& scene, const std::string& path, const json::Value& value) {
-  return withJson(scene, path, value);
+Result<Description> withFileValues(const Description& scene, const json::Value& values, std::size_t most_problems,
+                                   std::size_t most_hints) {
+  Description edited = scene;
+  std::vector<std::size_t> left(values.keys.size());
+  for (std::size_t index = 0; index < left.size(); ++index) left[index] = index;
+  Problems problems;
+  std::size_t before = left.size() + 1;
+  // One value may allow another, as the greater static friction the greater dynamic one: they have no order.
+  for (int round = 0; round < kMostRounds && !left.empty() && left.size() < before; ++round) {
+    before = left.size();
+    problems.clear();
+    std::vector<std::size_t> again;
+    for (const std::size_t index : left) {
+      const std::string& path = values.keys[index];
+      const bool has_room = problems.size() < most_problems;
+      for (Problem& problem : put(edited, path, values.items[index], problems.size() < most_hints)) {
+        if (problem.place.key.empty()) problem.place.key = path;
+        if (again.empty() || again.back() != index) again.push_back(index);
+        if (has_room) problems.push_back(std::move(problem));
+      }
+      if (!has_room && findSetting(path) == nullptr) return problems;  // which no other value allows
+    }
+    left = std::move(again);
+  }
+  if (!left.empty()) return problems;
+  return edited;
+}
+
+bool hasSetting(const Description& scene, const std::string& path) {
+  return inScene(scene, stepsOf(path), [](const auto&, const auto&) {});
 }
 
 bool appliesAt(const Description& scene, const std::string& path) {
@@ -326,10 +276,11 @@ bool appliesAt(const Description& scene, const std::string& path) {
 
 std::vector<std::string> settingPaths(const Description& scene) {
   std::vector<std::string> paths;
+  std::unordered_set<std::string> seen;
   for (const Setting& setting : settings()) {
     const std::string path = pathOf(setting);
-    addPaths(scene, stepsOf(path), paths);
-    if (path.starts_with("/control/")) addPaths(scene, stepsOf("/constraints/*" + path), paths);
+    addPaths(scene, stepsOf(path), seen, paths);
+    if (path.starts_with("/control/")) addPaths(scene, stepsOf("/constraints/*" + path), seen, paths);
   }
   return paths;
 }

@@ -167,7 +167,12 @@ void Connection::readBody(Then then) {
 Request Connection::request() const {
   const http::request<http::string_body>& asked = impl_->asked.get();
   const auto origin = asked.find(http::field::origin);
-  Request request{std::string(asked.method_string()), std::string(asked.target()), asked.body(), {}, false};
+  Request request{std::string(asked.method_string()),
+                  std::string(asked.target()),
+                  asked.body(),
+                  std::string(asked[http::field::host]),
+                  {},
+                  false};
   if (origin != asked.end()) request.origin = std::string(origin->value());
   request.is_upgrade = websocket::is_upgrade(asked);
   return request;

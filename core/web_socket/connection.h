@@ -29,6 +29,7 @@ struct Request {
   std::string method;  // "GET"
   std::string target;  // "/devices?session=1"
   std::string body;
+  std::string host;                   // whom it asks, as it names it: "localhost:7171"
   std::optional<std::string> origin;  // the page that asks
   bool is_upgrade = false;
 };

@@ -42,6 +42,7 @@ const std::vector<Library>& libraries() {
       {"GLFW", std::regex("GLFW"), {"device/input"}, false},
       {"hidapi", std::regex("hidapi"), {"device"}, false},
       {"ZeroMQ", std::regex("zmq"), {"device"}, false},
+      {"libsodium", std::regex("sodium"), {"app/serve"}, false},
       {"OpenMesh", std::regex("OpenMesh"), {"app/mesh_reader"}, false},
       {"xxHash", std::regex("xxh"), {"core/mesh_file"}, false},
       {"HDF5", std::regex("hdf5|H5|highfive"), {"core/record"}, false},

@@ -19,7 +19,7 @@ RUN = """
     libeigen3-dev libsleef-dev libboost-dev libxxhash-dev rapidjson-dev libcli11-dev libmd4c-dev
     libtinyxml2-dev
     libhdf5-dev zlib1g-dev libopenmesh-dev libsystemd-dev libhidapi-dev libglfw3-dev
-    libzmq3-dev cppzmq-dev qt6-base-dev libqt6opengl6-dev libgl-dev libxcb-xinput-dev
+    libzmq3-dev cppzmq-dev libsodium-dev qt6-base-dev libqt6opengl6-dev libgl-dev libxcb-xinput-dev
     qt6-l10n-tools qt6-translations-l10n libvtk9-dev libgl1-mesa-dri fonts-dejavu-core
 """
 TEST = """

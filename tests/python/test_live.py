@@ -65,7 +65,7 @@ class Served(InFolder):
                 assert process.stdout is not None
                 line = process.stdout.readline()
                 self.assertTrue(line, process.poll() is not None and process.stderr.read())
-                said = json.loads(line)
+                self.said = said = json.loads(line)
                 self.url, self.token_file = said["serving"], Path(said["token_file"])
                 self.token = self.token_file.read_text().strip()
                 yield process

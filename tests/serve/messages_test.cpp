@@ -99,6 +99,8 @@ const Wrong kWrong[] = {
      "", false},
     {R"({"id": 1, "do": "set", "values": {"/constraints/0/search": "local"}})", "/constraints/0/search",
      "nothing there", false},
+    {R"({"id": 1, "do": "set", "values": {"/constraints/00/side": "outside"}})", "/constraints/00/side", "no setting",
+     false},
     {R"({"id": 1, "do": "force"})", "/f_N", "missing"},
     {R"({"id": 1, "do": "force", "f_N": [1, 2]})", "/f_N", "list of 3"},
     {R"({"id": 1, "do": "force", "f_N": [1, 2, "3"]})", "/f_N", "list of 3"},

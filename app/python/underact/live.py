@@ -8,9 +8,12 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import hashlib
+import hmac
 import importlib
 import json
 import os
+import secrets
 import threading
 from collections import deque
 from collections.abc import AsyncIterator, Coroutine, Iterator, Sequence
@@ -275,6 +278,22 @@ def _plain(value: Any) -> Any:
     return value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
 
 
+async def _challenge(live: AsyncLive, secret: str, address: str) -> None:
+    """Any program may listen at a port that is free, and wait for the tokens of others."""
+    nonce = secrets.token_hex(32)
+    proof = hmac.new(secret.encode(), nonce.encode(), hashlib.sha256).hexdigest()
+    try:
+        answer = str((await live.request("challenge", nonce=nonce))["proof"])
+    except (Refused, KeyError, TypeError):
+        answer = ""
+    if not hmac.compare_digest(answer.encode(errors="replace"), proof.encode()):
+        said = (
+            f"Whoever listens at {address} does not know this token, so it was not sent. Give the "
+            'port and the token_file= that "underact-cli serve" prints.'
+        )
+        raise Refused([("/token", said)])
+
+
 async def connect_async(
     url: str | None = None,
     *,
@@ -285,7 +304,8 @@ async def connect_async(
 ) -> AsyncLive:
     """A connection for asyncio: `async with await connect_async() as live:`.
 
-    Without a token it is read from the file where `underact-cli serve` puts it.
+    Without a token it is read from the file where `underact-cli serve` puts it. It goes to nobody
+    who does not prove to know it, which raises Refused.
     """
     try:
         websockets: Any = importlib.import_module("websockets")  # its names are made when asked for
@@ -301,6 +321,7 @@ async def connect_async(
         ) from error
     live = AsyncLive(socket)
     try:
+        await _challenge(live, secret, address)
         live.about = await live.request("hello", token=secret, name=name)
     except BaseException:
         await live.close()
@@ -468,7 +489,8 @@ def connect(
 ) -> Live:
     """A connection for scripts and notebooks: `with underact.connect() as live:`.
 
-    Without a token it is read from the file where `underact-cli serve` puts it.
+    Without a token it is read from the file where `underact-cli serve` puts it. It goes to nobody
+    who does not prove to know it, which raises Refused.
     """
     loop = asyncio.new_event_loop()
     thread = threading.Thread(target=loop.run_forever, name="underact.live", daemon=True)

@@ -1,0 +1,200 @@
+// The service behind its sockets, whose thread goes on while that of the service does nothing.
+#include <algorithm>
+#include <set>
+
+#include "app/serve/rate.h"
+#include "app/serve/server.h"
+#include "core/web_socket/connection.h"
+#include "tests/serve/desk.h"
+#include "tests/support/comes.h"
+
+namespace underact::test {
+namespace {
+
+constexpr const char* kStart = R"({"id": "start", "do": "start"})";
+constexpr const char* kStop = R"({"id": "stop", "do": "stop"})";
+constexpr const char* kForce = R"({"id": "force", "do": "force", "f_N": [0.3, 0, 0], "for_ms": 1000})";
+
+/// A client, in the test's own thread.
+class Caller {
+ public:
+  explicit Caller(int port) : connection_(loop_) {
+    connection_.limit({});
+    connection_.connect("127.0.0.1", port, [this, port](bool is_connected) {
+      if (is_connected)
+        connection_.handshake("localhost:" + std::to_string(port), [this](bool is_done) { begin(is_done); });
+    });
+  }
+  void send(const std::string& text) { waiting_.push_back(text); }
+  void poll() {
+    if (is_open_ && !is_writing_) write();
+    loop_.poll();
+  }
+  bool hasSent() const { return waiting_.empty(); }
+  /// The answers to this id, as it is in JSON.
+  std::size_t answers(const std::string& id, const std::string& words = "") const {
+    return static_cast<std::size_t>(std::count_if(heard_.begin(), heard_.end(), [&](const std::string& one) {
+      return one.starts_with("{\"id\": " + id + ",") && one.find(words) != std::string::npos;
+    }));
+  }
+  std::size_t heard() const { return heard_.size(); }
+
+ private:
+  void begin(bool is_done) {
+    is_open_ = is_done;
+    if (is_done) read();
+  }
+  void write() {
+    is_writing_ = !waiting_.empty();
+    if (!is_writing_) return;
+    connection_.write(waiting_.front(), false, [this](bool) {
+      waiting_.pop_front();
+      write();
+    });
+  }
+  void read() {
+    connection_.read([this](bool is_read, std::string_view text, bool) {
+      if (!is_read) return;
+      heard_.emplace_back(text);
+      read();
+    });
+  }
+
+  web_socket::Loop loop_;
+  web_socket::Connection connection_;
+  bool is_open_ = false, is_writing_ = false;
+  std::deque<std::string> waiting_;
+  std::vector<std::string> heard_;
+};
+
+/// A service whose thread is the test's: it works in serve() alone.
+struct ServedDesk {
+  ServedDesk() {
+    host->load(sphereScene());
+    server.begin({&service});
+    host->begin();
+  }
+  ~ServedDesk() { server.end(); }
+  /// Until that is so; the service works meanwhile.
+  template <class Condition>
+  bool serve(const Condition& condition) {
+    return comes([&] {
+      server.step();
+      poll();
+      return condition();
+    });
+  }
+  /// Until that is so; the service does nothing.
+  template <class Condition>
+  bool wait(const Condition& condition) {
+    return comes([&] {
+      poll();
+      return condition();
+    });
+  }
+  void poll() {
+    for (const auto& caller : callers) caller->poll();
+  }
+  Caller& join() {
+    callers.push_back(std::make_unique<Caller>(server.port()));
+    Caller& caller = *callers.back();
+    caller.send(R"({"id": 0, "do": "hello", "token": ")" + std::string(kToken) + R"(", "name": "one"})");
+    EXPECT_TRUE(serve([&] { return caller.answers("0", "true") == 1; }));
+    return caller;
+  }
+  bool runs() { return host->snapshot().mode == servo::Mode::Running; }
+  /// A client that pushes.
+  Caller& push() {
+    Caller& caller = join();
+    caller.send(kStart);
+    caller.send(kForce);
+    EXPECT_TRUE(serve([&] { return caller.answers("\"force\"") == 1 && runs(); }));
+    return caller;
+  }
+
+  ScratchFolder folder;
+  std::unique_ptr<servo::Host> host = makeHost(servo::Clock::Thread, "still");
+  serve::HostAlone alone{*host, serve::HostAloneOptions{folder.path() + "/sessions"}};
+  serve::Service service{alone, serve::ServiceOptions{kToken}};
+  serve::Server server = serve::Server::open(0, {}).value();
+  std::vector<std::unique_ptr<Caller>> callers;
+};
+
+TEST(Sockets, AStopEndsTheForceWhileTheServicesThreadDoesNothingAndIsAnsweredAfterwards) {
+  ServedDesk desk;
+  desk.push();
+  Caller& other = desk.join();
+  other.send(kStop);
+  EXPECT_TRUE(desk.wait([&] { return desk.host->snapshot().mode == servo::Mode::Idle; }));
+  EXPECT_EQ(other.answers("\"stop\""), 0U);
+  EXPECT_TRUE(desk.serve([&] { return other.answers("\"stop\"", "\"mode\": \"stopped\"") == 1; }));
+}
+
+TEST(Sockets, AStartThatCameBeforeAStopIsVoidAndOneThatCameAfterItActs) {
+  ServedDesk desk;
+  Caller& pusher = desk.push();
+  Caller& other = desk.join();
+  pusher.send(kStart);
+  ASSERT_TRUE(desk.wait([&] { return pusher.hasSent(); }));
+  other.send(kStop);
+  ASSERT_TRUE(desk.wait([&] { return desk.host->snapshot().mode == servo::Mode::Idle; }));
+  ASSERT_TRUE(desk.serve([&] { return pusher.answers("\"start\"") == 2 && other.answers("\"stop\"") == 1; }));
+  EXPECT_EQ(pusher.answers("\"start\"", "was stopped after this request"), 1U);
+  EXPECT_FALSE(desk.runs());
+  for (const char* const text : {kStop, kStart}) pusher.send(text);
+  ASSERT_TRUE(desk.serve([&] { return pusher.answers("\"start\"") == 3; }));
+  EXPECT_TRUE(desk.runs()) << "a stop and a start one after the other";
+}
+
+TEST(Sockets, AStopBehindAFloodOfTheSameClientEndsTheForceAndEachRequestIsAnsweredOnce) {
+  ServedDesk desk;
+  Caller& pusher = desk.push();
+  constexpr std::size_t kFlood = 6000;
+  for (std::size_t index = 0; index < kFlood; ++index) pusher.send(kForce);
+  pusher.send(kStop);
+  EXPECT_TRUE(desk.wait([&] { return desk.host->snapshot().mode == servo::Mode::Idle; }));
+  EXPECT_TRUE(desk.serve([&] { return pusher.answers("\"force\"") == kFlood + 1 && pusher.answers("\"stop\"") == 1; }));
+  EXPECT_GE(pusher.answers("\"force\"", "one request too many"), 1000U) << "2000 wait, and 2000 a second may follow";
+  EXPECT_FALSE(desk.runs());
+}
+
+TEST(Sockets, AFloodOfStopsCostsNoMoreThanOtherRequestsAndIsNeverRefused) {
+  ServedDesk desk;
+  Caller& caller = desk.join();
+  for (int index = 0; index < 3000; ++index) caller.send(kStop);
+  EXPECT_TRUE(desk.serve([&] { return caller.answers("\"stop\"") == 3000; }));
+  EXPECT_EQ(caller.answers("\"stop\"", "true"), 3000U);
+}
+
+TEST(Sockets, WhoHasNotSaidHelloStopsNothing) {
+  ServedDesk desk;
+  desk.push();
+  desk.callers.push_back(std::make_unique<Caller>(desk.server.port()));
+  Caller& stranger = *desk.callers.back();
+  stranger.send(kStop);
+  EXPECT_TRUE(desk.serve([&] { return stranger.answers("\"stop\"", "must be \\\"hello\\\"") == 1; }));
+  EXPECT_TRUE(desk.runs());
+}
+
+TEST(Rate, GivesABurstAndThenSoMuchASecondAndWhoTakesMoreWaitsASecondAtMost) {
+  serve::Bucket bucket(100.0, 10.0);
+  double now_s = 5.0;
+  for (int index = 0; index < 10; ++index) {
+    EXPECT_TRUE(bucket.has(1.0, now_s));
+    bucket.take(1.0);
+  }
+  EXPECT_FALSE(bucket.has(1.0, now_s));
+  int taken = 0;
+  for (int step = 0; step < 1000; ++step) {
+    now_s += 0.001;
+    if (!bucket.has(1.0, now_s)) continue;
+    bucket.take(1.0);
+    ++taken;
+  }
+  EXPECT_NEAR(taken, 100, 1);
+  bucket.take(1e6);
+  EXPECT_NEAR(bucket.wait_s(), 1.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace underact::test
