@@ -203,7 +203,7 @@ SolvedArm load(const std::string& name, const std::string& base, const std::stri
 
 void addArm(py::module_& core) {
   core.def("arm_names", &names);
-  py::class_<SolvedArm>(core, "Arm")
+  madeClass<SolvedArm>(core, "Arm")
       .def(py::init(&load), py::arg("name"), py::arg("base") = "", py::arg("tip") = "")
       .def("fk", &forward, py::arg("q"), "The pose of the stylus or tool, (..., 4, 4), translation in mm. q: (..., n).")
       .def("jacobian", &jacobian, py::arg("q"), "The Jacobian, (..., 6, n): v in mm/rad above w, in W. q: (..., n).")

@@ -4,7 +4,12 @@
 #include <cstdint>
 #include <string>
 
+#include "app/bindings/made.h"
 #include "core/kinematics/solved_arm.h"
+
+template <>
+struct pybind11::detail::type_caster<underact::kinematics::SolvedArm>
+    : underact::bindings::MadeCaster<underact::kinematics::SolvedArm> {};
 
 namespace underact::bindings {
 

@@ -1,5 +1,6 @@
 #include <pybind11/pybind11.h>
 
+#include "app/bindings/made.h"
 #include "app/bindings/parts.h"
 #include "underact/version.h"
 
@@ -12,6 +13,7 @@ char __libc_single_threaded = 0;  // NOLINT: glibc's name
 #endif
 
 PYBIND11_MODULE(_core, core) {
+  underact::bindings::refuseBase();
   core.doc() = "The program's own mathematics; underact.arm and the modules beside it are what it is for.";
   core.attr("__version__") = underact::kVersion;
   underact::bindings::addArm(core);

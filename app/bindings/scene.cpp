@@ -286,7 +286,7 @@ void addScene(py::module_& core) {
   core.def("read_scene_text", &readText);
   core.def("read_scene_file", &readFile);
   core.def("settings", &settings);
-  py::class_<Scene>(core, "Scene")
+  madeClass<Scene>(core, "Scene")
       .def("_targets", &targets)
       .def("_value", &settingValue)
       .def("_with", &withValues)

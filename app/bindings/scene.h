@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "app/bindings/made.h"
 #include "core/scene/description.h"
 #include "core/tick/program.h"
 
@@ -13,3 +14,7 @@ struct Scene {
 };
 
 }  // namespace underact::bindings
+
+template <>
+struct pybind11::detail::type_caster<underact::bindings::Scene>
+    : underact::bindings::MadeCaster<underact::bindings::Scene> {};

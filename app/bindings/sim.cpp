@@ -175,7 +175,7 @@ void addSim(py::module_& core) {
     return all;
   });
   core.attr("DEFAULT_ARM_MODEL") = std::string(sim::kDefaultArmModel);
-  py::class_<Simulation>(core, "Simulation")
+  madeClass<Simulation>(core, "Simulation")
       .def(py::init(&made))
       .def("run", alone(&run))
       .def("want", alone(&want))

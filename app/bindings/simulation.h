@@ -66,3 +66,7 @@ class Simulation {
 };
 
 }  // namespace underact::bindings
+
+template <>
+struct pybind11::detail::type_caster<underact::bindings::Simulation>
+    : underact::bindings::MadeCaster<underact::bindings::Simulation> {};

@@ -133,9 +133,13 @@ Prepared prepareObj(const std::string& bytes, Shift& shift) {
   std::string joined;
   for (Scan lines(bytes); !lines.atEnd();) {
     std::string_view line = lines.line();
-    // A line that ends in \ continues on the next one.
-    for (joined.clear(); line.ends_with('\\') && !lines.atEnd(); line = joined) {
-      joined = std::string(line.substr(0, line.size() - 1)) + ' ' + std::string(lines.line());
+    if (line.ends_with('\\')) {  // it continues on the next one
+      joined = line;
+      while (joined.ends_with('\\') && !lines.atEnd()) {
+        joined.back() = ' ';
+        joined += lines.line();
+      }
+      line = joined;
     }
     Scan words(line);
     const std::string_view key = words.word();

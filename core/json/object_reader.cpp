@@ -1,16 +1,16 @@
 #include "core/json/object_reader.h"
 
 #include <algorithm>
-#include <string_view>
+#include <numeric>
 #include <tuple>
-#include <unordered_map>
 
 #include "core/base/translate.h"
 
 namespace underact::json {
 namespace {
 
-constexpr std::size_t kMostProblems = 1000;
+constexpr std::size_t kMostProblems = 100;
+constexpr std::size_t kMostNearest = 10;  // words that a nearest one is looked for: the costly part of a problem
 constexpr const char* kMustBe = TRANSLATE_NOOP("problem", "This must be %1; here it is %2.");
 
 }  // namespace
@@ -39,6 +39,12 @@ bool Findings::full() const {
   return problems_.size() >= kMostProblems;
 }
 
+std::string Findings::nearest(std::string_view word, const std::vector<std::string>& known) {
+  if (full() || looked_ >= kMostNearest) return {};
+  ++looked_;
+  return nearestWord(word, known);
+}
+
 Problems Findings::take() {
   std::stable_sort(problems_.begin(), problems_.end(), [](const Problem& a, const Problem& b) {
     return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
@@ -50,11 +56,36 @@ Problems Findings::take() {
   return std::move(problems_);
 }
 
+ObjectReader::ObjectReader(const Value& object, std::string path, Sentence what, Findings& findings)
+    : object_(object),
+      path_(std::move(path)),
+      what_(std::move(what)),
+      findings_(findings),
+      sorted_(object.keys.size()),
+      asked_(object.keys.size(), false) {
+  std::iota(sorted_.begin(), sorted_.end(), std::size_t{0});
+  std::sort(sorted_.begin(), sorted_.end(), [&](std::size_t a, std::size_t b) {
+    const int order = object.keys[a].compare(object.keys[b]);
+    return order != 0 ? order < 0 : a < b;
+  });
+}
+
+/// The index of a key; where it stands twice, of the first. The number of keys: there is none.
+std::size_t ObjectReader::firstOf(std::string_view key) const {
+  const auto found =
+      std::lower_bound(sorted_.begin(), sorted_.end(), key,
+                       [&](std::size_t index, std::string_view one) { return object_.keys[index] < one; });
+  return found == sorted_.end() || object_.keys[*found] != key ? sorted_.size() : *found;
+}
+
 const Value* ObjectReader::find(const char* key, bool required) {
   if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
-  const Value* value = object_.find(key);
-  if (value != nullptr) findings_.remember(pathOf(key), *value);
-  if (value == nullptr && required) {
+  const std::size_t index = firstOf(key);
+  const Value* const value = index < sorted_.size() ? &object_.items[index] : nullptr;
+  if (value != nullptr) {
+    asked_[index] = true;
+    findings_.remember(pathOf(key), *value);
+  } else if (required) {
     findings_.add(object_, pathOf(key),
                   said(TRANSLATE_NOOP("problem", "The key \"%1\" is missing; %2 needs it."), {key, what_}));
   }
@@ -62,32 +93,34 @@ const Value* ObjectReader::find(const char* key, bool required) {
 }
 
 void ObjectReader::finish(bool all_known) {
-  std::unordered_map<std::string_view, std::size_t> seen;
   for (std::size_t index = 0; index < object_.keys.size(); ++index) {
     const std::string& key = object_.keys[index];
-    const auto [first, is_new] = seen.emplace(key, index);
-    if (!is_new) {
+    const std::size_t first = firstOf(key);
+    if (first == index) {
+      judge(index, all_known);
+    } else if (findings_.full()) {
+      findings_.add(object_, {}, {});
+    } else {
       findings_.add(
           object_.key_places[index], pathOf(plainKey(key)),
           said(TRANSLATE_NOOP("problem",
                               "The key %1 appears a second time; the first is on line %2. Remove one of them."),
-               {shown(key), std::to_string(object_.key_places[first->second].first)}));
-    } else {
-      judge(index, all_known);
+               {shown(key), std::to_string(object_.key_places[first].first)}));
     }
   }
 }
 
 void ObjectReader::judge(std::size_t index, bool all_known) {
+  if (asked_[index]) return;
   const std::string& key = object_.keys[index];
+  const auto refused = refused_.find(key);
+  if (refused == refused_.end() && !all_known) return;
   const std::pair<int, int>& place = object_.key_places[index];
-  if (std::find(known_.begin(), known_.end(), key) != known_.end()) return;
-  if (const auto refused = refused_.find(key); refused != refused_.end()) {
-    findings_.add(place, pathOf(plainKey(key)), refused->second);
-  }
-  if (!all_known || refused_.count(key) > 0) return;
-  const std::string nearest = findings_.full() ? "" : nearestWord(key, known_);
-  findings_.add(place, pathOf(plainKey(key)),
+  if (findings_.full()) return findings_.add(place, {}, {});  // counted: its words would cost more than the rest
+  const std::string path = pathOf(plainKey(key));
+  if (refused != refused_.end()) return findings_.add(place, path, refused->second);
+  const std::string nearest = findings_.nearest(key, known_);
+  findings_.add(place, path,
                 nearest.empty() ? said(TRANSLATE_NOOP("problem", "The key %1 is not known in %2. Known keys: %3."),
                                        {shown(key), what_, listed(known_, "and")})
                                 : said(TRANSLATE_NOOP("problem", "The key %1 is not known in %2. Did you mean \"%3\"?"),

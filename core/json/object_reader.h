@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,8 @@ class Findings {
   void add(const Problems& problems);
   /// So many are kept already that further ones are only counted.
   bool full() const;
+  /// The known word nearest to `word`, as nearestWord(); looked for only ten times in a file, and empty from then on.
+  std::string nearest(std::string_view word, const std::vector<std::string>& known);
   /// All, in the order of the file; of very many, the first found.
   Problems take();
   const std::string& file() const { return file_; }
@@ -34,6 +37,7 @@ class Findings {
   std::string file_;
   Problems problems_;
   std::size_t more_ = 0;
+  std::size_t looked_ = 0;  // for a nearest word
   std::map<std::string, std::pair<int, int>> places_;
 };
 
@@ -41,8 +45,7 @@ class Findings {
 class ObjectReader {
  public:
   /// what: for sentences, as "a sphere".
-  ObjectReader(const Value& object, std::string path, Sentence what, Findings& findings)
-      : object_(object), path_(std::move(path)), what_(std::move(what)), findings_(findings) {}
+  ObjectReader(const Value& object, std::string path, Sentence what, Findings& findings);
   /// The value of a key, or null; of a required one, null is a problem.
   const Value* find(const char* key, bool required = false);
   /// Marks a key that is not allowed here, with the reason why.
@@ -59,11 +62,14 @@ class ObjectReader {
   Findings& findings() { return findings_; }
 
  private:
+  std::size_t firstOf(std::string_view key) const;
   void judge(std::size_t index, bool all_known);
   const Value& object_;
   std::string path_;
   Sentence what_;
   Findings& findings_;
+  std::vector<std::size_t> sorted_;  // the indices of the keys by key, equal ones in the order of the file
+  std::vector<bool> asked_;          // of each key, whether it was asked for
   std::vector<std::string> known_;
   std::map<std::string, Sentence> refused_;
 };

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kLongestShown = 40;  // code points
 constexpr std::size_t kLongestWord = 64;   // bytes; longer ones are not typing errors
+constexpr std::size_t kMostEdits = 12;     // nor are more differences than these
 
 std::size_t tailLength(unsigned char lead) {
   if (lead >= 0xC2 && lead <= 0xDF) return 1;
@@ -53,14 +54,17 @@ char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// The Levenshtein distance, ignoring case.
-std::size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
+/// The Levenshtein distance, ignoring case, where it is at most `most`; otherwise a greater number. Only the band
+/// beside the diagonal can matter then, so the cost is that of the shorter word times `most`.
+std::size_t editDistance(std::string_view a, std::string_view b, std::size_t most) {
+  if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) > most) return most + 1;
+  std::vector<std::size_t> row(b.size() + 1, most + 1);
+  std::iota(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(std::min(b.size(), most) + 1), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
+    const std::size_t first = i > most ? i - most : 0;
+    std::size_t diagonal = row[first];
+    row[first] = first == 0 ? i + 1 : most + 1;
+    for (std::size_t j = first; j < std::min(b.size(), i + most + 1); ++j) {
       const std::size_t changed = diagonal + (lower(a[i]) == lower(b[j]) ? 0 : 1);
       diagonal = row[j + 1];
       row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
@@ -120,11 +124,12 @@ std::string nearestWord(std::string_view word, const std::vector<std::string>& k
   std::string nearest;
   std::size_t best = std::numeric_limits<std::size_t>::max();
   if (word.empty() || word.size() > kLongestWord) return nearest;
+  const std::size_t most = word.size() < 4 ? 1 : std::clamp<std::size_t>(word.size() / 3, 2, kMostEdits);
   for (const std::string& candidate : known) {
     const bool same_stem = stem(word) == stem(candidate);
     const bool shorter = word == stem(candidate);  // radius for radius_mm, kp for kp_N_per_mm
-    const std::size_t distance = shorter ? 0 : editDistance(word, candidate);
-    if (distance > (word.size() < 4 ? 1 : std::max<std::size_t>(2, word.size() / 3))) continue;
+    const std::size_t distance = shorter ? 0 : editDistance(word, candidate, most);
+    if (distance > most) continue;
     const std::size_t cost = distance + (same_stem ? 0 : 2);  // kd_N_per_mm is a slip for kd_..., not for kp_...
     if (cost >= best) continue;
     best = cost;

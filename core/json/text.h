@@ -26,7 +26,8 @@ std::string shown(std::string_view text);
 /// A key as it stands in the path of a key: itself, or in quotes and cut short where it is no name.
 std::string plainKey(std::string_view key);
 
-/// The known word nearest to `word`; empty where none is near.
+/// The known word nearest to `word`; empty where none is near, or `word` is longer than 64 bytes. Cost: at most 2000
+/// steps a known word. Readers of files ask by Findings::nearest(), which asks a few times only.
 std::string nearestWord(std::string_view word, const std::vector<std::string>& known);
 
 /// "a", "b" or "c"; last: the word before the last of them, "or" or "and".

@@ -13,7 +13,7 @@ std::string readName(const json::Value& value, const std::string& path, const st
     return name;
   readText(value, path, name, findings);
   if (std::find(known.begin(), known.end(), name) != known.end()) return name;
-  const std::string nearest = json::nearestWord(name, known);
+  const std::string nearest = findings.nearest(name, known);
   findings.add(value, path,
                nearest.empty() ? said(TRANSLATE_NOOP("problem", "There is no %1 %2. There are %3."),
                                       {what, json::shown(name), json::listed(known, "and")})

@@ -25,7 +25,10 @@ Result<OffHeader> readOffHeader(std::string_view head) {
     words.append(line.substr(0, line.find('#'))).append(" ");
     Scan scan(words);
     const std::string_view keyword = scan.word();
-    if (keyword.empty()) continue;
+    if (keyword.empty()) {
+      words.clear();  // else every line would be looked at again for each that follows
+      continue;
+    }
     if (!isOffKeyword(keyword))
       return Problems{
           {said(TRANSLATE_NOOP("problem", "The OFF header is damaged: it does not begin with \"OFF\".")), {}}};

@@ -241,8 +241,7 @@ Problems Checker::run() {
   checkAll("simulation", scene_.simulation);
   const std::size_t count = scene_.constraints.size();
   if (count < 1 || count > tick::kMaxConstraints) {
-    add("constraints", said(TRANSLATE_NOOP("problem", "A scene has 1 to %1 constraints; this one has %2."),
-                            {std::to_string(tick::kMaxConstraints), std::to_string(count)}));
+    add("constraints", constraintCountProblem(count));
   }
   for (std::size_t index = 0; index < count; ++index) checkConstraint(index);
   return std::move(problems_);

@@ -66,8 +66,7 @@ bool checkManipulator(const VirtualManipulator& robot, const Control& control,
   bool well = true;
   const JointChecker checker(add, well);
   if (robot.joints.empty() || robot.joints.size() > manipulator::kMaxJoints) {
-    checker.say("joints", said(TRANSLATE_NOOP("problem", "A virtual robot has 1 to %1 joints; this one has %2."),
-                               {std::to_string(manipulator::kMaxJoints), std::to_string(robot.joints.size())}));
+    checker.say("joints", jointCountProblem(robot.joints.size()));
   }
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     checker.check("joints[" + std::to_string(i) + "]", robot.joints[i]);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/translate.h"
+#include "core/scene/rules.h"
 #include "core/scene/setting_rows.h"
 
 namespace underact::scene {
@@ -51,7 +52,10 @@ void readConstraints(ObjectReader& object, std::vector<Constraint>& into) {
                                  said(TRANSLATE_NOOP("problem", "a list of constraints")), findings)) {
     into.emplace_back();  // a harmless one
   } else {
-    into.resize(list->items.size());
+    const std::size_t count = list->items.size();
+    if (count > tick::kMaxConstraints)  // only so many are read: a file may have a million
+      findings.add(*list, "constraints", constraintCountProblem(count));
+    into.resize(std::min(count, tick::kMaxConstraints));
     for (std::size_t index = 0; index < into.size(); ++index) {
       readConstraint(list->items[index], "constraints[" + std::to_string(index) + "]", into[index], findings);
     }

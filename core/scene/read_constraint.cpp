@@ -32,7 +32,7 @@ std::optional<Shape> shapeOfType(const json::Value& value, const std::string& pa
   if (!isKind(value, json::Kind::String, path, listed(types), findings)) return std::nullopt;
   std::optional<Shape> shape = shapeOf(value.text, kEachShape);
   if (shape) return shape;
-  const std::string nearest = nearestWord(value.text, types);
+  const std::string nearest = findings.nearest(value.text, types);
   findings.add(value, path,
                nearest.empty()
                    ? said(TRANSLATE_NOOP("problem", "The type %1 is not known. Known types: %2."),

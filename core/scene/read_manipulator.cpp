@@ -1,5 +1,8 @@
+#include <algorithm>
+
 #include "core/base/translate.h"
 #include "core/scene/manipulators.h"
+#include "core/scene/rules.h"
 #include "core/scene/setting_rows.h"
 
 namespace underact::scene {
@@ -74,7 +77,9 @@ void readManipulator(ObjectReader& object, VirtualManipulator& into) {
   if (joints != nullptr && isKind(*joints, json::Kind::Array, object.pathOf("joints"),
                                   said(TRANSLATE_NOOP("problem", "a list of joints")), findings)) {
     findings.remember(object.pathOf("joints"), *joints);
-    into.joints.resize(joints->items.size());
+    const std::size_t count = joints->items.size();
+    if (count > manipulator::kMaxJoints) findings.add(*joints, object.pathOf("joints"), jointCountProblem(count));
+    into.joints.resize(std::min(count, manipulator::kMaxJoints));
     for (std::size_t i = 0; i < into.joints.size(); ++i) {
       readJoint(joints->items[i], object.pathOf("joints") + "[" + std::to_string(i) + "]", into.joints[i], findings);
     }

@@ -12,7 +12,6 @@ namespace underact::scene {
 // Internal to the room: what the readers of a scene's parts share.
 using json::Findings;
 using json::listed;
-using json::nearestWord;
 using json::notYet;
 using json::ObjectReader;
 using json::shown;

@@ -13,6 +13,16 @@ constexpr double kSmallest_mm = 1e-100;  // the tick squares lengths in metres: 
 constexpr double kFarthestTurn_rad = 1e3;
 constexpr double kRotationError = 1e-6;
 
+Sentence constraintCountProblem(std::size_t count) {
+  return said(TRANSLATE_NOOP("problem", "A scene has 1 to %1 constraints; this one has %2."),
+              {std::to_string(tick::kMaxConstraints), std::to_string(count)});
+}
+
+Sentence jointCountProblem(std::size_t count) {
+  return said(TRANSLATE_NOOP("problem", "A virtual robot has 1 to %1 joints; this one has %2."),
+              {std::to_string(manipulator::kMaxJoints), std::to_string(count)});
+}
+
 Sentence notFinite() {
   return said(TRANSLATE_NOOP("problem", "This is not a finite number; the largest is about 1.8e308."));
 }

@@ -17,6 +17,11 @@ Sentence gainProblem(double gain);
 /// A limit of the joint, or its rest position.
 Sentence jointProblem(const Joint& joint, double value);
 
+/// The sentence for a number of constraints that is not allowed.
+Sentence constraintCountProblem(std::size_t count);
+/// The same of joints of a virtual robot.
+Sentence jointCountProblem(std::size_t count);
+
 /// The sentence for a number that is not finite.
 Sentence notFinite();
 /// The sentence for a direction that is zero.

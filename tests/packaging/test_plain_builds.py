@@ -79,6 +79,37 @@ class PlainBuilds(unittest.TestCase):
         named = ("-DCMAKE_C_COMPILER=gcc", "-DCMAKE_CXX_COMPILER=g++")
         self.assertEqual(compilers(self.configured(*preset, *named)[1]), {"g++"})
 
+    def test_folders_with_blanks_brackets_and_quotes_are_built_in(self):
+        with tempfile.TemporaryDirectory() as folder:
+            odd = pathlib.Path(folder) / "under'act (1) \u00fc & co + @ ~ {} %20!"
+            shutil.copytree(ROOT, odd, ignore=shutil.ignore_patterns("build*", ".git", "*.pyc"))
+            done = subprocess.run(
+                ["cmake", "--preset", "release", "-DUNDERACT_GUI=OFF"], cwd=odd, capture_output=True, text=True, check=False
+            )
+            self.assertEqual(done.returncode, 0, done.stderr)
+            made = subprocess.run(
+                ["cmake", "--build", "--preset", "release", "--target", "underact_base"],
+                cwd=odd,
+                capture_output=True,
+                text=True,
+                check=False,
+            )
+            self.assertEqual(made.returncode, 0, made.stdout + made.stderr)
+
+    def test_folders_that_a_tool_would_misread_are_refused_by_their_names(self):
+        for name in ("a;b", 'a"b', "a$b", "${HOME}", "a[1]", "a#b", "a*b", "a?b", "a<b>", "a=b", "a:b", "a,b", "a`b", "a|b"):
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                odd = pathlib.Path(folder) / name
+                for part in ("CMakeLists.txt", "cmake/folder_names.cmake", "packaging/install-deps"):
+                    (odd / part).parent.mkdir(parents=True, exist_ok=True)
+                    shutil.copy(ROOT / part, odd / part)
+                for words in (["cmake", "-S", ".", "-B", "build"], ["packaging/install-deps", "run"]):
+                    done = subprocess.run(words, cwd=odd, capture_output=True, text=True, check=False)
+                    said = " ".join(done.stderr.split())
+                    self.assertNotEqual(done.returncode, 0)
+                    self.assertIn(f"The folder {odd} cannot be built in".lower(), said.lower())
+                    self.assertIn("Rename it, or move the sources to another folder", said)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,7 +1,9 @@
 #include "core/json/json.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/json/text.h"
 #include "tests/core/scene/scene_support.h"
 
 namespace underact::json {
@@ -50,6 +52,40 @@ TEST(Json, NumbersAndQuotesWithinTextAreText) {
   EXPECT_EQ(list.items[2].number, 56.0);
   EXPECT_EQ(list.items[4].number, -7.0);
   EXPECT_EQ(list.items[5].text, "\\\" 8");
+}
+
+/// The distance of Levenshtein, by its definition alone.
+std::size_t distanceOf(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0)
+        d[i][j] = i + j;
+      else
+        d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+TEST(NearestWord, IsFoundUpToAThirdOfItsLettersAndNotBeyond) {
+  test::Random random(test::Seed{20261127});
+  int found = 0;
+  for (int trial = 0; trial < 20'000; ++trial) {
+    std::string word, known;
+    for (std::size_t i = random.below(60) + 1; i > 0; --i) word += static_cast<char>('a' + random.below(3));
+    for (const char letter : word) {
+      const std::size_t slip = random.below(6);
+      if (slip != 0) known += slip == 1 ? 'c' : letter;
+      if (slip == 2) known += 'b';
+    }
+    const std::size_t most = word.size() < 4 ? 1 : std::clamp<std::size_t>(word.size() / 3, 2, 12);
+    const bool is_near = distanceOf(word, known) <= most;
+    ASSERT_EQ(nearestWord(word, {known}), is_near ? known : "") << word << " " << known;
+    found += is_near ? 1 : 0;
+  }
+  EXPECT_GT(found, 5'000);
+  EXPECT_LT(found, 19'000);
 }
 
 TEST(Json, ColumnsCountCharactersNotBytes) {

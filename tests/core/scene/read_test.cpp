@@ -343,8 +343,23 @@ TEST(ReadScene, ALongListOfProblemsIsCutAndSaysSo) {
   std::string keys;
   for (int i = 0; i < 100'000; ++i) keys += "\"zz" + std::to_string(i) + "\": 1, ";
   const std::vector<std::string> lines = problemsIn("{" + keys + "\"underact_scene\": 1}");
-  ASSERT_EQ(lines.size(), 1001u);
-  EXPECT_NE(lines.back().find("The file has 99002 more problems."), std::string::npos) << lines.back();
+  ASSERT_EQ(lines.size(), 101u);
+  EXPECT_NE(lines.back().find("The file has 99902 more problems."), std::string::npos) << lines.back();
+}
+
+TEST(ReadScene, TheNearestKeyIsLookedForTenTimesAndTheRestListTheKnownOnes) {
+  std::string keys;
+  for (int i = 0; i < 15; ++i) keys += "\"titlx" + std::string(static_cast<std::size_t>(i % 2), 'x') + "\": 1, ";
+  for (int i = 0; i < 15; ++i) keys += "\"abou" + std::to_string(i) + "\": 1, ";
+  const std::vector<std::string> lines =
+      problemsIn("{" + keys + "\"underact_scene\": 1, \"title\": \"t\", \"constraints\": [" + kPoint + "]}");
+  const auto with = [&](const char* words) {
+    return std::count_if(lines.begin(), lines.end(),
+                         [&](const std::string& line) { return line.find(words) != std::string::npos; });
+  };
+  EXPECT_EQ(with("Did you mean"), 10);
+  EXPECT_EQ(with("Known keys"), 7);
+  EXPECT_EQ(with("appears a second time"), 13);
 }
 
 TEST(ReadSceneFile, SaysWhyAFileCannotBeRead) {
@@ -432,6 +447,18 @@ TEST(ReadScene, AVirtualManipulatorIsReadWithAllItsKeysAndItsDefaults) {
   EXPECT_EQ(full.orientation, manipulator::Orientation::Full);
   EXPECT_EQ(full.ko_N_mm_per_rad, 250.0);
   EXPECT_EQ(full.solver, (Solver{SolverMethod::Iterative, 7, 1e-6}));
+}
+
+TEST(ReadScene, OfVeryManyConstraintsOrJointsOnlyTheFirstAreRead) {
+  std::string points, joints;
+  for (int i = 0; i < 1000; ++i) points += (i == 0 ? "" : ",") + std::string(i < 64 ? kPoint : "{}");
+  EXPECT_EQ(joined(problemsIn(sceneWith(points))),
+            "1:52: constraints: A scene has 1 to 64 constraints; this one has 1000.\n");
+  for (int i = 0; i < 1000; ++i)
+    joints += (i == 0 ? "" : ",") + std::string(R"({"type": "prismatic", "axis": [1, 0, 0]})");
+  const std::vector<std::string> of_robot = problemsIn(sceneWith(robotWith(joints)));
+  ASSERT_EQ(of_robot.size(), 1U);
+  EXPECT_NE(of_robot[0].find("joints: A virtual robot has 1 to 8 joints; this one has 1000."), std::string::npos);
 }
 
 TEST(ReadScene, WhatIsWrongWithAVirtualManipulatorIsSaid) {
