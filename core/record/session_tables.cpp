@@ -11,10 +11,10 @@ namespace {
 constexpr Column kTick{"tick", "", "number of the tick", Kind::Integer};
 constexpr Column kTextAt{"text_at", "", "where its words begin in /text/bytes", Kind::Integer};
 constexpr Column kTextBytes{"text_bytes", "", "how many bytes of UTF-8 they are", Kind::Integer};
-constexpr Column kFaultKind{
-    "kind", "",
-    "1 no_sample, 2 stale_sample, 3 not_finite, 4 too_fast, 5 too_late, 6 stood_still, 7 odd_clock, 8 asleep",
-    Kind::Byte};
+constexpr Column kFaultKind{"kind", "",
+                            "1 no_sample, 2 stale_sample, 3 not_finite, 4 too_fast, 5 too_late, 6 stood_still, 7 "
+                            "odd_clock, 8 asleep, 9 window_busy",
+                            Kind::Byte};
 
 constexpr std::array kChangeColumns{
     kTick, Column{"revision", "", "of the scene, from this tick on", Kind::Integer},
@@ -135,6 +135,25 @@ std::array<Table, kTables> sessionTables(std::int64_t rate_hz, double block_s) {
             "one tick of the servo, of a session with an arm of more than six joints"}};
   tables[kProvenance].presence = tables[kClock].presence = tables[kSteering].presence = Presence::Later;
   return tables;
+}
+
+std::int64_t SessionLimits::rowsOf(TableIndex table) const {
+  switch (table) {
+    case kTicks:
+      return ticks;
+    case kMarkers:
+      return markers;
+    case kStart:
+      return start_bytes;
+    case kText:  // adjacent texts, each with its own limit
+    case kTruth:
+    case kConstraints:
+    case kJoints:  // read block by block, as /ticks, whose limit ends them, too
+    case kTables:
+      return INT64_MAX;
+    default:
+      return small_rows;
+  }
 }
 
 const char* name(EndReason reason) {

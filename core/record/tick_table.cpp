@@ -35,7 +35,7 @@ constexpr std::array kTickColumns{
     Column{"heat", "", "of motors 1 to 3; 1: their continuous torque", Kind::Real, 3, "motors", "heat_1,heat_2,heat_3"},
     Column{"fault", "",
            "why the force is zero: 0 none, 1 no_sample, 2 stale_sample, 3 not_finite, 4 too_fast, "
-           "5 too_late, 6 stood_still, 7 odd_clock, 8 asleep",
+           "5 too_late, 6 stood_still, 7 odd_clock, 8 asleep, 9 window_busy",
            Kind::Byte, 1, "", "", "fault"},
     Column{"alpha_beta_theta_rad", "rad", "angles of stylus, tip and target of the first influenced target", Kind::Real,
            3, "", "alpha_rad,beta_rad,theta_rad", "alpha_rad,beta_rad,theta_rad"},

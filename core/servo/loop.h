@@ -37,9 +37,9 @@ struct Command {
   Order order = Order::Stop;
   Instance* instance = nullptr;  // owned by the loop from here on; given back by reap()
   Tap* tap = nullptr;            // Record: lives until it has ended
-  std::uint64_t stops = 0;       // Start: Loop::stops() when it was given; one that is higher by then has ended it
   std::int64_t ticks = 0;        // Retune: over which the targets are carried, 0: at once. Push: for how many
   Vec3 push_T_W = Vec3::Zero();  // Push: N, finite
+  std::uint64_t stops = 0;       // Start: Loop::stops() when it was given; one that is higher by then has ended it
 };
 
 /// What the servo thread does each period: takes up commands, reads the arm, ticks, writes the force and hands the
@@ -97,6 +97,7 @@ class Loop {
   void listen(Tap* tap) noexcept UNDERACT_REAL_TIME;
   void replaceBy(Instance* instance, tick::Carry carry, std::int64_t over_ticks = 0) noexcept UNDERACT_REAL_TIME;
   void push(const Command& command) noexcept UNDERACT_REAL_TIME;
+  void informTap() noexcept UNDERACT_REAL_TIME;
   void retire(Instance* instance) noexcept UNDERACT_REAL_TIME;
   Mode mode() const noexcept UNDERACT_REAL_TIME;
   bool pushes() const noexcept UNDERACT_REAL_TIME;
@@ -118,6 +119,7 @@ class Loop {
   bool was_faulted_ = false;
   Vec3 push_T_W_ = Vec3::Zero();
   std::int64_t push_left_ = 0;  // ticks
+  bool is_push_new_ = false;    // the tap has not got it yet
   std::uint64_t orders_ = 0;    // taken up
   std::int64_t period_ns_, watchdog_ns_;
   system::Clocks clocks_;
