@@ -19,8 +19,10 @@
 #include "app/gui/view/picture.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/window/main_window.h"
+#include "app/gui/window/window_watch.h"
 #include "app/options/window_options.h"
 #include "core/system/current_folder.h"
+#include "core/system/signals.h"
 #include "core/system/this_process.h"
 #include "device/input/controllers.h"
 #include "device/input/space_mice.h"
@@ -75,8 +77,13 @@ int runWindow(const options::WindowOptions& options, const Began& began) {
   ThemeWatcher theme;
   device::input::Controllers controllers;
   device::input::SpaceMice space_mice(device::hidapiBus());
-  MainWindow window(
-      {*simulated.host, simulated.arm, theme, simulated.replay, simulated.chosen, {&controllers, &space_mice}});
+  MainWindow window({*simulated.host,
+                     simulated.arm,
+                     theme,
+                     simulated.replay,
+                     simulated.chosen,
+                     {&controllers, &space_mice},
+                     WindowWatch::kLimit_s});
   if (!hasOpenGl()) return endWithoutOpenGl();
   if (qEnvironmentVariableIsSet("UNDERACT_TIMING")) {
     QObject::connect(&window.view(), &SceneView::drawn, &window, [&began, first = true](double frame_ms) mutable {
@@ -106,6 +113,13 @@ int runWindow(const options::WindowOptions& options, const Began& began) {
     }
     window.actions().perform("visitor.start", scenes);
   }
+  // The handler itself ends the force; the window follows when its thread comes to it.
+  const system::Interrupt interrupt(system::Reader::MayGo, &simulated.host->stops());
+  QTimer ends;
+  QObject::connect(&ends, &QTimer::timeout, [&interrupt] {
+    if (interrupt.came()) QApplication::exit(0);
+  });
+  ends.start(50);
   return QApplication::exec();
 }
 

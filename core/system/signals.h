@@ -1,4 +1,5 @@
 #pragma once
+#include <atomic>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -10,11 +11,13 @@ namespace underact::system {
 enum class Reader : std::uint8_t { Needed, MayGo };
 
 /// While an object of this class exists, signals that ask the program to end (Ctrl+C, Ctrl+\, SIGTERM, a closed
-/// terminal) set a flag instead, so that the force is released and results are still printed. One object at a time.
+/// terminal) set a flag instead, so that the force is released and results are still printed. One thread makes and
+/// destroys them; one that is made within the life of another has its flag, too.
 class Interrupt {
  public:
-  /// reader: what happens on SIGPIPE.
-  explicit Interrupt(Reader reader = Reader::Needed);
+  /// reader: what happens on SIGPIPE. counter: outlives this; the signal's handler itself counts it up, whatever the
+  /// program's threads are doing, as it ends the force with servo::Host::stops(). Null: none.
+  explicit Interrupt(Reader reader = Reader::Needed, std::atomic<std::uint64_t>* counter = nullptr);
   ~Interrupt();  // restores the handlers
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
@@ -23,6 +26,7 @@ class Interrupt {
 
  private:
   std::vector<std::pair<int, void (*)(int)>> before_;
+  std::atomic<std::uint64_t>* counter_before_;
 };
 
 /// Ignores signals that ask the program to end: it ends when its starter does.

@@ -38,6 +38,7 @@ const std::vector<Library>& libraries() {
   static const std::vector<Library> kLibraries{
       {"Qt", std::regex("Q[A-Z]|Qt|private/q"), {"app/gui/*"}, true},
       {"VTK", std::regex("vtk"), {"app/gui/view"}, true},
+      {"XCB", std::regex("xcb/"), {"app/gui/kit"}, false},
       {"GLFW", std::regex("GLFW"), {"device/input"}, false},
       {"hidapi", std::regex("hidapi"), {"device"}, false},
       {"ZeroMQ", std::regex("zmq"), {"device"}, false},

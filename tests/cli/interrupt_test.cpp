@@ -58,6 +58,21 @@ TEST(Interrupt, LeavesAllAsItWas) {
   }
 }
 
+TEST(Interrupt, CountsUpInTheHandlerItselfWhateverTheThreadsDo) {
+  std::atomic<std::uint64_t> stops = 0;
+  const Interrupt early(system::Reader::MayGo);
+  {
+    const Interrupt interrupt(system::Reader::MayGo, &stops);
+    std::raise(SIGTERM);
+    EXPECT_EQ(stops, 1U);
+    EXPECT_TRUE(early.came());
+  }
+  std::raise(SIGINT);
+  EXPECT_EQ(stops, 1U) << "the counter may be gone";
+  const Interrupt late(system::Reader::MayGo, &stops);
+  EXPECT_TRUE(late.came()) << "one that is made later does not forget what came before";
+}
+
 TEST(Interrupt, OfARunLeavesItsResults) {
   for (const int signal : {SIGTERM, SIGHUP, SIGQUIT}) {
     const ScratchFolder scratch;

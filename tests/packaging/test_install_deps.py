@@ -19,11 +19,11 @@ RUN = """
     libeigen3-dev libsleef-dev libboost-dev libxxhash-dev rapidjson-dev libcli11-dev libmd4c-dev
     libtinyxml2-dev
     libhdf5-dev zlib1g-dev libopenmesh-dev libsystemd-dev libhidapi-dev libglfw3-dev
-    libzmq3-dev cppzmq-dev qt6-base-dev libqt6opengl6-dev libgl-dev
+    libzmq3-dev cppzmq-dev qt6-base-dev libqt6opengl6-dev libgl-dev libxcb-xinput-dev
     qt6-l10n-tools qt6-translations-l10n libvtk9-dev libgl1-mesa-dri fonts-dejavu-core
 """
 TEST = """
-    g++ libgtest-dev libumockdev-dev umockdev xvfb xauth python3 python3-h5py python3-matplotlib
+    g++ libgtest-dev libumockdev-dev umockdev xvfb xauth libxcb-xtest0-dev python3 python3-h5py python3-matplotlib
     python3-pandas python3-websockets pybind11-dev python3-dev hunspell hunspell-en-gb diction dbus-daemon openmpi-bin duktape
 """
 PYTHON = {"g++", "python3-dev", "python3-venv", "python3-pip"}

@@ -54,9 +54,9 @@ void Story::open(const QString& scene, const Beginning& beginning) {
     QSettings().setValue("hints/has_pushed", true);  // the welcome has stories of its own
   }
   theme_ = std::make_unique<ThemeWatcher>();
-  window_ = std::make_unique<MainWindow>(
-      WindowParts{*simulated_.host, simulated_.arm, *theme_, simulated_.replay, simulated_.chosen, beginning.hands},
-      beginning.features);
+  window_ = std::make_unique<MainWindow>(WindowParts{*simulated_.host, simulated_.arm, *theme_, simulated_.replay,
+                                                     simulated_.chosen, beginning.hands, beginning.busy_limit_s},
+                                         beginning.features);
   if (beginning.first_start) window_->resize(beginning.size);
   if (beginning.shown) {
     window_->show();

@@ -25,6 +25,7 @@ struct Beginning {
   std::vector<device::input::DeviceEnumerator*> hands = {};  // controllers and 3D mice; they outlive the story
   servo::HostOptions servo{.clock = servo::Clock::Manual};   // time by count: the machine's speed decides nothing
   std::vector<FeatureRow> features = gui::features();
+  double busy_limit_s = 0.0;  // see WindowParts
 };
 
 /// The real window on a simulated arm. It acts through real events and by the names of actions, then looks.

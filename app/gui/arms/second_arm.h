@@ -1,8 +1,10 @@
 #pragma once
 #include <QObject>
 #include <QString>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 
 #include "app/gui/model/arm_choice.h"
@@ -48,6 +50,9 @@ class SecondArm : public QObject {
 
   void start();
   void stop();
+  // Any thread, also while this one is busy or turns it off: servo::Host::stops() and reportBusyWindow() of its servo.
+  void stopFromAnyThread();
+  void reportBusyWindow(std::int64_t pause_ns);
   void setRate(int rate_hz);
   /// Called each frame.
   void poll();
@@ -67,6 +72,7 @@ class SecondArm : public QObject {
   void place();
   void begin();
   void end();
+  void setReached(servo::Host* host);
   void takeScene();
   void takeFaults();
   void moveHand();
@@ -75,6 +81,8 @@ class SecondArm : public QObject {
   ArmChoice& first_arms_;
   SceneView& view_;
   SimulatedHost simulated_;
+  std::mutex mutex_;                // of the next line
+  servo::Host* reached_ = nullptr;  // by other threads
   std::unique_ptr<Document> document_;
   std::unique_ptr<ArmChoice> arms_;
   SceneLoading loading_;

@@ -24,11 +24,17 @@ class StopKey : public QObject {
   Q_OBJECT
  public:
   static constexpr const char* kEscStops = "escStops";
+  /// The property of a button that does what this key does.
+  static constexpr const char* kStops = "stops";
 
   /// window: contains the LeftByEsc widgets, and owns this.
   StopKey(std::function<void()> stop, std::function<bool()> always, QWidget* window);
   ~StopKey() override;
   bool eventFilter(QObject* watched, QEvent* event) override;
+  /// Whether somebody may be pushed now.
+  bool always() const { return always_(); }
+  /// Whether Esc would stop the servo now.
+  bool wouldStop() const { return always_() || !isSomethingOnTop(); }
 
  private:
   bool isSomethingOnTop() const;

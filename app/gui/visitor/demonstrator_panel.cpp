@@ -12,6 +12,7 @@
 
 #include "app/gui/kit/message_label.h"
 #include "app/gui/kit/push_button.h"
+#include "app/gui/kit/stop_key.h"
 #include "app/gui/model/scene_library.h"
 
 namespace underact::gui {
@@ -54,6 +55,7 @@ DemonstratorPanel::DemonstratorPanel(const VisitorSettings& visitor_settings, QW
   form->addRow(tr("Each scene for"), dwell_);
   form->addRow(tr("Maximum force"), force_);
   auto* stop = pushButton("demonstrator.stop", tr("Stop"), tr("Stops the servo: the force goes to zero."), this);
+  stop->setProperty(StopKey::kStops, true);
   auto* leave =
       pushButton("demonstrator.leave", tr("Leave visitor mode"), tr("Restores the window as it was before."), this);
   auto* close = pushButton("demonstrator.close", tr("Close"), tr("Closes this panel; visitor mode continues."), this);

@@ -24,6 +24,7 @@
 #include "app/gui/view/scene_view.h"
 #include "app/gui/window/docks.h"
 #include "app/gui/window/stop_banner.h"
+#include "app/gui/window/window_watch.h"
 
 namespace underact::gui {
 

@@ -12,6 +12,7 @@ class Docks;
 class FramePacer;
 class StopBanner;
 class DeferredStyleSheet;
+class WindowWatch;
 
 /// The window: the view in the middle and the features around it. Each frame it hands the servo's newest snapshot to
 /// all of them.
@@ -58,7 +59,8 @@ class MainWindow : public QMainWindow {
   ServoListeners listeners_;
   bool arranged_ = false;
   StopBanner* banner_ = nullptr;
-  QString fault_;  // the sentence announced last
+  QString fault_;                       // the sentence announced last
+  std::unique_ptr<WindowWatch> watch_;  // last: its threads end before what they reach
 };
 
 }  // namespace underact::gui

@@ -24,6 +24,7 @@
 #include "app/gui/window/rail.h"
 #include "app/gui/window/stop_banner.h"
 #include "app/gui/window/window_actions.h"
+#include "app/gui/window/window_watch.h"
 
 namespace underact::gui {
 
@@ -53,8 +54,11 @@ MainWindow::MainWindow(const WindowParts& given, std::vector<FeatureRow> rows)
   restore();
   setTheme(given_.theme.theme());
   connect(&given_.theme, &ThemeWatcher::changed, this, &MainWindow::setTheme);
-  new StopKey([this] { actions().perform("session.stop"); },
-              [this] { return services_.arms->simulated() == nullptr || services_.second->isReal(); }, this);
+  const auto* const key =
+      new StopKey([this] { actions().perform("session.stop"); },
+                  [this] { return services_.arms->simulated() == nullptr || services_.second->isReal(); }, this);
+  if (given.busy_limit_s > 0.0)
+    watch_ = std::make_unique<WindowWatch>(given.host, *services_.second, *key, given.busy_limit_s);
   banner_ = new StopBanner(view());
   connect(banner_, &QPushButton::clicked, this, [this] { actions().perform("session.start"); });
   connect(pacer_, &FramePacer::frame, this, &MainWindow::frame);

@@ -12,6 +12,7 @@
 #include "app/gui/feature/panel.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/message_label.h"
+#include "app/gui/kit/stop_key.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/scene_library.h"
 #include "app/gui/window/narrow_bar.h"
@@ -157,6 +158,7 @@ void buildToolBar(QMainWindow* window, Actions& actions) {
   };
   button("session.start", "start");
   button("session.stop", "stop");
+  if (QAction* stop = actions.find("session.stop")) bar->widgetForAction(stop)->setProperty(StopKey::kStops, true);
   bar->addSeparator();
   button("hand.keep", "hold");
   button("session.record", "record");

@@ -21,6 +21,7 @@ struct WindowParts {
   device::ReplayedArm* replay = nullptr;                     // the host's device if it can replay, else null
   device::ChosenArm* chosen = nullptr;                       // behind the host if arms can be exchanged, else null
   std::vector<device::input::DeviceEnumerator*> hands = {};  // controllers and 3D mice; they outlive the window
+  double busy_limit_s = 0.0;  // see WindowWatch; 0: time by count, as in tests: nobody watches
 };
 
 /// What all features of a window share, made and connected once. The window owns it all.
