@@ -12,12 +12,14 @@ template <class Row>
 struct WaitingRows {
   std::vector<Row> rows;
   std::size_t next = 0;
+  /// Whether one is left of a tick before that.
   bool isBefore(std::int64_t tick) const { return next < rows.size() && rows[next].tick < tick; }
   /// Writes those of the ticks before one.
   template <class Write>
   void writeBefore(std::int64_t tick, Write&& write) {
     for (; isBefore(tick); ++next) write(rows[next]);
   }
+  /// Takes what came since the last time; the others are written.
   void takeFrom(servo::Tap& tap) {
     rows.clear();
     next = 0;

@@ -85,16 +85,16 @@ class Tap {
 
   // The recorder's thread. What follows begun() may be read once that is true, until the next wantStart().
   bool begun() const { return begun_.load(std::memory_order_acquire); }
+  bool ended() const { return ended_.load(std::memory_order_acquire); }
+  std::int64_t firstTick() const { return first_tick_; }
+  std::uint64_t firstRevision() const { return first_revision_; }
+  const tick::TickState& start() const { return start_; }
   /// Asks for the servo's state at the beginning of a tick to come. begun() is false until it is there; then there is
   /// all of the ticks before it, and a force that lasts is told anew.
   void wantStart() {
     begun_.store(false, std::memory_order_relaxed);
     wants_start_.store(true, std::memory_order_release);
   }
-  bool ended() const { return ended_.load(std::memory_order_acquire); }
-  std::int64_t firstTick() const { return first_tick_; }
-  std::uint64_t firstRevision() const { return first_revision_; }
-  const tick::TickState& start() const { return start_; }
   /// In order; false: nothing new. A change and a fault are there as soon as the tick they belong to.
   bool take(TickRecord& record) { return records_.pop(record); }
   bool take(Change& change) { return changes_.pop(change); }
