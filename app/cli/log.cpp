@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <utility>
 
@@ -44,13 +46,28 @@ Exit compareSessions(const std::vector<std::string>& paths, bool json, const Str
 }
 
 struct ExportOptions {
-  std::string file, format = "csv", out;
+  std::string file, format, out;
 };
+
+/// The format that a name ends in, in any case; empty: none.
+std::string formatOf(const std::string& name) {
+  std::string ending = std::filesystem::path(name).extension().string();
+  for (char& letter : ending) letter = static_cast<char>(letter | (letter >= 'A' && letter <= 'Z' ? 0x20 : 0));
+  if (ending == ".rrd") return "rerun";
+  if (ending == ".html") return "page";
+  return ending == ".csv" || ending == ".parquet" || ending == ".mcap" ? ending.substr(1) : std::string();
+}
 
 Exit exportCsv(const ExportOptions& options, const Streams& streams) {
   Result<record::Session> session = record::Session::open(options.file);
   if (!session) return fail(session.problems(), streams);
-  Result<record::CsvWriter> csv = record::CsvWriter::open(options.out.empty() ? "/dev/stdout" : options.out);
+  if (!options.out.empty()) {
+    const Problems problems = record::checkCsvNames(options.file, options.out);
+    if (!problems.empty()) return fail(problems, Exit::File, streams);
+  }
+  Result<record::CsvWriter> csv = options.out.empty()
+                                      ? record::CsvWriter::toOutput()
+                                      : record::CsvWriter::create(options.out, system::Existing::ReplaceFile);
   if (!csv) return fail(csv.problems(), Exit::File, streams);
   const system::Interrupt interrupt;
   Progress progress(streams);
@@ -63,7 +80,7 @@ Exit exportCsv(const ExportOptions& options, const Streams& streams) {
   if (done.missing > 0) streams.err << done.missing << " ticks are damaged in the file and were left out.\n";
   if (done.is_stopped) streams.err << "Stopped: what was written is not the whole session.\n";
   if (!done.unwritten.empty()) return Exit::File;
-  if (std::error_code error; std::filesystem::is_regular_file(options.out, error)) {  // not a pipe, nor /dev/stdout
+  if (!options.out.empty()) {
     const Problems problems = record::writeCsvMetadata(session.value(), options.out);
     if (!problems.empty()) return fail(problems, Exit::File, streams);
   }
@@ -71,21 +88,63 @@ Exit exportCsv(const ExportOptions& options, const Streams& streams) {
 }
 
 Exit exportSession(const ExportOptions& options, const Streams& streams) {
-  if (options.format == "csv") return exportCsv(options, streams);
-  if (options.out.empty()) {
-    streams.err << "--out: a " << options.format << " file needs a name.\n";
+  const std::string by_name = formatOf(options.out);
+  const std::string format = !options.format.empty() ? options.format : by_name.empty() ? "csv" : by_name;
+  if (!by_name.empty() && (by_name != format || by_name == "rerun" || by_name == "page")) {
+    streams.err << "--out: the name ends as that of another format, so nothing was written. Give a name that ends in ."
+                << (by_name == format ? "csv" : format) << ".\n";
     return Exit::Usage;
   }
-  return runPython({"export", options.file, "--format", options.format, "--out", options.out}, streams);
+  if (format == "csv") return exportCsv(options, streams);
+  if (options.out.empty()) {
+    streams.err << "--out: a " << format << " file needs a name.\n";
+    return Exit::Usage;
+  }
+  return runPython({"export", options.file, "--format", format, "--out", options.out}, streams);
 }
+
+/// Finds the ticks that no row has.
+class MissingTicks {
+ public:
+  explicit MissingTicks(const record::Session& session) {
+    if (!session.changes().empty()) next_ = session.changes().front().tick;
+  }
+  /// Of a damaged block it is not known.
+  void skip() { next_.reset(); }
+  void add(const record::Block& ticks, Problems& problems, const std::string& path) {
+    for (std::int64_t row = 0; row < ticks.rows; ++row) {
+      std::int64_t tick = 0;  // the first column
+      std::memcpy(&tick, &ticks.bytes[static_cast<std::size_t>(row) * sizeof tick], sizeof tick);
+      if (next_ && tick > *next_) note(*next_, tick - 1, problems, path);
+      if (tick == INT64_MAX) return skip();
+      next_ = tick + 1;
+    }
+  }
+  std::uint64_t count() const { return count_; }
+
+ private:
+  void note(std::int64_t first, std::int64_t last, Problems& problems, const std::string& path) {
+    constexpr std::size_t kMost = 100;
+    // A file may hold any two numbers, so the difference is computed without overflow.
+    count_ += static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first) + 1;
+    if (problems.size() < kMost)
+      problems.push_back(
+          {"Ticks " + std::to_string(first) + " to " + std::to_string(last) + " are missing: they were not recorded.",
+           {path}});
+  }
+  std::optional<std::int64_t> next_;
+  std::uint64_t count_ = 0;
+};
 
 Exit verifyBlocks(const std::string& path, const Streams& streams) {
   Result<record::Session> session = record::Session::open(path);
   if (!session) return fail(session.problems(), streams);
   Progress progress(streams);
   Problems problems = session.value().info().damage;
+  MissingTicks missing(session.value());
   const Problems unread = session.value().eachBlock(
       [&](const record::Block& block, std::int64_t row) {
+        missing.add(block, problems, path);
         const auto isDamaged = [](double angle_rad) { return std::isnan(angle_rad); };
         if (std::any_of(block.more_joints.begin(), block.more_joints.end(), isDamaged))
           problems.push_back({"Joints 7 and 8 of rows " + std::to_string(row + 1) + " to " +
@@ -94,6 +153,7 @@ Exit verifyBlocks(const std::string& path, const Streams& streams) {
         return true;
       },
       [&](const record::Gap& gap) {
+        missing.skip();
         problems.push_back({"Rows " + std::to_string(gap.first_row + 1) + " to " +
                                 std::to_string(gap.first_row + gap.rows) + " of the ticks are damaged.",
                             {path}});
@@ -104,6 +164,10 @@ Exit verifyBlocks(const std::string& path, const Streams& streams) {
     const Result<std::string> text = session.value().sceneText(change);
     if (!text) problems.insert(problems.end(), text.problems().begin(), text.problems().end());
   }
+  const auto dropped = static_cast<std::uint64_t>(std::max<std::int64_t>(session.value().info().dropped, 0));
+  if (const std::uint64_t all = std::max(dropped, missing.count()); all > 0)
+    problems.push_back(
+        {std::to_string(all) + " ticks or events are missing: the recorder had no room for them.", {path}});
   print(problems, streams.err);
   if (!problems.empty()) return Exit::BadInput;
   streams.out << session.value().info().ticks << " ticks, all of them intact"
@@ -200,8 +264,8 @@ void addExport(Command log, const Streams& streams, Exit& exit) {
   command.option("file", options->file, "Session file").required();
   command
       .option("--format", options->format,
-              "Format of the file; Parquet and MCAP require the Python libraries pyarrow and mcap")
-      .showUsual()
+              "Format of the file; by default that of the name of --out, else CSV. Parquet and MCAP require the Python "
+              "libraries pyarrow and mcap")
       .oneOf({"csv", "parquet", "mcap"});
   command.option("--out", options->out, "File to write; by default CSV goes to standard output");
   command.whenChosen([options, &streams, &exit] { exit = exportSession(*options, streams); });

@@ -1,8 +1,17 @@
 #include "app/cli/recording.h"
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace underact::cli {
+
+bool isCsv(const std::string& path) {
+  constexpr std::string_view kEnding = ".csv";
+  return path.size() >= kEnding.size() &&
+         std::equal(kEnding.begin(), kEnding.end(), path.end() - static_cast<std::ptrdiff_t>(kEnding.size()),
+                    [](char wanted, char letter) { return wanted == (letter | (letter >= 'A' ? 0x20 : 0)); });
+}
 
 Problems Recording::check(const std::string& path, system::Existing existing) {
   if (path.empty()) return {};
@@ -16,7 +25,7 @@ Problems Recording::check(const std::string& path, system::Existing existing) {
 Result<Recording> Recording::start(servo::Host& host, const std::string& path, const record::SessionMetadata& words,
                                    const record::RecorderOptions& options) {
   Recording recording;
-  if (path.ends_with(".csv")) {
+  if (isCsv(path)) {
     Result<record::CsvWriter> csv = record::CsvWriter::create(path, options.existing);
     if (!csv) return csv.problems();
     recording.csv_ = std::move(csv).value();
@@ -28,13 +37,21 @@ Result<Recording> Recording::start(servo::Host& host, const std::string& path, c
   return recording;
 }
 
-bool Recording::hasFailed() const {
-  return (csv_ && csv_->hasFailed()) || (session_ && !session_->status().problems.empty());
+std::vector<Sentence> Recording::news() {
+  if (csv_ && csv_->hasFailed() && !std::exchange(has_told_, true))
+    return {"The recording stopped: its file could not be written further. The run goes on."};
+  if (!session_) return {};
+  const record::RecorderStatus now = session_->status();
+  return record::newsOf(std::exchange(told_, now), now);
 }
 
-Problems Recording::close() {
-  if (csv_) return csv_->close();
-  return session_ ? session_->stop() : Problems{};
+Problems Recording::close(std::int64_t untaken) {
+  if (session_) return session_->stop();
+  Problems problems = csv_ ? csv_->close() : Problems{};
+  if (csv_ && untaken > 0)
+    problems.push_back(
+        {std::to_string(untaken) + " ticks are missing in the recording: the computer was too busy to write them."});
+  return problems;
 }
 
 }  // namespace underact::cli

@@ -101,17 +101,16 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   if (recording) recording->noteServo();
   Run run(ticksOf(options), std::move(recording), std::move(live), streams);
   options.fast ? runFast(host, run, interrupt) : runInRealTime(host, run, interrupt, streams);
-  if (const std::int64_t dropped = host.snapshot().dropped; dropped > 0) {
-    streams.err << dropped << " ticks were not received, because the machine was too busy.\n";
-  }
-  const Problems unkept = reportFaults(host, run, options.fault_file, streams);
+  const std::int64_t untaken = host.snapshot().dropped;
+  if (untaken > 0) streams.err << untaken << " ticks were not received, because the machine was too busy.\n";
+  Problems unwritten = reportFaults(host, run, options.fault_file, streams);
   const std::string scheduling = options.fast ? "as fast as possible" : host.scheduling().name;
   JsonObject summary = run.summary().json({options.rate_hz, options.seed, options.fast, scheduling, host.guarding(),
                                            scene::rendersMoment(prepared->scene.description)});
   run.addStream(summary);
   streams.out << summary.text() << '\n';
-  Problems unwritten = run.closeRecording();
-  unwritten.insert(unwritten.end(), unkept.begin(), unkept.end());
+  const Problems unrecorded = run.closeRecording(untaken);
+  unwritten.insert(unwritten.end(), unrecorded.begin(), unrecorded.end());
   print(unwritten, streams.err);
   if (run.summary().faulted()) return Exit::Fault;
   return unwritten.empty() ? Exit::Well : Exit::File;

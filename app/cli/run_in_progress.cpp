@@ -23,11 +23,19 @@ void Run::take(servo::Host& host) {
     if (recording_) recording_->add(record);
     if (live_) live_->send(record);
   });
-  if (recording_ && recording_->hasFailed() && !told_) {
-    told_ = true;
-    streams_.err << "The recording stopped: its file could not be written further. The run goes on.\n";
+  if (recording_) {
+    for (const Sentence& sentence : recording_->news()) streams_.err << sentence << '\n';
   }
   progress_.show(static_cast<double>(summary_.ticks()) / static_cast<double>(wanted_));
+}
+
+Problems Run::closeRecording(std::int64_t untaken) {
+  if (!recording_) return {};
+  Problems problems = recording_->close(untaken);
+  if (!problems.empty())
+    problems.push_back({"The recording is not whole: it has " + std::to_string(recording_->ticks()) + " of " +
+                        std::to_string(summary_.ticks() + untaken) + " ticks."});
+  return problems;
 }
 
 void Run::addStream(JsonObject& summary) const {

@@ -28,7 +28,8 @@ class Run {
   const RunSummary& summary() const { return summary_; }
   /// What became of the live data, where there was any.
   void addStream(JsonObject& summary) const;
-  Problems closeRecording() { return recording_ ? recording_->close() : Problems{}; }
+  /// untaken: ticks that take() did not get. Problems: what is missing in the recording; the last one says how much.
+  Problems closeRecording(std::int64_t untaken);
 
  private:
   std::int64_t wanted_;
@@ -37,7 +38,6 @@ class Run {
   const Streams& streams_;
   RunSummary summary_;
   Progress progress_{streams_};
-  bool told_ = false;  // that the recording stopped
 };
 
 /// Until the run is done or interrupted.

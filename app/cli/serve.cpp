@@ -7,6 +7,7 @@
 #include "app/cli/command.h"
 #include "app/cli/held_arm.h"
 #include "app/cli/json_object.h"
+#include "app/cli/recording.h"
 #include "app/cli/shipped.h"
 #include "app/serve/haply.h"
 #include "app/serve/host_alone.h"
@@ -79,7 +80,7 @@ Exit runService(ServeOptions options, const Streams& streams) {
                                 },
                                 device::provenanceOfService(options.isSimulated() ? &prepared->run : nullptr)});
   serve::Service service(alone, {token.value().text, options.anyone_steers});
-  if (options.record.ends_with(".csv")) {
+  if (isCsv(options.record)) {
     Result<record::CsvWriter> opened = record::CsvWriter::create(options.record, options.existing());
     if (!opened) return fail(opened.problems(), Exit::File, streams);
     csv = std::move(opened).value();
@@ -104,6 +105,7 @@ Exit runService(ServeOptions options, const Streams& streams) {
     const Sentence unguarded = host.unguarded();
     if (std::exchange(is_guarded, unguarded.empty()) != is_guarded)
       streams.err << (is_guarded ? "The arm is guarded again." : unguarded) << '\n';
+    for (const Sentence& sentence : alone.news()) streams.err << sentence << '\n';
     return !interrupt.came();
   });
   letGo(service);
@@ -111,6 +113,9 @@ Exit runService(ServeOptions options, const Streams& streams) {
   if (csv) {
     const Problems of_csv = csv->close();
     unwritten.insert(unwritten.end(), of_csv.begin(), of_csv.end());
+    if (const std::int64_t untaken = host.snapshot().dropped; untaken > 0)
+      unwritten.push_back(
+          {std::to_string(untaken) + " ticks are missing in the recording: the computer was too busy to write them."});
   }
   print(unwritten, streams.err);
   return unwritten.empty() ? Exit::Well : Exit::File;

@@ -52,6 +52,7 @@ Problems HostAlone::startInto(const std::string& path, system::Existing existing
   Result<std::unique_ptr<record::Recorder>> started = record::Recorder::start(host_, path, words, wanted);
   if (!started) return started.problems();
   recorder_ = std::move(started).value();
+  told_ = {};
   is_clients_ = is_clients;
   return {};
 }
@@ -59,6 +60,7 @@ Problems HostAlone::startInto(const std::string& path, system::Existing existing
 Result<RecordingNow> HostAlone::endRecording() {
   if (!recorder_) return RecordingNow{};
   const Problems problems = recorder_->stop();
+  takeNews();
   const RecordingNow ended{recorder_->path(), recorder_->status().ticks, is_clients_};
   recorder_.reset();
   if (problems.empty()) return ended;
@@ -72,6 +74,19 @@ void HostAlone::mark(const std::string& text) {
 
 void HostAlone::noteServo() {
   if (recorder_) recorder_->noteServo();
+}
+
+void HostAlone::takeNews() {
+  if (!recorder_) return;
+  const record::RecorderStatus now = recorder_->status();
+  const std::vector<Sentence> more = record::newsOf(std::exchange(told_, now), now);
+  news_.insert(news_.end(), more.begin(), more.end());
+}
+
+std::vector<Sentence> HostAlone::news() {
+  static_cast<void>(recording());  // ends one that ended by itself
+  takeNews();
+  return std::exchange(news_, {});
 }
 
 Problems HostAlone::close() {

@@ -2,6 +2,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/serve/steered.h"
 #include "core/json/object_text.h"
@@ -37,15 +38,20 @@ class HostAlone final : public Steered {
   Problems startRecordingAt(const std::string& path, system::Existing existing);
   /// Notes in the recording how the servo runs, once it has begun.
   void noteServo();
+  /// What the person has to know of the recordings and was not told by the last call: sentences.
+  std::vector<Sentence> news();
   /// Closes the recording. Problems: it, or that of startRecordingAt(), is incomplete.
   Problems close();
 
  private:
+  void takeNews();
   Problems startInto(const std::string& path, system::Existing existing, bool is_clients);
 
   servo::Host& host_;
   HostAloneOptions options_;
   std::unique_ptr<record::Recorder> recorder_;
+  record::RecorderStatus told_;
+  std::vector<Sentence> news_;  // of one that has ended
   bool is_clients_ = false;
   Problems unwritten_;  // of what close() is asked about
 };

@@ -1,5 +1,7 @@
 #include "core/record/columns_text.h"
 
+#include <array>
+
 #include "core/json/object_text.h"
 #include "core/record/columns.h"
 #include "core/record/session_tables.h"
@@ -54,7 +56,9 @@ std::string columnsJson() {
   json::ObjectText all;
   all.addInteger("underact_columns", 1);
   std::vector<json::ObjectText> tables, fields;
-  for (const Table& table : sessionTables(1000)) {
+  const std::array described = sessionTables(1000);
+  for (std::size_t index = 0; index < described.size(); ++index) {
+    const Table& table = described[index];
     json::ObjectText& object = tables.emplace_back();
     object.addText("name", table.name);
     object.addText("about", table.about);
@@ -62,6 +66,8 @@ std::string columnsJson() {
     object.addInteger("block_rows", table.block_rows);
     object.addInteger("chunk_rows", table.chunk_rows);
     object.addInteger("most_block_rows", table.most_block_rows);
+    const std::int64_t most_rows = kSessionLimits.rowsOf(static_cast<TableIndex>(index));
+    most_rows == INT64_MAX ? object.addNull("most_rows") : object.addInteger("most_rows", most_rows);
     std::vector<json::ObjectText> columns;
     for (const Column& column : table.columns) columns.push_back(objectOf(column));
     object.addList("columns", columns);
@@ -74,6 +80,12 @@ std::string columnsJson() {
     object.addText("column", field.column->name);
     object.addInteger("part", field.part);
   }
+  json::ObjectText limits;
+  limits.addInteger("label_bytes", kSessionLimits.label_bytes);
+  limits.addInteger("all_label_bytes", kSessionLimits.all_label_bytes);
+  limits.addInteger("text_bytes", kSessionLimits.text_bytes);
+  limits.addInteger("attribute_bytes", kSessionLimits.attribute_bytes);
+  all.addObject("limits", limits);
   all.addList("tables", tables);
   all.addList("csv", fields);
   return all.text();

@@ -51,8 +51,8 @@ class Row {
 
 }  // namespace
 
-Result<CsvWriter> CsvWriter::open(const std::string& path) {
-  return into(system::makeFile(path, system::Making::Emptied, system::Readers::OwnerAlone), path);
+Result<CsvWriter> CsvWriter::toOutput() {
+  return into(system::Descriptor::copyOf(system::kOutput), "standard output");
 }
 
 Result<CsvWriter> CsvWriter::create(const std::string& path, system::Existing existing) {

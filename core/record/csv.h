@@ -17,12 +17,11 @@ namespace underact::record {
 /// back to the same double. Not for the servo thread. Errors (a full disk) are kept and reported by close().
 class CsvWriter {
  public:
-  /// For an export: replaces what is at path, which may be a pipe or the standard output. A new file is readable by its
-  /// owner alone; an existing one keeps its permissions. Problems: it cannot be made.
-  static Result<CsvWriter> open(const std::string& path);
-  /// For a recording: a new file that its owner alone may read and write. Problems: those of checkNew(); it cannot be
-  /// made.
+  /// For a recording or an export: a new file that its owner alone may read and write, or with ReplaceFile with the
+  /// rights of the one that was there. Problems: those of checkNew(); it cannot be made.
   static Result<CsvWriter> create(const std::string& path, system::Existing existing);
+  /// To the standard output.
+  static Result<CsvWriter> toOutput();
   /// Whether there are columns for joints beyond the sixth, to be told before the first row; else as the arm of the
   /// first row has them.
   void setMoreJoints(bool on) { more_joints_ = on; }

@@ -1,15 +1,16 @@
 #include "core/record/csv_metadata.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <span>
 #include <utility>
 
 #include "core/base/translate.h"
 #include "core/json/object_text.h"
 #include "core/record/columns.h"
 #include "core/system/file.h"
+#include "core/system/private_file.h"
 
 namespace underact::record {
 namespace {
@@ -63,6 +64,10 @@ void addRun(Session& session, ObjectText& notes) {
   notes.addList("clock", anchors);
 }
 
+std::string metadataPath(const std::string& csv_path) {
+  return csv_path + "-metadata.json";
+}
+
 }  // namespace
 
 Result<std::string> csvMetadata(Session& session, const std::string& file_name) {
@@ -88,20 +93,27 @@ Result<std::string> csvMetadata(Session& session, const std::string& file_name) 
   return all.text() + "\n";
 }
 
+Problems checkCsvNames(const std::string& session_path, const std::string& csv_path) {
+  const std::string beside = metadataPath(csv_path);
+  for (const std::string& path : {csv_path, beside}) {
+    if (Problems problems = system::checkNew(path, system::Existing::ReplaceFile); !problems.empty()) return problems;
+    if (system::isSameFile(system::statusOf(session_path), system::statusOf(path)))
+      return {{said(TRANSLATE_NOOP("problem", "This is the session itself, which is not replaced. Give another name.")),
+               {path}}};
+  }
+  return {};
+}
+
 Problems writeCsvMetadata(Session& session, const std::string& csv_path) {
   const Result<std::string> text = csvMetadata(session, std::filesystem::path(csv_path).filename().string());
   if (!text) return text.problems();
-  const std::string path = csv_path + "-metadata.json";
-  std::FILE* const file =
-      system::streamOf(system::makeFile(path, system::Making::Emptied, system::Readers::OwnerAlone));
-  const auto problem = [&path] {
-    return Problems{
-        {said(TRANSLATE_NOOP("problem", "The recording is incomplete: %1."), {std::strerror(errno)}), {path}}};
-  };
-  if (file == nullptr) return problem();
-  const bool is_written = std::fwrite(text.value().data(), 1, text.value().size(), file) == text.value().size();
-  const bool is_closed = std::fclose(file) == 0;
-  return is_written && is_closed ? Problems{} : problem();
+  const std::string path = metadataPath(csv_path);
+  if (Problems problems = system::checkNew(path, system::Existing::ReplaceFile); !problems.empty()) return problems;
+  system::Descriptor file = system::makeNew(path, system::Existing::ReplaceFile);
+  int reason = file.isOpen() ? system::writeAll(file.number(), std::as_bytes(std::span(text.value()))) : errno;
+  if (const int late = file.close(); reason == 0) reason = late;
+  if (reason == 0) return {};
+  return {{said(TRANSLATE_NOOP("problem", "The recording is incomplete: %1."), {std::strerror(reason)}), {path}}};
 }
 
 }  // namespace underact::record

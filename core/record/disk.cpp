@@ -10,7 +10,7 @@
 namespace underact::record {
 namespace {
 
-constexpr std::int64_t kSetAside = 8 << 20;
+constexpr std::int64_t kSetAside[] = {8 << 20, 4 << 20, 2 << 20};  // less where the disk has no more
 constexpr std::int64_t kSetAsideAtLeast = 4 << 20;
 
 }  // namespace
@@ -28,10 +28,12 @@ bool DiskReserve::reserve(std::int64_t bytes, int fd) {
   const std::optional<system::Status> now = system::statusOf(fd);
   const auto there = static_cast<std::int64_t>(now ? now->bytes : 0);
   if (!now || there + bytes + kSetAsideAtLeast <= until_) return true;
-  const std::int64_t more = bytes + kSetAside;
-  const system::Room room = system::setAside(fd, there, more);
-  if (room == system::Room::DiskReserve) until_ = there + more;
-  return room != system::Room::None;
+  for (const std::int64_t beyond : kSetAside) {
+    const system::Room room = system::setAside(fd, there, bytes + beyond);
+    if (room == system::Room::DiskReserve) until_ = std::max(until_, there + bytes + beyond);
+    if (room != system::Room::None) return true;
+  }
+  return false;
 }
 
 void DiskReserve::giveBack(const std::string& path) const {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "core/record/session_tables.h"
+
 namespace underact::record {
 
 static_assert(std::is_same_v<Handle, hid_t>);
@@ -20,7 +22,7 @@ void quiet() {
 
 namespace {
 
-constexpr std::size_t kLongestText = std::size_t{1} << 20;
+constexpr auto kLongestText = static_cast<std::size_t>(kSessionLimits.attribute_bytes);
 
 bool writeText(hid_t object, const std::string& name, const std::string& text) {
   const Id type(H5Tcopy(H5T_C_S1), H5Tclose);

@@ -202,10 +202,17 @@ ObjectText servoProvenance(const servo::Host& host) {
   return object;
 }
 
-ObjectText provenanceOf(const servo::Host& host, const std::string& session_id, const ObjectText& run) {
+ObjectText provenanceOf(const std::string& session_id, const std::string& continues, const ObjectText& common) {
   ObjectText object;
   object.addInteger("underact_provenance", 1);
   object.addText("session", session_id);
+  if (!continues.empty()) object.addText("continues", continues);
+  object.addAll(common);
+  return object;
+}
+
+ObjectText provenanceOf(const servo::Host& host, const ObjectText& run) {
+  ObjectText object;
   object.addObject("program", programProvenance());
   object.addObject("machine", machineProvenance());
   object.addObject("arm", armProvenance(host));

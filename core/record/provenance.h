@@ -11,9 +11,13 @@ namespace underact::record {
 // What was run, for the table /provenance of a session. Members: the guide's page of the session file. No folder of a
 // person's disk is in them, and nothing that the person said: that stays in the attributes, where it can be changed.
 
-/// All but what the scene says: the session, the program and its build, the machine, the arm, the servo, and what the
-/// servo does not know. run: those members ("run": {...}). To be called by the thread that calls the host.
-json::ObjectText provenanceOf(const servo::Host& host, const std::string& session_id, const json::ObjectText& run);
+/// What all sessions of a recording have in common, without what the scene says: the program and its build, the
+/// machine, the arm, the servo, and what the servo does not know. run: those members ("run": {...}). To be called by
+/// the thread that calls the host.
+json::ObjectText provenanceOf(const servo::Host& host, const json::ObjectText& run);
+/// The same of one session. continues: that of which it is the next part; empty: of none.
+json::ObjectText provenanceOf(const std::string& session_id, const std::string& continues,
+                              const json::ObjectText& common);
 
 /// How the servo runs now: {"servo": {...}}: rate, scheduling as asked for and as granted, limits.
 json::ObjectText servoProvenance(const servo::Host& host);

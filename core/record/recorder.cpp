@@ -1,5 +1,6 @@
 #include "core/record/recorder.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <deque>
@@ -9,10 +10,13 @@
 #include <utility>
 
 #include "core/base/translate.h"
+#include "core/record/disk.h"
 #include "core/record/provenance.h"
+#include "core/record/waiting_rows.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/scene_arm.h"
 #include "core/system/clock.h"
+#include "core/system/private_file.h"
 
 namespace underact::record {
 namespace {
@@ -23,6 +27,12 @@ using std::chrono::steady_clock;
 constexpr milliseconds kPause{20};
 constexpr milliseconds kLookAtDisk{500};
 constexpr milliseconds kWaitForEnd{1000};
+constexpr std::int64_t kReserve = 64LL << 20;
+constexpr std::int64_t kReserveShare = 16;  // of what is free at the beginning, on a small disk
+// How full a session is when the next one is asked for: what comes until the servo has given its state still fits,
+// which is at most what its queues hold.
+constexpr double kGoesOn = 0.75;
+constexpr int kMostParts = 10'000;
 
 SessionHeader headerOf(const servo::Host& host, const SessionMetadata& words, const RecorderOptions& options) {
   SessionHeader header;
@@ -40,7 +50,6 @@ SessionHeader headerOf(const servo::Host& host, const SessionMetadata& words, co
   header.force_share = host.forceShare();
   header.session_id = options.session_id.empty() ? newSessionId() : options.session_id;
   header.details = options.details;
-  header.provenance = provenanceOf(host, header.session_id, options.run);
   return header;
 }
 
@@ -48,6 +57,14 @@ struct Mark {
   std::int64_t tick = 0;
   std::string label;
 };
+
+/// Bytes that are free where the file is; 0: not known.
+std::int64_t freeBytes(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::absolute(path, error).parent_path();
+  const std::filesystem::space_info space = std::filesystem::space(folder, error);
+  return error ? 0 : static_cast<std::int64_t>(space.available);
+}
 
 /// Room for the constraints of a tick where they are asked for; an edited scene may have more than the first.
 std::size_t detailsOf(const servo::Host& host, const RecorderOptions& options) {
@@ -58,14 +75,20 @@ std::size_t detailsOf(const servo::Host& host, const RecorderOptions& options) {
 }  // namespace
 
 struct Recorder::Impl {
-  Impl(servo::Host& servo, std::string file, SessionWriter made, const RecorderOptions& wanted, std::string id)
+  Impl(servo::Host& servo, const std::string& file, SessionWriter made, const RecorderOptions& wanted,
+       SessionHeader first, json::ObjectText of_all)
       : host(servo),
-        session_id(std::move(id)),
+        header(std::move(first)),
+        session_id(header.session_id),
+        common(std::move(of_all)),
         servo_words(servoProvenance(servo).text()),
-        path(std::move(file)),
+        path(file),
+        part_path(file),
         options(wanted),
+        reserve_bytes(wanted.reserve_bytes.value_or(std::min(kReserve, freeBytes(file) / kReserveShare))),
         writer(std::move(made)),
         tap(std::make_shared<servo::Tap>(1'000'000'000 / servo.rateHz(), wanted.most_ticks, detailsOf(servo, wanted))) {
+    shown.files.push_back(file);
   }
 
   void run() {
@@ -82,33 +105,109 @@ struct Recorder::Impl {
   double room() const { return static_cast<double>(tap->room()) / static_cast<double>(capacity); }
   bool failed() const { return !problems.empty(); }
 
-  /// What belongs to a tick is written before it, so that a truncated file can be replayed up to its end.
   void takeAll() {
-    if (!tap->begun()) return;
-    if (!begun) {
-      begun = true;
-      note(writer.begin(tap->firstTick(), tap->firstRevision(), tap->start(), tap->takeScene(tap->firstRevision())));
+    const bool starts = awaits_start && tap->begun();  // first: what comes before that start is there then
+    if (is_closed || (!begun && !starts)) return;
+    takeRows();
+    if (starts) {
+      if (begun) writeBefore(tap->firstTick());
+      begin();
     }
-    batch.clear();
-    for (servo::TickRecord record; tap->take(record);) batch.push_back(record);
-    for (servo::Change change; tap->take(change);) note(writer.add(change, tap->takeScene(change.revision)));
-    for (servo::FaultMark fault; tap->take(fault);) note(writer.add(fault));
-    for (servo::Push push; tap->take(push);) note(writer.add(push));
-    for (const Mark& mark : takeMarks()) note(writer.mark(mark.tick, mark.label));
-    for (const json::ObjectText& changed : takeNotes())
-      note(writer.addProvenance(batch.empty() ? tap->firstTick() : batch.back().tick, changed));
-    for (servo::TruthRow row; tap->take(row);) note(writer.add(row));
-    for (servo::ConstraintRow row; tap->take(row);) note(writer.add(row));
-    for (const servo::TickRecord& record : batch) note(writer.add(record));
-    if (!batch.empty()) last = batch.back();
+    if (is_closed) return;  // there is no next file
+    writeBefore(INT64_MAX);
     readClocks(false);
     note(writer.flush());
+    if (!awaits_start && !failed() && writer.fill() > kGoesOn) {
+      awaits_start = true;
+      tap->wantStart();
+    }
     const std::scoped_lock lock(mutex);
-    shown.ticks = writer.ticks();
+    shown.ticks = ticks_before + writer.ticks();
     shown.dropped = tap->dropped();
-    if (batch.empty()) return;
-    if (first_ns == 0) first_ns = batch.front().time_ns;
-    shown.duration_s = 1e-9 * static_cast<double>(std::max<std::int64_t>(batch.back().time_ns - first_ns, 0));
+    if (first_ns != 0)
+      shown.duration_s = 1e-9 * static_cast<double>(std::max<std::int64_t>(last.time_ns - first_ns, 0));
+  }
+  /// What has come; all of a tick that is among the records, since a tick comes last.
+  void takeRows() {
+    records.takeFrom(*tap);
+    changes.takeFrom(*tap);
+    faults.takeFrom(*tap);
+    pushes.takeFrom(*tap);
+    truths.takeFrom(*tap);
+    constraints.takeFrom(*tap);
+    const std::scoped_lock lock(mutex);
+    waiting_marks.insert(waiting_marks.end(), marks.begin(), marks.end());
+    marks.clear();
+    for (json::ObjectText& changed : notes) noted = std::move(changed);
+    is_noted = is_noted && notes.empty();
+    notes.clear();
+  }
+  /// What belongs to a tick is written before it, so that a truncated file can be replayed up to its end.
+  void writeBefore(std::int64_t tick) {
+    changes.writeBefore(tick, [this](const servo::Change& change) {
+      scene = tap->takeScene(change.revision);
+      note(writer.add(change, scene));
+    });
+    faults.writeBefore(tick, [this](const servo::FaultMark& fault) { note(writer.add(fault)); });
+    pushes.writeBefore(tick, [this](const servo::Push& push) { note(writer.add(push)); });
+    for (;
+         !waiting_marks.empty() && waiting_marks.front().tick < tick && writer.hasRoomFor(waiting_marks.front().label);
+         waiting_marks.pop_front())
+      note(writer.mark(waiting_marks.front().tick, waiting_marks.front().label));
+    if (!std::exchange(is_noted, true)) note(writer.addProvenance(std::max(part_begins, last.tick), noted));
+    truths.writeBefore(tick, [this](const servo::TruthRow& row) { note(writer.add(row)); });
+    constraints.writeBefore(tick, [this](const servo::ConstraintRow& row) { note(writer.add(row)); });
+    records.writeBefore(tick, [this](const servo::TickRecord& record) {
+      if (first_ns == 0) first_ns = record.time_ns;
+      note(writer.add(record));
+      last = record;
+    });
+  }
+  /// Begins the session with the tick whose state the tap has: the first one, or the next part.
+  void begin() {
+    const std::int64_t tick = tap->firstTick();
+    if (begun) {
+      // Those that came before this tick are in its state already.
+      for (; changes.isBefore(tick + 1); ++changes.next) scene = tap->takeScene(changes.rows[changes.next].revision);
+      goOn();
+      if (failed()) return;
+      is_noted = noted.text() == json::ObjectText().text();
+    } else {
+      scene = tap->takeScene(tap->firstRevision());
+    }
+    begun = true;
+    awaits_start = false;
+    part_begins = tick;
+    note(writer.begin(tick, tap->firstRevision(), tap->start(), scene));
+  }
+  /// Ends this part and makes the file of the next.
+  void goOn() {
+    readClocks(true);
+    note(writer.end({0, tap->dropped() - dropped_before, unixNow_ns(), EndReason::Stopped}));
+    is_closed = !failed();
+    if (failed()) return;
+    clock_tick = 0;
+    dropped_before = tap->dropped();
+    ticks_before += writer.ticks();
+    bytes_before += sizeOf(part_path);
+    const std::string before = std::exchange(header.session_id, newSessionId());
+    header.provenance = provenanceOf(header.session_id, before, common);
+    header.started_unix_ns = unixNow_ns();
+    Result<SessionWriter> next = nextFile();
+    if (!next) return note(next.problems());
+    writer = std::move(next).value();
+    is_closed = false;
+    const std::scoped_lock lock(mutex);
+    shown.files.push_back(part_path);
+  }
+  /// A new file; none that exists is touched.
+  Result<SessionWriter> nextFile() {
+    Result<SessionWriter> made = Problems{};
+    do {
+      part_path = nameOfPart(path, ++part);
+      made = SessionWriter::create(part_path, header, system::Existing::Refuse, options.limits);
+    } while (!made && part < kMostParts && !system::checkNew(part_path, system::Existing::Refuse).empty());
+    return made;
   }
   /// Writes a row of /clock when it is time, and at the end.
   void readClocks(bool is_last) {
@@ -121,14 +220,6 @@ struct Recorder::Impl {
     clock_tick = last.tick;
     clock_ns = now_ns;
   }
-  std::deque<json::ObjectText> takeNotes() {
-    const std::scoped_lock lock(mutex);
-    return std::exchange(notes, {});
-  }
-  std::deque<Mark> takeMarks() {
-    const std::scoped_lock lock(mutex);
-    return std::exchange(marks, {});
-  }
   void note(Problems found) {
     if (problems.empty()) problems = std::move(found);
     disk_full = disk_full || writer.isFull();
@@ -138,68 +229,98 @@ struct Recorder::Impl {
     if (steady_clock::now() < next_look) return;
     next_look = steady_clock::now() + kLookAtDisk;
     std::error_code error;
-    const auto size = static_cast<double>(std::filesystem::file_size(path, error));
+    const auto size = static_cast<std::int64_t>(std::filesystem::file_size(part_path, error));
     if (error)
-      return note({{said(TRANSLATE_NOOP("problem", "The recording stopped: its file was moved or deleted.")), {path}}});
-    const std::filesystem::path folder = std::filesystem::absolute(path, error).parent_path();
+      return note(
+          {{said(TRANSLATE_NOOP("problem", "The recording stopped: its file was moved or deleted.")), {part_path}}});
+    const std::filesystem::path folder = std::filesystem::absolute(part_path, error).parent_path();
     const std::filesystem::space_info space = std::filesystem::space(folder, error);
     if (error) return;
-    const auto left = static_cast<double>(space.available) - static_cast<double>(options.reserve_bytes);
+    const auto left = static_cast<double>(space.available) - static_cast<double>(reserve_bytes);
     {
       const std::scoped_lock lock(mutex);
-      shown.bytes = static_cast<std::int64_t>(size);
+      shown.bytes = bytes_before + size;
       shown.disk_left_bytes = static_cast<std::int64_t>(space.available);
-      shown.disk_left_s = size > 0.0 ? std::max(0.0, left) * shown.duration_s / size : 0.0;
+      shown.disk_left_s =
+          shown.bytes > 0 ? std::max(0.0, left) * shown.duration_s / static_cast<double>(shown.bytes) : 0.0;
     }
     if (left > 0.0) return;
     disk_full = true;
     note({{said(TRANSLATE_NOOP("problem",
                                "The disk is nearly full: the recording was stopped, and everything up to then was "
                                "saved. Free some space, or record into another folder.")),
-           {path}}});
+           {part_path}}});
   }
 
   void finish() {
-    bool in_order = problems.empty() || disk_full;
+    bool in_order = problems.empty() || disk_full || writer.isAtLimit();
     const EndReason reason = disk_full ? EndReason::DiskFull : wished_reason.load();
     if (in_order && !begun)
-      note({{said(TRANSLATE_NOOP("problem", "The servo did not tick, so the recording is empty.")), {path}}});
-    if (in_order && !disk_full) readClocks(true);
-    if (in_order) {
-      const Problems at_end = writer.end({0, tap->dropped(), unixNow_ns(), reason});
+      note({{said(TRANSLATE_NOOP("problem", "The servo did not tick, so the recording is empty.")), {part_path}}});
+    if (in_order && !disk_full && !is_closed) readClocks(true);
+    if (in_order && !is_closed) {
+      const Problems at_end = writer.end({0, tap->dropped() - dropped_before, unixNow_ns(), reason});
       if (!at_end.empty()) problems = at_end;  // whatever was reported before, the end is missing
       in_order = at_end.empty();
     }
-    if (!in_order) {
+    if (!in_order && !is_closed) {
       writer.abandon();
-      const Result<std::int64_t> whole = completeFile(path);
+      const Result<std::int64_t> whole = completeFile(part_path);
       Sentence& sentence = problems.front().sentence;
       if (whole)
         sentence = oneAfterAnother({sentence, said(TRANSLATE_NOOP("problem", "Everything up to then was saved."))});
     }
-    std::error_code error;
-    const auto size = std::filesystem::file_size(path, error);
+    sayWhatIsMissing();
     const std::scoped_lock lock(mutex);
-    if (!error) shown.bytes = static_cast<std::int64_t>(size);
+    shown.bytes = bytes_before + (is_closed ? 0 : sizeOf(part_path));
+    shown.dropped = tap->dropped();
     shown.problems = problems;
     shown.recording = false;
   }
+  void sayWhatIsMissing() {
+    if (const std::int64_t dropped = tap->dropped(); dropped > 0)
+      problems.push_back({said(TRANSLATE_NOOP("problem",
+                                              "%1 ticks or events are missing in the recording: the computer was too "
+                                              "busy to write them."),
+                               {std::to_string(dropped)}),
+                          {path}});
+    if (!waiting_marks.empty() && begun)
+      problems.push_back(
+          {said(TRANSLATE_NOOP("problem", "%1 markers are missing: the recording has as many as a session may have."),
+                {std::to_string(waiting_marks.size())}),
+           {path}});
+  }
 
   servo::Host& host;
+  SessionHeader header;  // of the present part
   std::string session_id;
+  json::ObjectText common;  // what was run, in each part
   std::string servo_words;  // as noted last
-  std::string path;
+  std::string path, part_path;
   RecorderOptions options;
+  std::int64_t reserve_bytes;
   SessionWriter writer;
   std::shared_ptr<servo::Tap> tap;
   std::size_t capacity = tap->room();
-  std::vector<servo::TickRecord> batch;
-  Problems problems;  // of the recorder's thread; others read shown
+  // What was taken and is not written yet.
+  WaitingRows<servo::TickRecord> records;
+  WaitingRows<servo::Change> changes;
+  WaitingRows<servo::FaultMark> faults;
+  WaitingRows<servo::Push> pushes;
+  WaitingRows<servo::TruthRow> truths;
+  WaitingRows<servo::ConstraintRow> constraints;
+  std::deque<Mark> waiting_marks;
+  json::ObjectText noted;  // what changed last of the provenance
+  bool is_noted = true;
+  scene::Description scene;  // that is in effect
+  Problems problems;         // of the recorder's thread; others read shown
   bool disk_full = false;
   std::atomic<EndReason> wished_reason{EndReason::Stopped};
-  bool begun = false;
+  bool begun = false, awaits_start = true, is_closed = false;
+  int part = 1;
+  std::int64_t part_begins = 0, ticks_before = 0, bytes_before = 0, dropped_before = 0;  // before this part
   std::int64_t first_ns = 0;
-  servo::TickRecord last;                     // that was taken
+  servo::TickRecord last;                     // that was written
   std::int64_t clock_tick = 0, clock_ns = 0;  // of the last row of /clock
   steady_clock::time_point next_look{};
   std::atomic<bool> ends{false};
@@ -219,10 +340,12 @@ Recorder::~Recorder() {
 
 Result<std::unique_ptr<Recorder>> Recorder::start(servo::Host& host, const std::string& path,
                                                   const SessionMetadata& words, const RecorderOptions& options) {
-  const SessionHeader header = headerOf(host, words, options);
-  Result<SessionWriter> writer = SessionWriter::create(path, header, options.existing);
+  SessionHeader header = headerOf(host, words, options);
+  json::ObjectText common = provenanceOf(host, options.run);
+  header.provenance = provenanceOf(header.session_id, "", common);
+  Result<SessionWriter> writer = SessionWriter::create(path, header, options.existing, options.limits);
   if (!writer) return writer.problems();
-  auto impl = std::make_unique<Impl>(host, path, std::move(writer).value(), options, header.session_id);
+  auto impl = std::make_unique<Impl>(host, path, std::move(writer).value(), options, header, std::move(common));
   Impl* const running = impl.get();
   std::unique_ptr<Recorder> recorder(new Recorder(std::move(impl)));
   running->thread = std::thread([running] { running->run(); });

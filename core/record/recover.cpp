@@ -1,10 +1,16 @@
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <memory>
+#include <system_error>
 
+#include "core/base/translate.h"
 #include "core/record/descriptor_driver.h"
 #include "core/record/disk.h"
 #include "core/record/recorder.h"
 #include "core/record/session.h"
+#include "core/system/file.h"
+#include "core/system/private_file.h"
 
 namespace underact::record {
 namespace {
@@ -54,8 +60,51 @@ Result<std::int64_t> completeFile(const std::string& path) {
   return completeFileAt(path, -1);
 }
 
+namespace {
+
+/// The copy on which a session is recovered; removed unless it has taken its place.
+class Copy {
+ public:
+  explicit Copy(const std::string& path) : path_(path), part_(path + ".part") {}
+  ~Copy() {
+    if (file_.isOpen()) std::remove(part_.c_str());
+  }
+  Copy(const Copy&) = delete;
+  Copy& operator=(const Copy&) = delete;
+  int fd() const { return file_.number(); }
+  const std::string& part() const { return part_; }
+  Problems make(int original) {
+    file_ = system::makeNew(part_, system::Existing::Replace);
+    int reason = file_.isOpen() ? system::copyContent(original, fd()) : errno;
+    if (reason == 0) reason = system::setRightsLike(fd(), original);
+    return problem(reason);
+  }
+  Problems putInPlace() {
+    int reason = system::sync(fd());
+    if (reason == 0 && std::rename(part_.c_str(), path_.c_str()) != 0) reason = errno;
+    if (reason == 0) file_.close();
+    if (reason == 0) system::syncFolderOf(path_);
+    return problem(reason);
+  }
+
+ private:
+  Problems problem(int reason) const {
+    if (reason == 0) return {};
+    return {
+        {said(TRANSLATE_NOOP("problem",
+                             "Recovering takes a copy of the file in its folder, and there is none: %1. Nothing was "
+                             "changed."),
+              {std::generic_category().message(reason)}),
+         {path_}}};
+  }
+  std::string path_, part_;
+  system::Descriptor file_;
+};
+
+}  // namespace
+
 Result<std::int64_t> recover(const std::string& path) {
-  // The file may come from anybody, so it is checked in the sealed reader first, and then exactly that file is changed.
+  // The file may come from anybody, so it is checked in the sealed reader first, and then exactly that file is copied.
   Result<UntrustedInput> opened = UntrustedInput::open(path, false);
   if (!opened) return opened.problems();
   const auto input = std::make_shared<const UntrustedInput>(std::move(opened).value());
@@ -65,9 +114,31 @@ Result<std::int64_t> recover(const std::string& path) {
     if (!session) return session.problems();
     if (length == input->bytes() && session.value().info().isComplete() && !session.value().isOpenElsewhere())
       return session.value().info().ticks;
-  }  // closed here: it is opened for writing now
-  input->unlock();
-  return completeFileAt(path, input->fd());
+  }
+  if (!system::lock(input->fd(), system::Lock::Alone))  // until the copy has taken its place
+    return Problems{
+        {said(TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")), {path}}};
+  Copy copy(path);
+  if (Problems problems = copy.make(input->fd()); !problems.empty()) return problems;
+  Result<std::int64_t> ticks = completeFileAt(path, copy.fd());
+  Problems unread;
+  if (!ticks) {
+    unread = ticks.problems();
+  } else if (const Result<Session> whole = Session::open(copy.part()); !whole) {
+    unread = whole.problems();
+  }
+  if (!unread.empty())
+    return Problems{{oneAfterAnother({unread.front().sentence,
+                                      said(TRANSLATE_NOOP("problem", "It cannot be recovered; nothing was changed."))}),
+                     {path}}};
+  if (!system::isSameFile(system::statusOf(path, system::Links::Refuse), system::statusOf(input->fd())))
+    return Problems{
+        {said(TRANSLATE_NOOP("problem",
+                             "Another file has taken this one's place in the meantime, so nothing was changed. Try "
+                             "again.")),
+         {path}}};
+  if (Problems problems = copy.putInPlace(); !problems.empty()) return problems;
+  return ticks;
 }
 
 }  // namespace underact::record

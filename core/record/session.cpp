@@ -16,11 +16,7 @@ namespace {
 
 constexpr std::int64_t kBytesAtOnce = 8LL << 20;  // at least one block
 constexpr std::int64_t kBlocksAtOnce = 64;
-constexpr std::int64_t kRowsAtOnce = 4096;          // of a small table
-constexpr std::int64_t kMostSmallRows = 1LL << 20;  // of a small table
-constexpr std::int64_t kMostMarkers = 1LL << 16;    // each of which has a text to be read
-constexpr std::int64_t kLongestWords = 64LL << 20;  // bytes of one text
-constexpr std::int64_t kLongestStart = 16LL << 20;
+constexpr std::int64_t kRowsAtOnce = 4096;  // of a small table
 constexpr std::int64_t kMostLate = 1'000'000;
 constexpr std::int64_t kMostGaps = 100'000;  // damaged blocks, adjacent or not
 
@@ -110,19 +106,20 @@ Problems Session::readInfo(const std::string& path) {
   return {};
 }
 
+Problem Session::unreadable(TableIndex table) const {
+  return {said(TRANSLATE_NOOP("problem", "The table \"%1\" of this session cannot be read: the file is damaged there."),
+               {std::string(sessionTables(1000)[table].name)}),
+          {info_.path}};
+}
+
 template <class Row>
 std::vector<Row> Session::rowsOf(TableIndex table, std::vector<Row> (*unpack)(const Block&)) {
   std::vector<Row> rows;
   for (std::int64_t at = 0;; at += kRowsAtOnce) {
     Result<std::vector<Block>> blocks = file_.read(table, at, kRowsAtOnce);
-    const bool are_too_many =
-        at >= (table == kMarkers ? kMostMarkers : kMostSmallRows) && blocks && !blocks.value().empty();
+    const bool are_too_many = at >= kSessionLimits.rowsOf(table) && blocks && !blocks.value().empty();
     if (!blocks || are_too_many || isAnyDamaged(blocks.value())) {
-      const Problems problems = damagedAt(
-          info_.path,
-          said(TRANSLATE_NOOP("problem", "The table \"%1\" of this session cannot be read: the file is damaged there."),
-               {std::string(sessionTables(1000)[table].name)}));
-      info_.damage.insert(info_.damage.end(), problems.begin(), problems.end());
+      info_.damage.push_back(unreadable(table));
     }
     if (!blocks || are_too_many || blocks.value().empty()) return rows;
     for (const Block& block : blocks.value()) {
@@ -135,24 +132,25 @@ std::vector<Row> Session::rowsOf(TableIndex table, std::vector<Row> (*unpack)(co
 
 void Session::readSmallTables() {
   info_.damage.clear();
-  info_.ticks = file_.rows(kTicks);
+  info_.ticks = std::min(file_.rows(kTicks), kSessionLimits.ticks);
+  if (info_.ticks < file_.rows(kTicks)) info_.damage.push_back(unreadable(kTicks));
   std::error_code error;
   const auto bytes = std::filesystem::file_size(info_.path, error);
   info_.bytes = error ? 0 : static_cast<std::int64_t>(bytes);
   const std::int64_t all_words = file_.rows(kText);
   std::int64_t words_left = all_words;
   changes_ = rowsOf(kChanges, unpackChanges);
-  for (ChangeRow& change : changes_) keepWithin(all_words, kLongestWords, words_left, change.scene);
+  for (ChangeRow& change : changes_) keepWithin(all_words, kSessionLimits.text_bytes, words_left, change.scene);
   faults_ = rowsOf(kFaults, unpackFaults);
   readSteering();
   findJoints();
   provenance_ = rowsOf(kProvenance, unpackProvenance);
-  for (ProvenanceRow& row : provenance_) keepWithin(all_words, kLongestWords, words_left, row.json);
+  for (ProvenanceRow& row : provenance_) keepWithin(all_words, kSessionLimits.text_bytes, words_left, row.json);
   clock_ = rowsOf(kClock, unpackClock);
   markers_.clear();
-  words_left = std::min(words_left, kAllLabels);
+  words_left = std::min(words_left, kSessionLimits.all_label_bytes);
   for (MarkerRow& row : rowsOf(kMarkers, unpackMarkers)) {
-    keepWithin(all_words, kLongestLabel, words_left, row.label);
+    keepWithin(all_words, kSessionLimits.label_bytes, words_left, row.label);
     Result<std::string> label = words(row.label);
     if (!label) info_.damage.push_back(label.problems().front());
     markers_.push_back({row.tick, label ? label.value() : std::string("?")});
@@ -247,7 +245,7 @@ Result<tick::TickState> Session::start(const tick::TickProgram& program) {
          {info_.path}}};
   const std::int64_t all = file_.rows(kStart);
   const Result<std::vector<std::byte>> bytes =
-      all <= kLongestStart ? bytesOf(kStart, 0, all) : Result<std::vector<std::byte>>(Problems{});
+      all <= kSessionLimits.start_bytes ? bytesOf(kStart, 0, all) : Result<std::vector<std::byte>>(Problems{});
   if (!bytes)
     return damagedAt(
         info_.path,

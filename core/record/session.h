@@ -102,6 +102,7 @@ class Session {
   explicit Session(UntrustedFile file) : file_(std::move(file)) {}
   Problems readInfo(const std::string& path);
   void readSmallTables();
+  Problem unreadable(TableIndex table) const;
   void readSteering();
   void findJoints();
   void addJoints(std::int64_t first_block, std::vector<Block>& ticks);

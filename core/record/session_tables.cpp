@@ -137,6 +137,25 @@ std::array<Table, kTables> sessionTables(std::int64_t rate_hz, double block_s) {
   return tables;
 }
 
+std::int64_t SessionLimits::rowsOf(TableIndex table) const {
+  switch (table) {
+    case kTicks:
+      return ticks;
+    case kMarkers:
+      return markers;
+    case kStart:
+      return start_bytes;
+    case kText:  // adjacent texts, each with its own limit
+    case kTruth:
+    case kConstraints:
+    case kJoints:  // read block by block, as /ticks, whose limit ends them, too
+    case kTables:
+      return INT64_MAX;
+    default:
+      return small_rows;
+  }
+}
+
 const char* name(EndReason reason) {
   switch (reason) {
     case EndReason::Stopped:

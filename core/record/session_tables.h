@@ -32,8 +32,22 @@ inline constexpr std::int64_t kSessionVersion = 1;
 inline constexpr const char *kServosTime = "servo", *kArmsTime = "arm";  // the attribute gate_time; absent: the arm's
 inline constexpr std::int64_t kTextBlock = 64;     // bytes; texts are padded to whole blocks with zeros
 inline constexpr std::int64_t kStartBlock = 4096;  // bytes
-// Limits for the labels of markers, bytes, since a reader keeps all of them: one label, and all of a session.
-inline constexpr std::int64_t kLongestLabel = 64LL << 10, kAllLabels = 16LL << 20;
+
+/// What one session may hold: a reader refuses more, since it keeps the small tables and the labels in memory, and a
+/// writer never writes more: it goes on in another session. `log columns` prints them; the Python package follows that.
+struct SessionLimits {
+  std::int64_t ticks = 1LL << 32;             // 49 days at 1 kHz; with all details still below kLongestFile
+  std::int64_t small_rows = 1LL << 20;        // of each table whose rows come one by one
+  std::int64_t markers = 1LL << 16;           // fewer: each has a text to be read
+  std::int64_t label_bytes = 64LL << 10;      // of one marker
+  std::int64_t all_label_bytes = 16LL << 20;  // and of all
+  std::int64_t text_bytes = 64LL << 20;       // of a scene, or of what was run
+  std::int64_t start_bytes = 16LL << 20;      // of the servo's state
+  std::int64_t attribute_bytes = 1LL << 20;   // of a text attribute
+  /// The rows of a table; of one without a limit of its own the greatest number.
+  std::int64_t rowsOf(TableIndex table) const;
+};
+inline constexpr SessionLimits kSessionLimits;
 
 // The length of a block of ticks: what is lost at most if the program is killed, besides the time between two runs of
 // the recorder. The lab's page has the cost of each length.

@@ -1,7 +1,9 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/arm/model.h"
@@ -46,14 +48,15 @@ struct SessionHeader {
   bool details = false;              // the tables /truth and /constraints
 };
 
-/// Writes a session, block by block. One thread at a time. After a failure nothing more is written, and each call
-/// reports it again.
+/// Writes a session, block by block, and none that a reader refuses: what does not fit into the limits is a problem.
+/// One thread at a time. After a failure nothing more is written, and each call reports it again.
 class SessionWriter {
  public:
   /// A file that its owner alone may read and write. Problems: one of that name exists, unless it is to be replaced; it
   /// cannot be made.
   static Result<SessionWriter> create(const std::string& path, const SessionHeader& header,
-                                      system::Existing existing = system::Existing::Refuse);
+                                      system::Existing existing = system::Existing::Refuse,
+                                      const SessionLimits& limits = kSessionLimits);
   /// To be called once, before the first tick. A servo without a scene has the scene without constraints.
   Problems begin(std::int64_t tick, std::uint64_t revision, const tick::TickState& state,
                  const scene::Description& scene);
@@ -61,6 +64,7 @@ class SessionWriter {
   Problems add(const servo::Change& change, const scene::Description& scene);
   Problems add(const servo::TickRecord& record);
   Problems add(const servo::FaultMark& fault);
+  /// Writes what changes: a force that is asked for again before it ends gets a row that ends only with a later one.
   Problems add(const servo::Push& push);
   // Only where header.details was set.
   Problems add(const servo::TruthRow& row);
@@ -68,7 +72,7 @@ class SessionWriter {
   Problems add(const ClockRow& row);
   /// From this tick on these members of the provenance are others.
   Problems addProvenance(std::int64_t tick, const json::ObjectText& changed);
-  /// Writes a marker. A label longer than kLongestLabel is cut between two characters.
+  /// Writes a marker. A label longer than may be is cut between two characters.
   Problems mark(std::int64_t tick, std::string_view label);
   /// Makes full blocks readable by others; they then outlive the program.
   Problems flush();
@@ -79,9 +83,20 @@ class SessionWriter {
   std::int64_t ticks() const { return ticks_; }
   /// Whether the disk is full: no more is written, and end() closes the file in order.
   bool isFull() const { return file_.isFull(); }
+  /// Whether something did not fit into the limits; end() closes the file in order.
+  bool isAtLimit() const { return is_at_limit_; }
+  /// How full the fullest table is: 1 is a limit.
+  double fill() const;
+  /// Whether one more marker, with this label, fits.
+  bool hasRoomFor(std::string_view label) const;
 
  private:
-  SessionWriter(Hdf5File file, const SessionHeader& header);
+  SessionWriter(Hdf5File file, const SessionHeader& header, const SessionLimits& limits);
+  Problems append(TableIndex table, const Block& block);
+  Problems limitMet(TableIndex table);
+  std::string_view cut(std::string_view label) const;
+  Problems addPush(const servo::Push& push);
+  Problems endPush(std::int64_t tick);
   Problems addScene(std::int64_t tick, std::uint64_t revision, tick::Carry carry, const scene::Description& scene);
   Words addText(std::string_view text, Problems& problems);
   void addMoreJoints(const servo::TickRecord& record);
@@ -97,6 +112,12 @@ class SessionWriter {
   std::string by_scene_;         // the last row's members that the scene says
   std::int64_t ticks_ = 0, last_tick_ = 0, text_bytes_ = 0;
   bool unflushed_ = false, has_joints_ = false;
+  SessionLimits limits_;
+  std::array<std::int64_t, kTables> rows_{};  // that were appended
+  std::int64_t label_bytes_ = 0;
+  bool is_at_limit_ = false;
+  servo::Push push_;                                    // the force of the last row of that kind
+  std::int64_t push_ends_ = 0, written_push_ends_ = 0;  // its first tick without: in truth, and by that row
 };
 
 /// Replaces those attributes of a session. Problems: the file cannot be written (it may be being recorded).

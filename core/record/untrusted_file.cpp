@@ -9,13 +9,14 @@
 #include "core/helper/connection.h"
 #include "core/helper/sentence_codec.h"
 #include "core/record/reader_protocol.h"
+#include "core/record/session_tables.h"
 #include "core/system/resource_paths.h"
 
 namespace underact::record {
 namespace {
 
 constexpr const char* kSessionReader = "underact-session-reader";
-constexpr std::size_t kLongestAttribute = (std::size_t{1} << 20) + 1;
+constexpr auto kLongestAttribute = static_cast<std::size_t>(kSessionLimits.attribute_bytes) + 1;
 
 /// A question about an attribute; an empty name is of no attribute.
 Question questionOf(QuestionKind what, std::string_view name) {

@@ -117,7 +117,7 @@ void Loop::replaceBy(Instance* instance, tick::Carry carry, std::int64_t over_ti
 void Loop::push(const Command& command) noexcept {
   push_T_W_ = command.push_T_W;
   push_left_ = command.ticks;
-  if (tap_ != nullptr) tap_->add(Push{ticks_ + 1, push_T_W_, push_left_});
+  is_push_new_ = true;
 }
 
 void Loop::listen(Tap* tap) noexcept {
@@ -125,7 +125,16 @@ void Loop::listen(Tap* tap) noexcept {
   tap_ = tap;
   if (tap_ == nullptr) return;
   tap_->begin(ticks_ + 1, current_->revision, current_->state);
-  if (push_left_ > 0) tap_->add(Push{ticks_ + 1, push_T_W_, push_left_});
+  is_push_new_ = is_push_new_ || push_left_ > 0;
+}
+
+/// After the commands of a tick: of the forces that were asked for since the last one only the newest acts.
+void Loop::informTap() noexcept {
+  const bool is_new = std::exchange(is_push_new_, false);
+  if (tap_ == nullptr) return;
+  const bool begins = tap_->wantsStart();
+  if (is_new || (begins && push_left_ > 0)) tap_->add(Push{ticks_ + 1, push_T_W_, push_left_});
+  if (begins) tap_->begin(ticks_ + 1, current_->revision, current_->state);
 }
 
 /// Ends the force, also that of a client.
@@ -272,6 +281,7 @@ void Loop::addDetails(const Snapshot& snapshot) noexcept {
 
 void Loop::tick(const Wake& wake) noexcept {
   applyCommands();
+  informTap();
   countLate(wake);
   tick::TickInput input;
   input.fault = faultOf(wake);

@@ -97,6 +97,7 @@ class Loop {
   void listen(Tap* tap) noexcept UNDERACT_REAL_TIME;
   void replaceBy(Instance* instance, tick::Carry carry, std::int64_t over_ticks = 0) noexcept UNDERACT_REAL_TIME;
   void push(const Command& command) noexcept UNDERACT_REAL_TIME;
+  void informTap() noexcept UNDERACT_REAL_TIME;
   void retire(Instance* instance) noexcept UNDERACT_REAL_TIME;
   Mode mode() const noexcept UNDERACT_REAL_TIME;
   bool pushes() const noexcept UNDERACT_REAL_TIME;
@@ -118,6 +119,7 @@ class Loop {
   bool was_faulted_ = false;
   Vec3 push_T_W_ = Vec3::Zero();
   std::int64_t push_left_ = 0;  // ticks
+  bool is_push_new_ = false;    // the tap has not got it yet
   std::uint64_t orders_ = 0;    // taken up
   std::int64_t period_ns_, watchdog_ns_;
   system::Clocks clocks_;

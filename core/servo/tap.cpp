@@ -10,8 +10,7 @@ namespace {
 
 constexpr std::int64_t kRoom_ns = 4'000'000'000;
 constexpr std::int64_t kRoomAtLeast = 16384;
-constexpr std::size_t kPushes = 16384;  // a program may push in each tick
-constexpr std::size_t kEvents = 1024;   // edits or faults between two readings of the recorder
+constexpr std::size_t kEvents = 1024;  // edits or faults between two readings of the recorder
 
 std::size_t roomFor(std::int64_t period_ns) {
   return static_cast<std::size_t>(std::max(kRoomAtLeast, kRoom_ns / std::max<std::int64_t>(period_ns, 1)));
@@ -23,7 +22,7 @@ Tap::Tap(std::int64_t period_ns, std::int64_t most_ticks, std::size_t details)
     : records_(roomFor(period_ns)),
       changes_(kEvents),
       faults_(kEvents),
-      pushes_(kPushes),
+      pushes_(roomFor(period_ns)),  // a program may push in each tick
       details_(details),
       ticks_left_(most_ticks > 0 ? most_ticks : -1) {
   touchPages(records_);
@@ -44,6 +43,7 @@ void Tap::begin(std::int64_t tick, std::uint64_t revision, const tick::TickState
   UNDERACT_EXCEPTED("a vector with its room from the start: tests/malloc counts", start_ = state);
   first_tick_ = tick;
   first_revision_ = revision;
+  wants_start_.store(false, std::memory_order_relaxed);
   begun_.store(true, std::memory_order_release);
 }
 

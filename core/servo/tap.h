@@ -24,6 +24,7 @@ struct Change {
 };
 
 /// From a tick on a force is added before the gate, for so many ticks, instead of any earlier one. 0 ticks: none is.
+/// At most one a tick comes to a recorder, however often a client asked between two.
 struct Push {
   std::int64_t tick = 0;
   Vec3 f_T_W = Vec3::Zero();  // N
@@ -62,7 +63,8 @@ class Tap {
   explicit Tap(std::int64_t period_ns, std::int64_t most_ticks = 0, std::size_t details = 0);
 
   // The servo thread.
-  /// The next tick is the first one; state: at its beginning. Copies it without allocating.
+  /// The next tick is the first one, or, where wantsStart(), the first one of another part; state: at its beginning.
+  /// Copies it without allocating.
   void begin(std::int64_t tick, std::uint64_t revision, const tick::TickState& state) noexcept UNDERACT_REAL_TIME;
   // After begin(), in the order in which they happen; what finds no room is counted in dropped(); after giveUp(),
   // nothing.
@@ -70,6 +72,10 @@ class Tap {
   void add(const Change& change) noexcept UNDERACT_REAL_TIME;
   void add(const FaultMark& fault) noexcept UNDERACT_REAL_TIME;
   void add(const Push& push) noexcept UNDERACT_REAL_TIME;
+  /// Whether the recorder wants to begin another part.
+  bool wantsStart() const noexcept UNDERACT_REAL_TIME {
+    return wants_start_.load(std::memory_order_acquire) && ticks_left_ != 0;
+  }
   /// Whether TruthRow and ConstraintRow are wanted; those of a tick come before its record.
   bool wantsDetails() const noexcept UNDERACT_REAL_TIME { return details_ > 0; }
   void add(const TruthRow& row) noexcept UNDERACT_REAL_TIME;       // only where these are wanted; what
@@ -77,12 +83,18 @@ class Tap {
   /// No more will come.
   void end() noexcept UNDERACT_REAL_TIME { ended_.store(true, std::memory_order_release); }
 
-  // The recorder's thread. What follows begun() may be read once that is true.
+  // The recorder's thread. What follows begun() may be read once that is true, until the next wantStart().
   bool begun() const { return begun_.load(std::memory_order_acquire); }
   bool ended() const { return ended_.load(std::memory_order_acquire); }
   std::int64_t firstTick() const { return first_tick_; }
   std::uint64_t firstRevision() const { return first_revision_; }
   const tick::TickState& start() const { return start_; }
+  /// Asks for the servo's state at the beginning of a tick to come. begun() is false until it is there; then there is
+  /// all of the ticks before it, and a force that lasts is told anew.
+  void wantStart() {
+    begun_.store(false, std::memory_order_relaxed);
+    wants_start_.store(true, std::memory_order_release);
+  }
   /// In order; false: nothing new. A change and a fault are there as soon as the tick they belong to.
   bool take(TickRecord& record) { return records_.pop(record); }
   bool take(Change& change) { return changes_.pop(change); }
@@ -120,7 +132,7 @@ class Tap {
   std::int64_t first_tick_ = 0;
   std::uint64_t first_revision_ = 0;
   std::atomic<std::int64_t> dropped_{0};
-  std::atomic<bool> begun_{false}, ended_{false}, given_up_{false};
+  std::atomic<bool> begun_{false}, wants_start_{false}, ended_{false}, given_up_{false};
   std::mutex scenes_mutex_;  // between Host and recorder; the servo never locks it
   std::map<std::uint64_t, scene::Description> scenes_;
 };

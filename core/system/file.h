@@ -74,6 +74,10 @@ int writeAll(int descriptor, std::span<const std::byte> bytes);
 void rewind(int descriptor);
 /// The length of the file; 0 where it is unknown. By the one system call for it that a sealed process may make.
 std::int64_t lengthOf(int descriptor);
+/// Copies all of a file into a new one, which has holes where it has them.
+int copyContent(int from, int to);
+/// Owner, as far as this user may, and rights as those of another file.
+int setRightsLike(int descriptor, int model);
 /// Makes the file this long; where it was shorter, zeros are added.
 int cutTo(int descriptor, std::uint64_t bytes);
 /// Waits until the file is on the disk, safe from a power cut.

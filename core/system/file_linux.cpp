@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <vector>
 
 #include "core/system/file.h"
 
@@ -137,6 +138,34 @@ void rewind(int descriptor) {
 
 std::int64_t lengthOf(int descriptor) {
   return std::max<std::int64_t>(::lseek(descriptor, 0, SEEK_END), 0);
+}
+
+int copyContent(int from, int to) {
+  std::vector<std::byte> some(kAtOnce);
+  const off_t end = ::lseek(from, 0, SEEK_END);
+  for (off_t at = 0; at < end;) {
+    const off_t data = ::lseek(from, at, SEEK_DATA);
+    if (data < 0 && errno == ENXIO) break;  // only a hole is left
+    if (data < 0) return errno;
+    const off_t hole = std::min(std::max(::lseek(from, data, SEEK_HOLE), data + 1), end);
+    for (at = data; at < hole;) {
+      const std::size_t most = std::min(some.size(), static_cast<std::size_t>(hole - at));
+      const std::optional<std::size_t> count =
+          readAllAt(from, static_cast<std::uint64_t>(at), std::span(some).first(most));
+      if (!count || ::lseek(to, at, SEEK_SET) < 0) return errno;
+      if (*count == 0) return EIO;  // it has become shorter
+      if (const int reason = writeAll(to, std::span(some).first(*count)); reason != 0) return reason;
+      at += static_cast<off_t>(*count);
+    }
+  }
+  return end < 0 ? errno : cutTo(to, static_cast<std::uint64_t>(end));
+}
+
+int setRightsLike(int descriptor, int model) {
+  struct stat file {};
+  if (::fstat(model, &file) != 0) return errno;
+  if (::fchown(descriptor, file.st_uid, file.st_gid) != 0) errno = 0;  // it stays this user's own
+  return reasonOf(::fchmod(descriptor, file.st_mode & 07777U));
 }
 
 int cutTo(int descriptor, std::uint64_t bytes) {

@@ -10,8 +10,8 @@
 namespace underact::system {
 namespace {
 
-bool mayBeReplaced(const Status& there) {
-  return there.kind == Kind::File || there.kind == Kind::Link;
+bool mayBeReplaced(const Status& there, Existing existing) {
+  return there.kind == Kind::File || (there.kind == Kind::Link && existing != Existing::ReplaceFile);
 }
 
 }  // namespace
@@ -19,12 +19,17 @@ bool mayBeReplaced(const Status& there) {
 Problems checkNew(const std::string& path, Existing existing) {
   const std::optional<Status> there = statusOf(path, Links::Refuse);
   if (!there) return {};  // missing; any other problem shows when it is made
-  if (!mayBeReplaced(*there))
+  if (existing == Existing::ReplaceFile && there->kind == Kind::Link)
+    return {{said(TRANSLATE_NOOP("problem",
+                                 "This is a link to another file, which would be changed instead. Give the name of "
+                                 "that file.")),
+             {path}}};
+  if (!mayBeReplaced(*there, existing))
     return {{said(TRANSLATE_NOOP("problem",
                                  "A folder, a pipe or a device has this name and is not replaced. Give another "
                                  "name.")),
              {path}}};
-  if (existing == Existing::Replace) return {};
+  if (existing != Existing::Refuse) return {};
   return {{said(TRANSLATE_NOOP(
                "problem", "A file or a link of this name already exists; it was left unchanged. Give another name.")),
            {path}}};
@@ -32,8 +37,10 @@ Problems checkNew(const std::string& path, Existing existing) {
 
 Descriptor makeNew(const std::string& path, Existing existing) {
   const std::optional<Status> there = statusOf(path, Links::Refuse);
-  if (existing == Existing::Replace && there && mayBeReplaced(*there)) std::remove(path.c_str());
-  return makeFile(path, Making::New, Readers::OwnerAlone);
+  if (existing != Existing::Refuse && there && mayBeReplaced(*there, existing)) std::remove(path.c_str());
+  Descriptor made = makeFile(path, Making::New, Readers::OwnerAlone);
+  if (existing == Existing::ReplaceFile && there && made.isOpen()) (void)setRights(made.number(), there->rights);
+  return made;
 }
 
 int makePrivateFolder(const std::string& path) {

@@ -6,16 +6,18 @@
 
 namespace underact::system {
 
-/// What to do with an existing file of the same name.
-enum class Existing { Refuse, Replace };
+/// What to do with an existing file of the same name. Replace: a link, too, and not its target. ReplaceFile: a file
+/// alone, whose rights the new one gets; for an export, which nobody asked whether it may.
+enum class Existing { Refuse, Replace, ReplaceFile };
 
-/// Whether a new file may be made at path; changes nothing. Problems: with Refuse an existing file or link, even a
-/// dangling one; a folder, a pipe or a device, which are never replaced.
+/// Whether a new file may be made at path; changes nothing. Problems: with Refuse an existing file, with it or
+/// ReplaceFile a link, even a dangling one; a folder, a pipe or a device, which are never replaced.
 Problems checkNew(const std::string& path, Existing existing);
 
 /// Makes a new file at path, open for reading and writing, for its owner alone, whatever the umask; never an existing
-/// one: with Replace a file or a link of that name is removed first, and the target of a link stays. None on failure:
-/// errno says why, EEXIST that another process was quicker.
+/// one: a file or a link of that name that may be replaced is removed first, and the target of a link stays. So nothing
+/// is ever written through a link, and no pipe is waited for. None on failure: errno says why, EEXIST that there is
+/// one.
 Descriptor makeNew(const std::string& path, Existing existing);
 
 /// Makes a folder and its missing parents, each for its owner alone, whatever the umask. An existing one stays as it

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <sstream>
 
+#include "core/record/session.h"
+#include "core/record/session_writer.h"
 #include "tests/cli/session.h"
 
 namespace underact::test {
@@ -89,6 +92,70 @@ TEST(Log, VerifyFindsDamageAndSaysWhere) {
   const ScratchPath csv("a.csv");
   const Outcome exported = runCli({"log", "export", session.path(), "--out", csv.path()});
   EXPECT_EQ(exported.exit, Exit::BadInput) << "what is left out is said";
+}
+
+TEST(Log, VerifySaysHowManyTicksAreMissingAndWhere) {
+  const ScratchPath whole("s.h5"), gaps("t.h5");
+  record(whole.path(), "02_sphere.json");
+  Result<record::Session> session = record::Session::open(whole.path());
+  Result<record::SessionWriter> writer = record::SessionWriter::create(gaps.path(), session.value().info().header);
+  const record::ChangeRow& first = session.value().changes().front();
+  ASSERT_TRUE(writer &&
+              writer.value().begin(first.tick, first.revision, {}, session.value().scene(first).value()).empty());
+  ASSERT_TRUE(session.value()
+                  .eachBlock(
+                      [&](const record::Block& block, std::int64_t) {
+                        for (const servo::TickRecord& tick : record::unpackTicks(block)) {
+                          const bool is_missing = tick.tick < 4 || (tick.tick > 500 && tick.tick <= 700);
+                          if (!is_missing) EXPECT_TRUE(writer.value().add(tick).empty());
+                        }
+                        return true;
+                      },
+                      [](const record::Gap&) {})
+                  .empty());
+  ASSERT_TRUE(writer.value().end({0, 210, 0, record::EndReason::Stopped}).empty());
+  const Outcome outcome = runCli({"log", "verify", gaps.path()});
+  EXPECT_EQ(outcome.exit, Exit::BadInput) << outcome.out;
+  EXPECT_NE(outcome.err.find("Ticks 1 to 3 are missing"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("Ticks 501 to 700 are missing"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("210 ticks or events are missing"), std::string::npos) << outcome.err;
+}
+
+TEST(Log, ExportWritesOnlyTheNameThatItWasGiven) {
+  const ScratchFolder folder;
+  const std::string session = folder.file("s.h5"), mine = folder.write("mine.txt", "mine");
+  record(session, "02_sphere.json");
+  const std::string before = fileContent(session);
+  std::filesystem::create_symlink(mine, folder.file("link.csv"));
+  std::filesystem::create_symlink(mine, folder.file("b.csv-metadata.json"));
+  ASSERT_EQ(::mkfifo(folder.file("pipe.csv").c_str(), 0600), 0);
+  ASSERT_EQ(::mkfifo(folder.file("c.csv-metadata.json").c_str(), 0600), 0);
+  for (const char* name : {"link.csv", "b.csv", "pipe.csv", "c.csv", "s.h5", "pipe.png", "link.parquet"}) {
+    if (std::string(name) == "pipe.png") ASSERT_EQ(::mkfifo(folder.file(name).c_str(), 0600), 0);
+    if (std::string(name) == "link.parquet") std::filesystem::create_symlink(mine, folder.file(name));
+    const Outcome outcome = std::string(name) == "pipe.png"
+                                ? runCli({"log", "plot", session, "--kind", "error", "--out", folder.file(name)})
+                                : runCli({"log", "export", session, "--out", folder.file(name)});
+    EXPECT_TRUE(outcome.exit == Exit::File || outcome.exit == Exit::Library) << name << outcome.err;
+  }
+  EXPECT_EQ(fileContent(mine), "mine");
+  EXPECT_EQ(fileContent(session), before);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("b.csv")) || std::filesystem::exists(folder.file("c.csv")));
+}
+
+TEST(Log, ExportTakesTheFormatOfTheNameInAnyCaseAndRefusesAnother) {
+  const ScratchFolder folder;
+  const std::string session = folder.file("s.h5");
+  record(session, "02_sphere.json");
+  EXPECT_EQ(runCli({"log", "export", session, "--out", folder.file("A.CSV")}).exit, Exit::Well);
+  EXPECT_EQ(runCli({"log", "export", session, "--format", "csv", "--out", folder.file("a.txt")}).exit, Exit::Well);
+  for (const auto& [format, name] :
+       {std::pair{"csv", "a.Parquet"}, std::pair{"mcap", "a.csv"}, std::pair{"", "a.html"}}) {
+    std::vector<std::string> words{"log", "export", session, "--out", folder.file(name)};
+    if (*format != '\0') words.insert(words.end(), {"--format", format});
+    EXPECT_EQ(runCli(words).exit, Exit::Usage) << name;
+    EXPECT_FALSE(std::filesystem::exists(folder.file(name))) << name;
+  }
 }
 
 TEST(Log, RecoverLeavesAClosedSessionAsItIs) {

@@ -245,6 +245,21 @@ TEST(Run, AFullDiskIsToldAtOnceAndTheRunGoesOnToItsEnd) {
   EXPECT_TRUE(lines(outcome.out).at(0).find("faults") != nullptr);
 }
 
+TEST(Run, ARecordingThatEndsEarlyIsInTheExitStatusAndInTheLastLine) {
+  const test::ScratchFolder folder;
+  const Outcome outcome = [&] {
+    const test::FullDisk full(600'000);
+    return run({"--hand", "still", "--seconds", "4", "--fast", "--record", folder.file("full.h5")});
+  }();
+  EXPECT_EQ(outcome.exit, Exit::File);
+  EXPECT_EQ(numberAt(lines(outcome.out).at(0), "ticks"), 4000.0);
+  const std::size_t last = outcome.err.rfind('\n', outcome.err.size() - 2) + 1;
+  EXPECT_EQ(outcome.err.find("The recording is not whole: it has ", last) == std::string::npos, false) << outcome.err;
+  EXPECT_NE(outcome.err.find(" of 4000 ticks.", last), std::string::npos) << outcome.err;
+  EXPECT_EQ(run({"--hand", "still", "--seconds", "0.1", "--fast", "--record", folder.file("A.CSV")}).exit, Exit::Well);
+  EXPECT_EQ(fileContent(folder.file("A.CSV")).substr(0, 4), "tick");
+}
+
 TEST(Run, ABadSceneOrHandGivesStatus1) {
   const ScratchFile scene("{}"), hand("{}", "hand.json");
   EXPECT_EQ(runCli({"run", scene.path(), "--hand", "still", "--seconds", "1"}).exit, Exit::BadInput);

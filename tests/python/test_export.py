@@ -224,5 +224,42 @@ class Mcap(InFolder):
         )
 
 
+class Names(InFolder):
+    """Files are written where they were named, or not at all."""
+
+    def test_a_link_a_pipe_and_the_session_itself_are_refused_at_once(self):
+        path = write_session(self.folder / "a.h5", 50)
+        mine = self.folder / "mine.txt"
+        mine.write_text("mine")
+        before = path.read_bytes()
+        for name in ("link.csv", "b.csv-metadata.json", "link.png"):
+            (self.folder / name).symlink_to(mine)
+        for name in ("pipe.csv", "c.csv-metadata.json", "pipe.png"):
+            os.mkfifo(self.folder / name)
+        for name in ("link.csv", "b.csv", "pipe.csv", "c.csv", "a.h5"):
+            code, _, words = command("export", path, "--out", self.folder / name)
+            self.assertEqual(code, 4, name)
+            self.assertIn(name.split(".")[0], words)
+        for name in ("link.png", "pipe.png"):
+            out = self.folder / name
+            self.assertEqual(command("plot", path, "--kind", "error", "--out", out)[0], 4, name)
+        self.assertEqual((mine.read_text(), path.read_bytes()), ("mine", before))
+        self.assertFalse((self.folder / "b.csv").exists() or (self.folder / "c.csv").exists())
+
+    def test_an_export_is_replaced_and_keeps_its_rights(self):
+        path, out = write_session(self.folder / "a.h5", 50), self.folder / "A.CSV"
+        out.write_text("older")
+        out.chmod(0o640)
+        self.assertEqual(command("export", path, "--out", out)[0], 0)
+        self.assertEqual((out.stat().st_mode & 0o777, out.read_text()[:4]), (0o640, "tick"))
+
+    def test_a_name_of_another_format_is_wrong_usage(self):
+        path = write_session(self.folder / "a.h5", 50)
+        for form, name in (("csv", "a.Parquet"), ("mcap", "a.csv"), ("csv", "a.html")):
+            out = self.folder / name
+            self.assertEqual(command("export", path, "--format", form, "--out", out)[0], 2, name)
+            self.assertFalse(out.exists())
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -92,7 +92,7 @@ TEST(SevenJoints, AreRecordedReplayedAndExported) {
   const Verified verified = verifyReplay(session).value();
   EXPECT_FALSE(verified.differs.has_value()) << verified.differs->column;
   EXPECT_EQ(verified.ticks, session.info().ticks);
-  CsvWriter csv = CsvWriter::open(folder.file("s.csv")).value();
+  CsvWriter csv = CsvWriter::create(folder.file("s.csv"), system::Existing::ReplaceFile).value();
   EXPECT_TRUE(exportCsv(session, csv, [](double) { return true; }).isWhole());
   std::ifstream file(folder.file("s.csv"));
   std::string header, first;

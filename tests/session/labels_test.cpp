@@ -10,7 +10,9 @@ namespace {
 
 /// A session with these labels, one a tick; what was said of its damage.
 std::vector<Marker> markersOf(const std::string& path, const std::vector<std::string>& labels, Problems& damage) {
-  Result<SessionWriter> writer = SessionWriter::create(path, {});
+  SessionLimits none;  // as a stranger's writer has them
+  none.all_label_bytes = INT64_MAX;
+  Result<SessionWriter> writer = SessionWriter::create(path, {}, system::Existing::Refuse, none);
   EXPECT_TRUE(writer);
   EXPECT_TRUE(writer.value().begin(0, 0, {}, test::sphereScene()).empty());
   std::int64_t tick = 0;
@@ -26,7 +28,7 @@ std::vector<Marker> markersOf(const std::string& path, const std::vector<std::st
 
 TEST(Labels, LongerThanMayBeAreCutBetweenLettersWhenTheyAreWritten) {
   const test::ScratchFolder folder;
-  const std::string longest(kLongestLabel, 'a'), o_umlaut = "\xC3\xB6";
+  const std::string longest(kSessionLimits.label_bytes, 'a'), o_umlaut = "\xC3\xB6";
   Problems damage;
   const std::vector<Marker> markers =
       markersOf(folder.file("s.h5"),
@@ -42,8 +44,8 @@ TEST(Labels, LongerThanMayBeAreCutBetweenLettersWhenTheyAreWritten) {
 TEST(Labels, InWhichNoLetterBeginsAreCutToNothing) {
   const test::ScratchFolder folder;
   Problems damage;
-  const std::vector<Marker> markers =
-      markersOf(folder.file("s.h5"), {std::string(static_cast<std::size_t>(kLongestLabel) + 7, '\x80')}, damage);
+  const std::vector<Marker> markers = markersOf(
+      folder.file("s.h5"), {std::string(static_cast<std::size_t>(kSessionLimits.label_bytes) + 7, '\x80')}, damage);
   ASSERT_EQ(markers.size(), 1U);
   EXPECT_TRUE(damage.empty());
   EXPECT_EQ(markers[0].label, "");
@@ -51,13 +53,13 @@ TEST(Labels, InWhichNoLetterBeginsAreCutToNothing) {
 
 TEST(Labels, OfWhichThereAreTooManyAreDamageAndNotKept) {
   const test::ScratchFolder folder;
-  const auto most = static_cast<std::size_t>(kAllLabels / kLongestLabel);
+  const auto most = static_cast<std::size_t>(kSessionLimits.all_label_bytes / kSessionLimits.label_bytes);
   Problems damage;
-  const std::vector<Marker> markers =
-      markersOf(folder.file("s.h5"), std::vector<std::string>(most + 3, std::string(kLongestLabel, 'x')), damage);
+  const std::vector<Marker> markers = markersOf(
+      folder.file("s.h5"), std::vector<std::string>(most + 3, std::string(kSessionLimits.label_bytes, 'x')), damage);
   ASSERT_EQ(markers.size(), most + 3);
   EXPECT_EQ(damage.size(), 3U);
-  EXPECT_EQ(markers[most - 1].label.size(), static_cast<std::size_t>(kLongestLabel));
+  EXPECT_EQ(markers[most - 1].label.size(), static_cast<std::size_t>(kSessionLimits.label_bytes));
   EXPECT_EQ(markers[most].label, "?");
 }
 

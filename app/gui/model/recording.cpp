@@ -79,7 +79,11 @@ bool Recording::stop(record::EndReason reason) {
   status_ = recorder_->status();
   recorder_.reset();
   if (!areSame(words_, written_)) {
-    const Problems unwritten = record::rewriteMetadata(path_.toStdString(), words_);
+    Problems unwritten;
+    for (const std::string& file : status_.files) {
+      const Problems of_part = record::rewriteMetadata(file, words_);
+      unwritten.insert(unwritten.end(), of_part.begin(), of_part.end());
+    }
     if (!unwritten.empty() && problems.empty())
       problems.push_back({said(QT_TRANSLATE_NOOP(
           "problem", "Text typed during the recording is not in the file. Edit the details of the session below."))});

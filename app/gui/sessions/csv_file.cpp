@@ -11,6 +11,8 @@ namespace underact::gui {
 CsvFile writeCsvFile(const std::string& session, const std::string& out, WorkState& state) {
   Result<record::Session> read = record::Session::open(session);
   if (!read) return {.problems = read.problems()};
+  if (Problems problems = record::checkCsvNames(session, out); !problems.empty())
+    return {.problems = std::move(problems)};
   const std::string part = out + ".part";
   Result<record::CsvWriter> writer = record::CsvWriter::create(part, system::Existing::Replace);
   if (!writer)

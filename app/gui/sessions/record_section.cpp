@@ -29,6 +29,10 @@ enum RecordRow { kTime, kSize, kTicks, kMarks, kDisk, kLasts };
 /// Warnings during a recording: ticks that were lost, and a disk that is nearly full.
 QString warningOf(const record::RecorderStatus& status, bool runs) {
   QStringList lines;
+  if (status.files.size() > 1)
+    lines << QObject::tr("The recording has %1 files, because one session may not be longer. The last one is %2.")
+                 .arg(status.files.size())
+                 .arg(QFileInfo(QString::fromStdString(status.files.back())).fileName());
   if (status.dropped > 0)
     lines << QObject::tr("%1 ticks are missing: the computer was too busy to write them. The servo kept running.")
                  .arg(status.dropped);

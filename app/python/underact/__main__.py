@@ -42,7 +42,7 @@ def export(options: argparse.Namespace) -> int:
     from .session import Session
 
     with Session(options.file, options.damaged) as session:
-        forms.FORMATS[options.format](session, options.out)
+        forms.FORMATS[forms.form_of(options.out, options.format)](session, options.out)
     return WELL
 
 
@@ -111,7 +111,7 @@ def parser() -> argparse.ArgumentParser:
     one.add_argument("--to", dest="to_s", type=float, help="s since the first tick")
 
     one = command("export", export, "Writes the ticks of a session in another format.")
-    one.add_argument("--format", choices=("csv", "parquet", "mcap"), required=True)
+    one.add_argument("--format", choices=("csv", "parquet", "mcap"))
     one.add_argument("--out", type=Path, required=True)
 
     one = command("lab", lab, "Plots the tables of `underact-cli lab`.", file=False)

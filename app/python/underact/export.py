@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv as csv_module
 import json
 import math
-import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -13,6 +12,7 @@ import numpy as np
 
 from . import layout
 from .errors import MissingLibrary
+from .output import check_name, new_file
 from .session import Session
 
 #: the columns of `underact-cli run --record F.csv` -> where they are in /ticks: column, part (None:
@@ -76,11 +76,16 @@ def _word(value: object) -> str:
     return str(value)
 
 
-def _owners_alone(path: str, flags: int) -> int:
-    """Opens a file as open() does; one that is made here nobody else may read: it holds what a
-    person did.
+def form_of(out: str | Path, wanted: str | None) -> str:
+    """The form that is asked for, or that the name ends in; CSV where neither says one. Raises
+    ValueError where they differ.
     """
-    return os.open(path, flags, 0o600)
+    ending = Path(out).suffix.lower().lstrip(".")
+    by_name = ending if ending in (*FORMATS, "rrd", "html") else None
+    form = wanted or by_name or "csv"
+    if form not in FORMATS or by_name not in (None, form):
+        raise ValueError(f"{out}: the name ends as that of another format; nothing was written.")
+    return form
 
 
 def csv_metadata(session: Session, name: str) -> dict:
@@ -129,15 +134,17 @@ def csv(session: Session, out: str | Path) -> None:
     """The same columns as `underact-cli run --record F.csv`, read back to the same numbers; beside
     it F.csv-metadata.json, which says what they are and what was run.
     """
+    beside = Path(f"{out}-metadata.json")
+    for path in (out, beside):
+        check_name(path, session.path)
     columns = _flat(session)
-    with open(out, "w", encoding="utf-8", newline="", opener=_owners_alone) as file:
+    with new_file(out, "w", encoding="utf-8", newline="") as file:
         writer = csv_module.writer(file, lineterminator="\n")
         writer.writerow(columns)
         writer.writerows(
             [_word(value) for value in row] for row in zip(*(c.tolist() for c in columns.values()))
         )
-    beside = Path(f"{out}-metadata.json")
-    with open(beside, "w", encoding="utf-8", opener=_owners_alone) as file:
+    with new_file(beside, "w", encoding="utf-8") as file:
         json.dump(csv_metadata(session, Path(out).name), file, ensure_ascii=False)
 
 
@@ -171,7 +178,8 @@ def parquet(session: Session, out: str | Path) -> None:
         for name, value in described_run(session).items()
     }
     schema = pyarrow.schema(fields, metadata={**(table.schema.metadata or {}), **words})
-    with open(out, "wb", opener=_owners_alone) as file:
+    check_name(out, session.path)
+    with new_file(out, "wb") as file:
         pyarrow.parquet.write_table(table.cast(schema), file)
 
 
@@ -266,7 +274,8 @@ def mcap(session: Session, out: str | Path) -> None:
     attributes = session.attributes
     start_ns = attributes.get("started_unix_ns")
     start_ns = start_ns if isinstance(start_ns, int) else 0
-    with open(out, "wb", opener=_owners_alone) as file:
+    check_name(out, session.path)
+    with new_file(out, "wb") as file:
         writer = Writer(file)
         writer.start(profile="", library="underact")
         channels = {}

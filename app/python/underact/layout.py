@@ -54,13 +54,14 @@ LONG = {table["name"] for table in COLUMNS["tables"] if table["most_block_rows"]
 CHECKS_CHUNK = 64
 MOST_PACKED = 256  # times more rows than its bytes hold, where h5repack has packed it
 #: table -> rows, whatever the file's length
-MOST_ROWS: dict[str, int] = {"changes": 1 << 20, "faults": 1 << 20, "end": 1 << 20}
-MOST_ROWS["markers"] = 1 << 16
-MOST_ROWS["provenance"] = MOST_ROWS["clock"] = MOST_ROWS["steering"] = 1 << 20
-LONGEST_LABEL, ALL_LABELS = 64 << 10, 16 << 20  # bytes
-LONGEST_SCENE = 16 << 20  # as of a scene file
+MOST_ROWS: dict[str, int] = {
+    table["name"]: table["most_rows"] for table in COLUMNS["tables"] if table["most_rows"]
+}
+LONGEST_LABEL = COLUMNS["limits"]["label_bytes"]
+ALL_LABELS = COLUMNS["limits"]["all_label_bytes"]
+LONGEST_SCENE = COLUMNS["limits"]["text_bytes"]
 LONGEST_FILE = 1 << 44  # one may have a length that nothing on the disk stands behind
-LONGEST_ATTRIBUTE = 1 << 20
+LONGEST_ATTRIBUTE = COLUMNS["limits"]["attribute_bytes"]
 MOST_DAMAGED_BLOCKS = 100_000
 
 FAULTS = (

@@ -10,6 +10,8 @@ import matplotlib
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from .output import new_file
+
 # Okabe and Ito's palette, with the meanings that the window gives them.
 BLUE, SKY, GREEN = "#0072B2", "#56B4E9", "#009E73"
 ORANGE, VERMILLION, PURPLE, DARK, GREY = "#E69F00", "#D55E00", "#CC79A7", "#1A1A1A", "#777777"
@@ -102,7 +104,8 @@ def save(figure: Figure, path: str | Path, session_id: str = "") -> None:
         key = {"png": "Source", "svg": "Identifier", "pdf": "Keywords"}[ending]
         metadata[key] = f"underact session {session_id}"
     with matplotlib.rc_context(RC):
-        figure.savefig(path, format=ending, dpi=DPI, metadata=metadata)
+        with new_file(path, "wb", 0o666) as file:
+            figure.savefig(file, format=ending, dpi=DPI, metadata=metadata)
 
 
 def styled(draw):

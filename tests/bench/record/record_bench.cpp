@@ -117,7 +117,7 @@ void measureRaw(const std::string& path, const Load& load) {
 }
 
 void measureCsv(const std::string& path, const Load& load) {
-  Result<record::CsvWriter> csv = record::CsvWriter::open(path);
+  Result<record::CsvWriter> csv = record::CsvWriter::create(path, system::Existing::ReplaceFile);
   measure(
       "CSV (34 columns)", path, load, [&](const servo::TickRecord& tick) { csv.value().add(tick); }, [] {},
       [&] { csv.value().close(); });

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/support/full_disk.h"
 #include "tests/support/property.h"
 
 namespace underact::record {
@@ -26,7 +27,7 @@ std::vector<std::string> split(const std::string& line) {
 /// The lines of the file that the records make, each split into its fields.
 std::vector<std::vector<std::string>> written(const std::vector<servo::TickRecord>& records, const std::string& name) {
   const std::string path = scratch(name);
-  CsvWriter writer = CsvWriter::open(path).value();
+  CsvWriter writer = CsvWriter::create(path, system::Existing::ReplaceFile).value();
   for (const servo::TickRecord& record : records) writer.add(record);
   EXPECT_TRUE(writer.close().empty());
   std::ifstream file(path);
@@ -146,19 +147,23 @@ TEST(CsvWriter, TheLongestNumbersFitARow) {
 }
 
 TEST(CsvWriter, AFullDiskIsToldAtTheEnd) {
-  Result<CsvWriter> writer = CsvWriter::open("/dev/full");
-  ASSERT_TRUE(writer);
-  CsvWriter full = std::move(writer).value();
-  for (int tick = 0; tick < 1000; ++tick) full.add(someTick());
-  const Problems problems = full.close();
-  ASSERT_EQ(problems.size(), 1U);
-  EXPECT_NE(problems[0].sentence.find("No space left"), std::string::npos) << problems[0].sentence;
-  EXPECT_EQ(problems[0].place.file, "/dev/full");
-  EXPECT_TRUE(full.close().empty());
+  const std::string path = scratch("full.csv");
+  {
+    const test::FullDisk full(4096);
+    Result<CsvWriter> writer = CsvWriter::create(path, system::Existing::ReplaceFile);
+    ASSERT_TRUE(writer);
+    for (int tick = 0; tick < 1000; ++tick) writer.value().add(someTick());
+    const Problems problems = writer.value().close();
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_NE(problems[0].sentence.find("File too large"), std::string::npos) << problems[0].sentence;
+    EXPECT_EQ(problems[0].place.file, path);
+    EXPECT_TRUE(writer.value().close().empty());
+  }
+  std::filesystem::remove(path);
 }
 
 TEST(CsvWriter, AFileThatCannotBeMadeIsAProblemWithItsReason) {
-  const Result<CsvWriter> writer = CsvWriter::open("/dev/null/nowhere/all.csv");
+  const Result<CsvWriter> writer = CsvWriter::create("/dev/null/nowhere/all.csv", system::Existing::ReplaceFile);
   ASSERT_FALSE(writer);
   EXPECT_NE(writer.problems()[0].sentence.find("Not a directory"), std::string::npos);
 }
