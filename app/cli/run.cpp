@@ -92,6 +92,7 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
                                             .max_late = options.max_late});
   const Problems problems = host.load(prepared->scene.description);
   if (!problems.empty()) return fail(problems, Exit::BadInput, streams);
+  const system::Interrupt stopping(system::Reader::MayGo, &host.stops());
   host.start();
   std::optional<Recording> recording;
   std::optional<stream::LiveStream> live;
@@ -101,6 +102,7 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   if (recording) recording->noteServo();
   Run run(ticksOf(options), std::move(recording), std::move(live), streams);
   options.fast ? runFast(host, run, interrupt) : runInRealTime(host, run, interrupt, streams);
+  host.stop();  // whoever reads the results may take their time
   const std::int64_t untaken = host.snapshot().dropped;
   if (untaken > 0) streams.err << untaken << " ticks were not received, because the machine was too busy.\n";
   Problems unwritten = reportFaults(host, run, options.fault_file, streams);
