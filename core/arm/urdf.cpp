@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 constexpr std::size_t kMostListed = 8;
+constexpr std::size_t kMostProblems = 100;
 constexpr std::size_t kLargestUrdf = std::size_t{4} << 20;  // a humanoid with its sensors has some 100 kB
 
 /// One step from link to link: through a joint, to its child or back to its parent.
@@ -68,12 +69,13 @@ class LinkFamily {
   /// From link to link by way of their nearest common parent; empty and a problem where there is none.
   std::vector<UrdfStep> way(std::size_t base, std::size_t tip) {
     const std::vector<std::size_t> from_base = upwards(base), from_tip = upwards(tip);  // links, each with its parents
+    std::vector<std::size_t> up_from_tip(tree_.links.size(), kNone);  // the number of joints from the tip up to a link
+    for (std::size_t i = from_tip.size(); i-- > 0;) up_from_tip[from_tip[i]] = i;
     for (std::size_t i = 0; i < from_base.size(); ++i) {
-      const auto meet = std::find(from_tip.begin(), from_tip.end(), from_base[i]);
-      if (meet == from_tip.end()) continue;
+      if (up_from_tip[from_base[i]] == kNone) continue;
       std::vector<UrdfStep> steps;
       for (std::size_t j = 0; j < i; ++j) steps.push_back({above_[from_base[j]], false});
-      for (auto j = meet; j != from_tip.begin();) steps.push_back({above_[*--j], true});
+      for (std::size_t j = up_from_tip[from_base[i]]; j-- > 0;) steps.push_back({above_[from_tip[j]], true});
       return steps;
     }
     say(tree_.links[tip].line, "tip",
@@ -84,7 +86,7 @@ class LinkFamily {
 
   std::size_t indexOf(const std::string& name) const { return index_.at(name); }
   void say(int line, const std::string& key, Sentence sentence) {
-    problems_.push_back({std::move(sentence), {file_, line, 0, key}});
+    if (problems_.size() < kMostProblems) problems_.push_back({std::move(sentence), {file_, line, 0, key}});
   }
   const Problems& problems() const { return problems_; }
 

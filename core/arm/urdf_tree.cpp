@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "core/arm/solid_place.h"
+#include "core/arm/xml_bounds.h"
 #include "core/base/translate.h"
 #include "core/base/trig.h"
 #include "core/json/text.h"
@@ -60,6 +61,7 @@ class TreeReader {
 
   /// A word that is nearly a known one is a typing error; another one belongs to another program.
   void checkWord(const XMLElement& element, const std::vector<std::string>& known) {
+    if (problems_.size() >= kMostUrdfProblems) return;
     const std::string word = element.Name(), nearest = json::nearestWord(word, known);
     if (nearest.empty() || nearest == word) return;
     say(element, json::plainKey(word),
@@ -317,6 +319,8 @@ Result<UrdfTree> readUrdfTree(std::string_view text, const std::string& file_nam
   if (text.find('\0') != std::string_view::npos)
     return Problems{
         problemAt(file_name, 0, "", said(TRANSLATE_NOOP("problem", "This is no text: it contains zero bytes.")))};
+  if (const std::optional<XmlExcess> excess = excessOf(text))
+    return Problems{problemAt(file_name, excess->line, "", excess->sentence)};
   tinyxml2::XMLDocument document;
   if (const tinyxml2::XMLError error = document.Parse(text.data(), text.size()); error != tinyxml2::XML_SUCCESS)
     return Problems{problemAt(file_name, document.ErrorLineNum(), "", stopOf(error))};

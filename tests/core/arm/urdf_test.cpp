@@ -1,5 +1,6 @@
 #include "core/arm/urdf.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -143,6 +144,33 @@ TEST(Urdf, HasAtMostEightJointsOnTheWay) {
   text += "</robot>";
   EXPECT_NE(toldOf(text, {"l0", "l9"}).find("this is the ninth"), std::string::npos);
   EXPECT_EQ(toldOf(text, {"l0", "l8"}), "");
+}
+
+TEST(Urdf, AnElementOfMoreThan64AttributesIsRefusedAndOthersAreRead) {
+  const auto with = [](int count) {
+    std::string link = "<link name=\"more\"";
+    for (int i = 1; i < count; ++i) link += (i % 2 == 0 ? "\n a" : " a") + std::to_string(i) + " = '>\"<a b=\"\"'";
+    const std::string text = robotWith(kSlide, "<!-- <a b=''> -->\n<![CDATA[ <e f=\"> ]]>\n" + link + "/>");
+    return toldOf(text);
+  };
+  EXPECT_EQ(with(64), "");
+  EXPECT_EQ(with(65), "16 : An element can have at most 64 attributes.\n");
+  EXPECT_EQ(with(20'000), "16 : An element can have at most 64 attributes.\n");
+}
+
+TEST(Urdf, AReferenceWithoutAnEndIsRefusedInAValueAlone) {
+  const auto with = [](const std::string& more) { return toldOf(robotWith(kSlide, more)); };
+  EXPECT_EQ(with("<link name=\"&#65;&#x0010FFFF;&amp;&\"/> &#1 <!-- &#1 -->"), "");
+  EXPECT_EQ(with("<a b=\"\n&#65&#66&#67 &#68\"/>"), "15 : A reference such as &#65; ends with a semicolon.\n");
+}
+
+TEST(Urdf, OfManyJointsWithTwoParentsOnly100AreNamed) {
+  std::string more;
+  for (int i = 0; i < 300; ++i)
+    more += "<joint name=\"m" + std::to_string(i) +
+            "\" type=\"fixed\"><parent link=\"base\"/><child link=\"left\"/></joint>";
+  const std::string told = toldOf(robotWith(kSlide, more));
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 100);
 }
 
 TEST(Urdf, LargeFilesAreRefused) {
