@@ -1,6 +1,8 @@
 #include "core/arm/xml_bounds.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "core/base/translate.h"
 
