@@ -62,44 +62,23 @@ Result<std::int64_t> completeFile(const std::string& path) {
 
 namespace {
 
-/// The copy on which a session is recovered; removed unless it has taken its place.
-class Copy {
- public:
-  explicit Copy(const std::string& path) : path_(path), part_(path + ".part") {}
+/// The copy on which a session is recovered; removed unless it was renamed.
+struct Copy {
   ~Copy() {
-    if (file_.isOpen()) std::remove(part_.c_str());
+    if (file.isOpen()) std::remove(part.c_str());
   }
-  Copy(const Copy&) = delete;
-  Copy& operator=(const Copy&) = delete;
-  int fd() const { return file_.number(); }
-  const std::string& part() const { return part_; }
-  Problems make(int original) {
-    file_ = system::makeNew(part_, system::Existing::Replace);
-    int reason = file_.isOpen() ? system::copyContent(original, fd()) : errno;
-    if (reason == 0) reason = system::setRightsLike(fd(), original);
-    return problem(reason);
-  }
-  Problems putInPlace() {
-    int reason = system::sync(fd());
-    if (reason == 0 && std::rename(part_.c_str(), path_.c_str()) != 0) reason = errno;
-    if (reason == 0) file_.close();
-    if (reason == 0) system::syncFolderOf(path_);
-    return problem(reason);
-  }
-
- private:
-  Problems problem(int reason) const {
-    if (reason == 0) return {};
-    return {
-        {said(TRANSLATE_NOOP("problem",
-                             "Recovering takes a copy of the file in its folder, and there is none: %1. Nothing was "
-                             "changed."),
-              {std::generic_category().message(reason)}),
-         {path_}}};
-  }
-  std::string path_, part_;
-  system::Descriptor file_;
+  std::string part;
+  system::Descriptor file;
 };
+
+Problems copyProblem(int reason, const std::string& path) {
+  if (reason == 0) return {};
+  return {{said(TRANSLATE_NOOP("problem",
+                               "Recovering takes a copy of the file in its folder, and there is none: %1. Nothing was "
+                               "changed."),
+                {std::generic_category().message(reason)}),
+           {path}}};
+}
 
 }  // namespace
 
@@ -118,13 +97,16 @@ Result<std::int64_t> recover(const std::string& path) {
   if (!system::lock(input->fd(), system::Lock::Alone))  // until the copy has taken its place
     return Problems{
         {said(TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")), {path}}};
-  Copy copy(path);
-  if (Problems problems = copy.make(input->fd()); !problems.empty()) return problems;
-  Result<std::int64_t> ticks = completeFileAt(path, copy.fd());
+  Copy copy{path + ".part", system::makeNew(path + ".part", system::Existing::Replace)};
+  const int fd = copy.file.number();
+  int reason = copy.file.isOpen() ? system::copyContent(input->fd(), fd) : errno;
+  if (reason == 0) reason = system::setRightsLike(fd, input->fd());
+  if (reason != 0) return copyProblem(reason, path);
+  Result<std::int64_t> ticks = completeFileAt(path, fd);
   Problems unread;
   if (!ticks) {
     unread = ticks.problems();
-  } else if (const Result<Session> whole = Session::open(copy.part()); !whole) {
+  } else if (const Result<Session> whole = Session::open(copy.part); !whole) {
     unread = whole.problems();
   }
   if (!unread.empty())
@@ -137,7 +119,11 @@ Result<std::int64_t> recover(const std::string& path) {
                              "Another file has taken this one's place in the meantime, so nothing was changed. Try "
                              "again.")),
          {path}}};
-  if (Problems problems = copy.putInPlace(); !problems.empty()) return problems;
+  reason = system::sync(fd);
+  if (reason == 0 && std::rename(copy.part.c_str(), path.c_str()) != 0) reason = errno;
+  if (reason != 0) return copyProblem(reason, path);
+  copy.file.close();
+  system::syncFolderOf(path);
   return ticks;
 }
 
