@@ -58,12 +58,11 @@ struct Host::Impl {
     driven = DeviceClockedLoop::start(loop, *device, options.rate_hz, limit_ns);
     if (!driven) thread.emplace(loop, options.rate_hz, options.scheduling);
     if (limit_ns > 0)
-      watchdog.emplace(
-          [this] { return loop.beats(); }, limit_ns,
-          [this](std::int64_t pause_ns) {
-            loop.reportStall(pause_ns);
-            device->cut();
-          });
+      watchdog.emplace([this] { return loop.beats(); }, limit_ns,
+                       [this](std::int64_t pause_ns) {
+                         loop.reportStall(pause_ns);
+                         device->cut();
+                       });
   }
 
   bool ticksByItself() const { return thread.has_value() || driven != nullptr; }
@@ -234,8 +233,7 @@ void Host::stop() {
 }
 
 bool Host::running() const {
-  return impl_->started && impl_->started_after == impl_->loop.stops() &&
-         impl_->loop.snapshot().mode != Mode::Faulted;
+  return impl_->started && impl_->started_after == impl_->loop.stops() && impl_->loop.snapshot().mode != Mode::Faulted;
 }
 
 std::atomic<std::uint64_t>& Host::stops() noexcept {

@@ -37,9 +37,9 @@ struct Command {
   Order order = Order::Stop;
   Instance* instance = nullptr;  // owned by the loop from here on; given back by reap()
   Tap* tap = nullptr;            // Record: lives until it has ended
-  std::uint64_t stops = 0;       // Start: Loop::stops() when it was given; one that is higher by then has ended it
   std::int64_t ticks = 0;        // Retune: over which the targets are carried, 0: at once. Push: for how many
   Vec3 push_T_W = Vec3::Zero();  // Push: N, finite
+  std::uint64_t stops = 0;       // Start: Loop::stops() when it was given; one that is higher by then has ended it
 };
 
 /// What the servo thread does each period: takes up commands, reads the arm, ticks, writes the force and hands the

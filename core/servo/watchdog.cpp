@@ -9,7 +9,8 @@ namespace underact::servo {
 
 constexpr int kLooksInLimit = 5;  // checks within the limit, so that it is late by a fifth at most
 
-Watchdog::Watchdog(std::function<std::int64_t()> turns, std::int64_t limit_ns, std::function<void(std::int64_t)> stalled)
+Watchdog::Watchdog(std::function<std::int64_t()> turns, std::int64_t limit_ns,
+                   std::function<void(std::int64_t)> stalled)
     : turns_(std::move(turns)), limit_ns_(limit_ns), stalled_(std::move(stalled)), thread_(&Watchdog::run, this) {}
 
 Watchdog::~Watchdog() {

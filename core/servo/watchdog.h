@@ -11,8 +11,8 @@ namespace underact::servo {
 /// After limit_ns without a turn it says for how long there was none, again and again until there is one.
 class Watchdog {
  public:
-  /// turns: the count; stalled: gets the length of the pause, ns. Both are called from the watchdog's thread. Starts the
-  /// thread; the destructor ends it and waits. limit_ns: above 0.
+  /// turns: the count; stalled: gets the length of the pause, ns. Both are called from the watchdog's thread. Starts
+  /// the thread; the destructor ends it and waits. limit_ns: above 0.
   Watchdog(std::function<std::int64_t()> turns, std::int64_t limit_ns, std::function<void(std::int64_t)> stalled);
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;
