@@ -4,6 +4,7 @@
 #include "app/cli/command.h"
 #include "app/cli/json_object.h"
 #include "app/cli/scene_file.h"
+#include "core/base/printed.h"
 #include "core/system/signals.h"
 #include "device/catalogue.h"
 #include "device/device_check.h"
@@ -15,11 +16,11 @@ void printWords(const device::Row& row, const std::vector<device::Found>& all, s
   out << row.name << '\n';
   if (all.empty()) out << "  none is connected\n";
   for (const device::Found& found : all) {
-    out << "  " << found.title;
-    out << (found.missing.empty() ? "  (--device " + device::nameOf(row, found) + ")\n" : "\n");
+    const std::string chosen_by = "  (--device " + device::nameOf(row, found) + ")";
+    out << "  " << printed(found.title + (found.missing.empty() ? chosen_by : "")) << '\n';
     for (const device::Missing& missing : found.missing) {
-      out << "    " << missing.sentence << '\n';
-      if (!missing.command.empty()) out << "      " << missing.command << '\n';
+      out << "    " << printed(missing.sentence) << '\n';
+      if (!missing.command.empty()) out << "      " << printed(missing.command) << '\n';
     }
   }
 }

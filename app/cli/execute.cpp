@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/cli/command.h"
+#include "app/cli/printed_stream.h"
 
 namespace underact::cli {
 
@@ -35,7 +36,9 @@ options::Program makeGrammar(const Streams& streams, Exit& exit) {
 
 Exit execute(std::vector<std::string> arguments, const Streams& streams) {
   Exit exit = Exit::Well;
-  return perform(makeGrammar(streams, exit), std::move(arguments), streams, exit);
+  PrintedStream out(streams.out), err(streams.err);
+  const Streams clean{streams.in, out, err, streams.progress, streams.out_fd};
+  return perform(makeGrammar(clean, exit), std::move(arguments), clean, exit);
 }
 
 }  // namespace underact::cli

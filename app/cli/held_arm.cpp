@@ -11,6 +11,7 @@
 #include "app/cli/setting_overrides.h"
 #include "app/options/scheduling_options.h"
 #include "core/arm/preset.h"
+#include "core/base/printed.h"
 #include "core/scene/compile.h"
 #include "core/scene/mirror.h"
 #include "core/scene/scene_arm.h"
@@ -83,7 +84,7 @@ std::string fileName(const std::string& path) {
 
 std::optional<Prepared> prepare(const HeldArm& options, std::int64_t ticks, const Streams& streams, Exit& exit) {
   if (const std::string wrong = wrongIn(options); !wrong.empty()) {
-    streams.err << wrong << '\n';
+    streams.err << printed(wrong) << '\n';
     exit = Exit::Usage;
     return {};
   }

@@ -12,6 +12,7 @@
 #include "app/cli/step_report.h"
 #include "app/cli/today.h"
 #include "core/arm/preset.h"
+#include "core/base/printed.h"
 #include "core/base/units.h"
 #include "core/identify/report.h"
 #include "core/json/json.h"
@@ -136,7 +137,7 @@ Exit runIdentification(const IdentifyOptions& options, const Streams& streams) {
     streams.out << identifiedObject(found.value(), given).text() << '\n';
   else
     printEstimates(found.value(), given, streams.out);
-  for (const Problem& note : found.value().notes) streams.err << note.sentence << '\n';
+  for (const Problem& note : found.value().notes) streams.err << printed(note.sentence) << '\n';
   return writeFiles(options, found.value(), given, streams);
 }
 

@@ -6,6 +6,7 @@
 #include "app/cli/hands.h"
 #include "app/cli/json_object.h"
 #include "app/cli/scene_file.h"
+#include "core/base/printed.h"
 #include "core/base/units.h"
 #include "core/lab/search_tradeoff.h"
 #include "core/scene/fields.h"
@@ -37,7 +38,7 @@ JsonObject figuresObject(const lab::SearchFigures& figures) {
 }
 
 void printTrade(const std::string& name, const lab::SearchTradeoff& trade, std::ostream& out) {
-  out << name << ", " << trade.pieces << (trade.is_mesh ? " triangles\n" : " pieces\n");
+  out << printed(name) << ", " << trade.pieces << (trade.is_mesh ? " triangles\n" : " pieces\n");
   out << "search     p50 us   p99 us   max us   worst error mm   beside   not proved\n";
   for (const lab::SearchFigures& figures : trade.searches) {
     out << std::left << std::setw(8) << wordOf(scene::kSearchWords, figures.search) << std::right << std::fixed

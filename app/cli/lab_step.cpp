@@ -8,6 +8,7 @@
 #include "app/cli/scene_file.h"
 #include "app/cli/setting_overrides.h"
 #include "app/cli/step_report.h"
+#include "core/base/printed.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
 #include "core/scene/settings.h"
@@ -47,7 +48,7 @@ Exit stepFunction(const StepOptions& options, const Streams& streams) {
   else
     printStep(transfer.value(), metrics, streams.out);
   const std::string note = noteOn(transfer.value());
-  if (!note.empty()) streams.err << note << '\n';
+  if (!note.empty()) streams.err << printed(note) << '\n';
   return writeTable(options.csv, csvOf(transfer.value(), options.seconds), streams);
 }
 
@@ -97,7 +98,7 @@ Exit stepArm(const StepOptions& options, const Streams& streams) {
     streams.out << stepObject(step.value()).text() << '\n';
   else
     printStep(step.value(), streams.out);
-  for (const std::string& note : notesOn(step.value())) streams.err << note << '\n';
+  for (const std::string& note : notesOn(step.value())) streams.err << printed(note) << '\n';
   const Exit written = writeTable(options.csv, csvOf(step.value()), streams);
   return step.value().fault.empty() ? written : Exit::Fault;
 }

@@ -8,6 +8,7 @@
 #include "app/cli/lesson_try.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/shipped.h"
+#include "core/base/printed.h"
 #include "core/lesson/read.h"
 #include "core/system/resource_paths.h"
 
@@ -32,7 +33,7 @@ Exit checkLessonFiles(const std::vector<std::string>& paths, const Streams& stre
 
 JsonObject listed(const std::string& path, const lesson::Lesson& lesson) {
   JsonObject object;
-  object.addText("name", std::filesystem::path(path).stem().string());
+  object.addText("name", printed(std::filesystem::path(path).stem().string()));
   object.addText("title", lesson.title);
   object.addText("group", lesson.group);
   object.addInteger("steps", lesson.steps.size());
@@ -50,8 +51,8 @@ Exit list(bool json, const Streams& streams) {
       streams.out << listed(path, read.value()).text() << '\n';
       continue;
     }
-    streams.out << std::left << std::setw(28) << std::filesystem::path(path).stem().string() << std::setw(3)
-                << read.value().steps.size() << "steps  " << read.value().title << '\n';
+    streams.out << std::left << std::setw(28) << printed(std::filesystem::path(path).stem().string()) << std::setw(3)
+                << read.value().steps.size() << "steps  " << printed(read.value().title) << '\n';
   }
   return Exit::Well;
 }

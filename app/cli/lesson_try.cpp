@@ -10,6 +10,7 @@
 #include "app/cli/scene_file.h"
 #include "app/cli/setting_overrides.h"
 #include "app/cli/shipped.h"
+#include "core/base/printed.h"
 #include "core/lesson/check_text.h"
 #include "core/lesson/read.h"
 #include "core/scene/scene_arm.h"
@@ -48,7 +49,7 @@ void printOutcome(const lesson::Step& step, const device::LessonOutcome& outcome
   for (std::size_t index = 0; index < step.checks.size(); ++index) {
     const lesson::CheckState& state = outcome.states[index];
     const std::string said = describeCheck(step.checks[index], state);
-    if (!json) streams.out << (state.solved ? "solved   " : "missing  ") << said << '\n';
+    if (!json) streams.out << (state.solved ? "solved   " : "missing  ") << printed(said) << '\n';
     JsonObject& object = checks.emplace_back();
     object.addBool("solved", state.solved);
     object.addText("said", said);

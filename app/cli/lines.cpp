@@ -9,6 +9,7 @@
 #include <ostream>
 #include <utility>
 
+#include "core/base/printed.h"
 #include "core/system/channel.h"
 
 namespace underact::cli {
@@ -97,13 +98,13 @@ Lines::~Lines() {
   has_ended ? thread_.join() : thread_.detach();
 }
 
-void Lines::operator()(std::string line) {
+void Lines::operator()(const std::string& line) {
   const std::scoped_lock lock(state_->mutex);
   if (state_->waiting.size() >= kMost) {
     ++state_->left_out;
     return;
   }
-  state_->waiting.push_back(std::move(line));
+  state_->waiting.push_back(printed(line));
   state_->changed.notify_all();
 }
 

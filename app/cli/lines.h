@@ -21,8 +21,8 @@ class Lines {
   Lines(const Lines&) = delete;
   Lines& operator=(const Lines&) = delete;
 
-  /// Any thread. Never waits.
-  void operator()(std::string line);
+  /// Any thread. Never waits. line: as printed() shows it.
+  void operator()(const std::string& line);
 
  private:
   struct State;

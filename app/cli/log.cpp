@@ -13,6 +13,7 @@
 #include "app/cli/python.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/session_table.h"
+#include "core/base/printed.h"
 #include "core/record/columns_text.h"
 #include "core/record/csv.h"
 #include "core/record/csv_metadata.h"
@@ -222,7 +223,7 @@ Exit removeParticipant(const RemoveOptions& options, const Streams& streams) {
   const record::ParticipantFiles files = record::filesOfParticipant(options.participant, options.places);
   print(files.unread, streams.err);
   for (const std::vector<std::string>* const list : {&files.sessions, &files.exports}) {
-    for (const std::string& path : *list) streams.out << path << '\n';
+    for (const std::string& path : *list) streams.out << printed(path) << '\n';
   }
   const std::size_t count = files.sessions.size() + files.exports.size();
   if (!options.yes) {

@@ -10,6 +10,7 @@
 #include "app/cli/json_object.h"
 #include "app/cli/progress.h"
 #include "app/cli/scene_file.h"
+#include "core/base/printed.h"
 #include "core/json/json.h"
 #include "core/mesh_file/load.h"
 #include "core/mesh_file/report.h"
@@ -108,7 +109,7 @@ void printAsTable(const std::string& path, const Timed& timed, const MeshOptions
     return out << std::left << std::setw(16) << what;
   };
   const std::array<double, 3> size_mm = sizeOf(facts, scaleOf(options));
-  row("file") << path << '\n';
+  row("file") << printed(path) << '\n';
   row("format") << mesh_file::nameOf(timed.loaded.format) << '\n';
   row("size") << json::numberText(std::round(size_mm[0] * 1e3) / 1e3) << " x "
               << json::numberText(std::round(size_mm[1] * 1e3) / 1e3) << " x "
@@ -121,9 +122,10 @@ void printAsTable(const std::string& path, const Timed& timed, const MeshOptions
   row("sides") << (mesh_file::allowsWalls(facts) ? "both, outside, inside" : "both") << '\n';
   row("loaded") << json::numberText(std::round(timed.seconds * 1e3) / 1e3) << " s"
                 << (timed.loaded.from_cache ? ", from the cache" : "") << '\n';
-  for (const std::string& sentence : mesh_file::reportOf(facts, scaleOf(options))) out << "  " << sentence << '\n';
+  for (const std::string& sentence : mesh_file::reportOf(facts, scaleOf(options)))
+    out << "  " << printed(sentence) << '\n';
   if (const auto proposal = proposalOf(options, facts)) {
-    out << "  " << proposal->sentence << '\n';
+    out << "  " << printed(proposal->sentence) << '\n';
     for (const mesh_file::Unit& unit : proposal->units) {
       out << "  For " << unit.name << ": \"scale_mm_per_unit\": " << json::numberText(unit.mm_per_unit) << '\n';
     }

@@ -12,6 +12,7 @@
 #include "app/cli/recording.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/setting_overrides.h"
+#include "core/base/printed.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
 #include "core/record/csv.h"
@@ -118,7 +119,7 @@ Exit verifyTicks(record::Session& session, const ReplayOptions& options, const S
     streams.err << "Tick " << verified.value().differs->tick << " differs: " << verified.value().differs->column
                 << ".\n";
   }
-  if (!verified.value().unknown.empty()) streams.err << verified.value().unknown << '\n';
+  if (!verified.value().unknown.empty()) streams.err << printed(verified.value().unknown) << '\n';
   streams.out << object.text() << '\n';
   return same ? Exit::Well : Exit::BadInput;
 }

@@ -7,6 +7,7 @@
 #include "app/cli/recording.h"
 #include "app/cli/run_summary.h"
 #include "app/cli/scene_file.h"
+#include "core/base/printed.h"
 #include "core/system/signals.h"
 #include "device/rerun_session.h"
 
@@ -63,7 +64,7 @@ Exit rerun(const RerunChoice& choice, const Streams& streams) {
   if (verified.differs)
     streams.err << "Tick " << verified.differs->tick << " differs: " << verified.differs->column
                 << ". What was run differs from the recording; \"log info --diff\" names what does.\n";
-  if (!verified.unknown.empty()) streams.err << verified.unknown << '\n';
+  if (!verified.unknown.empty()) streams.err << printed(verified.unknown) << '\n';
   streams.out << rerunAnswer(session.value().info(), result.value(), summary, is_same).text() << '\n';
   return is_same ? Exit::Well : Exit::BadInput;
 }

@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/printed.h"
 #include "core/record/fault_file.h"
 
 namespace underact::cli {
@@ -70,7 +71,7 @@ Problems reportFaults(servo::Host& host, Run& run, const std::string& file, cons
   bool first = run.summary().faulted();  // one after the last requested tick does not belong to this run
   while (const std::optional<servo::FaultReport> report = host.takeFault()) {
     run.tell(*report);
-    if (!report->trouble.empty()) streams.err << report->trouble << '\n';
+    if (!report->trouble.empty()) streams.err << printed(report->trouble) << '\n';
     if (first && !file.empty())
       problems = record::writeFaultFile(record::faultText(*report, record::wordsOf(*report)), file);
     first = false;

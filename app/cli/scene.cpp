@@ -8,6 +8,7 @@
 #include "app/cli/command.h"
 #include "app/cli/json_object.h"
 #include "app/cli/scene_file.h"
+#include "core/base/printed.h"
 #include "core/tick/cost.h"
 #include "core/tick/state.h"
 
@@ -91,11 +92,11 @@ void describeAsTable(const LoadedScene& loaded, std::ostream& out) {
   const auto row = [&out](const std::string& what) -> std::ostream& {
     return out << std::left << std::setw(24) << what;
   };
-  row("title") << loaded.description.title << '\n';
-  row("arm") << loaded.description.arm << '\n';
+  row("title") << printed(loaded.description.title) << '\n';
+  row("arm") << printed(loaded.description.arm) << '\n';
   for (std::size_t index = 0; index < loaded.description.constraints.size(); ++index) {
     const scene::Constraint& constraint = loaded.description.constraints[index];
-    row("constraint") << constraint.name << ": " << scene::typeName(constraint.shape) << ", "
+    row("constraint") << printed(constraint.name) << ": " << scene::typeName(constraint.shape) << ", "
                       << lawName(scene::controlOf(loaded.description, index));
     if (const char* solver = solverOf(loaded.program.entries[index])) out << ", " << solver;
     out << '\n';

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/cli/progress.h"
+#include "core/base/printed.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/mesh_notes.h"
 #include "core/scene/read.h"
@@ -39,8 +40,8 @@ void printNotes(const LoadedScene& scene, std::ostream& stream) {
 
 void printNotes(const Problems& notes, std::ostream& stream) {
   for (const Problem& note : notes)
-    stream << note.place.file << ':' << note.place.line << ':' << note.place.column << ": note: " << note.place.key
-           << ": " << note.sentence << '\n';
+    stream << printed(note.place.file) << ':' << note.place.line << ':' << note.place.column
+           << ": note: " << printed(note.place.key + ": " + note.sentence) << '\n';
 }
 
 Exit exitOf(const Problems& problems) {

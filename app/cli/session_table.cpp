@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "app/cli/json_object.h"
+#include "core/base/printed.h"
 #include "core/record/fault_file.h"
 
 namespace underact::cli {
@@ -147,7 +148,7 @@ void printDifferences(const std::vector<record::SessionDifference>& found, std::
     return text.substr(0, end) + "... (" + std::to_string(text.size()) + " bytes)";
   };
   for (const record::SessionDifference& one : found)
-    out << one.what << ": " << shortened(one.a) << " | " << shortened(one.b) << '\n';
+    out << printed(one.what + ": " + shortened(one.a) + " | " + shortened(one.b)) << '\n';
   if (found.empty()) out << "Nothing that was run differs.\n";
 }
 
@@ -169,13 +170,13 @@ void printAsTable(record::Session& session, std::ostream& out) {
   const record::SessionInfo& info = session.info();
   const auto row = [&out](const char* what) -> std::ostream& { return out << std::left << std::setw(14) << what; };
   const auto words = [&](const char* what, const std::string& text) {
-    if (!text.empty()) row(what) << text << '\n';
+    if (!text.empty()) row(what) << printed(text) << '\n';
   };
   words("name", info.header.words.name);
   words("notes", info.header.words.notes);
   words("tags", info.header.words.tags);
   words("subject", info.header.words.subject);
-  row("consent") << (info.header.words.consent.empty() ? "not recorded" : info.header.words.consent) << '\n';
+  words("consent", info.header.words.consent.empty() ? "not recorded" : info.header.words.consent);
   row("started") << startedAt(info) << '\n';
   row("ticks") << info.ticks << " at " << info.header.rate_hz << " Hz\n";
   row("duration") << info.duration_s << " s\n";
@@ -183,22 +184,22 @@ void printAsTable(record::Session& session, std::ostream& out) {
                                       : "no: being recorded, or killed; see log recover")
                 << '\n';
   if (info.dropped > 0) row("dropped") << info.dropped << " ticks\n";
-  row("scene") << info.header.scene_title << ", "
+  row("scene") << printed(info.header.scene_title) << ", "
                << session.changes().size() - std::min<std::size_t>(session.changes().size(), 1) << " edits\n";
-  row("arm") << info.header.arm << '\n';
-  row("device") << info.header.device << '\n';
+  row("arm") << printed(info.header.arm) << '\n';
+  row("device") << printed(info.header.device) << '\n';
   words("hand", runWord(session, {"run", "hand", "name"}));
   words("seed", runWord(session, {"run", "seed"}));
   words("arm model", runWord(session, {"run", "arm_model", "name"}));
-  row("scheduling") << schedulingOf(session) << '\n';
-  row("version") << info.program_version << '\n';
+  row("scheduling") << printed(schedulingOf(session)) << '\n';
+  row("version") << printed(info.program_version) << '\n';
   words("build", runWord(session, {"program", "build_id"}));
   row("size") << info.bytes << " bytes\n";
   for (const servo::FaultMark& mark : stops(session)) {
     row("fault") << "tick " << mark.tick << ": " << whatHappened(mark.fault) << '\n';
   }
   for (const record::Marker& marker : session.markers())
-    row("marker") << "tick " << marker.tick << ": " << marker.label << '\n';
+    row("marker") << "tick " << marker.tick << ": " << printed(marker.label) << '\n';
 }
 
 }  // namespace underact::cli

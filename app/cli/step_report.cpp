@@ -7,6 +7,7 @@
 #include <iomanip>
 #include <ostream>
 
+#include "core/base/printed.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
 #include "core/lab/unit_step.h"
@@ -149,7 +150,7 @@ void printStep(const lab::ArmStep& step, std::ostream& out) {
     fit_zeta = step.fit->zeta;
     fit = lab::metricsOf(lab::secondOrder(*fit_omega, *fit_zeta));
   }
-  row(out, "constraint") << step.constraint << ", " << wordOf(step.law) << ", " << mm(step.step_m) << " along "
+  row(out, "constraint") << printed(step.constraint) << ", " << wordOf(step.law) << ", " << mm(step.step_m) << " along "
                          << (step.axis == lab::Axis::Held ? "the held direction" : name(step.axis)) << '\n';
   line("", "measured", "fit", "model");
   const std::optional<double> model_final =

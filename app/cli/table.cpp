@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "app/cli/json_object.h"
+#include "core/base/printed.h"
 #include "core/json/json.h"
 
 namespace underact::cli {
@@ -29,7 +30,7 @@ struct CsvText {
 
 struct PlainText {
   std::string operator()(std::monostate) const { return "-"; }
-  std::string operator()(const std::string& text) const { return text; }
+  std::string operator()(const std::string& text) const { return printed(text); }
   std::string operator()(double number) const {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.4g", number);

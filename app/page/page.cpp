@@ -7,12 +7,25 @@
 
 #include "app/page/html.h"
 #include "app/page/tex.h"
+#include "app/page/tex_tree.h"
+#include "core/base/translate.h"
 
 namespace underact::page {
 namespace {
 
-constexpr std::size_t kLargest = std::size_t{1} << 20;
 constexpr int kDeepestPage = 60;  // what reads the HTML may go into itself for each level
+constexpr std::size_t kMostProblems = 100;
+
+/// As PageLimits count them.
+std::size_t partsOf(std::string_view html) {
+  std::size_t parts = 0, depth = 0;
+  for (std::size_t at = html.find('<'); at != std::string_view::npos; at = html.find('<', at + 1)) {
+    depth -= depth > 0 && html.substr(at).starts_with("</table") ? 1 : 0;
+    if (html.substr(at).starts_with("<table")) parts += std::size_t{1} << std::min<std::size_t>(depth++, 60);
+    parts += html.substr(at, 2) == "</" ? 0 : 1;
+  }
+  return parts;
+}
 
 std::string textOf(const MD_ATTRIBUTE& attribute) {
   return {attribute.text, attribute.size};
@@ -78,12 +91,22 @@ bool isFormula(MD_SPANTYPE type) {
 /// Builds the page from the parts that md4c reports.
 class Writer {
  public:
-  Writer(std::string_view markdown, const std::string& file, const LinkTo& link_to)
-      : markdown_(markdown), file_(file), link_to_(link_to) {
+  Writer(std::string_view markdown, const std::string& file, const LinkTo& link_to, std::size_t most_parts)
+      : markdown_(markdown), file_(file), link_to_(link_to), most_parts_(most_parts) {
     page_.sections.emplace_back();
   }
-  Page take() { return std::move(page_); }
-  void refuse(std::string sentence) { page_.problems.push_back({std::move(sentence), {file_}}); }
+  /// With what is open closed.
+  Page take() {
+    endSpans();
+    if (in_paragraph_) closeParagraph();
+    for (; !blocks_.empty(); blocks_.pop_back()) page_.html += blocks_.back();
+    return std::move(page_);
+  }
+  void cut(Sentence why) {
+    if (!page_.cut.empty()) return;
+    page_.cut = std::move(why);
+    page_.problems.push_back({page_.cut, {file_}});
+  }
 
   int enter(MD_BLOCKTYPE type, void* detail);
   int leave(MD_BLOCKTYPE type, void* detail);
@@ -92,18 +115,27 @@ class Writer {
   int text(MD_TEXTTYPE type, std::string_view text);
 
  private:
+  int isCut() const { return page_.cut.empty() ? 0 : 1; }
   bool isTooDeep() {
-    if (++depth_ <= kDeepestPage) return false;
-    refuse("This page is nested more than 60 deep.");
-    return true;
+    if (++depth_ > kDeepestPage)
+      cut(said(TRANSLATE_NOOP("problem", "The text is cut here: it is nested more than %1 deep."),
+               {std::to_string(kDeepestPage)}));
+    return !page_.cut.empty();
   }
-  void put(std::string_view html) { page_.html += html; }
+  /// Ends are put beside it: what has begun also ends where the page is cut.
+  bool put(std::string_view html) {
+    parts_ += partsOf(html);
+    if (parts_ > most_parts_)
+      cut(said(TRANSLATE_NOOP("problem", "The text is cut here: it has more than %1 parts."),
+               {std::to_string(most_parts_)}));
+    if (page_.cut.empty()) page_.html += html;
+    return page_.cut.empty();
+  }
   void say(std::string_view plain) { (in_heading_ ? heading_ : page_.sections.back().text) += plain; }
   // md4c 0.4.8 may end a span that it has not begun, or inside another one (an asterisk in a link's target): what is
   // open is closed in its order all the same.
   void openSpan(const char* tag, const std::string& attributes = {}) {
-    put("<" + std::string(tag) + attributes + ">");
-    spans_.push_back(tag);
+    if (put("<" + std::string(tag) + attributes + ">")) spans_.push_back(tag);
   }
   void closeSpan(std::string_view tag) {
     if (std::find(spans_.begin(), spans_.end(), tag) == spans_.end()) return;
@@ -113,7 +145,7 @@ class Writer {
   std::string closeLastSpan() {
     std::string tag = std::move(spans_.back());
     spans_.pop_back();
-    put("</" + tag + ">");
+    page_.html += "</" + tag + ">";
     return tag;
   }
   /// No span continues after its block.
@@ -125,36 +157,44 @@ class Writer {
   }
   void openParagraph() {
     paragraph_at_ = page_.html.size();
-    put("<p>");
-    in_paragraph_ = true;
+    in_paragraph_ = put("<p>");
   }
   void closeParagraph() {
     const bool is_empty = page_.html.size() == paragraph_at_ + 3;
-    is_empty ? page_.html.resize(paragraph_at_) : put("</p>\n");
+    is_empty ? page_.html.resize(paragraph_at_) : (void)page_.html.append("</p>\n");
     in_paragraph_ = false;
   }
   void closeHeading(unsigned level);
   void formula(bool display);
   std::string linked(const std::string& to, bool is_picture);
-  int lineOf(const char* at) const;
+  int lineOf(const char* at);
 
   std::string_view markdown_;
   const std::string& file_;
   const LinkTo& link_to_;
   Page page_;
   std::string heading_, formula_, picture_;
-  std::vector<std::string> spans_;  // open ones, the innermost last
-  std::size_t heading_at_ = 0, paragraph_at_ = 0;
+  std::vector<std::string> spans_;   // open ones, the innermost last
+  std::vector<const char*> blocks_;  // what ends the open ones, the innermost last
+  std::size_t heading_at_ = 0, paragraph_at_ = 0, parts_ = 0, most_parts_ = 0;
+  const char* counted_to_ = nullptr;  // the lines before it are counted
+  int counted_ = 1;
   std::map<std::string, int> anchors_;  // how often each was met
   int depth_ = 0, in_picture_ = 0, line_ = 0;
   bool in_heading_ = false, in_paragraph_ = false, in_formula_ = false;
 };
 
 /// The line of what md4c shows, where it is a part of the page and not a text of its own.
-int Writer::lineOf(const char* at) const {
+int Writer::lineOf(const char* at) {
   const char* start = markdown_.data();
   if (std::less<>()(at, start) || !std::less<>()(at, start + markdown_.size())) return line_;
-  return 1 + static_cast<int>(std::count(start, at, '\n'));
+  if (counted_to_ == nullptr || std::less<>()(at, counted_to_)) {
+    counted_to_ = start;
+    counted_ = 1;
+  }
+  counted_ += static_cast<int>(std::count(counted_to_, at, '\n'));
+  counted_to_ = at;
+  return counted_;
 }
 
 std::string Writer::linked(const std::string& to, bool is_picture) {
@@ -169,7 +209,8 @@ void Writer::closeHeading(unsigned level) {
   const std::string tag = "h" + std::to_string(level);
   const std::string start = "<" + tag + " id=\"" + escaped(anchor) + "\"><a name=\"" + escaped(anchor) + "\"></a>";
   page_.html.insert(heading_at_, start);
-  put("</" + tag + ">\n");
+  page_.html += "</" + tag + ">\n";
+  parts_ += 2;
   if (page_.title.empty()) page_.title = heading_;
   page_.headings.push_back({static_cast<int>(level), heading_, anchor});
   page_.sections.push_back({heading_, anchor, {}});
@@ -177,8 +218,8 @@ void Writer::closeHeading(unsigned level) {
 }
 
 int Writer::enter(MD_BLOCKTYPE type, void* detail) {
-  if (isTooDeep()) return 1;
-  put(tagsOf(type).begin);
+  if (isTooDeep() || !put(tagsOf(type).begin)) return 1;
+  blocks_.push_back(tagsOf(type).end);
   if (type == MD_BLOCK_P) openParagraph();
   if (type == MD_BLOCK_OL) put(std::to_string(static_cast<MD_BLOCK_OL_DETAIL*>(detail)->start) + "\">\n");
   if (type == MD_BLOCK_H) {
@@ -194,17 +235,18 @@ int Writer::enter(MD_BLOCKTYPE type, void* detail) {
     const MD_ALIGN align = static_cast<MD_BLOCK_TD_DETAIL*>(detail)->align;
     put(align == MD_ALIGN_RIGHT ? "right\">" : align == MD_ALIGN_CENTER ? "center\">" : "left\">");
   }
-  return 0;
+  return isCut();
 }
 
 int Writer::leave(MD_BLOCKTYPE type, void* detail) {
   depth_--;
   endSpans();
-  put(tagsOf(type).end);
-  if (type == MD_BLOCK_P) closeParagraph();
+  page_.html += blocks_.back();
+  blocks_.pop_back();
+  if (in_paragraph_) closeParagraph();
   if (type == MD_BLOCK_H) closeHeading(static_cast<MD_BLOCK_H_DETAIL*>(detail)->level);
   if (type != MD_BLOCK_H) say("\n");
-  return 0;
+  return isCut();
 }
 
 int Writer::enter(MD_SPANTYPE type, void* detail) {
@@ -220,7 +262,7 @@ int Writer::enter(MD_SPANTYPE type, void* detail) {
     formula_.clear();
     in_formula_ = true;
   }
-  return 0;
+  return isCut();
 }
 
 int Writer::leave(MD_SPANTYPE type, void*) {
@@ -229,7 +271,7 @@ int Writer::leave(MD_SPANTYPE type, void*) {
   if (in_picture_ > 0) return 0;
   if (const char* const tag = tagOf(type)) closeSpan(tag);
   if (isFormula(type) && in_formula_) formula(type == MD_SPAN_LATEXMATH_DISPLAY);
-  return 0;
+  return isCut();
 }
 
 void Writer::formula(bool display) {
@@ -241,17 +283,19 @@ void Writer::formula(bool display) {
   }
   // A table must not be in a paragraph or in bold text.
   const bool is_own_block = display && in_paragraph_ && spans_.empty();
-  Result<std::string> made = texToHtml(formula_, display && spans_.empty() && !in_heading_, {file_, line_});
+  // What is wrong a hundred times is not looked at once more: to look for the command that was meant takes long.
+  const Result<TexNode> tree =
+      page_.problems.size() < kMostProblems ? parseTex(formula_, {file_, line_}) : Problems{{Sentence()}};
   if (is_own_block) closeParagraph();
-  if (made) {
-    put(made.value());
+  if (tree) {
+    put(texToHtml(tree.value(), display && spans_.empty() && !in_heading_));
   } else {
-    page_.problems.insert(page_.problems.end(), made.problems().begin(), made.problems().end());
+    if (page_.problems.size() < kMostProblems)
+      page_.problems.insert(page_.problems.end(), tree.problems().begin(), tree.problems().end());
     put("<code class=\"wrong\">" + escaped(formula_) + "</code>");
   }
   if (is_own_block) openParagraph();
-  const Result<std::string> plain = texToText(formula_, {file_, line_});
-  say(plain ? plain.value() : formula_);
+  say(tree ? texToText(tree.value()) : formula_);
 }
 
 int Writer::text(MD_TEXTTYPE type, std::string_view text) {
@@ -275,17 +319,19 @@ int Writer::text(MD_TEXTTYPE type, std::string_view text) {
     put(shown);  // as HTML has it, too
   else
     put(escaped(shown));
-  return 0;
+  return isCut();
 }
 
 }  // namespace
 
-Page readPage(std::string_view markdown, const std::string& file, const LinkTo& link_to) {
-  Writer writer(markdown, file, link_to);
-  if (markdown.size() > kLargest) {
-    writer.refuse("A page is at most 1 MiB long.");
-    return writer.take();
+Page readPage(std::string_view markdown, const std::string& file, const LinkTo& link_to, const PageLimits& limits) {
+  const bool is_long = markdown.size() > limits.bytes;
+  if (is_long) {
+    std::size_t end = limits.bytes;
+    while (end > 0 && (static_cast<unsigned char>(markdown[end]) & 0xC0U) == 0x80U) --end;  // whole letters of UTF-8
+    markdown = markdown.substr(0, end);
   }
+  Writer writer(markdown, file, link_to, limits.parts);
   MD_PARSER parser{};
   parser.flags = MD_DIALECT_GITHUB | MD_FLAG_LATEXMATHSPANS | MD_FLAG_NOHTML;
   parser.enter_block = [](MD_BLOCKTYPE type, void* detail, void* to) {
@@ -304,6 +350,9 @@ Page readPage(std::string_view markdown, const std::string& file, const LinkTo& 
     return static_cast<Writer*>(to)->text(type, {text, size});
   };
   md_parse(markdown.data(), static_cast<MD_SIZE>(markdown.size()), &parser, &writer);
+  if (is_long)
+    writer.cut(said(TRANSLATE_NOOP("problem", "The text is cut here: it is longer than %1 KiB."),
+                    {std::to_string(limits.bytes >> 10U)}));
   return writer.take();
 }
 

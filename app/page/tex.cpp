@@ -1,10 +1,11 @@
 #include "app/page/tex.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include "app/page/html.h"
-#include "app/page/tex_tree.h"
 
 namespace underact::page {
 namespace {
@@ -223,28 +224,25 @@ class Display {
 
 }  // namespace
 
-Result<std::string> texToHtml(std::string_view tex, bool display, const SourceLocation& place) {
-  Result<TexNode> tree = parseTex(tex, place);
-  if (!tree) return tree.problems();
-  if (!display) return "<span class=\"formula\">" + Line(" ").of(tree.value()) + "</span>";
-  return "<table class=\"formula\" align=\"center\"" + kTable + "><tr>" + Display().cells(tree.value()) +
-         "</tr></table>\n";
+std::string texToHtml(const TexNode& formula, bool display) {
+  if (!display) return "<span class=\"formula\">" + Line(" ").of(formula) + "</span>";
+  return "<table class=\"formula\" align=\"center\"" + kTable + "><tr>" + Display().cells(formula) + "</tr></table>\n";
 }
 
-Result<std::string> texToText(std::string_view tex, const SourceLocation& place) {
-  Result<std::string> html = texToHtml(tex, false, place);
-  if (!html) return html;
+std::string texToText(const TexNode& formula) {
+  const std::string html = Line(" ").of(formula);
+  constexpr std::array<std::pair<std::string_view, char>, 4> kEntities{
+      {{"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&amp;", '&'}}};
   std::string text;
-  bool in_tag = false;
-  for (const char letter : html.value()) {
-    if (letter == '<') in_tag = true;
-    if (!in_tag) text += letter;
-    if (letter == '>') in_tag = false;
-  }
-  for (const auto& [name, sign] : {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}}) {
-    const std::string entity = name;
-    for (std::size_t at = text.find(entity); at != std::string::npos; at = text.find(entity, at + 1))
-      text.replace(at, entity.size(), sign);
+  for (std::size_t at = 0; at < html.size(); ++at) {
+    if (html[at] == '<') {
+      at = html.find('>', at);
+      continue;
+    }
+    const auto is_here = [&](const auto& entity) { return html.compare(at, entity.first.size(), entity.first) == 0; };
+    const auto* const entity = std::find_if(kEntities.begin(), kEntities.end(), is_here);
+    text += entity == kEntities.end() ? html[at] : entity->second;
+    if (entity != kEntities.end()) at += entity->first.size() - 1;
   }
   return text;
 }

@@ -1,18 +1,16 @@
 #pragma once
 #include <string>
-#include <string_view>
 
-#include "core/base/result.h"
+#include "app/page/tex_tree.h"
 
 namespace underact::page {
 
-/// A formula as HTML that a browser and Qt's rich text both show: Qt does not support MathML, so stacked parts are a
-/// table. The classes it names are those of pageStyle(). tex: the text between the dollar signs. display: a formula on
-/// a line of its own, a block; else one inside a sentence, where a fraction is a/b and a matrix [a, b; c, d]. Problems:
-/// as parseTex().
-Result<std::string> texToHtml(std::string_view tex, bool display, const SourceLocation& place);
+/// A formula of parseTex() as HTML that a browser and Qt's rich text both show: Qt does not support MathML, so stacked
+/// parts are a table. The classes it names are those of pageStyle(). display: a formula on a line of its own, a block;
+/// else one inside a sentence, where a fraction is a/b and a matrix [a, b; c, d].
+std::string texToHtml(const TexNode& formula, bool display);
 
-/// The formula as plain text on one line, for a search: "τ = JpT f". Problems: as parseTex().
-Result<std::string> texToText(std::string_view tex, const SourceLocation& place);
+/// The formula as plain text on one line, for a search: "τ = JpT f".
+std::string texToText(const TexNode& formula);
 
 }  // namespace underact::page

@@ -208,7 +208,8 @@ class TexParser {
     }
     if (rows.size() > 1 && rows.back().size() == 1 && rows.back().front().parts.empty()) rows.pop_back();
     for (const auto& row : rows) grid.columns = std::max(grid.columns, row.size());
-    if (rows.size() * grid.columns > kLongest) stop("A matrix has too many cells.");
+    cells_ += rows.size() * grid.columns;  // also those that only fill a row: a matrix in each cell of a matrix ...
+    if (cells_ > kLongest) stop("A matrix has too many cells.");
     if (stopped_) return grid;
     for (auto& row : rows) {
       row.resize(grid.columns);
@@ -219,7 +220,7 @@ class TexParser {
 
   std::string_view tex_;
   SourceLocation place_;
-  std::size_t at_ = 0;
+  std::size_t at_ = 0, cells_ = 0;  // cells_: of all grids
   int depth_ = 0;
   bool stopped_ = false;
   Problems problems_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/cli/json_object.h"
+#include "app/cli/printed_stream.h"
 #include "app/sweeper/catalogue.h"
 #include "app/sweeper/mpi_team.h"
 #include "app/sweeper/request.h"
@@ -114,7 +115,9 @@ options::Program makeGrammar(const cli::Streams& streams, Team* team, Exit& exit
 
 Exit execute(std::vector<std::string> arguments, const cli::Streams& streams, Team* team) {
   Exit exit = Exit::Well;
-  return cli::perform(makeGrammar(streams, team, exit), std::move(arguments), streams, exit);
+  cli::PrintedStream out(streams.out), err(streams.err);
+  const cli::Streams clean{streams.in, out, err, streams.progress};
+  return cli::perform(makeGrammar(clean, team, exit), std::move(arguments), clean, exit);
 }
 
 }  // namespace underact::sweep

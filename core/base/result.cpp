@@ -1,5 +1,7 @@
 #include "core/base/result.h"
 
+#include "core/base/printed.h"
+
 namespace underact {
 
 std::string describe(const Problem& problem) {
@@ -11,7 +13,7 @@ std::string describe(const Problem& problem) {
   if (!text.empty()) text += " ";
   text += "error: ";
   if (!problem.place.key.empty()) text += problem.place.key + ": ";
-  return text + problem.sentence;
+  return printed(text + problem.sentence);
 }
 
 }  // namespace underact

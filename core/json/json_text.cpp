@@ -3,32 +3,11 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/printed.h"
 #include "core/json/json.h"
 #include "core/json/text.h"
 
 namespace underact::json {
-namespace {
-
-std::string escaped(unsigned char c) {
-  switch (c) {
-    case '"':
-      return "\\\"";
-    case '\\':
-      return "\\\\";
-    case '\n':
-      return "\\n";
-    case '\t':
-      return "\\t";
-    case '\r':
-      return "\\r";
-    default:
-      break;
-  }
-  constexpr const char* kDigits = "0123456789abcdef";
-  return std::string("\\u00") + kDigits[c >> 4U] + kDigits[c & 15U];
-}
-
-}  // namespace
 
 std::string numberText(double value) {
   if (!std::isfinite(value)) return "null";
@@ -44,8 +23,10 @@ std::string quotedText(std::string_view text) {
     const std::size_t length = codePointLength(text, at);
     if (length == 0) {
       result += "\xEF\xBF\xBD";  // U+FFFD for what is not UTF-8: what is written can always be read
-    } else if (c < 0x20 || c == '"' || c == '\\' || c == 0x7F) {
-      result += escaped(c);
+    } else if (c == '"' || c == '\\') {
+      result += {'\\', text[at]};
+    } else if (controlLength(text, at) > 0) {  // of Unicode, too: a terminal shows JSON as it is written
+      result += shownControl(text.substr(at));
     } else {
       result += text.substr(at, length);
     }

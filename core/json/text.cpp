@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/base/printed.h"
 #include "core/base/translate.h"
 #include "core/base/types.h"
 #include "core/json/json.h"
@@ -18,21 +19,6 @@ namespace {
 constexpr std::size_t kLongestShown = 40;  // code points
 constexpr std::size_t kLongestWord = 64;   // bytes; longer ones are not typing errors
 constexpr std::size_t kMostEdits = 12;     // nor are more differences than these
-
-std::size_t tailLength(unsigned char lead) {
-  if (lead >= 0xC2 && lead <= 0xDF) return 1;
-  if (lead >= 0xE0 && lead <= 0xEF) return 2;
-  if (lead >= 0xF0 && lead <= 0xF4) return 3;
-  return 0;
-}
-
-/// Whether the second byte is valid: it decides about overlong forms, surrogates and code points beyond U+10FFFF.
-/// Source: RFC 3629, section 4.
-bool secondFits(unsigned char lead, unsigned char second) {
-  const unsigned char low = lead == 0xE0 ? 0xA0 : lead == 0xF0 ? 0x90 : 0x80;
-  const unsigned char high = lead == 0xED ? 0x9F : lead == 0xF4 ? 0x8F : 0xBF;
-  return second >= low && second <= high;
-}
 
 /// Whether a number outside the range of double is too large rather than too small: by the position of its first digit.
 bool isLarge(std::string_view number) {
@@ -80,15 +66,7 @@ std::string_view stem(std::string_view word) {
 }  // namespace
 
 std::size_t codePointLength(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t index) { return static_cast<unsigned char>(text[index]); };
-  if (at >= text.size()) return 0;
-  if (byte(at) < 0x80) return 1;
-  const std::size_t tail = tailLength(byte(at));
-  if (tail == 0 || at + tail >= text.size() || !secondFits(byte(at), byte(at + 1))) return 0;
-  for (std::size_t index = at + 2; index <= at + tail; ++index) {
-    if (byte(index) < 0x80 || byte(index) > 0xBF) return 0;
-  }
-  return tail + 1;
+  return characterLength(text, at);
 }
 
 double numberOf(std::string_view text) {

@@ -50,7 +50,7 @@ TEST_P(Lessons, NothingIsSolvedByDoingNothing) {
 TEST_P(Lessons, EveryFormulaCanBeShown) {
   for (const lesson::Step& step : lesson_.steps) {
     for (const std::string& text : {step.text, step.hint}) {
-      const page::Page page = page::readPage(text, GetParam());
+      const page::Page page = page::readPage(text, GetParam(), {}, page::kStrangersPage);
       for (const Problem& problem : page.problems) ADD_FAILURE() << step.title << ": " << describe(problem);
     }
   }

@@ -5,15 +5,20 @@
 namespace underact::page {
 namespace {
 
+Result<std::string> htmlOf(const std::string& tex, bool display, const SourceLocation& place) {
+  const Result<TexNode> tree = parseTex(tex, place);
+  return tree ? Result<std::string>(texToHtml(tree.value(), display)) : tree.problems();
+}
+
 std::string line(const std::string& tex) {
-  const Result<std::string> made = texToHtml(tex, false, {});
+  const Result<std::string> made = htmlOf(tex, false, {});
   if (!made) return "! " + made.problems().front().sentence;
   const std::string start = "<span class=\"formula\">", end = "</span>";
   return made.value().substr(start.size(), made.value().size() - start.size() - end.size());
 }
 
 std::string display(const std::string& tex) {
-  const Result<std::string> made = texToHtml(tex, true, {});
+  const Result<std::string> made = htmlOf(tex, true, {});
   return made ? made.value() : "! " + made.problems().front().sentence;
 }
 
@@ -99,7 +104,7 @@ TEST(TexDisplay, TagsMatch) {
 
 TEST(TexProblems, AnUnknownCommandIsNamedWithTheOneMeant) {
   EXPECT_EQ(line("\\thetta"), "! \\thetta is not a command that formulas support. Is \\theta meant?");
-  const Result<std::string> two = texToHtml("\\foo + \\bar{x} + \\baz", false, {"page", 7, 0, {}});
+  const Result<std::string> two = htmlOf("\\foo + \\bar{x} + \\baz", false, {"page", 7, 0, {}});
   ASSERT_FALSE(two);
   EXPECT_EQ(two.problems().size(), 2u) << "both, and not \\bar";
   EXPECT_EQ(two.problems().front().place.line, 7);
@@ -117,6 +122,11 @@ TEST(TexProblems, DepthAndLengthAreBounded) {
   EXPECT_EQ(line(deep + "x"), "! A formula is nested more than 24 deep.");
   EXPECT_EQ(line(std::string(100, '{') + std::string(100, '}')), "! A formula is nested more than 24 deep.");
   EXPECT_EQ(line(std::string(5000, 'x')), "! A formula is at most 4000 bytes long.");
+  std::string grid = "\\begin{matrix}" + std::string(40, '&');
+  for (int row = 0; row < 40; ++row) grid += "\\\\";
+  grid += "a\\end{matrix}";  // 41 x 41 cells of 150 bytes
+  EXPECT_NE(line(grid + grid).substr(0, 2), "! ");
+  EXPECT_EQ(line(grid + grid + grid), "! A matrix has too many cells.") << "together, too";
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ import unittest
 import h5py
 import numpy as np
 from session_writer import SCENE, TICKS, Writer, sphere_ticks, write_session
-from support import ROOT, InFolder
+from support import ROOT, InFolder, command
 from underact import Change, End, Fault, Marker, Session, SessionError, Unreadable, layout
 from underact.info import info_of
 
@@ -38,6 +38,20 @@ class ASession(InFolder):
             self.assertEqual(session.attributes["scene_title"], "Sphere")
             self.assertEqual(session.ticks.meanings["q_rad"], "the q_rad of a row")
             self.assertEqual(session.ticks.units["q_rad"], "rad")
+
+    def test_prints_its_words_as_lines_that_do_not_operate_a_terminal(self):
+        hostile = "\x1b]0;x\x07\x1b[2J\x9b\u202e\r\nFORGED"
+        path = write_session(self.folder / "a.h5")
+        with h5py.File(path, "r+") as file:
+            for name in ("name", "notes", "subject", "scene_title"):
+                file.attrs[name] = np.bytes_(hostile.encode())
+        none = self.folder / f"none{hostile}.h5"
+        for words in (["info", path], ["info", path, "--json"], ["info", none]):
+            _, out, error = command(*words)
+            shown = out + error
+            self.assertIn("\\nFORGED", shown)
+            self.assertNotRegex(shown, "[\x00-\x09\x0b-\x1f\x7f-\x9f\u202e]")
+            self.assertNotIn("\nFORGED", shown)
 
     def test_as_a_frame_has_a_column_for_each_number(self):
         with Session(write_session(self.folder / "a.h5", 120)) as session:

@@ -216,6 +216,7 @@ TEST(AccessStory, ALabelSaysItsNameAndItsWordsAndLeadsToWhatItNames) {
   EXPECT_EQ(names[0].first->object(), &field);
   label.setBuddy(nullptr);
   label.setAccessibleName("Depth of the tip");
+  label.setTextFormat(Qt::RichText);
   label.setText("<b>1.5</b> mm");
   EXPECT_EQ(spokenName(label), "Depth of the tip: 1.5 mm");
   EXPECT_EQ(QAccessible::queryAccessibleInterface(&label)->role(), QAccessible::StaticText);

@@ -121,7 +121,7 @@ bool GuideWindow::present(const QString& place) {
   const QString name = place.section('#', 0, 0), anchor = place.section('#', 1);
   const guide::Entry* entry = guide_.find(name.toStdString());
   if (entry == nullptr) return false;
-  page_->showPage(QString::fromStdString(entry->markdown), QString::fromStdString(guide_.folder));
+  page_->showPage(QString::fromStdString(entry->markdown), QString::fromStdString(guide_.folder), Author::Program);
   if (!anchor.isEmpty()) page_->scrollToAnchor(anchor);
   list_->showPage(name);
   setWindowTitle(tr("%1 – Guide").arg(QString::fromStdString(entry->page.title)));

@@ -95,6 +95,7 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
                              "<p>Tested in simulation only; no part of it has been tested on a real arm yet.</p>")
                               .arg(kVersion, qVersion()),
                           this);
+  text->setTextFormat(Qt::RichText);
   nameWidget(text, "dialog.about.text", tr("About Underact"));
   text->setWordWrap(true);
   text->setMinimumWidth(380);

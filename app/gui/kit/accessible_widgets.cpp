@@ -14,8 +14,8 @@ constexpr const char* kRole = "spoken.role";  // property of a widget that paint
 constexpr int kPause_ms = 500;  // between two announcements of one label: a changing number would drown everything else
 
 QString wordsOf(const QLabel& label) {
-  const bool is_rich =
-      label.textFormat() == Qt::RichText || (label.textFormat() == Qt::AutoText && Qt::mightBeRichText(label.text()));
+  // Text as Application shows it. A label that is not shown yet does not say so, and as HTML it could name files.
+  const bool is_rich = label.textFormat() == Qt::RichText;
   const QString words = is_rich ? QTextDocumentFragment::fromHtml(label.text()).toPlainText() : label.text();
   return label.buddy() == nullptr ? words : QString(words).remove('&');
 }

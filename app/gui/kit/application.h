@@ -5,7 +5,8 @@
 
 namespace underact::gui {
 
-/// The application. An exception in the window's own code does not end it: it is reported, and the window continues.
+/// The application. All labels show plain text, unless they were given another format. An exception in the window's own
+/// code does not end it: it is reported, and the window continues.
 class Application : public QApplication {
  public:
   /// what: the exception's own message.

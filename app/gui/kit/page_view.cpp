@@ -8,7 +8,7 @@
 #include <QImageReader>
 #include <QKeyEvent>
 #include <QMessageBox>
-#include <QPointer>
+#include <QPainter>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollBar>
@@ -19,13 +19,18 @@
 #include <algorithm>
 
 #include "app/gui/kit/theme.h"
+#include "app/gui/kit/words.h"
+#include "app/page/html.h"
 #include "app/page/style.h"
+#include "core/base/translate.h"
 
 namespace underact::gui {
 namespace {
 
 constexpr int kPageMargin = 16;
-constexpr qsizetype kShort = 3;  // letters; shorter words must match whole
+constexpr qsizetype kShort = 3;          // letters; shorter words must match whole
+constexpr int kHighestPicture = 2000;    // logical pixels
+constexpr qsizetype kMostPictures = 20;  // of a stranger's page
 constexpr int kSmallestZoom = 50, kLargestZoom = 300, kZoomStep = 10;
 
 page::Colours coloursOf(const QPalette& palette) {
@@ -45,6 +50,10 @@ QThreadPool& pictureThread() {
   static QThreadPool kPool;
   kPool.setMaxThreadCount(1);
   return kPool;
+}
+
+Problems tooManyPictures() {
+  return {{said(TRANSLATE_NOOP("problem", "A page shows at most %1 pictures."), {std::to_string(kMostPictures)})}};
 }
 
 /// The target of a link, in the form that asked() emits.
@@ -74,10 +83,14 @@ PageView::PageView(QWidget* parent) : QTextBrowser(parent) {
   connect(this, &QTextBrowser::anchorClicked, this, &PageView::follow);
 }
 
-void PageView::showPage(const QString& markdown, const QString& folder) {
+void PageView::showPage(const QString& markdown, const QString& folder, Author author) {
   const QByteArray text = markdown.toUtf8();
-  page_ = page::readPage({text.data(), static_cast<std::size_t>(text.size())}, {});
+  const page::PageLimits limits = author == Author::Program ? page::PageLimits{} : page::kStrangersPage;
+  page_ = page::readPage({text.data(), static_cast<std::size_t>(text.size())}, {}, {}, limits);
+  if (!page_.cut.empty()) page_.html += "<p><i>" + page::escaped(sentenceText(page_.cut).toStdString()) + "</i></p>";
   folder_ = folder;
+  author_ = author;
+  sizes_.clear();
   render();
   verticalScrollBar()->setValue(0);
 }
@@ -88,7 +101,7 @@ void PageView::render() {
   for (const QUrl& name : pictures_.keys()) document()->addResource(QTextDocument::ImageResource, name, {});
   pictures_.clear();  // the document requests them again
   pictures_awaited_ = 0;
-  page_number_++;
+  rendering_ = std::make_shared<int>();
   document()->setDefaultStyleSheet(QString::fromStdString(page::pageStyle(coloursOf(palette()))));
   setHtml(QString::fromStdString(page_.html));
   mark(marked_);
@@ -145,43 +158,73 @@ void PageView::setZoom(int percent) {
   emit zoomed(percent);
 }
 
+/// Never nothing: Qt itself would then read the file of that name, whatever it is.
 QVariant PageView::loadResource(int type, const QUrl& name) {
-  if (type != QTextDocument::ImageResource) return {};
-  if (!name.isRelative() || QDir::isAbsolutePath(name.path())) return {};  // never fetch anything
-  if (const auto known = pictures_.constFind(name); known != pictures_.constEnd()) return *known;
-  const QString path = QDir(folder_).filePath(name.path());
-  QSize size = QImageReader(path).size();  // reads only the header
-  if (!size.isValid()) return {};
-  const int room = qRound(std::max(1, width_ - 2 * kPageMargin) * devicePixelRatioF());
-  if (size.width() > room) size = {room, std::max(1, size.height() * room / size.width())};
+  if (type != QTextDocument::ImageResource) return QByteArray("");
+  const auto known = pictures_.constFind(name);
+  return known != pictures_.constEnd() ? *known : awaitPicture(name);
+}
+
+QSize PageView::roomForPicture() const {
+  const double ratio = devicePixelRatioF();
+  return {qRound(std::max(1, width_ - 2 * kPageMargin) * ratio), qRound(kHighestPicture * ratio)};
+}
+
+/// What is in its place until it is there.
+QImage PageView::awaitPicture(const QUrl& name) {
+  const bool is_own = author_ == Author::Program;
+  QSize size = sizes_.value(name, {1, 1});
+  if (is_own)
+    size = fitted(QImageReader(QDir(folder_).filePath(name.path())).size().expandedTo(size), roomForPicture());
   QImage place(size, QImage::Format_ARGB32_Premultiplied);
   place.fill(Qt::transparent);
   place.setDevicePixelRatio(devicePixelRatioF());
   pictures_.insert(name, place);
-  awaitPicture(name, path, size);
+  pictures_awaited_++;
+  const std::string within = (is_own ? folder_ + "/.." : folder_).toStdString();
+  // An address has no path here; nothing is ever fetched.
+  const std::string path = name.isRelative() ? folder_.toStdString() + "/" + name.path().toStdString() : "/";
+  const bool is_one_too_many = !is_own && pictures_.size() > kMostPictures;
+  pictureThread().start(
+      [this, rendering = std::weak_ptr(rendering_), name, within, path, is_one_too_many, room = roomForPicture()] {
+        if (rendering.expired()) return;
+        const Result<QImage> read =
+            is_one_too_many ? Result<QImage>(tooManyPictures()) : readPagePicture({within, path}, room);
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(),
+            [this, rendering, name, read] {
+              if (!rendering.expired()) putPicture(name, read);
+            },
+            Qt::QueuedConnection);
+      });
   return place;
 }
 
-void PageView::awaitPicture(const QUrl& name, const QString& path, const QSize& size) {
-  pictures_awaited_++;
-  pictureThread().start([view = QPointer<PageView>(this), name, path, size, page = page_number_] {
-    QImage picture = QImage(path).scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-    QMetaObject::invokeMethod(
-        QCoreApplication::instance(),
-        [view, name, page, picture] {
-          if (view != nullptr && view->page_number_ == page) view->putPicture(name, picture);
-        },
-        Qt::QueuedConnection);
-  });
-}
-
-void PageView::putPicture(const QUrl& name, const QImage& picture) {
+void PageView::putPicture(const QUrl& name, const Result<QImage>& read) {
   pictures_awaited_--;
   QImage& kept = pictures_[name];
-  kept = picture;
+  const QSize before = kept.size();
+  kept = read ? read.value() : inWords(read.problems());
   kept.setDevicePixelRatio(devicePixelRatioF());
+  sizes_.insert(name, kept.size());
   document()->addResource(QTextDocument::ImageResource, name, kept);
+  if (kept.size() != before) document()->markContentsDirty(0, document()->characterCount());
   viewport()->update();
+}
+
+/// Why there is no picture, as one.
+QImage PageView::inWords(const Problems& problems) const {
+  const QString words = sentencesOf(problems);
+  const QRect room(0, 0, std::max(1, width_ - 2 * kPageMargin), kHighestPicture);
+  const QRect place = fontMetrics().boundingRect(room, Qt::TextWordWrap, words);
+  QImage image(place.size().expandedTo({1, 1}) * devicePixelRatioF(), QImage::Format_ARGB32_Premultiplied);
+  image.setDevicePixelRatio(devicePixelRatioF());
+  image.fill(Qt::transparent);
+  QPainter painter(&image);
+  painter.setFont(font());
+  painter.setPen(QColor(QString::fromStdString(coloursOf(palette()).quiet)));
+  painter.drawText(QRect(QPoint(), place.size()), Qt::TextWordWrap, words);
+  return image;
 }
 
 void PageView::changeEvent(QEvent* event) {

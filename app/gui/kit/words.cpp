@@ -32,6 +32,10 @@ QString sentenceText(const Sentence& sentence) {
   return QString::fromStdString(filled(pattern, words));
 }
 
+QString menuText(QString name) {
+  return name.replace('&', "&&");
+}
+
 QString sentencesOf(const Problems& problems) {
   QStringList lines;
   for (const Problem& problem : problems) lines << sentenceText(problem.sentence);

@@ -15,6 +15,9 @@ QString tr(const char* text);
 /// A message of the parts below the window in its language, or in English if it has no translation.
 QString sentenceText(const Sentence& sentence);
 
+/// A name for the text of a menu, a button or a tab, where an & would underline the letter behind it.
+QString menuText(QString name);
+
 /// Only the sentences, one per line, for a panel that the user is already looking at.
 QString sentencesOf(const Problems& problems);
 

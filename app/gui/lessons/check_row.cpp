@@ -13,6 +13,7 @@
 #include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_box.h"
 #include "app/gui/kit/push_button.h"
+#include "app/gui/kit/words.h"
 #include "app/gui/lessons/lesson_words.h"
 
 namespace underact::gui {
@@ -62,7 +63,7 @@ void CheckRow::addChoices(const lesson::AskChoice& ask) {
   auto* const column = static_cast<QVBoxLayout*>(layout());
   for (std::size_t index = 0; index < ask.choices.size(); ++index) {
     const QString text = QString::fromStdString(ask.choices[index]);
-    auto* const button = new QRadioButton(QString(text).replace('&', "&&"), this);
+    auto* const button = new QRadioButton(menuText(text), this);
     nameWidget(button, QString("%1.choice%2").arg(name_).arg(index + 1), text,
                tr("An answer to: %1").arg(QString::fromStdString(ask.question)));
     choices_->addButton(button, static_cast<int>(index) + 1);

@@ -153,7 +153,9 @@ void LessonPage::showText() {
 void LessonPage::showHead() {
   const std::size_t all = run_.lesson().steps.size();
   const QString where = tr("%1 – step %2 of %3");
-  lesson_->setText(where.arg(QString::fromStdString(run_.lesson().title)).arg(run_.at() + 1).arg(all));
+  // All at once: a "%2" in the title is text.
+  lesson_->setText(
+      where.arg(QString::fromStdString(run_.lesson().title), QString::number(run_.at() + 1), QString::number(all)));
   const QString title = QString::fromStdString(run_.step().title);
   title_->setText(run_.isSolved(run_.at()) ? tr("✓ %1 (solved)").arg(title) : title);
 }

@@ -17,6 +17,7 @@
 #include "app/gui/kit/page_view.h"
 #include "app/gui/kit/problems_dialog.h"
 #include "app/gui/kit/tight_layout.h"
+#include "app/gui/kit/words.h"
 #include "app/gui/lessons/lesson_library.h"
 #include "app/gui/lessons/lesson_list.h"
 #include "app/gui/lessons/lesson_page.h"
@@ -116,7 +117,7 @@ QMenu* LessonsPanel::makeMenu() {
 void LessonsPanel::fillMenu(QMenu& menu) {
   int number = 0;
   for (const lesson::Lesson& lesson : shipped()) {
-    const QString title = QString::fromStdString(lesson.title).replace('&', "&&");
+    const QString title = menuText(QString::fromStdString(lesson.title));
     QAction* const action = menu.addAction(tr("%1. %2").arg(++number).arg(title));
     action->setStatusTip(QString::fromStdString(lesson.about));
     connect(action, &QAction::triggered, this,

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -226,7 +227,8 @@ void ScenesPanel::resizeEvent(QResizeEvent* event) {
 
 void ScenesPanel::describe() {
   const QListWidgetItem* item = list_->currentItem();
-  about_->showPage(item == nullptr ? QString() : item->data(kAbout).toString(), sceneFolder());
+  if (item == nullptr) return about_->showPage({}, {});
+  about_->showPage(item->data(kAbout).toString(), QFileInfo(item->data(kPathRole).toString()).absolutePath());
 }
 
 void ScenesPanel::setTheme(const Theme& theme) {

@@ -159,7 +159,7 @@ void LiveService::fillMenu() {
   copies(tr("Copy the path of the &token's file"), tokenFile());
   menu_->addSeparator();
   for (const std::string& name : service_->clientNames()) {
-    const QString client = QString::fromStdString(name);
+    const QString client = menuText(QString::fromStdString(name));
     menu_->addAction(name == service_->steeringClient() ? tr("%1 steers").arg(client) : tr("%1 listens").arg(client))
         ->setEnabled(false);
   }

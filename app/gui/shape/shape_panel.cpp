@@ -79,7 +79,8 @@ void ShapePanel::offerReports() {
   for (std::size_t index = 0; index < constraints.size(); ++index) {
     if (!std::holds_alternative<scene::Mesh>(constraints[index].shape)) continue;
     const auto ask = [this, index] { parts_.actions.perform("mesh.report", QVariant::fromValue(index)); };
-    connect(reports_->addAction(QString::fromStdString(constraints[index].name)), &QAction::triggered, this, ask);
+    connect(reports_->addAction(menuText(QString::fromStdString(constraints[index].name))), &QAction::triggered, this,
+            ask);
   }
   const auto count = reports_->actions().size();
   report_->setMenu(count > 1 ? reports_ : nullptr);  // with one mesh there is nothing to choose

@@ -86,8 +86,9 @@ void MainWindow::sceneOpened() {
 
 void MainWindow::updateTitle() {
   const QString title = services_.document->isMirrored() ? tr("%1 (mirrored)[*] – Underact") : tr("%1[*] – Underact");
-  setWindowTitle(services_.document->isOpen() ? title.arg(sceneText(services_.document->scene().title))
-                                              : tr("Underact"));
+  // "[*]" is the mark of changes; twice, it is a part of the name.
+  const QString name = sceneText(services_.document->scene().title).replace("[*]", "[*][*]");
+  setWindowTitle(services_.document->isOpen() ? title.arg(name) : tr("Underact"));
   setWindowModified(services_.document->modified());
   setWindowFilePath({});
 }

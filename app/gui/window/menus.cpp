@@ -41,7 +41,7 @@ void fillRecent(QMenu* menu, Actions& actions, const RecentFiles& recent) {
   menu->clear();
   menu->setEnabled(!recent.paths().isEmpty());
   for (const QString& path : recent.paths()) {
-    QAction* action = menu->addAction(QFileInfo(path).fileName());
+    QAction* action = menu->addAction(menuText(QFileInfo(path).fileName()));
     action->setStatusTip(path);
     QObject::connect(action, &QAction::triggered, &actions, [&actions, path] { actions.perform("scene.open", path); });
   }

@@ -67,7 +67,7 @@ void addFiles(const FeatureParts& parts, const std::vector<FeatureRow>& rows) {
 
 /// text: of the menu entry when there is nothing to undo; with: the pattern with what would be undone.
 void follow(QAction* action, const QString& text, const QString& with, const QString& what) {
-  action->setText(what.isEmpty() ? text : with.arg(what));
+  action->setText(what.isEmpty() ? text : with.arg(menuText(what)));
   action->setIconText(QString(text).remove('&'));
 }
 

@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from .errors import MissingLibrary, SessionError, Unreadable, drawing_errors, missing
+from .errors import MissingLibrary, SessionError, Unreadable, drawing_errors, missing, printed
 
 WELL, BAD_INPUT, USAGE, FILE, LIBRARY = 0, 1, 2, 4, 5
 
@@ -24,8 +24,7 @@ def plot(options: argparse.Namespace) -> int:
         from . import plots, style  # half a second, for no file that is refused
 
         if options.out.suffix.lower().lstrip(".") not in style.FORMATS:
-            print(f"--out {options.out}: a picture ends in .png, .svg or .pdf.", file=sys.stderr)
-            return USAGE
+            raise ValueError(f"--out {options.out}: a picture ends in .png, .svg or .pdf.")
         kinds = list(plots.KINDS) if options.kind == "all" else [options.kind]
         view = plots.view_of(session, options.from_s, options.to_s)
     for kind in kinds:
@@ -149,22 +148,23 @@ def main(arguments: list[str] | None = None) -> int:
     except ModuleNotFoundError as error:
         if (error.name or "").startswith(__package__):
             raise  # one of ours: nothing to install
-        print(missing(error.name), file=sys.stderr)
+        print(printed(missing(error.name)), file=sys.stderr)
         return FILE
     except Unreadable as error:
-        print(error, file=sys.stderr)
+        print(printed(error), file=sys.stderr)
         return FILE
     except MissingLibrary as error:
-        print(error, file=sys.stderr)
+        print(printed(error), file=sys.stderr)
         return LIBRARY
     except SessionError as error:
-        print(error, file=sys.stderr)
+        print(printed(error), file=sys.stderr)
         return BAD_INPUT
     except ValueError as error:
-        print(error, file=sys.stderr)
+        print(printed(error), file=sys.stderr)
         return USAGE
     except OSError as error:
-        print(f"{error.filename or ''}: {error.strerror or error}.".lstrip(": "), file=sys.stderr)
+        sentence = f"{error.filename or ''}: {error.strerror or error}.".lstrip(": ")
+        print(printed(sentence), file=sys.stderr)
         return FILE
     except MemoryError:
         print("There is not enough memory for a session of this length.", file=sys.stderr)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -30,6 +31,20 @@ class DamagedSession(SessionError):
         super().__init__(sentence)
         self.table = table
         self.spans = spans
+
+
+_CONTROLS = re.compile(
+    "[\x00-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"
+)
+
+
+def printed(words: object) -> str:
+    """What a file says, for a line that is printed: its control characters as JSON escapes them, so
+    that it stays one line and a terminal does nothing but show it.
+    """
+    return _CONTROLS.sub(
+        lambda found: "\\n" if found[0] == "\n" else f"\\u{ord(found[0]):04x}", str(words)
+    )
 
 
 @contextmanager

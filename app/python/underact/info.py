@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from datetime import datetime, timezone
 
+from .errors import printed
 from .session import Session
 
 
@@ -51,7 +52,7 @@ def print_info(session: Session, as_json: bool) -> None:
     """Prints info_of to standard output."""
     what = info_of(session)
     if as_json:
-        print(json.dumps(what, ensure_ascii=False))
+        print(printed(json.dumps(what, ensure_ascii=False)))
         return
     for key, value in what.items():
         if isinstance(value, dict) or key == "provenance_changes":
@@ -63,4 +64,4 @@ def print_info(session: Session, as_json: bool) -> None:
                 )
                 or "none"
             )
-        print(f"{key:13} {'' if value is None else value}")
+        print(printed(f"{key:13} {'' if value is None else value}"))

@@ -124,7 +124,7 @@ def labels(rows: list[dict], by: str, width_in: float = 7.0) -> Figure:
         axes.grid(False)
         axes.set_xticks(range(0, len(dampings), 2), [f"{d:g}" for d in dampings[::2]])
         axes.set_yticks(range(0, len(stiffnesses), 3), [f"{k:g}" for k in stiffnesses[::3]])
-        axes.set_title(str(name), loc="left")
+        axes.set_title(str(name), loc="left", parse_math=False)
         if index % columns == 0:
             axes.set_ylabel("K [N/m]")
         if index >= len(variants) - columns:
@@ -157,7 +157,7 @@ def scenes(rows: list[dict], width_in: float = 7.0) -> Figure:
         axes.set_xscale("log", base=2)
         axes.set_yscale("log")
         axes.set_xticks([500, 1000, 2000, 4000], ["500", "1000", "2000", "4000"])
-        axes.set_title(str(name), loc="left")
+        axes.set_title(str(name), loc="left", parse_math=False)
         if index % columns == 0:
             axes.set_ylabel("K [N/m]")
         if index >= len(by_scene) - columns:

@@ -81,7 +81,7 @@ def fronts(rows: list[dict], width_in: float = 7.0) -> Figure:
                 )
         axes.set_xscale("log")
         axes.set_yscale("log")
-        axes.set_title(str(name), loc="left", fontsize=6.0)
+        axes.set_title(str(name), loc="left", fontsize=6.0, parse_math=False)
         axes.tick_params(labelsize=5.0)
         if index % 4 == 0:
             axes.set_ylabel("error [mm]", fontsize=6.0)
