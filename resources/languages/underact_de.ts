@@ -59,6 +59,10 @@
         <translation>im Ruhezustand</translation>
     </message>
     <message>
+        <source>window busy</source>
+        <translation>Fenster beschäftigt</translation>
+    </message>
+    <message>
         <source>Some meshes of the arm are not drawn. The panel Arm says why.</source>
         <translation>Einige Netze des Arms werden nicht gezeichnet. Warum, sagt der Bereich Arm.</translation>
     </message>
@@ -695,6 +699,10 @@ Grenze: %4 (%5).</translation>
     <message>
         <source>%1. %2 damaged ticks of the session were left out.</source>
         <translation>%1. %2 beschädigte Takte der Sitzung wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The recording has %1 files, because one session may not be longer. The last one is %2.</source>
+        <translation>Die Aufzeichnung hat %1 Dateien, weil eine Sitzung nicht länger sein darf. Die letzte ist %2.</translation>
     </message>
     <message>
         <source>%1 ticks are missing: the computer was too busy to write them. The servo kept running.</source>
@@ -3310,6 +3318,30 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Belegung konnte nicht in %1 gespeichert werden: %2. Sie gilt, bis Sie das Fenster schließen.</translation>
     </message>
     <message>
+        <source>A page without a folder has no pictures.</source>
+        <translation>Eine Seite ohne Ordner hat keine Bilder.</translation>
+    </message>
+    <message>
+        <source>A picture must be in the folder of the file that shows it.</source>
+        <translation>Ein Bild muss im Ordner der Datei liegen, die es zeigt.</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>ein Bild</translation>
+    </message>
+    <message>
+        <source>The picture has %1 x %2 pixels; make it smaller than 16 megapixels.</source>
+        <translation>Das Bild hat %1 x %2 Pixel; verkleinern Sie es auf unter 16 Megapixel.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged, or neither PNG nor JPEG.</source>
+        <translation>Das Bild ist beschädigt oder weder PNG noch JPEG.</translation>
+    </message>
+    <message>
+        <source>A page shows at most %1 pictures.</source>
+        <translation>Eine Seite zeigt höchstens %1 Bilder.</translation>
+    </message>
+    <message>
         <source>This window was opened for one arm only.</source>
         <translation>Dieses Fenster wurde nur für einen Arm geöffnet.</translation>
     </message>
@@ -3842,6 +3874,14 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Eine URDF-Datei besteht aus einem Element &lt;robot&gt;.</translation>
     </message>
     <message>
+        <source>A reference such as &amp;#65; ends with a semicolon.</source>
+        <translation>Ein Verweis wie &amp;#65; endet mit einem Strichpunkt.</translation>
+    </message>
+    <message>
+        <source>An element can have at most 64 attributes.</source>
+        <translation>Ein Element kann höchstens 64 Attribute haben.</translation>
+    </message>
+    <message>
         <source>The arm stopped answering.</source>
         <translation>Der Arm antwortet nicht mehr.</translation>
     </message>
@@ -3872,6 +3912,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>The computer was asleep for %1 s.</source>
         <translation>Der Rechner war %1 s lang im Ruhezustand.</translation>
+    </message>
+    <message>
+        <source>The window was too busy to hear Stop for %1 s.</source>
+        <translation>Das Fenster war %1 s lang zu beschäftigt, um Stopp zu hören.</translation>
     </message>
     <message>
         <source>Check the cable, then press Start.</source>
@@ -5238,6 +5282,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Aufzeichnung ist unvollständig: %1.</translation>
     </message>
     <message>
+        <source>This is the session itself, which is not replaced. Give another name.</source>
+        <translation>Das ist die Sitzung selbst, die nicht ersetzt wird. Geben Sie einen anderen Namen an.</translation>
+    </message>
+    <message>
         <source>The fault cannot be written to a file: %1.</source>
         <translation>Die Störung kann nicht in eine Datei geschrieben werden: %1.</translation>
     </message>
@@ -5326,6 +5374,30 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Alles bis dahin wurde gespeichert.</translation>
     </message>
     <message>
+        <source>%1 ticks or events are missing in the recording: the computer was too busy to write them.</source>
+        <translation>In der Aufzeichnung fehlen %1 Ticks oder Ereignisse: Der Computer war zu beschäftigt, um sie zu schreiben.</translation>
+    </message>
+    <message>
+        <source>%1 markers are missing: the recording has as many as a session may have.</source>
+        <translation>%1 Marken fehlen: Die Aufzeichnung hat so viele, wie eine Sitzung haben darf.</translation>
+    </message>
+    <message>
+        <source>The session is as long as one may be: the recording goes on in %1.</source>
+        <translation>Die Sitzung ist so lang, wie eine sein darf: Die Aufzeichnung geht in %1 weiter.</translation>
+    </message>
+    <message>
+        <source>Ticks are missing in the recording: the computer is too busy to write them. The servo goes on.</source>
+        <translation>In der Aufzeichnung fehlen Ticks: Der Computer ist zu beschäftigt, um sie zu schreiben. Der Servo läuft weiter.</translation>
+    </message>
+    <message>
+        <source>Recovering takes a copy of the file in its folder, and there is none: %1. Nothing was changed.</source>
+        <translation>Zum Wiederherstellen wird in ihrem Ordner eine Kopie der Datei angelegt, und das gelang nicht: %1. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>It cannot be recovered; nothing was changed.</source>
+        <translation>Sie kann nicht wiederhergestellt werden; nichts wurde geändert.</translation>
+    </message>
+    <message>
         <source>The file is damaged from row %1 on, for %2 ticks; what follows cannot be replayed.</source>
         <translation>Die Datei ist ab Zeile %1 beschädigt, %2 Takte lang; was danach kommt, lässt sich nicht wiedergeben.</translation>
     </message>
@@ -5368,6 +5440,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>The servo's state at the beginning of this session cannot be read: the file is damaged there.</source>
         <translation>Der Zustand des Servos am Anfang dieser Sitzung kann nicht gelesen werden: Die Datei ist dort beschädigt.</translation>
+    </message>
+    <message>
+        <source>The recording was stopped: its table "%1" is as long as that of a session may be. Everything up to then was saved.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The servo's state at the beginning was not recorded completely.</source>
@@ -5582,10 +5658,6 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Der Titel ist leer; sagen Sie in ein paar Worten, was in der Szene zu fühlen ist.</translation>
     </message>
     <message>
-        <source>A scene has 1 to %1 constraints; this one has %2.</source>
-        <translation>Eine Szene hat 1 bis %1 Bindungen; hier sind es %2.</translation>
-    </message>
-    <message>
         <source>a guide</source>
         <translation>eine Führung</translation>
     </message>
@@ -5620,10 +5692,6 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>Without a spring the joint has no rest position; give it "%1", or remove this.</source>
         <translation>Ohne Feder hat das Gelenk keine Ruhelage; geben Sie ihm „%1“, oder entfernen Sie dies.</translation>
-    </message>
-    <message>
-        <source>A virtual robot has 1 to %1 joints; this one has %2.</source>
-        <translation>Ein virtueller Roboter hat 1 bis %1 Gelenke; hier sind es %2.</translation>
     </message>
     <message>
         <source>The orientation "none" does not use this; set "orientation" to "axis", "angle" or "full", or remove this.</source>
@@ -5788,6 +5856,14 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>a velocity filter</source>
         <translation>ein Geschwindigkeitsfilter</translation>
+    </message>
+    <message>
+        <source>A scene has 1 to %1 constraints; this one has %2.</source>
+        <translation>Eine Szene hat 1 bis %1 Bindungen; hier sind es %2.</translation>
+    </message>
+    <message>
+        <source>A virtual robot has 1 to %1 joints; this one has %2.</source>
+        <translation>Ein virtueller Roboter hat 1 bis %1 Gelenke; hier sind es %2.</translation>
     </message>
     <message>
         <source>This is not a finite number; the largest is about 1.8e308.</source>
