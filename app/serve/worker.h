@@ -5,7 +5,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
-#include <vector>
+#include <utility>
 
 namespace underact::serve {
 

@@ -3422,6 +3422,18 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Das Netz %1 wird nicht gezeichnet: %2</translation>
     </message>
     <message>
+        <source>The text is cut here: it is nested more than %1 deep.</source>
+        <translation>Der Text ist hier abgeschnitten: Er ist mehr als %1-fach verschachtelt.</translation>
+    </message>
+    <message>
+        <source>The text is cut here: it has more than %1 parts.</source>
+        <translation>Der Text ist hier abgeschnitten: Er hat mehr als %1 Teile.</translation>
+    </message>
+    <message>
+        <source>The text is cut here: it is longer than %1 KiB.</source>
+        <translation>Der Text ist hier abgeschnitten: Er ist länger als %1 KiB.</translation>
+    </message>
+    <message>
         <source>The file is damaged: reading stopped after %1 vertices and %2 faces.</source>
         <translation>Die Datei ist beschädigt: Nach %1 Ecken und %2 Flächen ging es beim Lesen nicht weiter.</translation>
     </message>
@@ -5443,7 +5455,7 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     </message>
     <message>
         <source>The recording was stopped: its table "%1" is as long as that of a session may be. Everything up to then was saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufzeichnung wurde beendet: Ihre Tabelle „%1“ ist so lang, wie die einer Sitzung sein darf. Alles bis dahin wurde gespeichert.</translation>
     </message>
     <message>
         <source>The servo's state at the beginning was not recorded completely.</source>

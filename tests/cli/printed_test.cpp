@@ -39,7 +39,7 @@ TEST(PrintedWords, OfSessionsCannotOperateATerminal) {
             Exit::Well);
   expectClean({"log", "info", one.path()});
   expectClean({"log", "info", one.path(), "--json"});
-  const std::string renamed = one.path() + kHostile;
+  const std::string renamed = one.path() + kHostile + ".h5";
   std::filesystem::rename(one.path(), renamed);
   expectClean({"log", "remove", "--participant", kHostile, renamed});
   std::filesystem::resize_file(renamed, std::filesystem::file_size(renamed) / 2);
