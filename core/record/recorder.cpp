@@ -29,8 +29,7 @@ constexpr milliseconds kLookAtDisk{500};
 constexpr milliseconds kWaitForEnd{1000};
 constexpr std::int64_t kReserve = 64LL << 20;
 constexpr std::int64_t kReserveShare = 16;  // of what is free at the beginning, on a small disk
-// How full a session is when the next one is asked for: what comes until the servo has given its state still fits,
-// which is at most what its queues hold.
+// How full a session is when the next is asked for: what the servo's queues hold still fits.
 constexpr double kGoesOn = 0.75;
 constexpr int kMostParts = 10'000;
 
@@ -127,7 +126,7 @@ struct Recorder::Impl {
     if (first_ns != 0)
       shown.duration_s = 1e-9 * static_cast<double>(std::max<std::int64_t>(last.time_ns - first_ns, 0));
   }
-  /// What has come; all of a tick that is among the records, since a tick comes last.
+  /// A tick comes last of what belongs to it, so it is taken first.
   void takeRows() {
     records.takeFrom(*tap);
     changes.takeFrom(*tap);
@@ -200,8 +199,7 @@ struct Recorder::Impl {
     const std::scoped_lock lock(mutex);
     shown.files.push_back(part_path);
   }
-  /// A new file; none that exists is touched.
-  Result<SessionWriter> nextFile() {
+  Result<SessionWriter> nextFile() {  // none that exists is touched
     Result<SessionWriter> made = Problems{};
     do {
       part_path = nameOfPart(path, ++part);
@@ -253,6 +251,7 @@ struct Recorder::Impl {
   }
 
   void finish() {
+    std::int64_t saved = 0;  // of this part
     bool in_order = problems.empty() || disk_full || writer.isAtLimit();
     const EndReason reason = disk_full ? EndReason::DiskFull : wished_reason.load();
     if (in_order && !begun)
@@ -262,10 +261,12 @@ struct Recorder::Impl {
       const Problems at_end = writer.end({0, tap->dropped() - dropped_before, unixNow_ns(), reason});
       if (!at_end.empty()) problems = at_end;  // whatever was reported before, the end is missing
       in_order = at_end.empty();
+      saved = writer.savedTicks();
     }
     if (!in_order && !is_closed) {
       writer.abandon();
       const Result<std::int64_t> whole = completeFile(part_path);
+      saved = whole ? whole.value() : 0;
       Sentence& sentence = problems.front().sentence;
       if (whole)
         sentence = oneAfterAnother({sentence, said(TRANSLATE_NOOP("problem", "Everything up to then was saved."))});
@@ -273,6 +274,7 @@ struct Recorder::Impl {
     sayWhatIsMissing();
     const std::scoped_lock lock(mutex);
     shown.bytes = bytes_before + (is_closed ? 0 : sizeOf(part_path));
+    shown.ticks = ticks_before + saved;
     shown.dropped = tap->dropped();
     shown.problems = problems;
     shown.recording = false;

@@ -114,8 +114,9 @@ Problems SessionWriter::limitMet(TableIndex table) {
 
 Problems SessionWriter::append(TableIndex table, const Block& block) {
   if (block.rows > limits_.rowsOf(table) - rows_[table]) return limitMet(table);
-  rows_[table] += block.rows;
-  return file_.append(table, block);
+  Problems problems = file_.append(table, block);
+  if (problems.empty()) rows_[table] += block.rows;
+  return problems;
 }
 
 double SessionWriter::fill() const {

@@ -81,6 +81,8 @@ class SessionWriter {
   /// Closes the file as it is.
   void abandon() { file_.close(); }
   std::int64_t ticks() const { return ticks_; }
+  /// Of these, the ones in whole blocks of the file; after end() all that there are.
+  std::int64_t savedTicks() const { return rows_[kTicks]; }
   /// Whether the disk is full: no more is written, and end() closes the file in order.
   bool isFull() const { return file_.isFull(); }
   /// Whether something did not fit into the limits; end() closes the file in order.

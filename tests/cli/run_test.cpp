@@ -254,8 +254,9 @@ TEST(Run, ARecordingThatEndsEarlyIsInTheExitStatusAndInTheLastLine) {
   EXPECT_EQ(outcome.exit, Exit::File);
   EXPECT_EQ(numberAt(lines(outcome.out).at(0), "ticks"), 4000.0);
   const std::size_t last = outcome.err.rfind('\n', outcome.err.size() - 2) + 1;
-  EXPECT_EQ(outcome.err.find("The recording is not whole: it has ", last) == std::string::npos, false) << outcome.err;
+  EXPECT_NE(outcome.err.find("The recording is not whole: it has ", last), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find(" of 4000 ticks.", last), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("it has 4000 of", last), std::string::npos) << outcome.err;
   EXPECT_EQ(run({"--hand", "still", "--seconds", "0.1", "--fast", "--record", folder.file("A.CSV")}).exit, Exit::Well);
   EXPECT_EQ(fileContent(folder.file("A.CSV")).substr(0, 4), "tick");
 }
