@@ -12,13 +12,24 @@ import unittest
 from collections.abc import Callable, Iterator
 from typing import Any
 
-PRELOADED = {key: os.environ[key] for key in ["LD_PRELOAD"] if key in os.environ}  # ASan, for the interpreter asked below
+PRELOADED = {
+    key: os.environ[key] for key in ["LD_PRELOAD"] if key in os.environ
+}  # ASan, for the interpreter asked below
 
 import beside  # noqa: E402
 from underact import _core  # noqa: E402
 
 TEXT = '{"underact_scene": 1, "title": "A point", "constraints": [{"type": "point", "position_mm": [0, 0, 0], "name": "p"}]}'
-ARGUMENTS: list[tuple] = [(), (None,), (1,), ("omni-thesis",), ([0.0] * 6,), (None, None), (0, [0.0] * 3), (b"",) * 5]
+ARGUMENTS: list[tuple] = [
+    (),
+    (None,),
+    (1,),
+    ("omni-thesis",),
+    ([0.0] * 6,),
+    (None, None),
+    (0, [0.0] * 3),
+    (b"",) * 5,
+]
 
 
 def classes() -> Iterator[type]:
@@ -32,7 +43,11 @@ def made() -> dict[type, Any]:
     """An object of each class of the module."""
     scene = _core.read_scene_text(TEXT, "point.json")
     words = ("still", "", 1000, 1, _core.DEFAULT_ARM_MODEL, "", "", False)
-    return {_core.Arm: _core.Arm("omni-thesis"), _core.Scene: scene, _core.Simulation: _core.Simulation(scene, *words)}
+    return {
+        _core.Arm: _core.Arm("omni-thesis"),
+        _core.Scene: scene,
+        _core.Simulation: _core.Simulation(scene, *words),
+    }
 
 
 def hollow(cls: type) -> Iterator[Callable[[], Any]]:
@@ -46,10 +61,21 @@ def hollow(cls: type) -> Iterator[Callable[[], Any]]:
         for wanted in (cls, child, both):
             yield lambda base=base, wanted=wanted: base.__new__(wanted)
             yield lambda base=base, wanted=wanted: copyreg._reconstructor(wanted, base, None)
-    yield from (cls, child, both, lambda: copyreg.__newobj__(cls), lambda: type(cls)("Bare", (), {})())
+    yield from (
+        cls,
+        child,
+        both,
+        lambda: copyreg.__newobj__(cls),
+        lambda: type(cls)("Bare", (), {})(),
+    )
     name = f"{cls.__module__}\n{cls.__name__}"
-    for base in ("__builtin__\nobject", name):  # as pickle.dumps(..., 0) writes it, and by NEWOBJ and EXT
-        yield lambda base=base: pickle.loads(f"ccopy_reg\n_reconstructor\n(c{name}\nc{base}\nNtR.".encode())
+    for base in (
+        "__builtin__\nobject",
+        name,
+    ):  # as pickle.dumps(..., 0) writes it, and by NEWOBJ and EXT
+        yield lambda base=base: pickle.loads(
+            f"ccopy_reg\n_reconstructor\n(c{name}\nc{base}\nNtR.".encode()
+        )
     yield lambda: pickle.loads(b"\x80\x02c" + name.encode() + b"\n)\x81.")
 
 
@@ -65,10 +91,16 @@ def use(one: Any) -> None:
     """Calls each method with all arguments, reads and sets each property, copies and pickles."""
     for name in dir(type(one)):
         member = tried(getattr, one, name)
-        for words in ARGUMENTS if callable(member) and name not in ("__class__", "__init_subclass__") else []:
+        for words in (
+            ARGUMENTS if callable(member) and name not in ("__class__", "__init_subclass__") else []
+        ):
             tried(member, *words)
         tried(setattr, one, name, 1)
-    for copied in (copy.copy, copy.deepcopy, *([lambda it, n=n: pickle.dumps(it, n) for n in range(6)])):
+    for copied in (
+        copy.copy,
+        copy.deepcopy,
+        *([lambda it, n=n: pickle.dumps(it, n) for n in range(6)]),
+    ):
         tried(copied, one)
     for protocol in range(6):
         tried(one.__reduce_ex__, protocol)
@@ -105,16 +137,27 @@ class Private(unittest.TestCase):
 
     def test_an_object_without_content_says_so_in_every_call(self):
         for cls in (_core.Arm, _core.Scene, _core.Simulation):
-            for name in (name for name, member in vars(cls).items() if isinstance(member, property)):
-                with self.subTest(f"{cls.__name__}.{name}"), self.assertRaisesRegex(TypeError, "__init__ was not called"):
+            for name in (
+                name for name, member in vars(cls).items() if isinstance(member, property)
+            ):
+                with (
+                    self.subTest(f"{cls.__name__}.{name}"),
+                    self.assertRaisesRegex(TypeError, "__init__ was not called"),
+                ):
                     getattr(cls.__new__(cls), name)
         hollow_scene = _core.Scene.__new__(_core.Scene)  # as an argument
         with self.assertRaisesRegex(TypeError, "__init__ was not called"):
-            _core.Simulation(hollow_scene, "still", "", 1000, 1, _core.DEFAULT_ARM_MODEL, "", "", False)
+            _core.Simulation(
+                hollow_scene, "still", "", 1000, 1, _core.DEFAULT_ARM_MODEL, "", "", False
+            )
 
     def test_copies_and_pickles_are_refused_by_their_name(self):
         for one in made().values():
-            for way in (copy.copy, copy.deepcopy, *(lambda it, n=n: pickle.dumps(it, n) for n in range(6))):
+            for way in (
+                copy.copy,
+                copy.deepcopy,
+                *(lambda it, n=n: pickle.dumps(it, n) for n in range(6)),
+            ):
                 with self.assertRaisesRegex(TypeError, "cannot be copied or pickled"):
                     way(one)
 

@@ -24,7 +24,9 @@ KINDS = (
     "hello scene load settings get set stop force mark record subscribe unsubscribe status lease "
     "challenge constraint.add constraint.remove constraint.move no_such"
 ).split()
-KEYS = "paths values f_N for_ms text file stop columns hz format lease nonce constraint name".split()
+KEYS = (
+    "paths values f_N for_ms text file stop columns hz format lease nonce constraint name".split()
+)
 
 
 def scene(draw: random.Random) -> dict:
@@ -46,7 +48,9 @@ def large(draw: random.Random) -> str:
         values = {f"/constraints/{n}/no_such_setting_of_anybody/{n}": n for n in range(count)}
         return json.dumps({"id": 1, "do": "set", "values": values})
     paths = [f"/control/kp_N_per_mn/{n}" for n in range(draw.choice([9_999, count]))]
-    return json.dumps({"id": 1, "do": draw.choice(["get", "subscribe"]), "paths": paths, "columns": paths})
+    return json.dumps(
+        {"id": 1, "do": draw.choice(["get", "subscribe"]), "paths": paths, "columns": paths}
+    )
 
 
 async def misbehave(live, draw: random.Random, end: float) -> None:
@@ -111,7 +115,10 @@ async def main(url: str, token_file: str, seconds: str, seed: str) -> None:
     end = time.monotonic() + float(seconds)
     token = Path(token_file).read_text(encoding="utf-8").strip()
     draws = [random.Random(f"{seed} {one}") for one in range(4)]
-    await asyncio.wait([asyncio.create_task(client(url, token, one, end)) for one in draws], timeout=float(seconds) + 5)
+    await asyncio.wait(
+        [asyncio.create_task(client(url, token, one, end)) for one in draws],
+        timeout=float(seconds) + 5,
+    )
 
 
 if __name__ == "__main__":

@@ -52,7 +52,13 @@ def ends_ms(session: Path, stops_ns: list[int]) -> list[float]:
 @unittest.skipUnless(works("websockets"), "python3-websockets is not installed")
 class Stop(Served):
     def attack(self, seed: int) -> subprocess.Popen:
-        words = [Path(__file__).with_name("hostile_clients.py"), self.url, self.token_file, 3600, seed]
+        words = [
+            Path(__file__).with_name("hostile_clients.py"),
+            self.url,
+            self.token_file,
+            3600,
+            seed,
+        ]
         return subprocess.Popen([sys.executable, *map(str, words)], stderr=subprocess.DEVNULL)
 
     def press(self, draw: random.Random, live: underact.Live) -> int | None:
@@ -71,7 +77,9 @@ class Stop(Served):
             run += 1
             session = self.folder / f"run_{run}.h5"
             stops_ns = []
-            with self.service("--record", session, "--anyone-steers", "--sessions", self.folder / "theirs") as process:
+            with self.service(
+                "--record", session, "--anyone-steers", "--sessions", self.folder / "theirs"
+            ) as process:
                 attack = self.attack(run)
                 try:
                     with self.connect("person") as live:
@@ -88,7 +96,9 @@ class Stop(Served):
                     attack.wait()
             self.assertEqual(process.returncode, 0, said)
             for part in sorted(self.folder.glob("**/*.h5")):
-                done = subprocess.run([CLI, "log", "verify", part], capture_output=True, text=True, check=False)
+                done = subprocess.run(
+                    [CLI, "log", "verify", part], capture_output=True, text=True, check=False
+                )
                 self.assertEqual(done.returncode, 0, f"{part.name}: {done.stdout} {done.stderr}")
             took_ms = ends_ms(session, stops_ns)
             if SOAK:
