@@ -49,7 +49,7 @@ void SecondArm::begin() {
                                   .clock = by_hand ? servo::Clock::Manual : servo::Clock::Thread,
                                   .scheduling = first_.schedulingWanted(),
                                   .max_late = first_.maxLate()});
-  setReached(simulated_.host.get());
+  setReached(true);
   document_ = std::make_unique<Document>(*simulated_.host);
   arms_ = std::make_unique<ArmChoice>(*simulated_.host, *document_, simulated_.chosen, simulated_.arm, nullptr);
   connect(arms_.get(), &ArmChoice::began, this, &SecondArm::changed);
@@ -71,7 +71,7 @@ void SecondArm::end() {
   view_.hideSecond();
   loading_.cancel();
   simulated_.host->stop();
-  setReached(nullptr);
+  setReached(false);
   arms_.reset();
   document_.reset();
   simulated_ = {};  // the arm gets zero force, and is closed
@@ -133,19 +133,19 @@ void SecondArm::stop() {
   if (isOn()) simulated_.host->stop();
 }
 
-void SecondArm::setReached(servo::Host* host) {
+void SecondArm::setReached(bool on) {
   const std::scoped_lock lock(mutex_);
-  reached_ = host;
+  is_reached_ = on;
 }
 
 void SecondArm::stopFromAnyThread() {
   const std::scoped_lock lock(mutex_);
-  if (reached_ != nullptr) ++reached_->stops();
+  if (is_reached_) ++simulated_.host->stops();
 }
 
 void SecondArm::reportBusyWindow(std::int64_t pause_ns) {
   const std::scoped_lock lock(mutex_);
-  if (reached_ != nullptr) reached_->reportBusyWindow(pause_ns);
+  if (is_reached_) simulated_.host->reportBusyWindow(pause_ns);
 }
 
 void SecondArm::setRate(int rate_hz) {

@@ -72,7 +72,7 @@ class SecondArm : public QObject {
   void place();
   void begin();
   void end();
-  void setReached(servo::Host* host);
+  void setReached(bool on);
   void takeScene();
   void takeFaults();
   void moveHand();
@@ -81,8 +81,8 @@ class SecondArm : public QObject {
   ArmChoice& first_arms_;
   SceneView& view_;
   SimulatedHost simulated_;
-  std::mutex mutex_;                // of the next line
-  servo::Host* reached_ = nullptr;  // by other threads
+  std::mutex mutex_;         // of the next line
+  bool is_reached_ = false;  // by other threads
   std::unique_ptr<Document> document_;
   std::unique_ptr<ArmChoice> arms_;
   SceneLoading loading_;
