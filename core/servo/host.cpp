@@ -21,8 +21,7 @@
 
 namespace underact::servo {
 
-// Four times the duration of the gate's release.
-constexpr double kLongestRelease_s = 0.2;
+constexpr double kLongestRelease_s = 0.2;  // four times the duration of the gate's
 
 struct Host::Impl {
   Impl(std::unique_ptr<DevicePort> port, const HostOptions& wanted)
@@ -134,15 +133,13 @@ struct Host::Impl {
     if (tap) tap->announce(revision, scene);
   }
   void record(std::shared_ptr<Tap> wanted) {
-    ending.erase(std::remove_if(ending.begin(), ending.end(), [](const auto& one) { return one->ended(); }),
-                 ending.end());
+    std::erase_if(ending, [](const auto& one) { return one->ended(); });
     if (tap) ending.push_back(std::move(tap));
     tap = std::move(wanted);
     Command command{tap ? Order::Record : Order::EndRecord};
     command.tap = tap.get();
-    if (tap) {
+    if (tap)
       for (const auto& [number, kept] : scenes) tap->announce(number, kept);
-    }
     send(command);
     if (!ticksByItself()) loop.applyCommands();
   }
@@ -165,10 +162,9 @@ struct Host::Impl {
   std::uint64_t revision = 0;
   std::uint64_t orders = 0;
   std::map<std::uint64_t, scene::Description> scenes;
-  std::shared_ptr<Tap> tap;                  // the recorder's
-  std::vector<std::shared_ptr<Tap>> ending;  // the servo may still write into them
-  bool started = false;
-  std::uint64_t started_after = 0;  // Loop::stops() at the last start()
+  std::shared_ptr<Tap> tap;                    // the recorder's
+  std::vector<std::shared_ptr<Tap>> ending;    // the servo may still write into them
+  std::optional<std::uint64_t> started_after;  // Loop::stops() at the last start()
   bool hold_to_run = false;
   double force_share = 1.0;
   Timing timing;
@@ -185,15 +181,10 @@ Problems Host::load(const scene::Description& scene) {
 }
 
 Problems Host::edit(const scene::Description& edited, std::int64_t over_ticks) {
-  switch (scene::changeBetween(impl_->scene, edited)) {
-    case scene::Change::Gains:
-      return impl_->put(edited, Order::Retune);
-    case scene::Change::Targets:
-      return over_ticks > 0 ? impl_->put(edited, Order::Retune, over_ticks) : impl_->put(edited, Order::Move);
-    case scene::Change::Scene:
-      break;
-  }
-  return impl_->put(edited, Order::Load);
+  const scene::Change change = scene::changeBetween(impl_->scene, edited);
+  if (change == scene::Change::Gains) return impl_->put(edited, Order::Retune);
+  if (change == scene::Change::Scene) return impl_->put(edited, Order::Load);
+  return over_ticks > 0 ? impl_->put(edited, Order::Retune, over_ticks) : impl_->put(edited, Order::Move);
 }
 
 void Host::push(const Vec3& f_T_W, std::int64_t ticks) {
@@ -220,10 +211,9 @@ std::uint64_t Host::revision() const {
 }
 
 void Host::start() {
-  impl_->started = true;
-  impl_->started_after = impl_->loop.stops();
   Command command{Order::Start};
-  command.stops = impl_->started_after;
+  command.stops = impl_->loop.stops();
+  impl_->started_after = command.stops;
   impl_->send(command);
 }
 
@@ -233,7 +223,7 @@ void Host::stop() {
 }
 
 bool Host::running() const {
-  return impl_->started && impl_->started_after == impl_->loop.stops() && impl_->loop.snapshot().mode != Mode::Faulted;
+  return impl_->started_after == impl_->loop.stops().load() && impl_->loop.snapshot().mode != Mode::Faulted;
 }
 
 std::atomic<std::uint64_t>& Host::stops() noexcept {
@@ -295,8 +285,8 @@ Problems Host::setRate(int rate_hz) {
   impl_->timed_from = impl_->loop.snapshot().ticks;
   // A fault during the release remains a fault, and needs a Start as always.
   const bool went_well = !impl_->pushes() && impl_->loop.snapshot().mode != Mode::Faulted;
-  const bool was_stopped = impl_->started_after != impl_->loop.stops();  // meanwhile, by another thread
-  impl_->started = false;
+  const bool was_stopped = impl_->started_after != impl_->loop.stops().load();  // meanwhile, by another thread
+  impl_->started_after.reset();
   if (was_begun) begin();
   if (was_running && went_well && !was_stopped) start();
   return {};
@@ -372,17 +362,13 @@ int Host::rateHz() const {
 }
 
 system::Scheduling Host::scheduling() const {
-  if (impl_->ticksByItself()) {
-    system::Scheduling granted =
-        impl_->thread ? impl_->thread->scheduling()
-                      : system::Scheduling{said(TRANSLATE_NOOP("problem", "by the arm's own clock")), "", {}};
-    granted.also.push_back(guarding());
-    return granted;
-  }
-  return {said(impl_->options.clock == Clock::Manual ? TRANSLATE_NOOP("problem", "manual")
-                                                     : TRANSLATE_NOOP("problem", "not started")),
-          "",
-          {}};
+  const bool is_manual = impl_->options.clock == Clock::Manual;
+  if (!impl_->ticksByItself())
+    return {said(is_manual ? TRANSLATE_NOOP("problem", "manual") : TRANSLATE_NOOP("problem", "not started")), "", {}};
+  system::Scheduling granted{said(TRANSLATE_NOOP("problem", "by the arm's own clock")), "", {}};
+  if (impl_->thread) granted = impl_->thread->scheduling();
+  granted.also.push_back(guarding());
+  return granted;
 }
 
 const system::SchedulingRequest& Host::schedulingWanted() const {
