@@ -72,7 +72,7 @@ class Stop(Served):
         return now_ns
 
     def test_takes_effect_at_once_whatever_four_hostile_clients_do(self):
-        draw, tried, worst_ms, run = random.Random(50), 0, {"stop": 0.0, "SIGINT": 0.0}, 0
+        draw, tried, worst_ms, run = random.Random(50), 0, 0.0, 0
         while tried < TRIALS:
             run += 1
             session = self.folder / f"run_{run}.h5"
@@ -100,16 +100,18 @@ class Stop(Served):
                     [CLI, "log", "verify", part], capture_output=True, text=True, check=False
                 )
                 self.assertEqual(done.returncode, 0, f"{part.name}: {done.stdout} {done.stderr}")
-            took_ms = ends_ms(session, stops_ns)
+            # Under a flood of marks it may have gone on in another part.
+            parts = self.folder.glob(f"run_{run}*.h5")
+            moments_ns = [*stops_ns, interrupted_ns]
+            took_ms = np.min([ends_ms(part, moments_ns) for part in parts], axis=0)
             if SOAK:
-                took_ms.append(ends_ms(session, [interrupted_ns])[0])
                 self.assertLess(max(took_ms), WITHIN_MS, f"seed {run}: {took_ms}")
-            worst_ms["stop"] = max([worst_ms["stop"], *took_ms])
+            worst_ms = max(worst_ms, *took_ms)
             self.assertTrue(np.isfinite(took_ms).all())
             tried += len(stops_ns) + 1
             for old in self.folder.glob("**/*.h5"):
                 old.unlink()
-        print(f"\n{tried} Stops, each within {worst_ms['stop']:.1f} ms", file=sys.stderr)
+        print(f"\n{tried} Stops, each within {worst_ms:.1f} ms", file=sys.stderr)
 
 
 if __name__ == "__main__":
