@@ -29,24 +29,31 @@ WITHIN_MS = 20.0
 PUSHES = 2  # of the column "input"
 
 
-def ends_ms(session: Path, stops_ns: list[int]) -> list[float]:
+def ends_ms(parts: list[Path], stops_ns: list[int]) -> list[float]:
     """How long after each of these moments (CLOCK_MONOTONIC) the servo was not to push any more.
 
-    Ticks are a period apart, and more where deadlines were left out. A row of /clock is read after
-    its tick, so the one that was read the soonest says when the ticks were, or a little later.
+    parts: of one recording, in order. Ticks are a period apart, and more where deadlines were left
+    out. A row of /clock is read after its tick, so the one that was read the soonest says when the
+    ticks were, or a little later.
     """
-    with h5py.File(session) as file:
-        ticks, clock = file["ticks"], file["clock"]
-        number, pushes = ticks["tick"][:], (ticks["input"][:] & PUSHES) != 0
-        late_us = ticks["lateness_us"][:]
-        at_ms = np.cumsum(1 + np.floor(late_us / 1000)) + late_us / 1000 % 1
-        rows = np.searchsorted(number, clock["tick"][:])
-        at_ms += (clock["monotonic_ns"][:] / 1e6 - at_ms[rows]).min()
-    ends = []
-    for stop_ns in stops_ns:
-        after = np.flatnonzero((at_ms >= stop_ns / 1e6) & ~pushes)
-        ends.append(at_ms[after[0]] - stop_ns / 1e6 if after.size else np.inf)
-    return ends
+    columns: dict[str, list[np.ndarray]] = {}
+    for part in parts:
+        with h5py.File(part) as file:
+            for name in (
+                "ticks/tick",
+                "ticks/input",
+                "ticks/lateness_us",
+                "clock/tick",
+                "clock/monotonic_ns",
+            ):
+                columns.setdefault(name, []).append(file[name][:])
+    of = {name: np.concatenate(rows) for name, rows in columns.items()}
+    late_ms = of["ticks/lateness_us"] / 1000
+    at_ms = np.cumsum(1 + np.floor(late_ms)) + late_ms % 1
+    rows = np.searchsorted(of["ticks/tick"], of["clock/tick"])
+    at_ms += (of["clock/monotonic_ns"] / 1e6 - at_ms[rows]).min()
+    idle_ms = at_ms[(of["ticks/input"] & PUSHES) == 0]
+    return [min(idle_ms[idle_ms >= one / 1e6], default=np.inf) - one / 1e6 for one in stops_ns]
 
 
 @unittest.skipUnless(works("websockets"), "python3-websockets is not installed")
@@ -100,10 +107,10 @@ class Stop(Served):
                     [CLI, "log", "verify", part], capture_output=True, text=True, check=False
                 )
                 self.assertEqual(done.returncode, 0, f"{part.name}: {done.stdout} {done.stderr}")
-            # Under a flood of marks it may have gone on in another part.
-            parts = self.folder.glob(f"run_{run}*.h5")
-            moments_ns = [*stops_ns, interrupted_ns]
-            took_ms = np.min([ends_ms(part, moments_ns) for part in parts], axis=0)
+            # Under a flood of marks it may have gone on in other parts.
+            others = self.folder.glob(f"run_{run}_*.h5")
+            parts = [session, *sorted(others, key=lambda part: int(part.stem.rsplit("_")[-1]))]
+            took_ms = ends_ms(parts, [*stops_ns, interrupted_ns])
             if SOAK:
                 self.assertLess(max(took_ms), WITHIN_MS, f"seed {run}: {took_ms}")
             worst_ms = max(worst_ms, *took_ms)
