@@ -1,4 +1,5 @@
-"""Clients of the live service who mean no good: `hostile_clients.py URL TOKEN_FILE SECONDS SEED`.
+"""Clients of the live service who mean no good: `hostile_clients.py URL TOKEN_FILE SECONDS SEED
+[REQUEST]`, which they leave out.
 
 Four of them, each with every request there is, well and badly formed, floods, frames of a
 megabyte, scenes that take long to be read, connections that say nothing and that read nothing.
@@ -111,7 +112,8 @@ async def client(url: str, token: str, draw: random.Random, end: float) -> None:
                     await misbehave(live, draw, end)
 
 
-async def main(url: str, token_file: str, seconds: str, seed: str) -> None:
+async def main(url: str, token_file: str, seconds: str, seed: str, unused: str = "") -> None:
+    KINDS[:] = [kind for kind in KINDS if kind != unused]
     end = time.monotonic() + float(seconds)
     token = Path(token_file).read_text(encoding="utf-8").strip()
     draws = [random.Random(f"{seed} {one}") for one in range(4)]

@@ -102,8 +102,8 @@ TEST(StopSoakStory, StopIsHeardWhateverTheWindowIsBusyWith) {
   ASSERT_TRUE(story.perform("service.on", true));
   const auto* const live = story.window().findChild<LiveService*>();
   QProcess strangers;
-  strangers.start("python3", {QString(UNDERACT_SOURCE) + "/tests/python/hostile_clients.py", live->address(),
-                              live->tokenFile(), "3600", "53"});
+  strangers.start("/usr/bin/python3", {QString(UNDERACT_SOURCE) + "/tests/python/hostile_clients.py", live->address(),
+                                       live->tokenFile(), "3600", "53", "stop"});
   const QStringList files = foreignFiles(folder.path());
   underact::test::Random random(underact::test::Seed{53});
   std::vector<double> took_ms;
