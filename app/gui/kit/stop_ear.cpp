@@ -133,11 +133,15 @@ std::unique_ptr<StopEar> StopEar::listen(std::function<void(const Press&)> heard
   if (x11 == nullptr) return nullptr;
   int screen = 0;
   xcb_connection_t* const xcb = xcb_connect(nullptr, &screen);
+  if (xcb_connection_has_error(xcb) != 0) {  // such a one has no screens
+    xcb_disconnect(xcb);
+    return nullptr;
+  }
   xcb_screen_iterator_t screens = xcb_setup_roots_iterator(xcb_get_setup(xcb));
   for (; screen > 0 && screens.rem > 1; --screen) xcb_screen_next(&screens);
   const auto version = held(xcb_input_xi_query_version_reply(xcb, xcb_input_xi_query_version(xcb, 2, 2), nullptr));
   const bool has_raw = version && 256 * version->major_version + version->minor_version >= 256 * 2 + 1;
-  if (xcb_connection_has_error(xcb) == 0 && has_raw)
+  if (has_raw)
     return std::make_unique<XcbEar>(xcb, screens.data->root, *xcb_get_setup(x11->connection()), std::move(heard));
   xcb_disconnect(xcb);
   return nullptr;
