@@ -7,6 +7,7 @@
 
 #include "core/arm/model.h"
 #include "core/base/translate.h"
+#include "core/record/laws.h"
 #include "core/record/recorder.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/scene_arm.h"
@@ -52,7 +53,9 @@ bool hasSameMoreJoints(const servo::TickRecord& a, const servo::TickRecord& b) {
 /// A servo on the simulated arm, as it was.
 class Again {
  public:
-  Again(Session& session, const RerunOptions& options) : session_(session), options_(options) {}
+  Again(Session& session, const RerunOptions& options) : session_(session), options_(options) {
+    result_.mended = record::mendedLaws(session);
+  }
 
   Problems begin(const SimulatedRun& run) {
     const record::SessionHeader& header = session_.info().header;
@@ -95,6 +98,8 @@ class Again {
         if (options_.tick) options_.tick(now);
       });
     }
+    if (!result_.mended.empty() && packer.rows() == recorded.rows)
+      result_.different_ticks += record::countDifferences(recorded, packer.block());
     if (result_.differs || packer.rows() != recorded.rows) return true;  // the rest is run, too
     auto difference = record::firstDifference(recorded, packer.block());
     if (joints_differ && (!difference || *joints_differ < difference->first))

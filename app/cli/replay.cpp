@@ -12,7 +12,7 @@
 #include "app/cli/recording.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/setting_overrides.h"
-#include "core/base/printed.h"
+#include "app/cli/verified_answer.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
 #include "core/record/csv.h"
@@ -111,15 +111,8 @@ Exit verifyTicks(record::Session& session, const ReplayOptions& options, const S
   JsonObject object;
   object.addInteger("ticks", session.info().ticks);
   object.addInteger("identical_ticks", verified.value().ticks);
-  const bool same = !verified.value().differs && verified.value().unknown.empty();
-  object.addBool("identical", same);
-  if (verified.value().differs) {
-    object.addInteger("first_difference_tick", verified.value().differs->tick);
-    object.addText("first_difference_column", verified.value().differs->column);
-    streams.err << "Tick " << verified.value().differs->tick << " differs: " << verified.value().differs->column
-                << ".\n";
-  }
-  if (!verified.value().unknown.empty()) streams.err << printed(verified.value().unknown) << '\n';
+  object.addBool("identical", !verified.value().differs && verified.value().unknown.empty());
+  const bool same = addDifference(object, verified.value(), streams);
   streams.out << object.text() << '\n';
   return same ? Exit::Well : Exit::BadInput;
 }

@@ -7,7 +7,7 @@
 #include "app/cli/recording.h"
 #include "app/cli/run_summary.h"
 #include "app/cli/scene_file.h"
-#include "core/base/printed.h"
+#include "app/cli/verified_answer.h"
 #include "core/system/signals.h"
 #include "device/rerun_session.h"
 
@@ -21,20 +21,20 @@ struct RerunChoice {
   system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
 };
 
-JsonObject rerunAnswer(const record::SessionInfo& info, const device::RerunResult& result, const RunSummary& summary,
-                       bool is_same) {
+Exit answer(const record::SessionInfo& info, const device::RerunResult& result, const RunSummary& summary,
+            const Streams& streams) {
   JsonObject object;
   object.addInteger("ticks", info.ticks);
   object.addInteger("identical_ticks", result.verified.ticks);
-  object.addBool("identical", is_same);
+  object.addBool("identical", !result.verified.differs && result.verified.unknown.empty());
   object.addText("made_from", result.is_from_hand ? "hand" : "recorded input");
-  if (result.verified.differs) {
-    object.addInteger("first_difference_tick", result.verified.differs->tick);
-    object.addText("first_difference_column", result.verified.differs->column);
-  }
+  const bool is_same = addDifference(object, result.verified, streams);
+  if (result.verified.differs && result.verified.mended.empty())
+    streams.err << "What was run differs from the recording; \"log info --diff\" names what does.\n";
   object.addObject("run",
                    summary.json({static_cast<int>(info.header.rate_hz), result.seed, true, "as fast as possible", ""}));
-  return object;
+  streams.out << object.text() << '\n';
+  return is_same ? Exit::Well : Exit::BadInput;
 }
 
 Exit rerun(const RerunChoice& choice, const Streams& streams) {
@@ -59,14 +59,7 @@ Exit rerun(const RerunChoice& choice, const Streams& streams) {
   };
   const Result<device::RerunResult> result = device::rerun(session.value(), options);
   if (!result) return fail(result.problems(), streams);
-  const record::Verified& verified = result.value().verified;
-  const bool is_same = !verified.differs && verified.unknown.empty();
-  if (verified.differs)
-    streams.err << "Tick " << verified.differs->tick << " differs: " << verified.differs->column
-                << ". What was run differs from the recording; \"log info --diff\" names what does.\n";
-  if (!verified.unknown.empty()) streams.err << printed(verified.unknown) << '\n';
-  streams.out << rerunAnswer(session.value().info(), result.value(), summary, is_same).text() << '\n';
-  return is_same ? Exit::Well : Exit::BadInput;
+  return answer(session.value().info(), result.value(), summary, streams);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/arm/model.h"
+#include "core/record/laws.h"
 #include "core/scene/fields.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/scene_arm.h"
@@ -207,6 +208,7 @@ ObjectText provenanceOf(const std::string& session_id, const std::string& contin
   object.addInteger("underact_provenance", 1);
   object.addText("session", session_id);
   if (!continues.empty()) object.addText("continues", continues);
+  object.addAll(lawVersions());
   object.addAll(common);
   return object;
 }

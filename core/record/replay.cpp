@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/translate.h"
+#include "core/record/laws.h"
 #include "core/record/provenance.h"
 #include "core/scene/compile.h"
 #include "core/scene/load_meshes.h"
@@ -86,7 +87,9 @@ class Verification {
         faults_(session.faults()),
         forces_(session.pushes()),
         packer_(tickColumns()),
-        files_in_(files_in) {}
+        files_in_(files_in) {
+    result_.mended = mendedLaws(session);
+  }
 
   /// Compares a block. false: the result is known.
   bool compare(const Block& recorded) {
@@ -100,14 +103,15 @@ class Verification {
       if (listener_.tick) listener_.tick(now);
       ++rows;
     }
-    if (const auto difference = firstDifference(firstRows(recorded, rows), packer_.block())) {
+    const Block compared = firstRows(recorded, rows);
+    if (const auto difference = firstDifference(compared, packer_.block()); difference && !result_.differs) {
       result_.ticks += difference->first;
       result_.differs =
           Difference{unpackTicks(recorded)[static_cast<std::size_t>(difference->first)].tick, difference->second};
-      return false;
     }
-    result_.ticks += rows;
-    return result_.unknown.empty() && problems_.empty();
+    if (!result_.differs) result_.ticks += rows;
+    if (!result_.mended.empty()) result_.different_ticks += countDifferences(compared, packer_.block());
+    return !isDecided();
   }
   void stopAt(const Gap& gap) {
     if (!result_.unknown.empty()) return;
@@ -115,7 +119,9 @@ class Verification {
         TRANSLATE_NOOP("problem", "The file is damaged from row %1 on, for %2 ticks; what follows cannot be replayed."),
         {std::to_string(gap.first_row + 1), std::to_string(gap.rows)});
   }
-  bool isDecided() const { return !result_.unknown.empty() || result_.differs || !problems_.empty(); }
+  bool isDecided() const {
+    return !result_.unknown.empty() || (result_.differs && result_.mended.empty()) || !problems_.empty();
+  }
   Verified result() const { return result_; }
   const Problems& problems() const { return problems_; }
 
@@ -209,6 +215,19 @@ std::optional<std::pair<std::int64_t, std::string>> firstDifference(const Block&
   return first;
 }
 
+std::int64_t countDifferences(const Block& a, const Block& b) {
+  const auto rows = static_cast<std::size_t>(a.rows);
+  std::vector<bool> differs(rows);
+  std::size_t at = 0;
+  for (const Column& column : tickColumns()) {
+    const std::size_t one = bytesOf(column);
+    for (std::size_t row = 0; row < rows && !isMeasured(column); ++row)
+      differs[row] = differs[row] || std::memcmp(&a.bytes[at + row * one], &b.bytes[at + row * one], one) != 0;
+    at += one * rows;
+  }
+  return std::count(differs.begin(), differs.end(), true);
+}
+
 namespace {
 
 Result<Verified> verify(Session& session, const Listener& listener, const std::function<bool(double)>& progress,
@@ -282,6 +301,7 @@ json::ObjectText provenanceAgain(Session& session, const std::string& session_id
   object.addText("session", session_id);
   object.addText("rerun_of", session.info().header.session_id);
   object.addText("rerun_by", "recorded input");
+  object.addAll(lawVersions());
   if (session.provenance().empty()) return object;
   const Result<std::string> text = session.provenanceText(session.provenance().front());
   if (text && json::parse(text.value(), "")) object.addJson("original", text.value());

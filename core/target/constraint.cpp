@@ -44,14 +44,14 @@ Vec3 onto(const Goal& goal, const Memory& memory, const Vec3& p_WG, const Vec3& 
 }
 
 /// The point to which friction holds the target. smooth: the target without friction.
-Vec3 heldPoint(const Constraint& constraint, const Vec3& p_WT, const Target& smooth,
+Vec3 heldPoint(const Constraint& constraint, const Vec3& p_WT, const Target& smooth, double dt_s,
                State& state) noexcept UNDERACT_REAL_TIME {
   Grip& grip = state.grip;
   if (smooth.status != Status::Unique) {
-    grip.holds = false;
+    grip.hold = Hold::None;
     return smooth.p_WP;
   }
-  if (slides(constraint.friction, p_WT, smooth.p_WP, grip))
+  if (slides(constraint.friction, p_WT, smooth.p_WP, dt_s, grip))
     grip.p_WG = onto(constraint.goal, state.memory, grip.p_WG, smooth.p_WP);
   return grip.p_WG;
 }
@@ -109,14 +109,14 @@ Target targetOf(const Constraint& constraint, const Vec3& p_WT, const Mat3& R_WT
   Vec3 lean_W = Vec3::Zero();
   if (const auto* place = std::get_if<MeshPlace>(&goal); place != nullptr && target.status == Status::Unique)
     lean_W = shadingOffset(*place, *std::get_if<MeshState>(&state.memory), p_WT, target.p_WP);
-  if (constraint.friction.isThere()) target.p_WP = heldPoint(constraint, p_WT, target, state);
+  if (constraint.friction.isThere()) target.p_WP = heldPoint(constraint, p_WT, target, dt_s, state);
   target.p_WP += lean_W;
   return target;
 }
 
 void reset(State& state) noexcept {
   makeAnew(state.memory);
-  state.grip.holds = false;
+  state.grip.hold = Hold::None;
 }
 
 void carryOver(const Memory& last, Memory& next) noexcept {
@@ -125,7 +125,7 @@ void carryOver(const Memory& last, Memory& next) noexcept {
 
 void forgetPath(State& state) noexcept {
   if (auto* mesh = std::get_if<MeshState>(&state.memory)) mesh->touch.knows_last = false;
-  state.grip.holds = false;
+  state.grip.hold = Hold::None;
 }
 
 bool isValid(const State& state, const Goal& goal) {

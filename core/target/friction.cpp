@@ -1,16 +1,47 @@
 #include "core/target/friction.h"
 
-namespace underact::target {
+#include <algorithm>
 
-bool slides(const Friction& friction, const Vec3& p_WT, const Vec3& p_WP, Grip& grip) noexcept {
-  if (!grip.holds) {
-    grip = {true, p_WP};
+namespace underact::target {
+namespace {
+
+constexpr double kUsualPeriod_s = 1e-3;
+constexpr double kMicrosecondsPerSecond = 1e6;
+
+/// One tick of sliding by moved_m. It ends where the target is slow, once the share is the dynamic one.
+void slideOn(double moved_m, double dt_s, Grip& grip) noexcept UNDERACT_REAL_TIME {
+  const double part = std::min(dt_s / kSpeedOver_s, 1.0);
+  const double speed_m_per_s = grip.speed_m_per_s + part * (moved_m / dt_s - grip.speed_m_per_s);
+  grip.speed_m_per_s = static_cast<float>(std::min(speed_m_per_s, 1e6));
+  if (grip.relaxation_left_us == 0 && grip.speed_m_per_s < kStickSpeed_m_per_s) grip.hold = Hold::Sticks;
+  const double left_us = grip.relaxation_left_us - kMicrosecondsPerSecond * dt_s;
+  grip.relaxation_left_us = static_cast<std::uint16_t>(std::max(left_us, 0.0));
+}
+
+}  // namespace
+
+double slidingShare(const Friction& friction, const Grip& grip) noexcept {
+  const double still = grip.relaxation_left_us / (kMicrosecondsPerSecond * kRelaxation_s);
+  return friction.dynamic_share + still * (friction.static_share - friction.dynamic_share);
+}
+
+bool slides(const Friction& friction, const Vec3& p_WT, const Vec3& p_WP, double dt_s, Grip& grip) noexcept {
+  if (grip.hold == Hold::None) {
+    grip = {Hold::Sticks, 0, 0, 0.0F, p_WP};
     return false;
   }
   const Vec3 along_W = grip.p_WG - p_WP;
   const double way_m = along_W.norm(), depth_m = (p_WP - p_WT).norm();
-  if (way_m <= friction.static_share * depth_m) return false;
-  grip.p_WG = p_WP + (friction.dynamic_share * depth_m / way_m) * along_W;
+  if (grip.hold == Hold::Sticks) {
+    if (way_m <= friction.static_share * depth_m) return false;
+    grip.hold = Hold::Slides;
+    grip.relaxation_left_us = static_cast<std::uint16_t>(kMicrosecondsPerSecond * kRelaxation_s);
+    grip.speed_m_per_s = 0.0F;
+  }
+  const double lag_m = slidingShare(friction, grip) * depth_m;
+  slideOn(std::max(way_m - lag_m, 0.0), dt_s > 0.0 ? dt_s : kUsualPeriod_s, grip);
+  if (way_m <= lag_m) return false;
+  grip.p_WG = p_WP + (lag_m / way_m) * along_W;
   return true;
 }
 

@@ -725,6 +725,10 @@ Grenze: %4 (%5).</translation>
         <translation>Nicht wiederholt. %1</translation>
     </message>
     <message>
+        <source>Since this session was made, the law of %1 was mended: %2 ticks differ now, the first one is %3.</source>
+        <translation>Seit diese Sitzung entstand, wurde das Gesetz von %1 berichtigt: %2 Takte weichen nun ab, der erste ist %3.</translation>
+    </message>
+    <message>
         <source>Tick %1 differs from the recording: %2.</source>
         <translation>Takt %1 weicht von der Aufzeichnung ab: %2.</translation>
     </message>
@@ -6070,16 +6074,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Eine Sitzung wird mit einer einzigen Kraftgrenze aufgezeichnet. Stoppen Sie zuerst die Aufzeichnung.</translation>
     </message>
     <message>
-        <source>by the arm's own clock</source>
-        <translation>nach der Uhr des Arms</translation>
-    </message>
-    <message>
         <source>manual</source>
         <translation>von Hand</translation>
     </message>
     <message>
         <source>not started</source>
         <translation>nicht begonnen</translation>
+    </message>
+    <message>
+        <source>by the arm's own clock</source>
+        <translation>nach der Uhr des Arms</translation>
     </message>
     <message>
         <source>denormals flushed</source>

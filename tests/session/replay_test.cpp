@@ -7,6 +7,7 @@
 #include <fstream>
 #include <thread>
 
+#include "core/record/laws.h"
 #include "core/scene/edit.h"
 #include "tests/session/rig.h"
 #include "tests/support/property.h"
@@ -47,6 +48,26 @@ TEST(Replay, OfEveryShippedSceneIsTheSameToTheBitFromTheMidstOnAndThroughEdits) 
     }
   }
   EXPECT_GT(edits, 3 * test::shippedScenes().size());
+}
+
+// Made by version 0.1.0 before sliding was mended: it slips, and stuck again after each slip.
+TEST(Replay, OfASessionFromBeforeALawWasMendedNamesTheLawAndCountsTheTicks) {
+  Result<Session> session = Session::open(UNDERACT_TEST_DATA "/golden/session_friction_1.h5");
+  ASSERT_TRUE(session) << session.problems().front().sentence;
+  const Result<Verified> verified = verifyReplay(session.value());
+  ASSERT_TRUE(verified);
+  EXPECT_EQ(verified.value().mended, std::vector<std::string>{"friction"});
+  ASSERT_TRUE(verified.value().differs);
+  EXPECT_EQ(verified.value().differs->tick, 226);  // the first slip
+  EXPECT_EQ(verified.value().ticks, 225);
+  EXPECT_EQ(verified.value().different_ticks, 225);
+  // Made again it names the law of today, and is the same to the bit.
+  const test::ScratchFolder folder;
+  ASSERT_TRUE(rerunFromInput(session.value(), {folder.file("again.h5")}, {}));
+  Result<Session> again = Session::open(folder.file("again.h5"));
+  ASSERT_TRUE(again);
+  EXPECT_TRUE(mendedLaws(again.value()).empty());
+  expectIdentical(folder.file("again.h5"), "made again");
 }
 
 TEST(Replay, FindsTheFirstTickThatComesOutOtherwise) {

@@ -167,8 +167,8 @@ Outcome judgeGrip(Input& input) {
   for (double tick = 0; tick < ticks; ++tick) {
     if (dice.one(8)) p_WT = size_m * dice.inBox(1.0);  // between them it rests
     const Vec3 p_WP(p_WT.x(), p_WT.y(), size_m);
-    const bool is_first = !grip.holds;
-    slides(friction, p_WT, p_WP, grip);
+    const bool is_first = grip.hold == target::Hold::None;
+    slides(friction, p_WT, p_WP, 1e-3, grip);
     const Long depth = Long(p_WP.z()) - p_WT.z(), held = Long(friction.static_share) * depth;
     const std::array<Long, 2> along{right[0] - p_WP.x(), right[1] - p_WP.y()};
     const Long squared = along[0] * along[0] + along[1] * along[1];

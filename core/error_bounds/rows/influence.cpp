@@ -136,16 +136,26 @@ Outcome judgeGrip(Input& input) {
   const Vec3 p_WP = input.vector("p_WP", [&](Dice& dice) { return dice.inBox(size_m * dice.ratio()); });
   const Vec3 p_WT =
       input.vector("p_WT", [&](Dice& dice) { return Vec3(p_WP + size_m * dice.closeness() * dice.direction()); });
-  target::Grip grip{true, input.vector("p_WG", [&](Dice& dice) {
-                      return Vec3(p_WP + size_m * (dice.one(2) ? dice.ratio() : dice.closeness()) * dice.direction());
-                    })};
-  const Vec3 before_W = grip.p_WG;
-  const bool moved = asTheServo([&] { return slides(friction, p_WT, p_WP, grip); });
-  const Real3 along = real(before_W) - real(p_WP);
-  const Real way = norm(along), depth = norm(real(p_WP) - real(p_WT)), held = Real(friction.static_share) * depth;
-  const Real edge = ldexp(Real(way + held), -48) + ldexp(Real(1), -500);  // whose squares are no normal numbers
-  if (moved ? way < held - edge : way > held + edge) return {kInfinity, false};
-  if (!moved) return {grip.p_WG == before_W ? 0.0 : kInfinity, true};
+  const target::Grip before{
+      target::Hold::Sticks, 0, 0, 0.0F, input.vector("p_WG", [&](Dice& dice) {
+        return Vec3(p_WP + size_m * (dice.one(2) ? dice.ratio() : dice.closeness()) * dice.direction());
+      })};
+  const Real3 along = real(before.p_WG) - real(p_WP);
+  const Real way = norm(along), depth = norm(real(p_WP) - real(p_WT));
+  // What sticks lets go at the static share; what slides lags by the dynamic one.
+  bool moved = false;
+  target::Grip grip;
+  for (const target::Hold hold : {target::Hold::Sticks, target::Hold::Slides}) {
+    grip = before;
+    grip.hold = hold;
+    moved = asTheServo([&] { return slides(friction, p_WT, p_WP, 1e-3, grip); });
+    const double share = hold == target::Hold::Sticks ? friction.static_share : friction.dynamic_share;
+    const Real held = Real(share) * depth;
+    const Real edge = ldexp(Real(way + held), -48) + ldexp(Real(1), -500);  // whose squares are no normal numbers
+    if (moved ? way < held - edge : way > held + edge) return {kInfinity, false};
+    if (!moved && grip.p_WG != before.p_WG) return {kInfinity, true};
+  }
+  if (!moved) return {0.0, true};
   const Real length = Real(friction.dynamic_share) * depth;
   const Real3 right = real(p_WP) + Real(length / way) * along;
   return {ulpsOf(grip.p_WG, right, Real(largestOf(p_WP)) + length), false};

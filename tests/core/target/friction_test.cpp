@@ -1,5 +1,8 @@
 #include "core/target/friction.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/target/constraint.h"
 #include "scenes/meshes/make/meshes.h"
 #include "tests/support/property.h"
@@ -29,7 +32,7 @@ double shareOf(const Target& target, const Vec3& p_WT) {
 
 const shape::Plane kFloor = shape::makePlane(Vec3::Zero(), Vec3::UnitZ(), {}).value();
 
-TEST(Friction, HoldsUpToTheStaticShareAndDragsByTheDynamicOne) {
+TEST(Friction, HoldsUpToTheStaticShareAndThenSlidesOnAtTheDynamicOne) {
   const Constraint floor = rough(kFloor, Side::Outside, {0.5, 0.3});
   State state;
   const double depth_m = 0.002;
@@ -38,17 +41,73 @@ TEST(Friction, HoldsUpToTheStaticShareAndDragsByTheDynamicOne) {
   for (; x_m <= 0.5 * depth_m; x_m += 1e-5) {
     ASSERT_EQ(targetWithFriction(floor, {x_m, 0, -depth_m}, state).p_WP, Vec3::Zero()) << "sticks at " << x_m;
   }
-  // It lets go, and drags behind by the dynamic share from then on (it sticks again and lets go once more: 0.3 to 0.5).
-  EXPECT_NEAR(shareOf(targetWithFriction(floor, {x_m, 0, -depth_m}, state), {x_m, 0, -depth_m}), 0.3, 1e-12);
+  double last = 0.5;
   for (int tick = 0; tick < 1000; ++tick) {
-    x_m += 1e-5;
     const double share = shareOf(targetWithFriction(floor, {x_m, 0, -depth_m}, state), {x_m, 0, -depth_m});
-    ASSERT_GE(share, 0.3 - 1e-9);
-    ASSERT_LE(share, 0.5 + 1e-9);
+    // From one to the other within 20 ms, without a step: 0.2 of the depth in 20 ticks.
+    ASSERT_NEAR(share, std::max(0.3, 0.5 - 0.01 * tick), 1e-9) << tick;
+    ASSERT_LE(last - share, 0.01 + 1e-9);
+    last = share;
+    x_m += 1e-5;
   }
-  const Vec3 back_W(x_m - 1e-4, 0, -depth_m);  // the hand turns round: the target stays where it is first
   const Vec3 held_W = state.grip.p_WG;
+  const Vec3 back_W(x_m - 1e-4, 0, -depth_m);  // the hand turns round: the target stays where it is first
   EXPECT_EQ(targetWithFriction(floor, back_W, state).p_WP, held_W);
+  EXPECT_EQ(state.grip.hold, Hold::Slides);
+  for (int tick = 0; tick < 200; ++tick) targetWithFriction(floor, back_W, state);
+  EXPECT_EQ(state.grip.hold, Hold::Sticks) << "it rests, so that the static share holds again";
+}
+
+TEST(Friction, SlidingBegunAnewAlsoHoldsInTheFilesOfOlderStates) {
+  Grip old;
+  old.hold = Hold::Sticks;
+  old.unused = 255, old.relaxation_left_us = 65535, old.speed_m_per_s = NAN;  // what lay beside the flag
+  EXPECT_TRUE(isValid(old));
+  EXPECT_FALSE(slides({0.5, 0.3}, {0, 0, -0.001}, Vec3::Zero(), 1e-3, old));
+  EXPECT_TRUE(slides({0.5, 0.3}, {0.001, 0, -0.001}, {0.001, 0, 0}, 1e-3, old));
+  EXPECT_TRUE(isValid(old));
+  EXPECT_GE(old.speed_m_per_s, 0.0F);
+}
+
+/// The mean lag over the mean depth, both along the path of a tip that goes 20 mm, 4 mm deep, in steps of an encoder.
+double meanShareAt(double speed_m_per_s, const Constraint& constraint, double dt_s) {
+  constexpr double kStep_m = 5.5e-5, kDepth_m = 0.004, kWay_m = 0.06;
+  State state = makeState(constraint.goal);
+  double lag_m = 0.0, depth_m = 0.0;
+  for (double x_m = -0.5 * kWay_m; x_m < 0.5 * kWay_m; x_m += speed_m_per_s * dt_s) {
+    const Vec3 p_WT(kStep_m * std::floor(x_m / kStep_m), 0.001, -kDepth_m);
+    Details details;
+    const Target target = targetOf(constraint, p_WT, Mat3::Identity(), dt_s, state, details);
+    if (x_m < 0.0) continue;  // it slips, and slides from then on
+    lag_m += p_WT.x() - target.p_WP.x();
+    depth_m += target.p_WP.z() - p_WT.z();
+  }
+  return lag_m / depth_m;
+}
+
+// 1 %: the steps of the encoder, 55 um, are 4 % of the lag of 1.2 mm; the mean is that of the law but for one step in
+// its 500.
+TEST(Friction, TheMeanIsTheDynamicShareFrom3To300MillimetresPerSecond) {
+  MeshPlace place;
+  place.surface = mesh::makeSurface(mesh_maker::cube(3000)).value();  // 60 mm
+  place.scale_m = 2e-3;
+  place.p_WM = {0, 0, -0.06};
+  Constraint mesh;
+  mesh.goal = place;
+  mesh.side = Side::Outside;
+  mesh.friction = {0.5, 0.3};
+  const std::vector<Constraint> flat{
+      rough(kFloor, Side::Outside, mesh.friction), mesh,
+      rough(shape::makeBox({0, 0, -0.06}, Vec3::Constant(0.12), Mat3::Identity(), {}).value(), Side::Outside,
+            mesh.friction)};
+  for (const double speed_mm_per_s : {3.0, 10.0, 30.0, 100.0, 300.0}) {
+    for (const double rate_hz : {1000.0, 4000.0}) {
+      for (std::size_t index = 0; index < flat.size(); ++index) {
+        EXPECT_NEAR(meanShareAt(1e-3 * speed_mm_per_s, flat[index], 1.0 / rate_hz), 0.3, 0.003)
+            << speed_mm_per_s << " mm/s, " << rate_hz << " Hz, constraint " << index;
+      }
+    }
+  }
 }
 
 TEST(Friction, WithEqualSharesTheDragIsSteady) {
@@ -65,7 +124,7 @@ TEST(Friction, LeavingTheWallForgetsTheGrip) {
   State state;
   targetWithFriction(floor, {0, 0, -0.001}, state);
   EXPECT_EQ(targetWithFriction(floor, {0.01, 0, 0.001}, state).status, Status::Free);
-  EXPECT_FALSE(state.grip.holds);
+  EXPECT_EQ(state.grip.hold, Hold::None);
   EXPECT_EQ(targetWithFriction(floor, {0.02, 0, -0.001}, state).p_WP, Vec3(0.02, 0, 0));
 }
 
@@ -90,7 +149,8 @@ TEST(Friction, OnEveryShapeTheTargetStaysOnTheShapeAndInTheCone) {
       if (target.status != Status::Unique) continue;
       // On the shape: the nearest of itself. Along it by no more than the static share of the depth.
       ASSERT_NEAR((closestPoint(shape, target.p_WP).p_WP - target.p_WP).norm(), 0.0, 1e-12);
-      ASSERT_LE((target.p_WP - smooth.p_WP).norm(), 0.6 * smooth.distance_m + 1e-6) << "tick " << tick;
+      // What is put back onto a bend lies a little farther along it.
+      ASSERT_LE((target.p_WP - smooth.p_WP).norm(), 0.6 * smooth.distance_m * (1 + 1e-3) + 1e-6) << "tick " << tick;
     }
   }
 }

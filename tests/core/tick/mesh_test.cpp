@@ -184,8 +184,8 @@ TEST(MeshTick, ATargetThatWasMovedHoldsOnNoMoreOneOfOtherGainsDoes) {
   TickState kept = makeState(moved), anew = kept;
   carryOver(hand.state(), kept, Carry::ArmAndLaws);
   carryOver(hand.state(), anew, Carry::ArmAndMovedLaws);
-  EXPECT_TRUE(kept.entries[0].target.grip.holds);
-  EXPECT_FALSE(anew.entries[0].target.grip.holds);  // else the target would stay 2 mm above its floor
+  EXPECT_EQ(kept.entries[0].target.grip.hold, target::Hold::Sticks);
+  EXPECT_EQ(anew.entries[0].target.grip.hold, target::Hold::None);  // else the target would stay 2 mm above its floor
 }
 
 TEST(MeshTick, AfterARestartFrictionHoldsOnNoMore) {
