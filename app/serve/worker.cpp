@@ -17,62 +17,56 @@ Worker::~Worker() {
 void Worker::add(int client, Work work) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    pieces_.push_back({client, std::move(work), nullptr});
+    waiting_.emplace_back(client, std::move(work));
   }
   if (!thread_.joinable()) thread_ = std::thread(&Worker::run, this);
   wakes_.notify_one();
 }
 
 void Worker::drop(int client) {
+  const auto is_its = [=](const auto& piece) { return piece.first == client; };
   const std::lock_guard<std::mutex> lock(mutex_);
-  std::erase_if(pieces_, [=](const Piece& piece) { return piece.client == client; });
+  std::erase_if(waiting_, is_its);
+  std::erase_if(done_, is_its);
+  if (at_work_for_ == client) at_work_for_.reset();
 }
 
 bool Worker::has(int client) const {
+  const auto is_its = [=](const auto& piece) { return piece.first == client; };
   const std::lock_guard<std::mutex> lock(mutex_);
-  return std::any_of(pieces_.begin(), pieces_.end(), [=](const Piece& piece) { return piece.client == client; });
+  return at_work_for_ == client || std::any_of(waiting_.begin(), waiting_.end(), is_its) ||
+         std::any_of(done_.begin(), done_.end(), is_its);
 }
 
 bool Worker::isEmpty() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return pieces_.empty();
+  return !at_work_for_ && waiting_.empty() && done_.empty();
 }
 
 std::optional<std::pair<int, Worker::Then>> Worker::take() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto done =
-      std::find_if(pieces_.begin(), pieces_.end(), [](const Piece& piece) { return piece.then != nullptr; });
-  if (done == pieces_.end()) return std::nullopt;
-  std::pair<int, Then> taken{done->client, std::move(done->then)};
-  pieces_.erase(done);
+  if (done_.empty()) return std::nullopt;
+  std::pair<int, Then> taken = std::move(done_.front());
+  done_.pop_front();
   return taken;
 }
 
 void Worker::run() {
+  Work work;
+  Then then;  // what they hold may be large, so they are destroyed without the lock
   std::unique_lock<std::mutex> lock(mutex_);
-  const auto next = [this] {
-    return std::find_if(pieces_.begin(), pieces_.end(), [](const Piece& piece) { return piece.work != nullptr; });
-  };
   while (true) {
-    wakes_.wait(lock, [&] { return ends_ || next() != pieces_.end(); });
+    wakes_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
     if (ends_) return;
-    const auto piece = next();
-    const int client = piece->client;
-    Work work = std::exchange(piece->work, nullptr);
+    at_work_for_ = waiting_.front().first;
+    std::swap(work, waiting_.front().second);
+    waiting_.pop_front();
     lock.unlock();
-    Then then = work();
-    work = nullptr;  // what it holds may be large: not under the lock
+    then = work();
+    work = nullptr;
     lock.lock();
-    const auto its = std::find_if(pieces_.begin(), pieces_.end(), [=](const Piece& one) {
-      return one.client == client && one.work == nullptr && one.then == nullptr;
-    });
-    if (its != pieces_.end()) {
-      its->then = std::move(then);
-      continue;
-    }
-    lock.unlock();
-    then = nullptr;  // likewise
-    lock.lock();
+    if (at_work_for_) done_.emplace_back(*at_work_for_, std::move(then));
+    at_work_for_.reset();
   }
 }
 

@@ -9,12 +9,14 @@
 
 namespace underact::serve {
 
+struct Client;
+
 /// A thread that does one piece of work after another, for clients by their numbers. Whose work has begun is waited for
 /// by the destructor; work that has not is dropped.
 class Worker {
  public:
-  using Then = std::function<void()>;
-  /// Its result is called by who takes it.
+  using Then = std::function<void(Client&)>;
+  /// Its result is called by who takes it, where the client is still there.
   using Work = std::function<Then()>;
   Worker() = default;
   ~Worker();
@@ -29,20 +31,15 @@ class Worker {
   bool isEmpty() const;
   /// The next that is done, and whose it was.
   std::optional<std::pair<int, Then>> take();
-  /// How many threads it has: 1 once there was work.
-  int threads() const { return thread_.joinable() ? 1 : 0; }
 
  private:
-  struct Piece {
-    int client;
-    Work work;  // null: under way, or done
-    Then then;
-  };
   void run();
 
   mutable std::mutex mutex_;  // of:
   std::condition_variable wakes_;
-  std::deque<Piece> pieces_;
+  std::deque<std::pair<int, Work>> waiting_;
+  std::optional<int> at_work_for_;
+  std::deque<std::pair<int, Then>> done_;
   bool ends_ = false;
   std::thread thread_;
 };
