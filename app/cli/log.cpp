@@ -11,6 +11,7 @@
 #include "app/cli/json_object.h"
 #include "app/cli/progress.h"
 #include "app/cli/python.h"
+#include "app/cli/recording.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/session_table.h"
 #include "core/base/printed.h"
@@ -49,15 +50,6 @@ Exit compareSessions(const std::vector<std::string>& paths, bool json, const Str
 struct ExportOptions {
   std::string file, format, out;
 };
-
-/// The format that a name ends in, in any case; empty: none.
-std::string formatOf(const std::string& name) {
-  std::string ending = std::filesystem::path(name).extension().string();
-  for (char& letter : ending) letter = static_cast<char>(letter | (letter >= 'A' && letter <= 'Z' ? 0x20 : 0));
-  if (ending == ".rrd") return "rerun";
-  if (ending == ".html") return "page";
-  return ending == ".csv" || ending == ".parquet" || ending == ".mcap" ? ending.substr(1) : std::string();
-}
 
 Exit exportCsv(const ExportOptions& options, const Streams& streams) {
   Result<record::Session> session = record::Session::open(options.file);

@@ -6,12 +6,12 @@
 
 namespace underact::cli {
 
-PrintedStream::Filter::int_type PrintedStream::Filter::overflow(int_type letter) {
-  const char text = traits_type::to_char_type(letter);
-  return xsputn(&text, 1) == 1 ? letter : traits_type::eof();
+std::streambuf::int_type PrintedStream::overflow(std::streambuf::int_type letter) {
+  const char text = std::streambuf::traits_type::to_char_type(letter);
+  return xsputn(&text, 1) == 1 ? letter : std::streambuf::traits_type::eof();
 }
 
-std::streamsize PrintedStream::Filter::xsputn(const char* text, std::streamsize count) {
+std::streamsize PrintedStream::xsputn(const char* text, std::streamsize count) {
   const std::string_view given(text, static_cast<std::size_t>(count));
   std::size_t from = 0;  // of what is kept as it is
   for (std::size_t at = 0; at < given.size(); ++at) {

@@ -9,25 +9,17 @@ namespace underact::cli {
 /// that nothing that a command prints can operate the terminal. It is the net: a stranger's words go through printed()
 /// where they are inserted, so that no line break of theirs begins a line. A '\r' passes where it is all that is
 /// written, for a line of progress.
-class PrintedStream : public std::ostream {
+class PrintedStream : private std::streambuf, public std::ostream {
  public:
   /// to: outlives it. What is written is at once in the buffer of `to`.
-  explicit PrintedStream(std::ostream& to) : std::ostream(nullptr), filter_(to) { rdbuf(&filter_); }
+  explicit PrintedStream(std::ostream& to) : std::ostream(this), to_(to) {}
 
  private:
-  class Filter : public std::streambuf {
-   public:
-    explicit Filter(std::ostream& to) : to_(to) {}
+  std::streambuf::int_type overflow(std::streambuf::int_type letter) override;
+  std::streamsize xsputn(const char* text, std::streamsize count) override;
+  int sync() override { return to_.flush() ? 0 : -1; }
 
-   protected:
-    int_type overflow(int_type letter) override;
-    std::streamsize xsputn(const char* text, std::streamsize count) override;
-    int sync() override { return to_.flush() ? 0 : -1; }
-
-   private:
-    std::ostream& to_;
-  };
-  Filter filter_;
+  std::ostream& to_;
 };
 
 }  // namespace underact::cli

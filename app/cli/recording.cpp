@@ -1,16 +1,16 @@
 #include "app/cli/recording.h"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 namespace underact::cli {
 
-bool isCsv(const std::string& path) {
-  constexpr std::string_view kEnding = ".csv";
-  return path.size() >= kEnding.size() &&
-         std::equal(kEnding.begin(), kEnding.end(), path.end() - static_cast<std::ptrdiff_t>(kEnding.size()),
-                    [](char wanted, char letter) { return wanted == (letter | (letter >= 'A' ? 0x20 : 0)); });
+std::string formatOf(const std::string& name) {
+  std::string ending = name.substr(std::min(name.rfind('.'), name.size()));
+  for (char& letter : ending) letter = static_cast<char>(letter | (letter >= 'A' && letter <= 'Z' ? 0x20 : 0));
+  if (ending == ".rrd") return "rerun";
+  if (ending == ".html") return "page";
+  return ending == ".csv" || ending == ".parquet" || ending == ".mcap" ? ending.substr(1) : std::string();
 }
 
 Problems Recording::check(const std::string& path, system::Existing existing) {
@@ -25,7 +25,7 @@ Problems Recording::check(const std::string& path, system::Existing existing) {
 Result<Recording> Recording::start(servo::Host& host, const std::string& path, const record::SessionMetadata& words,
                                    const record::RecorderOptions& options) {
   Recording recording;
-  if (isCsv(path)) {
+  if (formatOf(path) == "csv") {
     Result<record::CsvWriter> csv = record::CsvWriter::create(path, options.existing);
     if (!csv) return csv.problems();
     recording.csv_ = std::move(csv).value();

@@ -10,8 +10,8 @@
 
 namespace underact::cli {
 
-/// Whether a recording of that name is CSV: it ends in .csv, in any case.
-bool isCsv(const std::string& path);
+/// The format that a name ends in, in any case: "csv", "parquet", "mcap", "rerun", "page"; empty: none.
+std::string formatOf(const std::string& name);
 
 /// What `run --record FILE` writes: CSV where the name ends in .csv, else a session.
 class Recording {

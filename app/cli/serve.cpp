@@ -80,7 +80,7 @@ Exit runService(ServeOptions options, const Streams& streams) {
                                 },
                                 device::provenanceOfService(options.isSimulated() ? &prepared->run : nullptr)});
   serve::Service service(alone, {token.value().text, options.anyone_steers});
-  if (isCsv(options.record)) {
+  if (formatOf(options.record) == "csv") {
     Result<record::CsvWriter> opened = record::CsvWriter::create(options.record, options.existing());
     if (!opened) return fail(opened.problems(), Exit::File, streams);
     csv = std::move(opened).value();

@@ -24,7 +24,6 @@ struct Client {
   bool is_silent = false;  // it takes no messages
   bool is_challenged = false;
   int bad_frames = 0;
-  double connected_s = 0.0;
   std::optional<Subscription> subscription = {};
   std::deque<Message> messages = {};  // answers and events
   std::size_t message_bytes = 0;

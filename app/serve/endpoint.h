@@ -1,5 +1,4 @@
 #pragma once
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,7 +17,7 @@ inline constexpr std::size_t kLongestAtOnce = 16384;     // of a frame that the 
 struct Frame {
   std::string text;
   bool is_text = true;
-  std::uint64_t stops = 0;   // Endpoint::stops() when it had come
+  std::uint64_t stops = 0;   // how often the servo had been stopped when it came
   bool has_stopped = false;  // it is a stop, and was counted there
 };
 
@@ -29,10 +28,10 @@ struct HttpRequest {
   std::string body;
 };
 
-/// Its answer, JSON.
 struct HttpAnswer {
   int status = 200;
   std::string body;
+  std::string type = "application/json";
 };
 
 /// What the sockets of a server belong to: messages in, messages out. One thread, but for what says otherwise; no call
@@ -44,16 +43,11 @@ class Endpoint {
   Endpoint(const Endpoint&) = delete;
   Endpoint& operator=(const Endpoint&) = delete;
 
-  // Connections, each with a number.
-  /// None: there are too many.
-  virtual std::optional<int> connect(double now_s) = 0;
-  /// It speaks WebSocket: from now on frames come and go. Until then it may ask over plain HTTP.
-  virtual void open(int connection);
+  // Connections of WebSocket, each with a number.
+  virtual int connect() = 0;
   /// Without effect where it is gone already.
   virtual void disconnect(int connection) = 0;
-  virtual void receive(int connection, std::string_view text, bool is_text, double now_s) = 0;
-  /// The same, with what the sockets' thread knows of it.
-  virtual void receive(int connection, Frame frame, double now_s);
+  virtual void receive(int connection, Frame frame, double now_s) = 0;
   /// Whether it may send many frames, and longer than a few seconds: it has said who it is.
   virtual bool isKnown(int connection) const = 0;
   /// Whether a message waits to be sent to it.
@@ -68,38 +62,14 @@ class Endpoint {
   /// To be called each millisecond while isBusy(), otherwise 30 times a second. now_s: any clock that is not set.
   virtual void poll(double now_s) = 0;
   virtual bool isBusy() const = 0;
-  /// The answer to a request over plain HTTP; none: it speaks WebSocket alone.
-  virtual std::optional<HttpAnswer> answer(const HttpRequest& request);
+  /// The answer to a request over plain HTTP, of those who do not speak WebSocket alone.
+  virtual HttpAnswer answer(const HttpRequest&) { return {426, "This is a WebSocket service.\n", ""}; }
 
-  // Any thread: the sockets' own, while that of the endpoint may be busy.
-  /// Whether a known client's frame ends the force: stops() is counted up as soon as it comes. Bounded for any frame.
-  virtual bool isStop(std::string_view text) const;
-  /// To be counted up by who stops the servo; null: frames stop nothing.
-  virtual std::atomic<std::uint64_t>* stops();
-  /// The answer to a frame that is one too many, instead of receive(); none: such frames have to wait. Bounded.
-  virtual std::optional<std::string> tooSoon(std::string_view text) const;
+  // Any thread: the sockets' own, while that of the endpoint may be busy. Bounded for any frame.
+  /// As soon as a frame comes: ends the force if a known client's frame says so, and notes that in the frame.
+  virtual void heed(Frame&, bool /*is_known*/) {}
+  /// The answer to a frame that is one too many, instead of receive(); none: such frames have to wait.
+  virtual std::optional<std::string> tooSoon(std::string_view) const { return {}; }
 };
-
-inline void Endpoint::open(int) {}
-
-inline void Endpoint::receive(int connection, Frame frame, double now_s) {
-  receive(connection, frame.text, frame.is_text, now_s);
-}
-
-inline bool Endpoint::isStop(std::string_view) const {
-  return false;
-}
-
-inline std::atomic<std::uint64_t>* Endpoint::stops() {
-  return nullptr;
-}
-
-inline std::optional<std::string> Endpoint::tooSoon(std::string_view) const {
-  return std::nullopt;
-}
-
-inline std::optional<HttpAnswer> Endpoint::answer(const HttpRequest&) {
-  return std::nullopt;
-}
 
 }  // namespace underact::serve

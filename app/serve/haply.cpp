@@ -1,7 +1,6 @@
 #include "app/serve/haply.h"
 
 #include <deque>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -41,9 +40,8 @@ struct HaplyService::Impl {
   Service& service;
   haply::SessionWords session;
   int next_number = 1;
-  std::set<int> connections, refused;  // refused: there is a client already
-  std::optional<int> client;           // its connection, and
-  int steers_as = 0;                   // its number as a client of the service
+  std::optional<int> client;  // its connection, and
+  int steers_as = 0;          // its number as a client of the service
   bool wants_state = false, wants_all = false;
   std::int64_t asked_at = 0;  // the newest tick then
   std::deque<Message> messages;
@@ -55,27 +53,17 @@ HaplyService::~HaplyService() {
   if (impl_->client) disconnect(*impl_->client);
 }
 
-std::optional<int> HaplyService::connect(double) {
-  if (impl_->connections.size() >= kMostUnknown) return std::nullopt;
+int HaplyService::connect() {
   const int number = impl_->next_number++;
-  impl_->connections.insert(number);
-  return number;
-}
-
-void HaplyService::open(int connection) {
-  if (impl_->client) {
-    impl_->refused.insert(connection);
-    return;
-  }
-  impl_->client = connection;
+  if (impl_->client) return number;
+  impl_->client = number;
   impl_->steers_as = impl_->service.join("haply");
   impl_->wants_state = impl_->wants_all = true;
   impl_->asked_at = 0;
+  return number;
 }
 
 void HaplyService::disconnect(int connection) {
-  impl_->connections.erase(connection);
-  impl_->refused.erase(connection);
   if (impl_->client != connection) return;
   impl_->service.disconnect(impl_->steers_as);
   impl_->client.reset();
@@ -84,11 +72,11 @@ void HaplyService::disconnect(int connection) {
   impl_->session = {impl_->session.number + 1, "default"};
 }
 
-void HaplyService::receive(int connection, std::string_view text, bool is_text, double) {
+void HaplyService::receive(int connection, Frame frame, double) {
   if (impl_->client != connection) return;
   const Result<haply::Frame> read =
-      is_text && text.size() <= kLongestAtOnce
-          ? haply::readFrame(text)
+      frame.is_text && frame.text.size() <= kLongestAtOnce
+          ? haply::readFrame(frame.text)
           : Result<haply::Frame>(Problems{{"A frame must be JSON text, of at most 16384 bytes."}});
   if (!read) {
     json::ObjectText answer;
@@ -96,11 +84,11 @@ void HaplyService::receive(int connection, std::string_view text, bool is_text, 
     if (impl_->messages.size() < kMostWaiting) impl_->messages.push_back({answer.text(), false});
     return;
   }
-  const haply::Frame& frame = read.value();
+  const haply::Frame& wish = read.value();
   // Where another client steers, the force is not taken; the state is told all the same.
-  if (frame.f_H) impl_->service.push(impl_->steers_as, haply::forceOf(*frame.f_H), kForceFor_s);
-  if (frame.profile) impl_->session.profile = frame.profile->substr(0, kLongestProfile);
-  impl_->wants_all = impl_->wants_all || frame.wants_all;
+  if (wish.f_H) impl_->service.push(impl_->steers_as, haply::forceOf(*wish.f_H), kForceFor_s);
+  if (wish.profile) impl_->session.profile = wish.profile->substr(0, kLongestProfile);
+  impl_->wants_all = impl_->wants_all || wish.wants_all;
   impl_->wants_state = true;
   impl_->asked_at = impl_->service.lastTick().tick;
 }
@@ -120,7 +108,7 @@ bool HaplyService::mayBeRead(int connection) const {
 }
 
 bool HaplyService::closes(int connection) const {
-  return impl_->connections.count(connection) == 0 || impl_->refused.count(connection) > 0;
+  return impl_->client != connection;
 }
 
 void HaplyService::poll(double) {
@@ -137,11 +125,11 @@ bool HaplyService::isBusy() const {
   return impl_->client.has_value();
 }
 
-std::optional<HttpAnswer> HaplyService::answer(const HttpRequest& request) {
+HttpAnswer HaplyService::answer(const HttpRequest& request) {
   const std::string path = request.target.substr(0, request.target.find('?'));
   const std::string session = "/sessions/" + std::to_string(impl_->session.number);
-  if (path == "/version") return HttpAnswer{200, haply::versionText().text()};
-  if (path == "/devices") return HttpAnswer{200, impl_->state(true).text()};
+  if (path == "/version") return {200, haply::versionText().text()};
+  if (path == "/devices") return {200, impl_->state(true).text()};
   if (path == "/sessions") {
     json::ObjectText list;
     list.addInteger("session_count", impl_->client ? 1 : 0);

@@ -20,11 +20,9 @@ class HaplyService final : public Endpoint {
   explicit HaplyService(Service& service);
   ~HaplyService() override;
 
-  std::optional<int> connect(double now_s) override;
-  void open(int connection) override;
+  int connect() override;
   void disconnect(int connection) override;
-  using Endpoint::receive;
-  void receive(int connection, std::string_view text, bool is_text, double now_s) override;
+  void receive(int connection, Frame frame, double now_s) override;
   bool hasMessage(int connection) const override;
   Message takeMessage(int connection) override;
   bool mayBeRead(int connection) const override;
@@ -32,7 +30,7 @@ class HaplyService final : public Endpoint {
   void poll(double now_s) override;
   bool isBusy() const override;
   bool isKnown(int connection) const override;
-  std::optional<HttpAnswer> answer(const HttpRequest& request) override;
+  HttpAnswer answer(const HttpRequest& request) override;
 
  private:
   struct Impl;

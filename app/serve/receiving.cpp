@@ -36,27 +36,25 @@ void Service::Impl::holdBack(Client& client, Frame frame) {
 }
 
 void Service::Impl::readLong(const Client& client, Frame frame) {
-  const auto read = [this, number = client.number, long_frame = std::move(frame), scene = host.scene(),
-                     revision = host.revision()]() -> Worker::Then {
-    auto read_request = std::make_shared<Result<Request>>(readRequest(long_frame.text));
-    if (*read_request) {
-      Request& request = read_request->value();
-      request.stops = long_frame.stops;
-      request.has_stopped = long_frame.has_stopped;
-      request.general = generalProblems(request);
-      request.revision = revision;
-      if (request.general->empty() && request.what == "set") request.edited = editedBy(request, scene);
-      if (request.general->empty() && request.what == "get") request.values = valuesFor(request, scene);
-      const bool may_be_long = request.what == "load" || request.what == "set" || request.what == "get" ||
-                               request.what == "constraint.add" || request.what == "stop";
-      if (!may_be_long)
-        request.general = problemAt("", "Only load, set, get and constraint.add may have more than 16384 bytes.");
-    }
-    return [this, number, read_request] {
-      if (const auto found = clients.find(number); found != clients.end()) take(found->second, *read_request);
-    };
-  };
-  reckoning.add(client.number, read);
+  reckoning.add(
+      client.number,
+      [this, long_frame = std::move(frame), scene = host.scene(), revision = host.revision()]() -> Worker::Then {
+        Result<Request> read = readRequest(long_frame.text);
+        if (read) {
+          Request& request = read.value();
+          request.stops = long_frame.stops;
+          request.has_stopped = long_frame.has_stopped;
+          request.general = generalProblems(request);
+          request.revision = revision;
+          if (request.general->empty() && request.what == "set") request.edited = editedBy(request, scene);
+          if (request.general->empty() && request.what == "get") request.values = valuesFor(request, scene);
+          const bool may_be_long = request.what == "load" || request.what == "set" || request.what == "get" ||
+                                   request.what == "constraint.add" || request.what == "stop";
+          if (!may_be_long)
+            request.general = problemAt("", "Only load, set, get and constraint.add may have more than 16384 bytes.");
+        }
+        return [this, read = std::move(read)](Client& its) { take(its, read); };
+      });
 }
 
 void Service::Impl::take(Client& client, const Result<Request>& request) {
@@ -69,25 +67,23 @@ void Service::Impl::take(Client& client, const Result<Request>& request) {
 void Service::Impl::takeWork() {
   for (Worker* const worker : {&reading, &reckoning}) {
     while (std::optional<std::pair<int, Worker::Then>> done = worker->take()) {
-      done->second();
-      const auto found = clients.find(done->first);
-      while (found != clients.end() && !found->second.held_back.empty() && !isAtWork(done->first)) {
-        Frame next = std::move(found->second.held_back.front());
-        found->second.held_back.pop_front();
-        found->second.held_back_bytes -= next.text.size();
-        receive(found->second, std::move(next));
+      Client* const client = find(done->first);
+      if (client == nullptr) continue;
+      done->second(*client);
+      while (!client->held_back.empty() && !isAtWork(client->number)) {
+        Frame next = std::move(client->held_back.front());
+        client->held_back.pop_front();
+        client->held_back_bytes -= next.text.size();
+        receive(*client, std::move(next));
       }
     }
   }
 }
 
 void Service::Impl::reckon(const Client& client, std::function<std::string(const scene::Description&)> answer) {
-  reckoning.add(client.number,
-                [this, number = client.number, answer = std::move(answer), scene = host.scene()]() -> Worker::Then {
-                  return [this, number, text = answer(scene)] {
-                    if (const auto found = clients.find(number); found != clients.end()) found->second.send(text);
-                  };
-                });
+  reckoning.add(client.number, [answer = std::move(answer), scene = host.scene()]() -> Worker::Then {
+    return [text = answer(scene)](Client& its) { its.send(text); };
+  });
 }
 
 }  // namespace underact::serve

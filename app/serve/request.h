@@ -24,7 +24,7 @@ struct Request {
 
   std::string id = "null";  // as JSON; null: it has none, or none that an answer can carry
   std::string what;         // of "do"
-  std::shared_ptr<const json::Value> read;
+  std::shared_ptr<const json::Value> read = {};
   std::uint64_t stops = 0;   // as in Frame
   bool has_stopped = false;  // likewise
 

@@ -21,46 +21,29 @@ double nowSeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// A connection as the endpoint knows it.
-struct Held {
-  std::shared_ptr<Line> line;
-  bool is_open = false;       // and the endpoint knows it
-  bool has_received = false;  // since send(): there is room for more
-};
-
-/// An endpoint, and its connections by their numbers.
+/// An endpoint, and its connections.
 struct Served {
   explicit Served(Endpoint& its_endpoint) : endpoint(its_endpoint) {}
 
-  /// Whether one of them is to be closed.
-  bool take(std::vector<std::shared_ptr<Line>> fresh) {
-    bool are_many = false;
-    for (std::shared_ptr<Line>& line : fresh) {
-      if (const std::optional<int> number = endpoint.connect(nowSeconds())) {
-        connections[*number] = {std::move(line)};
-      } else {
+  /// Whether there is anything new for the sockets.
+  bool take(const std::vector<std::shared_ptr<Line>>& fresh) {
+    bool is_news = false;
+    for (const std::shared_ptr<Line>& line : fresh) {
+      if (line->question) {
+        HttpAnswer answer = endpoint.answer(*line->question);
         const std::lock_guard<std::mutex> lock(line->mutex);
-        line->closes = are_many = true;
+        line->answer = std::move(answer);
+        is_news = true;
+      } else {
+        lines[endpoint.connect()] = line;
       }
     }
-    return are_many;
+    return is_news;
   }
-  /// Gives the endpoint the next thing that has come of a connection. false: there is none, or it has to wait.
-  bool receive(int number, Held& held) {
-    Line& line = *held.line;
-    std::unique_lock<std::mutex> lock(line.mutex);
-    const bool opens = line.is_open && !std::exchange(held.is_open, line.is_open);
-    const std::optional<HttpRequest> question = std::exchange(line.question, std::nullopt);
-    lock.unlock();
-    if (opens) endpoint.open(number);
-    if (question) {
-      const std::optional<HttpAnswer> answer = endpoint.answer(*question);
-      lock.lock();
-      line.answer = answer;
-      lock.unlock();
-    }
+  /// Gives the endpoint the next frame of a connection. false: there is none, or it has to wait.
+  bool receive(int number, Line& line) {
     const bool is_read = endpoint.mayBeRead(number);
-    lock.lock();
+    std::unique_lock<std::mutex> lock(line.mutex);
     if (line.frames.empty() || !(is_read || line.frames.front().has_stopped)) return false;
     Frame frame = std::move(line.frames.front());
     lock.unlock();
@@ -70,13 +53,11 @@ struct Served {
     lock.lock();
     line.frames.pop_front();
     line.frame_bytes -= bytes;
-    line.is_known = is_known;
-    held.has_received = true;
+    line.leave.is_known = is_known;
     return true;
   }
   /// Tells the sockets what the endpoint has for them. Whether there is anything new.
-  bool send(int number, Held& held) {
-    Line& line = *held.line;
+  bool send(int number, Line& line) {
     std::unique_lock<std::mutex> lock(line.mutex);
     std::size_t count = line.messages.size(), bytes = line.message_bytes;
     lock.unlock();
@@ -85,29 +66,24 @@ struct Served {
       messages.push_back(endpoint.takeMessage(number));
       bytes += messages.back().bytes.size();
     }
-    const bool has_more = endpoint.hasMessage(number), is_known = endpoint.isKnown(number),
-               may_be_read = endpoint.mayBeRead(number), closes = !has_more && endpoint.closes(number);
+    const Leave leave{endpoint.isKnown(number), endpoint.mayBeRead(number),
+                      !endpoint.hasMessage(number) && endpoint.closes(number)};
     lock.lock();
-    const bool is_news = std::exchange(held.has_received, false) || !messages.empty() || line.is_known != is_known ||
-                         line.may_be_read != may_be_read || line.closes != closes || line.answer;
+    const bool is_news = std::exchange(line.leave, leave) != leave || !messages.empty();
     for (Message& message : messages) {
       line.message_bytes += message.bytes.size();
       line.messages.push_back(std::move(message));
     }
-    line.has_more = has_more;
-    line.is_known = is_known;
-    line.may_be_read = may_be_read;
-    line.closes = closes;
     return is_news;
   }
   /// Whether nothing more comes of it.
-  bool isOver(int number, const Held& held) const {
-    const std::lock_guard<std::mutex> lock(held.line->mutex);
-    return held.line->is_gone && (held.line->frames.empty() || !endpoint.mayBeRead(number));
+  bool isOver(int number, Line& line) const {
+    const std::lock_guard<std::mutex> lock(line.mutex);
+    return line.is_gone && (line.frames.empty() || !endpoint.mayBeRead(number));
   }
 
   Endpoint& endpoint;
-  std::map<int, Held> connections;
+  std::map<int, std::shared_ptr<Line>> lines;  // by the numbers of their connections
 };
 
 }  // namespace
@@ -131,33 +107,39 @@ struct Server::Impl {
     wakes.wait_for(lock, is_busy ? kBusy : kIdle, [this] { return is_rung; });
     is_rung = false;
   }
-  /// One request of each connection in turn, as nobody is to wait for another's hundreds.
-  void receive() {
+  /// One request of each connection in turn, as nobody is to wait for another's hundreds. Whether there was any: then
+  /// the sockets have room for more.
+  bool receive() {
     const double end_s = nowSeconds() + kStep_s;
-    for (bool has_more = true; has_more;) {
-      if (goes_on && !goes_on()) return;
+    bool was_any = false;
+    for (bool has_more = true; has_more; was_any = was_any || has_more) {
+      if (goes_on && !goes_on()) return was_any;
       has_more = false;
       for (Served& one : served) {
-        for (auto& [number, held] : one.connections) has_more = one.receive(number, held) || has_more;
+        for (auto& [number, line] : one.lines) has_more = one.receive(number, *line) || has_more;
       }
-      if (has_more && nowSeconds() > end_s) return ring();
+      if (has_more && nowSeconds() > end_s) {
+        ring();
+        return true;
+      }
     }
     for (Served& one : served) {
-      for (auto each = one.connections.begin(); each != one.connections.end();) {
-        const bool is_over = one.isOver(each->first, each->second);
-        if (is_over) one.endpoint.disconnect(each->first);
-        each = is_over ? one.connections.erase(each) : std::next(each);
-      }
+      std::erase_if(one.lines, [&](const auto& each) {
+        const bool is_over = one.isOver(each.first, *each.second);
+        if (is_over) one.endpoint.disconnect(each.first);
+        return is_over;
+      });
     }
+    return was_any;
   }
   void step() {
     bool is_news = false;
     for (std::size_t door = 0; door < served.size(); ++door)
       is_news = served[door].take(sockets.takeNew(door)) || is_news;
-    receive();
+    is_news = receive() || is_news;
     for (Served& one : served) {
       one.endpoint.poll(nowSeconds());
-      for (auto& [number, held] : one.connections) is_news = one.send(number, held) || is_news;
+      for (auto& [number, line] : one.lines) is_news = one.send(number, *line) || is_news;
     }
     if (is_news) sockets.look();
   }
@@ -212,7 +194,7 @@ void Server::step() {
 void Server::end() {
   impl_->sockets.stop();
   for (Served& one : impl_->served) {
-    for (const auto& [number, held] : one.connections) one.endpoint.disconnect(number);
+    for (const auto& [number, line] : one.lines) one.endpoint.disconnect(number);
   }
   impl_->served.clear();
 }

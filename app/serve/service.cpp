@@ -120,11 +120,11 @@ void Service::Impl::answerWaiting(const servo::TickRecord& record) {
       ++one;
       continue;
     }
-    if (const auto found = clients.find(one->client); found != clients.end()) {
+    if (Client* const client = find(one->client)) {
       json::ObjectText answer = wellAnswer(one->id);
       answer.addInteger("tick", record.tick);
       if (one->has_mode) answer.addText("mode", modeWord(record.mode));
-      found->second.send(answer.text());
+      client->send(answer.text());
     }
     one = waiting.erase(one);
   }
@@ -178,21 +178,15 @@ void Service::add(const Fault& fault, std::int64_t tick) {
   impl_->tell(text);
 }
 
-std::optional<int> Service::connect(double now_s) {
-  const auto unknown =
-      std::count_if(impl_->clients.begin(), impl_->clients.end(), [](const auto& one) { return !one.second.is_known; });
-  if (static_cast<std::size_t>(unknown) >= kMostUnknown) return std::nullopt;
+int Service::connect() {
   const int number = impl_->next_number++;
-  Client& client = impl_->clients[number];
-  client.number = number;
-  client.connected_s = now_s;
+  impl_->clients[number].number = number;
   return number;
 }
 
 int Service::join(const std::string& name) {
-  const int number = impl_->next_number++;
+  const int number = connect();
   Client& client = impl_->clients[number];
-  client.number = number;
   client.name = name;
   client.is_known = client.is_silent = true;
   return number;
@@ -221,28 +215,22 @@ void Service::disconnect(int connection) {
   if (impl_->holder == connection) impl_->giveBack();
 }
 
-void Service::receive(int connection, std::string_view text, bool is_text, double now_s) {
-  receive(connection, Frame{std::string(text), is_text, impl_->host.stops()}, now_s);
-}
-
 void Service::receive(int connection, Frame frame, double now_s) {
-  const auto found = impl_->clients.find(connection);
-  if (found == impl_->clients.end() || found->second.closes) return;
+  Client* const client = impl_->find(connection);
+  if (client == nullptr || client->closes) return;
   impl_->now_s = now_s;
-  impl_->receive(found->second, std::move(frame));
+  impl_->receive(*client, std::move(frame));
 }
 
 bool Service::isKnown(int connection) const {
-  const auto found = impl_->clients.find(connection);
-  return found != impl_->clients.end() && found->second.is_known;
+  const Client* const client = impl_->find(connection);
+  return client != nullptr && client->is_known;
 }
 
-bool Service::isStop(std::string_view text) const {
-  return glanceAt(text).what == "stop";
-}
-
-std::atomic<std::uint64_t>* Service::stops() {
-  return &impl_->host.stops();
+void Service::heed(Frame& frame, bool is_known) {
+  frame.has_stopped = is_known && frame.is_text && glanceAt(frame.text).what == "stop";
+  if (frame.has_stopped) ++impl_->host.stops();
+  frame.stops = impl_->host.stops();
 }
 
 std::optional<std::string> Service::tooSoon(std::string_view text) const {
@@ -254,13 +242,12 @@ std::optional<std::string> Service::tooSoon(std::string_view text) const {
 }
 
 bool Service::hasMessage(int connection) const {
-  const auto found = impl_->clients.find(connection);
-  if (found == impl_->clients.end()) return false;
-  const Client& client = found->second;
-  if (!client.messages.empty()) return true;
-  if (client.closes) return false;
-  const auto& subscription = client.subscription;
-  return client.dropped_events > 0 || (subscription && (subscription->hasRows() || subscription->hasDropped()));
+  const Client* const client = impl_->find(connection);
+  if (client == nullptr) return false;
+  if (!client->messages.empty()) return true;
+  if (client->closes) return false;
+  const auto& subscription = client->subscription;
+  return client->dropped_events > 0 || (subscription && (subscription->hasRows() || subscription->hasDropped()));
 }
 
 Message Service::takeMessage(int connection) {
@@ -280,15 +267,14 @@ Message Service::takeMessage(int connection) {
 }
 
 bool Service::mayBeRead(int connection) const {
-  const auto found = impl_->clients.find(connection);
-  if (found == impl_->clients.end() || found->second.closes) return false;
-  const Client& client = found->second;
-  return client.messages.size() < kMostMessages && client.message_bytes < kMostMessageBytes;
+  const Client* const client = impl_->find(connection);
+  return client != nullptr && !client->closes && client->messages.size() < kMostMessages &&
+         client->message_bytes < kMostMessageBytes;
 }
 
 bool Service::closes(int connection) const {
-  const auto found = impl_->clients.find(connection);
-  return found == impl_->clients.end() || found->second.closes;
+  const Client* const client = impl_->find(connection);
+  return client == nullptr || client->closes;
 }
 
 void Service::poll(double now_s) {
@@ -299,15 +285,11 @@ void Service::poll(double now_s) {
   while (!impl_->waiting.empty() && now_s - impl_->waiting.front().since_s > kAnswerWithin_s) {
     const Waiting late = impl_->waiting.front();
     impl_->waiting.pop_front();
-    const auto found = impl_->clients.find(late.client);
-    if (found != impl_->clients.end())
-      found->second.send(problemAnswer(
+    if (Client* const client = impl_->find(late.client))
+      client->send(problemAnswer(
           late.id, problemAt("",
                              "The servo has not taken this up within 2 s: it does not tick, or the force does not "
                              "come down.")));
-  }
-  for (auto& [number, client] : impl_->clients) {
-    if (!client.is_known && now_s - client.connected_s > kHelloWithin_s) client.closes = true;
   }
 }
 
@@ -315,10 +297,6 @@ bool Service::isBusy() const {
   const auto subscribed = [](const auto& one) { return one.second.subscription.has_value(); };
   return !impl_->waiting.empty() || !impl_->reading.isEmpty() || !impl_->reckoning.isEmpty() ||
          std::any_of(impl_->clients.begin(), impl_->clients.end(), subscribed);
-}
-
-int Service::workers() const {
-  return impl_->reading.threads() + impl_->reckoning.threads();
 }
 
 bool Service::hasClients() const {

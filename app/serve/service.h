@@ -12,7 +12,6 @@
 namespace underact::serve {
 
 inline constexpr int kProtocolVersion = 1;
-inline constexpr double kHelloWithin_s = 5.0;  // of connecting
 
 /// How a service is to run.
 struct ServiceOptions {
@@ -31,18 +30,16 @@ class Service final : public Endpoint {
   Service(Steered& scene, ServiceOptions options);
   ~Service() override;
 
-  std::optional<int> connect(double now_s) override;
+  int connect() override;
   /// A lease ends, and its force.
   void disconnect(int connection) override;
-  void receive(int connection, std::string_view text, bool is_text, double now_s) override;
   bool hasMessage(int connection) const override;
   Message takeMessage(int connection) override;
   bool mayBeRead(int connection) const override;
   bool closes(int connection) const override;
   void receive(int connection, Frame frame, double now_s) override;
   bool isKnown(int connection) const override;
-  bool isStop(std::string_view text) const override;
-  std::atomic<std::uint64_t>* stops() override;
+  void heed(Frame& frame, bool is_known) override;
   std::optional<std::string> tooSoon(std::string_view text) const override;
 
   // From what is steered, in drain().
@@ -61,8 +58,6 @@ class Service final : public Endpoint {
   const servo::TickRecord& lastTick() const;
   const scene::Description& scene() const;
 
-  /// The threads that work for it.
-  int workers() const;
   bool hasClients() const;
   /// The clients that have said hello, in the order in which they connected.
   std::vector<std::string> clientNames() const;

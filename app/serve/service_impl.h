@@ -31,13 +31,6 @@ struct Opened {
   bool is_named = false;
 };
 
-/// What a worker reads for a client.
-struct Opening {
-  int client = 0;
-  std::string id;
-  std::string root;  // of the problems' paths
-};
-
 /// An answer that waits for the tick in which its request comes into effect.
 struct Waiting {
   int client = 0;
@@ -63,6 +56,12 @@ struct Service::Impl {
     void (Impl::*perform)(Client&, const Request&);
   };
   static const std::array<Command, 19> kCommands;
+
+  /// Null: it has gone.
+  Client* find(int number) {
+    const auto found = clients.find(number);
+    return found == clients.end() ? nullptr : &found->second;
+  }
 
   // Requests.
   void hello(Client& client, const Request& request);
@@ -99,9 +98,10 @@ struct Service::Impl {
   }
   /// Edits or loads, and answers once it is in effect.
   void edit(Client& client, const Request& request, const scene::Description& edited, std::int64_t over_ticks = 0);
+  /// Has a worker read. root: of the problems' paths.
   void open(const Client& client, const Request& request, const std::string& root,
             std::function<Result<Opened>()> read);
-  void finish(const Opening& opening, const Result<Opened>& opened);
+  void finish(Client& client, const Request& request, const std::string& root, const Result<Opened>& opened);
   /// Sends what a worker makes of the scene as it is now.
   void reckon(const Client& client, std::function<std::string(const scene::Description&)> answer);
   bool isAtWork(int client) const { return reading.has(client) || reckoning.has(client); }

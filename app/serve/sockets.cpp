@@ -24,7 +24,7 @@ constexpr std::uint32_t kLongestHeader = 16384;
 constexpr std::uint64_t kLongestBody = 65536;
 constexpr std::size_t kMostFrames = 2000, kMostFrameBytes = 4U << 20U;  // that wait for the endpoint
 
-constexpr int kForbidden = 403, kMisdirected = 421, kUpgradeRequired = 426;  // of HTTP
+constexpr int kForbidden = 403, kMisdirected = 421;  // of HTTP
 constexpr std::array<const char*, 3> kLoopback{"127.0.0.1", "localhost", "[::1]"};
 
 double socketNow_s() {
@@ -53,6 +53,14 @@ struct Door {
       : loop(its_loop), origins(std::move(allowed)), listener(loop), pause(loop) {}
   void accept();
   void take(web_socket::Connection connection);
+  /// Lets the endpoint's thread know of a line.
+  void tell(const std::shared_ptr<Line>& line) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      fresh.push_back(line);
+    }
+    came();
+  }
 
   web_socket::Loop& loop;
   std::vector<std::string> origins;
@@ -60,7 +68,7 @@ struct Door {
   web_socket::Timer pause;
   Endpoint* endpoint = nullptr;
   std::function<void()> came;
-  std::vector<std::shared_ptr<Wire>> wires;
+  std::vector<std::shared_ptr<Wire>> wires;  // also of those who have not said what they want
   std::mutex mutex;                          // of:
   std::vector<std::shared_ptr<Line>> fresh;  // that the endpoint's thread does not know yet
 };
@@ -68,8 +76,8 @@ struct Door {
 /// One connection, in the sockets' thread; it lives as long as an operation of it is under way.
 class Wire : public std::enable_shared_from_this<Wire> {
  public:
-  Wire(web_socket::Connection socket, Door& door, std::shared_ptr<Line> line)
-      : socket_(std::move(socket)), door_(door), line_(std::move(line)), deadline_(door.loop), delay_(door.loop) {}
+  Wire(web_socket::Connection socket, Door& door)
+      : socket_(std::move(socket)), door_(door), deadline_(door.loop), delay_(door.loop) {}
 
   void begin() {
     deadline_.start(kPatience, [weak = weak_from_this()] {
@@ -83,23 +91,20 @@ class Wire : public std::enable_shared_from_this<Wire> {
     if (is_over_) return;
     std::unique_lock<std::mutex> lock(line_->mutex);
     if (!is_open_) {
-      const bool closes = line_->closes;
       const auto answer = std::exchange(line_->answer, std::nullopt);
       lock.unlock();
-      if (closes) return end();
-      if (answer && !*answer) return respond(kUpgradeRequired, "", "This is a WebSocket service.\n");
-      if (answer) respond((*answer)->status, "application/json", (*answer)->body);
+      if (answer) respond(answer->status, answer->type, answer->body);
       return;
     }
-    const bool writes = !is_writing_ && !line_->messages.empty(), closes = !is_writing_ && !writes && line_->closes;
+    const bool writes = !is_writing_ && !line_->messages.empty();
+    const bool closes = !is_writing_ && !writes && line_->leave.closes;
     if (writes) {
       message_ = std::move(line_->messages.front());
       line_->messages.pop_front();
       line_->message_bytes -= message_.bytes.size();
     }
-    const bool reads = !is_reading_ && mayRead(), wants = line_->messages.empty() && line_->has_more;
+    const bool reads = !is_reading_ && mayRead();
     lock.unlock();
-    if (wants) door_.came();
     if (writes) write();
     if (closes) close();
     if (reads) read();
@@ -113,16 +118,18 @@ class Wire : public std::enable_shared_from_this<Wire> {
     door_.came();
   }
 
- private:
   bool isKnown() const {
     const std::lock_guard<std::mutex> lock(line_->mutex);
-    return line_->is_known;
+    return line_->leave.is_known;
   }
+
+ private:
   /// With the line's mutex. Of who is not known one frame at a time is read; who does not take its answers is not read
   /// either, nor who may not be refused and is too fast.
   bool mayRead() const {
-    if (line_->closes || !line_->may_be_read || is_delayed_ || line_->messages.size() >= kMostMessages) return false;
-    if (!line_->is_known) return line_->frames.empty();
+    const Leave& leave = line_->leave;
+    if (leave.closes || !leave.may_be_read || is_delayed_ || line_->messages.size() >= kMostMessages) return false;
+    if (!leave.is_known) return line_->frames.empty();
     return line_->frames.size() < 2 * kMostFrames && line_->frame_bytes < 2 * kMostFrameBytes;
   }
   bool hasRoom(std::size_t bytes) const {
@@ -142,14 +149,15 @@ class Wire : public std::enable_shared_from_this<Wire> {
     socket_.accept([self = shared_from_this()](bool is_accepted) {
       if (!is_accepted || self->is_over_) return self->end();
       self->is_open_ = true;
-      self->tell([](Line& line) { line.is_open = true; });
+      self->door_.tell(self->line_);
       self->pump();
     });
   }
   void ask(bool is_whole) {
     if (!is_whole || is_over_) return end();
     const web_socket::Request request = socket_.request();
-    tell([&](Line& line) { line.question = {request.method, request.target, request.body}; });
+    line_->question = {request.method, request.target, request.body};
+    door_.tell(line_);
   }
   void respond(int status, const std::string& type, const std::string& body) {
     socket_.respond(status, type, body, [self = shared_from_this()](bool) { self->end(); });
@@ -164,15 +172,12 @@ class Wire : public std::enable_shared_from_this<Wire> {
     });
   }
   void receive(std::string_view text, bool is_text) {
-    Endpoint& endpoint = *door_.endpoint;
-    std::atomic<std::uint64_t>* const stops = endpoint.stops();
-    Frame frame{{}, is_text, 0, is_text && stops != nullptr && isKnown() && endpoint.isStop(text)};
-    if (frame.has_stopped) ++*stops;
-    if (stops != nullptr) frame.stops = *stops;
+    Frame frame{std::string(text), is_text};
+    door_.endpoint->heed(frame, isKnown());
     const double now_s = socketNow_s(), bytes = static_cast<double>(text.size());
     const bool has_requests = requests_.has(1.0, now_s), has_bytes = bytes_.has(bytes, now_s);
     if (!frame.has_stopped && !(has_requests && has_bytes && hasRoom(text.size()))) {
-      if (std::optional<std::string> answer = endpoint.tooSoon(text)) {
+      if (std::optional<std::string> answer = door_.endpoint->tooSoon(text)) {
         const std::lock_guard<std::mutex> lock(line_->mutex);
         line_->message_bytes += answer->size();
         line_->messages.push_back({std::move(*answer), false});
@@ -181,11 +186,12 @@ class Wire : public std::enable_shared_from_this<Wire> {
     }
     requests_.take(1.0);
     bytes_.take(bytes);
-    frame.text = text;
-    tell([&](Line& line) {
-      line.frame_bytes += text.size();
-      line.frames.push_back(std::move(frame));
-    });
+    {
+      const std::lock_guard<std::mutex> lock(line_->mutex);
+      line_->frame_bytes += text.size();
+      line_->frames.push_back(std::move(frame));
+    }
+    door_.came();
     const double wait_s = std::max(requests_.wait_s(), bytes_.wait_s());
     if (wait_s <= 0.0) return;
     is_delayed_ = true;
@@ -196,19 +202,12 @@ class Wire : public std::enable_shared_from_this<Wire> {
       self->pump();
     });
   }
-  template <class Change>
-  void tell(const Change& change) {
-    {
-      const std::lock_guard<std::mutex> lock(line_->mutex);
-      change(*line_);
-    }
-    door_.came();
-  }
   void write() {
     is_writing_ = true;
     socket_.write(message_.bytes, message_.is_binary, [self = shared_from_this()](bool is_written) {
       self->is_writing_ = false;
       if (!is_written || self->is_over_) return self->end();
+      self->door_.came();  // there is room for more
       self->pump();
     });
   }
@@ -219,7 +218,7 @@ class Wire : public std::enable_shared_from_this<Wire> {
 
   web_socket::Connection socket_;
   Door& door_;
-  std::shared_ptr<Line> line_;
+  std::shared_ptr<Line> line_ = std::make_shared<Line>();
   web_socket::Timer deadline_, delay_;
   Bucket requests_{kMostRequestsPerSecond, kMostRequestsPerSecond}, bytes_{kMostBytesPerSecond, kMostBytesAtOnce};
   Message message_;
@@ -237,16 +236,10 @@ void Door::accept() {
 }
 
 void Door::take(web_socket::Connection connection) {
-  if (wires.size() >= kMostClients + kMostUnknown) return;  // the socket closes
-  const auto line = std::make_shared<Line>();
-  const auto wire = std::make_shared<Wire>(std::move(connection), *this, line);
-  wires.push_back(wire);
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    fresh.push_back(line);
-  }
-  wire->begin();
-  came();
+  const auto unknown = std::count_if(wires.begin(), wires.end(), [](const auto& one) { return !one->isKnown(); });
+  if (static_cast<std::size_t>(unknown) >= kMostUnknown) return;  // the socket closes
+  wires.push_back(std::make_shared<Wire>(std::move(connection), *this));
+  wires.back()->begin();
 }
 
 }  // namespace

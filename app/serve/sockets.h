@@ -11,22 +11,26 @@
 
 namespace underact::serve {
 
-/// A connection, as the sockets' thread and the endpoint's both know it: what came of it, and what is to go. All of it
-/// is guarded by the mutex, which is held for moments only.
+/// What the endpoint says of a connection.
+struct Leave {
+  bool is_known = false, may_be_read = true, closes = false;
+  bool operator==(const Leave&) const = default;
+};
+
+/// A connection that has something for the endpoint: what came of it, and what is to go. All of it is guarded by the
+/// mutex, which is held for moments only.
 struct Line {
   std::mutex mutex;
   // From the sockets' thread.
-  bool is_open = false;                      // it speaks WebSocket
+  std::optional<HttpRequest> question = {};  // over plain HTTP: nothing else comes. None: it speaks WebSocket
   bool is_gone = false;                      // nothing more comes
-  std::optional<HttpRequest> question = {};  // over plain HTTP
   std::deque<Frame> frames = {};             // the first one stays, without its text, until it is received
   std::size_t frame_bytes = 0;
   // From the endpoint's.
-  std::optional<std::optional<HttpAnswer>> answer = {};  // to the question; none of the inner: there is none
+  std::optional<HttpAnswer> answer = {};  // to the question
   std::deque<Message> messages = {};
   std::size_t message_bytes = 0;
-  bool has_more = false;  // messages, once these have gone
-  bool is_known = false, may_be_read = true, closes = false;
+  Leave leave = {};
 };
 
 /// The sockets of a server, on a thread of their own. It takes connections, reads frames and writes messages; stops the
@@ -44,7 +48,7 @@ class Sockets {
   int port(std::size_t door) const;
   /// Takes connections from now on. endpoints: one for each port; only their functions for any thread are called.
   void start(const std::vector<Endpoint*>& endpoints);
-  /// The connections of a port since the last call.
+  /// The lines of a port since the last call.
   std::vector<std::shared_ptr<Line>> takeNew(std::size_t door);
   /// Has that thread look at what was changed in the lines. Any thread.
   void look();

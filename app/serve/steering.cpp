@@ -21,9 +21,8 @@ constexpr double kMostForce_N = 1e6;  // what the gate lets through is far less
 void Service::Impl::open(const Client& client, const Request& request, const std::string& root,
                          std::function<Result<Opened>()> read) {
   reading.add(client.number,
-              [this, opening = Opening{client.number, request.id, root}, read = std::move(read)]() -> Worker::Then {
-                const auto opened = std::make_shared<const Result<Opened>>(read());
-                return [this, opening, opened] { finish(opening, *opened); };
+              [this, short_one = Request{request.id, request.what}, root, read = std::move(read)]() -> Worker::Then {
+                return [this, short_one, root, opened = read()](Client& its) { finish(its, short_one, root, opened); };
               });
 }
 
@@ -55,18 +54,13 @@ void Service::Impl::add(Client& client, const Request& request) {
   });
 }
 
-void Service::Impl::finish(const Opening& opening, const Result<Opened>& opened) {
-  const auto found = clients.find(opening.client);
-  if (found == clients.end()) return;  // it has gone: what it wanted is not done
-  Client& client = found->second;
-  Request request;
-  request.id = opening.id;
-  request.what = opening.root == "/constraint" ? "constraint.add" : "load";
+void Service::Impl::finish(Client& client, const Request& request, const std::string& root,
+                           const Result<Opened>& opened) {
   // The path of a scene file's problem leads into that file, not into the request.
-  const std::string root = opening.root == "/file" ? "" : opening.root;
+  const std::string within = root == "/file" ? "" : root;
   if (!opened) {
-    Problems problems = below(root, opened.problems());
-    if (opening.root == "/file")
+    Problems problems = below(within, opened.problems());
+    if (within.empty())
       for (Problem& problem : problems) {
         if (problem.place.key.empty()) problem.place.key = "/file";
       }
@@ -78,18 +72,18 @@ void Service::Impl::finish(const Opening& opening, const Result<Opened>& opened)
     const scene::Description& scene = *opened.value().scene;
     if (!scene::haveSameArm(scene, host.scene()))
       return refuse(client, request,
-                    problemAt(root + "/arm", "This service runs the arm " + json::shown(host.scene().arm) +
-                                                 ". For a scene of another arm, start another service."));
+                    problemAt(within + "/arm", "This service runs the arm " + json::shown(host.scene().arm) +
+                                                   ". For a scene of another arm, start another service."));
     const Problems problems = steered.load(scene, client.name);
-    if (!problems.empty()) return refuse(client, request, below(root, problems));
+    if (!problems.empty()) return refuse(client, request, below(within, problems));
     edits[host.revision()] = {client.name, "load"};
-    waitForTick(client, opening.id);
+    waitForTick(client, request.id);
     waiting.back().revision = host.revision();
     return;
   }
   const Result<scene::Description> edited =
       withConstraint(host.scene(), *opened.value().constraint, opened.value().is_named);
-  if (!edited) return refuse(client, request, below(root, edited.problems()));
+  if (!edited) return refuse(client, request, below(within, edited.problems()));
   edit(client, request, edited.value());
 }
 

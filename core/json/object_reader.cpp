@@ -1,7 +1,6 @@
 #include "core/json/object_reader.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 #include "core/base/translate.h"
@@ -61,41 +60,28 @@ ObjectReader::ObjectReader(const Value& object, std::string path, Sentence what,
       path_(std::move(path)),
       what_(std::move(what)),
       findings_(findings),
-      sorted_(object.keys.size()),
       asked_(object.keys.size(), false) {
-  std::iota(sorted_.begin(), sorted_.end(), std::size_t{0});
-  std::sort(sorted_.begin(), sorted_.end(), [&](std::size_t a, std::size_t b) {
-    const int order = object.keys[a].compare(object.keys[b]);
-    return order != 0 ? order < 0 : a < b;
-  });
-}
-
-/// The index of a key; where it stands twice, of the first. The number of keys: there is none.
-std::size_t ObjectReader::firstOf(std::string_view key) const {
-  const auto found =
-      std::lower_bound(sorted_.begin(), sorted_.end(), key,
-                       [&](std::size_t index, std::string_view one) { return object_.keys[index] < one; });
-  return found == sorted_.end() || object_.keys[*found] != key ? sorted_.size() : *found;
+  for (std::size_t index = 0; index < object.keys.size(); ++index) first_of_.emplace(object.keys[index], index);
 }
 
 const Value* ObjectReader::find(const char* key, bool required) {
   if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
-  const std::size_t index = firstOf(key);
-  const Value* const value = index < sorted_.size() ? &object_.items[index] : nullptr;
-  if (value != nullptr) {
-    asked_[index] = true;
-    findings_.remember(pathOf(key), *value);
-  } else if (required) {
+  if (const auto found = first_of_.find(key); found != first_of_.end()) {
+    const Value& value = object_.items[found->second];
+    asked_[found->second] = true;
+    findings_.remember(pathOf(key), value);
+    return &value;
+  }
+  if (required)
     findings_.add(object_, pathOf(key),
                   said(TRANSLATE_NOOP("problem", "The key \"%1\" is missing; %2 needs it."), {key, what_}));
-  }
-  return value;
+  return nullptr;
 }
 
 void ObjectReader::finish(bool all_known) {
   for (std::size_t index = 0; index < object_.keys.size(); ++index) {
     const std::string& key = object_.keys[index];
-    const std::size_t first = firstOf(key);
+    const std::size_t first = first_of_.at(key);
     if (first == index) {
       judge(index, all_known);
     } else if (findings_.full()) {

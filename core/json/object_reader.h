@@ -62,14 +62,13 @@ class ObjectReader {
   Findings& findings() { return findings_; }
 
  private:
-  std::size_t firstOf(std::string_view key) const;
   void judge(std::size_t index, bool all_known);
   const Value& object_;
   std::string path_;
   Sentence what_;
   Findings& findings_;
-  std::vector<std::size_t> sorted_;  // the indices of the keys by key, equal ones in the order of the file
-  std::vector<bool> asked_;          // of each key, whether it was asked for
+  std::map<std::string_view, std::size_t> first_of_;  // the index of a key; where it stands twice, of the first
+  std::vector<bool> asked_;                           // of each key, whether it was asked for
   std::vector<std::string> known_;
   std::map<std::string, Sentence> refused_;
 };

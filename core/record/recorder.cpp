@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <mutex>
 #include <thread>
+#include <tuple>
 #include <utility>
 
 #include "core/base/translate.h"
 #include "core/record/disk.h"
 #include "core/record/provenance.h"
-#include "core/record/waiting_rows.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/scene_arm.h"
 #include "core/system/clock.h"
@@ -57,12 +57,12 @@ struct Mark {
   std::string label;
 };
 
-/// Bytes that are free where the file is; 0: not known.
-std::int64_t freeBytes(const std::string& path) {
+/// Bytes that are free where the file is; none: not known.
+std::optional<std::int64_t> freeBytes(const std::string& path) {
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::absolute(path, error).parent_path();
   const std::filesystem::space_info space = std::filesystem::space(folder, error);
-  return error ? 0 : static_cast<std::int64_t>(space.available);
+  return error ? std::nullopt : std::optional(static_cast<std::int64_t>(space.available));
 }
 
 /// Room for the constraints of a tick where they are asked for; an edited scene may have more than the first.
@@ -84,7 +84,7 @@ struct Recorder::Impl {
         path(file),
         part_path(file),
         options(wanted),
-        reserve_bytes(wanted.reserve_bytes.value_or(std::min(kReserve, freeBytes(file) / kReserveShare))),
+        reserve_bytes(wanted.reserve_bytes.value_or(std::min(kReserve, freeBytes(file).value_or(0) / kReserveShare))),
         writer(std::move(made)),
         tap(std::make_shared<servo::Tap>(1'000'000'000 / servo.rateHz(), wanted.most_ticks, detailsOf(servo, wanted))) {
     shown.files.push_back(file);
@@ -128,12 +128,10 @@ struct Recorder::Impl {
   }
   /// A tick comes last of what belongs to it, so it is taken first.
   void takeRows() {
-    records.takeFrom(*tap);
-    changes.takeFrom(*tap);
-    faults.takeFrom(*tap);
-    pushes.takeFrom(*tap);
-    truths.takeFrom(*tap);
-    constraints.takeFrom(*tap);
+    const auto take = [this]<class Row>(std::deque<Row>& rows) {
+      for (Row row; tap->take(row);) rows.push_back(row);
+    };
+    std::apply([&](auto&... rows) { (take(rows), ...); }, waiting);
     const std::scoped_lock lock(mutex);
     waiting_marks.insert(waiting_marks.end(), marks.begin(), marks.end());
     marks.clear();
@@ -141,22 +139,28 @@ struct Recorder::Impl {
     is_noted = is_noted && notes.empty();
     notes.clear();
   }
+  /// Gives the waiting rows of the ticks before one to put().
+  template <class Row, class Put>
+  void each(std::int64_t before_tick, const Put& put) {
+    auto& rows = std::get<std::deque<Row>>(waiting);
+    for (; !rows.empty() && rows.front().tick < before_tick; rows.pop_front()) put(rows.front());
+  }
   /// What belongs to a tick is written before it, so that a truncated file can be replayed up to its end.
   void writeBefore(std::int64_t tick) {
-    changes.writeBefore(tick, [this](const servo::Change& change) {
+    const auto add = [this](const auto& row) { note(writer.add(row)); };
+    each<servo::Change>(tick, [this](const servo::Change& change) {
       scene = tap->takeScene(change.revision);
       note(writer.add(change, scene));
     });
-    faults.writeBefore(tick, [this](const servo::FaultMark& fault) { note(writer.add(fault)); });
-    pushes.writeBefore(tick, [this](const servo::Push& push) { note(writer.add(push)); });
-    for (;
-         !waiting_marks.empty() && waiting_marks.front().tick < tick && writer.hasRoomFor(waiting_marks.front().label);
-         waiting_marks.pop_front())
-      note(writer.mark(waiting_marks.front().tick, waiting_marks.front().label));
+    each<servo::FaultMark>(tick, add);
+    each<servo::Push>(tick, add);
+    auto& left = waiting_marks;
+    for (; !left.empty() && left.front().tick < tick && writer.hasRoomFor(left.front().label); left.pop_front())
+      note(writer.mark(left.front().tick, left.front().label));
     if (!std::exchange(is_noted, true)) note(writer.addProvenance(std::max(part_begins, last.tick), noted));
-    truths.writeBefore(tick, [this](const servo::TruthRow& row) { note(writer.add(row)); });
-    constraints.writeBefore(tick, [this](const servo::ConstraintRow& row) { note(writer.add(row)); });
-    records.writeBefore(tick, [this](const servo::TickRecord& record) {
+    each<servo::TruthRow>(tick, add);
+    each<servo::ConstraintRow>(tick, add);
+    each<servo::TickRecord>(tick, [this](const servo::TickRecord& record) {
       if (first_ns == 0) first_ns = record.time_ns;
       note(writer.add(record));
       last = record;
@@ -167,7 +171,7 @@ struct Recorder::Impl {
     const std::int64_t tick = tap->firstTick();
     if (begun) {
       // Those that came before this tick are in its state already.
-      for (; changes.isBefore(tick + 1); ++changes.next) scene = tap->takeScene(changes.rows[changes.next].revision);
+      each<servo::Change>(tick + 1, [this](const servo::Change& change) { scene = tap->takeScene(change.revision); });
       goOn();
       if (failed()) return;
       is_noted = noted.text() == json::ObjectText().text();
@@ -231,14 +235,13 @@ struct Recorder::Impl {
     if (error)
       return note(
           {{said(TRANSLATE_NOOP("problem", "The recording stopped: its file was moved or deleted.")), {part_path}}});
-    const std::filesystem::path folder = std::filesystem::absolute(part_path, error).parent_path();
-    const std::filesystem::space_info space = std::filesystem::space(folder, error);
-    if (error) return;
-    const auto left = static_cast<double>(space.available) - static_cast<double>(reserve_bytes);
+    const std::optional<std::int64_t> available = freeBytes(part_path);
+    if (!available) return;
+    const auto left = static_cast<double>(*available - reserve_bytes);
     {
       const std::scoped_lock lock(mutex);
       shown.bytes = bytes_before + size;
-      shown.disk_left_bytes = static_cast<std::int64_t>(space.available);
+      shown.disk_left_bytes = *available;
       shown.disk_left_s =
           shown.bytes > 0 ? std::max(0.0, left) * shown.duration_s / static_cast<double>(shown.bytes) : 0.0;
     }
@@ -305,12 +308,9 @@ struct Recorder::Impl {
   std::shared_ptr<servo::Tap> tap;
   std::size_t capacity = tap->room();
   // What was taken and is not written yet.
-  WaitingRows<servo::TickRecord> records;
-  WaitingRows<servo::Change> changes;
-  WaitingRows<servo::FaultMark> faults;
-  WaitingRows<servo::Push> pushes;
-  WaitingRows<servo::TruthRow> truths;
-  WaitingRows<servo::ConstraintRow> constraints;
+  std::tuple<std::deque<servo::TickRecord>, std::deque<servo::Change>, std::deque<servo::FaultMark>,
+             std::deque<servo::Push>, std::deque<servo::TruthRow>, std::deque<servo::ConstraintRow>>
+      waiting;
   std::deque<Mark> waiting_marks;
   json::ObjectText noted;  // what changed last of the provenance
   bool is_noted = true;

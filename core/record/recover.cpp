@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 #include "core/base/translate.h"
 #include "core/record/descriptor_driver.h"
@@ -72,7 +73,6 @@ struct Copy {
 };
 
 Problems copyProblem(int reason, const std::string& path) {
-  if (reason == 0) return {};
   return {{said(TRANSLATE_NOOP("problem",
                                "Recovering takes a copy of the file in its folder, and there is none: %1. Nothing was "
                                "changed."),
@@ -119,11 +119,8 @@ Result<std::int64_t> recover(const std::string& path) {
                              "Another file has taken this one's place in the meantime, so nothing was changed. Try "
                              "again.")),
          {path}}};
-  reason = system::sync(fd);
-  if (reason == 0 && std::rename(copy.part.c_str(), path.c_str()) != 0) reason = errno;
+  reason = system::putInPlace(std::move(copy.file), copy.part, path, "", system::Lasting::OnDisk);
   if (reason != 0) return copyProblem(reason, path);
-  copy.file.close();
-  system::syncFolderOf(path);
   return ticks;
 }
 

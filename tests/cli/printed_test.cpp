@@ -49,24 +49,25 @@ TEST(PrintedWords, OfSessionsCannotOperateATerminal) {
 
 TEST(PrintedWords, OfScenesLessonsAndMeshesCannotOperateATerminal) {
   const std::string quoted = json::quotedText(kHostile);
-  const ScratchFile scene(
-      R"({"underact_scene": 1, "title": )" + quoted + R"(, "constraints": [{"name": )" + quoted +
-      R"(, "type": "sphere", "center_mm": [0, 0, 0], "radius_mm": 50}, {"type": "point", "position_mm": [0, 0, 0]}]})");
-  expectClean({"scene", "show", scene.path()});
-  expectClean({"lab", "step", "--scene", scene.path(), "--constraint", "sphere" + kHostile});
+  const ScratchFile scene(R"({"underact_scene": 1, "title": )" + quoted + R"(, "constraints": [{"type": "sphere",
+      "center_mm": [0, 0, 0], "radius_mm": 50, "name": )" +
+                          quoted + R"(}, {"type": "point", "position_mm": [0, 0, 0]}]})");
   const ScratchFile wrong(sceneText(R"({"type": "sphere", )" + quoted + R"(: 1, "radius_mm": )" + quoted + "}"));
-  expectClean({"scene", "check", wrong.path()});
-  expectClean({"scene", "check", wrong.path() + kHostile});
-  expectClean({"target", wrong.path()});
-  const ScratchFile lesson(R"({"underact_lesson": 1, "title": "T", )" + quoted +
-                           R"(: 1, "steps": [{"title": "A", "text": "B",
-      "scene": )" + quoted +
-                           R"(, "checks": [{"measure": )" + quoted + R"(, "above": 1}]}]})");
-  expectClean({"lesson", "check", lesson.path()});
-  expectClean({"mesh", "info", "/nowhere" + kHostile + ".stl"});
-  expectClean({"fk", "--arm", kHostile});
-  expectClean({"arm", "convert", kHostile, "--to", "dh"});
-  expectClean({"run", shipped("02_sphere.json"), "--seconds", "0.1", "--device", kHostile});
+  const ScratchFile lesson(R"({"underact_lesson": 1, "title": "T", )" + quoted + R"(: 1, "steps": [{"title": "A",
+      "text": "B", "scene": )" +
+                           quoted + R"(, "checks": [{"measure": )" + quoted + R"(, "above": 1}]}]})");
+  const std::vector<std::vector<std::string>> commands{
+      {"scene", "show", scene.path()},
+      {"lab", "step", "--scene", scene.path(), "--constraint", "sphere" + kHostile},
+      {"scene", "check", wrong.path()},
+      {"scene", "check", wrong.path() + kHostile},
+      {"target", wrong.path()},
+      {"lesson", "check", lesson.path()},
+      {"mesh", "info", "/nowhere" + kHostile + ".stl"},
+      {"fk", "--arm", kHostile},
+      {"arm", "convert", kHostile, "--to", "dh"},
+      {"run", shipped("02_sphere.json"), "--seconds", "0.1", "--device", kHostile}};
+  for (const std::vector<std::string>& command : commands) expectClean(command);
 }
 
 TEST(PrintedStream, ShowsControlCharactersAndKeepsTheProgramsOwnLines) {

@@ -232,31 +232,23 @@ TEST(Run, FilesThatCannotBeReadOrWrittenGiveStatus4) {
             Exit::File);
 }
 
-TEST(Run, AFullDiskIsToldAtOnceAndTheRunGoesOnToItsEnd) {
+TEST(Run, AFullDiskIsToldAtOnceAndInTheExitStatusAndInTheLastLineAndTheRunGoesOnToItsEnd) {
   const test::ScratchFolder folder;
-  const Outcome outcome = [&] {
-    const test::FullDisk full(1 << 16);
-    return run({"--hand", "still", "--seconds", "2", "--fast", "--record", folder.file("full.csv")});
-  }();
-  EXPECT_EQ(outcome.exit, Exit::File);
-  EXPECT_NE(outcome.err.find("The recording stopped"), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("File too large"), std::string::npos) << outcome.err;
-  EXPECT_EQ(numberAt(lines(outcome.out).at(0), "ticks"), 2000.0);
-  EXPECT_TRUE(lines(outcome.out).at(0).find("faults") != nullptr);
-}
-
-TEST(Run, ARecordingThatEndsEarlyIsInTheExitStatusAndInTheLastLine) {
-  const test::ScratchFolder folder;
-  const Outcome outcome = [&] {
-    const test::FullDisk full(600'000);
-    return run({"--hand", "still", "--seconds", "4", "--fast", "--record", folder.file("full.h5")});
-  }();
-  EXPECT_EQ(outcome.exit, Exit::File);
-  EXPECT_EQ(numberAt(lines(outcome.out).at(0), "ticks"), 4000.0);
-  const std::size_t last = outcome.err.rfind('\n', outcome.err.size() - 2) + 1;
-  EXPECT_NE(outcome.err.find("The recording is not whole: it has ", last), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find(" of 4000 ticks.", last), std::string::npos) << outcome.err;
-  EXPECT_EQ(outcome.err.find("it has 4000 of", last), std::string::npos) << outcome.err;
+  for (const auto& [name, disk_bytes] : {std::pair{"full.csv", 1U << 16U}, {"full.h5", 600'000U}}) {
+    const Outcome outcome = [&, bytes = disk_bytes, file = folder.file(name)] {
+      const test::FullDisk full(bytes);
+      return run({"--hand", "still", "--seconds", "4", "--fast", "--record", file});
+    }();
+    EXPECT_EQ(outcome.exit, Exit::File);
+    EXPECT_EQ(numberAt(lines(outcome.out).at(0), "ticks"), 4000.0);
+    EXPECT_TRUE(lines(outcome.out).at(0).find("faults") != nullptr);
+    for (const char* const words : {"The recording stopped", "File too large"})
+      EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    const std::size_t last = outcome.err.rfind('\n', outcome.err.size() - 2) + 1;
+    EXPECT_NE(outcome.err.find("The recording is not whole: it has ", last), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(" of 4000 ticks.", last), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("it has 4000 of", last), std::string::npos) << outcome.err;
+  }
   EXPECT_EQ(run({"--hand", "still", "--seconds", "0.1", "--fast", "--record", folder.file("A.CSV")}).exit, Exit::Well);
   EXPECT_EQ(fileContent(folder.file("A.CSV")).substr(0, 4), "tick");
 }

@@ -4,8 +4,10 @@
 #include <fstream>
 
 #include "device/remote/arm_side.h"
+#include "device/remote/share.h"
 #include "tests/cli/process.h"
 #include "tests/cli/session.h"
+#include "tests/support/arm_double.h"
 #include "tests/support/comes.h"
 #include "tests/support/pattern.h"
 #include "tests/support/scratch_folder.h"
@@ -149,6 +151,17 @@ TEST_F(ShareArm, AnotherUsersKeyIsTurnedAway) {
   EXPECT_EQ(outcome.exit, Exit::Fault);
   EXPECT_TRUE(says(outcome.err, "your key is not known there")) << outcome.err;
   EXPECT_TRUE(shared.says("was refused"));
+}
+
+TEST_F(ShareArm, IsListedByANameThatCannotOperateATerminal) {
+  ArmDouble arm;
+  arm.title = "Omni\x1B]0;x\x07\u202E\nFORGED";
+  const device::remote::KeyPair keys = device::remote::KeyFolder().own().value();
+  const auto shared = device::remote::Share::open(std::make_unique<ArmDouble::Port>(arm),
+                                                  {{}, keys, {keys.public_key}, arm.preset()}, [](const auto&) {});
+  if (!shared) GTEST_SKIP() << shared.problems().front().sentence;  // another program shares one at this port
+  const Outcome outcome = runCli({"devices"});
+  EXPECT_TRUE(says(outcome.out, "\n  Omni ]0;x \\u202e FORGED, shared on this computer")) << outcome.out;
 }
 
 }  // namespace

@@ -19,15 +19,13 @@ from pathlib import Path
 import websockets
 
 PLANE = {"type": "plane", "point_mm": [0, -80, 0], "normal": [0, 1, 0], "side": "outside"}
-SPHERE = {"name": "ball", "type": "sphere", "center_mm": [0, 0, 0], "radius_mm": 40}
+SPHERE = {"type": "sphere", "center_mm": [0, 0, 0]}
 WORDS = ["", "x" * 5000, "\x1b[2J", "<img src='/dev/zero'>", "ü", 7, -1e308, None, [], {}, True]
 KINDS = (
     "hello scene load settings get set stop force mark record subscribe unsubscribe status lease "
     "challenge constraint.add constraint.remove constraint.move no_such"
 ).split()
-KEYS = (
-    "paths values f_N for_ms text file stop columns hz format lease nonce constraint name".split()
-)
+KEYS = "paths values f_N for_ms text file columns hz format lease nonce constraint name".split()
 
 
 def scene(draw: random.Random) -> dict:
@@ -36,57 +34,50 @@ def scene(draw: random.Random) -> dict:
 
 
 def any_request(draw: random.Random) -> dict:
-    request = {"do": draw.choice(KINDS), "id": draw.choice([1, "a", *WORDS])}
-    for key in draw.sample(KEYS, draw.randrange(4)):
-        request[key] = draw.choice(WORDS)
-    return request
+    keys = {key: draw.choice(WORDS) for key in draw.sample(KEYS, draw.randrange(4))}
+    return {"do": draw.choice(KINDS), "id": draw.choice([1, "a", *WORDS]), **keys}
 
 
-def large(draw: random.Random) -> str:
+def large(draw: random.Random) -> dict:
     """Close to a megabyte of what has to be read before it can be refused."""
-    count = 14_000
-    if draw.random() < 0.5:
-        values = {f"/constraints/{n}/no_such_setting_of_anybody/{n}": n for n in range(count)}
-        return json.dumps({"id": 1, "do": "set", "values": values})
-    paths = [f"/control/kp_N_per_mn/{n}" for n in range(draw.choice([9_999, count]))]
-    return json.dumps(
-        {"id": 1, "do": draw.choice(["get", "subscribe"]), "paths": paths, "columns": paths}
-    )
+    count = draw.choice([9_999, 14_000])
+    values = {f"/constraints/{n}/no_such_setting_of_anybody/{n}": n for n in range(count)}
+    paths = [f"/control/kp_N_per_mn/{n}" for n in range(count)]
+    requests = {"set": {"values": values}, "get": {"paths": paths}, "subscribe": {"columns": paths}}
+    do = draw.choice(list(requests))
+    return {"do": do, **requests[do]}
+
+
+def plane(n: int) -> list[dict]:
+    name = {"name": f"p{n}"}
+    add = {"do": "constraint.add", "constraint": {**PLANE, **name}}
+    move = {"do": "constraint.move", **name, "values": {}, "over_ms": 10}
+    return [add, move, {"do": "constraint.remove", **name}]
+
+
+def floods(draw: random.Random) -> list:
+    """How many at most, and what: requests, or frames that are none."""
+    junk = ["{" * 60_000, "[" * 64, "nonsense", draw.randbytes(5_000)]
+    columns = {"columns": ["q_rad", "p_WT_mm", "heat"], "format": draw.choice(["json", "binary"])}
+    return [
+        (20_000, lambda _: [{"do": "force", "f_N": [draw.random() / 5, 0, 0], "for_ms": 20}]),
+        (5, lambda _: [large(draw)]),
+        (50, lambda _: [{"do": "load", "scene": scene(draw)}]),
+        (200, plane),
+        (5_000, lambda n: [{"do": "mark", "text": str(n) * 200}]),
+        (2, lambda _: [{"do": "subscribe", "hz": 1000, **columns}]),
+        (2, lambda _: [draw.choice(junk)]),
+        (300, lambda _: [any_request(draw)]),
+        (2, lambda _: [{"do": "set", "values": {"/control/kp_N_per_mm": 0.1 + draw.random() / 2}}]),
+    ]
 
 
 async def misbehave(live, draw: random.Random, end: float) -> None:
-    async def say(request: dict) -> None:
-        await live.send(json.dumps({"id": 1, **request}))
-
-    acts = draw.randrange(9)
-    if acts == 0:
-        for _ in range(draw.randrange(20_000)):  # a flood
-            await say({"do": "force", "f_N": [draw.uniform(-0.2, 0.2), 0, 0], "for_ms": 20})
-    elif acts == 1:
-        for _ in range(draw.randrange(5)):
-            await live.send(large(draw))
-    elif acts == 2:
-        for _ in range(draw.randrange(50)):
-            await say({"do": "load", "scene": scene(draw)})
-    elif acts == 3:
-        for n in range(draw.randrange(200)):
-            await say({"do": "constraint.add", "constraint": {**PLANE, "name": f"p{n}"}})
-            await say({"do": "constraint.move", "name": f"p{n}", "values": {}, "over_ms": 10})
-            await say({"do": "constraint.remove", "name": f"p{n}"})
-    elif acts == 4:
-        for n in range(draw.randrange(5_000)):
-            await say({"do": "mark", "text": str(n) * 200})
-    elif acts == 5:
-        every = {"columns": ["q_rad", "p_WT_mm", "force_sent_N", "heat"], "hz": 1000}
-        await say({"do": "subscribe", **every, "format": draw.choice(["json", "binary"])})
-        await asyncio.sleep(draw.uniform(0, 2))  # without reading
-    elif acts == 6:
-        await live.send(draw.choice(["{" * 60_000, "[" * 64, "nonsense", draw.randbytes(5_000)]))
-    elif acts == 7:
-        for _ in range(draw.randrange(300)):
-            await say(any_request(draw))
-    else:
-        await say({"do": "set", "values": {"/control/kp_N_per_mm": draw.uniform(0.1, 0.5)}})
+    most, frames = draw.choice(floods(draw))
+    for n in range(draw.randrange(1, most)):
+        for one in frames(n):
+            await live.send(json.dumps({"id": 1, **one}) if isinstance(one, dict) else one)
+    await asyncio.sleep(draw.choice([0, 0, 0, 2]))  # without reading
     with contextlib.suppress(asyncio.TimeoutError):
         while time.monotonic() < end:
             await asyncio.wait_for(live.recv(), 0.01)
@@ -116,11 +107,8 @@ async def main(url: str, token_file: str, seconds: str, seed: str, unused: str =
     KINDS[:] = [kind for kind in KINDS if kind != unused]
     end = time.monotonic() + float(seconds)
     token = Path(token_file).read_text(encoding="utf-8").strip()
-    draws = [random.Random(f"{seed} {one}") for one in range(4)]
-    await asyncio.wait(
-        [asyncio.create_task(client(url, token, one, end)) for one in draws],
-        timeout=float(seconds) + 5,
-    )
+    clients = [client(url, token, random.Random(f"{seed} {one}"), end) for one in range(4)]
+    await asyncio.wait([*map(asyncio.create_task, clients)], timeout=float(seconds) + 5)
 
 
 if __name__ == "__main__":

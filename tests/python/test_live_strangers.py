@@ -21,12 +21,21 @@ import underact
 from test_live import Served
 from underact.live import LiveError
 
+UPGRADE = {
+    "Connection": "Upgrade",
+    "Upgrade": "websocket",
+    "Sec-WebSocket-Version": "13",
+    "Sec-WebSocket-Key": "MDEyMzQ1Njc4OWFiY2RlZg==",
+}
+
 
 class Strangers(Served):
-    def asks(self, host: str, path: str = "/", port: int | None = None, **headers: str) -> int:
+    def port(self, of: str = "serving") -> int:
+        return int(self.said[of].rsplit(":", 1)[1])
+
+    def asks(self, port: int, host: str, path: str = "/devices", **headers: str) -> int:
         """The status of the answer to a request over plain HTTP."""
-        where = http.client.HTTPConnection("127.0.0.1", port or int(self.url.rsplit(":", 1)[1]))
-        with contextlib.closing(where):
+        with contextlib.closing(http.client.HTTPConnection("127.0.0.1", port)) as where:
             where.putrequest("GET", path, skip_host=True)
             for name, value in {"Host": host, **headers}.items():
                 where.putheader(name, value)
@@ -34,53 +43,39 @@ class Strangers(Served):
             return where.getresponse().status
 
     def test_answers_at_its_own_address_alone_and_its_own_origin_at_both_ports(self):
-        upgrade = {
-            "Connection": "Upgrade",
-            "Upgrade": "websocket",
-            "Sec-WebSocket-Version": "13",
-            "Sec-WebSocket-Key": "MDEyMzQ1Njc4OWFiY2RlZg==",
-        }
-        with self.service("--haply", "0", "--allow-origin", "https://lab.example"):
-            live = int(self.url.rsplit(":", 1)[1])
-            haply = int(self.said["haply"].rsplit(":", 1)[1])
+        lab = {"Origin": "https://lab.example"}
+        with self.service("--haply", "0", "--allow-origin", lab["Origin"]):
+            live, haply = self.port(), self.port("haply")
             for port, well in ((live, 426), (haply, 200)):
                 own = [f"{name}:{port}" for name in ("127.0.0.1", "localhost", "[::1]")]
                 for host in (*own, "127.0.0.1", "LocalHost"):
-                    self.assertEqual(self.asks(host, "/devices", port), well, host)
-                    self.assertEqual(
-                        self.asks(own[0], "/devices", port, Origin=f"http://{own[1]}"), well
-                    )
+                    self.assertEqual(self.asks(port, host), well, host)
+                    self.assertEqual(self.asks(port, own[0], Origin=f"http://{own[1]}"), well)
                 for host in (f"rebound.example:{port}", "127.0.0.1.example", f"localhost:{port}0"):
-                    self.assertEqual(self.asks(host, "/devices", port), 421, host)
-                    self.assertEqual(self.asks(host, "/", port, **upgrade), 421, host)
+                    self.assertEqual(self.asks(port, host), 421, host)
+                    self.assertEqual(self.asks(port, host, "/", **UPGRADE), 421, host)
                 for origin in ("null", "http://localhost", f"http://rebound.example:{port}"):
-                    self.assertEqual(self.asks(own[0], "/devices", port, Origin=origin), 403)
-                self.assertEqual(
-                    self.asks(own[0], "/", port, Origin=f"http://127.0.0.1:{port}", **upgrade), 101
-                )
-            self.assertEqual(self.asks("localhost", port=haply, Origin="https://lab.example"), 403)
+                    self.assertEqual(self.asks(port, own[0], Origin=origin), 403)
+                    self.assertEqual(self.asks(port, own[0], Origin=origin, **UPGRADE), 403)
+                own_page = {"Origin": f"http://127.0.0.1:{port}", **UPGRADE}
+                self.assertEqual(self.asks(port, own[0], "/", **own_page), 101)
+            self.assertEqual(self.asks(live, "localhost", **lab, **UPGRADE), 101)
+            self.assertEqual(self.asks(haply, "localhost", **lab), 403)
 
     def test_ends_connections_that_do_not_say_who_they_are_whatever_they_drip(self):
-        upgrade = (
-            b"GET / HTTP/1.1\r\nHost: localhost\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
-            b"Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: MDEyMzQ1Njc4OWFiY2RlZg==\r\n\r\n"
-        )
+        words = {"Host": "localhost", **UPGRADE}.items()
+        upgrade = b"GET / HTTP/1.1\r\n" + b"".join(f"{a}: {b}\r\n".encode() for a, b in words)
+        accepted = upgrade + b"\r\n"
         ping, part = b"\x89\x80\0\0\0\0", b"\x81\xfe\x10\x00\0\0\0\0"
-        drips = [
-            (b"", b"", b""),
-            (b"", b"", b"G"),
-            (upgrade[:-2], b"", b"X: y\r\n"),
-            (upgrade, b"", ping),
-            (upgrade, part, b"{"),
-        ]
+        drips = [(b"", b"", b""), (b"", b"", b"G"), (upgrade, b"", b"X: y\r\n")]
+        drips += [(accepted, b"", ping), (accepted, part, b"{")]
         with self.service():
-            port = int(self.url.rsplit(":", 1)[1])
             open_ones = []
             for first, after, drip in drips:
-                one = socket.create_connection(("127.0.0.1", port))
+                one = socket.create_connection(("127.0.0.1", self.port()))
                 self.addCleanup(one.close)
                 one.sendall(first)
-                if first == upgrade:
+                if first == accepted:
                     self.assertIn(b" 101 ", one.recv(4096))
                 one.sendall(after)
                 one.settimeout(0.02)
@@ -89,14 +84,15 @@ class Strangers(Served):
             while open_ones and time.monotonic() < begun + 20:
                 time.sleep(0.2)
                 for one, drip in list(open_ones):
-                    with contextlib.suppress(TimeoutError):
-                        with contextlib.suppress(OSError):
+                    try:
+                        with contextlib.suppress(ConnectionError):
                             one.sendall(drip)
-                        try:
-                            if one.recv(4096):
-                                continue
-                        except ConnectionError:
-                            pass
+                        is_open = bool(one.recv(4096))
+                    except TimeoutError:
+                        continue
+                    except ConnectionError:
+                        is_open = False
+                    if not is_open:
                         open_ones.remove((one, drip))
                         ends.append(time.monotonic() - begun)
             self.assertEqual(open_ones, [])
@@ -108,12 +104,11 @@ class Strangers(Served):
 
     def test_does_not_spin_where_no_descriptors_are_left(self):
         with self.service() as process, self.connect() as live:
-            port = int(self.url.rsplit(":", 1)[1])
             used = {int(one) for one in os.listdir(f"/proc/{process.pid}/fd")}
             count = next(one for one in range(len(used) + 1) if one not in used)
             _, most = resource.prlimit(process.pid, resource.RLIMIT_NOFILE)
             resource.prlimit(process.pid, resource.RLIMIT_NOFILE, (count, most))
-            with contextlib.closing(socket.create_connection(("127.0.0.1", port))):
+            with contextlib.closing(socket.create_connection(("127.0.0.1", self.port()))):
                 used_s = self.processor_s(process)
                 time.sleep(2)  # it tries ten times a second; else all the time
                 self.assertLess(self.processor_s(process) - used_s, 0.6)

@@ -36,7 +36,7 @@ class Desk {
       service->poll(now_s);
     }
   }
-  int connect() { return service->connect(now_s).value(); }
+  int connect() { return service->connect(); }
   /// A client that has said hello.
   int join(const std::string& name) {
     const int client = connect();
@@ -45,7 +45,7 @@ class Desk {
     EXPECT_TRUE(isWell(answer)) << answer;
     return client;
   }
-  void send(int client, const std::string& text) { service->receive(client, text, true, now_s); }
+  void send(int client, const std::string& text) { service->receive(client, {text, true, host->stops()}, now_s); }
   /// All that waits for it.
   std::vector<std::string> take(int client) {
     std::vector<std::string> messages;

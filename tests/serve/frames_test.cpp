@@ -45,7 +45,7 @@ TEST(LiveServiceFrames, AnyBytesAreAnsweredOrCloseTheConnectionAndTheServoGoesOn
   const int frames = sweep(5000, 1'000'000);
   for (int frame = 0; frame < frames; ++frame) {
     const std::string text = mutated(random, kFrames[random.below(std::size(kFrames))], kTokens);
-    desk.service->receive(client, text, random.below(50) != 0, desk.now_s);
+    desk.service->receive(client, {text, random.below(50) != 0, desk.host->stops()}, desk.now_s);
     if (frame % 20 == 0) desk.run(1);
     if (frame % 100 == 0) desk.take(client);
     if (!desk.service->closes(client) && desk.service->mayBeRead(client)) continue;

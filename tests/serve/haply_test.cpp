@@ -18,8 +18,7 @@ struct HaplyDesk : Desk {
   explicit HaplyDesk(const std::string& hand = "still") : Desk(false, hand), haply(*service) {
     host->start();
     run(200);
-    client = haply.connect(now_s).value();
-    haply.open(client);
+    client = haply.connect();
   }
   void tick(int ticks) {
     for (int one = 0; one < ticks; ++one) {
@@ -27,7 +26,7 @@ struct HaplyDesk : Desk {
       haply.poll(now_s);
     }
   }
-  void send(const std::string& text) { haply.receive(client, text, true, now_s); }
+  void send(const std::string& text) { haply.receive(client, {text}, now_s); }
   std::vector<std::string> heard() {
     std::vector<std::string> messages;
     while (haply.hasMessage(client)) messages.push_back(haply.takeMessage(client).bytes);
@@ -116,8 +115,7 @@ TEST(Haply, AForceThatIsNotToBeExecutedIsNot) {
 TEST(Haply, ThereIsOneClientAndItsForceEndsWithIt) {
   HaplyDesk desk;
   const Vec3 before_N = desk.asked_N();
-  const int second = desk.haply.connect(desk.now_s).value();
-  desk.haply.open(second);
+  const int second = desk.haply.connect();
   EXPECT_TRUE(desk.haply.closes(second));
   EXPECT_FALSE(desk.haply.closes(desk.client));
   desk.haply.disconnect(second);
@@ -128,9 +126,7 @@ TEST(Haply, ThereIsOneClientAndItsForceEndsWithIt) {
   desk.tick(2);
   EXPECT_LT((desk.asked_N() - before_N).norm(), 0.1);
   EXPECT_EQ(desk.service->steeringClient(), "");
-  const int next = desk.haply.connect(desk.now_s).value();
-  desk.haply.open(next);
-  EXPECT_FALSE(desk.haply.closes(next));
+  EXPECT_FALSE(desk.haply.closes(desk.haply.connect()));
 }
 
 TEST(Haply, WhereAnotherClientSteersItOnlyListens) {
@@ -147,7 +143,7 @@ TEST(Haply, WhereAnotherClientSteersItOnlyListens) {
 TEST(Haply, AnswersWhatItsClientsAskOverHttp) {
   HaplyDesk desk;
   const auto ask = [&](const std::string& method, const std::string& target, const std::string& body = {}) {
-    return desk.haply.answer({method, target, body}).value();
+    return desk.haply.answer({method, target, body});
   };
   EXPECT_EQ(at(parsed(ask("GET", "/version").body), {"project_version"}).text, "3.5.0");
   EXPECT_EQ(at(parsed(ask("GET", "/devices?session=:-1").body), {"inverse3", "config", "device_info", "id"}).text,

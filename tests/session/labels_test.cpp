@@ -29,26 +29,15 @@ std::vector<Marker> markersOf(const std::string& path, const std::vector<std::st
 TEST(Labels, LongerThanMayBeAreCutBetweenLettersWhenTheyAreWritten) {
   const test::ScratchFolder folder;
   const std::string longest(kSessionLimits.label_bytes, 'a'), o_umlaut = "\xC3\xB6";
-  Problems damage;
-  const std::vector<Marker> markers =
-      markersOf(folder.file("s.h5"),
-                {longest, longest + "b", longest.substr(1) + o_umlaut, longest.substr(2) + o_umlaut}, damage);
-  ASSERT_EQ(markers.size(), 4U);
-  EXPECT_TRUE(damage.empty());
-  EXPECT_EQ(markers[0].label, longest);
-  EXPECT_EQ(markers[1].label, longest);
-  EXPECT_EQ(markers[2].label, longest.substr(1));
-  EXPECT_EQ(markers[3].label, longest.substr(2) + o_umlaut);
-}
-
-TEST(Labels, InWhichNoLetterBeginsAreCutToNothing) {
-  const test::ScratchFolder folder;
+  const std::string no_letters(longest.size() + 7, '\x80');
+  const std::vector<std::string> cut{longest, longest, longest.substr(1), longest.substr(2) + o_umlaut, ""};
   Problems damage;
   const std::vector<Marker> markers = markersOf(
-      folder.file("s.h5"), {std::string(static_cast<std::size_t>(kSessionLimits.label_bytes) + 7, '\x80')}, damage);
-  ASSERT_EQ(markers.size(), 1U);
+      folder.file("s.h5"),
+      {longest, longest + "b", longest.substr(1) + o_umlaut, longest.substr(2) + o_umlaut, no_letters}, damage);
+  ASSERT_EQ(markers.size(), cut.size());
   EXPECT_TRUE(damage.empty());
-  EXPECT_EQ(markers[0].label, "");
+  for (std::size_t index = 0; index < cut.size(); ++index) EXPECT_EQ(markers[index].label, cut[index]) << index;
 }
 
 TEST(Labels, OfWhichThereAreTooManyAreDamageAndNotKept) {

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/record/disk.h"
 #include "core/record/session.h"
 #include "tests/session/rig.h"
 #include "tests/support/full_disk.h"
@@ -56,9 +55,6 @@ TEST(Recovery, WithoutRoomForTheCopySaysSoAndChangesNothing) {
   }
   EXPECT_EQ(contentAt(path), before);
   EXPECT_FALSE(std::filesystem::exists(path + ".part"));
-  const RecordingLock lock(path);  // of a program that is recording
-  EXPECT_FALSE(recover(path));
-  EXPECT_EQ(contentAt(path), before);
 }
 
 TEST(Recovery, OfAFileThatCannotBeRecoveredLeavesItsReadableTicks) {

@@ -5,7 +5,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QTextBrowser>
 #include <QToolTip>
@@ -27,17 +26,17 @@ int placesOf(QWidget& window) {
     places += text.contains("<img") ? 1 : 0;
     return text.contains("<img");
   };
-  const auto look_at_label = [&says](QLabel& label) {
-    if (!says(label.text())) return;
-    label.ensurePolished();
-    EXPECT_EQ(label.textFormat(), Qt::PlainText) << label.objectName().toStdString() << label.text().toStdString();
-    EXPECT_TRUE(label.buddy() == nullptr || !label.text().contains("R&D"));
+  const auto look_at_label = [&says](QLabel* label) {
+    if (label == nullptr || !says(label->text())) return;
+    label->ensurePolished();
+    EXPECT_EQ(label->textFormat(), Qt::PlainText) << label->objectName().toStdString() << label->text().toStdString();
+    EXPECT_TRUE(label->buddy() == nullptr || !label->text().contains("R&D"));
   };
   const auto look_at_tip = [&](const QString& tip) {
     if (!says(tip)) return;
     QToolTip::showText(window.mapToGlobal(QPoint(1, 1)), tip, &window);
     for (QWidget* const shown : QApplication::topLevelWidgets())
-      if (shown->inherits("QTipLabel")) look_at_label(*qobject_cast<QLabel*>(shown));
+      if (shown->inherits("QTipLabel")) look_at_label(qobject_cast<QLabel*>(shown));
     QToolTip::hideText();
   };
   const auto look_at_button = [&says](const QString& text) {
@@ -45,8 +44,7 @@ int placesOf(QWidget& window) {
   };
   for (QWidget* const widget : QApplication::allWidgets()) {
     look_at_tip(widget->toolTip());
-    if (auto* const label = qobject_cast<QLabel*>(widget); label != nullptr && !label->inherits("QTipLabel"))
-      look_at_label(*label);
+    if (!widget->inherits("QTipLabel")) look_at_label(qobject_cast<QLabel*>(widget));
     if (const auto* const button = qobject_cast<QAbstractButton*>(widget)) look_at_button(button->text());
     for (const QAction* const action : widget->actions()) look_at_button(action->text());
     const auto* const view = qobject_cast<QAbstractItemView*>(widget);
@@ -58,6 +56,11 @@ int placesOf(QWidget& window) {
       EXPECT_FALSE(page->toHtml().contains("<img src=\"x.png\"")) << page->objectName().toStdString();
   }
   return places;
+}
+
+/// With the words in place of each @.
+QByteArray inserted(QByteArray text) {
+  return text.replace("@", kQuoted);
 }
 
 void openAllPanels(Story& story) {
@@ -74,24 +77,19 @@ TEST(ForeignWordsStory, OfSceneLessonAndSessionAreTextInEveryPanel) {
   Story& story = *desk.story;
   desk.session(30, kHostile);
   ASSERT_TRUE(desk.listed(1));
-  const QString scene =
-      temporaryFile("R&D <img src=b>.json", R"({"underact_scene": 1, "title": )" + kQuoted + R"(, "about": )" +
-                                                kQuoted + R"(, "constraints": [{"name": )" + kQuoted +
-                                                R"(, "type": "sphere", "center_mm": [0, 0, 0], "radius_mm": 50},
-      {"name": "b <img src=a>", "type": "line", "point_mm": [0, 0, 0], "direction": [1, 0, 0]}]})");
+  const QString scene = temporaryFile("R&D <img src=b>.json", inserted(R"({"underact_scene": 1, "title": @, "about": @,
+      "constraints": [{"name": @, "type": "sphere", "center_mm": [0, 0, 0], "radius_mm": 50},
+      {"name": "b <img src=a>", "type": "line", "point_mm": [0, 0, 0], "direction": [1, 0, 0]}]})"));
   ASSERT_TRUE(story.perform("scene.open", scene));
   ASSERT_TRUE(QTest::qWaitFor([&] { return story.window().document().path() == scene; }, kLong_ms));
   openAllPanels(story);
   EXPECT_TRUE(story.window().windowTitle().startsWith(QString(kHostile).replace("[*]", "[*][*]")));
   EXPECT_GE(placesOf(story.window()), 8);
-  ASSERT_TRUE(story.perform(
-      "lesson.start",
-      temporaryFile("lesson.json", R"({"underact_lesson": 1, "title": )" + kQuoted + R"(, "about": )" + kQuoted +
-                                       R"(, "steps": [{"title": )" + kQuoted + R"(, "text": )" + kQuoted +
-                                       R"(, "scene": ")" + scene.toUtf8() + R"(", "checks": [{"question": )" + kQuoted +
-                                       R"(, "choices": [)" + kQuoted + R"(, "no"], "right": 1},
-      {"question": "?", "answer": 1, "within": 0, "unit": )" +
-                                       kQuoted + R"(}]}]})")));
+  const QByteArray lesson = inserted(R"({"underact_lesson": 1, "title": @, "about": @, "steps": [{"title": @, "text": @,
+      "scene": "SCENE", "checks": [{"question": @, "choices": [@, "no"], "right": 1},
+      {"question": "?", "answer": 1, "within": 0, "unit": @}]}]})");
+  ASSERT_TRUE(
+      story.perform("lesson.start", temporaryFile("lesson.json", QByteArray(lesson).replace("SCENE", scene.toUtf8()))));
   openAllPanels(story);
   EXPECT_GE(placesOf(story.window()), 12);
 }

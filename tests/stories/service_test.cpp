@@ -28,7 +28,7 @@ struct ServedWindow {
   }
   ~ServedWindow() { story->window().document().undoStack().setClean(); }  // or it asks whether to save
   int join(const std::string& name) {
-    const int client = live->service()->connect(0.0).value();
+    const int client = live->service()->connect();
     EXPECT_TRUE(isWell(ask(client, R"("do": "hello", "token": ")" + token() + R"(", "name": ")" + name + "\"")));
     return client;
   }
@@ -39,7 +39,7 @@ struct ServedWindow {
   }
   /// The answer; the events before it are in heard.
   std::string ask(int client, const std::string& keys) {
-    live->service()->receive(client, R"({"id": 7, )" + keys + "}", true, 0.0);
+    live->service()->receive(client, {R"({"id": 7, )" + keys + "}"}, 0.0);
     for (int tries = 0; tries < 400; ++tries) {
       while (live->service()->hasMessage(client)) {
         const std::string message = live->service()->takeMessage(client).bytes;

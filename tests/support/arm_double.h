@@ -48,6 +48,8 @@ class ArmDouble {
     return answered_ns_;
   }
 
+  std::string title = "Double";  // before it is opened
+
   class Port final : public servo::DevicePort {
    public:
     explicit Port(ArmDouble& arm) : arm_(arm), opened_ns_(system::monotonicNow_ns()) { arm_.time_ns_ = 0; }
@@ -68,7 +70,7 @@ class ArmDouble {
     }
     Sentence fixedRateReason() const override { return {}; }
     Sentence trouble() const override { return arm_.lost_ ? "The double was unplugged. Plug it in." : ""; }
-    servo::DeviceInfo info() const override { return {"Double", false, true, 0.5}; }
+    servo::DeviceInfo info() const override { return {arm_.title, false, true, 0.5}; }
 
    private:
     ArmDouble& arm_;

@@ -33,7 +33,6 @@ TwoViews::TwoViews(SceneView& left, QWidget* parent) : QWidget(parent), left_(le
 QLabel* TwoViews::head(const char* name, const QString& spoken, QVBoxLayout* column) {
   auto* made = new QLabel(this);
   nameWidget(made, name, spoken);
-  made->setTextFormat(Qt::PlainText);
   made->setWordWrap(true);
   made->setMargin(6);
   column->addWidget(made);

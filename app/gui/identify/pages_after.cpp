@@ -117,10 +117,7 @@ KeepPage::KeepPage(IdentifyRun& run, const PlacePage& place, ArmInUse& in_use, Q
   nameWidget(title_, "identify.title", tr("Title"));
   nameWidget(provenance_, "identify.provenance", tr("Provenance"));
   nameWidget(told_, "identify.told", tr("Result of the last action"));
-  for (QLabel* label : {provenance_, told_}) {
-    label->setWordWrap(true);
-    label->setTextFormat(Qt::PlainText);
-  }
+  for (QLabel* label : {provenance_, told_}) label->setWordWrap(true);
   auto* form = new QFormLayout;
   form->addRow(tr("&Name"), name_);
   form->addRow(tr("&Title"), title_);

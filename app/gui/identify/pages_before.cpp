@@ -24,7 +24,6 @@ QLabel* words(const char* name, const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
   label->setObjectName(name);
   label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
   return label;
 }
 

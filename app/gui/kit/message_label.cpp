@@ -16,7 +16,6 @@ QLabel* messageLabel(const char* name, const QString& spoken, const char* role, 
   label->setProperty("role", role);
   label->setIndent(0);  // a role with a border would be indented by half a letter
   label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;
 }

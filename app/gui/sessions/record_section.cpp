@@ -26,7 +26,8 @@ namespace {
 
 enum RecordRow { kTime, kSize, kTicks, kMarks, kDisk, kLasts };
 
-/// Warnings during a recording: ticks that were lost, and a disk that is nearly full.
+}  // namespace
+
 QString warningOf(const record::RecorderStatus& status, bool runs) {
   QStringList lines;
   if (status.files.size() > 1)
@@ -47,8 +48,6 @@ QString warningOf(const record::RecorderStatus& status, bool runs) {
                       .arg(bytesText(status.disk_left_bytes)));
   return lines.join('\n');
 }
-
-}  // namespace
 
 RecordSection::RecordSection(Recording& recording, Actions& actions, QWidget* parent)
     : QWidget(parent),

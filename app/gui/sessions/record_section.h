@@ -5,12 +5,19 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 
+namespace underact::record {
+struct RecorderStatus;
+}
+
 namespace underact::gui {
 
 class Actions;
 class Readout;
 class Recording;
 class MetadataForm;
+
+/// What a person has to know during a recording: ticks that were lost, and a disk that is nearly full. A line each.
+QString warningOf(const record::RecorderStatus& status, bool runs);
 
 /// The state of the recording: a button, duration, size, free disk space and markers; and the metadata saved with it.
 class RecordSection : public QWidget {

@@ -44,7 +44,6 @@ SessionList::SessionList(QWidget* parent)
   list_->setMinimumHeight(kLinesOfList * fontMetrics().lineSpacing());
   list_->installEventFilter(this);
   details_->setAccessibleName(tr("Details of the selected session"));
-  details_->setTextFormat(Qt::PlainText);
   details_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   details_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   details_->setMinimumHeight(kLinesOfDetails * fontMetrics().lineSpacing());

@@ -72,11 +72,11 @@ TEST(LiveService, ItsMenuNamesWhoIsThereAndCopiesWhatTheyNeed) {
   QFile file(one.live->tokenFile());
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   const std::string token = file.readAll().trimmed().toStdString();
-  const int client = service.connect(0.0).value();
-  service.receive(client, R"({"id": 1, "do": "hello", "name": "trials", "token": ")" + token + "\"}", true, 0.0);
-  service.receive(client, R"({"id": 2, "do": "lease", "lease": "take"})", true, 0.0);
-  const int listener = service.connect(0.0).value();
-  service.receive(listener, R"({"id": 1, "do": "hello", "name": "plot", "token": ")" + token + "\"}", true, 0.0);
+  const int client = service.connect();
+  service.receive(client, {R"({"id": 1, "do": "hello", "name": "trials", "token": ")" + token + "\"}"}, 0.0);
+  service.receive(client, {R"({"id": 2, "do": "lease", "lease": "take"})"}, 0.0);
+  const int listener = service.connect();
+  service.receive(listener, {R"({"id": 1, "do": "hello", "name": "plot", "token": ")" + token + "\"}"}, 0.0);
   EXPECT_EQ(one.entries().mid(2, 2), QStringList({"trials steers", "plot listens"}));
   one.desk->frame();
   EXPECT_EQ(one.desk->find<QToolButton>("status.service")->text(), "trials steers");

@@ -7,7 +7,9 @@
 #include <memory>
 
 #include "app/gui/sessions/delete_question.h"
+#include "app/gui/sessions/record_section.h"
 #include "app/gui/sessions/session_index.h"
+#include "core/record/recorder.h"
 
 namespace underact::gui::test {
 namespace {
@@ -75,6 +77,16 @@ TEST(DeleteQuestion, EscAndEnterLeaveTheSessionWhereItIs) {
   EXPECT_EQ(question->buttonRole(question->defaultButton()), QMessageBox::RejectRole);
   EXPECT_EQ(question->escapeButton(), static_cast<QAbstractButton*>(question->defaultButton()));
   EXPECT_TRUE((question->text() + question->informativeText()).contains("Pilot"));
+}
+
+TEST(RecordSection, SaysInWhichFileItGoesOnAndHowManyTicksAreMissing) {
+  record::RecorderStatus status;
+  EXPECT_EQ(warningOf(status, false), "");
+  status.files = {"/home/a.h5", "/home/a_2.h5"};
+  status.dropped = 7;
+  EXPECT_EQ(warningOf(status, false),
+            "The recording has 2 files, because one session may not be longer. The last one is a_2.h5.\n"
+            "7 ticks are missing: the computer was too busy to write them. The servo kept running.");
 }
 
 }  // namespace underact::gui::test

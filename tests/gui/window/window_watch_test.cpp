@@ -6,6 +6,7 @@
 #include <QDialog>
 #include <QPushButton>
 #include <QTest>
+#include <array>
 
 #include "app/gui/arms/second_arm.h"
 #include "app/gui/kit/stop_key.h"
@@ -37,6 +38,11 @@ struct Watched {
     desk.run(1);
     EXPECT_TRUE(desk.host().running());
   }
+  void open(QDialog& dialog) const {
+    dialog.open();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&dialog));
+    QTest::qWait(100);
+  }
   /// This thread, which is the window's, does nothing else meanwhile.
   bool stopsWhileBusy() {
     return comes([this] { return !desk.host().running(); });
@@ -57,43 +63,28 @@ struct Watched {
 
 }  // namespace
 
-TEST(WindowWatch, EscStopsARealArmWhileTheWindowIsBusyWhateverElseItWouldClose) {
-  Watched watched(true);
-  QDialog dialog(&watched.desk.window());
-  dialog.open();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&dialog));
-  watched.person.press(Person::kEscape);
-  EXPECT_TRUE(watched.stopsWhileBusy());
-}
-
-TEST(WindowWatch, EscStopsTheSimulatedArmWhileTheWindowIsBusyWhereNothingIsOpen) {
-  Watched watched(false);
-  watched.person.press(Person::kEscape);
-  EXPECT_TRUE(watched.stopsWhileBusy());
+TEST(WindowWatch, WhileTheWindowIsBusyEscStopsARealArmAndWhereNothingIsOpenAndShiftEscAlways) {
+  for (const auto& [is_real, is_open, has_shift] :
+       {std::array{true, true, false}, {false, false, false}, {false, true, true}}) {
+    SCOPED_TRACE(is_real ? "real" : has_shift ? "Shift" : "simulated");
+    Watched watched(is_real);
+    QDialog dialog(&watched.desk.window());
+    if (is_open) watched.open(dialog);
+    has_shift ? watched.person.pressWithShift(Person::kEscape) : watched.person.press(Person::kEscape);
+    EXPECT_TRUE(watched.stopsWhileBusy());
+  }
 }
 
 TEST(WindowWatch, WithTheSimulatedArmAnOpenDialogGetsEscEvenIfItHasToWait) {
   Watched watched(false);
   QDialog dialog(&watched.desk.window());
-  dialog.open();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&dialog));
-  QTest::qWait(100);
+  watched.open(dialog);
   watched.person.press(Person::kEscape);
   QThread::msleep(200);  // busy
   EXPECT_TRUE(watched.goesOn());
   EXPECT_FALSE(dialog.isVisible());
   watched.person.press(Person::kEscape);
   EXPECT_FALSE(watched.goesOn()) << "nothing is open any more";
-}
-
-TEST(WindowWatch, ShiftEscStopsTheSimulatedArmInAnOpenDialogWhileTheWindowIsBusy) {
-  Watched watched(false);
-  QDialog dialog(&watched.desk.window());
-  dialog.open();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&dialog));
-  QTest::qWait(100);
-  watched.person.pressWithShift(Person::kEscape);
-  EXPECT_TRUE(watched.stopsWhileBusy());
 }
 
 TEST(WindowWatch, AClickOnStopStopsWhileTheWindowIsBusyAndOneBesideItDoesNot) {
