@@ -68,7 +68,7 @@ struct Out {
     for (std::size_t k = 0; k < found; ++k) {
       const kinematics::Found& one = answer.found[k];
       kinematics::writeJoints(arm.chain(), one.q, std::span(first + k * joints, joints));
-      to[Record::within + k] = arm::isWithinLimits(arm.model, std::span(one.q).first(joints));
+      to[Record::within + k] = one.within_limits;
       to[record.family + k] = families.numberOf(one.family);
       for (std::size_t i = 0; i < 3; ++i)
         to[record.branch + 3 * k + i] = static_cast<std::uint8_t>(static_cast<std::int8_t>(one.branch[i].choice));

@@ -32,7 +32,7 @@ JsonObject solutionObject(const SolvedArm& arm, const kinematics::Found& found) 
   } else {
     object.addNull("branch");
   }
-  object.addBool("within_limits", arm::isWithinLimits(arm.model, std::span(found.q).first(arm.joints())));
+  object.addBool("within_limits", found.within_limits);
   if (!found.family.empty()) {
     object.addText("family", found.family);
   } else {
@@ -99,13 +99,13 @@ void addInverse(Command program, const Streams& streams, Exit& exit) {
   command.option("--seed", options->seed, "Seed of the iteration's restarts").showUsual();
   command
       .option("--search", options->search,
-              "Of the iteration: all different solutions that this many starts find; 0: the first one of up to 51")
+              "Of the iteration: all different solutions that this many starts find; 0: the first one of up to 101")
       .range(0, 100000)
       .showUsual();
   command.option(
       "--prefer", options->prefer,
-      "Of the iteration: a posture, [q1, ...], to start from and to come near to where the arm has joints to "
-      "spare");
+      "A posture, [q1, ...]: full turns are those nearest to it, the solution nearest to it comes first, and the "
+      "iteration starts from it and comes near to it where the arm has joints to spare");
   command.footer(
       "Each line in is {\"X_WT\": 4x4 in mm}; each line out is {\"reachable\", \"singular\", \"solutions\": "
       "[{\"q_rad\",\n"

@@ -81,9 +81,12 @@ Result<Preset> presetOf(const Model& model);
 /// The limits of its joints, rad or m; of joints that it does not have: none.
 JointLimits limitsOf(const Model& model);
 
-/// Whether each joint is within its limits; a revolute joint may be a full turn away. q: one value for each joint, rad
-/// or m.
+/// Whether each joint is within its limits as it stands. q: one value for each joint, rad or m.
 bool isWithinLimits(const Model& model, std::span<const double> q);
+
+/// Moves each joint that turns by full turns to the value nearest to that of near that its limits allow, if they allow
+/// any, and without it to the value nearest to its own in (-pi, pi]. near: as q, or empty.
+void turnIntoLimits(const Model& model, std::span<double> q, std::span<const double> near = {});
 
 /// The frames of the rows of the table in W, as many as there are.
 std::array<Pose, kMostJoints> linkFrames(const Model& model, const JointAngles& q_rad) noexcept;
