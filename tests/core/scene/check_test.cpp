@@ -46,7 +46,7 @@ TEST(SceneRules, LengthsMustBeAboveZeroAndCoordinatesWithinAKilometre) {
   EXPECT_EQ(radius("1e-12"), "");
   EXPECT_EQ(radius("1e6"), "");
   EXPECT_EQ(radius("0"), at + "This must be above 0 mm; here it is 0.\n");
-  EXPECT_EQ(radius("-0.0"), at + "This must be above 0 mm; here it is -0.\n");
+  EXPECT_EQ(radius("-0.0"), at + "This must be above 0 mm; here it is -0.0.\n");
   EXPECT_EQ(radius("-5"), at + "This must be above 0 mm; here it is -5.\n");
   EXPECT_EQ(radius("1e-999"), at + "This must be above 0 mm; here it is 0.\n");
   EXPECT_EQ(radius("1e-320"), at + "This is too close to 0 mm; the smallest value is 1e-100 mm.\n");
