@@ -81,7 +81,7 @@ std::vector<Pose> posesOf(const Rows& rows) {
   std::vector<Pose> poses(rows.count);
   for (std::size_t i = 0; i < rows.count; ++i) {
     const Eigen::Matrix4d X = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(rows.row(i).data());
-    if (const char* const wrong = kinematics::readPose(X, poses[i]))
+    if (const std::string wrong = kinematics::readPose(X, poses[i]); !wrong.empty())
       throw py::value_error((rows.lead.empty() ? std::string("X ") : "Pose " + std::to_string(i) + " of X ") + wrong);
   }
   return poses;

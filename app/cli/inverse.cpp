@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -73,8 +74,10 @@ Exit solvePoses(const AskedPoses& options, const Streams& streams) {
   return answerLines(streams, [&](std::string_view text) -> Result<JsonObject> {
     const Result<json::Value> line = readLine(text, {"X_WT"}, "{\"X_WT\": 4x4 in mm}");
     if (!line) return line.problems();
-    const Result<Pose> X_WT = readPose(line.value(), "X_WT");
+    std::string note;
+    const Result<Pose> X_WT = readPose(line.value(), "X_WT", &note);
     if (!X_WT) return X_WT.problems();
+    if (!note.empty()) streams.err << "note: " << note << '\n';
     const kinematics::Answer answer = kinematics::solve(arm, X_WT.value(), method.value(), asked);
     std::vector<JsonObject> solutions;
     for (const kinematics::Found& found : answer.found) solutions.push_back(solutionObject(arm, found));

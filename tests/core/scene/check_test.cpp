@@ -80,8 +80,11 @@ TEST(SceneRules, TheMatrixOfABoxMustBeARotation) {
   EXPECT_EQ(matrix("[[1, 0, 0], [0, 0, -1], [0, 1, 0]]"), "");
   EXPECT_EQ(matrix("[[1, 0, 0], [0, 1, 0], [0, 0, 1.0000001]]"), "");  // rounded, not wrong
   EXPECT_EQ(matrix("[[1, 0, 0], [0, 1, 0], [0, 0, -1]]"), no);         // a mirror
-  EXPECT_EQ(matrix("[[1, 0, 0], [0, 1, 0], [0, 0, 1.00001]]"), no);
-  EXPECT_EQ(matrix("[[1, 0, 0], [0.001, 1, 0], [0, 0, 1]]"), no);
+  EXPECT_EQ(matrix("[[1, 0, 0], [0.001, 1, 0], [0, 0, 1]]"), "");      // the nearest one is meant
+  EXPECT_EQ(
+      matrix("[[1, 0, 0], [0, 1, 0], [0, 0, 1.002]]"),
+      "2:71: constraints[0].R_WB: This is not a rotation matrix: a number in it is 0.002 off the nearest one, and "
+      "0.001 is allowed. Give at least four decimals, better six.\n");
   EXPECT_EQ(matrix("[[0, 0, 0], [0, 0, 0], [0, 0, 0]]"), no);
   EXPECT_EQ(matrix("[[1, 0, 0], [0, 1, 0], [0, 0, 1e999]]"),
             "2:101: constraints[0].R_WB[2][2]: This is not a finite number; the largest is about 1.8e308.\n");
