@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -17,7 +16,7 @@ using kinematics::SolvedArm;
 
 /// As they are asked for; posture: the text of --prefer.
 struct AskedPoses : kinematics::InverseOptions {
-  std::string arm;
+  AskedArm arm;
   std::string prefer;
 };
 
@@ -62,7 +61,7 @@ Result<std::vector<double>> postureOf(const SolvedArm& arm, const std::string& t
 }
 
 Exit solvePoses(const AskedPoses& options, const Streams& streams) {
-  const Result<SolvedArm> choice = kinematics::chooseArm(options.arm);
+  const Result<SolvedArm> choice = askedArm(options.arm, streams.err);
   if (!choice) return refuseArm(choice.problems(), streams.err);
   const SolvedArm& arm = choice.value();
   const Result<kinematics::Method> method = kinematics::methodFor(arm, options.method);

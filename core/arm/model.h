@@ -47,19 +47,26 @@ struct Model {
   std::vector<JointFacts> joints;  // as many as rows
   std::vector<LinkMass> masses;    // as many as rows, 0 where the file says nothing; empty: it has none
   std::vector<LinkSolid> solids;   // what it looks like; empty: the file says nothing, and it is drawn by formula
+  Problems notes = {};             // what reading the file chose or left out
   std::string folder;  // of the file on this disk that it was read from; empty: of none, and no mesh of it is opened
   bool limits_wrist_size = false;  // those of joint 5 are of its absolute value
   std::optional<DeviceFigures> device;
 };
 
+/// The two links of a robot between which the arm lies. Empty: its root, and the link that LinkFamily::tip() chooses.
+struct UrdfEnds {
+  std::string base;
+  std::string tip;
+};
+
 /// An arm from JSON text. Problems: all at once. Keys: the guide, "Arm files".
 Result<Model> readArm(std::string_view text, const std::string& file_name);
-/// The same of a file, whose folder the model keeps; one whose name ends in .urdf or .xml is read as readUrdf() does.
-/// Problems, too: it cannot be read.
-Result<Model> readArmFile(const std::string& path);
+/// An arm from text, JSON or URDF, whichever it is. ends: of URDF. Problems: those of readArm() or readUrdf(); ends of
+/// an arm in JSON.
+Result<Model> readArmText(std::string_view text, const std::string& file_name, const UrdfEnds& ends = {});
 
-/// The same of the text of a file of that name.
-Result<Model> readArmText(std::string_view text, const std::string& file_name);
+/// The same of a file, whose folder the model keeps. Problems, too: it cannot be read.
+Result<Model> readArmFile(const std::string& path, const UrdfEnds& ends = {});
 
 /// The models that ship with the program, read once.
 std::span<const Model> models();
