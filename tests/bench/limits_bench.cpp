@@ -10,13 +10,12 @@
 // Inverse kinematics within the joint limits, of arms with joints to spare: kPoses poses of joints drawn evenly within
 // the limits (joints without limits within a turn) by SplitMix64 from kSeed, joint by joint, each answered from all
 // joints at 0 as `underact-cli ik` does. Printed: how many of the answers are within the limits, and us for one: median
-// and 99th percentile, each pose the least of kRounds.
+// and 99th percentile, each pose the least of kTimes.
 namespace underact {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
-constexpr int kPoses = 300, kRounds = 9;
-using Clock = std::chrono::steady_clock;
+constexpr int kPoses = 300, kTimes = 9;
 
 kinematics::SolvedArm armOf(const std::string& name) {
   if (name != "gen3") return kinematics::chooseArm(name).value();
@@ -46,12 +45,12 @@ void withinLimits(benchmark::State& state, const std::string& name) {
   std::vector<double> least_us(poses.size(), kInfinity);
   int within = 0;
   for (auto unused : state) {
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kTimes; ++round) {
       within = 0;
       for (std::size_t i = 0; i < poses.size(); ++i) {
-        const Clock::time_point begin = Clock::now();
+        const auto begin = std::chrono::steady_clock::now();
         const kinematics::Answer answer = kinematics::solve(arm, poses[i], kinematics::Method::Iteration, {});
-        const std::chrono::duration<double, std::micro> took = Clock::now() - begin;
+        const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
         least_us[i] = std::min(least_us[i], took.count());
         within += !answer.found.empty() && answer.found[0].within_limits ? 1 : 0;
       }
