@@ -68,7 +68,7 @@ struct Out {
     for (std::size_t k = 0; k < found; ++k) {
       const kinematics::Found& one = answer.found[k];
       kinematics::writeJoints(arm.chain(), one.q, std::span(first + k * joints, joints));
-      to[Record::within + k] = arm::isWithinLimits(arm.model, std::span(one.q).first(joints));
+      to[Record::within + k] = one.within_limits;
       to[record.family + k] = families.numberOf(one.family);
       for (std::size_t i = 0; i < 3; ++i)
         to[record.branch + 3 * k + i] = static_cast<std::uint8_t>(static_cast<std::int8_t>(one.branch[i].choice));
@@ -81,7 +81,7 @@ std::vector<Pose> posesOf(const Rows& rows) {
   std::vector<Pose> poses(rows.count);
   for (std::size_t i = 0; i < rows.count; ++i) {
     const Eigen::Matrix4d X = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(rows.row(i).data());
-    if (const char* const wrong = kinematics::readPose(X, poses[i]))
+    if (const std::string wrong = kinematics::readPose(X, poses[i]); !wrong.empty())
       throw py::value_error((rows.lead.empty() ? std::string("X ") : "Pose " + std::to_string(i) + " of X ") + wrong);
   }
   return poses;

@@ -9,6 +9,7 @@
 #include "app/bindings/numbers.h"
 #include "app/bindings/parts.h"
 #include "core/arm/inverse.h"
+#include "core/base/nearest_rotation.h"
 #include "core/base/units.h"
 #include "core/kinematics/units.h"
 #include "core/manipulator/energy.h"
@@ -65,6 +66,10 @@ struct Stylus {
   }
   Mat3 orientation(std::size_t i) const {
     if (!turns) return Mat3::Identity();
+    const Mat3 R = given(i);
+    return rotationNote(R).empty() ? R : nearestRotation(R);
+  }
+  Mat3 given(std::size_t i) const {
     return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(R_WT.row(R_WT.lead.empty() ? 0 : i).data());
   }
 };
@@ -76,10 +81,8 @@ Stylus readStylus(const py::handle& p_mm, const py::handle& R_WT) {
   if (!stylus.R_WT.lead.empty() && stylus.R_WT.lead != stylus.p_mm.lead)
     throw py::value_error("R_WT must have the shape (3, 3), or one matrix for each position.");
   for (std::size_t i = 0; i < stylus.R_WT.count; ++i) {
-    const Mat3 R = stylus.orientation(i);
-    const double error = (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff();
-    if (error > kinematics::kRotationTolerance || R.determinant() < 0.0)
-      throw py::value_error("R_WT must be rotations: orthonormal rows, determinant +1.");
+    const Mat3 R = stylus.given(i);
+    if (const std::string wrong = kinematics::rotationWrong(R); !wrong.empty()) throw py::value_error("R_WT " + wrong);
   }
   return stylus;
 }
@@ -205,7 +208,7 @@ py::tuple energy(const Scene& scene, std::size_t index, const py::handle& X, con
   std::vector<Pose> stylus(poses.count);
   for (std::size_t i = 0; i < poses.count; ++i) {
     const Eigen::Matrix4d matrix = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(poses.row(i).data());
-    if (const char* const wrong = kinematics::readPose(matrix, stylus[i]))
+    if (const std::string wrong = kinematics::readPose(matrix, stylus[i]); !wrong.empty())
       throw py::value_error(std::string("X_WT ") + wrong);
   }
   py::array_t<double> energy_J = emptyRows(values.lead, {});

@@ -8,7 +8,9 @@
 #include "app/bindings/numbers.h"
 #include "app/bindings/parts.h"
 #include "app/bindings/simulation.h"
+#include "core/base/nearest_rotation.h"
 #include "core/base/units.h"
+#include "core/kinematics/units.h"
 #include "core/record/session_tables.h"
 #include "core/sim/arm_model.h"
 
@@ -73,10 +75,10 @@ void want(Simulation& simulation, const py::handle& p_mm, const py::handle& R_WT
   if (R_WT.is_none()) return simulation.want(p_WT, nullptr);
   const Rows rows = readRows(R_WT, "R_WT", {3, 3}, 2.0);
   const Mat3 R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rows.row(0).data());
-  if (!rows.lead.empty() || !((R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() < 2e-6) ||
-      R.determinant() < 0.0)
-    throw py::value_error("R_WT must be a rotation: orthonormal rows, determinant +1.");
-  simulation.want(p_WT, &R);
+  if (!rows.lead.empty()) throw py::value_error("R_WT must be one rotation.");
+  if (const std::string wrong = kinematics::rotationWrong(R); !wrong.empty()) throw py::value_error("R_WT " + wrong);
+  const Mat3 meant = rotationNote(R).empty() ? R : nearestRotation(R);
+  simulation.want(p_WT, &meant);
 }
 
 void push(Simulation& simulation, const py::handle& f_N, std::int64_t ticks) {

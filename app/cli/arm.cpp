@@ -10,11 +10,12 @@ namespace underact::cli {
 namespace {
 
 struct ConvertOptions {
-  std::string in, to, base, tip;
+  std::string in, to;
+  arm::UrdfEnds ends;
 };
 
 Exit convert(const ConvertOptions& options, const Streams& streams) {
-  const Result<kinematics::SolvedArm> arm = kinematics::chooseArm(options.in, {options.base, options.tip});
+  const Result<kinematics::SolvedArm> arm = kinematics::chooseArm(options.in, options.ends);
   if (!arm) return refuseArm(arm.problems(), streams.err);
   const arm::ArmForm to = options.to == "urdf"  ? arm::ArmForm::Urdf
                           : options.to == "poe" ? arm::ArmForm::Exponentials
@@ -39,8 +40,7 @@ void addArm(Command program, const Streams& streams, Exit& exit) {
               "dh: a table in modified convention; poe: a product of exponentials; urdf: for other programs")
       .oneOf({"dh", "poe", "urdf"})
       .required();
-  command.option("--base", options->base, "Of a URDF file: the link that stands still; otherwise its root");
-  command.option("--tip", options->tip, "Of a URDF file: the link of the tip; otherwise the only one without children");
+  addEndOptions(command, options->ends);
   command.footer("The new file is printed. The frame of the base of a URDF file becomes the workspace's.\n\n" +
                  listOfArms());
   command.whenChosen([options, &streams, &exit] { exit = convert(*options, streams); });

@@ -12,9 +12,22 @@ Exit refuseArm(const Problems& problems, std::ostream& err) {
   return problems.front().place.file.empty() ? Exit::Usage : exitOf(problems);
 }
 
-void addArmOption(Command command, std::string& name) {
-  name = std::string(arm::kDefaultArm);
-  command.option("--arm", name, "An arm from the list below, or an arm file").showUsual();
+void addArmOption(Command command, AskedArm& asked) {
+  asked.arm = std::string(arm::kDefaultArm);
+  command.option("--arm", asked.arm, "An arm from the list below, or an arm file").showUsual();
+  addEndOptions(command, asked.ends);
+}
+
+void addEndOptions(Command command, arm::UrdfEnds& ends) {
+  command.option("--base", ends.base, "Of a URDF file: the link that stands still; otherwise its root");
+  command.option("--tip", ends.tip,
+                 "Of a URDF file: the link of the tip; otherwise the end of the way with the most joints");
+}
+
+Result<kinematics::SolvedArm> askedArm(const AskedArm& asked, std::ostream& err) {
+  Result<kinematics::SolvedArm> arm = kinematics::chooseArm(asked.arm, asked.ends);
+  if (arm) printNotes(arm.value().model.notes, err);
+  return arm;
 }
 
 std::string listOfArms() {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ using kinematics::SolvedArm;
 
 /// As they are asked for; posture: the text of --prefer.
 struct AskedPoses : kinematics::InverseOptions {
-  std::string arm;
+  AskedArm arm;
   std::string prefer;
 };
 
@@ -32,7 +33,7 @@ JsonObject solutionObject(const SolvedArm& arm, const kinematics::Found& found) 
   } else {
     object.addNull("branch");
   }
-  object.addBool("within_limits", arm::isWithinLimits(arm.model, std::span(found.q).first(arm.joints())));
+  object.addBool("within_limits", found.within_limits);
   if (!found.family.empty()) {
     object.addText("family", found.family);
   } else {
@@ -61,7 +62,7 @@ Result<std::vector<double>> postureOf(const SolvedArm& arm, const std::string& t
 }
 
 Exit solvePoses(const AskedPoses& options, const Streams& streams) {
-  const Result<SolvedArm> choice = kinematics::chooseArm(options.arm);
+  const Result<SolvedArm> choice = askedArm(options.arm, streams.err);
   if (!choice) return refuseArm(choice.problems(), streams.err);
   const SolvedArm& arm = choice.value();
   const Result<kinematics::Method> method = kinematics::methodFor(arm, options.method);
@@ -73,8 +74,10 @@ Exit solvePoses(const AskedPoses& options, const Streams& streams) {
   return answerLines(streams, [&](std::string_view text) -> Result<JsonObject> {
     const Result<json::Value> line = readLine(text, {"X_WT"}, "{\"X_WT\": 4x4 in mm}");
     if (!line) return line.problems();
-    const Result<Pose> X_WT = readPose(line.value(), "X_WT");
+    std::string note;
+    const Result<Pose> X_WT = readPose(line.value(), "X_WT", &note);
     if (!X_WT) return X_WT.problems();
+    if (!note.empty()) streams.err << "note: " << note << '\n';
     const kinematics::Answer answer = kinematics::solve(arm, X_WT.value(), method.value(), asked);
     std::vector<JsonObject> solutions;
     for (const kinematics::Found& found : answer.found) solutions.push_back(solutionObject(arm, found));
@@ -99,13 +102,13 @@ void addInverse(Command program, const Streams& streams, Exit& exit) {
   command.option("--seed", options->seed, "Seed of the iteration's restarts").showUsual();
   command
       .option("--search", options->search,
-              "Of the iteration: all different solutions that this many starts find; 0: the first one of up to 51")
+              "Of the iteration: all different solutions that this many starts find; 0: the first one of up to 101")
       .range(0, 100000)
       .showUsual();
   command.option(
       "--prefer", options->prefer,
-      "Of the iteration: a posture, [q1, ...], to start from and to come near to where the arm has joints to "
-      "spare");
+      "A posture, [q1, ...]: full turns are those nearest to it, the solution nearest to it comes first, and the "
+      "iteration starts from it and comes near to it where the arm has joints to spare");
   command.footer(
       "Each line in is {\"X_WT\": 4x4 in mm}; each line out is {\"reachable\", \"singular\", \"solutions\": "
       "[{\"q_rad\",\n"

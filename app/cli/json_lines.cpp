@@ -6,6 +6,7 @@
 #include <ostream>
 #include <string>
 
+#include "core/base/nearest_rotation.h"
 #include "core/kinematics/units.h"
 
 namespace underact::cli {
@@ -93,7 +94,7 @@ std::vector<double> jointNumbers(const chain::Chain& chain, const chain::JointVa
   return numbers;
 }
 
-Result<Pose> readPose(const Value& line, const char* key) {
+Result<Pose> readPose(const Value& line, const char* key, std::string* note) {
   const Value& rows = *line.find(key);
   const auto isRow = [](const Value& row) {
     const auto fits = [](const Value& entry) { return isNumberUpTo(entry, kFarthest_mm); };
@@ -109,7 +110,9 @@ Result<Pose> readPose(const Value& line, const char* key) {
     }
   }
   Pose pose = Pose::Identity();
-  if (const char* const wrong = kinematics::readPose(X, pose)) return problem(key, wrong);
+  if (const std::string wrong = kinematics::readPose(X, pose); !wrong.empty()) return problem(key, wrong.c_str());
+  if (Sentence said = rotationNote(X.topLeftCorner<3, 3>()); !said.empty())
+    *note = std::string("\"") + key + "\": " + std::string(said);
   return pose;
 }
 

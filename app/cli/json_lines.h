@@ -28,7 +28,8 @@ Result<chain::JointValues> readJoints(const json::Value& line, const char* key, 
 /// The same numbers back as a line has them.
 std::vector<double> jointNumbers(const chain::Chain& chain, const chain::JointValues& q);
 
-/// Four rows of four; a rotation to 1e-6 (brought to the nearest one), lengths in mm of at most 1e9, last row 0 0 0 1.
-Result<Pose> readPose(const json::Value& line, const char* key);
+/// Four rows of four; a rotation to 1e-3 (brought to the nearest one, which note says where six decimals leave less),
+/// lengths in mm of at most 1e9, last row 0 0 0 1.
+Result<Pose> readPose(const json::Value& line, const char* key, std::string* note);
 
 }  // namespace underact::cli

@@ -21,8 +21,8 @@ constexpr const char* kJointsAndWrench = "{\"q_rad\": [q1, ...], \"f_N\": [3], \
 using Answering = Result<JsonObject> (*)(const SolvedArm& arm, const JointValues& q, const Value& line);
 
 /// Answers lines of joint values with one arm; further keys of a line are a wrench.
-Exit answerJoints(const std::string& arm, const Streams& streams, const char* example, Answering answer) {
-  const Result<SolvedArm> choice = kinematics::chooseArm(arm);
+Exit answerJoints(const AskedArm& asked, const Streams& streams, const char* example, Answering answer) {
+  const Result<SolvedArm> choice = askedArm(asked, streams.err);
   if (!choice) return refuseArm(choice.problems(), streams.err);
   return answerLines(streams, [&](std::string_view text) -> Result<JsonObject> {
     const Result<Value> line = example == kJoints ? readLine(text, {"q_rad"}, example)
@@ -86,7 +86,7 @@ Result<JsonObject> staticsAnswer(const SolvedArm& arm, const JointValues& q, con
 void addCommand(Command program, const Streams& streams, Exit& exit, const char* name, const char* what,
                 const char* out, Answering answer, const char* example = kJoints) {
   const Command command = program.add(name, what);
-  const auto arm = std::make_shared<std::string>();
+  const auto arm = std::make_shared<AskedArm>();
   addArmOption(command, *arm);
   command.footer(std::string("Each line in is ") + example +
                  ": DH angles, one entry for each joint, mm where it slides.\nEach line out is " + out +

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/cli/json_lines.h"
+#include "core/base/nearest_rotation.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
 #include "core/kinematics/units.h"
@@ -36,12 +37,6 @@ bool readMatrix(const Value& value, Mat3& matrix) {
     matrix.row(static_cast<Eigen::Index>(row)) = entries;
   }
   return true;
-}
-
-bool isRotation(const Mat3& R) {
-  const bool orthonormal =
-      (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= kinematics::kRotationTolerance;
-  return orthonormal && R.determinant() > 0.0;
 }
 
 void checkKeys(const Value& object, Problems& problems) {
@@ -76,8 +71,12 @@ Result<PoseLine> readPoseLine(std::string_view text) {
     problems.push_back({"\"p_mm\" is beyond 1e100 mm."});
   }
   const Value* R_WT = object.find("R_WT");
-  if (R_WT != nullptr && !(readMatrix(*R_WT, line.R_WT) && isRotation(line.R_WT))) {
+  if (R_WT != nullptr && !readMatrix(*R_WT, line.R_WT)) {
     problems.push_back({"\"R_WT\" must be a rotation: three rows of three numbers, orthonormal, determinant +1."});
+  } else if (std::string wrong = kinematics::rotationWrong(line.R_WT); !wrong.empty()) {
+    problems.push_back({"\"R_WT\" " + wrong});
+  } else if (!rotationNote(line.R_WT).empty()) {
+    line.R_WT = nearestRotation(line.R_WT);
   }
   if (!problems.empty()) return problems;
   line.p_WT = kMetrePerMillimetre * p_WT_mm;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <string_view>
 #include <thread>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -78,6 +79,9 @@ class Message {
   }
   template <class Number>
   void addNumber(Number value) {
+    if constexpr (std::is_floating_point_v<Number>) {
+      if (value == 0.0 && std::signbit(value)) return add("-0.0");  // as json::numberText()
+    }
     size_ = static_cast<std::size_t>(std::to_chars(text_.data() + size_, text_.data() + text_.size(), value).ptr -
                                      text_.data());
   }

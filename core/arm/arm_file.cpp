@@ -98,15 +98,18 @@ Result<Model> readArm(std::string_view text, const std::string& file_name) {
   return model;
 }
 
-Result<Model> readArmText(std::string_view text, const std::string& file_name) {
-  return isUrdfName(file_name) ? readUrdf(text, file_name, {}) : readArm(text, file_name);
+Result<Model> readArmText(std::string_view text, const std::string& file_name, const UrdfEnds& ends) {
+  if (isUrdfText(text)) return readUrdf(text, file_name, ends);
+  if (!ends.base.empty() || !ends.tip.empty())
+    return Problems{
+        {said(TRANSLATE_NOOP("problem", "--base and --tip are for URDF files: other files have one arm.")), {}}};
+  return readArm(text, file_name);
 }
 
-Result<Model> readArmFile(const std::string& path) {
-  if (isUrdfName(path)) return readUrdfFile(path, {});
-  const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "an arm")));
+Result<Model> readArmFile(const std::string& path, const UrdfEnds& ends) {
+  const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "an arm")), kLargestUrdf);
   if (!text) return text.problems();
-  return withFolderOf(path, readArm(text.value(), path));
+  return withFolderOf(path, readArmText(text.value(), path, ends));
 }
 
 }  // namespace underact::arm

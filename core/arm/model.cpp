@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/arm/forward.h"
+#include "core/base/axis_geometry.h"
 #include "core/base/units.h"
 
 namespace underact::arm {
@@ -71,21 +72,26 @@ JointLimits limitsOf(const Model& model) {
 
 bool isWithinLimits(const Model& model, std::span<const double> q) {
   for (std::size_t joint = 0; joint < std::min(q.size(), model.rows.size()); ++joint) {
-    const double low = model.rows[joint].min, high = model.rows[joint].max;
-    double value = q[joint];
-    if (model.limits_wrist_size) {
-      if (joint == 4) value = std::abs(value);
-      if (!(value >= low)) return false;
-    } else if (model.rows[joint].type == chain::JointType::Revolute) {
-      // A joint with a range of more than one turn may be a turn away.
-      const double turns = std::ceil((low - value) / (2.0 * kPi));
-      if (std::isfinite(turns)) value += 2.0 * kPi * turns;
-    } else if (!(value >= low)) {
-      return false;
-    }
-    if (!(value <= high)) return false;
+    const double value = model.limits_wrist_size && joint == 4 ? std::abs(q[joint]) : q[joint];
+    if (!(value >= model.rows[joint].min && value <= model.rows[joint].max)) return false;
   }
   return true;
+}
+
+void turnIntoLimits(const Model& model, std::span<double> q, std::span<const double> near) {
+  constexpr double kTurn = 2.0 * kPi;
+  constexpr double kRounding = 1e-12;  // rad; a joint that a pose was computed from at its limit comes back beside it
+  for (std::size_t joint = 0; joint < std::min(q.size(), model.rows.size()); ++joint) {
+    const chain::DhRow& row = model.rows[joint];
+    if (row.type != chain::JointType::Revolute || (model.limits_wrist_size && joint == 4)) continue;
+    const double own = wrapped(q[joint]);
+    const double least = std::ceil((row.min - kRounding - own) / kTurn);
+    const double most = std::floor((row.max + kRounding - own) / kTurn);
+    double turns = joint < near.size() ? std::round((near[joint] - own) / kTurn) : 0.0;
+    if (least <= most) turns = std::clamp(turns, least, most);
+    q[joint] = turns == 0.0 ? own : own + turns * kTurn;
+    if (least <= most) q[joint] = std::clamp(q[joint], row.min, row.max);
+  }
 }
 
 std::array<Pose, kMostJoints> linkFrames(const Model& model, const JointAngles& q_rad) noexcept {

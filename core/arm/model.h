@@ -47,19 +47,26 @@ struct Model {
   std::vector<JointFacts> joints;  // as many as rows
   std::vector<LinkMass> masses;    // as many as rows, 0 where the file says nothing; empty: it has none
   std::vector<LinkSolid> solids;   // what it looks like; empty: the file says nothing, and it is drawn by formula
+  Problems notes = {};             // what reading the file chose or left out
   std::string folder;  // of the file on this disk that it was read from; empty: of none, and no mesh of it is opened
   bool limits_wrist_size = false;  // those of joint 5 are of its absolute value
   std::optional<DeviceFigures> device;
 };
 
+/// The two links of a robot between which the arm lies. Empty: its root, and the link that LinkFamily::tip() chooses.
+struct UrdfEnds {
+  std::string base;
+  std::string tip;
+};
+
 /// An arm from JSON text. Problems: all at once. Keys: the guide, "Arm files".
 Result<Model> readArm(std::string_view text, const std::string& file_name);
-/// The same of a file, whose folder the model keeps; one whose name ends in .urdf or .xml is read as readUrdf() does.
-/// Problems, too: it cannot be read.
-Result<Model> readArmFile(const std::string& path);
+/// An arm from text, JSON or URDF, whichever it is. ends: of URDF. Problems: those of readArm() or readUrdf(); ends of
+/// an arm in JSON.
+Result<Model> readArmText(std::string_view text, const std::string& file_name, const UrdfEnds& ends = {});
 
-/// The same of the text of a file of that name.
-Result<Model> readArmText(std::string_view text, const std::string& file_name);
+/// The same of a file, whose folder the model keeps. Problems, too: it cannot be read.
+Result<Model> readArmFile(const std::string& path, const UrdfEnds& ends = {});
 
 /// The models that ship with the program, read once.
 std::span<const Model> models();
@@ -81,9 +88,12 @@ Result<Preset> presetOf(const Model& model);
 /// The limits of its joints, rad or m; of joints that it does not have: none.
 JointLimits limitsOf(const Model& model);
 
-/// Whether each joint is within its limits; a revolute joint may be a full turn away. q: one value for each joint, rad
-/// or m.
+/// Whether each joint is within its limits as it stands. q: one value for each joint, rad or m.
 bool isWithinLimits(const Model& model, std::span<const double> q);
+
+/// Moves each joint that turns by full turns to the value nearest to that of near that its limits allow, if they allow
+/// any, and without it to the value nearest to its own in (-pi, pi]. near: as q, or empty.
+void turnIntoLimits(const Model& model, std::span<double> q, std::span<const double> near = {});
 
 /// The frames of the rows of the table in W, as many as there are.
 std::array<Pose, kMostJoints> linkFrames(const Model& model, const JointAngles& q_rad) noexcept;

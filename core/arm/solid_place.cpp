@@ -1,11 +1,14 @@
 #include "core/arm/solid_place.h"
 
+#include <tinyxml2.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
+#include "core/arm/xml_bounds.h"
 #include "core/base/translate.h"
 #include "core/json/text.h"
 
@@ -48,6 +51,19 @@ Meant besideArm(const fs::path& folder, const fs::path& name) {
   return {folder / name, folder};
 }
 
+/// Whether package.xml in a folder says that the package has this name: a folder out of an archive is NAME-main.
+bool isPackageNamed(const fs::path& folder, const std::string& name) {
+  constexpr std::size_t kLargestManifest = std::size_t{64} << 10;
+  if (!isPackage(folder)) return false;
+  const Result<std::string> text = json::readTextFile((folder / "package.xml").string(), Sentence(), kLargestManifest);
+  tinyxml2::XMLDocument manifest;
+  if (!text || excessOf(text.value())) return false;
+  if (manifest.Parse(text.value().data(), text.value().size()) != tinyxml2::XML_SUCCESS) return false;
+  const tinyxml2::XMLElement* const root = manifest.RootElement();
+  const tinyxml2::XMLElement* const said_name = root == nullptr ? nullptr : root->FirstChildElement("name");
+  return said_name != nullptr && said_name->GetText() != nullptr && said_name->GetText() == name;
+}
+
 /// Of package://NAME/rest; none: there is no such package.
 std::optional<Meant> inPackage(const fs::path& folder, const fs::path& package, const fs::path& rest) {
   fs::path at = folder;
@@ -57,6 +73,7 @@ std::optional<Meant> inPackage(const fs::path& folder, const fs::path& package, 
     std::error_code error;
     if (fs::is_directory(at / package, error) && (is_own || isPackage(at / package)))
       return Meant{at / package / rest, is_own ? at : at / package};
+    if (isPackageNamed(at, package.string())) return Meant{at / rest, at};
   }
   return {};
 }
@@ -111,7 +128,7 @@ Result<std::string> fileOfSolid(const Model& model, const MeshSolid& mesh) {
 }
 
 Problems solidProblems(const Model& model) {
-  Problems problems;
+  Problems problems = model.notes;
   if (model.folder.empty()) return problems;
   for (const LinkSolid& solid : model.solids) {
     const auto* const mesh = std::get_if<MeshSolid>(&solid.form);

@@ -10,12 +10,12 @@ namespace underact::arm {
 // package.xml) that this folder is a part of.
 
 /// The path of the file of a mesh of this arm. A name is relative to the folder of the arm's file; package://NAME/...
-/// is looked for in that folder, and in its parents where there is such a package. Links are followed before it is
-/// judged where a file is. Problems: one, at the mesh's place: there is no such file; it is elsewhere; the arm is of no
-/// file on this disk, as in a recording.
+/// is looked for in that folder, and in its parents where there is such a package, or one whose package.xml has the
+/// name. Links are followed before it is judged where a file is. Problems: one, at the mesh's place: there is no such
+/// file; it is elsewhere; the arm is of no file on this disk, as in a recording.
 Result<std::string> fileOfSolid(const Model& model, const MeshSolid& mesh);
 
-/// Those of all its meshes; none where the arm is of no file.
+/// The notes of its file, and the problems of all its meshes; of these none where the arm is of no file.
 Problems solidProblems(const Model& model);
 
 /// A model that was read from the file at that path.

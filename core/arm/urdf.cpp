@@ -1,126 +1,17 @@
 #include "core/arm/urdf.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <optional>
 
 #include "core/arm/joint_reader.h"
 #include "core/arm/solid_place.h"
-#include "core/arm/urdf_tree.h"
+#include "core/arm/urdf_family.h"
 #include "core/base/translate.h"
+#include "core/json/json.h"
 #include "core/json/text.h"
 
 namespace underact::arm {
 namespace {
-
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-constexpr std::size_t kMostListed = 8;
-constexpr std::size_t kMostProblems = 100;
-constexpr std::size_t kLargestUrdf = std::size_t{4} << 20;  // a humanoid with its sensors has some 100 kB
-
-/// One step from link to link: through a joint, to its child or back to its parent.
-struct UrdfStep {
-  std::size_t joint = 0;
-  bool down = true;
-};
-
-/// The links of a tree by name, and the joint above each.
-class LinkFamily {
- public:
-  LinkFamily(const UrdfTree& tree, const std::string& file)
-      : tree_(tree), file_(file), above_(tree.links.size(), kNone) {
-    for (std::size_t i = 0; i < tree.links.size(); ++i) index_.emplace(tree.links[i].name, i);
-    std::vector<bool> has_child(tree.links.size(), false);
-    for (std::size_t i = 0; i < tree.joints.size(); ++i) {
-      const UrdfJoint& joint = tree.joints[i];
-      const std::size_t parent = find(joint.parent, joint.line, "parent"),
-                        child = find(joint.child, joint.line, "child");
-      if (parent == kNone || child == kNone) continue;
-      has_child[parent] = true;
-      if (above_[child] != kNone) {
-        say(joint.line, "child",
-            said(TRANSLATE_NOOP("problem", "The link %1 has two parents."), {json::shown(joint.child)}));
-      } else {
-        above_[child] = i;
-      }
-    }
-    for (std::size_t i = 0; i < tree.links.size(); ++i) {
-      if (above_[i] == kNone) roots_.push_back(i);
-      if (!has_child[i]) leaves_.push_back(i);
-    }
-  }
-
-  /// The link of a name given by whoever asks, or the only candidate.
-  std::size_t end(const std::string& name, const char* which) {
-    if (!name.empty()) return find(name, 0, which);
-    const std::vector<std::size_t>& all = which == std::string_view("base") ? roots_ : leaves_;
-    if (all.size() == 1) return all.front();
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < std::min(all.size(), kMostListed); ++i) names.push_back(tree_.links[all[i]].name);
-    if (all.empty()) {
-      say(0, which, said(TRANSLATE_NOOP("problem", "The robot has no link that could be its %1."), {which}));
-    } else {
-      say(tree_.links[all[1]].line, which,
-          said(TRANSLATE_NOOP("problem", "Say which link is the %1 (arm convert --%1 LINK): %2, for example."),
-               {which, json::listed(names)}));
-    }
-    return kNone;
-  }
-
-  /// From link to link by way of their nearest common parent; empty and a problem where there is none.
-  std::vector<UrdfStep> way(std::size_t base, std::size_t tip) {
-    const std::vector<std::size_t> from_base = upwards(base), from_tip = upwards(tip);  // links, each with its parents
-    std::vector<std::size_t> up_from_tip(tree_.links.size(), kNone);  // the number of joints from the tip up to a link
-    for (std::size_t i = from_tip.size(); i-- > 0;) up_from_tip[from_tip[i]] = i;
-    for (std::size_t i = 0; i < from_base.size(); ++i) {
-      if (up_from_tip[from_base[i]] == kNone) continue;
-      std::vector<UrdfStep> steps;
-      for (std::size_t j = 0; j < i; ++j) steps.push_back({above_[from_base[j]], false});
-      for (std::size_t j = up_from_tip[from_base[i]]; j-- > 0;) steps.push_back({above_[from_tip[j]], true});
-      return steps;
-    }
-    say(tree_.links[tip].line, "tip",
-        said(TRANSLATE_NOOP("problem", "No joints lead from link %1 to link %2."),
-             {json::shown(tree_.links[base].name), json::shown(tree_.links[tip].name)}));
-    return {};
-  }
-
-  std::size_t indexOf(const std::string& name) const { return index_.at(name); }
-  void say(int line, const std::string& key, Sentence sentence) {
-    if (problems_.size() < kMostProblems) problems_.push_back({std::move(sentence), {file_, line, 0, key}});
-  }
-  const Problems& problems() const { return problems_; }
-
- private:
-  std::size_t find(const std::string& name, int line, const char* key) {
-    const auto found = index_.find(name);
-    if (found != index_.end()) return found->second;
-    if (problems_.size() >= kMostListed) return kNone;
-    std::vector<std::string> known;
-    for (const UrdfLink& link : tree_.links) known.push_back(link.name);
-    const std::string nearest = json::nearestWord(name, known);
-    say(line, key,
-        nearest.empty() ? said(TRANSLATE_NOOP("problem", "There is no link %1."), {json::shown(name)})
-                        : said(TRANSLATE_NOOP("problem", "There is no link %1. Did you mean \"%2\"?"),
-                               {json::shown(name), nearest}));
-    return kNone;
-  }
-
-  std::vector<std::size_t> upwards(std::size_t link) const {
-    std::vector<std::size_t> links{link};
-    while (above_[link] != kNone && links.size() <= tree_.links.size()) {  // a ring of links ends, too
-      link = index_.at(tree_.joints[above_[link]].parent);
-      links.push_back(link);
-    }
-    return links;
-  }
-
-  const UrdfTree& tree_;
-  std::string file_;
-  std::vector<std::size_t> above_;  // of each link
-  std::vector<std::size_t> roots_, leaves_;
-  std::unordered_map<std::string, std::size_t> index_;
-  Problems problems_;
-};
 
 /// Another mass on the same link.
 void addTo(LinkMass& all, const LinkMass& one) {
@@ -137,96 +28,153 @@ void addTo(LinkMass& all, const LinkMass& one) {
 /// Walks from base to tip: places each joint and mass in W, with all joints at 0.
 class Walk {
  public:
-  Walk(const UrdfTree& tree, LinkFamily& family, Model& model) : tree_(tree), family_(family), model_(model) {}
+  Walk(const UrdfTree& tree, LinkFamily& family, Model& model)
+      : tree_(tree), family_(family), model_(model), seen_(tree.links.size(), false) {}
 
   void go(std::size_t base, const std::vector<UrdfStep>& steps) {
+    for (const BodyLink& one : family_.bodyOf(base, true)) seen_[one.link] = true;
     show(tree_.links[base]);
     for (const UrdfStep& step : steps) pass(step);
     model_.chain.X_WT_home = X_WLink_;
-    // With a form among them that no solid has, the rest would be a part of an arm.
-    if (any_other_ || model_.solids.size() > kMostSolids) model_.solids.clear();
+    if (model_.solids.size() > kMostSolids) model_.solids.clear();
     if (!any_mass_) model_.masses.clear();
+    noteMassesBeside();
   }
 
  private:
   void pass(const UrdfStep& step) {
     const UrdfJoint& joint = tree_.joints[step.joint];
     if (step.down) X_WLink_ = X_WLink_ * joint.X_ParentJoint;
-    add(joint, step.down ? 1.0 : -1.0);
+    add(joint, step);
     if (!step.down) X_WLink_ = X_WLink_ * joint.X_ParentJoint.inverse(Eigen::Isometry);
-    carry(tree_.links[family_.indexOf(step.down ? joint.child : joint.parent)]);
+    const std::size_t link = family_.indexOf(step.down ? joint.child : joint.parent);
+    show(tree_.links[link]);
+    if (joint.motion != UrdfMotion::Fixed) carryBody(link);
   }
 
-  void add(const UrdfJoint& joint, double sense) {
+  /// What to do where an arm cannot have a joint: to end it before, or to begin behind.
+  std::string wayRound(const UrdfJoint& joint, bool down) const {
+    const std::string& before = down ? joint.parent : joint.child;
+    const std::string& behind = down ? joint.child : joint.parent;
+    return model_.joints.empty() ? "arm convert --base " + behind : "arm convert --tip " + before;
+  }
+
+  void add(const UrdfJoint& joint, const UrdfStep& step) {
     if (joint.motion == UrdfMotion::Fixed) return;
     if (joint.motion == UrdfMotion::Other)
-      return family_.say(
-          joint.line, "type",
-          said(TRANSLATE_NOOP("problem",
-                              "The joint %1 is %2; a joint of an arm turns about an axis or slides along it."),
-               {json::shown(joint.name), json::shown(joint.type)}));
+      return family_.say(joint.line, "type",
+                         said(TRANSLATE_NOOP("problem",
+                                             "The joint %1 is %2; a joint of an arm turns about an axis or slides "
+                                             "along it. Leave it out (%3)."),
+                              {json::shown(joint.name), json::shown(joint.type), wayRound(joint, step.down)}));
     if (joint.follows)
-      return family_.say(
-          joint.line, "mimic",
-          said(TRANSLATE_NOOP("problem", "The joint %1 follows another one; each joint of an arm moves by itself."),
+      return family_.say(joint.line, "mimic",
+                         said(TRANSLATE_NOOP("problem",
+                                             "The joint %1 follows another one; each joint of an arm moves by itself. "
+                                             "Leave it out (%2)."),
+                              {json::shown(joint.name), wayRound(joint, step.down)}));
+    if (joint.limits_unsaid)
+      family_.note(
+          joint.limit_line, "limit",
+          said(TRANSLATE_NOOP("problem", "The joint %1 has no range here, and is taken as one without limits."),
                {json::shown(joint.name)}));
     if (!(joint.min < joint.max))  // of a joint beside the way, such as a wheel, nobody asks
       family_.say(joint.limit_line, "lower",
                   said(TRANSLATE_NOOP("problem", "The joint's lower limit must be below its upper limit.")));
     const bool turns = joint.motion == UrdfMotion::Turns;
+    if (model_.joints.size() == kMostJoints)
+      family_.say(
+          joint.line, "joint",
+          said(TRANSLATE_NOOP("problem", "An arm has from one to eight joints; this is the ninth. End it before (%1)."),
+               {wayRound(joint, step.down)}));
     model_.chain.joints.push_back({turns ? chain::JointType::Revolute : chain::JointType::Prismatic,
-                                   sense * (X_WLink_.linear() * joint.axis).normalized(), X_WLink_.translation(),
-                                   joint.min, joint.max});
+                                   (step.down ? 1.0 : -1.0) * (X_WLink_.linear() * joint.axis).normalized(),
+                                   X_WLink_.translation(), joint.min, joint.max});
     model_.joints.push_back({joint.name, true, true, {}});
     model_.masses.emplace_back();
-    if (model_.joints.size() == kMostJoints + 1)
-      family_.say(joint.line, "joint",
-                  said(TRANSLATE_NOOP("problem", "An arm has from one to eight joints; this is the ninth.")));
   }
 
   void show(const UrdfLink& link) {
-    any_other_ |= link.has_other_form;
+    model_.notes.insert(model_.notes.end(), link.notes.begin(), link.notes.end());
     for (const LinkSolid& solid : link.solids)
       model_.solids.push_back({model_.joints.size(), X_WLink_ * solid.X_WS, solid.form});
   }
 
-  void carry(const UrdfLink& link) {
-    show(link);
-    if (!link.mass || model_.masses.empty()) return;
-    any_mass_ = true;
-    const Mat3& R = X_WLink_.linear();
-    addTo(model_.masses.back(),
-          {link.mass->mass_kg, X_WLink_ * link.mass->p_WC, R * link.mass->inertia_W_kg_m2 * R.transpose()});
+  /// The masses of a link behind a joint, and of all that is fixed to it.
+  void carryBody(std::size_t first) {
+    for (const BodyLink& one : family_.bodyOf(first, true)) {
+      seen_[one.link] = true;
+      carried_.push_back(one.link);
+      const std::optional<LinkMass>& mass = tree_.links[one.link].mass;
+      if (!mass || model_.masses.empty()) continue;
+      any_mass_ = true;
+      const Pose X_WLink = X_WLink_ * one.X_FirstLink;
+      const Mat3& R = X_WLink.linear();
+      addTo(model_.masses.back(), {mass->mass_kg, X_WLink * mass->p_WC, R * mass->inertia_W_kg_m2 * R.transpose()});
+    }
+  }
+
+  /// What moves on joints beside the way, a gripper's fingers for example, is no mass of one link of the arm.
+  void noteMassesBeside() {
+    double beside_kg = 0.0;
+    std::size_t first = kNone;
+    const auto look = [&](std::size_t link) {
+      if (seen_[link]) return;
+      seen_[link] = true;
+      carried_.push_back(link);
+      const double mass_kg = tree_.links[link].mass ? tree_.links[link].mass->mass_kg : 0.0;
+      if (mass_kg > 0.0 && first == kNone) first = link;
+      beside_kg += mass_kg;
+    };
+    for (std::size_t i = 0; i < carried_.size(); ++i) {
+      const std::size_t at = carried_[i];
+      for (const std::size_t joint : family_.below(at)) look(family_.indexOf(tree_.joints[joint].child));
+      if (family_.above(at) != kNone) look(family_.indexOf(tree_.joints[family_.above(at)].parent));
+    }
+    if (first == kNone) return;
+    family_.note(
+        tree_.links[first].line, "mass",
+        said(TRANSLATE_NOOP("problem", "%1 kg on joints beside the arm, from link %2 on, are in none of its masses."),
+             {json::numberText(beside_kg), json::shown(tree_.links[first].name)}));
   }
 
   const UrdfTree& tree_;
   LinkFamily& family_;
   Model& model_;
   Pose X_WLink_ = Pose::Identity();
-  bool any_mass_ = false, any_other_ = false;
+  std::vector<bool> seen_;            // links whose masses are counted, or of the base
+  std::vector<std::size_t> carried_;  // links that joints of the arm carry
+  bool any_mass_ = false;
 };
 
 }  // namespace
 
-bool isUrdfName(std::string_view path) {
-  return path.ends_with(".urdf") || path.ends_with(".xml");
+bool isUrdfText(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] == '<';
 }
 
 Result<Model> readUrdf(std::string_view text, const std::string& file_name, const UrdfEnds& ends) {
-  const Result<UrdfTree> read = readUrdfTree(text, file_name);
+  Result<UrdfTree> read = readUrdfTree(text, file_name);
   if (!read) return read.problems();
   const UrdfTree& tree = read.value();
   LinkFamily family(tree, file_name);
   if (!family.problems().empty()) return family.problems();
-  const std::size_t base = family.end(ends.base, "base"), tip = family.end(ends.tip, "tip");
+  const std::size_t base = family.base(ends.base);
+  const std::size_t tip = base == kNone ? kNone : family.tip(ends.tip, base);
   if (!family.problems().empty()) return family.problems();
   Model model;
+  model.notes = tree.notes;
   Walk(tree, family, model).go(base, family.way(base, tip));
   if (family.problems().empty() && model.joints.empty())
     family.say(tree.links[tip].line, "tip",
                said(TRANSLATE_NOOP("problem", "No joint between link %1 and link %2 moves."),
                     {json::shown(tree.links[base].name), json::shown(tree.links[tip].name)}));
   if (!family.problems().empty()) return family.problems();
+  const Problems notes = family.takeNotes();
+  model.notes.insert(model.notes.begin(), notes.begin(), notes.end());
   model.name = tree.name;
   model.title = tree.name;
   model.provenance =
@@ -234,12 +182,6 @@ Result<Model> readUrdf(std::string_view text, const std::string& file_name, cons
   model.form = ArmForm::Urdf;
   setTable(model);
   return model;
-}
-
-Result<Model> readUrdfFile(const std::string& path, const UrdfEnds& ends) {
-  const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "an arm")), kLargestUrdf);
-  if (!text) return text.problems();
-  return withFolderOf(path, readUrdf(text.value(), path, ends));
 }
 
 }  // namespace underact::arm

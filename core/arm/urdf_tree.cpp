@@ -3,14 +3,17 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <span>
 #include <unordered_set>
+#include <utility>
 
 #include "core/arm/solid_place.h"
+#include "core/arm/urdf_words.h"
 #include "core/arm/xml_bounds.h"
 #include "core/base/translate.h"
 #include "core/base/trig.h"
+#include "core/json/json.h"
 #include "core/json/text.h"
 
 namespace underact::arm {
@@ -19,21 +22,18 @@ namespace {
 using tinyxml2::XMLElement;
 
 constexpr double kFurthest_m = 1e3;
-constexpr std::size_t kMostUrdfProblems = 100;
 constexpr std::size_t kMostLinks = 4096;  // a humanoid with two hands has some 100
 
-Problem problemAt(const std::string& file, int line, const std::string& key, Sentence sentence) {
-  return {std::move(sentence), {file, line, 0, key}};
-}
-
 /// Reads the elements of one file; collects its problems.
-class TreeReader {
+class TreeReader : UrdfWords {
  public:
-  explicit TreeReader(const std::string& file) : file_(file) {}
+  using UrdfWords::UrdfWords;
 
   UrdfTree read(const XMLElement& robot) {
     UrdfTree tree;
-    tree.name = attribute(robot, "name", "robot");
+    checkVersion(robot);
+    const char* const name = robot.Attribute("name");
+    tree.name = name != nullptr && *name != '\0' ? name : "robot";
     for (const XMLElement* one = robot.FirstChildElement(); one != nullptr; one = one->NextSiblingElement()) {
       const std::string_view what = one->Name();
       if (what.starts_with("xacro:"))
@@ -51,41 +51,17 @@ class TreeReader {
     return tree;
   }
 
-  Problems take() { return std::move(problems_); }
+  using UrdfWords::take;
 
  private:
-  void say(const XMLElement& at, const std::string& key, Sentence sentence) {
-    if (problems_.size() < kMostUrdfProblems)
-      problems_.push_back(problemAt(file_, at.GetLineNum(), key, std::move(sentence)));
-  }
-
-  /// A word that is nearly a known one is a typing error; another one belongs to another program.
-  void checkWord(const XMLElement& element, const std::vector<std::string>& known) {
-    if (problems_.size() >= kMostUrdfProblems) return;
-    const std::string word = element.Name(), nearest = json::nearestWord(word, known);
-    if (nearest.empty() || nearest == word) return;
-    say(element, json::plainKey(word),
-        said(TRANSLATE_NOOP("problem", "The element %1 is not known here. Did you mean \"%2\"?"),
-             {json::shown(word), nearest}));
-  }
-  void checkAttributes(const XMLElement& element, const std::vector<std::string>& known) {
-    for (const tinyxml2::XMLAttribute* one = element.FirstAttribute(); one != nullptr; one = one->Next()) {
-      const std::string word = one->Name(), nearest = json::nearestWord(word, known);
-      if (nearest.empty() || nearest == word || problems_.size() >= kMostUrdfProblems) continue;
-      problems_.push_back(
-          problemAt(file_, one->GetLineNum(), json::plainKey(word),
-                    said(TRANSLATE_NOOP("problem", "The attribute %1 is not known in <%2>. Did you mean \"%3\"?"),
-                         {json::shown(word), std::string(element.Name()), nearest})));
-    }
-  }
-
-  std::string attribute(const XMLElement& element, const char* key, const char* what) {
-    const char* const text = element.Attribute(key);
-    if (text != nullptr && *text != '\0') return text;
-    say(element, key,
-        said(TRANSLATE_NOOP("problem", "The attribute \"%1\" is missing; %2 needs it."),
-             {key, "<" + std::string(what) + ">"}));
-    return {};
+  /// A later version may say by other words how a link moves.
+  void checkVersion(const XMLElement& robot) {
+    const char* const version = robot.Attribute("version");
+    constexpr std::array<std::string_view, 4> kKnown{"1", "1.0", "1.1", "1.2"};
+    if (version == nullptr || std::find(kKnown.begin(), kKnown.end(), version) != kKnown.end()) return;
+    say(robot, "version",
+        said(TRANSLATE_NOOP("problem", "This program reads URDF of the versions 1.0, 1.1 and 1.2; here it is %1."),
+             {json::shown(version)}));
   }
 
   std::string named(const XMLElement& element, const char* what, std::unordered_set<std::string>& names) {
@@ -95,63 +71,43 @@ class TreeReader {
     return name;
   }
 
-  /// Numbers separated by white space, as many as there have to be.
-  bool numbers(const XMLElement& element, const char* key, const char* text, std::span<double> into) {
-    std::string_view rest = text;
-    std::vector<double> read;
-    const auto skip = [&] {
-      while (!rest.empty() && std::string_view(" \t\r\n").find(rest.front()) != std::string_view::npos)
-        rest.remove_prefix(1);
-    };
-    for (skip(); !rest.empty() && read.size() <= into.size(); skip()) {
-      const std::size_t end = std::min(rest.find_first_of(" \t\r\n"), rest.size());
-      std::string_view word = rest.substr(0, end);
-      rest.remove_prefix(end);
-      if (word.starts_with('+')) word.remove_prefix(1);
-      const std::optional<double> number = json::wholeNumber(word);
-      if (!number) break;
-      read.push_back(*number);
-    }
-    if (read.size() == into.size() && rest.empty()) {
-      std::copy(read.begin(), read.end(), into.begin());
-      return true;
-    }
-    const std::string count = std::to_string(into.size());
-    say(element, key,
-        into.size() == 1
-            ? said(TRANSLATE_NOOP("problem", "This must be a finite number; here it is %1."), {json::shown(text)})
-            : said(TRANSLATE_NOOP("problem", "This must be %1 finite numbers; here it is %2."),
-                   {count, json::shown(text)}));
-    return false;
-  }
-
-  bool three(const XMLElement& element, const char* key, Vec3& into) {
-    const char* const text = element.Attribute(key);
-    return text == nullptr || numbers(element, key, text, {into.data(), 3});
-  }
-
-  double one(const XMLElement& element, const char* key, double otherwise) {
-    double number = otherwise;
-    if (const char* const text = element.Attribute(key)) numbers(element, key, text, {&number, 1});
-    return number;
-  }
-
-  /// <origin xyz="" rpy="">: fixed axes, roll about x first.
+  /// <origin xyz="" rpy="">: fixed axes, roll about x first; or quat_xyzw="" in place of rpy.
   Pose readOrigin(const XMLElement& parent) {
     Pose X = Pose::Identity();
-    const XMLElement* const origin = parent.FirstChildElement("origin");
+    const XMLElement* const origin = only(parent, "origin");
     if (origin == nullptr) return X;
-    checkAttributes(*origin, {"xyz", "rpy"});
+    checkAll(*origin, {"xyz", "rpy", "quat_xyzw"});
     Vec3 p = Vec3::Zero(), turn_rad = Vec3::Zero();
     if (three(*origin, "xyz", p) && p.cwiseAbs().maxCoeff() > kFurthest_m)
       say(*origin, "xyz", said(TRANSLATE_NOOP("problem", "A length must lie within 1000 m.")));
+    X.translation() = p;
+    if (const char* const text = origin->Attribute("quat_xyzw")) {
+      X.linear() = rotationOf(*origin, text);
+      return X;
+    }
     three(*origin, "rpy", turn_rad);
     const SinCos r = sinCos(turn_rad.x()), t = sinCos(turn_rad.y()), y = sinCos(turn_rad.z());
     X.linear() << y.cos * t.cos, y.cos * t.sin * r.sin - y.sin * r.cos, y.cos * t.sin * r.cos + y.sin * r.sin,  //
         y.sin * t.cos, y.sin * t.sin * r.sin + y.cos * r.cos, y.sin * t.sin * r.cos - y.cos * r.sin,            //
         -t.sin, t.cos * r.sin, t.cos * r.cos;
-    X.translation() = p;
     return X;
+  }
+
+  /// Of a unit quaternion, which few decimals leave beside 1.
+  Mat3 rotationOf(const XMLElement& origin, const char* text) {
+    constexpr double kOffUnit = 1e-3;
+    Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
+    if (origin.Attribute("rpy") != nullptr)
+      say(origin, "quat_xyzw",
+          said(TRANSLATE_NOOP("problem", "An <origin> has either \"rpy\" or \"quat_xyzw\", not both.")));
+    if (!numbers(origin, "quat_xyzw", text, {q.coeffs().data(), 4})) return Mat3::Identity();
+    if (!(std::abs(q.norm() - 1.0) <= kOffUnit)) {
+      say(origin, "quat_xyzw",
+          said(TRANSLATE_NOOP("problem", "A quaternion must have the length 1; here it is %1."),
+               {json::numberText(q.norm())}));
+      return Mat3::Identity();
+    }
+    return q.normalized().toRotationMatrix();
   }
 
   /// A length of a form, which has to be above 0.
@@ -178,37 +134,52 @@ class TreeReader {
     return mesh;
   }
 
+  /// A picture; its problems go where into_ points.
+  LinkSolid readVisual(const XMLElement& visual, const XMLElement& form) {
+    LinkSolid solid;
+    const std::string_view what = form.Name();
+    if (what == "box") {
+      BoxSolid box{Vec3::Constant(1.0)};
+      if (form.Attribute("size") == nullptr) attribute(form, "size", "box");
+      if (three(form, "size", box.size_m) && !(box.size_m.minCoeff() > 0.0 && box.size_m.maxCoeff() <= kFurthest_m))
+        say(form, "size", said(TRANSLATE_NOOP("problem", "A length must be above 0 and at most 1000 m.")));
+      solid.form = box;
+    } else if (what == "cylinder") {
+      solid.form = CylinderSolid{sizeOf(form, "radius"), sizeOf(form, "length")};
+    } else if (what == "capsule") {
+      solid.form = CapsuleSolid{sizeOf(form, "radius"), sizeOf(form, "length")};
+    } else if (what == "sphere") {
+      solid.form = SphereSolid{sizeOf(form, "radius")};
+    } else if (what == "mesh") {
+      solid.form = readMesh(form);
+    } else {
+      say(form, json::plainKey(form.Name()),
+          said(TRANSLATE_NOOP("problem", "The form %1 is not known here."), {json::shown(form.Name())}));
+    }
+    solid.X_WS = readOrigin(visual);
+    return solid;
+  }
+
+  /// A picture that cannot be drawn is left out, with a note: it moves nothing.
   void readVisuals(const XMLElement& element, UrdfLink& link) {
+    Problems* const problems = std::exchange(into_, &link.notes);
     for (const XMLElement* visual = element.FirstChildElement("visual"); visual != nullptr;
          visual = visual->NextSiblingElement("visual")) {
       const XMLElement* const geometry = visual->FirstChildElement("geometry");
       const XMLElement* const form = geometry == nullptr ? nullptr : geometry->FirstChildElement();
       if (form == nullptr) continue;
-      LinkSolid solid;
-      const std::string_view what = form->Name();
-      if (what == "box") {
-        BoxSolid box{Vec3::Constant(1.0)};
-        if (form->Attribute("size") == nullptr) attribute(*form, "size", "box");
-        if (three(*form, "size", box.size_m) && !(box.size_m.minCoeff() > 0.0 && box.size_m.maxCoeff() <= kFurthest_m))
-          say(*form, "size", said(TRANSLATE_NOOP("problem", "A length must be above 0 and at most 1000 m.")));
-        solid.form = box;
-      } else if (what == "cylinder") {
-        solid.form = CylinderSolid{sizeOf(*form, "radius"), sizeOf(*form, "length")};
-      } else if (what == "sphere") {
-        solid.form = SphereSolid{sizeOf(*form, "radius")};
-      } else if (what == "mesh") {
-        solid.form = readMesh(*form);
-      } else {
-        link.has_other_form = true;
-        continue;
-      }
-      solid.X_WS = readOrigin(*visual);
-      link.solids.push_back(solid);
+      const std::size_t before = link.notes.size();
+      LinkSolid solid = readVisual(*visual, *form);
+      if (link.notes.size() == before) link.solids.push_back(std::move(solid));
     }
+    for (Problem& note : link.notes)
+      note.sentence = said(TRANSLATE_NOOP("problem", "A picture of link %1 is not drawn: %2"),
+                           {json::shown(link.name), note.sentence});
+    into_ = problems;
   }
 
   UrdfLink readLink(const XMLElement& element) {
-    UrdfLink link{named(element, "link", links_), element.GetLineNum(), {}, {}, false};
+    UrdfLink link{named(element, "link", links_), element.GetLineNum(), {}, {}, {}};
     const XMLElement* const inertial = element.FirstChildElement("inertial");
     for (const XMLElement* one = element.FirstChildElement(); one != nullptr; one = one->NextSiblingElement())
       checkWord(*one, {"inertial", "visual", "collision"});
@@ -234,14 +205,14 @@ class TreeReader {
   }
 
   std::string linkOf(const XMLElement& joint, const char* end) {
-    const XMLElement* const element = joint.FirstChildElement(end);
+    const XMLElement* const element = only(joint, end);
     if (element != nullptr) return attribute(*element, "link", end);
     say(joint, end, said(TRANSLATE_NOOP("problem", "The element <%1> is missing; <joint> needs it."), {end}));
     return {};
   }
 
   void readLimits(const XMLElement& element, UrdfJoint& joint) {
-    const XMLElement* const limit = element.FirstChildElement("limit");
+    const XMLElement* const limit = only(element, "limit");
     if (limit == nullptr) {
       if (joint.type == "continuous") return;
       return say(element, "limit",
@@ -252,6 +223,8 @@ class TreeReader {
     joint.min = one(*limit, "lower", 0.0);
     joint.max = one(*limit, "upper", 0.0);
     joint.limit_line = limit->GetLineNum();
+    joint.limits_unsaid = joint.min == 0.0 && joint.max == 0.0;
+    if (joint.limits_unsaid) joint.min = -kInfinity, joint.max = kInfinity;
   }
 
   UrdfJoint readJoint(const XMLElement& element) {
@@ -279,8 +252,8 @@ class TreeReader {
     joint.X_ParentJoint = readOrigin(element);
     joint.follows = element.FirstChildElement("mimic") != nullptr;
     if (joint.motion == UrdfMotion::Turns || joint.motion == UrdfMotion::Slides) {
-      if (const XMLElement* const axis = element.FirstChildElement("axis")) {
-        checkAttributes(*axis, {"xyz"});
+      if (const XMLElement* const axis = only(element, "axis")) {
+        checkAll(*axis, {"xyz"});
         const bool read = three(*axis, "xyz", joint.axis);
         const double length = joint.axis.stableNorm();
         if (read && !(length > 0.0 && std::isfinite(length)))
@@ -292,8 +265,6 @@ class TreeReader {
     return joint;
   }
 
-  std::string file_;
-  Problems problems_;
   std::unordered_set<std::string> links_, joints_;
 };
 

@@ -16,7 +16,7 @@ struct UrdfLink {
   int line = 0;
   std::optional<LinkMass> mass;
   std::vector<LinkSolid> solids;  // in the link's frame
-  bool has_other_form = false;    // one of its pictures is none of the forms of URDF
+  Problems notes = {};            // of its pictures: those that cannot be drawn
 };
 
 /// How a joint moves; Other: in a way that no arm here has.
@@ -31,7 +31,8 @@ struct UrdfJoint {
   Pose X_ParentJoint = Pose::Identity();
   Vec3 axis = Vec3::UnitX();
   double min = -kInfinity, max = kInfinity;
-  int limit_line = 0;  // of <limit>
+  int limit_line = 0;          // of <limit>
+  bool limits_unsaid = false;  // it states neither end, or 0 for both, as exporters do that know none
 };
 
 /// Robot, links and joints in the order of the file.
@@ -39,11 +40,12 @@ struct UrdfTree {
   std::string name;
   std::vector<UrdfLink> links;
   std::vector<UrdfJoint> joints;
+  Problems notes = {};
 };
 
 /// Problems: not XML (of at most 100 levels), no robot, numbers that are none, names that are missing or appear twice,
-/// words that are misspelt. Elements and attributes of other programs are skipped. Not yet whether the links exist,
-/// or whether limits leave a range.
+/// words that are misspelt; a version, or an attribute of what moves a link, that is not known. Other elements and
+/// attributes are skipped. Not yet whether the links exist, or whether limits leave a range.
 Result<UrdfTree> readUrdfTree(std::string_view text, const std::string& file_name);
 
 }  // namespace underact::arm

@@ -6,6 +6,7 @@
 #include "core/base/axis_geometry.h"
 #include "core/base/determinant.h"
 #include "core/base/singular_values.h"
+#include "core/base/units.h"
 
 namespace underact::chain {
 namespace {
@@ -67,7 +68,10 @@ NumericSolution nearPosture(const Chain& chain, const Pose& X_WT, const NumericS
   const Asks asks = options.rotation_length_m == 0.0 ? Asks::Position : Asks::Pose;
   const auto wayOf = [&](const JointValues& from, std::size_t i) {
     const double way = posture[i] - from[i];
-    return (chain.joints[i].type == JointType::Revolute ? wrapped(way) : way) / scaleOfJoint(chain, i, reach_m);
+    const Joint& joint = chain.joints[i];
+    // Within limits of less than a turn the shorter way round is barred.
+    const bool is_round = !options.within_limits || joint.max - joint.min >= 2.0 * kPi;
+    return (joint.type == JointType::Revolute && is_round ? wrapped(way) : way) / scaleOfJoint(chain, i, reach_m);
   };
   const auto squaredOf = [&](const JointValues& from) {
     double squared = 0.0;

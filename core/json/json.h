@@ -31,7 +31,7 @@ struct Value {
 /// Problems: one, where the text stops being JSON (RFC 8259, UTF-8, at most 64 levels deep), in plain words.
 Result<Value> parse(std::string_view text, const std::string& file_name);
 
-/// A number as the shortest text that reads back to the same double. Not finite: "null".
+/// A number as the shortest text that reads back to the same double, in Python too: -0 is "-0.0". Not finite: "null".
 std::string numberText(double value);
 
 /// A string with quotes, escaped.

@@ -11,6 +11,7 @@ namespace underact::json {
 
 std::string numberText(double value) {
   if (!std::isfinite(value)) return "null";
+  if (value == 0.0 && std::signbit(value)) return "-0.0";  // Python reads "-0" as an integer, which has no sign
   std::array<char, 32> buffer{};
   const std::to_chars_result written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   return {buffer.data(), written.ptr};

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/arm/branches.h"
 #include "core/chain/closed_form.h"
 #include "core/chain/numeric_inverse.h"
 #include "core/chain/redundancy.h"
+#include "core/kinematics/units.h"
 
 namespace underact::kinematics {
 namespace {
@@ -100,30 +102,70 @@ Answer byGeometry(const SolvedArm& arm, const Pose& X_WT) {
   return answer;
 }
 
+/// The chain of an arm, or where the limits of joint 5 are of its size, of one with its wrist bent to either side.
+chain::Chain bentEitherWay(const arm::Model& model) {
+  chain::Chain chain = model.chain;
+  if (model.limits_wrist_size && chain.joints.size() > 4) chain.joints[4].min = -chain.joints[4].max;
+  return chain;
+}
+
+std::vector<chain::NumericSolution> searched(const chain::Chain& chain, const Pose& X_WT, std::span<const double> start,
+                                             chain::NumericOptions options, int starts) {
+  if (starts > 0) return chain::searchAll(chain, X_WT, start, options, starts);
+  options.restarts = 100;
+  const chain::NumericSolution one = chain::solveNumerically(chain, X_WT, start, options);
+  if (one.reached) return {one};
+  return {};
+}
+
 Answer byIteration(const SolvedArm& arm, const Pose& X_WT, const InverseOptions& asked) {
   const std::vector<double>& posture = asked.posture;
+  const chain::Chain either_way = arm.model.limits_wrist_size ? bentEitherWay(arm.model) : chain::Chain{};
+  const chain::Chain& chain = arm.model.limits_wrist_size ? either_way : arm.chain();
   chain::NumericOptions options;
   options.seed = asked.seed;
+  options.within_limits = true;
   if (arm.inverse.asks == chain::Asks::Position) options.rotation_length_m = 0.0;
   const chain::JointValues home{};
   const std::span<const double> start =
       posture.empty() ? std::span<const double>(home).first(arm.joints()) : std::span<const double>(posture);
-  std::vector<chain::NumericSolution> all;
-  if (asked.search > 0) {
-    all = chain::searchAll(arm.chain(), X_WT, start, options, asked.search);
-  } else {
-    options.restarts = 50;
-    const chain::NumericSolution one = chain::solveNumerically(arm.chain(), X_WT, start, options);
-    if (one.reached) all.push_back(one);
+  std::vector<chain::NumericSolution> all = searched(chain, X_WT, start, options, asked.search);
+  if (all.empty()) {
+    options.within_limits = false;
+    all = searched(chain, X_WT, start, options, asked.search);
   }
   Answer answer{!all.empty(), false, {}};
   for (const chain::NumericSolution& one : all) {
     Found found;
-    found.q = posture.empty() ? one.q : chain::nearPosture(arm.chain(), X_WT, one, posture, options).q;
+    found.q = posture.empty() ? one.q : chain::nearPosture(chain, X_WT, one, posture, options).q;
     if (arm.joints() != 6) addSelfMotion(arm, found, answer);  // of six joints, as it always was: nothing is said
     answer.found.push_back(found);
   }
   return answer;
+}
+
+Answer answerBy(const SolvedArm& arm, const Pose& X_WT, Method method, const InverseOptions& options) {
+  switch (method) {
+    case Method::StraightLine:
+      return byStraightLine(arm, X_WT);
+    case Method::ClosedForm:
+      return byClosedForm(arm, X_WT);
+    case Method::Geometry:
+      return byGeometry(arm, X_WT);
+    case Method::Iteration:
+      break;
+  }
+  return byIteration(arm, X_WT, options);
+}
+
+/// The sum of the squared distances from a posture; slides count as shares of the reach.
+double squaredFrom(const SolvedArm& arm, const std::vector<double>& posture, const chain::JointValues& q) {
+  double squared = 0.0;
+  for (std::size_t i = 0; i < std::min(arm.joints(), posture.size()); ++i) {
+    const double way = (q[i] - posture[i]) / (turns(arm.chain().joints[i]) ? 1.0 : arm.inverse.reach_m);
+    squared += way * way;
+  }
+  return squared;
 }
 
 }  // namespace
@@ -147,17 +189,19 @@ Result<Method> methodFor(const SolvedArm& arm, std::string_view method) {
 }
 
 Answer solve(const SolvedArm& arm, const Pose& X_WT, Method method, const InverseOptions& options) {
-  switch (method) {
-    case Method::StraightLine:
-      return byStraightLine(arm, X_WT);
-    case Method::ClosedForm:
-      return byClosedForm(arm, X_WT);
-    case Method::Geometry:
-      return byGeometry(arm, X_WT);
-    case Method::Iteration:
-      break;
+  Answer answer = answerBy(arm, X_WT, method, options);
+  for (Found& one : answer.found) {
+    const std::span<double> q = std::span(one.q).first(arm.joints());
+    arm::turnIntoLimits(arm.model, q, options.posture);
+    one.within_limits = arm::isWithinLimits(arm.model, q);
   }
-  return byIteration(arm, X_WT, options);
+  if (options.posture.empty()) return answer;
+  const auto rank = [&](const Found& one) {
+    return std::pair(!one.within_limits, squaredFrom(arm, options.posture, one.q));
+  };
+  std::stable_sort(answer.found.begin(), answer.found.end(),
+                   [&](const Found& a, const Found& b) { return rank(a) < rank(b); });
+  return answer;
 }
 
 }  // namespace underact::kinematics

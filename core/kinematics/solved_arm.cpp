@@ -9,11 +9,9 @@ namespace underact::kinematics {
 namespace {
 
 Result<arm::Model> modelOf(const std::string& name, const arm::UrdfEnds& ends) {
-  const bool has_ends = !ends.base.empty() || !ends.tip.empty();
-  if (has_ends && !arm::isUrdfName(name))
+  if (name.find_first_of("./\\") != std::string::npos) return arm::readArmFile(name, ends);
+  if (!ends.base.empty() || !ends.tip.empty())
     return Problems{{"--base and --tip are for URDF files: other files have one arm.", {}}};
-  if (has_ends) return arm::readUrdfFile(name, ends);
-  if (name.find_first_of("./\\") != std::string::npos) return arm::readArmFile(name);
   if (const arm::Model* const found = arm::findModel(name)) return *found;
   std::vector<std::string> names;
   for (const arm::Model& one : arm::models()) names.push_back(one.name);

@@ -1,7 +1,10 @@
 #include "core/kinematics/units.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 
+#include "core/base/nearest_rotation.h"
 #include "core/base/units.h"
 
 namespace underact::kinematics {
@@ -18,17 +21,26 @@ void writeJoints(const chain::Chain& chain, const chain::JointValues& q, std::sp
     out[i] = turns(chain.joints[i]) ? q[i] : kMillimetrePerMetre * q[i];
 }
 
-const char* readPose(const Eigen::Matrix4d& X, Pose& pose) noexcept {
+std::string rotationWrong(const Mat3& R) {
+  const double off = offRotation(R);
+  if (off <= kFarthestRotation) return {};
+  if (!std::isfinite(off)) return "is not a rotation: its rows must be orthonormal, with determinant +1.";
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), off, std::chars_format::general, 2).ptr;
+  return "is not a rotation: a number in it is " + std::string(text.data(), end) +
+         " off the nearest one, and 0.001 is allowed. Give at least four decimals, better six.";
+}
+
+std::string readPose(const Eigen::Matrix4d& X, Pose& pose) {
   constexpr double kRounding = 1e-14;  // of doubles: not corrected
   const Mat3 R = X.topLeftCorner<3, 3>();
   const double error = (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff();
-  if (!(error <= kRotationTolerance) || R.determinant() < 0.0)
-    return "is not a rotation: its rows must be orthonormal, with determinant +1.";
+  if (std::string wrong = rotationWrong(R); !wrong.empty()) return wrong;
   if (X.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) return "must end with the row 0, 0, 0, 1.";
-  pose.linear() = error > kRounding ? Eigen::Quaterniond(R).normalized().toRotationMatrix() : R;
+  pose.linear() = error > kRounding ? nearestRotation(R) : R;
   pose.translation() = kMetrePerMillimetre * X.topRightCorner<3, 1>();
   pose.makeAffine();
-  return nullptr;
+  return {};
 }
 
 Eigen::Matrix4d matrixOf(const Pose& X) noexcept {

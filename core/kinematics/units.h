@@ -1,13 +1,12 @@
 #pragma once
 #include <span>
+#include <string>
 
 #include "core/base/result.h"
 #include "core/chain/chain.h"
 
 namespace underact::kinematics {
 
-/// How far an entry of R R^T may be off for R to be a rotation: 2 sqrt(3) times half of the sixth decimal.
-inline constexpr double kRotationTolerance = 2e-6;
 /// The largest joint value, and the largest entry of a pose, mm, that are answered.
 inline constexpr double kLargestAngle_rad = 1e6, kFarthest_mm = 1e9;
 
@@ -23,8 +22,11 @@ chain::JointValues jointsOf(const chain::Chain& chain, std::span<const double> q
 void writeJoints(const chain::Chain& chain, const chain::JointValues& q, std::span<double> out) noexcept;
 
 /// The pose of a matrix in mm, brought to the nearest rotation where its decimals leave it beside one. X: entries of at
-/// most kFarthest_mm. Gives null, or what is wrong as the end of a sentence that begins with the name of the matrix.
-const char* readPose(const Eigen::Matrix4d& X, Pose& pose) noexcept;
+/// most kFarthest_mm. Gives nothing, or what is wrong as the end of a sentence that begins with the name of the matrix.
+std::string readPose(const Eigen::Matrix4d& X, Pose& pose);
+
+/// The end of such a sentence where R is no rotation, and none is near.
+std::string rotationWrong(const Mat3& R);
 
 /// The matrix of a pose, in mm.
 Eigen::Matrix4d matrixOf(const Pose& X) noexcept;

@@ -75,8 +75,10 @@ Count countOf(const Observation& seen) {
   const chain::InverseSolutions found = chain::solveAll(inverse, arm::tipPose(seen.arm.geometry, seen.tick.q_rad));
   Count count{0.0, 0.0};
   for (std::size_t index = 0; index < found.count; ++index) {
-    const std::span<const double> q = std::span(found.all[index].q).first(general.chain.joints.size());
+    chain::JointValues values = found.all[index].q;
+    const std::span<double> q = std::span(values).first(general.chain.joints.size());
     count.all += 1.0;
+    arm::turnIntoLimits(scene::modelOf(seen.scene), q);
     if (arm::isWithinLimits(scene::modelOf(seen.scene), q)) count.within += 1.0;
   }
   return count;

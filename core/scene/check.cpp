@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/arm/model.h"
+#include "core/base/nearest_rotation.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
@@ -75,11 +76,7 @@ void Checker::checkField(const std::string& key, Meaning meaning, const Mat3& nu
   for (Eigen::Index row = 0; row < 3; ++row) {
     checkField(key + "[" + std::to_string(row) + "]", meaning, Vec3(numbers.row(row).transpose()));
   }
-  if (numbers.allFinite() && !isRotation(numbers)) {
-    add(key, said(TRANSLATE_NOOP("problem",
-                                 "This is not a rotation matrix: its rows must have length 1, be at right angles, and "
-                                 "form a right-handed frame.")));
-  }
+  if (numbers.allFinite()) add(key, rotationProblem(numbers));
 }
 
 void Checker::checkControl(const std::string& key, const Control& control) {

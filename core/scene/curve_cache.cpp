@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/nearest_rotation.h"
 #include "core/base/units.h"
 
 namespace underact::scene {
@@ -26,7 +27,7 @@ bool isOf(const Kept& kept, const Curve& curve) {
 }
 
 Result<std::shared_ptr<const curve::Curve>> makeInWorkspace(const Curve& curve, const SourceLocation& place) {
-  const Mat3 R_WM = Eigen::Quaterniond(Mat3(curve.X_WM.topLeftCorner<3, 3>())).normalized().toRotationMatrix();
+  const Mat3 R_WM = nearestRotation(Mat3(curve.X_WM.topLeftCorner<3, 3>()));
   const Vec3 p_WM = kMetrePerMillimetre * curve.X_WM.topRightCorner<3, 1>();
   const double scale_m = kMetrePerMillimetre * curve.scale_mm_per_unit;
   std::vector<Vec3> points_W;

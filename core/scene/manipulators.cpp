@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/nearest_rotation.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
@@ -111,7 +112,7 @@ Result<manipulator::Manipulator> makeManipulator(const VirtualManipulator& robot
   }
   Pose X_WV_home = Pose::Identity();
   // A rotation written with a few digits is made exact.
-  X_WV_home.linear() = Eigen::Quaterniond(Mat3(robot.X_WV_home.topLeftCorner<3, 3>())).normalized().toRotationMatrix();
+  X_WV_home.linear() = nearestRotation(Mat3(robot.X_WV_home.topLeftCorner<3, 3>()));
   X_WV_home.translation() = kMetrePerMillimetre * robot.X_WV_home.topRightCorner<3, 1>();
   Result<chain::Chain> made = chain::makeChain(std::move(joints), X_WV_home, place);
   if (!made) return made.problems();

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/arm/solid_place.h"
+#include "core/base/nearest_rotation.h"
 #include "core/base/translate.h"
 #include "core/json/json.h"
 #include "core/json/text.h"
@@ -26,11 +27,22 @@ Sentence sizeNote(const Mesh& mesh) {
   return {};
 }
 
+/// The rotation of a constraint as its file has it; that of a constraint without one is exact.
+Mat3 rotationOf(const Shape& shape) {
+  if (const auto* const box = std::get_if<Box>(&shape)) return box->R_WB;
+  if (const auto* const mesh = std::get_if<Mesh>(&shape)) return mesh->X_WM.topLeftCorner<3, 3>();
+  if (const auto* const curve = std::get_if<Curve>(&shape)) return curve->X_WM.topLeftCorner<3, 3>();
+  if (const auto* const robot = std::get_if<VirtualManipulator>(&shape)) return robot->X_WV_home.topLeftCorner<3, 3>();
+  return Mat3::Identity();
+}
+
 }  // namespace
 
 Problems meshNotes(const Description& scene) {
   Problems notes;
   for (const Constraint& constraint : scene.constraints) {
+    if (Sentence note = rotationNote(rotationOf(constraint.shape)); !note.empty())
+      notes.push_back({std::move(note), constraint.place});
     const auto* const mesh = std::get_if<Mesh>(&constraint.shape);
     if (mesh == nullptr || mesh->facts == nullptr) continue;
     const double mm_per_unit = std::abs(mesh->scale_mm_per_unit);

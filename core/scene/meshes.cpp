@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/nearest_rotation.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/scene/manipulators.h"
@@ -65,7 +66,7 @@ Result<target::MeshPlace> makeMeshPlace(const Mesh& mesh, target::Side side, con
   }
   target::MeshPlace placed;
   placed.surface = mesh.surface;
-  placed.R_WM = Eigen::Quaterniond(Mat3(mesh.X_WM.topLeftCorner<3, 3>())).normalized().toRotationMatrix();
+  placed.R_WM = nearestRotation(Mat3(mesh.X_WM.topLeftCorner<3, 3>()));
   placed.p_WM = kMetrePerMillimetre * mesh.X_WM.topRightCorner<3, 1>();
   placed.scale_m = kMetrePerMillimetre * mesh.scale_mm_per_unit;
   if (mesh.surface->origin_M != Vec3::Zero()) placed.p_WM += placed.scale_m * (placed.R_WM * mesh.surface->origin_M);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/nearest_rotation.h"
 #include "core/base/translate.h"
 #include "core/json/json.h"
 
@@ -11,7 +12,6 @@ using json::numberText;
 
 constexpr double kSmallest_mm = 1e-100;  // the tick squares lengths in metres: far above underflow
 constexpr double kFarthestTurn_rad = 1e3;
-constexpr double kRotationError = 1e-6;
 
 Sentence constraintCountProblem(std::size_t count) {
   return said(TRANSLATE_NOOP("problem", "A scene has 1 to %1 constraints; this one has %2."),
@@ -61,20 +61,12 @@ Sentence jointProblem(const Joint& joint, double value) {
               {turns ? "1000 rad" : "1e6 mm", numberText(value)});
 }
 
-bool isRotation(const Mat3& R) {
-  return (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= kRotationError && R.determinant() > 0.0;
-}
-
 Sentence poseProblem(const Eigen::Matrix4d& X) {
   if (!X.allFinite())
     return said(TRANSLATE_NOOP("problem", "This is not a finite pose; the largest number is about 1.8e308."));
   if (X.row(3) != Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0))
     return said(TRANSLATE_NOOP("problem", "The last row of a pose must be [0, 0, 0, 1]."));
-  if (!isRotation(X.topLeftCorner<3, 3>())) {
-    return said(TRANSLATE_NOOP("problem",
-                               "The upper left 3 x 3 numbers are not a rotation matrix: its rows must have length 1, "
-                               "be at right angles, and form a right-handed frame."));
-  }
+  if (Sentence sentence = rotationProblem(X.topLeftCorner<3, 3>()); !sentence.empty()) return sentence;
   if (X.topRightCorner<3, 1>().cwiseAbs().maxCoeff() > kFarthest_mm)
     return said(TRANSLATE_NOOP("problem", "The position must lie within 1e6 mm (1 km)."));
   return {};

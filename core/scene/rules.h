@@ -30,7 +30,4 @@ Sentence hasNoDirection();
 /// A pose whose translation is in mm.
 Sentence poseProblem(const Eigen::Matrix4d& X);
 
-/// Whether R is a rotation, each number within 1e-6, as in shape::makeBox().
-bool isRotation(const Mat3& R);
-
 }  // namespace underact::scene

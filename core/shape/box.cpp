@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/nearest_rotation.h"
 #include "core/base/norms.h"
 #include "core/base/translate.h"
 
@@ -35,13 +36,10 @@ Result<Box> makeBox(const Vec3& p_WC, const Vec3& size_m, const Mat3& R_WB, cons
   const Vec3 half_m = size_m / 2.0;
   if (!(half_m.allFinite() && leastOf(half_m) > 0.0))
     problems.push_back({said(TRANSLATE_NOOP("problem", "Every size must be above 0.")), place});
-  const bool orthonormal =
-      R_WB.allFinite() && (R_WB * R_WB.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= 1e-6;
-  if (!orthonormal || R_WB.determinant() < 0.0)
-    problems.push_back({said(TRANSLATE_NOOP("problem", "The matrix is not a rotation.")), place});
+  if (Sentence sentence = rotationProblem(R_WB); !sentence.empty()) problems.push_back({std::move(sentence), place});
   if (!problems.empty()) return problems;
   if (R_WB == Mat3::Identity()) return Box{p_WC, half_m, R_WB};
-  return Box{p_WC, half_m, Eigen::Quaterniond(R_WB).normalized().toRotationMatrix()};
+  return Box{p_WC, half_m, nearestRotation(R_WB)};
 }
 
 Nearest closestPoint(const Box& box, const Vec3& p_WT) noexcept {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/nearest_rotation.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/json/json.h"
@@ -17,11 +18,6 @@ using json::ObjectReader;
 using json::Value;
 
 constexpr double kFurthestHand_mm = 1e6;
-constexpr double kRotationError = 1e-6;  // as in a scene
-
-bool isRotation(const Mat3& R) {
-  return (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= kRotationError && R.determinant() > 0.0;
-}
 
 /// False, and a problem, for a number beyond the range of double.
 bool checkFinite(const Value& value, const std::string& path, double number, Findings& findings) {
@@ -75,13 +71,8 @@ void readPlace(const Value& value, const std::string& path, Vec3& p_WT, Findings
 
 void readTurn(const Value& value, const std::string& path, Mat3& R_WT, Findings& findings) {
   readNumber(value, path, R_WT, findings);
-  if (!isRotation(R_WT)) {
-    findings.add(value, path,
-                 said(TRANSLATE_NOOP("problem",
-                                     "This is not a rotation matrix: its rows must have length 1, be at right angles, "
-                                     "and form a right-handed frame.")));
-  }
-  R_WT = Eigen::Quaterniond(R_WT).normalized().toRotationMatrix();
+  if (Sentence sentence = rotationProblem(R_WT); !sentence.empty()) findings.add(value, path, std::move(sentence));
+  R_WT = nearestRotation(R_WT);
 }
 
 /// before_s: the latest time before it.

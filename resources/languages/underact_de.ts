@@ -3550,6 +3550,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>ein Objekt wie %1</translation>
     </message>
     <message>
+        <source>--base and --tip are for URDF files: other files have one arm.</source>
+        <translation>--base und --tip sind für URDF-Dateien: andere Dateien haben nur einen Arm.</translation>
+    </message>
+    <message>
         <source>an arm</source>
         <translation>eine Armdatei</translation>
     </message>
@@ -3762,6 +3766,30 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Das Netz %1 wird nicht gezeichnet: Eine solche Datei gibt es nicht.</translation>
     </message>
     <message>
+        <source>The joint %1 is %2; a joint of an arm turns about an axis or slides along it. Leave it out (%3).</source>
+        <translation>Das Gelenk %1 ist %2; ein Gelenk eines Arms dreht sich um eine Achse oder gleitet an ihr entlang. Lassen Sie es weg (%3).</translation>
+    </message>
+    <message>
+        <source>The joint %1 follows another one; each joint of an arm moves by itself. Leave it out (%2).</source>
+        <translation>Das Gelenk %1 folgt einem anderen; jedes Gelenk eines Arms bewegt sich für sich. Lassen Sie es weg (%2).</translation>
+    </message>
+    <message>
+        <source>The joint %1 has no range here, and is taken as one without limits.</source>
+        <translation>Das Gelenk %1 hat hier keinen Bereich und gilt als eines ohne Grenzen.</translation>
+    </message>
+    <message>
+        <source>An arm has from one to eight joints; this is the ninth. End it before (%1).</source>
+        <translation>Ein Arm hat ein bis acht Gelenke; dies ist das neunte. Lassen Sie ihn davor enden (%1).</translation>
+    </message>
+    <message>
+        <source>%1 kg on joints beside the arm, from link %2 on, are in none of its masses.</source>
+        <translation>%1 kg an Gelenken neben dem Arm, ab Glied %2, sind in keiner seiner Massen.</translation>
+    </message>
+    <message>
+        <source>No joint between link %1 and link %2 moves.</source>
+        <translation>Zwischen Glied %1 und Glied %2 bewegt sich kein Gelenk.</translation>
+    </message>
+    <message>
         <source>The link %1 has two parents.</source>
         <translation>Das Glied %1 hat zwei übergeordnete Glieder.</translation>
     </message>
@@ -3772,6 +3800,14 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>Say which link is the %1 (arm convert --%1 LINK): %2, for example.</source>
         <translation>Geben Sie an, welches Glied „%1“ ist (arm convert --%1 GLIED), zum Beispiel %2.</translation>
+    </message>
+    <message>
+        <source>The joint %1 is %2, so link %3 is taken as the base.</source>
+        <translation>Das Gelenk %1 ist %2, darum gilt das Glied %3 als Basis.</translation>
+    </message>
+    <message>
+        <source>Link %1 is taken as the tip. --tip LINK takes another one: %2, for example.</source>
+        <translation>Das Glied %1 gilt als Spitze. --tip GLIED nimmt ein anderes: %2 zum Beispiel.</translation>
     </message>
     <message>
         <source>No joints lead from link %1 to link %2.</source>
@@ -3786,22 +3822,6 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Es gibt kein Glied %1. Ist „%2“ gemeint?</translation>
     </message>
     <message>
-        <source>The joint %1 is %2; a joint of an arm turns about an axis or slides along it.</source>
-        <translation>Das Gelenk %1 ist %2; ein Gelenk eines Arms dreht sich um eine Achse oder verschiebt sich entlang einer.</translation>
-    </message>
-    <message>
-        <source>The joint %1 follows another one; each joint of an arm moves by itself.</source>
-        <translation>Das Gelenk %1 folgt einem anderen; jedes Gelenk eines Arms bewegt sich für sich.</translation>
-    </message>
-    <message>
-        <source>An arm has from one to eight joints; this is the ninth.</source>
-        <translation>Ein Arm hat ein bis acht Gelenke; dies ist das neunte.</translation>
-    </message>
-    <message>
-        <source>No joint between link %1 and link %2 moves.</source>
-        <translation>Zwischen Glied %1 und Glied %2 bewegt sich kein Gelenk.</translation>
-    </message>
-    <message>
         <source>This file is a macro (xacro). Expand it into a URDF file first.</source>
         <translation>Diese Datei ist ein Makro (xacro). Erzeugen Sie daraus zuerst eine URDF-Datei.</translation>
     </message>
@@ -3810,32 +3830,24 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Ein Roboter kann höchstens 4096 Glieder und Gelenke haben.</translation>
     </message>
     <message>
-        <source>The element %1 is not known here. Did you mean "%2"?</source>
-        <translation>Das Element %1 ist hier nicht bekannt. Ist „%2“ gemeint?</translation>
-    </message>
-    <message>
-        <source>The attribute %1 is not known in &lt;%2&gt;. Did you mean "%3"?</source>
-        <translation>Das Attribut %1 ist in &lt;%2&gt; nicht bekannt. Ist „%3“ gemeint?</translation>
-    </message>
-    <message>
-        <source>The attribute "%1" is missing; %2 needs it.</source>
-        <translation>Das Attribut „%1“ fehlt; %2 braucht es.</translation>
+        <source>This program reads URDF of the versions 1.0, 1.1 and 1.2; here it is %1.</source>
+        <translation>Dieses Programm liest URDF der Versionen 1.0, 1.1 und 1.2; hier steht %1.</translation>
     </message>
     <message>
         <source>The name %1 appears twice.</source>
         <translation>Der Name %1 kommt zweimal vor.</translation>
     </message>
     <message>
-        <source>This must be a finite number; here it is %1.</source>
-        <translation>Hier muss eine endliche Zahl stehen; hier steht %1.</translation>
-    </message>
-    <message>
-        <source>This must be %1 finite numbers; here it is %2.</source>
-        <translation>Hier müssen %1 endliche Zahlen stehen; hier steht %2.</translation>
-    </message>
-    <message>
         <source>A length must lie within 1000 m.</source>
         <translation>Eine Länge darf höchstens 1000 m betragen.</translation>
+    </message>
+    <message>
+        <source>An &lt;origin&gt; has either "rpy" or "quat_xyzw", not both.</source>
+        <translation>Ein &lt;origin&gt; hat entweder "rpy" oder "quat_xyzw", nicht beides.</translation>
+    </message>
+    <message>
+        <source>A quaternion must have the length 1; here it is %1.</source>
+        <translation>Ein Quaternion muss die Länge 1 haben; hier ist sie %1.</translation>
     </message>
     <message>
         <source>A length must be above 0 and at most 1000 m.</source>
@@ -3844,6 +3856,14 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>Each factor must be from 1e-9 to 1000, or the same below 0.</source>
         <translation>Jeder Faktor muss zwischen 1e-9 und 1000 liegen, oder ebenso unter 0.</translation>
+    </message>
+    <message>
+        <source>The form %1 is not known here.</source>
+        <translation>Die Form %1 ist hier nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>A picture of link %1 is not drawn: %2</source>
+        <translation>Ein Bild des Glieds %1 wird nicht gezeichnet: %2</translation>
     </message>
     <message>
         <source>The element &lt;%1&gt; is missing; &lt;joint&gt; needs it.</source>
@@ -3888,6 +3908,38 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>A URDF file is one element &lt;robot&gt;.</source>
         <translation>Eine URDF-Datei besteht aus einem Element &lt;robot&gt;.</translation>
+    </message>
+    <message>
+        <source>The attribute %1 is not known in &lt;%2&gt;, and may move the link.</source>
+        <translation>Das Attribut %1 ist in &lt;%2&gt; nicht bekannt und könnte das Glied bewegen.</translation>
+    </message>
+    <message>
+        <source>The element %1 is not known in &lt;%2&gt;, and may move the link.</source>
+        <translation>Das Element %1 ist in &lt;%2&gt; nicht bekannt und könnte das Glied bewegen.</translation>
+    </message>
+    <message>
+        <source>The element &lt;%1&gt; appears twice in &lt;%2&gt;.</source>
+        <translation>Das Element &lt;%1&gt; steht zweimal in &lt;%2&gt;.</translation>
+    </message>
+    <message>
+        <source>The element %1 is not known here. Did you mean "%2"?</source>
+        <translation>Das Element %1 ist hier nicht bekannt. Ist „%2“ gemeint?</translation>
+    </message>
+    <message>
+        <source>The attribute %1 is not known in &lt;%2&gt;. Did you mean "%3"?</source>
+        <translation>Das Attribut %1 ist in &lt;%2&gt; nicht bekannt. Ist „%3“ gemeint?</translation>
+    </message>
+    <message>
+        <source>The attribute "%1" is missing; %2 needs it.</source>
+        <translation>Das Attribut „%1“ fehlt; %2 braucht es.</translation>
+    </message>
+    <message>
+        <source>This must be a finite number; here it is %1.</source>
+        <translation>Hier muss eine endliche Zahl stehen; hier steht %1.</translation>
+    </message>
+    <message>
+        <source>This must be %1 finite numbers; here it is %2.</source>
+        <translation>Hier müssen %1 endliche Zahlen stehen; hier steht %2.</translation>
     </message>
     <message>
         <source>A reference such as &amp;#65; ends with a semicolon.</source>
@@ -3956,6 +4008,18 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>Force is off.</source>
         <translation>Die Kraft ist aus.</translation>
+    </message>
+    <message>
+        <source>This is not a rotation matrix: its rows must have length 1, be at right angles, and form a right-handed frame.</source>
+        <translation>Dies ist keine Rotationsmatrix: Ihre Zeilen müssen die Länge 1 haben, rechtwinklig zueinander stehen und ein rechtshändiges Koordinatensystem bilden.</translation>
+    </message>
+    <message>
+        <source>This is not a rotation matrix: a number in it is %1 off the nearest one, and 0.001 is allowed. Give at least four decimals, better six.</source>
+        <translation>Dies ist keine Drehmatrix: eine Zahl darin weicht um %1 von der nächsten ab, und 0.001 ist erlaubt. Geben Sie mindestens vier Dezimalen an, besser sechs.</translation>
+    </message>
+    <message>
+        <source>This matrix is %1 off a rotation, and the nearest one is taken. With six decimals it is exact enough.</source>
+        <translation>Diese Matrix weicht um %1 von einer Drehung ab; die nächste wird genommen. Mit sechs Dezimalen ist sie genau genug.</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -5602,10 +5666,6 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Registrierung lässt sich nicht löschen: %1. Prüfen Sie, ob der Ordner da ist und Ihnen gehört und ob der Datenträger nicht voll ist.</translation>
     </message>
     <message>
-        <source>This is not a rotation matrix: its rows must have length 1, be at right angles, and form a right-handed frame.</source>
-        <translation>Dies ist keine Rotationsmatrix: Ihre Zeilen müssen die Länge 1 haben, rechtwinklig zueinander stehen und ein rechtshändiges Koordinatensystem bilden.</translation>
-    </message>
-    <message>
         <source>The control law %1 does not use this gain; %2 does. Change the control law, or remove the gain.</source>
         <translation>Das Regelgesetz %1 benutzt diese Verstärkung nicht, wohl aber %2. Ändern Sie das Regelgesetz, oder entfernen Sie die Verstärkung.</translation>
     </message>
@@ -5922,10 +5982,6 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die letzte Zeile einer Lage muss [0, 0, 0, 1] sein.</translation>
     </message>
     <message>
-        <source>The upper left 3 x 3 numbers are not a rotation matrix: its rows must have length 1, be at right angles, and form a right-handed frame.</source>
-        <translation>Die 3 x 3 Zahlen oben links sind keine Rotationsmatrix: Ihre Zeilen müssen die Länge 1 haben, rechtwinklig zueinander stehen und ein rechtshändiges Koordinatensystem bilden.</translation>
-    </message>
-    <message>
         <source>The position must lie within 1e6 mm (1 km).</source>
         <translation>Die Position muss innerhalb von 1e6 mm (1 km) liegen.</translation>
     </message>
@@ -6100,10 +6156,6 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>Every size must be above 0.</source>
         <translation>Jede Größe muss über 0 liegen.</translation>
-    </message>
-    <message>
-        <source>The matrix is not a rotation.</source>
-        <translation>Die Matrix ist keine Rotationsmatrix.</translation>
     </message>
     <message>
         <source>The radius must be above 0.</source>

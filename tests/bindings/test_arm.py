@@ -205,11 +205,17 @@ class BadInput(unittest.TestCase):
         self.refused(ValueError, self.arm.ik, X, words="X[0, 3] is nan")
 
     def test_no_rotation_is_refused(self):
-        for change in ((0, 0, 1.001), (3, 0, 0.1), (3, 3, 2.0), (0, 0, -1.0)):
+        for change in ((0, 0, 1.01), (3, 0, 0.1), (3, 3, 2.0), (0, 0, -1.0)):
             X = np.eye(4)
             X[change[0], change[1]] = change[2]
             self.refused(ValueError, self.arm.ik, X)
             self.refused(ValueError, self.arm.ik, [np.eye(4), X], words="Pose 1 of X")
+
+    def test_a_rotation_of_four_decimals_is_the_nearest_one(self):
+        X = self.arm.fk([0.1, 0.5, -0.3, 0.2, 0.7, 0.4])
+        rounded = X.copy()
+        rounded[..., :3, :3] = X[..., :3, :3].round(4)
+        self.assertTrue(np.allclose(self.arm.ik(rounded).q, self.arm.ik(X).q, atol=0.01, equal_nan=True))
 
     def test_an_arm_that_is_not_there_is_refused(self):
         self.refused(ValueError, arm.load, "nobody", words="There is no arm")

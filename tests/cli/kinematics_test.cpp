@@ -202,4 +202,57 @@ TEST(KinematicsCommands, APoseCopiedWithSixDecimalsIsTakenAsTheNearestRotation) 
   EXPECT_EQ(all.at(0).find("solutions")->items.size(), 8U);
 }
 
+/// Two links above a turntable, each joint from 0 to a full turn; a camera of 1 kg is fixed to the first link.
+constexpr const char* kTurntable = R"(<robot name="r">
+  <link name="base"/><link name="l1"><inertial><mass value="1"/></inertial></link><link name="l2"/><link name="l3"/><link name="tool"/>
+  <link name="camera"><inertial><mass value="1"/></inertial></link><link name="stand"/>
+  <joint name="j1" type="revolute"><parent link="base"/><child link="l1"/><origin xyz="0 0 0.1"/><axis xyz="0 1 0"/>
+    <limit lower="0" upper="6.2832"/></joint>
+  <joint name="j2" type="revolute"><parent link="l1"/><child link="l2"/><origin xyz="0 0 0.3"/><axis xyz="0 1 0"/>
+    <limit lower="0" upper="6.2832"/></joint>
+  <joint name="j3" type="revolute"><parent link="l2"/><child link="l3"/><origin xyz="0 0 0.3"/><axis xyz="0 1 0"/>
+    <limit lower="0" upper="6.2832"/></joint>
+  <joint name="f" type="fixed"><parent link="l3"/><child link="tool"/><origin xyz="0 0 0.2"/></joint>
+  <joint name="c" type="fixed"><parent link="l1"/><child link="camera"/><origin xyz="0.2 0 0"/></joint>
+  <joint name="s" type="fixed"><parent link="base"/><child link="stand"/></joint>
+</robot>)";
+
+TEST(KinematicsCommands, AnAngleSaidToBeWithinItsLimitsIs) {
+  const ScratchFile file(kTurntable, "TURN.URDF");
+  const std::string there = runCli({"fk", "--arm", file.path()}, "{\"q_rad\": [4.7, 5.9, 0.6]}\n").out;
+  for (const char* method : {"closed_form", "iterative"}) {
+    const Value all =
+        commandAnswers({"ik", "--arm", file.path(), "--method", method, "--prefer", "[4.7, 5.9, 0.6]"}, there).at(0);
+    const Value& first = all.find("solutions")->items.at(0);
+    EXPECT_TRUE(first.find("within_limits")->boolean) << method;
+    EXPECT_NEAR(first.find("q_rad")->items.at(0).number, 4.7, 1e-6) << method;
+    EXPECT_NEAR(first.find("q_rad")->items.at(1).number, 5.9, 1e-6) << method;
+  }
+}
+
+TEST(KinematicsCommands, TheTipThatIsTakenIsSaidAndAnotherCanBeNamed) {
+  const ScratchFile file(kTurntable, "turn.xacro");
+  const std::string q = "{\"q_rad\": [0, 0, 0]}\n";
+  const Outcome taken = runCli({"statics", "--arm", file.path()}, q);
+  EXPECT_NE(taken.err.find("note: tip: Link \"tool\" is taken as the tip."), std::string::npos) << taken.err;
+  // The camera, 0.2 m in front of joint 1, weighs on it.
+  EXPECT_NEAR(std::abs(lines(taken.out).at(0).find("holding_N_mm")->items.at(0).number), 200 * 9.80665, 1.0);
+  const Outcome named = runCli({"fk", "--arm", file.path(), "--tip", "l3"}, q);
+  EXPECT_EQ(named.err, "");
+  EXPECT_NEAR(lines(named.out).at(0).find("X_WT")->items[2].items[3].number, 700, 1e-9);
+}
+
+TEST(KinematicsCommands, APoseOfFourDecimalsIsTakenWithANoteAndTwoAreNot) {
+  const auto turned = [](const char* half) {
+    const std::string h = half;
+    return "{\"X_WT\": [[" + h + ", -" + h + ", 0, 30], [" + h + ", " + h + ", 0, 20], [0, 0, 1, 0], [0, 0, 0, 1]]}\n";
+  };
+  const Outcome four = runCli({"ik"}, turned("0.7071"));
+  EXPECT_EQ(lines(four.out).at(0).find("solutions")->items.size(), 8U);
+  EXPECT_NE(four.err.find("note: \"X_WT\": This matrix is 6.8e-06 off a rotation"), std::string::npos) << four.err;
+  EXPECT_EQ(runCli({"ik"}, turned("0.7071068")).err, "");
+  const Value two = commandAnswers({"ik"}, turned("0.71"), Exit::BadInput).at(0);
+  EXPECT_NE(two.find("error")->text.find("0.0029 off the nearest one"), std::string::npos);
+}
+
 }  // namespace underact::test

@@ -658,9 +658,9 @@ BREAKAGES = [
     ),
     Breakage(
         says="a mirror image is taken for a rotation",
-        file="app/cli/pose_line.cpp",
-        old="return orthonormal && R.determinant() > 0.0;",
-        new="return orthonormal;",
+        file="core/base/nearest_rotation.cpp",
+        old="R.determinant() > kRegular",
+        new="std::abs(R.determinant()) > kRegular",
         program="cli_test",
         test="cli_test",
         only="Target.*",

@@ -49,4 +49,16 @@ inline Arm omni() {
   return arm;
 }
 
+/// Kinova, Gen3 Ultra lightweight robot, User Guide: DH parameters and joint limits of the arm with seven joints, its
+/// classic table written as a modified one. Joints 1, 3, 5 and 7 turn without end.
+inline Arm gen3() {
+  Arm arm{"gen3",
+          {row(180, 0, -284.8, 0, 0, 0), row(90, 0, -11.8, 180, -128.9, 128.9), row(90, 0, -420.8, 180, 0, 0),
+           row(90, 0, -12.8, 180, -147.8, 147.8), row(90, 0, -314.3, 180, 0, 0), row(90, 0, 0, 180, -120.3, 120.3),
+           row(90, 0, -167.4, 180, 0, 0)}};
+  for (std::size_t i = 0; i < 7; i += 2) arm.rows[i].min = -kInfinity, arm.rows[i].max = kInfinity;
+  arm.X_NT.linear() << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+  return arm;
+}
+
 }  // namespace underact::chain::test

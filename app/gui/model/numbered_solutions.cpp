@@ -54,7 +54,9 @@ NumberedSolutions SolutionFinder::ofOmni(const Pose& X_WT) const {
   found.at_shoulder = solutions.at_shoulder;
   found.at_elbow = solutions.at_elbow;
   found.at_wrist = solutions.at_wrist;
-  for (const arm::Solution& one : solutions) {
+  for (arm::Solution one : solutions) {
+    arm::turnIntoLimits(arm_.model, one.q_rad);
+    one.within_limits = arm::isWithinLimits(arm_.model, one.q_rad);
     const char* const family = arm::name(one.family);
     const arm::Branch& at = one.branch;
     found.all.push_back({numberOf(at),
@@ -75,9 +77,8 @@ NumberedSolutions SolutionFinder::at(const Pose& X_WT) const {
   found.has_surplus = kinematics::hasSurplus(arm_);
   const std::size_t joints = arm_.joints();
   for (const kinematics::Found& one : kinematics::solve(arm_, X_WT, method_, options).found) {
-    NumberedSolution solution{0, {}, false, one.family, one.branch, one.null_space};
+    NumberedSolution solution{0, {}, one.within_limits, one.family, one.branch, one.null_space};
     std::copy_n(one.q.begin(), joints, solution.q.begin());
-    solution.within_limits = arm::isWithinLimits(arm_.model, std::span(solution.q).first(joints));
     found.all.push_back(std::move(solution));
     if (found.all.size() == kMostSolutions) break;
   }

@@ -226,10 +226,11 @@ class Arm(_core.Arm):
     ) -> Solutions:
         """All joint values for the pose X of the stylus or tool.
 
-        X: (..., 4, 4), rotations to 1e-6, lengths mm. method: "auto", "closed_form" or "iterative";
-        an arm without a closed form is solved by iteration, which gives one solution, or with
-        search those that so many starts find. seed: of the starts. prefer: (n,), a posture to start
-        from and to come near to.
+        X: (..., 4, 4), rotations to 1e-3, lengths mm. method: "auto", "closed_form" or "iterative";
+        an arm without a closed form is solved by iteration within its limits, which gives one
+        solution, or with search those that so many starts find. seed: of the starts. prefer: (n,),
+        a posture: the solutions nearest to it come first, each joint by the full turn nearest to
+        it, and an iteration starts from it.
 
         >>> omni = load("omni-thesis")
         >>> found = omni.ik(omni.fk([0.1, 0.5, -0.3, 0.2, 0.7, 0.4]))

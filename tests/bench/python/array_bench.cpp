@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
   const double jacobian_ns = leastOf(count, [&](std::size_t i) { J[i] = kinematics::jacobianOf(arm.value(), q[i]); });
   std::vector<Pose> poses(count);
   for (std::size_t i = 0; i < count; ++i) {
-    if (kinematics::readPose(X[i], poses[i]) != nullptr) return 1;
+    if (!kinematics::readPose(X[i], poses[i]).empty()) return 1;
   }
   std::vector<std::array<double, 6>> solutions(8 * count);
   std::size_t found = 0, within = 0;
@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
   const Result<kinematics::Method> method = kinematics::methodFor(arm.value(), "auto");
   if (!method) return 1;
   const double ik_ns = leastOf(count, [&](std::size_t i) {
-    if (kinematics::readPose(X[i], poses[i]) != nullptr) return;
+    if (!kinematics::readPose(X[i], poses[i]).empty()) return;
     for (const kinematics::Found& one : kinematics::solve(arm.value(), poses[i], method.value(), options).found) {
       kinematics::writeJoints(arm.value().chain(), one.q, solutions[8 * i + found++ % 8]);
       within += arm::isWithinLimits(arm.value().model, std::span(one.q).first(6)) ? 1 : 0;

@@ -78,7 +78,7 @@ TEST(Solids, ThatNoArmHasAreErrorsAtTheirKeys) {
   EXPECT_NE(solidProblem(many).find("at most 256"), std::string::npos);
 }
 
-TEST(Solids, OfUrdfAreItsFormsUnlessAnotherOneIsAmongThem) {
+TEST(Solids, OfUrdfAreItsFormsAndWhatCannotBeDrawnIsNoted) {
   const auto robot = [](const std::string& picture) {
     return R"(<robot name="r"><link name="a"/><link name="b"><visual><origin xyz="0 0 0.1"/><geometry>)" + picture +
            R"(</geometry></visual><visual><geometry><sphere radius="0.02"/></geometry></visual></link>
@@ -89,10 +89,20 @@ TEST(Solids, OfUrdfAreItsFormsUnlessAnotherOneIsAmongThem) {
   ASSERT_EQ(model.solids.size(), 2U);
   EXPECT_EQ(model.solids[0].link, 1U);
   EXPECT_EQ(model.solids[0].X_WS.translation(), Vec3(1.0, 0.0, 0.1));
-  EXPECT_TRUE(readUrdf(robot(R"(<capsule radius="1" length="2"/>)"), "r.urdf", {}).value().solids.empty());
-  const Result<Model> wrong = readUrdf(robot(R"(<box size="0.1 0 0.3"/>)"), "r.urdf", {});
-  ASSERT_FALSE(wrong);
-  EXPECT_EQ(wrong.problems()[0].place.line, 1);
+  const Model round = readUrdf(robot(R"(<capsule radius="1" length="2"/>)"), "r.urdf", {}).value();
+  ASSERT_EQ(round.solids.size(), 2U);
+  EXPECT_EQ(std::get<CapsuleSolid>(round.solids[0].form).length_m, 2.0);
+  EXPECT_TRUE(round.notes.empty());
+  for (const char* form :
+       {R"(<box size="0.1 0 0.3"/>)", R"(<cone radius="1"/>)", R"(<cylinder radius="x" length="1"/>)",
+        R"(<mesh filename="m.stl" scale="0 1 1"/>)", "<box/>"}) {
+    const Result<Model> rest = readUrdf(robot(form), "r.urdf", {});
+    ASSERT_TRUE(rest) << form;
+    EXPECT_EQ(rest.value().solids.size(), 1U) << form;
+    ASSERT_EQ(rest.value().notes.size(), 1U) << form;
+    EXPECT_EQ(rest.value().notes[0].place.line, 1);
+    EXPECT_TRUE(rest.value().notes[0].sentence.find("A picture of link \"b\" is not drawn: ") == 0) << form;
+  }
 }
 
 TEST(Solids, ACapsuleIsNoFormOfUrdf) {

@@ -108,7 +108,10 @@ TEST(MeshSolid, ComesBackInEveryForm) {
 
 TEST(MeshSolid, WithoutANameOrASizeIsAnErrorAtItsKey) {
   const auto json = [](const std::string& keys) { return meshProblem(readArm(armWithMesh(keys), "a.json")); };
-  const auto urdf = [](const std::string& mesh) { return meshProblem(readUrdf(robotWithMesh(mesh), "r.urdf", {})); };
+  const auto urdf = [](const std::string& mesh) {  // a note: a picture moves nothing
+    const Problems notes = readUrdf(robotWithMesh(mesh), "r.urdf", {}).value().notes;
+    return notes.empty() ? "" : std::string(notes[0].sentence) + " @" + notes[0].place.key;
+  };
   EXPECT_NE(json(R"("scale_mm_per_unit": [1, 1, 1])").find("file"), std::string::npos);
   EXPECT_NE(json(R"("file": "")").find("@solids[0].file"), std::string::npos);
   EXPECT_NE(json(R"("file": ")" + std::string(kLongestMeshName + 1, 'a') + "\"").find("1024"), std::string::npos);
@@ -138,6 +141,18 @@ TEST_F(SolidPlace, PackagesAreLookedForAboveWhereTheyArePackages) {
   EXPECT_NE(whereIs("package://three/far.stl").find("no such package"), std::string::npos);  // no package.xml
   EXPECT_NE(whereIs("package://ws/three/far.stl").find("no such package"), std::string::npos);
   EXPECT_NE(whereIs("package://one/meshes/none.stl").find("no such file"), std::string::npos);
+}
+
+TEST_F(SolidPlace, APackageIsFoundByTheNameInItsManifest) {  // a folder as out of an archive
+  write(root_ / "ws/gripper-main/package.xml", "<?xml version=\"1.0\"?>\n<package><name>gripper</name></package>");
+  write(root_ / "ws/gripper-main/meshes/jaw.stl", "text");
+  write(root_ / "ws/gripper-main/urdf/arm.urdf", "text");
+  EXPECT_EQ(whereIs("package://gripper/meshes/jaw.stl", "ws/gripper-main/urdf"), "ws/gripper-main/meshes/jaw.stl");
+  EXPECT_EQ(whereIs("package://gripper/meshes/jaw.stl", "ws/gripper-main"), "ws/gripper-main/meshes/jaw.stl");
+  EXPECT_NE(whereIs("package://gripper/../two/meshes/hand.stl", "ws/gripper-main/urdf").find("leads out"),
+            std::string::npos);
+  EXPECT_NE(whereIs("package://grip/meshes/jaw.stl", "ws/gripper-main/urdf").find("no such package"),
+            std::string::npos);
 }
 
 TEST_F(SolidPlace, NoNameLeadsOut) {

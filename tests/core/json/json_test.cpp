@@ -198,7 +198,7 @@ TEST(Json, AnAbsurdNumberOfValuesIsRefused) {
 
 TEST(Json, NumbersAreWrittenAsShortAsReadsBackToTheSameBits) {
   EXPECT_EQ(numberText(0.1), "0.1");
-  EXPECT_EQ(numberText(-0.0), "-0");
+  EXPECT_EQ(numberText(-0.0), "-0.0");  // of "-0" Python makes the integer 0
   EXPECT_EQ(numberText(40.0), "40");
   EXPECT_EQ(numberText(kNotANumber), "null");
   EXPECT_EQ(numberText(kInfinity), "null");

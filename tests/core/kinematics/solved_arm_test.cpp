@@ -40,7 +40,7 @@ TEST(SolvedArm, ThePoseOfEachSolutionIsThePoseAsked) {
   const SolvedArm arm = chooseArm("puma-560").value();
   const chain::JointValues q{0.3, -0.4, 0.5, 0.6, 0.7, 0.8};
   Pose X_WT;
-  ASSERT_EQ(readPose(poseOf(arm, q), X_WT), nullptr);
+  ASSERT_EQ(readPose(poseOf(arm, q), X_WT), "");
   const Answer answer = solve(arm, X_WT, methodFor(arm, "auto").value(), {});
   EXPECT_EQ(answer.found.size(), 8U);
   for (const Found& one : answer.found) EXPECT_LT((poseOf(arm, one.q) - matrixOf(X_WT)).cwiseAbs().maxCoeff(), 1e-8);
@@ -49,16 +49,16 @@ TEST(SolvedArm, ThePoseOfEachSolutionIsThePoseAsked) {
 TEST(ReadPose, WhatIsNoPoseIsRefusedWithTheReason) {
   Pose X;
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
-  EXPECT_EQ(readPose(matrix, X), nullptr);
+  EXPECT_EQ(readPose(matrix, X), "");
   matrix(0, 0) = 1.01;
-  EXPECT_NE(readPose(matrix, X), nullptr);
+  EXPECT_NE(readPose(matrix, X), "");
   matrix(0, 0) = kNotANumber;
-  EXPECT_NE(readPose(matrix, X), nullptr);
+  EXPECT_NE(readPose(matrix, X), "");
   matrix(0, 0) = -1.0;  // a mirror
-  EXPECT_NE(readPose(matrix, X), nullptr);
+  EXPECT_NE(readPose(matrix, X), "");
   matrix = Eigen::Matrix4d::Identity();
   matrix(3, 0) = 1e-9;
-  EXPECT_NE(readPose(matrix, X), nullptr);
+  EXPECT_NE(readPose(matrix, X), "");
 }
 
 }  // namespace underact::kinematics

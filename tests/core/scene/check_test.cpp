@@ -46,7 +46,7 @@ TEST(SceneRules, LengthsMustBeAboveZeroAndCoordinatesWithinAKilometre) {
   EXPECT_EQ(radius("1e-12"), "");
   EXPECT_EQ(radius("1e6"), "");
   EXPECT_EQ(radius("0"), at + "This must be above 0 mm; here it is 0.\n");
-  EXPECT_EQ(radius("-0.0"), at + "This must be above 0 mm; here it is -0.\n");
+  EXPECT_EQ(radius("-0.0"), at + "This must be above 0 mm; here it is -0.0.\n");
   EXPECT_EQ(radius("-5"), at + "This must be above 0 mm; here it is -5.\n");
   EXPECT_EQ(radius("1e-999"), at + "This must be above 0 mm; here it is 0.\n");
   EXPECT_EQ(radius("1e-320"), at + "This is too close to 0 mm; the smallest value is 1e-100 mm.\n");
@@ -80,8 +80,11 @@ TEST(SceneRules, TheMatrixOfABoxMustBeARotation) {
   EXPECT_EQ(matrix("[[1, 0, 0], [0, 0, -1], [0, 1, 0]]"), "");
   EXPECT_EQ(matrix("[[1, 0, 0], [0, 1, 0], [0, 0, 1.0000001]]"), "");  // rounded, not wrong
   EXPECT_EQ(matrix("[[1, 0, 0], [0, 1, 0], [0, 0, -1]]"), no);         // a mirror
-  EXPECT_EQ(matrix("[[1, 0, 0], [0, 1, 0], [0, 0, 1.00001]]"), no);
-  EXPECT_EQ(matrix("[[1, 0, 0], [0.001, 1, 0], [0, 0, 1]]"), no);
+  EXPECT_EQ(matrix("[[1, 0, 0], [0.001, 1, 0], [0, 0, 1]]"), "");      // the nearest one is meant
+  EXPECT_EQ(
+      matrix("[[1, 0, 0], [0, 1, 0], [0, 0, 1.002]]"),
+      "2:71: constraints[0].R_WB: This is not a rotation matrix: a number in it is 0.002 off the nearest one, and "
+      "0.001 is allowed. Give at least four decimals, better six.\n");
   EXPECT_EQ(matrix("[[0, 0, 0], [0, 0, 0], [0, 0, 0]]"), no);
   EXPECT_EQ(matrix("[[1, 0, 0], [0, 1, 0], [0, 0, 1e999]]"),
             "2:101: constraints[0].R_WB[2][2]: This is not a finite number; the largest is about 1.8e308.\n");

@@ -2,6 +2,7 @@
 #include "core/curve/along.h"
 #include "core/scene/compile.h"
 #include "core/scene/edit.h"
+#include "core/scene/mesh_notes.h"
 #include "core/scene/read.h"
 #include "core/scene/write.h"
 #include "tests/core/scene/scene_support.h"
@@ -51,6 +52,18 @@ TEST(MeshScene, IsReadWholeAndWrittenBack) {
   EXPECT_TRUE(isSame(scene, again.value())) << writeScene(scene);
 }
 
+TEST(SceneNotes, ARotationOfFourDecimalsIsTakenAndNoted) {
+  const auto box = [](const std::string& h) {
+    return sceneOf(R"({"type": "box", "center_mm": [0, 0, 0], "size_mm": [1, 1, 1], "R_WB": [[)" + h + ", -" + h +
+                   ", 0], [" + h + ", " + h + ", 0], [0, 0, 1]]}");
+  };
+  EXPECT_TRUE(meshNotes(box("0.70710678")).empty());
+  const Problems notes = meshNotes(box("0.7071"));
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_NE(notes[0].sentence.find("6.8e-06 off a rotation"), std::string::npos) << notes[0].sentence;
+  EXPECT_EQ(notes[0].place.line, 2);
+}
+
 TEST(MeshScene, WhatIsLeftOutIsUsual) {
   const Constraint constraint =
       sceneOf(R"({"type": "mesh", "file": "a.stl", "friction": {"static": 0.4}})").constraints.at(0);
@@ -74,7 +87,7 @@ TEST(MeshScene, WhatCannotBeIsSaidWithItsPlace) {
   EXPECT_EQ(firstProblemOf(R"({"type": "mesh", "file": "a", "scale_mm_per_unit": -25.4})"), "");
   EXPECT_NE(firstProblemOf(
                 R"({"type": "mesh", "file": "a", "X_WM": [[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]})")
-                .find("are not a rotation matrix"),
+                .find("is not a rotation matrix"),
             std::string::npos);
   EXPECT_NE(firstProblemOf(R"({"type": "mesh", "file": "a", "side": "outside", "search": "local"})")
                 .find("A wall's proxy follows the surface"),

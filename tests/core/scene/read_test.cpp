@@ -479,8 +479,7 @@ TEST(ReadScene, WhatIsWrongWithAVirtualManipulatorIsSaid) {
   said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "rest": 2})"), "Without a spring the joint has no rest");
   said(robotWith(kTurning, "", "[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]"),
        "A pose has 4 rows of 4 numbers; this one has 3.");
-  said(robotWith(kTurning, "", "[[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"),
-       "are not a rotation matrix");
+  said(robotWith(kTurning, "", "[[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"), "is not a rotation matrix");
   said(robotWith(kTurning, "", "[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 1, 1]]"), "The last row of a pose");
   said(robotWith(kTurning, R"(, "ko_N_mm_per_rad": 3)"), "The orientation \"none\" does not use this");
   said(robotWith(kTurning, R"(, "orientation": "angle", "ko_N_mm_per_rad": 3)"), "lies along the joint's axis");

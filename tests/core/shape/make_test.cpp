@@ -58,7 +58,7 @@ TEST(ShapeMake, ABoxWantsARotation) {
   Mat3 mirrored = Mat3::Identity();
   mirrored(2, 2) = -1.0;
   Mat3 sheared = Mat3::Identity();
-  sheared(0, 1) = 2e-6;
+  sheared(0, 1) = 3e-3;
   Mat3 rounded = Mat3::Identity();
   rounded(0, 1) = 5e-7, rounded(1, 0) = -5e-7;
   EXPECT_FALSE(makeBox(kZero, size, mirrored, {}));
