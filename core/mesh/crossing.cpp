@@ -66,10 +66,11 @@ double shareAt(const Surface& surface, std::int32_t face, CrossingDirection way,
 }
 
 /// The boxes of the node that the path may meet, one bit each: the boxes are wider by the rounding of floats, and are
-/// widened again by that of this test.
+/// widened again by that of this test. A box is beside the path where their shadows along an axis of the box, or across
+/// one and the path, are apart. Source: Ericson 2005, Real-Time Collision Detection, section 5.3.3.
 unsigned metBy(const Node& node, const Vec3& from_M, const Vec3& to_M) noexcept UNDERACT_REAL_TIME {
   constexpr double kWider = 1e-6;
-  std::array<double, 3> low{}, high{};
+  std::array<double, 3> middle{}, half{};
   double size = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     double from = 0.0, to = 0.0;
@@ -79,17 +80,27 @@ unsigned metBy(const Node& node, const Vec3& from_M, const Vec3& to_M) noexcept 
       from += r * (from_M[column] - p);
       to += r * (to_M[column] - p);
     }
-    low[axis] = std::min(from, to);
-    high[axis] = std::max(from, to);
+    middle[axis] = 0.5 * (from + to);
+    half[axis] = 0.5 * (to - from);
     size = std::max({size, std::abs(from), std::abs(to)});
   }
   const double wider = kWider * size;
   unsigned met = 0;
   for (std::size_t child = 0; child < kWays; ++child) {
+    if (node.children[child] == kNoChild) break;
+    std::array<double, 3> to_box{}, reach{};
     bool meets = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      meets &= static_cast<double>(node.low_N[axis][child]) <= high[axis] + wider;
-      meets &= static_cast<double>(node.high_N[axis][child]) >= low[axis] - wider;
+      const auto low = static_cast<double>(node.low_N[axis][child]),
+                 high = static_cast<double>(node.high_N[axis][child]);
+      to_box[axis] = 0.5 * (low + high) - middle[axis];
+      reach[axis] = 0.5 * (high - low) + wider;
+      meets &= std::abs(to_box[axis]) <= reach[axis] + std::abs(half[axis]);
+    }
+    for (std::size_t axis = 0; axis < 3 && meets; ++axis) {
+      const std::size_t j = (axis + 1) % 3, k = (axis + 2) % 3;
+      meets = std::abs(to_box[j] * half[k] - to_box[k] * half[j]) <=
+              reach[j] * std::abs(half[k]) + reach[k] * std::abs(half[j]);
     }
     met |= (meets ? 1U : 0U) << child;
   }
