@@ -207,16 +207,4 @@ std::vector<GapMesh> gapMeshes() {
   return all;
 }
 
-double windingNumber(const mesh::Triangles& triangles, const Vec3& q_M) {
-  double sum = 0.0;
-  for (const Face& face : triangles.faces) {
-    const Vec3 a = cornerAt(triangles, face[0]) - q_M, b = cornerAt(triangles, face[1]) - q_M,
-               c = cornerAt(triangles, face[2]) - q_M;
-    const double a_long = a.norm(), b_long = b.norm(), c_long = c.norm();
-    sum += std::atan2(a.dot(b.cross(c)),
-                      a_long * b_long * c_long + a.dot(b) * c_long + b.dot(c) * a_long + c.dot(a) * b_long);
-  }
-  return sum / (2.0 * kPi);
-}
-
 }  // namespace underact::test

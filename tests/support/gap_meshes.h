@@ -20,8 +20,4 @@ std::vector<GapMesh> gapMeshes();
 /// downwards, and ends at y = -20.
 mesh::Triangles slotBlock(double width_mm);
 
-/// How often the mesh winds about a point that is not on it: 1 inside, 0 outside. By the solid angles of all faces.
-/// Source: Van Oosterom and Strackee 1983, The solid angle of a plane triangle.
-double windingNumber(const mesh::Triangles& triangles, const Vec3& q_M);
-
 }  // namespace underact::test
