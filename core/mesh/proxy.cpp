@@ -40,8 +40,9 @@ bool isOnIt(const Surface& surface, const Hit& hit) noexcept UNDERACT_REAL_TIME 
 
 /// Whether the tip stays behind the wall, which is the surface anywhere and not only where the proxy was: a proxy that
 /// falls off an edge into a gap goes straight to the tip, is stopped by the opposite wall, and slides on there. hit:
-/// the proxy, which moves, and never away from the tip. The faces that meet where it is are not in its way. A tip that
-/// no face is in the way of is free only if a ray confirms it, since rounding may hide a face that begins at the proxy.
+/// the proxy, which moves, and never away from the tip. The faces that meet where it is are not in its way. From an
+/// edge or a corner, or where faces were cut, a tip that no face is in the way of is free only if a ray confirms it,
+/// since rounding, or the end of a walk halfway, may hide a face there.
 bool staysBehind(const Surface& surface, FreeSide free, const Vec3& q_M, Hit& hit) noexcept UNDERACT_REAL_TIME {
   constexpr int kMostWalls = 8;           // that a proxy falls on in a tick; past them it is held by the last one
   constexpr double kNearer = 1.0 - 1e-9;  // by less it is the same point, on another face there
@@ -49,8 +50,11 @@ bool staysBehind(const Surface& surface, FreeSide free, const Vec3& q_M, Hit& hi
   for (int walls = 0; !isBehind(surface, free, hit, q_M); ++walls) {
     if (isOnIt(surface, hit)) return false;
     if (walls == kMostWalls) return true;
-    const Crossing wall = firstWall(surface, free, hit.p_M + kBegin * (q_M - hit.p_M), q_M);
+    // A path from within a face has all others ahead.
+    const bool is_within = hit.part == Part::Inside;
+    const Crossing wall = firstWall(surface, free, is_within ? hit.p_M : Vec3(hit.p_M + kBegin * (q_M - hit.p_M)), q_M);
     if (wall.face < 0 && !wall.is_whole) return true;
+    if (wall.face < 0 && is_within && !surface.is_united) return false;
     const Hit next = wall.face >= 0 ? alongFrom(surface, wall.face, q_M) : Hit{};
     if (!(next.squared < kNearer * hit.squared)) return isBehindByRay(surface, free, q_M);
     hit = next;
