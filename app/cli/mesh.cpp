@@ -67,13 +67,15 @@ void printAsJson(const std::string& path, const Timed& timed, const MeshOptions&
   object.addNumber("area_mm2", facts.area * scale * scale);
   object.addNumber("volume_mm3", facts.volume * scale * scale * scale);
   for (const auto& [key, count] :
-       std::array<std::pair<const char*, std::int64_t>, 12>{{{"faces_in_file", facts.file_faces},
+       std::array<std::pair<const char*, std::int64_t>, 14>{{{"faces_in_file", facts.file_faces},
                                                              {"dropped_not_finite", facts.not_finite},
                                                              {"dropped_out_of_range", facts.out_of_range},
                                                              {"dropped_without_extent", facts.without_extent},
                                                              {"dropped_duplicates", facts.duplicates},
                                                              {"welded_corners", facts.welded},
                                                              {"turned_faces", facts.turned},
+                                                             {"added_at_seams", facts.added_at_seams},
+                                                             {"hollows", facts.hollows},
                                                              {"borders", facts.borders},
                                                              {"border_edges", facts.border_edges},
                                                              {"crowded_edges", facts.crowded_edges},

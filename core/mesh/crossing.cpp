@@ -65,11 +65,14 @@ double shareAt(const Surface& surface, std::int32_t face, CrossingDirection way,
   return share >= -slack && share <= 1.0 + slack ? share : kInfinity;
 }
 
-/// The boxes of the node that the path may meet, one bit each: the boxes are wider by the rounding of floats, and are
-/// widened again by that of this test.
-unsigned metBy(const Node& node, const Vec3& from_M, const Vec3& to_M) noexcept UNDERACT_REAL_TIME {
+/// The path in the frame of a node: its middle, and half of it.
+struct PathInNode {
+  std::array<double, 3> middle{}, half{}, low{}, high{};
+  double wider = 0.0;  // for the rounding of floats, and of the tests
+};
+PathInNode pathIn(const Node& node, const Vec3& from_M, const Vec3& to_M) noexcept UNDERACT_REAL_TIME {
   constexpr double kWider = 1e-6;
-  std::array<double, 3> low{}, high{};
+  PathInNode path;
   double size = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     double from = 0.0, to = 0.0;
@@ -79,26 +82,58 @@ unsigned metBy(const Node& node, const Vec3& from_M, const Vec3& to_M) noexcept 
       from += r * (from_M[column] - p);
       to += r * (to_M[column] - p);
     }
-    low[axis] = std::min(from, to);
-    high[axis] = std::max(from, to);
+    path.low[axis] = std::min(from, to);
+    path.high[axis] = std::max(from, to);
+    path.middle[axis] = 0.5 * (from + to);
+    path.half[axis] = 0.5 * (to - from);
     size = std::max({size, std::abs(from), std::abs(to)});
   }
-  const double wider = kWider * size;
+  path.wider = kWider * size;
+  return path;
+}
+
+/// Whether a box is beside the path: their shadows across the path and one of the box's axes are apart. Source: Ericson
+/// 2005, Real-Time Collision Detection, section 5.3.3.
+bool isBeside(const Node& node, std::size_t child, const PathInNode& path) noexcept UNDERACT_REAL_TIME {
+  std::array<double, 3> to_box{}, reach{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto low = static_cast<double>(node.low_N[axis][child]), high = static_cast<double>(node.high_N[axis][child]);
+    to_box[axis] = 0.5 * (low + high) - path.middle[axis];
+    reach[axis] = 0.5 * (high - low) + path.wider;
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t j = (axis + 1) % 3, k = (axis + 2) % 3;
+    if (std::abs(to_box[j] * path.half[k] - to_box[k] * path.half[j]) >
+        reach[j] * std::abs(path.half[k]) + reach[k] * std::abs(path.half[j]))
+      return true;
+  }
+  return false;
+}
+
+/// The boxes of the node that the path may meet, one bit each: those within its bounds, and of these, where it is long,
+/// those that are not beside it.
+unsigned metBy(const Node& node, const Vec3& from_M, const Vec3& to_M, bool is_long) noexcept UNDERACT_REAL_TIME {
+  const PathInNode path = pathIn(node, from_M, to_M);
   unsigned met = 0;
   for (std::size_t child = 0; child < kWays; ++child) {
     bool meets = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      meets &= static_cast<double>(node.low_N[axis][child]) <= high[axis] + wider;
-      meets &= static_cast<double>(node.high_N[axis][child]) >= low[axis] - wider;
+      meets &= static_cast<double>(node.low_N[axis][child]) <= path.high[axis] + path.wider;
+      meets &= static_cast<double>(node.high_N[axis][child]) >= path.low[axis] - path.wider;
     }
     met |= (meets ? 1U : 0U) << child;
+  }
+  if (!is_long) return met;
+  for (std::size_t child = 0; child < kWays; ++child) {
+    if ((met >> child & 1U) != 0U && isBeside(node, child, path)) met &= ~(1U << child);
   }
   return met;
 }
 
-/// Calls poll(face) for the faces whose boxes the way may meet. Whether these were all.
+/// Calls poll(face) for the faces whose boxes the way may meet. is_long: the way is much longer than a tick's. Whether
+/// these were all.
 template <class Visit>
-bool eachOnWay(const Surface& surface, const Vec3& from_M, const Vec3& to_M,
+bool eachOnWay(const Surface& surface, const Vec3& from_M, const Vec3& to_M, bool is_long,
                const Visit& visit) noexcept UNDERACT_REAL_TIME {
   std::array<std::int32_t, (kWays - 1) * kMostDepth + kWays> stack;
   std::size_t waiting = 0;
@@ -106,7 +141,7 @@ bool eachOnWay(const Surface& surface, const Vec3& from_M, const Vec3& to_M,
   for (int visits = 0; waiting > 0; ++visits) {
     if (visits == kMostVisits) return false;
     const Node& node = surface.nodes[static_cast<std::size_t>(stack[--waiting])];
-    const unsigned met = metBy(node, from_M, to_M);
+    const unsigned met = metBy(node, from_M, to_M, is_long);
     for (std::size_t child = 0; child < kWays; ++child) {
       if ((met >> child & 1U) == 0U || node.children[child] == kNoChild) continue;
       if (node.children[child] >= 0) {
@@ -125,7 +160,7 @@ int netCrossings(const Surface& surface, const Vec3& from_M, const Vec3& to_M) n
   if (from_M == to_M) return 0;
   const Sheared sheared(from_M, to_M);
   int sum = 0;
-  eachOnWay(surface, from_M, to_M, [&](std::int32_t face) noexcept UNDERACT_REAL_TIME {
+  eachOnWay(surface, from_M, to_M, true, [&](std::int32_t face) noexcept UNDERACT_REAL_TIME {
     sum += shareAt(surface, face, CrossingDirection::Outwards, sheared, 0.0) < kInfinity ? 1 : 0;
     sum -= shareAt(surface, face, CrossingDirection::Inwards, sheared, 0.0) < kInfinity ? 1 : 0;
   });
@@ -147,7 +182,7 @@ Crossing firstCrossing(const Surface& surface, CrossingDirection way, const Vec3
   const Sheared sheared(from_M, to_M);
   const double slack = sheared.slack(surface);
   double first = kInfinity;
-  crossing.is_whole = eachOnWay(surface, from_M, to_M, [&](std::int32_t face) noexcept UNDERACT_REAL_TIME {
+  crossing.is_whole = eachOnWay(surface, from_M, to_M, false, [&](std::int32_t face) noexcept UNDERACT_REAL_TIME {
     const double share = shareAt(surface, face, way, sheared, slack);
     if (share < first) {
       first = share;

@@ -33,20 +33,24 @@ bool areFinite(const std::vector<Eigen::Vector3f>& vectors) {
 }
 
 /// Whether each face has existing corners, and each neighbour is a face that shares the edge, so that a walk around a
-/// corner ends.
+/// corner ends. No corner is without a face, and a closed surface has a neighbour at each side: so it has no more
+/// corners than its faces allow.
 bool areFacesWell(const Surface& surface) {
   const auto corners = static_cast<std::int32_t>(surface.triangles.p_MV.size());
   const auto faces = static_cast<std::int32_t>(surface.triangles.faces.size());
+  std::vector<bool> has_face(surface.triangles.p_MV.size(), false);
   for (std::size_t index = 0; index < surface.triangles.faces.size(); ++index) {
     for (std::size_t side = 0; side < 3; ++side) {
       const std::int32_t corner = surface.triangles.faces[index][side], other = surface.neighbours[index][side];
       if (corner < 0 || corner >= corners || other < -1 || other >= faces) return false;
+      has_face[static_cast<std::size_t>(corner)] = true;
+      if (other < 0 && surface.is_closed) return false;
       if (other < 0) continue;
       const Face& beside = surface.triangles.faces[static_cast<std::size_t>(other)];
       if (std::find(beside.begin(), beside.end(), corner) == beside.end()) return false;
     }
   }
-  return true;
+  return std::all_of(has_face.begin(), has_face.end(), [](bool has) { return has; });
 }
 
 bool isEmptyBox(const Node& node, std::size_t slot) {

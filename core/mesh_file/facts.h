@@ -21,12 +21,14 @@ struct Facts {
   // Left out, in faces
   std::int64_t not_finite = 0, out_of_range = 0, without_extent = 0, duplicates = 0;
   // Repaired
-  std::int64_t welded = 0;      // corners that were merged with another
-  double weld_tolerance = 0.0;  // how near
-  std::int64_t turned = 0;      // faces whose winding was reversed
+  std::int64_t welded = 0;          // corners that were merged with another
+  double weld_tolerance = 0.0;      // how near
+  std::int64_t turned = 0;          // faces whose winding was reversed
+  std::int64_t added_at_seams = 0;  // faces, where others were divided at corners on their borders
   // As it is now
   std::int64_t faces = 0, corners = 0;
   std::int64_t parts = 0, closed_parts = 0, nested_parts = 0;  // nested: a closed one within another closed one
+  std::int64_t hollows = 0;                                    // nested ones whose outside is within them
   std::int64_t borders = 0, border_edges = 0;                  // borders: connected ones
   double longest_border = 0.0;
   std::int64_t crowded_edges = 0;      // with more than two faces

@@ -18,7 +18,7 @@ namespace underact::mesh_file {
 namespace {
 
 // To be increased whenever reading, repairing, Facts or the bytes of a surface change: older entries are then ignored.
-constexpr int kVersion = 3;
+constexpr int kVersion = 4;
 
 // The progress at the end of each step, for 2 million faces as binary STL.
 constexpr double kHashed = 0.05, kRead = 0.40, kRepaired = 0.60, kUnited = 0.75, kBuilt = 0.95;

@@ -10,6 +10,7 @@
 #include "core/mesh_file/edges.h"
 #include "core/mesh_file/limits.h"
 #include "core/mesh_file/parts.h"
+#include "core/mesh_file/seams.h"
 #include "core/mesh_file/weld.h"
 
 namespace underact::mesh_file {
@@ -108,8 +109,10 @@ void describeParts(const Parts& parts, Facts& facts) {
     facts.area += part.area;
     if (!isClosed(part)) continue;
     ++facts.closed_parts;
+    const double volume = part.is_turned_over ? -part.volume : part.volume;
     facts.nested_parts += part.is_nested ? 1 : 0;
-    facts.volume += part.is_turned_over ? -part.volume : part.volume;
+    facts.hollows += part.is_nested && volume < 0.0 ? 1 : 0;
+    facts.volume += volume;
     const double thickness = part.area > 0.0 ? 2.0 * std::abs(part.volume) / part.area : 0.0;
     if (facts.thinnest == 0.0 || thickness < facts.thinnest) facts.thinnest = thickness;
   }
@@ -180,8 +183,11 @@ std::optional<Repaired> repair(Triangles triangles, const TaskMonitor& monitor) 
   setBounds(triangles, facts);
   monitor.report(kStep, 0.5);
   if (monitor.isCancelled()) return {};
-  const std::optional<Edges> edges = edgesOf(triangles, monitor);
+  std::optional<Edges> edges = edgesOf(triangles, monitor);
   if (!edges) return {};
+  const std::optional<std::int64_t> added = divideAtSeams(triangles, *edges, facts.weld_tolerance, monitor);
+  if (!added) return {};
+  facts.added_at_seams = *added;
   monitor.report(kStep, 0.7);
   const std::optional<Parts> parts = partsOf(triangles, *edges, monitor);
   if (!parts) return {};

@@ -60,6 +60,15 @@ void addRepaired(const Facts& facts, double mm_per_unit, std::vector<Sentence>& 
         TRANSLATE_NOOP("problem", "%1 vertices were merged with others at the same position, or nearer than %2."),
         lengthText(facts.weld_tolerance, mm_per_unit)));
   }
+  if (facts.added_at_seams > 0) {
+    report.push_back(counted(
+        facts.added_at_seams,
+        TRANSLATE_NOOP("problem",
+                       "%1 vertex lies on an edge of another face. This face was divided there: the seam is no hole."),
+        TRANSLATE_NOOP(
+            "problem",
+            "%1 vertices lie on edges of other faces. These faces were divided there: seams are no holes.")));
+  }
   if (facts.turned > 0) {
     report.push_back(counted(
         facts.turned,
@@ -117,13 +126,15 @@ void addRemaining(const Facts& facts, double mm_per_unit, std::vector<Sentence>&
 /// A tenth of the resolution of a PHANToM Omni (0.055 mm).
 constexpr double kFeltStep_mm = 0.005;
 
-/// Below this thickness the stylus is pushed out on the nearer side, and so through the part.
+/// Below this thickness a stylus that is held to the nearest point is pushed out on the other side. A wall has a proxy.
 constexpr double kThin_mm = 1.0;
 
 void addConsequences(const Facts& facts, double mm_per_unit, std::vector<Sentence>& report) {
   if (facts.thinnest > 0.0 && facts.thinnest * mm_per_unit < kThin_mm) {
     report.push_back(said(
-        TRANSLATE_NOOP("problem", "Part of it is thin, %1 on average: you may be able to push the stylus through."),
+        TRANSLATE_NOOP(
+            "problem",
+            "Part of it is thin, %1 on average: felt from both sides, it may let the stylus through; a wall does not."),
         {lengthText(facts.thinnest, mm_per_unit)}));
   }
   report.push_back(
@@ -140,10 +151,12 @@ Sentence partsReport(const Facts& facts) {
   const std::string parts = std::to_string(facts.parts);
   if (facts.nested_parts == 0)
     return said(TRANSLATE_NOOP("problem", "The mesh consists of %1 separate parts."), {parts});
-  return said(
-      TRANSLATE_NOOP("problem",
-                     "The mesh consists of %1 separate parts, %2 of them inside others: a hollow is felt from inside."),
-      {parts, std::to_string(facts.nested_parts)});
+  const Sentence nested = said(TRANSLATE_NOOP("problem", "The mesh consists of %1 separate parts, %2 inside others."),
+                               {parts, std::to_string(facts.nested_parts)});
+  if (facts.hollows == 0) return nested;
+  return oneAfterAnother(
+      {nested, counted(facts.hollows, TRANSLATE_NOOP("problem", "%1 of these is a hollow, which is felt from within."),
+                       TRANSLATE_NOOP("problem", "%1 of these are hollows, which are felt from within."))});
 }
 
 Sentence holesReport(const Facts& facts, double mm_per_unit) {

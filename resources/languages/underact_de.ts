@@ -5230,8 +5230,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>%1 Flächen sind so schmal wie eine Linie. Sie bleiben erhalten, weil solche Flächen Nähte schließen.</translation>
     </message>
     <message>
-        <source>Part of it is thin, %1 on average: you may be able to push the stylus through.</source>
-        <translation>Ein Teil davon ist dünn, im Mittel %1: Der Stift lässt sich vielleicht hindurchdrücken.</translation>
+        <source>Part of it is thin, %1 on average: felt from both sides, it may let the stylus through; a wall does not.</source>
+        <translation>Ein Teil davon ist dünn, im Mittel %1: Von beiden Seiten gefühlt, lässt er den Stift vielleicht hindurch; eine Wand nicht.</translation>
     </message>
     <message>
         <source>The mesh is closed: it can be felt from both sides, or as a wall from outside or inside.</source>
@@ -5246,8 +5246,24 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Das Dreiecksnetz besteht aus %1 Teilen, die nicht zusammenhängen.</translation>
     </message>
     <message>
-        <source>The mesh consists of %1 separate parts, %2 of them inside others: a hollow is felt from inside.</source>
-        <translation>Das Dreiecksnetz besteht aus %1 Teilen, die nicht zusammenhängen, %2 davon in anderen: Ein Hohlraum wird von innen gefühlt.</translation>
+        <source>The mesh consists of %1 separate parts, %2 inside others.</source>
+        <translation>Das Dreiecksnetz besteht aus %1 Teilen, die nicht zusammenhängen, %2 davon in anderen.</translation>
+    </message>
+    <message>
+        <source>%1 of these is a hollow, which is felt from within.</source>
+        <translation>%1 davon ist ein Hohlraum, der von innen gefühlt wird.</translation>
+    </message>
+    <message>
+        <source>%1 of these are hollows, which are felt from within.</source>
+        <translation>%1 davon sind Hohlräume, die von innen gefühlt werden.</translation>
+    </message>
+    <message>
+        <source>%1 vertex lies on an edge of another face. This face was divided there: the seam is no hole.</source>
+        <translation>%1 Ecke liegt auf einer Kante einer anderen Fläche. Diese Fläche wurde dort geteilt: Die Naht ist kein Loch.</translation>
+    </message>
+    <message>
+        <source>%1 vertices lie on edges of other faces. These faces were divided there: seams are no holes.</source>
+        <translation>%1 Ecken liegen auf Kanten anderer Flächen. Diese Flächen wurden dort geteilt: Nähte sind keine Löcher.</translation>
     </message>
     <message>
         <source>%1 hole with a border of %2 was closed, so that the mesh has an inside.</source>

@@ -33,6 +33,20 @@ TEST(SurfaceBytes, EqualMeshesGiveEqualBytes) {
   EXPECT_EQ(surfaceBytes(*makeSurface(triangles).value()), surfaceBytes(*makeSurface(triangles).value()));
 }
 
+TEST(SurfaceBytes, AClosedSurfaceHasNoMoreCornersThanItsFacesAllow) {
+  Surface forged = *makeSurface(mesh_maker::cube(200)).value();
+  ASSERT_NE(surfaceOfBytes(surfaceBytes(forged)), nullptr);
+  forged.triangles.p_MV.emplace_back(1.0F, 2.0F, 3.0F);  // of no face
+  forged.normals_M.emplace_back(1.0F, 0.0F, 0.0F);
+  EXPECT_EQ(surfaceOfBytes(surfaceBytes(forged)), nullptr);
+  forged.triangles.p_MV.pop_back();
+  forged.normals_M.pop_back();
+  forged.neighbours[0][1] = -1;
+  EXPECT_EQ(surfaceOfBytes(surfaceBytes(forged)), nullptr);
+  forged.is_closed = false;
+  EXPECT_NE(surfaceOfBytes(surfaceBytes(forged)), nullptr);
+}
+
 TEST(SurfaceBytes, ABoxWhereNoChildIsMustBeEmpty) {
   const std::shared_ptr<const Surface> surface = makeSurface(mesh_maker::cube(200)).value();
   int without = 0;

@@ -36,7 +36,7 @@ void expectSound(const Repaired& repaired) {
   EXPECT_EQ(std::count(used.begin(), used.end(), false), 0);
   for (const Eigen::Vector3f& p_MV : triangles.p_MV) ASSERT_TRUE(p_MV.allFinite());
   EXPECT_TRUE(std::isfinite(facts.area) && std::isfinite(facts.volume) && std::isfinite(facts.longest_border));
-  EXPECT_EQ(facts.file_faces,
+  EXPECT_EQ(facts.file_faces + facts.added_at_seams,
             facts.faces + facts.not_finite + facts.out_of_range + facts.without_extent + facts.duplicates);
   EXPECT_EQ(facts.borders > 0, facts.border_edges > 0);
 }
@@ -135,7 +135,11 @@ TEST(Repair, AFaceOnALineStaysWhereItClosesASeam) {
     triangles.faces.push_back(other);
     break;
   }
-  EXPECT_EQ(repaired(triangles).facts.borders, 1);
+  const Repaired divided = repaired(triangles);  // without it, the face on the other side is divided
+  EXPECT_TRUE(isClosed(divided.facts));
+  EXPECT_EQ(divided.facts.added_at_seams, 1);
+  EXPECT_EQ(divided.facts.faces, 14);
+  EXPECT_EQ(divided.facts.flat_faces, 0);
   triangles.faces.push_back({0, 1, 8});
   const Repaired done = repaired(triangles);
   EXPECT_EQ(done.facts.flat_faces, 1);
@@ -183,6 +187,10 @@ TEST(Repair, AHollowKeepsItsWallAndASecondBallItsOutside) {
   EXPECT_EQ(done.facts.turned, 0);
   EXPECT_EQ(done.facts.closed_parts, 2);
   EXPECT_EQ(done.facts.nested_parts, 1);
+  EXPECT_EQ(done.facts.hollows, 1);
+  const Repaired body = repaired(test::joined(test::ball(10.0F, 2), test::ball(5.0F, 2)));
+  EXPECT_EQ(body.facts.nested_parts, 1);
+  EXPECT_EQ(body.facts.hollows, 0);
   EXPECT_NEAR(test::volumeOf(done.triangles), test::volumeOf(hollow), 1e-9);
   Triangles apart = test::turnedOver(test::ball(5.0F, 2));
   for (Eigen::Vector3f& p_MV : apart.p_MV) p_MV.x() += 20.0F;

@@ -42,23 +42,26 @@ TEST(MeshReport, SaysWhatWasRepairedInMillimetres) {
   Facts facts = closedFacts();
   facts.welded = 28;
   facts.weld_tolerance = 1.7320508e-5;
+  facts.added_at_seams = 1;
   facts.turned = 1;
   facts.normals = 12;
   facts.normals_against = 7;
   EXPECT_EQ(reportOf(facts, 1000.0),
             (Sentences{"28 vertices were merged with others at the same position, or nearer than 0.0173 mm.",
+                       "1 vertex lies on an edge of another face. This face was divided there: the seam is no hole.",
                        "1 face was turned over so that neighbours agree on which side is outside.",
                        "Most normals in the file point against the order of the vertices. Only the order counts here: "
                        "if outside and inside feel swapped, save the mesh with its faces turned over.",
                        kClosed}));
   facts.normals_against = 6;  // half is not most
-  EXPECT_EQ(reportOf(facts, 1000.0).size(), 3U);
+  EXPECT_EQ(reportOf(facts, 1000.0).size(), 4U);
 }
 
 TEST(MeshReport, SaysWhatIsLeftAndWhatItMeans) {
   Facts facts = closedFacts();
   facts.parts = 3;
-  facts.nested_parts = 1;
+  facts.nested_parts = 2;
+  facts.hollows = 1;
   facts.borders = 1;
   facts.border_edges = 4;
   facts.longest_border = 40.0;
@@ -67,16 +70,21 @@ TEST(MeshReport, SaysWhatIsLeftAndWhatItMeans) {
   facts.crossings = 9;
   facts.flat_faces = 2;
   facts.thinnest = 0.25;
-  EXPECT_EQ(reportOf(facts, 1.0),
-            (Sentences{"The mesh consists of 3 separate parts, 1 of them inside others: a hollow is felt from inside.",
-                       "The surface is open: 1 border, 40 mm long. The stylus can pass through the hole.",
-                       "1 edge has more than two faces.",
-                       "The surface has no outside: at 2 edges its faces cannot agree, as on a Möbius strip.",
-                       "The surface intersects itself, at 9 pairs of faces.",
-                       "2 faces are as narrow as a line. They are kept because such faces close seams.",
-                       "Part of it is thin, 0.25 mm on average: you may be able to push the stylus through.",
-                       "The mesh can be felt from both sides only: it is open, so it has no inside."}));
+  EXPECT_EQ(
+      reportOf(facts, 1.0),
+      (Sentences{
+          "The mesh consists of 3 separate parts, 2 inside others. 1 of these is a hollow, which is felt from within.",
+          "The surface is open: 1 border, 40 mm long. The stylus can pass through the hole.",
+          "1 edge has more than two faces.",
+          "The surface has no outside: at 2 edges its faces cannot agree, as on a Möbius strip.",
+          "The surface intersects itself, at 9 pairs of faces.",
+          "2 faces are as narrow as a line. They are kept because such faces close seams.",
+          "Part of it is thin, 0.25 mm on average: felt from both sides, it may let the stylus through; a wall does "
+          "not.",
+          "The mesh can be felt from both sides only: it is open, so it has no inside."}));
   EXPECT_FALSE(allowsWalls(facts));
+  facts.hollows = 0;  // a body in a body is none
+  EXPECT_EQ(partsReport(facts), "The mesh consists of 3 separate parts, 2 inside others.");
 }
 
 TEST(MeshReport, SaysWhyThereIsNoWall) {

@@ -98,6 +98,7 @@ TEST(TangledMesh, AHollowBallIsFeltFromWithinItsHollowAndFromWithout) {
   const Loaded body = fromFile(ball);  // and a ball in the hollow
   EXPECT_EQ(body.facts.inside, Inside::AsItIs);
   EXPECT_EQ(body.facts.nested_parts, 2);
+  EXPECT_EQ(body.facts.hollows, 1);
   EXPECT_FALSE(isFelt(body, {0, 0, 25}));
   EXPECT_TRUE(isFelt(body, {0, 0, 16}));
   EXPECT_FALSE(isFelt(body, {0, 0, 8}));
