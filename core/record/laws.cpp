@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <variant>
 
 namespace underact::record {
 namespace {
@@ -12,9 +13,14 @@ struct Law {
   bool (*acts)(const scene::Constraint&);
 };
 
-constexpr std::array<Law, 1> kLaws{{
+constexpr std::array<Law, 2> kLaws{{
     // 2: after a slip the target slides on by the dynamic share. 1: it stuck again at once.
     {"friction", 2, [](const scene::Constraint& one) { return one.friction.has_value(); }},
+    // 2: a contact ends only where no face lies between the proxy and the tip. 1: narrow gaps let the tip through.
+    {"mesh_wall", 2,
+     [](const scene::Constraint& one) {
+       return std::holds_alternative<scene::Mesh>(one.shape) && one.side != target::Side::Both;
+     }},
 }};
 
 int versionIn(const json::Value& provenance, const char* law) {

@@ -7,7 +7,7 @@
 
 namespace underact::record {
 
-/// The laws of the tick that were mended since the first sessions, with their versions now: {"laws": {"friction": 2}}.
+/// The laws of the tick that were mended since the first sessions, with their versions now: {"laws": {"friction": 2, ...}}.
 /// Whoever mends another adds a row in laws.cpp.
 json::ObjectText lawVersions();
 
