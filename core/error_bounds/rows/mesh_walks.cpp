@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -224,7 +225,7 @@ class WallWatch {
     }
     const std::vector<std::int32_t> from =
         before.face >= 0 ? std::vector{before.face} : facesEntered(before.q_M, q, scale);
-    if (!from.empty() && !isReached(surface_, from, hit.p_M, q)) return kInfinity;
+    if (!from.empty() && !isReachedOverGaps(from, hit.p_M, q, scale)) return kInfinity;
     return isWrongSide(hit, rq, scale) ? kInfinity : worst;
   }
 
@@ -257,6 +258,23 @@ class WallWatch {
       if (gone <= first) entered.push_back(face);
     }
     return entered;
+  }
+
+  /// Whether the proxy is reached on the surface from these faces, or from the walls that stop a proxy on its straight
+  /// way to the tip where it has fallen off an edge.
+  bool isReachedOverGaps(std::vector<std::int32_t> from, const Vec3& p, const Vec3& q, const Real& scale) const {
+    constexpr int kMostWalls = 8;
+    for (int walls = 0; walls <= kMostWalls && !from.empty(); ++walls) {
+      if (isReached(surface_, from, p, q)) return true;
+      std::set<std::int32_t> next;
+      for (const std::int32_t face : from) {
+        mesh::SearchState search{face};
+        const Vec3 end = nearestPoint(surface_, mesh::Search::Local, q, search).p_M;
+        for (const std::int32_t wall : facesEntered(end, q, scale)) next.insert(wall);
+      }
+      from.assign(next.begin(), next.end());
+    }
+    return false;
   }
 
   /// Whether a point slightly off the proxy towards the tip is on the wrong side: it must be barred exactly if the wall
