@@ -209,8 +209,9 @@ class NoSession(InFolder):
             {"tick": [1], "revision": [2], "carry": [0], "text_at": [at], "text_bytes": [size]},
         )
         writer.end(0)
-        with Session(self.folder / "a.h5") as session, self.assertRaisesRegex(
-            SessionError, "not valid JSON"
+        with (
+            Session(self.folder / "a.h5") as session,
+            self.assertRaisesRegex(SessionError, "not valid JSON"),
         ):
             session.changes
 
@@ -218,8 +219,9 @@ class NoSession(InFolder):
         writer = Writer(self.folder / "a.h5")
         writer.append("markers", {"tick": [1], "text_at": [10**6], "text_bytes": [5]})
         writer.end(0)
-        with Session(self.folder / "a.h5") as session, self.assertRaisesRegex(
-            SessionError, "missing in /text"
+        with (
+            Session(self.folder / "a.h5") as session,
+            self.assertRaisesRegex(SessionError, "missing in /text"),
         ):
             session.markers
 

@@ -39,7 +39,8 @@ def ends_ms(parts: list[Path], stops_ns: list[int]) -> np.ndarray:
         files = [stack.enter_context(h5py.File(part)) for part in parts]
         tick, inputs, late_us, clock_tick, clock_ns = (
             np.concatenate([file[name][:] for file in files])
-            for name in "ticks/tick ticks/input ticks/lateness_us clock/tick clock/monotonic_ns".split()
+            for name in ("ticks/tick", "ticks/input", "ticks/lateness_us", "clock/tick")
+            + ("clock/monotonic_ns",)
         )
     at_ms = np.cumsum(1 + np.floor(late_us / 1000)) + late_us / 1000 % 1
     at_ms += (clock_ns / 1e6 - at_ms[np.searchsorted(tick, clock_tick)]).min()
