@@ -21,8 +21,8 @@ struct RerunChoice {
   system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
 };
 
-Exit answer(const record::SessionInfo& info, const device::RerunResult& result, const RunSummary& summary,
-            const Streams& streams) {
+Exit printRerun(const record::SessionInfo& info, const device::RerunResult& result, const RunSummary& summary,
+                const Streams& streams) {
   JsonObject object;
   object.addInteger("ticks", info.ticks);
   object.addInteger("identical_ticks", result.verified.ticks);
@@ -59,7 +59,7 @@ Exit rerun(const RerunChoice& choice, const Streams& streams) {
   };
   const Result<device::RerunResult> result = device::rerun(session.value(), options);
   if (!result) return fail(result.problems(), streams);
-  return answer(session.value().info(), result.value(), summary, streams);
+  return printRerun(session.value().info(), result.value(), summary, streams);
 }
 
 }  // namespace

@@ -185,6 +185,21 @@ TEST(ReplayCommand, VerifiesToTheBitAndFindsAForgedForce) {
   EXPECT_EQ(runCli({"replay", session.path(), "--verify", "--kp", "1"}).exit, Exit::Usage);
 }
 
+TEST(ReplayCommand, NamesALawThatWasMendedSinceAndCountsTheTicksThatDiffer) {
+  const std::string session = UNDERACT_TEST_DATA "/golden/session_friction_1.h5";
+  for (const char* const command : {"replay", "rerun"}) {
+    std::vector<std::string> words{command, session};
+    if (words[0] == "replay") words.emplace_back("--verify");
+    const Outcome outcome = runCli(words);
+    EXPECT_EQ(outcome.exit, Exit::BadInput) << command;
+    EXPECT_NE(outcome.err.find("The law of friction was mended"), std::string::npos) << outcome.err;
+    const json::Value answer = lines(outcome.out).at(0);
+    EXPECT_EQ(answer.find("mended_laws")->items.at(0).text, "friction");
+    EXPECT_EQ(numberAt(answer, "first_difference_tick"), 226) << "the first slip";
+    EXPECT_EQ(numberAt(answer, "different_ticks"), 225) << command;
+  }
+}
+
 TEST(ReplayCommand, ComparesOtherGainsWithWhatWasRecorded) {
   const ScratchPath session("s.h5"), csv("now.csv");
   record(session.path(), "02_sphere.json");

@@ -26,6 +26,13 @@ import underact
 TRIALS, STOPS_A_RUN = (1000, 25) if SOAK else (9, 3)
 WITHIN_MS = 20.0
 PUSHES = 2  # of the column "input"
+STOP_COLUMNS = (
+    "ticks/tick",
+    "ticks/input",
+    "ticks/lateness_us",
+    "clock/tick",
+    "clock/monotonic_ns",
+)
 
 
 def ends_ms(parts: list[Path], stops_ns: list[int]) -> np.ndarray:
@@ -38,9 +45,7 @@ def ends_ms(parts: list[Path], stops_ns: list[int]) -> np.ndarray:
     with contextlib.ExitStack() as stack:
         files = [stack.enter_context(h5py.File(part)) for part in parts]
         tick, inputs, late_us, clock_tick, clock_ns = (
-            np.concatenate([file[name][:] for file in files])
-            for name in ("ticks/tick", "ticks/input", "ticks/lateness_us", "clock/tick")
-            + ("clock/monotonic_ns",)
+            np.concatenate([file[name][:] for file in files]) for name in STOP_COLUMNS
         )
     at_ms = np.cumsum(1 + np.floor(late_us / 1000)) + late_us / 1000 % 1
     at_ms += (clock_ns / 1e6 - at_ms[np.searchsorted(tick, clock_tick)]).min()
