@@ -98,15 +98,15 @@ class Again {
         if (options_.tick) options_.tick(now);
       });
     }
-    if (!result_.mended.empty() && packer.rows() == recorded.rows)
-      result_.different_ticks += record::countDifferences(recorded, packer.block());
-    if (result_.differs || packer.rows() != recorded.rows) return true;  // the rest is run, too
-    auto difference = record::firstDifference(recorded, packer.block());
+    if (packer.rows() != recorded.rows) return true;
+    auto difference = record::differenceOf(recorded, packer.block());
     if (joints_differ && (!difference || *joints_differ < difference->first))
-      difference = {*joints_differ, "q_more_rad"};
+      difference = {*joints_differ, "q_more_rad", difference ? difference->rows : 1};
+    if (difference) result_.different_ticks += difference->rows;
+    if (result_.differs) return true;  // the rest is run, too
     result_.ticks += difference ? difference->first : recorded.rows;
     if (difference)
-      result_.differs = record::Difference{rows[static_cast<std::size_t>(difference->first)].tick, difference->second};
+      result_.differs = record::Difference{rows[static_cast<std::size_t>(difference->first)].tick, difference->column};
     return result_.unknown.empty();
   }
   void stopAt(const record::Gap& gap) {

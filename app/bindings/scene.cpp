@@ -66,8 +66,7 @@ struct Stylus {
   }
   Mat3 orientation(std::size_t i) const {
     if (!turns) return Mat3::Identity();
-    const Mat3 R = given(i);
-    return rotationNote(R).empty() ? R : nearestRotation(R);
+    return meantRotation(given(i));
   }
   Mat3 given(std::size_t i) const {
     return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(R_WT.row(R_WT.lead.empty() ? 0 : i).data());

@@ -77,7 +77,7 @@ void want(Simulation& simulation, const py::handle& p_mm, const py::handle& R_WT
   const Mat3 R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rows.row(0).data());
   if (!rows.lead.empty()) throw py::value_error("R_WT must be one rotation.");
   if (const std::string wrong = kinematics::rotationWrong(R); !wrong.empty()) throw py::value_error("R_WT " + wrong);
-  const Mat3 meant = rotationNote(R).empty() ? R : nearestRotation(R);
+  const Mat3 meant = meantRotation(R);
   simulation.want(p_WT, &meant);
 }
 

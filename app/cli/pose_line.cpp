@@ -75,9 +75,8 @@ Result<PoseLine> readPoseLine(std::string_view text) {
     problems.push_back({"\"R_WT\" must be a rotation: three rows of three numbers, orthonormal, determinant +1."});
   } else if (std::string wrong = kinematics::rotationWrong(line.R_WT); !wrong.empty()) {
     problems.push_back({"\"R_WT\" " + wrong});
-  } else if (!rotationNote(line.R_WT).empty()) {
-    line.R_WT = nearestRotation(line.R_WT);
   }
+  line.R_WT = meantRotation(line.R_WT);
   if (!problems.empty()) return problems;
   line.p_WT = kMetrePerMillimetre * p_WT_mm;
   return line;

@@ -21,7 +21,8 @@ bool Worker::has(int client) const {
 }
 
 std::optional<std::pair<int, Worker::Then>> Worker::take() {
-  while (under_way_.valid() && under_way_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+  // Deferred: the system gave it no thread, so it is done here.
+  while (under_way_.valid() && under_way_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout) {
     const std::optional<int> client = std::exchange(its_client_, std::nullopt);
     Then then = under_way_.get();
     begin();
@@ -33,11 +34,12 @@ std::optional<std::pair<int, Worker::Then>> Worker::take() {
 void Worker::begin() {
   if (under_way_.valid() || waiting_.empty()) return;
   its_client_ = waiting_.front().first;
-  under_way_ = std::async(std::launch::async, [work = std::move(waiting_.front().second)]() mutable {
-    Then then = work();
-    work = nullptr;  // what it holds may be large, so it is destroyed here
-    return then;
-  });
+  under_way_ =
+      std::async(std::launch::async | std::launch::deferred, [work = std::move(waiting_.front().second)]() mutable {
+        Then then = work();
+        work = nullptr;  // what it holds may be large, so it is destroyed here
+        return then;
+      });
   waiting_.pop_front();
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/nearest_rotation.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
 
@@ -11,7 +12,6 @@ namespace {
 using json::Value;
 
 constexpr double kFurthest_mm = 1e6;
-constexpr double kRotationError = 1e-6;
 constexpr const char* kTooLong = TRANSLATE_NOOP("problem", "A length must lie within 1e6 mm (1 km).");
 constexpr const char* kNotFinite = TRANSLATE_NOOP("problem", "This is not a finite number.");
 
@@ -54,7 +54,7 @@ bool flagAt(json::ObjectReader& object, const char* key, bool otherwise) {
   return is_flag ? value->boolean : otherwise;
 }
 
-void readPose(json::ObjectReader& object, const char* key, bool required, Pose& X) {
+void readPose(json::ObjectReader& object, const char* key, bool required, Pose& X, Problems* notes) {
   const Value* const value = object.find(key, required);
   if (value == nullptr) return;
   const auto wrong = [&](const Value& at, const char* sentence) {
@@ -75,12 +75,14 @@ void readPose(json::ObjectReader& object, const char* key, bool required, Pose& 
     }
   }
   const Mat3 R = matrix.topLeftCorner<3, 3>();
-  if (!(R * R.transpose()).isIdentity(kRotationError) || R.determinant() < 0.0)
-    return wrong(*value, TRANSLATE_NOOP("problem", "The upper left 3 x 3 numbers are not a rotation matrix."));
+  if (Sentence sentence = rotationProblem(R); !sentence.empty())
+    return object.findings().add(*value, object.pathOf(key), std::move(sentence));
+  if (Sentence note = rotationNote(R); notes != nullptr && !note.empty())
+    notes->push_back({std::move(note), {object.findings().file(), value->line, value->column, object.pathOf(key)}});
   if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
     return wrong(*value, TRANSLATE_NOOP("problem", "The last row must be 0, 0, 0, 1."));
   if (matrix.topRightCorner<3, 1>().cwiseAbs().maxCoeff() > kFurthest_mm) return wrong(*value, kTooLong);
-  X.linear() = R;
+  X.linear() = meantRotation(R);
   X.translation() = kMetrePerMillimetre * matrix.topRightCorner<3, 1>();
 }
 

@@ -16,8 +16,9 @@ double lengthAt(json::ObjectReader& object, const char* key, bool required = tru
 Vec3 pointAt(json::ObjectReader& object, const char* key, bool required);
 /// true or false.
 bool flagAt(json::ObjectReader& object, const char* key, bool otherwise);
-/// Four rows of four, the last 0, 0, 0, 1, lengths mm; X as it was where the key is absent.
-void readPose(json::ObjectReader& object, const char* key, bool required, Pose& X);
+/// Four rows of four, the last 0, 0, 0, 1, lengths mm; X as it was where the key is absent. notes: gets that of a
+/// rotation of few decimals.
+void readPose(json::ObjectReader& object, const char* key, bool required, Pose& X, Problems* notes = nullptr);
 /// The same as text.
 std::string poseText(const Pose& X);
 

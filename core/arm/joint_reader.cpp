@@ -249,7 +249,7 @@ void readTable(ObjectReader& object, Model& model) {
   if (const Value* const word = object.find("convention"))
     json::readWord(*word, "convention", kConventions, model.form, object.findings());
   const Value* const list = listAt(object, "dh");
-  readPose(object, "X_WB", true, model.X_WB);
+  readPose(object, "X_WB", true, model.X_WB, &model.notes);
   const Value *const six = object.find("X_6T"), *const any = object.find("X_NT");
   if (six != nullptr && any != nullptr)
     object.findings().add(*any, "X_NT", said(TRANSLATE_NOOP("problem", "The tool is already given by \"X_6T\".")));
@@ -257,7 +257,7 @@ void readTable(ObjectReader& object, Model& model) {
     object.findings().add(
         *six, "X_6T",
         said(TRANSLATE_NOOP("problem", "Only an arm of six joints can have \"X_6T\"; its general name is \"X_NT\".")));
-  readPose(object, six != nullptr ? "X_6T" : "X_NT", false, model.X_NT);
+  readPose(object, six != nullptr ? "X_6T" : "X_NT", false, model.X_NT, &model.notes);
   if (list == nullptr) return;
   std::vector<JointLines> all;
   const auto row = [&](ObjectReader& joint, const JointLines& lines) {
@@ -286,7 +286,7 @@ void readTable(ObjectReader& object, Model& model) {
 void readScrews(ObjectReader& object, Model& model) {
   model.form = ArmForm::Exponentials;
   const Value* const list = listAt(object, "joints");
-  readPose(object, "X_WT_home", true, model.chain.X_WT_home);
+  readPose(object, "X_WT_home", true, model.chain.X_WT_home, &model.notes);
   if (list == nullptr) return;
   std::vector<JointLines> all;
   const auto screw = [&](ObjectReader& joint, const JointLines& lines) {

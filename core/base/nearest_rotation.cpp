@@ -39,6 +39,10 @@ Mat3 nearestRotation(const Mat3& R) {
   return Eigen::Quaterniond(polar).normalized().toRotationMatrix();
 }
 
+Mat3 meantRotation(const Mat3& R) {
+  return offOrthonormal(R) <= kSixDecimals ? R : nearestRotation(R);
+}
+
 double offRotation(const Mat3& R) {
   return hasNearest(R) ? (R - nearestRotation(R)).cwiseAbs().maxCoeff() : kInfinity;
 }

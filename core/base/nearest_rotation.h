@@ -12,6 +12,9 @@ inline constexpr double kFarthestRotation = 1e-3;
 /// Higham 1986, Newton's iteration for the polar factor.
 Mat3 nearestRotation(const Mat3& R);
 
+/// R as it is where its six decimals or more say a rotation; else nearestRotation().
+Mat3 meantRotation(const Mat3& R);
+
 /// The largest difference of an entry of R from nearestRotation(); infinite where R has none.
 double offRotation(const Mat3& R);
 

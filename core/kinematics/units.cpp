@@ -1,8 +1,7 @@
 #include "core/kinematics/units.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
+#include <string_view>
 
 #include "core/base/nearest_rotation.h"
 #include "core/base/units.h"
@@ -22,13 +21,8 @@ void writeJoints(const chain::Chain& chain, const chain::JointValues& q, std::sp
 }
 
 std::string rotationWrong(const Mat3& R) {
-  const double off = offRotation(R);
-  if (off <= kFarthestRotation) return {};
-  if (!std::isfinite(off)) return "is not a rotation: its rows must be orthonormal, with determinant +1.";
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), off, std::chars_format::general, 2).ptr;
-  return "is not a rotation: a number in it is " + std::string(text.data(), end) +
-         " off the nearest one, and 0.001 is allowed. Give at least four decimals, better six.";
+  const std::string sentence = rotationProblem(R);
+  return sentence.empty() ? sentence : sentence.substr(std::string_view("This ").size());
 }
 
 std::string readPose(const Eigen::Matrix4d& X, Pose& pose) {

@@ -104,13 +104,14 @@ class Verification {
       ++rows;
     }
     const Block compared = firstRows(recorded, rows);
-    if (const auto difference = firstDifference(compared, packer_.block()); difference && !result_.differs) {
+    const std::optional<BlockDifference> difference = differenceOf(compared, packer_.block());
+    if (difference && !result_.differs) {
       result_.ticks += difference->first;
       result_.differs =
-          Difference{unpackTicks(recorded)[static_cast<std::size_t>(difference->first)].tick, difference->second};
+          Difference{unpackTicks(recorded)[static_cast<std::size_t>(difference->first)].tick, difference->column};
     }
     if (!result_.differs) result_.ticks += rows;
-    if (!result_.mended.empty()) result_.different_ticks += countDifferences(compared, packer_.block());
+    if (difference) result_.different_ticks += difference->rows;
     return !isDecided();
   }
   void stopAt(const Gap& gap) {
@@ -198,34 +199,25 @@ Result<servo::Rerun> rerunFromStart(Session& session, const std::vector<std::str
 
 }  // namespace
 
-std::optional<std::pair<std::int64_t, std::string>> firstDifference(const Block& a, const Block& b) {
-  std::optional<std::pair<std::int64_t, std::string>> first;
+std::optional<BlockDifference> differenceOf(const Block& a, const Block& b) {
+  const auto rows = static_cast<std::size_t>(a.rows);
+  std::vector<bool> differs(rows);
+  std::optional<BlockDifference> difference;
   std::size_t at = 0;
   for (const Column& column : tickColumns()) {
     const std::size_t one = bytesOf(column);
-    const auto rows = static_cast<std::size_t>(a.rows);
-    for (std::size_t row = 0; row < rows && !isMeasured(column); ++row) {
-      if (std::memcmp(&a.bytes[at + row * one], &b.bytes[at + row * one], one) == 0) continue;
+    const bool is_same = isMeasured(column) || std::memcmp(&a.bytes[at], &b.bytes[at], one * rows) == 0;
+    for (std::size_t row = 0; row < rows && !is_same; ++row) {
+      const std::size_t place = at + row * one;
+      if (std::memcmp(&a.bytes[place], &b.bytes[place], one) == 0) continue;
+      differs[row] = true;
       const auto index = static_cast<std::int64_t>(row);
-      if (!first || index < first->first) first = {index, std::string(column.name)};
-      break;
+      if (!difference || index < difference->first) difference = {index, std::string(column.name), 0};
     }
     at += one * rows;
   }
-  return first;
-}
-
-std::int64_t countDifferences(const Block& a, const Block& b) {
-  const auto rows = static_cast<std::size_t>(a.rows);
-  std::vector<bool> differs(rows);
-  std::size_t at = 0;
-  for (const Column& column : tickColumns()) {
-    const std::size_t one = bytesOf(column);
-    for (std::size_t row = 0; row < rows && !isMeasured(column); ++row)
-      differs[row] = differs[row] || std::memcmp(&a.bytes[at + row * one], &b.bytes[at + row * one], one) != 0;
-    at += one * rows;
-  }
-  return std::count(differs.begin(), differs.end(), true);
+  if (difference) difference->rows = std::count(differs.begin(), differs.end(), true);
+  return difference;
 }
 
 namespace {

@@ -21,7 +21,7 @@ struct Verified {
   std::int64_t ticks = 0;             // that were compared and are bit-identical
   std::optional<Difference> differs;  // none: all are
   std::vector<std::string> mended;    // laws that compute otherwise since the session was made, see mendedLaws()
-  std::int64_t different_ticks = 0;   // of all, where a law was mended; else only the first is looked for
+  std::int64_t different_ticks = 0;   // of those that were run: all, where a law was mended
   Sentence unknown;  // why it ended early, in a sentence: ticks are missing or damaged; empty: it did not
 };
 
@@ -47,10 +47,14 @@ Result<Verified> rerunFromInput(Session& session, const RerunFile& file,
                                 const std::function<bool(double)>& progress = {},
                                 const std::vector<std::string>& files_in = {});
 
-/// The first row and column of two blocks of as many ticks whose bytes differ, except for measured times.
-std::optional<std::pair<std::int64_t, std::string>> firstDifference(const Block& a, const Block& b);
-/// How many rows differ so.
-std::int64_t countDifferences(const Block& a, const Block& b);
+/// Where two blocks of as many ticks differ.
+struct BlockDifference {
+  std::int64_t first = 0;   // row
+  std::string column = {};  // the first in that row
+  std::int64_t rows = 0;    // that differ, in all
+};
+/// Compares the bytes, except for measured times; none: they are the same.
+std::optional<BlockDifference> differenceOf(const Block& a, const Block& b);
 
 /// Replays the recorded hand with another scene: the same joints, buttons, starts and stops at the same times, as if
 /// that scene had been loaded just before. Calls tick() with each tick as recorded and as computed now. Damaged blocks

@@ -172,10 +172,10 @@ void addTicks(Session& a, Session& b, std::vector<SessionDifference>& found) {
   for (;;) {
     const std::optional<servo::TickRecord> one = rows_a.next(), other = rows_b.next();
     if (!one || !other) return;  // how many there are is told already
-    auto difference = firstDifference(packedTick(*one), packedTick(*other));
-    if (!difference && one->q_rad != other->q_rad) difference = {0, "q_more_rad"};
+    auto difference = differenceOf(packedTick(*one), packedTick(*other));
+    if (!difference && one->q_rad != other->q_rad) difference = {0, "q_more_rad", 1};
     if (!difference) continue;
-    found.push_back({"ticks." + difference->second, "first differs at tick " + std::to_string(one->tick),
+    found.push_back({"ticks." + difference->column, "first differs at tick " + std::to_string(one->tick),
                      "first differs at tick " + std::to_string(other->tick)});
     return;
   }

@@ -8,22 +8,23 @@ namespace {
 constexpr double kUsualPeriod_s = 1e-3;
 constexpr double kMicrosecondsPerSecond = 1e6;
 
+/// The share with which a target that slides lags now: from the static to the dynamic one, without a step.
+double slidingShare(const Friction& friction, const Grip& grip) noexcept UNDERACT_REAL_TIME {
+  const double still = grip.relaxation_left_us / (kMicrosecondsPerSecond * kRelaxation_s);
+  return friction.dynamic_share + still * (friction.static_share - friction.dynamic_share);
+}
+
 /// One tick of sliding by moved_m. It ends where the target is slow, once the share is the dynamic one.
 void slideOn(double moved_m, double dt_s, Grip& grip) noexcept UNDERACT_REAL_TIME {
   const double part = std::min(dt_s / kSpeedOver_s, 1.0);
   const double speed_m_per_s = grip.speed_m_per_s + part * (moved_m / dt_s - grip.speed_m_per_s);
-  grip.speed_m_per_s = static_cast<float>(std::min(speed_m_per_s, 1e6));
+  grip.speed_m_per_s = std::min(static_cast<float>(speed_m_per_s), kFastest_m_per_s);
   if (grip.relaxation_left_us == 0 && grip.speed_m_per_s < kStickSpeed_m_per_s) grip.hold = Hold::Sticks;
   const double left_us = grip.relaxation_left_us - kMicrosecondsPerSecond * dt_s;
   grip.relaxation_left_us = static_cast<std::uint16_t>(std::max(left_us, 0.0));
 }
 
 }  // namespace
-
-double slidingShare(const Friction& friction, const Grip& grip) noexcept {
-  const double still = grip.relaxation_left_us / (kMicrosecondsPerSecond * kRelaxation_s);
-  return friction.dynamic_share + still * (friction.static_share - friction.dynamic_share);
-}
 
 bool slides(const Friction& friction, const Vec3& p_WT, const Vec3& p_WP, double dt_s, Grip& grip) noexcept {
   if (grip.hold == Hold::None) {

@@ -18,6 +18,8 @@ struct Friction {
 inline constexpr double kStickSpeed_m_per_s = 1e-3;
 /// Over which the speed is averaged, s: encoders move a slow tip in steps, with rests of some 20 ms between them.
 inline constexpr double kSpeedOver_s = 0.05;
+/// Above it the mean speed is not told apart, m/s.
+inline constexpr float kFastest_m_per_s = 1e6F;
 /// How long after a slip the share takes to go from the static to the dynamic one, s.
 inline constexpr double kRelaxation_s = 0.02;
 
@@ -35,12 +37,9 @@ struct Grip {
 
 /// For bytes from a file: whether the state can be used.
 inline bool isValid(const Grip& grip) noexcept {
-  return grip.hold <= Hold::Sticks ||
-         (grip.hold == Hold::Slides && grip.relaxation_left_us <= 1e6 * kRelaxation_s && grip.speed_m_per_s >= 0.0F);
+  return grip.hold <= Hold::Sticks || (grip.hold == Hold::Slides && grip.relaxation_left_us <= 1e6 * kRelaxation_s &&
+                                       grip.speed_m_per_s >= 0.0F && grip.speed_m_per_s <= kFastest_m_per_s);
 }
-
-/// The share with which a target that slides lags now: between the static and the dynamic one, without a step.
-double slidingShare(const Friction& friction, const Grip& grip) noexcept UNDERACT_REAL_TIME;
 
 /// Whether the grip slides in this tick; then it is moved to where the share allows it, which is off a curved surface,
 /// so the caller puts it back onto it. p_WT: the tip; p_WP: the target without friction; dt_s: since the last tick, 0:

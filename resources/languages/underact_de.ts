@@ -3606,10 +3606,6 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Jeder Eintrag muss eine Zahl sein.</translation>
     </message>
     <message>
-        <source>The upper left 3 x 3 numbers are not a rotation matrix.</source>
-        <translation>Die 3 x 3 Zahlen oben links sind keine Rotationsmatrix.</translation>
-    </message>
-    <message>
         <source>The last row must be 0, 0, 0, 1.</source>
         <translation>Die letzte Zeile muss 0, 0, 0, 1 sein.</translation>
     </message>
@@ -5182,6 +5178,14 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>%1 Ecken wurden mit anderen am selben Ort oder näher als %2 vereinigt.</translation>
     </message>
     <message>
+        <source>%1 vertex lies on an edge of another face. This face was divided there: the seam is no hole.</source>
+        <translation>%1 Ecke liegt auf einer Kante einer anderen Fläche. Diese Fläche wurde dort geteilt: Die Naht ist kein Loch.</translation>
+    </message>
+    <message>
+        <source>%1 vertices lie on edges of other faces. These faces were divided there: seams are no holes.</source>
+        <translation>%1 Ecken liegen auf Kanten anderer Flächen. Diese Flächen wurden dort geteilt: Nähte sind keine Löcher.</translation>
+    </message>
+    <message>
         <source>%1 face was turned over so that neighbours agree on which side is outside.</source>
         <translation>%1 Fläche wurde umgedreht, damit Nachbarn sich einig sind, welche Seite außen ist.</translation>
     </message>
@@ -5256,14 +5260,6 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>%1 of these are hollows, which are felt from within.</source>
         <translation>%1 davon sind Hohlräume, die von innen gefühlt werden.</translation>
-    </message>
-    <message>
-        <source>%1 vertex lies on an edge of another face. This face was divided there: the seam is no hole.</source>
-        <translation>%1 Ecke liegt auf einer Kante einer anderen Fläche. Diese Fläche wurde dort geteilt: Die Naht ist kein Loch.</translation>
-    </message>
-    <message>
-        <source>%1 vertices lie on edges of other faces. These faces were divided there: seams are no holes.</source>
-        <translation>%1 Ecken liegen auf Kanten anderer Flächen. Diese Flächen wurden dort geteilt: Nähte sind keine Löcher.</translation>
     </message>
     <message>
         <source>%1 hole with a border of %2 was closed, so that the mesh has an inside.</source>

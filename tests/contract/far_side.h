@@ -22,6 +22,8 @@ class FarSide {
   virtual Vec3 force_N() const = 0;
   /// How many forces came, zero or not.
   virtual std::int64_t forces() const = 0;
+  /// How many more may come of what lay unread beyond the cable when it was pulled, on a machine too busy to read it.
+  virtual std::int64_t unreadForces() const { return 0; }
 
   virtual void placeTip(const Vec3& p_WT) = 0;
   virtual void holdButton(bool held) = 0;

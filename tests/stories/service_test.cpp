@@ -39,7 +39,7 @@ struct ServedWindow {
   }
   /// The answer; the events before it are in heard.
   std::string ask(int client, const std::string& keys) {
-    live->service()->receive(client, {R"({"id": 7, )" + keys + "}"}, 0.0);
+    live->service()->receive(client, {R"({"id": 7, )" + keys + "}", true, story->host().stops()}, 0.0);
     for (int tries = 0; tries < 400; ++tries) {
       while (live->service()->hasMessage(client)) {
         const std::string message = live->service()->takeMessage(client).bytes;

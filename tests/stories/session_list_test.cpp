@@ -97,6 +97,11 @@ TEST(SessionListStory, ARunIsMadeAgainAndOneThatIsAnotherIsNamed) {
   RerunCheck other;
   other.result.verified.differs = {17, "force_sent_N"};
   EXPECT_EQ(sentenceOf(other, alarm), "Tick 17 differs from the recording: force_sent_N.");
+  other.result.verified.mended = {"friction", "mesh_wall"};
+  other.result.verified.different_ticks = 9;
+  EXPECT_EQ(sentenceOf(other, alarm),
+            "Since this session was made, the law of friction, mesh_wall was mended: 9 ticks differ now, the first one "
+            "is 17.");
   EXPECT_TRUE(alarm);
 }
 

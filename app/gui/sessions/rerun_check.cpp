@@ -30,10 +30,12 @@ QString sentenceOf(const RerunCheck& check, bool& alarm) {
   alarm = !check.cancelled;
   if (check.cancelled) return QObject::tr("Cancelled: the run was not compared to its end.");
   if (!check.problems.empty()) return QObject::tr("Not run again. %1").arg(sentencesOf(check.problems));
-  if (verified.differs && !verified.mended.empty())
+  QStringList laws;
+  for (const std::string& law : verified.mended) laws << QString::fromStdString(law);
+  if (verified.differs && !laws.empty())
     return QObject::tr(
                "Since this session was made, the law of %1 was mended: %2 ticks differ now, the first one is %3.")
-        .arg(QString::fromStdString(verified.mended.front()))
+        .arg(laws.join(", "))
         .arg(verified.different_ticks)
         .arg(verified.differs->tick);
   if (verified.differs)

@@ -83,6 +83,17 @@ TEST(Model, AnArmOfAnotherShapeHasNoStraightLineCode) {
   EXPECT_FALSE(omniGeometry(other));
 }
 
+TEST(ArmFile, TakesTheRotationThatFewDecimalsMeanWithANote) {
+  const Result<Model> read =
+      readArm(armWith(kRow, "[[0.7071, -0.7071, 0, 0], [0.7071, 0.7071, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"), "a.json");
+  ASSERT_TRUE(read) << read.problems()[0].sentence;
+  const Mat3 R = read.value().X_WB.linear();
+  EXPECT_LE((R - Eigen::AngleAxisd(kPi / 4, Vec3::UnitZ()).toRotationMatrix()).cwiseAbs().maxCoeff(), 1e-15);
+  ASSERT_EQ(read.value().notes.size(), 1u);
+  EXPECT_EQ(read.value().notes[0].place.key, "X_WB");
+  EXPECT_TRUE(readArm(armWith(kRow), "a.json").value().notes.empty());
+}
+
 TEST(ArmFile, NamesWhatIsWrongAndWhere) {
   EXPECT_EQ(problemOf(armWith(kRow)), "");
   EXPECT_NE(problemOf(armWith(R"({"alpha_deg": 0, "a_mm": 0})")).find("dh[0].d_mm: The key \"d_mm\" is missing"),

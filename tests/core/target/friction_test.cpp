@@ -67,6 +67,10 @@ TEST(Friction, SlidingBegunAnewAlsoHoldsInTheFilesOfOlderStates) {
   EXPECT_TRUE(slides({0.5, 0.3}, {0.001, 0, -0.001}, {0.001, 0, 0}, 1e-3, old));
   EXPECT_TRUE(isValid(old));
   EXPECT_GE(old.speed_m_per_s, 0.0F);
+  for (const float spoiled : {NAN, INFINITY, -1.0F}) {
+    old.speed_m_per_s = spoiled;
+    EXPECT_FALSE(isValid(old)) << spoiled << " would go on in all ticks that follow";
+  }
 }
 
 /// The mean lag over the mean depth, both along the path of a tip that goes 20 mm, 4 mm deep, in steps of an encoder.

@@ -64,7 +64,7 @@ class ArmMeshTest : public testing::Test {
     return file.fileName().toStdString();
   }
   arm::Model armWith(const std::string& mesh) const {
-    return arm::readUrdfFile(write("arm.urdf", robotText(mesh)), {}).value();
+    return arm::readArmFile(write("arm.urdf", robotText(mesh))).value();
   }
   QTemporaryDir folder_;
 };
