@@ -6,7 +6,7 @@
 namespace underact::sweep {
 
 std::span<const Kind> kinds() {
-  static const std::vector<Kind> kKinds{handsKind(), stabilityKind(), extremesKind()};
+  static const std::vector<Kind> kKinds{handsKind(), stabilityKind()};
   return kKinds;
 }
 

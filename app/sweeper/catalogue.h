@@ -12,9 +12,6 @@ std::span<const Kind> kinds();
 /// The kind of that key, or null.
 const Kind* findKind(std::string_view key);
 
-/// The rows of `lab extremes`, each with any number of seeds.
-Kind extremesKind();
-
 /// Scenes on the simulated arm, in hands that differ in mass, damping, stiffness and tremor. Each cell is what
 /// `underact-cli run --fast` does with the same scene, hand, rate and seed, to the bit.
 Kind handsKind();

@@ -49,7 +49,6 @@ const std::vector<Library>& libraries() {
       {"RapidJSON", std::regex("rapidjson"), {"core/json"}, false},
       {"TinyXML-2", std::regex("tinyxml2"), {"core/arm"}, false},
       {"SLEEF", std::regex("sleef"), {"core/base"}, false},
-      {"Boost.Multiprecision", std::regex("boost/multiprecision"), {"core/error_bounds"}, true},
       {"Boost.Beast", std::regex("boost/beast"), {"core/web_socket"}, false},
       {"systemd", std::regex("systemd/"), {"core/system"}, false},
       {"CLI11", std::regex("CLI/"), {"app/options"}, false},

@@ -126,14 +126,6 @@ def loop_work(law, middle, radius, angle):
     return float(np.sum((forces[1:] + forces[:-1]) / 2 * np.diff(ways, axis=0)))
 
 
-def extremes():
-    """measured_extremes.md: the worst error of each row."""
-    rows = []
-    for row in csv.DictReader(io.StringIO(printed("lab", "extremes", "--csv"))):
-        rows.append([f"`{row['key']}`", None, None, row["error_ulp"], None])
-    return rows
-
-
 # By page and name: what makes a table again.
 MADE = {
     "kinematics.md: Control in joint space: scene | error, mm rms": joint_space,
@@ -144,7 +136,6 @@ MADE = {
 # These take from twenty seconds to minutes.
 MADE_IN_SOAK = {
     "velocity.md: What each costs: filter | sweep": velocity,
-    "measured_extremes.md: Promises, and the worst errors found: row | what is asked": extremes,
     "identify.md: Accuracy: error of the mean | half of the arms within": accuracy,
     "identify.md: Accuracy: given value of | within 1 deviation": coverage,
 }

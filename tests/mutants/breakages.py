@@ -435,15 +435,6 @@ BREAKAGES = [
         only="Letters.*",
     ),
     Breakage(
-        says="an answer that is no number counts as exact",
-        file="core/error_bounds/row.cpp",
-        old="std::isnan(error_ulp) ? kInfinity",
-        new="std::isnan(error_ulp) ? 0.0",
-        program="error_bounds_test",
-        test="error_bounds_test",
-        only="Measure.*:Worst.*",
-    ),
-    Breakage(
         says="ticks of the scene before count for a measurement of the arm",
         file="core/identify/measurement.cpp",
         old=" || record.revision < revision_) return;",
