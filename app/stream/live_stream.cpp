@@ -59,10 +59,10 @@ class Message {
     begin();
     addNumber(value);
   }
-  void word(std::string_view value) {
+  void word(FaultKind fault) {
     begin();
     add("\"");
-    add(value);
+    add(name(fault));
     add("\"");
   }
 
@@ -86,8 +86,8 @@ class Message {
                                      text_.data());
   }
 
-  const std::vector<record::CsvField>& fields_;
-  std::array<char, 2048> text_{};  // 36 columns of at most 25 characters, and their names
+  std::span<const record::CsvField> fields_;
+  std::array<char, 256 + record::kCsvNumbers*(2 * record::kLongestNumber)> text_{};  // numbers and their names
   std::size_t size_ = 0;
   std::size_t column_ = 0;
 };
