@@ -42,7 +42,6 @@ inline constexpr std::size_t kCsvNumbers = std::apply(
       return (std::size_t{0} + ... + static_cast<std::size_t>(field.column.csv.empty() ? 0 : field.column.width));
     },
     kTickFields);
-inline constexpr std::size_t kLongestNumber = 25;  // characters
 
 /// Whether CSV has it in s.
 constexpr bool isTime(const Column& column) {
@@ -55,17 +54,17 @@ void fillField(const Field<Access>& field, const servo::TickRecord& record, Row&
   const auto fill = [&]<class Number>(Number number) {
     if constexpr (std::is_same_v<Number, FaultKind>) {
       row.word(number);
-    } else if (isTime(field.column)) {
-      row.number(kSecondPerNanosecond * static_cast<double>(number));
-    } else if (field.column.kind == Kind::Real || !std::is_integral_v<Number>) {
-      row.number(scaled(field, number));
     } else {
-      row.integer(+number);
+      if constexpr (std::is_integral_v<Number>) {
+        if (field.column.kind != Kind::Real && !isTime(field.column)) return row.integer(+number);
+      }
+      row.number(isTime(field.column) ? kSecondPerNanosecond * static_cast<double>(number) : scaled(field, number));
     }
   };
   eachNumber(field, record, fill, geometry...);
 }
 
+/// The same of the first fields in the order of allFields().
 template <std::size_t kCount, class Row>
 void fillFirst(const servo::TickRecord& record, Row& row, const auto&... geometry) {
   [&]<std::size_t... kIndices>(std::index_sequence<kIndices...>) {

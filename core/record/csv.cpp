@@ -21,7 +21,7 @@ std::string header(bool more_joints) {
   return text + "\n";
 }
 
-/// One line, in place.
+/// One line, in place: numbers of at most 25 characters, and what separates them.
 class Row {
  public:
   template <class Integer>
@@ -46,7 +46,7 @@ class Row {
 
  private:
   void separate() { *end_++ = ','; }
-  std::array<char, kCsvNumbers*(kLongestNumber + 1)> text_{};
+  std::array<char, 26 * kCsvNumbers> text_{};
   char* end_ = text_.data();
 };
 

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "core/base/translate.h"
+#include "core/json/json.h"
 #include "core/json/object_text.h"
 #include "core/record/columns.h"
 #include "core/scene/load_meshes.h"

@@ -15,6 +15,7 @@ namespace underact::record {
 /// its file, CSV, live data, the service, plots, Python and the guide's page follow them.
 template <class Access>
 struct Field {
+  /// its_scale: see scale.
   constexpr Field(const Column& its_column, Access its_access, double its_scale = 1.0)
       : column(its_column), access(its_access), scale(its_scale) {}
   Column column;

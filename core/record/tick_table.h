@@ -6,10 +6,11 @@
 
 namespace underact::record {
 
-// The words for a fault's number, of /ticks and /faults.
+/// The words for a fault's number, of /ticks and /faults.
 inline constexpr std::string_view kFaultMeaning =
     "why the force is zero: 0 none, 1 no_sample, 2 stale_sample, 3 not_finite, 4 too_fast, 5 too_late, "
     "6 stood_still, 7 odd_clock, 8 asleep, 9 window_busy";
+/// All kinds.
 template <>
 inline constexpr std::pair kEnumerators<FaultKind>{FaultKind::None, static_cast<FaultKind>(kFaultKinds - 1)};
 

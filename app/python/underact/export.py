@@ -110,6 +110,14 @@ def described_run(session: Session) -> dict:
     }
 
 
+def _run_words(session: Session) -> dict[str, str]:
+    """The same as texts."""
+    return {
+        name: json.dumps(value) if isinstance(value, (dict, list)) else str(value)
+        for name, value in described_run(session).items()
+    }
+
+
 def csv(session: Session, out: str | Path) -> None:
     """The same columns as `underact-cli run --record F.csv`, read back to the same numbers; beside
     it F.csv-metadata.json, which says what they are and what was run.
@@ -148,10 +156,8 @@ def parquet(session: Session, out: str | Path) -> None:
         for field in table.schema
     ]
     words = {
-        name if name.startswith("underact_") else f"underact_{name}": (
-            json.dumps(value) if isinstance(value, (dict, list)) else str(value)
-        )
-        for name, value in described_run(session).items()
+        name if name.startswith("underact_") else f"underact_{name}": value
+        for name, value in _run_words(session).items()
     }
     schema = pyarrow.schema(fields, metadata={**(table.schema.metadata or {}), **words})
     check_name(out, session.path)
@@ -250,11 +256,7 @@ def mcap(session: Session, out: str | Path) -> None:
             data = json.dumps({"time_s": now_ns * 1e-9, **message}).encode()
             stamp = min(max(start_ns + now_ns - first_ns, 0), 2**64 - 1)  # all that MCAP has
             writer.add_message(channels[topic], stamp, data, stamp, count)
-        words = {
-            name: json.dumps(value) if isinstance(value, (dict, list)) else str(value)
-            for name, value in described_run(session).items()
-        }
-        writer.add_metadata("underact_session", words)
+        writer.add_metadata("underact_session", _run_words(session))
         writer.finish()
 
 

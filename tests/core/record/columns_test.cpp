@@ -14,40 +14,11 @@ namespace underact::record {
 namespace {
 
 // The header of a CSV recording is a promise: names and order of version 0.1.0, and new ones behind them.
-constexpr const char* kPromised[] = {"tick",
-                                     "time_s",
-                                     "q1_rad",
-                                     "q2_rad",
-                                     "q3_rad",
-                                     "q4_rad",
-                                     "q5_rad",
-                                     "q6_rad",
-                                     "x_mm",
-                                     "y_mm",
-                                     "z_mm",
-                                     "target_x_mm",
-                                     "target_y_mm",
-                                     "target_z_mm",
-                                     "error_mm",
-                                     "force_asked_x_N",
-                                     "force_asked_y_N",
-                                     "force_asked_z_N",
-                                     "force_sent_x_N",
-                                     "force_sent_y_N",
-                                     "force_sent_z_N",
-                                     "gate_level",
-                                     "cut_N",
-                                     "fault",
-                                     "alpha_rad",
-                                     "beta_rad",
-                                     "theta_rad",
-                                     "lateness_us",
-                                     "tick_us",
-                                     "buttons",
-                                     "revision",
-                                     "limits",
-                                     "energy_mJ",
-                                     "passive_N"};
+constexpr std::string_view kPromised =
+    "tick,time_s,q1_rad,q2_rad,q3_rad,q4_rad,q5_rad,q6_rad,x_mm,y_mm,z_mm,target_x_mm,target_y_mm,"
+    "target_z_mm,error_mm,force_asked_x_N,force_asked_y_N,force_asked_z_N,force_sent_x_N,force_sent_y_N,"
+    "force_sent_z_N,gate_level,cut_N,fault,alpha_rad,beta_rad,theta_rad,lateness_us,tick_us,buttons,"
+    "revision,limits,energy_mJ,passive_N,";
 
 /// The numbers of a row as fillRow() gives them; for a word none.
 struct Numbers {
@@ -119,9 +90,9 @@ double numberOf(const Block& block, const Column& wanted, std::size_t part) {
 }
 
 TEST(Columns, CsvKeepsItsNamesInTheirOrder) {
-  const std::span<const CsvField> fields = csvFields();
-  ASSERT_GE(fields.size(), std::size(kPromised));
-  for (std::size_t index = 0; index < std::size(kPromised); ++index) EXPECT_EQ(fields[index].name, kPromised[index]);
+  std::string header;
+  for (const CsvField& field : csvFields()) header += field.name + ",";
+  EXPECT_TRUE(header.starts_with(kPromised)) << header;
 }
 
 TEST(Columns, OfEveryTableHaveAPartForEachNumberAndAMeaning) {
