@@ -3470,8 +3470,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Datei ist beschädigt: In Zeile %1 endet keine Fläche (endfacet).</translation>
     </message>
     <message>
-        <source>The file is damaged: it is too short for its faces.</source>
-        <translation>Die Datei ist beschädigt: Sie ist zu kurz für ihre Flächen.</translation>
+        <source>The file is damaged: its length does not fit its faces.</source>
+        <translation>Die Datei ist beschädigt: Ihre Länge passt nicht zu ihren Flächen.</translation>
     </message>
     <message>
         <source>The file is damaged: line %1 does not begin a face (facet).</source>
@@ -4004,6 +4004,18 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>Force is off.</source>
         <translation>Die Kraft ist aus.</translation>
+    </message>
+    <message>
+        <source>This is a pointer of Git LFS, not the file itself. Get it with "git lfs pull".</source>
+        <translation>Dies ist ein Zeiger von Git LFS, nicht die Datei selbst. Holen Sie sie mit "git lfs pull".</translation>
+    </message>
+    <message>
+        <source>This is a web page, not the file itself. Download the file again.</source>
+        <translation>Dies ist eine Webseite, nicht die Datei selbst. Laden Sie die Datei noch einmal herunter.</translation>
+    </message>
+    <message>
+        <source>This file has the format %1, which is not read here. Unpack it or convert it: a mesh to STL or OBJ, a text to UTF-8.</source>
+        <translation>Diese Datei hat das Format %1, das hier nicht gelesen wird. Entpacken Sie sie, oder wandeln Sie sie um: ein Dreiecksnetz in STL oder OBJ, einen Text in UTF-8.</translation>
     </message>
     <message>
         <source>This is not a rotation matrix: its rows must have length 1, be at right angles, and form a right-handed frame.</source>
@@ -5140,6 +5152,14 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>%1 face was left out: one of its vertices is not a finite point.</source>
         <translation>%1 Fläche wurde weggelassen: Eine ihrer Ecken ist kein endlicher Punkt.</translation>
+    </message>
+    <message>
+        <source>The file declares %1 faces, but has the length of %2: these were read.</source>
+        <translation>Die Datei gibt %1 Flächen an, hat aber die Länge von %2: Diese wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>What belongs to no face was skipped: %1 B.</source>
+        <translation>Was zu keiner Fläche gehört, wurde übersprungen: %1 B.</translation>
     </message>
     <message>
         <source>%1 faces were left out: they have vertices that are not finite points.</source>
