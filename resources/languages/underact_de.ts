@@ -5794,6 +5794,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Dies ist keine endliche Richtung; die größte Zahl ist etwa 1.8e308.</translation>
     </message>
     <message>
+        <source>The nearest name is %1.</source>
+        <translation>Der ähnlichste Name ist %1.</translation>
+    </message>
+    <message>
         <source>The lower limit %1 is above the upper limit %2.</source>
         <translation>Die untere Grenze %1 liegt über der oberen Grenze %2.</translation>
     </message>
@@ -5814,6 +5818,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Ein virtueller Roboter wird in der eigenen Metrik der Verstärkungen gehalten. Entfernen Sie „anisotropy“, oder geben Sie jeder Achse dasselbe kp.</translation>
     </message>
     <message>
+        <source>The nearest name is %1.</source>
+        <translation>Der ähnlichste Name ist %1.</translation>
+    </message>
+    <message>
         <source>It is %1 mm long, too small to be felt: state a larger scale_mm_per_unit.</source>
         <translation>Es ist %1 mm lang, zu klein zum Fühlen: Geben Sie ein größeres scale_mm_per_unit an.</translation>
     </message>
@@ -5824,6 +5832,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>A %1 needs the name of its file.</source>
         <translation>Eine Bindung vom Typ „%1“ braucht den Namen ihrer Datei.</translation>
+    </message>
+    <message>
+        <source>There is no file %1, so %2 was read.</source>
+        <translation>Es gibt keine Datei %1, deshalb wurde %2 gelesen.</translation>
     </message>
     <message>
         <source>This must be from 1e-9 to 1e9 mm (1: the file is in mm; 1000: in m; 25.4: in inches), or negative to mirror at the file's origin; here it is %1.</source>
