@@ -114,7 +114,7 @@ Problems load(Curve& curve, const Description& scene, const SourceLocation& plac
                                  "Restore that file, or remove \"checksum\" to use this one."),
                   {json::shown(curve.file)}),
              place}};
-  Result<std::vector<Vec3>> points = curve::parsePoints(text.value(), path, monitor);
+  Result<std::vector<Vec3>> points = curve::parsePoints(text.value(), path, monitor, &curve.note);
   if (!points) return points.problems();  // each with its line
   curve.points = std::make_shared<const std::vector<Vec3>>(std::move(points).value());
   return {};

@@ -56,6 +56,7 @@ Problems meshNotes(const Description& scene) {
     const auto* const mesh = std::get_if<Mesh>(&constraint.shape);
     const auto* const curve = std::get_if<Curve>(&constraint.shape);
     if (mesh != nullptr || curve != nullptr) note_name(mesh != nullptr ? mesh->file : curve->file, constraint.place);
+    if (curve != nullptr && !curve->note.empty()) notes.push_back({curve->note, constraint.place});
     if (mesh == nullptr || mesh->facts == nullptr) continue;
     const double mm_per_unit = std::abs(mesh->scale_mm_per_unit);
     const Sentence crosses = mesh_file::crossingReport(*mesh->facts);

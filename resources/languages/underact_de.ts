@@ -4142,16 +4142,20 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Datei hat mehr als 1000000 Punkte; entfernen Sie jeden zweiten.</translation>
     </message>
     <message>
+        <source>Colours behind the points, or their number before them, were left out.</source>
+        <translation>Farben hinter den Punkten oder ihre Anzahl davor wurden weggelassen.</translation>
+    </message>
+    <message>
         <source>The file has no points.</source>
         <translation>Die Datei hat keine Punkte.</translation>
     </message>
     <message>
-        <source>There is nothing between two separators; a point is three numbers.</source>
-        <translation>Zwischen zwei Trennzeichen steht nichts; ein Punkt besteht aus drei Zahlen.</translation>
-    </message>
-    <message>
         <source>A point is three numbers, not %1; use a point for decimals.</source>
         <translation>Ein Punkt besteht aus drei Zahlen, nicht %1; schreiben Sie Dezimalzahlen mit einem Punkt.</translation>
+    </message>
+    <message>
+        <source>There is nothing between two separators; a point is three numbers.</source>
+        <translation>Zwischen zwei Trennzeichen steht nichts; ein Punkt besteht aus drei Zahlen.</translation>
     </message>
     <message>
         <source>%1 is not a number.</source>
@@ -5150,16 +5154,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>%1 face was left out: one of its vertices is not a finite point.</source>
-        <translation>%1 Fläche wurde weggelassen: Eine ihrer Ecken ist kein endlicher Punkt.</translation>
-    </message>
-    <message>
         <source>The file declares %1 faces, but has the length of %2: these were read.</source>
         <translation>Die Datei gibt %1 Flächen an, hat aber die Länge von %2: Diese wurden gelesen.</translation>
     </message>
     <message>
         <source>What belongs to no face was skipped: %1 B.</source>
         <translation>Was zu keiner Fläche gehört, wurde übersprungen: %1 B.</translation>
+    </message>
+    <message>
+        <source>%1 face was left out: one of its vertices is not a finite point.</source>
+        <translation>%1 Fläche wurde weggelassen: Eine ihrer Ecken ist kein endlicher Punkt.</translation>
     </message>
     <message>
         <source>%1 faces were left out: they have vertices that are not finite points.</source>
@@ -5790,12 +5794,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Datei %1 wurde in %2 nicht gefunden. Eine Aufzeichnung speichert die Namen ihrer Dreiecksnetze und Kurven, nicht deren Ordner. Legen Sie die Datei neben die Sitzung, oder wählen Sie ihren Ordner: im Fenster mit Wiedergabe, Ordner mit Dreiecksnetzen und Kurven; auf der Befehlszeile mit --files ORDNER.</translation>
     </message>
     <message>
-        <source>This is not a finite direction; the largest number is about 1.8e308.</source>
-        <translation>Dies ist keine endliche Richtung; die größte Zahl ist etwa 1.8e308.</translation>
-    </message>
-    <message>
         <source>The nearest name is %1.</source>
         <translation>Der ähnlichste Name ist %1.</translation>
+    </message>
+    <message>
+        <source>This is not a finite direction; the largest number is about 1.8e308.</source>
+        <translation>Dies ist keine endliche Richtung; die größte Zahl ist etwa 1.8e308.</translation>
     </message>
     <message>
         <source>The lower limit %1 is above the upper limit %2.</source>
@@ -5830,12 +5834,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Es ist %1 mm lang, weit über die Reichweite des Arms hinaus: Geben Sie ein kleineres scale_mm_per_unit an.</translation>
     </message>
     <message>
-        <source>A %1 needs the name of its file.</source>
-        <translation>Eine Bindung vom Typ „%1“ braucht den Namen ihrer Datei.</translation>
-    </message>
-    <message>
         <source>There is no file %1, so %2 was read.</source>
         <translation>Es gibt keine Datei %1, deshalb wurde %2 gelesen.</translation>
+    </message>
+    <message>
+        <source>A %1 needs the name of its file.</source>
+        <translation>Eine Bindung vom Typ „%1“ braucht den Namen ihrer Datei.</translation>
     </message>
     <message>
         <source>This must be from 1e-9 to 1e9 mm (1: the file is in mm; 1000: in m; 25.4: in inches), or negative to mirror at the file's origin; here it is %1.</source>
