@@ -9,7 +9,6 @@
 #include "core/base/linear_system.h"
 #include "core/base/rotation.h"
 #include "core/base/units.h"
-#include "core/sim/shares.h"
 
 namespace underact::sim {
 namespace {

@@ -5,6 +5,17 @@ namespace underact::sim {
 
 // Inside the room: the simulated arm that is not of the Omni's form, in the space of its joints.
 
+/// The weights of the velocities v at the beginning and v' at the end of a substep, which sum to 1: for the
+/// displacement, and for the dampers. Without a mass there is no initial velocity, and v' alone counts: both 0.
+struct Shares {
+  double way_begin = 0.0, damping_begin = 0.0;
+};
+
+inline Shares sharesOf(Integrator integrator) noexcept UNDERACT_REAL_TIME {
+  if (integrator == Integrator::EndVelocity) return {0.0, 0.0};
+  return {0.5, integrator == Integrator::Trapezoidal ? 0.5 : 0.0};
+}
+
 /// What the motors do to the tip: force and moment, N and N m.
 struct Pushed {
   Vec3 f_T_W = Vec3::Zero(), m_T_W = Vec3::Zero();

@@ -10,7 +10,6 @@
 #include "core/arm/jacobian.h"
 #include "core/base/units.h"
 #include "core/sim/joint_plant.h"
-#include "core/sim/shares.h"
 
 namespace underact::sim {
 namespace {

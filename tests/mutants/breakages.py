@@ -296,15 +296,6 @@ BREAKAGES = [
         only="JointPlant.*",
     ),
     Breakage(
-        says="the simulated robot takes one integrator, whatever its scene says",
-        file="core/sim/joint_plant.cpp",
-        old="  const Shares shares = sharesOf(plant.integration.integrator);",
-        new="  const Shares shares = sharesOf(Integrator::EndVelocity);",
-        program="sim_test",
-        test="sim_test",
-        only="JointPlant.*",
-    ),
-    Breakage(
         says="the way from one arm's tip to another arm's counts as a motion",
         file="core/tick/state.cpp",
         old="!(from == to)) next.has_time = false;",

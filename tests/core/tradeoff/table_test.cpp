@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -11,7 +10,6 @@
 #include <sstream>
 
 #include "core/record/recorder.h"
-#include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
 #include "core/servo/host.h"
 #include "core/tradeoff/front.h"
@@ -51,10 +49,6 @@ std::vector<std::map<std::string, std::string>> shippedTable(const std::string& 
     for (std::size_t column = 0; column < columns.size(); ++column) row[columns[column]] = fields.at(column);
   }
   return rows;
-}
-
-NamedHand handNamed(const char* name) {
-  return {name, sim::builtInHand(name, 1).value()};
 }
 
 Summary option(const char* name, double cost, double error) {
@@ -124,30 +118,8 @@ TEST(ShippedTable, EveryShippedScenesFrontHasThreePointsAtLeast) {
     std::set<std::string>& points = fronts[row.at("scene")];
     if (row.at("on_front") == "true") points.insert(row.at("us_per_s") + " " + row.at("error_mm"));
   }
+  EXPECT_FALSE(fronts.empty());  // of which scenes: tests/guide/test_lab_tables.py
   for (const auto& [scene, points] : fronts) EXPECT_GE(points.size(), 3U) << scene;
-}
-
-TEST(ShippedTable, EachChoiceWasMeasuredOnEverySceneThatHasIt) {
-  Plan plan;
-  plan.choices = {"search", "solver", "steps", "velocity"};  // open loops, which take seconds
-  for (const sim::BuiltInHand& hand : sim::builtInHands()) plan.hands.push_back(handNamed(hand.name));
-  std::map<std::string, int> wanted;
-  for (const auto& entry : std::filesystem::directory_iterator(UNDERACT_SOURCE "/scenes")) {
-    if (entry.path().extension() != ".json" || entry.path().stem().extension() == ".schema") continue;
-    plan.scenes.push_back({entry.path().stem().string(), scene::readSceneFile(entry.path().string()).value()});
-    ASSERT_TRUE(scene::loadMeshes(plan.scenes.back().scene).empty());
-    for (const Choice& choice : choices())
-      wanted[choice.key] += choice.applies(plan.scenes.back().scene) ? static_cast<int>(plan.hands.size()) : 0;
-  }
-  const std::vector<Row> rows = measureRows(plan, [](double) { return true; });
-  for (const auto& row : shippedTable("trade_choices.csv")) {
-    const std::string &key = row.at("choice"), &option = row.at("option");
-    const bool is_again = std::find(plan.choices.begin(), plan.choices.end(), key) != plan.choices.end();
-    const Summary again = summaryOf(rows, key, option);
-    EXPECT_EQ(std::stoi(row.at("runs")), is_again ? again.runs : wanted[key]) << key << ", " << option;
-    if (is_again) EXPECT_EQ(std::stod(row.at("error")), again.error) << key << ", " << option;
-    if (is_again) EXPECT_EQ(std::stod(row.at("worst")), again.worst) << key << ", " << option;
-  }
 }
 
 TEST(Front, IsWhatNothingElseBeatsInBoth) {
@@ -169,6 +141,10 @@ TEST(Front, IsWhatNothingElseBeatsInBoth) {
       EXPECT_EQ(one.on_front, !beaten);
     }
   }
+}
+
+NamedHand handNamed(const char* name) {
+  return {name, sim::builtInHand(name, 1).value()};
 }
 
 TEST(Front, OfASceneGoesFromTheFastToTheExact) {
