@@ -11,6 +11,7 @@ struct Shares {
   double way_begin = 0.0, damping_begin = 0.0;
 };
 
+/// Those of a mass that is integrated so.
 inline Shares sharesOf(Integrator integrator) noexcept UNDERACT_REAL_TIME {
   if (integrator == Integrator::EndVelocity) return {0.0, 0.0};
   return {0.5, integrator == Integrator::Trapezoidal ? 0.5 : 0.0};
