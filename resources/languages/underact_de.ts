@@ -1906,12 +1906,14 @@ Die letzte Spalte der Tabelle sagt, welche der acht jedes Gelenk innerhalb seine
     </message>
     <message>
         <source>In the other wrist solution $\theta_4$ and $\theta_6$ are half a turn further and $\theta_5$ has the opposite
-sign; the limits of joint 5 hold for either sign. With joint 4 near the middle of its range, another half turn is
-beyond its limits; with joint 4 turned to one side it is not.
+sign. The program compares the size of $\theta_5$ with the limits, so that this solution can pass; the joint of a
+real arm bends one way only. With joint 4 near the middle of its range, another half turn is beyond its limits; with
+joint 4 turned to one side it is not.
 
 Turn the stylus until two of the eight are within the limits, and hold it for half a second.</source>
-        <translation>In der anderen Lösung des Handgelenks sind $\theta_4$ und $\theta_6$ eine halbe Drehung weiter, und $\theta_5$ hat das andere Vorzeichen; die Grenzen von Gelenk 5
-zählen für beide Vorzeichen. Steht Gelenk 4 nahe seiner Mitte, so führt eine halbe Drehung über seine Grenzen hinaus; ist es zu
+        <translation>In der anderen Lösung des Handgelenks sind $\theta_4$ und $\theta_6$ eine halbe Drehung weiter, und $\theta_5$ hat das andere Vorzeichen. Das Programm
+vergleicht den Betrag von $\theta_5$ mit den Grenzen, sodass diese Lösung sie einhalten kann; das Gelenk eines wirklichen Arms biegt sich nur zu
+einer Seite. Steht Gelenk 4 nahe seiner Mitte, so führt eine halbe Drehung über seine Grenzen hinaus; ist es zu
 einer Seite gedreht, so nicht.
 
 Drehen Sie den Stift, bis zwei der acht die Grenzen einhalten, und halten Sie ihn eine halbe Sekunde lang.</translation>
@@ -2608,8 +2610,8 @@ Drücken Sie Start und gleiten Sie auf der Ebene: über 40 mm in $x$ und über 4
         <translation>Eine Kugel: zwei Drehgelenke</translation>
     </message>
     <message>
-        <source>Two revolute joints whose axes intersect at right angles make a sphere. Press Start and slide from the front of the ball, $(0, 0, 50)$, over to its top, $(0, 50, 0)$ mm, and stay within 4 mm of the surface.</source>
-        <translation>Zwei Drehgelenke, deren Achsen sich im rechten Winkel schneiden, ergeben eine Kugel. Drücken Sie Start und gleiten Sie von der Vorderseite der Kugel, $(0, 0, 50)$, hinüber zu ihrem obersten Punkt, $(0, 50, 0)$ mm, und bleiben Sie höchstens 4 mm von der Oberfläche entfernt.</translation>
+        <source>Two revolute joints make a sphere where their axes intersect at right angles and the link to the tip stands square to axis 2; a slanting link leaves out a cap at each end of axis 1. Press Start and slide from the front of the ball, $(0, 0, 50)$, over to its top, $(0, 50, 0)$ mm, and stay within 4 mm of the surface.</source>
+        <translation>Zwei Drehgelenke ergeben eine Kugel, wenn sich ihre Achsen im rechten Winkel schneiden und das Glied zur Spitze senkrecht auf Achse 2 steht; steht es schräg, so fehlt an jedem Ende von Achse 1 eine Kappe. Drücken Sie Start und gleiten Sie von der Vorderseite der Kugel, $(0, 0, 50)$, hinüber zu ihrem obersten Punkt, $(0, 50, 0)$ mm, und bleiben Sie höchstens 4 mm von der Oberfläche entfernt.</translation>
     </message>
     <message>
         <source>Move up and away from you at the same time: the surface leads you.</source>
@@ -2834,8 +2836,8 @@ einer Lage verliert er eine Richtung nur in einer Singularität. Die des Ellboge
 Ziehen Sie das Werkzeug von der Basis weg, bis der kleinste Singulärwert von $J_v$ unter 150 mm je Radiant liegt.</translation>
     </message>
     <message>
-        <source>Drag the tool outwards, away from the base, as far as it goes. The arm weighs 18 kg and follows slowly.</source>
-        <translation>Ziehen Sie das Werkzeug nach außen, von der Basis weg, so weit es geht. Der Arm wiegt 18 kg und folgt langsam.</translation>
+        <source>Drag the tool outwards, away from the base, as far as it goes. The links of the arm weigh 17.7 kg and follow slowly.</source>
+        <translation>Ziehen Sie das Werkzeug nach außen, von der Basis weg, so weit es geht. Die Glieder des Arms wiegen 17,7 kg und folgen langsam.</translation>
     </message>
     <message>
         <source>Stretch the SCARA</source>
@@ -6322,6 +6324,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Dieses Programm liest nur Version 1.</translation>
     </message>
     <message>
+        <source>The trial pushes a mass at the tip, as haptic arms have one; the arm "%1" has links instead.</source>
+        <translation>Der Versuch stößt eine Masse an der Spitze an, wie haptische Arme sie haben; der Arm „%1“ hat stattdessen Glieder.</translation>
+    </message>
+    <message>
         <source>Nothing holds the tip there: the target follows the tip everywhere, so no stiffness is felt.</source>
         <translation>Dort hält nichts die Spitze: Das Ziel folgt der Spitze überallhin, also ist keine Steifigkeit zu fühlen.</translation>
     </message>
@@ -7817,8 +7823,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>UR5e über einem Tisch</translation>
     </message>
     <message>
-        <source>Six joints, all driven, without a spherical wrist: a collaborative robot held by hand. Its tool is pushed off a table. The arm weighs 18 kg, and the hand moves it as slowly as that. Simulated only.</source>
-        <translation>Sechs Gelenke, alle angetrieben, ohne sphärisches Handgelenk: ein kollaborativer Roboter, von Hand gehalten. Ein Tisch stößt sein Werkzeug ab. Der Arm wiegt 18 kg, und so langsam bewegt ihn die Hand. Nur simuliert.</translation>
+        <source>Six joints, all driven, without a spherical wrist: a collaborative robot held by hand. Its tool is pushed off a table. Its links weigh 17.7 kg, and the hand moves them as slowly as that. Simulated only.</source>
+        <translation>Sechs Gelenke, alle angetrieben, ohne sphärisches Handgelenk: ein kollaborativer Roboter, von Hand gehalten. Ein Tisch stößt sein Werkzeug ab. Seine Glieder wiegen 17,7 kg, und so langsam bewegt sie die Hand. Nur simuliert.</translation>
     </message>
     <message>
         <source>Much inertia, little spring: the arm follows the hand late, and the table stops it.</source>
