@@ -55,6 +55,7 @@ class Again {
     const record::SessionHeader& header = session_.info().header;
     Result<scene::Description> scene = session_.scene(session_.changes().front());
     if (!scene) return scene.problems();
+    scene = record::asIntegrated(session_, std::move(scene).value());
     Problems problems = scene::loadRecordedMeshes(scene.value(), options_.files_in);
     if (!problems.empty()) return problems;
     const arm::Preset* const preset = scene::findArm(scene.value());

@@ -1906,12 +1906,14 @@ Die letzte Spalte der Tabelle sagt, welche der acht jedes Gelenk innerhalb seine
     </message>
     <message>
         <source>In the other wrist solution $\theta_4$ and $\theta_6$ are half a turn further and $\theta_5$ has the opposite
-sign; the limits of joint 5 hold for either sign. With joint 4 near the middle of its range, another half turn is
-beyond its limits; with joint 4 turned to one side it is not.
+sign. The program compares the size of $\theta_5$ with the limits, so that this solution can pass; the joint of a
+real arm bends one way only. With joint 4 near the middle of its range, another half turn is beyond its limits; with
+joint 4 turned to one side it is not.
 
 Turn the stylus until two of the eight are within the limits, and hold it for half a second.</source>
-        <translation>In der anderen Lösung des Handgelenks sind $\theta_4$ und $\theta_6$ eine halbe Drehung weiter, und $\theta_5$ hat das andere Vorzeichen; die Grenzen von Gelenk 5
-zählen für beide Vorzeichen. Steht Gelenk 4 nahe seiner Mitte, so führt eine halbe Drehung über seine Grenzen hinaus; ist es zu
+        <translation>In der anderen Lösung des Handgelenks sind $\theta_4$ und $\theta_6$ eine halbe Drehung weiter, und $\theta_5$ hat das andere Vorzeichen. Das Programm
+vergleicht den Betrag von $\theta_5$ mit den Grenzen, sodass diese Lösung sie einhalten kann; das Gelenk eines wirklichen Arms biegt sich nur zu
+einer Seite. Steht Gelenk 4 nahe seiner Mitte, so führt eine halbe Drehung über seine Grenzen hinaus; ist es zu
 einer Seite gedreht, so nicht.
 
 Drehen Sie den Stift, bis zwei der acht die Grenzen einhalten, und halten Sie ihn eine halbe Sekunde lang.</translation>
@@ -2608,8 +2610,8 @@ Drücken Sie Start und gleiten Sie auf der Ebene: über 40 mm in $x$ und über 4
         <translation>Eine Kugel: zwei Drehgelenke</translation>
     </message>
     <message>
-        <source>Two revolute joints whose axes intersect at right angles make a sphere. Press Start and slide from the front of the ball, $(0, 0, 50)$, over to its top, $(0, 50, 0)$ mm, and stay within 4 mm of the surface.</source>
-        <translation>Zwei Drehgelenke, deren Achsen sich im rechten Winkel schneiden, ergeben eine Kugel. Drücken Sie Start und gleiten Sie von der Vorderseite der Kugel, $(0, 0, 50)$, hinüber zu ihrem obersten Punkt, $(0, 50, 0)$ mm, und bleiben Sie höchstens 4 mm von der Oberfläche entfernt.</translation>
+        <source>Two revolute joints make a sphere where their axes intersect at right angles and the link to the tip stands square to axis 2; a slanting link leaves out a cap at each end of axis 1. Press Start and slide from the front of the ball, $(0, 0, 50)$, over to its top, $(0, 50, 0)$ mm, and stay within 4 mm of the surface.</source>
+        <translation>Zwei Drehgelenke ergeben eine Kugel, wenn sich ihre Achsen im rechten Winkel schneiden und das Glied zur Spitze senkrecht auf Achse 2 steht; steht es schräg, so fehlt an jedem Ende von Achse 1 eine Kappe. Drücken Sie Start und gleiten Sie von der Vorderseite der Kugel, $(0, 0, 50)$, hinüber zu ihrem obersten Punkt, $(0, 50, 0)$ mm, und bleiben Sie höchstens 4 mm von der Oberfläche entfernt.</translation>
     </message>
     <message>
         <source>Move up and away from you at the same time: the surface leads you.</source>
@@ -2834,8 +2836,8 @@ einer Lage verliert er eine Richtung nur in einer Singularität. Die des Ellboge
 Ziehen Sie das Werkzeug von der Basis weg, bis der kleinste Singulärwert von $J_v$ unter 150 mm je Radiant liegt.</translation>
     </message>
     <message>
-        <source>Drag the tool outwards, away from the base, as far as it goes. The arm weighs 18 kg and follows slowly.</source>
-        <translation>Ziehen Sie das Werkzeug nach außen, von der Basis weg, so weit es geht. Der Arm wiegt 18 kg und folgt langsam.</translation>
+        <source>Drag the tool outwards, away from the base, as far as it goes. The links of the arm weigh 17.7 kg and follow slowly.</source>
+        <translation>Ziehen Sie das Werkzeug nach außen, von der Basis weg, so weit es geht. Die Glieder des Arms wiegen 17,7 kg und folgen langsam.</translation>
     </message>
     <message>
         <source>Stretch the SCARA</source>
@@ -3470,8 +3472,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Datei ist beschädigt: In Zeile %1 endet keine Fläche (endfacet).</translation>
     </message>
     <message>
-        <source>The file is damaged: it is too short for its faces.</source>
-        <translation>Die Datei ist beschädigt: Sie ist zu kurz für ihre Flächen.</translation>
+        <source>The file is damaged: its length does not fit its faces.</source>
+        <translation>Die Datei ist beschädigt: Ihre Länge passt nicht zu ihren Flächen.</translation>
     </message>
     <message>
         <source>The file is damaged: line %1 does not begin a face (facet).</source>
@@ -4006,6 +4008,18 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Kraft ist aus.</translation>
     </message>
     <message>
+        <source>This is a pointer of Git LFS, not the file itself. Get it with "git lfs pull".</source>
+        <translation>Dies ist ein Zeiger von Git LFS, nicht die Datei selbst. Holen Sie sie mit "git lfs pull".</translation>
+    </message>
+    <message>
+        <source>This is a web page, not the file itself. Download the file again.</source>
+        <translation>Dies ist eine Webseite, nicht die Datei selbst. Laden Sie die Datei noch einmal herunter.</translation>
+    </message>
+    <message>
+        <source>This file has the format %1, which is not read here. Unpack it or convert it: a mesh to STL or OBJ, a text to UTF-8.</source>
+        <translation>Diese Datei hat das Format %1, das hier nicht gelesen wird. Entpacken Sie sie, oder wandeln Sie sie um: ein Dreiecksnetz in STL oder OBJ, einen Text in UTF-8.</translation>
+    </message>
+    <message>
         <source>This is not a rotation matrix: its rows must have length 1, be at right angles, and form a right-handed frame.</source>
         <translation>Dies ist keine Rotationsmatrix: Ihre Zeilen müssen die Länge 1 haben, rechtwinklig zueinander stehen und ein rechtshändiges Koordinatensystem bilden.</translation>
     </message>
@@ -4130,16 +4144,20 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Datei hat mehr als 1000000 Punkte; entfernen Sie jeden zweiten.</translation>
     </message>
     <message>
+        <source>Colours behind the points, or their number before them, were left out.</source>
+        <translation>Farben hinter den Punkten oder ihre Anzahl davor wurden weggelassen.</translation>
+    </message>
+    <message>
         <source>The file has no points.</source>
         <translation>Die Datei hat keine Punkte.</translation>
     </message>
     <message>
-        <source>There is nothing between two separators; a point is three numbers.</source>
-        <translation>Zwischen zwei Trennzeichen steht nichts; ein Punkt besteht aus drei Zahlen.</translation>
-    </message>
-    <message>
         <source>A point is three numbers, not %1; use a point for decimals.</source>
         <translation>Ein Punkt besteht aus drei Zahlen, nicht %1; schreiben Sie Dezimalzahlen mit einem Punkt.</translation>
+    </message>
+    <message>
+        <source>There is nothing between two separators; a point is three numbers.</source>
+        <translation>Zwischen zwei Trennzeichen steht nichts; ein Punkt besteht aus drei Zahlen.</translation>
     </message>
     <message>
         <source>%1 is not a number.</source>
@@ -5138,6 +5156,14 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>%1 mm</translation>
     </message>
     <message>
+        <source>The file declares %1 faces, but has the length of %2: these were read.</source>
+        <translation>Die Datei gibt %1 Flächen an, hat aber die Länge von %2: Diese wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>What belongs to no face was skipped: %1 B.</source>
+        <translation>Was zu keiner Fläche gehört, wurde übersprungen: %1 B.</translation>
+    </message>
+    <message>
         <source>%1 face was left out: one of its vertices is not a finite point.</source>
         <translation>%1 Fläche wurde weggelassen: Eine ihrer Ecken ist kein endlicher Punkt.</translation>
     </message>
@@ -5770,6 +5796,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Datei %1 wurde in %2 nicht gefunden. Eine Aufzeichnung speichert die Namen ihrer Dreiecksnetze und Kurven, nicht deren Ordner. Legen Sie die Datei neben die Sitzung, oder wählen Sie ihren Ordner: im Fenster mit Wiedergabe, Ordner mit Dreiecksnetzen und Kurven; auf der Befehlszeile mit --files ORDNER.</translation>
     </message>
     <message>
+        <source>The nearest name is %1.</source>
+        <translation>Der ähnlichste Name ist %1.</translation>
+    </message>
+    <message>
         <source>This is not a finite direction; the largest number is about 1.8e308.</source>
         <translation>Dies ist keine endliche Richtung; die größte Zahl ist etwa 1.8e308.</translation>
     </message>
@@ -5794,12 +5824,20 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Ein virtueller Roboter wird in der eigenen Metrik der Verstärkungen gehalten. Entfernen Sie „anisotropy“, oder geben Sie jeder Achse dasselbe kp.</translation>
     </message>
     <message>
+        <source>The nearest name is %1.</source>
+        <translation>Der ähnlichste Name ist %1.</translation>
+    </message>
+    <message>
         <source>It is %1 mm long, too small to be felt: state a larger scale_mm_per_unit.</source>
         <translation>Es ist %1 mm lang, zu klein zum Fühlen: Geben Sie ein größeres scale_mm_per_unit an.</translation>
     </message>
     <message>
         <source>It is %1 mm long, far beyond the arm's reach: state a smaller scale_mm_per_unit.</source>
         <translation>Es ist %1 mm lang, weit über die Reichweite des Arms hinaus: Geben Sie ein kleineres scale_mm_per_unit an.</translation>
+    </message>
+    <message>
+        <source>There is no file %1, so %2 was read.</source>
+        <translation>Es gibt keine Datei %1, deshalb wurde %2 gelesen.</translation>
     </message>
     <message>
         <source>A %1 needs the name of its file.</source>
@@ -6284,6 +6322,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>This program reads version 1 only.</source>
         <translation>Dieses Programm liest nur Version 1.</translation>
+    </message>
+    <message>
+        <source>The trial pushes a mass at the tip, as haptic arms have one; the arm "%1" has links instead.</source>
+        <translation>Der Versuch stößt eine Masse an der Spitze an, wie haptische Arme sie haben; der Arm „%1“ hat stattdessen Glieder.</translation>
     </message>
     <message>
         <source>Nothing holds the tip there: the target follows the tip everywhere, so no stiffness is felt.</source>
@@ -7781,8 +7823,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>UR5e über einem Tisch</translation>
     </message>
     <message>
-        <source>Six joints, all driven, without a spherical wrist: a collaborative robot held by hand. Its tool is pushed off a table. The arm weighs 18 kg, and the hand moves it as slowly as that. Simulated only.</source>
-        <translation>Sechs Gelenke, alle angetrieben, ohne sphärisches Handgelenk: ein kollaborativer Roboter, von Hand gehalten. Ein Tisch stößt sein Werkzeug ab. Der Arm wiegt 18 kg, und so langsam bewegt ihn die Hand. Nur simuliert.</translation>
+        <source>Six joints, all driven, without a spherical wrist: a collaborative robot held by hand. Its tool is pushed off a table. Its links weigh 17.7 kg, and the hand moves them as slowly as that. Simulated only.</source>
+        <translation>Sechs Gelenke, alle angetrieben, ohne sphärisches Handgelenk: ein kollaborativer Roboter, von Hand gehalten. Ein Tisch stößt sein Werkzeug ab. Seine Glieder wiegen 17,7 kg, und so langsam bewegt sie die Hand. Nur simuliert.</translation>
     </message>
     <message>
         <source>Much inertia, little spring: the arm follows the hand late, and the table stops it.</source>

@@ -29,7 +29,7 @@ def plot_arm(arm: Arm, q: ArrayLike, axes: Any = None, **line: Any) -> Any:
     dots.
     """
     to = canvas(axes)
-    points = arm.skeleton(np.atleast_2d(np.asarray(q, dtype=float)))
+    points = arm.skeleton(np.atleast_2d(np.asanyarray(q, dtype=float)))
     color, width = line.pop("color", _LINKS), line.pop("linewidth", 2.0)
     for at in points:
         to.line(at, color, width, **line)
@@ -88,7 +88,7 @@ def sliders(arm: Arm, q: ArrayLike | None = None, scene: Scene | None = None) ->
     axes.
     """
     low, high = np.array([_range(joint) for joint in arm.joints]).T
-    start = np.clip(np.zeros(arm.n) if q is None else np.asarray(q, dtype=float), low, high)
+    start = np.clip(np.zeros(arm.n) if q is None else np.asanyarray(q, dtype=float), low, high)
 
     def draw(values: ArrayLike) -> Any:
         axes = plot_arm(arm, values)

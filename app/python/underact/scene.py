@@ -138,10 +138,10 @@ def _text_of(value: Value) -> str:
 
 def _plain(value: Any) -> Any:
     """What json.dumps() does not know: numbers and arrays of numpy."""
-    if isinstance(value, np.ndarray):
+    if isinstance(value, np.ma.MaskedArray):
+        raise TypeError("This is a masked array. Pass a plain one, as filled() returns.")
+    if isinstance(value, (np.ndarray, np.generic)):
         return value.tolist()
-    if isinstance(value, np.generic):
-        return value.item()
     if isinstance(value, Mapping):
         return {str(key): _plain(one) for key, one in value.items()}
     return [_plain(one) for one in value] if isinstance(value, (list, tuple)) else value
@@ -152,7 +152,8 @@ def _json(value: Any, name: str) -> str:
     try:
         return json.dumps(_plain(value))
     except TypeError as error:
-        raise TypeError(f"{name} must be numbers, texts, lists and dicts: {error}.") from None
+        reason = str(error).rstrip(".")
+        raise TypeError(f"{name} must be numbers, texts, lists and dicts: {reason}.") from None
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{name} must be a tree of lists and dicts: {error}.") from None
 
@@ -375,27 +376,27 @@ def point(position_mm: ArrayLike, **others: Any) -> dict[str, Any]:
     """A point. others, here and below: name, side, control, influence, friction and so on, as in a
     file.
     """
-    return _constraint("point", {"position_mm": np.asarray(position_mm)}, others)
+    return _constraint("point", {"position_mm": np.asanyarray(position_mm)}, others)
 
 
 def sphere(center_mm: ArrayLike, radius_mm: float, **others: Any) -> dict[str, Any]:
     """A sphere."""
     return _constraint(
-        "sphere", {"center_mm": np.asarray(center_mm), "radius_mm": radius_mm}, others
+        "sphere", {"center_mm": np.asanyarray(center_mm), "radius_mm": radius_mm}, others
     )
 
 
 def line(point_mm: ArrayLike, direction: ArrayLike, **others: Any) -> dict[str, Any]:
     """An infinite line."""
     return _constraint(
-        "line", {"point_mm": np.asarray(point_mm), "direction": np.asarray(direction)}, others
+        "line", {"point_mm": np.asanyarray(point_mm), "direction": np.asanyarray(direction)}, others
     )
 
 
 def plane(point_mm: ArrayLike, normal: ArrayLike, **others: Any) -> dict[str, Any]:
     """An infinite plane; the normal points outside."""
     return _constraint(
-        "plane", {"point_mm": np.asarray(point_mm), "normal": np.asarray(normal)}, others
+        "plane", {"point_mm": np.asanyarray(point_mm), "normal": np.asanyarray(normal)}, others
     )
 
 
@@ -404,8 +405,8 @@ def circle(
 ) -> dict[str, Any]:
     """A circle about its centre, at right angles to the normal."""
     required = {
-        "center_mm": np.asarray(center_mm),
-        "normal": np.asarray(normal),
+        "center_mm": np.asanyarray(center_mm),
+        "normal": np.asanyarray(normal),
         "radius_mm": radius_mm,
     }
     return _constraint("circle", required, others)
@@ -415,14 +416,18 @@ def cylinder(
     point_mm: ArrayLike, axis: ArrayLike, radius_mm: float, **others: Any
 ) -> dict[str, Any]:
     """An infinite cylinder."""
-    required = {"point_mm": np.asarray(point_mm), "axis": np.asarray(axis), "radius_mm": radius_mm}
+    required = {
+        "point_mm": np.asanyarray(point_mm),
+        "axis": np.asanyarray(axis),
+        "radius_mm": radius_mm,
+    }
     return _constraint("cylinder", required, others)
 
 
 def box(center_mm: ArrayLike, size_mm: ArrayLike, **others: Any) -> dict[str, Any]:
     """A box; size_mm: its full edges."""
     return _constraint(
-        "box", {"center_mm": np.asarray(center_mm), "size_mm": np.asarray(size_mm)}, others
+        "box", {"center_mm": np.asanyarray(center_mm), "size_mm": np.asanyarray(size_mm)}, others
     )
 
 
@@ -437,17 +442,17 @@ def virtual_manipulator(
     """A virtual robot of revolute() and prismatic() joints. X_WV_home: (4, 4), mm, its end effector
     with all joints at 0.
     """
-    required = {"joints": list(joints), "X_WV_home": np.asarray(X_WV_home)}
+    required = {"joints": list(joints), "X_WV_home": np.asanyarray(X_WV_home)}
     return _constraint("virtual_manipulator", required, others)
 
 
 def revolute(axis: ArrayLike, point_mm: ArrayLike, **others: Any) -> dict[str, Any]:
     """A joint that turns about an axis. others: min, max (rad), stiffness_N_mm_per_rad, rest."""
     return _constraint(
-        "revolute", {"axis": np.asarray(axis), "point_mm": np.asarray(point_mm)}, others
+        "revolute", {"axis": np.asanyarray(axis), "point_mm": np.asanyarray(point_mm)}, others
     )
 
 
 def prismatic(axis: ArrayLike, **others: Any) -> dict[str, Any]:
     """A joint that slides along an axis. others: min, max (mm), stiffness_N_per_mm, rest."""
-    return _constraint("prismatic", {"axis": np.asarray(axis)}, others)
+    return _constraint("prismatic", {"axis": np.asanyarray(axis)}, others)
