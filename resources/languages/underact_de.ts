@@ -4150,12 +4150,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Datei hat keine Punkte.</translation>
     </message>
     <message>
-        <source>A point is three numbers, not %1; use a point for decimals.</source>
-        <translation>Ein Punkt besteht aus drei Zahlen, nicht %1; schreiben Sie Dezimalzahlen mit einem Punkt.</translation>
-    </message>
-    <message>
         <source>There is nothing between two separators; a point is three numbers.</source>
         <translation>Zwischen zwei Trennzeichen steht nichts; ein Punkt besteht aus drei Zahlen.</translation>
+    </message>
+    <message>
+        <source>A point is three numbers, not %1; use a point for decimals.</source>
+        <translation>Ein Punkt besteht aus drei Zahlen, nicht %1; schreiben Sie Dezimalzahlen mit einem Punkt.</translation>
     </message>
     <message>
         <source>%1 is not a number.</source>
@@ -5792,10 +5792,6 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>The file %1 was not found in %2. A recording stores the names of its meshes and curves, not their folders. Put the file beside the session, or choose its folder: in the window with Replay, Folder with meshes and curves; on the command line with --files FOLDER.</source>
         <translation>Die Datei %1 wurde in %2 nicht gefunden. Eine Aufzeichnung speichert die Namen ihrer Dreiecksnetze und Kurven, nicht deren Ordner. Legen Sie die Datei neben die Sitzung, oder wählen Sie ihren Ordner: im Fenster mit Wiedergabe, Ordner mit Dreiecksnetzen und Kurven; auf der Befehlszeile mit --files ORDNER.</translation>
-    </message>
-    <message>
-        <source>The nearest name is %1.</source>
-        <translation>Der ähnlichste Name ist %1.</translation>
     </message>
     <message>
         <source>This is not a finite direction; the largest number is about 1.8e308.</source>
@@ -9952,12 +9948,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>&amp;Beginnen</translation>
     </message>
     <message>
-        <source>Begin the measurement</source>
-        <translation>Messung beginnen</translation>
-    </message>
-    <message>
         <source>Starts the trials. Two right answers in a row make them harder, a wrong one easier (Levitt 1971).</source>
         <translation>Startet die Versuche. Zwei richtige Antworten nacheinander machen sie schwerer, eine falsche leichter (Levitt 1971).</translation>
+    </message>
+    <message>
+        <source>Begin the measurement</source>
+        <translation>Messung beginnen</translation>
     </message>
     <message>
         <source>How small a difference of stiffness can be felt (just-noticeable difference, JND)? Press two beams and answer which one is stiffer, again and again.</source>
@@ -9966,10 +9962,6 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>&amp;Open the two beams</source>
         <translation>Die zwei Balken ö&amp;ffnen</translation>
-    </message>
-    <message>
-        <source>Open the two beams</source>
-        <translation>Die zwei Balken öffnen</translation>
     </message>
     <message>
         <source>Opens the scene “Two beams, one softer”.</source>
@@ -10064,24 +10056,24 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>&amp;Speichern …</translation>
     </message>
     <message>
-        <source>Save the trials</source>
-        <translation>Versuche speichern</translation>
-    </message>
-    <message>
         <source>Writes every trial and the result as a CSV file.</source>
         <translation>Schreibt jeden Versuch und das Ergebnis als CSV-Datei.</translation>
+    </message>
+    <message>
+        <source>Save the trials</source>
+        <translation>Versuche speichern</translation>
     </message>
     <message>
         <source>A&amp;gain</source>
         <translation>&amp;Erneut</translation>
     </message>
     <message>
-        <source>Measure again</source>
-        <translation>Erneut messen</translation>
-    </message>
-    <message>
         <source>Returns to the start. A result that was not saved is lost.</source>
         <translation>Geht zum Anfang zurück. Ein nicht gespeichertes Ergebnis geht verloren.</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Erneut messen</translation>
     </message>
     <message>
         <source>Tables (*.csv);;All files (*)</source>
@@ -10132,12 +10124,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>&amp;Abbrechen</translation>
     </message>
     <message>
-        <source>Cancel the measurement</source>
-        <translation>Messung abbrechen</translation>
-    </message>
-    <message>
         <source>Restores the stiffness that the scene gives the beams; nothing is kept.</source>
         <translation>Stellt die Steifigkeit wieder her, die die Szene den Balken gibt; nichts wird behalten.</translation>
+    </message>
+    <message>
+        <source>Cancel the measurement</source>
+        <translation>Messung abbrechen</translation>
     </message>
     <message>
         <source>%1 is stiffer</source>
