@@ -288,7 +288,7 @@ TEST(GuideWindowStory, TextOfTwiceTheSizeIsNotCut) {
   large.setPointSizeF(2.0 * usual.pointSizeF());
   QApplication::setFont(large);
   {
-    Reader reader("course_spring");
+    Reader reader("course_jacobian");
     for (const char* name : {"guide.back", "guide.forward", "guide.smaller", "guide.larger", "guide.search"}) {
       const QWidget* part = reader.find(name);
       EXPECT_GE(part->width(), part->minimumSizeHint().width()) << name;
@@ -334,7 +334,7 @@ TEST(GuideWindowStory, PagesInBothThemes) {
     Reader reader;
     reader.perform(QString("view.theme.") + theme);
     for (const char* name :
-         {"start", "course_frames", "course_inverse", "course_spring", "experiments", "scene_reference", "lab"}) {
+         {"start", "course_frames", "course_jacobian", "experiments", "scene_reference", "lab"}) {
       reader.perform("help.guide", name);
       EXPECT_TRUE(reader.hasPictures());
       reader.settle();
