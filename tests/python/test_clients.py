@@ -14,12 +14,12 @@ import unittest
 
 from support import CLI, ROOT, InFolder, works
 
-PAGE = ROOT / "resources/guide/live_clients.md"
+PAGE = ROOT / "resources/guide/live_service.md"
 
 
 def blocks(heading: str) -> list[str]:
     """The indented blocks below a heading, up to the next one."""
-    section = PAGE.read_text(encoding="utf-8").split(f"\n## {heading}\n")[1].split("\n## ")[0]
+    section = PAGE.read_text(encoding="utf-8").split(f"\n### {heading}\n")[1].split("\n#")[0]
     found = re.findall(r"(?:^(?:    .*)?\n)*^    .*\n", section, re.MULTILINE)
     return ["\n".join(line[4:] for line in block.strip("\n").split("\n")) + "\n" for block in found]
 
