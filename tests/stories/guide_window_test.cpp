@@ -165,7 +165,7 @@ TEST(GuideWindowStory, LinksOpenScenesPagesAndActionsAndShowAddresses) {
 }
 
 TEST(GuideWindowStory, ANotebookOpensAsACopyThatKeepsItsChanges) {
-  Reader reader("python_package");
+  Reader reader("python");
   QTextBrowser system;  // in the place of the desktop's: a URL is given to one of its methods
   QList<QUrl> opened;
   QObject::connect(&system, &QTextBrowser::anchorClicked, [&](const QUrl& url) { opened << url; });
