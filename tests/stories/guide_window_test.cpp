@@ -333,8 +333,7 @@ TEST(GuideWindowStory, PagesInBothThemes) {
   for (const char* theme : {"light", "dark"}) {
     Reader reader;
     reader.perform(QString("view.theme.") + theme);
-    for (const char* name :
-         {"start", "course_frames", "course_jacobian", "experiments", "scene_reference", "lab"}) {
+    for (const char* name : {"start", "course_frames", "course_jacobian", "experiments", "scene_reference", "lab"}) {
       reader.perform("help.guide", name);
       EXPECT_TRUE(reader.hasPictures());
       reader.settle();

@@ -12,7 +12,8 @@ void makeVisitor(const FeatureParts& parts, ServoListeners& listeners) {
 }  // namespace
 
 FeatureRow visitorFeature() {
-  return {.pages = {{"demonstrator", "classes#visitors"}, {"dialog.no_visitors", "classes#visitors"}}, .make = makeVisitor};
+  return {.pages = {{"demonstrator", "classes#visitors"}, {"dialog.no_visitors", "classes#visitors"}},
+          .make = makeVisitor};
 }
 
 }  // namespace underact::gui
