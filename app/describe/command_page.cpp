@@ -33,7 +33,7 @@ std::string meaning(const Option& option) {
 
 /// What was printed, and the section that has it first.
 using Places = std::map<std::string, std::string>;
-constexpr std::size_t kWorthALink = 3;  // rows: fewer are printed again
+constexpr std::size_t kWorthALink = 2;  // rows: one alone is printed again
 
 std::string linkTo(const std::string& section) {
   return "[`" + section + "`](#" + page::anchorOf(section) + ")";
