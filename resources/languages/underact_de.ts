@@ -3470,8 +3470,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Datei ist beschädigt: In Zeile %1 endet keine Fläche (endfacet).</translation>
     </message>
     <message>
-        <source>The file is damaged: it is too short for its faces.</source>
-        <translation>Die Datei ist beschädigt: Sie ist zu kurz für ihre Flächen.</translation>
+        <source>The file is damaged: its length does not fit its faces.</source>
+        <translation>Die Datei ist beschädigt: Ihre Länge passt nicht zu ihren Flächen.</translation>
     </message>
     <message>
         <source>The file is damaged: line %1 does not begin a face (facet).</source>
@@ -4006,6 +4006,18 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Kraft ist aus.</translation>
     </message>
     <message>
+        <source>This is a pointer of Git LFS, not the file itself. Get it with "git lfs pull".</source>
+        <translation>Dies ist ein Zeiger von Git LFS, nicht die Datei selbst. Holen Sie sie mit "git lfs pull".</translation>
+    </message>
+    <message>
+        <source>This is a web page, not the file itself. Download the file again.</source>
+        <translation>Dies ist eine Webseite, nicht die Datei selbst. Laden Sie die Datei noch einmal herunter.</translation>
+    </message>
+    <message>
+        <source>This file has the format %1, which is not read here. Unpack it or convert it: a mesh to STL or OBJ, a text to UTF-8.</source>
+        <translation>Diese Datei hat das Format %1, das hier nicht gelesen wird. Entpacken Sie sie, oder wandeln Sie sie um: ein Dreiecksnetz in STL oder OBJ, einen Text in UTF-8.</translation>
+    </message>
+    <message>
         <source>This is not a rotation matrix: its rows must have length 1, be at right angles, and form a right-handed frame.</source>
         <translation>Dies ist keine Rotationsmatrix: Ihre Zeilen müssen die Länge 1 haben, rechtwinklig zueinander stehen und ein rechtshändiges Koordinatensystem bilden.</translation>
     </message>
@@ -4130,16 +4142,20 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Datei hat mehr als 1000000 Punkte; entfernen Sie jeden zweiten.</translation>
     </message>
     <message>
+        <source>Colours behind the points, or their number before them, were left out.</source>
+        <translation>Farben hinter den Punkten oder ihre Anzahl davor wurden weggelassen.</translation>
+    </message>
+    <message>
         <source>The file has no points.</source>
         <translation>Die Datei hat keine Punkte.</translation>
     </message>
     <message>
-        <source>There is nothing between two separators; a point is three numbers.</source>
-        <translation>Zwischen zwei Trennzeichen steht nichts; ein Punkt besteht aus drei Zahlen.</translation>
-    </message>
-    <message>
         <source>A point is three numbers, not %1; use a point for decimals.</source>
         <translation>Ein Punkt besteht aus drei Zahlen, nicht %1; schreiben Sie Dezimalzahlen mit einem Punkt.</translation>
+    </message>
+    <message>
+        <source>There is nothing between two separators; a point is three numbers.</source>
+        <translation>Zwischen zwei Trennzeichen steht nichts; ein Punkt besteht aus drei Zahlen.</translation>
     </message>
     <message>
         <source>%1 is not a number.</source>
@@ -5138,6 +5154,14 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>%1 mm</translation>
     </message>
     <message>
+        <source>The file declares %1 faces, but has the length of %2: these were read.</source>
+        <translation>Die Datei gibt %1 Flächen an, hat aber die Länge von %2: Diese wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>What belongs to no face was skipped: %1 B.</source>
+        <translation>Was zu keiner Fläche gehört, wurde übersprungen: %1 B.</translation>
+    </message>
+    <message>
         <source>%1 face was left out: one of its vertices is not a finite point.</source>
         <translation>%1 Fläche wurde weggelassen: Eine ihrer Ecken ist kein endlicher Punkt.</translation>
     </message>
@@ -5770,6 +5794,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Datei %1 wurde in %2 nicht gefunden. Eine Aufzeichnung speichert die Namen ihrer Dreiecksnetze und Kurven, nicht deren Ordner. Legen Sie die Datei neben die Sitzung, oder wählen Sie ihren Ordner: im Fenster mit Wiedergabe, Ordner mit Dreiecksnetzen und Kurven; auf der Befehlszeile mit --files ORDNER.</translation>
     </message>
     <message>
+        <source>The nearest name is %1.</source>
+        <translation>Der ähnlichste Name ist %1.</translation>
+    </message>
+    <message>
         <source>This is not a finite direction; the largest number is about 1.8e308.</source>
         <translation>Dies ist keine endliche Richtung; die größte Zahl ist etwa 1.8e308.</translation>
     </message>
@@ -5794,12 +5822,20 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Ein virtueller Roboter wird in der eigenen Metrik der Verstärkungen gehalten. Entfernen Sie „anisotropy“, oder geben Sie jeder Achse dasselbe kp.</translation>
     </message>
     <message>
+        <source>The nearest name is %1.</source>
+        <translation>Der ähnlichste Name ist %1.</translation>
+    </message>
+    <message>
         <source>It is %1 mm long, too small to be felt: state a larger scale_mm_per_unit.</source>
         <translation>Es ist %1 mm lang, zu klein zum Fühlen: Geben Sie ein größeres scale_mm_per_unit an.</translation>
     </message>
     <message>
         <source>It is %1 mm long, far beyond the arm's reach: state a smaller scale_mm_per_unit.</source>
         <translation>Es ist %1 mm lang, weit über die Reichweite des Arms hinaus: Geben Sie ein kleineres scale_mm_per_unit an.</translation>
+    </message>
+    <message>
+        <source>There is no file %1, so %2 was read.</source>
+        <translation>Es gibt keine Datei %1, deshalb wurde %2 gelesen.</translation>
     </message>
     <message>
         <source>A %1 needs the name of its file.</source>
