@@ -33,6 +33,7 @@ function ball(materials, semi) {
 const MAKERS = {
   point: (c, m, size) => placed(new THREE.Mesh(new THREE.SphereGeometry(3 * size, 24, 16), m.solid), c.position_mm),
   sphere: (c, m) => placed(ball(m, [c.radius_mm, c.radius_mm, c.radius_mm]), c.center_mm),
+  ellipsoid: (c, m) => turned(placed(ball(m, c.semi_axes_mm), c.center_mm), c.R_WB),
   line: (c, m, size) => placed(new THREE.Mesh(new THREE.CylinderGeometry(0.8 * size, 0.8 * size, LONG * size), m.solid), c.point_mm, Y, c.direction),
   plane: (c, m, size) => {
     const group = new THREE.Group();

@@ -163,9 +163,25 @@ inline constexpr auto kRow<Box> = shapeRow("box", TRANSLATE_NOOP("shape", "Box")
                                                  "Its three edges along its own x, y and z, mm."},
                                            rotation(&Box::R_WB));
 
+/// An ellipsoid; semi_axes_mm: half of its axes, along the columns of the rotation R_WB.
+struct Ellipsoid {
+  Vec3 center_mm = Vec3::Zero();
+  Vec3 semi_axes_mm = Vec3::Zero();
+  Mat3 R_WB = Mat3::Identity();
+  bool operator==(const Ellipsoid&) const = default;
+};
+template <>
+inline constexpr auto kRow<Ellipsoid> = shapeRow("ellipsoid", TRANSLATE_NOOP("shape", "Ellipsoid"), true,
+                                                 "The surface of an ellipsoid.", &shape::makeEllipsoid,
+                                                 centre(&Ellipsoid::center_mm),
+                                                 Field{"semi_axes_mm", &Ellipsoid::semi_axes_mm, Meaning::Length,
+                                                       TRANSLATE_NOOP("shape", "Semi-axes"),
+                                                       "Half of its axes along its own x, y and z, mm."},
+                                                 rotation(&Ellipsoid::R_WB));
+
 /// A variant of the shapes of this file, and of others after them.
 template <template <class...> class Variant, class... Others>
-using ShapesAnd = Variant<Point, Sphere, Line, Plane, Circle, Cylinder, Box, Others...>;
+using ShapesAnd = Variant<Point, Sphere, Line, Plane, Circle, Cylinder, Box, Ellipsoid, Others...>;
 
 /// Whether a type is a shape of this file.
 template <class Shape>

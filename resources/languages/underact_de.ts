@@ -8521,6 +8521,14 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <source>Size</source>
         <translation>Größe</translation>
     </message>
+    <message>
+        <source>Ellipsoid</source>
+        <translation>Ellipsoid</translation>
+    </message>
+    <message>
+        <source>Semi-axes</source>
+        <translation>Halbachsen</translation>
+    </message>
 </context>
 <context>
     <name>step</name>

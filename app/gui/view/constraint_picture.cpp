@@ -186,6 +186,11 @@ void ConstraintPicture::add(const scene::Sphere& sphere) {
 }
 
 template <>
+void ConstraintPicture::add(const scene::Ellipsoid& ellipsoid) {
+  addBall(ellipsoid.center_mm, ellipsoid.R_WB * ellipsoid.semi_axes_mm.asDiagonal());
+}
+
+template <>
 void ConstraintPicture::add(const scene::Line& line) {
   const Vec3 direction = line.direction.normalized();
   double from = 0.0, to = 0.0;

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 Points = NDArray[np.float64]
 
-__all__ = ["point", "sphere", "line", "plane", "circle", "cylinder", "box"]
+__all__ = ["point", "sphere", "line", "plane", "circle", "cylinder", "box", "ellipsoid"]
 
 
 def plain(value: Any) -> Any:
@@ -73,6 +73,11 @@ def box(center_mm: ArrayLike, size_mm: ArrayLike, **others: Any) -> dict[str, An
     return constraint("box", others, center_mm=center_mm, size_mm=size_mm)
 
 
+def ellipsoid(center_mm: ArrayLike, semi_axes_mm: ArrayLike, **others: Any) -> dict[str, Any]:
+    """An ellipsoid; semi_axes_mm: half of its axes."""
+    return constraint("ellipsoid", others, center_mm=center_mm, semi_axes_mm=semi_axes_mm)
+
+
 def across(axis: ArrayLike) -> tuple[Points, Points, Points]:
     """Unit vectors u, v, a with a along `axis` (any length but zero) and u x v = a."""
     a = np.asarray(axis, dtype=float) / np.linalg.norm(axis)
@@ -115,6 +120,11 @@ def _ball(center: ArrayLike, half_axes: Points) -> list[Points]:
 
 def _sphere(constraint: dict[str, Any], _: Points) -> list[Points]:
     return _ball(constraint["center_mm"], constraint["radius_mm"] * np.eye(3))
+
+
+def _ellipsoid(constraint: dict[str, Any], _: Points) -> list[Points]:
+    R_WB = np.asarray(constraint.get("R_WB", np.eye(3)), dtype=float)
+    return _ball(constraint["center_mm"], R_WB * np.asarray(constraint["semi_axes_mm"]))
 
 
 def _line(constraint: dict[str, Any], p_mm: Points) -> list[Points]:
