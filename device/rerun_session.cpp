@@ -44,12 +44,6 @@ Result<std::optional<SimulatedRun>> wholeRunOf(Session& session) {
   return std::optional(std::move(run).value());
 }
 
-/// To the bit.
-bool hasSameMoreJoints(const servo::TickRecord& a, const servo::TickRecord& b) {
-  const auto beyond = [](const servo::TickRecord& record) { return std::as_bytes(arm::beyondSix(record.q_rad)); };
-  return std::equal(beyond(a).begin(), beyond(a).end(), beyond(b).begin());
-}
-
 /// A servo on the simulated arm, as it was.
 class Again {
  public:
@@ -61,6 +55,7 @@ class Again {
     const record::SessionHeader& header = session_.info().header;
     Result<scene::Description> scene = session_.scene(session_.changes().front());
     if (!scene) return scene.problems();
+    scene = record::asIntegrated(session_, std::move(scene).value());
     Problems problems = scene::loadRecordedMeshes(scene.value(), options_.files_in);
     if (!problems.empty()) return problems;
     const arm::Preset* const preset = scene::findArm(scene.value());
@@ -83,25 +78,22 @@ class Again {
   bool compare(const record::Block& recorded) {
     constexpr std::size_t kAtOnce = 1000;  // far fewer than the servo keeps for us
     const std::vector<servo::TickRecord> rows = record::unpackTicks(recorded);
-    record::Packer packer(record::tickColumns());
+    record::Packer packer(record::tickColumns(true));
     packer.begin(recorded.rows);
-    std::optional<std::int64_t> joints_differ;  // the first row in which one beyond the sixth does
     for (std::size_t at = 0; at < rows.size(); at += kAtOnce) {
       std::vector<std::int64_t> lateness_ns;
       for (std::size_t row = at; row < std::min(at + kAtOnce, rows.size()); ++row)
         lateness_ns.push_back(rows[row].lateness_ns);
       host_->run(static_cast<std::int64_t>(lateness_ns.size()), lateness_ns);
       host_->drain([&](const servo::TickRecord& now) {
-        const auto row = static_cast<std::size_t>(packer.rows());
-        if (!joints_differ && row < rows.size() && !hasSameMoreJoints(rows[row], now)) joints_differ = packer.rows();
-        record::pack(now, geometry_, packer);
+        record::pack(now, geometry_, packer, true);
         if (options_.tick) options_.tick(now);
       });
     }
     if (packer.rows() != recorded.rows) return true;
     auto difference = record::differenceOf(recorded, packer.block());
-    if (joints_differ && (!difference || *joints_differ < difference->first))
-      difference = {*joints_differ, "q_more_rad", difference ? difference->rows : 1};
+    if (arm::jointsOf(geometry_) > 6 && !record::hasMoreJoints(recorded))  // no recorder does that
+      difference = {0, std::string(record::kMoreJoints.column.name), recorded.rows};
     if (difference) result_.different_ticks += difference->rows;
     if (result_.differs) return true;  // the rest is run, too
     result_.ticks += difference ? difference->first : recorded.rows;

@@ -25,7 +25,14 @@ std::string typeName(const py::handle& given) {
   throw py::type_error(std::string(name) + " must be numbers, as of a numpy array or nested lists, not " + what + ".");
 }
 
-/// What numpy makes of anything but an array of doubles.
+/// Whether it is a masked array or a list with one: numpy would take the numbers under the mask for numbers.
+bool isMasked(const py::handle& given, const py::handle& masked_array) {
+  if (py::isinstance(given, masked_array)) return true;
+  if (!py::isinstance<py::list>(given) && !py::isinstance<py::tuple>(given)) return false;
+  return std::any_of(given.begin(), given.end(), [&](const py::handle& one) { return isMasked(one, masked_array); });
+}
+
+/// What numpy makes of anything but a plain array of doubles.
 Doubles converted(const py::handle& given, const char* name) {
   if (given.is_none() || py::isinstance<py::str>(given) || py::isinstance<py::bytes>(given) ||
       py::isinstance<py::dict>(given) || py::isinstance<py::set>(given))
@@ -40,6 +47,8 @@ Doubles converted(const py::handle& given, const char* name) {
   const char kind = array.dtype().kind();
   if (kind != 'f' && kind != 'i' && kind != 'u')
     raiseType(name, "values of type " + std::string(py::str(static_cast<py::object>(array.dtype()))));
+  if (isMasked(given, py::module_::import("numpy.ma").attr("MaskedArray")))
+    raiseType(name, "a masked array; pass what its filled() returns");
   return Doubles::ensure(array.attr("astype")("float64", py::arg("order") = "C"));
 }
 
@@ -70,7 +79,9 @@ void checkNumbers(const Doubles& array, const char* name, double limit) {
 }  // namespace
 
 Rows readRows(const py::handle& given, const char* name, std::initializer_list<py::ssize_t> shape, double limit) {
-  const bool fits = Doubles::check_(given) && (py::reinterpret_borrow<py::array>(given).flags() & kAligned) != 0;
+  const bool is_plain = Py_TYPE(given.ptr()) == py::detail::npy_api::get().PyArray_Type_;
+  const bool fits =
+      is_plain && Doubles::check_(given) && (py::reinterpret_borrow<py::array>(given).flags() & kAligned) != 0;
   Rows rows{fits ? py::reinterpret_borrow<Doubles>(given) : converted(given, name), {}, 1, 1};
   const std::span<const py::ssize_t> all(rows.array.shape(), static_cast<std::size_t>(rows.array.ndim()));
   if (all.size() < shape.size() ||

@@ -11,7 +11,7 @@
 #include "core/base/nearest_rotation.h"
 #include "core/base/units.h"
 #include "core/kinematics/units.h"
-#include "core/record/session_tables.h"
+#include "core/record/tick_table.h"
 #include "core/sim/arm_model.h"
 
 namespace underact::bindings {
@@ -119,11 +119,12 @@ py::array columnOf(record::Kind kind, const std::vector<py::ssize_t>& shape, con
 
 /// The columns of a session's ticks, by name, of the ticks that were kept.
 py::dict columns(const Simulation& simulation) {
-  const std::span<const record::Column> all = record::tickColumns();
+  const bool more_joints = arm::jointsOf(simulation.geometry()) > 6;
+  const std::span<const record::Column> all = record::tickColumns(more_joints);
   record::Packer packer(all);
   const auto rows = static_cast<std::int64_t>(simulation.ticks().size());
   packer.begin(rows);
-  for (const servo::TickRecord& one : simulation.ticks()) record::pack(one, simulation.geometry(), packer);
+  for (const servo::TickRecord& one : simulation.ticks()) record::pack(one, simulation.geometry(), packer, more_joints);
   const record::Block block = packer.block();
   const std::byte* from = block.bytes.data();
   py::dict found;
@@ -133,14 +134,6 @@ py::dict columns(const Simulation& simulation) {
     found[py::str(std::string(column.name))] = columnOf(column.kind, shape, from);
     from += static_cast<std::size_t>(rows) * record::bytesOf(column);
   }
-  if (arm::jointsOf(simulation.geometry()) <= 6) return found;
-  std::vector<double> more;
-  for (const servo::TickRecord& one : simulation.ticks()) {
-    for (const double angle_rad : arm::beyondSix(one.q_rad)) more.push_back(angle_rad);
-  }
-  const record::Column& joints = record::jointColumns().back();
-  found[py::str(std::string(joints.name))] =
-      columnOf(joints.kind, {static_cast<py::ssize_t>(rows), joints.width}, std::as_bytes(std::span(more)).data());
   return found;
 }
 

@@ -46,7 +46,8 @@ Exit models(const ModelOptions& options, const Streams& streams) {
   Table table{{"scene", "quantity", "what", "required", "ns"}};
   for (std::size_t index = 0; index < scenes->size() && !interrupt.came(); ++index) {
     const tradeoff::NamedScene& scene = (*scenes)[index];
-    const Result<tradeoff::Model> model = tradeoff::modelOf({scene.scene, hands->front().hand, options.seconds});
+    const Result<tradeoff::Model> model =
+        tradeoff::modelOf(tradeoff::benchOf(scene.scene, hands->front().hand, options.seconds));
     if (!model) return fail(model.problems(), streams);
     addModel(scene.name, model.value(), table);
     progress.show(static_cast<double>(index + 1) / static_cast<double>(scenes->size()));

@@ -27,7 +27,7 @@ struct TradeOptions {
 
 struct TradeTables {
   Table choices{{"choice", "option", "runs", "p50_ns", "p99_ns", "us_per_s", "error", "worst", "unit", "bound",
-                 "default", "recommended", "question", "timed", "error_is", "reason"}};
+                 "default", "recommended", "question", "timed", "error_is", "reason", "scene", "hand"}};
   Table rows{
       {"scene", "hand", "choice", "option", "p50_ns", "p99_ns", "us_per_s", "error", "worst", "unit", "default"}};
   Table fronts{{"scene", "us_per_s", "error_mm", "error_N", "on_front", "own", "settings"}};
@@ -50,7 +50,7 @@ void addRows(const std::vector<tradeoff::Row>& rows, TradeTables& tables) {
     tables.choices.add({one.choice, one.option, std::int64_t{one.runs}, one.p50_ns, one.p99_ns, one.cost_us_per_s,
                         one.error, one.worst, std::string(choice.unit), choice.bound, one.is_default,
                         one.is_recommended, std::string(choice.question), std::string(choice.cost),
-                        std::string(choice.error), std::string(choice.reason)});
+                        std::string(choice.error), std::string(choice.reason), one.scene, one.hand});
   }
 }
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -104,14 +103,10 @@ class MissingTicks {
   }
   /// Of a damaged block it is not known.
   void skip() { next_.reset(); }
-  void add(const record::Block& ticks, Problems& problems, const std::string& path) {
-    for (std::int64_t row = 0; row < ticks.rows; ++row) {
-      std::int64_t tick = 0;  // the first column
-      std::memcpy(&tick, &ticks.bytes[static_cast<std::size_t>(row) * sizeof tick], sizeof tick);
-      if (next_ && tick > *next_) note(*next_, tick - 1, problems, path);
-      if (tick == INT64_MAX) return skip();
-      next_ = tick + 1;
-    }
+  void add(std::int64_t tick, Problems& problems, const std::string& path) {
+    if (next_ && tick > *next_) note(*next_, tick - 1, problems, path);
+    if (tick == INT64_MAX) return skip();
+    next_ = tick + 1;
   }
   std::uint64_t count() const { return count_; }
 
@@ -137,9 +132,12 @@ Exit verifyBlocks(const std::string& path, const Streams& streams) {
   MissingTicks missing(session.value());
   const Problems unread = session.value().eachBlock(
       [&](const record::Block& block, std::int64_t row) {
-        missing.add(block, problems, path);
-        const auto isDamaged = [](double angle_rad) { return std::isnan(angle_rad); };
-        if (std::any_of(block.more_joints.begin(), block.more_joints.end(), isDamaged))
+        bool is_damaged = false;
+        for (const servo::TickRecord& record : record::unpackTicks(block)) {
+          missing.add(record.tick, problems, path);
+          for (const double angle_rad : arm::beyondSix(record.q_rad)) is_damaged = is_damaged || std::isnan(angle_rad);
+        }
+        if (is_damaged)
           problems.push_back({"Joints 7 and 8 of rows " + std::to_string(row + 1) + " to " +
                                   std::to_string(row + block.rows) + " are damaged.",
                               {path}});

@@ -3,10 +3,12 @@
 #include "app/cli/command.h"
 #include "core/system/current_folder.h"
 #include "core/system/descriptor.h"
+#include "core/system/signals.h"
 #include "core/system/this_process.h"
 
 int main(int argc, char** argv) {
   underact::system::keepOutCurrentFolder();
+  underact::system::reportFullFiles();
   const underact::cli::Streams streams{std::cin, std::cout, std::cerr,
                                        underact::system::isTerminal(underact::system::kErrors),
                                        underact::system::kOutput};

@@ -60,7 +60,7 @@ Exit runService(ServeOptions options, const Streams& streams) {
   Result<serve::Server> server = serve::Server::open(options.port, options.origins);
   if (!server) return fail(server.problems(), Exit::File, streams);
   if (options.haply) {
-    const Problems problems = server.value().alsoListen(options.haply_port);
+    const Problems problems = server.value().alsoListen(options.haply_port, options.origins);
     if (!problems.empty()) return fail(problems, Exit::File, streams);
   }
   const Result<serve::Token> token = serve::tokenFor(options.token_file, server.value().port());

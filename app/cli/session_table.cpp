@@ -98,11 +98,7 @@ void printAsJson(record::Session& session, std::ostream& out) {
   const record::SessionInfo& info = session.info();
   JsonObject object;
   object.addText("file", info.path);
-  object.addText("name", info.header.words.name);
-  object.addText("notes", info.header.words.notes);
-  object.addText("tags", info.header.words.tags);
-  object.addText("subject", info.header.words.subject);
-  object.addText("consent", info.header.words.consent);
+  for (const auto& [name, text] : record::kMetadata) object.addText(name, info.header.words.*text);
   object.addText("started_utc", startedAt(info));
   object.addInteger("ticks", info.ticks);
   object.addNumber("duration_s", info.duration_s);

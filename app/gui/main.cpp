@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <cstdio>
 #include <ctime>
+#include <string>
 #include <utility>
 
 #include "app/gui/kit/accessible_widgets.h"
@@ -32,17 +33,6 @@
 namespace underact::gui {
 namespace {
 
-// Without a display, Qt would abort and leave a core file.
-bool hasScreen() {
-#ifdef Q_OS_LINUX
-  const QByteArray platform = qgetenv("QT_QPA_PLATFORM");
-  const bool needs_one = platform.isEmpty() || platform.startsWith("xcb") || platform.startsWith("wayland");
-  return !needs_one || !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
-#else
-  return true;
-#endif
-}
-
 // The scene on the command line, else the last one, else the sphere.
 QString sceneToOpen(const QString& asked, bool is_scene) {
   if (!asked.isEmpty() && is_scene) return asked;
@@ -63,11 +53,29 @@ void printFirstPicture(const Began& began, double frame_ms) {
 }
 
 int endWithoutOpenGl() {
-  std::fputs(
-      "No OpenGL: this display offers none, not even drawn by software. Install its driver (Mesa for software),\n"
-      "or use underact-cli, which needs none.\n",
-      stderr);
+  const auto [found, found_minor] = foundOpenGl();
+  const auto [needed, needed_minor] = surfaceFormat().version();
+  const std::string offers =
+      found == 0 ? "none, not even drawn by software" : std::to_string(found) + "." + std::to_string(found_minor);
+  std::fprintf(stderr,
+               "No OpenGL %d.%d: this display offers %s. Install its driver (Mesa for software),\n"
+               "or use underact-cli, which needs none.\n",
+               needed, needed_minor, offers.c_str());
   return 2;
+}
+
+QString qts_words;  // what Qt said while it looked for a display
+
+/// Without a display, Qt would abort, leave a core file, and advise to install the program again.
+void holdQtsWords(QtMsgType type, const QMessageLogContext& context, const QString& words) {
+  if (type == QtFatalMsg) {
+    std::fprintf(stderr,
+                 "No display that can be used (DISPLAY=%s, WAYLAND_DISPLAY=%s).\n"
+                 "Use underact-cli, which needs none, or start Xvfb. Qt says:\n%s",
+                 qgetenv("DISPLAY").constData(), qgetenv("WAYLAND_DISPLAY").constData(), qUtf8Printable(qts_words));
+    system::end(2);
+  }
+  qts_words += qFormatLogMessage(type, context, words) + '\n';
 }
 
 int runWindow(const options::WindowOptions& options, const Began& began) {
@@ -132,19 +140,16 @@ int run(int argc, char** argv) {
     std::fputs(options.said.c_str(), options.exit == 0 ? stdout : stderr);
     return options.exit;
   }
-  if (!hasScreen()) {
-    std::fprintf(
-        stderr,
-        "No display: neither DISPLAY nor WAYLAND_DISPLAY is set. Use underact-cli, which needs none, or start Xvfb.\n");
-    return 2;
-  }
   QSurfaceFormat::setDefaultFormat(surfaceFormat());
   QApplication::setOrganizationName("Underact");
   QApplication::setApplicationName("underact");
   QApplication::setApplicationDisplayName("Underact");
   QApplication::setApplicationVersion(kVersion);
   QApplication::setDesktopFileName("org.underact.underact");
+  qInstallMessageHandler(holdQtsWords);
   Application application(argc, argv);
+  qInstallMessageHandler(nullptr);
+  std::fputs(qUtf8Printable(qts_words), stderr);
   QApplication::setWindowIcon(QIcon::fromTheme("underact"));  // if it is installed
   QApplication::setStyle(new FocusStyle);
   makeWidgetsAccessible();
@@ -163,5 +168,6 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   underact::system::keepOutCurrentFolder();
+  underact::system::reportFullFiles();
   return underact::gui::run(argc, argv);
 }

@@ -29,7 +29,7 @@ void writeTeaching(const json::Value& scene, std::ostream& out) {
   struct Row {
     const char *key, *word;
   };
-  for (const Row& row : {Row{"feel", "Feel"}, Row{"try", "Try"}, Row{"equation", "Equation"}}) {
+  for (const Row& row : {Row{"try", "Try"}, Row{"equation", "Equation"}}) {
     const std::string text = textAt(*teach, row.key);
     if (!text.empty()) out << "\n**" << row.word << ":** " << text << '\n';
   }

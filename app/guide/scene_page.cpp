@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
 #include <sstream>
+#include <vector>
 
 #include "app/guide/markdown.h"
 #include "app/guide/setting_table.h"
@@ -15,6 +18,8 @@ namespace {
 using json::Value;
 
 constexpr std::string_view kRef = "#/$defs/";
+constexpr const char* kShared = "Keys of several types";
+constexpr const char* kTableHead = "| key | value | default | meaning |\n|---|---|---|---|\n";
 /// Parts of a scene that several keys have, each with a section of its own, in the order of reading.
 constexpr std::array kParts{"control", "velocity", "influence", "friction", "joint", "solver", "curve_guide"};
 
@@ -52,6 +57,7 @@ class ScenePage {
     for (std::size_t i = 0; i < keys->keys.size(); ++i) {
       if (isObject(keys->items[i])) writeObject(keys->items[i], keys->keys[i]);
     }
+    writeShared(*types);
     for (const Value& type : types->items) writeSection(nameOfRef(type), "Constraint of type ");
     for (const char* part : kParts) writeSection(part, "");
     if (!problems_.empty()) return problems_;
@@ -114,10 +120,14 @@ class ScenePage {
     writeTable(object);
   }
 
-  void writeTable(const Value& object) {
+  struct Row {
+    std::string key, text;
+  };
+
+  std::vector<Row> rowsOf(const Value& object) {
     const Value* properties = object.find("properties");
     const Value* required = object.find("required");
-    out_ << "| key | value | default | meaning |\n|---|---|---|---|\n";
+    std::vector<Row> rows;
     for (std::size_t i = 0; i < properties->keys.size(); ++i) {
       const std::string& key = properties->keys[i];
       const Value& value = properties->items[i];
@@ -127,13 +137,43 @@ class ScenePage {
                                                                   [&](const Value& r) { return r.text == key; });
       const Value* usual = value.find("default");
       if (usual == nullptr) usual = resolved(value).find("default");
-      out_ << "| " << inCode(key) << " | " << kindOf(value, key) << " | "
-           << (is_required        ? "required"
-               : usual == nullptr ? ""
-                                  : inCode(shownValue(*usual)))
-           << " | " << cellText(textOf(value, "description", key)) << " |\n";
+      rows.push_back({key, "| " + inCode(key) + " | " + kindOf(value, key) + " | " +
+                               (is_required        ? "required"
+                                : usual == nullptr ? ""
+                                                   : inCode(shownValue(*usual))) +
+                               " | " + cellText(textOf(value, "description", key)) + " |\n"});
     }
-    out_ << '\n';
+    return rows;
+  }
+
+  /// Rows of several types of constraints are told once, before the types.
+  void writeShared(const Value& types) {
+    constexpr int kSeveral = 3;
+    std::map<std::string, int> counts;
+    std::string table;
+    for (const Value& type : types.items) {
+      for (const Row& row : rowsOf(*schema_.find("$defs")->find(nameOfRef(type)))) {
+        if (++counts[row.text] != kSeveral) continue;
+        shared_.insert(row.text);
+        table += row.text;
+      }
+    }
+    out_ << "## " << kShared << "\n\nKeys of constraints of several types, as each type below names them.\n\n"
+         << kTableHead << table << '\n';
+  }
+
+  void writeTable(const Value& object) {
+    std::string table;
+    std::vector<std::string> elsewhere;
+    for (const Row& row : rowsOf(object)) {
+      if (shared_.contains(row.text))
+        elsewhere.push_back(row.key);
+      else
+        table += row.text;
+    }
+    if (!table.empty()) out_ << kTableHead << table << '\n';
+    if (!elsewhere.empty())
+      out_ << listedInCode(elsewhere) << ": as in [" << kShared << "](#keys-of-several-types).\n\n";
   }
 
   /// "a number from 0 to 1", "3 numbers", a link to its section.
@@ -196,6 +236,7 @@ class ScenePage {
   const Value& schema_;
   std::string file_;
   std::ostringstream out_;
+  std::set<std::string> shared_;  // rows
   Problems problems_;
 };
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/guide/markdown.h"
-#include "core/json/json.h"
 #include "core/scene/fields.h"
 #include "core/scene/settings.h"
 
@@ -14,7 +13,6 @@ namespace underact::guide {
 namespace {
 
 using scene::Setting;
-using scene::SettingKind;
 
 /// A scene with what its name says.
 struct Sample {
@@ -60,34 +58,12 @@ std::string firstPlace(std::string path) {
   return path;
 }
 
-std::string shortNumber(double number) {
-  std::string text = json::numberText(number);
-  if (const std::size_t at = text.find("e+0"); at != std::string::npos) text.erase(at + 1, 2);  // 1e6, not 1e+06
-  if (const std::size_t at = text.find("e-0"); at != std::string::npos) text.erase(at + 2, 1);
-  return text;
-}
-
-std::string valuesOf(const Setting& setting) {
-  if (setting.kind == SettingKind::Choice) return listedInCode(setting.words());
-  if (setting.kind == SettingKind::Flag) return "`true`, `false`";
-  std::string text = setting.kind == SettingKind::Whole  ? "a whole number"
-                     : setting.kind == SettingKind::Gain ? "a number, or 3,"
-                                                         : "a number";
-  if (setting.least > -kInfinity) {
-    text += setting.is_above_least ? " above " + shortNumber(setting.least) + ", at most "
-                                   : " from " + shortNumber(setting.least) + " to ";
-    text += shortNumber(setting.most);
-  }
-  return setting.unit[0] == '\0' ? text : text + " " + cellText(setting.unit);
-}
-
 std::string rowOf(const Setting& setting) {
   const SettingUse use = useOf(setting);
   const auto* const word = std::get_if<std::string>(&use.usual);
   const std::string usual = word != nullptr ? *word : scene::fileTextOf(use.usual);
-  return "| " + inCode(pathOf(setting)) + " | " + valuesOf(setting) + " | " +
-         (scene::isNone(use.usual) ? "" : inCode(usual)) + " | " + (use.is_of_all ? "" : listedInCode(use.of)) + " | " +
-         cellText(setting.tip) + " |\n";
+  return "| " + inCode(pathOf(setting)) + " | " + (scene::isNone(use.usual) ? "" : inCode(usual)) + " | " +
+         (use.is_of_all ? "" : listedInCode(use.of)) + " |\n";
 }
 
 }  // namespace
@@ -113,10 +89,11 @@ SettingUse useOf(const Setting& setting) {
 std::string settingTable() {
   std::ostringstream out;
   out << "## Settings by path\n\n"
-         "All settings that can be changed while the scene runs, by the path that `--set` takes. A star stands for all "
+         "All settings that can be changed while the scene runs, by the path that `--set` takes; the tables above have "
+         "their values. A star stands for all "
          "constraints or joints; a number, counted from 0, stands for one of them. A constraint's own control has the "
          "same settings as `/control`, as in `/constraints/0/control/law`.\n\n"
-         "| path | value | default | applies to | meaning |\n|---|---|---|---|---|\n";
+         "| path | default | applies to |\n|---|---|---|\n";
   std::vector<std::string> rows;
   for (const Setting& setting : scene::settings()) {
     // Those of meshes and of curves may be the same.

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 #include "app/mesh_reader/numbers.h"
 #include "core/base/translate.h"
@@ -61,6 +62,31 @@ Vec3 originOf(const Shift& shift) {
   return step * Vec3(std::round(steps.x()), std::round(steps.y()), std::round(steps.z()));
 }
 
+/// Makes a binary STL one of plain faces, as many as it has: behind each may be attributes, whose length its last two
+/// bytes state, though others have a colour there; and the stated number may be wrong. Gives the number of faces; none:
+/// its length fits neither.
+std::optional<std::size_t> withPlainFaces(std::string& bytes) {
+  using mesh_file::kStlFaceBytes, mesh_file::kStlHeadBytes;
+  const std::size_t stated = mesh_file::stlBinaryCount(bytes), count = (bytes.size() - kStlHeadBytes) / kStlFaceBytes;
+  const bool are_whole = bytes.size() == kStlHeadBytes + count * kStlFaceBytes;
+  if (are_whole && count == stated) return stated;
+  std::string plain = bytes.substr(0, kStlHeadBytes);
+  std::size_t at = kStlHeadBytes;
+  for (std::size_t face = 0; face < stated && at + kStlFaceBytes <= bytes.size(); ++face) {
+    plain.append(bytes, at, kStlFaceBytes);
+    at = at + kStlFaceBytes + static_cast<unsigned char>(bytes[at + 48]) +
+         256U * static_cast<unsigned char>(bytes[at + 49]);
+  }
+  const bool are_all = stated > 0 && plain.size() == kStlHeadBytes + stated * kStlFaceBytes;
+  if (are_whole && !(are_all && at == bytes.size())) {
+    for (unsigned k = 0; k < 4; ++k) bytes[80 + k] = static_cast<char>(count >> 8U * k);
+    return count;
+  }
+  if (!are_all || (at != bytes.size() && at != plain.size())) return {};
+  bytes = std::move(plain);
+  return stated;
+}
+
 Prepared preparedAt(mesh_file::Format format, std::string bytes, Shift& shift) {
   switch (format) {
     case mesh_file::Format::StlBinary:
@@ -81,10 +107,11 @@ Prepared preparedAt(mesh_file::Format format, std::string bytes, Shift& shift) {
 
 Prepared prepareStlBinary(std::string bytes, Shift& shift) {
   Prepared prepared;
-  prepared.faces = mesh_file::stlBinaryCount(bytes);
+  const auto faces = bytes.size() < mesh_file::kStlHeadBytes ? std::nullopt : withPlainFaces(bytes);
+  prepared.faces = faces.value_or(0);
   shift.is_single = true;
-  if (bytes.size() < mesh_file::kStlHeadBytes + prepared.faces * mesh_file::kStlFaceBytes) {
-    prepared.problem = said(TRANSLATE_NOOP("problem", "The file is damaged: it is too short for its faces."));
+  if (!faces) {
+    prepared.problem = said(TRANSLATE_NOOP("problem", "The file is damaged: its length does not fit its faces."));
     return prepared;
   }
   for (std::uint64_t face = 0; face < prepared.faces; ++face) {

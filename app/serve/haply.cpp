@@ -1,5 +1,6 @@
 #include "app/serve/haply.h"
 
+#include <algorithm>
 #include <deque>
 #include <string>
 #include <utility>
@@ -11,8 +12,8 @@ namespace underact::serve {
 namespace {
 
 constexpr double kForceFor_s = 0.05;
+constexpr double kSmooth_s = 0.01;         // velocities of joints: one step of an encoder in a tick is 23 deg/s
 constexpr std::size_t kMostWaiting = 100;  // messages for a client
-constexpr std::size_t kLongestProfile = 100;
 
 HttpAnswer wellAnswered(const json::ObjectText& data) {
   json::ObjectText text;
@@ -34,7 +35,7 @@ struct HaplyService::Impl {
   explicit Impl(Service& served) : service(served) {}
 
   json::ObjectText state(bool is_full) const {
-    return haply::stateText(service.lastTick(), scene::armOf(service.scene()).geometry, session, is_full);
+    return haply::stateText(service.lastTick(), turning, scene::armOf(service.scene()).geometry, session, is_full);
   }
 
   Service& service;
@@ -44,6 +45,8 @@ struct HaplyService::Impl {
   int steers_as = 0;          // its number as a client of the service
   bool wants_state = false, wants_all = false;
   std::int64_t asked_at = 0;  // the newest tick then
+  servo::TickRecord before;   // of the poll before
+  Vec3 turning = Vec3::Zero();
   std::deque<Message> messages;
 };
 
@@ -76,7 +79,7 @@ void HaplyService::receive(int connection, Frame frame, double) {
   if (impl_->client != connection) return;
   const Result<haply::Frame> read =
       frame.is_text && frame.text.size() <= kLongestAtOnce
-          ? haply::readFrame(frame.text)
+          ? haply::readFrame(frame.text, impl_->session)
           : Result<haply::Frame>(Problems{{"A frame must be JSON text, of at most 16384 bytes."}});
   if (!read) {
     json::ObjectText answer;
@@ -85,9 +88,9 @@ void HaplyService::receive(int connection, Frame frame, double) {
     return;
   }
   const haply::Frame& wish = read.value();
+  impl_->session = wish.session;
   // Where another client steers, the force is not taken; the state is told all the same.
-  if (wish.f_H) impl_->service.push(impl_->steers_as, haply::forceOf(*wish.f_H), kForceFor_s);
-  if (wish.profile) impl_->session.profile = wish.profile->substr(0, kLongestProfile);
+  if (wish.f_A) impl_->service.push(impl_->steers_as, haply::forceOf(wish.session.arm, *wish.f_A), kForceFor_s);
   impl_->wants_all = impl_->wants_all || wish.wants_all;
   impl_->wants_state = true;
   impl_->asked_at = impl_->service.lastTick().tick;
@@ -112,9 +115,17 @@ bool HaplyService::closes(int connection) const {
 }
 
 void HaplyService::poll(double) {
-  if (!impl_->wants_state || impl_->service.lastTick().tick <= impl_->asked_at) return;
-  impl_->messages.push_back({impl_->state(impl_->wants_all).text(), false});
-  impl_->wants_state = impl_->wants_all = false;
+  const servo::TickRecord& now = impl_->service.lastTick();
+  if (const double passed_s = 1e-9 * static_cast<double>(now.time_ns - impl_->before.time_ns); passed_s > 0.0) {
+    const Vec3 turned = haply::anglesOf(now) - haply::anglesOf(impl_->before);
+    if (impl_->before.tick > 0)
+      impl_->turning += std::min(1.0, passed_s / kSmooth_s) * (turned / passed_s - impl_->turning);
+    impl_->before = now;
+  }
+  if (impl_->wants_state && now.tick > impl_->asked_at) {
+    impl_->messages.push_back({impl_->state(impl_->wants_all).text(), false});
+    impl_->wants_state = impl_->wants_all = false;
+  }
 }
 
 bool HaplyService::isKnown(int connection) const {
@@ -141,9 +152,9 @@ HttpAnswer HaplyService::answer(const HttpRequest& request) {
   if (path == session + "/profile") {
     if (request.method == "POST") {
       const Result<haply::Frame> read =
-          haply::readFrame("{\"session\": {\"configure\": {\"profile\": " + request.body + "}}}");
-      if (!read || !read.value().profile) return refused(400, "A profile needs a name.");
-      impl_->session.profile = read.value().profile->substr(0, kLongestProfile);
+          haply::readFrame("{\"session\": {\"configure\": {\"profile\": " + request.body + "}}}", impl_->session);
+      if (!read || !read.value().names_profile) return refused(400, "A profile needs a name.");
+      impl_->session.profile = read.value().session.profile;
     } else if (request.method == "DELETE") {
       impl_->session.profile = "default";
     }

@@ -42,24 +42,30 @@ struct Way {
   }
 };
 
-void judge(const json::Value& value, const Way& way, Problems& problems) {
+/// id: of the request, which no double has to hold.
+void judge(const json::Value& value, const Way& way, const json::Value* id, Problems& problems) {
   const auto add = [&](const Way& where, const std::string& sentence) {
     if (problems.size() < kMostProblems) problems.push_back({sentence, {{}, value.line, value.column, where.text()}});
   };
   if (value.kind == json::Kind::Null) add(way, "null is never a value. Omit the key.");
-  if (value.kind == json::Kind::Number && !std::isfinite(value.number)) add(way, "This number is too large.");
+  if (value.kind == json::Kind::Number && !std::isfinite(value.number) && &value != id)
+    add(way, "This number is too large.");
   std::unordered_set<std::string_view> seen;
   for (std::size_t index = 0; index < value.items.size() && problems.size() < kMostProblems; ++index) {
     const Way step{&way, &value, index};
     if (value.kind == json::Kind::Object && !seen.insert(value.keys[index]).second)
       add(step, "This key appears twice. Remove one of them.");
-    judge(value.items[index], step, problems);
+    judge(value.items[index], step, id, problems);
   }
 }
 
-bool isId(const json::Value& value) {
-  return (value.kind == json::Kind::String && value.text.size() <= kLongestId) || value.kind == json::Kind::Bool ||
-         (value.kind == json::Kind::Number && std::isfinite(value.number));
+/// An id as JSON, a number with its own digits; none: it is not one.
+std::optional<std::string> idText(const json::Value* value) {
+  const auto is = [&](json::Kind kind) { return value != nullptr && value->kind == kind; };
+  const bool is_number = is(json::Kind::Number);
+  const bool is_scalar = is_number || is(json::Kind::String) || is(json::Kind::Bool);
+  if (!is_scalar || value->text.size() > kLongestId) return std::nullopt;
+  return is_number ? value->text : json::textOf(*value);
 }
 
 }  // namespace
@@ -93,7 +99,7 @@ Glance glanceAt(std::string_view text) {
   const auto take = [](const std::optional<std::string_view>& token) {
     return token && token->size() <= 2 * kLongestId ? json::parse(*token, {}) : Result<json::Value>(Problems{});
   };
-  if (const Result<json::Value> value = take(id); value && isId(value.value())) glance.id = json::textOf(value.value());
+  if (const Result<json::Value> value = take(id); value) glance.id = idText(&value.value()).value_or(glance.id);
   if (const Result<json::Value> value = take(what); value) glance.what = value.value().text;
   return glance;
 }
@@ -106,8 +112,7 @@ Result<Request> readRequest(std::string_view text) {
   const json::Value* const what = root.value().find("do");
   if (what == nullptr) return problemAt("/do", "The key \"do\" is missing: it names the request.");
   Request request;
-  const json::Value* const id = root.value().find("id");
-  if (id != nullptr && isId(*id)) request.id = json::textOf(*id);
+  request.id = idText(root.value().find("id")).value_or(request.id);
   if (what->kind == json::Kind::String) request.what = what->text;
   request.read = std::make_shared<const json::Value>(std::move(root).value());
   return request;
@@ -117,11 +122,12 @@ Problems generalProblems(const Request& request) {
   if (request.root().keys.size() > kMostKeys)
     return problemAt("", "A request has at most " + std::to_string(kMostKeys) + " keys.");
   Problems problems;
-  judge(request.root(), {}, problems);
-  if (request.root().find("id") == nullptr) {
+  const json::Value* const id = request.root().find("id");
+  judge(request.root(), {}, id, problems);
+  if (id == nullptr) {
     problems.push_back({"The key \"id\" is missing: the answer carries it.", {{}, 0, 0, "/id"}});
   } else if (request.id == "null" && problems.empty()) {
-    problems.push_back({"The id must be a number, true, false, or text of at most 200 bytes.", {{}, 0, 0, "/id"}});
+    problems.push_back({"The id must be a number, true, false, or text, of at most 200 bytes.", {{}, 0, 0, "/id"}});
   }
   return problems;
 }

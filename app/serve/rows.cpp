@@ -7,7 +7,6 @@
 
 #include "app/serve/request.h"
 #include "core/json/text.h"
-#include "core/record/session_tables.h"
 
 namespace underact::serve {
 namespace {
@@ -17,20 +16,6 @@ constexpr std::size_t kMostRowsAtOnce = 1024;  // in a message
 
 std::size_t widthOf(const record::Column& column) {
   return static_cast<std::size_t>(column.width);
-}
-
-double next(record::Unpacker& unpacker, record::Kind kind) {
-  switch (kind) {
-    case record::Kind::Byte:
-      return unpacker.byte();
-    case record::Kind::Unsigned:
-      return unpacker.unsigned32();
-    case record::Kind::Integer:
-      return static_cast<double>(unpacker.integer());
-    case record::Kind::Real:
-      return unpacker.real();
-  }
-  return 0.0;
 }
 
 /// A whole number with all its digits.
@@ -54,32 +39,11 @@ void append(std::string& bytes, const void* value, std::size_t count) {
 }
 
 /// Those of a tick, and the joints beyond the sixth, which a session has in a table of their own.
-const std::vector<record::Column>& servedColumns() {
-  static const std::vector<record::Column> kAll = [] {
-    const std::span<const record::Column> ticks = record::tickColumns();
-    std::vector<record::Column> all(ticks.begin(), ticks.end());
-    all.push_back(record::jointColumns().back());
-    return all;
-  }();
-  return kAll;
+std::span<const record::Column> servedColumns() {
+  return record::tickColumns(true);
 }
 
 }  // namespace
-
-TickNumbers::TickNumbers() : packer_(record::tickColumns()) {}
-
-const std::vector<double>& TickNumbers::of(const servo::TickRecord& record, const arm::Geometry& geometry) {
-  packer_.begin(1);
-  record::pack(record, geometry, packer_);
-  const record::Block block = packer_.block();
-  record::Unpacker unpacker(record::tickColumns(), block);
-  numbers_.clear();
-  for (const record::Column& column : record::tickColumns()) {
-    for (int part = 0; part < column.width; ++part) numbers_.push_back(next(unpacker, column.kind));
-  }
-  for (const double angle_rad : arm::beyondSix(record.q_rad)) numbers_.push_back(angle_rad);
-  return numbers_;
-}
 
 Subscription::Subscription(std::vector<std::size_t> columns, std::int64_t stride, RowFormat format)
     : columns_(std::move(columns)), stride_(stride), format_(format) {

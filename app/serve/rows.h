@@ -13,18 +13,6 @@
 
 namespace underact::serve {
 
-/// All numbers of a tick as doubles, in the order of record::tickColumns(), then the joints beyond the sixth.
-class TickNumbers {
- public:
-  TickNumbers();
-  /// geometry: of the arm.
-  const std::vector<double>& of(const servo::TickRecord& record, const arm::Geometry& geometry);
-
- private:
-  record::Packer packer_;
-  std::vector<double> numbers_;
-};
-
 /// Whether rows are sent as JSON or as packed doubles.
 enum class RowFormat : std::uint8_t { Json, Binary };
 
@@ -42,7 +30,7 @@ class Subscription {
   std::int64_t stride() const { return stride_; }
   /// The columns with their units, for the answer.
   std::vector<json::ObjectText> columnTexts() const;
-  /// Keeps the row of a tick; where there is no room, the oldest is dropped.
+  /// Keeps the row of a tick, by record::numbersOf(); where there is no room, the oldest is dropped.
   void add(std::int64_t tick, const std::vector<double>& numbers);
   /// Ticks that never came here.
   void addMissing(std::int64_t ticks) { dropped_ += ticks / stride_; }

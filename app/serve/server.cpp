@@ -163,8 +163,8 @@ Result<Server> Server::open(int port, std::vector<std::string> origins) {
   return Server(std::move(impl));
 }
 
-Problems Server::alsoListen(int port) {
-  return impl_->listen(port, {});
+Problems Server::alsoListen(int port, std::vector<std::string> origins) {
+  return impl_->listen(port, std::move(origins));
 }
 
 int Server::port(std::size_t listener) const {

@@ -20,8 +20,8 @@ class Server {
   /// Listens. port: 0: a free one. origins: of the pages that may connect. Problems: the port is in use, or not
   /// permitted.
   static Result<Server> open(int port, std::vector<std::string> origins);
-  /// Listens at one more port, where no page may connect. Problems: as open().
-  Problems alsoListen(int port);
+  /// Listens at one more port. Problems: as open().
+  Problems alsoListen(int port, std::vector<std::string> origins);
   ~Server();
   Server(Server&&) noexcept;
   Server& operator=(Server&&) noexcept;

@@ -154,12 +154,12 @@ void Service::Impl::tick(const servo::TickRecord& record) {
   if (of_others > 0) tellEdit(record.tick, record.revision, {kPerson, "edit"});  // what no client did
   last = record;
   answerWaiting(record);
-  const std::vector<double>* all = nullptr;
+  std::vector<double> all;
   for (auto& [number, client] : clients) {
     if (!client.subscription || client.closes) continue;
     if (missing > 0) client.subscription->addMissing(missing);
-    if (all == nullptr) all = &numbers.of(record, scene::armOf(host.scene()).geometry);
-    client.subscription->add(record.tick, *all);
+    if (all.empty()) all = record::numbersOf(record, scene::armOf(host.scene()).geometry);
+    client.subscription->add(record.tick, all);
   }
 }
 

@@ -151,7 +151,6 @@ struct Service::Impl {
   std::deque<Waiting> waiting;
   std::map<std::uint64_t, Edit> edits;  // that are not in effect yet
   servo::TickRecord last;
-  TickNumbers numbers;
   double now_s = 0.0;
   Worker reading, reckoning;  // of files; of long requests and answers
 };

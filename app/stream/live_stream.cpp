@@ -1,18 +1,16 @@
 #include "app/stream/live_stream.h"
 
 #include <algorithm>
-#include <array>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/udp.hpp>
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <string_view>
+#include <concepts>
 #include <thread>
-#include <type_traits>
 #include <utility>
-#include <vector>
 
+#include "core/json/json.h"
 #include "core/record/columns.h"
 #include "core/record/provenance.h"
 
@@ -24,71 +22,32 @@ using boost::asio::ip::udp;
 constexpr std::int64_t kBurst = 20;
 constexpr std::chrono::milliseconds kBetweenBursts{2};
 
-/// A tick as one JSON object, in place.
+/// A tick as one JSON object, without what is no number.
 class Message {
  public:
   Message(const servo::TickRecord& record, const std::string& session_id)
       : fields_(record::csvFields(record.joints > 6)) {
-    add("{\"timestamp\":");
-    addNumber(kSecondPerNanosecond * static_cast<double>(record.time_ns));
+    text_ = "{\"timestamp\":" + json::numberText(kSecondPerNanosecond * static_cast<double>(record.time_ns));
     record::fillRow(record, *this, record.joints > 6);
-    add(",\"underact_live\":");
-    addNumber(kLiveVersion);
-    if (!session_id.empty()) {
-      add(",\"session\":\"");
-      add(session_id);
-      add("\"");
-    }
-    add(",\"clock\":\"arm\",\"unix_s\":");  // of timestamp; and the system's clock, now
-    addNumber(kSecondPerNanosecond * static_cast<double>(record::unixNow_ns()));
-    add("}");
+    text_ += ",\"underact_live\":" + std::to_string(kLiveVersion);
+    if (!session_id.empty()) text_ += ",\"session\":\"" + session_id + "\"";
+    text_ += ",\"clock\":\"arm\",\"unix_s\":";  // of timestamp; and the system's clock, now
+    text_ += json::numberText(kSecondPerNanosecond * static_cast<double>(record::unixNow_ns())) + "}";
   }
-  std::string_view text() const { return {text_.data(), size_}; }
+  const std::string& text() const { return text_; }
 
   // What fillRow() calls, column by column.
-  template <class Integer>
-  void integer(Integer value) {
-    begin();
-    addNumber(value);
-  }
-  void number(double value) {
-    if (!std::isfinite(value)) {
-      ++column_;
-      return;
-    }
-    begin();
-    addNumber(value);
-  }
-  void word(std::string_view value) {
-    begin();
-    add("\"");
-    add(value);
-    add("\"");
-  }
+  void integer(std::integral auto value) { add(std::to_string(value)); }
+  void number(double value) { std::isfinite(value) ? add(json::numberText(value)) : void(++column_); }
+  void word(FaultKind fault) { add(json::quotedText(name(fault))); }
 
  private:
-  void begin() {
-    add(",\"");
-    add(fields_[column_++].name);
-    add("\":");
-  }
-  void add(std::string_view more) {
-    const std::size_t fits = std::min(more.size(), text_.size() - size_);
-    std::copy_n(more.begin(), fits, text_.data() + size_);
-    size_ += fits;
-  }
-  template <class Number>
-  void addNumber(Number value) {
-    if constexpr (std::is_floating_point_v<Number>) {
-      if (value == 0.0 && std::signbit(value)) return add("-0.0");  // as json::numberText()
-    }
-    size_ = static_cast<std::size_t>(std::to_chars(text_.data() + size_, text_.data() + text_.size(), value).ptr -
-                                     text_.data());
+  void add(const std::string& value) {
+    text_.append(",\"").append(fields_[column_++].name).append("\":").append(value);
   }
 
-  const std::vector<record::CsvField>& fields_;
-  std::array<char, 2048> text_{};  // 36 columns of at most 25 characters, and their names
-  std::size_t size_ = 0;
+  std::span<const record::CsvField> fields_;
+  std::string text_;
   std::size_t column_ = 0;
 };
 
@@ -168,7 +127,7 @@ void LiveStream::send(const servo::TickRecord& record) {
   if (record.tick % impl_->every != 0) return;
   const Message message(record, impl_->session_id);
   boost::system::error_code error;
-  impl_->socket.send_to(boost::asio::buffer(message.text().data(), message.text().size()), impl_->target, 0, error);
+  impl_->socket.send_to(boost::asio::buffer(message.text()), impl_->target, 0, error);
   // Nobody listening yet is no loss of ours: the system tells it with the message after.
   ++(error && error != boost::asio::error::connection_refused ? impl_->lost : impl_->sent);
   impl_->waitForReceiver();

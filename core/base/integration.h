@@ -7,7 +7,7 @@ namespace underact {
 /// substep. MeanVelocity: dampers and springs act as at the end, the displacement is that of the mean velocity; exact
 /// under a constant force alone. EndVelocity: the displacement is that of the velocity at the end (backward Euler): a
 /// force acts half a substep early. Both are of first order. Trapezoidal: dampers and springs act as at the mean of
-/// begin and end; of second order.
+/// begin and end; of second order. Every arm takes each of them.
 enum class Integrator : std::uint8_t { MeanVelocity, EndVelocity, Trapezoidal };
 
 // The default is chosen from `lab trade` (the guide's page lab.md): twice as fast as steps of 50 us by the mean

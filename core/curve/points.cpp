@@ -1,5 +1,6 @@
 #include "core/curve/points.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -31,9 +32,9 @@ std::optional<double> numberOf(std::string_view field) {
   return read.ec == std::errc::result_out_of_range ? json::numberOf(field) : number;
 }
 
-/// One line, split into fields; beyond three they are counted, not kept.
+/// One line, split into fields; beyond seven they are counted, not kept.
 struct Fields {
-  std::array<std::string_view, 3> text;
+  std::array<std::string_view, 7> text = {};
   std::size_t count = 0;
   bool has_gap = false;  // two separators with nothing between them
 };
@@ -67,6 +68,20 @@ bool isHeader(const Fields& fields) {
   return true;
 }
 
+/// Whether a colour follows the point or its intensity, three numbers from 0 to 1 or whole ones to 255. Not where a
+/// comma may be a decimal one: within what other separators divide.
+bool hasColour(const Fields& fields, std::string_view line) {
+  if (fields.count != 6 && fields.count != 7) return false;
+  for (std::size_t at = line.find(','); at < line.size() - 1; at = line.find(',', at + 1)) {
+    if (!isBlank(line[at + 1]) && line.find_first_of(" \t;") != std::string_view::npos) return false;
+  }
+  const auto end = fields.text.begin() + static_cast<std::ptrdiff_t>(fields.count);
+  return std::all_of(end - 3, end, [](std::string_view field) {
+    const double share = numberOf(field).value_or(-1.0);
+    return share >= 0.0 && (share <= 1.0 || (share <= 255.0 && share == std::floor(share)));
+  });
+}
+
 class Reader {
  public:
   explicit Reader(const std::string& file) : file_(file) {}
@@ -80,8 +95,15 @@ class Reader {
     const bool is_first = !begun_;
     begun_ = true;
     if (is_first && isHeader(fields)) return true;
-    const std::optional<Vec3> p = pointOf(fields);
+    if (fields.count == 1 && count_ == 0 && !stated_ && (stated_ = numberOf(fields.text[0]))) {
+      stated_line_ = line_;
+      return true;
+    }
+    const bool has_colour = hasColour(fields, line);
+    has_colours_ = has_colours_ || has_colour;
+    const std::optional<Vec3> p = pointOf(fields, has_colour);
     if (!p) return problems_.size() < kMostProblems;
+    ++count_;
     if (!points_.empty() && points_.back() == *p) return true;
     if (points_.size() == kMostPoints) {
       refuse(said(TRANSLATE_NOOP("problem", "The file has more than 1000000 points; remove every second one.")));
@@ -91,7 +113,16 @@ class Reader {
     return true;
   }
 
+  Sentence note() const {
+    if (!has_colours_ && !stated_) return {};
+    return said(TRANSLATE_NOOP("problem", "Colours behind the points, or their number before them, were left out."));
+  }
+
   Result<std::vector<Vec3>> finished() && {
+    if (problems_.empty() && stated_ && *stated_ != static_cast<double>(count_)) {
+      line_ = stated_line_;
+      (void)pointOf({.count = 1}, false);  // then it is a point of one number
+    }
     if (problems_.empty() && points_.empty())
       problems_.push_back({said(TRANSLATE_NOOP("problem", "The file has no points.")), {file_, 0, 0, ""}});
     if (!problems_.empty()) return std::move(problems_);
@@ -101,12 +132,12 @@ class Reader {
  private:
   void refuse(const Sentence& sentence) { problems_.push_back({sentence, {file_, line_, 0, ""}}); }
 
-  std::optional<Vec3> pointOf(const Fields& fields) {
+  std::optional<Vec3> pointOf(const Fields& fields, bool has_colour) {
     if (fields.has_gap) {
       refuse(said(TRANSLATE_NOOP("problem", "There is nothing between two separators; a point is three numbers.")));
       return std::nullopt;
     }
-    if (fields.count != 3) {
+    if (fields.count != 3 && !has_colour) {
       refuse(said(TRANSLATE_NOOP("problem", "A point is three numbers, not %1; use a point for decimals."),
                   {std::to_string(fields.count)}));
       return std::nullopt;
@@ -129,6 +160,10 @@ class Reader {
 
   const std::string& file_;
   int line_ = 0;
+  std::optional<double> stated_;  // how many points there are, on that line
+  int stated_line_ = 0;
+  std::size_t count_ = 0;  // of points, those left out with them
+  bool has_colours_ = false;
   bool begun_ = false;  // a line that is neither empty nor a comment has come
   std::vector<Vec3> points_;
   Problems problems_;
@@ -136,7 +171,8 @@ class Reader {
 
 }  // namespace
 
-Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& file, const TaskMonitor& monitor) {
+Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& file, const TaskMonitor& monitor,
+                                      Sentence* note) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark, which some editors write
   Reader reader(file);
   int until_look = 0;
@@ -152,6 +188,7 @@ Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& 
     if (!reader.take(text.substr(at, end - at))) break;
     at = text.substr(end).starts_with("\r\n") ? end + 2 : end + 1;
   }
+  if (note != nullptr) *note = reader.note();
   return std::move(reader).finished();
 }
 

@@ -17,7 +17,7 @@ struct Value {
   Kind kind = Kind::Null;
   bool boolean = false;
   double number = 0.0;                          // not finite where the text is too large for a double
-  std::string text;                             // of a string
+  std::string text;                             // of a string; of a number as it stands there
   std::vector<Value> items;                     // of an array; of an object, in the order of its keys
   std::vector<std::string> keys;                // of an object, in the order of the file
   std::vector<std::pair<int, int>> key_places;  // line and column of each key

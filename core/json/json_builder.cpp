@@ -23,6 +23,7 @@ bool Builder::Bool(bool value) {
 bool Builder::Uint(unsigned) {
   Value made = start(Kind::Number, source_.numberStart());
   made.number = numberOf(source_.number());
+  made.text = source_.number();
   return add(std::move(made));
 }
 

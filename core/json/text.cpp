@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/base/foreign_file.h"
 #include "core/base/printed.h"
 #include "core/base/translate.h"
 #include "core/base/types.h"
@@ -129,7 +130,11 @@ Sentence listed(const std::vector<std::string>& words, const char* last) {
 
 Result<std::string> readTextFile(const std::string& path, const Sentence& what, std::size_t largest) {
   const Result<system::NamedFile> file = system::NamedFile::open(path, what);
-  return file ? file.value().readAll(largest) : file.problems();
+  if (!file) return file.problems();
+  Result<std::string> text = file.value().readAll(largest);
+  if (Sentence foreign = text ? foreignKind(text.value()) : Sentence(); !foreign.empty())
+    return Problems{{std::move(foreign), {path}}};
+  return text;
 }
 
 }  // namespace underact::json

@@ -18,6 +18,7 @@ struct Facts {
   std::int64_t file_corners = 0;
   std::int64_t normals = 0, normals_against = 0;  // given for faces; of these, against the winding
   double single_step = 0.0;  // of single-precision numbers that far from its origin; 0: near it, or no such numbers
+  std::int64_t miscounted = 0, skipped_bytes = 0;  // of a binary STL: faces beyond the stated number, other bytes
   // Left out, in faces
   std::int64_t not_finite = 0, out_of_range = 0, without_extent = 0, duplicates = 0;
   // Repaired

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "core/base/foreign_file.h"
 #include "core/base/translate.h"
 #include "core/mesh_file/off_header.h"
 #include "core/mesh_file/ply_header.h"
@@ -72,6 +73,7 @@ Result<Format> formatOf(std::string_view head, std::uint64_t file_bytes, const s
   const std::string extension = extensionOf(path);
   const std::string first = lowered(Scan(head).word());
   if (isWholeStlBinary(head, file_bytes)) return Format::StlBinary;
+  if (Sentence foreign = foreignKind(head); !foreign.empty()) return Problems{{std::move(foreign), {path}}};
   if (first == "ply") return Format::Ply;
   if (isOffKeyword(Scan(head).word())) return Format::Off;
   const std::string start = lowered(head.substr(0, 4096));
@@ -80,14 +82,15 @@ Result<Format> formatOf(std::string_view head, std::uint64_t file_bytes, const s
     return Format::StlText;
   }
   if (extension == ".obj") return Format::Obj;
-  if (extension == ".stl" || extension == ".stlb") return Format::StlBinary;
+  const bool is_text = head.find('\0') == std::string_view::npos;
+  if ((extension == ".stl" && !is_text) || extension == ".stlb") return Format::StlBinary;
   if (extension == ".ply")
     return Problems{
         {said(TRANSLATE_NOOP("problem", "This is not a PLY file: it does not begin with \"ply\".")), {path}}};
   if (extension == ".off")
     return Problems{
         {said(TRANSLATE_NOOP("problem", "This is not an OFF file: it does not begin with \"OFF\".")), {path}}};
-  if (head.find('\0') == std::string_view::npos && hasObjCorner(head)) return Format::Obj;
+  if (is_text && hasObjCorner(head)) return Format::Obj;
   return Problems{
       {said(TRANSLATE_NOOP("problem", "This is not a mesh that can be read. Use an STL, OBJ, PLY or OFF file.")),
        {path}}};
@@ -98,7 +101,9 @@ Problems checkHead(Format format, std::string_view head, std::uint64_t file_byte
   if (format == Format::StlBinary) {
     const std::uint64_t count = stlBinaryCount(head);
     if (file_bytes < kStlHeadBytes) return {tooShort(said(TRANSLATE_NOOP("problem", "a binary STL mesh")), path)};
-    if (kStlHeadBytes + count * kStlFaceBytes > file_bytes) return {tooShort(facesText(count), path)};
+    const std::uint64_t rest = file_bytes - kStlHeadBytes;
+    if (rest > 0 && rest % kStlFaceBytes == 0) return {};  // whole faces, whatever their stated number
+    if (count * kStlFaceBytes > rest) return {tooShort(facesText(count), path)};
     if (count == 0) return {{said(TRANSLATE_NOOP("problem", "The file contains no faces.")), {path}}};
   } else if (format == Format::Ply) {
     const Result<PlyHeader> header = readPlyHeader(head);

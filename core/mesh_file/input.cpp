@@ -7,6 +7,7 @@
 #include "core/base/translate.h"
 #include "core/mesh_file/digest.h"
 #include "core/mesh_file/limits.h"
+#include "core/mesh_file/stl_binary.h"
 
 namespace underact::mesh_file {
 namespace {
@@ -34,7 +35,7 @@ Result<Input> Input::open(const std::string& path) {
   if (!format) return format.problems();
   const Problems problems = checkHead(format.value(), head, bytes, path);
   if (!problems.empty()) return problems;
-  return Input(std::move(file).value(), format.value());
+  return Input(std::move(file).value(), format.value(), static_cast<std::int64_t>(stlBinaryCount(head)));
 }
 
 int Input::rewound() const {

@@ -19,6 +19,7 @@ class Input {
   const std::string& path() const { return file_.path(); }
   std::uint64_t bytes() const { return file_.bytes(); }
   Format format() const { return format_; }
+  std::int64_t statedFaces() const { return stated_faces_; }  // by the head of a binary STL
   /// The descriptor, at the beginning of the file; this object closes it.
   int rewound() const;
   /// XXH3 of 128 bits over all it holds, as 32 hexadecimal digits; share: 0 to 1 of it. Problems: unreadable,
@@ -28,9 +29,11 @@ class Input {
   bool hasChanged() const { return file_.hasChanged(); }
 
  private:
-  Input(system::NamedFile file, Format format) : file_(std::move(file)), format_(format) {}
+  Input(system::NamedFile file, Format format, std::int64_t stated_faces)
+      : file_(std::move(file)), format_(format), stated_faces_(stated_faces) {}
   system::NamedFile file_;
   Format format_;
+  std::int64_t stated_faces_;
 };
 
 }  // namespace underact::mesh_file

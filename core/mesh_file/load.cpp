@@ -12,13 +12,14 @@
 #include "core/mesh_file/repair.h"
 #include "core/mesh_file/report.h"
 #include "core/mesh_file/steps.h"
+#include "core/mesh_file/stl_binary.h"
 #include "core/mesh_file/unite.h"
 
 namespace underact::mesh_file {
 namespace {
 
 // To be increased whenever reading, repairing, Facts or the bytes of a surface change: older entries are then ignored.
-constexpr int kVersion = 4;
+constexpr int kVersion = 5;
 
 // The progress at the end of each step, for 2 million faces as binary STL.
 constexpr double kHashed = 0.05, kRead = 0.40, kRepaired = 0.60, kUnited = 0.75, kBuilt = 0.95;
@@ -71,6 +72,12 @@ Result<Loaded> build(const Input& input, const TaskMonitor& monitor) {
   std::optional<Repaired> repaired = repair(std::move(raw.value().triangles), partOf(monitor, kRead, kRepaired));
   if (!repaired) return problemOf(input, kCancelled);
   addRaw(raw.value(), repaired->facts);
+  if (input.format() == Format::StlBinary) {
+    const std::int64_t faces = repaired->facts.file_faces;
+    repaired->facts.miscounted = faces - input.statedFaces();
+    repaired->facts.skipped_bytes =
+        static_cast<std::int64_t>(input.bytes() - kStlHeadBytes - static_cast<std::uint64_t>(faces) * kStlFaceBytes);
+  }
   if (repaired->facts.faces == 0) return problemOf(input, nothingLeft(repaired->facts));
   if (!uniteRepaired(*repaired, partOf(monitor, kRepaired, kUnited))) return problemOf(input, kCancelled);
   Result<std::shared_ptr<const mesh::Surface>> surface =

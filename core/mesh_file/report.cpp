@@ -37,6 +37,13 @@ Sentence counted(std::int64_t count, const char* one, const char* more, const Se
 }
 
 void addLeftOut(const Facts& facts, std::vector<Sentence>& report) {
+  if (facts.miscounted != 0)
+    report.push_back(
+        said(TRANSLATE_NOOP("problem", "The file declares %1 faces, but has the length of %2: these were read."),
+             {std::to_string(facts.file_faces - facts.miscounted), std::to_string(facts.file_faces)}));
+  if (facts.skipped_bytes > 0)
+    report.push_back(said(TRANSLATE_NOOP("problem", "What belongs to no face was skipped: %1 B."),
+                          {std::to_string(facts.skipped_bytes)}));
   const auto leftOut = [&report](std::int64_t count, const char* one, const char* more) {
     if (count > 0) report.push_back(counted(count, one, more));
   };

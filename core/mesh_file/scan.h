@@ -22,8 +22,8 @@ inline std::string lowered(std::string_view text) {
 /// Words of a text between blanks, with the line that each is on.
 class Scan {
  public:
-  /// text: outlives this and the words that it gives.
-  explicit Scan(std::string_view text) : text_(text) {}
+  /// text: outlives this and the words that it gives. A byte order mark at its start is left out.
+  explicit Scan(std::string_view text) : text_(text), at_(text.starts_with("\xEF\xBB\xBF") ? 3 : 0) {}
 
   /// The next word; empty: there is none.
   std::string_view word() {
@@ -59,7 +59,7 @@ class Scan {
     ++at_;
   }
   std::string_view text_;
-  std::size_t at_ = 0;
+  std::size_t at_;
   int line_ = 1;
 };
 

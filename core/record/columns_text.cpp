@@ -9,10 +9,6 @@
 namespace underact::record {
 namespace {
 
-std::vector<std::string> textsOf(const std::vector<std::string_view>& views) {
-  return {views.begin(), views.end()};
-}
-
 json::ObjectText objectOf(const Column& column) {
   json::ObjectText object;
   object.addText("name", column.name);
@@ -21,8 +17,9 @@ json::ObjectText objectOf(const Column& column) {
   object.addText("type", typeWord(column));
   object.addInteger("width", column.width);
   object.addText("meaning", column.meaning);
-  object.addTexts("parts", textsOf(partsOf(column)));
-  object.addTexts("csv", textsOf(csvNamesOf(column)));
+  const std::vector<std::string_view> csv = csvNamesOf(column);
+  object.addTexts("parts", partsOf(column));
+  object.addTexts("csv", {csv.begin(), csv.end()});
   return object;
 }
 
@@ -44,7 +41,7 @@ std::string cell(std::string_view text, bool is_code) {
   return is_code ? "`" + std::string(text) + "`" : std::string(text);
 }
 
-std::string joined(const std::vector<std::string_view>& names) {
+std::string joined(const auto& names) {
   std::string list;
   for (const std::string_view name : names) list += (list.empty() ? "" : " ") + cell(name, true);
   return list;
@@ -113,7 +110,7 @@ std::string columnsPage() {
           std::string(typeWord(column)) + (column.width > 1 ? " x " + std::to_string(column.width) : std::string());
       page += "| " + cell(column.name, true) + " | " + cell(column.unit, false) + " | " + cell(column.frame, false) +
               " | " + type + " | " + cell(column.meaning, false) + " | " +
-              (column.parts.empty() ? "" : joined(partsOf(column))) + " | " + joined(csvNamesOf(column)) + " |\n";
+              (column.width == 1 ? "" : joined(partsOf(column))) + " | " + joined(csvNamesOf(column)) + " |\n";
     }
   }
   return page;

@@ -21,7 +21,7 @@ std::string header(bool more_joints) {
   return text + "\n";
 }
 
-/// One line, in place. 36 fields of at most 25 characters each fit.
+/// One line, in place: numbers of at most 25 characters, and what separates them.
 class Row {
  public:
   template <class Integer>
@@ -34,7 +34,8 @@ class Row {
     if (std::isfinite(value)) end_ = std::to_chars(end_, text_.data() + text_.size(), value).ptr;
     separate();
   }
-  void word(std::string_view value) {
+  void word(FaultKind fault) {
+    const std::string_view value = name(fault);
     end_ = std::copy(value.begin(), value.end(), end_);
     separate();
   }
@@ -45,7 +46,7 @@ class Row {
 
  private:
   void separate() { *end_++ = ','; }
-  std::array<char, 1024> text_{};
+  std::array<char, 26 * kCsvNumbers> text_{};
   char* end_ = text_.data();
 };
 

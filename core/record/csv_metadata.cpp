@@ -33,13 +33,10 @@ void addRun(Session& session, ObjectText& notes) {
   const SessionHeader& header = info.header;
   notes.addText("session_id", header.session_id);
   notes.addText("program_version", info.program_version);
-  for (const auto& [key, text] :
-       {std::pair{"name", &header.words.name}, std::pair{"notes", &header.words.notes},
-        std::pair{"tags", &header.words.tags}, std::pair{"subject", &header.words.subject},
-        std::pair{"consent", &header.words.consent}, std::pair{"scene_title", &header.scene_title},
-        std::pair{"arm", &header.arm}, std::pair{"device", &header.device}}) {
-    notes.addText(key, *text);
-  }
+  for (const auto& [key, text] : kMetadata) notes.addText(key, header.words.*text);
+  notes.addText("scene_title", header.scene_title);
+  notes.addText("arm", header.arm);
+  notes.addText("device", header.device);
   notes.addInteger("started_unix_ns", header.started_unix_ns);
   notes.addInteger("rate_hz", header.rate_hz);
   if (!session.changes().empty()) addWhereJson(notes, "scene", session.sceneText(session.changes().front()));

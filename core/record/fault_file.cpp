@@ -12,6 +12,7 @@
 
 #include "core/base/translate.h"
 #include "core/json/json.h"
+#include "core/json/object_text.h"
 #include "core/record/columns.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/write.h"
@@ -35,7 +36,7 @@ class JsonRow {
     add(std::to_string(value));
   }
   void number(double value) { add(json::numberText(value)); }
-  void word(std::string_view value) { add(json::quotedText(value)); }
+  void word(FaultKind fault) { add(json::quotedText(name(fault))); }
 
  private:
   void add(std::string_view value) {
@@ -50,30 +51,13 @@ void member(std::string& text, std::string_view key, std::string_view json) {
   text.append(text.empty() ? "{\n  " : ",\n  ").append(json::quotedText(key)).append(": ").append(json);
 }
 
-using Members = std::vector<std::pair<std::string, std::string>>;
-
-std::string object(const Members& members) {
-  std::string text;
-  for (const auto& [key, json] : members) {
-    text.append(text.empty() ? "{" : ", ").append(json::quotedText(key)).append(": ").append(json);
-  }
-  return text + "}";
-}
-
 std::string lateText(const servo::LateTicks& late) {
-  Members members{{"total", std::to_string(late.total)}};
-  for (std::size_t cause = 0; cause < late.by_cause.size(); ++cause) {
-    members.emplace_back(servo::name(static_cast<servo::LateCause>(cause)), std::to_string(late.by_cause[cause]));
-  }
-  members.emplace_back("left_out", std::to_string(late.left_out));
-  return object(members);
-}
-
-template <class Text>
-std::string listText(const std::vector<Text>& phrases) {
-  std::string text;
-  for (const std::string& phrase : phrases) text.append(text.empty() ? "" : ", ").append(json::quotedText(phrase));
-  return "[" + text + "]";
+  json::ObjectText object;
+  object.addInteger("total", late.total);
+  for (std::size_t cause = 0; cause < late.by_cause.size(); ++cause)
+    object.addInteger(servo::name(static_cast<servo::LateCause>(cause)), late.by_cause[cause]);
+  object.addInteger("left_out", late.left_out);
+  return object.text();
 }
 
 bool haveMoreJoints(const std::vector<servo::TickRecord>& records) {
@@ -157,10 +141,15 @@ std::string isoTime(std::int64_t unix_time_s) {
 }
 
 std::string faultText(const servo::FaultReport& report, const FaultWords& words) {
-  std::vector<std::string> columns;
-  for (const CsvField& field : csvFields(haveMoreJoints(report.last_second))) columns.emplace_back(field.name);
-  const auto yesNo = [](bool is) { return std::string(is ? "true" : "false"); };
-  std::string text;
+  std::string text, columns;
+  for (const CsvField& field : csvFields(haveMoreJoints(report.last_second)))
+    columns.append(columns.empty() ? "[" : ", ").append(json::quotedText(field.name));
+  json::ObjectText device, scheduling;
+  device.addText("title", report.device.title);
+  device.addBool("simulated", report.device.simulated);
+  device.addBool("untested", report.device.untested);
+  scheduling.addText("name", report.scheduling.name);
+  scheduling.addTexts("also", {report.scheduling.also.begin(), report.scheduling.also.end()});
   member(text, "underact_fault", "1");
   member(text, "program", json::quotedText(kVersion));
   member(text, "what", json::quotedText(words.what));
@@ -171,17 +160,12 @@ std::string faultText(const servo::FaultReport& report, const FaultWords& words)
   member(text, "time", json::quotedText(isoTime(report.unix_time_s)));
   member(text, "tick", std::to_string(report.tick));
   member(text, "rate_hz", std::to_string(report.rate_hz));
-  member(text, "device",
-         object(Members{{"title", json::quotedText(report.device.title)},
-                        {"simulated", yesNo(report.device.simulated)},
-                        {"untested", yesNo(report.device.untested)}}));
-  member(
-      text, "scheduling",
-      object(Members{{"name", json::quotedText(report.scheduling.name)}, {"also", listText(report.scheduling.also)}}));
+  member(text, "device", device.text());
+  member(text, "scheduling", scheduling.text());
   member(text, "late_ticks", lateText(report.late));
   member(text, "scene", scene::writeScene(scene::withoutFolders(report.scene)));
   while (text.back() == '\n') text.pop_back();  // of the scene's own file
-  member(text, "columns", listText(columns));
+  member(text, "columns", columns + "]");
   member(text, "rows", rowsText(report.last_second));
   return text + "\n}\n";
 }

@@ -21,6 +21,8 @@ namespace {
 // What a writer is just changing is read again, after a pause that doubles each time: 24 times take 20 ms. The
 // library's own 100 would never end where the file is damaged.
 constexpr unsigned kAttempts = 24;
+// A new session needs less. A file that is full before that cannot be closed, and the library crashes at the exit.
+constexpr std::int64_t kToBegin = 256 << 10;
 
 Problems problemAt(const std::string& path, Sentence sentence) {
   return {{std::move(sentence), {path}}};
@@ -142,7 +144,15 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
     return problemAt(
         path, said(TRANSLATE_NOOP("problem", "Another program is recording into this file. Give another name.")));
   const system::Descriptor made = system::makeNew(path, existing);  // the library would let others read it
-  if (!made.isOpen()) return impl->fail(TRANSLATE_NOOP("problem", "The recording cannot be started: %1."));
+  const auto cannotStart = [&] {
+    Problems problems = impl->fail(TRANSLATE_NOOP("problem", "The recording cannot be started: %1."));
+    std::error_code ignored;  // it is empty, and would be in the way of the next attempt
+    if (made.isOpen()) std::filesystem::remove(path, ignored);
+    return problems;
+  };
+  if (!made.isOpen() || system::cutTo(made.number(), kToBegin) != 0 ||
+      system::setAside(made.number(), 0, kToBegin) == system::Room::None)
+    return cannotStart();
   // The library holds a lock until readers may follow, takes it once more just then, and cannot close the file if
   // another program, such as a file manager, got it in between. Our own lock informs the others.
   const Id access = accessList(false);
@@ -159,12 +169,7 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
     if (good) impl->tables.push_back(std::move(*table));
   }
   good = good && H5Fstart_swmr_write(impl->file) >= 0;
-  if (!good) {
-    Problems problems = impl->fail(TRANSLATE_NOOP("problem", "The recording cannot be started: %1."));
-    std::error_code ignored;
-    std::filesystem::remove(path, ignored);  // it is empty, and would be in the way of the next attempt
-    return problems;
-  }
+  if (!good) return cannotStart();
   impl->presence = RecordingLock(path);
   return Hdf5File(std::move(impl));
 }

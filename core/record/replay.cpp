@@ -103,8 +103,7 @@ class Verification {
       if (listener_.tick) listener_.tick(now);
       ++rows;
     }
-    const Block compared = firstRows(recorded, rows);
-    const std::optional<BlockDifference> difference = differenceOf(compared, packer_.block());
+    const std::optional<BlockDifference> difference = differenceOf(recorded, packer_.block());
     if (difference && !result_.differs) {
       result_.ticks += difference->first;
       result_.differs =
@@ -157,18 +156,6 @@ class Verification {
     problems_ = problems;
     return false;
   }
-  static Block firstRows(const Block& block, std::int64_t rows) {
-    if (rows == block.rows) return block;
-    Block first{rows, {}};
-    std::size_t at = 0;
-    for (const Column& column : tickColumns()) {
-      const auto begin = block.bytes.begin() + static_cast<std::ptrdiff_t>(at);
-      first.bytes.insert(first.bytes.end(), begin,
-                         begin + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(rows) * bytesOf(column)));
-      at += static_cast<std::size_t>(block.rows) * bytesOf(column);
-    }
-    return first;
-  }
 
   Session& session_;
   const Listener& listener_;
@@ -200,21 +187,21 @@ Result<servo::Rerun> rerunFromStart(Session& session, const std::vector<std::str
 }  // namespace
 
 std::optional<BlockDifference> differenceOf(const Block& a, const Block& b) {
-  const auto rows = static_cast<std::size_t>(a.rows);
+  const auto rows = static_cast<std::size_t>(std::min(a.rows, b.rows));
   std::vector<bool> differs(rows);
   std::optional<BlockDifference> difference;
-  std::size_t at = 0;
-  for (const Column& column : tickColumns()) {
+  const std::byte *of_a = a.bytes.data(), *of_b = b.bytes.data();
+  for (const Column& column : tickColumns(hasMoreJoints(a) && hasMoreJoints(b))) {
     const std::size_t one = bytesOf(column);
-    const bool is_same = isMeasured(column) || std::memcmp(&a.bytes[at], &b.bytes[at], one * rows) == 0;
+    const bool is_same = rows == 0 || isMeasured(column) || std::memcmp(of_a, of_b, one * rows) == 0;
     for (std::size_t row = 0; row < rows && !is_same; ++row) {
-      const std::size_t place = at + row * one;
-      if (std::memcmp(&a.bytes[place], &b.bytes[place], one) == 0) continue;
+      if (std::memcmp(of_a + row * one, of_b + row * one, one) == 0) continue;
       differs[row] = true;
       const auto index = static_cast<std::int64_t>(row);
       if (!difference || index < difference->first) difference = {index, std::string(column.name), 0};
     }
-    at += one * rows;
+    of_a += one * static_cast<std::size_t>(a.rows);
+    of_b += one * static_cast<std::size_t>(b.rows);
   }
   if (difference) difference->rows = std::count(differs.begin(), differs.end(), true);
   return difference;

@@ -47,13 +47,13 @@ Result<Verified> rerunFromInput(Session& session, const RerunFile& file,
                                 const std::function<bool(double)>& progress = {},
                                 const std::vector<std::string>& files_in = {});
 
-/// Where two blocks of as many ticks differ.
+/// Where two blocks of ticks differ.
 struct BlockDifference {
   std::int64_t first = 0;   // row
   std::string column = {};  // the first in that row
   std::int64_t rows = 0;    // that differ, in all
 };
-/// Compares the bytes, except for measured times; none: they are the same.
+/// Compares the bytes of the rows and columns that both have, except for measured times; none: they are the same.
 std::optional<BlockDifference> differenceOf(const Block& a, const Block& b);
 
 /// Replays the recorded hand with another scene: the same joints, buttons, starts and stops at the same times, as if

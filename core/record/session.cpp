@@ -83,8 +83,7 @@ Problems Session::readInfo(const std::string& path) {
   info_.path = path;
   info_.program_version = file_.text("program_version");
   SessionHeader& header = info_.header;
-  header.words = {file_.text("name"), file_.text("notes"), file_.text("tags"), file_.text("subject"),
-                  file_.text("consent")};
+  for (const auto& [name, text] : kMetadata) header.words.*text = file_.text(name);
   header.scene_title = file_.text("scene_title");
   header.arm = file_.text("arm");
   header.arm_file = file_.text("arm_file");
@@ -113,7 +112,7 @@ Problem Session::unreadable(TableIndex table) const {
 }
 
 template <class Row>
-std::vector<Row> Session::rowsOf(TableIndex table, std::vector<Row> (*unpack)(const Block&)) {
+std::vector<Row> Session::rowsOf(TableIndex table) {
   std::vector<Row> rows;
   for (std::int64_t at = 0;; at += kRowsAtOnce) {
     Result<std::vector<Block>> blocks = file_.read(table, at, kRowsAtOnce);
@@ -124,7 +123,7 @@ std::vector<Row> Session::rowsOf(TableIndex table, std::vector<Row> (*unpack)(co
     if (!blocks || are_too_many || blocks.value().empty()) return rows;
     for (const Block& block : blocks.value()) {
       if (block.bytes.empty()) continue;
-      const std::vector<Row> more = unpack(block);
+      const std::vector<Row> more = unpack<Row>(block);
       rows.insert(rows.end(), more.begin(), more.end());
     }
   }
@@ -139,23 +138,23 @@ void Session::readSmallTables() {
   info_.bytes = error ? 0 : static_cast<std::int64_t>(bytes);
   const std::int64_t all_words = file_.rows(kText);
   std::int64_t words_left = all_words;
-  changes_ = rowsOf(kChanges, unpackChanges);
+  changes_ = rowsOf<ChangeRow>(kChanges);
   for (ChangeRow& change : changes_) keepWithin(all_words, kSessionLimits.text_bytes, words_left, change.scene);
-  faults_ = rowsOf(kFaults, unpackFaults);
+  faults_ = rowsOf<servo::FaultMark>(kFaults);
   readSteering();
   findJoints();
-  provenance_ = rowsOf(kProvenance, unpackProvenance);
+  provenance_ = rowsOf<ProvenanceRow>(kProvenance);
   for (ProvenanceRow& row : provenance_) keepWithin(all_words, kSessionLimits.text_bytes, words_left, row.json);
-  clock_ = rowsOf(kClock, unpackClock);
+  clock_ = rowsOf<ClockRow>(kClock);
   markers_.clear();
   words_left = std::min(words_left, kSessionLimits.all_label_bytes);
-  for (MarkerRow& row : rowsOf(kMarkers, unpackMarkers)) {
+  for (MarkerRow& row : rowsOf<MarkerRow>(kMarkers)) {
     keepWithin(all_words, kSessionLimits.label_bytes, words_left, row.label);
     Result<std::string> label = words(row.label);
     if (!label) info_.damage.push_back(label.problems().front());
     markers_.push_back({row.tick, label ? label.value() : std::string("?")});
   }
-  const std::vector<EndRow> end = rowsOf(kEnd, unpackEnd);
+  const std::vector<EndRow> end = rowsOf<EndRow>(kEnd);
   info_.end = end.empty() ? std::nullopt : std::optional(end.back());
   info_.dropped = end.empty() ? 0 : end.back().dropped;
   info_.duration_s = 0.0;
@@ -173,7 +172,7 @@ void Session::readSmallTables() {
 /// A number that no servo makes counts as none: what is run again differs then, and says so.
 void Session::readSteering() {
   pushes_.clear();
-  for (const SteeringRow& row : rowsOf(kSteering, unpackSteering)) {
+  for (const SteeringRow& row : rowsOf<SteeringRow>(kSteering)) {
     if (row.ticks < 0 || !row.f_T_W.allFinite()) continue;
     if (row.kind == Steering::Push) {
       pushes_.push_back({row.tick, row.f_T_W, row.ticks});
@@ -265,7 +264,7 @@ void Session::findJoints() {
   const Result<std::vector<Block>> first = file_.read(kJoints, 0, 1);
   if (!first || !areThere(first.value())) return;
   // Its rows begin with the block of ticks in which such an arm came.
-  const std::int64_t tick = unpackJoints(first.value().front()).front().tick;
+  const std::int64_t tick = unpack<JointsRow>(first.value().front()).front().tick;
   for (std::int64_t count = blocks(); count > 0;) {
     const std::int64_t half = count / 2, block = joints_from_ + half;
     const Result<std::vector<Block>> ticks = file_.read(kTicks, block, 1);
@@ -278,19 +277,19 @@ void Session::findJoints() {
   }
 }
 
-/// Joints 7 and 8 of blocks of ticks.
+/// Joints 7 and 8 of blocks of ticks, as one more column; NaN where they cannot be read.
 void Session::addJoints(std::int64_t first_block, std::vector<Block>& ticks) {
-  constexpr std::size_t kMore = std::tuple_size_v<decltype(JointsRow::q)>;
   std::int64_t block = first_block - 1;
   for (Block& of_ticks : ticks) {
     if (++block < joints_from_ || of_ticks.bytes.empty()) continue;
-    of_ticks.more_joints.assign(static_cast<std::size_t>(of_ticks.rows) * kMore, kNotANumber);
     const Result<std::vector<Block>> read = file_.read(kJoints, block - joints_from_, 1);
-    if (!read || !areThere(read.value())) continue;
-    const std::vector<JointsRow> rows = unpackJoints(read.value().front());
-    for (std::size_t row = 0; row < std::min(rows.size(), static_cast<std::size_t>(of_ticks.rows)); ++row) {
-      if (rows[row].tick != tickOf(of_ticks, row)) continue;  // no recorder does that
-      std::copy_n(rows[row].q.begin(), kMore, of_ticks.more_joints.begin() + static_cast<std::ptrdiff_t>(row * kMore));
+    std::vector<JointsRow> rows;
+    if (read && areThere(read.value())) rows = unpack<JointsRow>(read.value().front());
+    rows.resize(static_cast<std::size_t>(of_ticks.rows), {0, {kNotANumber, kNotANumber}});
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      if (rows[row].tick != tickOf(of_ticks, row)) rows[row].q.fill(kNotANumber);  // no recorder does that
+      const auto q = std::as_bytes(std::span(rows[row].q));
+      of_ticks.bytes.insert(of_ticks.bytes.end(), q.begin(), q.end());
     }
   }
 }

@@ -109,7 +109,7 @@ class Session {
   Result<std::vector<std::byte>> bytesOf(TableIndex table, std::int64_t begin, std::int64_t end);
   Result<std::string> words(const Words& words);
   template <class Row>
-  std::vector<Row> rowsOf(TableIndex table, std::vector<Row> (*unpack)(const Block&));
+  std::vector<Row> rowsOf(TableIndex table);
 
   UntrustedFile file_;
   SessionInfo info_;

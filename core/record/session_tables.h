@@ -111,40 +111,93 @@ struct EndRow {
   EndReason reason = EndReason::Stopped;
 };
 
-// One row, packed as a block of its table.
-Block blockOf(const ChangeRow& row);
-Block blockOf(const MarkerRow& row);
-Block blockOf(const SteeringRow& row);
-Block blockOf(const ProvenanceRow& row);
-Block blockOf(const ClockRow& row);
-Block blockOf(const servo::FaultMark& row);
-Block blockOf(const EndRow& row);
-/// The text, padded with zeros to whole blocks of kTextBlock.
-Block textBlock(std::string_view text);
-
-// The rows of a whole block; a value outside an enumeration is read as its first one.
-std::vector<ChangeRow> unpackChanges(const Block& block);
-std::vector<MarkerRow> unpackMarkers(const Block& block);
-std::vector<SteeringRow> unpackSteering(const Block& block);
-std::vector<servo::FaultMark> unpackFaults(const Block& block);
-std::vector<EndRow> unpackEnd(const Block& block);
-std::vector<ProvenanceRow> unpackProvenance(const Block& block);
-std::vector<ClockRow> unpackClock(const Block& block);
-std::vector<servo::TruthRow> unpackTruth(const Block& block);
-std::vector<servo::ConstraintRow> unpackConstraints(const Block& block);
-// For a Packer of that table's columns.
-void pack(const servo::TruthRow& row, Packer& packer);
-void pack(const servo::ConstraintRow& row, Packer& packer);
-/// The joints beyond the sixth.
-void packMoreJoints(const servo::TickRecord& record, Packer& packer);
 /// A row of /joints: those of the arm in that tick beyond the sixth, 0 where it does not have them.
 struct JointsRow {
   std::int64_t tick = 0;
   std::array<double, 2> q{};  // rad, or m where the joint slides
 };
-/// A block of /joints, row by row.
-std::vector<JointsRow> unpackJoints(const Block& block);
-/// The columns of /joints.
-std::span<const Column> jointColumns();
+
+/// The text, padded with zeros to whole blocks of kTextBlock.
+Block textBlock(std::string_view text);
+
+template <>
+inline constexpr std::pair kEnumerators<tick::Carry>{tick::Carry::Arm, tick::Carry::ArmAndMovedLaws};
+template <>
+inline constexpr std::pair kEnumerators<Steering>{Steering::Push, Steering::Move};
+template <>
+inline constexpr std::pair kEnumerators<EndReason>{EndReason::Stopped, EndReason::Recovered};
+
+inline constexpr Column kTick{"tick", "", "number of the tick", Kind::Integer};
+inline constexpr Column kTextAt{"text_at", "", "where its words begin in /text/bytes", Kind::Integer};
+inline constexpr Column kTextBytes{"text_bytes", "", "how many bytes of UTF-8 they are", Kind::Integer};
+
+template <>
+inline constexpr std::tuple kFields<ChangeRow>{
+    Field{kTick, &ChangeRow::tick},
+    Field{Column{"revision", "", "of the scene, from this tick on", Kind::Integer}, &ChangeRow::revision},
+    Field{Column{"carry", "", "0 the scene was loaded, 1 gains were changed, 2 targets were moved", Kind::Byte},
+          &ChangeRow::carry},
+    Field{kTextAt, within(&ChangeRow::scene, &Words::at)}, Field{kTextBytes, within(&ChangeRow::scene, &Words::bytes)}};
+template <>
+inline constexpr std::tuple kFields<MarkerRow>{Field{kTick, &MarkerRow::tick},
+                                               Field{kTextAt, within(&MarkerRow::label, &Words::at)},
+                                               Field{kTextBytes, within(&MarkerRow::label, &Words::bytes)}};
+template <>
+inline constexpr std::tuple kFields<servo::FaultMark>{
+    Field{kTick, &servo::FaultMark::tick},
+    Field{Column{"kind", "", kFaultMeaning.substr(kFaultMeaning.find("1 ")), Kind::Byte},
+          within(&servo::FaultMark::fault, &Fault::kind)},
+    Field{Column{"seen", "", "what was measured"}, within(&servo::FaultMark::fault, &Fault::seen)},
+    Field{Column{"allowed", "", "what would have been well"}, within(&servo::FaultMark::fault, &Fault::allowed)},
+    Field{Column{"from_servo", "", "1: found outside the tick", Kind::Byte}, &servo::FaultMark::from_servo}};
+template <>
+inline constexpr std::tuple kFields<EndRow>{
+    Field{kTick, &EndRow::tick},
+    Field{Column{"dropped", "", "ticks that are missing", Kind::Integer}, &EndRow::dropped},
+    Field{Column{"unix_ns", "ns", "the clock at the end, since 1970", Kind::Integer}, &EndRow::unix_ns},
+    Field{Column{"reason", "", "0 stopped, 1 the program ended, 2 the disk was full, 3 recovered", Kind::Byte},
+          &EndRow::reason}};
+template <>
+inline constexpr std::tuple kFields<ProvenanceRow>{Field{kTick, &ProvenanceRow::tick},
+                                                   Field{kTextAt, within(&ProvenanceRow::json, &Words::at)},
+                                                   Field{kTextBytes, within(&ProvenanceRow::json, &Words::bytes)}};
+template <>
+inline constexpr std::tuple kFields<ClockRow>{
+    Field{kTick, &ClockRow::tick},
+    Field{Column{"time_ns", "ns", "of that tick's sample, on the arm's clock", Kind::Integer}, &ClockRow::time_ns},
+    Field{Column{"monotonic_ns", "ns", "the servo's clock, which nobody sets", Kind::Integer}, &ClockRow::monotonic_ns},
+    Field{Column{"unix_ns", "ns", "the clock at the same moment, since 1970, UTC", Kind::Integer}, &ClockRow::unix_ns},
+    Field{Column{"between_ns", "ns", "that reading the two clocks took", Kind::Integer}, &ClockRow::between_ns}};
+template <>
+inline constexpr std::tuple kFields<servo::TruthRow>{
+    Field{kTick, &servo::TruthRow::tick},
+    Field{Column{"p_true_WT_mm", "mm", "where the simulated arm's tip really is: without encoders", Kind::Real, "", 3,
+                 "W"},
+          within(&servo::TruthRow::truth, &servo::Truth::p_WT), kMillimetrePerMetre},
+    Field{Column{"hand_force_N", "N", "force of the simulated hand's spring and damper on the tip at the sample",
+                 Kind::Real, "", 3, "W"},
+          within(&servo::TruthRow::truth, &servo::Truth::f_hand_T_W)}};
+template <>
+inline constexpr std::tuple kFields<servo::ConstraintRow>{
+    Field{kTick, &servo::ConstraintRow::tick},
+    Field{Column{"constraint", "", "its index in the scene, from 0", Kind::Unsigned},
+          &servo::ConstraintRow::constraint},
+    Field{Column{"acts", "", "1: it contributes to the force", Kind::Byte}, &servo::ConstraintRow::acts},
+    Field{Column{"p_WP_mm", "mm", "its target; nan: none", Kind::Real, "", 3, "W"}, &servo::ConstraintRow::p_WP,
+          kMillimetrePerMetre},
+    Field{Column{"force_N", "N", "its own force on the tip, before the gate", Kind::Real, "", 3, "W"},
+          &servo::ConstraintRow::f_T_W}};
+template <>
+inline constexpr std::tuple kFields<SteeringRow>{
+    Field{kTick, &SteeringRow::tick},
+    Field{Column{"kind", "", "1 a force was added before the gate, 2 targets were carried to their places", Kind::Byte},
+          &SteeringRow::kind},
+    Field{Column{"revision", "", "of the scene whose targets were carried; 0: none", Kind::Integer},
+          &SteeringRow::revision},
+    Field{Column{"ticks", "", "how many ticks it took; 0: an added force ended", Kind::Integer}, &SteeringRow::ticks},
+    Field{Column{"force_N", "N", "that was added", Kind::Real, "", 3, "W"}, &SteeringRow::f_T_W}};
+template <>
+inline constexpr std::tuple kFields<JointsRow>{Field{kTick, &JointsRow::tick},
+                                               Field{kMoreJoints.column, &JointsRow::q}};
 
 }  // namespace underact::record

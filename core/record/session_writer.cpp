@@ -36,26 +36,21 @@ std::string_view beginningOf(std::string_view text, std::int64_t most_bytes) {
 }
 
 std::vector<Attribute> attributesOf(const SessionHeader& header) {
-  std::vector<Attribute> all{{"underact_session", kSessionVersion},
-                             {"program_version", std::string(kVersion)},
-                             {"name", header.words.name},
-                             {"notes", header.words.notes},
-                             {"tags", header.words.tags},
-                             {"subject", header.words.subject},
-                             {"consent", header.words.consent},
-                             {"scene_title", header.scene_title},
-                             {"arm", header.arm},
-                             {"arm_file", header.arm_file},
-                             {"device", header.device},
-                             {"scheduling", header.scheduling},
-                             {"started_unix_ns", header.started_unix_ns},
-                             {"rate_hz", header.rate_hz},
-                             {"frozen_s", header.frozen_s},
-                             {"max_late", std::int64_t{header.max_late}},
-                             {"gate_time", std::string(header.gate_time == GateTime::Servo ? kServosTime : kArmsTime)},
-                             {"force_share", header.force_share},
-                             {"session_id", header.session_id},
-                             {"start_layout", stateLayout()}};
+  std::vector<Attribute> all{{"underact_session", kSessionVersion}, {"program_version", std::string(kVersion)}};
+  for (const auto& [name, text] : kMetadata) all.push_back({name, header.words.*text});
+  all.insert(all.end(), {{"scene_title", header.scene_title},
+                         {"arm", header.arm},
+                         {"arm_file", header.arm_file},
+                         {"device", header.device},
+                         {"scheduling", header.scheduling},
+                         {"started_unix_ns", header.started_unix_ns},
+                         {"rate_hz", header.rate_hz},
+                         {"frozen_s", header.frozen_s},
+                         {"max_late", std::int64_t{header.max_late}},
+                         {"gate_time", std::string(header.gate_time == GateTime::Servo ? kServosTime : kArmsTime)},
+                         {"force_share", header.force_share},
+                         {"session_id", header.session_id},
+                         {"start_layout", stateLayout()}});
   for (Attribute& one : all) {
     if (auto* const text = std::get_if<std::string>(&one.value))
       text->resize(beginningOf(*text, kSessionLimits.attribute_bytes).size());
@@ -83,9 +78,9 @@ SessionWriter::SessionWriter(Hdf5File file, const SessionHeader& header, const S
       geometry_(scene::armOf({}).geometry),
       block_rows_(sessionTables(header.rate_hz, header.block_s)[kTicks].block_rows),
       packer_(tickColumns()),
-      truths_(sessionTables(header.rate_hz)[kTruth].columns),
-      constraints_(sessionTables(header.rate_hz)[kConstraints].columns),
-      joints_(jointColumns()),
+      truths_(kColumns<servo::TruthRow>),
+      constraints_(kColumns<servo::ConstraintRow>),
+      joints_(kColumns<JointsRow>),
       provenance_(header.provenance),
       limits_(limits) {
   packer_.begin(block_rows_);
@@ -218,9 +213,11 @@ Problems SessionWriter::add(const servo::Change& change, const scene::Descriptio
 void SessionWriter::addMoreJoints(const servo::TickRecord& record) {
   if (!has_joints_ && record.joints <= 6) return;
   if (!std::exchange(has_joints_, true)) {
-    for (const servo::TickRecord& before : unpackTicks(packer_.block())) packMoreJoints(before, joints_);
+    for (const servo::TickRecord& before : unpackTicks(packer_.block())) pack(JointsRow{before.tick}, joints_);
   }
-  packMoreJoints(record, joints_);
+  JointsRow row{record.tick};
+  std::ranges::copy(arm::beyondSix(record.q_rad), row.q.begin());
+  pack(row, joints_);
 }
 
 Problems SessionWriter::add(const servo::TickRecord& record) {
@@ -316,11 +313,7 @@ Problems rewriteMetadata(const std::string& path, const SessionMetadata& words) 
   Result<Hdf5File> file = Hdf5File::reopen(path, {}, false, input->fd());
   if (!file) return file.problems();
   Problems problems;
-  for (const auto& [name, text] :
-       {std::pair{"name", &words.name}, std::pair{"notes", &words.notes}, std::pair{"tags", &words.tags},
-        std::pair{"subject", &words.subject}, std::pair{"consent", &words.consent}}) {
-    keep(problems, file.value().set({name, *text}));
-  }
+  for (const auto& [name, text] : kMetadata) keep(problems, file.value().set({name, words.*text}));
   keep(problems, file.value().close());
   return problems;
 }

@@ -22,7 +22,15 @@ struct SessionMetadata {
   std::string tags = {};  // words separated by commas
   std::string subject = {};
   std::string consent = {};  // what the person agreed to, and how: version and date of a form; empty: not recorded
+  friend bool operator==(const SessionMetadata& a, const SessionMetadata& b) = default;
 };
+/// Its texts by their names in a file.
+inline constexpr std::array<std::pair<const char*, std::string SessionMetadata::*>, 5> kMetadata{
+    {{"name", &SessionMetadata::name},
+     {"notes", &SessionMetadata::notes},
+     {"tags", &SessionMetadata::tags},
+     {"subject", &SessionMetadata::subject},
+     {"consent", &SessionMetadata::consent}}};
 
 /// The clock of the gate's ramps, slew, heat and frozen time: the servo's own periods, or, as in version 0.1.0, the
 /// arm's clock.

@@ -24,12 +24,20 @@ void eachMemory(Entries& entries, Part&& part) {
   }
 }
 
-safety::GateCore& coreOf(safety::GateState& state) {
-  return state;
+/// The gate with the heat of three motors; that of more is behind all other parts.
+template <class Gate, class Part>
+void eachPartOfGate(Gate& gate, Part&& part) {
+  part(gate.level);
+  part(gate.missed);
+  part(gate.late);
+  part(gate.still_s);
+  part(gate.v_WT);
+  part(gate.f_T_W);
+  for (std::size_t motor = 0; motor < 3; ++motor) part(gate.heat[motor]);
+  part(gate.letting_go);
+  part(gate.fault);
 }
-const safety::GateCore& coreOf(const safety::GateState& state) {
-  return state;
-}
+constexpr std::size_t kGateBytes = 144;
 
 /// A follower, which arms of six joints have.
 template <class Follower, class Part>
@@ -52,7 +60,7 @@ void eachPart(State& state, Part&& part) {
   part(state.asked_T_W);
   part(state.bump_T_W);
   part(state.retuned);
-  part(coreOf(state.gate));
+  eachPartOfGate(state.gate, part);
   const auto each = [&state](bool is_needed, auto&& of_entry) {
     for (std::size_t index = 0; is_needed && index < state.entries.size(); ++index) of_entry(state.entries[index]);
   };
@@ -68,7 +76,7 @@ void eachPart(State& state, Part&& part) {
     for (auto& angle_rad : arm::beyondSix(state.q_rad)) part(angle_rad);
   }
   if (!state.needs.more_motors) return;
-  for (auto& heat : state.gate.more_heat) part(heat);
+  for (std::size_t motor = 3; motor < state.gate.heat.size(); ++motor) part(state.gate.heat[motor]);
   part(state.gate.m_T_W);
 }
 
@@ -107,10 +115,9 @@ std::string stateLayout() {
   const tick::TickState none;
   eachPart(none, [&bytes](const auto& part) { bytes += sizeof part; });
   std::string layout = "1";
-  for (const std::size_t size :
-       {bytes, sizeof(safety::GateCore), sizeof(control::LawState), sizeof(target::InfluenceState),
-        sizeof(manipulator::State), sizeof(target::MeshState), sizeof(target::CurveState), sizeof(target::Grip),
-        sizeof(control::EnergyState), kFollowerBytes}) {
+  for (const std::size_t size : {bytes, kGateBytes, sizeof(control::LawState), sizeof(target::InfluenceState),
+                                 sizeof(manipulator::State), sizeof(target::MeshState), sizeof(target::CurveState),
+                                 sizeof(target::Grip), sizeof(control::EnergyState), kFollowerBytes}) {
     layout += ":" + std::to_string(size);
   }
   return layout;

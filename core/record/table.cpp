@@ -26,8 +26,11 @@ std::vector<std::string_view> split(std::string_view words) {
 
 }  // namespace
 
-std::vector<std::string_view> partsOf(const Column& column) {
-  return split(column.parts.empty() ? column.name : column.parts);
+std::vector<std::string> partsOf(const Column& column) {
+  const std::vector<std::string_view> parts = split(column.parts.empty() ? column.name : column.parts);
+  if (column.frame != "W" || !column.parts.empty()) return {parts.begin(), parts.end()};
+  const std::string name(column.name);
+  return {name + "_x", name + "_y", name + "_z"};
 }
 
 std::vector<std::string_view> csvNamesOf(const Column& column) {

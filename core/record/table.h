@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,21 +11,21 @@ namespace underact::record {
 /// The type of a column's numbers; little-endian in the file.
 enum class Kind : std::uint8_t { Byte, Unsigned, Integer, Real };  // 1, 4, 8, 8 bytes
 
-/// A column of a table: its name and unit in the file, and what its numbers are. The rows of all tables together are
-/// the one description of a session's columns; every form of a session follows it, see columns.h.
+/// A column of a table: its name and unit in the file, and what its numbers are.
 struct Column {
   std::string_view name;
   std::string_view unit;  // empty: a number without unit
   std::string_view meaning;
   Kind kind = Kind::Real;
+  std::string_view csv = {};    // names of the numbers in CSV, live data and fault files, with commas; empty: none
   int width = 1;                // numbers per row
   std::string_view frame = {};  // "W": coordinates in the workspace frame; "joints", "motors"; empty: none
-  std::string_view parts = {};  // names of the numbers where each has a column of its own, with commas; empty: name
-  std::string_view csv = {};    // the same in CSV, live data and fault files; empty: these do not have it
+  std::string_view parts = {};  // names where each number has a column of its own; empty: name, and _x, _y, _z in W
+  int csv_since = 0;            // CSV has them in the order of the table, but behind those of a lower number
 };
 
 /// The names of a column's numbers where each has a column of its own (Parquet, DataFrame).
-std::vector<std::string_view> partsOf(const Column& column);
+std::vector<std::string> partsOf(const Column& column);
 /// The same in CSV, live data and fault files; none: they do not have it.
 std::vector<std::string_view> csvNamesOf(const Column& column);
 /// The word for the type of its numbers: "uint8", "uint32", "int64", "float64".
@@ -55,8 +56,6 @@ std::size_t rowBytes(const Table& table);
 struct Block {
   std::int64_t rows = 0;
   std::vector<std::byte> bytes;
-  /// Of ticks: row by row the joints beyond the sixth, from /joints; NaN where they cannot be read.
-  std::vector<double> more_joints = {};
 };
 
 /// CRC-32 as in zlib and PNG.

@@ -63,22 +63,10 @@ Vec3 through(const Vec3& before_T_W, const Vec3& after_T_W, double& cut_N) noexc
   return after_T_W;
 }
 
-Heat heatOf(const GateState& state) noexcept UNDERACT_REAL_TIME {
-  Heat heat{state.heat.x(), state.heat.y(), state.heat.z()};
-  std::copy(state.more_heat.begin(), state.more_heat.end(), heat.begin() + 3);
-  return heat;
-}
-
 /// The motors a tick later, with what was sent.
 void heatMotors(const Limits& limits, const Motion& motion, double passed_s,
                 GateState& next) noexcept UNDERACT_REAL_TIME {
-  if (motion.driven == nullptr) {
-    next.heat = heated(limits.thermal, next.heat, motion.J_p, next.f_T_W, passed_s);
-    return;
-  }
-  const Heat heat = heated(limits, heatOf(next), *motion.driven, {next.f_T_W, next.m_T_W}, passed_s);
-  next.heat = {heat[0], heat[1], heat[2]};
-  std::copy(heat.begin() + 3, heat.end(), next.more_heat.begin());
+  next.heat = heated(limits.thermal, next.heat, motion, {next.f_T_W, next.m_T_W}, passed_s);
 }
 
 /// Both scaled alike.
@@ -86,22 +74,21 @@ Wrench scaled(const Wrench& wrench, double share) noexcept UNDERACT_REAL_TIME {
   return share < 1.0 ? Wrench{share * wrench.f_T_W, share * wrench.m_T_W} : wrench;
 }
 
-/// What the joints of an arm that is not of the Omni's form leave of both.
-Wrench throughJoints(const Limits& limits, const Driven& driven, const Heat& heat, const Wrench& asked,
+/// What the driven joints leave of both.
+Wrench throughJoints(const Limits& limits, const Motion& motion, const Heat& heat, const Wrench& asked,
                      Cuts& cuts) noexcept UNDERACT_REAL_TIME {
-  const Wrench rendered = limitMotors(driven, asked);
+  const Wrench rendered = limitMotors(motion, asked);
   through(asked.f_T_W, rendered.f_T_W, cuts.motors_N);
-  const Wrench inside = scaled(rendered, edgeShare(limits, driven, rendered));
+  const Wrench inside = scaled(rendered, edgeShare(limits, motion, rendered));
   through(rendered.f_T_W, inside.f_T_W, cuts.edge_N);
-  const Wrench borne = scaled(inside, torqueShare(limits, heat, driven, inside));
+  const Wrench borne = scaled(inside, torqueShare(limits, heat, motion, inside));
   through(inside.f_T_W, borne.f_T_W, cuts.heat_N);
   return borne;
 }
 
 /// The moment that a tick asks for, as far as the arm renders one and the tip is slow enough.
 Vec3 momentOf(const Limits& limits, const GateInput& asked, const Vec3& v_WT) noexcept UNDERACT_REAL_TIME {
-  const Driven* const driven = asked.motion.driven;
-  if (driven == nullptr || !driven->turns) return Vec3::Zero();
+  if (!asked.motion.turns) return Vec3::Zero();
   return speedShare(limits, v_WT) * clampForce(asked.m_T_W, limits.max_moment_N_m);
 }
 
@@ -132,9 +119,8 @@ bool isValid(const GateState& state) noexcept {
   const auto isNumber = [](double heat) { return std::isfinite(heat); };
   const auto isKind = [](const Fault& fault) { return static_cast<int>(fault.kind) < kFaultKinds; };
   return state.level >= 0.0 && state.level <= 1.0 && state.missed >= 0 && state.late >= 0 && state.still_s >= 0.0 &&
-         std::isfinite(state.still_s) && state.v_WT.allFinite() && state.f_T_W.allFinite() && state.heat.allFinite() &&
-         state.m_T_W.allFinite() && std::all_of(state.more_heat.begin(), state.more_heat.end(), isNumber) &&
-         isKind(state.letting_go) && isKind(state.fault);
+         std::isfinite(state.still_s) && state.v_WT.allFinite() && state.f_T_W.allFinite() && state.m_T_W.allFinite() &&
+         std::all_of(state.heat.begin(), state.heat.end(), isNumber) && isKind(state.letting_go) && isKind(state.fault);
 }
 
 Gated gate(const Limits& limits, const GateState& state, const GateInput& asked, double dt_s) noexcept {
@@ -143,7 +129,6 @@ Gated gate(const Limits& limits, const GateState& state, const GateInput& asked,
   if (asked.restart) {
     next = GateState{};
     next.heat = state.heat;  // motors cool by time alone
-    next.more_heat = state.more_heat;
   }
   Fault now = faultNow(limits, asked);
   next.missed = isMissing(now) ? std::min(next.missed, limits.max_missed) + 1 : 0;
@@ -170,23 +155,18 @@ Gated gate(const Limits& limits, const GateState& state, const GateInput& asked,
   Vec3 f_T_W = clampForce(asked.f_T_W, limits.max_force_N);
   if (f_T_W != asked.f_T_W) cuts.clamp_N = std::max(0.0, sizeOf(asked.f_T_W) - sizeOf(f_T_W));
   f_T_W = through(f_T_W, limitSpeed(limits, next.v_WT, f_T_W), cuts.speed_N);
-  Vec3 m_T_W = Vec3::Zero();
-  if (motion.driven != nullptr) {
-    const Wrench asked_of_joints{f_T_W, momentOf(limits, asked, next.v_WT)};
-    const Wrench left = throughJoints(limits, *motion.driven, heatOf(next), asked_of_joints, cuts);
-    f_T_W = left.f_T_W, m_T_W = left.m_T_W;
-  } else {
-    f_T_W = through(f_T_W, limitEdge(limits, motion, f_T_W), cuts.edge_N);
-    f_T_W = through(f_T_W, limitHeat(limits.thermal, next.heat, motion.J_p, f_T_W), cuts.heat_N);
-  }
-  const Vec3 ramped_T_W = next.level * f_T_W;
+  const Wrench left = throughJoints(limits, motion, next.heat, {f_T_W, momentOf(limits, asked, next.v_WT)}, cuts);
+  const Vec3 ramped_T_W = next.level * left.f_T_W;
   Vec3 last_T_W = next.f_T_W;
   if (last_T_W.squaredNorm() > limits.max_force_N * limits.max_force_N)
     last_T_W = clampForce(last_T_W, limits.max_force_N);  // the limit may be lower in another scene
   next.f_T_W = ramped_T_W;
   if (next.level > 0.0)  // a release ends with its ramp, whatever the slew limit
     next.f_T_W = through(ramped_T_W, limitSlew(limits, last_T_W, ramped_T_W, engage ? dt_s : passed_s), cuts.slew_N);
-  if (motion.driven != nullptr) sendMoment(limits, asked.m_T_W, m_T_W, engage ? dt_s : passed_s, next, cuts);
+  if (motion.turns)
+    sendMoment(limits, asked.m_T_W, left.m_T_W, engage ? dt_s : passed_s, next, cuts);
+  else
+    next.m_T_W.setZero();
   heatMotors(limits, motion, passed_s, next);
   return {GatedForce{next.f_T_W, next.m_T_W}, next, cuts, Fault{}};
 }

@@ -4,42 +4,48 @@
 #include "core/base/fault.h"
 #include "core/base/real_time.h"
 #include "core/base/types.h"
-#include "core/safety/driven.h"
 #include "core/safety/limits.h"
 
 namespace underact::safety {
 
-/// The memory of the gate, as sessions have it.
-struct GateCore {
+/// The heat of the driven joints' motors: 0 cold, 1 at their continuous torque.
+using Heat = PerDriven;
+
+/// All memory of the gate.
+struct GateState {
   double level = 0.0;         // share of the force that passes, 0 to 1
   int missed = 0;             // ticks in a row without a new sample
   int late = 0;               // ticks in a row that came late while the servo pushed
   double still_s = 0.0;       // how long the sample has been the same to the bit
   Vec3 v_WT = Vec3::Zero();   // the tip's velocity, filtered
   Vec3 f_T_W = Vec3::Zero();  // sent last
-  Vec3 heat = Vec3::Zero();   // of motors 1 to 3: 0 cold, 1 at their continuous torque
-  Fault letting_go = {};      // why the force is being ramped to zero; becomes the fault at zero
-  Fault fault = {};           // what stopped the servo; stays until it is started again
-};
-
-/// All memory of the gate: with that of an arm that is not of the Omni's form.
-struct GateState : GateCore {
-  std::array<double, kMostDriven - 3> more_heat{};  // of its driven joints beyond the third
-  Vec3 m_T_W = Vec3::Zero();                        // the moment sent last
+  Vec3 m_T_W = Vec3::Zero();  // the moment sent last
+  Heat heat{};
+  Fault letting_go = {};  // why the force is being ramped to zero; becomes the fault at zero
+  Fault fault = {};       // what stopped the servo; stays until it is started again
 };
 
 /// For bytes from a file: whether the gate's state is finite, shares are within 0 to 1, and faults exist.
 bool isValid(const GateState& state) noexcept;
 
+/// A joint whose motor the gate watches.
+struct DrivenJoint {
+  Vec3 J_v, J_w;                          // the tip's motion for its rate: m/rad and rad/rad, or 1 and 0
+  double room_below_rad, room_above_rad;  // to its stops; of a slide as far as it counts
+};
+
 /// Configuration and motion of the arm in this tick.
 struct Motion {
-  Vec3 v_WT = Vec3::Zero();  // of the tip since the last sample, m/s
-  bool moved = true;         // some joint angle has changed, by at least a bit
-  Mat3 J_p = Mat3::Zero();   // from the rates of joints 1 to 3 to v_WT; zero: no limits of heat and edge
-  Vec3 room_below_rad = Vec3::Constant(kInfinity);  // of joints 1 to 3, to their stops
-  Vec3 room_above_rad = Vec3::Constant(kInfinity);
-  Mat3 renders = Mat3::Identity();  // what the motors render of a force: see Driven
-  const Driven* driven = nullptr;   // of an arm that is not of the Omni's form, in place of joints 1 to 3
+  Motion() noexcept UNDERACT_REAL_TIME {}       // what is not read is not written, either: a tick has no time for it
+  Vec3 v_WT = Vec3::Zero();                     // of the tip since the last sample, m/s
+  bool moved = true;                            // some joint angle has changed, by at least a bit
+  std::size_t count = 0;                        // of driven joints; 0: no limits of heat and edge
+  std::array<DrivenJoint, kMostDriven> joints;  // those beyond count are not read
+  // What the motors render of a force, arm::renderable(), and of force and moment, arm::renderableWrench().
+  bool renders_all = true;  // of a force: `renders` is not read
+  bool turns = false;       // they render a moment: renders_wrench is read in place of `renders`
+  Mat3 renders;
+  Mat6 renders_wrench;
 };
 
 /// The input of the gate in this tick.

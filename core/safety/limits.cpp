@@ -1,5 +1,7 @@
 #include "core/safety/limits.h"
 
+#include <algorithm>
+
 namespace underact::safety {
 namespace {
 
@@ -21,7 +23,7 @@ Limits limitsForHands(double max_force_N, const Vec3& continuous_N_m) {
   limits.max_speed_m_per_s = kMaxSpeed_m_per_s;
   limits.max_jump_m_per_s = kMaxJump_m_per_s;
   limits.edge_rad = kEdge_rad;
-  limits.thermal.continuous_N_m = continuous_N_m;
+  std::copy(continuous_N_m.begin(), continuous_N_m.end(), limits.thermal.continuous_N_m.begin());
   return limits;
 }
 

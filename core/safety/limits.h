@@ -18,11 +18,10 @@ using PerDriven = std::array<double, kMostDriven>;
 inline constexpr PerDriven kNoTorqueLimits{kInfinity, kInfinity, kInfinity, kInfinity,
                                            kInfinity, kInfinity, kInfinity, kInfinity};
 
-/// The thermal model of motors 1 to 3: heat 1 is the steady state at the continuous torque.
+/// The thermal model of the driven joints' motors: heat 1 is the steady state at the continuous torque.
 struct Thermal {
-  Vec3 continuous_N_m = Vec3::Zero();                         // continuous torque; a motor of 0 is not watched
-  double time_constant_s = 60.0;                              // assumed: no data sheet of the arm states it
-  std::array<double, kMostDriven - 3> more_continuous_N_m{};  // of the driven joints of an arm that has more
+  PerDriven continuous_N_m{};     // continuous torque; a motor of 0 is not watched
+  double time_constant_s = 60.0;  // assumed: no data sheet of the arm states it
 };
 
 /// The limits of the gate. One that is infinite, or 0 where so stated, is off.
@@ -39,13 +38,12 @@ struct Limits {
   double frozen_s = 0.0;                  // joints bit-identical for so long: release; 0: off
   double edge_rad = 0.0;                  // within this of a joint's stop a force towards it fades; 0: off
   Thermal thermal = {};
-  // Of an arm that is not of the Omni's form.
   double max_moment_N_m = 0.0;                 // of an arm that renders one
-  PerDriven max_torque_N_m = kNoTorqueLimits;  // of its driven joints; N where they slide
+  PerDriven max_torque_N_m = kNoTorqueLimits;  // of the driven joints; N where they slide
 };
 
 /// The limits for a hand on an arm: all of them on except frozen_s, which depends on the device (a real encoder shows
-/// noise, a simulated one need not). max_force_N, continuous_N_m: of the arm.
+/// noise, a simulated one need not). max_force_N: of the arm; continuous_N_m: of its first three motors.
 Limits limitsForHands(double max_force_N, const Vec3& continuous_N_m);
 
 /// What each limit took off the force this tick, N, in the order in which they act.

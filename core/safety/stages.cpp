@@ -10,7 +10,22 @@ namespace underact::safety {
 namespace {
 
 constexpr double kVelocityFilter_s = 5e-3;
-constexpr double kRounding = 1e-12;  // of a force that is rendered whole
+constexpr double kRounding = 1e-12;  // of what is rendered whole
+
+/// The torque of a driven joint, N m (the force, N, where it slides).
+double torqueAt(const Motion& motion, std::size_t joint, const Wrench& wrench) noexcept UNDERACT_REAL_TIME {
+  const double of_force = motion.joints[joint].J_v.dot(wrench.f_T_W);
+  return motion.turns ? of_force + motion.joints[joint].J_w.dot(wrench.m_T_W) : of_force;
+}
+
+/// What is rendered of `asked`: that itself where it is all but a rounding of it; nothing where it overflows.
+template <class Vector>
+Vector renderedOf(const Vector& asked, const Vector& rendered) noexcept UNDERACT_REAL_TIME {
+  if (!rendered.allFinite()) return Vector::Zero();
+  const double cut2 = (asked - rendered).squaredNorm(), size2 = asked.squaredNorm();
+  if (cut2 <= kRounding * kRounding * size2) return asked;
+  return rendered.squaredNorm() <= size2 ? rendered : Vector(Vector::Zero());
+}
 
 }  // namespace
 
@@ -46,53 +61,54 @@ Vec3 limitSpeed(const Limits& limits, const Vec3& v_WT, const Vec3& f_T_W) noexc
   return f_T_W - ((1.0 - keep) * drive_N) * along_W;
 }
 
-Vec3 limitMotors(const Motion& motion, const Vec3& f_T_W) noexcept {
-  const Vec3 rendered_T_W = motion.renders * f_T_W;
-  if (!isFinite(rendered_T_W)) return Vec3::Zero();
-  const double cut2 = (f_T_W - rendered_T_W).squaredNorm(), size2 = f_T_W.squaredNorm();
-  if (cut2 <= kRounding * kRounding * size2) return f_T_W;
-  return rendered_T_W.squaredNorm() <= size2 ? rendered_T_W : Vec3::Zero();
+Wrench limitMotors(const Motion& motion, const Wrench& wrench) noexcept {
+  if (motion.turns) {
+    Vec6 scaled;
+    scaled << kMomentArm_m * wrench.f_T_W, wrench.m_T_W;
+    const Vec6 rendered = renderedOf<Vec6>(scaled, motion.renders_wrench * scaled);
+    return rendered == scaled ? wrench : Wrench{rendered.head<3>() / kMomentArm_m, rendered.tail<3>()};
+  }
+  if (motion.renders_all) return {wrench.f_T_W, Vec3::Zero()};
+  return {renderedOf<Vec3>(wrench.f_T_W, motion.renders * wrench.f_T_W), Vec3::Zero()};
 }
 
-Vec3 limitEdge(const Limits& limits, const Motion& motion, const Vec3& f_T_W) noexcept {
-  const double least_rad = std::min(leastOf(motion.room_above_rad), leastOf(motion.room_below_rad));
-  if (!(limits.edge_rad > 0.0) || least_rad >= limits.edge_rad) return f_T_W;
-  const Vec3 torque_N_m = motion.J_p.transpose() * f_T_W;
+double edgeShare(const Limits& limits, const Motion& motion, const Wrench& wrench) noexcept {
   double keep = 1.0;
-  for (Eigen::Index joint = 0; joint < 3; ++joint) {
-    const double room_rad = torque_N_m[joint] > 0.0   ? motion.room_above_rad[joint]
-                            : torque_N_m[joint] < 0.0 ? motion.room_below_rad[joint]
-                                                      : kInfinity;
+  for (std::size_t joint = 0; limits.edge_rad > 0.0 && joint < motion.count; ++joint) {
+    const DrivenJoint& driven = motion.joints[joint];
+    if (std::min(driven.room_below_rad, driven.room_above_rad) >= limits.edge_rad) continue;
+    const double torque = torqueAt(motion, joint, wrench);
+    const double room_rad = torque > 0.0 ? driven.room_above_rad : torque < 0.0 ? driven.room_below_rad : kInfinity;
     keep = std::min(keep, std::clamp(room_rad / limits.edge_rad, 0.0, 1.0));
   }
-  return keep < 1.0 ? Vec3(keep * f_T_W) : f_T_W;
+  return keep;
 }
 
-Vec3 limitHeat(const Thermal& thermal, const Vec3& heat, const Mat3& J_p, const Vec3& f_T_W) noexcept {
-  if (!(heat.x() > kWarm || heat.y() > kWarm || heat.z() > kWarm)) return f_T_W;
-  const Vec3 torque_N_m = J_p.transpose() * f_T_W;
+double torqueShare(const Limits& limits, const Heat& heat, const Motion& motion, const Wrench& wrench) noexcept {
   double keep = 1.0;
-  for (Eigen::Index motor = 0; motor < 3; ++motor) {
-    const double bears_N_m = thermal.continuous_N_m[motor];
-    const double size_N_m = std::abs(torque_N_m[motor]);
-    if (!(bears_N_m > 0.0) || !(heat[motor] > kWarm) || !(size_N_m > 0.0)) continue;
-    const double times = 1.0 + std::max(0.0, 1.0 - heat[motor]) / (heat[motor] - kWarm);
-    keep = std::min(keep, times * bears_N_m / size_N_m);
+  for (std::size_t joint = 0; joint < motion.count; ++joint) {
+    const double bears = limits.thermal.continuous_N_m[joint], most = limits.max_torque_N_m[joint];
+    const bool is_warm = bears > 0.0 && heat[joint] > kWarm;
+    if (!is_warm && most == kInfinity) continue;
+    const double size = std::abs(torqueAt(motion, joint, wrench));
+    if (!(size > 0.0)) continue;
+    keep = std::min(keep, most / size);
+    if (is_warm) keep = std::min(keep, (1.0 + std::max(0.0, 1.0 - heat[joint]) / (heat[joint] - kWarm)) * bears / size);
   }
-  return keep < 1.0 ? Vec3(keep * f_T_W) : f_T_W;
+  return keep;
 }
 
-Vec3 heated(const Thermal& thermal, const Vec3& heat, const Mat3& J_p, const Vec3& f_T_W, double dt_s) noexcept {
+Heat heated(const Thermal& thermal, const Heat& heat, const Motion& motion, const Wrench& wrench,
+            double dt_s) noexcept {
   if (!(dt_s > 0.0) || !(thermal.time_constant_s > 0.0)) return heat;
-  const Vec3 torque_N_m = J_p.transpose() * f_T_W;
   const double share = std::min(1.0, dt_s / thermal.time_constant_s);
-  Vec3 next = heat;
-  for (Eigen::Index motor = 0; motor < 3; ++motor) {
-    const double bears_N_m = thermal.continuous_N_m[motor];
-    if (!(bears_N_m > 0.0)) continue;
-    const double load = torque_N_m[motor] / bears_N_m;
-    const double warmer = heat[motor] + share * (load * load - heat[motor]);
-    if (std::isfinite(warmer)) next[motor] = warmer;
+  Heat next = heat;
+  for (std::size_t joint = 0; joint < next.size(); ++joint) {
+    const double bears = thermal.continuous_N_m[joint];
+    if (!(bears > 0.0)) continue;
+    const double load = joint < motion.count ? torqueAt(motion, joint, wrench) / bears : 0.0;
+    const double warmer = heat[joint] + share * (load * load - heat[joint]);
+    if (std::isfinite(warmer)) next[joint] = warmer;
   }
   return next;
 }

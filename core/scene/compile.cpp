@@ -68,9 +68,7 @@ void limitJoints(const arm::GeneralArm& arm, double force_N, safety::Limits& lim
   }
   const double least = 0.1 * *std::max_element(bears.begin(), bears.end());
   for (std::size_t i = 0; i < watched.count; ++i) {
-    const double continuous = std::min(std::max(bears[i], least), limits.max_torque_N_m[i]);
-    i < 3 ? limits.thermal.continuous_N_m[static_cast<Eigen::Index>(i)] = continuous
-          : limits.thermal.more_continuous_N_m[i - 3] = continuous;
+    limits.thermal.continuous_N_m[i] = std::min(std::max(bears[i], least), limits.max_torque_N_m[i]);
   }
   if (arm.renders_moment) limits.max_moment_N_m = arm.max_moment_N_m;
 }

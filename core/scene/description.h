@@ -88,6 +88,7 @@ struct Curve {
   std::string checksum = {};                             // as in Mesh
   std::shared_ptr<const std::vector<Vec3>> points = {};  // of the file, in its units; null before loadMeshes()
   std::string loaded_checksum = {};                      // as in Mesh
+  Sentence note = {};                                    // on the form of the file; empty: none
   /// As in Mesh.
   bool operator==(const Curve& other) const;
 };

@@ -13,6 +13,7 @@
 #include "core/mesh_file/digest.h"
 #include "core/mesh_file/load.h"
 #include "core/scene/compile.h"
+#include "core/scene/mesh_names.h"
 #include "core/scene/scene_arm.h"
 
 namespace underact::scene {
@@ -85,7 +86,7 @@ Problems load(Mesh& mesh, const Description& scene, const SourceLocation& place,
   InUse stamp = SurfacesInUse::stampOf(path);  // before reading: a file that changes meanwhile is read again
   Result<mesh_file::Loaded> loaded = mesh_file::loadMesh(path, monitor);
   if (!loaded) {
-    Problems problems = loaded.problems();
+    Problems problems = withNearest(loaded.problems(), mesh.file, scene);
     for (Problem& problem : problems) {
       if (place.file.empty()) continue;
       problem.sentence = said(TRANSLATE_NOOP("problem", "The mesh %1: %2"), {path, problem.sentence});
@@ -103,7 +104,7 @@ Problems load(Mesh& mesh, const Description& scene, const SourceLocation& place,
 Problems load(Curve& curve, const Description& scene, const SourceLocation& place, const TaskMonitor& monitor) {
   const std::string path = pathOf(curve.file, scene);
   const Result<std::string> text = curve::readPointsText(path);
-  if (!text) return text.problems();
+  if (!text) return withNearest(text.problems(), curve.file, scene);
   mesh_file::Digest digest;
   digest.add(std::as_bytes(std::span(text.value())));
   curve.loaded_checksum = digest.text();
@@ -113,7 +114,7 @@ Problems load(Curve& curve, const Description& scene, const SourceLocation& plac
                                  "Restore that file, or remove \"checksum\" to use this one."),
                   {json::shown(curve.file)}),
              place}};
-  Result<std::vector<Vec3>> points = curve::parsePoints(text.value(), path, monitor);
+  Result<std::vector<Vec3>> points = curve::parsePoints(text.value(), path, monitor, &curve.note);
   if (!points) return points.problems();  // each with its line
   curve.points = std::make_shared<const std::vector<Vec3>>(std::move(points).value());
   return {};
@@ -132,7 +133,8 @@ std::vector<std::string> foundOf(const std::string& name, const Description& sce
   std::vector<std::string> found;
   std::error_code error;
   for (const fs::path& place : places) {
-    if (fs::exists(place, error)) found.push_back(place.string());
+    const std::string path = fileMeant(place.parent_path(), place.filename());
+    if (fs::exists(path, error)) found.push_back(path);
   }
   return found;
 }
@@ -196,7 +198,8 @@ Problems loadEach(Description& scene, const TaskMonitor& monitor, const Load& lo
   return problems;
 }
 
-std::string withoutFolder(const std::string& name) {
+std::string withoutFolder(const std::string& written, const Description& scene) {
+  const std::string name = plainName(fs::path(scene.file).parent_path(), written);
   const fs::path file(name);
   const bool is_below = file.is_relative() && std::find(file.begin(), file.end(), fs::path("..")) == file.end();
   return is_below ? name : file.filename().string();
@@ -205,8 +208,7 @@ std::string withoutFolder(const std::string& name) {
 }  // namespace
 
 std::string pathOf(const std::string& name, const Description& scene) {
-  const fs::path file(name);
-  return file.is_absolute() ? name : (fs::path(scene.file).parent_path() / file).string();
+  return fileMeant(fs::path(scene.file).parent_path(), name);
 }
 
 bool lacksMeshes(const Description& scene) {
@@ -234,14 +236,14 @@ Result<tick::TickProgram> loadAndCompile(Description& scene, const TaskMonitor& 
 
 Description withoutFolders(Description scene) {
   if (isArmFile(scene.arm)) {
-    scene.arm = withoutFolder(scene.arm);
+    scene.arm = withoutFolder(scene.arm, scene);
     scene.arm_text = armTextOf(scene);
   }
   for (Constraint& constraint : scene.constraints) {
     auto* const mesh = std::get_if<Mesh>(&constraint.shape);
     auto* const curve = std::get_if<Curve>(&constraint.shape);
-    if (mesh != nullptr) mesh->file = withoutFolder(mesh->file);
-    if (curve != nullptr) curve->file = withoutFolder(curve->file);
+    if (mesh != nullptr) mesh->file = withoutFolder(mesh->file, scene);
+    if (curve != nullptr) curve->file = withoutFolder(curve->file, scene);
     if (mesh != nullptr && !mesh->loaded_checksum.empty()) mesh->checksum = mesh->loaded_checksum;
     if (curve != nullptr && !curve->loaded_checksum.empty()) curve->checksum = curve->loaded_checksum;
   }

@@ -9,8 +9,7 @@
 
 namespace underact::scene {
 
-/// The path of the file of a mesh or a curve: as stated, where that is absolute; else relative to the folder of the
-/// scene's own file.
+/// The path of the file of a mesh or a curve: fileMeant() from the folder of the scene's own file.
 std::string pathOf(const std::string& file, const Description& scene);
 
 /// Loads the surface of each mesh that has none, from its file or from the cache, and the points of each curve. Takes

@@ -1,6 +1,7 @@
 #include "core/scene/mesh_notes.h"
 
 #include <cmath>
+#include <filesystem>
 
 #include "core/arm/solid_place.h"
 #include "core/base/nearest_rotation.h"
@@ -9,6 +10,7 @@
 #include "core/json/text.h"
 #include "core/mesh_file/report.h"
 #include "core/mesh_file/union_report.h"
+#include "core/scene/load_meshes.h"
 #include "core/scene/scene_arm.h"
 
 namespace underact::scene {
@@ -40,10 +42,21 @@ Mat3 rotationOf(const Shape& shape) {
 
 Problems meshNotes(const Description& scene) {
   Problems notes;
+  const auto note_name = [&](const std::string& name, const SourceLocation& place) {
+    const std::string path = pathOf(name, scene);
+    if (path == std::filesystem::path(scene.file).parent_path() / name) return;
+    notes.push_back({said(TRANSLATE_NOOP("problem", "There is no file %1, so %2 was read."),
+                          {json::shown(name), json::shown(path)}),
+                     place});
+  };
+  if (isArmFile(scene.arm) && scene.arm_text.empty()) note_name(scene.arm, {scene.file, 1, 1, "arm"});
   for (const Constraint& constraint : scene.constraints) {
     if (Sentence note = rotationNote(rotationOf(constraint.shape)); !note.empty())
       notes.push_back({std::move(note), constraint.place});
     const auto* const mesh = std::get_if<Mesh>(&constraint.shape);
+    const auto* const curve = std::get_if<Curve>(&constraint.shape);
+    if (mesh != nullptr || curve != nullptr) note_name(mesh != nullptr ? mesh->file : curve->file, constraint.place);
+    if (curve != nullptr && !curve->note.empty()) notes.push_back({curve->note, constraint.place});
     if (mesh == nullptr || mesh->facts == nullptr) continue;
     const double mm_per_unit = std::abs(mesh->scale_mm_per_unit);
     const Sentence crosses = mesh_file::crossingReport(*mesh->facts);

@@ -9,6 +9,7 @@
 #include "core/base/translate.h"
 #include "core/json/text.h"
 #include "core/scene/load_meshes.h"
+#include "core/scene/mesh_names.h"
 
 namespace underact::scene {
 namespace {
@@ -27,7 +28,8 @@ Result<std::string> textOfArm(const Description& scene, const std::string& path,
                                {json::shown(scene.arm)}));
   Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "an arm")), kLargestArmFile);
   if (text) return text;
-  return ofScene(scene, said(TRANSLATE_NOOP("problem", "The arm %1: %2"), {path, text.problems().front().sentence}));
+  const Problems problems = withNearest(text.problems(), scene.arm, scene);
+  return ofScene(scene, said(TRANSLATE_NOOP("problem", "The arm %1: %2"), {path, problems.front().sentence}));
 }
 
 }  // namespace

@@ -192,24 +192,41 @@ template <std::size_t N>
 Column<N> ratesAfter(const Plant& plant, const Period<N>& period, const Moving<N>& at, const Column<N>& tau,
                      const HandSetpoint& wish, double dt_s, const arm::JointAngles& q,
                      const Column<N>& dq) noexcept UNDERACT_REAL_TIME {
+  const Shares shares = sharesOf(plant.integration.integrator);
+  // Of dq and dq' in the dampers, and in the way from `at` to where the springs are evaluated, in s.
+  const double old = shares.damping_begin, now = 1.0 - old;
+  const double old_s = -old * shares.way_begin * dt_s, now_s = now * (1.0 - shares.way_begin) * dt_s;
+  const bool has_old = shares.way_begin > 0.0;
   if (wish.posture) {
     const Square<N> A =
-        (1.0 + 2.0 * dt_s * kLead_rad_per_s + dt_s * dt_s * kLead_rad_per_s * kLead_rad_per_s) * period.M +
-        dt_s * period.D;
+        (1.0 + 2.0 * now * dt_s * kLead_rad_per_s + dt_s * now_s * kLead_rad_per_s * kLead_rad_per_s) * period.M +
+        now * dt_s * period.D;
     const Column<N> way = Eigen::Map<const Column<N>>(wish.posture->data()) - Eigen::Map<const Column<N>>(q.data());
-    return solved<N>(A, times<N>(period.M, dq + dt_s * kLead_rad_per_s * kLead_rad_per_s * way) + dt_s * tau);
+    const double kept = 1.0 - 2.0 * old * dt_s * kLead_rad_per_s - dt_s * old_s * kLead_rad_per_s * kLead_rad_per_s;
+    Column<N> right = times<N>(period.M, kept * dq + dt_s * kLead_rad_per_s * kLead_rad_per_s * way) + dt_s * tau;
+    if (has_old) right -= (old * dt_s) * times<N>(period.D, dq);
+    return solved<N>(A, right);
   }
   const HandModel& hand = plant.hand;
-  const double speed_m_per_s = (at.J_v * dq).norm();
   const double b = hand.damping_N_s_per_m, k = wish.holds ? hand.stiffness_N_per_m : 0.0;
-  const double against = b + plant.model.friction_N / (speed_m_per_s + kSoftSpeed_m_per_s);
   const double k_w = wish.turns ? kGrip_m * kGrip_m * hand.stiffness_N_per_m : 0.0, b_w = kGrip_m * kGrip_m * b;
   const Square<N> pushing = squareOf<N>(1.0, at.J_v), turning = squareOf<N>(1.0, at.J_w);
-  const Square<N> A = period.M + dt_s * (period.D + (against + dt_s * k) * pushing + (b_w + dt_s * k_w) * turning);
-  const Vec3 hand_N = k * (wish.p_WT - at.p_WT) + b * wish.v_WT;
+  const Vec3 hand_N = k * (wish.p_WT - (old * dt_s) * wish.v_WT - at.p_WT) + b * wish.v_WT;
   Column<N> right = times<N>(period.M, dq) + dt_s * (tau + at.J_v.transpose() * hand_N);
   if (wish.turns) right += (dt_s * k_w) * at.J_w.transpose() * rotationVector(wish.R_WT * at.R_WT.transpose());
-  return solved<N>(A, right);
+  if (has_old) {
+    const Square<N> before = old * period.D + (old * b + old_s * k) * pushing + (old * b_w + old_s * k_w) * turning;
+    right -= dt_s * times<N>(before, dq);
+  }
+  Column<N> after = dq;
+  for (int pass = has_old ? 2 : 1; pass > 0; --pass) {  // the second one with the friction at the speed of the first
+    const double speed_m_per_s = (at.J_v * after).norm();
+    const double against = now * b + plant.model.friction_N / (speed_m_per_s + kSoftSpeed_m_per_s);
+    const Square<N> A =
+        period.M + dt_s * (now * period.D + (against + now_s * k) * pushing + (now * b_w + now_s * k_w) * turning);
+    after = solved<N>(A, right);
+  }
+  return after;
 }
 
 /// The torques of the motors for what they render.
@@ -223,11 +240,12 @@ Column<N> torquesOf(const arm::GeneralArm& arm, const Moving<N>& at, const Pushe
   return tau;
 }
 
-/// One substep's motion, and the stops: a joint there keeps no speed towards its stop.
+/// One substep's motion at this mean rate, and the stops: a joint there keeps no speed dq towards its stop.
 template <std::size_t N>
-void move(const Plant& plant, double dt_s, Column<N>& dq, arm::JointAngles& q) noexcept UNDERACT_REAL_TIME {
+void move(const Plant& plant, double dt_s, const Column<N>& mean, Column<N>& dq,
+          arm::JointAngles& q) noexcept UNDERACT_REAL_TIME {
   arm::JointAngles meant = q;
-  for (std::size_t joint = 0; joint < N; ++joint) meant[joint] += dt_s * dq[static_cast<Eigen::Index>(joint)];
+  for (std::size_t joint = 0; joint < N; ++joint) meant[joint] += dt_s * mean[static_cast<Eigen::Index>(joint)];
   q = arm::withinLimits(plant.arm.limits, meant);
   for (std::size_t joint = 0; joint < N; ++joint) {
     if (q[joint] != meant[joint]) dq[static_cast<Eigen::Index>(joint)] = 0.0;
@@ -271,15 +289,19 @@ PlantState advanceBy(const Plant& plant, PlantState state, const Pushed& pushed,
   const PlantState before = state;
   const Period<N> period = periodOf<N>(plant, state);
   Column<N> dq = Eigen::Map<const Column<N>>(state.dq.data());
+  const double way_begin = sharesOf(plant.integration.integrator).way_begin;
   HandSetpoint wish = setpoint;
   for (std::int64_t left_ns = period_ns; left_ns > 0;) {
     const std::int64_t step_ns = std::min(left_ns, plant.integration.substep_ns);
     left_ns -= step_ns;
     const double dt_s = kSecondPerNanosecond * static_cast<double>(step_ns);
     wish.p_WT = setpoint.p_WT - (kSecondPerNanosecond * static_cast<double>(left_ns)) * setpoint.v_WT;
-    const Moving<N> at = movingAt<N>(arm, state.q_rad);
-    dq = ratesAfter<N>(plant, period, at, torquesOf<N>(arm, at, pushed), wish, dt_s, state.q_rad, dq);
-    move<N>(plant, dt_s, dq, state.q_rad);
+    const Column<N> before_dq = dq;
+    arm::JointAngles q = state.q_rad;  // in the middle of the substep, as far as dq tells
+    for (std::size_t joint = 0; joint < N; ++joint) q[joint] += way_begin * dt_s * dq[static_cast<Eigen::Index>(joint)];
+    const Moving<N> at = movingAt<N>(arm, q);
+    dq = ratesAfter<N>(plant, period, at, torquesOf<N>(arm, at, pushed), wish, dt_s, q, dq);
+    move<N>(plant, dt_s, way_begin * before_dq + (1.0 - way_begin) * dq, dq, state.q_rad);
   }
   const Moving<N> at = movingAt<N>(arm, state.q_rad);
   state.p_WT = at.p_WT;

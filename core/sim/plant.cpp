@@ -33,18 +33,6 @@ struct Pull {
   double friction_N;
 };
 
-/// The weights of the velocities v at the beginning and v' at the end of a substep, which sum to 1: for the
-/// displacement, and for the dampers.
-struct Shares {
-  double way_begin, damping_begin;
-};
-
-/// Without a mass there is no initial velocity, and v' alone counts.
-Shares sharesOf(Integrator integrator, double mass_kg) noexcept UNDERACT_REAL_TIME {
-  if (integrator == Integrator::EndVelocity || !(mass_kg > 0.0)) return {0.0, 0.0};
-  return {0.5, integrator == Integrator::Trapezoidal ? 0.5 : 0.0};
-}
-
 /// One substep: the momentum equation, solved for the velocity at its end. With w the share of v in the displacement
 /// and d its share in the dampers (1 - w and 1 - d those of v'), b_a the arm's own damping and b the hand's:   x' = x +
 /// dt (w v + (1 - w) v')   M (v' - v) = dt (f - b_a (d v + (1 - d) v') + b (v_w - d v - (1 - d) v') + k (x_w - x_s)) -
@@ -153,7 +141,7 @@ PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, cons
   }
   const Pull pull{plant.model.mass_kg + plant.hand.mass_kg, plant.model.damping_N_s_per_m, plant.hand.damping_N_s_per_m,
                   setpoint.holds ? plant.hand.stiffness_N_per_m : 0.0, plant.model.friction_N};
-  const Shares shares = sharesOf(plant.integration.integrator, pull.mass_kg);
+  const Shares shares = pull.mass_kg > 0.0 ? sharesOf(plant.integration.integrator) : Shares{};
   for (std::int64_t left_ns = period_ns; left_ns > 0;) {
     const std::int64_t step_ns = std::min(left_ns, plant.integration.substep_ns);
     left_ns -= step_ns;

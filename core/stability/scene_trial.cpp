@@ -132,6 +132,11 @@ Result<SceneTrialResult> tryOne(const SceneWall& wall, const scene::Description&
 Result<SceneTrialResult> tryScene(const SceneWall& wall, double stiffness_N_per_m) {
   const Result<scene::Description> one = lab::onlyOne(wall.scene, wall.constraint);
   if (!one) return one.problems();
+  if (!arm::isOmniForm(scene::armOf(wall.scene)))
+    return Problems{{said(TRANSLATE_NOOP("problem",
+                                         "The trial pushes a mass at the tip, as haptic arms have one; the arm \"%1\" "
+                                         "has links instead."),
+                          {wall.scene.arm})}};
   return tryOne(wall, one.value(), stiffness_N_per_m);
 }
 

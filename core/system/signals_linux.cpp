@@ -45,7 +45,7 @@ bool Interrupt::came() const {
 }
 
 void endWithParentOnly() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) std::signal(signal, SIG_IGN);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
 }
 
 void reportFullFiles() {

@@ -25,68 +25,71 @@ GateTime gateTimeOf(const TickInput& input, const TickState& before, double by_a
   return {input.period_s, input.waited_s, safety::travelTime_s(by_arm_s, since_s)};
 }
 
+void watchJoints(const arm::JointLimits& limits, const arm::JointAngles& q_rad, const Mat3& J_p,
+                 safety::Motion& motion) noexcept {
+  motion.count = 3;
+  for (std::size_t joint = 0; joint < 3; ++joint) {
+    safety::DrivenJoint& driven = motion.joints[joint];
+    driven.J_v = J_p.col(static_cast<Eigen::Index>(joint));
+    driven.room_below_rad = q_rad[joint] - limits.min_rad[joint];
+    driven.room_above_rad = limits.max_rad[joint] - q_rad[joint];
+  }
+}
+
 namespace {
 
-/// The same of an arm that is not of the Omni's form.
 void computeGeneral(const TickProgram& program, const arm::GeneralArm& arm, const arm::JointAngles& q_rad,
-                    TickReport& report, safety::Driven& driven, safety::Motion& motion) noexcept UNDERACT_REAL_TIME {
+                    TickReport& report, safety::Motion& motion) noexcept UNDERACT_REAL_TIME {
   const chain::Kinematics at = chain::kinematics(arm.chain, q_rad);
   report.p_WT = at.X_WT.translation();
   if (program.needs.orientation) {
     report.R_WT = at.X_WT.linear();
     report.stylus_W = at.X_WT.linear().col(2);
   }
-  driven.count = program.watched.count;
-  driven.turns = program.needs.moment;
-  driven.renders = arm::renderable(arm, at.J);
-  if (driven.turns) driven.renders_wrench = arm::renderableWrench(at.J, safety::kMomentArm_m);
-  for (std::size_t i = 0; i < driven.count; ++i) {
+  motion.count = program.watched.count;
+  motion.turns = program.needs.moment;
+  motion.renders_all = false;
+  motion.renders = arm::renderable(arm, at.J);
+  if (motion.turns) motion.renders_wrench = arm::renderableWrench(at.J, safety::kMomentArm_m);
+  for (std::size_t i = 0; i < motion.count; ++i) {
     const std::size_t joint = program.watched.joint[i];
     const auto column = at.J.col(static_cast<Eigen::Index>(joint));
-    driven.J_v[i] = column.head<3>();
-    driven.J_w[i] = column.tail<3>();
     const double scale = arm.chain.joints[joint].type == chain::JointType::Prismatic ? kSlide_rad_per_m : 1.0;
-    driven.room_below_rad[i] = scale * (q_rad[joint] - program.joint_limits.min_rad[joint]);
-    driven.room_above_rad[i] = scale * (program.joint_limits.max_rad[joint] - q_rad[joint]);
+    motion.joints[i] = {column.head<3>(), column.tail<3>(),
+                        scale * (q_rad[joint] - program.joint_limits.min_rad[joint]),
+                        scale * (program.joint_limits.max_rad[joint] - q_rad[joint])};
   }
-  motion.driven = &driven;
 }
 
 }  // namespace
 
 void computeKinematics(const TickProgram& program, const arm::JointAngles& q_rad, TickReport& report,
-                       safety::Driven& driven, safety::Motion& motion) noexcept {
+                       safety::Motion& motion) noexcept {
   if (program.geometry.general != nullptr) {
-    computeGeneral(program, *program.geometry.general, q_rad, report, driven, motion);
+    computeGeneral(program, *program.geometry.general, q_rad, report, motion);
     return;
   }
-  if (!program.needs.orientation) {
-    if (!program.needs.motors) {
-      report.p_WT = arm::tipPosition(program.geometry, q_rad);
-      return;
-    }
+  Mat3 J_p = Mat3::Zero();
+  if (program.needs.orientation) {
+    const Pose X_WT = arm::tipPose(program.geometry, q_rad);
+    report.p_WT = X_WT.translation();
+    report.R_WT = X_WT.linear();
+    report.stylus_W = X_WT.linear().col(2);
+    if (program.needs.motors) J_p = arm::positionJacobian(program.geometry, q_rad);
+  } else if (program.needs.motors) {
     const arm::Tip tip = arm::tip(program.geometry, q_rad);
     report.p_WT = tip.p_WT;
-    motion.J_p = tip.J_p;
-    return;
+    J_p = tip.J_p;
+  } else {
+    report.p_WT = arm::tipPosition(program.geometry, q_rad);
   }
-  const Pose X_WT = arm::tipPose(program.geometry, q_rad);
-  report.p_WT = X_WT.translation();
-  report.R_WT = X_WT.linear();
-  report.stylus_W = X_WT.linear().col(2);
-  if (program.needs.motors) motion.J_p = arm::positionJacobian(program.geometry, q_rad);
+  if (program.needs.motors) watchJoints(program.joint_limits, q_rad, J_p, motion);
 }
 
-void computeMotion(const TickProgram& program, const arm::JointAngles& q_rad, const TickState& before, double dt_s,
-                   const Vec3& p_WT, safety::Motion& motion) noexcept {
+void computeMotion(const arm::JointAngles& q_rad, const TickState& before, double dt_s, const Vec3& p_WT,
+                   safety::Motion& motion) noexcept {
   if (dt_s > 0.0) motion.v_WT = (p_WT - before.p_WT) / dt_s;
   motion.moved = !(dt_s > 0.0) || q_rad != before.q_rad;
-  if (program.geometry.general != nullptr) return;  // known already
-  for (std::size_t joint = 0; joint < 3; ++joint) {
-    const auto axis = static_cast<Eigen::Index>(joint);
-    motion.room_below_rad[axis] = q_rad[joint] - program.joint_limits.min_rad[joint];
-    motion.room_above_rad[axis] = program.joint_limits.max_rad[joint] - q_rad[joint];
-  }
 }
 
 }  // namespace underact::tick

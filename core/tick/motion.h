@@ -25,14 +25,17 @@ struct GateTime {
 GateTime gateTimeOf(const TickInput& input, const TickState& before, double by_arm_s,
                     double law_dt_s) noexcept UNDERACT_REAL_TIME;
 
-/// Computes the position of the tip, what the motors of an arm that is not of the Omni's form render there (into
-/// driven), and the direction of the stylus where a target needs it.
-void computeKinematics(const TickProgram& program, const arm::JointAngles& q_rad, TickReport& report,
-                       safety::Driven& driven, safety::Motion& motion) noexcept UNDERACT_REAL_TIME;
+/// The first three joints of the Omni's kind, which have motors: J_p moves the tip for their rates.
+void watchJoints(const arm::JointLimits& limits, const arm::JointAngles& q_rad, const Mat3& J_p,
+                 safety::Motion& motion) noexcept UNDERACT_REAL_TIME;
 
-/// Computes the motion of the arm since the last sample, and the distance of its driven joints from their stops. dt_s:
-/// 0 where there is no last sample.
-void computeMotion(const TickProgram& program, const arm::JointAngles& q_rad, const TickState& before, double dt_s,
-                   const Vec3& p_WT, safety::Motion& motion) noexcept UNDERACT_REAL_TIME;
+/// Computes the position of the tip, the direction of the stylus where a target needs it, and of the driven joints what
+/// the gate needs: what they render, and their distances from their stops.
+void computeKinematics(const TickProgram& program, const arm::JointAngles& q_rad, TickReport& report,
+                       safety::Motion& motion) noexcept UNDERACT_REAL_TIME;
+
+/// Computes the motion of the arm since the last sample. dt_s: 0 where there is no last sample.
+void computeMotion(const arm::JointAngles& q_rad, const TickState& before, double dt_s, const Vec3& p_WT,
+                   safety::Motion& motion) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::tick

@@ -21,7 +21,7 @@ TickProgram makeProgram(const arm::Geometry& geometry, std::vector<Entry> entrie
     program.needs.energy |= entry.passivity != control::Passivity::Off;
     program.needs.joints |= entry.space == Space::Joint;
   }
-  program.needs.motors = limits.edge_rad > 0.0 || (limits.thermal.continuous_N_m.array() > 0.0).any();
+  program.needs.motors = limits.edge_rad > 0.0 || limits.thermal.continuous_N_m != safety::PerDriven{};
   program.needs.more_joints = arm::jointsOf(geometry) > 6;
   if (geometry.general != nullptr) {
     program.watched = arm::watchedJoints(*geometry.general);

@@ -85,7 +85,7 @@ void tell(const safety::Gated& gated, TickReport& report) noexcept UNDERACT_REAL
   report.cuts = gated.cuts;
   report.cut_N = safety::sumOf(gated.cuts);
   report.v_WT = gated.next.v_WT;
-  report.heat = gated.next.heat;
+  report.heat = Vec3(gated.next.heat[0], gated.next.heat[1], gated.next.heat[2]);
   report.fault = gated.fault;
 }
 
@@ -101,13 +101,12 @@ void step(const TickProgram& program, const TickInput& input, TickState& state, 
   const bool is_good = fault.kind == FaultKind::None;
   const double law_dt_s = is_good && dt_s <= kLongestTick_s ? dt_s : 0.0;
   const GateTime time = gateTimeOf(input, state, dt_s, law_dt_s);
-  safety::Motion motion;
-  safety::Driven driven;  // of an arm that is not of the Omni's form
+  safety::GateInput asked;
   begin(program, input.sample, report);
   if (is_good) {
     if (dt_s > kLongestTick_s) reset(state);
-    computeKinematics(program, input.sample.q_rad, report, driven, motion);  // the targets depend on it
-    computeMotion(program, input.sample.q_rad, state, time.way_s, report.p_WT, motion);
+    computeKinematics(program, input.sample.q_rad, report, asked.motion);  // the targets depend on it
+    computeMotion(input.sample.q_rad, state, time.way_s, report.p_WT, asked.motion);
     findTargets(program, law_dt_s, state, report);
     if (program.needs.choice) keepNearest(report.held);
     const Vec3 displacement_T_W = law_dt_s > 0.0 ? Vec3(report.p_WT - state.p_WT) : Vec3(Vec3::Zero());
@@ -119,8 +118,13 @@ void step(const TickProgram& program, const TickInput& input, TickState& state, 
     remember(report, state);
   }
   report.p_WT = state.p_WT;
-  const safety::GateInput asked{report.f_T_W, input.engage, input.restart, fault,
-                                input.late,   motion,       time.waited_s, report.m_T_W};
+  asked.f_T_W = report.f_T_W;
+  asked.m_T_W = report.m_T_W;
+  asked.engage = input.engage;
+  asked.restart = input.restart;
+  asked.late = input.late;
+  asked.fault = fault;
+  asked.waited_s = time.waited_s;
   const safety::Gated gated = safety::gate(program.limits, state.gate, asked, time.dt_s);
   state.gate = gated.next;
   tell(gated, report);

@@ -74,7 +74,7 @@ std::vector<ChoiceResult> measureChoices(const scene::Description& scene, const 
       const auto add = [&](const Entry& entry, const Figures& figures) {
         rows.push_back({scene.title, hand.name, choice->key, entry.name, figures});
       };
-      if (!measureEach(*choice, {scene, hand.hand, seconds}, base, entries, tell, add)) return choice_results;
+      if (!measureEach(*choice, benchOf(scene, hand.hand, seconds), base, entries, tell, add)) return choice_results;
     }
     for (const Entry& entry : entries) {
       const Summary summary = summaryOf(rows, choice->key, entry.name);

@@ -93,7 +93,7 @@ std::vector<Point> measurePoints(const scene::Description& scene, const std::vec
   std::vector<Run> oracles;
   std::vector<Point> points;
   for (const NamedHand& hand : hands) {
-    benches.push_back({scene, hand.hand, seconds});
+    benches.push_back(benchOf(scene, hand.hand, seconds));
     Result<Run> oracle = run(benches.back(), oracleOf(own), true);
     if (!oracle || oracle.value().faulted || !goes_on(0.0)) return points;
     oracles.push_back(std::move(oracle).value());

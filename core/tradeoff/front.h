@@ -17,7 +17,7 @@ struct Point {
   bool on_front = false;  // Pareto-optimal: no other point is both cheaper and more accurate
 };
 
-/// The settings that are tried: each rate with each integrator of the arm, and with each search, solver and filter that
+/// The settings that are tried: each rate with three substeps of the arm, and with each search, solver and filter that
 /// the scene uses; and the scene's own at the servo's rate.
 std::vector<Settings> settingsToTry(const scene::Description& scene, int rate_hz);
 

@@ -50,6 +50,10 @@ bool anyActs(const tick::TickReport& report) {
 
 }  // namespace
 
+Bench benchOf(const scene::Description& scene, const sim::HandScript& hand, double seconds) {
+  return {scene, sim::madeFor(scene::armOf(scene), hand), seconds};
+}
+
 std::vector<double> timesOf(const Bench& bench, int rate_hz) {
   std::vector<double> times;
   for (int tick = 0; tick < static_cast<int>(bench.seconds * rate_hz); ++tick)

@@ -16,6 +16,9 @@ struct Bench {
   double seconds = 4.0;
 };
 
+/// The bench with a hand that is made for the scene's arm: a built-in one is where that arm rests.
+Bench benchOf(const scene::Description& scene, const sim::HandScript& hand, double seconds);
+
 /// A run of the simulated arm under the servo, without a thread.
 struct Run {
   int rate_hz = 1000;

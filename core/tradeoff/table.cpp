@@ -58,6 +58,10 @@ Summary summaryOf(const std::vector<Row>& rows, const std::string& choice, const
   summary.p99_ns = lab::quantile(p99, 0.5);
   summary.cost_us_per_s = lab::quantile(costs, 0.5);
   summary.error = lab::quantile(errors, 0.9);
+  const auto run = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
+    return row.choice == choice && row.option == option && row.figures.error == summary.error;
+  });
+  summary.scene = run->scene, summary.hand = run->hand;
   return summary;
 }
 
@@ -68,7 +72,7 @@ std::vector<Row> measureRows(const Plan& plan, const Progress& goes_on) {
   for (const Cell& cell : cells) runs += cell.choice->options.size();
   const auto tell = [&] { return goes_on(static_cast<double>(done++) / static_cast<double>(runs)); };
   for (const Cell& cell : cells) {
-    const Bench bench{cell.scene->scene, cell.hand->hand, plan.seconds};
+    const Bench bench = benchOf(cell.scene->scene, cell.hand->hand, plan.seconds);
     const Settings own = settingsOf(bench.scene, Settings{}.rate_hz);
     const auto add = [&](const Entry& entry, const Figures& figures) {
       rows.push_back({cell.scene->name, cell.hand->name, cell.choice->key, entry.name, figures,

@@ -48,6 +48,7 @@ struct Summary {
   double cost_us_per_s = 0.0;         // the same, for a second of the servo's
   double error = 0.0;                 // 90th percentile over the runs, root mean square, in the choice's unit
   double worst = 0.0;                 // the largest of all
+  std::string scene = {}, hand = {};  // of the run that has this error: it alone gives the error again
   bool is_default = false;            // of the program
   bool is_recommended = false;
 };

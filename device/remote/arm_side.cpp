@@ -8,6 +8,7 @@
 #include "core/arm/jacobian.h"
 #include "core/base/units.h"
 #include "core/scene/compile.h"
+#include "core/tick/motion.h"
 
 namespace underact::device::remote {
 namespace {
@@ -65,7 +66,7 @@ bool ArmSide::hears(const Came& came) noexcept {
     unfresh_ = kQuietPeriods;
     energy_ = control::EnergyState{};
     energy_.energy_J = kLent_J;
-    const Vec3 heat = gate_.heat;
+    const safety::Heat heat = gate_.heat;
     gate_ = safety::GateState{};
     gate_.heat = heat;
   }
@@ -158,21 +159,18 @@ void ArmSide::tick() noexcept {
   const double period_s = kSecondPerNanosecond * static_cast<double>(options_.period_ns);
   since_s_ += period_s + waited_s;
 
-  safety::Motion motion;
+  safety::GateInput asked;
+  safety::Motion& motion = asked.motion;
   Vec3 displacement_T_W = Vec3::Zero();
   if (fault.kind == FaultKind::None) {
     const Vec3 p_WT = arm::tipPosition(options_.geometry, message.sample.q_rad);
-    motion.J_p = arm::positionJacobian(options_.geometry, message.sample.q_rad);
+    tick::watchJoints(options_.joint_limits, message.sample.q_rad,
+                      arm::positionJacobian(options_.geometry, message.sample.q_rad), motion);
     if (has_last_) {
       const Vec3 gone_T_W = p_WT - p_WT_;
       if (dt_s > 0.0) displacement_T_W = gone_T_W;
       motion.v_WT = gone_T_W / safety::travelTime_s(since_s, since_s_);
       motion.moved = message.sample.q_rad != q_rad_;
-    }
-    for (std::size_t joint = 0; joint < 3; ++joint) {
-      const auto axis = static_cast<Eigen::Index>(joint);
-      motion.room_below_rad[axis] = message.sample.q_rad[joint] - options_.joint_limits.min_rad[joint];
-      motion.room_above_rad[axis] = options_.joint_limits.max_rad[joint] - message.sample.q_rad[joint];
     }
     p_WT_ = p_WT;
     q_rad_ = message.sample.q_rad;
@@ -188,8 +186,12 @@ void ArmSide::tick() noexcept {
   const bool restart = gate_.fault.kind != FaultKind::None && is_heard && asked_T_W == Vec3::Zero();
   const Vec3 kept_T_W = fault.kind == FaultKind::None ? keepPassive(displacement_T_W, dt_s, asked_T_W) : asked_T_W;
   if (fault.kind == FaultKind::None && !is_heard) fault = {FaultKind::StaleSample, 0.0, 0.0};  // zero, at once
-  const safety::Gated gated =
-      safety::gate(options_.limits, gate_, {kept_T_W, true, restart, fault, false, motion, waited_s}, period_s);
+  asked.f_T_W = kept_T_W;
+  asked.engage = true;
+  asked.restart = restart;
+  asked.fault = fault;
+  asked.waited_s = waited_s;
+  const safety::Gated gated = safety::gate(options_.limits, gate_, asked, period_s);
   gate_ = gated.next;
   port_.write(gated.force);
   noticeSleep();  // since it was last checked: this tick's force is withdrawn, and the next one says why

@@ -1870,12 +1870,14 @@ Die letzte Spalte der Tabelle sagt, welche der acht jedes Gelenk innerhalb seine
     </message>
     <message>
         <source>In the other wrist solution $\theta_4$ and $\theta_6$ are half a turn further and $\theta_5$ has the opposite
-sign; the limits of joint 5 hold for either sign. With joint 4 near the middle of its range, another half turn is
-beyond its limits; with joint 4 turned to one side it is not.
+sign. The program compares the size of $\theta_5$ with the limits, so that this solution can pass; the joint of a
+real arm bends one way only. With joint 4 near the middle of its range, another half turn is beyond its limits; with
+joint 4 turned to one side it is not.
 
 Turn the stylus until two of the eight are within the limits, and hold it for half a second.</source>
-        <translation>In der anderen Lösung des Handgelenks sind $\theta_4$ und $\theta_6$ eine halbe Drehung weiter, und $\theta_5$ hat das andere Vorzeichen; die Grenzen von Gelenk 5
-zählen für beide Vorzeichen. Steht Gelenk 4 nahe seiner Mitte, so führt eine halbe Drehung über seine Grenzen hinaus; ist es zu
+        <translation>In der anderen Lösung des Handgelenks sind $\theta_4$ und $\theta_6$ eine halbe Drehung weiter, und $\theta_5$ hat das andere Vorzeichen. Das Programm
+vergleicht den Betrag von $\theta_5$ mit den Grenzen, sodass diese Lösung sie einhalten kann; das Gelenk eines wirklichen Arms biegt sich nur zu
+einer Seite. Steht Gelenk 4 nahe seiner Mitte, so führt eine halbe Drehung über seine Grenzen hinaus; ist es zu
 einer Seite gedreht, so nicht.
 
 Drehen Sie den Stift, bis zwei der acht die Grenzen einhalten, und halten Sie ihn eine halbe Sekunde lang.</translation>
@@ -2572,8 +2574,8 @@ Drücken Sie Start und gleiten Sie auf der Ebene: über 40 mm in $x$ und über 4
         <translation>Eine Kugel: zwei Drehgelenke</translation>
     </message>
     <message>
-        <source>Two revolute joints whose axes intersect at right angles make a sphere. Press Start and slide from the front of the ball, $(0, 0, 50)$, over to its top, $(0, 50, 0)$ mm, and stay within 4 mm of the surface.</source>
-        <translation>Zwei Drehgelenke, deren Achsen sich im rechten Winkel schneiden, ergeben eine Kugel. Drücken Sie Start und gleiten Sie von der Vorderseite der Kugel, $(0, 0, 50)$, hinüber zu ihrem obersten Punkt, $(0, 50, 0)$ mm, und bleiben Sie höchstens 4 mm von der Oberfläche entfernt.</translation>
+        <source>Two revolute joints make a sphere where their axes intersect at right angles and the link to the tip stands square to axis 2; a slanting link leaves out a cap at each end of axis 1. Press Start and slide from the front of the ball, $(0, 0, 50)$, over to its top, $(0, 50, 0)$ mm, and stay within 4 mm of the surface.</source>
+        <translation>Zwei Drehgelenke ergeben eine Kugel, wenn sich ihre Achsen im rechten Winkel schneiden und das Glied zur Spitze senkrecht auf Achse 2 steht; steht es schräg, so fehlt an jedem Ende von Achse 1 eine Kappe. Drücken Sie Start und gleiten Sie von der Vorderseite der Kugel, $(0, 0, 50)$, hinüber zu ihrem obersten Punkt, $(0, 50, 0)$ mm, und bleiben Sie höchstens 4 mm von der Oberfläche entfernt.</translation>
     </message>
     <message>
         <source>Move up and away from you at the same time: the surface leads you.</source>
@@ -2798,8 +2800,8 @@ einer Lage verliert er eine Richtung nur in einer Singularität. Die des Ellboge
 Ziehen Sie das Werkzeug von der Basis weg, bis der kleinste Singulärwert von $J_v$ unter 150 mm je Radiant liegt.</translation>
     </message>
     <message>
-        <source>Drag the tool outwards, away from the base, as far as it goes. The arm weighs 18 kg and follows slowly.</source>
-        <translation>Ziehen Sie das Werkzeug nach außen, von der Basis weg, so weit es geht. Der Arm wiegt 18 kg und folgt langsam.</translation>
+        <source>Drag the tool outwards, away from the base, as far as it goes. The links of the arm weigh 17.7 kg and follow slowly.</source>
+        <translation>Ziehen Sie das Werkzeug nach außen, von der Basis weg, so weit es geht. Die Glieder des Arms wiegen 17,7 kg und folgen langsam.</translation>
     </message>
     <message>
         <source>Stretch the SCARA</source>
@@ -3434,8 +3436,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Datei ist beschädigt: In Zeile %1 endet keine Fläche (endfacet).</translation>
     </message>
     <message>
-        <source>The file is damaged: it is too short for its faces.</source>
-        <translation>Die Datei ist beschädigt: Sie ist zu kurz für ihre Flächen.</translation>
+        <source>The file is damaged: its length does not fit its faces.</source>
+        <translation>Die Datei ist beschädigt: Ihre Länge passt nicht zu ihren Flächen.</translation>
     </message>
     <message>
         <source>The file is damaged: line %1 does not begin a face (facet).</source>
@@ -3970,6 +3972,18 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Kraft ist aus.</translation>
     </message>
     <message>
+        <source>This is a pointer of Git LFS, not the file itself. Get it with "git lfs pull".</source>
+        <translation>Dies ist ein Zeiger von Git LFS, nicht die Datei selbst. Holen Sie sie mit "git lfs pull".</translation>
+    </message>
+    <message>
+        <source>This is a web page, not the file itself. Download the file again.</source>
+        <translation>Dies ist eine Webseite, nicht die Datei selbst. Laden Sie die Datei noch einmal herunter.</translation>
+    </message>
+    <message>
+        <source>This file has the format %1, which is not read here. Unpack it or convert it: a mesh to STL or OBJ, a text to UTF-8.</source>
+        <translation>Diese Datei hat das Format %1, das hier nicht gelesen wird. Entpacken Sie sie, oder wandeln Sie sie um: ein Dreiecksnetz in STL oder OBJ, einen Text in UTF-8.</translation>
+    </message>
+    <message>
         <source>This is not a rotation matrix: its rows must have length 1, be at right angles, and form a right-handed frame.</source>
         <translation>Dies ist keine Rotationsmatrix: Ihre Zeilen müssen die Länge 1 haben, rechtwinklig zueinander stehen und ein rechtshändiges Koordinatensystem bilden.</translation>
     </message>
@@ -4092,6 +4106,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>The file has more than 1000000 points; remove every second one.</source>
         <translation>Die Datei hat mehr als 1000000 Punkte; entfernen Sie jeden zweiten.</translation>
+    </message>
+    <message>
+        <source>Colours behind the points, or their number before them, were left out.</source>
+        <translation>Farben hinter den Punkten oder ihre Anzahl davor wurden weggelassen.</translation>
     </message>
     <message>
         <source>The file has no points.</source>
@@ -5102,6 +5120,14 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>%1 mm</translation>
     </message>
     <message>
+        <source>The file declares %1 faces, but has the length of %2: these were read.</source>
+        <translation>Die Datei gibt %1 Flächen an, hat aber die Länge von %2: Diese wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>What belongs to no face was skipped: %1 B.</source>
+        <translation>Was zu keiner Fläche gehört, wurde übersprungen: %1 B.</translation>
+    </message>
+    <message>
         <source>%1 face was left out: one of its vertices is not a finite point.</source>
         <translation>%1 Fläche wurde weggelassen: Eine ihrer Ecken ist kein endlicher Punkt.</translation>
     </message>
@@ -5758,12 +5784,20 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Ein virtueller Roboter wird in der eigenen Metrik der Verstärkungen gehalten. Entfernen Sie „anisotropy“, oder geben Sie jeder Achse dasselbe kp.</translation>
     </message>
     <message>
+        <source>The nearest name is %1.</source>
+        <translation>Der ähnlichste Name ist %1.</translation>
+    </message>
+    <message>
         <source>It is %1 mm long, too small to be felt: state a larger scale_mm_per_unit.</source>
         <translation>Es ist %1 mm lang, zu klein zum Fühlen: Geben Sie ein größeres scale_mm_per_unit an.</translation>
     </message>
     <message>
         <source>It is %1 mm long, far beyond the arm's reach: state a smaller scale_mm_per_unit.</source>
         <translation>Es ist %1 mm lang, weit über die Reichweite des Arms hinaus: Geben Sie ein kleineres scale_mm_per_unit an.</translation>
+    </message>
+    <message>
+        <source>There is no file %1, so %2 was read.</source>
+        <translation>Es gibt keine Datei %1, deshalb wurde %2 gelesen.</translation>
     </message>
     <message>
         <source>A %1 needs the name of its file.</source>
@@ -6248,6 +6282,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>This program reads version 1 only.</source>
         <translation>Dieses Programm liest nur Version 1.</translation>
+    </message>
+    <message>
+        <source>The trial pushes a mass at the tip, as haptic arms have one; the arm "%1" has links instead.</source>
+        <translation>Der Versuch stößt eine Masse an der Spitze an, wie haptische Arme sie haben; der Arm „%1“ hat stattdessen Glieder.</translation>
     </message>
     <message>
         <source>Nothing holds the tip there: the target follows the tip everywhere, so no stiffness is felt.</source>
@@ -7745,8 +7783,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>UR5e über einem Tisch</translation>
     </message>
     <message>
-        <source>Six joints, all driven, without a spherical wrist: a collaborative robot held by hand. Its tool is pushed off a table. The arm weighs 18 kg, and the hand moves it as slowly as that. Simulated only.</source>
-        <translation>Sechs Gelenke, alle angetrieben, ohne sphärisches Handgelenk: ein kollaborativer Roboter, von Hand gehalten. Ein Tisch stößt sein Werkzeug ab. Der Arm wiegt 18 kg, und so langsam bewegt ihn die Hand. Nur simuliert.</translation>
+        <source>Six joints, all driven, without a spherical wrist: a collaborative robot held by hand. Its tool is pushed off a table. Its links weigh 17.7 kg, and the hand moves them as slowly as that. Simulated only.</source>
+        <translation>Sechs Gelenke, alle angetrieben, ohne sphärisches Handgelenk: ein kollaborativer Roboter, von Hand gehalten. Ein Tisch stößt sein Werkzeug ab. Seine Glieder wiegen 17,7 kg, und so langsam bewegt sie die Hand. Nur simuliert.</translation>
     </message>
     <message>
         <source>Much inertia, little spring: the arm follows the hand late, and the table stops it.</source>
@@ -9827,7 +9865,42 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     </message>
 </context>
 <context>
-    <name>underact::gui::BeginPage</name>
+    <name>underact::gui::ButtonsSection</name>
+    <message>
+        <source>Stylus buttons</source>
+        <translation>Stifttasten</translation>
+    </message>
+    <message>
+        <source>What each stylus button does.</source>
+        <translation>Was jede Stifttaste bewirkt.</translation>
+    </message>
+    <message>
+        <source>At the ti&amp;p</source>
+        <translation>An der S&amp;pitze</translation>
+    </message>
+    <message>
+        <source>Se&amp;cond</source>
+        <translation>&amp;Zweite</translation>
+    </message>
+    <message>
+        <source>No action</source>
+        <translation>Keine Aktion</translation>
+    </message>
+    <message>
+        <source>Start or stop recording</source>
+        <translation>Aufzeichnung starten oder stoppen</translation>
+    </message>
+    <message>
+        <source>Set a marker</source>
+        <translation>Marke setzen</translation>
+    </message>
+    <message>
+        <source>Hold to run is on: this button enables the force and does nothing else.</source>
+        <translation>„Nur mit Taste“ ist an: Diese Taste gibt die Kraft frei und tut sonst nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::CalibrationPanel</name>
     <message>
         <source>Sho&amp;w feedback</source>
         <translation>Rückmeldung zei&amp;gen</translation>
@@ -9893,62 +9966,20 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>&amp;Beginnen</translation>
     </message>
     <message>
-        <source>Begin the measurement</source>
-        <translation>Messung beginnen</translation>
-    </message>
-    <message>
         <source>Starts the trials. Two right answers in a row make them harder, a wrong one easier (Levitt 1971).</source>
         <translation>Startet die Versuche. Zwei richtige Antworten nacheinander machen sie schwerer, eine falsche leichter (Levitt 1971).</translation>
+    </message>
+    <message>
+        <source>Begin the measurement</source>
+        <translation>Messung beginnen</translation>
     </message>
     <message>
         <source>How small a difference of stiffness can be felt (just-noticeable difference, JND)? Press two beams and answer which one is stiffer, again and again.</source>
         <translation>Wie klein darf ein Unterschied der Steifigkeit sein, um noch fühlbar zu sein (eben merklicher Unterschied, JND)? Drücken Sie zwei Balken und antworten Sie, welcher steifer ist, immer wieder.</translation>
     </message>
-</context>
-<context>
-    <name>underact::gui::ButtonsSection</name>
-    <message>
-        <source>Stylus buttons</source>
-        <translation>Stifttasten</translation>
-    </message>
-    <message>
-        <source>What each stylus button does.</source>
-        <translation>Was jede Stifttaste bewirkt.</translation>
-    </message>
-    <message>
-        <source>At the ti&amp;p</source>
-        <translation>An der S&amp;pitze</translation>
-    </message>
-    <message>
-        <source>Se&amp;cond</source>
-        <translation>&amp;Zweite</translation>
-    </message>
-    <message>
-        <source>No action</source>
-        <translation>Keine Aktion</translation>
-    </message>
-    <message>
-        <source>Start or stop recording</source>
-        <translation>Aufzeichnung starten oder stoppen</translation>
-    </message>
-    <message>
-        <source>Set a marker</source>
-        <translation>Marke setzen</translation>
-    </message>
-    <message>
-        <source>Hold to run is on: this button enables the force and does nothing else.</source>
-        <translation>„Nur mit Taste“ ist an: Diese Taste gibt die Kraft frei und tut sonst nichts.</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::CalibrationPanel</name>
     <message>
         <source>&amp;Open the two beams</source>
         <translation>Die zwei Balken ö&amp;ffnen</translation>
-    </message>
-    <message>
-        <source>Open the two beams</source>
-        <translation>Die zwei Balken öffnen</translation>
     </message>
     <message>
         <source>Opens the scene “Two beams, one softer”.</source>
@@ -9979,6 +10010,106 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>rechts</translation>
     </message>
     <message>
+        <source>No threshold: there were fewer than four reversals, because every difference was felt, or none was.</source>
+        <translation>Keine Schwelle: Es gab weniger als vier Umkehrungen, weil jeder Unterschied gefühlt wurde oder keiner.</translation>
+    </message>
+    <message>
+        <source>JND</source>
+        <translation>JND</translation>
+    </message>
+    <message>
+        <source>Just-noticeable difference: the difference at which 70.7 % of answers are right (Levitt 1971). Geometric mean of the reversals after the first two.</source>
+        <translation>Eben merklicher Unterschied (JND): der Unterschied, bei dem 70,7 % der Antworten richtig sind (Levitt 1971). Geometrisches Mittel der Umkehrungen nach den ersten zwei.</translation>
+    </message>
+    <message>
+        <source>± 1 s.d.</source>
+        <translation>± 1 Std.-Abw.</translation>
+    </message>
+    <message>
+        <source>One standard deviation of the reversals' logarithms, either way.</source>
+        <translation>Eine Standardabweichung der Logarithmen der Umkehrungen, nach beiden Seiten.</translation>
+    </message>
+    <message>
+        <source>in stiffness</source>
+        <translation>in Steifigkeit</translation>
+    </message>
+    <message>
+        <source>The just-noticeable difference times the reference.</source>
+        <translation>Der eben merkliche Unterschied mal die Referenz.</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>The stiffness of the softer beam of every trial, at its tip.</source>
+        <translation>Die Steifigkeit des weicheren Balkens jedes Versuchs, an seiner Spitze.</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Number of answers given.</source>
+        <translation>Zahl der gegebenen Antworten.</translation>
+    </message>
+    <message>
+        <source>Weber fraction</source>
+        <translation>Weber-Bruch</translation>
+    </message>
+    <message>
+        <source>Scatter w of a single press that gives this JND when two are compared: ln(1 + JND) = 0.771 w.</source>
+        <translation>Streuung w eines einzelnen Drückens, die beim Vergleich von zweien diesen JND ergibt: ln(1 + JND) = 0.771 w.</translation>
+    </message>
+    <message>
+        <source>Answered by</source>
+        <translation>Antworten von</translation>
+    </message>
+    <message>
+        <source>A person, or the simulated hand with the Weber fraction that was set.</source>
+        <translation>Eine Person oder die simulierte Hand mit dem eingestellten Weber-Bruch.</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern …</translation>
+    </message>
+    <message>
+        <source>Writes every trial and the result as a CSV file.</source>
+        <translation>Schreibt jeden Versuch und das Ergebnis als CSV-Datei.</translation>
+    </message>
+    <message>
+        <source>Save the trials</source>
+        <translation>Versuche speichern</translation>
+    </message>
+    <message>
+        <source>A&amp;gain</source>
+        <translation>&amp;Erneut</translation>
+    </message>
+    <message>
+        <source>Returns to the start. A result that was not saved is lost.</source>
+        <translation>Geht zum Anfang zurück. Ein nicht gespeichertes Ergebnis geht verloren.</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Erneut messen</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation>Tabellen (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 N/mm</source>
+        <translation>%1 N/mm</translation>
+    </message>
+    <message>
+        <source>hand, w = %1</source>
+        <translation>Hand, w = %1</translation>
+    </message>
+    <message>
         <source>Saved as %1.</source>
         <translation>Gespeichert als %1.</translation>
     </message>
@@ -9987,12 +10118,86 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Nicht gespeichert: %1. Wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
-        <source>Save the trials</source>
-        <translation>Versuche speichern</translation>
+        <source>Reversals</source>
+        <translation>Umkehrungen</translation>
     </message>
     <message>
-        <source>Tables (*.csv);;All files (*)</source>
-        <translation>Tabellen (*.csv);;Alle Dateien (*)</translation>
+        <source>A reversal is a change between harder and easier. The first two only find the rough range; the just-noticeable difference is the geometric mean of the others (Levitt 1971).</source>
+        <translation>Eine Umkehrung ist ein Wechsel zwischen schwerer und leichter. Die ersten zwei finden nur den groben Bereich; der eben merkliche Unterschied ist das geometrische Mittel der anderen (Levitt 1971).</translation>
+    </message>
+    <message>
+        <source>Left beam</source>
+        <translation>Linker Balken</translation>
+    </message>
+    <message>
+        <source>Right beam</source>
+        <translation>Rechter Balken</translation>
+    </message>
+    <message>
+        <source>%1, pressed or not</source>
+        <translation>%1, gedrückt oder nicht</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Restores the stiffness that the scene gives the beams; nothing is kept.</source>
+        <translation>Stellt die Steifigkeit wieder her, die die Szene den Balken gibt; nichts wird behalten.</translation>
+    </message>
+    <message>
+        <source>Cancel the measurement</source>
+        <translation>Messung abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 is stiffer</source>
+        <translation>%1 ist steifer</translation>
+    </message>
+    <message>
+        <source>%1
+%2</source>
+        <translation>%1
+%2</translation>
+    </message>
+    <message>
+        <source>Trial %1: which beam is stiffer?</source>
+        <translation>Versuch %1: Welcher Balken ist steifer?</translation>
+    </message>
+    <message>
+        <source>The simulated hand is at trial %1.</source>
+        <translation>Die simulierte Hand ist bei Versuch %1.</translation>
+    </message>
+    <message>
+        <source>reversals %v of %m</source>
+        <translation>Umkehrungen %v von %m</translation>
+    </message>
+    <message>
+        <source>It presses the beams on a simulated arm of its own; the arm in the window does not move.</source>
+        <translation>Sie drückt die Balken an einem eigenen simulierten Arm; der Arm im Fenster bewegt sich nicht.</translation>
+    </message>
+    <message>
+        <source>Press each beam down with the stylus, as often as you like. Release it before you answer.</source>
+        <translation>Drücken Sie jeden Balken mit dem Stift herunter, so oft Sie mögen. Lassen Sie ihn los, bevor Sie antworten.</translation>
+    </message>
+    <message>
+        <source>The servo is stopped. Press Start to feel the beams.</source>
+        <translation>Der Servo ist gestoppt. Drücken Sie Start, um die Balken zu fühlen.</translation>
+    </message>
+    <message>
+        <source>✓ pressed</source>
+        <translation>✓ gedrückt</translation>
+    </message>
+    <message>
+        <source>press it</source>
+        <translation>drücken</translation>
+    </message>
+    <message>
+        <source>✓ That was right.</source>
+        <translation>✓ Das war richtig.</translation>
+    </message>
+    <message>
+        <source>✗ It was the other one.</source>
+        <translation>✗ Es war der andere.</translation>
     </message>
 </context>
 <context>
@@ -11511,61 +11716,6 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::FitPage</name>
-    <message>
-        <source>How well the points fit</source>
-        <translation>Wie gut die Punkte passen</translation>
-    </message>
-    <message>
-        <source>Expected error</source>
-        <translation>Erwarteter Fehler</translation>
-    </message>
-    <message>
-        <source>Warnings</source>
-        <translation>Warnungen</translation>
-    </message>
-    <message>
-        <source>Whether the registration was saved</source>
-        <translation>Ob die Registrierung gespeichert wurde</translation>
-    </message>
-    <message>
-        <source>Residual of each reference point</source>
-        <translation>Residuum jedes Messpunkts</translation>
-    </message>
-    <message>
-        <source>Point</source>
-        <translation>Messpunkt</translation>
-    </message>
-    <message>
-        <source>residual, mm</source>
-        <translation>Residuum, mm</translation>
-    </message>
-    <message>
-        <source>spread, mm</source>
-        <translation>Streuung, mm</translation>
-    </message>
-    <message>
-        <source>Check the result</source>
-        <translation>Ergebnis prüfen</translation>
-    </message>
-    <message>
-        <source>e&lt;sup&gt;2&lt;/sup&gt;/N · (1 + (d₁²/f₁² + d₂²/f₂² + d₃²/f₃²)/3): Fitzpatrick, West and Maurer, 1998.</source>
-        <translation>e&lt;sup&gt;2&lt;/sup&gt;/N · (1 + (d₁²/f₁² + d₂²/f₂² + d₃²/f₃²)/3): Fitzpatrick, West und Maurer, 1998.</translation>
-    </message>
-    <message>
-        <source>The touched points lie %1 mm from their reference points (root mean square).</source>
-        <translation>Die berührten Punkte liegen %1 mm neben ihren Messpunkten (quadratisches Mittel).</translation>
-    </message>
-    <message>
-        <source>Expected error at the centre of the workspace: %1 mm; at most %2 mm in 19 of 20 registrations like this one. More reference points, and points farther apart, make it smaller.</source>
-        <translation>Erwarteter Fehler in der Mitte des Arbeitsraums: %1 mm; in 19 von 20 Registrierungen wie dieser höchstens %2 mm. Mehr Messpunkte, die weiter auseinanderliegen, machen ihn kleiner.</translation>
-    </message>
-    <message>
-        <source>The registration is in use, but only until the window closes. %1 Press Accept again to close the wizard.</source>
-        <translation>Die Registrierung gilt jetzt, aber nur, bis das Fenster geschlossen wird. %1 Drücken Sie noch einmal „Annehmen“, um den Assistenten zu schließen.</translation>
-    </message>
-</context>
-<context>
     <name>underact::gui::FixDialog</name>
     <message>
         <source>Command for a terminal</source>
@@ -11586,53 +11736,6 @@ und %2 weitere</translation>
     <message>
         <source>Copies the command; paste it into a terminal.</source>
         <translation>Kopiert den Befehl; fügen Sie ihn in ein Terminal ein.</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::FoundPage</name>
-    <message>
-        <source>Results</source>
-        <translation>Ergebnisse</translation>
-    </message>
-    <message>
-        <source>quantity</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>value</source>
-        <translation>Wert</translation>
-    </message>
-    <message>
-        <source>uncertainty</source>
-        <translation>Unsicherheit</translation>
-    </message>
-    <message>
-        <source>unit</source>
-        <translation>Einheit</translation>
-    </message>
-    <message>
-        <source>given</source>
-        <translation>Vorgabe</translation>
-    </message>
-    <message>
-        <source>difference</source>
-        <translation>Differenz</translation>
-    </message>
-    <message>
-        <source>Swings shown</source>
-        <translation>Gezeigte Schwingungen</translation>
-    </message>
-    <message>
-        <source>Uncertainty: one standard deviation. “below”: not distinguishable from zero.</source>
-        <translation>Unsicherheit: eine Standardabweichung. „unter“: nicht von null zu unterscheiden.</translation>
-    </message>
-    <message>
-        <source> Given: the value of the simulated arm, or the stiffness that was commanded.</source>
-        <translation> Vorgabe: der Wert des simulierten Arms oder die verlangte Steifigkeit.</translation>
-    </message>
-    <message>
-        <source>Swings along %1 at position %2, residual of the fit %3 µm</source>
-        <translation>Schwingungen entlang %1 an Position %2, Residuum der Anpassung %3 µm</translation>
     </message>
 </context>
 <context>
@@ -12158,8 +12261,260 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::IdentifyWizard</name>
     <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>uncertainty</source>
+        <translation>Unsicherheit</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Swings shown</source>
+        <translation>Gezeigte Schwingungen</translation>
+    </message>
+    <message>
+        <source>Uncertainty: one standard deviation. “below”: not distinguishable from zero.</source>
+        <translation>Unsicherheit: eine Standardabweichung. „unter“: nicht von null zu unterscheiden.</translation>
+    </message>
+    <message>
+        <source> Given: the value of the simulated arm, or the stiffness that was commanded.</source>
+        <translation> Vorgabe: der Wert des simulierten Arms oder die verlangte Steifigkeit.</translation>
+    </message>
+    <message>
+        <source>Swings along %1 at position %2, residual of the fit %3 µm</source>
+        <translation>Schwingungen entlang %1 an Position %2, Residuum der Anpassung %3 µm</translation>
+    </message>
+    <message>
+        <source>Save the results</source>
+        <translation>Ergebnisse speichern</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>A short name, shown in the status line.</source>
+        <translation>Ein kurzer Name, der in der Statuszeile steht.</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>&amp;Title</source>
+        <translation>&amp;Titel</translation>
+    </message>
+    <message>
+        <source>Provenance</source>
+        <translation>Herkunft</translation>
+    </message>
+    <message>
+        <source>&amp;Save the arm…</source>
+        <translation>Arm &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>Saves an arm file, for “Open a measured arm” and for the option --arm-model.</source>
+        <translation>Speichert eine Armdatei, für „Vermessenen Arm öffnen“ und für die Option --arm-model.</translation>
+    </message>
+    <message>
+        <source>Save the &amp;report…</source>
+        <translation>&amp;Bericht speichern …</translation>
+    </message>
+    <message>
+        <source>Saves the results as a Markdown file.</source>
+        <translation>Speichert die Ergebnisse als Markdown-Datei.</translation>
+    </message>
+    <message>
+        <source>&amp;Use this arm</source>
+        <translation>Arm &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>Gives the simulated arm these values, until you choose another arm.</source>
+        <translation>Gibt dem simulierten Arm diese Werte, bis Sie einen anderen Arm wählen.</translation>
+    </message>
+    <message>
+        <source>Result of the last action</source>
+        <translation>Ergebnis der letzten Aktion</translation>
+    </message>
+    <message>
+        <source>Save the arm</source>
+        <translation>Arm speichern</translation>
+    </message>
+    <message>
+        <source>Arm models (*.json)</source>
+        <translation>Armmodelle (*.json)</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Markdown (*.md)</source>
+        <translation>Markdown (*.md)</translation>
+    </message>
+    <message>
+        <source>The simulated arm is now “%1”.</source>
+        <translation>Der simulierte Arm ist jetzt „%1“.</translation>
+    </message>
+    <message>
+        <source>measured-%1</source>
+        <translation>measured-%1</translation>
+    </message>
+    <message>
+        <source>%1, measured on %2</source>
+        <translation>%1, vermessen am %2</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: %2.</source>
+        <translation>%1 konnte nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
         <source>Measure the arm</source>
         <translation>Arm vermessen</translation>
+    </message>
+    <message>
+        <source>This wizard measures the arm: the mass, friction and damping at its tip along x, y and z, the resolution of its encoders, and the stiffness that it actually renders. At the end you can save an arm file and a report.</source>
+        <translation>Dieser Assistent vermisst den Arm: Masse, Reibung und Dämpfung an der Spitze entlang x, y und z, die Auflösung der Encoder und die Steifigkeit, die der Arm tatsächlich darstellt. Am Ende können Sie eine Armdatei und einen Bericht speichern.</translation>
+    </message>
+    <message>
+        <source>The arm is simulated, and a simulated hand follows the instructions. This takes half a minute.</source>
+        <translation>Der Arm ist simuliert, und eine simulierte Hand folgt den Anweisungen. Das dauert eine halbe Minute.</translation>
+    </message>
+    <message>
+        <source>First let go of the stylus: for about 20 seconds the arm moves it by itself, 20 mm to each side, with no more force than any scene may use. Then take the stylus, press it down slowly, and rotate it. This takes about a minute.</source>
+        <translation>Lassen Sie zuerst den Stift los: Etwa 20 Sekunden lang bewegt der Arm ihn selbst, 20 mm nach jeder Seite, mit höchstens der Kraft, die jede Szene verwenden darf. Nehmen Sie danach den Stift, drücken Sie ihn langsam nach unten und drehen Sie ihn. Das dauert etwa eine Minute.</translation>
+    </message>
+    <message>
+        <source>Esc stops the force at any time. The open scene is restored afterwards.</source>
+        <translation>Esc stoppt die Kraft jederzeit. Die geöffnete Szene wird danach wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>Position and arm</source>
+        <translation>Position und Arm</translation>
+    </message>
+    <message>
+        <source>Position &amp;x</source>
+        <translation>Position &amp;x</translation>
+    </message>
+    <message>
+        <source>Position &amp;y</source>
+        <translation>Position &amp;y</translation>
+    </message>
+    <message>
+        <source>Position &amp;z</source>
+        <translation>Position &amp;z</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>The tip swings about this position, in the workspace frame W.</source>
+        <translation>Die Spitze schwingt um diese Position, im Koordinatensystem W des Arbeitsraums.</translation>
+    </message>
+    <message>
+        <source>Also at &amp;two more positions, to the left and to the right</source>
+        <translation>Auch an zwei &amp;weiteren Positionen, links und rechts</translation>
+    </message>
+    <message>
+        <source>Also at two more positions</source>
+        <translation>Auch an zwei weiteren Positionen</translation>
+    </message>
+    <message>
+        <source>Shows whether the results depend on the position; takes three times as long.</source>
+        <translation>Zeigt, ob die Ergebnisse von der Position abhängen; dauert dreimal so lange.</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>Which arm this is; saved in the file.</source>
+        <translation>Welcher Arm es ist; wird in der Datei gespeichert.</translation>
+    </message>
+    <message>
+        <source>&amp;Arm</source>
+        <translation>&amp;Arm</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>As printed on the arm; optional.</source>
+        <translation>Wie auf dem Arm angegeben; darf leer bleiben.</translation>
+    </message>
+    <message>
+        <source>&amp;Serial number</source>
+        <translation>&amp;Seriennummer</translation>
+    </message>
+    <message>
+        <source>The servo runs at %1 Hz.</source>
+        <translation>Der Servo läuft mit %1 Hz.</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Current part of the measurement</source>
+        <translation>Aktueller Teil der Messung</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Why the measurement has stopped</source>
+        <translation>Warum die Messung unterbrochen ist</translation>
+    </message>
+    <message>
+        <source>Con&amp;tinue</source>
+        <translation>&amp;Fortfahren</translation>
+    </message>
+    <message>
+        <source>Starts this part. First take the stylus or let go of it, as the instruction says.</source>
+        <translation>Startet diesen Teil. Nehmen Sie vorher den Stift, oder lassen Sie ihn los, wie es die Anweisung sagt.</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat this part</source>
+        <translation>Diesen Teil &amp;wiederholen</translation>
+    </message>
+    <message>
+        <source>Starts the servo again and repeats the interrupted part from its beginning.</source>
+        <translation>Startet den Servo wieder und wiederholt den unterbrochenen Teil von vorn.</translation>
+    </message>
+    <message>
+        <source>&amp;Begin again</source>
+        <translation>&amp;Neu beginnen</translation>
     </message>
 </context>
 <context>
@@ -12234,29 +12589,6 @@ und %2 weitere</translation>
     <message>
         <source>Every device in use moves the simulated hand.</source>
         <translation>Jedes verwendete Gerät bewegt die simulierte Hand.</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::IntroPage</name>
-    <message>
-        <source>Measure the arm</source>
-        <translation>Arm vermessen</translation>
-    </message>
-    <message>
-        <source>This wizard measures the arm: the mass, friction and damping at its tip along x, y and z, the resolution of its encoders, and the stiffness that it actually renders. At the end you can save an arm file and a report.</source>
-        <translation>Dieser Assistent vermisst den Arm: Masse, Reibung und Dämpfung an der Spitze entlang x, y und z, die Auflösung der Encoder und die Steifigkeit, die der Arm tatsächlich darstellt. Am Ende können Sie eine Armdatei und einen Bericht speichern.</translation>
-    </message>
-    <message>
-        <source>The arm is simulated, and a simulated hand follows the instructions. This takes half a minute.</source>
-        <translation>Der Arm ist simuliert, und eine simulierte Hand folgt den Anweisungen. Das dauert eine halbe Minute.</translation>
-    </message>
-    <message>
-        <source>First let go of the stylus: for about 20 seconds the arm moves it by itself, 20 mm to each side, with no more force than any scene may use. Then take the stylus, press it down slowly, and rotate it. This takes about a minute.</source>
-        <translation>Lassen Sie zuerst den Stift los: Etwa 20 Sekunden lang bewegt der Arm ihn selbst, 20 mm nach jeder Seite, mit höchstens der Kraft, die jede Szene verwenden darf. Nehmen Sie danach den Stift, drücken Sie ihn langsam nach unten und drehen Sie ihn. Das dauert etwa eine Minute.</translation>
-    </message>
-    <message>
-        <source>Esc stops the force at any time. The open scene is restored afterwards.</source>
-        <translation>Esc stoppt die Kraft jederzeit. Die geöffnete Szene wird danach wiederhergestellt.</translation>
     </message>
 </context>
 <context>
@@ -12469,101 +12801,6 @@ und %2 weitere</translation>
     <message>
         <source>Each slider moves the simulated hand, which moves the arm.</source>
         <translation>Jeder Schieberegler bewegt die simulierte Hand, und diese den Arm.</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::KeepPage</name>
-    <message>
-        <source>Save the results</source>
-        <translation>Ergebnisse speichern</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>A short name, shown in the status line.</source>
-        <translation>Ein kurzer Name, der in der Statuszeile steht.</translation>
-    </message>
-    <message>
-        <source>Title</source>
-        <translation>Titel</translation>
-    </message>
-    <message>
-        <source>Provenance</source>
-        <translation>Herkunft</translation>
-    </message>
-    <message>
-        <source>Result of the last action</source>
-        <translation>Ergebnis der letzten Aktion</translation>
-    </message>
-    <message>
-        <source>&amp;Name</source>
-        <translation>&amp;Name</translation>
-    </message>
-    <message>
-        <source>&amp;Title</source>
-        <translation>&amp;Titel</translation>
-    </message>
-    <message>
-        <source>&amp;Save the arm…</source>
-        <translation>Arm &amp;speichern …</translation>
-    </message>
-    <message>
-        <source>Saves an arm file, for “Open a measured arm” and for the option --arm-model.</source>
-        <translation>Speichert eine Armdatei, für „Vermessenen Arm öffnen“ und für die Option --arm-model.</translation>
-    </message>
-    <message>
-        <source>Save the &amp;report…</source>
-        <translation>&amp;Bericht speichern …</translation>
-    </message>
-    <message>
-        <source>Saves the results as a Markdown file.</source>
-        <translation>Speichert die Ergebnisse als Markdown-Datei.</translation>
-    </message>
-    <message>
-        <source>&amp;Use this arm</source>
-        <translation>Arm &amp;verwenden</translation>
-    </message>
-    <message>
-        <source>Gives the simulated arm these values, until you choose another arm.</source>
-        <translation>Gibt dem simulierten Arm diese Werte, bis Sie einen anderen Arm wählen.</translation>
-    </message>
-    <message>
-        <source>Save the arm</source>
-        <translation>Arm speichern</translation>
-    </message>
-    <message>
-        <source>Arm models (*.json)</source>
-        <translation>Armmodelle (*.json)</translation>
-    </message>
-    <message>
-        <source>Save the report</source>
-        <translation>Bericht speichern</translation>
-    </message>
-    <message>
-        <source>Markdown (*.md)</source>
-        <translation>Markdown (*.md)</translation>
-    </message>
-    <message>
-        <source>measured-%1</source>
-        <translation>measured-%1</translation>
-    </message>
-    <message>
-        <source>%1, measured on %2</source>
-        <translation>%1, vermessen am %2</translation>
-    </message>
-    <message>
-        <source>Saved as %1.</source>
-        <translation>Gespeichert als %1.</translation>
-    </message>
-    <message>
-        <source>%1 could not be written: %2.</source>
-        <translation>%1 konnte nicht geschrieben werden: %2.</translation>
-    </message>
-    <message>
-        <source>The simulated arm is now “%1”.</source>
-        <translation>Der simulierte Arm ist jetzt „%1“.</translation>
     </message>
 </context>
 <context>
@@ -13434,45 +13671,6 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::MeasurePage</name>
-    <message>
-        <source>Con&amp;tinue</source>
-        <translation>&amp;Fortfahren</translation>
-    </message>
-    <message>
-        <source>&amp;Repeat this part</source>
-        <translation>Diesen Teil &amp;wiederholen</translation>
-    </message>
-    <message>
-        <source>Measuring</source>
-        <translation>Messung</translation>
-    </message>
-    <message>
-        <source>Current part of the measurement</source>
-        <translation>Aktueller Teil der Messung</translation>
-    </message>
-    <message>
-        <source>Why the measurement has stopped</source>
-        <translation>Warum die Messung unterbrochen ist</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>Fortschritt</translation>
-    </message>
-    <message>
-        <source>Starts this part. First take the stylus or let go of it, as the instruction says.</source>
-        <translation>Startet diesen Teil. Nehmen Sie vorher den Stift, oder lassen Sie ihn los, wie es die Anweisung sagt.</translation>
-    </message>
-    <message>
-        <source>Starts the servo again and repeats the interrupted part from its beginning.</source>
-        <translation>Startet den Servo wieder und wiederholt den unterbrochenen Teil von vorn.</translation>
-    </message>
-    <message>
-        <source>&amp;Begin again</source>
-        <translation>&amp;Neu beginnen</translation>
-    </message>
-</context>
-<context>
     <name>underact::gui::MeasuringPart</name>
     <message>
         <source>Hands that move the stylus</source>
@@ -13759,73 +13957,6 @@ und %2 weitere</translation>
     </message>
 </context>
 <context>
-    <name>underact::gui::PlacePage</name>
-    <message>
-        <source>Also at &amp;two more positions, to the left and to the right</source>
-        <translation>Auch an zwei &amp;weiteren Positionen, links und rechts</translation>
-    </message>
-    <message>
-        <source>Position and arm</source>
-        <translation>Position und Arm</translation>
-    </message>
-    <message>
-        <source>Position &amp;x</source>
-        <translation>Position &amp;x</translation>
-    </message>
-    <message>
-        <source>Position &amp;y</source>
-        <translation>Position &amp;y</translation>
-    </message>
-    <message>
-        <source>Position &amp;z</source>
-        <translation>Position &amp;z</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>The tip swings about this position, in the workspace frame W.</source>
-        <translation>Die Spitze schwingt um diese Position, im Koordinatensystem W des Arbeitsraums.</translation>
-    </message>
-    <message>
-        <source>Also at two more positions</source>
-        <translation>Auch an zwei weiteren Positionen</translation>
-    </message>
-    <message>
-        <source>Shows whether the results depend on the position; takes three times as long.</source>
-        <translation>Zeigt, ob die Ergebnisse von der Position abhängen; dauert dreimal so lange.</translation>
-    </message>
-    <message>
-        <source>Arm</source>
-        <translation>Arm</translation>
-    </message>
-    <message>
-        <source>Which arm this is; saved in the file.</source>
-        <translation>Welcher Arm es ist; wird in der Datei gespeichert.</translation>
-    </message>
-    <message>
-        <source>&amp;Arm</source>
-        <translation>&amp;Arm</translation>
-    </message>
-    <message>
-        <source>Serial number</source>
-        <translation>Seriennummer</translation>
-    </message>
-    <message>
-        <source>As printed on the arm; optional.</source>
-        <translation>Wie auf dem Arm angegeben; darf leer bleiben.</translation>
-    </message>
-    <message>
-        <source>&amp;Serial number</source>
-        <translation>&amp;Seriennummer</translation>
-    </message>
-    <message>
-        <source>The servo runs at %1 Hz.</source>
-        <translation>Der Servo läuft mit %1 Hz.</translation>
-    </message>
-</context>
-<context>
     <name>underact::gui::Player</name>
     <message>
         <source>what if</source>
@@ -13908,137 +14039,6 @@ und %2 weitere</translation>
     <message>
         <source>The plots were not drawn. %1</source>
         <translation>Die Diagramme wurden nicht gezeichnet. %1</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::PreparePage</name>
-    <message>
-        <source>Where does the arm stand?</source>
-        <translation>Wo steht der Arm?</translation>
-    </message>
-    <message>
-        <source>What this is for</source>
-        <translation>Wozu das dient</translation>
-    </message>
-    <message>
-        <source>You touch reference points on the desk, whose positions are known, with the tip of the stylus. From these the program finds the pose of the arm: the view is turned so that left on the desk is left in the picture, and two arms are drawn where they stand. Tape the sheet to the desk, and then move neither the sheet nor the arm. The scene and its forces stay where they are in the arm's own frame.</source>
-        <translation>Sie berühren mit der Spitze des Stifts Messpunkte auf dem Tisch, deren Positionen bekannt sind. Daraus ermittelt das Programm die Lage des Arms: Die Ansicht wird so gedreht, dass links auf dem Tisch auch im Bild links ist, und zwei Arme werden dort gezeichnet, wo sie stehen. Kleben Sie das Blatt auf den Tisch, und bewegen Sie danach weder Blatt noch Arm. Die Szene und ihre Kräfte bleiben, wo sie im eigenen Koordinatensystem des Arms sind.</translation>
-    </message>
-    <message>
-        <source>Arm</source>
-        <translation>Arm</translation>
-    </message>
-    <message>
-        <source>Which arm to register.</source>
-        <translation>Welcher Arm registriert werden soll.</translation>
-    </message>
-    <message>
-        <source>Whether the arm is registered</source>
-        <translation>Ob der Arm registriert ist</translation>
-    </message>
-    <message>
-        <source>Whether the arm is calibrated</source>
-        <translation>Ob der Arm kalibriert ist</translation>
-    </message>
-    <message>
-        <source>&amp;Forget this registration</source>
-        <translation>Diese Registrierung &amp;löschen</translation>
-    </message>
-    <message>
-        <source>Deletes the registration of this arm. The view then shows the arm as if it stood straight.</source>
-        <translation>Löscht die Registrierung dieses Arms. Die Ansicht zeigt den Arm dann, als stünde er gerade.</translation>
-    </message>
-    <message>
-        <source>Number of reference points</source>
-        <translation>Anzahl der Messpunkte</translation>
-    </message>
-    <message>
-        <source>More reference points make the error smaller, and better known. Restores the positions of the printed sheet.</source>
-        <translation>Mehr Messpunkte machen den Fehler kleiner und besser bekannt. Setzt die Positionen des gedruckten Blatts wieder ein.</translation>
-    </message>
-    <message>
-        <source> points</source>
-        <translation> Messpunkte</translation>
-    </message>
-    <message>
-        <source>Paper</source>
-        <translation>Papier</translation>
-    </message>
-    <message>
-        <source>The paper to print the sheet on.</source>
-        <translation>Das Papier, auf das das Blatt gedruckt wird.</translation>
-    </message>
-    <message>
-        <source>A4</source>
-        <translation>A4</translation>
-    </message>
-    <message>
-        <source>Letter</source>
-        <translation>Letter</translation>
-    </message>
-    <message>
-        <source>Save the &amp;sheet as PDF…</source>
-        <translation>&amp;Blatt als PDF speichern …</translation>
-    </message>
-    <message>
-        <source>Saves the sheet of reference points. Print it at 100 %, and check its ruler.</source>
-        <translation>Speichert das Blatt mit den Messpunkten. Drucken Sie es mit 100 %, und prüfen Sie sein Lineal.</translation>
-    </message>
-    <message>
-        <source>Positions of the reference points, mm from point 1</source>
-        <translation>Positionen der Messpunkte, mm ab Messpunkt 1</translation>
-    </message>
-    <message>
-        <source>Point</source>
-        <translation>Messpunkt</translation>
-    </message>
-    <message>
-        <source>right, mm</source>
-        <translation>rechts, mm</translation>
-    </message>
-    <message>
-        <source>away, mm</source>
-        <translation>weg, mm</translation>
-    </message>
-    <message>
-        <source>up, mm</source>
-        <translation>oben, mm</translation>
-    </message>
-    <message>
-        <source>Positions of the reference points, from point 1: to the right, away from you, up. You can type in points of your own.</source>
-        <translation>Positionen der Messpunkte, von Messpunkt 1 aus: nach rechts, von Ihnen weg, nach oben. Sie können eigene Messpunkte eintippen.</translation>
-    </message>
-    <message>
-        <source>Layout of the reference points</source>
-        <translation>Anordnung der Messpunkte</translation>
-    </message>
-    <message>
-        <source>Each coordinate must be a number from -1000 to 1000 mm.</source>
-        <translation>Jede Koordinate muss eine Zahl von -1000 bis 1000 mm sein.</translation>
-    </message>
-    <message>
-        <source>The arm reports: %1</source>
-        <translation>Der Arm meldet: %1</translation>
-    </message>
-    <message>
-        <source>A simulated arm needs no calibration. Move its hand in the view.</source>
-        <translation>Ein simulierter Arm braucht keine Kalibrierung. Bewegen Sie seine Hand in der Ansicht.</translation>
-    </message>
-    <message>
-        <source>The arm reports that it is calibrated and that nothing is missing.</source>
-        <translation>Der Arm meldet, dass er kalibriert ist und nichts fehlt.</translation>
-    </message>
-    <message>
-        <source>The sheet was saved as %1. Print it at 100 %, and check its ruler.</source>
-        <translation>Das Blatt wurde als %1 gespeichert. Drucken Sie es mit 100 %, und prüfen Sie sein Lineal.</translation>
-    </message>
-    <message>
-        <source>Save the sheet</source>
-        <translation>Blatt speichern</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
     </message>
 </context>
 <context>
@@ -14355,12 +14355,248 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::RegistrationWizard</name>
     <message>
+        <source>Check the result</source>
+        <translation>Ergebnis prüfen</translation>
+    </message>
+    <message>
+        <source>How well the points fit</source>
+        <translation>Wie gut die Punkte passen</translation>
+    </message>
+    <message>
+        <source>Expected error</source>
+        <translation>Erwarteter Fehler</translation>
+    </message>
+    <message>
+        <source>e&lt;sup&gt;2&lt;/sup&gt;/N · (1 + (d₁²/f₁² + d₂²/f₂² + d₃²/f₃²)/3): Fitzpatrick, West and Maurer, 1998.</source>
+        <translation>e&lt;sup&gt;2&lt;/sup&gt;/N · (1 + (d₁²/f₁² + d₂²/f₂² + d₃²/f₃²)/3): Fitzpatrick, West und Maurer, 1998.</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>Residual of each reference point</source>
+        <translation>Residuum jedes Messpunkts</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Messpunkt</translation>
+    </message>
+    <message>
+        <source>residual, mm</source>
+        <translation>Residuum, mm</translation>
+    </message>
+    <message>
+        <source>spread, mm</source>
+        <translation>Streuung, mm</translation>
+    </message>
+    <message>
+        <source>Whether the registration was saved</source>
+        <translation>Ob die Registrierung gespeichert wurde</translation>
+    </message>
+    <message>
+        <source>The touched points lie %1 mm from their reference points (root mean square).</source>
+        <translation>Die berührten Punkte liegen %1 mm neben ihren Messpunkten (quadratisches Mittel).</translation>
+    </message>
+    <message>
+        <source>Expected error at the centre of the workspace: %1 mm; at most %2 mm in 19 of 20 registrations like this one. More reference points, and points farther apart, make it smaller.</source>
+        <translation>Erwarteter Fehler in der Mitte des Arbeitsraums: %1 mm; in 19 von 20 Registrierungen wie dieser höchstens %2 mm. Mehr Messpunkte, die weiter auseinanderliegen, machen ihn kleiner.</translation>
+    </message>
+    <message>
+        <source>The registration is in use, but only until the window closes. %1 Press Accept again to close the wizard.</source>
+        <translation>Die Registrierung gilt jetzt, aber nur, bis das Fenster geschlossen wird. %1 Drücken Sie noch einmal „Annehmen“, um den Assistenten zu schließen.</translation>
+    </message>
+    <message>
+        <source>Where does the arm stand?</source>
+        <translation>Wo steht der Arm?</translation>
+    </message>
+    <message>
+        <source>What this is for</source>
+        <translation>Wozu das dient</translation>
+    </message>
+    <message>
+        <source>You touch reference points on the desk, whose positions are known, with the tip of the stylus. From these the program finds the pose of the arm: the view is turned so that left on the desk is left in the picture, and two arms are drawn where they stand. Tape the sheet to the desk, and then move neither the sheet nor the arm. The scene and its forces stay where they are in the arm's own frame.</source>
+        <translation>Sie berühren mit der Spitze des Stifts Messpunkte auf dem Tisch, deren Positionen bekannt sind. Daraus ermittelt das Programm die Lage des Arms: Die Ansicht wird so gedreht, dass links auf dem Tisch auch im Bild links ist, und zwei Arme werden dort gezeichnet, wo sie stehen. Kleben Sie das Blatt auf den Tisch, und bewegen Sie danach weder Blatt noch Arm. Die Szene und ihre Kräfte bleiben, wo sie im eigenen Koordinatensystem des Arms sind.</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>Which arm to register.</source>
+        <translation>Welcher Arm registriert werden soll.</translation>
+    </message>
+    <message>
+        <source>Whether the arm is registered</source>
+        <translation>Ob der Arm registriert ist</translation>
+    </message>
+    <message>
+        <source>Whether the arm is calibrated</source>
+        <translation>Ob der Arm kalibriert ist</translation>
+    </message>
+    <message>
+        <source>&amp;Forget this registration</source>
+        <translation>Diese Registrierung &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Deletes the registration of this arm. The view then shows the arm as if it stood straight.</source>
+        <translation>Löscht die Registrierung dieses Arms. Die Ansicht zeigt den Arm dann, als stünde er gerade.</translation>
+    </message>
+    <message>
+        <source>Number of reference points</source>
+        <translation>Anzahl der Messpunkte</translation>
+    </message>
+    <message>
+        <source>More reference points make the error smaller, and better known. Restores the positions of the printed sheet.</source>
+        <translation>Mehr Messpunkte machen den Fehler kleiner und besser bekannt. Setzt die Positionen des gedruckten Blatts wieder ein.</translation>
+    </message>
+    <message>
+        <source> points</source>
+        <translation> Messpunkte</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>The paper to print the sheet on.</source>
+        <translation>Das Papier, auf das das Blatt gedruckt wird.</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letter</translation>
+    </message>
+    <message>
+        <source>Save the &amp;sheet as PDF…</source>
+        <translation>&amp;Blatt als PDF speichern …</translation>
+    </message>
+    <message>
+        <source>Saves the sheet of reference points. Print it at 100 %, and check its ruler.</source>
+        <translation>Speichert das Blatt mit den Messpunkten. Drucken Sie es mit 100 %, und prüfen Sie sein Lineal.</translation>
+    </message>
+    <message>
+        <source>Positions of the reference points, mm from point 1</source>
+        <translation>Positionen der Messpunkte, mm ab Messpunkt 1</translation>
+    </message>
+    <message>
+        <source>right, mm</source>
+        <translation>rechts, mm</translation>
+    </message>
+    <message>
+        <source>away, mm</source>
+        <translation>weg, mm</translation>
+    </message>
+    <message>
+        <source>up, mm</source>
+        <translation>oben, mm</translation>
+    </message>
+    <message>
+        <source>Positions of the reference points, from point 1: to the right, away from you, up. You can type in points of your own.</source>
+        <translation>Positionen der Messpunkte, von Messpunkt 1 aus: nach rechts, von Ihnen weg, nach oben. Sie können eigene Messpunkte eintippen.</translation>
+    </message>
+    <message>
+        <source>Layout of the reference points</source>
+        <translation>Anordnung der Messpunkte</translation>
+    </message>
+    <message>
+        <source>Save the sheet</source>
+        <translation>Blatt speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Each coordinate must be a number from -1000 to 1000 mm.</source>
+        <translation>Jede Koordinate muss eine Zahl von -1000 bis 1000 mm sein.</translation>
+    </message>
+    <message>
+        <source>The arm reports: %1</source>
+        <translation>Der Arm meldet: %1</translation>
+    </message>
+    <message>
+        <source>A simulated arm needs no calibration. Move its hand in the view.</source>
+        <translation>Ein simulierter Arm braucht keine Kalibrierung. Bewegen Sie seine Hand in der Ansicht.</translation>
+    </message>
+    <message>
+        <source>The arm reports that it is calibrated and that nothing is missing.</source>
+        <translation>Der Arm meldet, dass er kalibriert ist und nichts fehlt.</translation>
+    </message>
+    <message>
+        <source>The sheet was saved as %1. Print it at 100 %, and check its ruler.</source>
+        <translation>Das Blatt wurde als %1 gespeichert. Drucken Sie es mit 100 %, und prüfen Sie sein Lineal.</translation>
+    </message>
+    <message>
         <source>Register the arm</source>
         <translation>Arm registrieren</translation>
     </message>
     <message>
         <source>&amp;Accept</source>
         <translation>&amp;Annehmen</translation>
+    </message>
+    <message>
+        <source>Touch the reference points</source>
+        <translation>Messpunkte berühren</translation>
+    </message>
+    <message>
+        <source>What to do now</source>
+        <translation>Was jetzt zu tun ist</translation>
+    </message>
+    <message>
+        <source>Result of the last press</source>
+        <translation>Ergebnis des letzten Tastendrucks</translation>
+    </message>
+    <message>
+        <source>Position of the tip</source>
+        <translation>Position der Spitze</translation>
+    </message>
+    <message>
+        <source>Progress of the hold</source>
+        <translation>Fortschritt des Haltens</translation>
+    </message>
+    <message>
+        <source>&amp;Hold (Space)</source>
+        <translation>&amp;Halten (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Records the position of the tip for half a second.</source>
+        <translation>Erfasst eine halbe Sekunde lang die Position der Spitze.</translation>
+    </message>
+    <message>
+        <source>&amp;Touch this point again</source>
+        <translation>Messpunkt erneut &amp;berühren</translation>
+    </message>
+    <message>
+        <source>The reference point selected in the table is touched next.</source>
+        <translation>Der in der Tabelle gewählte Messpunkt ist als Nächstes an der Reihe.</translation>
+    </message>
+    <message>
+        <source>Reference points and positions of the tip</source>
+        <translation>Messpunkte und Positionen der Spitze</translation>
+    </message>
+    <message>
+        <source>x, y, z in W, mm</source>
+        <translation>x, y, z in W, mm</translation>
+    </message>
+    <message>
+        <source>Tip: %1</source>
+        <translation>Spitze: %1</translation>
+    </message>
+    <message>
+        <source>The arm has not sent a sample yet.</source>
+        <translation>Vom Arm kam noch kein Messwert.</translation>
+    </message>
+    <message>
+        <source>All reference points have been touched.</source>
+        <translation>Alle Messpunkte sind berührt.</translation>
+    </message>
+    <message>
+        <source>Rest the tip on reference point %1 and press the stylus button, or Space. The force is off.</source>
+        <translation>Setzen Sie die Spitze auf Messpunkt %1 und drücken Sie die Stifttaste oder die Leertaste. Die Kraft ist aus.</translation>
     </message>
 </context>
 <context>
@@ -14460,109 +14696,6 @@ und %2 weitere</translation>
     <message>
         <source>Pause</source>
         <translation>Pause</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::ResultPage</name>
-    <message>
-        <source>No threshold: there were fewer than four reversals, because every difference was felt, or none was.</source>
-        <translation>Keine Schwelle: Es gab weniger als vier Umkehrungen, weil jeder Unterschied gefühlt wurde oder keiner.</translation>
-    </message>
-    <message>
-        <source>JND</source>
-        <translation>JND</translation>
-    </message>
-    <message>
-        <source>Just-noticeable difference: the difference at which 70.7 % of answers are right (Levitt 1971). Geometric mean of the reversals after the first two.</source>
-        <translation>Eben merklicher Unterschied (JND): der Unterschied, bei dem 70,7 % der Antworten richtig sind (Levitt 1971). Geometrisches Mittel der Umkehrungen nach den ersten zwei.</translation>
-    </message>
-    <message>
-        <source>± 1 s.d.</source>
-        <translation>± 1 Std.-Abw.</translation>
-    </message>
-    <message>
-        <source>One standard deviation of the reversals' logarithms, either way.</source>
-        <translation>Eine Standardabweichung der Logarithmen der Umkehrungen, nach beiden Seiten.</translation>
-    </message>
-    <message>
-        <source>in stiffness</source>
-        <translation>in Steifigkeit</translation>
-    </message>
-    <message>
-        <source>The just-noticeable difference times the reference.</source>
-        <translation>Der eben merkliche Unterschied mal die Referenz.</translation>
-    </message>
-    <message>
-        <source>Reference</source>
-        <translation>Referenz</translation>
-    </message>
-    <message>
-        <source>The stiffness of the softer beam of every trial, at its tip.</source>
-        <translation>Die Steifigkeit des weicheren Balkens jedes Versuchs, an seiner Spitze.</translation>
-    </message>
-    <message>
-        <source>Trials</source>
-        <translation>Versuche</translation>
-    </message>
-    <message>
-        <source>Number of answers given.</source>
-        <translation>Zahl der gegebenen Antworten.</translation>
-    </message>
-    <message>
-        <source>Weber fraction</source>
-        <translation>Weber-Bruch</translation>
-    </message>
-    <message>
-        <source>Scatter w of a single press that gives this JND when two are compared: ln(1 + JND) = 0.771 w.</source>
-        <translation>Streuung w eines einzelnen Drückens, die beim Vergleich von zweien diesen JND ergibt: ln(1 + JND) = 0.771 w.</translation>
-    </message>
-    <message>
-        <source>Answered by</source>
-        <translation>Antworten von</translation>
-    </message>
-    <message>
-        <source>A person, or the simulated hand with the Weber fraction that was set.</source>
-        <translation>Eine Person oder die simulierte Hand mit dem eingestellten Weber-Bruch.</translation>
-    </message>
-    <message>
-        <source>&amp;Save…</source>
-        <translation>&amp;Speichern …</translation>
-    </message>
-    <message>
-        <source>Save the trials</source>
-        <translation>Versuche speichern</translation>
-    </message>
-    <message>
-        <source>Writes every trial and the result as a CSV file.</source>
-        <translation>Schreibt jeden Versuch und das Ergebnis als CSV-Datei.</translation>
-    </message>
-    <message>
-        <source>A&amp;gain</source>
-        <translation>&amp;Erneut</translation>
-    </message>
-    <message>
-        <source>Measure again</source>
-        <translation>Erneut messen</translation>
-    </message>
-    <message>
-        <source>Returns to the start. A result that was not saved is lost.</source>
-        <translation>Geht zum Anfang zurück. Ein nicht gespeichertes Ergebnis geht verloren.</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
-    </message>
-    <message>
-        <source>%1 N/mm</source>
-        <translation>%1 N/mm</translation>
-    </message>
-    <message>
-        <source>a person</source>
-        <translation>eine Person</translation>
-    </message>
-    <message>
-        <source>hand, w = %1</source>
-        <translation>Hand, w = %1</translation>
     </message>
 </context>
 <context>
@@ -14840,91 +14973,6 @@ und %2 weitere</translation>
     <message>
         <source>Tolerance, rad and fractions of the reach</source>
         <translation>Toleranz, rad und Anteile der Reichweite</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::RunPage</name>
-    <message>
-        <source>Reversals</source>
-        <translation>Umkehrungen</translation>
-    </message>
-    <message>
-        <source>A reversal is a change between harder and easier. The first two only find the rough range; the just-noticeable difference is the geometric mean of the others (Levitt 1971).</source>
-        <translation>Eine Umkehrung ist ein Wechsel zwischen schwerer und leichter. Die ersten zwei finden nur den groben Bereich; der eben merkliche Unterschied ist das geometrische Mittel der anderen (Levitt 1971).</translation>
-    </message>
-    <message>
-        <source>Left beam</source>
-        <translation>Linker Balken</translation>
-    </message>
-    <message>
-        <source>Right beam</source>
-        <translation>Rechter Balken</translation>
-    </message>
-    <message>
-        <source>%1, pressed or not</source>
-        <translation>%1, gedrückt oder nicht</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Abbrechen</translation>
-    </message>
-    <message>
-        <source>Cancel the measurement</source>
-        <translation>Messung abbrechen</translation>
-    </message>
-    <message>
-        <source>Restores the stiffness that the scene gives the beams; nothing is kept.</source>
-        <translation>Stellt die Steifigkeit wieder her, die die Szene den Balken gibt; nichts wird behalten.</translation>
-    </message>
-    <message>
-        <source>%1 is stiffer</source>
-        <translation>%1 ist steifer</translation>
-    </message>
-    <message>
-        <source>%1
-%2</source>
-        <translation>%1
-%2</translation>
-    </message>
-    <message>
-        <source>Trial %1: which beam is stiffer?</source>
-        <translation>Versuch %1: Welcher Balken ist steifer?</translation>
-    </message>
-    <message>
-        <source>The simulated hand is at trial %1.</source>
-        <translation>Die simulierte Hand ist bei Versuch %1.</translation>
-    </message>
-    <message>
-        <source>reversals %v of %m</source>
-        <translation>Umkehrungen %v von %m</translation>
-    </message>
-    <message>
-        <source>It presses the beams on a simulated arm of its own; the arm in the window does not move.</source>
-        <translation>Sie drückt die Balken an einem eigenen simulierten Arm; der Arm im Fenster bewegt sich nicht.</translation>
-    </message>
-    <message>
-        <source>Press each beam down with the stylus, as often as you like. Release it before you answer.</source>
-        <translation>Drücken Sie jeden Balken mit dem Stift herunter, so oft Sie mögen. Lassen Sie ihn los, bevor Sie antworten.</translation>
-    </message>
-    <message>
-        <source>The servo is stopped. Press Start to feel the beams.</source>
-        <translation>Der Servo ist gestoppt. Drücken Sie Start, um die Balken zu fühlen.</translation>
-    </message>
-    <message>
-        <source>✓ pressed</source>
-        <translation>✓ gedrückt</translation>
-    </message>
-    <message>
-        <source>press it</source>
-        <translation>drücken</translation>
-    </message>
-    <message>
-        <source>✓ That was right.</source>
-        <translation>✓ Das war richtig.</translation>
-    </message>
-    <message>
-        <source>✗ It was the other one.</source>
-        <translation>✗ Es war der andere.</translation>
     </message>
 </context>
 <context>
@@ -16615,81 +16663,6 @@ und %2 weitere</translation>
     <message>
         <source>For demonstrators: Ctrl+Alt+Shift+U opens a panel with Stop and Leave visitor mode.</source>
         <translation>Für Vorführende: Strg+Alt+Umschalt+U öffnet einen Bereich mit Stopp und Besuchermodus verlassen.</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::TouchPage</name>
-    <message>
-        <source>What to do now</source>
-        <translation>Was jetzt zu tun ist</translation>
-    </message>
-    <message>
-        <source>Result of the last press</source>
-        <translation>Ergebnis des letzten Tastendrucks</translation>
-    </message>
-    <message>
-        <source>Position of the tip</source>
-        <translation>Position der Spitze</translation>
-    </message>
-    <message>
-        <source>&amp;Hold (Space)</source>
-        <translation>&amp;Halten (Leertaste)</translation>
-    </message>
-    <message>
-        <source>Records the position of the tip for half a second.</source>
-        <translation>Erfasst eine halbe Sekunde lang die Position der Spitze.</translation>
-    </message>
-    <message>
-        <source>&amp;Touch this point again</source>
-        <translation>Messpunkt erneut &amp;berühren</translation>
-    </message>
-    <message>
-        <source>The reference point selected in the table is touched next.</source>
-        <translation>Der in der Tabelle gewählte Messpunkt ist als Nächstes an der Reihe.</translation>
-    </message>
-    <message>
-        <source>Reference points and positions of the tip</source>
-        <translation>Messpunkte und Positionen der Spitze</translation>
-    </message>
-    <message>
-        <source>Point</source>
-        <translation>Messpunkt</translation>
-    </message>
-    <message>
-        <source>x, y, z in W, mm</source>
-        <translation>x, y, z in W, mm</translation>
-    </message>
-    <message>
-        <source>spread, mm</source>
-        <translation>Streuung, mm</translation>
-    </message>
-    <message>
-        <source>Touch the reference points</source>
-        <translation>Messpunkte berühren</translation>
-    </message>
-    <message>
-        <source>Progress of the hold</source>
-        <translation>Fortschritt des Haltens</translation>
-    </message>
-    <message>
-        <source>The arm reports: %1</source>
-        <translation>Der Arm meldet: %1</translation>
-    </message>
-    <message>
-        <source>Tip: %1</source>
-        <translation>Spitze: %1</translation>
-    </message>
-    <message>
-        <source>The arm has not sent a sample yet.</source>
-        <translation>Vom Arm kam noch kein Messwert.</translation>
-    </message>
-    <message>
-        <source>All reference points have been touched.</source>
-        <translation>Alle Messpunkte sind berührt.</translation>
-    </message>
-    <message>
-        <source>Rest the tip on reference point %1 and press the stylus button, or Space. The force is off.</source>
-        <translation>Setzen Sie die Spitze auf Messpunkt %1 und drücken Sie die Stifttaste oder die Leertaste. Die Kraft ist aus.</translation>
     </message>
 </context>
 <context>

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from beside import ARMS, ROOT, SOAK, asked, golden, random_joints, same
-from underact import arm
+from underact import arm, scene, sim
 
 # Of each arm; the soak takes 1e5 of the Omni and 1e4 of the others.
 COUNT = 40
@@ -185,6 +185,18 @@ class BadInput(unittest.TestCase):
                 self.refused(TypeError, call, given, words="must be numbers")
         for given in (np.zeros(6, bool), np.zeros(6, "M8[s]"), np.zeros(6, "S1"), np.zeros(6, [("a", float)])):
             self.refused(TypeError, self.arm.fk, given, words="must be numbers")
+
+    def test_masked_arrays_are_refused_wherever_numbers_are_given(self):
+        masked = np.ma.masked_greater(np.arange(6.0), 4.0)
+        for given in (masked, masked.astype("f4"), np.ma.zeros(6), [masked, masked], ([0.0] * 5 + [masked[5]],)):
+            self.refused(TypeError, self.arm.fk, given, words="not a masked array")
+        three = np.ma.masked_less(np.zeros(3), 1.0)
+        self.refused(TypeError, self.arm.statics, self.q, three, words="f_N must")
+        with sim.Simulation(ROOT / "scenes/02_sphere.json") as run:
+            self.refused(TypeError, run.want, three, words="p_mm must")
+            self.refused(TypeError, run.set, {"/control/kp_N_per_mm": three}, words="masked array")
+        self.refused(TypeError, scene.line, (0, 0, 0), three, words="masked array")
+        self.refused(TypeError, scene.build, "x", [{"type": "point", "position_mm": three}], words="masked array")
 
     def test_another_shape_is_a_value_error(self):
         for given in (0.0, [], [[]], np.zeros(5), np.zeros(7), np.zeros((6, 5)), np.zeros((6, 0))):

@@ -15,7 +15,7 @@ from beside import CLI, ROOT
 
 class Page(unittest.TestCase):
     def test_its_example_runs_and_its_session_is_made_again(self):
-        page = (ROOT / "resources/guide/python_package.md").read_text(encoding="utf-8")
+        page = (ROOT / "resources/guide/python.md").read_text(encoding="utf-8")
         code = re.search(r"\n\n((?:    .*\n|\n)+)", page)[1]
         self.assertIn("from underact import", code)
         with tempfile.TemporaryDirectory() as folder:
@@ -33,7 +33,7 @@ class Page(unittest.TestCase):
         import underact.scene
         import underact.sim
 
-        page = (ROOT / "resources/guide/python_package.md").read_text(encoding="utf-8")
+        page = (ROOT / "resources/guide/python.md").read_text(encoding="utf-8")
         rows = re.findall(r"^\| (`.*?) \|", page, re.M)
         found = [name for row in rows for name in re.findall(r"`(?:arm|scene|sim)\.(\w+)", row)]
         self.assertGreater(len(found), 12)

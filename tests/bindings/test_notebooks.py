@@ -33,7 +33,7 @@ class Notebooks(unittest.TestCase):
             self.assertFalse([cell for cell in cells if any(one["output_type"] == "error" for one in cell["outputs"])])
 
     def test_the_guide_names_each(self):
-        page = (GUIDE / "python_package.md").read_text(encoding="utf-8")
+        page = (GUIDE / "python.md").read_text(encoding="utf-8")
         for path in ROOT.glob("resources/guide/*.ipynb"):
             self.assertIn(f"[{path.name}]({path.name})", page)  # opens it
 

@@ -183,13 +183,13 @@ TEST(Details, AreTheTrueTipTheHandsForceAndEachConstraintsShare) {
   std::vector<Vec3> sums(301, Vec3::Zero());
   const std::vector<record::Block> forces = read.readBlocks(record::kConstraints, 0, 1000).value();
   for (const record::Block& block : forces) {
-    for (const servo::ConstraintRow& row : record::unpackConstraints(block))
+    for (const servo::ConstraintRow& row : record::unpack<servo::ConstraintRow>(block))
       if (row.acts) sums[static_cast<std::size_t>(row.tick)] += row.f_T_W;
   }
   std::vector<Vec3> true_tips(301, Vec3::Zero());
   const std::vector<record::Block> truths = read.readBlocks(record::kTruth, 0, 1000).value();
   for (const record::Block& block : truths) {
-    for (const servo::TruthRow& row : record::unpackTruth(block)) {
+    for (const servo::TruthRow& row : record::unpack<servo::TruthRow>(block)) {
       true_tips[static_cast<std::size_t>(row.tick)] = row.truth.p_WT;
       EXPECT_TRUE(row.truth.f_hand_T_W.allFinite());
     }

@@ -169,6 +169,14 @@ TEST(RerunCommand, OfTheRunInTheRepositoryIsTheSameToTheBitInThisBuild) {
   EXPECT_EQ(runCli({"replay", path, "--verify"}).exit, Exit::Well);
 }
 
+// Recorded when arms of other families than the Omni's took no integrator, with one in the scene that did not count.
+TEST(RerunCommand, OfARobotWhoseIntegratorDidNotCountIsTheSameAndSoIsItsRerun) {
+  const ScratchFolder folder;
+  const std::string again = folder.file("again.h5");
+  sameAgain(std::string(UNDERACT_TEST_DATA) + "/golden/session_integrator_1.h5", {"--out", again});
+  EXPECT_EQ(textAt(sameAgain(again), "made_from"), "hand");
+}
+
 TEST(RerunCommand, OfSessionsOfEarlierVersionsGoesByTheirInput) {
   for (const char* name : {"session.h5", "session_0_1_0.h5"}) {
     const std::string path = std::string(UNDERACT_TEST_DATA) + "/golden/" + name;

@@ -137,8 +137,8 @@ bool isSame(const tick::TickReport& a, const tick::TickReport& b) {
 }  // namespace
 
 bool isFinite(const tick::TickState& state) {
-  bool all =
-      areFinite({state.p_WT, state.asked_T_W, state.bump_T_W, state.gate.v_WT, state.gate.f_T_W, state.gate.heat});
+  bool all = areFinite({state.p_WT, state.asked_T_W, state.bump_T_W, state.gate.v_WT, state.gate.f_T_W});
+  for (const double heat : state.gate.heat) all = all && std::isfinite(heat);
   for (const double angle_rad : state.q_rad) all = all && std::isfinite(angle_rad);
   all = all && std::isfinite(state.gate.level) && std::isfinite(state.gate.still_s);
   for (const tick::EntryState& entry : state.entries) all = all && isAllFinite(entry);

@@ -126,7 +126,7 @@ TEST(StrangeTick, SeesAStateThatIsNoNumber) {
   state.entries[0].law.velocity.place_W.y() = kNotANumber;
   EXPECT_FALSE(isFinite(state));
   state.entries.clear();
-  state.gate.heat.x() = kInfinity;
+  state.gate.heat[0] = kInfinity;
   EXPECT_FALSE(isFinite(state));
 }
 

@@ -54,8 +54,8 @@ class Shown {
   explicit Shown(const scene::Description& scene, Camera camera = Camera::Front) {
     view.setScene(scene);
     view.setHandAvailable(true);
-    view.resize(800, 600);
     view.show();
+    view.resize(800, 600);  // as high as the screen of some tests, where no desktop adds a frame
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&view));
     moveCamera(camera);
   }

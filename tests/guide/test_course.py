@@ -46,7 +46,7 @@ def turn(axis, angle):
 
 
 def step(alpha, a, theta, d):
-    """course_dh.md: from one frame to the next."""
+    """course_frames.md: from one frame to the next."""
     ct, st, ca, sa = cos(theta), sin(theta), cos(alpha), sin(alpha)
     return np.array(
         [

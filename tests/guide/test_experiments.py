@@ -208,12 +208,15 @@ def reach():
     ]
 
 
-def pressed(depth):
-    """How far aside the tip is of the bracket's target when it lets go, and while it slides; mm."""
+def pressed(depth, steps):
+    """How far aside the tip is of the bracket's target when it lets go, and while it slides or, in
+    steps with a rest after each, where it rests after it has slipped; mm."""
     scene = edited("27_bracket", kp_N_per_mm=0.1)
     scene["constraints"][0]["file"] = str(ROOT / "scenes" / scene["constraints"][0]["file"])
     face, y = -17, -15
     path = [(0, 0, 10), (1, 0, face - depth), (2, 0, face - depth), (6, 8, face - depth)]
+    if steps:
+        path[3:] = [(2 + k / 2 - rest, k, face - depth) for k in range(1, 9) for rest in (0.4, 0)]
     firm = {"mass_kg": 0.1, "damping_N_s_per_m": 40, "stiffness_N_per_m": 20000}
     points = [{"t_s": t, "p_mm": [x, y, z]} for t, x, z in path]
     with tempfile.TemporaryDirectory() as folder:
@@ -226,7 +229,11 @@ def pressed(depth):
     ticks = ticks[ticks["time_s"] > 1.9]
     aside = np.hypot(ticks["x_mm"] - ticks["target_x_mm"], ticks["y_mm"] - ticks["target_y_mm"])
     share = aside / (ticks["target_z_mm"] - ticks["z_mm"])
-    slides = np.abs(np.diff(ticks["target_x_mm"], prepend=ticks["target_x_mm"][0])) > 1e-3
+    if steps:
+        ends = np.searchsorted(ticks["time_s"], [2.49 + k / 2 for k in range(8)])
+        slides = ends[np.diff(ticks["target_x_mm"][ends], prepend=0) > 1]
+    else:
+        slides = np.abs(np.diff(ticks["target_x_mm"], prepend=ticks["target_x_mm"][0])) > 1e-3
     return depth * np.max(share), depth * np.median(share[slides])
 
 
@@ -234,10 +241,11 @@ def slope():
     friction = json.loads((ROOT / "scenes/27_bracket.json").read_text(encoding="utf-8"))
     friction = friction["constraints"][0]["friction"]
     angles = [degrees(atan(friction[key])) for key in ("static", "dynamic")]
-    lets_go, behind = pressed(5)
+    lets_go, rests = pressed(5, steps=True)
+    again, behind = pressed(5, steps=False)
     return [
         *[(friction["static"], 1), (friction["dynamic"], 1), (angles[0], 1), (angles[1], 1)],
-        *[(5, 0), (lets_go, 1), (behind, 1)],
+        *[(5, 0), (lets_go, 1), (rests, 1), (again, 1), (behind, 1)],
     ]
 
 
@@ -275,10 +283,47 @@ def cardboard():
 
 def coins():
     words = f"calibrate {ROOT}/scenes/23_two_beams.json --weber 0.15 --seed"
-    found = [ask(f"{words} {seed}", [])[0]["threshold"] for seed in range(1, 11)]
-    mean = exp(sum(log(share) for share in found) / len(found))
+    found = [log(ask(f"{words} {seed}", [])[0]["threshold"]) for seed in range(1, 61)]
     formula = exp(0.771 * 0.15) - 1
-    return [(15, 0), (100 * formula, 1), (100 * found[0], 1), (1, 0), (10, 0), (100 * mean, 1)]
+    beams = formula * (0.5 + 0.03) / 0.5
+    return [
+        *[(15, 0), (100 * formula, 1), (100 * beams, 1), (100 * exp(found[0]), 1)],
+        *[(1, 0), (10, 0), (100 * exp(np.mean(found[:10])), 1)],
+        *[(1, 0), (60, 0), (100 * exp(np.mean(found)), 1)],
+    ]
+
+
+def account(scene, hand, seconds, *more):
+    """The energy account of a run, mJ, tick by tick. hand: a name, or places ahead (t, z), mm."""
+    with tempfile.TemporaryDirectory() as folder:
+        if not isinstance(hand, str):
+            points = [{"t_s": t, "p_mm": [0, 0, z]} for t, z in hand]
+            hand = f"{folder}/hand.json"
+            text = json.dumps({"underact_hand": 1, "path": points})
+            pathlib.Path(hand).write_text(text, encoding="utf-8")
+        words = f"run {ROOT}/scenes/{scene}.json --hand {hand} --seconds {seconds} --fast"
+        ask(" ".join([words, *more, f"--record {folder}/ticks.csv"]), [])
+        ticks = np.genfromtxt(f"{folder}/ticks.csv", delimiter=",", names=True)
+    return ticks["energy_mJ"]
+
+
+def energy():
+    """The steps 3 to 5 of the experiment of energy.md."""
+    stiff, ideal, control = "24_too_stiff", "--arm-model ideal", "--set /control/passivity=control"
+    at_rest = account(stiff, [(0, 60), (1, 40)], 6)
+    assert abs(at_rest[-1] - at_rest[2000]) < 1e-9
+    buzzing = account(stiff, [(0, 60), (1, 40)], 6, ideal)
+    sweeps = ([], [ideal], [ideal, control], [control])
+    lowest = [min(account(stiff, "sweep", 20, *more)) for more in sweeps]
+    pushes = [(0, 50), *[(1 + 0.3 * k, 46 if k % 2 else 50) for k in range(13)]]
+    damped = "--set /control/law=PD --set /control/kd_N_s_per_mm=0.002"
+    ends = [account("02_sphere", pushes, 5, *more)[4600] for more in ([], [damped])]
+    return [
+        *[((buzzing[2000] - buzzing[-1]) / 4, 0), (20, 0), (lowest[0], 1), (lowest[1], 1)],
+        *[(lowest[2], 2), (lowest[3], 1), (4, 0), (0.3, 1)],
+        *[(ends[0], 2), (2, 0), (ends[1], 2), (2, 0)],
+        *[(500 / 2000, 2), (0.5, 1), (1000, 0), (5000 / 2000, 1), (5, 0)],
+    ]
 
 
 MEASURED = {
@@ -305,6 +350,12 @@ class Experiments(unittest.TestCase):
             with self.subTest(experiment=title):
                 wanted = [f"{value:.{decimals}f}" for value, decimals in measured()]
                 self.assertEqual(claimed(answers[title]), wanted)
+
+    def test_what_the_page_of_energy_says_happens(self):
+        page = (GUIDE / "energy.md").read_text(encoding="utf-8")
+        steps = prose(page).replace("−", "-").split("\n3. ")[1]
+        wanted = [f"{value:.{decimals}f}" for value, decimals in energy()]
+        self.assertEqual(re.findall(r"-?\d+(?:\.\d+)?(?!\.\s\w)", steps), wanted)
 
     def test_each_worksheet_has_its_answers_and_fits_on_a_sheet(self):
         sheets, answers = sections(SHEETS), sections(ANSWERS)

@@ -82,7 +82,7 @@ def velocity():
 
 
 def known_limits():
-    """measured_stability.md: eigenvalues and the simulated loop, beside limits known before."""
+    """figures.md: eigenvalues and the simulated loop, beside limits known before."""
     rows = []
     walls = [(0.02, 0.1, 0, 1000), (0.045, 0.1, 0.5, 1000), (0.108, 1, 0.5, 1000)]
     walls += [(0.045, 0.1, 2, 1000), (0.02, 0.1, 0, 4000), (0.045, 0.1, 0.5, 4000)]
@@ -130,7 +130,7 @@ def loop_work(law, middle, radius, angle):
 MADE = {
     "kinematics.md: Control in joint space: scene | error, mm rms": joint_space,
     "registration.md: Accuracy: points | error of a touch": registration,
-    "measured_stability.md: Against known limits: m kg | b, B N s/m": known_limits,
+    "figures.md: Against known limits: m kg | b, B N s/m": known_limits,
     "robots.md: Force laws: circle about, radius | stylus's angle": loops,
 }
 # These take from twenty seconds to minutes.

@@ -10,59 +10,11 @@ from pathlib import Path
 
 import h5py
 import numpy as np
+from underact import layout
 
-TYPES = {  # what is not a double
-    "tick": "<i8",
-    "time_ns": "<i8",
-    "buttons": "<u4",
-    "limits": "<u4",
-    "fault": "u1",
-    "revision": "<i8",
-    "input": "u1",
-    "carry": "u1",
-    "text_at": "<i8",
-    "text_bytes": "<i8",
-    "kind": "u1",
-    "from_servo": "u1",
-    "dropped": "<i8",
-    "unix_ns": "<i8",
-    "reason": "u1",
-    "bytes": "u1",
-}
-TICKS = {
-    "tick": 1,
-    "time_ns": 1,
-    "q_rad": 6,
-    "buttons": 1,
-    "p_WT_mm": 3,
-    "quat_WT": 4,
-    "v_WT_mm_per_s": 3,
-    "p_WP_mm": 3,
-    "error_mm": 1,
-    "force_asked_N": 3,
-    "force_sent_N": 3,
-    "gate_level": 1,
-    "cut_N": 1,
-    "limits": 1,
-    "heat": 3,
-    "fault": 1,
-    "alpha_beta_theta_rad": 3,
-    "energy_mJ": 1,
-    "passive_N": 1,
-    "lateness_us": 1,
-    "tick_us": 1,
-    "revision": 1,
-    "input": 1,
-}
-TABLES = {
-    "ticks": TICKS,
-    "changes": {"tick": 1, "revision": 1, "carry": 1, "text_at": 1, "text_bytes": 1},
-    "markers": {"tick": 1, "text_at": 1, "text_bytes": 1},
-    "faults": {"tick": 1, "kind": 1, "seen": 1, "allowed": 1, "from_servo": 1},
-    "end": {"tick": 1, "dropped": 1, "unix_ns": 1, "reason": 1},
-    "text": {"bytes": 1},
-    "start": {"bytes": 1},
-}
+NAMES = ("ticks", "changes", "markers", "faults", "end", "text")
+TABLES = {**{name: layout.TABLES[name] for name in NAMES}, "start": {"bytes": 1}}
+TICKS = TABLES["ticks"]
 SCENE = {
     "underact_scene": 1,
     "title": "Sphere",
@@ -87,7 +39,7 @@ class Writer:
                 dataset = group.create_dataset(
                     column,
                     shape,
-                    TYPES.get(column, "<f8"),
+                    layout.TYPES.get(column, "<f8"),
                     maxshape=(None, *shape[1:]),
                     chunks=(chunk, *shape[1:]),
                 )
@@ -178,7 +130,10 @@ class Writer:
         )
 
     def ticks(self, columns: dict[str, np.ndarray]) -> None:
-        self.append("ticks", columns)
+        """Columns that are not given are 0."""
+        rows = len(columns["tick"])
+        empty = {name: np.zeros((rows, width)[: 1 + (width > 1)]) for name, width in TICKS.items()}
+        self.append("ticks", {**empty, **columns})
 
     def start_swmr(self) -> None:
         self.file.swmr_mode = True

@@ -1,4 +1,4 @@
-"""The clients that the guide shows for other languages build and steer as they stand there; and
+"""The clients for other languages that lie beside the guide build and steer as it says; and
 the notebook runs from its first cell to its last.
 """
 
@@ -14,12 +14,13 @@ import unittest
 
 from support import CLI, ROOT, InFolder, works
 
-PAGE = ROOT / "resources/guide/live_clients.md"
+GUIDE = ROOT / "resources/guide"
+PAGE = GUIDE / "live_service.md"
 
 
 def blocks(heading: str) -> list[str]:
     """The indented blocks below a heading, up to the next one."""
-    section = PAGE.read_text(encoding="utf-8").split(f"\n## {heading}\n")[1].split("\n## ")[0]
+    section = PAGE.read_text(encoding="utf-8").split(f"\n### {heading}\n")[1].split("\n#")[0]
     found = re.findall(r"(?:^(?:    .*)?\n)*^    .*\n", section, re.MULTILINE)
     return ["\n".join(line[4:] for line in block.strip("\n").split("\n")) + "\n" for block in found]
 
@@ -55,8 +56,8 @@ class Clients(InFolder):
 
 class OfOtherLanguages(Clients):
     def test_cpp(self) -> None:
-        source, build = blocks("C++")
-        (self.folder / "live_wall.cpp").write_text(source)
+        (build,) = blocks("C++")
+        shutil.copy(GUIDE / "live_wall.cpp", self.folder)
         compile_it, start = build.splitlines()
         words = [*compile_it.split(), "-Wall", "-Wextra", "-Werror"]
         subprocess.run(words, cwd=self.folder, check=True)
@@ -67,8 +68,8 @@ class OfOtherLanguages(Clients):
 
     @unittest.skipUnless(shutil.which("octave"), "octave is not installed")
     def test_octave(self) -> None:
-        client, script = blocks("MATLAB and Octave")
-        (self.folder / "underact_live.m").write_text(client)
+        (script,) = blocks("MATLAB and Octave")
+        shutil.copy(GUIDE / "underact_live.m", self.folder)
         connect = f"underact_live({self.port}, '{self.token_file}')"
         script = re.sub(r"underact_live\(.*\)", connect, script)
         (self.folder / "script.m").write_text(

@@ -59,8 +59,8 @@ class Strangers(Served):
                     self.assertEqual(self.asks(port, own[0], Origin=origin, **UPGRADE), 403)
                 own_page = {"Origin": f"http://127.0.0.1:{port}", **UPGRADE}
                 self.assertEqual(self.asks(port, own[0], "/", **own_page), 101)
-            self.assertEqual(self.asks(live, "localhost", **lab, **UPGRADE), 101)
-            self.assertEqual(self.asks(haply, "localhost", **lab), 403)
+                self.assertEqual(self.asks(port, "localhost", **lab), well)
+                self.assertEqual(self.asks(port, "localhost", **lab, **UPGRADE), 101)
 
     def test_ends_connections_that_do_not_say_who_they_are_whatever_they_drip(self):
         words = {"Host": "localhost", **UPGRADE}.items()

@@ -30,7 +30,7 @@ class ThePage(InFolder):
         write_session(self.folder / "first.h5", 4100)
 
     def test_shows_python_that_runs(self):
-        shown = blocks("## Python")
+        shown = blocks("## Sessions")
         self.assertEqual(len(shown), 2)
         for lines in shown:
             done = subprocess.run(

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/serve/haply_state.h"
+#include "core/json/value_text.h"
 #include "core/record/replay.h"
 #include "tests/serve/desk.h"
 #include "tests/support/property.h"
@@ -101,6 +102,48 @@ TEST(Haply, ItsForceIsInItsAxesAndEndsAfter50Milliseconds) {
     desk.tick(4);
     EXPECT_LT((last_N - desk.asked_N() - Vec3(0.1, 0.3, -0.2)).norm(), 0.1) << "it ends at once after 50 ms";
   }
+}
+
+TEST(Haply, HasTheFieldsOfTheirProtocol) {
+  HaplyDesk desk("sweep");
+  desk.tick(600);
+  const Vec3 before = serve::haply::anglesOf(desk.service->lastTick());
+  desk.tick(31);
+  const json::Value full = parsed(desk.haply.answer({"GET", "/devices", {}}).body);
+  EXPECT_EQ(at(full, {"inverse3", "config", "device_info", "device_type"}).number, 4.0);
+  EXPECT_EQ(at(full, {"inverse3", "config", "streaming_mode"}).text, "USB");
+  EXPECT_NE(at(full, {"inverse3", "config", "filters"}).find("damping"), nullptr);
+  const json::Value& state = at(full, {"inverse3", "state"});
+  for (const char* const key : {"current_cursor_position", "current_angular_torques", "current_angular_position"})
+    EXPECT_NE(state.find(key), nullptr) << key;
+  const Vec3 mean_deg_per_s = (serve::haply::anglesOf(desk.service->lastTick()) - before) / 0.031;
+  EXPECT_NEAR(at(state, {"angular_velocity", "a1"}).number, mean_deg_per_s[1], 8.0);
+  EXPECT_GT(std::abs(mean_deg_per_s[1]), 10.0);
+}
+
+TEST(Haply, TheTransformIsThatOfTheWorkspaceAndLeadsToTheClientsScene) {
+  HaplyDesk desk;
+  const auto part = [&](const char* device, const char* what, const char* axis) {
+    return at(parsed(desk.haply.answer({"GET", "/devices", {}}).body), {device, "state", what, axis});
+  };
+  desk.tick(1);
+  for (const char* const device : {"inverse3", "wireless_verse_grip"})
+    EXPECT_EQ(json::textOf(part(device, "transform", "position")), R"({"x": 0, "y": 0, "z": 0})");
+  const auto set = [&](const char* parts) {
+    desk.send(R"({"inverse3": [{"commands": {"set_transform": {"transform": )" + std::string(parts) + "}}}]}");
+  };
+  set(R"({"rotation": {"x": 0, "y": 0, "z": 2, "w": 2}, "scale": {"x": 2, "y": 2, "z": 2}})");  // a quarter turn
+  set(R"({"position": {"x": 1, "y": 0, "z": 0}})");  // what it leaves out stays
+  const Vec3 before_N = desk.asked_N();
+  desk.push(Vec3(0.0, 0.4, 0.0));
+  desk.tick(2);
+  EXPECT_NEAR(part("inverse3", "transform", "rotation").find("z")->number, std::sqrt(0.5), 1e-12);
+  EXPECT_EQ(part("wireless_verse_grip", "transform", "rotation").find("z")->number, 0.0) << "it has its own";
+  const double y_H = serve::haply::placeOf(desk.service->lastTick().p_WT).y();
+  EXPECT_NEAR(part("inverse3", "cursor_position", "x").number, 1.0 - 2.0 * y_H, 1e-9);
+  EXPECT_LT((desk.asked_N() - before_N - Vec3(0.4, 0.0, 0.0)).norm(), 0.02) << "away in its scene, to the right here";
+  set(R"({"rotation": {"x": 0, "y": 0, "z": 0, "w": 0}})");
+  EXPECT_NE(desk.heard().back().find("set_transform needs"), std::string::npos);
 }
 
 TEST(Haply, AForceThatIsNotToBeExecutedIsNot) {

@@ -159,6 +159,19 @@ TEST(LiveService, RefusesEachWrongRequestWithASentenceAndItsPathAndChangesNothin
   EXPECT_FALSE(desk.service->closes(client));
 }
 
+TEST(LiveService, AnswersWithTheIdAsItCame) {
+  Desk desk;
+  const int client = desk.join("lab");
+  const std::string digits(200, '7');
+  for (const std::string id : {"9007199254740993", "-9223372036854775809", digits.c_str(), "1.0", "1", "-0", "1E5",
+                               "1e400", "true", "\"9007199254740993\""}) {
+    const std::string answer = desk.ask(client, R"({"do": "status", "id":)" + id + "}");
+    EXPECT_TRUE(answer.starts_with("{\"id\": " + id + ", \"ok\": true")) << answer;
+    EXPECT_EQ(serve::glanceAt("{\"id\": " + id + "}").id, id);
+  }
+  EXPECT_NE(desk.ask(client, "{\"id\": 7" + digits + R"(, "do": "status"})").find("at most 200"), std::string::npos);
+}
+
 TEST(LiveService, RefusesTextsThatAreTooLong) {
   Desk desk;
   const int client = desk.join("lab");

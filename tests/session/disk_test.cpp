@@ -1,44 +1,22 @@
 #include <gtest/gtest.h>
 #include <sched.h>
 #include <sys/mount.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <limits>
 #include <thread>
 
 #include "core/record/replay.h"
 #include "tests/session/rig.h"
+#include "tests/support/full_disk.h"
 
 namespace underact::record {
 namespace {
 
 using namespace std::chrono_literals;
-
-/// While one lives, no file of this process grows beyond a size: writes fail as on a full disk.
-class SmallFiles {
- public:
-  explicit SmallFiles(rlim_t bytes) {
-    before_signal_ = std::signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit wanted{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &wanted);
-  }
-  ~SmallFiles() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, before_signal_);
-  }
-  SmallFiles(const SmallFiles&) = delete;
-  SmallFiles& operator=(const SmallFiles&) = delete;
-
- private:
-  rlimit before_{};
-  void (*before_signal_)(int) = nullptr;
-};
 
 bool waitForEnd(const Recorder& recorder) {
   for (int waited = 0; waited < 20'000 && recorder.status().recording; ++waited) std::this_thread::sleep_for(1ms);
@@ -55,7 +33,7 @@ TEST(Disk, ThatTakesNoMoreEndsTheRecordingWithASentenceAndAWholeFileAndTheServoG
   host->begin();
   std::int64_t ticks = 0;
   {
-    const SmallFiles small(600'000);
+    const test::FullDisk small(600'000);
     const auto recorder = Recorder::start(*host, folder.file("s.h5"), {});
     ASSERT_TRUE(recorder);
     ASSERT_TRUE(waitForEnd(*recorder.value()));

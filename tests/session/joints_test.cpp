@@ -136,7 +136,7 @@ TEST(SevenJoints, OfSixThereIsNothing) {
   Session session = Session::open(folder.file("s.h5")).value();
   EXPECT_FALSE(session.hasMoreJoints());
   EXPECT_EQ(session.rows(kJoints), 0);
-  EXPECT_TRUE(session.readTicks(0, 1).value().front().more_joints.empty());
+  EXPECT_FALSE(hasMoreJoints(session.readTicks(0, 1).value().front()));
 }
 
 TEST(SevenJoints, DamagedOnesAreNoNumbers) {

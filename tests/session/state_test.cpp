@@ -119,7 +119,7 @@ TEST(StartState, WhoseCountsFlagsAndWordsAreNoneIsRefused) {
       [](TickState& state) { state.gate.level = kNotANumber; },
       [](TickState& state) { state.gate.missed = INT32_MIN; },
       [](TickState& state) { state.gate.f_T_W.x() = kInfinity; },
-      [](TickState& state) { state.gate.heat.z() = kNotANumber; },
+      [](TickState& state) { state.gate.heat[2] = kNotANumber; },
       [](TickState& state) { state.p_WT.y() = kNotANumber; },
       [](TickState& state) { state.q_rad[5] = kInfinity; },
   };

@@ -165,7 +165,7 @@ TEST(GuideWindowStory, LinksOpenScenesPagesAndActionsAndShowAddresses) {
 }
 
 TEST(GuideWindowStory, ANotebookOpensAsACopyThatKeepsItsChanges) {
-  Reader reader("python_package");
+  Reader reader("python");
   QTextBrowser system;  // in the place of the desktop's: a URL is given to one of its methods
   QList<QUrl> opened;
   QObject::connect(&system, &QTextBrowser::anchorClicked, [&](const QUrl& url) { opened << url; });
@@ -288,7 +288,7 @@ TEST(GuideWindowStory, TextOfTwiceTheSizeIsNotCut) {
   large.setPointSizeF(2.0 * usual.pointSizeF());
   QApplication::setFont(large);
   {
-    Reader reader("course_spring");
+    Reader reader("course_jacobian");
     for (const char* name : {"guide.back", "guide.forward", "guide.smaller", "guide.larger", "guide.search"}) {
       const QWidget* part = reader.find(name);
       EXPECT_GE(part->width(), part->minimumSizeHint().width()) << name;
@@ -333,8 +333,7 @@ TEST(GuideWindowStory, PagesInBothThemes) {
   for (const char* theme : {"light", "dark"}) {
     Reader reader;
     reader.perform(QString("view.theme.") + theme);
-    for (const char* name :
-         {"start", "course_frames", "course_inverse", "course_spring", "experiments", "scene_reference", "lab"}) {
+    for (const char* name : {"start", "course_frames", "course_jacobian", "experiments", "scene_reference", "lab"}) {
       reader.perform("help.guide", name);
       EXPECT_TRUE(reader.hasPictures());
       reader.settle();

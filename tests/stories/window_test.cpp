@@ -12,6 +12,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QProcess>
+#include <QScreen>
 #include <QSet>
 #include <QSettings>
 #include <QTabBar>
@@ -222,17 +223,40 @@ TEST(WindowStory, TheProgramDrawsAPictureAndSaysWhatItIs) {
   EXPECT_EQ(program.exitCode(), 2);
 }
 
-TEST(WindowStory, WithoutOpenGlTheProgramSaysSoAndEnds) {
-  QProcess program;
-  QProcessEnvironment without = QProcessEnvironment::systemEnvironment();
-  without.insert("QT_QPA_PLATFORM", "offscreen");  // which has none where there is no screen
-  without.remove("DISPLAY");
-  program.setProcessEnvironment(without);
-  program.start(UNDERACT_WINDOW, {shippedScene("02_sphere")});
-  ASSERT_TRUE(program.waitForFinished(60000));
-  EXPECT_EQ(program.exitStatus(), QProcess::NormalExit);
-  EXPECT_EQ(program.exitCode(), 2);
-  EXPECT_TRUE(program.readAllStandardError().contains("No OpenGL"));
+TEST(WindowStory, WhereItCannotDrawTheProgramSaysSoAndEnds) {
+  const QStringList scene{UNDERACT_WINDOW, shippedScene("02_sphere")};
+  const QStringList picture{UNDERACT_WINDOW, "--picture", scene[1], "--out", temporaryFile("none.png")};
+  const std::pair<QStringList, const char*> kRows[]{
+      {{"QT_QPA_PLATFORM=offscreen", "DISPLAY="}, "No OpenGL 3.2: this display offers none"},
+      {{"MESA_GL_VERSION_OVERRIDE=1.4"}, "offers 1.4"},
+      {{"MESA_GL_VERSION_OVERRIDE=2.1"}, "offers 2.1"},
+      {{"MESA_GL_VERSION_OVERRIDE=3.0"}, "offers 3.0"},
+      {{"DISPLAY=:9999"}, "No display that can be used (DISPLAY=:9999,"},
+      {{"DISPLAY=", "WAYLAND_DISPLAY=dead", "QT_QPA_PLATFORM="}, "WAYLAND_DISPLAY=dead)"},
+      {{"QT_QPA_PLATFORM=nonsense"}, "\"nonsense\""}};
+  for (const auto& [changes, words] : kRows) {
+    for (const QStringList& command : {scene, picture}) {
+      QProcess program;
+      program.start("env", changes + command);
+      ASSERT_TRUE(program.waitForFinished(60000));
+      const QByteArray said = program.readAllStandardError();
+      EXPECT_TRUE(program.exitStatus() == QProcess::NormalExit && program.exitCode() == 2) << words;
+      EXPECT_TRUE(said.contains(words) && !said.contains("einstall") && !said.contains("written"))
+          << said.toStdString();
+    }
+  }
+}
+
+TEST(WindowStory, OneThatIsMaximisedFromItsStartHasASmallerNormalSize) {
+  QWidget before;
+  before.setGeometry(before.screen()->availableGeometry());
+  before.setWindowState(Qt::WindowMaximized);
+  Settings settings;
+  settings.geometry = before.saveGeometry();
+  writeSettings(settings);
+  Story story("02_sphere", {.first_start = false});
+  EXPECT_TRUE(story.window().isMaximized());
+  EXPECT_LT(story.window().normalGeometry().height(), before.height());
 }
 
 }  // namespace underact::gui::test

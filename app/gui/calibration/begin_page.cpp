@@ -1,29 +1,27 @@
-#include "app/gui/calibration/begin_page.h"
-
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "app/gui/calibration/calibration_panel.h"
 #include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_box.h"
 #include "app/gui/kit/number_table.h"
-#include "app/gui/kit/tight_layout.h"
+#include "app/gui/kit/words.h"
 
 namespace underact::gui {
 
-BeginPage::BeginPage(QWidget* parent)
-    : QWidget(parent),
-      reference_(new NumberBox(this)),
-      who_(new QComboBox(this)),
-      weber_(new NumberBox(this)),
-      seed_(new QSpinBox(this)),
-      feedback_(new QCheckBox(tr("Sho&w feedback"), this)),
-      note_(quietLabel("panel.calibration.note", {}, this)) {
+ProcedurePage* CalibrationPanel::beginPage() {
+  ProcedurePage* const page = addPage();
+  reference_ = new NumberBox(page);
+  who_ = new QComboBox(page);
+  weber_ = new NumberBox(page);
+  seed_ = new QSpinBox(page);
+  feedback_ = new QCheckBox(tr("Sho&w feedback"), page);
+  refusal_ = quietLabel("panel.calibration.note", {}, page);
   reference_->setDecimals(4);
   reference_->setRange(0.005, 0.2);
   reference_->setSingleStep(0.005);
@@ -54,67 +52,64 @@ BeginPage::BeginPage(QWidget* parent)
             "same sequence."));
   nameWidget(feedback_, "panel.calibration.feedback", tr("Show feedback: whether each answer was right"),
              tr("Tells you after each answer whether it was right. For practice only: feedback lets you learn."));
-  auto* begin_button = new QPushButton(tr("&Begin"), this);
-  nameWidget(begin_button, "panel.calibration.begin", tr("Begin the measurement"),
-             tr("Starts the trials. Two right answers in a row make them harder, a wrong one easier (Levitt 1971)."));
-  auto* column = tight<QVBoxLayout>(this, 8);
+  auto* begin_button = page->button(
+      "panel.calibration.begin", tr("&Begin"),
+      tr("Starts the trials. Two right answers in a row make them harder, a wrong one easier (Levitt 1971)."),
+      tr("Begin the measurement"));
+  QVBoxLayout* const column = page->column();
   column->addWidget(quietLabel("panel.calibration.about",
                                tr("How small a difference of stiffness can be felt (just-noticeable difference, JND)? "
                                   "Press two beams and answer which one is stiffer, again and again."),
-                               this));
+                               page));
   column->addLayout(form);
   column->addWidget(feedback_);
   column->addWidget(begin_button);
-  column->addWidget(note_);
+  column->addWidget(refusal_);
   column->addStretch(1);
-  note_->hide();
-  connect(begin_button, &QPushButton::clicked, this, &BeginPage::begin);
-  connect(who_, &QComboBox::currentIndexChanged, this, &BeginPage::showWho);
+  refusal_->hide();
+  connect(begin_button, &QPushButton::clicked, this, &CalibrationPanel::begin);
+  connect(who_, &QComboBox::currentIndexChanged, this, &CalibrationPanel::showWho);
   showWho();
+  return page;
 }
 
-void BeginPage::addRow(QFormLayout* form, const QString& label, QWidget* field, const QString& key,
-                       const QString& tip) {
+void CalibrationPanel::addRow(QFormLayout* form, const QString& label, QWidget* field, const QString& key,
+                              const QString& tip) {
   nameWidget(field, "panel.calibration." + key, QString(label).remove('&'), tip);
   field->setFocusPolicy(Qt::StrongFocus);  // the wheel scrolls the panel
-  auto* name = new QLabel(label, this);
+  auto* name = new QLabel(label, field->parentWidget());
   name->setToolTip(tip);
   name->setBuddy(field);
   form->addRow(name, field);
 }
 
-void BeginPage::showWho() {
+void CalibrationPanel::showWho() {
   const bool person = setup().who == Answering::Person;
   weber_->setEnabled(!person);
   feedback_->setEnabled(person);
 }
 
-void BeginPage::setReference(double reference_N_per_mm) {
-  own_N_per_mm_ = reference_N_per_mm;
-  reference_->setValue(reference_N_per_mm);
-}
-
-void BeginPage::setNote(const QString& note) {
-  showMessage(note_, note);
-}
-
-CalibrationSetup BeginPage::setup() const {
+CalibrationSetup CalibrationPanel::setup() const {
   const bool untouched = reference_->value() == QString::number(own_N_per_mm_, 'f', reference_->decimals()).toDouble();
   return {untouched ? own_N_per_mm_ : reference_->value(),
           who_->currentIndex() == 0 ? Answering::Person : Answering::SimulatedHand, weber_->value() / 100.0,
           static_cast<std::uint64_t>(seed_->value())};
 }
 
-bool BeginPage::saysWhetherRight() const {
-  return feedback_->isChecked() && setup().who == Answering::Person;
-}
-
-void BeginPage::remember() const {
+bool CalibrationPanel::begin() {
+  const bool had_focus = begin_->isAncestorOf(focusWidget());
+  const Problems problems = session_->begin(setup());
+  if (!problems.empty()) {
+    showMessage(refusal_, sentencesOf(problems));
+    return false;
+  }
   QSettings stored;
   stored.setValue("calibration/simulated", who_->currentIndex() == 1);
   stored.setValue("calibration/weber_percent", weber_->value());
   stored.setValue("calibration/seed", seed_->value());
   stored.setValue("calibration/say_right", feedback_->isChecked());
+  if (had_focus) run_->setFocus();  // for the arrow keys
+  return true;
 }
 
 }  // namespace underact::gui

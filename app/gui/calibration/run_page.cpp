@@ -1,5 +1,3 @@
-#include "app/gui/calibration/run_page.h"
-
 #include <QAction>
 #include <QGridLayout>
 #include <QLabel>
@@ -10,15 +8,17 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/gui/calibration/calibration_panel.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_table.h"
 #include "app/gui/kit/tight_layout.h"
+#include "app/gui/plot/mark_chart.h"
 
 namespace underact::gui {
 namespace {
 
-constexpr const char* kKeys[] = {"left", "right"};
+constexpr const char* kActions[] = {"calibration.left", "calibration.right"};
 
 /// The two beams as in the view, with the one of this side filled.
 QIcon beamIcon(std::size_t side, const Theme& theme, const QSize& size, double ratio) {
@@ -39,14 +39,13 @@ QIcon beamIcon(std::size_t side, const Theme& theme, const QSize& size, double r
 
 }  // namespace
 
-RunPage::RunPage(Actions& actions, QWidget* parent)
-    : QWidget(parent),
-      actions_{actions.find("calibration.left"), actions.find("calibration.right")},
-      trial_(new QLabel(this)),
-      note_(quietLabel("panel.calibration.hint", {}, this)),
-      progress_(new QProgressBar(this)),
-      answers_(new QWidget(this)),
-      feedback_(quietLabel("panel.calibration.said", {}, this)) {
+ProcedurePage* CalibrationPanel::runPage() {
+  ProcedurePage* const page = addPage();
+  trial_ = new QLabel(page);
+  hint_ = quietLabel("panel.calibration.hint", {}, page);
+  progress_ = new QProgressBar(page);
+  answers_ = new QWidget(page);
+  said_ = quietLabel("panel.calibration.said", {}, page);
   trial_->setObjectName("panel.calibration.trial");
   trial_->setProperty("role", "section");
   trial_->setWordWrap(true);
@@ -56,38 +55,38 @@ RunPage::RunPage(Actions& actions, QWidget* parent)
   auto* grid = tight<QGridLayout>(answers_, 8);
   const QString names[] = {tr("Left beam"), tr("Right beam")};
   const Qt::Key keys[] = {Qt::Key_Left, Qt::Key_Right};
-  for (int side = 0; side < 2; ++side) {
-    const auto index = static_cast<std::size_t>(side);
-    buttons_[index] = answerButton(kKeys[side], names[side]);
-    pressed_[index] = quietLabel(QString("panel.calibration.%1.pressed").arg(kKeys[side]), {}, answers_);
-    pressed_[index]->setAccessibleName(tr("%1, pressed or not").arg(names[side]));
-    pressed_[index]->setAlignment(Qt::AlignHCenter);
-    grid->addWidget(buttons_[index], 0, side);
-    grid->addWidget(pressed_[index], 1, side);
-    connect(buttons_[index], &QToolButton::clicked, actions_[index], &QAction::trigger);
+  for (std::size_t side = 0; side < 2; ++side) {
+    QAction* const action = parts_.actions.find(kActions[side]);
+    buttons_[side] = answerButton(side, names[side]);
+    pressed_[side] = quietLabel(buttons_[side]->objectName() + ".pressed", {}, answers_);
+    pressed_[side]->setAccessibleName(tr("%1, pressed or not").arg(names[side]));
+    pressed_[side]->setAlignment(Qt::AlignHCenter);
+    grid->addWidget(buttons_[side], 0, static_cast<int>(side));
+    grid->addWidget(pressed_[side], 1, static_cast<int>(side));
+    connect(buttons_[side], &QToolButton::clicked, action, &QAction::trigger);
     // The buttons would use the arrow keys to move the focus.
-    auto* arrow = new QShortcut(keys[side], this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
-    connect(arrow, &QShortcut::activated, actions_[index], &QAction::trigger);
+    auto* arrow = new QShortcut(keys[side], page, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
+    connect(arrow, &QShortcut::activated, action, &QAction::trigger);
   }
-  auto* cancel = new QPushButton(tr("&Cancel"), this);
-  nameWidget(cancel, "panel.calibration.cancel", tr("Cancel the measurement"),
-             tr("Restores the stiffness that the scene gives the beams; nothing is kept."));
-  auto* column = tight<QVBoxLayout>(this, 8);
+  auto* cancel = page->button("panel.calibration.cancel", tr("&Cancel"),
+                              tr("Restores the stiffness that the scene gives the beams; nothing is kept."),
+                              tr("Cancel the measurement"));
+  QVBoxLayout* const column = page->column();
   column->addWidget(trial_);
-  column->addWidget(note_);
+  column->addWidget(hint_);
   column->addWidget(answers_);
-  column->addWidget(feedback_);
+  column->addWidget(said_);
   column->addWidget(progress_);
   column->addWidget(cancel);
   column->addStretch(1);
-  connect(cancel, &QPushButton::clicked, this, &RunPage::cancelled);
-  setTheme(Theme::light());
+  connect(cancel, &QPushButton::clicked, session_, [this] { session_->cancel(); });
+  return page;
 }
 
-QToolButton* RunPage::answerButton(const QString& key, const QString& name) {
-  const QAction* action = actions_[key == "left" ? 0 : 1];
+QToolButton* CalibrationPanel::answerButton(std::size_t side, const QString& name) {
+  const QAction* action = parts_.actions.find(kActions[side]);
   auto* button = new QToolButton(answers_);
-  nameWidget(button, "panel.calibration." + key, tr("%1 is stiffer").arg(name), action->toolTip());
+  nameWidget(button, QLatin1String("panel.") + kActions[side], tr("%1 is stiffer").arg(name), action->toolTip());
   button->setText(tr("%1\n%2").arg(name, action->shortcut().toString(QKeySequence::NativeText)));
   button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
   button->setIconSize(QSize(5, 3) * (fontMetrics().lineSpacing() / 2));  // grows with the words below it
@@ -97,9 +96,9 @@ QToolButton* RunPage::answerButton(const QString& key, const QString& name) {
   return button;
 }
 
-void RunPage::present(const CalibrationRun& session, bool say_right) {
-  const calibration::Measurement& run = session.run();
-  const bool person = session.setup().who == Answering::Person;
+void CalibrationPanel::showRun() {
+  const calibration::Measurement& run = session_->run();
+  const bool person = session_->setup().who == Answering::Person;
   const auto number = static_cast<int>(run.answers.size()) + 1;
   trial_->setText(person ? tr("Trial %1: which beam is stiffer?").arg(number)
                          : tr("The simulated hand is at trial %1.").arg(number));
@@ -107,26 +106,27 @@ void RunPage::present(const CalibrationRun& session, bool say_right) {
   progress_->setValue(static_cast<int>(run.staircase.reversals.size()));
   progress_->setFormat(tr("reversals %v of %m"));
   answers_->setVisible(person);
-  note_->setText(!person
+  hint_->setText(!person
                      ? tr("It presses the beams on a simulated arm of its own; the arm in the window does not move.")
-                 : session.isServoRunning()
+                 : session_->isServoRunning()
                      ? tr("Press each beam down with the stylus, as often as you like. Release it before you answer.")
                      : tr("The servo is stopped. Press Start to feel the beams."));
   // Otherwise the focus would move from a disabled button to Cancel, where the next Space would end the measurement.
-  if (!session.mayAnswer() && (buttons_[0]->hasFocus() || buttons_[1]->hasFocus())) setFocus();
+  if (!session_->mayAnswer() && (buttons_[0]->hasFocus() || buttons_[1]->hasFocus())) run_->setFocus();
   for (std::size_t side = 0; side < 2; ++side) {
-    const bool pressed = session.isPressed(static_cast<calibration::Beam>(side));
+    const bool pressed = session_->isPressed(static_cast<calibration::Beam>(side));
     pressed_[side]->setText(pressed ? tr("✓ pressed") : tr("press it"));
-    buttons_[side]->setEnabled(session.mayAnswer());
+    buttons_[side]->setEnabled(session_->mayAnswer());
   }
-  const bool said = say_right && !run.answers.empty();
-  feedback_->setText(!said                          ? QString()
-                     : run.answers.back().isRight() ? tr("✓ That was right.")
-                                                    : tr("✗ It was the other one."));
-  feedback_->setVisible(said);
+  const bool is_said = feedback_->isChecked() && setup().who == Answering::Person && !run.answers.empty();
+  said_->setText(!is_said                       ? QString()
+                 : run.answers.back().isRight() ? tr("✓ That was right.")
+                                                : tr("✗ It was the other one."));
+  said_->setVisible(is_said);
 }
 
-void RunPage::setTheme(const Theme& theme) {
+void CalibrationPanel::setTheme(const Theme& theme) {
+  chart_->setTheme(theme);
   for (std::size_t side = 0; side < 2; ++side) {
     buttons_[side]->setIcon(beamIcon(side, theme, buttons_[side]->iconSize(), devicePixelRatioF()));
   }

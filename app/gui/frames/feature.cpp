@@ -21,7 +21,7 @@ FeatureRow framesFeature() {
                     return new TransformPanel({all.actions, all.view}, parent);
                   },
                   "scenes"}},
-      .pages = {{"panel.dh", "explorers#dh-table"}, {"panel.transform", "explorers#transforms"}}};
+      .pages = {{"panel.dh", "kinematics#dh-table"}, {"panel.transform", "kinematics#transforms"}}};
 }
 
 }  // namespace underact::gui

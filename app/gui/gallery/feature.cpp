@@ -14,7 +14,7 @@ void makeGallery(const FeatureParts& parts, ServoListeners&) {
 }  // namespace
 
 FeatureRow galleryFeature() {
-  return {.pages = {{"dialog.figures", "thesis_figures"}}, .make = makeGallery};
+  return {.pages = {{"dialog.figures", "python#the-figures-of-the-thesis"}}, .make = makeGallery};
 }
 
 }  // namespace underact::gui

@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScreen>
 #include <QSplitter>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -44,7 +43,7 @@ GalleryDialog::GalleryDialog(GalleryCallbacks ways, const QString& only, QWidget
   setWindowTitle(tr("Figures of the thesis"));
   setModal(false);
   const QSize wanted(154 * fontMetrics().averageCharWidth(), 48 * fontMetrics().lineSpacing());
-  resize(wanted.expandedTo({1080, 740}).boundedTo(screen()->availableSize()));
+  resize(wanted.expandedTo({1080, 740}));
   sheet_->layout()->addWidget(buildActions());
   auto* parts = new QSplitter(Qt::Horizontal, this);
   parts->setChildrenCollapsible(false);

@@ -26,7 +26,9 @@ void makeGhost(const FeatureParts& parts, ServoListeners& listeners) {
 }  // namespace
 
 FeatureRow ghostFeature() {
-  return {.pages = {{"ghost", "following"}, {"dialog.follow", "following"}}, .make = makeGhost};
+  return {
+      .pages = {{"ghost", "classes#following-a-recorded-hand"}, {"dialog.follow", "classes#following-a-recorded-hand"}},
+      .make = makeGhost};
 }
 
 }  // namespace underact::gui

@@ -15,8 +15,8 @@ FeatureRow guideFeature() {
   return {.pages = {{"guide", "window#this-guide"},
                     {"button.help.guide", "window#this-guide"},
                     {"dialog.guide_problems", "install"},
-                    {"dialog.notebook", "python_package#notebooks"},
-                    {"dialog.notebook_problems", "python_package#notebooks"}},
+                    {"dialog.notebook", "python#notebooks"},
+                    {"dialog.notebook_problems", "python#notebooks"}},
           .make = makeGuide};
 }
 

@@ -5,7 +5,6 @@
 #include <QMainWindow>
 
 #include "app/gui/identify/identify_wizard.h"
-#include "app/gui/identify/pages.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/problems_dialog.h"
 #include "app/gui/model/arm_choice.h"
@@ -16,6 +15,7 @@ IdentifyTool::IdentifyTool(const FeatureParts& parts)
     : QObject(parts.window),
       parts_{parts.servo, parts.control, parts.document, parts.view, parts.player, parts.arm_in_use, parts.arms},
       actions_(parts.actions),
+      theme_(parts.theme),
       window_(parts.window),
       run_(parts_, this) {
   connect(&parts.arms, &ArmChoice::began, this, &IdentifyTool::end);  // the measurement was of the previous arm
@@ -23,7 +23,7 @@ IdentifyTool::IdentifyTool(const FeatureParts& parts)
       {"identify.open", tr("Me&asure the arm…"), QKeySequence("Ctrl+Alt+M"),
        tr("Measures mass, friction, damping, encoder resolution and rendered stiffness of this arm, step by step.")},
       [this](const QVariantList&) {
-        open();
+        openProcedure(wizard_, run_, parts_, theme_, window_);
         return true;
       });
   actions_.add({"arm.open", tr("&Open a measured arm…"), QKeySequence("Ctrl+Alt+X"),
@@ -49,27 +49,15 @@ IdentifyTool::IdentifyTool(const FeatureParts& parts)
   follow();
   // The buttons of the last page, with a path instead of a file dialog.
   actions_.addCommand("identify.save", [this](const QVariantList& path) {
-    return wizard_ && wizard_->keepPage() && wizard_->keepPage()->saveModel(path.value(0).toString());
+    return wizard_ && wizard_->saveModel(path.value(0).toString());
   });
   actions_.addCommand("identify.report", [this](const QVariantList& path) {
-    return wizard_ && wizard_->keepPage() && wizard_->keepPage()->saveReport(path.value(0).toString());
+    return wizard_ && wizard_->saveReport(path.value(0).toString());
   });
 }
 
 IdentifyTool::~IdentifyTool() {
   delete wizard_;
-}
-
-void IdentifyTool::open() {
-  if (!wizard_) {
-    wizard_ = new IdentifyWizard(run_, parts_.in_use, parts_.servo, window_);
-    wizard_->setAttribute(Qt::WA_DeleteOnClose);
-    wizard_->setTheme(theme_);
-    connect(wizard_, &QDialog::finished, wizard_, &QWidget::close);
-  }
-  wizard_->show();
-  wizard_->raise();
-  wizard_->activateWindow();
 }
 
 bool IdentifyTool::openArm(const QString& path) {
@@ -79,11 +67,6 @@ bool IdentifyTool::openArm(const QString& path) {
                   tr("This file does not describe an arm that can be simulated. The arm is unchanged."), problems,
                   window_);
   return false;
-}
-
-void IdentifyTool::setTheme(const Theme& theme) {
-  theme_ = theme;
-  if (wizard_) wizard_->setTheme(theme);
 }
 
 void IdentifyTool::end() {

@@ -19,22 +19,20 @@ class IdentifyTool : public QObject, public ServoListener {
   ~IdentifyTool() override;
   void add(const servo::TickRecord& record) override { run_.add(record); }
   void poll(const servo::Snapshot& snapshot) override { run_.poll(snapshot); }
-  void setTheme(const Theme& theme) override;
   void finish() override { end(); }
   /// Restores the scene and closes the wizard.
   void end();
   const IdentifyRun& run() const { return run_; }
 
  private:
-  void open();
   bool openArm(const QString& path);
 
   IdentifyParts parts_;
   Actions& actions_;
+  const ThemeWatcher& theme_;
   QWidget* window_;
   IdentifyRun run_;
   QPointer<IdentifyWizard> wizard_;
-  Theme theme_ = Theme::light();
 };
 
 }  // namespace underact::gui

@@ -15,7 +15,7 @@ FeatureRow inputDevicesFeature() {
                         return new InputDevicesPanel({all.window, all.servo, all.actions, all.hand, all.hands}, parent);
                       },
                       "scenes"}},
-          .pages = {{"panel.hands", "hands"}}};
+          .pages = {{"panel.hands", "simulated_arm#controllers-joysticks-and-3d-mice"}}};
 }
 
 }  // namespace underact::gui

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "app/gui/kit/fit_screen.h"
 #include "core/base/printed.h"
 
 namespace underact::gui {
@@ -28,6 +29,8 @@ void makePlain(QObject* receiver) {
 bool Application::notify(QObject* receiver, QEvent* event) {
   try {
     if (event->type() == QEvent::Polish) makePlain(receiver);
+    if (event->type() == QEvent::Show && !event->spontaneous() && receiver->isWidgetType())
+      fitToScreen(*static_cast<QWidget*>(receiver));
     return QApplication::notify(receiver, event);
   } catch (const std::exception& exception) {
     tell(exception.what());

@@ -75,6 +75,14 @@ class ThemeWatcher : public QObject {
   bool contrast_ = false, said_contrast_ = false;
 };
 
+/// Gives it the theme, now and whenever another one comes.
+template <class Drawn>
+Drawn* inTheme(const ThemeWatcher& theme, Drawn* drawn) {
+  QObject::connect(&theme, &ThemeWatcher::changed, drawn, &Drawn::setTheme);
+  drawn->setTheme(theme.theme());
+  return drawn;
+}
+
 /// The colour, shifted towards the ink as far as small text over the view needs: 4.5:1 (WCAG 2.1, 1.4.3).
 QColor readable(const QColor& colour, const Theme& theme);
 

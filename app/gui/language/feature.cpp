@@ -14,7 +14,7 @@ void makeLanguage(const FeatureParts& parts, ServoListeners&) {
 }  // namespace
 
 FeatureRow languageFeature() {
-  return {.pages = {{"dialog.language", "languages"}}, .make = makeLanguage};
+  return {.pages = {{"dialog.language", "window#language"}}, .make = makeLanguage};
 }
 
 }  // namespace underact::gui

@@ -5,14 +5,13 @@
 
 #include "core/record/columns.h"
 #include "core/record/session.h"
-#include "core/record/tick_table.h"
 #include "core/scene/scene_arm.h"
 #include "device/recorded.h"
 
 namespace underact::gui {
 namespace {
 
-/// Takes the fields of a tick as numbers; a word, of which only the fault is one, as that of its number.
+/// Takes the fields of a tick as numbers.
 struct Numbers {
   std::span<float> values;
   std::size_t next = 0;
@@ -23,12 +22,8 @@ struct Numbers {
   void integer(Integer value) {
     number(static_cast<double>(value));
   }
-  double of_word = 0.0;
-  void word(std::string_view) { number(of_word); }
+  void word(FaultKind fault) { integer(fault); }
 };
-
-/// Those that CSV does not have, but a tick does.
-constexpr const char* kBesides[] = {"quat_WT", "v_WT_mm_per_s", "heat", "input"};
 
 QString text(std::string_view view) {
   return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
@@ -39,15 +34,8 @@ QString text(std::string_view view) {
 const std::vector<PlotColumn>& plotColumns() {
   static const std::vector<PlotColumn> kAll = [] {
     std::vector<PlotColumn> all;
-    for (const record::CsvField& field : record::csvFields(true))
+    for (const record::CsvField& field : record::allFields())
       all.push_back({text(field.name), text(field.unit), text(field.column->meaning)});
-    for (const char* const name : kBesides) {
-      for (const record::Column& column : record::tickColumns()) {
-        if (column.name != name) continue;
-        for (const std::string_view part : record::partsOf(column))
-          all.push_back({text(part), text(column.unit), text(column.meaning)});
-      }
-    }
     return all;
   }();
   return kAll;
@@ -61,12 +49,7 @@ int findPlotColumn(const QString& name) {
 
 void fillColumns(const servo::TickRecord& record, const arm::Geometry& geometry, std::span<float> values) {
   Numbers row{values};
-  row.of_word = static_cast<double>(record.fault);
-  record::fillRow(record, row, true);
-  for (const double part : record::turnOf(record, geometry)) row.number(part);
-  for (const double speed_m_per_s : record.v_WT) row.number(kMillimetrePerMetre * speed_m_per_s);
-  for (const double heat : record.heat) row.number(heat);
-  row.number(static_cast<double>(record.input));
+  record::fillAll(record, geometry, row);
 }
 
 ColumnRows::ColumnRows(std::vector<int> columns, std::size_t most)

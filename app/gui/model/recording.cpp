@@ -2,7 +2,6 @@
 
 #include <QSettings>
 #include <algorithm>
-#include <tuple>
 
 #include "app/gui/kit/words.h"
 #include "app/gui/model/session_paths.h"
@@ -16,11 +15,6 @@ constexpr const char* kFolder = "recording/folder";
 constexpr const char* kTags = "recording/tags";
 constexpr const char* kSubject = "recording/subject";
 constexpr const char* kKeepFree = "recording/keep_free_MB";  // on the disk; below this a recording ends in order
-
-bool areSame(const record::SessionMetadata& a, const record::SessionMetadata& b) {
-  return std::tie(a.name, a.notes, a.tags, a.subject, a.consent) ==
-         std::tie(b.name, b.notes, b.tags, b.subject, b.consent);
-}
 
 }  // namespace
 
@@ -78,7 +72,7 @@ bool Recording::stop(record::EndReason reason) {
   Problems problems = recorder_->stop(reason);
   status_ = recorder_->status();
   recorder_.reset();
-  if (!areSame(words_, written_)) {
+  if (words_ != written_) {
     Problems unwritten;
     for (const std::string& file : status_.files) {
       const Problems of_part = record::rewriteMetadata(file, words_);

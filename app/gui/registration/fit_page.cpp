@@ -6,8 +6,8 @@
 
 #include "app/gui/kit/message_label.h"
 #include "app/gui/kit/words.h"
-#include "app/gui/registration/pages.h"
 #include "app/gui/registration/reference_points_picture.h"
+#include "app/gui/registration/registration_wizard.h"
 #include "core/base/units.h"
 #include "core/registration/check.h"
 #include "core/registration/error.h"
@@ -21,34 +21,27 @@ QString mm(double length_m) {
 
 }  // namespace
 
-FitPage::FitPage(RegistrationTool& tool, QWidget* parent)
-    : QWizardPage(parent),
-      tool_(tool),
-      residual_(messageLabel("registration.residual", tr("How well the points fit"), "", this)),
-      expected_(messageLabel("registration.expected", tr("Expected error"), "", this)),
-      warnings_(messageLabel("registration.warnings", tr("Warnings"), "warning", this)),
-      told_(messageLabel("registration.kept", tr("Whether the registration was saved"), "alarm", this)),
-      table_(pageTable("registration.residuals", tr("Residual of each reference point"),
-                       {tr("Point"), tr("residual, mm"), tr("spread, mm")}, this)),
-      picture_(new ReferencePointsPicture("registration.result_picture", this)) {
-  setObjectName("registration.result");
-  setTitle(tr("Check the result"));
+ProcedurePage* RegistrationWizard::fitPage() {
+  auto* page = new ProcedurePage("registration.result", tr("Check the result"), 8);
+  residual_ = messageLabel("registration.residual", tr("How well the points fit"), "", page);
+  expected_ = messageLabel("registration.expected", tr("Expected error"), "", page);
   expected_->setToolTip(
       tr("e<sup>2</sup>/N · (1 + (d₁²/f₁² + d₂²/f₂² + d₃²/f₃²)/3): Fitzpatrick, West and Maurer, 1998."));
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  auto* both = new QHBoxLayout;
-  both->addWidget(table_, 1);
-  both->addWidget(picture_, 1);
-  auto* column = new QVBoxLayout(this);
-  column->setSpacing(8);
-  for (QLabel* label : {residual_, expected_, warnings_}) column->addWidget(label);
-  column->addLayout(both, 1);
-  column->addWidget(told_);
+  warnings_ = messageLabel("registration.warnings", tr("Warnings"), "warning", page);
+  for (QLabel* label : {residual_, expected_, warnings_}) page->column()->addWidget(label);
+  residuals_ = page->table("registration.residuals", tr("Residual of each reference point"),
+                           {tr("Point"), tr("residual, mm"), tr("spread, mm")});
+  fit_picture_ = addPicture(page, residuals_, "registration.result_picture");
+  unsaved_ = messageLabel("registration.kept", tr("Whether the registration was saved"), "alarm", page);
+  page->column()->addWidget(unsaved_);
+  page->enter = [this] { showFit(); };
+  page->may_leave = [this] { return acceptFit(); };
+  return page;
 }
 
-void FitPage::initializePage() {
+void RegistrationWizard::showFit() {
   was_told_ = false;
-  told_->hide();
+  unsaved_->hide();
   const std::vector<registration::Touch> touches = tool_.run().touching().touches();
   const Result<registration::Fit> fitted = tool_.run().fit();
   if (!fitted) return;  // the page before does not allow this
@@ -62,31 +55,26 @@ void FitPage::initializePage() {
   QStringList sentences;
   for (const registration::Warning& warning : warningsOf(touches, fit)) sentences << sentenceText(warning.sentence);
   showMessage(warnings_, sentences.join('\n'));
-  table_->setRowCount(static_cast<int>(touches.size()));
+  residuals_->setRowCount(static_cast<int>(touches.size()));
   std::vector<ShownPoint> shown;
   for (std::size_t at = 0; at < touches.size(); ++at) {
-    const QString texts[] = {QString::number(at + 1), mm(fit.off_D[at].norm()), mm(touches[at].spread_m)};
-    for (int column = 0; column < 3; ++column)
-      table_->setItem(static_cast<int>(at), column, new QTableWidgetItem(texts[column]));
+    setRow(residuals_, static_cast<int>(at),
+           {QString::number(at + 1), mm(fit.off_D[at].norm()), mm(touches[at].spread_m)});
     shown.push_back({touches[at].p_DM, true, fit.off_D[at]});
   }
-  picture_->present(shown, {});
+  fit_picture_->present(shown, {});
 }
 
-bool FitPage::validatePage() {
+bool RegistrationWizard::acceptFit() {
   if (was_told_) return true;
   const Problems problems = tool_.accept();
   if (problems.empty()) return true;
   was_told_ = true;
-  told_->setText(
+  unsaved_->setText(
       tr("The registration is in use, but only until the window closes. %1 Press Accept again to close the wizard.")
           .arg(sentencesOf(problems)));
-  told_->show();
+  unsaved_->show();
   return false;
-}
-
-void FitPage::setTheme(const Theme& theme) {
-  picture_->setTheme(theme);
 }
 
 }  // namespace underact::gui

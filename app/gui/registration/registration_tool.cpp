@@ -38,7 +38,7 @@ RegistrationTool::RegistrationTool(const FeatureParts& parts) : QObject(parts.wi
       {"registration.open", tr("Re&gister the arm…"), QKeySequence("Ctrl+Alt+Shift+R"),
        tr("Finds the pose of the arm on the desk from reference points that its tip touches, step by step.")},
       [this](const QVariantList&) {
-        open();
+        openProcedure(wizard_, *this, parts_.theme, parts_.window);
         return true;
       });
   parts_.actions.addCommand("registration.forget", [this](const QVariantList& second) {
@@ -181,23 +181,6 @@ void RegistrationTool::add(const servo::TickRecord& record) {
 
 void RegistrationTool::poll(const servo::Snapshot&) {
   if (wizard_) wizard_->poll();
-}
-
-void RegistrationTool::setTheme(const Theme& theme) {
-  theme_ = theme;
-  if (wizard_) wizard_->setTheme(theme);
-}
-
-void RegistrationTool::open() {
-  if (!wizard_) {
-    wizard_ = new RegistrationWizard(*this, parts_.window);
-    wizard_->setAttribute(Qt::WA_DeleteOnClose);
-    wizard_->setTheme(theme_);
-    connect(wizard_, &QDialog::finished, wizard_, &QWidget::close);
-  }
-  wizard_->show();
-  wizard_->raise();
-  wizard_->activateWindow();
 }
 
 }  // namespace underact::gui

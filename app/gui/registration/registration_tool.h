@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "app/gui/feature/feature.h"
-#include "app/gui/kit/theme.h"
 #include "app/gui/registration/registration_run.h"
 #include "core/registration/registration_file.h"
 
@@ -24,7 +23,6 @@ class RegistrationTool : public QObject, public ServoListener {
   ~RegistrationTool() override;
   void add(const servo::TickRecord& record) override;  // of the first arm
   void poll(const servo::Snapshot& snapshot) override;
-  void setTheme(const Theme& theme) override;
 
   /// None if the arm is not registered.
   const std::optional<registration::Registration>& of(Which which) const { return known_[index(which)].registration; }
@@ -61,14 +59,12 @@ class RegistrationTool : public QObject, public ServoListener {
   std::string keyOf(Which which) const;
   void recallAll();
   void place();
-  void open();
 
   FeatureParts parts_;
   std::array<Known, 2> known_;
   RegistrationRun run_;
   Which which_ = Which::First;  // of the run
   QPointer<RegistrationWizard> wizard_;
-  Theme theme_ = Theme::light();
 };
 
 }  // namespace underact::gui

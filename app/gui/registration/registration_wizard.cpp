@@ -1,32 +1,16 @@
 #include "app/gui/registration/registration_wizard.h"
 
-#include <QAbstractButton>
+#include <QBoxLayout>
+#include <QTableWidget>
 
-#include "app/gui/kit/wizard_frame.h"
-#include "app/gui/registration/pages.h"
+#include "app/gui/registration/reference_points_picture.h"
 
 namespace underact::gui {
 
-RegistrationWizard::RegistrationWizard(RegistrationTool& tool, QWidget* parent)
-    : QWizard(parent),
-      tool_(tool),
-      prepare_(new PreparePage(tool, this)),
-      touch_(new TouchPage(tool, *prepare_, this)),
-      result_(new FitPage(tool, this)) {
-  setObjectName("registration.wizard");
-  setWindowTitle(tr("Register the arm"));
-  setModal(false);
-  setWizardStyle(QWizard::ModernStyle);
-  setOption(QWizard::NoBackButtonOnStartPage);
-  for (QWizardPage* page :
-       {static_cast<QWizardPage*>(prepare_), static_cast<QWizardPage*>(touch_), static_cast<QWizardPage*>(result_)})
-    addPage(page);
+RegistrationWizard::RegistrationWizard(RegistrationTool& tool, const ThemeWatcher& theme, QWidget* parent)
+    : Procedure("registration", tr("Register the arm"), parent), tool_(tool), theme_(theme) {
   setButtonText(FinishButton, tr("&Accept"));
-  const std::pair<WizardButton, const char*> names[] = {{BackButton, "registration.back"},
-                                                        {NextButton, "registration.next"},
-                                                        {FinishButton, "registration.accept"},
-                                                        {CancelButton, "registration.cancel"}};
-  frameWizard(*this, names, 46);
+  setPages({preparePage(), touchPage(), fitPage()}, "accept", 46);
 }
 
 RegistrationWizard::~RegistrationWizard() {
@@ -35,18 +19,18 @@ RegistrationWizard::~RegistrationWizard() {
 }
 
 void RegistrationWizard::poll() {
-  prepare_->poll();
-  touch_->poll();
+  pollArm();
+  pollTip();
 }
 
-void RegistrationWizard::setTheme(const Theme& theme) {
-  prepare_->setTheme(theme);
-  touch_->setTheme(theme);
-  result_->setTheme(theme);
-}
-
-bool RegistrationWizard::saveSheet(const QString& path) {
-  return prepare_->saveSheet(path);
+/// Of the reference points, beside their table.
+ReferencePointsPicture* RegistrationWizard::addPicture(ProcedurePage* page, QTableWidget* table, const char* name) {
+  auto* picture = inTheme(theme_, new ReferencePointsPicture(name, page));
+  auto* both = new QHBoxLayout;
+  both->addWidget(table, 1);
+  both->addWidget(picture, 1);
+  page->column()->addLayout(both, 1);
+  return picture;
 }
 
 }  // namespace underact::gui

@@ -30,11 +30,11 @@ FeatureRow replayFeature() {
                         return new SessionPanel({all.actions, all.view, all.player}, parent);
                       },
                       "plots"}},
-          .pages = {{"panel.session", "replay"},
-                    {"panel.replay", "replay"},
-                    {"dialog.replay_files", "replay"},
+          .pages = {{"panel.session", "sessions#replay"},
+                    {"panel.replay", "sessions#replay"},
+                    {"dialog.replay_files", "sessions#replay"},
                     {"dialog.session", "sessions"},
-                    {"dialog.session_problems", "replay"}},
+                    {"dialog.session_problems", "sessions#replay"}},
           .make = makeReplay,
           .opens = isSession,
           .open_action = "replay.open"};

@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScreen>
 #include <QSpinBox>
 #include <QTableWidget>
 #include <QTimer>
@@ -59,7 +58,7 @@ CheckDialog::CheckDialog(int rate_hz, const system::SchedulingRequest& wanted, Q
   setWindowTitle(tr("Servo check"));
   setModal(false);
   const QSize preferred(80 * fontMetrics().averageCharWidth(), 22 * fontMetrics().lineSpacing());
-  resize(preferred.expandedTo({560, 360}).boundedTo(screen()->availableSize()));
+  resize(preferred.expandedTo({560, 360}));
   nameWidget(message_, "dialog.check.message", tr("Result"));
   message_->setWordWrap(true);
   message_->setText(

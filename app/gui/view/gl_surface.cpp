@@ -27,7 +27,7 @@ namespace {
 constexpr double kCrease_mm = 25.0, kLeastDepth_mm = 1.0;
 constexpr int kSamplesOfCreases = 128;
 
-bool has_opengl = true;  // until a context could not be made
+std::pair<int, int> found_opengl = surfaceFormat().version();  // until a context was made, or could not be
 
 bool isSoftware(const QString& renderer_name) {
   const char* const words[] = {"llvmpipe", "softpipe", "SwiftShader", "swrast", "GDI Generic", "Basic Render"};
@@ -42,8 +42,12 @@ QString nameOfRenderer(QOpenGLContext& context) {
 
 }  // namespace
 
+std::pair<int, int> foundOpenGl() {
+  return found_opengl;
+}
+
 bool hasOpenGl() {
-  return has_opengl;
+  return found_opengl >= surfaceFormat().version();
 }
 
 QSurfaceFormat surfaceFormat() {
@@ -63,8 +67,8 @@ struct GlSurface::InMemory {
   static std::unique_ptr<InMemory> make() {
     auto made = std::make_unique<InMemory>();
     made->context.setFormat(surfaceFormat());
-    has_opengl = made->context.create();
-    if (!has_opengl) return nullptr;
+    found_opengl = made->context.create() ? made->context.format().version() : std::pair(0, 0);
+    if (!hasOpenGl()) return nullptr;
     made->nowhere.setFormat(made->context.format());
     made->nowhere.create();
     if (!made->context.makeCurrent(&made->nowhere) || !isSoftware(nameOfRenderer(made->context))) return nullptr;
@@ -138,7 +142,7 @@ GlSurface::GlSurface(Before before, Words words, QWidget* parent)
   renderer_->SSAOBlurOn();
   if (in_memory_) {
     setAttribute(Qt::WA_NoSystemBackground);  // not WA_OpaquePaintEvent: Qt would take the view for hidden
-  } else if (has_opengl) {
+  } else if (hasOpenGl()) {
     composed_ = new Composed(*this);
   }
 }

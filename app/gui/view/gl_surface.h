@@ -20,8 +20,10 @@ namespace underact::gui {
 /// alike.
 QSurfaceFormat surfaceFormat();
 
-/// Whether the surfaces made so far found OpenGL. One without it shows nothing, and a window with one must not be
-/// shown.
+/// The version of OpenGL that the surfaces made so far found; (0, 0): none.
+std::pair<int, int> foundOpenGl();
+/// Whether it is the version of surfaceFormat() or a later one. A surface without it shows nothing, and a window with
+/// one must not be shown.
 bool hasOpenGl();
 
 /// A Qt widget that shows one VTK renderer, with text drawn over it by Qt (the system's font, crisp at any scale).

@@ -6,6 +6,7 @@
 
 #include "app/gui/model/scene_library.h"
 #include "app/gui/model/simulated_host.h"
+#include "app/gui/view/gl_surface.h"
 #include "app/gui/view/scene_view.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/read.h"
@@ -65,6 +66,7 @@ int told(const Problems& problems) {
 
 int save(const QImage& image, const QString& out) {
   if (!image.isNull() && image.save(out, "PNG")) return 0;
+  if (!hasOpenGl()) return 2;  // which is said elsewhere
   std::fprintf(stderr, "%s cannot be written.\n", out.toStdString().c_str());
   return 4;
 }

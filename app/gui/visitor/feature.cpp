@@ -12,7 +12,8 @@ void makeVisitor(const FeatureParts& parts, ServoListeners& listeners) {
 }  // namespace
 
 FeatureRow visitorFeature() {
-  return {.pages = {{"demonstrator", "visitor"}, {"dialog.no_visitors", "visitor"}}, .make = makeVisitor};
+  return {.pages = {{"demonstrator", "classes#visitors"}, {"dialog.no_visitors", "classes#visitors"}},
+          .make = makeVisitor};
 }
 
 }  // namespace underact::gui

@@ -14,7 +14,8 @@ void makeWelcome(const FeatureParts& parts, ServoListeners& listeners) {
 }  // namespace
 
 FeatureRow welcomeFeature() {
-  return {.pages = {{"welcome", "first_minute"}, {"tour", "first_minute"}}, .make = makeWelcome};
+  return {.pages = {{"welcome", "window#at-the-first-start"}, {"tour", "window#at-the-first-start"}},
+          .make = makeWelcome};
 }
 
 }  // namespace underact::gui

@@ -1,5 +1,4 @@
 // Builds the window; its behaviour is in main_window.cpp.
-#include <QScreen>
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -43,7 +42,7 @@ MainWindow::MainWindow(const WindowParts& given, std::vector<FeatureRow> rows)
   setDockNestingEnabled(true);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
+  resize(1280, 800);
   setMinimumSize(800, 560);
   given_.theme.choose(settings_.theme);
   buildFeatures();

@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import given
+from .canvas import LINKS, TIP, canvas
 from .compiled import core as _compiled
 
 if TYPE_CHECKING:
@@ -251,14 +252,21 @@ class Arm(_core.Arm):
         return self._text(given.text(form, "form"))
 
     def plot(self, q: ArrayLike, axes: Any = None, **line: Any) -> Any:
-        """Draws the arm at q, (n,) or (m, n), and gives what it drew into.
+        """Draws the arm at q, (n,) or (m, n), its links as a line, its joints and its tip as dots, and
+        gives what it drew into.
 
         axes: 3D axes of matplotlib, a plotter of PyVista or "pyvista"; None: a new figure of
         matplotlib. line: how the links look: color, linewidth and so on.
         """
-        from .pictures import plot_arm
-
-        return plot_arm(self, q, axes, **line)
+        to = canvas(axes)
+        points = self.skeleton(np.atleast_2d(np.asanyarray(q, dtype=float)))
+        color, width = line.pop("color", LINKS), line.pop("linewidth", 2.0)
+        for at in points:
+            to.line(at, color, width, **line)
+            to.dots(at[:-1], color, 3.0)
+            to.dots(at[-1:], TIP, 5.0)
+        to.finish()
+        return to.into
 
 
 def names() -> list[str]:

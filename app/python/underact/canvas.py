@@ -8,8 +8,12 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
+from . import shapes
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+LINKS, TIP, SHAPE = "#1A1A1A", "#D55E00", "#0072B2"  # as in the figures of sessions
 
 
 class Canvas(Protocol):
@@ -46,6 +50,11 @@ def canvas(into: Any = None) -> Canvas:
         'Pictures are drawn into 3D axes of matplotlib, a pyvista.Plotter, or "pyvista" for a new '
         f"one, not into {type(into).__name__}."
     )
+
+
+def draw_shape(to: Canvas, constraint: dict[str, Any], reach_mm: NDArray[np.float64]) -> None:
+    for outline in shapes.outlines(constraint, reach_mm):
+        to.line(outline, SHAPE, 0.8)
 
 
 def _new_axes() -> Any:

@@ -67,6 +67,8 @@ def drawing_errors() -> Iterator[None]:
     try:
         yield
     except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        if isinstance(error.__context__, OSError):  # matplotlib stumbles over a full disk
+            raise error.__context__ from None
         raise SessionError(
             f"What this session holds cannot be drawn ({type(error).__name__}: {error}). "
             "Its numbers or its scene are none that a recording has."

@@ -13,21 +13,7 @@ import numpy as np
 from . import layout
 from .errors import MissingLibrary
 from .output import check_name, new_file
-from .session import Session
-
-#: the columns of `underact-cli run --record F.csv` -> where they are in /ticks: column, part (None:
-#: all of it)
-CSV_COLUMNS: dict[str, tuple[str, int | None]] = {
-    field["name"]: (
-        field["column"],
-        field["part"] if layout.TABLES["ticks"][field["column"]] > 1 else None,
-    )
-    for field in layout.COLUMNS["csv"]
-}
-
-#: what an arm of more than six joints has besides, and its columns of CSV
-MORE = "q_more_rad"
-MORE_JOINTS = layout.DESCRIBED["joints"][MORE]["csv"]
+from .session import Session, tick_columns
 
 #: what to ask pip for: a newer pyarrow wants a newer numpy than Debian 12 has
 _PACKAGES = {"pyarrow": "'pyarrow<17'", "mcap": "mcap"}
@@ -49,13 +35,11 @@ def _needs(package: str, form: str, error: ImportError) -> MissingLibrary:
 
 def _flat(session: Session) -> dict[str, np.ndarray]:
     """The columns of a CSV recording, with time in s and faults as words."""
-    flat = {}
-    for name, (column, part) in CSV_COLUMNS.items():
-        values = session.ticks[column]
-        flat[name] = values if part is None else values[:, part]
-    more = session.more_joints()
-    if more is not None:
-        flat.update(zip(MORE_JOINTS, more.T))
+    flat, columns = {}, tick_columns(session)
+    for field in layout.CSV:
+        if field["column"] in columns:
+            values = columns[field["column"]]
+            flat[field["name"]] = values if values.ndim == 1 else values[:, field["part"]]
     flat["time_s"] = session.time_s
     flat["fault"] = np.array(
         [layout.word(layout.FAULTS, int(kind)) for kind in flat["fault"]], dtype=object
@@ -93,21 +77,17 @@ def csv_metadata(session: Session, name: str) -> dict:
     each column with type, unit and meaning; in its notes the frames, and what was run.
     """
     columns, frames = [], {}
-    for field in layout.COLUMNS["csv"]:
-        described = layout.DESCRIBED["ticks"][field["column"]]
+    has_more = session.more_joints() is not None
+    for field in layout.CSV:
+        if field["column"] == layout.MORE and not has_more:
+            continue
+        described = layout.TICK[field["column"]]
         kind = {"float64": "double", "string": "string"}.get(field["type"], "integer")
         one = {"name": field["name"], "titles": field["name"], "datatype": kind, "null": ""}
         one["dc:description"] = described["meaning"]
         one["schema:unitText"] = field["unit"]
         columns.append(one)
         frames[field["name"]] = described["frame"]
-    described = layout.DESCRIBED["joints"][MORE]
-    for part in MORE_JOINTS if session.more_joints() is not None else ():
-        one = {"name": part, "titles": part, "datatype": "double", "null": ""}
-        one["dc:description"] = described["meaning"]
-        one["schema:unitText"] = described["unit"]
-        columns.append(one)
-        frames[part] = described["frame"]
     return {
         "@context": "http://www.w3.org/ns/csvw",
         "url": name,
@@ -127,6 +107,14 @@ def described_run(session: Session) -> dict:
             {"tick": tick, "changed": changed} for tick, changed in session.provenance_changes
         ],
         "clock": {name: values.tolist() for name, values in session.clock.items()},
+    }
+
+
+def _run_words(session: Session) -> dict[str, str]:
+    """The same as texts."""
+    return {
+        name: json.dumps(value) if isinstance(value, (dict, list)) else str(value)
+        for name, value in described_run(session).items()
     }
 
 
@@ -160,11 +148,7 @@ def parquet(session: Session, out: str | Path) -> None:
         raise _needs("pyarrow", "Parquet", error) from error
     table = pyarrow.Table.from_pandas(session.frame(), preserve_index=False)
     about = {"time_s": {"unit": "s", "frame": "", "meaning": "the arm's clock at each tick"}}
-    for name, column in layout.DESCRIBED["ticks"].items():
-        for part in layout.part_names(name):
-            about[part] = column
-    for part in layout.DESCRIBED["joints"][MORE]["parts"]:
-        about[part] = layout.DESCRIBED["joints"][MORE]
+    about |= {part: column for column in layout.TICK.values() for part in column["parts"]}
     fields = [
         field.with_metadata(
             {key: about.get(field.name, {}).get(key, "") for key in ("unit", "frame", "meaning")}
@@ -172,10 +156,8 @@ def parquet(session: Session, out: str | Path) -> None:
         for field in table.schema
     ]
     words = {
-        name if name.startswith("underact_") else f"underact_{name}": (
-            json.dumps(value) if isinstance(value, (dict, list)) else str(value)
-        )
-        for name, value in described_run(session).items()
+        name if name.startswith("underact_") else f"underact_{name}": value
+        for name, value in _run_words(session).items()
     }
     schema = pyarrow.schema(fields, metadata={**(table.schema.metadata or {}), **words})
     check_name(out, session.path)
@@ -198,29 +180,15 @@ _SCHEMAS = {
 
 def _tick_schema(session: Session) -> dict:
     properties: dict[str, dict] = {"time_s": _NUMBER}
-    for column in session.ticks:
-        width = layout.TABLES["ticks"].get(column, 1)
-        described = layout.DESCRIBED["ticks"].get(column, {})
-        one = {
-            "type": ["number", "null"],
-            "description": f"{session.ticks.units[column]}",
-            "unit": described.get("unit", session.ticks.units[column]),
-            "frame": described.get("frame", ""),
-            "meaning": described.get("meaning", session.ticks.meanings[column]),
-        }
-        properties[column] = _array_of(one, width)
-    if session.more_joints() is not None:
-        described = layout.DESCRIBED["joints"][MORE]
-        one = {key: described[key] for key in ("unit", "frame", "meaning")}
-        one = {"type": ["number", "null"], "description": described["unit"], **one}
-        properties[MORE] = _array_of(one, described["width"])
+    units, meanings = session.ticks.units, session.ticks.meanings
+    for name in tick_columns(session):
+        column = layout.TICK.get(name) or {"unit": units[name], "meaning": meanings[name]}
+        one = {"type": ["number", "null"], "description": units.get(name, column["unit"])}
+        one |= {key: column.get(key, "") for key in ("unit", "frame", "meaning")}
+        width = column.get("width", 1)
+        array = {"type": "array", "items": one, "minItems": width, "maxItems": width}
+        properties[name] = one if width == 1 else array
     return properties
-
-
-def _array_of(one: dict, width: int) -> dict:
-    if width == 1:
-        return one
-    return {"type": "array", "items": one, "minItems": width, "maxItems": width}
 
 
 def _messages(session: Session) -> Iterator[tuple[int, str, dict]]:
@@ -246,10 +214,7 @@ def _messages(session: Session) -> Iterator[tuple[int, str, dict]]:
         for f in session.faults
     ]
     events.sort(key=lambda event: event[0])
-    columns = {name: ticks[name].tolist() for name in ticks}
-    more = session.more_joints()
-    if more is not None:
-        columns[MORE] = more.tolist()
+    columns = {name: values.tolist() for name, values in tick_columns(session).items()}
     for row, now_ns in enumerate(time_ns.tolist()):
         yield now_ns, "/tick", {name: _plain(values[row]) for name, values in columns.items()}
         while events and events[0][0] <= now_ns:
@@ -291,11 +256,7 @@ def mcap(session: Session, out: str | Path) -> None:
             data = json.dumps({"time_s": now_ns * 1e-9, **message}).encode()
             stamp = min(max(start_ns + now_ns - first_ns, 0), 2**64 - 1)  # all that MCAP has
             writer.add_message(channels[topic], stamp, data, stamp, count)
-        words = {
-            name: json.dumps(value) if isinstance(value, (dict, list)) else str(value)
-            for name, value in described_run(session).items()
-        }
-        writer.add_metadata("underact_session", words)
+        writer.add_metadata("underact_session", _run_words(session))
         writer.finish()
 
 

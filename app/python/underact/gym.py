@@ -84,7 +84,7 @@ class ConstraintEnv(gymnasium.Env[Observation, Observation]):
         self._run.step(1)
         rest_mm = self._run.state.p_mm
         drawn_mm = rest_mm + self.np_random.uniform(-self._start_mm, self._start_mm, 3)
-        self._wish_mm = np.array((options or {}).get("p_mm", drawn_mm), dtype=float)
+        self._wish_mm = np.asanyarray((options or {}).get("p_mm", drawn_mm), dtype=float)
         self._done = 0
         self._run.want(self._wish_mm)
         self._run.step(self._ticks)
@@ -94,7 +94,7 @@ class ConstraintEnv(gymnasium.Env[Observation, Observation]):
         """Moves the hand's wish and runs ticks_per_step ticks."""
         if self._run is None:
             raise gymnasium.error.ResetNeeded("Call reset() before step().")
-        moved = np.clip(np.asarray(action, dtype=float), -1.0, 1.0)
+        moved = np.clip(np.asanyarray(action, dtype=float), -1.0, 1.0)
         self._wish_mm = self._wish_mm + self._step_mm * moved
         self._run.want(self._wish_mm)
         self._run.step(self._ticks)

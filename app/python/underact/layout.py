@@ -5,6 +5,7 @@ resources/guide/session_columns.md is made from that, too.
 """
 
 import json
+import re
 from pathlib import Path
 
 VERSION = 1
@@ -21,6 +22,19 @@ DESCRIBED: dict[str, dict[str, dict]] = {
     for table in COLUMNS["tables"]
     if table["name"] != "start"  # the servo's memory, for the program alone
 }
+
+#: what an arm of more than six joints has besides in a tick
+MORE = "q_more_rad"
+#: column -> its row of COLUMNS, of all that a tick has
+TICK: dict[str, dict] = {**DESCRIBED["ticks"], MORE: DESCRIBED["joints"][MORE]}
+#: the numbers of a tick in CSV: name, unit, type, column, part
+CSV: list[dict] = [
+    *COLUMNS["csv"],
+    *(
+        {**TICK[MORE], "name": name, "column": MORE, "part": part}
+        for part, name in enumerate(TICK[MORE]["csv"])
+    ),
+]
 
 #: table -> column -> numbers in a row
 TABLES: dict[str, dict[str, int]] = {
@@ -64,29 +78,9 @@ LONGEST_FILE = 1 << 44  # one may have a length that nothing on the disk stands 
 LONGEST_ATTRIBUTE = COLUMNS["limits"]["attribute_bytes"]
 MOST_DAMAGED_BLOCKS = 100_000
 
-FAULTS = (
-    "none",
-    "no_sample",
-    "stale_sample",
-    "not_finite",
-    "too_fast",
-    "too_late",
-    "stood_still",
-    "odd_clock",
-    "asleep",
-    "window_busy",
-)
+FAULTS = tuple(re.findall(r"\d (\w+)", TICK["fault"]["meaning"]))
 CARRIES = ("loaded", "gains", "targets")
 REASONS = ("stopped", "program ended", "disk full", "recovered")
-LIMITS = {
-    1: "clamp",
-    2: "speed",
-    4: "workspace edge",
-    8: "motor heat",
-    16: "slew",
-    32: "frozen",
-    64: "motors",
-}
 
 
 def word(words: tuple[str, ...], number: int) -> str:
@@ -95,14 +89,13 @@ def word(words: tuple[str, ...], number: int) -> str:
 
 
 def part_names(column: str) -> list[str]:
-    """The names that the parts of a column of `/ticks` have in a DataFrame.
+    """The names that the parts of a column of a tick have in a DataFrame.
 
     q_rad: q1_rad to q6_rad; p_WT_mm: p_WT_mm_x, _y, _z; one number a row: the name itself.
     """
-    described = DESCRIBED["ticks"].get(column)
-    return [column] if described is None else list(described["parts"])
+    return list(TICK[column]["parts"]) if column in TICK else [column]
 
 
 def unit(column: str) -> str:
     """The unit of a column of `/ticks`, as a plot writes it."""
-    return DESCRIBED["ticks"][column]["unit"].replace("us", "µs")
+    return TICK[column]["unit"].replace("us", "µs")

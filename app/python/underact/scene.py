@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import given
+from .canvas import SHAPE, canvas, draw_shape
 from .compiled import core as _compiled
 from .shapes import *  # point(), sphere() and so on
 from .shapes import constraint as _constraint
@@ -145,7 +146,8 @@ def _json(value: Any, name: str) -> str:
     try:
         return json.dumps(_plain(value))
     except TypeError as error:
-        raise TypeError(f"{name} must be numbers, texts, lists and dicts: {error}.") from None
+        reason = str(error).rstrip(".")
+        raise TypeError(f"{name} must be numbers, texts, lists and dicts: {reason}.") from None
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{name} must be a tree of lists and dicts: {error}.") from None
 
@@ -281,14 +283,21 @@ class Scene:
         return self._core._mesh(self._index(constraint))
 
     def plot(self, axes: Any = None, extent_mm: float = 80.0) -> Any:
-        """Draws its shapes, and gives what it drew into.
+        """Draws its shapes as lines, and its meshes, and gives what it drew into.
 
         axes: 3D axes of matplotlib, a plotter of PyVista or "pyvista"; None: a new figure of
         matplotlib. extent_mm: how far what has no ends is drawn.
         """
-        from .pictures import plot_scene
-
-        return plot_scene(self, axes, extent_mm)
+        to = canvas(axes)
+        corners = extent_mm * np.array(
+            [[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float
+        )
+        for index, constraint in enumerate(self.as_dict()["constraints"]):
+            draw_shape(to, constraint, corners)
+            if constraint["type"] == "mesh":
+                to.surface(*self.mesh(index), SHAPE)
+        to.finish()
+        return to.into
 
 
 def _again(text: str, file: str) -> Scene:
@@ -371,7 +380,7 @@ def virtual_manipulator(
     """A virtual robot of revolute() and prismatic() joints. X_WV_home: (4, 4), mm, its end effector
     with all joints at 0.
     """
-    required = {"joints": list(joints), "X_WV_home": np.asarray(X_WV_home)}
+    required = {"joints": list(joints), "X_WV_home": np.asanyarray(X_WV_home)}
     return _plain({"type": "virtual_manipulator", **required, **others})
 
 

@@ -236,7 +236,7 @@ class Session:
         table = self.joints
         if table is None or table.common_rows() == 0:
             return None
-        ticks, known, values = self.ticks["tick"], table["tick"], table["q_more_rad"]
+        ticks, known, values = self.ticks["tick"], table["tick"], table[layout.MORE]
         if len(known) == 0:
             return np.full((len(ticks), values.shape[1]), np.nan)
         found = np.where((ticks >= known[0])[:, None], np.nan, np.zeros(values.shape[1]))
@@ -260,10 +260,7 @@ class Session:
         """
         import pandas
 
-        more = self.more_joints()
-        parts = layout.DESCRIBED["joints"]["q_more_rad"]["parts"]
-        beyond = {} if more is None else dict(zip(parts, more.T))
-        return pandas.DataFrame({"time_s": self.time_s, **_split(self.ticks), **beyond})
+        return pandas.DataFrame({"time_s": self.time_s, **_split(tick_columns(self))})
 
     def follow(
         self,
@@ -368,7 +365,13 @@ class Session:
         return f"Session({str(self.path)!r})"
 
 
-def _split(columns: "Table | dict[str, np.ndarray]") -> dict[str, np.ndarray]:
+def tick_columns(session: Session) -> dict[str, np.ndarray]:
+    """All columns of the ticks: those of /ticks, and joints 7 and 8 of an arm that has them."""
+    more = session.more_joints()
+    return {**session.ticks} if more is None else {**session.ticks, layout.MORE: more}
+
+
+def _split(columns: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
     """Columns of one number each, by the names of layout.part_names."""
     parts = {}
     for name in columns:

@@ -17,10 +17,10 @@ __all__ = ["point", "sphere", "line", "plane", "circle", "cylinder", "box", "ell
 
 def plain(value: Any) -> Any:
     """What json.dumps() does not know: numbers and arrays of numpy."""
-    if isinstance(value, np.ndarray):
+    if isinstance(value, np.ma.MaskedArray):
+        raise TypeError("This is a masked array. Pass a plain one, as filled() returns.")
+    if isinstance(value, (np.ndarray, np.generic)):
         return value.tolist()
-    if isinstance(value, np.generic):
-        return value.item()
     if isinstance(value, Mapping):
         return {str(key): plain(one) for key, one in value.items()}
     return [plain(one) for one in value] if isinstance(value, (list, tuple)) else value
@@ -28,7 +28,7 @@ def plain(value: Any) -> Any:
 
 def constraint(type_: str, others: dict[str, Any], **required: Any) -> dict[str, Any]:
     """A constraint as in a file."""
-    numbers = {key: np.asarray(value) for key, value in required.items()}
+    numbers = {key: np.asanyarray(value) for key, value in required.items()}
     return plain({"type": type_, **numbers, **others})
 
 

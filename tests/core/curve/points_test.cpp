@@ -44,6 +44,19 @@ TEST(Points, MayHaveCommentsEmptyLinesAHeaderAndTheMarkOfUtf8) {
   EXPECT_EQ(problemOf("x 2 3\n4 5 6\n"), "1: \"x\" is not a number.");  // with a number: none either
 }
 
+TEST(Points, MayHaveColoursAndTheirNumberBeforeThem) {
+  Sentence note;
+  for (const char* text : {"1 -2.5 0.3 255 0 10\n4 5 6 0 0 0\n", "2\n1, -2.5, .3, .5, 0, 1\n4,5,6,0,0,0\n",
+                           "x\n 2 \n1 -2.5 0.3 -9 255 0 10\n4 5 6"}) {
+    EXPECT_EQ(pointsOf(text), kTwo) << text;
+    EXPECT_TRUE(parsePoints(text, "", {}, &note) && !note.empty()) << text;
+  }
+  EXPECT_TRUE(parsePoints("1 2 3\n", "", {}, &note) && note.empty());
+  for (const char* text : {"1 2 3 256 0 0", "1 2 3 0.5 2.5 0", "1 2 3 -1 0 0", "1,5 2,5 3,5", "1,5, 2,5, 3,5,"})
+    EXPECT_EQ(problemOf(text), "1: A point is three numbers, not 6; use a point for decimals.") << text;
+  EXPECT_EQ(problemOf("\n3\n1 2 3\n4 5 6\n"), "2: A point is three numbers, not 1; use a point for decimals.");
+}
+
 TEST(Points, EqualToTheOneBeforeAreLeftOut) {
   EXPECT_EQ(pointsOf("1 -2.5 0.3\n1 -2.5 0.3\n4 5 6\n4 5 6\n4 5 6\n"), kTwo);
   EXPECT_EQ(pointsOf("0 0 0\n1 0 0\n0 0 0\n").size(), 3U);  // but not ones that come back

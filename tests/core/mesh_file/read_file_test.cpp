@@ -4,8 +4,11 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 
 #include "core/mesh_file/limits.h"
+#include "core/mesh_file/load.h"
+#include "core/mesh_file/report.h"
 #include "tests/core/mesh_file/some_meshes.h"
 
 namespace underact::mesh_file {
@@ -195,7 +198,7 @@ TEST(ReadFile, DamageIsSaidInASentence) {
            {"empty.stl", "", "The file is empty."},
            {"cut.stl", stl.substr(0, 500),
             "The file is truncated or damaged: it declares 12 faces, but is too short for that."},
-           {"head.stl", stl.substr(0, 60),
+           {"head.stl", stl.substr(0, 83),
             "The file is truncated or damaged: it declares a binary STL mesh, but is too short for that."},
            {"none.stl", stl.substr(0, 80) + std::string(4, '\0'), "The file contains no faces."},
            {"word.stl", head(test::stlText(good), "endloop", "endlopp"),
@@ -229,10 +232,63 @@ TEST(ReadFile, DamageIsSaidInASentence) {
             "The PLY header is damaged: it declares vertices or faces twice."},
            {"odd.ply", head(test::plyText(good), "property float x", "property half x"),
             "The PLY header is damaged: line 5 is not valid."},
-           {"photo.png", "\x89PNG\r\n\x1A\n", "This is not a mesh that can be read. Use an STL, OBJ, PLY or OFF file."},
+           {"words.stl", "no mesh", "This is not a mesh that can be read. Use an STL, OBJ, PLY or OFF file."},
+           {"photo.png", "\x89PNG\r\n\x1A\n",
+            "This file has the format PNG, which is not read here. Unpack it or convert it: a mesh to STL or OBJ, a "
+            "text to UTF-8."},
            {"not.ply", "hello", "This is not a PLY file: it does not begin with \"ply\"."}}) {
     EXPECT_EQ(problemOf(folder, name, content), expected) << name;
   }
+}
+
+TEST(ReadFile, AFileOfAnotherKindIsCalledWhatItIs) {
+  const test::ScratchFolder folder;
+  std::istringstream rows(
+      "gzip|\x1F\x8B\b\nZIP|PK\3\4\nxz|\xFD\x37zXZ\nZstandard|\x28\xB5\x2F\xFD\n7z|7z\xBC\xAF\x27\x1C\nbzip2|"
+      "BZh91AY\nPDF|%PDF-1.7\n"
+      "STEP|ISO-10303-21;\nJPEG|\xFF\xD8\xFF\xE0\nUTF-16|\xFF\xFEs\nGit LFS|version "
+      "https://git-lfs.github.com/spec/v1\n"
+      "web page|\xEF\xBB\xBF <!DOCTYPE HTML>\nweb page|<HTML lang\nIGES|" +
+      std::string(72, ' ') + "S      1\n");
+  for (std::string kind, bytes; std::getline(rows, kind, '|') && std::getline(rows, bytes);)
+    EXPECT_NE(problemOf(folder, "m.stl", bytes + "\n").find(' ' + kind), std::string::npos) << kind;
+}
+
+TEST(ReadFile, AMarkOfUtf8ChangesNothing) {
+  const test::ScratchFolder folder;
+  const mesh::Triangles meant = test::cube(3.0F);
+  for (const std::string& text :
+       {test::stlText(meant), test::obj(meant), test::off(meant), test::plyText(meant), test::plyBinary(meant)})
+    expectSame(readOrFail(folder, "m", "\xEF\xBB\xBF" + text).triangles, meant, text.substr(0, 5));
+  for (const char* head : {"\xEF\xBB\xBFsolid", "\xFF\xFE", "PK\3\4"})  // of a binary STL says nothing
+    expectSame(readOrFail(folder, "m.stl", test::stlBinary(meant, head)).triangles, meant, head);
+}
+
+TEST(ReadFile, ABinaryStlIsReadByItsLengthOrThatOfItsAttributes) {
+  const test::ScratchFolder folder;
+  const mesh::Triangles meant = test::cube(3.0F);
+  const auto with = [&](std::uint32_t count, std::size_t even, std::size_t odd) {  // bytes behind every second face
+    const std::string whole = test::stlBinary(meant);
+    std::string content = whole.substr(0, 80) + test::bytesOf(count);
+    for (std::size_t face = 0, bytes = even; face < 12; ++face, bytes = face % 2 == 0 ? even : odd)
+      content += whole.substr(84 + 50 * face, 48) + static_cast<char>(bytes) + static_cast<char>(bytes >> 8U) +
+                 std::string(bytes, 'x');
+    return content;
+  };
+  const std::string left = "What belongs to no face was skipped: ", said = "The file declares ",
+                    by = " faces, but has the length of 12: these were read.";
+  for (const auto& [content, report] : {std::pair{with(0, 0, 0), said + "0" + by},
+                                        {with(5, 0, 0), said + "5" + by},
+                                        {with(~0U, 0, 0), said + "4294967295" + by},
+                                        {with(12, 4, 4), left + "48 B."},
+                                        {with(12, 50, 50), left + "600 B."},
+                                        {with(12, 0, 300), left + "1800 B."},
+                                        {with(12, 0, 0) + "\n", left + "1 B."}}) {
+    expectSame(readOrFail(folder, "m.stl", content).triangles, meant, report);
+    EXPECT_EQ(reportOf(loadMesh(folder.file("m.stl"), {}, Cache("/dev/null")).value().facts, 1.0)[0], report);
+  }
+  for (const std::string& content : {with(12, 4, 4) + "x", with(12, 4, 4).substr(0, 731)})
+    EXPECT_EQ(problemOf(folder, "m.stl", content), "The file is damaged: its length does not fit its faces.");
 }
 
 TEST(ReadFile, WhatIsNoFileIsSaid) {

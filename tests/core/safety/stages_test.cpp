@@ -12,9 +12,12 @@ const Limits kHands = limitsForHands(0.88, Vec3(0.15, 0.15, 0.10));
 
 /// Joints that move the tip along x, y, z by a lever of 0.15 m each.
 Motion levers() {
-  Motion motion;
-  motion.J_p = 0.15 * Mat3::Identity();
-  return motion;
+  return threeJoints(0.15 * Mat3::Identity());
+}
+
+/// What the stops leave of a force.
+Vec3 limitEdge(const Motion& motion, const Vec3& f_T_W) {
+  return edgeShare(kHands, motion, {f_T_W, kZero}) * f_T_W;
 }
 
 }  // namespace
@@ -56,27 +59,26 @@ TEST(Jump, AFaultThatSaysHowFast) {
 
 TEST(Edge, AForceTowardsAStopFadesAndOneAwayFromItDoesNot) {
   Motion motion = levers();
-  motion.room_above_rad = {0.025, kInfinity, kInfinity};  // half of 0.05
+  motion.joints[0].room_above_rad = 0.025;  // half of 0.05
   const Vec3 towards(0.4, 0.2, 0.0), away(-0.4, 0.2, 0.0);
-  EXPECT_LT((limitEdge(kHands, motion, towards) - 0.5 * towards).norm(), 1e-16);
-  EXPECT_EQ(limitEdge(kHands, motion, away), away);
-  motion.room_above_rad.x() = -0.01;  // beyond it already
-  EXPECT_EQ(limitEdge(kHands, motion, towards), kZero);
-  EXPECT_EQ(limitEdge(kHands, motion, away), away);
-  motion.room_above_rad.x() = kInfinity;
-  motion.room_below_rad.x() = 0.01;
-  EXPECT_LT((limitEdge(kHands, motion, away) - 0.2 * away).norm(), 1e-16);
+  EXPECT_LT((limitEdge(motion, towards) - 0.5 * towards).norm(), 1e-16);
+  EXPECT_EQ(limitEdge(motion, away), away);
+  motion.joints[0].room_above_rad = -0.01;  // beyond it already
+  EXPECT_EQ(limitEdge(motion, towards), kZero);
+  EXPECT_EQ(limitEdge(motion, away), away);
+  motion.joints[0].room_above_rad = kInfinity;
+  motion.joints[0].room_below_rad = 0.01;
+  EXPECT_LT((limitEdge(motion, away) - 0.2 * away).norm(), 1e-16);
 }
 
 TEST(Heat, RisesToTheSquareOfTheLoadAndFallsAgain) {
-  Vec3 heat = kZero;
-  for (int tick = 0; tick < 60'000; ++tick)
-    heat = heated(kHands.thermal, heat, 0.15 * Mat3::Identity(), {0.5, 0, 0}, 1e-3);
+  Heat heat{};
+  for (int tick = 0; tick < 60'000; ++tick) heat = heated(kHands.thermal, heat, levers(), {{0.5, 0, 0}, kZero}, 1e-3);
   // One time constant at half of what motor 1 bears (0.075 of 0.15 N m): a quarter of (1 - 1/e); Euler adds 1e-5.
-  EXPECT_NEAR(heat.x(), 0.25 * (1.0 - std::exp(-1.0)), 1e-5);
-  EXPECT_EQ(heat.y(), 0.0);
-  for (int tick = 0; tick < 60'000; ++tick) heat = heated(kHands.thermal, heat, 0.15 * Mat3::Identity(), kZero, 1e-3);
-  EXPECT_NEAR(heat.x(), 0.25 * (1.0 - std::exp(-1.0)) * std::exp(-1.0), 1e-5);
+  EXPECT_NEAR(heat[0], 0.25 * (1.0 - std::exp(-1.0)), 1e-5);
+  EXPECT_EQ(heat[1], 0.0);
+  for (int tick = 0; tick < 60'000; ++tick) heat = heated(kHands.thermal, heat, levers(), {}, 1e-3);
+  EXPECT_NEAR(heat[0], 0.25 * (1.0 - std::exp(-1.0)) * std::exp(-1.0), 1e-5);
 }
 
 TEST(Heat, NeverGoesBeyondOneWhateverIsAsked) {  // motor 3 bears 0.10 N m and is asked for 0.132
@@ -88,7 +90,7 @@ TEST(Heat, NeverGoesBeyondOneWhateverIsAsked) {  // motor 3 bears 0.10 N m and i
   for (int tick = 0; tick < 600'000; ++tick) {
     const Gated gated = gate(kHands, state, asked, 1e-3);
     state = gated.next;
-    worst = std::max(worst, state.heat.z());
+    worst = std::max(worst, state.heat[2]);
     was_cut |= gated.cuts.heat_N > 0.0;
     last_N = gated.force.f_T_W().z();
   }
@@ -102,14 +104,18 @@ TEST(Heat, IsNotForgottenByARestart) {
   state.heat = {0.5, 0.6, 0.7};
   GateInput asked = push({0.1, 0.0, 0.0});
   asked.restart = true;
-  EXPECT_EQ(gate(kHands, state, asked, 0.0).next.heat, Vec3(0.5, 0.6, 0.7));
+  EXPECT_EQ(gate(kHands, state, asked, 0.0).next.heat, (Heat{0.5, 0.6, 0.7}));
 }
 
 TEST(Heat, CoolsWhileAFaultLasts) {
+  Limits limits = kHands;
+  limits.thermal.continuous_N_m.back() = 0.1;  // of an arm that drives eight joints
   GateState state = open();
-  state.heat = {0.5, 0.0, 0.0};
+  state.heat.front() = state.heat.back() = 0.5;
   state.fault = {FaultKind::NotFinite, 0.0, 0.0};
-  EXPECT_LT(gate(kHands, state, push(kZero), 1e-3).next.heat.x(), 0.5);
+  const Heat next = gate(limits, state, push(kZero), 1e-3).next.heat;
+  EXPECT_LT(next.front(), 0.5);
+  EXPECT_LT(next.back(), 0.5);
 }
 
 TEST(Slew, AStepBecomesARampOfOneNewtonAMillisecondAtAnyRate) {
@@ -202,22 +208,24 @@ TEST(Stages, NoneMakesAForceLargerOrNotFinite) {
       return random.below(8) == 0 ? odd[random.below(9)] : random.between(-size, size);
     };
     const Vec3 f(random.between(-0.5, 0.5), random.between(-0.5, 0.5), random.between(-0.5, 0.5));
-    Motion motion;
+    Mat3 J_p;
+    for (int at = 0; at < 9; ++at) J_p(at / 3, at % 3) = any(0.3);
+    Motion motion = threeJoints(J_p);
     motion.v_WT = {any(4), any(4), any(4)};
-    for (int at = 0; at < 9; ++at) motion.J_p(at / 3, at % 3) = any(0.3);
-    motion.room_above_rad = {any(0.1), any(0.1), any(0.1)};
-    motion.room_below_rad = {any(0.1), any(0.1), any(0.1)};
-    const Vec3 heat(random.between(0.8, 1.1), random.between(0.8, 1.1), random.between(0.8, 1.1));
+    for (std::size_t joint = 0; joint < 3; ++joint)
+      motion.joints[joint].room_above_rad = any(0.1), motion.joints[joint].room_below_rad = any(0.1);
+    const Heat heat{random.between(0.8, 1.1), random.between(0.8, 1.1), random.between(0.8, 1.1)};
     const double dt_s = any(0.01);
     const Vec3 v = followVelocity({any(4), 0.0, 0.0}, motion.v_WT, dt_s);
     EXPECT_TRUE(v.allFinite() || !(dt_s > 0.0));
     for (const Vec3& limited :
-         {limitSpeed(kHands, v, f), limitEdge(kHands, motion, f), limitHeat(kHands.thermal, heat, motion.J_p, f)}) {
+         {limitSpeed(kHands, v, f), limitEdge(motion, f), Vec3(torqueShare(kHands, heat, motion, {f, kZero}) * f)}) {
       ASSERT_TRUE(limited.allFinite()) << draw;
       ASSERT_LE(limited.norm(), f.norm() * (1 + 1e-15)) << draw;
     }
     ASSERT_LE(limitSlew(kHands, f, -f, std::abs(dt_s)).norm(), f.norm() * (1 + 1e-15));
-    ASSERT_TRUE(heated(kHands.thermal, heat, motion.J_p, f, dt_s).allFinite()) << draw;
+    for (const double warm : heated(kHands.thermal, heat, motion, {f, kZero}, dt_s))
+      ASSERT_TRUE(std::isfinite(warm)) << draw;
   }
 }
 

@@ -108,6 +108,33 @@ TEST(JointPlant, StopsAtItsLimits) {
   }
 }
 
+TEST(JointPlant, TakesTheThreeIntegratorsOfWhichTheTrapezoidalIsOfSecondOrder) {
+  for (const char* name : kJointArms) {
+    const auto off_m = [name](Integrator integrator, std::int64_t substep_ns, bool leads, double friction_N) {
+      const auto tipBy = [&](const Integration& integration) {
+        Plant plant = plantNamed(name, {0.1, 4.0, 300.0});
+        plant.model.friction_N = friction_N;
+        plant.integration = integration;
+        const PlantState rest = restingState(plant);
+        HandSetpoint wish = atPlace(rest.p_WT + Vec3(-0.03, 0.02, 0.0));
+        wish.v_WT = Vec3(0.1, 0.0, 0.0);
+        wish.turns = true;
+        if (leads) wish.posture = rest.q_rad, (*wish.posture)[1] += 0.2;
+        return afterMs(plant, rest, Vec3(0.2, 0.5, 0.0), wish, 50).p_WT;
+      };
+      return (tipBy({integrator, substep_ns}) - tipBy({Integrator::Trapezoidal, 2'000})).norm();
+    };
+    for (const auto& [integrator, halved] :
+         {std::pair{Integrator::EndVelocity, 2.0}, {Integrator::MeanVelocity, 2.0}, {Integrator::Trapezoidal, 4.0}}) {
+      for (const bool leads : {false, true})
+        EXPECT_NEAR(off_m(integrator, 200'000, leads, 0.0) / off_m(integrator, 100'000, leads, 0.0), halved, 0.4);
+    }
+    EXPECT_LT(off_m(Integrator::Trapezoidal, 200'000, false, 0.26),
+              0.2 * off_m(Integrator::EndVelocity, 200'000, false, 0.26))
+        << name << ", Coulomb's friction, softened";
+  }
+}
+
 TEST(JointPlant, AnyInputLeavesItFiniteAndTheSameGivesTheSame) {
   test::Random random(test::Seed{3232});
   for (const char* name : kJointArms) {
@@ -115,7 +142,8 @@ TEST(JointPlant, AnyInputLeavesItFiniteAndTheSameGivesTheSame) {
     for (int i = 0; i < 300; ++i) {
       const HandModel hand{random.between(0.0, 1.0), std::pow(10.0, random.between(-6, 6)),
                            std::pow(10.0, random.between(-6, 9))};
-      const Plant plant = plantNamed(name, hand, random.between(0, 1) < 0.5 ? "ideal" : "vendor-nominal");
+      Plant plant = plantNamed(name, hand, random.between(0, 1) < 0.5 ? "ideal" : "vendor-nominal");
+      plant.integration.integrator = static_cast<Integrator>(i % 3);
       HandSetpoint wish = atPlace(random.inBox(std::pow(10.0, random.between(-3, 12))));
       wish.turns = random.between(0, 1) < 0.5;
       if (random.between(0, 1) < 0.1) wish.p_WT.x() = kNotANumber;

@@ -115,7 +115,7 @@ TEST(Arms, EachDrivenJointHeatsUp) {
   const chain::Jacobian J = chain::jacobian(arm::findPreset("panda")->geometry.general->chain, restOf("panda"));
   for (std::size_t joint = 3; joint < 7; ++joint) {
     const double torque_N_m = J.col(static_cast<Eigen::Index>(joint)).head<3>().dot(report.force.f_T_W());
-    EXPECT_EQ(state.gate.more_heat[joint - 3] > 0.0, torque_N_m != 0.0) << "joint " << joint + 1;
+    EXPECT_EQ(state.gate.heat[joint] > 0.0, torque_N_m != 0.0) << "joint " << joint + 1;
   }
 }
 

@@ -118,7 +118,7 @@ TEST(ShippedTable, EveryShippedScenesFrontHasThreePointsAtLeast) {
     std::set<std::string>& points = fronts[row.at("scene")];
     if (row.at("on_front") == "true") points.insert(row.at("us_per_s") + " " + row.at("error_mm"));
   }
-  EXPECT_EQ(fronts.size(), 29U);
+  EXPECT_FALSE(fronts.empty());  // of which scenes: tests/guide/test_lab_tables.py
   for (const auto& [scene, points] : fronts) EXPECT_GE(points.size(), 3U) << scene;
 }
 

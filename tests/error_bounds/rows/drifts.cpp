@@ -6,6 +6,7 @@
 #include "core/safety/gate.h"
 #include "core/safety/stages.h"
 #include "core/target/friction.h"
+#include "tests/core/safety/pushed.h"
 #include "tests/error_bounds/oracle/real.h"
 #include "tests/error_bounds/rows/rows.h"
 
@@ -136,20 +137,21 @@ Outcome judgeHeat(Input& input) {
   const double ticks = drawTicks(input);
   const double continuous_N_m = input.number("continuous_N_m", [](Dice& dice) { return dice.power(-10, 3); });
   safety::Thermal thermal;
-  thermal.continuous_N_m.setConstant(continuous_N_m);
+  thermal.continuous_N_m = {continuous_N_m, continuous_N_m, continuous_N_m};
   const FlushDenormals as_the_servo;
-  Vec3 heat = Vec3::Zero();
+  safety::Heat heat{};
+  const safety::Motion motion = safety::threeJoints(Mat3::Identity());
   Long right = 0, largest = 0;
   Dice dice(17);
   const Long share = Long(1e-3) / Long(thermal.time_constant_s);
   for (double tick = 0; tick < ticks; ++tick) {
     const Vec3 f_T_W = (1.5 * continuous_N_m) * dice.inBox(1.0);
-    heat = safety::heated(thermal, heat, Mat3::Identity(), f_T_W, 1e-3);
+    heat = safety::heated(thermal, heat, motion, {f_T_W, Vec3::Zero()}, 1e-3);
     const Long load = Long(f_T_W.x()) / continuous_N_m;
     right += share * (load * load - right);
     largest = std::max(largest, right);
   }
-  return {unitsOf(heat.x(), right, largest, 1.0 + 1.0 / static_cast<double>(share)), false};
+  return {unitsOf(heat[0], right, largest, 1.0 + 1.0 / static_cast<double>(share)), false};
 }
 
 /// A grip that is dragged back and forth: it stays within its share of the surface's point, for any time.

@@ -3,6 +3,7 @@
 #include "core/base/norms.h"
 #include "core/safety/gate.h"
 #include "core/safety/stages.h"
+#include "tests/core/safety/pushed.h"
 #include "tests/error_bounds/oracle/real.h"
 #include "tests/error_bounds/rows/draws.h"
 #include "tests/error_bounds/rows/rows.h"
@@ -48,21 +49,24 @@ Outcome judgeSlew(Input& input) {
 
 Outcome judgeHeat(Input& input) {
   safety::Thermal thermal;
-  thermal.continuous_N_m.setConstant(input.number("continuous_N_m", [](Dice& dice) { return dice.scale(); }));
+  const double continuous_N_m = input.number("continuous_N_m", [](Dice& dice) { return dice.scale(); });
+  thermal.continuous_N_m = {continuous_N_m, continuous_N_m, continuous_N_m};
   thermal.time_constant_s = input.number("time_constant_s", [](Dice& dice) { return dice.scale(); });
   const double dt_s = input.number("dt_s", [](Dice& dice) { return dice.power(-17, 1); });
   const Vec3 heat = input.vector("heat", [](Dice& dice) { return Vec3(dice.inBox(1.0).cwiseAbs()); });
   const Mat3 J_p = input.matrix("J_p", [](Dice& dice) { return Mat3(0.2 * dice.turn()); });
-  const Vec3 f_T_W =
-      input.vector("f_T_W", [&](Dice& dice) { return dice.inBox(thermal.continuous_N_m.x() * dice.power(-10, 6)); });
-  const Vec3 got = asTheServo([&] { return safety::heated(thermal, heat, J_p, f_T_W, dt_s); });
+  const Vec3 f_T_W = input.vector("f_T_W", [&](Dice& dice) { return dice.inBox(continuous_N_m * dice.power(-10, 6)); });
+  const safety::Heat got = asTheServo([&] {
+    return safety::heated(thermal, {heat.x(), heat.y(), heat.z()}, safety::threeJoints(J_p), {f_T_W, Vec3::Zero()},
+                          dt_s);
+  });
   double worst = 0.0;
   for (Eigen::Index motor = 0; motor < 3; ++motor) {
-    const Real torque = dot(real(J_p.col(motor)), real(f_T_W)), continuous = thermal.continuous_N_m[motor];
+    const Real torque = dot(real(J_p.col(motor)), real(f_T_W)), continuous = continuous_N_m;
     const Real loads = (J_p.col(motor).cwiseAbs().dot(f_T_W.cwiseAbs())) / continuous, load = torque / continuous;
     const Real share = std::min(Real(1), Real(Real(dt_s) / thermal.time_constant_s));
     const Real right = heat[motor] + share * (load * load - heat[motor]);
-    worst = std::max(worst, ulpsOf(got[motor], right, heat[motor] + share * loads * loads));
+    worst = std::max(worst, ulpsOf(got[static_cast<std::size_t>(motor)], right, heat[motor] + share * loads * loads));
   }
   return {worst, false};
 }
@@ -87,9 +91,14 @@ Outcome judgeAny(Input& input) {
     asked.motion.moved = !dice.one(8);
     asked.f_T_W = any ? drawAny(dice) : dice.inBox(1.0);
     asked.motion.v_WT = any ? drawAny(dice) : dice.inBox(0.1);
-    for (Eigen::Index column = 0; column < 3; ++column)
-      asked.motion.J_p.col(column) = any ? drawAny(dice) : dice.inBox(0.2);
-    if (dice.one(2)) asked.motion.room_below_rad = any ? drawAny(dice) : Vec3(dice.inBox(1.0).cwiseAbs());
+    asked.motion.count = 3;
+    for (std::size_t joint = 0; joint < 3; ++joint)
+      asked.motion.joints[joint] = {any ? drawAny(dice) : dice.inBox(0.2), Vec3::Zero(), kInfinity, kInfinity};
+    if (dice.one(2)) {
+      const Vec3 room_rad = any ? drawAny(dice) : Vec3(dice.inBox(1.0).cwiseAbs());
+      for (std::size_t joint = 0; joint < 3; ++joint)
+        asked.motion.joints[joint].room_below_rad = room_rad[static_cast<Eigen::Index>(joint)];
+    }
     asked.restart = dice.one(4);
     return asked;
   };
@@ -100,8 +109,10 @@ Outcome judgeAny(Input& input) {
     at = gated.next;
     const Vec3 f_T_W = gated.force.f_T_W();
     const Real beyond = norm(real(f_T_W)) - limits.max_force_N;
-    const bool is_finite = f_T_W.allFinite() && at.v_WT.allFinite() && at.f_T_W.allFinite() && at.heat.allFinite() &&
-                           at.level >= 0.0 && at.level <= 1.0;
+    const bool is_finite =
+        f_T_W.allFinite() && at.v_WT.allFinite() && at.f_T_W.allFinite() &&
+        std::all_of(at.heat.begin(), at.heat.end(), [](double heat) { return std::isfinite(heat); }) &&
+        at.level >= 0.0 && at.level <= 1.0;
     worst = std::max(worst, is_finite ? ulpsOf(beyond > 0 ? beyond : Real(0), limits.max_force_N) : kInfinity);
     return f_T_W;
   };
