@@ -11,16 +11,29 @@ function placed(object, position, from, to) {
   return object;
 }
 
+/** R_WB: rows, may be missing. */
+function turned(object, R_WB) {
+  if (R_WB) {
+    const [a, b, c] = R_WB;
+    object.setRotationFromMatrix(new THREE.Matrix4().set(...a, 0, ...b, 0, ...c, 0, 0, 0, 0, 1));
+  }
+  return object;
+}
+
+/** A ball with half axes of its own. */
+function ball(materials, semi) {
+  const group = new THREE.Group();
+  const edges = new THREE.EdgesGeometry(new THREE.SphereGeometry(1, 16, 8), 1);
+  group.add(new THREE.Mesh(new THREE.SphereGeometry(1, 48, 32), materials.fill), new THREE.LineSegments(edges, materials.edge));
+  group.scale.set(...semi);
+  return group;
+}
+
 /** Makers by the type of a constraint: (constraint, materials, size) to an object. size: as View.size. */
 const MAKERS = {
   point: (c, m, size) => placed(new THREE.Mesh(new THREE.SphereGeometry(3 * size, 24, 16), m.solid), c.position_mm),
-  sphere: (c, m) => {
-    const group = new THREE.Group();
-    const shape = new THREE.SphereGeometry(c.radius_mm, 48, 32);
-    group.add(new THREE.Mesh(shape, m.fill));
-    group.add(new THREE.LineSegments(new THREE.EdgesGeometry(new THREE.SphereGeometry(c.radius_mm, 16, 8), 1), m.edge));
-    return placed(group, c.center_mm);
-  },
+  sphere: (c, m) => placed(ball(m, [c.radius_mm, c.radius_mm, c.radius_mm]), c.center_mm),
+  ellipsoid: (c, m) => turned(placed(ball(m, c.semi_axes_mm), c.center_mm), c.R_WB),
   line: (c, m, size) => placed(new THREE.Mesh(new THREE.CylinderGeometry(0.8 * size, 0.8 * size, LONG * size), m.solid), c.point_mm, Y, c.direction),
   plane: (c, m, size) => {
     const group = new THREE.Group();
@@ -37,12 +50,7 @@ const MAKERS = {
     const group = new THREE.Group();
     const shape = new THREE.BoxGeometry(...c.size_mm);
     group.add(new THREE.Mesh(shape, m.fill), new THREE.LineSegments(new THREE.EdgesGeometry(shape), m.edge));
-    placed(group, c.center_mm);
-    if (c.R_WB) {
-      const [a, b, d] = c.R_WB;
-      group.setRotationFromMatrix(new THREE.Matrix4().set(...a, 0, ...b, 0, ...d, 0, 0, 0, 0, 1));
-    }
-    return group;
+    return turned(placed(group, c.center_mm), c.R_WB);
   },
 };
 

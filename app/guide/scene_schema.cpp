@@ -8,6 +8,7 @@
 #include "app/guide/setting_table.h"
 #include "core/json/json.h"
 #include "core/json/text.h"
+#include "core/scene/fields.h"
 
 namespace underact::guide {
 namespace {
@@ -44,6 +45,40 @@ void set(Value& object, const std::string& key, Value value) {
   }
   object.keys.push_back(key);
   object.items.push_back(std::move(value));
+}
+
+Value refTo(const std::string& part) {
+  Value made = emptyOf(Kind::Object);
+  set(made, "$ref", textValue(std::string(kDefs) + part));
+  return made;
+}
+
+/// The schema of a shape of plain numbers.
+template <scene::PlainShape Shape>
+Value schemaOf(const Shape& shape) {
+  constexpr const char* kOfMeaning[] = {"position", "length", "direction", "rotation"};
+  Value made = emptyOf(Kind::Object), required = emptyOf(Kind::Array), keys = made, type = made;
+  required.items.push_back(textValue("type"));
+  set(keys, "name", refTo("name"));
+  set(type, "const", textValue(typeName(shape)));
+  set(keys, "type", std::move(type));
+  eachField(shape, [&]<class Number>(const auto& field, const Number&) {
+    const bool is_size = field.meaning == scene::Meaning::Length && !std::is_same_v<Number, double>;
+    Value key = refTo(is_size ? "size" : kOfMeaning[static_cast<std::size_t>(field.meaning)]);
+    if (field.about != nullptr) set(key, "description", textValue(field.about));
+    set(keys, field.key, std::move(key));
+    if (field.required) required.items.push_back(textValue(field.key));
+  });
+  if (hasSides(shape)) set(keys, "side", refTo("side"));
+  if (takesInfluence(shape)) set(keys, "influence", refTo("influence"));
+  if (takesFriction(shape)) set(keys, "friction", refTo("friction"));
+  set(keys, "control", refTo("control"));
+  set(made, "type", textValue("object"));
+  set(made, "description", textValue(scene::kRow<Shape>.about));
+  set(made, "additionalProperties", emptyOf(Kind::Bool));
+  set(made, "required", std::move(required));
+  set(made, "properties", std::move(keys));
+  return made;
 }
 
 /// The tip, and the words of a choice that a panel, and so the tip, calls otherwise.
@@ -94,6 +129,17 @@ class Schema {
   explicit Schema(Value root) : root_(std::move(root)), defs_(member(root_, "$defs")) {}
 
   /// False: it is no schema of scenes.
+  bool takeShapes() {
+    Value* types = member(root_, "properties");
+    for (const char* key : {"constraints", "items", "oneOf"}) types = types == nullptr ? nullptr : member(*types, key);
+    if (types == nullptr) return false;
+    types->items.clear();
+    scene::eachShape([&]<class Shape>(const Shape& shape) {
+      types->items.push_back(refTo(typeName(shape)));
+      if constexpr (scene::PlainShape<Shape>) set(*defs_, typeName(shape), schemaOf(shape));
+    });
+    return true;
+  }
   bool take(const Setting& setting) {
     const SettingUse use = useOf(setting);
     const std::vector<Value*> objects = objectsOf(setting, use);
@@ -105,11 +151,7 @@ class Schema {
       // What many types have stands in a part of its own, "side"; a type may add to the description.
       Value* const shared = part(setting.key);
       set(shared == nullptr ? *keys : *defs_, setting.key, schemaOf(setting, use.usual));
-      if (shared != nullptr && keys->find(setting.key) == nullptr) {
-        Value ref = emptyOf(Kind::Object);
-        set(ref, "$ref", textValue(std::string(kDefs) + setting.key));
-        set(*keys, setting.key, std::move(ref));
-      }
+      if (shared != nullptr && keys->find(setting.key) == nullptr) set(*keys, setting.key, refTo(setting.key));
       if (setting.said == scene::KeyPresence::Required) require(*object, setting.key);
     }
     return true;
@@ -166,6 +208,7 @@ Result<std::string> sceneSchema(const std::string& schema_file) {
   const Problems wrong{{"This is no schema of scenes.", {schema_file}}};
   if (read.value().find("$defs") == nullptr || read.value().find("properties") == nullptr) return wrong;
   Schema schema(std::move(read.value()));
+  if (!schema.takeShapes()) return wrong;
   for (const Setting& setting : scene::settings()) {
     if (!schema.take(setting)) return wrong;
   }

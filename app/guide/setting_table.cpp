@@ -38,22 +38,18 @@ std::vector<Sample> samplesFor(const std::string& path) {
       add(scene::filterName(filter), scene::Point{}, filter);
     return all;
   }
-  const auto addShape = [&add](const scene::Shape& shape) { add(scene::typeName(shape), shape); };
-  addShape(scene::Point{});
-  addShape(scene::Sphere{});
-  addShape(scene::Line{});
-  addShape(scene::Plane{});
-  addShape(scene::Circle{});
-  addShape(scene::Cylinder{});
-  addShape(scene::Box{});
-  scene::VirtualManipulator turning, sliding;
-  turning.joints.emplace_back().type = chain::JointType::Revolute;
-  sliding.joints.emplace_back().type = chain::JointType::Prismatic;
   const bool is_of_joint = path.find("/joints/") != std::string::npos;
-  add(is_of_joint ? "revolute" : scene::typeName(turning), turning);
-  if (is_of_joint) add("prismatic", sliding);
-  addShape(scene::Mesh{});
-  addShape(scene::Curve{});
+  scene::eachShape([&]<class Shape>(Shape shape) {
+    if constexpr (std::is_same_v<Shape, scene::VirtualManipulator>) {
+      shape.joints.emplace_back().type = chain::JointType::Prismatic;
+      scene::VirtualManipulator turning = shape;
+      turning.joints[0].type = chain::JointType::Revolute;
+      add(is_of_joint ? "revolute" : scene::typeName(turning), turning);
+      if (is_of_joint) add("prismatic", shape);
+    } else {
+      add(scene::typeName(shape), shape);
+    }
+  });
   return all;
 }
 

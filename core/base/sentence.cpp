@@ -14,6 +14,8 @@ std::string filled(std::string_view pattern, const std::vector<std::string>& wor
         pattern[at] == '%' && at + 1 < pattern.size() && pattern[at + 1] >= '1' && pattern[at + 1] <= '9';
     const std::size_t number = is_place ? static_cast<std::size_t>(pattern[at + 1] - '1') : words.size();
     if (number < words.size()) {
+      const bool is_vowel = words[number].find_first_of("aeio") == 0;
+      if (is_vowel && (made == "A " || made == "a " || made.ends_with(" a "))) made.insert(made.size() - 1, "n");
       made += words[number];
       ++at;
     } else {

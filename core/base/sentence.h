@@ -44,7 +44,7 @@ Sentence shownNumber(double value, int decimals);
 Sentence oneAfterAnother(const std::vector<Sentence>& sentences);
 
 /// The pattern with %1, %2 and so on replaced by the words; a placeholder without a word stays. Placeholders within
-/// words are not replaced.
+/// words are not replaced. An English "a" before a word that begins with a vowel becomes "an".
 std::string filled(std::string_view pattern, const std::vector<std::string>& words);
 
 }  // namespace underact

@@ -156,13 +156,13 @@ Result<Programs> stepped(const scene::Description& held, const tick::TickProgram
 
 struct MoveBy {
   Vec3 by_mm;
-  void operator()(scene::Point& point) const { point.position_mm += by_mm; }
-  void operator()(scene::Sphere& sphere) const { sphere.center_mm += by_mm; }
-  void operator()(scene::Line& line) const { line.point_mm += by_mm; }
-  void operator()(scene::Plane& plane) const { plane.point_mm += by_mm; }
-  void operator()(scene::Circle& circle) const { circle.center_mm += by_mm; }
-  void operator()(scene::Cylinder& cylinder) const { cylinder.point_mm += by_mm; }
-  void operator()(scene::Box& box) const { box.center_mm += by_mm; }
+  template <scene::PlainShape Shape>
+  void operator()(Shape& shape) const {
+    eachField(shape, [this]<class Number>(const auto& field, Number& number) {
+      if constexpr (std::is_same_v<Number, Vec3>)
+        if (field.meaning == scene::Meaning::Position) number += this->by_mm;
+    });
+  }
   void operator()(scene::VirtualManipulator& robot) const {
     for (scene::Joint& joint : robot.joints) joint.point_mm += by_mm;
     robot.X_WV_home.topRightCorner<3, 1>() += by_mm;

@@ -26,26 +26,19 @@ double metres(double length_mm) {
   return kMetrePerMillimetre * length_mm;
 }
 
-Result<shape::Point> make(const Point& point, const SourceLocation& place) {
-  return shape::makePoint(metres(point.position_mm), place);
+/// The number in SI.
+template <class Shape, class Number>
+Number inSi(const Field<Shape, Number>& field, const Shape& shape) {
+  if constexpr (!std::is_same_v<Number, Mat3>)
+    if (field.meaning == Meaning::Position || field.meaning == Meaning::Length) return metres(shape.*field.member);
+  return shape.*field.member;
 }
-Result<shape::Sphere> make(const Sphere& sphere, const SourceLocation& place) {
-  return shape::makeSphere(metres(sphere.center_mm), metres(sphere.radius_mm), place);
-}
-Result<shape::Line> make(const Line& line, const SourceLocation& place) {
-  return shape::makeLine(metres(line.point_mm), line.direction, place);
-}
-Result<shape::Plane> make(const Plane& plane, const SourceLocation& place) {
-  return shape::makePlane(metres(plane.point_mm), plane.normal, place);
-}
-Result<shape::Circle> make(const Circle& circle, const SourceLocation& place) {
-  return shape::makeCircle(metres(circle.center_mm), circle.normal, metres(circle.radius_mm), place);
-}
-Result<shape::Cylinder> make(const Cylinder& cylinder, const SourceLocation& place) {
-  return shape::makeCylinder(metres(cylinder.point_mm), cylinder.axis, metres(cylinder.radius_mm), place);
-}
-Result<shape::Box> make(const Box& box, const SourceLocation& place) {
-  return shape::makeBox(metres(box.center_mm), metres(box.size_mm), box.R_WB, place);
+
+/// The shape of the tick.
+template <class Shape>
+auto make(const Shape& shape, const SourceLocation& place) {
+  return std::apply([&](const auto&... field) { return kRow<Shape>.make(inSi(field, shape)..., place); },
+                    kRow<Shape>.fields);
 }
 
 /// For each joint the displacement of the tip per rad, m, with the tip in the middle of the workspace; of an arm that

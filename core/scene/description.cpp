@@ -19,7 +19,7 @@ bool Curve::operator==(const Curve& other) const {
 }
 
 const char* typeName(const Shape& shape) {
-  return std::visit([](const auto& chosen) { return Fields<std::decay_t<decltype(chosen)>>::kType; }, shape);
+  return std::visit([](const auto& chosen) { return kRow<std::decay_t<decltype(chosen)>>.type; }, shape);
 }
 
 const char* filterName(const Velocity& velocity) {
@@ -36,7 +36,7 @@ Integration integrationOf(const Simulation& simulation) {
 }
 
 bool hasSides(const Shape& shape) {
-  return std::visit([](const auto& chosen) { return Fields<std::decay_t<decltype(chosen)>>::kHasSides; }, shape);
+  return std::visit([](const auto& chosen) { return kRow<std::decay_t<decltype(chosen)>>.has_sides; }, shape);
 }
 
 bool takesInfluence(const Shape& shape) {

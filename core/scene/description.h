@@ -9,6 +9,7 @@
 #include "core/base/result.h"
 #include "core/base/types.h"
 #include "core/mesh_file/facts.h"
+#include "core/scene/shapes.h"
 #include "core/target/target.h"
 #include "core/tick/program.h"
 
@@ -16,51 +17,6 @@ namespace underact::scene {
 
 // A scene as people write it: the numbers of the file, in the file's units (mm, N/mm), so that saving writes back what
 // was read. Keys and ranges: the scene reference in resources/guide. compile() makes a tick program in SI of it.
-
-/// A point; every direction is held.
-struct Point {
-  Vec3 position_mm = Vec3::Zero();
-  bool operator==(const Point&) const = default;
-};
-/// A sphere; radius_mm above 0.
-struct Sphere {
-  Vec3 center_mm = Vec3::Zero();
-  double radius_mm = 0.0;
-  bool operator==(const Sphere&) const = default;
-};
-/// An infinite line. direction: any length but zero.
-struct Line {
-  Vec3 point_mm = Vec3::Zero();
-  Vec3 direction = Vec3::UnitX();
-  bool operator==(const Line&) const = default;
-};
-/// An infinite plane; its normal, of any length but zero, points outside.
-struct Plane {
-  Vec3 point_mm = Vec3::Zero();
-  Vec3 normal = Vec3::UnitY();
-  bool operator==(const Plane&) const = default;
-};
-/// A circle about its centre, at right angles to the normal. radius_mm above 0.
-struct Circle {
-  Vec3 center_mm = Vec3::Zero();
-  Vec3 normal = Vec3::UnitZ();
-  double radius_mm = 0.0;
-  bool operator==(const Circle&) const = default;
-};
-/// An infinite cylinder. axis: any length but zero; radius_mm above 0.
-struct Cylinder {
-  Vec3 point_mm = Vec3::Zero();
-  Vec3 axis = Vec3::UnitZ();
-  double radius_mm = 0.0;
-  bool operator==(const Cylinder&) const = default;
-};
-/// A box; size_mm: its full edges, along the columns of the rotation R_WB.
-struct Box {
-  Vec3 center_mm = Vec3::Zero();
-  Vec3 size_mm = Vec3::Zero();
-  Mat3 R_WB = Mat3::Identity();
-  bool operator==(const Box&) const = default;
-};
 
 /// A joint in the home pose. Values of revolute joints in rad, of prismatic ones in mm.
 struct Joint {
@@ -138,7 +94,7 @@ struct Curve {
 };
 
 /// What a constraint can be.
-using Shape = std::variant<Point, Sphere, Line, Plane, Circle, Cylinder, Box, VirtualManipulator, Mesh, Curve>;
+using Shape = ShapesAnd<std::variant, VirtualManipulator, Mesh, Curve>;
 
 /// The word for the shape's type in a scene file: "point", "sphere", ...
 const char* typeName(const Shape& shape);

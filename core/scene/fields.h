@@ -1,120 +1,29 @@
 #pragma once
-#include <tuple>
+#include <utility>
 
 #include "core/json/words.h"
 #include "core/scene/description.h"
 
 namespace underact::scene {
 
-// The keys of each type of shape: one list for reader, checks and writer. A new type without its Fields does not
-// compile.
+// The rows of the types that are more than plain numbers (of the others: shapes.h), and the words of all choices.
 
-/// The meaning of a shape's number, which decides the allowed values.
-enum class Meaning : std::uint8_t { Position, Direction, Length, Rotation };
-
-/// One key of a shape: the member that it stands for, and what the number means.
-template <class Shape, class Number>
-struct Field {
-  /// its_key: as in the file; it lives as long as the field.
-  constexpr Field(const char* its_key, Number Shape::*its_member, Meaning its_meaning, bool is_required = true)
-      : key(its_key), member(its_member), meaning(its_meaning), required(is_required) {}
-  const char* key;
-  Number Shape::*member;
-  Meaning meaning;
-  bool required;
-};
-
-/// The word for a shape's type, whether it has an inside and an outside, and its keys; one specialisation a type.
-template <class Shape>
-struct Fields;
-
+// For joints, home and solver see manipulators.cpp, for the file and pose of a mesh or a curve meshes.cpp.
 template <>
-struct Fields<Point> {
-  static constexpr const char* kType = "point";
-  static constexpr bool kHasSides = false;
-  static constexpr std::tuple kAll{Field{"position_mm", &Point::position_mm, Meaning::Position}};
-};
-
+inline constexpr auto kRow<VirtualManipulator> = shapeRow("virtual_manipulator",
+                                                          TRANSLATE_NOOP("shape", "Virtual robot"), false);
 template <>
-struct Fields<Sphere> {
-  static constexpr const char* kType = "sphere";
-  static constexpr bool kHasSides = true;
-  static constexpr std::tuple kAll{Field{"center_mm", &Sphere::center_mm, Meaning::Position},
-                                   Field{"radius_mm", &Sphere::radius_mm, Meaning::Length}};
-};
-
+inline constexpr auto kRow<Mesh> = shapeRow("mesh", TRANSLATE_NOOP("shape", "Mesh"), true);
 template <>
-struct Fields<Line> {
-  static constexpr const char* kType = "line";
-  static constexpr bool kHasSides = false;
-  static constexpr std::tuple kAll{Field{"point_mm", &Line::point_mm, Meaning::Position},
-                                   Field{"direction", &Line::direction, Meaning::Direction}};
-};
+inline constexpr auto kRow<Curve> = shapeRow("curve", TRANSLATE_NOOP("shape", "Curve"), false);
 
-template <>
-struct Fields<Plane> {
-  static constexpr const char* kType = "plane";
-  static constexpr bool kHasSides = true;
-  static constexpr std::tuple kAll{Field{"point_mm", &Plane::point_mm, Meaning::Position},
-                                   Field{"normal", &Plane::normal, Meaning::Direction}};
-};
-
-template <>
-struct Fields<Circle> {
-  static constexpr const char* kType = "circle";
-  static constexpr bool kHasSides = false;
-  static constexpr std::tuple kAll{Field{"center_mm", &Circle::center_mm, Meaning::Position},
-                                   Field{"normal", &Circle::normal, Meaning::Direction},
-                                   Field{"radius_mm", &Circle::radius_mm, Meaning::Length}};
-};
-
-template <>
-struct Fields<Cylinder> {
-  static constexpr const char* kType = "cylinder";
-  static constexpr bool kHasSides = true;
-  static constexpr std::tuple kAll{Field{"point_mm", &Cylinder::point_mm, Meaning::Position},
-                                   Field{"axis", &Cylinder::axis, Meaning::Direction},
-                                   Field{"radius_mm", &Cylinder::radius_mm, Meaning::Length}};
-};
-
-template <>
-struct Fields<Box> {
-  static constexpr const char* kType = "box";
-  static constexpr bool kHasSides = true;
-  static constexpr std::tuple kAll{Field{"center_mm", &Box::center_mm, Meaning::Position},
-                                   Field{"size_mm", &Box::size_mm, Meaning::Length},
-                                   Field{"R_WB", &Box::R_WB, Meaning::Rotation, false}};
-};
-
-/// Joints, home and solver are not plain numbers: manipulators.cpp reads, checks and writes them.
-template <>
-struct Fields<VirtualManipulator> {
-  static constexpr const char* kType = "virtual_manipulator";
-  static constexpr bool kHasSides = false;
-  static constexpr std::tuple<> kAll{};
-};
-
-/// For its file and pose see meshes.cpp.
-template <>
-struct Fields<Mesh> {
-  static constexpr const char* kType = "mesh";
-  static constexpr bool kHasSides = true;
-  static constexpr std::tuple<> kAll{};
-};
-
-/// As of a mesh, with its guidance: curves.cpp.
-template <>
-struct Fields<Curve> {
-  static constexpr const char* kType = "curve";
-  static constexpr bool kHasSides = false;
-  static constexpr std::tuple<> kAll{};
-};
-
-/// Calls visit(field, number) for each field of the shape, in the order of the file.
-template <class Shape, class Visit>
-void eachField(Shape& shape, Visit&& visit) {
-  std::apply([&](const auto&... field) { (visit(field, shape.*field.member), ...); },
-             Fields<std::remove_const_t<Shape>>::kAll);
+/// Calls visit(shape) for a default of each type of shape, in the order of Shape.
+template <class Visit>
+void eachShape(Visit&& visit) {
+  const auto visitAll = [&]<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
+    (visit(std::variant_alternative_t<kIndex, Shape>{}), ...);
+  };
+  visitAll(std::make_index_sequence<std::variant_size_v<Shape>>{});
 }
 
 /// The word for the filter in a scene file: "kalman", ...

@@ -35,27 +35,9 @@ class SceneMirror {
     signs_[axis_] = -1.0;
   }
 
-  void reflect(Point& point) const { position(point.position_mm); }
-  void reflect(Sphere& sphere) const { position(sphere.center_mm); }
-  void reflect(Line& line) const {
-    position(line.point_mm);
-    direction(line.direction);
-  }
-  void reflect(Plane& plane) const {
-    position(plane.point_mm);
-    direction(plane.normal);
-  }
-  void reflect(Circle& circle) const {
-    position(circle.center_mm);
-    direction(circle.normal);  // as a line: nothing rotates about it
-  }
-  void reflect(Cylinder& cylinder) const {
-    position(cylinder.point_mm);
-    direction(cylinder.axis);
-  }
-  void reflect(Box& box) const {
-    position(box.center_mm);
-    scene::reflect(box.R_WB, signs_, signs_);
+  template <PlainShape OneShape>
+  void reflect(OneShape& shape) const {
+    eachField(shape, [this](const auto& field, auto& number) { this->reflect(field.meaning, number); });
   }
   void reflect(VirtualManipulator& robot) const {
     for (Joint& joint : robot.joints) {
@@ -72,6 +54,12 @@ class SceneMirror {
   void reflect(Curve& curve) const { placement(curve); }  // its points keep their order: the guide starts as before
 
  private:
+  void reflect(Meaning meaning, Vec3& number) const {
+    if (meaning == Meaning::Position) position(number);
+    if (meaning == Meaning::Direction) direction(number);  // as a line: nothing rotates about it
+  }
+  void reflect(Meaning, Mat3& R) const { scene::reflect(R, signs_, signs_); }
+  void reflect(Meaning, double&) const {}  // a length
   void coordinate(double& at_mm) const { at_mm = twice_at_mm_ == 0.0 ? flipped(at_mm) : twice_at_mm_ - at_mm; }
   void position(Vec3& p_mm) const { coordinate(p_mm[axis_]); }
   void direction(Vec3& v) const { v[axis_] = flipped(v[axis_]); }

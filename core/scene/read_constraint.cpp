@@ -10,27 +10,14 @@
 namespace underact::scene {
 namespace {
 
-template <std::size_t... kIndex>
-std::vector<std::string> typesOf(std::index_sequence<kIndex...>) {
-  return {Fields<std::variant_alternative_t<kIndex, Shape>>::kType...};
-}
-
-template <std::size_t... kIndex>
-std::optional<Shape> shapeOf(const std::string& type, std::index_sequence<kIndex...>) {
-  std::optional<Shape> shape;
-  const auto attempt = [&](auto made) {
-    if (type == Fields<decltype(made)>::kType) shape = made;
-  };
-  (attempt(std::variant_alternative_t<kIndex, Shape>{}), ...);
-  return shape;
-}
-
-constexpr auto kEachShape = std::make_index_sequence<std::variant_size_v<Shape>>{};
-
 std::optional<Shape> shapeOfType(const json::Value& value, const std::string& path, Findings& findings) {
-  const std::vector<std::string> types = typesOf(kEachShape);
+  std::vector<std::string> types;
+  std::optional<Shape> shape;
+  eachShape([&](auto one) {
+    types.emplace_back(typeName(one));
+    if (value.text == types.back()) shape = std::move(one);
+  });
   if (!isKind(value, json::Kind::String, path, listed(types), findings)) return std::nullopt;
-  std::optional<Shape> shape = shapeOf(value.text, kEachShape);
   if (shape) return shape;
   const std::string nearest = findings.nearest(value.text, types);
   findings.add(value, path,

@@ -20,4 +20,8 @@ Nearest closestPoint(const Line& line, const Vec3& p_WT) noexcept {
   return {p_WP, Status::Unique, (p_WT - p_WP).norm()};
 }
 
+Line scaled(const Line& line, const Vec3& scale) {
+  return {scale.cwiseProduct(line.p_WC), scale.cwiseProduct(line.axis_W).normalized()};
+}
+
 }  // namespace underact::shape

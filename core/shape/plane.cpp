@@ -20,4 +20,8 @@ Nearest closestPoint(const Plane& plane, const Vec3& p_WT) noexcept {
   return {p_WT - height_m * plane.normal_W, Status::Unique, height_m};
 }
 
+Plane scaled(const Plane& plane, const Vec3& scale) {
+  return {scale.cwiseProduct(plane.p_WC), plane.normal_W.cwiseQuotient(scale).normalized()};
+}
+
 }  // namespace underact::shape

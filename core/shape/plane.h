@@ -15,5 +15,7 @@ Result<Plane> makePlane(const Vec3& p_WC, const Vec3& normal_W, const SourceLoca
 /// p_WT: m, finite. Always Unique. Within 64 ulp of the largest coordinate. Cost: constant.
 /// Source: Beckman 2007, eq. 4.11-4.14; erratum code 4.4 (divide by |N| squared; unit normals here).
 Nearest closestPoint(const Plane& plane, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;
+/// The plane with each coordinate of W multiplied by scale (each > 0).
+Plane scaled(const Plane& plane, const Vec3& scale);
 
 }  // namespace underact::shape

@@ -14,4 +14,8 @@ Nearest closestPoint(const Point& point, const Vec3& p_WT) noexcept {
   return {point.p_WC, Status::Unique, (p_WT - point.p_WC).norm()};
 }
 
+Point scaled(const Point& point, const Vec3& scale) {
+  return {scale.cwiseProduct(point.p_WC)};
+}
+
 }  // namespace underact::shape

@@ -13,5 +13,7 @@ struct Point {
 Result<Point> makePoint(const Vec3& p_WC, const SourceLocation& place);
 /// The point itself, always Unique. Source: Beckman 2007, eq. 4.1.
 Nearest closestPoint(const Point& point, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;
+/// The point with each coordinate of W multiplied by scale (each > 0).
+Point scaled(const Point& point, const Vec3& scale);
 
 }  // namespace underact::shape

@@ -10,68 +10,39 @@ constexpr std::int64_t kOfInfluenced = 32, kOfMesh = 64;
 // Opposite directions have no shorter arc between them: they change over in the middle.
 constexpr double kOpposite = 1e-6;
 
-/// Passes the numbers of a shape, in W, to visit(position, axis, rotation, size); null: it has none.
-template <class AnyShape, class Visit>
-bool withNumbers(AnyShape& shape, const Visit& visit) noexcept UNDERACT_REAL_TIME {
-  if (auto* point = std::get_if<shape::Point>(&shape)) return visit(point->p_WC);
-  if (auto* sphere = std::get_if<shape::Sphere>(&shape)) return visit(sphere->p_WC, sphere->radius_m);
-  if (auto* line = std::get_if<shape::Line>(&shape)) return visit(line->p_WC, line->axis_W);
-  if (auto* plane = std::get_if<shape::Plane>(&shape)) return visit(plane->p_WC, plane->normal_W);
-  if (auto* circle = std::get_if<shape::Circle>(&shape)) return visit(circle->p_WC, circle->axis_W, circle->radius_m);
-  if (auto* cylinder = std::get_if<shape::Cylinder>(&shape))
-    return visit(cylinder->p_WC, cylinder->axis_W, cylinder->radius_m);
-  if (auto* box = std::get_if<shape::Box>(&shape)) return visit(box->p_WC, box->R_WB, box->half_m);
-  return false;
+/// Passes each number of a shape that moves with it, and its place in a placing; false: the shape is not carried.
+template <class AnyShape, class OnePlacing, class Pass>
+bool withNumbers(AnyShape& shape, OnePlacing& placing, const Pass& pass) noexcept UNDERACT_REAL_TIME {
+  bool is_carried = false;
+  withChosen(shape, [&](auto& one) noexcept UNDERACT_REAL_TIME {
+    if constexpr (shape::kIsPlain<decltype(one)>) {
+      is_carried = true;
+      pass(one.p_WC, placing.p_W);
+      if constexpr (requires { one.axis_W; }) pass(one.axis_W, placing.axis_W);
+      if constexpr (requires { one.normal_W; }) pass(one.normal_W, placing.axis_W);
+      if constexpr (requires { one.R_WB; }) pass(one.R_WB, placing.R_W);
+      if constexpr (requires { one.half_m; }) pass(one.half_m, placing.size_m);
+      if constexpr (requires { one.semi_m; }) pass(one.semi_m, placing.size_m);
+      if constexpr (requires { one.radius_m; }) pass(one.radius_m, placing.size_m);
+    }
+  });
+  return is_carried;
 }
 
 struct Take {
-  Placing& into;
-  bool operator()(const Vec3& p_W) const noexcept UNDERACT_REAL_TIME {
-    into.p_W = p_W;
-    return true;
+  template <class Number>
+  void operator()(const Number& number, Number& place) const noexcept UNDERACT_REAL_TIME {
+    place = number;
   }
-  bool operator()(const Vec3& p_W, double radius_m) const noexcept UNDERACT_REAL_TIME {
-    into.size_m.setConstant(radius_m);
-    return (*this)(p_W);
-  }
-  bool operator()(const Vec3& p_W, const Vec3& axis_W) const noexcept UNDERACT_REAL_TIME {
-    into.axis_W = axis_W;
-    return (*this)(p_W);
-  }
-  bool operator()(const Vec3& p_W, const Vec3& axis_W, double radius_m) const noexcept UNDERACT_REAL_TIME {
-    into.axis_W = axis_W;
-    return (*this)(p_W, radius_m);
-  }
-  bool operator()(const Vec3& p_W, const Mat3& R_W, const Vec3& size_m) const noexcept UNDERACT_REAL_TIME {
-    into.R_W = R_W;
-    into.size_m = size_m;
-    return (*this)(p_W);
-  }
+  void operator()(double radius_m, Vec3& size_m) const noexcept UNDERACT_REAL_TIME { size_m.setConstant(radius_m); }
 };
 
 struct Give {
-  const Placing& from;
-  bool operator()(Vec3& p_W) const noexcept UNDERACT_REAL_TIME {
-    p_W = from.p_W;
-    return true;
+  template <class Number>
+  void operator()(Number& number, const Number& place) const noexcept UNDERACT_REAL_TIME {
+    number = place;
   }
-  bool operator()(Vec3& p_W, double& radius_m) const noexcept UNDERACT_REAL_TIME {
-    radius_m = from.size_m.x();
-    return (*this)(p_W);
-  }
-  bool operator()(Vec3& p_W, Vec3& axis_W) const noexcept UNDERACT_REAL_TIME {
-    axis_W = from.axis_W;
-    return (*this)(p_W);
-  }
-  bool operator()(Vec3& p_W, Vec3& axis_W, double& radius_m) const noexcept UNDERACT_REAL_TIME {
-    axis_W = from.axis_W;
-    return (*this)(p_W, radius_m);
-  }
-  bool operator()(Vec3& p_W, Mat3& R_W, Vec3& size_m) const noexcept UNDERACT_REAL_TIME {
-    R_W = from.R_W;
-    size_m = from.size_m;
-    return (*this)(p_W);
-  }
+  void operator()(double& radius_m, const Vec3& size_m) const noexcept UNDERACT_REAL_TIME { radius_m = size_m.x(); }
 };
 
 Vec3 directionBetween(const Vec3& from, const Vec3& to, double share) noexcept UNDERACT_REAL_TIME {
@@ -98,27 +69,27 @@ bool isRotation(const Mat3& R) {
 
 Placing placingOf(const Goal& goal) noexcept {
   Placing placing;
-  const Take take{placing};
   if (const auto* held = std::get_if<NearestOnShape>(&goal); held != nullptr && !held->weighted) {
-    if (withNumbers(held->shape, take)) placing.kind = 1 + static_cast<std::int64_t>(held->shape.index());
+    if (withNumbers(held->shape, placing, Take{})) placing.kind = 1 + static_cast<std::int64_t>(held->shape.index());
   } else if (const auto* influenced = std::get_if<InfluencedShape>(&goal)) {
-    if (withNumbers(influenced->shape, take))
+    if (withNumbers(influenced->shape, placing, Take{}))
       placing.kind = kOfInfluenced + static_cast<std::int64_t>(influenced->shape.index());
   } else if (const auto* mesh = std::get_if<MeshPlace>(&goal)) {
-    take(mesh->p_WM, mesh->R_WM, Vec3(Vec3::Constant(mesh->scale_m)));
+    placing.p_W = mesh->p_WM;
+    placing.R_W = mesh->R_WM;
+    placing.size_m.setConstant(mesh->scale_m);
     placing.kind = mesh->scale_m > 0.0 ? kOfMesh : kOfMesh + 1;  // nothing is carried into its mirror image
   }
   return placing;
 }
 
 void put(Goal& goal, const Placing& placing) noexcept {
-  const Give give{placing};
   if (auto* held = std::get_if<NearestOnShape>(&goal)) {
     if (!held->weighted && placing.kind == 1 + static_cast<std::int64_t>(held->shape.index()))
-      withNumbers(held->shape, give);
+      withNumbers(held->shape, placing, Give{});
   } else if (auto* influenced = std::get_if<InfluencedShape>(&goal)) {
     if (placing.kind == kOfInfluenced + static_cast<std::int64_t>(influenced->shape.index()))
-      withNumbers(influenced->shape, give);
+      withNumbers(influenced->shape, placing, Give{});
   } else if (auto* mesh = std::get_if<MeshPlace>(&goal); mesh != nullptr && placing.kind >= kOfMesh) {
     mesh->p_WM = placing.p_W;
     mesh->R_WM = placing.R_W;

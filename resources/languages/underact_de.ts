@@ -817,42 +817,6 @@ Grenze: %4 (%5).</translation>
         <translation>frei</translation>
     </message>
     <message>
-        <source>Position</source>
-        <translation>Position</translation>
-    </message>
-    <message>
-        <source>Centre</source>
-        <translation>Mittelpunkt</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>Radius</translation>
-    </message>
-    <message>
-        <source>Through</source>
-        <translation>Durch</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Richtung</translation>
-    </message>
-    <message>
-        <source>Normal</source>
-        <translation>Normale</translation>
-    </message>
-    <message>
-        <source>Axis</source>
-        <translation>Achse</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>x axis</source>
-        <translation>x-Achse</translation>
-    </message>
-    <message>
         <source>position only</source>
         <translation>nur der Position</translation>
     </message>
@@ -905,6 +869,10 @@ Grenze: %4 (%5).</translation>
         <translation>Datei</translation>
     </message>
     <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
         <source>Triangles</source>
         <translation>Dreiecke</translation>
     </message>
@@ -951,10 +919,6 @@ Grenze: %4 (%5).</translation>
     <message>
         <source>felt from inside</source>
         <translation>von innen gefühlt</translation>
-    </message>
-    <message>
-        <source>Virtual robot</source>
-        <translation>Virtueller Roboter</translation>
     </message>
     <message>
         <source>Search</source>
@@ -8520,8 +8484,44 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
 <context>
     <name>shape</name>
     <message>
+        <source>Virtual robot</source>
+        <translation>Virtueller Roboter</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Dreiecksnetz</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
         <source>Point</source>
         <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Through</source>
+        <translation>Durch</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>x axis</source>
+        <translation>x-Achse</translation>
     </message>
     <message>
         <source>Sphere</source>
@@ -8530,6 +8530,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>Line</source>
         <translation>Gerade</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
     </message>
     <message>
         <source>Plane</source>
@@ -8544,16 +8548,24 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Zylinder</translation>
     </message>
     <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
         <source>Box</source>
         <translation>Quader</translation>
     </message>
     <message>
-        <source>Mesh</source>
-        <translation>Dreiecksnetz</translation>
+        <source>Size</source>
+        <translation>Größe</translation>
     </message>
     <message>
-        <source>Curve</source>
-        <translation>Kurve</translation>
+        <source>Ellipsoid</source>
+        <translation>Ellipsoid</translation>
+    </message>
+    <message>
+        <source>Semi-axes</source>
+        <translation>Halbachsen</translation>
     </message>
 </context>
 <context>
@@ -17079,6 +17091,10 @@ und %2 weitere</translation>
 </context>
 <context>
     <name>welcome</name>
+    <message>
+        <source>Push into the surface: drag the stylus with the mouse.</source>
+        <translation>Drücken Sie den Stift mit der Maus in die Fläche.</translation>
+    </message>
     <message>
         <source>Pull the stylus away from the point: drag it with the mouse.</source>
         <translation>Ziehen Sie den Stift mit der Maus vom Punkt weg.</translation>

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import tempfile
 import unittest
 from pathlib import Path
@@ -12,15 +13,33 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as pyplot
 import numpy as np
 
-from underact import arm, pictures, scene, sim
+from underact import arm, pictures, scene, shapes, sim
 
 OMNI = arm.load("omni-thesis")
 Q = np.array([0.1, 0.5, -0.3, 0.2, 0.7, 0.4])
 BALL = scene.build("A ball", [scene.sphere(center_mm=(10, 20, 30), radius_mm=25)])
 
+NUMBERS = {
+    "center_mm": (1, 2, 3), "point_mm": (1, 2, 3), "position_mm": (1, 2, 3), "direction": (1, -2, 2), "normal": (1, -2, 2),
+    "axis": (1, -2, 2), "radius_mm": 25, "size_mm": (60, 40, 50), "semi_axes_mm": (60, 40, 50),
+}  # fmt: skip
+TURN = [[0, -1, 0], [0.6, 0, -0.8], [0.8, 0, 0.6]]
+
 
 def session_of(folder: str):
     return sim.simulate(BALL, "sweep", 0.5, Path(folder) / "ball.h5")
+
+
+class Outlines(unittest.TestCase):
+    def test_of_every_shape_are_where_its_nearest_points_are(self):
+        for name in shapes.__all__:
+            make = getattr(scene, name)
+            shape = make(*(NUMBERS[key] for key in inspect.signature(make).parameters if key != "others"))
+            if not {"size_mm", "semi_axes_mm"}.isdisjoint(shape):
+                shape["R_WB"] = TURN
+            lines = shapes.outlines(shape, np.array([[10.0, -5.0, 2.0]]))
+            if name != "point":  # a cross about it
+                np.testing.assert_allclose(scene.nearest(shape, np.vstack(lines)), np.vstack(lines), atol=1e-9, err_msg=name)
 
 
 class Matplotlib(unittest.TestCase):

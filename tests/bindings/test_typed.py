@@ -12,7 +12,7 @@ from pathlib import Path
 from beside import ROOT
 
 PACKAGE = ROOT / "app/python/underact"
-FILES = ("arm.py", "canvas.py", "compiled.py", "given.py", "gym.py", "pictures.py", "scene.py", "sim.py", "_core.pyi")
+FILES = ("arm.py", "canvas.py", "compiled.py", "given.py", "gym.py", "pictures.py", "scene.py", "shapes.py", "sim.py", "_core.pyi")
 
 
 def mypy(*words: object) -> subprocess.CompletedProcess:

@@ -88,6 +88,26 @@ ShapeOracle box(Random& random) {
   return made;
 }
 
+ShapeOracle ellipsoid(Random& random) {
+  const Vec3 c = random.inBox(0.1);
+  const Vec3 semi(random.between(0.02, 0.1), random.between(0.02, 0.1), random.between(0.02, 0.1));
+  const Axes axes = around(random, random.direction());
+  Mat3 R;
+  R << axes.u, axes.v, axes.w;
+  ShapeOracle made{"turned ellipsoid", shape::makeEllipsoid(c, semi, R, {}).value(), {}, Vec3::Ones(), {}, {}, true,
+                   semi.maxCoeff()};
+  made.patches = {{[=](double a, double b) -> Vec3 {
+                     return c + semi.x() * std::cos(a) * std::cos(b) * axes.u +
+                            semi.y() * std::sin(a) * std::cos(b) * axes.v + semi.z() * std::sin(b) * axes.w;
+                   },
+                   kMostTurn_rad, kMostTurn_rad / 2}};
+  made.off = [=](const Vec3& q) {  // to first order: the level over its slope
+    const Vec3 d(axes.u.dot(q - c), axes.v.dot(q - c), axes.w.dot(q - c)), share = d.cwiseQuotient(semi);
+    return share.norm() * (share.norm() - 1.0) / share.cwiseQuotient(semi).norm();
+  };
+  return made;
+}
+
 ShapeOracle point(Random& random) {
   const Vec3 c = random.inBox(0.1);
   ShapeOracle made{"point", shape::makePoint(c, {}).value(), {}, Vec3::Ones(), {}, {}, false, 0.0};
@@ -172,11 +192,12 @@ std::vector<ShapeOracle> everyShape(Random& random) {
   static_assert(std::variant_size_v<shape::Shape> == 11,
                 "A new shape: give it an oracle here, and it is in all sweeps.");
   std::vector<ShapeOracle> all{point(random),  sphere(random),   line(random), plane(random),
-                               circle(random), cylinder(random), box(random)};
+                               circle(random), cylinder(random), box(random),  ellipsoid(random)};
   for (ShapeOracle& one : all) one.plain = one.shape;
   const std::vector<ShapeOracle> plain = all;
-  constexpr std::array<const char*, 7> kNames{"scaled point", "ellipsoid",         "scaled line",   "scaled plane",
-                                              "ellipse",      "elliptic cylinder", "parallelepiped"};
+  constexpr std::array<const char*, 8> kNames{"scaled point",   "ellipsoid",       "scaled line",
+                                              "scaled plane",   "ellipse",         "elliptic cylinder",
+                                              "parallelepiped", "scaled ellipsoid"};
   const Vec3 scale(random.between(0.2, 1.0), random.between(0.2, 1.0), random.between(0.2, 1.0));
   for (std::size_t i = 0; i < plain.size(); ++i) all.push_back(scaledBy(scale, kNames[i], plain[i]));
   return all;

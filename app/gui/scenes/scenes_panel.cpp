@@ -147,7 +147,9 @@ void ScenesPanel::addScene(const SceneEntry& entry) {
 /// The scene's picture; for a user's own scene, the icon of its type.
 QIcon ScenesPanel::iconOf(const QListWidgetItem& item) const {
   const QString picture = scenePicture(item.data(kPathRole).toString(), theme_.dark);
-  return picture.isEmpty() ? icon(item.data(kTypeRole).toString(), theme_) : fileIcon(picture);
+  if (!picture.isEmpty()) return fileIcon(picture);
+  const QIcon own = icon(item.data(kTypeRole).toString(), theme_);
+  return own.isNull() ? icon("sphere", theme_) : own;  // of any other surface
 }
 
 QSize ScenesPanel::sizeHint() const {

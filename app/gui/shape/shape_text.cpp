@@ -3,8 +3,8 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QObject>
-#include <cctype>
 #include <cmath>
+#include <map>
 
 #include "app/gui/kit/words.h"
 #include "app/gui/model/setting_words.h"
@@ -15,38 +15,26 @@ namespace {
 
 using ShapeLines = std::vector<ShapeLine>;
 
-/// The names of the types, marked for translation only.
-[[maybe_unused]] constexpr const char* kShapeNames[] = {
-    QT_TRANSLATE_NOOP("shape", "Point"), QT_TRANSLATE_NOOP("shape", "Sphere"), QT_TRANSLATE_NOOP("shape", "Line"),
-    QT_TRANSLATE_NOOP("shape", "Plane"), QT_TRANSLATE_NOOP("shape", "Circle"), QT_TRANSLATE_NOOP("shape", "Cylinder"),
-    QT_TRANSLATE_NOOP("shape", "Box"),   QT_TRANSLATE_NOOP("shape", "Mesh"),   QT_TRANSLATE_NOOP("shape", "Curve")};
+QString meaningText(scene::Meaning, double number) {
+  return millimetres(number);
+}
+QString meaningText(scene::Meaning meaning, const Vec3& number) {
+  return meaning == scene::Meaning::Direction ? directionText(number) : placeText(number);
+}
+QString meaningText(scene::Meaning, const Mat3& R) {
+  return R.isIdentity() ? QString() : directionText(R.col(0));
+}
 
-ShapeLines linesOf(const scene::Point& point) {
-  return {{QObject::tr("Position"), placeText(point.position_mm)}};
-}
-ShapeLines linesOf(const scene::Sphere& sphere) {
-  return {{QObject::tr("Centre"), placeText(sphere.center_mm)}, {QObject::tr("Radius"), millimetres(sphere.radius_mm)}};
-}
-ShapeLines linesOf(const scene::Line& line) {
-  return {{QObject::tr("Through"), placeText(line.point_mm)},
-          {QObject::tr("Direction"), directionText(line.direction)}};
-}
-ShapeLines linesOf(const scene::Plane& plane) {
-  return {{QObject::tr("Through"), placeText(plane.point_mm)}, {QObject::tr("Normal"), directionText(plane.normal)}};
-}
-ShapeLines linesOf(const scene::Circle& circle) {
-  return {{QObject::tr("Centre"), placeText(circle.center_mm)},
-          {QObject::tr("Radius"), millimetres(circle.radius_mm)},
-          {QObject::tr("Normal"), directionText(circle.normal)}};
-}
-ShapeLines linesOf(const scene::Cylinder& cylinder) {
-  return {{QObject::tr("Through"), placeText(cylinder.point_mm)},
-          {QObject::tr("Radius"), millimetres(cylinder.radius_mm)},
-          {QObject::tr("Axis"), directionText(cylinder.axis)}};
-}
-ShapeLines linesOf(const scene::Box& box) {
-  ShapeLines lines{{QObject::tr("Centre"), placeText(box.center_mm)}, {QObject::tr("Size"), placeText(box.size_mm)}};
-  if (!box.R_WB.isIdentity()) lines.push_back({QObject::tr("x axis"), directionText(box.R_WB.col(0))});
+/// The numbers, places first, then sizes, then directions.
+template <scene::PlainShape Shape>
+ShapeLines linesOf(const Shape& shape) {
+  std::map<scene::Meaning, ShapeLines> by_meaning;
+  eachField(shape, [&](const auto& field, const auto& number) {
+    const QString text = meaningText(field.meaning, number);
+    if (!text.isEmpty()) by_meaning[field.meaning].push_back({QCoreApplication::translate("shape", field.label), text});
+  });
+  ShapeLines lines;
+  for (const auto& [meaning, some] : by_meaning) lines.insert(lines.end(), some.begin(), some.end());
   return lines;
 }
 
@@ -131,10 +119,8 @@ QString sideText(target::Side side) {
 }  // namespace
 
 QString shapeName(const scene::Shape& shape) {
-  if (std::holds_alternative<scene::VirtualManipulator>(shape)) return QObject::tr("Virtual robot");
-  QByteArray name = scene::typeName(shape);
-  name.front() = static_cast<char>(std::toupper(name.front()));
-  return QCoreApplication::translate("shape", name);
+  return std::visit(
+      []<class Shape>(const Shape&) { return QCoreApplication::translate("shape", scene::kRow<Shape>.name); }, shape);
 }
 
 std::vector<ShapeLine> shapeText(const scene::Constraint& constraint) {

@@ -116,27 +116,11 @@ void ConstraintPicture::setTheme(const Theme& theme) {
   build();
 }
 
-void ConstraintPicture::build() {
-  bold_.clear();
-  fine_.clear();
-  tints_.clear();
-  balls_.clear();
-  tubes_.clear();
-  extent_mm_.clear();
-  for (const Held& held : held_) {
-    side_ = held.side;
-    std::visit([this](const auto& one) { add(one); }, held.shape);
-  }
-  bold_.done();
-  fine_.done();
-  eye_mm_ = Vec3::Constant(kNotANumber);
-}
-
 void ConstraintPicture::update(const Vec3& eye_mm) {
   if (eye_mm == eye_mm_) return;
   eye_mm_ = eye_mm;
   outlines_.clear();
-  for (const Ball& ball : balls_) outlines_.outline(eye_mm, ball.center_mm, ball.radius_mm, theme_.constraint);
+  for (const Ball& ball : balls_) outlines_.outline(eye_mm, ball.center_mm, ball.axes_mm, theme_.constraint);
   for (const Tube& tube : tubes_)
     outlines_.sides(eye_mm, tube.a_mm, tube.b_mm, tube.radius_mm, tube.radius_mm, theme_.constraint);
   outlines_.done();
@@ -154,21 +138,41 @@ void ConstraintPicture::addHair(const Vec3& p_mm, const Vec3& outwards) {
   fine_.segment(p_mm, p_mm + into_solid * outwards, theme_.constraint);
 }
 
-void ConstraintPicture::addHairs(const Vec3& center_mm, const Vec3& u, const Vec3& v, double radius_mm) {
+void ConstraintPicture::addHairs(const Vec3& center_mm, const Vec3& u, const Vec3& v, const Mat3& axes_mm) {
+  const double radius_mm = std::max((axes_mm * u).norm(), (axes_mm * v).norm());
   const int count = 4 * std::clamp(static_cast<int>(radius_mm / kHair_mm), 2, 18);
   for (int hair = 0; hair < count; ++hair) {
     const double angle_rad = 2.0 * kPi * hair / count;
     const Vec3 out = std::cos(angle_rad) * u + std::sin(angle_rad) * v;
-    addHair(center_mm + radius_mm * out, out);
+    addHair(center_mm + axes_mm * out, (axes_mm.inverse().transpose() * out).normalized());
   }
 }
 
+void ConstraintPicture::addBall(const Vec3& center_mm, const Mat3& axes_mm) {
+  vtkActor& ball = addTint(unitSphere(64, 32));
+  ball.GetProperty()->BackfaceCullingOn();  // one layer, so that 25 % is 25 %
+  Eigen::Matrix4d X = Eigen::Matrix4d::Identity();
+  X.topLeftCorner<3, 3>() = axes_mm;
+  X.topRightCorner<3, 1>() = center_mm;
+  place(ball, X);
+  balls_.push_back({center_mm, axes_mm});
+  const QColor soft = faint(theme_.constraint, 0.55);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 u = Vec3::Unit((axis + 1) % 3), v = Vec3::Unit((axis + 2) % 3);
+    fine_.circle(center_mm, axes_mm * u, axes_mm * v, 1.0, soft);
+    addHairs(center_mm, u, v, axes_mm);
+    extent_mm_.push_back(center_mm + axes_mm.col(axis));
+    extent_mm_.push_back(center_mm - axes_mm.col(axis));
+  }
+}
+
+template <>
 void ConstraintPicture::add(const scene::Point& point) {
   vtkActor& ball = addTint(unitSphere(24, 12));
   ball.GetProperty()->SetOpacity(1.0);  // too small to be translucent
   ball.GetProperty()->BackfaceCullingOn();
   place(ball, at(point.position_mm, kPointRadius_mm));
-  balls_.push_back({point.position_mm, kPointRadius_mm});
+  balls_.push_back({point.position_mm, kPointRadius_mm * Mat3::Identity()});
   for (int axis = 0; axis < 3; ++axis) {  // a small cross shows where it is, from any direction
     fine_.segment(point.position_mm - 8.0 * Vec3::Unit(axis), point.position_mm + 8.0 * Vec3::Unit(axis),
                   theme_.constraint);
@@ -176,21 +180,17 @@ void ConstraintPicture::add(const scene::Point& point) {
   extent_mm_.push_back(point.position_mm);
 }
 
+template <>
 void ConstraintPicture::add(const scene::Sphere& sphere) {
-  vtkActor& ball = addTint(unitSphere(64, 32));
-  ball.GetProperty()->BackfaceCullingOn();  // one layer, so that 25 % is 25 %
-  place(ball, at(sphere.center_mm, sphere.radius_mm));
-  balls_.push_back({sphere.center_mm, sphere.radius_mm});
-  const QColor soft = faint(theme_.constraint, 0.55);
-  for (int axis = 0; axis < 3; ++axis) {
-    const Vec3 u = Vec3::Unit((axis + 1) % 3), v = Vec3::Unit((axis + 2) % 3);
-    fine_.circle(sphere.center_mm, u, v, sphere.radius_mm, soft);
-    addHairs(sphere.center_mm, u, v, sphere.radius_mm);
-    extent_mm_.push_back(sphere.center_mm + sphere.radius_mm * Vec3::Unit(axis));
-    extent_mm_.push_back(sphere.center_mm - sphere.radius_mm * Vec3::Unit(axis));
-  }
+  addBall(sphere.center_mm, sphere.radius_mm * Mat3::Identity());
 }
 
+template <>
+void ConstraintPicture::add(const scene::Ellipsoid& ellipsoid) {
+  addBall(ellipsoid.center_mm, ellipsoid.R_WB * ellipsoid.semi_axes_mm.asDiagonal());
+}
+
+template <>
 void ConstraintPicture::add(const scene::Line& line) {
   const Vec3 direction = line.direction.normalized();
   double from = 0.0, to = 0.0;
@@ -200,6 +200,7 @@ void ConstraintPicture::add(const scene::Line& line) {
   extent_mm_.insert(extent_mm_.end(), {a_mm, b_mm});
 }
 
+template <>
 void ConstraintPicture::add(const scene::Plane& plane) {
   const Vec3 normal = plane.normal.normalized();
   const Vec3 from_middle_mm = plane.point_mm - middle_mm_;
@@ -236,6 +237,7 @@ void ConstraintPicture::add(const scene::Plane& plane) {
   extent_mm_.insert(extent_mm_.end(), corners.begin(), corners.end());
 }
 
+template <>
 void ConstraintPicture::add(const scene::Circle& circle) {
   const Vec3 normal = circle.normal.normalized(), u = normal.unitOrthogonal(), v = normal.cross(u);
   bold_.circle(circle.center_mm, u, v, circle.radius_mm, theme_.constraint);
@@ -248,6 +250,7 @@ void ConstraintPicture::add(const scene::Circle& circle) {
   }
 }
 
+template <>
 void ConstraintPicture::add(const scene::Cylinder& cylinder) {
   const Vec3 axis = cylinder.axis.normalized(), u = axis.unitOrthogonal(), v = axis.cross(u);
   double from = 0.0, to = 0.0;
@@ -257,15 +260,16 @@ void ConstraintPicture::add(const scene::Cylinder& cylinder) {
   tube.GetProperty()->BackfaceCullingOn();
   place(tube, along(a_mm, b_mm, cylinder.radius_mm));
   tubes_.push_back({a_mm, b_mm, cylinder.radius_mm});
+  const Mat3 around_mm = cylinder.radius_mm * Mat3::Identity();
   bold_.circle(a_mm, u, v, cylinder.radius_mm, theme_.constraint);
   bold_.circle(b_mm, u, v, cylinder.radius_mm, theme_.constraint);
-  addHairs(a_mm, u, v, cylinder.radius_mm);
-  addHairs(b_mm, u, v, cylinder.radius_mm);
+  addHairs(a_mm, u, v, around_mm);
+  addHairs(b_mm, u, v, around_mm);
   const QColor soft = faint(theme_.constraint, 0.35);
   for (double step = std::ceil((from + 1.0) / kGrid_mm); step * kGrid_mm < to - 1.0; step += 1.0) {
     const Vec3 center_mm = cylinder.point_mm + step * kGrid_mm * axis;
     fine_.circle(center_mm, u, v, cylinder.radius_mm, soft);
-    addHairs(center_mm, u, v, cylinder.radius_mm);
+    addHairs(center_mm, u, v, around_mm);
   }
   for (const Vec3& end_mm : {a_mm, b_mm}) {
     for (const Vec3& out : {u, v}) {
@@ -275,6 +279,7 @@ void ConstraintPicture::add(const scene::Cylinder& cylinder) {
   }
 }
 
+template <>
 void ConstraintPicture::add(const scene::Box& box) {
   vtkActor& cube = addTint(unitCube());
   cube.GetProperty()->BackfaceCullingOn();
@@ -303,6 +308,7 @@ void ConstraintPicture::add(const scene::Box& box) {
 }
 
 /// As fine as the eye can see: a million points are drawn with some thousands.
+template <>
 void ConstraintPicture::add(const scene::Curve& curve) {
   const Result<target::CurvePath> path = scene::makeCurvePath(curve);
   if (!path) return;
@@ -321,11 +327,31 @@ void ConstraintPicture::add(const scene::Curve& curve) {
 }
 
 /// The robot moves and is drawn elsewhere; this is the space it takes up.
+template <>
 void ConstraintPicture::add(const scene::VirtualManipulator& robot) {
   extent_mm_.push_back(robot.X_WV_home.topRightCorner<3, 1>());
   for (const scene::Joint& joint : robot.joints) {
     if (joint.type == chain::JointType::Revolute) extent_mm_.push_back(joint.point_mm);
   }
+}
+
+template <>
+void ConstraintPicture::add(const scene::Mesh&) {}  // see MeshPicture
+
+void ConstraintPicture::build() {
+  bold_.clear();
+  fine_.clear();
+  tints_.clear();
+  balls_.clear();
+  tubes_.clear();
+  extent_mm_.clear();
+  for (const Held& held : held_) {
+    side_ = held.side;
+    std::visit([this](const auto& one) { add(one); }, held.shape);
+  }
+  bold_.done();
+  fine_.done();
+  eye_mm_ = Vec3::Constant(kNotANumber);
 }
 
 }  // namespace underact::gui

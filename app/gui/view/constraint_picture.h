@@ -31,27 +31,21 @@ class ConstraintPicture {
  private:
   struct Ball {
     Vec3 center_mm;
-    double radius_mm;
+    Mat3 axes_mm;  // half axes as columns
   };
   struct Tube {
     Vec3 a_mm, b_mm;
     double radius_mm;
   };
   void build();
-  void add(const scene::Point& point);
-  void add(const scene::Sphere& sphere);
-  void add(const scene::Line& line);
-  void add(const scene::Plane& plane);
-  void add(const scene::Circle& circle);
-  void add(const scene::Cylinder& cylinder);
-  void add(const scene::Box& box);
-  void add(const scene::VirtualManipulator& robot);
-  void add(const scene::Mesh&) {}  // see MeshPicture
-  void add(const scene::Curve& curve);
+  template <class Shape>
+  void add(const Shape& shape);  // one specialisation a type
+  void addBall(const Vec3& center_mm, const Mat3& axes_mm);
   vtkActor& addTint(vtkPolyData* data);
   /// At a point of a wall's surface, given its outer normal; nothing if the shape is not a wall.
   void addHair(const Vec3& p_mm, const Vec3& outwards);
-  void addHairs(const Vec3& center_mm, const Vec3& u, const Vec3& v, double radius_mm);  // around a ring
+  /// Around a ring of a ball, u and v in its half axes.
+  void addHairs(const Vec3& center_mm, const Vec3& u, const Vec3& v, const Mat3& axes_mm);
 
   struct Held {
     scene::Shape shape;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/scene/fields.h"
 
 namespace underact::gui {
 namespace {
@@ -14,11 +15,6 @@ namespace {
 constexpr int kDimpleRings = 10, kDimpleSectors = 36;
 constexpr double kDimpleOpacity = 0.7;
 constexpr double kNoDepth_mm = 0.01;  // shallower: the direction of the surface is not known
-
-bool isSurface(const scene::Shape& shape) {
-  return std::holds_alternative<scene::Sphere>(shape) || std::holds_alternative<scene::Plane>(shape) ||
-         std::holds_alternative<scene::Cylinder>(shape) || std::holds_alternative<scene::Box>(shape);
-}
 
 /// How deep a dimple is at that share of its radius: 1 in the middle, 0 at the rim, and level at both.
 double depthAt(double share) {
@@ -34,7 +30,8 @@ DimplePicture::DimplePicture()
 
 void DimplePicture::setScene(const scene::Description& scene) {
   is_surface_.clear();
-  for (const scene::Constraint& constraint : scene.constraints) is_surface_.push_back(isSurface(constraint.shape));
+  for (const scene::Constraint& constraint : scene.constraints)
+    is_surface_.push_back(hasSides(constraint.shape) && !std::holds_alternative<scene::Mesh>(constraint.shape));
 }
 
 void DimplePicture::setLineWidth(double scale) {

@@ -267,12 +267,13 @@ void Lines::circle(const Vec3& center_mm, const Vec3& u, const Vec3& v, double r
   chain(points, colour, true);
 }
 
-void Lines::outline(const Vec3& eye_mm, const Vec3& center_mm, double radius_mm, const QColor& colour) {
-  const Vec3 way_mm = eye_mm - center_mm;
-  const double share = radius_mm / std::max(way_mm.norm(), 1e-9);
+void Lines::outline(const Vec3& eye_mm, const Vec3& center_mm, const Mat3& axes_mm, const QColor& colour) {
+  const Vec3 way = axes_mm.inverse() * (eye_mm - center_mm);  // in half axes, where it is the unit sphere
+  const double share = 1.0 / std::max(way.norm(), 1e-9);
   if (share >= 1.0) return;  // none from inside
-  const Vec3 axis = way_mm.normalized(), u = anyAcross(axis);
-  circle(center_mm + radius_mm * share * axis, u, axis.cross(u), radius_mm * std::sqrt(1.0 - share * share), colour);
+  const Vec3 axis = way.normalized(), u = anyAcross(axis);
+  circle(center_mm + axes_mm * (share * axis), axes_mm * u, axes_mm * axis.cross(u), std::sqrt(1.0 - share * share),
+         colour);
 }
 
 void Lines::sides(const Vec3& eye_mm, const Vec3& a_mm, const Vec3& b_mm, double a_radius_mm, double b_radius_mm,

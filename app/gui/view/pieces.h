@@ -42,9 +42,9 @@ class Lines {
   void chain(std::span<const Vec3> points_mm, const QColor& colour, bool closed);
   /// center + radius (cos u + sin v).
   void circle(const Vec3& center_mm, const Vec3& u, const Vec3& v, double radius_mm, const QColor& colour);
-  /// The outline of a sphere seen from outside, and the two sides of a round rod from a to b (exact for a cylinder,
-  /// close for a slender cone).
-  void outline(const Vec3& eye_mm, const Vec3& center_mm, double radius_mm, const QColor& colour);
+  /// The outline of an ellipsoid seen from outside (axes_mm: its half axes as columns), and the two sides of a round
+  /// rod from a to b (exact for a cylinder, close for a slender cone).
+  void outline(const Vec3& eye_mm, const Vec3& center_mm, const Mat3& axes_mm, const QColor& colour);
   void sides(const Vec3& eye_mm, const Vec3& a_mm, const Vec3& b_mm, double a_radius_mm, double b_radius_mm,
              const QColor& colour);
   /// A corner of faces, and a face with such corners.

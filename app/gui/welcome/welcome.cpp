@@ -36,7 +36,9 @@ struct PushRow {
   const char *type, *words;
 };
 // Walls and surfaces can be pushed into, the others not. Whole sentences, because articles differ between languages.
+// First: of a type that is not in the list.
 constexpr PushRow kPushRows[] = {
+    {"", QT_TRANSLATE_NOOP("welcome", "Push into the surface: drag the stylus with the mouse.")},
     {"point", QT_TRANSLATE_NOOP("welcome", "Pull the stylus away from the point: drag it with the mouse.")},
     {"sphere", QT_TRANSLATE_NOOP("welcome", "Push into the sphere: drag the stylus with the mouse.")},
     {"line", QT_TRANSLATE_NOOP("welcome", "Pull the stylus away from the line: drag it with the mouse.")},
@@ -54,7 +56,7 @@ QString pushWords(const scene::Description& scene) {
   const std::string type = scene.constraints.empty() ? "sphere" : scene::typeName(scene.constraints.front().shape);
   const auto* row = std::find_if(std::begin(kPushRows), std::end(kPushRows),
                                  [&type](const PushRow& one) { return type == one.type; });
-  return row == std::end(kPushRows) ? QString() : QCoreApplication::translate("welcome", row->words);
+  return QCoreApplication::translate("welcome", (row == std::end(kPushRows) ? kPushRows : row)->words);
 }
 
 double wristTurn_rad(const arm::JointAngles& from, const arm::JointAngles& to) {

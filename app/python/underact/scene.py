@@ -26,6 +26,10 @@ import numpy as np
 from . import given
 from .canvas import SHAPE, canvas, draw_shape
 from .compiled import core as _compiled
+from .shapes import *  # point(), sphere() and so on
+from .shapes import constraint as _constraint
+from .shapes import plain as _plain
+from .shapes import sphere
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -135,17 +139,6 @@ def _text_of(value: Value) -> str:
     if isinstance(value, str):
         return given.text(value, "value")
     return _json(value, "value")
-
-
-def _plain(value: Any) -> Any:
-    """What json.dumps() does not know: numbers and arrays of numpy."""
-    if isinstance(value, np.ma.MaskedArray):
-        raise TypeError("This is a masked array. Pass a plain one, as filled() returns.")
-    if isinstance(value, (np.ndarray, np.generic)):
-        return value.tolist()
-    if isinstance(value, Mapping):
-        return {str(key): _plain(one) for key, one in value.items()}
-    return [_plain(one) for one in value] if isinstance(value, (list, tuple)) else value
 
 
 def _json(value: Any, name: str) -> str:
@@ -376,72 +369,9 @@ def nearest(shape: Mapping[str, Any], p_mm: ArrayLike) -> NDArray[np.float64]:
     return build("A shape", [shape]).nearest(p_mm)[..., 0, :]
 
 
-def _constraint(type_: str, required: dict[str, Any], others: dict[str, Any]) -> dict[str, Any]:
-    return _plain({"type": type_, **required, **others})
-
-
-def point(position_mm: ArrayLike, **others: Any) -> dict[str, Any]:
-    """A point. others, here and below: name, side, control, influence, friction and so on, as in a
-    file.
-    """
-    return _constraint("point", {"position_mm": np.asanyarray(position_mm)}, others)
-
-
-def sphere(center_mm: ArrayLike, radius_mm: float, **others: Any) -> dict[str, Any]:
-    """A sphere."""
-    return _constraint(
-        "sphere", {"center_mm": np.asanyarray(center_mm), "radius_mm": radius_mm}, others
-    )
-
-
-def line(point_mm: ArrayLike, direction: ArrayLike, **others: Any) -> dict[str, Any]:
-    """An infinite line."""
-    return _constraint(
-        "line", {"point_mm": np.asanyarray(point_mm), "direction": np.asanyarray(direction)}, others
-    )
-
-
-def plane(point_mm: ArrayLike, normal: ArrayLike, **others: Any) -> dict[str, Any]:
-    """An infinite plane; the normal points outside."""
-    return _constraint(
-        "plane", {"point_mm": np.asanyarray(point_mm), "normal": np.asanyarray(normal)}, others
-    )
-
-
-def circle(
-    center_mm: ArrayLike, normal: ArrayLike, radius_mm: float, **others: Any
-) -> dict[str, Any]:
-    """A circle about its centre, at right angles to the normal."""
-    required = {
-        "center_mm": np.asanyarray(center_mm),
-        "normal": np.asanyarray(normal),
-        "radius_mm": radius_mm,
-    }
-    return _constraint("circle", required, others)
-
-
-def cylinder(
-    point_mm: ArrayLike, axis: ArrayLike, radius_mm: float, **others: Any
-) -> dict[str, Any]:
-    """An infinite cylinder."""
-    required = {
-        "point_mm": np.asanyarray(point_mm),
-        "axis": np.asanyarray(axis),
-        "radius_mm": radius_mm,
-    }
-    return _constraint("cylinder", required, others)
-
-
-def box(center_mm: ArrayLike, size_mm: ArrayLike, **others: Any) -> dict[str, Any]:
-    """A box; size_mm: its full edges."""
-    return _constraint(
-        "box", {"center_mm": np.asanyarray(center_mm), "size_mm": np.asanyarray(size_mm)}, others
-    )
-
-
 def mesh(file: str, **others: Any) -> dict[str, Any]:
     """A mesh of a file: STL, PLY, OBJ or OFF, relative to the scene's."""
-    return _constraint("mesh", {"file": file}, others)
+    return _constraint("mesh", others, file=file)
 
 
 def virtual_manipulator(
@@ -451,16 +381,14 @@ def virtual_manipulator(
     with all joints at 0.
     """
     required = {"joints": list(joints), "X_WV_home": np.asanyarray(X_WV_home)}
-    return _constraint("virtual_manipulator", required, others)
+    return _plain({"type": "virtual_manipulator", **required, **others})
 
 
 def revolute(axis: ArrayLike, point_mm: ArrayLike, **others: Any) -> dict[str, Any]:
     """A joint that turns about an axis. others: min, max (rad), stiffness_N_mm_per_rad, rest."""
-    return _constraint(
-        "revolute", {"axis": np.asanyarray(axis), "point_mm": np.asanyarray(point_mm)}, others
-    )
+    return _constraint("revolute", others, axis=axis, point_mm=point_mm)
 
 
 def prismatic(axis: ArrayLike, **others: Any) -> dict[str, Any]:
     """A joint that slides along an axis. others: min, max (mm), stiffness_N_per_mm, rest."""
-    return _constraint("prismatic", {"axis": np.asanyarray(axis)}, others)
+    return _constraint("prismatic", others, axis=axis)

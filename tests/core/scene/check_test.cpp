@@ -30,13 +30,7 @@ Description sceneWithShape(const Shape& shape) {
   return scene;
 }
 
-const std::vector<Shape> kOneOfEach{Point{},
-                                    Sphere{Vec3::Zero(), 50.0},
-                                    Line{Vec3::Zero(), Vec3::UnitX()},
-                                    Plane{Vec3::Zero(), Vec3::UnitY()},
-                                    Circle{Vec3::Zero(), Vec3::UnitZ(), 40.0},
-                                    Cylinder{Vec3::Zero(), Vec3::UnitX(), 30.0},
-                                    Box{Vec3::Zero(), Vec3(60, 50, 40)}};
+const std::vector<Shape> kOneOfEach = test::plainShapes(test::FillSizes{});
 
 TEST(SceneRules, LengthsMustBeAboveZeroAndCoordinatesWithinAKilometre) {
   const std::string at = "2:57: constraints[0].radius_mm: ";

@@ -80,25 +80,21 @@ class RandomScene {
     if (chance(2)) return Mat3::Identity();
     return Eigen::AngleAxisd(random_.between(-3.0, 3.0), random_.direction()).toRotationMatrix();
   }
+  void fill(scene::Meaning, double& number) { number = size(); }
+  void fill(scene::Meaning, Mat3& number) { number = rotation(); }
+  void fill(scene::Meaning meaning, Vec3& number) {
+    if (meaning == scene::Meaning::Position)
+      number = position();
+    else if (meaning == scene::Meaning::Direction)
+      number = direction();
+    else
+      for (double& one : number) one = size();
+  }
   scene::Shape shape() {
-    switch (random_.below(8)) {
-      case 7:
-        return robot();
-      case 0:
-        return scene::Point{position()};
-      case 1:
-        return scene::Sphere{position(), size()};
-      case 2:
-        return scene::Line{position(), direction()};
-      case 3:
-        return scene::Plane{position(), direction()};
-      case 4:
-        return scene::Circle{position(), direction(), size()};
-      case 5:
-        return scene::Cylinder{position(), direction(), size()};
-      default:
-        return scene::Box{position(), {size(), size(), size()}, rotation()};
-    }
+    std::vector<scene::Shape> all =
+        plainShapes([this](scene::Meaning meaning, auto& number) { this->fill(meaning, number); });
+    all.emplace_back(robot());
+    return all[random_.below(all.size())];
   }
   scene::Joint joint() {
     scene::Joint made;

@@ -26,6 +26,13 @@ std::string problemWith(const std::string& keys) {
       problemsIn("{" + keys + "\n\"underact_scene\": 1, \"title\": \"t\", \"constraints\": [" + kPoint + "]}"));
 }
 
+/// "point", "sphere" and so on, as the reader lists them.
+std::string allTypes(const char* last) {
+  std::vector<std::string> types;
+  eachShape([&types](const auto& shape) { types.emplace_back(typeName(shape)); });
+  return json::listed(types, last);
+}
+
 TEST(ReadScene, TheExampleOfTheSceneReferenceIsRead) {
   const Result<Description> read = readScene(R"({
   "underact_scene": 1,
@@ -145,7 +152,8 @@ TEST(ReadScene, EveryProblemIsToldAtOnceInTheOrderOfTheFile) {
 9:62: constraints[1].direction: A direction must not be [0, 0, 0]; any other length will do.
 9:73: constraints[1].side: A line has no inside and no outside; remove "side".
 10:5: constraints[2]: This must be an object, as in {"type": "point", "position_mm": [0, 0, 0]}; here it is a number.
-11:27: constraints[3].type: The type "spere" is not known. Did you mean "sphere"? Known types: "point", "sphere", "line", "plane", "circle", "cylinder", "box", "virtual_manipulator", "mesh" and "curve".
+11:27: constraints[3].type: The type "spere" is not known. Did you mean "sphere"? Known types: )" +
+          allTypes("and") + R"(.
 12:14: constraints[4].name: The name "x" is taken by constraints[3]; names must differ.
 12:52: constraints[4].position_mm[0]: This is not a finite number; the largest is about 1.8e308.
 14:3: constraints: The key "constraints" appears a second time; the first is on line 7. Remove one of them.
@@ -222,8 +230,7 @@ TEST(ReadScene, AKeyThatIsNoNameIsQuotedAndCutShort) {
 
 TEST(ReadScene, OfAnUnknownTypeTheOtherKeysAreNotJudged) {
   EXPECT_EQ(problemOf(R"({"type": "torus", "radius_mm": 1, "tube_mm": 2})"),
-            "2:10: constraints[0].type: The type \"torus\" is not known. Known types: \"point\", \"sphere\", \"line\", "
-            "\"plane\", \"circle\", \"cylinder\", \"box\", \"virtual_manipulator\", \"mesh\" and \"curve\".\n");
+            "2:10: constraints[0].type: The type \"torus\" is not known. Known types: " + allTypes("and") + ".\n");
 }
 
 TEST(ReadScene, WhatThisVersionDoesNotHaveIsSaidHonestly) {
@@ -322,10 +329,8 @@ TEST(ReadScene, WrongKindsSayWhatIsAllowed) {
             "2:47: constraints[0].position_mm[2]: This must be a number; here it is an object in { }.\n");
   EXPECT_EQ(problemOf(R"({"type": "point", "position_mm": [0, 0, 0], "name": ""})"),
             "2:53: constraints[0].name: The name is empty; write one, or remove the key to get a default name.\n");
-  EXPECT_EQ(
-      problemOf(R"({"type": 3})"),
-      "2:10: constraints[0].type: This must be \"point\", \"sphere\", \"line\", \"plane\", \"circle\", \"cylinder\", "
-      "\"box\", \"virtual_manipulator\", \"mesh\" or \"curve\"; here it is a number.\n");
+  EXPECT_EQ(problemOf(R"({"type": 3})"),
+            "2:10: constraints[0].type: This must be " + allTypes("or") + "; here it is a number.\n");
 }
 
 TEST(ReadScene, MadeUpNamesNeverMeetOthers) {

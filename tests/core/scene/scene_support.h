@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/description.h"
+#include "core/scene/fields.h"
 #include "core/scene/read.h"
 #include "tests/support/property.h"
 
@@ -66,26 +66,11 @@ inline bool same(const Vec3& a, const Vec3& b) {
 inline bool same(const Mat3& a, const Mat3& b) {
   return std::memcmp(a.data(), b.data(), 9 * sizeof(double)) == 0;
 }
-inline bool same(const scene::Point& a, const scene::Point& b) {
-  return same(a.position_mm, b.position_mm);
-}
-inline bool same(const scene::Sphere& a, const scene::Sphere& b) {
-  return same(a.center_mm, b.center_mm) && same(a.radius_mm, b.radius_mm);
-}
-inline bool same(const scene::Line& a, const scene::Line& b) {
-  return same(a.point_mm, b.point_mm) && same(a.direction, b.direction);
-}
-inline bool same(const scene::Plane& a, const scene::Plane& b) {
-  return same(a.point_mm, b.point_mm) && same(a.normal, b.normal);
-}
-inline bool same(const scene::Circle& a, const scene::Circle& b) {
-  return same(a.center_mm, b.center_mm) && same(a.normal, b.normal) && same(a.radius_mm, b.radius_mm);
-}
-inline bool same(const scene::Cylinder& a, const scene::Cylinder& b) {
-  return same(a.point_mm, b.point_mm) && same(a.axis, b.axis) && same(a.radius_mm, b.radius_mm);
-}
-inline bool same(const scene::Box& a, const scene::Box& b) {
-  return same(a.center_mm, b.center_mm) && same(a.size_mm, b.size_mm) && same(a.R_WB, b.R_WB);
+template <scene::PlainShape Shape>
+bool same(const Shape& a, const Shape& b) {
+  bool all = true;
+  eachField(a, [&](const auto& field, const auto& number) { all = all && same(number, b.*field.member); });
+  return all;
 }
 inline bool same(const std::optional<double>& a, const std::optional<double>& b) {
   return a.has_value() == b.has_value() && (!a || same(*a, *b));
@@ -131,5 +116,24 @@ inline bool same(const scene::Description& a, const scene::Description& b) {
   for (std::size_t i = 0; all && i < a.constraints.size(); ++i) all = same(a.constraints[i], b.constraints[i]);
   return all;
 }
+
+/// One of each shape of plain numbers, each number by fill(meaning, number).
+template <class Fill>
+std::vector<scene::Shape> plainShapes(const Fill& fill) {
+  std::vector<scene::Shape> all;
+  scene::eachShape([&]<class Shape>(Shape shape) {
+    eachField(shape, [&](const auto& field, auto& number) { fill(field.meaning, number); });
+    if constexpr (scene::PlainShape<Shape>) all.emplace_back(std::move(shape));
+  });
+  return all;
+}
+/// About the origin, lengths of 60, 50 and 40 mm.
+struct FillSizes {
+  void operator()(scene::Meaning, double& number) const { number = 50.0; }
+  void operator()(scene::Meaning, Mat3&) const {}
+  void operator()(scene::Meaning meaning, Vec3& number) const {
+    if (meaning == scene::Meaning::Length) number = {60.0, 50.0, 40.0};
+  }
+};
 
 }  // namespace underact::test

@@ -85,9 +85,9 @@ TEST(ShapeMake, WhatHasAnInsideCanBeAWall) {
 }
 
 TEST(ShapeMake, ScalingWhatIsScaledAlreadyChangesNothing) {
-  const Shape once = scaled(Shape(Sphere{{0.1, 0, 0}, 0.05}), {1, 2, 3});
+  const Shape once = scaled(Shape(Circle{{0.1, 0, 0}, kUp, 0.05}), {1, 2, 3});
   const Shape twice = scaled(once, {1, 2, 3});
-  EXPECT_EQ(std::get<Ellipsoid>(once).semi_m, std::get<Ellipsoid>(twice).semi_m);
+  EXPECT_EQ(std::get<Ellipse>(once).first_m, std::get<Ellipse>(twice).first_m);
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include "app/gui/view/gl_surface.h"
 #include "core/base/units.h"
+#include "core/scene/compile.h"
+#include "tests/core/scene/scene_support.h"
 #include "tests/gui/example.h"
 
 namespace underact::gui {
@@ -53,6 +55,22 @@ INSTANTIATE_TEST_SUITE_P(
                       Place{"cylinder", scene::Cylinder{Vec3::Zero(), {1, 0, 0}, 20.0}, {33, 20, 0}, {0, 60, 0}},
                       Place{"box", scene::Box{{0, 0, 0}, {60, 40, 30}}, {30, 20, 15}, {60, 40, 15}}),
     [](const auto& place) { return place.param.name; });
+
+TEST(SceneView, EveryShapeIsBlueWhereItsNearestPointIs) {
+  const Vec3 p_WT(0.045, 0.05, 0.055);  // on the side of the eye
+  for (const scene::Shape& shape : underact::test::plainShapes(underact::test::FillSizes{})) {
+    scene::Description scene = sceneOf(shape);
+    scene.title = "One";
+    const tick::TickProgram program = compile(scene).value();
+    Shown shown(scene, Camera::Isometric);
+    Layers layers;
+    layers.workspace = layers.triads = layers.arm = false;
+    shown.view.setLayers(layers);
+    const auto& held = std::get<target::NearestOnShape>(program.entries[0].constraint.goal);
+    const QPointF there = shown.view.screenOf(closestPoint(held.shape, p_WT).p_WP);
+    EXPECT_GT(count(shown.view.picture(), there, 2.0, test::isBlue), 0) << typeName(shape);
+  }
+}
 
 TEST(SceneView, ForceArrowIsOrangeAndALimitMakesItVermillionWithABar) {
   Shown shown(sceneOf(kSphere));
