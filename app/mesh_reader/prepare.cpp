@@ -28,6 +28,10 @@ Prepared damagedAt(int line, const char* pattern) {
 /// One facet of an STL text, from after its word "facet" on; the problem as a pattern for its line, or null.
 const char* addFacet(Scan& words, std::string& to, Shift& shift) {
   const auto is = [&words](const char* word) { return mesh_file::lowered(words.word()) == word; };
+  const auto ends = [&words](const std::string& what) {  // "endloop", or "end loop"
+    const std::string word = mesh_file::lowered(words.word());
+    return (word == "end" ? word + mesh_file::lowered(words.word()) : word) == "end" + what;
+  };
   to += "facet normal ";
   if (!is("normal") || !addPoint(words, to))
     return TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not the normal of a face.");
@@ -40,10 +44,10 @@ const char* addFacet(Scan& words, std::string& to, Shift& shift) {
     if (!is("vertex") || !addPoint(words, to, &shift))
       return TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a vertex of a face (vertex x y z).");
   }
-  if (!is("endloop"))
+  if (!ends("loop"))
     return TRANSLATE_NOOP("problem",
                           "The file is damaged: line %1 does not end the three vertices of a face (endloop).");
-  if (!is("endfacet")) return TRANSLATE_NOOP("problem", "The file is damaged: line %1 does not end a face (endfacet).");
+  if (!ends("facet")) return TRANSLATE_NOOP("problem", "The file is damaged: line %1 does not end a face (endfacet).");
   to += "endloop\nendfacet\n";
   return nullptr;
 }
@@ -139,7 +143,7 @@ Prepared prepareStlText(const std::string& bytes, Shift& shift) {
   for (;;) {
     const std::string word = mesh_file::lowered(words.word());
     if (word.empty()) break;
-    if (word == "solid" || word == "endsolid") {
+    if (word == "solid" || word == "endsolid" || word == "end") {
       words.line();  // a name, which OpenMesh would misread
     } else if (word == "facet") {
       const char* problem = addFacet(words, prepared.bytes, shift);

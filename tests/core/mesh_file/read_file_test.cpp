@@ -92,6 +92,13 @@ TEST(ReadFile, ASolidMayBeCalledAnything) {
   expectSame(readOrFail(folder, "m.stl", content).triangles, test::cube(1.0F), "named");
 }
 
+TEST(ReadFile, TheWordsThatEndMayBeTwo) {  // "end solid", as some programs write
+  const test::ScratchFolder folder;
+  std::string content = test::stlText(test::cube(1.0F));
+  for (std::size_t at = 0; (at = content.find("end", at)) != std::string::npos; at += 4) content.insert(at + 3, " ");
+  expectSame(readOrFail(folder, "m.stl", content).triangles, test::cube(1.0F), "two words");
+}
+
 TEST(ReadFile, WhatIsNotReadIsPassedOver) {
   const test::ScratchFolder folder;
   mesh::Triangles meant;
