@@ -14,7 +14,7 @@ inline constexpr std::string_view kFaultMeaning =
 template <>
 inline constexpr std::pair kEnumerators<FaultKind>{FaultKind::None, static_cast<FaultKind>(kFaultKinds - 1)};
 
-using Tick = servo::TickRecord;
+using Tick = servo::TickRecord;  // a row of /ticks
 
 /// The turn of the stylus in W as a quaternion, w x y z, which the servo computes only where a scene needs it. Not
 /// numbers where the arm gave no sample. geometry: of the arm.

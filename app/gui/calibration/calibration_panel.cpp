@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>

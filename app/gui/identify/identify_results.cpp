@@ -18,6 +18,7 @@
 #include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_box.h"
 #include "app/gui/kit/words.h"
+#include "app/gui/model/arm_in_use.h"
 #include "underact/version.h"
 
 namespace underact::gui {

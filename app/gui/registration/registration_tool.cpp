@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QDate>
+#include <QMainWindow>
 
 #include "app/gui/arms/second_arm.h"
 #include "app/gui/kit/actions.h"
