@@ -29,13 +29,19 @@ Ellipsoid scaled(const Ellipsoid& ellipsoid, const Vec3& scale) {
 }
 
 Nearest closestPoint(const Ellipsoid& ellipsoid, const Vec3& p_WT) noexcept {
-  const Vec3 d_B = ellipsoid.R_WB.transpose() * (p_WT - ellipsoid.p_WC);
+  const Mat3& R_WB = ellipsoid.R_WB;
+  // As a sphere in the metric of gains is; whichever way its axes point, it is its own mirror image.
+  const bool is_along_W = R_WB(0, 1) == 0.0 && R_WB(0, 2) == 0.0 && R_WB(1, 2) == 0.0;
+  Vec3 d_B = p_WT - ellipsoid.p_WC;
+  if (!is_along_W) d_B = R_WB.transpose() * d_B;
   const OnQuadric<3> on = nearestOnQuadric<3>({ellipsoid.semi_m.x(), ellipsoid.semi_m.y(), ellipsoid.semi_m.z()},
                                               {d_B.x(), d_B.y(), d_B.z()});
   const double sign = on.inside ? -1.0 : 1.0;
   if (on.status == Status::NotUnique) return {p_WT, Status::NotUnique, sign * on.apart};
-  const Vec3 q_B(on.x[0], on.x[1], on.x[2]);
-  return {ellipsoid.p_WC + ellipsoid.R_WB * q_B, Status::Unique, sign * (d_B - q_B).norm()};
+  Vec3 q(on.x[0], on.x[1], on.x[2]);
+  const double height_m = sign * (d_B - q).norm();
+  if (!is_along_W) q = R_WB * q;
+  return {ellipsoid.p_WC + q, Status::Unique, height_m};
 }
 
 }  // namespace underact::shape
