@@ -218,7 +218,7 @@ TEST(GhostStory, AScreenReaderGetsTheResultOnceAndEachPartHasANameAndAPage) {
   EXPECT_EQ(story.find("ghost.told")->accessibleDescription(), story.text("ghost.told"));
   for (const QWidget* part : story.find("ghost")->findChildren<QWidget*>(QRegularExpression("^ghost\\.")))
     EXPECT_FALSE(part->accessibleName().isEmpty()) << part->objectName().toStdString();
-  EXPECT_EQ(helpPageOf(story.find("ghost.speed"), helpPages(features())), "following");
+  EXPECT_EQ(helpPageOf(story.find("ghost.speed"), helpPages(features())), "classes#following-a-recorded-hand");
 }
 
 TEST(GhostStory, NothingOfItIsCutInASmallWindowAndInGerman) {

@@ -252,8 +252,8 @@ class Arm(_core.Arm):
         return self._text(given.text(form, "form"))
 
     def plot(self, q: ArrayLike, axes: Any = None, **line: Any) -> Any:
-        """Draws the arm at q, (n,) or (m, n), its links as a line, its joints and its tip as dots, and
-        gives what it drew into.
+        """Draws the arm at q, (n,) or (m, n), its links as a line, its joints and its tip as dots,
+        and gives what it drew into.
 
         axes: 3D axes of matplotlib, a plotter of PyVista or "pyvista"; None: a new figure of
         matplotlib. line: how the links look: color, linewidth and so on.

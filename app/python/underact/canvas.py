@@ -53,6 +53,7 @@ def canvas(into: Any = None) -> Canvas:
 
 
 def draw_shape(to: Canvas, constraint: dict[str, Any], reach_mm: NDArray[np.float64]) -> None:
+    """The outlines of a constraint of a scene, as far as the corners of reach_mm, (8, 3)."""
     for outline in shapes.outlines(constraint, reach_mm):
         to.line(outline, SHAPE, 0.8)
 
