@@ -1,4 +1,7 @@
-"""The files of the package import one another in one direction, those for types and those of a call included."""
+"""The files of the package import one another in one direction.
+
+Imports for types and those within a call count, too.
+"""
 
 import ast
 import graphlib
@@ -16,7 +19,9 @@ class Imports(unittest.TestCase):
             for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
                 if isinstance(node, ast.ImportFrom) and node.level:
                     names = [node.module] if node.module else [alias.name for alias in node.names]
-                    parts = [path.parents[node.level - 1] / name.replace(".", "/") for name in names]
+                    parts = [
+                        path.parents[node.level - 1] / name.replace(".", "/") for name in names
+                    ]
                     imports.setdefault(path.with_suffix(""), []).extend(parts)
         self.assertIn(PACKAGE / "canvas", imports[PACKAGE / "pictures"])
         graphlib.TopologicalSorter(imports).prepare()  # raises CycleError with the circle
