@@ -63,7 +63,7 @@ struct LoadWatch {
 /// joints are those of the row before. Cost: 80 bytes per tick. Problems: as record::Session::open(); no ticks in it;
 /// it was cancelled.
 Result<std::shared_ptr<const Recorded>> loadRecorded(const std::string& path, const LoadWatch& watch = {});
-/// The same for an open session.
+/// Loads an open session.
 Result<std::shared_ptr<const Recorded>> loadRecorded(record::Session& session, const LoadWatch& watch);
 
 }  // namespace underact::device

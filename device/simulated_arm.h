@@ -40,12 +40,12 @@ class SimulatedArm final : public servo::DevicePort {
   /// Whether the stylus button nearer to the tip (bit 0 of a sample's buttons) is held, from the next read() on. Any
   /// thread.
   void holdButton(bool held) { button_.store(held, std::memory_order_relaxed); }
-  /// The same for all buttons, from a controller, in addition to holdButton(): bits of a sample's buttons. Any thread.
+  /// Holds all buttons, from a controller, in addition to holdButton(): bits of a sample's buttons. Any thread.
   void holdButtons(unsigned bits) { buttons_.store(bits, std::memory_order_relaxed); }
 
   /// The model of the arm from the next read() on. Any one thread, never blocks the servo.
   void become(const sim::ArmModel& model);
-  /// The same of its lengths, limits and encoders: those of the arm that the scene is for. The samples begin a new
+  /// Takes on lengths, limits and encoders: those of the arm that the scene is for. The samples begin a new
   /// epoch; where either arm is not of the Omni's form, at rest, with the hand there. The thread that calls become().
   void become(const arm::Preset& arm);
   /// From the next read() on the arm stands at rest with these joints (rad or m, brought within their limits), and the

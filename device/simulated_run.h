@@ -27,15 +27,15 @@ struct SimulatedRun {
 /// As a member of a session's provenance: {"run": {...}}; every number reads back to the same double.
 json::ObjectText provenanceOf(const SimulatedRun& run);
 
-/// The same of a run by a person's hand: {"run": {"made_by": ..., "arm_model": ...}}. model: of the simulated arm;
-/// null: a real one.
+/// The provenance of a run by a person's hand: {"run": {"made_by": ..., "arm_model": ...}}. model: of the simulated
+/// arm; null: a real one.
 json::ObjectText provenanceOfPerson(const sim::ArmModel* model);
 
-/// The same of a run whose hand was a function in Python: it is made again from its recorded input, too.
+/// The provenance of a run whose hand was a function in Python: it is made again from its recorded input, too.
 json::ObjectText provenanceOfPython(const sim::ArmModel& model);
 
-/// The same of a run that other programs steered: {"run": {"made_by": ..., "held_by": ..., "arm_model": ...}}. It is
-/// made again from its recorded input, not from the hand. run: of the simulated arm; null: a real one.
+/// The provenance of a run that other programs steered: {"run": {"made_by": ..., "held_by": ..., "arm_model": ...}}. It
+/// is made again from its recorded input, not from the hand. run: of the simulated arm; null: a real one.
 json::ObjectText provenanceOfService(const SimulatedRun* run);
 
 /// Whether a provenance has a run of the simulated arm that can be made again.

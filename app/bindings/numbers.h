@@ -33,7 +33,7 @@ Rows readRows(const py::handle& given, const char* name, std::initializer_list<p
 /// An empty array of doubles of the shape lead + row.
 py::array_t<double> emptyRows(const std::vector<py::ssize_t>& lead, std::initializer_list<py::ssize_t> row);
 
-/// The same of other numbers.
+/// A list of other numbers.
 template <class T>
 py::array_t<T> emptyOf(const std::vector<py::ssize_t>& lead, std::initializer_list<py::ssize_t> row) {
   std::vector<py::ssize_t> shape = lead;

@@ -53,7 +53,7 @@ void checkFree(const Simulation& simulation) {
   if (simulation.is_busy) throw py::value_error("Another thread runs this simulation: a simulation is one thread's.");
 }
 
-/// The same call, refused while another thread runs the simulation.
+/// A call, refused while another thread runs the simulation.
 template <class Answer, class Self, class... Given>
 auto alone(Answer (*call)(Self&, Given...)) {
   return [call](Self& simulation, Given... given) -> Answer {

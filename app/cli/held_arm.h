@@ -38,7 +38,7 @@ struct HeldArm {
   system::Existing existing() const { return overwrite ? system::Existing::Replace : system::Existing::Refuse; }
 };
 
-/// The same, read.
+/// The options, read.
 struct Prepared {
   LoadedScene scene;
   device::SimulatedRun run;  // of the simulated arm

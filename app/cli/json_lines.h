@@ -25,7 +25,7 @@ Result<json::Value> readLine(std::string_view text, std::initializer_list<std::s
 /// values are rad and m.
 Result<chain::JointValues> readJoints(const json::Value& line, const char* key, const chain::Chain& chain);
 
-/// The same numbers back as a line has them.
+/// The numbers back as a line has them.
 std::vector<double> jointNumbers(const chain::Chain& chain, const chain::JointValues& q);
 
 /// Four rows of four; a rotation to 1e-3 (brought to the nearest one, which note says where six decimals leave less),

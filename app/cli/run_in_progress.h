@@ -42,7 +42,7 @@ class Run {
 
 /// Until the run is done or interrupted.
 void runFast(servo::Host& host, Run& run, const system::Interrupt& interrupt);
-/// The same at the speed of the servo's own thread, which runs.
+/// Runs it at the speed of the servo's own thread, which runs.
 void runInRealTime(servo::Host& host, Run& run, const system::Interrupt& interrupt, const Streams& streams);
 
 /// Adds every fault to the summary, and writes the first to a file if requested.

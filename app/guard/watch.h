@@ -21,7 +21,7 @@ std::optional<Duty> readDuty(int argc, const char* const* argv);
 /// Watches until the program ends: 0 where that was orderly, 1 where the arm had to be told, 2 where it could not be
 /// watched. See core/servo/guard_line.h for what it is given, and where.
 int watch(const Duty& duty);
-/// The same over what is given here: memory that both see, the end of a pipe, the arm.
+/// Watches over what is given here: memory that both see, the end of a pipe, the arm.
 int watch(const Duty& duty, servo::GuardLine& line, int life_fd, int device_fd);
 
 }  // namespace underact::guard

@@ -9,7 +9,7 @@ namespace underact::guide {
 /// The text with the characters that Markdown interprets escaped.
 std::string plainText(const std::string& text);
 
-/// The same, for a cell of a table.
+/// The text for a cell of a table.
 std::string cellText(const std::string& text);
 
 /// As code; in a cell, too.

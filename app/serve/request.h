@@ -75,7 +75,7 @@ class Keys {
 /// stays.
 std::string pointerOf(const std::string& key);
 
-/// The same problems with pointers below `root`: "/scene".
+/// The problems with pointers below `root`: "/scene".
 Problems below(const std::string& root, const Problems& problems);
 
 /// {"id": ..., "ok": true} to add results to.

@@ -19,7 +19,7 @@ bool flagAt(json::ObjectReader& object, const char* key, bool otherwise);
 /// Four rows of four, the last 0, 0, 0, 1, lengths mm; X as it was where the key is absent. notes: gets that of a
 /// rotation of few decimals.
 void readPose(json::ObjectReader& object, const char* key, bool required, Pose& X, Problems* notes = nullptr);
-/// The same as text.
+/// A pose as text.
 std::string poseText(const Pose& X);
 
 }  // namespace underact::arm

@@ -32,7 +32,7 @@ inline constexpr double kSwitch_rad = 1.0;
 Followed follow(const Geometry& geometry, const JointLimits& limits, const FollowerState& state,
                 const Pose& X_WT) noexcept UNDERACT_REAL_TIME;
 
-/// The same for joints 1 to 3 and a position, with the branches of shoulder and elbow. Joints 4 to 6 stay. Out of
+/// Follows by joints 1 to 3 to a position, with the branches of shoulder and elbow. Joints 4 to 6 stay. Out of
 /// reach: as near as the arm gets, reachable false.
 Followed followPosition(const Geometry& geometry, const FollowerState& state,
                         const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;

@@ -47,8 +47,8 @@ Mat3 watchedColumns(const Watched& watched, const chain::Jacobian& J) noexcept U
 /// ulp. Source: statics, tau = J^T f with tau = 0 at the undriven joints.
 Mat3 renderable(const GeneralArm& arm, const chain::Jacobian& J) noexcept UNDERACT_REAL_TIME;
 
-/// The same of a force and a moment together, scaled as (kMomentArm_m f, m), of an arm all of whose joints are driven:
-/// in a direction in which no joint moves the tip, no motor pushes or turns.
+/// The part of a force and a moment together that the motors can render, scaled as (kMomentArm_m f, m), of an arm all
+/// of whose joints are driven: in a direction in which no joint moves the tip, no motor pushes or turns.
 Mat6 renderableWrench(const chain::Jacobian& J, double moment_arm_m) noexcept UNDERACT_REAL_TIME;
 
 /// Whether its motors render a moment about the tip beside a force: all its joints are driven, and at its rest they

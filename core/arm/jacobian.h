@@ -42,8 +42,8 @@ struct Dexterity {
 /// In closed form: column 1 is at right angles to the other two, which lie in the plane of the arm. Not of an arm of
 /// another form.
 Dexterity dexterity(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
-/// The same of an arm of any form: of another one for its driven joints, as many as they are; J has the columns of the
-/// watched ones, and det_m3 a sign only where there are three joints. Not for the servo thread.
+/// The ellipsoid of an arm of any form: of another one for its driven joints, as many as they are; J has the columns of
+/// the watched ones, and det_m3 a sign only where there are three joints. Not for the servo thread.
 Dexterity dexterityOf(const Geometry& geometry, const JointAngles& q_rad);
 
 /// The distance from each singularity; 0 is on it.

@@ -65,7 +65,7 @@ Result<Model> readArm(std::string_view text, const std::string& file_name);
 /// an arm in JSON.
 Result<Model> readArmText(std::string_view text, const std::string& file_name, const UrdfEnds& ends = {});
 
-/// The same of a file, whose folder the model keeps. Problems, too: it cannot be read.
+/// Reads an arm's file, whose folder the model keeps. Problems, too: it cannot be read.
 Result<Model> readArmFile(const std::string& path, const UrdfEnds& ends = {});
 
 /// The models that ship with the program, read once.

@@ -21,11 +21,11 @@ PlanarReach planarReach(const Geometry& geometry, const Vec3& p_WT) noexcept UND
 /// elbow: the sign of cos q3.
 SinCos scaledThigh(const Geometry& geometry, const PlanarReach& reach, double elbow) noexcept UNDERACT_REAL_TIME;
 
-/// The same with length 1, and those of q2 + q3. Where the wrist centre is the shoulder itself, q2 = 0.
+/// The directions with length 1, and those of q2 + q3. Where the wrist centre is the shoulder itself, q2 = 0.
 struct Thigh {
   SinCos thigh, shin;
 };
-/// The same arguments as scaledThigh(). Source: eq. 3.14 and 3.16 (erratum 3.14).
+/// Arguments as of scaledThigh(). Source: eq. 3.14 and 3.16 (erratum 3.14).
 Thigh thighOf(const Geometry& geometry, const PlanarReach& reach, double elbow) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::arm

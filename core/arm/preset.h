@@ -23,7 +23,7 @@ struct Geometry {
   /// An arm of another form; then the lengths are 0. It outlives every copy, so that a tick may copy and drop one
   /// without freeing anything as long as somebody else has another: programs and presets do.
   std::shared_ptr<const GeneralArm> general = nullptr;
-  /// The same lengths, or the same other arm, from the same file or another.
+  /// Whether it has the same lengths, or is the same other arm, from the same file or another.
   bool operator==(const Geometry& other) const noexcept UNDERACT_REAL_TIME {
     const bool are_same =
         general == other.general || (general != nullptr && other.general != nullptr && *general == *other.general);

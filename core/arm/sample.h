@@ -19,7 +19,7 @@ using JointAngles = std::array<double, kMostJoints>;
 constexpr std::span<const double, 6> firstSix(const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
   return std::span(q_rad).first<6>();
 }
-/// The same, to be written.
+/// Those of an arm of the Omni's kind, to be written.
 constexpr std::span<double, 6> firstSix(JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
   return std::span(q_rad).first<6>();
 }

@@ -12,7 +12,7 @@ namespace underact::arm {
 
 /// The list "solids" of an arm file, if it has one. The model has its joints already.
 void readSolids(json::ObjectReader& object, Model& model);
-/// The same as a member of a file, with its comma before it; empty where there are none.
+/// The solids as a member of a file, with its comma before it; empty where there are none.
 std::string solidsText(const Model& model);
 
 }  // namespace underact::arm

@@ -32,9 +32,9 @@ class LinkFamily {
   /// The link of a name given by whoever asks. Without a name the root, or where that is moved as no arm is (a floating
   /// base) the link that it leads to. kNone and a problem: there is none, or there are several.
   std::size_t base(const std::string& name);
-  /// The same of the tip. Without a name: links that no joint moves are none. Where several joints go on from a body,
-  /// the way with the most goes on. After three joints it ends there, as before the fingers of a gripper, unless one
-  /// way alone has three more, as beside a rod that drives the elbow. Of several links of the last body: one with a
+  /// Finds the tip likewise. Without a name: links that no joint moves are none. Where several joints go on from a
+  /// body, the way with the most goes on. After three joints it ends there, as before the fingers of a gripper, unless
+  /// one way alone has three more, as beside a rod that drives the elbow. Of several links of the last body: one with a
   /// usual name (tool0, tcp, ...), else what bears the fingers, else the furthest. A choice is noted.
   std::size_t tip(const std::string& name, std::size_t base);
 

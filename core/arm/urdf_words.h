@@ -31,7 +31,7 @@ class UrdfWords {
   void say(const XMLElement& at, const std::string& key, Sentence sentence);
   /// A word that is nearly a known one is a typing error; another one belongs to another program.
   void checkWord(const XMLElement& element, const std::vector<std::string>& known);
-  /// The same of attributes.
+  /// Checks attributes in the same way.
   void checkAttributes(const XMLElement& element, const std::vector<std::string>& known);
   /// Of an element that moves a link no word is skipped: it would move it otherwise, and nobody would know.
   void checkAll(const XMLElement& element, const std::vector<std::string>& known);

@@ -35,7 +35,7 @@ inline double angleAround(const Vec3& axis_W, const Vec3& v_W) noexcept UNDERACT
   return atan2Of(v_W.dot(axis_W.cross(u_W)), v_W.dot(u_W));
 }
 
-/// The same angle in [-pi, pi], rad; one in that range keeps its bits.
+/// An equal angle in [-pi, pi], rad; one in that range keeps its bits.
 inline double wrapped(double angle_rad) noexcept UNDERACT_REAL_TIME {
   return std::abs(angle_rad) <= kPi ? angle_rad : angle_rad - 2.0 * kPi * std::floor(angle_rad / (2.0 * kPi) + 0.5);
 }

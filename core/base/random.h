@@ -14,7 +14,7 @@ inline std::uint64_t nextBits(std::uint64_t& state) noexcept UNDERACT_REAL_TIME 
   return z ^ (z >> 31U);
 }
 
-/// The same as a number in [0, 1).
+/// The next number, in [0, 1).
 inline double nextShare(std::uint64_t& state) noexcept UNDERACT_REAL_TIME {
   return static_cast<double>(nextBits(state) >> 11U) * 0x1p-53;
 }

@@ -203,7 +203,7 @@ void solveThreeSlides(const PositionTask& task, PositionAnswers& answers) noexce
   add(answers, q.x(), q.y(), q.z());
 }
 
-/// The same task read from the tip: e3^-1 e2^-1 e1^-1 wanted = home.
+/// The task read from the tip: e3^-1 e2^-1 e1^-1 wanted = home.
 PositionTask reversedTask(const PositionTask& task) noexcept {
   return {{task.joints[2], task.joints[1], task.joints[0]}, task.p_wanted, task.p_home, task.scale_m};
 }

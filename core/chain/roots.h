@@ -10,7 +10,7 @@ namespace underact::chain {
 
 /// c[0] + c[1] t + c[2] t^2.
 using Quadratic = std::array<double, 3>;
-/// The same up to t^4.
+/// Coefficients up to t^4.
 using Quartic = std::array<double, 5>;
 
 /// factor a b, coefficient by coefficient.

@@ -18,7 +18,7 @@ inline bool turns(const chain::Joint& joint) noexcept {
 /// The joint values, rad and m, of as many numbers as the chain has joints, rad and mm.
 chain::JointValues jointsOf(const chain::Chain& chain, std::span<const double> q) noexcept;
 
-/// The same numbers back, to out, which has room for as many as the chain has joints.
+/// Joint values back to the numbers of a file, to out, which has room for as many as the chain has joints.
 void writeJoints(const chain::Chain& chain, const chain::JointValues& q, std::span<double> out) noexcept;
 
 /// The pose of a matrix in mm, brought to the nearest rotation where its decimals leave it beside one. X: entries of at

@@ -11,7 +11,7 @@ struct SampledResponse {
   std::vector<double> value;
 };
 
-/// The same metrics as of a transfer function, from samples, interpolated linearly. The final value is the mean of the
+/// The metrics of a transfer function, from samples, interpolated linearly. The final value is the mean of the
 /// last fifth; where that fifth leaves the band of 2 % about it, nothing settles, as with an undamped response. Values
 /// are relative to the first one. No motion, or fewer than ten samples: only a final value, or none.
 StepMetrics metricsOf(const SampledResponse& curve);

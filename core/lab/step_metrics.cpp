@@ -58,7 +58,7 @@ class Search {
     for (const Mode& mode : modes_) sum += mode.share * std::exp(-mode.decay_per_s * t_s);
     return sum;
   }
-  /// The same for all times: that of the undamped modes.
+  /// The bound for all times: that of the undamped modes.
   double mostForEver() const {
     double sum = 0.0;
     for (const Mode& mode : modes_) sum += mode.decay_per_s > 0.0 ? 0.0 : mode.share;

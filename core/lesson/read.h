@@ -11,7 +11,7 @@ namespace underact::lesson {
 /// nearest known key suggested. file_name: for the places. The scenes themselves are not read, see checkScenes().
 Result<Lesson> readLesson(std::string_view text, const std::string& file_name);
 
-/// The same from a file; one that cannot be read is a problem with line 0.
+/// Reads a lesson from a file; one that cannot be read is a problem with line 0.
 Result<Lesson> readLessonFile(const std::string& path);
 
 /// Whether the text of a JSON file is meant as a lesson, valid or not.

@@ -13,7 +13,7 @@ bool isBehind(const Surface& surface, FreeSide free, const Hit& hit, const Vec3&
   return free == FreeSide::Outside ? height < 0.0 : height > 0.0;
 }
 
-/// The same by a ray in place of the nearest face.
+/// isBehind() by a ray in place of the nearest face.
 bool isBehindByRay(const Surface& surface, FreeSide free, const Vec3& q_M) noexcept UNDERACT_REAL_TIME {
   return isInside(surface, q_M) == (free == FreeSide::Outside);
 }

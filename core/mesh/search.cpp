@@ -16,7 +16,7 @@ namespace {
 /// The greatest number of steps of a walk. A hand moves some tenths of a millimetre in a tick: one or two faces of a
 /// fine mesh.
 constexpr int kMostSteps = 256;
-/// The same for a walk that the tree follows anyway: a farther point is found faster from the root.
+/// Steps of a walk that the tree follows anyway: a farther point is found faster from the root.
 constexpr int kHybridSteps = 12;
 /// A point further away than this many times the size of the surface is moved nearer, so that floats hold the squares.
 constexpr double kFar = 1e6;

@@ -29,7 +29,7 @@ struct Surface {
 Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const TaskMonitor& monitor = {},
                                                    const Vec3& origin_M = Vec3::Zero());
 
-/// The same surface, with one flag changed.
+/// A copy of the surface with one flag changed.
 std::shared_ptr<const Surface> withoutInside(const Surface& surface);  // not is_closed
 std::shared_ptr<const Surface> asUnited(const Surface& surface);       // is_united
 

@@ -7,7 +7,7 @@ namespace underact::record {
 /// The Python package reads it from underact/columns.json.
 std::string columnsJson();
 
-/// The same as a page of the guide.
+/// The columns as a page of the guide.
 std::string columnsPage();
 
 }  // namespace underact::record

@@ -17,7 +17,7 @@ struct FaultWords {
 };
 /// The sentences of whatHappened() and whatToDo(), and the word of name().
 FaultWords wordsOf(const Fault& fault);
-/// The same, followed by what the device reports, see DevicePort::trouble().
+/// The words of a fault, followed by what the device reports, see DevicePort::trouble().
 FaultWords wordsOf(const servo::FaultReport& report);
 
 /// A time as ISO 8601 in UTC: "2026-11-21T19:56:47Z". unix_time_s: from year 1 to 9999.

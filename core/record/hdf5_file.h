@@ -30,7 +30,7 @@ class Hdf5File {
   /// For reading, even while another program writes it or after that program was killed. tables: those that must exist
   /// with exactly these columns; their block_rows are read from the file. Problems: no such file, not HDF5, damaged.
   static Result<Hdf5File> open(const std::string& path, std::span<const Table> tables);
-  /// The same for a file that is open at a descriptor, which outlives this object; no other file is opened, whatever
+  /// Opens a file that is open at a descriptor, which outlives this object; no other file is opened, whatever
   /// the file refers to. at_least: see accessThrough().
   static Result<Hdf5File> openAt(int fd, std::span<const Table> tables, std::int64_t at_least = 0);
   /// For appending, by one process alone. killed: remove the mark left by a killed writer. fd: unless below 0, the file

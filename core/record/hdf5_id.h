@@ -25,7 +25,7 @@ class Id {
   Id(Handle id, Close closer) : id_(id), close_(closer) {}
   /// Takes the identifier over; the other is left with none.
   Id(Id&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-  /// The same; the other gets this one's to close.
+  /// Moves it; the other gets this one's to close.
   Id& operator=(Id&& other) noexcept {
     std::swap(id_, other.id_);
     std::swap(close_, other.close_);

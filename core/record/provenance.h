@@ -15,7 +15,7 @@ namespace underact::record {
 /// machine, the arm, the servo, and what the servo does not know. run: those members ("run": {...}). To be called by
 /// the thread that calls the host.
 json::ObjectText provenanceOf(const servo::Host& host, const json::ObjectText& run);
-/// The same of one session. continues: that of which it is the next part; empty: of none.
+/// The provenance of one session. continues: that of which it is the next part; empty: of none.
 json::ObjectText provenanceOf(const std::string& session_id, const std::string& continues,
                               const json::ObjectText& common);
 

@@ -49,7 +49,7 @@ class Session {
   /// Problems: no such file; not a session; another version of the layout; damaged at its beginning; as
   /// UntrustedFile::open().
   static Result<Session> open(const std::string& path);
-  /// The same for an open file. at_least: see accessThrough().
+  /// Opens a session of an open file. at_least: see accessThrough().
   static Result<Session> open(std::shared_ptr<const UntrustedInput> input, std::int64_t at_least = 0);
 
   // As they were read by open() or the last refresh(); valid until the next one.
@@ -68,7 +68,7 @@ class Session {
   Result<std::string> sceneText(const ChangeRow& change);
   /// A row of provenance(), as it stands in the file: it may not be JSON. Problems: the text is damaged.
   Result<std::string> provenanceText(const ProvenanceRow& row);
-  /// The same, read; Problems, too: it is not JSON.
+  /// A row of provenance(), read. Problems, too: it is not JSON.
   Result<json::Value> provenanceOf(const ProvenanceRow& row);
   /// The scene, read; an empty scene where the servo had none. Problems, too: those of readScene().
   Result<scene::Description> scene(const ChangeRow& change);

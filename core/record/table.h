@@ -26,7 +26,7 @@ struct Column {
 
 /// The names of a column's numbers where each has a column of its own (Parquet, DataFrame).
 std::vector<std::string> partsOf(const Column& column);
-/// The same in CSV, live data and fault files; none: they do not have it.
+/// The column's names in CSV, live data and fault files; none: they do not have it.
 std::vector<std::string_view> csvNamesOf(const Column& column);
 /// The word for the type of its numbers: "uint8", "uint32", "int64", "float64".
 std::string_view typeWord(const Column& column);

@@ -21,7 +21,7 @@ struct Registration {
 /// keys: the guide, "Register the arm". The fit is computed from the reference points; X_DW may be left out, and is a
 /// problem where it disagrees. Problems: all at once, with places.
 Result<Registration> readRegistration(std::string_view text, const std::string& file_name);
-/// The same of a file. Problems, too: it cannot be read, or is too large.
+/// Reads a file of that form. Problems, too: it cannot be read, or is too large.
 Result<Registration> readRegistrationFile(const std::string& path);
 
 /// The text of the file; readRegistration() reads the same back, number by number.

@@ -12,7 +12,7 @@ std::vector<Vec3> sheetPoints(std::size_t count = 3);
 
 /// A position on the desk as measured from the first reference point: to the right, away from the person, up.
 Vec3 onDesk(double right_m, double away_m, double up_m);
-// The same three numbers of a position on the desk, in the unit of p_D.
+// The three numbers of a position on the desk, in the unit of p_D.
 double rightOf(const Vec3& p_D);
 double awayOf(const Vec3& p_D);
 double upOf(const Vec3& p_D);

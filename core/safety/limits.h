@@ -58,7 +58,7 @@ struct Cuts {
   double moment_N_m = 0.0;  // what all of them took off the moment; no bit, and not in the sum
 };
 
-/// The same as bits, for a row of a recording.
+/// The limits that act as bits, for a row of a recording.
 enum CutBit : unsigned {
   kClampBit = 1,
   kSpeedBit = 2,

@@ -17,7 +17,7 @@ std::string pathOf(const std::string& file, const Description& scene);
 /// with its constraint's place: those of mesh_file::loadMesh(); contents that do not match the checksum.
 Problems loadMeshes(Description& scene, const TaskMonitor& monitor = {});
 
-/// The same for a recorded scene, which names its meshes and curves without their folders: they are looked for beside
+/// Loads those of a recorded scene, which names its meshes and curves without their folders: they are looked for beside
 /// the session, then in each of the folders, by their whole name and by its last part. The first file that can be read
 /// and matches the checksum is taken, and its path replaces the name. Problems: as loadMeshes(); a file that is in none
 /// of the folders, with the way out.

@@ -14,7 +14,7 @@ arm::MirrorPlane mirrorPlaneOf(const Description& scene);
 /// its scale becomes negative. Twice is the scene itself, to the last bit, where the plane goes through the origin;
 /// elsewhere within an ulp of twice its distance from there.
 Description mirrored(Description scene);
-/// The same across any plane: of a scene whose arm has another one, and of a constraint alone.
+/// Mirrors across any plane: of a scene whose arm has another one, and of a constraint alone.
 Description mirrored(Description scene, const arm::MirrorPlane& plane);
 Constraint mirrored(Constraint constraint, const arm::MirrorPlane& plane);
 

@@ -13,7 +13,7 @@ namespace underact::scene {
 /// file is read, too (readSceneArm()).
 Result<Description> readScene(std::string_view text, const std::string& file_name, NamedFiles files = NamedFiles::Open);
 
-/// The same from a file of at most 16 MiB; a file that cannot be read is a problem with line 0.
+/// Reads a scene from a file of at most 16 MiB; a file that cannot be read is a problem with line 0.
 Result<Description> readSceneFile(const std::string& path);
 
 /// Problems between keys (a zero gain beside others with the weighted metric, say). readScene() has called it; an

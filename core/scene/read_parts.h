@@ -22,7 +22,7 @@ inline const std::vector<std::string> kLaterKeys{"damping"};
 /// The problem with "velocity" in the wrong object.
 Sentence belongsToControl();
 
-/// The same for "friction" and "search".
+/// For "friction" and "search".
 Sentence belongsToConstraint();
 
 /// Reads a constraint; its name stays empty where the file gives none.

@@ -19,7 +19,7 @@ Sentence jointProblem(const Joint& joint, double value);
 
 /// The sentence for a number of constraints that is not allowed.
 Sentence constraintCountProblem(std::size_t count);
-/// The same of joints of a virtual robot.
+/// The sentence for a number of joints that a virtual robot cannot have.
 Sentence jointCountProblem(std::size_t count);
 
 /// The sentence for a number that is not finite.

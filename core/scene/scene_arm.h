@@ -35,9 +35,9 @@ Problems readSceneArm(Description& scene, NamedFiles files = NamedFiles::Open);
 
 /// The arm of a scene; null where its name is not known, or its file was not read.
 const arm::Preset* findArm(const Description& scene);
-/// The same; the default arm where there is none. It lives as long as the scene and its copies.
+/// The arm of the scene; the default one where it names none. It lives as long as the scene and its copies.
 const arm::Preset& armOf(const Description& scene);
-/// The same arm as in its file, with masses and the names of its joints.
+/// The arm as in its file, with masses and the names of its joints.
 const arm::Model& modelOf(const Description& scene);
 
 /// Whether the arm's motors render the moment that virtual robots with an orientation ask for; none: none does.

@@ -20,7 +20,7 @@ template <class Its, class Type>
 struct MemberOf<Type Its::*> {
   using Object = Its;  // the class
 };
-/// The same from the pointer itself.
+/// Makes it from the member pointer itself.
 template <auto kMember>
 using ObjectOf = typename MemberOf<decltype(kMember)>::Object;
 

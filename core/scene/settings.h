@@ -66,7 +66,7 @@ Result<SettingValue> defaultAt(const Description& scene, const std::string& path
 /// whether it is compatible with the others, check() says.
 Result<Description> withValue(const Description& scene, const std::string& path, const SettingValue& value);
 
-/// The same from a text: as in a file, words without quotes, "none" for none. A star stands for each constraint, or
+/// Sets it from a text: as in a file, words without quotes, "none" for none. A star stands for each constraint, or
 /// joint, that has the setting, and a key alone for its path with stars; a problem where none has it.
 Result<Description> withText(const Description& scene, const std::string& path, const std::string& text);
 

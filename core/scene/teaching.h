@@ -25,7 +25,7 @@ struct Teaching {
 
 /// "teach" of the text of a scene; none where it is missing or cannot be read (readScene() says why).
 std::optional<Teaching> teachingIn(std::string_view text);
-/// The same of a file.
+/// Reads the texts of a scene file.
 std::optional<Teaching> teachingOf(const std::string& path);
 
 }  // namespace underact::scene

@@ -22,7 +22,7 @@ class SleepWatch {
     return poll(clocks, aheadNow_ns(clocks));
   }
 
-  /// The same where both were read already, in that order: how far the one with sleep was ahead.
+  /// poll() where both were read already, in that order: how far the one with sleep was ahead.
   std::int64_t poll(const system::Clocks& clocks, std::int64_t ahead_ns) noexcept UNDERACT_REAL_TIME {
     if (!knows_) {
       knows_ = true;

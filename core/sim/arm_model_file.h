@@ -38,7 +38,7 @@ struct ArmModelFile {
 /// {"underact_arm_model": 1, "name", "title", "provenance": {...}, "mass_kg", "friction_N", ...}; keys: the guide,
 /// "Measure the arm". Problems: all at once, with places.
 Result<ArmModelFile> readArmModel(std::string_view text, const std::string& file_name);
-/// The same of a file. Problems, too: it cannot be read.
+/// Reads a model's file. Problems, too: it cannot be read.
 Result<ArmModelFile> readArmModelFile(const std::string& path);
 
 /// The text of the file; readArmModel() reads the same back, number by number.

@@ -52,7 +52,7 @@ HandScript madeFor(const arm::Preset& arm, HandScript script);
 /// {"underact_hand": 1, "hand": {...}, "path": [{"t_s", "p_mm", "R_WT"}, ...]}. A point without R_WT keeps the
 /// orientation of the one before it (before the first that has one: that one's). Problems: all at once, with places.
 Result<HandScript> readHand(std::string_view text, const std::string& file_name);
-/// The same of a file. Problems, too: it cannot be read.
+/// Reads a hand file. Problems, too: it cannot be read.
 Result<HandScript> readHandFile(const std::string& path);
 
 }  // namespace underact::sim

@@ -66,7 +66,7 @@ TrialResult tryWall(const SampledWall& wall, double stiffness_N_per_m, double pu
 /// below 0.01; kMostStiffness_N_per_m: all.
 double simulatedLimit(const SampledWall& wall, double share = 2e-3);
 
-/// The same search for any trial at a stiffness that does not grow at the least one.
+/// The search for any trial at a stiffness that does not grow at the least one.
 template <class IsCalm>
 double limitBySearch(const IsCalm& is_calm, double least, double most, double share) {
   double calm = least, wild = 2.0 * least;

@@ -27,7 +27,7 @@ int waitForAny(std::span<const int> descriptors, int time_ms);
 /// Whether there is something to read, or the other end has closed, within time_ms; below 0: as long as it takes.
 /// false, too, where a signal ended the wait.
 bool waitToRead(int descriptor, int time_ms);
-/// The same for something that can be written.
+/// Waits until something can be written.
 bool waitToWrite(int descriptor, int time_ms);
 
 /// Reads the bytes that are available; gives their number. 0: the end; below 0: failed, with EAGAIN where there are

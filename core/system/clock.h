@@ -11,7 +11,7 @@ inline constexpr std::int64_t kSecond_ns = 1'000'000'000;
 /// loop around a tick, never in it. Any thread.
 std::int64_t monotonicNow_ns() noexcept UNDERACT_REAL_TIME;
 
-/// The same including the time in which the machine was suspended, during which the other one stands still on Linux:
+/// The time including that in which the machine was suspended, during which the other one stands still on Linux:
 /// CLOCK_BOOTTIME there. Any thread.
 std::int64_t withSleepNow_ns() noexcept UNDERACT_REAL_TIME;
 

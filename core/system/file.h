@@ -66,7 +66,7 @@ std::string nameOf(int descriptor, const std::string& path);
 
 /// Reads until `into` is full or the file ends; gives the number of bytes.
 std::optional<std::size_t> readAll(int descriptor, std::span<std::byte> into);
-/// The same from an offset, without moving the position of the next read.
+/// Reads from an offset, without moving the position of the next read.
 std::optional<std::size_t> readAllAt(int descriptor, std::uint64_t from, std::span<std::byte> into);
 /// Writes all bytes; a write that makes no progress counts as a full disk.
 int writeAll(int descriptor, std::span<const std::byte> bytes);
@@ -82,7 +82,7 @@ int setRightsLike(int descriptor, int model);
 int cutTo(int descriptor, std::uint64_t bytes);
 /// Waits until the file is on the disk, safe from a power cut.
 int sync(int descriptor);
-/// The same for the names in the folder of a file, as far as the file system supports it.
+/// Syncs the names in the folder of a file, as far as the file system supports it.
 void syncFolderOf(const std::string& path);
 
 /// Shared: several may hold it at once. Alone: nobody else may.

@@ -23,7 +23,7 @@ SearchRoots searchRoots();
 /// The folders that may hold a resource, in the order of the search.
 std::vector<std::string> searchFolders(Resource resource, const SearchRoots& from);
 
-/// The same for a helper program: beside the running one, in the helpers' folder of an installation, in the build
+/// The path of a helper program: beside the running one, in the helpers' folder of an installation, in the build
 /// folder.
 std::vector<std::string> searchFolders(const std::string& program, const SearchRoots& from);
 

@@ -12,7 +12,7 @@ class SharedMemory {
   SharedMemory() = default;  // none
   /// None on failure; errno says why. name: shown by tools that look at the process.
   static SharedMemory make(const char* name, std::size_t bytes);
-  /// The same memory in another process, by the passed descriptor, which this object takes over.
+  /// Shared memory in another process, by the passed descriptor, which this object takes over.
   static SharedMemory of(Descriptor passed, std::size_t bytes);
   /// Takes the memory over; the other has none.
   SharedMemory(SharedMemory&& other) noexcept

@@ -26,7 +26,7 @@ class ConstraintReports {
   ConstraintReports() = default;
   /// Copies those in use alone; what lies beyond stays as it was.
   ConstraintReports(const ConstraintReports& other) noexcept UNDERACT_REAL_TIME { *this = other; }
-  /// The same.
+  /// Assigns those in use alone, as the copy does.
   ConstraintReports& operator=(const ConstraintReports& other) noexcept UNDERACT_REAL_TIME {
     resize(other.size_);
     for (std::size_t index = 0; index < size_; ++index) held_[index] = other.held_[index];

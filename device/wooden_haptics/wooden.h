@@ -8,7 +8,7 @@ namespace underact::device {
 Result<std::unique_ptr<servo::DevicePort>> openWooden(const Request& request);
 std::vector<Found> searchWooden();
 
-/// The same on any bus.
+/// Searches any bus.
 std::vector<Found> searchWooden(HidBus& bus);
 
 }  // namespace underact::device

@@ -19,7 +19,7 @@ QString tipOf(JointField field);
 
 /// A number of a joint as shown in a cell, in degrees for a revolute joint; a dash: none.
 QString shownText(const scene::Joint& joint, JointField field);
-/// The same with all digits, as the initial text of the editor; empty: none.
+/// The field with all digits, as the initial text of the editor; empty: none.
 QString exactText(const scene::Joint& joint, JointField field);
 /// A prismatic joint has an axis, but no point.
 bool isThere(const scene::Joint& joint, JointField field);

@@ -29,7 +29,7 @@ QString headOf(DhField field);
 QString tipOf(DhField field);
 /// As shown in a cell, mm and degrees.
 QString shownText(const DhTable& table, std::size_t row, DhField field);
-/// The same with all digits, as the initial text of the editor.
+/// The field with all digits, as the initial text of the editor.
 QString exactText(const DhTable& table, std::size_t row, DhField field);
 /// The table with a field as typed. Problems: not a number; no arm has such a table.
 Result<DhTable> withField(DhTable table, std::size_t row, DhField field, const QString& text);

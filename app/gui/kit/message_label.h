@@ -16,7 +16,7 @@ QLabel* messageLabel(const char* name, const QString& spoken, const char* role, 
 /// Sets the text if it differs: setting an equal text would still repaint the label.
 void updateText(QLabel* label, const QString& text);
 
-/// The same, and hides the label if the text is empty.
+/// Shows a message, and hides the label if the text is empty.
 void showMessage(QLabel* label, const QString& text);
 
 /// The title above the rows of a part of a panel.

@@ -45,7 +45,7 @@ Theme Theme::light() {
   theme.background = QColor(0xF7, 0xF7, 0xF5);
   theme.ink = QColor(0x1B, 0x1C, 0x1E);
   theme.quiet = QColor(0xB4, 0xB5, 0xB2);
-  // The same hues, dark enough for 3:1 against the light background and that of the panels (WCAG 2.1).
+  // Hues of the dark theme, dark enough for 3:1 against the light background and that of the panels (WCAG 2.1).
   theme.target = QColor(0x00, 0x9B, 0x71);
   theme.orientation = QColor(0x00, 0x92, 0xCC);
   theme.position = QColor(0xBD, 0x70, 0x9B);

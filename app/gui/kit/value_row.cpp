@@ -82,7 +82,7 @@ ValueRow::ValueRow(const ValueKind& kind, const QString& name, QWidget* parent)
   number_->setFocusPolicy(Qt::StrongFocus);
   number_->setAlignment(Qt::AlignRight);
   number_->setButtonSymbols(QAbstractSpinBox::NoButtons);  // the slider and the arrow keys replace them
-  // The same width for all rows rather than that of the maximum, so that their sliders line up.
+  // One width for all rows rather than that of the maximum, so that their sliders line up.
   number_->setFixedWidth(fontMetrics().horizontalAdvance("00.000 N/(mm s)") + 16);
   for (QWidget* widget :
        {static_cast<QWidget*>(label_), static_cast<QWidget*>(slider_), static_cast<QWidget*>(number_)}) {

@@ -7,7 +7,7 @@
 
 namespace underact::gui {
 
-/// The same ticks as recorded and as they are now. Only ticks with the full force in both are counted: a ramp is not a
+/// Ticks as recorded and as they are now. Only ticks with the full force in both are counted: a ramp is not a
 /// difference between scenes.
 class Comparison {
  public:

@@ -27,7 +27,7 @@ class Document : public QObject {
   /// Replaces scene() by after, an edited copy. what: "stiffness x", for the undo menu. gesture: successive edits with
   /// the same number (one drag) become one step. Problems: the old scene stays.
   Problems edit(const scene::Description& after, const QString& what, int gesture);
-  /// The same for a program, which may send hundreds in a second: panels are told of the newest only, some 25 times a
+  /// Edits for a program, which may send hundreds in a second: panels are told of the newest only, some 25 times a
   /// second. over_ticks: as for servo::Host::edit().
   Problems steer(const scene::Description& after, const QString& what, int gesture, std::int64_t over_ticks);
   /// A number not used by any edit yet.

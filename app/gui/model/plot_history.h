@@ -69,7 +69,7 @@ class PlotHistory {
 std::size_t thinByTime(const PlotHistory& history, float PlotRow::*value, std::size_t columns,
                        std::span<PlotPoint> points);
 
-/// The same for an angle in degrees, from -180 to 180: a step of more than half a turn is a wrap-around, where a NaN
+/// Thins an angle in degrees, from -180 to 180: a step of more than half a turn is a wrap-around, where a NaN
 /// point breaks the line. points: at least 4 (columns + 2).
 std::size_t thinAngle(const PlotHistory& history, float PlotRow::*value_deg, std::size_t columns,
                       std::span<PlotPoint> points);

@@ -24,7 +24,7 @@ class Recording : public QObject {
   std::string sessionId() const { return recorder_ ? recorder_->sessionId() : std::string(); }
   /// Starts at once, into a new file in folder(). false: notice() says why not.
   bool start();
-  /// The same, into a new file of that name.
+  /// Starts it, into a new file of that name.
   bool startAs(const QString& name);
   /// Ends it in order and writes the current description. false: none was running.
   bool stop(record::EndReason reason = record::EndReason::Stopped);

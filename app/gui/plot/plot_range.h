@@ -23,7 +23,7 @@ class PlotRange {
 double roundUp(double value);
 /// Round steps from `from` to `to`: at most `most` of them.
 std::vector<double> ticks(double from, double to, int most);
-/// The same at multiples of least, or of 2, 4, 8 ... times least.
+/// Ticks at multiples of least, or of 2, 4, 8 ... times least.
 std::vector<double> multiples(double from, double to, double least, int most);
 /// Decimals needed to tell the ticks apart.
 int decimalsOf(double step);

@@ -39,7 +39,7 @@ bool clip(const Vec3& p_mm, const Vec3& direction, double margin_mm, double& fro
   return from < to;
 }
 
-/// The same; if the line misses the region, the part nearest to it, so that it stays visible.
+/// Clips the line to the region; if it misses the region, the part nearest to it, so that it stays visible.
 void clipOrNear(const Vec3& p_mm, const Vec3& direction, double margin_mm, double& from, double& to) {
   if (clip(p_mm, direction, margin_mm, from, to)) return;
   const double nearest = -p_mm.dot(direction);

@@ -28,7 +28,7 @@ class GhostArm {
   void setOpacity(double opacity);
   /// q: rad or m, one for each joint. Not finite: hidden.
   void present(std::span<const double> q);
-  /// The same in several configurations at once; none: hidden. Those that were shown last cost nothing.
+  /// Shows it in several configurations at once; none: hidden. Those that were shown last cost nothing.
   void presentAll(const std::vector<arm::JointAngles>& configurations);
   void hide() { actor_->SetVisibility(false); }
   bool isShown() const { return actor_->GetVisibility() != 0; }
