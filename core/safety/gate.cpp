@@ -69,21 +69,24 @@ void heatMotors(const Limits& limits, const Motion& motion, double passed_s,
   next.heat = heated(limits.thermal, next.heat, motion, {next.f_T_W, next.m_T_W}, passed_s);
 }
 
-/// Both scaled alike.
-Wrench scaled(const Wrench& wrench, double share) noexcept UNDERACT_REAL_TIME {
-  return share < 1.0 ? Wrench{share * wrench.f_T_W, share * wrench.m_T_W} : wrench;
+/// Scales both alike; a share of 1 leaves them.
+void keep(double share, Wrench& wrench, double& cut_N) noexcept UNDERACT_REAL_TIME {
+  if (!(share < 1.0)) return;
+  wrench.m_T_W *= share;
+  wrench.f_T_W = through(wrench.f_T_W, share * wrench.f_T_W, cut_N);
 }
 
 /// What the driven joints leave of both.
 Wrench throughJoints(const Limits& limits, const Motion& motion, const Heat& heat, const Wrench& asked,
                      Cuts& cuts) noexcept UNDERACT_REAL_TIME {
-  const Wrench rendered = limitMotors(motion, asked);
-  through(asked.f_T_W, rendered.f_T_W, cuts.motors_N);
-  const Wrench inside = scaled(rendered, edgeShare(limits, motion, rendered));
-  through(rendered.f_T_W, inside.f_T_W, cuts.edge_N);
-  const Wrench borne = scaled(inside, torqueShare(limits, heat, motion, inside));
-  through(inside.f_T_W, borne.f_T_W, cuts.heat_N);
-  return borne;
+  Wrench left = asked;
+  if (motion.turns || !motion.renders_all) {
+    left = limitMotors(motion, asked);
+    through(asked.f_T_W, left.f_T_W, cuts.motors_N);
+  }
+  keep(edgeShare(limits, motion, left), left, cuts.edge_N);
+  keep(torqueShare(limits, heat, motion, left), left, cuts.heat_N);
+  return left;
 }
 
 /// The moment that a tick asks for, as far as the arm renders one and the tip is slow enough.
