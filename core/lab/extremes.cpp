@@ -7,21 +7,21 @@
 #include "core/arm/general_arm.h"
 #include "core/base/denormals.h"
 #include "core/base/random.h"
+#include "core/sim/plant.h"
 #include "core/tick/step.h"
 
 namespace underact::lab {
 namespace {
 
 constexpr std::int64_t kPeriod_ns = 1'000'000;
+constexpr double kTurn_rad = 2.0 * std::numbers::pi;
 
 arm::JointAngles drawnPose(const arm::Preset& arm, std::uint64_t& state) {
   arm::JointAngles q_rad{};
   for (std::size_t joint = 0; joint < arm::jointsOf(arm.geometry); ++joint) {
-    const double least_rad = arm.limits.min_rad[joint], most_rad = arm.limits.max_rad[joint];
-    const bool has_limits = std::isfinite(least_rad) && std::isfinite(most_rad);
-    const double from_rad = has_limits ? least_rad : -std::numbers::pi;
-    const double to_rad = has_limits ? most_rad : std::numbers::pi;
-    q_rad[joint] = from_rad + nextShare(state) * (to_rad - from_rad);
+    const double min_rad = std::max(arm.limits.min_rad[joint], -kTurn_rad);
+    const double max_rad = std::min(arm.limits.max_rad[joint], kTurn_rad);
+    q_rad[joint] = min_rad + nextShare(state) * (max_rad - min_rad);
   }
   return q_rad;
 }
@@ -55,16 +55,12 @@ void note(double value, const Vec3& p_WT, Greatest& greatest) {
   if (value > greatest.value) greatest = {value, p_WT};
 }
 
-/// How the asked force changes where one joint value changes by change(joint, value).
-template <class Change>
-void noteChanges(Prober& prober, const arm::JointAngles& q_rad, std::size_t joints, const tick::TickReport& at,
-                 const Change& change, Greatest& greatest) {
-  const Vec3 f_T_W = at.f_T_W, p_WT = at.p_WT;
-  for (std::size_t joint = 0; joint < joints; ++joint) {
-    arm::JointAngles beside_rad = q_rad;
-    beside_rad[joint] = change(joint, q_rad[joint]);
-    if (beside_rad[joint] != q_rad[joint]) note((prober.first(beside_rad).f_T_W - f_T_W).norm(), p_WT, greatest);
-  }
+/// How the asked force changes where beside(joint) gives the joints instead.
+template <class Beside>
+void noteChanges(Prober& prober, const arm::Preset& arm, const tick::TickReport& at, const Beside& beside,
+                 Greatest& greatest) {
+  for (std::size_t joint = 0; joint < arm::jointsOf(arm.geometry); ++joint)
+    note((prober.first(beside(joint)).f_T_W - at.f_T_W).norm(), at.p_WT, greatest);
 }
 
 }  // namespace
@@ -73,7 +69,6 @@ SceneExtremes extremesOf(const tick::TickProgram& program, const arm::Preset& ar
   const FlushDenormals as_the_servo;
   SceneExtremes all;
   Stopwatch watch(static_cast<std::size_t>(poses));
-  const std::size_t joints = arm::jointsOf(arm.geometry);
   Prober prober(program);
   for (std::uint64_t state = seed; all.poses < poses; ++all.poses) {
     const arm::JointAngles q_rad = drawnPose(arm, state);
@@ -84,16 +79,14 @@ SceneExtremes extremesOf(const tick::TickProgram& program, const arm::Preset& ar
     all.without_answer += std::any_of(at.held.begin(), at.held.end(), [](const tick::ConstraintReport& held) {
       return held.status == target::Status::Degenerate;
     });
-    noteChanges(
-        prober, q_rad, joints, at, [](std::size_t, double value) { return std::nextafter(value, kInfinity); },
-        all.per_ulp_N);
-    noteChanges(
-        prober, q_rad, joints, at,
-        [&arm](std::size_t joint, double value) {
-          const double counts = arm.counts_per_turn[joint];
-          return counts > 0.0 ? value + 2.0 * std::numbers::pi / counts : value;
-        },
-        all.per_encoder_step_N);
+    const auto bit_beside = [&q_rad](std::size_t joint) {
+      arm::JointAngles beside_rad = q_rad;
+      beside_rad[joint] = std::nextafter(q_rad[joint], kInfinity);
+      return beside_rad;
+    };
+    const auto step_beside = [&](std::size_t joint) { return sim::afterEncoderStep(arm, q_rad, joint); };
+    noteChanges(prober, arm, at, bit_beside, all.per_ulp_N);
+    noteChanges(prober, arm, at, step_beside, all.per_encoder_step_N);
   }
   all.tick = watch.cost();
   return all;

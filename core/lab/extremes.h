@@ -24,8 +24,8 @@ struct SceneExtremes {
   Cost tick;                    // of a tick after another at the same pose
 };
 
-/// Draws poses evenly within the arm's joint limits (within a turn, or a metre, where a joint has none) and ticks the
-/// program at each from a fresh state. arm: that of the program's scene; poses: from 1 on. All but `tick` are the same
+/// Draws poses evenly within the arm's joint limits, and within a turn to either side, and ticks the program at each
+/// from a fresh state. arm: that of the program's scene; poses: from 1 on. All but `tick` are the same
 /// for the same arguments, on every machine.
 SceneExtremes extremesOf(const tick::TickProgram& program, const arm::Preset& arm, std::uint64_t seed, int poses);
 

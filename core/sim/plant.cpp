@@ -169,19 +169,38 @@ arm::JointAngles quantized(const arm::EncoderCounts& counts_per_turn, const arm:
   return arm::dhFromDevice(device_rad);
 }
 
+namespace {
+
+/// The step of a joint's encoder, rad, or m where it slides; infinite where it has none.
+double encoderStep(const arm::Preset& arm, std::size_t joint) noexcept UNDERACT_REAL_TIME {
+  const double counts = arm.counts_per_turn[joint];
+  if (!(counts > 0.0)) return kInfinity;
+  const arm::GeneralArm* const general = arm.geometry.general.get();
+  const bool slides = general != nullptr && joint < general->chain.joints.size() &&
+                      general->chain.joints[joint].type == chain::JointType::Prismatic;
+  return (slides ? kMetrePerMillimetre : 2.0 * kPi) / counts;
+}
+
+}  // namespace
+
 arm::JointAngles shownAngles(const Plant& plant, const PlantState& state) noexcept {
   if (!plant.model.encoders) return state.q_rad;
-  const arm::GeneralArm* const general = plant.arm.geometry.general.get();
-  if (general == nullptr) return quantized(plant.arm.counts_per_turn, state.q_rad);
+  if (arm::isOmniForm(plant.arm)) return quantized(plant.arm.counts_per_turn, state.q_rad);
   arm::JointAngles shown = state.q_rad;
-  for (std::size_t joint = 0; joint < std::min(shown.size(), general->chain.joints.size()); ++joint) {
-    const double counts = plant.arm.counts_per_turn[joint];
-    if (!(counts > 0.0)) continue;
-    const bool turns = general->chain.joints[joint].type == chain::JointType::Revolute;
-    const double step = turns ? 2.0 * kPi / counts : kMetrePerMillimetre / counts;
-    shown[joint] = step * std::round(shown[joint] / step);
+  for (std::size_t joint = 0; joint < shown.size(); ++joint) {
+    const double step = encoderStep(plant.arm, joint);
+    if (std::isfinite(step)) shown[joint] = step * std::round(shown[joint] / step);
   }
   return shown;
+}
+
+arm::JointAngles afterEncoderStep(const arm::Preset& arm, const arm::JointAngles& q_rad, std::size_t joint) noexcept {
+  const double step = encoderStep(arm, joint);
+  if (!std::isfinite(step)) return q_rad;
+  const bool is_omni = arm::isOmniForm(arm);
+  arm::JointAngles after = is_omni ? arm::deviceFromDh(q_rad) : q_rad;
+  after[joint] += step;
+  return is_omni ? arm::dhFromDevice(after) : after;
 }
 
 }  // namespace underact::sim

@@ -55,4 +55,8 @@ arm::JointAngles quantized(const arm::EncoderCounts& counts_per_turn,
 /// The joints as the plant shows them: through its encoders, or exact where it has none.
 arm::JointAngles shownAngles(const Plant& plant, const PlantState& state) noexcept UNDERACT_REAL_TIME;
 
+/// The joints after one step of that joint's encoder; as they are where it has none. The Omni's thigh is measured apart
+/// from its shin, so a step of one changes two angles of the table.
+arm::JointAngles afterEncoderStep(const arm::Preset& arm, const arm::JointAngles& q_rad, std::size_t joint) noexcept;
+
 }  // namespace underact::sim

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -48,23 +49,28 @@ TEST(ExtremesOf, APointThatIsHeldAreItsSpring) {
   EXPECT_LE(extremes.tick.p99_ns, extremes.tick.max_ns);
 }
 
+/// A constraint about the tip of the Omni with all joints at 0, the only pose within kOnePose: its centre, off the tip.
+const arm::JointLimits kOnePose{};
+std::string aboutTip(const std::string& shape, const Vec3& off_mm) {
+  const Vec3 p_mm = kMillimetrePerMetre * arm::tipPosition(arm::findPreset("omni-thesis")->geometry, {}) + off_mm;
+  std::ostringstream text;
+  text << std::setprecision(17) << shape << R"(, "center_mm": [)" << p_mm.x() << ", " << p_mm.y() << ", " << p_mm.z()
+       << "]";
+  return text.str();
+}
+
 TEST(ExtremesOf, PosesAtTheMiddleOfASphereHaveNoAnswer) {
-  arm::JointLimits one_pose;  // all joints at 0
-  const Vec3 p_WT_mm = kMillimetrePerMetre * arm::tipPosition(arm::findPreset("omni-thesis")->geometry, {});
-  std::ostringstream sphere;
-  sphere << std::setprecision(17) << R"("type": "sphere", "radius_mm": 50, "center_mm": [)" << p_WT_mm.x() << ", "
-         << p_WT_mm.y() << ", " << p_WT_mm.z() << "]";
-  EXPECT_EQ(extremesWith(sphere.str(), "omni-thesis", 40, &one_pose).without_answer, 40);
-  EXPECT_EQ(extremesWith(sphere.str()).without_answer, 0);
+  const std::string sphere = aboutTip(R"("type": "sphere", "radius_mm": 50)", Vec3::Zero());
+  EXPECT_EQ(extremesWith(sphere, "omni-thesis", 40, &kOnePose).without_answer, 40);
+  EXPECT_EQ(extremesWith(sphere).without_answer, 0);
 }
 
 TEST(ExtremesOf, AJumpOfTheTargetIsFoundAsAChangeByAnEncoderStep) {
-  // Inside a box the nearest face changes on its planes of symmetry, where the target jumps from one face to another.
-  const double box_N =
-      extremesWith(R"("type": "box", "center_mm": [0, 0, 0], "size_mm": [300, 300, 300])").per_encoder_step_N.value;
-  const double plane_N =
-      extremesWith(R"("type": "plane", "point_mm": [0, 0, 0], "normal": [0, 1, 0])").per_encoder_step_N.value;
-  EXPECT_GT(box_N, 100.0 * plane_N);
+  // A micrometre beside the middle of a cube of 100 mm another face is nearest after a step, which is some 50 um.
+  const std::string cube = aboutTip(R"("type": "box", "size_mm": [100, 100, 100])", Vec3(1e-3, 2e-3, 3e-3));
+  const SceneExtremes extremes = extremesWith(cube, "omni-thesis", 1, &kOnePose);
+  EXPECT_GT(extremes.per_encoder_step_N.value, 0.5 * 50.0 * std::sqrt(2.0) * 0.99) << "from one face to the next";
+  EXPECT_LT(extremes.per_ulp_N.value, 1e-9);
 }
 
 TEST(ExtremesOf, AreTheSameEachTimeAndOthersForAnotherArm) {

@@ -442,6 +442,22 @@ TEST(Encoders, MeasureTheShinFromTheBase) {
   EXPECT_NEAR(after[1] + after[2], before[1] + before[2], 1e-15);
 }
 
+TEST(Encoders, AStepIsOfOneEncoderAndOfASlideInMillimetres) {
+  const arm::Preset& omni = *arm::findPreset("touch-measured");
+  const arm::JointAngles q_rad{0.1, 0.6, 0.2, 0.3, 1.0, 0.4};
+  for (std::size_t joint = 0; joint < 6; ++joint) {
+    arm::JointAngles device_rad = arm::deviceFromDh(afterEncoderStep(omni, q_rad, joint));
+    device_rad[joint] -= 2.0 * kPi / omni.counts_per_turn[joint];
+    for (std::size_t other = 0; other < 6; ++other)
+      EXPECT_NEAR(device_rad[other], arm::deviceFromDh(q_rad)[other], 4e-16) << joint << " of " << other;
+  }
+  arm::Preset scara = *arm::findPreset("cobra-600");
+  EXPECT_EQ(afterEncoderStep(scara, q_rad, 2), q_rad) << "its readings are exact";
+  scara.counts_per_turn = {1000, 0, 50};
+  EXPECT_DOUBLE_EQ(afterEncoderStep(scara, q_rad, 0)[0], 0.1 + 2e-3 * kPi);
+  EXPECT_DOUBLE_EQ(afterEncoderStep(scara, q_rad, 2)[2], 0.2 + 20e-6) << "50 steps a millimetre";
+}
+
 TEST(ArmModel, IsFoundByItsNameAndSaysWhereItComesFrom) {
   for (const ArmModel& model : armModels()) {
     EXPECT_EQ(findArmModel(model.name), &model);
