@@ -1,6 +1,7 @@
 #include "core/base/foreign_file.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "core/base/translate.h"
@@ -8,12 +9,26 @@
 namespace underact {
 namespace {
 
-// Each format, and what its files begin with.
-constexpr std::string_view kFormats =
-    "gzip \x1F\x8B\nZIP PK\3\4\nxz \xFD\x37zXZ\nZstandard \x28\xB5\x2F\xFD\n7z 7z\xBC\xAF\x27\x1C\nbzip2 BZh\nRAR "
-    "Rar!\n"
-    "UTF-16 \xFF\xFE\nUTF-16 \xFE\xFF\nSTEP ISO-10303-21;\nglTF glTF\nFBX Kaydara FBX\nPDF %PDF-\nPNG \x89PNG\n"
-    "JPEG \xFF\xD8\xFF\nGIF GIF8\nTIFF II*\n";
+struct Format {
+  std::string_view name, start;
+};
+constexpr auto kFormats = std::to_array<Format>({{"gzip", "\x1F\x8B"},
+                                                 {"ZIP", "PK\3\4"},
+                                                 {"xz", "\xFD\x37zXZ"},
+                                                 {"Zstandard", "\x28\xB5\x2F\xFD"},
+                                                 {"7z", "7z\xBC\xAF\x27\x1C"},
+                                                 {"bzip2", "BZh"},
+                                                 {"RAR", "Rar!"},
+                                                 {"UTF-16", "\xFF\xFE"},
+                                                 {"UTF-16", "\xFE\xFF"},
+                                                 {"STEP", "ISO-10303-21;"},
+                                                 {"glTF", "glTF"},
+                                                 {"FBX", "Kaydara FBX"},
+                                                 {"PDF", "%PDF-"},
+                                                 {"PNG", "\x89PNG"},
+                                                 {"JPEG", "\xFF\xD8\xFF"},
+                                                 {"GIF", "GIF8"},
+                                                 {"TIFF", "II*"}});
 
 }  // namespace
 
@@ -26,10 +41,8 @@ Sentence foreignKind(std::string_view head) {
   if (start.starts_with("<html") || start == "<!doctype html")
     return said(TRANSLATE_NOOP("problem", "This is a web page, not the file itself. Download the file again."));
   std::string format = head.size() > 80 && head.substr(72, 8) == "S      1" ? "IGES" : "";
-  for (std::size_t at = 0, end = 0; (end = kFormats.find('\n', at)) != std::string_view::npos; at = end + 1) {
-    const std::size_t bytes = kFormats.find(' ', at) + 1;
-    if (head.starts_with(kFormats.substr(bytes, end - bytes))) format = kFormats.substr(at, bytes - 1 - at);
-  }
+  for (const Format& one : kFormats)
+    if (head.starts_with(one.start)) format = one.name;
   if (format.empty()) return {};
   return said(TRANSLATE_NOOP("problem",
                              "This file has the format %1, which is not read here. Unpack it or convert it: a mesh to "

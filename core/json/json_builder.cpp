@@ -22,8 +22,8 @@ bool Builder::Bool(bool value) {
 
 bool Builder::Uint(unsigned) {
   Value made = start(Kind::Number, source_.numberStart());
-  made.number = numberOf(source_.number());
   made.text = source_.number();
+  made.number = numberOf(made.text);
   return add(std::move(made));
 }
 

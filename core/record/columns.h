@@ -64,7 +64,7 @@ void fillField(const Field<Access>& field, const servo::TickRecord& record, Row&
   eachNumber(field, record, fill, geometry...);
 }
 
-/// The same of the first fields in the order of allFields().
+/// Passes those of the first fields in the order of allFields().
 template <std::size_t kCount, class Row>
 void fillFirst(const servo::TickRecord& record, Row& row, const auto&... geometry) {
   [&]<std::size_t... kIndices>(std::index_sequence<kIndices...>) {
@@ -80,7 +80,7 @@ void fillRow(const servo::TickRecord& record, Row& row, bool more_joints = false
   more_joints ? fillFirst<kCsvColumns>(record, row) : fillFirst<kCsvColumns - 1>(record, row);
 }
 
-/// The same in the order of allFields(). geometry: see turnOf().
+/// Passes the numbers of a tick in the order of allFields(). geometry: see turnOf().
 template <class Row>
 void fillAll(const servo::TickRecord& record, const arm::Geometry& geometry, Row& row) {
   fillFirst<kFieldOrder.size()>(record, row, geometry);

@@ -6,7 +6,8 @@
 
 namespace underact::tick {
 
-// Inside the room: the motion of the arm in step().
+// Inside the room: the motion of the arm in step(). But for watchJoints(), which the computer of a remote arm calls,
+// too.
 
 /// The time since the last tick's sample, s; 0 at the first tick. The difference wraps instead of overflowing; then the
 /// sample counts as stale.

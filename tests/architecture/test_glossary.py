@@ -63,6 +63,15 @@ class Glossary(unittest.TestCase):
                     ]
         self.assertEqual(found, [], "\n".join(found))
 
+    def test_a_comment_says_what_a_thing_is_not_that_it_is_the_same(self):
+        found = [
+            f"{path.relative_to(ROOT)}: {line.strip()}"
+            for path, text in self.texts.items()
+            if path.suffix in (".h", ".cpp")
+            for line in re.findall(r"^\s*///? The same\b.*", text, re.M)
+        ]
+        self.assertEqual(found, [], "\n".join(found))
+
     def test_a_word_is_found_in_a_text_and_in_a_name(self):
         for text in ["Turning stiffness", "turning_stiffness_N", "setTurningStiffness", "turningStiffness"]:
             wrong = pattern("turning stiffness")
