@@ -30,6 +30,11 @@ std::vector<RegressionCase> regressionCases() {
   return kept ? std::move(kept).value() : std::vector<RegressionCase>{};
 }
 
+/// What the row asks, and what it promises.
+std::string told(const Row& row) {
+  return std::string(row.key) + ": " + row.asked + " (" + textOf(row.promised_ulp) + " " + row.promise + "): ";
+}
+
 TEST(KeptCases, KeepTheirPromiseWithTheErrorTheyHad) {
   std::set<std::string> seen;
   for (const RegressionCase& kept : regressionCases()) {
@@ -40,9 +45,9 @@ TEST(KeptCases, KeepTheirPromiseWithTheErrorTheyHad) {
     if (row->kind == Kind::Drift && !test::isSoak()) continue;
     const Result<Outcome> again = rerunCase(*row, kept.input);
     ASSERT_TRUE(again) << describe(again.problems()[0]);
-    EXPECT_LE(again.value().error_ulp, row->promised_ulp) << kept.key << ": " << wordsOf(*row, kept.input);
+    EXPECT_LE(again.value().error_ulp, row->promised_ulp) << told(*row) << wordsOf(*row, kept.input);
     // The same bits are asked and answered on every machine. Where a mend makes it better, the cases are made anew.
-    EXPECT_DOUBLE_EQ(again.value().error_ulp, kept.error_ulp) << kept.key << ": " << wordsOf(*row, kept.input);
+    EXPECT_DOUBLE_EQ(again.value().error_ulp, kept.error_ulp) << told(*row) << wordsOf(*row, kept.input);
   }
   for (const Row& row : catalogue()) EXPECT_TRUE(seen.contains(row.key)) << row.key << " has no kept case";
 }
@@ -79,7 +84,7 @@ TEST(Sweep, EveryRowKeepsItsPromise) {
     Worst worst;
     // A dear row has few cases of a small count, so seeds make up for it.
     for (std::uint64_t seed = 20071201; seed < 20071201 + 8; ++seed) worst = worse(worst, measure(row, seed, count));
-    EXPECT_LE(worst.error_ulp, row.promised_ulp) << row.key << ": " << wordsOf(row, worst.input);
+    EXPECT_LE(worst.error_ulp, row.promised_ulp) << told(row) << wordsOf(row, worst.input);
     EXPECT_LT(worst.degenerate, worst.cases) << row.key << " has judged nothing";
     all.push_back({row.key, worst.error_ulp, worst.input});
   }
@@ -95,7 +100,7 @@ TEST(Sweep, HoursOfTicksKeepTheirPromise) {
       input.at(0) = test::dearSweep(360'000, 14'400'000);  // six minutes, or four hours, at 1 kHz
       const Result<Outcome> outcome = rerunCase(row, input);
       ASSERT_TRUE(outcome) << row.key;
-      EXPECT_LE(outcome.value().error_ulp, row.promised_ulp) << row.key << ": " << wordsOf(row, input);
+      EXPECT_LE(outcome.value().error_ulp, row.promised_ulp) << told(row) << wordsOf(row, input);
     }
   }
 }

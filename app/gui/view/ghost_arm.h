@@ -31,7 +31,6 @@ class GhostArm {
   /// Shows it in several configurations at once; none: hidden. Those that were shown last cost nothing.
   void presentAll(const std::vector<arm::JointAngles>& configurations);
   void hide() { actor_->SetVisibility(false); }
-  bool isShown() const { return actor_->GetVisibility() != 0; }
   vtkActor* actor() const { return actor_; }
 
   /// The points from joint to joint that the links go through, two of each joint, and the tip, mm; some are in one
