@@ -258,7 +258,8 @@ json::ObjectText stateText(const servo::TickRecord& tick, const Vec3& turning, c
 Result<Frame> readFrame(std::string_view text, const SessionWords& session) {
   const Result<json::Value> root = json::parse(text, {});
   if (!root) return root.problems();
-  Frame frame{.session = session};
+  Frame frame;
+  frame.session = session;
   const json::Value* const settings = objectIn(&root.value(), "session");
   if (settings != nullptr) frame.wants_all = settings->find("force_render_full_state") != nullptr;
   const json::Value* const profile = objectIn(objectIn(settings, "configure"), "profile");
