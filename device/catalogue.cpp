@@ -24,7 +24,7 @@ Result<std::unique_ptr<servo::DevicePort>> openSimulated(const Request& request)
 constexpr const char* kSimulated = TRANSLATE_NOOP("problem", "Simulated arm");
 
 std::vector<Found> searchSimulated() {
-  return {{said(kSimulated), "", {}}};
+  return {{phrase(kSimulated), "", {}}};
 }
 
 // One kind of arm per line.
@@ -58,15 +58,15 @@ Result<std::unique_ptr<servo::DevicePort>> openDevice(std::string_view name, Req
   if (row == nullptr) {
     std::string known;
     for (const Row& one : kRows) known += (known.empty() ? "" : ", ") + std::string(one.key);
-    return Problems{{said(TRANSLATE_NOOP("problem", "There is no arm of the kind \"%1\". Known kinds: %2."),
-                          {std::string(name.substr(0, colon)), known}),
+    return Problems{{phrase(TRANSLATE_NOOP("problem", "There is no arm of the kind \"%1\". Known kinds: %2."),
+                            {std::string(name.substr(0, colon)), known}),
                      {}}};
   }
   if (!arm::isOmniForm(request.arm) && row != kRows.data()) {
-    return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "The scene is for the arm \"%1\", which exists as a simulated arm only. "
-                                         "Choose the simulated arm, or open another scene first."),
-                          {request.arm.name}),
+    return Problems{{phrase(TRANSLATE_NOOP("problem",
+                                           "The scene is for the arm \"%1\", which exists as a simulated arm only. "
+                                           "Choose the simulated arm, or open another scene first."),
+                            {request.arm.name}),
                      {}}};
   }
   if (colon < name.size()) request.address = name.substr(colon + 1);

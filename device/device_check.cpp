@@ -26,18 +26,18 @@ class Watch {
     trial.buttons |= record.buttons;
     const Vec3 p_WT = arm::tipPose(preset_.geometry, record.q_rad).translation();
     if (!has_one_) {
-      trial.least_rad = trial.largest_rad = last_rad_ = record.q_rad;
-      trial.least_p_WT = trial.largest_p_WT = p_WT;
+      trial.min_rad = trial.largest_rad = last_rad_ = record.q_rad;
+      trial.min_p_WT = trial.largest_p_WT = p_WT;
       has_one_ = true;
       return;
     }
     if (record.q_rad == last_rad_) ++trial.repeated;
     last_rad_ = record.q_rad;
     for (std::size_t joint = 0; joint < last_rad_.size(); ++joint) {
-      trial.least_rad[joint] = std::min(trial.least_rad[joint], record.q_rad[joint]);
+      trial.min_rad[joint] = std::min(trial.min_rad[joint], record.q_rad[joint]);
       trial.largest_rad[joint] = std::max(trial.largest_rad[joint], record.q_rad[joint]);
     }
-    trial.least_p_WT = trial.least_p_WT.cwiseMin(p_WT);
+    trial.min_p_WT = trial.min_p_WT.cwiseMin(p_WT);
     trial.largest_p_WT = trial.largest_p_WT.cwiseMax(p_WT);
   }
 
@@ -56,12 +56,12 @@ std::string line(const char* format, Value... value) {
 
 std::string movedText(const DeviceCheck& trial) {
   std::string text;
-  for (std::size_t joint = 0; joint < arm::firstSix(trial.least_rad).size(); ++joint) {
-    text += line("Joint %d: %.2f to %.2f degrees", static_cast<int>(joint) + 1, trial.least_rad[joint] / kRadPerDegree,
+  for (std::size_t joint = 0; joint < arm::firstSix(trial.min_rad).size(); ++joint) {
+    text += line("Joint %d: %.2f to %.2f degrees", static_cast<int>(joint) + 1, trial.min_rad[joint] / kRadPerDegree,
                  trial.largest_rad[joint] / kRadPerDegree);
   }
   for (int axis = 0; axis < 3; ++axis) {
-    text += line("Tip, %c: %.2f to %.2f mm", 'x' + axis, trial.least_p_WT[axis] * kMillimetrePerMetre,
+    text += line("Tip, %c: %.2f to %.2f mm", 'x' + axis, trial.min_p_WT[axis] * kMillimetrePerMetre,
                  trial.largest_p_WT[axis] * kMillimetrePerMetre);
   }
   return text;

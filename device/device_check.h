@@ -23,8 +23,8 @@ struct DeviceCheck {
   std::int64_t without = 0;   // ticks without a sample
   std::int64_t repeated = 0;  // samples with bit-identical joints to the one before
   servo::Percentiles lateness;
-  arm::JointAngles least_rad{}, largest_rad{};  // of each joint; 0 where no sample came
-  Vec3 least_p_WT = Vec3::Zero(), largest_p_WT = Vec3::Zero();
+  arm::JointAngles min_rad{}, largest_rad{};  // of each joint; 0 where no sample came
+  Vec3 min_p_WT = Vec3::Zero(), largest_p_WT = Vec3::Zero();
   std::uint32_t buttons = 0;  // those seen pressed
   std::string trouble;        // what the arm's side says is wrong
 };

@@ -58,7 +58,7 @@ Result<SimulatedMeasurement> measureSimulated(SimulatedArm::Options options, con
     if (host.snapshot().mode == servo::Mode::Faulted)
       return SimulatedMeasurement{std::move(plan).value(), {}, host.snapshot().report.fault};
     if (progress && !progress(measurement.share()))
-      return Problems{{said(TRANSLATE_NOOP("problem", "The measurement was cancelled."))}};
+      return Problems{{phrase(TRANSLATE_NOOP("problem", "The measurement was cancelled."))}};
   }
   return SimulatedMeasurement{std::move(plan).value(), measurement.recorded(), {}};
 }

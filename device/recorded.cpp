@@ -13,10 +13,10 @@ namespace {
 
 // A file whose tick numbers are damaged must not claim all memory: four hours at 10 kHz at most. Nor much more than it
 // holds: missing ticks are shown as that many rows, up to the number of ticks in the file plus a minute at 10 kHz.
-constexpr std::int64_t kMostRows = 144'000'000;
-constexpr std::int64_t kMostMissing = 600'000;
+constexpr std::int64_t kMaxRows = 144'000'000;
+constexpr std::int64_t kMaxMissing = 600'000;
 constexpr std::int64_t kReserved = 1 << 20;
-constexpr std::size_t kMostDamage = 1000;  // sentences
+constexpr std::size_t kMaxDamage = 1000;  // sentences
 
 bool isFinite(const arm::JointAngles& q_rad) {
   return std::all_of(q_rad.begin(), q_rad.end(), [](double angle_rad) { return std::isfinite(angle_rad); });
@@ -26,14 +26,14 @@ bool isFinite(const arm::JointAngles& q_rad) {
 std::int64_t ticksFrom(std::int64_t first, std::int64_t tick) {
   if (tick <= first) return 0;
   const std::uint64_t ticks = static_cast<std::uint64_t>(tick) - static_cast<std::uint64_t>(first);
-  return static_cast<std::int64_t>(std::min(ticks, static_cast<std::uint64_t>(kMostRows)));
+  return static_cast<std::int64_t>(std::min(ticks, static_cast<std::uint64_t>(kMaxRows)));
 }
 
 /// Rows in the order of the file, with one for each missing tick.
 class Rows {
  public:
-  /// most_missing: rows for missing ticks.
-  Rows(std::vector<RecordedRow>& rows, std::int64_t most_missing) : rows_(rows), missing_left_(most_missing) {}
+  /// max_missing: rows for missing ticks.
+  Rows(std::vector<RecordedRow>& rows, std::int64_t max_missing) : rows_(rows), missing_left_(max_missing) {}
 
   std::int64_t firstTick() const { return first_tick_; }
   /// Returns the row of this tick.
@@ -141,14 +141,14 @@ Result<std::shared_ptr<const Recorded>> loadRecorded(record::Session& session, c
   recorded->frozen_s = header.frozen_s;
   recorded->arm = header.arm;
   recorded->damage = session.info().damage;
-  const std::int64_t ticks = std::min(session.info().ticks, kMostRows);
+  const std::int64_t ticks = std::min(session.info().ticks, kMaxRows);
   recorded->rows.reserve(static_cast<std::size_t>(std::min(ticks, kReserved)));
-  Rows rows(recorded->rows, ticks + kMostMissing);
+  Rows rows(recorded->rows, ticks + kMaxMissing);
   bool is_cancelled = false, is_full = false;
   const Problems problems = session.eachBlock(
       [&](const record::Block& block, std::int64_t) {
         for (const servo::TickRecord& record : record::unpackTicks(block)) {
-          is_full = is_full || static_cast<std::int64_t>(recorded->rows.size()) >= kMostRows;
+          is_full = is_full || static_cast<std::int64_t>(recorded->rows.size()) >= kMaxRows;
           if (is_full) break;
           const std::int64_t row = rows.add(record);
           if (watch.row) watch.row(row, record);
@@ -157,20 +157,21 @@ Result<std::shared_ptr<const Recorded>> loadRecorded(record::Session& session, c
         return !is_cancelled && !is_full;
       },
       [&](const record::Gap& gap) {
-        if (recorded->damage.size() >= kMostDamage) return;
+        if (recorded->damage.size() >= kMaxDamage) return;
         recorded->damage.push_back(
-            {said(TRANSLATE_NOOP("problem", "Ticks %1 to %2 of this session are damaged; the arm stands still there."),
-                  {std::to_string(gap.first_row), std::to_string(gap.first_row + gap.rows - 1)}),
+            {phrase(
+                 TRANSLATE_NOOP("problem", "Ticks %1 to %2 of this session are damaged; the arm stands still there."),
+                 {std::to_string(gap.first_row), std::to_string(gap.first_row + gap.rows - 1)}),
              {path}});
       },
       watch.progress);
   if (!problems.empty()) return problems;
   if (is_cancelled)
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "Opening was cancelled before the whole session was read.")), {path}}};
+        {phrase(TRANSLATE_NOOP("problem", "Opening was cancelled before the whole session was read.")), {path}}};
   if (recorded->rows.empty())
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "This session contains no ticks, so there is nothing to replay.")), {path}}};
+        {phrase(TRANSLATE_NOOP("problem", "This session contains no ticks, so there is nothing to replay.")), {path}}};
   recorded->marks = referencePointsOf(session, rows.firstTick(), static_cast<std::int64_t>(recorded->rows.size()));
   readScenes(session, rows.firstTick(), watch, *recorded);
   return std::shared_ptr<const Recorded>(std::move(recorded));

@@ -18,10 +18,10 @@ std::int64_t lastRow(const Recorded& recorded) noexcept UNDERACT_REAL_TIME {
 
 /// A joint that rotates without end is the same a whole turn later: it takes the shorter way.
 double between(double from_rad, double to_rad, double share, bool is_endless) noexcept UNDERACT_REAL_TIME {
-  double way_rad = to_rad - from_rad;
-  if (is_endless && way_rad > kPi) way_rad -= 2.0 * kPi;
-  if (is_endless && way_rad < -kPi) way_rad += 2.0 * kPi;
-  return from_rad + share * way_rad;
+  double travel_rad = to_rad - from_rad;
+  if (is_endless && travel_rad > kPi) travel_rad -= 2.0 * kPi;
+  if (is_endless && travel_rad < -kPi) travel_rad += 2.0 * kPi;
+  return from_rad + share * travel_rad;
 }
 
 }  // namespace
@@ -34,12 +34,12 @@ ReplayedArm::ReplayedArm(std::unique_ptr<servo::DevicePort> inner, int rate_hz)
 servo::DeviceInfo ReplayedArm::info() const {
   const std::scoped_lock lock(title_mutex_);
   if (title_.empty()) return inner_->info();
-  return {said(TRANSLATE_NOOP("problem", "Recorded arm: %1"), {title_}), true, false, 0.0};
+  return {phrase(TRANSLATE_NOOP("problem", "Recorded arm: %1"), {title_}), true, false, 0.0};
 }
 
 Sentence ReplayedArm::fixedRateReason() const {
   if (isReplaying())
-    return said(TRANSLATE_NOOP("problem", "A recording is being replayed. Close it, then change the rate."));
+    return phrase(TRANSLATE_NOOP("problem", "A recording is being replayed. Close it, then change the rate."));
   return inner_->fixedRateReason();
 }
 

@@ -36,10 +36,10 @@ Result<std::optional<SimulatedRun>> wholeRunOf(Session& session) {
   const Result<scene::Description> scene = session.scene(session.changes().front());
   if (!scene) return scene.problems();
   if (file == nullptr || file->text != scene::armTextOf(scene.value()))
-    return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "The arm \"%1\" of this session is another one in this version of the "
-                                         "program. Run it with the version that recorded it."),
-                          {session.info().header.arm}),
+    return Problems{{phrase(TRANSLATE_NOOP("problem",
+                                           "The arm \"%1\" of this session is another one in this version of the "
+                                           "program. Run it with the version that recorded it."),
+                            {session.info().header.arm}),
                      {session.info().path}}};
   return std::optional(std::move(run).value());
 }
@@ -61,7 +61,7 @@ class Again {
     const arm::Preset* const preset = scene::findArm(scene.value());
     const auto rate_hz = static_cast<int>(header.rate_hz);
     if (preset == nullptr || rate_hz < servo::kSlowest_hz || rate_hz > servo::kFastest_hz)
-      return {{said(TRANSLATE_NOOP("problem", "This session's arm or rate is none that this version has.")),
+      return {{phrase(TRANSLATE_NOOP("problem", "This session's arm or rate is none that this version has.")),
                {session_.info().path}}};
     geometry_ = preset->geometry;
     host_ = std::make_unique<servo::Host>(
@@ -103,7 +103,7 @@ class Again {
   }
   void stopAt(const record::Gap& gap) {
     if (!result_.unknown.empty()) return;
-    result_.unknown = said(
+    result_.unknown = phrase(
         TRANSLATE_NOOP("problem", "The file is damaged from row %1 on, for %2 ticks; what follows cannot be replayed."),
         {std::to_string(gap.first_row + 1), std::to_string(gap.rows)});
   }
@@ -113,7 +113,7 @@ class Again {
  private:
   Problems startRecorder(const SimulatedRun& run) {
     if (options_.out.path.empty()) return {};
-    record::RecorderOptions options{.most_ticks = session_.info().ticks, .existing = options_.out.existing};
+    record::RecorderOptions options{.max_ticks = session_.info().ticks, .existing = options_.out.existing};
     options.block_s = static_cast<double>(session_.blockRows()) / static_cast<double>(session_.info().header.rate_hz);
     options.details = session_.info().header.details;
     options.run = provenanceOf(run);
@@ -144,7 +144,7 @@ Result<RerunResult> rerunHand(Session& session, const SimulatedRun& run, const R
                         [&](const record::Gap& gap) { again.stopAt(gap); },
                         [&](double share) { goes_on = goes_on && (!options.progress || options.progress(share)); });
   if (!goes_on && again.result().unknown.empty() && !again.result().differs)
-    again.result().unknown = said(TRANSLATE_NOOP("problem", "It was cancelled."));
+    again.result().unknown = phrase(TRANSLATE_NOOP("problem", "It was cancelled."));
   const Problems unwritten = again.end();
   problems.insert(problems.end(), unwritten.begin(), unwritten.end());
   if (!problems.empty()) return problems;

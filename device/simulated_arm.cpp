@@ -111,7 +111,7 @@ void SimulatedArm::cut() noexcept {
 }
 
 servo::DeviceInfo SimulatedArm::info() const {
-  return {said(TRANSLATE_NOOP("problem", "Simulated arm")), true, false};
+  return {phrase(TRANSLATE_NOOP("problem", "Simulated arm")), true, false};
 }
 
 void SimulatedArm::setRate(int rate_hz) {

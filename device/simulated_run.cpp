@@ -195,15 +195,16 @@ Result<SimulatedRun> readSimulatedRun(const Value& provenance, const std::string
   SimulatedRun run;
   const Value* const object = provenance.find("run");
   Taker taker(object);
-  constexpr double kMostTicks = 0x1p53;  // what JSON holds exactly
-  run.ticks = static_cast<std::int64_t>(std::clamp(taker.number("ticks"), 0.0, kMostTicks));
+  constexpr double kMaxTicks = 0x1p53;  // what JSON holds exactly
+  run.ticks = static_cast<std::int64_t>(std::clamp(taker.number("ticks"), 0.0, kMaxTicks));
   run.fast = taker.boolean("fast");
   const double seed = taker.number("seed");
   if (!taker.isGood() || !takeHand(object->find("hand"), run) || !takeModel(object->find("arm_model"), run.model))
-    return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "This session does not say completely by which hand and on which arm model it "
-                                         "was made: the file is damaged, or of a newer version.")),
-                     {file}}};
+    return Problems{
+        {phrase(TRANSLATE_NOOP("problem",
+                               "This session does not say completely by which hand and on which arm model it "
+                               "was made: the file is damaged, or of a newer version.")),
+         {file}}};
   // A number of JSON has 53 bits; the hand's seed, which is the run's, has all 64.
   if (seed == static_cast<double>(run.hand.seed))
     run.seed = run.hand.seed;

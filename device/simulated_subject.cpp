@@ -44,16 +44,16 @@ Result<double> pressedStiffness(const scene::Description& scene, calibration::Be
   host.start();
   host.run(kTicks);
   // The slope of the regression line through all (displacement, force), with an offset because of the arm's friction.
-  double count = 0.0, way = 0.0, force = 0.0, ways = 0.0, both = 0.0;
+  double count = 0.0, travel = 0.0, force = 0.0, squares = 0.0, both = 0.0;
   host.drain([&](const servo::TickRecord& record) {
     if (record.tick < kSettled) return;
-    const double way_m = p_WT.y() - record.p_WT.y(), up_N = record.f_sent_T_W.y();
-    count += 1.0, way += way_m, force += up_N, ways += way_m * way_m, both += way_m * up_N;
+    const double travel_m = p_WT.y() - record.p_WT.y(), up_N = record.f_sent_T_W.y();
+    count += 1.0, travel += travel_m, force += up_N, squares += travel_m * travel_m, both += travel_m * up_N;
   });
-  const double spread = count * ways - way * way;
+  const double spread = count * squares - travel * travel;
   if (!(spread > 0.0))
-    return Problems{{said(TRANSLATE_NOOP("problem", "The simulated hand could not press the beam.")), {}}};
-  return (count * both - way * force) / spread / kNewtonPerMetre;
+    return Problems{{phrase(TRANSLATE_NOOP("problem", "The simulated hand could not press the beam.")), {}}};
+  return (count * both - travel * force) / spread / kNewtonPerMetre;
 }
 
 Result<calibration::Beam> answerOf(SimulatedSubject& subject, const scene::Description& scene) {

@@ -20,9 +20,9 @@ using kinematics::SolvedArm;
 /// Where each fact of a pose stands in its record, bytes. `_FACTS` in underact/arm.py says the same to numpy.
 struct Record {
   explicit Record(std::size_t solutions)
-      : most(solutions), branch(within + most), family(branch + 3 * most), size((family + most + 3) / 4 * 4) {}
+      : max(solutions), branch(within + max), family(branch + 3 * max), size((family + max + 3) / 4 * 4) {}
   static constexpr std::size_t count = 0, reachable = 4, singular = 5, within = 6;
-  std::size_t most, branch, family, size;
+  std::size_t max, branch, family, size;
 };
 
 /// The names that appeared, in the order in which they did; 0 is none.
@@ -56,15 +56,15 @@ struct Out {
   std::uint8_t* facts;
 
   void write(std::size_t pose, const SolvedArm& arm, const kinematics::Answer& answer, Names& families) const {
-    const std::size_t found = std::min(answer.found.size(), record.most);
+    const std::size_t found = std::min(answer.found.size(), record.max);
     const auto count = static_cast<std::int32_t>(found);
     std::uint8_t* const to = facts + pose * record.size;
     std::fill_n(to, record.size, std::uint8_t{0});
     std::memcpy(to + Record::count, &count, sizeof count);
     to[Record::reachable] = answer.reachable;
     to[Record::singular] = answer.singular;
-    double* const first = q + pose * record.most * joints;
-    std::fill(first + found * joints, first + record.most * joints, kNotANumber);
+    double* const first = q + pose * record.max * joints;
+    std::fill(first + found * joints, first + record.max * joints, kNotANumber);
     for (std::size_t k = 0; k < found; ++k) {
       const kinematics::Found& one = answer.found[k];
       kinematics::writeJoints(arm.chain(), one.q, std::span(first + k * joints, joints));
@@ -87,7 +87,7 @@ std::vector<Pose> posesOf(const Rows& rows) {
   return poses;
 }
 
-std::size_t mostOf(Method method, int search) {
+std::size_t maxOf(Method method, int search) {
   if (method == Method::Geometry) return chain::InverseSolutions{}.all.size();
   if (method == Method::Iteration) return static_cast<std::size_t>(std::max(1, search));
   return arm::Solutions{}.all.size();
@@ -106,7 +106,7 @@ py::tuple namesOf(const std::array<const char*, 3>& branches) {
 
 py::tuple inverse(const SolvedArm& arm, const py::handle& X, const std::string& method, std::uint64_t seed, int search,
                   const py::handle& prefer) {
-  constexpr std::size_t kMostNumbers = 1U << 28;
+  constexpr std::size_t kMaxNumbers = 1U << 28;
   const Result<Method> chosen = kinematics::methodFor(arm, method);
   if (!chosen) raiseProblems(chosen.problems());
   const Rows rows = readRows(X, "X", {4, 4}, kinematics::kFarthest_mm);
@@ -118,12 +118,12 @@ py::tuple inverse(const SolvedArm& arm, const py::handle& X, const std::string& 
     const chain::JointValues values = kinematics::jointsOf(arm.chain(), posture.row(0));
     options.posture.assign(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(arm.joints()));
   }
-  const std::size_t most = mostOf(chosen.value(), search);
-  if (rows.count * most * arm.joints() > kMostNumbers)
+  const std::size_t max = maxOf(chosen.value(), search);
+  if (rows.count * max * arm.joints() > kMaxNumbers)
     throw py::value_error("The solutions of so many poses do not fit into one array: pass X in parts.");
   const std::vector<Pose> poses = posesOf(rows);
-  const Record record(most);
-  const auto solutions = static_cast<py::ssize_t>(most), joints = static_cast<py::ssize_t>(arm.joints());
+  const Record record(max);
+  const auto solutions = static_cast<py::ssize_t>(max), joints = static_cast<py::ssize_t>(arm.joints());
   py::array_t<double> q = emptyRows(rows.lead, {solutions, joints});
   py::array_t<std::uint8_t> facts = emptyOf<std::uint8_t>(rows.lead, {static_cast<py::ssize_t>(record.size)});
   const Out out{record, arm.joints(), q.mutable_data(), facts.mutable_data()};
@@ -136,7 +136,7 @@ py::tuple inverse(const SolvedArm& arm, const py::handle& X, const std::string& 
       if (!answer.found.empty() && branch_names[0] == nullptr) {
         for (std::size_t b = 0; b < 3; ++b) branch_names[b] = answer.found[0].branch[b].name;
       }
-      largest = std::max(largest, std::min(answer.found.size(), most));
+      largest = std::max(largest, std::min(answer.found.size(), max));
       out.write(i, arm, answer, families);
     }
   });

@@ -184,7 +184,7 @@ py::list settings() {
   for (const scene::Setting& one : scene::settings()) {
     py::object words = py::none();
     if (one.words != nullptr) words = py::cast(one.words());
-    all.append(py::make_tuple(scene::pathOf(one), one.label, one.tip, one.unit, one.least, one.most, words));
+    all.append(py::make_tuple(scene::pathOf(one), one.label, one.tip, one.unit, one.min, one.max, words));
   }
   return all;
 }
@@ -235,7 +235,7 @@ py::tuple energy(const Scene& scene, std::size_t index, const py::handle& X, con
 }
 
 /// The joints of least energy of a virtual manipulator for each pose of the stylus, as target() finds them.
-py::tuple leastEnergy(const Scene& scene, std::size_t index, const py::handle& p_mm, const py::handle& R_WT) {
+py::tuple minEnergy(const Scene& scene, std::size_t index, const py::handle& p_mm, const py::handle& R_WT) {
   const manipulator::Manipulator& robot = robotOf(scene, index);
   const std::size_t joints = robot.chain.joints.size();
   const Stylus stylus = readStylus(p_mm, R_WT);
@@ -293,7 +293,7 @@ void addScene(py::module_& core) {
       .def("_value", &settingValue)
       .def("_with", &withValues)
       .def("_energy", &energy)
-      .def("_least_energy", &leastEnergy)
+      .def("_least_energy", &minEnergy)
       .def("_mesh", &meshOf)
       .def("_constraints", &constraintFacts)
       .def("_notes", [](const Scene& scene) { return problemList(scene::meshNotes(scene.description)); })

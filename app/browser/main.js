@@ -92,14 +92,14 @@ function ended(sentence) {
 async function connect() {
   desk.say("Connecting…");
   try {
-    const said = await wire.connect(find("address").value.trim(), find("token").value.trim(), NAME);
+    const greeting = await wire.connect(find("address").value.trim(), find("token").value.trim(), NAME);
     about = said;
-    history.clear(said.rate_hz);
-    desk.say(`Connected to ${said.program}: ${said.arm}, ${said.rate_hz} ticks a second.`);
-    desk.mode(said.mode);
+    history.clear(greeting.rate_hz);
+    desk.say(`Connected to ${greeting.program}: ${greeting.arm}, ${greeting.rate_hz} ticks a second.`);
+    desk.mode(greeting.mode);
     await askHolder();
     await refresh();
-    await wire.ask("subscribe", { columns: COLUMNS, hz: Math.min(HZ, said.rate_hz) });
+    await wire.ask("subscribe", { columns: COLUMNS, hz: Math.min(HZ, greeting.rate_hz) });
   } catch (error) {
     about = null;
     wire.close();

@@ -4,9 +4,9 @@ const MARGIN = { left: 48, right: 56, top: 8, bottom: 24 };
 
 const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 
-/** The end of an axis: 1, 2 or 5 times a power of ten, not below least. */
-function endOf(most, least) {
-  const value = Math.max(most, least);
+/** The end of an axis: 1, 2 or 5 times a power of ten, not below min. */
+function endOf(max, min) {
+  const value = Math.max(max, min);
   const power = 10 ** Math.floor(Math.log10(value));
   return [1, 2, 5, 10].map((step) => step * power).find((end) => end >= value);
 }
@@ -39,13 +39,13 @@ export class Plot {
     const { pen, colours } = this;
     pen.clearRect(0, 0, width, height);
     const inner = { width: width - MARGIN.left - MARGIN.right, height: height - MARGIN.top - MARGIN.bottom };
-    let [most_N, most_mm] = [0, 0];
+    let [max_N, max_mm] = [0, 0];
     if (history.latest !== null)
       history.each((age_s, force_N, error_mm) => {
-        most_N = Math.max(most_N, force_N);
-        if (Number.isFinite(error_mm)) most_mm = Math.max(most_mm, error_mm);
+        max_N = Math.max(max_N, force_N);
+        if (Number.isFinite(error_mm)) max_mm = Math.max(max_mm, error_mm);
       });
-    const ends = [endOf(most_N, 0.5), endOf(most_mm, 5)];
+    const ends = [endOf(max_N, 0.5), endOf(max_mm, 5)];
     this.axes(inner, history.seconds, ends);
     if (history.latest === null) return;
     pen.save();

@@ -24,7 +24,7 @@ Exit convert(const ConvertOptions& options, const Streams& streams) {
   if (!text) return fail(text.problems(), Exit::BadInput, streams);
   streams.out << text.value();
   printNotes(arm::solidProblems(arm.value().model), streams.err);
-  return Exit::Well;
+  return Exit::Success;
 }
 
 }  // namespace

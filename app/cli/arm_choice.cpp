@@ -14,7 +14,7 @@ Exit refuseArm(const Problems& problems, std::ostream& err) {
 
 void addArmOption(Command command, AskedArm& asked) {
   asked.arm = std::string(arm::kDefaultArm);
-  command.option("--arm", asked.arm, "An arm from the list below, or an arm file").showUsual();
+  command.option("--arm", asked.arm, "An arm from the list below, or an arm file").showDefault();
   addEndOptions(command, asked.ends);
 }
 
@@ -38,7 +38,7 @@ std::string listOfArms() {
 
 void addArmModelOption(Command command, std::string& name) {
   command.option("--arm-model", name, "Model of the simulated arm: a name, or the file of a measured arm")
-      .showUsual()
+      .showDefault()
       .check([](const std::string& text) {
         if (text.find_first_of("./\\") != std::string::npos) return std::string();  // a file: read later
         const Result<sim::ArmModel> model = sim::chooseArmModel(text);

@@ -59,7 +59,7 @@ Exit calibrate(const CalibrateOptions& options, const Streams& streams) {
     run = answered(std::move(run), answer.value());
   }
   streams.out << summaryOf(run, options).text() << '\n';
-  return Exit::Well;
+  return Exit::Success;
 }
 
 }  // namespace
@@ -71,9 +71,9 @@ void addCalibrate(Command program, const Streams& streams, Exit& exit) {
   const auto options = std::make_shared<CalibrateOptions>();
   command.option("scene", options->scene, "A scene with two beams").required();
   command.option("--weber", options->weber, "Scatter of what the hand feels, as a fraction")
-      .showUsual()
+      .showDefault()
       .range(0.0, 1.0);
-  command.option("--seed", options->seed, "Seed of everything that is random").showUsual().nonNegative();
+  command.option("--seed", options->seed, "Seed of everything that is random").showDefault().nonNegative();
   command.footer(
       "One JSON object out: \"threshold\", the just-noticeable difference as a fraction (2 right in a row make it "
       "harder: 70.7 % right),\n"

@@ -12,7 +12,7 @@ using options::Command;
 using options::Option;
 
 /// Exit status of underact-cli. Library: an export takes a library that is not installed.
-enum class Exit : int { Well = 0, BadInput = 1, Usage = 2, Fault = 3, File = 4, Library = 5 };
+enum class Exit : int { Success = 0, BadInput = 1, Usage = 2, Fault = 3, File = 4, Library = 5 };
 
 /// Results go to out, messages and progress to err.
 struct Streams {

@@ -61,12 +61,12 @@ Exit writeReport(const DevicesOptions& options, const Streams& streams) {
   const std::string text = device::reportText(trial, options.report, options.words);
   if (options.out.empty()) {
     streams.out << text;
-    return Exit::Well;
+    return Exit::Success;
   }
   std::ofstream file(options.out);
   file << text;
   file.close();
-  if (file) return Exit::Well;
+  if (file) return Exit::Success;
   print(Problems{{"The report could not be written.", {options.out}}}, streams.err);
   return Exit::File;
 }
@@ -83,7 +83,10 @@ void addDevices(Command program, const Streams& streams, Exit& exit) {
   report.excludes(json);
   command.option("--out", options->out, "File for the report; by default the screen").needs(report);
   command.option("--words", options->words, "What you felt and saw, in your own words, for the report").needs(report);
-  command.option("--seconds", options->seconds, "Duration of the test, s").needs(report).range(0.1, 600.0).showUsual();
+  command.option("--seconds", options->seconds, "Duration of the test, s")
+      .needs(report)
+      .range(0.1, 600.0)
+      .showDefault();
   command.whenChosen([options, &streams, &exit] {
     if (!options->report.empty()) {
       exit = writeReport(*options, streams);

@@ -19,7 +19,7 @@ std::span<const AddCommand> commands() {
 
 Exit perform(const options::Program& program, std::vector<std::string> arguments, const Streams& streams, Exit& exit) {
   const options::Parsed parsed = program.parse(std::move(arguments), streams.out, streams.err);
-  if (parsed != options::Parsed::Done) exit = parsed == options::Parsed::Told ? Exit::Well : Exit::Usage;
+  if (parsed != options::Parsed::Done) exit = parsed == options::Parsed::Told ? Exit::Success : Exit::Usage;
   streams.out.flush();
   if (streams.out) return exit;
   streams.err << program.name() << ": the results could not be written.\n";
@@ -35,7 +35,7 @@ options::Program makeGrammar(const Streams& streams, Exit& exit) {
 }
 
 Exit execute(std::vector<std::string> arguments, const Streams& streams) {
-  Exit exit = Exit::Well;
+  Exit exit = Exit::Success;
   PrintedStream out(streams.out), err(streams.err);
   const Streams clean{streams.in, out, err, streams.progress, streams.out_fd};
   return perform(makeGrammar(clean, exit), std::move(arguments), clean, exit);

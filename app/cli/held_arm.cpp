@@ -151,13 +151,13 @@ void addRateOptions(Command command, HeldArm& options) {
   command
       .option("--max-late", options.max_late,
               "Permitted number of consecutive ticks that are a whole period late; more are a fault")
-      .showUsual()
+      .showDefault()
       .range(1, 1'000'000);
-  command.option("--rate", options.rate_hz, "Ticks per second").showUsual().range(100, 10000);
+  command.option("--rate", options.rate_hz, "Ticks per second").showDefault().range(100, 10000);
 }
 
 void addSeedOption(Command command, HeldArm& options) {
-  command.option("--seed", options.seed, "Seed of everything that is random").showUsual().nonNegative();
+  command.option("--seed", options.seed, "Seed of everything that is random").showDefault().nonNegative();
 }
 
 void addArmOptions(Command command, HeldArm& options) {
@@ -168,7 +168,7 @@ void addArmOptions(Command command, HeldArm& options) {
   command
       .option("--device", options.device,
               "The arm, KIND or KIND:ADDRESS, as underact-cli devices lists it; it exerts force at once")
-      .showUsual();
+      .showDefault();
   addArmModelOption(command, options.arm_model);
   options::addSchedulingOptions(command, options.scheduling);
   command.footer(namedList("Hands:", sim::builtInHands(), &sim::BuiltInHand::what) + "\n" +

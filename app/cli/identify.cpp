@@ -91,7 +91,7 @@ Exit writeFiles(const IdentifyOptions& options, const identify::Identified& foun
   provenance.program = std::string("underact ") + kVersion;
   const sim::ArmModelFile file =
       modelFileOf(found, options.name, "Measured " + provenance.date + " (" + options.name + ")", provenance);
-  Exit exit = Exit::Well;
+  Exit exit = Exit::Success;
   for (const auto& [path, text] :
        {std::pair{options.out, sim::armModelText(file)}, std::pair{options.report, reportText(found, file, &given)}}) {
     if (path.empty()) continue;
@@ -149,7 +149,7 @@ void addIdentify(Command program, const Streams& streams, Exit& exit) {
   const auto options = std::make_shared<IdentifyOptions>();
   std::vector<std::string> arms;
   for (const arm::Preset& preset : arm::presets()) arms.push_back(preset.name);
-  command.option("--arm", options->arm, "Geometry of the arm").showUsual().oneOf(arms);
+  command.option("--arm", options->arm, "Geometry of the arm").showDefault().oneOf(arms);
   addArmModelOption(command, options->arm_model);
   command
       .option("--at_mm", options->at_mm,
@@ -157,9 +157,9 @@ void addIdentify(Command program, const Streams& streams, Exit& exit) {
       .withCommas()
       .expected(3, 9)
       .range(-1e6, 1e6);
-  command.option("--rate", options->rate_hz, "Ticks per second").showUsual().range(100, 10000);
-  command.option("--seed", options->seed, "Seed of the first rest position of the tip").showUsual().nonNegative();
-  command.option("--name", options->name, "Name of the model that is written").showUsual();
+  command.option("--rate", options->rate_hz, "Ticks per second").showDefault().range(100, 10000);
+  command.option("--seed", options->seed, "Seed of the first rest position of the tip").showDefault().nonNegative();
+  command.option("--name", options->name, "Name of the model that is written").showDefault();
   command.option("--out", options->out, "Write the model to this file, for --arm-model and for the window");
   command.option("--report", options->report, "Write a report (Markdown) to this file");
   command.flag("--json", options->json, "One JSON object instead of the table");

@@ -97,14 +97,14 @@ void addInverse(Command program, const Streams& streams, Exit& exit) {
   const auto options = std::make_shared<AskedPoses>();
   addArmOption(command, options->arm);
   command.option("--method", options->method, "auto: in closed form if the arm has one; iterative: one solution")
-      .showUsual()
+      .showDefault()
       .oneOf({"auto", "closed_form", "iterative"});
-  command.option("--seed", options->seed, "Seed of the iteration's restarts").showUsual();
+  command.option("--seed", options->seed, "Seed of the iteration's restarts").showDefault();
   command
       .option("--search", options->search,
               "Of the iteration: all different solutions that this many starts find; 0: the first one of up to 101")
       .range(0, 100000)
-      .showUsual();
+      .showDefault();
   command.option(
       "--prefer", options->prefer,
       "A posture, [q1, ...]: full turns are those nearest to it, the solution nearest to it comes first, and the "

@@ -38,7 +38,7 @@ bool isNumberUpTo(const Value& value, double largest) {
 }  // namespace
 
 Exit answerLines(const Streams& streams, const std::function<Result<JsonObject>(std::string_view line)>& answer) {
-  Exit exit = Exit::Well;
+  Exit exit = Exit::Success;
   std::int64_t number = 0;
   for (std::string line; streams.out && std::getline(streams.in, line);) {
     ++number;
@@ -111,8 +111,8 @@ Result<Pose> readPose(const Value& line, const char* key, std::string* note) {
   }
   Pose pose = Pose::Identity();
   if (const std::string wrong = kinematics::readPose(X, pose); !wrong.empty()) return problem(key, wrong.c_str());
-  if (Sentence said = rotationNote(X.topLeftCorner<3, 3>()); !said.empty())
-    *note = std::string("\"") + key + "\": " + std::string(said);
+  if (Sentence given = rotationNote(X.topLeftCorner<3, 3>()); !given.empty())
+    *note = std::string("\"") + key + "\": " + std::string(given);
   return pose;
 }
 

@@ -64,7 +64,7 @@ Exit extremesOf(const ExtremesOptions& options, const Streams& streams) {
   const lab::SceneExtremes extremes =
       lab::extremesOf(loaded.value().program, scene::armOf(loaded.value().description), options.seed, options.poses);
   (options.json ? printObject : printTable)(options, extremes, streams.out);
-  return Exit::Well;
+  return Exit::Success;
 }
 
 }  // namespace
@@ -77,11 +77,11 @@ void addLabExtremes(Command lab, const Streams& streams, Exit& exit) {
   command.option("SCENE", options->scene, "A scene file").required();
   command.option("--poses", options->poses, "Poses, drawn evenly within the arm's joint limits")
       .range(1, 10'000'000)
-      .showUsual();
+      .showDefault();
   command.option("--rate", options->rate_hz, "Ticks per second that a tick's time is compared with")
       .range(1, 100'000)
-      .showUsual();
-  command.option("--seed", options->seed, "Seed of the poses").showUsual();
+      .showDefault();
+  command.option("--seed", options->seed, "Seed of the poses").showDefault();
   command.flag("--json", options->json, "One JSON object instead of a table");
   command.whenChosen([options, &streams, &exit] { exit = extremesOf(*options, streams); });
 }

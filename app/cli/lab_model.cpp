@@ -36,7 +36,7 @@ void addModel(const std::string& scene, const tradeoff::Model& model, Table& tab
 }
 
 Exit models(const ModelOptions& options, const Streams& streams) {
-  Exit exit = Exit::Well;
+  Exit exit = Exit::Success;
   const auto hands = labHands({options.hand}, 1, streams, exit);
   if (!hands) return exit;
   const auto scenes = labScenes(options.scenes, streams, exit);
@@ -53,7 +53,7 @@ Exit models(const ModelOptions& options, const Streams& streams) {
     progress.show(static_cast<double>(index + 1) / static_cast<double>(scenes->size()));
   }
   options.json ? table.printJson(streams.out) : table.printCsv(streams.out);
-  return Exit::Well;
+  return Exit::Success;
 }
 
 }  // namespace
@@ -64,8 +64,8 @@ void addLabModel(Command lab, const Streams& streams, Exit& exit) {
       "model",
       "What each scene requires of a tick, what each quantity costs, and what computing all of them would cost");
   command.option("SCENES", options->scenes, "Scene files; by default those that ship");
-  command.option("--hand", options->hand, "The hand along whose path it is measured").showUsual();
-  command.option("--seconds", options->seconds, "Duration of that path, s").range(0.1, 60.0).showUsual();
+  command.option("--hand", options->hand, "The hand along whose path it is measured").showDefault();
+  command.option("--seconds", options->seconds, "Duration of that path, s").range(0.1, 60.0).showDefault();
   command.flag("--json", options->json, "One JSON object per row instead of CSV");
   command.footer(
       "Times in ns are medians of single ticks on this machine; the time of a quantity is what it adds to the minimal "

@@ -77,7 +77,7 @@ Exit searches(const SearchOptions& options, const Streams& streams) {
     object.addList("searches", rows);
     streams.out << object.text() << '\n';
   }
-  return Exit::Well;
+  return Exit::Success;
 }
 
 }  // namespace
@@ -88,10 +88,12 @@ void addLabSearch(Command lab, const Streams& streams, Exit& exit) {
                                   "Time and error of each method of finding the nearest point on a scene's meshes and "
                                   "curves, along the path of a hand");
   command.option("SCENE", options->scene, "A scene with a mesh or a curve").required();
-  command.option("--hand", options->hand, "still, sweep, probe, tremor, stab, or a hand file").showUsual();
-  command.option("--seconds", options->seconds, "Duration of the motion, s").range(0.001, kLongestSearch_s).showUsual();
-  command.option("--rate", options->rate_hz, "Ticks per second").range(1, 100000).showUsual();
-  command.option("--seed", options->seed, "Seed of the hand").showUsual();
+  command.option("--hand", options->hand, "still, sweep, probe, tremor, stab, or a hand file").showDefault();
+  command.option("--seconds", options->seconds, "Duration of the motion, s")
+      .range(0.001, kLongestSearch_s)
+      .showDefault();
+  command.option("--rate", options->rate_hz, "Ticks per second").range(1, 100000).showDefault();
+  command.option("--seed", options->seed, "Seed of the hand").showDefault();
   command.flag("--json", options->json, "One JSON object per constraint instead of a table");
   command.whenChosen([options, &streams, &exit] { exit = searches(*options, streams); });
 }

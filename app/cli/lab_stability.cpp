@@ -41,11 +41,11 @@ struct StabilityOptions {
 
 control::Velocity filterNamed(const std::string& name, double time_constant_s) {
   if (name == "low_pass") return control::LowPass{time_constant_s};
-  if (name == "kalman") return stability::usualKalman();
-  const scene::AdaptiveWindowFilter usual;
+  if (name == "kalman") return stability::defaultKalman();
+  const scene::AdaptiveWindowFilter default_value;
   if (name == "adaptive_window")
-    return control::AdaptiveWindow{static_cast<int>(usual.window),
-                                   Vec3::Constant(kMetrePerMillimetre * usual.noise_mm)};
+    return control::AdaptiveWindow{static_cast<int>(default_value.window),
+                                   Vec3::Constant(kMetrePerMillimetre * default_value.noise_mm)};
   return control::RawDifference{};
 }
 
@@ -69,7 +69,7 @@ Exit oneCell(const StabilityOptions& options, const Streams& streams) {
     cell.addBool("passive", label.is_passive);
   }
   streams.out << cell.text() << '\n';
-  return Exit::Well;
+  return Exit::Success;
 }
 
 /// The tables of a run, each in a file or on stdout.
@@ -133,7 +133,7 @@ Problems addSceneLabels(const std::string& file, const stability::SceneWall& wal
     if (!trial) return from(file, trial.problems());
     tables.scene_labels.add({std::filesystem::path(file).stem().string(), std::int64_t{wall.rate_hz}, wall.kd_N_s_per_m,
                              K, std::string(name(trial.value().trial.behaviour)), trial.value().is_passive,
-                             1e6 * trial.value().least_energy_J});
+                             1e6 * trial.value().min_energy_J});
   }
   return {};
 }
@@ -148,7 +148,7 @@ Problems addScene(const std::string& file, const stability::SceneWall& wall, boo
   tables.scenes.add({std::filesystem::path(file).stem().string(), wall.scene.title, one.name,
                      std::string(joints ? "joint" : "cartesian"), std::int64_t{wall.rate_hz}, wall.kd_N_s_per_m,
                      limit.value(), std::string(name(nominal.value().trial.behaviour)), nominal.value().is_passive,
-                     1e6 * nominal.value().least_energy_J});
+                     1e6 * nominal.value().min_energy_J});
   return labels ? addSceneLabels(file, wall, nominal, tables) : Problems{};
 }
 
@@ -235,22 +235,22 @@ Exit maps(const StabilityOptions& options, const Streams& streams) {
   printUnlessEmpty(tables.labels, options.json, streams.out);
   printUnlessEmpty(tables.scenes, options.json, streams.out);
   printUnlessEmpty(tables.scene_labels, options.json, streams.out);
-  return Exit::Well;
+  return Exit::Success;
 }
 
 void addCellOptions(Command command, StabilityOptions& options) {
   SampledWall& wall = options.wall;
-  const auto cell = [&](const char* name, auto& number, const char* what, double least, double most) {
-    const Option option = command.option(name, number, what).range(least, most);
+  const auto cell = [&](const char* name, auto& number, const char* what, double min, double max) {
+    const Option option = command.option(name, number, what).range(min, max);
     option.group("One wall");
-    option.whenSaid([&options] { options.one_cell = true; });
-    return option.showUsual();
+    option.whenGiven([&options] { options.one_cell = true; });
+    return option.showDefault();
   };
   cell("--mass_kg", wall.mass_kg, "Mass of arm and hand, kg", 1e-6, 1e3);
   cell("--damping_N_s_per_m", wall.damping_N_s_per_m, "Damping of arm and hand, N s/m", 0.0, 1e4);
   cell("--kd_N_s_per_m", wall.kd_N_s_per_m, "Damping of the wall, N s/m", 0.0, 1e4);
   cell("--rate_hz", options.rate_hz, "Samples per second", 1, 100'000);
-  cell("--delay_ticks", wall.delay_ticks, "Periods between a sample and its force", 0, stability::kMostDelay);
+  cell("--delay_ticks", wall.delay_ticks, "Periods between a sample and its force", 0, stability::kMaxDelay);
   cell("--hand_stiffness_N_per_m", wall.hand_stiffness_N_per_m, "Stiffness of the hand, N/m", 0.0, 1e6);
   cell("--friction_N", wall.friction_N, "Coulomb friction of the arm, N", 0.0, 1e3);
   cell("--encoder_steps", wall.coarseness, "1: angles in the arm's own encoder steps, 2: twice as coarse, 0: exact",
@@ -259,9 +259,9 @@ void addCellOptions(Command command, StabilityOptions& options) {
        1e7);
   command.option("--filter", options.filter, "Velocity filter of the wall")
       .group("One wall")
-      .whenSaid([&options] { options.one_cell = true; })
+      .whenGiven([&options] { options.one_cell = true; })
       .oneOf(kFilters)
-      .showUsual();
+      .showDefault();
   cell("--filter_s", options.filter_s, "Time constant of the filter low_pass, s", 1e-6, 1e3);
 }
 

@@ -33,10 +33,10 @@ struct StepOptions {
 
 /// Writes the table of a curve if requested. Exit: Well, or File.
 Exit writeTable(const std::string& path, const std::string& text, const Streams& streams) {
-  if (path.empty()) return Exit::Well;
+  if (path.empty()) return Exit::Success;
   const Problems problems = writeText(path, text);
   print(problems, streams.err);
-  return problems.empty() ? Exit::Well : Exit::File;
+  return problems.empty() ? Exit::Success : Exit::File;
 }
 
 Exit stepFunction(const StepOptions& options, const Streams& streams) {
@@ -112,7 +112,7 @@ Option addArmOptions(Command command, StepOptions& options) {
   };
   scene.group(kGroup);
   add("--step_mm", options.step_mm, "Size of the step, mm, of either sign")
-      .showUsual()
+      .showDefault()
       .check([](const std::string& text) {
         const std::optional<double> step_mm = options::numberOf(text);
         const bool good = step_mm && std::abs(*step_mm) >= 0.01 && std::abs(*step_mm) <= 500.0;
@@ -131,12 +131,12 @@ Option addArmOptions(Command command, StepOptions& options) {
   add("--kd_N_s_per_mm", options.kd_N_s_per_mm, "Instead of the scene's").range(0.0, 1e9);
   add("--ki_N_per_mm_s", options.ki_N_per_mm_s, "Instead of the scene's").range(0.0, 1e9);
   add("--mass_kg", options.mass_kg, "Mass that remains on the stylus after the hand has released it, kg")
-      .showUsual()
+      .showDefault()
       .range(0.0, 100.0);
   add("--damping_N_s_per_m", options.damping_N_s_per_m, "Damping that remains on the stylus, N s/m")
-      .showUsual()
+      .showDefault()
       .range(0.0, 1e4);
-  add("--rate", options.rate_hz, "Ticks per second").showUsual().range(100, 10000);
+  add("--rate", options.rate_hz, "Ticks per second").showDefault().range(100, 10000);
   command.flag("--no-limits", options.no_limits, "Measure the control law alone, without the limits of the safety gate")
       .needs(scene)
       .group(kGroup);
@@ -166,8 +166,9 @@ void addLabStep(Command lab, const Streams& streams, Exit& exit) {
       "(null: no overshoot),\n"
       "\"overshoot_fraction\"}; null if there is none. Write 0 for a missing power of s: s^2 + 1 is 1,0,1.");
   command.whenChosen([den, scene, options, &streams, &exit] {
-    if (!den.isSaid() && !scene.isSaid()) options::refuse("--den (as in --num 1 --den 1,0.8,1) or --scene is required");
-    exit = den.isSaid() ? stepFunction(*options, streams) : stepArm(*options, streams);
+    if (!den.isGiven() && !scene.isGiven())
+      options::refuse("--den (as in --num 1 --den 1,0.8,1) or --scene is required");
+    exit = den.isGiven() ? stepFunction(*options, streams) : stepArm(*options, streams);
   });
 }
 

@@ -137,7 +137,7 @@ std::string whatIsMissing(const TradeTables& tables, const Asked& asked) {
 }
 
 Exit tradeOf(const TradeOptions& options, const Streams& streams) {
-  Exit exit = Exit::Well;
+  Exit exit = Exit::Success;
   const std::optional<tradeoff::Plan> plan = planOf(options, streams, exit);
   if (!plan) return exit;
   const system::Interrupt interrupt;
@@ -161,7 +161,7 @@ Exit tradeOf(const TradeOptions& options, const Streams& streams) {
                        : options.table == "fronts" ? tables.fronts
                                                    : tables.choices;
   options.json ? table.printJson(streams.out) : table.printCsv(streams.out);
-  return Exit::Well;
+  return Exit::Success;
 }
 
 }  // namespace
@@ -177,14 +177,14 @@ void addLabTrade(Command lab, const Streams& streams, Exit& exit) {
   command.option("--choices", options->choices, "Choices, separated by commas; by default all")
       .withCommas()
       .oneOf(keys);
-  command.option("--seconds", options->seconds, "Duration of each run, s").range(0.1, kLongestTrade_s).showUsual();
-  command.option("--seed", options->seed, "Seed of the hands").showUsual();
+  command.option("--seconds", options->seconds, "Duration of each run, s").range(0.1, kLongestTrade_s).showDefault();
+  command.option("--seed", options->seed, "Seed of the hands").showDefault();
   command
       .option("--table", options->table,
               "choices: over all runs, with the recommendation; rows: each run; fronts: complete configurations for "
               "each scene")
       .oneOf({"choices", "rows", "fronts"})
-      .showUsual();
+      .showDefault();
   command.option("--out", options->out, "Folder for all three tables as CSV, and their pictures");
   command.flag("--json", options->json, "One JSON object per row instead of CSV");
   command.footer(

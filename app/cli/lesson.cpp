@@ -16,7 +16,7 @@ namespace underact::cli {
 namespace {
 
 Exit checkLessonFiles(const std::vector<std::string>& paths, const Streams& streams) {
-  Exit exit = Exit::Well;
+  Exit exit = Exit::Success;
   const Result<std::string> scenes = system::findResource(system::Resource::Scenes);
   for (const std::string& path : paths) {
     const Result<lesson::Lesson> read = lesson::readLessonFile(path);
@@ -54,7 +54,7 @@ Exit list(bool json, const Streams& streams) {
     streams.out << std::left << std::setw(28) << printed(std::filesystem::path(path).stem().string()) << std::setw(3)
                 << read.value().steps.size() << "steps  " << printed(read.value().title) << '\n';
   }
-  return Exit::Well;
+  return Exit::Success;
 }
 
 Exit printQuantities(bool json, const Streams& streams) {
@@ -72,7 +72,7 @@ Exit printQuantities(bool json, const Streams& streams) {
     streams.out << std::left << std::setw(22) << quantity.key << std::setw(9) << quantity.unit << std::setw(10) << parts
                 << quantity.what << '\n';
   }
-  return Exit::Well;
+  return Exit::Success;
 }
 
 }  // namespace

@@ -48,11 +48,11 @@ void printOutcome(const lesson::Step& step, const device::LessonOutcome& outcome
   std::vector<JsonObject> checks;
   for (std::size_t index = 0; index < step.checks.size(); ++index) {
     const lesson::CheckState& state = outcome.states[index];
-    const std::string said = describeCheck(step.checks[index], state);
-    if (!json) streams.out << (state.solved ? "solved   " : "missing  ") << printed(said) << '\n';
+    const std::string given = describeCheck(step.checks[index], state);
+    if (!json) streams.out << (state.solved ? "solved   " : "missing  ") << printed(given) << '\n';
     JsonObject& object = checks.emplace_back();
     object.addBool("solved", state.solved);
-    object.addText("said", said);
+    object.addText("said", given);
   }
   if (json) {
     JsonObject object;
@@ -93,7 +93,7 @@ Exit tryStep(const TryOptions& options, const Streams& streams) {
   if (!outcome) return fail(outcome.problems(), streams);
   printOutcome(step, outcome.value(), options.json, streams);
   if (outcome.value().fault.kind != FaultKind::None) return Exit::Fault;
-  return outcome.value().isSolved() ? Exit::Well : Exit::BadInput;
+  return outcome.value().isSolved() ? Exit::Success : Exit::BadInput;
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ void addLessonTry(Command command, const Streams& streams, Exit& exit) {
       command.add("try", "Let a scripted hand do a step of a lesson, and report what is solved and what is missing");
   const auto options = std::make_shared<TryOptions>();
   trying.option("lesson", options->lesson, "Lesson file, or the name of a lesson that ships").required();
-  trying.option("--step", options->step, "Number of the step, from 1").showUsual();
+  trying.option("--step", options->step, "Number of the step, from 1").showDefault();
   trying.option("--hand", options->hand, "A built-in hand, or a hand file").required();
   trying.option("--seconds", options->seconds, "Duration, s; by default 1 s more than the hand's path")
       .range(0.001, 3600.0);
@@ -115,7 +115,7 @@ void addLessonTry(Command command, const Streams& streams, Exit& exit) {
   addSet(trying, options->settings,
          "Change a setting of the scene as a student would: by its key, as in kp_N_per_mm=0.8, or by its path in the "
          "file");
-  trying.option("--seed", options->seed, "Seed of a built-in hand").showUsual().nonNegative();
+  trying.option("--seed", options->seed, "Seed of a built-in hand").showDefault().nonNegative();
   trying.flag("--json", options->json, "One JSON object instead of lines");
   trying.whenChosen([options, &streams, &exit] { exit = tryStep(*options, streams); });
 }

@@ -100,7 +100,7 @@ Lines::~Lines() {
 
 void Lines::operator()(const std::string& line) {
   const std::scoped_lock lock(state_->mutex);
-  if (state_->waiting.size() >= kMost) {
+  if (state_->waiting.size() >= kMax) {
     ++state_->left_out;
     return;
   }

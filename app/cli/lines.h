@@ -8,11 +8,11 @@
 namespace underact::cli {
 
 /// Lines for people, from threads that must never wait for whoever reads them: a terminal that was paused, a pipe that
-/// nobody empties. A thread of its own writes them, in order, whole and at once. Lines beyond kMost that wait are
+/// nobody empties. A thread of its own writes them, in order, whole and at once. Lines beyond kMax that wait are
 /// dropped, and their number is printed once lines are read again.
 class Lines {
  public:
-  static constexpr std::size_t kMost = 64;
+  static constexpr std::size_t kMax = 64;
 
   /// fd: behind out, see Streams::out_fd. out outlives it.
   Lines(std::ostream& out, int fd);

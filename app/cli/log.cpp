@@ -31,7 +31,7 @@ Exit showSession(const std::string& path, bool json, const Streams& streams) {
   if (!session) return fail(session.problems(), streams);
   json ? printAsJson(session.value(), streams.out) : printAsTable(session.value(), streams.out);
   print(session.value().info().damage, streams.err);
-  return session.value().info().damage.empty() ? Exit::Well : Exit::BadInput;
+  return session.value().info().damage.empty() ? Exit::Success : Exit::BadInput;
 }
 
 /// Exit status 1 where anything that was run differs, as with diff.
@@ -43,7 +43,7 @@ Exit compareSessions(const std::vector<std::string>& paths, bool json, const Str
   const Result<std::vector<record::SessionDifference>> found = record::differencesBetween(a.value(), b.value());
   if (!found) return fail(found.problems(), streams);
   json ? printDifferencesAsJson(found.value(), streams.out) : printDifferences(found.value(), streams.out);
-  return found.value().empty() ? Exit::Well : Exit::BadInput;
+  return found.value().empty() ? Exit::Success : Exit::BadInput;
 }
 
 struct ExportOptions {
@@ -76,7 +76,7 @@ Exit exportCsv(const ExportOptions& options, const Streams& streams) {
     const Problems problems = record::writeCsvMetadata(session.value(), options.out);
     if (!problems.empty()) return fail(problems, Exit::File, streams);
   }
-  return done.isWhole() ? Exit::Well : Exit::BadInput;
+  return done.isWhole() ? Exit::Success : Exit::BadInput;
 }
 
 Exit exportSession(const ExportOptions& options, const Streams& streams) {
@@ -112,10 +112,10 @@ class MissingTicks {
 
  private:
   void note(std::int64_t first, std::int64_t last, Problems& problems, const std::string& path) {
-    constexpr std::size_t kMost = 100;
+    constexpr std::size_t kMax = 100;
     // A file may hold any two numbers, so the difference is computed without overflow.
     count_ += static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first) + 1;
-    if (problems.size() < kMost)
+    if (problems.size() < kMax)
       problems.push_back(
           {"Ticks " + std::to_string(first) + " to " + std::to_string(last) + " are missing: they were not recorded.",
            {path}});
@@ -163,14 +163,14 @@ Exit verifyBlocks(const std::string& path, const Streams& streams) {
   if (!problems.empty()) return Exit::BadInput;
   streams.out << session.value().info().ticks << " ticks, all of them intact"
               << (session.value().info().isComplete() ? "." : "; the session was not closed.") << '\n';
-  return Exit::Well;
+  return Exit::Success;
 }
 
 Exit recover(const std::string& path, const Streams& streams) {
   const Result<std::int64_t> ticks = record::recover(path);
   if (!ticks) return fail(ticks.problems(), Exit::File, streams);
   streams.out << ticks.value() << " ticks; every program can open the file.\n";
-  return Exit::Well;
+  return Exit::Success;
 }
 
 struct InfoOptions {
@@ -218,14 +218,14 @@ Exit removeParticipant(const RemoveOptions& options, const Streams& streams) {
   const std::size_t count = files.sessions.size() + files.exports.size();
   if (!options.yes) {
     streams.err << count << " files would be deleted permanently. Nothing was deleted: --yes deletes them.\n";
-    return files.unread.empty() ? Exit::Well : Exit::BadInput;
+    return files.unread.empty() ? Exit::Success : Exit::BadInput;
   }
   const Problems problems = record::removeFiles(files);
   print(problems, streams.err);
   streams.err << count - problems.size()
               << " files were deleted permanently. Copies elsewhere, and backups, were not.\n";
   if (!problems.empty()) return Exit::File;
-  return files.unread.empty() ? Exit::Well : Exit::BadInput;
+  return files.unread.empty() ? Exit::Success : Exit::BadInput;
 }
 
 void addRemove(Command log, const Streams& streams, Exit& exit) {
@@ -245,7 +245,7 @@ void addColumns(Command log, const Streams& streams, Exit& exit) {
       log.add("columns", "Print the table of a session's columns, with units, frames and meanings, as JSON");
   command.whenChosen([&streams, &exit] {
     streams.out << record::columnsJson() << '\n';
-    exit = Exit::Well;
+    exit = Exit::Success;
   });
 }
 
@@ -272,7 +272,7 @@ void addPlot(Command log, const Streams& streams, Exit& exit) {
   const auto options = std::make_shared<PlotOptions>();
   command.option("file", options->file, "Session file").required();
   command.option("--kind", options->kind, "What to draw")
-      .showUsual()
+      .showDefault()
       .oneOf({"error", "force", "displacement-force", "path", "angles", "joints", "energy", "spectrum", "lateness",
               "all"});
   command.option("--out", options->out, "File to write: .png, .svg or .pdf").required();

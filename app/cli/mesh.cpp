@@ -140,7 +140,7 @@ Exit exitOfMesh(const std::string& path) {
 }
 
 Exit showMeshes(const MeshOptions& options, const Streams& streams) {
-  Exit exit = Exit::Well;
+  Exit exit = Exit::Success;
   const system::Interrupt interrupt;
   std::atomic<bool> cancelled = false;
   for (const std::string& path : options.files) {

@@ -37,7 +37,7 @@ struct RegisterOptions {
 
 bool isCount(const std::string& marks) {
   return marks.size() == 1 && marks[0] >= '0' + static_cast<char>(registration::kFewestMarks) &&
-         marks[0] <= '0' + static_cast<char>(registration::kMostMarks);
+         marks[0] <= '0' + static_cast<char>(registration::kMaxMarks);
 }
 
 Result<std::vector<Vec3>> referencePointsOf(const std::string& marks) {
@@ -110,7 +110,7 @@ Exit keepIt(const RegisterOptions& options, const Registration& registration, co
     problems.insert(problems.end(), more.begin(), more.end());
   }
   print(problems, streams.err);
-  return problems.empty() ? Exit::Well : Exit::File;
+  return problems.empty() ? Exit::Success : Exit::File;
 }
 
 Exit runRegistration(const RegisterOptions& options, const Streams& streams) {
@@ -154,7 +154,7 @@ void addRegister(Command program, const Streams& streams, Exit& exit) {
       .option("--marks", options->marks,
               "3 to 8 reference points of the printed sheet, or a file: one line per reference point, mm to the right, "
               "away from you, up")
-      .showUsual();
+      .showDefault();
   const Option points = command.option(
       "--points", options->points,
       "A file of the touched points: one line per reference point, x, y and z in W, mm; or a registration (.json)");
@@ -167,18 +167,21 @@ void addRegister(Command program, const Streams& streams, Exit& exit) {
   command.option("--of", options->of, "The arm it belongs to, if --device does not say so");
   std::vector<std::string> arms;
   for (const arm::Preset& preset : arm::presets()) arms.push_back(preset.name);
-  command.option("--arm", options->arm, "Geometry of the arm that touches them").needs(device).showUsual().oneOf(arms);
+  command.option("--arm", options->arm, "Geometry of the arm that touches them")
+      .needs(device)
+      .showDefault()
+      .oneOf(arms);
   command.option("--out", options->out, "Write the registration to this file");
   command.flag("--keep", options->keep, "Save it for its arm, where the window finds it");
   command.option("--wait_s", options->wait_s, "Time to wait for each press, s")
       .needs(device)
       .range(0.1, 3600.0)
-      .showUsual();
+      .showDefault();
   command.option("--draws", options->draws, "Number of simulated registrations per row")
       .needs(accuracy)
       .range(10, 10'000'000)
-      .showUsual();
-  command.option("--seed", options->seed, "Seed of the simulated registrations").needs(accuracy).showUsual();
+      .showDefault();
+  command.option("--seed", options->seed, "Seed of the simulated registrations").needs(accuracy).showDefault();
   command.flag("--json", options->json, "JSON instead of the table");
   command.footer(
       "Touch the reference points in the order of their numbers. Exit status 1 if they were touched in another order, "

@@ -64,7 +64,7 @@ JsonObject registrationObject(const Registration& registration, const std::vecto
   object.addNumber("rms_mm", mm(registration.fit.rms_m));
   const registration::ErrorInTheMiddle middle = errorInTheMiddle(registration.touches, registration.fit);
   object.addNumber("expected_mm", mm(middle.expected_m));
-  object.addNumber("likely_most_mm", mm(middle.likely_most_m));
+  object.addNumber("likely_most_mm", mm(middle.likely_max_m));
   std::vector<JsonObject> told;
   for (const registration::Warning& warning : warnings) told.push_back(warningObject(warning));
   object.addList("warnings", told);
@@ -84,7 +84,7 @@ void printRegistration(const Registration& registration, std::ostream& out) {
   out << line("Distance of the points from their reference points: %.2f mm (root mean square)\n",
               mm(registration.fit.rms_m))
       << line("Expected error in the middle of the workspace: %.2f mm", mm(middle.expected_m))
-      << line(", in 19 of 20 registrations at most %.2f mm\n", mm(middle.likely_most_m));
+      << line(", in 19 of 20 registrations at most %.2f mm\n", mm(middle.likely_max_m));
 }
 
 void printAccuracy(int draws, std::uint64_t seed, bool json, std::ostream& out) {

@@ -79,7 +79,7 @@ class Comparison {
     now_.add(now, recorded.p_WT);
     const double apart_N = (now.f_sent_T_W - recorded.f_sent_T_W).norm();
     square_apart_N2_ += apart_N * apart_N;
-    most_apart_N_ = std::max(most_apart_N_, apart_N);
+    max_apart_N_ = std::max(max_apart_N_, apart_N);
   }
   JsonObject json() const {
     JsonObject object;
@@ -88,14 +88,14 @@ class Comparison {
     object.addObject("replayed", now_.json());
     JsonObject apart;
     apart.addNumber("rms_N", std::sqrt(square_apart_N2_ / static_cast<double>(recorded_.figures.ticks())));
-    apart.addNumber("max_N", most_apart_N_);
+    apart.addNumber("max_N", max_apart_N_);
     object.addObject("force_difference", apart);
     return object;
   }
 
  private:
   Side recorded_, now_;
-  double square_apart_N2_ = 0.0, most_apart_N_ = 0.0;
+  double square_apart_N2_ = 0.0, max_apart_N_ = 0.0;
 };
 
 Exit verifyTicks(record::Session& session, const ReplayOptions& options, const Streams& streams) {
@@ -114,7 +114,7 @@ Exit verifyTicks(record::Session& session, const ReplayOptions& options, const S
   object.addBool("identical", !verified.value().differs && verified.value().unknown.empty());
   const bool same = addDifference(object, verified.value(), streams);
   streams.out << object.text() << '\n';
-  return same ? Exit::Well : Exit::BadInput;
+  return same ? Exit::Success : Exit::BadInput;
 }
 
 /// The recorded scene, or another, with the requested gains.
@@ -166,7 +166,7 @@ Exit compare(record::Session& session, const ReplayOptions& options, const Strea
   streams.out << comparison.json().text() << '\n';
   const Problems unwritten = csv ? csv->close() : Problems{};
   print(unwritten, streams.err);
-  return unwritten.empty() ? Exit::Well : Exit::File;
+  return unwritten.empty() ? Exit::Success : Exit::File;
 }
 
 Exit replay(const ReplayOptions& options, const Streams& streams) {

@@ -34,7 +34,7 @@ Exit printRerun(const record::SessionInfo& info, const device::RerunResult& resu
   object.addObject("run",
                    summary.json({static_cast<int>(info.header.rate_hz), result.seed, true, "as fast as possible", ""}));
   streams.out << object.text() << '\n';
-  return is_same ? Exit::Well : Exit::BadInput;
+  return is_same ? Exit::Success : Exit::BadInput;
 }
 
 Exit rerun(const RerunChoice& choice, const Streams& streams) {

@@ -67,7 +67,7 @@ Exit startListeners(const RunOptions& options, const Prepared& prepared, servo::
   }
   if (!options.record.empty()) {
     Result<Recording> started = Recording::start(host, options.record, wordsOf(options),
-                                                 {.most_ticks = ticksOf(options),
+                                                 {.max_ticks = ticksOf(options),
                                                   .block_s = options.block_s,
                                                   .existing = options.existing(),
                                                   .run = runOf(options, prepared),
@@ -76,11 +76,11 @@ Exit startListeners(const RunOptions& options, const Prepared& prepared, servo::
     if (!started) return fail(started.problems(), Exit::File, streams);
     recording = std::move(started).value();
   }
-  return Exit::Well;
+  return Exit::Success;
 }
 
 Exit runScene(const RunOptions& options, const Streams& streams) {
-  Exit exit = Exit::Well;
+  Exit exit = Exit::Success;
   std::optional<Prepared> prepared = prepare(options, ticksOf(options), streams, exit);
   if (!prepared) return exit;
   const system::Interrupt interrupt(system::Reader::MayGo);
@@ -97,7 +97,7 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   std::optional<Recording> recording;
   std::optional<stream::LiveStream> live;
   exit = startListeners(options, *prepared, host, recording, live, streams);
-  if (exit != Exit::Well) return exit;
+  if (exit != Exit::Success) return exit;
   host.begin();
   if (recording) recording->noteServo();
   Run run(ticksOf(options), std::move(recording), std::move(live), streams);
@@ -115,7 +115,7 @@ Exit runScene(const RunOptions& options, const Streams& streams) {
   unwritten.insert(unwritten.end(), unrecorded.begin(), unrecorded.end());
   print(unwritten, streams.err);
   if (run.summary().faulted()) return Exit::Fault;
-  return unwritten.empty() ? Exit::Well : Exit::File;
+  return unwritten.empty() ? Exit::Success : Exit::File;
 }
 
 std::string checkSeconds(const std::string& text) {
@@ -141,7 +141,7 @@ void addRun(Command program, const Streams& streams, Exit& exit) {
                      "Write every tick to this new file: as CSV if its name ends in .csv, else as a session");
   command.flag("--overwrite", options->overwrite, "Replace the file of --record if it exists").needs(recording);
   command.option("--record-block_s", options->block_s, "Interval at which a session is written, s")
-      .showUsual()
+      .showDefault()
       .range(record::kShortestBlock_s, record::kLongestBlock_s);
   command
       .flag("--record-details", options->details,
@@ -158,7 +158,7 @@ void addRun(Command program, const Streams& streams, Exit& exit) {
               "Send ticks as JSON over UDP (PlotJuggler) to PORT, HOST or HOST:PORT; by default to port 9870 of this "
               "machine; with --fast, at most some 10,000 a second, so that none is lost")
       .expected(0, 1)
-      .usual(std::to_string(stream::kPort));
+      .defaultText(std::to_string(stream::kPort));
   command.option("--fault-file", options->fault_file,
                  "If a fault stops the servo, write it to this file, with the last second of ticks");
   addArmOptions(command, *options);

@@ -60,9 +60,9 @@ JsonObject RunSummary::json(const Setting& setting) const {
   object.addInteger("clamped_ticks", clamped_);
   object.addNumber("rms_error_mm", kMillimetrePerMetre * figures_.rmsError_m());
   object.addVector("final_p_mm", kMillimetrePerMetre * work_.p_WT());
-  object.addNumber("work_mJ", 1e3 * work_.all_J());        // that the force has done on the hand in all
-  object.addNumber("most_work_mJ", 1e3 * work_.most_J());  // its maximum during the run
-  object.addNumber("energy_mJ", 1e3 * energy_.last_J());   // in the constraints, at the end
+  object.addNumber("work_mJ", 1e3 * work_.all_J());       // that the force has done on the hand in all
+  object.addNumber("most_work_mJ", 1e3 * work_.max_J());  // its maximum during the run
+  object.addNumber("energy_mJ", 1e3 * energy_.last_J());  // in the constraints, at the end
   object.addNumber("lowest_energy_mJ", 1e3 * energy_.lowest_J());
   object.addInteger("branch_changes", branch_changes_);
   object.addInteger("out_of_reach_ticks", out_of_reach_);

@@ -16,7 +16,7 @@ namespace underact::cli {
 namespace {
 
 Exit checkSceneFiles(const std::vector<std::string>& paths, const Streams& streams) {
-  Exit exit = Exit::Well;
+  Exit exit = Exit::Success;
   for (const std::string& path : paths) {
     const Result<LoadedScene> loaded = loadScene(path, streams);
     if (loaded) {
@@ -116,7 +116,7 @@ Exit showScene(const std::string& path, bool json, const Streams& streams) {
   } else {
     describeAsTable(loaded.value(), streams.out);
   }
-  return Exit::Well;
+  return Exit::Success;
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ namespace underact::cli {
 namespace {
 
 struct ServeOptions : HeldArm {
-  int port = serve::kUsualPort;
+  int port = serve::kDefaultPort;
   bool starts = false;
   std::string token_file;  // empty: a new one in the runtime folder
   std::vector<std::string> origins;
@@ -53,7 +53,7 @@ Exit runService(ServeOptions options, const Streams& streams) {
     if (!shipped.value().empty()) options.scene = shipped.value().front();
   }
   if (options.hand.empty() && options.isSimulated()) options.hand = "still";
-  Exit exit = Exit::Well;
+  Exit exit = Exit::Success;
   std::optional<Prepared> prepared = prepare(options, 0, streams, exit);
   if (!prepared) return exit;
   const system::Interrupt interrupt(system::Reader::MayGo);
@@ -118,7 +118,7 @@ Exit runService(ServeOptions options, const Streams& streams) {
           {std::to_string(untaken) + " ticks are missing in the recording: the computer was too busy to write them."});
   }
   print(unwritten, streams.err);
-  return unwritten.empty() ? Exit::Well : Exit::File;
+  return unwritten.empty() ? Exit::Success : Exit::File;
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ void addServe(Command program, const Streams& streams, Exit& exit) {
       program.add("serve", "Let other programs of this computer listen to a running scene and steer it");
   const auto options = std::make_shared<ServeOptions>();
   command.option("scene", options->scene, "Scene file; by default the first one that comes with the program");
-  command.option("--port", options->port, "Port of this computer; 0: a free one").showUsual().range(0, 65535);
+  command.option("--port", options->port, "Port of this computer; 0: a free one").showDefault().range(0, 65535);
   command.flag("--start", options->starts, "Start at once; otherwise it begins stopped, with ticks running");
   command.option(
       "--token-file", options->token_file,
@@ -151,9 +151,9 @@ void addServe(Command program, const Streams& streams, Exit& exit) {
           "Serve clients of Haply's Inverse service, too, at this port: the arm as an Inverse3. Without a token: any "
           "program of this computer can push then")
       .expected(0, 1)
-      .usual(std::to_string(serve::kHaplyPort))
+      .defaultText(std::to_string(serve::kHaplyPort))
       .range(0, 65535)
-      .whenSaid([options] { options->haply = true; });
+      .whenGiven([options] { options->haply = true; });
   command.option("--sessions", options->sessions,
                  "Folder for the recordings of clients; by default that of the window: Underact/sessions in the user's "
                  "documents folder");

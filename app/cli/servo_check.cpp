@@ -147,11 +147,11 @@ Exit runCheck(const ServoCheckOptions& options, const Streams& streams) {
       servo::checkServo(arm, std::move(scene.value().program), options.check, reporter(streams, interrupt));
   if (options.json) {
     streams.out << checkObject(result, options).text() << '\n';
-    return Exit::Well;
+    return Exit::Success;
   }
   printCheck(streams.out, result, options);
   if (!result.scheduling.hint.empty()) streams.err << result.scheduling.hint << '\n';
-  return Exit::Well;
+  return Exit::Success;
 }
 
 }  // namespace
@@ -161,9 +161,9 @@ void addServoCheck(Command program, const Streams& streams, Exit& exit) {
       "servo-check", "Measure the latency of the servo, compared with the least that this machine can achieve");
   const auto options = std::make_shared<ServoCheckOptions>();
   command.option("--seconds", options->check.seconds, "Total duration, s; half of it for a bare loop")
-      .showUsual()
+      .showDefault()
       .range(1, kLongestCheck_s);
-  command.option("--rate", options->check.rate_hz, "Ticks per second").showUsual().range(100, 10000);
+  command.option("--rate", options->check.rate_hz, "Ticks per second").showDefault().range(100, 10000);
   command.flag("--load", options->check.load, "Keep every core busy meanwhile");
   command.option("--scene", options->scene, "Scene file; by default a sphere");
   addArmModelOption(command, options->arm_model);

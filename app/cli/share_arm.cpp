@@ -48,7 +48,7 @@ Exit trust(const KeyFolder& folder, const std::string& words, const Streams& str
   const Problems problems = folder.trust(address.value(), key);
   if (!problems.empty()) return fail(problems, is_key ? Exit::File : Exit::Usage, streams);
   streams.out << "Known from now on. The arm there is --device remote:" << address.value().text() << '\n';
-  return Exit::Well;
+  return Exit::Success;
 }
 
 /// "KEY", with whatever words behind it tell people whose it is.
@@ -58,7 +58,7 @@ Exit allow(const KeyFolder& folder, const std::string& words, const Streams& str
   const Problems problems = folder.allow(key, key.size() < words.size() ? words.substr(key.size() + 1) : "");
   if (!problems.empty()) return fail(problems, is_key ? Exit::File : Exit::Usage, streams);
   streams.out << "Permitted from now on, for every arm that you share with others: share-arm --listen 0.0.0.0\n";
-  return Exit::Well;
+  return Exit::Success;
 }
 
 void printSharedArm(const device::remote::ShareOptions& options, const Address& address, const std::string& title,
@@ -105,7 +105,7 @@ Exit share(const ShareArmOptions& asked, const KeyFolder& folder, const KeyPair&
     std::this_thread::sleep_for(kBetweenLooks);
   std::move(shared).value().reset();
   say("Zero force. The arm is no longer shared.");
-  return Exit::Well;
+  return Exit::Success;
 }
 
 Exit perform(const ShareArmOptions& asked, const Streams& streams) {
@@ -120,7 +120,7 @@ Exit perform(const ShareArmOptions& asked, const Streams& streams) {
                  "Run this once on the computer of the arm:\n"
               << "  underact-cli share-arm --allow='" << keys.value().public_key << " " << system::computerName()
               << "'\n";
-  return Exit::Well;
+  return Exit::Success;
 }
 
 }  // namespace
@@ -130,14 +130,14 @@ void addShareArm(Command program, const Streams& streams, Exit& exit) {
       program.add("share-arm", "Let one program at a time, on this computer or another, drive an arm of this computer");
   const auto options = std::make_shared<ShareArmOptions>();
   command.option("--device", options->device, "The arm, KIND or KIND:ADDRESS, as underact-cli devices lists it")
-      .showUsual();
-  command.option("--arm", options->arm, "The arm that the joint samples belong to, as scenes name it").showUsual();
+      .showDefault();
+  command.option("--arm", options->arm, "The arm that the joint samples belong to, as scenes name it").showDefault();
   command
       .option("--listen", options->listen,
               "HOST or HOST:PORT of this computer; 0.0.0.0 for all of its networks, for permitted users only")
-      .usual(Address{}.text());
+      .defaultText(Address{}.text());
   command.option("--rate", options->rate_hz, "Ticks per second, until a program requests another rate")
-      .showUsual()
+      .showDefault()
       .range(servo::kSlowest_hz, servo::kFastest_hz);
   command.flag("--force", options->force, "Permit force; without it, the arm is only read");
   command.flag("--no-passivity", options->no_passivity,
@@ -149,7 +149,7 @@ void addShareArm(Command program, const Streams& streams, Exit& exit) {
                  "Trust an arm: \"HOST:PORT KEY\", as share-arm prints it on the arm's computer. Shares nothing");
   const Option show = command.flag("--show-key", options->show_key, "Print your key; shares nothing");
   command.flag("--new-key", options->new_key, "Make a new key and print it; shares nothing").excludes(show);
-  command.option("--seconds", options->seconds, "Duration, s; 0: until Ctrl+C").range(0.0, 1e9).showUsual();
+  command.option("--seconds", options->seconds, "Duration, s; 0: until Ctrl+C").range(0.0, 1e9).showDefault();
   command.whenChosen([options, &streams, &exit] { exit = perform(*options, streams); });
 }
 

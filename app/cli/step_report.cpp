@@ -110,7 +110,7 @@ JsonObject stepObject(const lab::ArmStep& step) {
   object.addNumber("step_mm", kMillimetrePerMetre * step.step_m);
   object.addVector("from_mm", kMillimetrePerMetre * step.p_WBefore);
   object.addInteger("rate_hz", step.rate_hz);
-  object.addNumber("seconds", step.way_m.period_s * static_cast<double>(step.way_m.value.size() - 1));
+  object.addNumber("seconds", step.travel_m.period_s * static_cast<double>(step.travel_m.value.size() - 1));
   const std::optional<double>& end_m = step.measured.final_value;
   object.addNumber("final_mm", end_m ? kMillimetrePerMetre * *end_m : kNotANumber);
   addNumber(object, "rise_10_90_s", step.measured.rise_10_90_s);
@@ -216,9 +216,9 @@ std::string csvOf(const lab::TransferFunction& transfer, double seconds) {
 std::string csvOf(const lab::ArmStep& step) {
   const lab::UnitStep analytic(step.analytic);
   std::string text = "t_s,measured_mm,fit_mm,analytic_mm\n";
-  for (std::size_t index = 0; index < step.way_m.value.size(); ++index) {
-    const double t_s = step.way_m.period_s * static_cast<double>(index);
-    text += numberText(t_s) + ',' + numberText(kMillimetrePerMetre * step.way_m.value[index]) + ',';
+  for (std::size_t index = 0; index < step.travel_m.value.size(); ++index) {
+    const double t_s = step.travel_m.period_s * static_cast<double>(index);
+    text += numberText(t_s) + ',' + numberText(kMillimetrePerMetre * step.travel_m.value[index]) + ',';
     if (step.fit) {
       const double y = lab::secondOrderAt(step.fit->omega_n_rad_per_s, step.fit->zeta, t_s);
       text += numberText(kMillimetrePerMetre * step.fit->gain * y);

@@ -41,9 +41,9 @@ std::string linkTo(const std::string& section) {
 
 std::string rowOf(const Option& option) {
   return "| " + tagInCode(option) + " | " + meaning(option) + " | " +
-         (option.required        ? "required"
-          : option.usual.empty() ? ""
-                                 : inCode(option.usual)) +
+         (option.required                ? "required"
+          : option.default_value.empty() ? ""
+                                         : inCode(option.default_value)) +
          " |\n";
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 Command ofProgram(const std::string& name) {
   const cli::Streams streams{std::cin, std::cout, std::cerr};
-  cli::Exit exit = cli::Exit::Well;
+  cli::Exit exit = cli::Exit::Success;
   if (name == "underact-cli") return options::describe(cli::makeGrammar(streams, exit));
   if (name == "underact-sweep") return options::describe(sweep::makeGrammar(streams, nullptr, exit));
   if (name != "underact") return {};

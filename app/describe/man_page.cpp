@@ -54,7 +54,7 @@ void writeOption(const Option& option, std::ostream& out) {
     out << "\nOne of: " << all << '.';
   }
   if (!option.range.empty()) out << "\nFrom " << escaped(option.range) << '.';
-  if (!option.usual.empty()) out << "\nDefault: " << bold(option.usual) << '.';
+  if (!option.default_value.empty()) out << "\nDefault: " << bold(option.default_value) << '.';
   if (option.required) out << "\nRequired.";
   out << '\n';
 }

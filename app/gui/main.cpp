@@ -136,8 +136,8 @@ int run(int argc, char** argv) {
   began.clock.start();
   system::returnLargeBlocks();
   const options::WindowOptions options = options::parseWindowOptions({argv + 1, argv + argc});
-  if (!options.said.empty()) {
-    std::fputs(options.said.c_str(), options.exit == 0 ? stdout : stderr);
+  if (!options.given.empty()) {
+    std::fputs(options.given.c_str(), options.exit == 0 ? stdout : stderr);
     return options.exit;
   }
   QSurfaceFormat::setDefaultFormat(surfaceFormat());

@@ -131,16 +131,16 @@ class ScenePage {
     for (std::size_t i = 0; i < properties->keys.size(); ++i) {
       const std::string& key = properties->keys[i];
       const Value& value = properties->items[i];
-      const bool is_said = (key == "type" || key == "filter") && value.find("const") != nullptr;
-      if (is_said) continue;  // by the heading
+      const bool is_given = (key == "type" || key == "filter") && value.find("const") != nullptr;
+      if (is_given) continue;  // by the heading
       const bool is_required = required != nullptr && std::any_of(required->items.begin(), required->items.end(),
                                                                   [&](const Value& r) { return r.text == key; });
-      const Value* usual = value.find("default");
-      if (usual == nullptr) usual = resolved(value).find("default");
+      const Value* default_value = value.find("default");
+      if (default_value == nullptr) default_value = resolved(value).find("default");
       rows.push_back({key, "| " + inCode(key) + " | " + kindOf(value, key) + " | " +
-                               (is_required        ? "required"
-                                : usual == nullptr ? ""
-                                                   : inCode(shownValue(*usual))) +
+                               (is_required                ? "required"
+                                : default_value == nullptr ? ""
+                                                           : inCode(shownValue(*default_value))) +
                                " | " + cellText(textOf(value, "description", key)) + " |\n"});
     }
     return rows;
@@ -208,10 +208,10 @@ class ScenePage {
 
   std::string listOf(const Value& is) {
     const Value& items = *is.find("items");
-    const Value* least = is.find("minItems");
-    const Value* most = is.find("maxItems");
-    std::string count = least == nullptr ? "" : json::numberText(least->number);
-    if (most != nullptr && json::numberText(most->number) != count) count += " to " + json::numberText(most->number);
+    const Value* min = is.find("minItems");
+    const Value* max = is.find("maxItems");
+    std::string count = min == nullptr ? "" : json::numberText(min->number);
+    if (max != nullptr && json::numberText(max->number) != count) count += " to " + json::numberText(max->number);
     const std::string name = nameOfRef(items);
     if (isPart(name)) return count + " of [" + name + "](#" + name + ")";
     if (items.find("oneOf") != nullptr) return count + " constraints, of the types below";
@@ -227,9 +227,9 @@ class ScenePage {
       if (const std::size_t at = text.find("e+0"); at != std::string::npos) text.erase(at + 1, 2);  // 1e6, not 1e+06
       return text;
     };
-    const std::string least = bound("minimum"), above = bound("exclusiveMinimum"), most = bound("maximum");
-    if (!above.empty()) return " above " + above + (most.empty() ? "" : ", at most " + most);
-    if (!least.empty() && !most.empty()) return " from " + least + " to " + most;
+    const std::string min = bound("minimum"), above = bound("exclusiveMinimum"), max = bound("maximum");
+    if (!above.empty()) return " above " + above + (max.empty() ? "" : ", at most " + max);
+    if (!min.empty() && !max.empty()) return " from " + min + " to " + max;
     return {};
   }
 

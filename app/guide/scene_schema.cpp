@@ -94,7 +94,7 @@ std::string descriptionOf(const Setting& setting) {
 }
 
 /// The schema of its value.
-Value schemaOf(const Setting& setting, const scene::SettingValue& usual) {
+Value schemaOf(const Setting& setting, const scene::SettingValue& default_value) {
   Value made = emptyOf(Kind::Object);
   switch (setting.kind) {
     case SettingKind::Choice: {
@@ -112,13 +112,13 @@ Value schemaOf(const Setting& setting, const scene::SettingValue& usual) {
     case SettingKind::Number:
     case SettingKind::Whole:
       set(made, "type", textValue(setting.kind == SettingKind::Whole ? "integer" : "number"));
-      if (setting.least > -kInfinity)
-        set(made, setting.is_above_least ? "exclusiveMinimum" : "minimum", numberValue(setting.least));
-      if (setting.most < kInfinity) set(made, "maximum", numberValue(setting.most));
+      if (setting.min > -kInfinity)
+        set(made, setting.is_above_min ? "exclusiveMinimum" : "minimum", numberValue(setting.min));
+      if (setting.max < kInfinity) set(made, "maximum", numberValue(setting.max));
       break;
   }
-  if (setting.said != scene::KeyPresence::Required && !scene::isNone(usual))
-    set(made, "default", json::parse(scene::fileTextOf(usual), "a default").value());
+  if (setting.given != scene::KeyPresence::Required && !scene::isNone(default_value))
+    set(made, "default", json::parse(scene::fileTextOf(default_value), "a default").value());
   set(made, "description", textValue(descriptionOf(setting)));
   return made;
 }
@@ -150,9 +150,9 @@ class Schema {
       if (std::string_view(setting.key) == "filter") continue;  // what tells the filters apart: a constant of each
       // What many types have stands in a part of its own, "side"; a type may add to the description.
       Value* const shared = part(setting.key);
-      set(shared == nullptr ? *keys : *defs_, setting.key, schemaOf(setting, use.usual));
+      set(shared == nullptr ? *keys : *defs_, setting.key, schemaOf(setting, use.default_value));
       if (shared != nullptr && keys->find(setting.key) == nullptr) set(*keys, setting.key, refTo(setting.key));
-      if (setting.said == scene::KeyPresence::Required) require(*object, setting.key);
+      if (setting.given == scene::KeyPresence::Required) require(*object, setting.key);
     }
     return true;
   }

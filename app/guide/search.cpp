@@ -6,7 +6,7 @@
 namespace underact::guide {
 namespace {
 
-constexpr int kInTitle = 12, kInPageTitle = 5, kInText = 1, kMostInText = 5, kWhole = 2;
+constexpr int kInTitle = 12, kInPageTitle = 5, kInText = 1, kMaxInText = 5, kWhole = 2;
 constexpr std::size_t kAround = 60;  // bytes of an excerpt to each side
 
 /// Small letters: of ASCII, and of the Latin and Greek letters that a page may have (two bytes in UTF-8).
@@ -34,13 +34,13 @@ std::vector<std::string> sortedWords(std::string_view text) {
 }
 
 /// How often a word is among others: each that begins with it, a whole one kWhole times.
-int countOf(const std::string& word, const std::vector<std::string>& words, int most) {
+int countOf(const std::string& word, const std::vector<std::string>& words, int max) {
   int count = 0;
-  for (auto at = std::lower_bound(words.begin(), words.end(), word); at != words.end() && count < most; ++at) {
+  for (auto at = std::lower_bound(words.begin(), words.end(), word); at != words.end() && count < max; ++at) {
     if (at->compare(0, word.size(), word) != 0) break;
     count += at->size() == word.size() ? kWhole : 1;
   }
-  return std::min(count, most);
+  return std::min(count, max);
 }
 
 /// The position of the word in the text, at the start of a word.
@@ -103,7 +103,7 @@ Search::Search(const Guide& guide) {
   }
 }
 
-std::vector<Hit> Search::find(std::string_view typed, std::size_t most) const {
+std::vector<Hit> Search::find(std::string_view typed, std::size_t max) const {
   const std::vector<std::string> words = searchWords(typed);
   std::vector<Hit> hits;
   if (words.empty()) return hits;
@@ -112,7 +112,7 @@ std::vector<Hit> Search::find(std::string_view typed, std::size_t most) const {
     bool has_all = true;
     for (const std::string& word : words) {
       const int in_title = countOf(word, section.title_words, kWhole);
-      const int in_text = countOf(word, section.words, kMostInText);
+      const int in_text = countOf(word, section.words, kMaxInText);
       const int in_page = countOf(word, section.page_words, kWhole);
       has_all = has_all && in_title + in_text > 0;
       score += kInTitle * in_title + kInText * in_text + kInPageTitle * in_page;
@@ -123,7 +123,7 @@ std::vector<Hit> Search::find(std::string_view typed, std::size_t most) const {
     hits.back().excerpt = excerptOf(section.text, words);
   }
   std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.score > b.score; });
-  hits.resize(std::min(hits.size(), most));
+  hits.resize(std::min(hits.size(), max));
   return hits;
 }
 

@@ -25,7 +25,7 @@ class Search {
 
   /// Sections that have each of the words, or one that begins with it: the best first, then in the order of the guide.
   /// A word in a title counts most, a whole one more than a beginning. Nothing typed: nothing found.
-  std::vector<Hit> find(std::string_view typed, std::size_t most = 60) const;
+  std::vector<Hit> find(std::string_view typed, std::size_t max = 60) const;
 
  private:
   struct Section {

@@ -60,10 +60,10 @@ std::string firstPlace(std::string path) {
 
 std::string rowOf(const Setting& setting) {
   const SettingUse use = useOf(setting);
-  const auto* const word = std::get_if<std::string>(&use.usual);
-  const std::string usual = word != nullptr ? *word : scene::fileTextOf(use.usual);
-  return "| " + inCode(pathOf(setting)) + " | " + (scene::isNone(use.usual) ? "" : inCode(usual)) + " | " +
-         (use.is_of_all ? "" : listedInCode(use.of)) + " |\n";
+  const auto* const word = std::get_if<std::string>(&use.default_value);
+  const std::string default_value = word != nullptr ? *word : scene::fileTextOf(use.default_value);
+  return "| " + inCode(pathOf(setting)) + " | " + (scene::isNone(use.default_value) ? "" : inCode(default_value)) +
+         " | " + (use.is_of_all ? "" : listedInCode(use.of)) + " |\n";
 }
 
 }  // namespace
@@ -71,18 +71,18 @@ std::string rowOf(const Setting& setting) {
 SettingUse useOf(const Setting& setting) {
   const std::string path = pathOf(setting), place = firstPlace(path);
   SettingUse use;
-  std::vector<scene::SettingValue> usual;
+  std::vector<scene::SettingValue> default_value;
   const std::vector<Sample> samples = samplesFor(path);
   for (const Sample& one : samples) {
     const Result<Setting> found = settingAt(one.scene, place);
     if (!found || found.value().tip != setting.tip || found.value().unit != setting.unit) continue;
     use.of.push_back(one.name);
-    usual.push_back(defaultAt(one.scene, place).value());
+    default_value.push_back(defaultAt(one.scene, place).value());
   }
   use.is_of_all = use.of.size() == samples.size();
-  const bool is_one =
-      std::count(usual.begin(), usual.end(), usual.front()) == static_cast<std::ptrdiff_t>(usual.size());
-  if (is_one) use.usual = usual.front();
+  const bool is_one = std::count(default_value.begin(), default_value.end(), default_value.front()) ==
+                      static_cast<std::ptrdiff_t>(default_value.size());
+  if (is_one) use.default_value = default_value.front();
   return use;
 }
 

@@ -10,7 +10,7 @@ namespace underact::guide {
 struct SettingUse {
   std::vector<std::string> of;  // types of constraints, of joints or filters that have it
   bool is_of_all = false;
-  scene::SettingValue usual;  // none: the key cannot be left out, or what stands for it depends on the rest
+  scene::SettingValue default_value;  // none: the key cannot be left out, or what stands for it depends on the rest
 };
 SettingUse useOf(const scene::Setting& setting);
 

@@ -146,15 +146,15 @@ OpenMeshResult readWithOpenMesh(Format format, const Prepared& prepared,
     const bool shares = prepared.corners > 0 && corners != prepared.corners;
     if (!is_read || taking.hasBroken() || shares || faces > prepared.faces) {
       result.problem =
-          said(TRANSLATE_NOOP("problem", "The file is damaged: reading stopped after %1 vertices and %2 faces."),
-               {std::to_string(corners), std::to_string(faces)});
+          phrase(TRANSLATE_NOOP("problem", "The file is damaged: reading stopped after %1 vertices and %2 faces."),
+                 {std::to_string(corners), std::to_string(faces)});
     }
   } catch (const std::bad_alloc&) {
     result = {};
-    result.problem = said(TRANSLATE_NOOP(
+    result.problem = phrase(TRANSLATE_NOOP(
         "problem", "The file is damaged, or its faces take more memory than a file of its size should."));
   } catch (const std::exception&) {
-    result.problem = said(TRANSLATE_NOOP("problem", "The file is damaged: OpenMesh could not read it."));
+    result.problem = phrase(TRANSLATE_NOOP("problem", "The file is damaged: OpenMesh could not read it."));
   }
   return result;
 }

@@ -10,7 +10,7 @@ namespace underact::mesh_reader {
 namespace {
 
 // Ear clipping takes the square of this number, in the worst case its cube.
-constexpr std::size_t kMostEars = 256;
+constexpr std::size_t kMaxEars = 256;
 
 bool isFinite(const Eigen::Vector3f& p) {
   return std::abs(p.x()) < mesh_file::kBeyondAll && std::abs(p.y()) < mesh_file::kBeyondAll &&
@@ -95,7 +95,7 @@ void cutIntoTriangles(const std::vector<Eigen::Vector3f>& p_MV, std::span<const 
     triangles.push_back({face[0], face[1], face[2]});
   } else if (face.size() == 4) {
     addQuad(p_MV, face, triangles);
-  } else if (face.size() <= kMostEars) {
+  } else if (face.size() <= kMaxEars) {
     addEars(p_MV, face, triangles);
   } else {
     addFan(face, triangles);

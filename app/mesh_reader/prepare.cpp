@@ -16,12 +16,12 @@ namespace {
 using mesh_file::Scan;
 
 // OpenMesh finds equal vertices of a face by comparing every pair.
-constexpr int kMostCornersOfAFace = 5000;
+constexpr int kMaxCornersOfAFace = 5000;
 
 /// pattern: with a placeholder for the line.
 Prepared damagedAt(int line, const char* pattern) {
   Prepared none;
-  none.problem = said(pattern, {std::to_string(line)});
+  none.problem = phrase(pattern, {std::to_string(line)});
   return none;
 }
 
@@ -115,7 +115,7 @@ Prepared prepareStlBinary(std::string bytes, Shift& shift) {
   prepared.faces = faces.value_or(0);
   shift.is_single = true;
   if (!faces) {
-    prepared.problem = said(TRANSLATE_NOOP("problem", "The file is damaged: its length does not fit its faces."));
+    prepared.problem = phrase(TRANSLATE_NOOP("problem", "The file is damaged: its length does not fit its faces."));
     return prepared;
   }
   for (std::uint64_t face = 0; face < prepared.faces; ++face) {
@@ -186,7 +186,7 @@ Prepared prepareObj(const std::string& bytes, Shift& shift) {
       for (std::string_view word = words.word(); !word.empty() && !word.starts_with('#'); word = words.word()) {
         std::int32_t index = 0;  // of the vertex; after a / come those of its texture and normal
         const bool is_number = mesh_file::readInteger(word.substr(0, word.find('/')), index);
-        if (!is_number || ++count > kMostCornersOfAFace)
+        if (!is_number || ++count > kMaxCornersOfAFace)
           return damagedAt(lines.lineNumber() - 1,
                            TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a face."));
         prepared.bytes += std::to_string(index) + ' ';
@@ -229,7 +229,7 @@ Prepared prepareOff(const std::string& bytes, Shift& shift) {
       continue;
     }
     int count = 0;
-    if (!mesh_file::readInteger(first, count) || count < 0 || count > kMostCornersOfAFace) {
+    if (!mesh_file::readInteger(first, count) || count < 0 || count > kMaxCornersOfAFace) {
       return damagedAt(number, TRANSLATE_NOOP("problem", "The file is damaged: line %1 is not a face."));
     }
     prepared.bytes += std::to_string(count) + ' ';

@@ -16,7 +16,7 @@ using mesh_file::PlyEncoding;
 using mesh_file::PlyHeader;
 using mesh_file::PlyProperty;
 
-constexpr std::uint64_t kMostCornersOfAPlyFace = 5000;
+constexpr std::uint64_t kMaxCornersOfAPlyFace = 5000;
 
 bool isCoordinate(const PlyProperty& property) {
   return property.name == "x" || property.name == "y" || property.name == "z";
@@ -64,7 +64,7 @@ class TextBody {
   bool list(const PlyProperty& /*property*/, bool kept, std::string& to) {
     std::uint64_t count = 0;
     if (!mesh_file::readInteger(words_.word(), count)) return false;
-    if (kept && count > kMostCornersOfAPlyFace) return false;
+    if (kept && count > kMaxCornersOfAPlyFace) return false;
     if (kept) to += std::to_string(count) + ' ';
     for (std::uint64_t i = 0; i < count; ++i) {
       const std::string_view word = words_.word();
@@ -98,7 +98,7 @@ class BinaryBody {
     for (std::uint64_t byte = 0; byte < width; ++byte) {
       count = count << 8U | static_cast<unsigned char>(body_[is_big_ ? byte : width - 1 - byte]);
     }
-    if (kept && count > kMostCornersOfAPlyFace) return false;
+    if (kept && count > kMaxCornersOfAPlyFace) return false;
     return take(width, kept, to) && take(count * static_cast<std::uint64_t>(property.bytes), kept, to);
   }
   static void endRow(std::string& /*to*/) {}
@@ -139,8 +139,8 @@ std::int64_t copyRows(const PlyElement& element, Body& body, std::string& to) {
   for (std::uint64_t row = 0; row < element.count; ++row) {
     for (const PlyProperty& property : element.properties) {
       const bool kept = isKept(element, property);
-      const bool is_well = property.is_list ? body.list(property, kept, to) : body.number(property, kept, to);
-      if (!is_well) return static_cast<std::int64_t>(row);
+      const bool is_ok = property.is_list ? body.list(property, kept, to) : body.number(property, kept, to);
+      if (!is_ok) return static_cast<std::int64_t>(row);
     }
     if (any_kept) body.endRow(to);
     if (element.properties.empty()) break;  // rows without properties are skipped at once
@@ -157,7 +157,7 @@ void copyBody(const PlyHeader& header, Body body, Prepared& prepared) {
           element.name == "vertex" ? TRANSLATE_NOOP("problem", "The file is damaged: vertex %1 of %2 cannot be read.")
           : element.name == "face" ? TRANSLATE_NOOP("problem", "The file is damaged: face %1 of %2 cannot be read.")
                                    : TRANSLATE_NOOP("problem", "The file is damaged: row %1 of %2 cannot be read.");
-      prepared.problem = said(pattern, {std::to_string(row + 1), std::to_string(element.count)});
+      prepared.problem = phrase(pattern, {std::to_string(row + 1), std::to_string(element.count)});
       return;
     }
     if (element.name == "vertex") prepared.corners = element.count;

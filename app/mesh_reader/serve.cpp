@@ -64,7 +64,7 @@ Message read(Format format, std::uint64_t file_bytes) {
     }
     unsigned char told = 0;
     OpenMeshResult result = readWithOpenMesh(format, prepared, [&told](double share) {
-      const auto percent = static_cast<unsigned char>(share * helper::kMostProgress);
+      const auto percent = static_cast<unsigned char>(share * helper::kMaxProgress);
       if (percent <= told) return;
       told = percent;
       write(std::as_bytes(std::span(&told, 1)));
@@ -83,7 +83,7 @@ Message read(Format format, std::uint64_t file_bytes) {
   } catch (const std::bad_alloc&) {
     message = {};
     message.problem =
-        said(TRANSLATE_NOOP("problem", "The file is damaged, or takes more memory than a file of its size should."));
+        phrase(TRANSLATE_NOOP("problem", "The file is damaged, or takes more memory than a file of its size should."));
   }
   return message;
 }
@@ -98,7 +98,7 @@ int serve(const std::string& word) {
   system::lowerPriority(kNice);
   const system::Descriptor status = system::openToRead("/proc/self/status");
   system::endWithParent();  // the program that asked is gone
-  if (!system::enterSandbox(mesh_file::mostMemory(bytes), mesh_file::mostCpu_s(bytes))) return helper::kNotSealed;
+  if (!system::enterSandbox(mesh_file::maxMemory(bytes), mesh_file::maxCpu_s(bytes))) return helper::kNotSealed;
   Message message = read(*format, bytes);
   message.raw.peak_bytes = peakBytes(status);
   return mesh_file::writeMessage(message, write) ? 0 : 1;

@@ -16,8 +16,8 @@ Option Option::required() const {
   return *this;
 }
 
-Option Option::expected(int least, int most) const {
-  option_->expected(least, most);
+Option Option::expected(int min, int max) const {
+  option_->expected(min, max);
   return *this;
 }
 
@@ -41,13 +41,13 @@ Option Option::excludes(Option other) const {
   return *this;
 }
 
-Option Option::range(int least, int most) const {
-  option_->check(CLI::Range(least, most));
+Option Option::range(int min, int max) const {
+  option_->check(CLI::Range(min, max));
   return *this;
 }
 
-Option Option::range(double least, double most) const {
-  option_->check(CLI::Range(least, most));
+Option Option::range(double min, double max) const {
+  option_->check(CLI::Range(min, max));
   return *this;
 }
 
@@ -81,22 +81,22 @@ Option Option::group(const std::string& title) const {
   return *this;
 }
 
-Option Option::usual(const std::string& text) const {
+Option Option::defaultText(const std::string& text) const {
   option_->default_str(text);
   return *this;
 }
 
-Option Option::showUsual() const {
+Option Option::showDefault() const {
   option_->capture_default_str();
   return *this;
 }
 
-Option Option::whenSaid(std::function<void()> then) const {
+Option Option::whenGiven(std::function<void()> then) const {
   option_->each([then = std::move(then)](const std::string&) { then(); });
   return *this;
 }
 
-bool Option::isSaid() const {
+bool Option::isGiven() const {
   return option_->count() > 0;
 }
 

@@ -24,26 +24,26 @@ class Option {
  public:
   Option required() const;
   /// Number of values, at least and at most; most below 0: any number.
-  Option expected(int least, int most) const;
+  Option expected(int min, int max) const;
   Option oneEachTime() const;  // of a list: one value each time that it is given
   Option withCommas() const;   // of a list: the values may be separated by commas
   Option needs(Option other) const;
   Option excludes(Option other) const;
 
-  Option range(int least, int most) const;
-  Option range(double least, double most) const;
+  Option range(int min, int max) const;
+  Option range(double min, double max) const;
   Option nonNegative() const;
   Option positive() const;
   Option oneOf(std::vector<std::string> words) const;
   /// wrong: what is wrong with a value; empty: nothing.
   Option check(std::function<std::string(const std::string& value)> wrong) const;
 
-  Option word(const std::string& word) const;    // the placeholder of the value in help
-  Option group(const std::string& title) const;  // in help
-  Option usual(const std::string& text) const;   // the default as help shows it
-  Option showUsual() const;                      // the default is the present value
-  Option whenSaid(std::function<void()> then) const;
-  bool isSaid() const;
+  Option word(const std::string& word) const;         // the placeholder of the value in help
+  Option group(const std::string& title) const;       // in help
+  Option defaultText(const std::string& text) const;  // the default as help shows it
+  Option showDefault() const;                         // the default is the present value
+  Option whenGiven(std::function<void()> then) const;
+  bool isGiven() const;
 
  private:
   friend class Command;

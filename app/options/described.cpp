@@ -50,7 +50,7 @@ DescribedOption described(const CLI::Option& option) {
   if (made.names.empty() && made.word == "TEXT") made.word = option.get_single_name();
   std::transform(made.word.begin(), made.word.end(), made.word.begin(),
                  [](unsigned char c) { return std::toupper(c); });
-  made.usual = option.get_default_str();
+  made.default_value = option.get_default_str();
   return made;
 }
 

@@ -11,7 +11,7 @@ struct DescribedOption {
   std::vector<std::string> names;    // "-h", "--help"; none: a positional argument
   std::string word;                  // its argument, or the positional argument: "FILE"; empty: a flag
   std::vector<std::string> choices;  // all that it can be; empty: anything
-  std::string usual;                 // its default
+  std::string default_value;         // its default
   std::string range;                 // "100 to 10000"
   std::string what;
   bool required = false, many = false;

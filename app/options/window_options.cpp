@@ -11,7 +11,7 @@
 namespace underact::options {
 
 Program windowGrammar(WindowOptions& options) {
-  constexpr int kMostLate = 1'000'000;
+  constexpr int kMaxLate = 1'000'000;
   Program program("underact", "Feel geometry through a small haptic arm, and see what you feel.");
   program.footer("Without an arm it simulates one. underact-cli is the program without a window.");
   program.version(std::string("underact ") + kVersion);
@@ -50,18 +50,18 @@ Program windowGrammar(WindowOptions& options) {
   program
       .option("--max-late", options.max_late,
               "Permitted number of consecutive ticks that are a whole period late; more release the force")
-      .showUsual()
-      .range(1, kMostLate);
+      .showDefault()
+      .range(1, kMaxLate);
   return program;
 }
 
 WindowOptions parseWindowOptions(std::vector<std::string> arguments) {
   constexpr int kUsage = 2;
   WindowOptions options;
-  std::ostringstream said;
-  const Parsed parsed = windowGrammar(options).parse(std::move(arguments), said, said);
+  std::ostringstream given;
+  const Parsed parsed = windowGrammar(options).parse(std::move(arguments), given, given);
   options.exit = parsed == Parsed::Wrong ? kUsage : 0;
-  options.said = said.str();
+  options.given = given.str();
   return options;
 }
 

@@ -21,7 +21,7 @@ struct WindowOptions {
   system::SchedulingRequest scheduling;
   int max_late = 20;  // ticks in a row
   // Help, the version, or what is wrong with the command line, and the exit status that goes with it; empty: go on.
-  std::string said;
+  std::string given;
   int exit = 0;
 };
 

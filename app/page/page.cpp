@@ -14,7 +14,7 @@ namespace underact::page {
 namespace {
 
 constexpr int kDeepestPage = 60;  // what reads the HTML may go into itself for each level
-constexpr std::size_t kMostProblems = 100;
+constexpr std::size_t kMaxProblems = 100;
 
 /// As PageLimits count them.
 std::size_t partsOf(std::string_view html) {
@@ -91,8 +91,8 @@ bool isFormula(MD_SPANTYPE type) {
 /// Builds the page from the parts that md4c reports.
 class Writer {
  public:
-  Writer(std::string_view markdown, const std::string& file, const LinkTo& link_to, std::size_t most_parts)
-      : markdown_(markdown), file_(file), link_to_(link_to), most_parts_(most_parts) {
+  Writer(std::string_view markdown, const std::string& file, const LinkTo& link_to, std::size_t max_parts)
+      : markdown_(markdown), file_(file), link_to_(link_to), max_parts_(max_parts) {
     page_.sections.emplace_back();
   }
   /// With what is open closed.
@@ -118,16 +118,16 @@ class Writer {
   int isCut() const { return page_.cut.empty() ? 0 : 1; }
   bool isTooDeep() {
     if (++depth_ > kDeepestPage)
-      cut(said(TRANSLATE_NOOP("problem", "The text is cut here: it is nested more than %1 deep."),
-               {std::to_string(kDeepestPage)}));
+      cut(phrase(TRANSLATE_NOOP("problem", "The text is cut here: it is nested more than %1 deep."),
+                 {std::to_string(kDeepestPage)}));
     return !page_.cut.empty();
   }
   /// Ends are put beside it: what has begun also ends where the page is cut.
   bool put(std::string_view html) {
     parts_ += partsOf(html);
-    if (parts_ > most_parts_)
-      cut(said(TRANSLATE_NOOP("problem", "The text is cut here: it has more than %1 parts."),
-               {std::to_string(most_parts_)}));
+    if (parts_ > max_parts_)
+      cut(phrase(TRANSLATE_NOOP("problem", "The text is cut here: it has more than %1 parts."),
+                 {std::to_string(max_parts_)}));
     if (page_.cut.empty()) page_.html += html;
     return page_.cut.empty();
   }
@@ -176,7 +176,7 @@ class Writer {
   std::string heading_, formula_, picture_;
   std::vector<std::string> spans_;   // open ones, the innermost last
   std::vector<const char*> blocks_;  // what ends the open ones, the innermost last
-  std::size_t heading_at_ = 0, paragraph_at_ = 0, parts_ = 0, most_parts_ = 0;
+  std::size_t heading_at_ = 0, paragraph_at_ = 0, parts_ = 0, max_parts_ = 0;
   const char* counted_to_ = nullptr;  // the lines before it are counted
   int counted_ = 1;
   std::map<std::string, int> anchors_;  // how often each was met
@@ -285,12 +285,12 @@ void Writer::formula(bool display) {
   const bool is_own_block = display && in_paragraph_ && spans_.empty();
   // What is wrong a hundred times is not looked at once more: to look for the command that was meant takes long.
   const Result<TexNode> tree =
-      page_.problems.size() < kMostProblems ? parseTex(formula_, {file_, line_}) : Problems{{Sentence()}};
+      page_.problems.size() < kMaxProblems ? parseTex(formula_, {file_, line_}) : Problems{{Sentence()}};
   if (is_own_block) closeParagraph();
   if (tree) {
     put(texToHtml(tree.value(), display && spans_.empty() && !in_heading_));
   } else {
-    if (page_.problems.size() < kMostProblems)
+    if (page_.problems.size() < kMaxProblems)
       page_.problems.insert(page_.problems.end(), tree.problems().begin(), tree.problems().end());
     put("<code class=\"wrong\">" + escaped(formula_) + "</code>");
   }
@@ -351,8 +351,8 @@ Page readPage(std::string_view markdown, const std::string& file, const LinkTo& 
   };
   md_parse(markdown.data(), static_cast<MD_SIZE>(markdown.size()), &parser, &writer);
   if (is_long)
-    writer.cut(said(TRANSLATE_NOOP("problem", "The text is cut here: it is longer than %1 KiB."),
-                    {std::to_string(limits.bytes >> 10U)}));
+    writer.cut(phrase(TRANSLATE_NOOP("problem", "The text is cut here: it is longer than %1 KiB."),
+                      {std::to_string(limits.bytes >> 10U)}));
   return writer.take();
 }
 

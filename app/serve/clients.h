@@ -9,11 +9,11 @@
 
 namespace underact::serve {
 
-inline constexpr std::size_t kMostMessages = 1000;           // answers and events that wait for a client
-inline constexpr std::size_t kMostMessageBytes = 4U << 20U;  // the same, bytes
-inline constexpr int kMostBadFrames = 3;
-inline constexpr std::size_t kMostHeldBack = 100;             // requests that wait until an earlier one is done
-inline constexpr std::size_t kMostHeldBackBytes = 4U << 20U;  // the same, bytes
+inline constexpr std::size_t kMaxMessages = 1000;           // answers and events that wait for a client
+inline constexpr std::size_t kMaxMessageBytes = 4U << 20U;  // the same, bytes
+inline constexpr int kMaxBadFrames = 3;
+inline constexpr std::size_t kMaxHeldBack = 100;             // requests that wait until an earlier one is done
+inline constexpr std::size_t kMaxHeldBackBytes = 4U << 20U;  // the same, bytes
 
 /// One end of a connection.
 struct Client {
@@ -39,7 +39,7 @@ struct Client {
   }
   /// An event finds room, or is counted as dropped.
   void tell(const std::string& text) {
-    if (messages.size() < kMostMessages && message_bytes < kMostMessageBytes)
+    if (messages.size() < kMaxMessages && message_bytes < kMaxMessageBytes)
       send(text);
     else
       ++dropped_events;

@@ -8,8 +8,8 @@
 
 namespace underact::serve {
 
-inline constexpr std::size_t kMostClients = 8;           // that have said hello
-inline constexpr std::size_t kMostUnknown = 32;          // that have not yet
+inline constexpr std::size_t kMaxClients = 8;            // that have said hello
+inline constexpr std::size_t kMaxUnknown = 32;           // that have not yet
 inline constexpr std::size_t kLongestFrame = 1U << 20U;  // bytes
 inline constexpr std::size_t kLongestAtOnce = 16384;     // of a frame that the endpoint's thread reads itself, bytes
 

@@ -12,10 +12,10 @@ namespace underact::serve {
 namespace {
 
 constexpr double kForceFor_s = 0.05;
-constexpr double kSmooth_s = 0.01;         // velocities of joints: one step of an encoder in a tick is 23 deg/s
-constexpr std::size_t kMostWaiting = 100;  // messages for a client
+constexpr double kSmooth_s = 0.01;        // velocities of joints: one step of an encoder in a tick is 23 deg/s
+constexpr std::size_t kMaxWaiting = 100;  // messages for a client
 
-HttpAnswer wellAnswered(const json::ObjectText& data) {
+HttpAnswer okAnswered(const json::ObjectText& data) {
   json::ObjectText text;
   text.addBool("ok", true);
   text.addObject("data", data);
@@ -84,7 +84,7 @@ void HaplyService::receive(int connection, Frame frame, double) {
   if (!read) {
     json::ObjectText answer;
     answer.addText("error", read.problems().front().sentence);
-    if (impl_->messages.size() < kMostWaiting) impl_->messages.push_back({answer.text(), false});
+    if (impl_->messages.size() < kMaxWaiting) impl_->messages.push_back({answer.text(), false});
     return;
   }
   const haply::Frame& wish = read.value();
@@ -107,7 +107,7 @@ Message HaplyService::takeMessage(int) {
 }
 
 bool HaplyService::mayBeRead(int connection) const {
-  return impl_->client == connection && impl_->messages.size() < kMostWaiting;
+  return impl_->client == connection && impl_->messages.size() < kMaxWaiting;
 }
 
 bool HaplyService::closes(int connection) const {
@@ -146,9 +146,9 @@ HttpAnswer HaplyService::answer(const HttpRequest& request) {
     list.addInteger("session_count", impl_->client ? 1 : 0);
     list.addList("sessions",
                  impl_->client ? std::vector{haply::sessionText(impl_->session)} : std::vector<json::ObjectText>{});
-    return wellAnswered(list);
+    return okAnswered(list);
   }
-  if (path == session && request.method == "GET") return wellAnswered(haply::sessionText(impl_->session));
+  if (path == session && request.method == "GET") return okAnswered(haply::sessionText(impl_->session));
   if (path == session + "/profile") {
     if (request.method == "POST") {
       const Result<haply::Frame> read =
@@ -160,7 +160,7 @@ HttpAnswer HaplyService::answer(const HttpRequest& request) {
     }
     json::ObjectText profile;
     profile.addText("name", impl_->session.profile);
-    return wellAnswered(profile);
+    return okAnswered(profile);
   }
   return refused(404, "There is no " + path + " here.");
 }

@@ -17,7 +17,7 @@ namespace underact::serve::haply {
 namespace {
 
 constexpr std::size_t kLongestProfile = 100;
-constexpr double kMost = 1e6;      // of N, m and what else a client gives
+constexpr double kMax = 1e6;       // of N, m and what else a client gives
 constexpr int kInverse3Model = 4;  // https://docs.haply.co/inverseSDK/service/realtime/websocket-protocol
 
 json::ObjectText vectorText(const Vec3& v) {
@@ -158,7 +158,7 @@ std::optional<Numbers> numbersIn(const json::Value* value) {
   Numbers numbers;
   for (Eigen::Index at = 0; at < numbers.size(); ++at) {
     const json::Value* const number = value->find(std::string_view("xyzw").substr(static_cast<std::size_t>(at), 1));
-    if (number == nullptr || number->kind != json::Kind::Number || !(std::abs(number->number) <= kMost))
+    if (number == nullptr || number->kind != json::Kind::Number || !(std::abs(number->number) <= kMax))
       return std::nullopt;
     numbers[at] = number->number;
   }

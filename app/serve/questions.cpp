@@ -49,14 +49,14 @@ void Service::Impl::hello(Client& client, const Request& request) {
     client.closes = true;
     return;
   }
-  if (static_cast<std::size_t>(known) >= kMostClients) {
+  if (static_cast<std::size_t>(known) >= kMaxClients) {
     refuse(client, request, problemAt("", "There are 8 clients already, and there cannot be more."));
     client.closes = true;
     return;
   }
   client.is_known = true;
   client.name = name->empty() ? "unnamed" : *name;
-  json::ObjectText answer = wellAnswer(request.id);
+  json::ObjectText answer = okAnswer(request.id);
   answer.addInteger("version", kProtocolVersion);
   answer.addText("program", std::string("underact ") + kVersion);
   answer.addText("arm", host.scene().arm);
@@ -82,7 +82,7 @@ void Service::Impl::challenge(Client& client, const Request& request) {
     client.closes = client.closes || !client.is_known;
     return;
   }
-  json::ObjectText answer = wellAnswer(request.id);
+  json::ObjectText answer = okAnswer(request.id);
   answer.addText("proof", proofOf(options.token, *nonce));
   client.send(answer.text());
 }
@@ -90,7 +90,7 @@ void Service::Impl::challenge(Client& client, const Request& request) {
 void Service::Impl::tellScene(Client& client, const Request& request) {
   Keys keys(request);
   if (!keys.areGood()) return refuse(client, request, keys.problems());
-  reckon(client, [answer = wellAnswer(request.id)](const scene::Description& scene) mutable {
+  reckon(client, [answer = okAnswer(request.id)](const scene::Description& scene) mutable {
     answer.addJson("scene", scene::writeScene(scene));
     return answer.text();
   });
@@ -99,7 +99,7 @@ void Service::Impl::tellScene(Client& client, const Request& request) {
 void Service::Impl::tellSettings(Client& client, const Request& request) {
   Keys keys(request);
   if (!keys.areGood()) return refuse(client, request, keys.problems());
-  reckon(client, [answer = wellAnswer(request.id)](const scene::Description& scene) mutable {
+  reckon(client, [answer = okAnswer(request.id)](const scene::Description& scene) mutable {
     answer.addJson("settings", settingsText(scene));
     return answer.text();
   });
@@ -109,7 +109,7 @@ void Service::Impl::get(Client& client, const Request& request) {
   const bool is_ready = request.values && request.revision == host.revision();
   const Result<std::string> values = is_ready ? *request.values : valuesFor(request, host.scene());
   if (!values) return refuse(client, request, values.problems());
-  json::ObjectText answer = wellAnswer(request.id);
+  json::ObjectText answer = okAnswer(request.id);
   answer.addJson("values", values.value());
   client.send(answer.text());
 }
@@ -121,7 +121,7 @@ void Service::Impl::tellStatus(Client& client, const Request& request) {
   for (const auto& [number, one] : clients) {
     if (one.is_known) names.push_back(one.name);
   }
-  json::ObjectText answer = wellAnswer(request.id);
+  json::ObjectText answer = okAnswer(request.id);
   answer.addInteger("tick", last.tick);
   answer.addText("mode", modeWord(last.mode));
   answer.addInteger("revision", last.revision);
@@ -151,7 +151,7 @@ void Service::Impl::lease(Client& client, const Request& request) {
   } else if (holder == client.number) {
     giveBack();
   }
-  json::ObjectText answer = wellAnswer(request.id);
+  json::ObjectText answer = okAnswer(request.id);
   answer.addBool("may_steer", maySteer(client));
   client.send(answer.text());
 }
@@ -178,7 +178,7 @@ void Service::Impl::subscribe(Client& client, const Request& request) {
   const auto stride = std::max<std::int64_t>(1, std::llround(host.rateHz() / *hz));
   client.subscription.emplace(found.value(), stride,
                               has_format && *format == "binary" ? RowFormat::Binary : RowFormat::Json);
-  json::ObjectText answer = wellAnswer(request.id);
+  json::ObjectText answer = okAnswer(request.id);
   answer.addList("columns", client.subscription->columnTexts());
   answer.addInteger("stride", stride);
   client.send(answer.text());
@@ -188,7 +188,7 @@ void Service::Impl::unsubscribe(Client& client, const Request& request) {
   Keys keys(request);
   if (!keys.areGood()) return refuse(client, request, keys.problems());
   client.subscription.reset();
-  client.send(wellAnswer(request.id).text());
+  client.send(okAnswer(request.id).text());
 }
 
 }  // namespace underact::serve

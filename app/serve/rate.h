@@ -3,9 +3,9 @@
 
 namespace underact::serve {
 
-inline constexpr double kMostRequestsPerSecond = 2000.0;  // of a client, and as many at once
-inline constexpr double kMostBytesPerSecond = 4U << 20U;  // the same; twice as many at once: frames of 1 MiB
-inline constexpr double kMostBytesAtOnce = 8U << 20U;
+inline constexpr double kMaxRequestsPerSecond = 2000.0;  // of a client, and as many at once
+inline constexpr double kMaxBytesPerSecond = 4U << 20U;  // the same; twice as many at once: frames of 1 MiB
+inline constexpr double kMaxBytesAtOnce = 8U << 20U;
 
 /// What may be used of something: so much a second in the long run, and so much at once. Times: of any clock that is
 /// not set.

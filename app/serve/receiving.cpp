@@ -28,7 +28,7 @@ void Service::Impl::receive(Client& client, Frame frame) {
 }
 
 void Service::Impl::holdBack(Client& client, Frame frame) {
-  if (client.held_back.size() >= kMostHeldBack || client.held_back_bytes + frame.text.size() > kMostHeldBackBytes)
+  if (client.held_back.size() >= kMaxHeldBack || client.held_back_bytes + frame.text.size() > kMaxHeldBackBytes)
     return client.send(problemAnswer(
         glanceAt(frame.text).id, problemAt("", "Too many requests wait for the answer to an earlier one already.")));
   client.held_back_bytes += frame.text.size();
@@ -61,7 +61,7 @@ void Service::Impl::take(Client& client, const Result<Request>& request) {
   if (request) return perform(client, request.value());
   client.send(problemAnswer("null", request.problems()));
   ++client.bad_frames;
-  client.closes = client.closes || client.bad_frames >= kMostBadFrames;
+  client.closes = client.closes || client.bad_frames >= kMaxBadFrames;
 }
 
 void Service::Impl::takeWork() {

@@ -19,7 +19,7 @@ void Service::Impl::mark(Client& client, const Request& request) {
   told.addText("text", *text);
   told.addText("by", client.name);
   tell(told);
-  json::ObjectText answer = wellAnswer(request.id);
+  json::ObjectText answer = okAnswer(request.id);
   answer.addInteger("tick", tick);
   client.send(answer.text());
 }
@@ -38,7 +38,7 @@ void Service::Impl::record(Client& client, const Request& request) {
              "This must be the name of a new file in the sessions folder, as in \"trial_7.h5\".");
   if (!keys.areGood()) return refuse(client, request, keys.problems());
   const std::optional<RecordingNow> now = steered.recording();
-  json::ObjectText answer = wellAnswer(request.id);
+  json::ObjectText answer = okAnswer(request.id);
   if (stops) {
     if (!now) return refuse(client, request, problemAt("/stop", "Nothing is being recorded."));
     if (!now->is_clients)

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kLongestId = 200;    // bytes
 constexpr std::size_t kLongestStep = 200;  // of a path, bytes: a frame may be one long key
-constexpr std::size_t kMostKeys = 50;      // of the request itself
+constexpr std::size_t kMaxKeys = 50;       // of the request itself
 constexpr std::size_t kGlanced = 4096;
 
 /// A step of a JSON pointer: RFC 6901.
@@ -31,8 +31,8 @@ std::string stepOf(std::string_view key) {
 }
 
 /// A value, and the way to it: only a problem makes a text of it.
-struct Way {
-  const Way* before = nullptr;
+struct Trail {
+  const Trail* before = nullptr;
   const json::Value* in = nullptr;
   std::size_t index = 0;
 
@@ -43,16 +43,16 @@ struct Way {
 };
 
 /// id: of the request, which no double has to hold.
-void judge(const json::Value& value, const Way& way, const json::Value* id, Problems& problems) {
-  const auto add = [&](const Way& where, const std::string& sentence) {
-    if (problems.size() < kMostProblems) problems.push_back({sentence, {{}, value.line, value.column, where.text()}});
+void judge(const json::Value& value, const Trail& trail, const json::Value* id, Problems& problems) {
+  const auto add = [&](const Trail& where, const std::string& sentence) {
+    if (problems.size() < kMaxProblems) problems.push_back({sentence, {{}, value.line, value.column, where.text()}});
   };
-  if (value.kind == json::Kind::Null) add(way, "null is never a value. Omit the key.");
+  if (value.kind == json::Kind::Null) add(trail, "null is never a value. Omit the key.");
   if (value.kind == json::Kind::Number && !std::isfinite(value.number) && &value != id)
-    add(way, "This number is too large.");
+    add(trail, "This number is too large.");
   std::unordered_set<std::string_view> seen;
-  for (std::size_t index = 0; index < value.items.size() && problems.size() < kMostProblems; ++index) {
-    const Way step{&way, &value, index};
+  for (std::size_t index = 0; index < value.items.size() && problems.size() < kMaxProblems; ++index) {
+    const Trail step{&trail, &value, index};
     if (value.kind == json::Kind::Object && !seen.insert(value.keys[index]).second)
       add(step, "This key appears twice. Remove one of them.");
     judge(value.items[index], step, id, problems);
@@ -119,8 +119,8 @@ Result<Request> readRequest(std::string_view text) {
 }
 
 Problems generalProblems(const Request& request) {
-  if (request.root().keys.size() > kMostKeys)
-    return problemAt("", "A request has at most " + std::to_string(kMostKeys) + " keys.");
+  if (request.root().keys.size() > kMaxKeys)
+    return problemAt("", "A request has at most " + std::to_string(kMaxKeys) + " keys.");
   Problems problems;
   const json::Value* const id = request.root().find("id");
   judge(request.root(), {}, id, problems);
@@ -149,13 +149,13 @@ std::optional<std::string> Keys::text(const char* key, std::size_t longest, bool
   return std::nullopt;
 }
 
-std::optional<double> Keys::number(const char* key, double least, double most, bool required) {
+std::optional<double> Keys::number(const char* key, double min, double max, bool required) {
   const json::Value* const value = reader_.find(key, required);
   if (value == nullptr || !json::isKind(*value, json::Kind::Number, key, json::kindName(json::Kind::Number), findings_))
     return std::nullopt;
-  if (value->number >= least && value->number <= most) return value->number;
+  if (value->number >= min && value->number <= max) return value->number;
   findings_.add(*value, key,
-                "This must be from " + json::numberText(least) + " to " + json::numberText(most) + "; here it is " +
+                "This must be from " + json::numberText(min) + " to " + json::numberText(max) + "; here it is " +
                     json::numberText(value->number) + ".");
   return std::nullopt;
 }
@@ -209,7 +209,7 @@ Problems below(const std::string& root, const Problems& problems) {
   return moved;
 }
 
-json::ObjectText wellAnswer(const std::string& id) {
+json::ObjectText okAnswer(const std::string& id) {
   json::ObjectText answer;
   answer.addJson("id", id);
   answer.addBool("ok", true);
@@ -219,7 +219,7 @@ json::ObjectText wellAnswer(const std::string& id) {
 std::string problemAnswer(const std::string& id, const Problems& problems) {
   std::vector<json::ObjectText> list;
   for (const Problem& problem : problems) {
-    if (list.size() >= kMostProblems) break;
+    if (list.size() >= kMaxProblems) break;
     json::ObjectText object;
     object.addText("path", pointerOf(problem.place.key));
     object.addText("sentence", problem.sentence);

@@ -14,9 +14,9 @@
 
 namespace underact::serve {
 
-inline constexpr std::size_t kMostProblems = 100;   // in one answer
-inline constexpr std::size_t kMostHints = 10;       // of them, how many say which word is near: to look for it is slow
-inline constexpr std::size_t kMostSettings = 5000;  // in a request: more than a scene has
+inline constexpr std::size_t kMaxProblems = 100;   // in one answer
+inline constexpr std::size_t kMaxHints = 10;       // of them, how many say which word is near: to look for it is slow
+inline constexpr std::size_t kMaxSettings = 5000;  // in a request: more than a scene has
 
 /// A request as it came: an object with "do".
 struct Request {
@@ -56,7 +56,7 @@ class Keys {
   const json::Value* find(const char* key, bool required = true) { return reader_.find(key, required); }
   // The value of a key, or none where it is missing or of another kind, which is then a problem.
   std::optional<std::string> text(const char* key, std::size_t longest, bool required = true);
-  std::optional<double> number(const char* key, double least, double most, bool required = true);
+  std::optional<double> number(const char* key, double min, double max, bool required = true);
   std::optional<bool> flag(const char* key, bool required = true);
   const json::Value* list(const char* key);
   const json::Value* object(const char* key, bool required = true);
@@ -79,7 +79,7 @@ std::string pointerOf(const std::string& key);
 Problems below(const std::string& root, const Problems& problems);
 
 /// {"id": ..., "ok": true} to add results to.
-json::ObjectText wellAnswer(const std::string& id);
+json::ObjectText okAnswer(const std::string& id);
 
 /// {"id": ..., "ok": false, "problems": [{"path": ..., "sentence": ...}]}
 std::string problemAnswer(const std::string& id, const Problems& problems);

@@ -11,8 +11,8 @@
 namespace underact::serve {
 namespace {
 
-constexpr std::size_t kMostRows = 16384;       // kept for a client: 4 s at 4 kHz, with all columns 6 MB
-constexpr std::size_t kMostRowsAtOnce = 1024;  // in a message
+constexpr std::size_t kMaxRows = 16384;       // kept for a client: 4 s at 4 kHz, with all columns 6 MB
+constexpr std::size_t kMaxRowsAtOnce = 1024;  // in a message
 
 std::size_t widthOf(const record::Column& column) {
   return static_cast<std::size_t>(column.width);
@@ -70,7 +70,7 @@ std::vector<json::ObjectText> Subscription::columnTexts() const {
 
 void Subscription::add(std::int64_t tick, const std::vector<double>& numbers) {
   if (tick % stride_ != 0) return;
-  if (rows_.size() >= kMostRows) {
+  if (rows_.size() >= kMaxRows) {
     rows_.pop_front();
     ++dropped_;
   }
@@ -87,7 +87,7 @@ std::int64_t Subscription::takeDropped() {
 }
 
 Message Subscription::take() {
-  const std::size_t rows = std::min(rows_.size(), kMostRowsAtOnce);
+  const std::size_t rows = std::min(rows_.size(), kMaxRowsAtOnce);
   const bool is_binary = format_ == RowFormat::Binary;
   Message message{is_binary ? bytesOf(rows) : jsonOf(rows), is_binary};
   rows_.erase(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(rows));
@@ -126,9 +126,9 @@ Result<std::vector<std::size_t>> findColumns(const std::vector<std::string>& nam
     const auto column = std::find(known.begin(), known.end(), names[at]);
     const auto index = static_cast<std::size_t>(column - known.begin());
     const std::string path = "/columns/" + std::to_string(at);
-    if (problems.size() >= kMostProblems) break;
+    if (problems.size() >= kMaxProblems) break;
     if (column == known.end()) {
-      const std::string nearest = problems.size() < kMostHints ? json::nearestWord(names[at], known) : "";
+      const std::string nearest = problems.size() < kMaxHints ? json::nearestWord(names[at], known) : "";
       problems.push_back({"A session has no column " + json::shown(names[at]) +
                               (nearest.empty() ? ". \"underact-cli log columns\" prints all of them."
                                                : ". Did you mean \"" + nearest + "\"?"),

@@ -135,10 +135,11 @@ json::ObjectText settingText(const scene::Description& scene, const std::string&
   text.addText("path", path);
   text.addText("type", typeWordOf(setting));
   text.addText("unit", setting.unit);
-  if (std::isfinite(setting.least)) text.addNumber("min", setting.least);
-  if (std::isfinite(setting.most)) text.addNumber("max", setting.most);
-  const scene::SettingValue usual = scene::defaultAt(scene, path).value(), value = scene::valueAt(scene, path).value();
-  if (!scene::isNone(usual)) text.addJson("default", scene::fileTextOf(usual));
+  if (std::isfinite(setting.min)) text.addNumber("min", setting.min);
+  if (std::isfinite(setting.max)) text.addNumber("max", setting.max);
+  const scene::SettingValue default_value = scene::defaultAt(scene, path).value(),
+                            value = scene::valueAt(scene, path).value();
+  if (!scene::isNone(default_value)) text.addJson("default", scene::fileTextOf(default_value));
   if (!scene::isNone(value)) text.addJson("value", scene::fileTextOf(value));
   text.addBool("applies", scene::appliesAt(scene, path));
   text.addText("label", setting.label);
@@ -193,7 +194,7 @@ Result<scene::Description> withMoved(const scene::Description& scene, const std:
   Problems problems;
   for (std::size_t at = 0; at < values.keys.size(); ++at) {
     const std::string& key = values.keys[at];
-    if (problems.size() >= kMostProblems) break;
+    if (problems.size() >= kMaxProblems) break;
     if (std::find(placementKeys().begin(), placementKeys().end(), key) == placementKeys().end()) {
       problems.push_back(
           {"This key does not say where a constraint is, or how large. A setting is changed by \"set\", "
@@ -246,23 +247,23 @@ Result<scene::Description> editedBy(const Request& request, const scene::Descrip
   const json::Value* const values = keys.object("values");
   if (!keys.areGood()) return keys.problems();
   if (values->keys.empty()) return problemAt("/values", "This must have a path at least, with its value.");
-  if (values->keys.size() > kMostSettings) return problemAt("/values", "These are too many values.");
-  return scene::withFileValues(scene, *values, kMostProblems, kMostHints);
+  if (values->keys.size() > kMaxSettings) return problemAt("/values", "These are too many values.");
+  return scene::withFileValues(scene, *values, kMaxProblems, kMaxHints);
 }
 
 Result<std::string> valuesFor(const Request& request, const scene::Description& scene) {
   Keys keys(request);
   const json::Value* const paths = keys.list("paths");
   std::string values;
-  if (paths != nullptr && paths->items.size() > kMostSettings) keys.add(*paths, "paths", "These are too many paths.");
+  if (paths != nullptr && paths->items.size() > kMaxSettings) keys.add(*paths, "paths", "These are too many paths.");
   std::size_t problems = 0;
-  for (std::size_t at = 0; paths != nullptr && at < std::min(paths->items.size(), kMostSettings); ++at) {
+  for (std::size_t at = 0; paths != nullptr && at < std::min(paths->items.size(), kMaxSettings); ++at) {
     const json::Value& path = paths->items[at];
     ++problems;
     if (path.kind != json::Kind::String) {
       keys.add(path, "paths[" + std::to_string(at) + "]", "This must be the path of a setting, as text.");
     } else if (const std::string where = path.text.empty() ? "paths" : path.text;
-               problems > kMostHints && !scene::hasSetting(scene, path.text)) {
+               problems > kMaxHints && !scene::hasSetting(scene, path.text)) {
       keys.add(path, where, "There is no such setting.");
     } else if (const Result<scene::SettingValue> value = scene::valueAt(scene, path.text); !value) {
       keys.add(path, where, value.problems().front().sentence);
@@ -272,7 +273,7 @@ Result<std::string> valuesFor(const Request& request, const scene::Description& 
       --problems;
       values += (values.empty() ? "" : ", ") + scene::fileTextOf(value.value());
     }
-    if (problems >= kMostProblems) break;
+    if (problems >= kMaxProblems) break;
   }
   if (!keys.areGood()) return keys.problems();
   return "[" + values + "]";

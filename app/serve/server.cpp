@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kBusy{1}, kIdle{10};
 constexpr double kStep_s = 0.005;  // of requests, between two looks at the ticks
-constexpr std::size_t kMostSent = 64, kMostSentBytes = std::size_t{1} << 20;  // given to the sockets, and not gone yet
+constexpr std::size_t kMaxSent = 64, kMaxSentBytes = std::size_t{1} << 20;  // given to the sockets, and not gone yet
 
 double nowSeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -62,7 +62,7 @@ struct Served {
     std::size_t count = line.messages.size(), bytes = line.message_bytes;
     lock.unlock();
     std::vector<Message> messages;
-    for (; count < kMostSent && bytes < kMostSentBytes && endpoint.hasMessage(number); ++count) {
+    for (; count < kMaxSent && bytes < kMaxSentBytes && endpoint.hasMessage(number); ++count) {
       messages.push_back(endpoint.takeMessage(number));
       bytes += messages.back().bytes.size();
     }

@@ -9,7 +9,7 @@
 
 namespace underact::serve {
 
-inline constexpr int kUsualPort = 7171;
+inline constexpr int kDefaultPort = 7171;
 
 /// The sockets of a service: WebSocket on this computer's own address alone, on a thread of their own. Any page in a
 /// browser could open one, so a connection that names an origin is refused unless it is one of the given ones or the

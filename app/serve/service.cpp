@@ -121,7 +121,7 @@ void Service::Impl::answerWaiting(const servo::TickRecord& record) {
       continue;
     }
     if (Client* const client = find(one->client)) {
-      json::ObjectText answer = wellAnswer(one->id);
+      json::ObjectText answer = okAnswer(one->id);
       answer.addInteger("tick", record.tick);
       if (one->has_mode) answer.addText("mode", modeWord(record.mode));
       client->send(answer.text());
@@ -268,8 +268,8 @@ Message Service::takeMessage(int connection) {
 
 bool Service::mayBeRead(int connection) const {
   const Client* const client = impl_->find(connection);
-  return client != nullptr && !client->closes && client->messages.size() < kMostMessages &&
-         client->message_bytes < kMostMessageBytes;
+  return client != nullptr && !client->closes && client->messages.size() < kMaxMessages &&
+         client->message_bytes < kMaxMessageBytes;
 }
 
 bool Service::closes(int connection) const {

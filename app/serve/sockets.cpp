@@ -22,7 +22,7 @@ constexpr Milliseconds kSilence{30000};  // a client that does not answer a ping
 constexpr Milliseconds kNoDescriptors{100};
 constexpr std::uint32_t kLongestHeader = 16384;
 constexpr std::uint64_t kLongestBody = 65536;
-constexpr std::size_t kMostFrames = 2000, kMostFrameBytes = 4U << 20U;  // that wait for the endpoint
+constexpr std::size_t kMaxFrames = 2000, kMaxFrameBytes = 4U << 20U;  // that wait for the endpoint
 
 constexpr int kForbidden = 403, kMisdirected = 421;  // of HTTP
 constexpr std::array<const char*, 3> kLoopback{"127.0.0.1", "localhost", "[::1]"};
@@ -128,13 +128,13 @@ class Wire : public std::enable_shared_from_this<Wire> {
   /// either, nor who may not be refused and is too fast.
   bool mayRead() const {
     const Leave& leave = line_->leave;
-    if (leave.closes || !leave.may_be_read || is_delayed_ || line_->messages.size() >= kMostMessages) return false;
+    if (leave.closes || !leave.may_be_read || is_delayed_ || line_->messages.size() >= kMaxMessages) return false;
     if (!leave.is_known) return line_->frames.empty();
-    return line_->frames.size() < 2 * kMostFrames && line_->frame_bytes < 2 * kMostFrameBytes;
+    return line_->frames.size() < 2 * kMaxFrames && line_->frame_bytes < 2 * kMaxFrameBytes;
   }
   bool hasRoom(std::size_t bytes) const {
     const std::lock_guard<std::mutex> lock(line_->mutex);
-    return line_->frames.size() < kMostFrames && line_->frame_bytes + bytes <= kMostFrameBytes;
+    return line_->frames.size() < kMaxFrames && line_->frame_bytes + bytes <= kMaxFrameBytes;
   }
   void judge(bool is_read) {
     if (!is_read || is_over_) return end();
@@ -220,7 +220,7 @@ class Wire : public std::enable_shared_from_this<Wire> {
   Door& door_;
   std::shared_ptr<Line> line_ = std::make_shared<Line>();
   web_socket::Timer deadline_, delay_;
-  Bucket requests_{kMostRequestsPerSecond, kMostRequestsPerSecond}, bytes_{kMostBytesPerSecond, kMostBytesAtOnce};
+  Bucket requests_{kMaxRequestsPerSecond, kMaxRequestsPerSecond}, bytes_{kMaxBytesPerSecond, kMaxBytesAtOnce};
   Message message_;
   bool is_open_ = false, is_reading_ = false, is_writing_ = false, is_delayed_ = false, is_over_ = false;
 };
@@ -237,7 +237,7 @@ void Door::accept() {
 
 void Door::take(web_socket::Connection connection) {
   const auto unknown = std::count_if(wires.begin(), wires.end(), [](const auto& one) { return !one->isKnown(); });
-  if (static_cast<std::size_t>(unknown) >= kMostUnknown) return;  // the socket closes
+  if (static_cast<std::size_t>(unknown) >= kMaxUnknown) return;  // the socket closes
   wires.push_back(std::make_shared<Wire>(std::move(connection), *this));
   wires.back()->begin();
 }

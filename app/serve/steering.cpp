@@ -12,9 +12,9 @@
 namespace underact::serve {
 namespace {
 
-constexpr double kLongestForce_ms = 1000.0, kUsualForce_ms = 50.0;
+constexpr double kLongestForce_ms = 1000.0, kDefaultForce_ms = 50.0;
 constexpr double kLongestWay_ms = 60'000.0;
-constexpr double kMostForce_N = 1e6;  // what the gate lets through is far less
+constexpr double kMaxForce_N = 1e6;  // what the gate lets through is far less
 
 }  // namespace
 
@@ -132,12 +132,12 @@ void Service::Impl::force(Client& client, const Request& request) {
     f_T_W[static_cast<Eigen::Index>(axis)] = list->items[axis].number;
   }
   if (list != nullptr && !are_three) keys.add(*list, "f_N", "This must be a list of 3 numbers, N, for x, y and z.");
-  if (are_three && f_T_W.cwiseAbs().maxCoeff() > kMostForce_N)
+  if (are_three && f_T_W.cwiseAbs().maxCoeff() > kMaxForce_N)
     keys.add(*list, "f_N", "Each number must be from -1e6 to 1e6 N; the gate clamps to the arm's limit.");
   const bool has_time = request.root().find("for_ms") != nullptr;
   const std::optional<double> for_ms = keys.number("for_ms", 1.0, kLongestForce_ms, false);
   if (!keys.areGood()) return refuse(client, request, keys.problems());
-  const double wanted_ms = has_time ? *for_ms : kUsualForce_ms;
+  const double wanted_ms = has_time ? *for_ms : kDefaultForce_ms;
   push(f_T_W, 1e-3 * wanted_ms);
   waitForTick(client, request.id);
 }

@@ -28,8 +28,8 @@ using record::QuestionKind;
 // A program that renders a surface meanwhile needs the processor more.
 constexpr int kNice = 5;
 // The longest possible block takes 80 MB, several times over.
-constexpr std::uint64_t kMostMemory = std::uint64_t{384} << 20;
-constexpr double kMostCpu_s = 3600.0;  // of all answers; the program that asks watches each
+constexpr std::uint64_t kMaxMemory = std::uint64_t{384} << 20;
+constexpr double kMaxCpu_s = 3600.0;  // of all answers; the program that asks watches each
 
 using Bytes = std::span<const std::byte>;
 
@@ -120,14 +120,14 @@ class Service {
 
 int serve() {
   system::lowerPriority(kNice);
-  if (!record::startHdf5() || !system::enterSandbox(kMostMemory, kMostCpu_s)) return helper::kNotSealed;
+  if (!record::startHdf5() || !system::enterSandbox(kMaxMemory, kMaxCpu_s)) return helper::kNotSealed;
   Service service;
   Question question;
   while (helper::nextQuestion(std::as_writable_bytes(std::span(&question, 1)))) {
     try {
       if (!service.answer(question)) return 1;
     } catch (const std::bad_alloc&) {
-      const bool is_heard = sayNo({{said(
+      const bool is_heard = sayNo({{phrase(
           TRANSLATE_NOOP("problem", "The file is damaged, or takes more memory than a file of its size should."))}});
       if (!is_heard) return 1;
     }

@@ -120,7 +120,7 @@ Result<LiveStream> LiveStream::open(const Address& address, int rate_hz) {
 }
 
 void LiveStream::setRate(int rate_hz) {
-  impl_->every = std::max(1, (rate_hz + kMostMessages_hz - 1) / kMostMessages_hz);
+  impl_->every = std::max(1, (rate_hz + kMaxMessages_hz - 1) / kMaxMessages_hz);
 }
 
 void LiveStream::send(const servo::TickRecord& record) {

@@ -9,8 +9,8 @@
 namespace underact::stream {
 
 inline constexpr const char* kThisMachine = "127.0.0.1";
-inline constexpr int kPort = 9870;             // the default port of PlotJuggler's UDP server
-inline constexpr int kMostMessages_hz = 1000;  // with a faster servo, every second, third ... tick is sent
+inline constexpr int kPort = 9870;            // the default port of PlotJuggler's UDP server
+inline constexpr int kMaxMessages_hz = 1000;  // with a faster servo, every second, third ... tick is sent
 
 /// The destination of a stream.
 struct Address {

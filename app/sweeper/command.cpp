@@ -48,9 +48,9 @@ void run(const Request& request, const Setting& setting) {
   setting.exit = runSweep(request, setting.streams, setting.team);
 }
 
-std::string usualOf(const Option& option) {
+std::string defaultOf(const Option& option) {
   std::string text;
-  for (const std::string& value : option.usual) text += (text.empty() ? " [" : " ") + value;
+  for (const std::string& value : option.default_value) text += (text.empty() ? " [" : " ") + value;
   return text.empty() ? " (required)" : text + "]";
 }
 
@@ -63,11 +63,11 @@ void addKind(options::Command program, const Kind& kind, const Setting& setting)
     command
         .option(
             "--" + option.name,
-            [request, name = option.name](const std::vector<std::string>& said) { request->values[name] = said; },
-            option.what + usualOf(option))
+            [request, name = option.name](const std::vector<std::string>& given) { request->values[name] = given; },
+            option.what + defaultOf(option))
         .expected(1, option.many ? -1 : 1);
   }
-  command.option("--seed", request->seed, "Seed of everything that is random").showUsual().nonNegative();
+  command.option("--seed", request->seed, "Seed of everything that is random").showDefault().nonNegative();
   addCommon(command, *request);
   command.whenChosen([request, setting] { run(*request, setting); });
 }
@@ -114,7 +114,7 @@ options::Program makeGrammar(const cli::Streams& streams, Team* team, Exit& exit
 }
 
 Exit execute(std::vector<std::string> arguments, const cli::Streams& streams, Team* team) {
-  Exit exit = Exit::Well;
+  Exit exit = Exit::Success;
   cli::PrintedStream out(streams.out), err(streams.err);
   const cli::Streams clean{streams.in, out, err, streams.progress};
   return cli::perform(makeGrammar(clean, team, exit), std::move(arguments), clean, exit);

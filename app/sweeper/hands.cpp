@@ -28,7 +28,7 @@ namespace hands_kind {
 
 constexpr std::int64_t kTicksAtOnce = 1000;  // far fewer than the servo keeps for us
 constexpr double kLongest_s = 1e5;
-constexpr std::int64_t kMostDraws = 10'000'000;
+constexpr std::int64_t kMaxDraws = 10'000'000;
 constexpr std::size_t kLargestFile = std::size_t{1} << 30U;  // larger than any scene, hand or curve
 
 /// All that the cells share. A hand is made with the cell's seed, so only its name, or its file's content, is kept.
@@ -171,7 +171,7 @@ Result<Row> runCell(const Plan& plan, std::size_t index, std::uint64_t seed) {
   row.add(figures.faults);
   row.add(name(figures.first_fault));
   row.add(1e3 * figures.work.all_J());
-  row.add(1e3 * figures.work.most_J());
+  row.add(1e3 * figures.work.max_J());
   row.add(1e3 * figures.energy.last_J());
   row.add(1e3 * figures.energy.lowest_J());
   return row;
@@ -233,7 +233,7 @@ Result<Cells> make(Options& options) {
   Cells cells;
   for (const std::int64_t rate_hz : options.integers("rate_hz", 100, 10'000))
     plan->rates_hz.push_back(static_cast<int>(rate_hz));
-  plan->draws = static_cast<std::size_t>(options.integer("draws", 1, kMostDraws));
+  plan->draws = static_cast<std::size_t>(options.integer("draws", 1, kMaxDraws));
   plan->seconds = options.number("seconds", 1e-4, kLongest_s);
   plan->mass_kg = options.range("mass_kg", 1e-3, 1e3);
   plan->damping_N_s_per_m = options.range("damping_N_s_per_m", 0.0, 1e6);

@@ -67,9 +67,9 @@ std::string twoDigits(double value) {
 
 /// Runs a few cells, spread over all, one after the other, and predicts the time for all of them.
 Exit printCost(const Sweep& sweep, int threads, const cli::Streams& streams) {
-  constexpr std::size_t kMostMeasured = 8;
+  constexpr std::size_t kMaxMeasured = 8;
   constexpr std::chrono::seconds kEnough{5};
-  const std::size_t wanted = std::min(kMostMeasured, sweep.cells.count);
+  const std::size_t wanted = std::min(kMaxMeasured, sweep.cells.count);
   const Clock::time_point begin = Clock::now();
   Clock::time_point now = begin;
   std::size_t measured = 0;
@@ -84,7 +84,7 @@ Exit printCost(const Sweep& sweep, int threads, const cli::Streams& streams) {
   streams.out << sweep.cells.count << " cells. " << measured << " of them, measured one by one, took "
               << twoDigits(each_s) << " s each: on " << threads << (threads == 1 ? " thread" : " threads")
               << " all take about " << inWords(all_s) << ", if each thread has a core.\n";
-  return Exit::Well;
+  return Exit::Success;
 }
 
 /// Runs the missing cells, and shows the progress.
@@ -119,7 +119,7 @@ Exit leadToResult(const Sweep& sweep, const Request& request, const cli::Streams
     if (!opened) return failWhileRunning(opened.problems(), streams);
     opened.value().remove();  // of a program that was killed when the result was written already
     printDone(sweep, 0, request, streams);
-    return Exit::Well;
+    return Exit::Success;
   }
   Journal& journal = opened.value();
   const std::size_t before = journal.rows().size();
@@ -129,7 +129,7 @@ Exit leadToResult(const Sweep& sweep, const Request& request, const cli::Streams
   if (outcome.problems.empty() && !outcome.interrupted) {
     journal.remove();
     printDone(sweep, sweep.cells.count - before, request, streams);
-    return Exit::Well;
+    return Exit::Success;
   }
   const Exit exit = outcome.problems.empty() ? Exit::File : failWhileRunning(outcome.problems, streams);
   streams.err << journal.rows().size() << " of " << sweep.cells.count << " cells are done and saved in "
@@ -152,7 +152,7 @@ Exit printCommands(const Sweep& sweep, const std::optional<int>& only, const cli
   }
   for (std::size_t cell = first; cell < end; ++cell)
     streams.out << sweep.cells.command(cell, seedOf(sweep, cell)) << '\n';
-  return Exit::Well;
+  return Exit::Success;
 }
 
 }  // namespace
@@ -160,14 +160,14 @@ Exit printCommands(const Sweep& sweep, const std::optional<int>& only, const cli
 Exit runSweep(const Request& request, const cli::Streams& streams, Team* team) {
   const bool leads = team == nullptr || team->rank() == 0;
   const bool runs = !request.dry_run && !request.print;
-  if (!runs && !leads) return Exit::Well;
+  if (!runs && !leads) return Exit::Success;
   // A rank without a sweep tells the leader, so that it is not waited for.
   const Result<Sweep> sweep = request.problems.empty() ? makeSweep(*request.kind, request.values, request.seed)
                                                        : Result<Sweep>(request.problems);
   if (!leads) {
     Patience patience;
     follow(sweep, *team, threadsOf(request, team), [&patience] { return patience.cameOnce(); });
-    return Exit::Well;
+    return Exit::Success;
   }
   if (!sweep) {
     if (team != nullptr && runs) dismiss(*team);

@@ -12,7 +12,7 @@
 namespace underact::sweep {
 namespace stability_kind {
 
-constexpr std::int64_t kMostDraws = 10'000'000;
+constexpr std::int64_t kMaxDraws = 10'000'000;
 constexpr const char* kDrawn = "drawn";
 
 /// The walls of the maps, and the ranges from which others are drawn.
@@ -134,14 +134,14 @@ void readMaps(Options& options, Plan& plan) {
 Result<Cells> make(Options& options) {
   const auto plan = std::make_shared<Plan>();
   readMaps(options, *plan);
-  plan->draws = static_cast<std::size_t>(options.integer("draws", 0, kMostDraws));
+  plan->draws = static_cast<std::size_t>(options.integer("draws", 0, kMaxDraws));
   plan->rates_hz = options.integers("rate_hz", 1, 10'000);
   plan->mass_kg = options.range("mass_kg", 1e-6, 1e3);
   plan->damping_N_s_per_m = options.range("damping_N_s_per_m", 0.0, 1e4);
   plan->hand_stiffness_N_per_m = options.range("hand_stiffness_N_per_m", 0.0, 1e6);
   plan->friction_N = options.range("friction_N", 0.0, 1e3);
   plan->kd_N_s_per_m = options.range("kd_N_s_per_m", 0.0, 1e4);
-  plan->delay_ticks = options.range("delay_ticks", 0.0, stability::kMostDelay);
+  plan->delay_ticks = options.range("delay_ticks", 0.0, stability::kMaxDelay);
   if (!options.problems().empty()) return options.problems();
   Cells cells;
   cells.count = plan->walls.size() + plan->draws;

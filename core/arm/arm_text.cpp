@@ -70,9 +70,9 @@ Result<std::string> tableText(const Model& model) {
   const bool given = model.form == ArmForm::ModifiedDh || model.form == ArmForm::ClassicDh;
   if (!given && !(form.error_m <= kLost_m && form.error_rad <= kLost_rad)) {
     return Problems{
-        {said(TRANSLATE_NOOP("problem",
-                             "Two of the axes are nearly parallel: a DH table would lose digits. Write the arm "
-                             "as a product of exponentials (poe)."))}};
+        {phrase(TRANSLATE_NOOP("problem",
+                               "Two of the axes are nearly parallel: a DH table would lose digits. Write the arm "
+                               "as a product of exponentials (poe)."))}};
   }
   std::vector<Pose> frames(model.rows.size(), Pose::Identity());
   chain::framesOf(model.rows, model.X_WB, std::vector<double>(model.rows.size(), 0.0), frames);
@@ -100,7 +100,7 @@ Result<std::string> tableText(const Model& model) {
 
 Result<std::string> screwsText(const Model& model) {
   if (model.device)
-    return Problems{{said(
+    return Problems{{phrase(
         TRANSLATE_NOOP("problem", "A haptic device must stay a DH table, because its lengths are read from that."))}};
   std::string text = headOf(model) + "  \"joints\": [\n";
   for (std::size_t i = 0; i < model.chain.joints.size(); ++i) {
@@ -231,7 +231,7 @@ class UrdfWriter {
 Result<std::string> urdfText(const Model& model) {
   Problems problems;
   const auto say = [&](const char* sentence, std::size_t i) {
-    problems.push_back({said(sentence, {std::to_string(i + 1)})});
+    problems.push_back({phrase(sentence, {std::to_string(i + 1)})});
   };
   for (std::size_t i = 0; i < model.chain.joints.size(); ++i) {
     const chain::Joint& joint = model.chain.joints[i];
@@ -247,7 +247,7 @@ Result<std::string> urdfText(const Model& model) {
   }
   for (const LinkSolid& solid : model.solids) {
     if (!std::holds_alternative<CapsuleSolid>(solid.form)) continue;
-    problems.push_back({said(TRANSLATE_NOOP("problem", "A capsule is none of the forms of URDF."))});
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "A capsule is none of the forms of URDF."))});
     break;
   }
   if (!problems.empty()) return problems;

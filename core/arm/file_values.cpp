@@ -23,13 +23,14 @@ double numberAt(json::ObjectReader& object, const char* key, bool required, doub
   if (value == nullptr) return number;
   json::readNumber(*value, object.pathOf(key), number, object.findings());
   if (std::isfinite(number)) return number;
-  object.findings().add(*value, object.pathOf(key), said(kNotFinite));
+  object.findings().add(*value, object.pathOf(key), phrase(kNotFinite));
   return otherwise;
 }
 
 double lengthAt(json::ObjectReader& object, const char* key, bool required) {
   const double length_mm = numberAt(object, key, required);
-  if (std::abs(length_mm) > kFurthest_mm) object.findings().add(*object.find(key), object.pathOf(key), said(kTooLong));
+  if (std::abs(length_mm) > kFurthest_mm)
+    object.findings().add(*object.find(key), object.pathOf(key), phrase(kTooLong));
   return kMetrePerMillimetre * length_mm;
 }
 
@@ -39,10 +40,11 @@ Vec3 pointAt(json::ObjectReader& object, const char* key, bool required) {
   if (value == nullptr) return point_mm;
   json::readNumber(*value, object.pathOf(key), point_mm, object.findings());
   if (!point_mm.allFinite()) {
-    object.findings().add(*value, object.pathOf(key), said(kNotFinite));
+    object.findings().add(*value, object.pathOf(key), phrase(kNotFinite));
     return Vec3::Zero();
   }
-  if (point_mm.cwiseAbs().maxCoeff() > kFurthest_mm) object.findings().add(*value, object.pathOf(key), said(kTooLong));
+  if (point_mm.cwiseAbs().maxCoeff() > kFurthest_mm)
+    object.findings().add(*value, object.pathOf(key), phrase(kTooLong));
   return kMetrePerMillimetre * point_mm;
 }
 
@@ -50,7 +52,7 @@ bool flagAt(json::ObjectReader& object, const char* key, bool otherwise) {
   const Value* const value = object.find(key);
   if (value == nullptr) return otherwise;
   const bool is_flag = isKind(*value, json::Kind::Bool, object.pathOf(key),
-                              said(TRANSLATE_NOOP("problem", "true or false")), object.findings());
+                              phrase(TRANSLATE_NOOP("problem", "true or false")), object.findings());
   return is_flag ? value->boolean : otherwise;
 }
 
@@ -58,7 +60,7 @@ void readPose(json::ObjectReader& object, const char* key, bool required, Pose& 
   const Value* const value = object.find(key, required);
   if (value == nullptr) return;
   const auto wrong = [&](const Value& at, const char* sentence) {
-    object.findings().add(at, object.pathOf(key), said(sentence));
+    object.findings().add(at, object.pathOf(key), phrase(sentence));
   };
   if (value->kind != json::Kind::Array || value->items.size() != 4)
     return wrong(*value, TRANSLATE_NOOP("problem", "This must be a list of 4 rows."));

@@ -21,9 +21,9 @@ JointAngles nearestTurns(JointAngles q_rad, const JointAngles& last_rad) noexcep
 }
 
 double distanceBetween(const JointAngles& a_rad, const JointAngles& b_rad) noexcept UNDERACT_REAL_TIME {
-  double way_rad = 0.0;
-  for (std::size_t joint = 0; joint < a_rad.size(); ++joint) way_rad += std::abs(a_rad[joint] - b_rad[joint]);
-  return way_rad;
+  double travel_rad = 0.0;
+  for (std::size_t joint = 0; joint < a_rad.size(); ++joint) travel_rad += std::abs(a_rad[joint] - b_rad[joint]);
+  return travel_rad;
 }
 
 /// Chooses the member of a self-motion nearest to the last joint angles: joint 4 stays, joint 6 compensates.
@@ -55,9 +55,9 @@ Followed follow(const Geometry& geometry, const JointLimits& limits, const Follo
     Solution& one = solutions.all[index];
     choose(one, state.q_rad);
     one.q_rad = nearestTurns(one.q_rad, state.q_rad);
-    const double way_rad = distanceBetween(one.q_rad, state.q_rad);
-    if (one.branch == state.branch) own = &one, own_rad = way_rad;
-    if (way_rad < nearest_rad) nearest = &one, nearest_rad = way_rad;
+    const double travel_rad = distanceBetween(one.q_rad, state.q_rad);
+    if (one.branch == state.branch) own = &one, own_rad = travel_rad;
+    if (travel_rad < nearest_rad) nearest = &one, nearest_rad = travel_rad;
   }
   // Where two branches coincide at a singularity, the present one may have no entry: then the one that represents it is
   // the nearest.
@@ -84,19 +84,19 @@ Followed followPosition(const Geometry& geometry, const FollowerState& state, co
     return nearestTurns(q_rad, state.q_rad);
   };
   Followed result{state, reach.reachable, false};
-  double least_rad = kInfinity;
+  double min_rad = kInfinity;
   if (state.begun) {
     result.next.q_rad = solveOn(state.branch);
-    least_rad = distanceBetween(result.next.q_rad, state.q_rad) - kSwitch_rad;
-    if (least_rad <= 0.0) return result;  // nothing is nearer than no motion
+    min_rad = distanceBetween(result.next.q_rad, state.q_rad) - kSwitch_rad;
+    if (min_rad <= 0.0) return result;  // nothing is nearer than no motion
   }
   for (const std::int8_t shoulder : {std::int8_t{1}, std::int8_t{-1}}) {
     for (const std::int8_t elbow : {std::int8_t{1}, std::int8_t{-1}}) {
       const Branch branch{shoulder, elbow, state.branch.wrist};
       const JointAngles q_rad = solveOn(branch);
-      const double way_rad = distanceBetween(q_rad, state.q_rad);
-      if (!(way_rad < least_rad)) continue;
-      least_rad = way_rad;
+      const double travel_rad = distanceBetween(q_rad, state.q_rad);
+      if (!(travel_rad < min_rad)) continue;
+      min_rad = travel_rad;
       result.next = {q_rad, branch, true};
     }
   }

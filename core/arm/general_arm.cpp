@@ -12,7 +12,7 @@ namespace {
 /// least fades out.
 template <int D>
 Eigen::Matrix<double, D, D> ontoSpan(std::array<Eigen::Matrix<double, D, 1>, chain::kMaxJoints>& rest,
-                                     std::size_t count, double least) noexcept UNDERACT_REAL_TIME {
+                                     std::size_t count, double min) noexcept UNDERACT_REAL_TIME {
   using Column = Eigen::Matrix<double, D, 1>;
   Eigen::Matrix<double, D, D> P = Eigen::Matrix<double, D, D>::Zero();
   for (int rank = 0; rank < D; ++rank) {
@@ -23,7 +23,7 @@ Eigen::Matrix<double, D, D> ontoSpan(std::array<Eigen::Matrix<double, D, 1>, cha
     }
     if (longest == count) break;
     const Column way_W = rest[longest] / std::sqrt(size2);
-    P += std::min(1.0, size2 / (least * least)) * way_W * way_W.transpose();
+    P += std::min(1.0, size2 / (min * min)) * way_W * way_W.transpose();
     for (std::size_t i = 0; i < count; ++i) {
       // Twice: once leaves a remainder of a rounding of the whole column, which is a direction like any other.
       for (int pass = 0; pass < 2; ++pass) rest[i] -= rest[i].dot(way_W) * way_W;
@@ -40,7 +40,7 @@ Mat3 ontoMoved(const chain::Jacobian& J, const Take& take) noexcept UNDERACT_REA
   for (std::size_t joint = 0; joint < std::min(static_cast<std::size_t>(J.cols()), columns.size()); ++joint) {
     if (take(joint)) columns[count++] = J.col(static_cast<Eigen::Index>(joint)).head<3>();
   }
-  return ontoSpan<3>(columns, count, kLeastLever_m);
+  return ontoSpan<3>(columns, count, kMinLever_m);
 }
 
 bool isSame(const chain::Joint& a, const chain::Joint& b) noexcept UNDERACT_REAL_TIME {
@@ -96,7 +96,7 @@ Mat6 renderableWrench(const chain::Jacobian& J, double moment_arm_m) noexcept {
     columns[joint] = J.col(static_cast<Eigen::Index>(joint));
     columns[joint].head<3>() /= moment_arm_m;
   }
-  return ontoSpan<6>(columns, count, kLeastLever_m / moment_arm_m);
+  return ontoSpan<6>(columns, count, kMinLever_m / moment_arm_m);
 }
 
 bool rendersMoment(const GeneralArm& arm) {

@@ -20,18 +20,18 @@ struct LinkMass {
 /// or m where a joint slides; those beyond its joints are 0.
 struct GeneralArm {
   chain::Chain chain;
-  std::array<bool, kMostJoints> driven{};        // by a motor
-  std::vector<LinkMass> masses;                  // as many as joints, or none
-  Pose X_WB = Pose::Identity();                  // frame 0 of the table
-  JointAngles rest{};                            // within the limits: where it is when nobody has moved it
-  bool renders_moment = false;                   // rendersMoment()
-  double max_moment_N_m = 0.0;                   // if it does
-  std::array<double, kMostJoints> max_torque{};  // of each joint, N m, or N where it slides; 0: not stated
+  std::array<bool, kMaxJoints> driven{};        // by a motor
+  std::vector<LinkMass> masses;                 // as many as joints, or none
+  Pose X_WB = Pose::Identity();                 // frame 0 of the table
+  JointAngles rest{};                           // within the limits: where it is when nobody has moved it
+  bool renders_moment = false;                  // rendersMoment()
+  double max_moment_N_m = 0.0;                  // if it does
+  std::array<double, kMaxJoints> max_torque{};  // of each joint, N m, or N where it slides; 0: not stated
 };
 
 /// The joints that the gate watches, with their stops and their motors' heat: those that are driven. joint[i]: 0 to 7.
 struct Watched {
-  std::array<std::size_t, kMostJoints> joint{};
+  std::array<std::size_t, kMaxJoints> joint{};
   std::size_t count = 0;
 };
 /// As many as there are. Cost: constant.
@@ -42,7 +42,7 @@ Mat3 watchedColumns(const Watched& watched, const chain::Jacobian& J) noexcept U
 
 /// The part of a force on the tip that the motors can render, as a matrix: f -> P f. An undriven joint passes no torque
 /// on, so its column of J and a force that it carries are at right angles; and where no joint moves the tip in a
-/// direction, no motor pushes in it. P projects onto what is left. A joint that moves the tip less than kLeastLever_m
+/// direction, no motor pushes in it. P projects onto what is left. A joint that moves the tip less than kMinLever_m
 /// (of the other joints: beyond what they do) fades out, so that P is continuous. Symmetric, gains within 0 and 1 to 16
 /// ulp. Source: statics, tau = J^T f with tau = 0 at the undriven joints.
 Mat3 renderable(const GeneralArm& arm, const chain::Jacobian& J) noexcept UNDERACT_REAL_TIME;
@@ -55,6 +55,6 @@ Mat6 renderableWrench(const chain::Jacobian& J, double moment_arm_m) noexcept UN
 /// move and turn the tip in all six directions. A joint without a motor would have to pass on a torque of the moment.
 bool rendersMoment(const GeneralArm& arm);
 
-inline constexpr double kLeastLever_m = 1e-3;
+inline constexpr double kMinLever_m = 1e-3;
 
 }  // namespace underact::arm

@@ -112,8 +112,8 @@ Dexterity dexterityOf(const Geometry& geometry, const JointAngles& q_rad) {
   const chain::Jacobian J = chain::jacobian(arm.chain, q_rad);
   Mat3 square = Mat3::Zero();
   for (Eigen::Index joint = 0; joint < J.cols(); ++joint) {
-    const Vec3 way = J.col(joint).head<3>();
-    if (arm.driven[static_cast<std::size_t>(joint)]) square += way * way.transpose();
+    const Vec3 offset = J.col(joint).head<3>();
+    if (arm.driven[static_cast<std::size_t>(joint)]) square += offset * offset.transpose();
   }
   Dexterity result;
   result.J = watchedColumns(watchedJoints(arm), J);

@@ -33,19 +33,19 @@ struct JointLines {
 double limitAt(ObjectReader& object, const std::string& which, bool turns, double otherwise) {
   const std::string rad = which + "_rad", deg = which + "_deg", mm = which + "_mm";
   if (!turns) {
-    const Sentence why = said(TRANSLATE_NOOP("problem", "A prismatic joint has its limits in mm: \"%1\"."), {mm});
+    const Sentence why = phrase(TRANSLATE_NOOP("problem", "A prismatic joint has its limits in mm: \"%1\"."), {mm});
     object.refuse(rad, why);
     object.refuse(deg, why);
     const Value* const value = object.find(mm.c_str());
     return value == nullptr ? otherwise : lengthAt(object, mm.c_str(), false);
   }
   object.refuse(
-      mm, said(TRANSLATE_NOOP("problem", "A revolute joint has its limits in degrees or radians: \"%1\"."), {deg}));
+      mm, phrase(TRANSLATE_NOOP("problem", "A revolute joint has its limits in degrees or radians: \"%1\"."), {deg}));
   const Value* const in_rad = object.find(rad.c_str());
   const Value* const in_deg = object.find(deg.c_str());
   if (in_rad != nullptr && in_deg != nullptr) {
     object.findings().add(*in_rad, object.pathOf(rad),
-                          said(TRANSLATE_NOOP("problem", "This limit is already given by \"%1\"."), {deg}));
+                          phrase(TRANSLATE_NOOP("problem", "This limit is already given by \"%1\"."), {deg}));
     numberAt(object, rad.c_str(), false);
   }
   if (in_deg != nullptr) return kRadPerDegree * numberAt(object, deg.c_str(), false);
@@ -56,12 +56,12 @@ double limitAt(ObjectReader& object, const std::string& which, bool turns, doubl
 std::optional<double> restAt(ObjectReader& object, bool turns) {
   const char* const key = turns ? "rest_deg" : "rest_mm";
   object.refuse(turns ? "rest_mm" : "rest_deg",
-                turns ? said(TRANSLATE_NOOP("problem", "A revolute joint rests at an angle: \"%1\"."), {key})
-                      : said(TRANSLATE_NOOP("problem", "A prismatic joint rests at a length: \"%1\"."), {key}));
+                turns ? phrase(TRANSLATE_NOOP("problem", "A revolute joint rests at an angle: \"%1\"."), {key})
+                      : phrase(TRANSLATE_NOOP("problem", "A prismatic joint rests at a length: \"%1\"."), {key}));
   const json::Value* const in_rad = turns ? object.find("rest_rad") : nullptr;
   if (in_rad != nullptr && object.find(key) != nullptr) {
     object.findings().add(*in_rad, object.pathOf("rest_rad"),
-                          said(TRANSLATE_NOOP("problem", "The rest is already given by \"%1\"."), {key}));
+                          phrase(TRANSLATE_NOOP("problem", "The rest is already given by \"%1\"."), {key}));
   }
   if (in_rad != nullptr) return numberAt(object, "rest_rad", false);
   if (object.find(key) == nullptr) return {};
@@ -72,14 +72,14 @@ std::optional<double> restAt(ObjectReader& object, bool turns) {
 std::optional<double> torqueAt(ObjectReader& object, bool turns) {
   const char *const key = turns ? "max_torque_N_m" : "max_force_N", *const other =
                                                                         turns ? "max_force_N" : "max_torque_N_m";
-  object.refuse(other, turns ? said(TRANSLATE_NOOP("problem", "A revolute joint has a torque: \"%1\"."), {key})
-                             : said(TRANSLATE_NOOP("problem", "A prismatic joint has a force: \"%1\"."), {key}));
+  object.refuse(other, turns ? phrase(TRANSLATE_NOOP("problem", "A revolute joint has a torque: \"%1\"."), {key})
+                             : phrase(TRANSLATE_NOOP("problem", "A prismatic joint has a force: \"%1\"."), {key}));
   const json::Value* const value = object.find(key);
   if (value == nullptr) return {};
-  const double most = numberAt(object, key, false, 1.0);
-  if (!(most > 0.0))
-    object.findings().add(*value, object.pathOf(key), said(TRANSLATE_NOOP("problem", "This must be above 0.")));
-  return most;
+  const double max = numberAt(object, key, false, 1.0);
+  if (!(max > 0.0))
+    object.findings().add(*value, object.pathOf(key), phrase(TRANSLATE_NOOP("problem", "This must be above 0.")));
+  return max;
 }
 
 /// Mass, centre and inertia of a link, in its frame.
@@ -87,13 +87,14 @@ bool readMass(ObjectReader& joint, LinkMass& mass) {
   const Value* const value = joint.find("mass");
   if (value == nullptr) return false;
   const std::string path = joint.pathOf("mass");
-  if (!isKind(*value, json::Kind::Object, path, said(TRANSLATE_NOOP("problem", "an object in { }")), joint.findings()))
+  if (!isKind(*value, json::Kind::Object, path, phrase(TRANSLATE_NOOP("problem", "an object in { }")),
+              joint.findings()))
     return false;
-  ObjectReader object(*value, path, said(TRANSLATE_NOOP("problem", "the mass of a link")), joint.findings());
+  ObjectReader object(*value, path, phrase(TRANSLATE_NOOP("problem", "the mass of a link")), joint.findings());
   mass.mass_kg = numberAt(object, "mass_kg", true, 1.0);
   if (!(mass.mass_kg >= 0.0))
     object.findings().add(*value, object.pathOf("mass_kg"),
-                          said(TRANSLATE_NOOP("problem", "This must be 0 or above.")));
+                          phrase(TRANSLATE_NOOP("problem", "This must be 0 or above.")));
   mass.p_WC = pointAt(object, "center_mm", false);
   if (const Value* const list = object.find("inertia_kg_mm2")) {
     const std::string key = object.pathOf("inertia_kg_mm2");
@@ -105,7 +106,7 @@ bool readMass(ObjectReader& joint, LinkMass& mass) {
     }
     if (!whole) {
       object.findings().add(*list, key,
-                            said(TRANSLATE_NOOP("problem", "This must be six numbers: xx, yy, zz, xy, xz and yz.")));
+                            phrase(TRANSLATE_NOOP("problem", "This must be six numbers: xx, yy, zz, xy, xz and yz.")));
     } else {
       mass.inertia_W_kg_m2 << six[0], six[3], six[4], six[3], six[1], six[5], six[4], six[5], six[2];
       mass.inertia_W_kg_m2 *= kMetrePerMillimetre * kMetrePerMillimetre;
@@ -126,10 +127,10 @@ JointLines readLines(ObjectReader& object, const Value& value, const std::string
   joint.max = limitAt(object, "max", turns, kInfinity);
   if (!(joint.min < joint.max))
     findings.add(value, path,
-                 said(TRANSLATE_NOOP("problem", "The joint's lower limit must be below its upper limit.")));
+                 phrase(TRANSLATE_NOOP("problem", "The joint's lower limit must be below its upper limit.")));
   joint.facts.rest = restAt(object, turns);
   if (joint.facts.rest && !(*joint.facts.rest >= joint.min && *joint.facts.rest <= joint.max))
-    findings.add(value, path, said(TRANSLATE_NOOP("problem", "The joint's rest must be within its limits.")));
+    findings.add(value, path, phrase(TRANSLATE_NOOP("problem", "The joint's rest must be within its limits.")));
   joint.facts.max_torque = torqueAt(object, turns);
   if (const Value* const name = object.find("name"))
     json::readText(*name, object.pathOf("name"), joint.facts.name, findings);
@@ -138,7 +139,7 @@ JointLines readLines(ObjectReader& object, const Value& value, const std::string
   joint.facts.sensed = flagAt(object, "sensed", true);
   if (joint.says_driven && joint.facts.driven && !joint.facts.sensed)
     findings.add(value, object.pathOf("driven"),
-                 said(TRANSLATE_NOOP("problem", "A joint that is not sensed cannot be driven.")));
+                 phrase(TRANSLATE_NOOP("problem", "A joint that is not sensed cannot be driven.")));
   if (!joint.facts.sensed) joint.facts.driven = false;
   joint.has_mass = readMass(object, joint.mass);
   return joint;
@@ -156,13 +157,13 @@ chain::DhRow readRow(ObjectReader& object) {
 void readSizeLimits(ObjectReader& object, std::size_t index, Model& model) {
   const Value* const of_size = object.find("limits_of_size");
   if (of_size == nullptr) return;
-  const bool said_so = flagAt(object, "limits_of_size", false);
-  if (said_so && index != 4) {
+  const bool is_limited_by_size = flagAt(object, "limits_of_size", false);
+  if (is_limited_by_size && index != 4) {
     object.findings().add(
         *of_size, object.pathOf("limits_of_size"),
-        said(TRANSLATE_NOOP("problem", "Only joint 5 can have limits on the magnitude of its angle.")));
+        phrase(TRANSLATE_NOOP("problem", "Only joint 5 can have limits on the magnitude of its angle.")));
   }
-  model.limits_wrist_size |= said_so;
+  model.limits_wrist_size |= is_limited_by_size;
 }
 
 chain::Joint readScrew(ObjectReader& object, const JointLines& lines) {
@@ -172,31 +173,31 @@ chain::Joint readScrew(ObjectReader& object, const JointLines& lines) {
     const double length = joint.axis_W.stableNorm();
     if (!(length > 0.0 && std::isfinite(length))) {
       object.findings().add(*axis, object.pathOf("axis"),
-                            said(TRANSLATE_NOOP("problem", "The axis has no direction.")));
+                            phrase(TRANSLATE_NOOP("problem", "The axis has no direction.")));
       joint.axis_W = Vec3::UnitZ();
     } else {
       joint.axis_W /= length;
     }
   }
   if (lines.type == chain::JointType::Prismatic) {
-    object.refuse("point_mm", said(TRANSLATE_NOOP("problem", "A prismatic joint has a direction, but no point.")));
+    object.refuse("point_mm", phrase(TRANSLATE_NOOP("problem", "A prismatic joint has a direction, but no point.")));
   } else {
     joint.p_WJ = pointAt(object, "point_mm", true);
   }
   return joint;
 }
 
-/// The list of joints, of at least one and at most kMostJoints; null: a problem.
+/// The list of joints, of at least one and at most kMaxJoints; null: a problem.
 const Value* listAt(ObjectReader& object, const char* key) {
   const Value* const list = object.find(key, true);
   if (list == nullptr || !isKind(*list, json::Kind::Array, key,
-                                 said(TRANSLATE_NOOP("problem", "a list of joints, in { } each")), object.findings()))
+                                 phrase(TRANSLATE_NOOP("problem", "a list of joints, in { } each")), object.findings()))
     return nullptr;
   const std::size_t count = list->items.size();
-  if (count >= 1 && count <= kMostJoints) return list;
+  if (count >= 1 && count <= kMaxJoints) return list;
   object.findings().add(*list, key,
-                        said(TRANSLATE_NOOP("problem", "An arm has from one to eight joints; this one has %1."),
-                             {std::to_string(count)}));
+                        phrase(TRANSLATE_NOOP("problem", "An arm has from one to eight joints; this one has %1."),
+                               {std::to_string(count)}));
   return nullptr;
 }
 
@@ -208,7 +209,7 @@ void forEachJoint(const Value& list, const char* key, const Sentence& what, Find
     const Value& value = list.items[index];
     const std::string path = key + ("[" + std::to_string(index) + "]");
     if (!isKind(value, json::Kind::Object, path,
-                said(TRANSLATE_NOOP("problem", "a row, as in {\"alpha_deg\": 90, \"a_mm\": 0, ...}")), findings))
+                phrase(TRANSLATE_NOOP("problem", "a row, as in {\"alpha_deg\": 90, \"a_mm\": 0, ...}")), findings))
       continue;
     ObjectReader object(value, path, what, findings);
     all.push_back(readLines(object, value, path));
@@ -252,11 +253,12 @@ void readTable(ObjectReader& object, Model& model) {
   readPose(object, "X_WB", true, model.X_WB, &model.notes);
   const Value *const six = object.find("X_6T"), *const any = object.find("X_NT");
   if (six != nullptr && any != nullptr)
-    object.findings().add(*any, "X_NT", said(TRANSLATE_NOOP("problem", "The tool is already given by \"X_6T\".")));
+    object.findings().add(*any, "X_NT", phrase(TRANSLATE_NOOP("problem", "The tool is already given by \"X_6T\".")));
   if (six != nullptr && list != nullptr && list->items.size() != 6)
     object.findings().add(
         *six, "X_6T",
-        said(TRANSLATE_NOOP("problem", "Only an arm of six joints can have \"X_6T\"; its general name is \"X_NT\".")));
+        phrase(
+            TRANSLATE_NOOP("problem", "Only an arm of six joints can have \"X_6T\"; its general name is \"X_NT\".")));
   readPose(object, six != nullptr ? "X_6T" : "X_NT", false, model.X_NT, &model.notes);
   if (list == nullptr) return;
   std::vector<JointLines> all;
@@ -265,7 +267,7 @@ void readTable(ObjectReader& object, Model& model) {
     one.type = lines.type, one.min = lines.min, one.max = lines.max;
     model.rows.push_back(one);
   };
-  forEachJoint(*list, "dh", said(TRANSLATE_NOOP("problem", "a row of the DH table")), object.findings(), model, all,
+  forEachJoint(*list, "dh", phrase(TRANSLATE_NOOP("problem", "a row of the DH table")), object.findings(), model, all,
                row);
   if (model.rows.size() != list->items.size()) return;  // told already
   const bool classic = model.form == ArmForm::ClassicDh;
@@ -292,7 +294,7 @@ void readScrews(ObjectReader& object, Model& model) {
   const auto screw = [&](ObjectReader& joint, const JointLines& lines) {
     model.chain.joints.push_back(readScrew(joint, lines));
   };
-  forEachJoint(*list, "joints", said(TRANSLATE_NOOP("problem", "a joint")), object.findings(), model, all, screw);
+  forEachJoint(*list, "joints", phrase(TRANSLATE_NOOP("problem", "a joint")), object.findings(), model, all, screw);
   if (model.chain.joints.size() != list->items.size()) return;
   placeMasses(all, std::vector<Pose>(all.size(), Pose::Identity()), model);
   setTable(model);
@@ -312,7 +314,7 @@ void readJoints(ObjectReader& object, Model& model) {
   const Value* const table = object.find("dh");
   if (screws != nullptr && table != nullptr) {
     object.findings().add(*screws, "joints",
-                          said(TRANSLATE_NOOP("problem", "The joints are already given by the table \"dh\".")));
+                          phrase(TRANSLATE_NOOP("problem", "The joints are already given by the table \"dh\".")));
   }
   if (screws != nullptr && table == nullptr) {
     readScrews(object, model);

@@ -63,7 +63,7 @@ std::optional<Geometry> omniGeometry(const Model& model) {
 
 JointLimits limitsOf(const Model& model) {
   JointLimits limits = kNoJointLimits;
-  for (std::size_t joint = 0; joint < std::min(kMostJoints, model.rows.size()); ++joint) {
+  for (std::size_t joint = 0; joint < std::min(kMaxJoints, model.rows.size()); ++joint) {
     limits.min_rad[joint] = model.rows[joint].min;
     limits.max_rad[joint] = model.rows[joint].max;
   }
@@ -85,17 +85,17 @@ void turnIntoLimits(const Model& model, std::span<double> q, std::span<const dou
     const chain::DhRow& row = model.rows[joint];
     if (row.type != chain::JointType::Revolute || (model.limits_wrist_size && joint == 4)) continue;
     const double own = wrapped(q[joint]);
-    const double least = std::ceil((row.min - kRounding - own) / kTurn);
-    const double most = std::floor((row.max + kRounding - own) / kTurn);
+    const double min = std::ceil((row.min - kRounding - own) / kTurn);
+    const double max = std::floor((row.max + kRounding - own) / kTurn);
     double turns = joint < near.size() ? std::round((near[joint] - own) / kTurn) : 0.0;
-    if (least <= most) turns = std::clamp(turns, least, most);
+    if (min <= max) turns = std::clamp(turns, min, max);
     q[joint] = turns == 0.0 ? own : own + turns * kTurn;
-    if (least <= most) q[joint] = std::clamp(q[joint], row.min, row.max);
+    if (min <= max) q[joint] = std::clamp(q[joint], row.min, row.max);
   }
 }
 
-std::array<Pose, kMostJoints> linkFrames(const Model& model, const JointAngles& q_rad) noexcept {
-  std::array<Pose, kMostJoints> frames;
+std::array<Pose, kMaxJoints> linkFrames(const Model& model, const JointAngles& q_rad) noexcept {
+  std::array<Pose, kMaxJoints> frames;
   frames.fill(Pose::Identity());
   chain::framesOf(model.rows, model.X_WB, q_rad, frames);
   return frames;

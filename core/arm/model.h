@@ -34,7 +34,7 @@ struct JointFacts {
 /// The form in which a file gives the geometry.
 enum class ArmForm { ModifiedDh, ClassicDh, Exponentials, Urdf };
 
-/// An arm of 1 to kMostJoints joints as in its file: resources/arms/NAME.json, or a user's file.
+/// An arm of 1 to kMaxJoints joints as in its file: resources/arms/NAME.json, or a user's file.
 struct Model {
   std::string name;
   std::string title;
@@ -96,6 +96,6 @@ bool isWithinLimits(const Model& model, std::span<const double> q);
 void turnIntoLimits(const Model& model, std::span<double> q, std::span<const double> near = {});
 
 /// The frames of the rows of the table in W, as many as there are.
-std::array<Pose, kMostJoints> linkFrames(const Model& model, const JointAngles& q_rad) noexcept;
+std::array<Pose, kMaxJoints> linkFrames(const Model& model, const JointAngles& q_rad) noexcept;
 
 }  // namespace underact::arm

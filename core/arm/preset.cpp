@@ -74,19 +74,19 @@ Result<Preset> presetOf(const Model& model) {
   }
   if (geometry && !model.device) {
     return Problems{
-        {said(TRANSLATE_NOOP("problem",
-                             "The arm of a scene with the geometry of table 3.1 of the thesis is a haptic device, "
-                             "which needs %1 and %2 here: %3."),
-              {"\"encoder_counts_per_turn\"", "\"continuous_force_N\"",
-               R"("device": {"encoder_counts_per_turn": [4096, 4096, 4096, 4096, 4096, 4096], )"
-               R"("continuous_force_N": 1})"})}};
+        {phrase(TRANSLATE_NOOP("problem",
+                               "The arm of a scene with the geometry of table 3.1 of the thesis is a haptic device, "
+                               "which needs %1 and %2 here: %3."),
+                {"\"encoder_counts_per_turn\"", "\"continuous_force_N\"",
+                 R"("device": {"encoder_counts_per_turn": [4096, 4096, 4096, 4096, 4096, 4096], )"
+                 R"("continuous_force_N": 1})"})}};
   }
   for (std::size_t joint = 0; joint < model.joints.size(); ++joint) {
     if (model.joints[joint].sensed) continue;
-    return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "Joint %1 is not sensed, so that the position of the tip would be unknown: "
-                                         "the arm of a scene needs each of its joints sensed."),
-                          {std::to_string(joint + 1)})}};
+    return Problems{{phrase(TRANSLATE_NOOP("problem",
+                                           "Joint %1 is not sensed, so that the position of the tip would be unknown: "
+                                           "the arm of a scene needs each of its joints sensed."),
+                            {std::to_string(joint + 1)})}};
   }
   Preset preset{model.name, model.title, model.provenance, {}, generalLimits(model), {}, kUnstatedForce_N, 0.0};
   preset.geometry.general = generalOf(model);

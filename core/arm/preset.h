@@ -49,7 +49,7 @@ inline constexpr JointLimits kNoJointLimits{
 
 /// Steps per turn of the encoders: turret, thigh and shin (the shin's angle is measured from the base, not from the
 /// thigh), then the three of the gimbal. Of other arms: of each joint; 0 beyond their joints.
-using EncoderCounts = std::array<double, kMostJoints>;
+using EncoderCounts = std::array<double, kMaxJoints>;
 
 /// An arm that a scene can have: a haptic device of the thesis's kind, or (geometry.general) one that is simulated.
 struct Preset {

@@ -9,11 +9,11 @@
 namespace underact::arm {
 
 /// The most joints that an arm has.
-inline constexpr std::size_t kMostJoints = 8;
+inline constexpr std::size_t kMaxJoints = 8;
 
 /// The joint values of an arm, 0 beyond its joints: of the Omni and its like six angles, rad, in the DH convention
 /// (thesis table 3.1), whatever the device's own convention is; of others rad, or m where a joint slides.
-using JointAngles = std::array<double, kMostJoints>;
+using JointAngles = std::array<double, kMaxJoints>;
 
 /// Those of an arm of the Omni's kind.
 constexpr std::span<const double, 6> firstSix(const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
@@ -25,11 +25,11 @@ constexpr std::span<double, 6> firstSix(JointAngles& q_rad) noexcept UNDERACT_RE
 }
 
 /// The others.
-constexpr std::span<const double, kMostJoints - 6> beyondSix(const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
-  return std::span(q_rad).last<kMostJoints - 6>();
+constexpr std::span<const double, kMaxJoints - 6> beyondSix(const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
+  return std::span(q_rad).last<kMaxJoints - 6>();
 }
-constexpr std::span<double, kMostJoints - 6> beyondSix(JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
-  return std::span(q_rad).last<kMostJoints - 6>();
+constexpr std::span<double, kMaxJoints - 6> beyondSix(JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
+  return std::span(q_rad).last<kMaxJoints - 6>();
 }
 
 /// The state of an arm at one moment.

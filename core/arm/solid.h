@@ -43,10 +43,10 @@ struct LinkSolid {
 };
 
 /// The most that an arm has.
-inline constexpr std::size_t kMostSolids = 256;
+inline constexpr std::size_t kMaxSolids = 256;
 /// The longest name of a mesh file, bytes.
 inline constexpr std::size_t kLongestMeshName = 1024;
 /// Factors of a mesh are at most that, and at least its inverse, m.
-inline constexpr double kMostMetresPerUnit = 1e3, kLeastMetresPerUnit = 1e-9;
+inline constexpr double kMaxMetresPerUnit = 1e3, kMinMetresPerUnit = 1e-9;
 
 }  // namespace underact::arm

@@ -30,7 +30,7 @@ double sizeAt(ObjectReader& object, const char* key) {
   const double size_m = lengthAt(object, key);
   const Value* const value = object.find(key);
   if (value != nullptr && !(size_m > 0.0))
-    object.findings().add(*value, object.pathOf(key), said(TRANSLATE_NOOP("problem", "This must be above 0.")));
+    object.findings().add(*value, object.pathOf(key), phrase(TRANSLATE_NOOP("problem", "This must be above 0.")));
   return size_m;
 }
 
@@ -42,16 +42,16 @@ MeshSolid readMeshSolid(ObjectReader& object) {
     json::readText(*file, path, mesh.name, findings);
     mesh.place = {findings.file(), file->line, file->column, path};
     if (file->kind == json::Kind::String && mesh.name.empty())
-      findings.add(*file, path, said(TRANSLATE_NOOP("problem", "This must be the name of a mesh file.")));
+      findings.add(*file, path, phrase(TRANSLATE_NOOP("problem", "This must be the name of a mesh file.")));
     if (mesh.name.size() > kLongestMeshName)
-      findings.add(*file, path, said(TRANSLATE_NOOP("problem", "The name of the mesh is longer than 1024 bytes.")));
+      findings.add(*file, path, phrase(TRANSLATE_NOOP("problem", "The name of the mesh is longer than 1024 bytes.")));
   }
   const Value* const scale = object.find("scale_mm_per_unit");
   if (scale == nullptr) return mesh;
   mesh.m_per_unit = pointAt(object, "scale_mm_per_unit", true);
   if (!isMeshScale(mesh.m_per_unit))
     findings.add(*scale, object.pathOf("scale_mm_per_unit"),
-                 said(TRANSLATE_NOOP("problem", "Each factor must be from 1e-6 to 1e6, or the same below 0.")));
+                 phrase(TRANSLATE_NOOP("problem", "Each factor must be from 1e-6 to 1e6, or the same below 0.")));
   return mesh;
 }
 
@@ -63,7 +63,7 @@ SolidForm readForm(ObjectReader& object, SolidKind kind) {
     const Value* const value = object.find("size_mm");
     if (value != nullptr && !(box.size_m.minCoeff() > 0.0))
       object.findings().add(*value, object.pathOf("size_mm"),
-                            said(TRANSLATE_NOOP("problem", "Each length must be above 0.")));
+                            phrase(TRANSLATE_NOOP("problem", "Each length must be above 0.")));
     return box;
   }
   const double radius_m = sizeAt(object, "radius_mm");
@@ -78,10 +78,10 @@ LinkSolid readSolid(ObjectReader& object, const Value& value, std::size_t joints
   const double link = numberAt(object, "link", true);
   if (!(link >= 0.0 && link <= static_cast<double>(joints) && link == std::floor(link))) {
     object.findings().add(value, object.pathOf("link"),
-                          said(TRANSLATE_NOOP("problem",
-                                              "This must be a whole number from 0, the base, to %1, the last "
-                                              "link."),
-                               {std::to_string(joints)}));
+                          phrase(TRANSLATE_NOOP("problem",
+                                                "This must be a whole number from 0, the base, to %1, the last "
+                                                "link."),
+                                 {std::to_string(joints)}));
   } else {
     solid.link = static_cast<std::size_t>(link);
   }
@@ -126,21 +126,21 @@ void readSolids(ObjectReader& object, Model& model) {
   const Value* const list = object.find("solids");
   if (list == nullptr) return;
   Findings& findings = object.findings();
-  if (!isKind(*list, json::Kind::Array, "solids", said(TRANSLATE_NOOP("problem", "a list of solids, in { } each")),
+  if (!isKind(*list, json::Kind::Array, "solids", phrase(TRANSLATE_NOOP("problem", "a list of solids, in { } each")),
               findings))
     return;
-  if (list->items.size() > kMostSolids) {
+  if (list->items.size() > kMaxSolids) {
     findings.add(*list, "solids",
-                 said(TRANSLATE_NOOP("problem", "An arm has at most %1 solids; this one has %2."),
-                      {std::to_string(kMostSolids), std::to_string(list->items.size())}));
+                 phrase(TRANSLATE_NOOP("problem", "An arm has at most %1 solids; this one has %2."),
+                        {std::to_string(kMaxSolids), std::to_string(list->items.size())}));
     return;
   }
   for (std::size_t index = 0; index < list->items.size(); ++index) {
     const std::string path = "solids[" + std::to_string(index) + "]";
     const Value& value = list->items[index];
-    if (!isKind(value, json::Kind::Object, path, said(TRANSLATE_NOOP("problem", "an object in { }")), findings))
+    if (!isKind(value, json::Kind::Object, path, phrase(TRANSLATE_NOOP("problem", "an object in { }")), findings))
       continue;
-    ObjectReader solid(value, path, said(TRANSLATE_NOOP("problem", "a solid")), findings);
+    ObjectReader solid(value, path, phrase(TRANSLATE_NOOP("problem", "a solid")), findings);
     model.solids.push_back(readSolid(solid, value, model.joints.size()));
   }
 }

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostParents = 8;
+constexpr int kMaxParents = 8;
 constexpr std::string_view kPackage = "package://";
 
 /// Links resolved; none: it does not exist, or nobody may look.
@@ -45,7 +45,7 @@ struct Meant {
 /// Of a relative name: the folder of the arm's file, or the package that it is a part of.
 Meant besideArm(const fs::path& folder, const fs::path& name) {
   fs::path package = folder;
-  for (int up = 0; up <= kMostParents && package != package.root_path(); ++up, package = package.parent_path()) {
+  for (int up = 0; up <= kMaxParents && package != package.root_path(); ++up, package = package.parent_path()) {
     if (isPackage(package)) return {folder / name, package};
   }
   return {folder / name, folder};
@@ -60,14 +60,14 @@ bool isPackageNamed(const fs::path& folder, const std::string& name) {
   if (!text || excessOf(text.value())) return false;
   if (manifest.Parse(text.value().data(), text.value().size()) != tinyxml2::XML_SUCCESS) return false;
   const tinyxml2::XMLElement* const root = manifest.RootElement();
-  const tinyxml2::XMLElement* const said_name = root == nullptr ? nullptr : root->FirstChildElement("name");
-  return said_name != nullptr && said_name->GetText() != nullptr && said_name->GetText() == name;
+  const tinyxml2::XMLElement* const name_element = root == nullptr ? nullptr : root->FirstChildElement("name");
+  return name_element != nullptr && name_element->GetText() != nullptr && name_element->GetText() == name;
 }
 
 /// Of package://NAME/rest; none: there is no such package.
 std::optional<Meant> inPackage(const fs::path& folder, const fs::path& package, const fs::path& rest) {
   fs::path at = folder;
-  for (int up = 0; up <= kMostParents && at != at.root_path(); ++up, at = at.parent_path()) {
+  for (int up = 0; up <= kMaxParents && at != at.root_path(); ++up, at = at.parent_path()) {
     const bool is_own = at == folder;  // what it contains may be opened in any case
     if (at.filename() == package && (is_own || isPackage(at))) return Meant{at / rest, at};
     std::error_code error;
@@ -79,10 +79,11 @@ std::optional<Meant> inPackage(const fs::path& folder, const fs::path& package, 
 }
 
 Sentence outside(const std::string& name) {
-  return said(TRANSLATE_NOOP("problem",
-                             "The mesh %1 is not drawn: its name leads out of the folder of the arm's file, or of the "
-                             "package that this folder is in."),
-              {json::shown(name)});
+  return phrase(
+      TRANSLATE_NOOP("problem",
+                     "The mesh %1 is not drawn: its name leads out of the folder of the arm's file, or of the "
+                     "package that this folder is in."),
+      {json::shown(name)});
 }
 
 }  // namespace
@@ -90,10 +91,10 @@ Sentence outside(const std::string& name) {
 Result<std::string> fileOfSolid(const Model& model, const MeshSolid& mesh) {
   const auto problem = [&](Sentence sentence) { return Problems{{std::move(sentence), mesh.place}}; };
   if (model.folder.empty())
-    return problem(said(TRANSLATE_NOOP("problem",
-                                       "The mesh %1 is not drawn: a recording contains the file of the arm, not the "
-                                       "meshes beside it."),
-                        {json::shown(mesh.name)}));
+    return problem(phrase(TRANSLATE_NOOP("problem",
+                                         "The mesh %1 is not drawn: a recording contains the file of the arm, not the "
+                                         "meshes beside it."),
+                          {json::shown(mesh.name)}));
   const std::string_view name = mesh.name;
   const bool is_odd = name.size() > kLongestMeshName || std::any_of(name.begin(), name.end(), [](char letter) {
                         return static_cast<unsigned char>(letter) < 0x20;
@@ -110,10 +111,10 @@ Result<std::string> fileOfSolid(const Model& model, const MeshSolid& mesh) {
     if (package.empty() || package == "." || package == "..") return problem(outside(mesh.name));
     meant = inPackage(*folder, package, fs::path(rest.substr(slash)).relative_path());
     if (!meant)
-      return problem(said(TRANSLATE_NOOP("problem",
-                                         "The mesh %1 is not drawn: there is no such package in the folder of the "
-                                         "arm's file, and none with a package.xml in the folders above."),
-                          {json::shown(mesh.name)}));
+      return problem(phrase(TRANSLATE_NOOP("problem",
+                                           "The mesh %1 is not drawn: there is no such package in the folder of the "
+                                           "arm's file, and none with a package.xml in the folders above."),
+                            {json::shown(mesh.name)}));
   } else if (folder) {
     meant = besideArm(*folder, name);
   }
@@ -122,8 +123,8 @@ Result<std::string> fileOfSolid(const Model& model, const MeshSolid& mesh) {
   const bool leads_out = meant && !isWithin(meant->file.lexically_normal(), meant->folder);
   if (leads_out || (file && !isWithin(*file, meant->folder))) return problem(outside(mesh.name));
   if (!file)
-    return problem(
-        said(TRANSLATE_NOOP("problem", "The mesh %1 is not drawn: there is no such file."), {json::shown(mesh.name)}));
+    return problem(phrase(TRANSLATE_NOOP("problem", "The mesh %1 is not drawn: there is no such file."),
+                          {json::shown(mesh.name)}));
   return file->string();
 }
 
@@ -148,7 +149,7 @@ Result<Model> withFolderOf(const std::string& path, Result<Model> model) {
 
 bool isMeshScale(const Vec3& m_per_unit) {
   const Vec3 sizes = m_per_unit.cwiseAbs();
-  return sizes.allFinite() && sizes.minCoeff() >= kLeastMetresPerUnit && sizes.maxCoeff() <= kMostMetresPerUnit;
+  return sizes.allFinite() && sizes.minCoeff() >= kMinMetresPerUnit && sizes.maxCoeff() <= kMaxMetresPerUnit;
 }
 
 }  // namespace underact::arm

@@ -19,8 +19,9 @@ void addTo(LinkMass& all, const LinkMass& one) {
   if (!(total_kg > 0.0)) return;
   const Vec3 p_WC = (all.mass_kg * all.p_WC + one.mass_kg * one.p_WC) / total_kg;
   const auto about = [&](const LinkMass& mass) {  // Steiner's theorem
-    const Vec3 way = mass.p_WC - p_WC;
-    return Mat3(mass.inertia_W_kg_m2 + mass.mass_kg * (way.squaredNorm() * Mat3::Identity() - way * way.transpose()));
+    const Vec3 offset = mass.p_WC - p_WC;
+    return Mat3(mass.inertia_W_kg_m2 +
+                mass.mass_kg * (offset.squaredNorm() * Mat3::Identity() - offset * offset.transpose()));
   };
   all = {total_kg, p_WC, Mat3(about(all) + about(one))};
 }
@@ -36,7 +37,7 @@ class Walk {
     show(tree_.links[base]);
     for (const UrdfStep& step : steps) pass(step);
     model_.chain.X_WT_home = X_WLink_;
-    if (model_.solids.size() > kMostSolids) model_.solids.clear();
+    if (model_.solids.size() > kMaxSolids) model_.solids.clear();
     if (!any_mass_) model_.masses.clear();
     noteMassesBeside();
   }
@@ -63,30 +64,31 @@ class Walk {
     if (joint.motion == UrdfMotion::Fixed) return;
     if (joint.motion == UrdfMotion::Other)
       return family_.say(joint.line, "type",
-                         said(TRANSLATE_NOOP("problem",
-                                             "The joint %1 is %2; a joint of an arm turns about an axis or slides "
-                                             "along it. Leave it out (%3)."),
-                              {json::shown(joint.name), json::shown(joint.type), wayRound(joint, step.down)}));
+                         phrase(TRANSLATE_NOOP("problem",
+                                               "The joint %1 is %2; a joint of an arm turns about an axis or slides "
+                                               "along it. Leave it out (%3)."),
+                                {json::shown(joint.name), json::shown(joint.type), wayRound(joint, step.down)}));
     if (joint.follows)
-      return family_.say(joint.line, "mimic",
-                         said(TRANSLATE_NOOP("problem",
-                                             "The joint %1 follows another one; each joint of an arm moves by itself. "
-                                             "Leave it out (%2)."),
-                              {json::shown(joint.name), wayRound(joint, step.down)}));
-    if (joint.limits_unsaid)
+      return family_.say(
+          joint.line, "mimic",
+          phrase(TRANSLATE_NOOP("problem",
+                                "The joint %1 follows another one; each joint of an arm moves by itself. "
+                                "Leave it out (%2)."),
+                 {json::shown(joint.name), wayRound(joint, step.down)}));
+    if (joint.lacks_limits)
       family_.note(
           joint.limit_line, "limit",
-          said(TRANSLATE_NOOP("problem", "The joint %1 has no range here, and is taken as one without limits."),
-               {json::shown(joint.name)}));
+          phrase(TRANSLATE_NOOP("problem", "The joint %1 has no range here, and is taken as one without limits."),
+                 {json::shown(joint.name)}));
     if (!(joint.min < joint.max))  // of a joint beside the way, such as a wheel, nobody asks
       family_.say(joint.limit_line, "lower",
-                  said(TRANSLATE_NOOP("problem", "The joint's lower limit must be below its upper limit.")));
+                  phrase(TRANSLATE_NOOP("problem", "The joint's lower limit must be below its upper limit.")));
     const bool turns = joint.motion == UrdfMotion::Turns;
-    if (model_.joints.size() == kMostJoints)
-      family_.say(
-          joint.line, "joint",
-          said(TRANSLATE_NOOP("problem", "An arm has from one to eight joints; this is the ninth. End it before (%1)."),
-               {wayRound(joint, step.down)}));
+    if (model_.joints.size() == kMaxJoints)
+      family_.say(joint.line, "joint",
+                  phrase(TRANSLATE_NOOP("problem",
+                                        "An arm has from one to eight joints; this is the ninth. End it before (%1)."),
+                         {wayRound(joint, step.down)}));
     model_.chain.joints.push_back({turns ? chain::JointType::Revolute : chain::JointType::Prismatic,
                                    (step.down ? 1.0 : -1.0) * (X_WLink_.linear() * joint.axis).normalized(),
                                    X_WLink_.translation(), joint.min, joint.max});
@@ -134,8 +136,8 @@ class Walk {
     if (first == kNone) return;
     family_.note(
         tree_.links[first].line, "mass",
-        said(TRANSLATE_NOOP("problem", "%1 kg on joints beside the arm, from link %2 on, are in none of its masses."),
-             {json::numberText(beside_kg), json::shown(tree_.links[first].name)}));
+        phrase(TRANSLATE_NOOP("problem", "%1 kg on joints beside the arm, from link %2 on, are in none of its masses."),
+               {json::numberText(beside_kg), json::shown(tree_.links[first].name)}));
   }
 
   const UrdfTree& tree_;
@@ -167,11 +169,11 @@ Result<Model> readUrdf(std::string_view text, const std::string& file_name, cons
   if (!family.problems().empty()) return family.problems();
   Model model;
   model.notes = tree.notes;
-  Walk(tree, family, model).go(base, family.way(base, tip));
+  Walk(tree, family, model).go(base, family.path(base, tip));
   if (family.problems().empty() && model.joints.empty())
     family.say(tree.links[tip].line, "tip",
-               said(TRANSLATE_NOOP("problem", "No joint between link %1 and link %2 moves."),
-                    {json::shown(tree.links[base].name), json::shown(tree.links[tip].name)}));
+               phrase(TRANSLATE_NOOP("problem", "No joint between link %1 and link %2 moves."),
+                      {json::shown(tree.links[base].name), json::shown(tree.links[tip].name)}));
   if (!family.problems().empty()) return family.problems();
   const Problems notes = family.takeNotes();
   model.notes.insert(model.notes.begin(), notes.begin(), notes.end());

@@ -11,8 +11,8 @@
 namespace underact::arm {
 namespace {
 
-constexpr std::size_t kMostListed = 8;
-constexpr std::size_t kMostFamilyProblems = 100;
+constexpr std::size_t kMaxListed = 8;
+constexpr std::size_t kMaxFamilyProblems = 100;
 constexpr std::size_t kJointsBeforeGripper = 3, kJointsOfWrist = 3;
 
 /// Whether a link is called what the tool of an arm is: tool0 as in ROS's REP 199, or as makers of arms do.
@@ -35,7 +35,7 @@ LinkFamily::LinkFamily(const UrdfTree& tree, const std::string& file)
     if (parent == kNone || child == kNone) continue;
     if (above_[child] != kNone) {
       say(joint.line, "child",
-          said(TRANSLATE_NOOP("problem", "The link %1 has two parents."), {json::shown(joint.child)}));
+          phrase(TRANSLATE_NOOP("problem", "The link %1 has two parents."), {json::shown(joint.child)}));
     } else {
       above_[child] = i;
       below_[parent].push_back(i);
@@ -45,12 +45,12 @@ LinkFamily::LinkFamily(const UrdfTree& tree, const std::string& file)
 
 void LinkFamily::refuseToChoose(const std::vector<std::size_t>& all, const char* which) {
   if (all.empty())
-    return say(0, which, said(TRANSLATE_NOOP("problem", "The robot has no link that could be its %1."), {which}));
+    return say(0, which, phrase(TRANSLATE_NOOP("problem", "The robot has no link that could be its %1."), {which}));
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < std::min(all.size(), kMostListed); ++i) names.push_back(tree_.links[all[i]].name);
+  for (std::size_t i = 0; i < std::min(all.size(), kMaxListed); ++i) names.push_back(tree_.links[all[i]].name);
   say(tree_.links[all[1]].line, which,
-      said(TRANSLATE_NOOP("problem", "Say which link is the %1 (arm convert --%1 LINK): %2, for example."),
-           {which, json::listed(names)}));
+      phrase(TRANSLATE_NOOP("problem", "Say which link is the %1 (arm convert --%1 LINK): %2, for example."),
+             {which, json::listed(names)}));
 }
 
 std::size_t LinkFamily::base(const std::string& name) {
@@ -74,8 +74,8 @@ std::size_t LinkFamily::base(const std::string& name) {
     const UrdfJoint& joint = tree_.joints[joints[0]];
     base = indexOf(joint.child);
     note(joint.line, "type",
-         said(TRANSLATE_NOOP("problem", "The joint %1 is %2, so link %3 is taken as the base."),
-              {json::shown(joint.name), json::shown(joint.type), json::shown(joint.child)}));
+         phrase(TRANSLATE_NOOP("problem", "The joint %1 is %2, so link %3 is taken as the base."),
+                {json::shown(joint.name), json::shown(joint.type), json::shown(joint.child)}));
   }
 }
 
@@ -94,11 +94,11 @@ std::size_t LinkFamily::tip(const std::string& name, std::size_t base) {
   }
   std::vector<std::string> others;
   for (const std::size_t leaf : leaves) {
-    if (leaf != reach.tip && others.size() < kMostListed) others.push_back(tree_.links[leaf].name);
+    if (leaf != reach.tip && others.size() < kMaxListed) others.push_back(tree_.links[leaf].name);
   }
   note(tree_.links[reach.tip].line, "tip",
-       said(TRANSLATE_NOOP("problem", "Link %1 is taken as the tip. --tip LINK takes another one: %2, for example."),
-            {json::shown(tree_.links[reach.tip].name), json::listed(others)}));
+       phrase(TRANSLATE_NOOP("problem", "Link %1 is taken as the tip. --tip LINK takes another one: %2, for example."),
+              {json::shown(tree_.links[reach.tip].name), json::listed(others)}));
   return reach.tip;
 }
 
@@ -115,33 +115,33 @@ LinkFamily::Reach LinkFamily::reachOf(std::size_t link, std::size_t passed) cons
   const std::vector<BodyLink> body = bodyOf(link, false);
   const std::vector<std::size_t> joints = leaving(body);
   // One joint too many, so that a longer arm is refused and not cut off.
-  if (joints.empty() || passed > kMostJoints) return {lastOf(body), passed};
+  if (joints.empty() || passed > kMaxJoints) return {lastOf(body), passed};
   Reach best;
   bool is_only = true;  // no other way is as long
   for (const std::size_t i : joints) {
     const UrdfJoint& joint = tree_.joints[i];
     if (joints.size() > 1 && (joint.follows || joint.motion == UrdfMotion::Other)) continue;
     const Reach reach = reachOf(indexOf(joint.child), passed + 1);
-    const bool fits = reach.joints <= kMostJoints, best_fits = best.joints <= kMostJoints;
+    const bool fits = reach.joints <= kMaxJoints, best_fits = best.joints <= kMaxJoints;
     const bool is_better =
         best.tip == kNone || (fits && !best_fits) || (fits == best_fits && reach.joints > best.joints);
     is_only = is_better || (is_only && reach.joints < best.joints);
     if (is_better) best = reach;
   }
-  const bool goes_on = is_only && best.joints >= passed + kJointsOfWrist && best.joints <= kMostJoints;
+  const bool goes_on = is_only && best.joints >= passed + kJointsOfWrist && best.joints <= kMaxJoints;
   const bool at_gripper = joints.size() > 1 && passed >= kJointsBeforeGripper && !goes_on;
   return best.tip == kNone || at_gripper ? Reach{lastOf(body), passed} : best;
 }
 
 std::size_t LinkFamily::lastOf(const std::vector<BodyLink>& body) const {
   std::size_t best = body.front().link;
-  std::tuple<bool, bool, std::size_t> most{false, false, 0};
+  std::tuple<bool, bool, std::size_t> max{false, false, 0};
   for (const auto& [link, X_FirstLink, depth] : body) {
     const bool bears = std::any_of(below_[link].begin(), below_[link].end(),
                                    [&](std::size_t joint) { return tree_.joints[joint].motion != UrdfMotion::Fixed; });
     if (!bears && !below_[link].empty()) continue;
     const std::tuple<bool, bool, std::size_t> rank{isToolName(tree_.links[link].name), bears, depth};
-    if (rank > most) best = link, most = rank;
+    if (rank > max) best = link, max = rank;
   }
   return best;
 }
@@ -166,7 +166,7 @@ std::vector<BodyLink> LinkFamily::bodyOf(std::size_t link, bool above) const {
   return body;
 }
 
-std::vector<UrdfStep> LinkFamily::way(std::size_t base, std::size_t tip) {
+std::vector<UrdfStep> LinkFamily::path(std::size_t base, std::size_t tip) {
   const std::vector<std::size_t> from_base = upwards(base), from_tip = upwards(tip);  // links, each with its parents
   std::vector<std::size_t> up_from_tip(tree_.links.size(), kNone);  // the number of joints from the tip up to a link
   for (std::size_t i = from_tip.size(); i-- > 0;) up_from_tip[from_tip[i]] = i;
@@ -178,13 +178,13 @@ std::vector<UrdfStep> LinkFamily::way(std::size_t base, std::size_t tip) {
     return steps;
   }
   say(tree_.links[tip].line, "tip",
-      said(TRANSLATE_NOOP("problem", "No joints lead from link %1 to link %2."),
-           {json::shown(tree_.links[base].name), json::shown(tree_.links[tip].name)}));
+      phrase(TRANSLATE_NOOP("problem", "No joints lead from link %1 to link %2."),
+             {json::shown(tree_.links[base].name), json::shown(tree_.links[tip].name)}));
   return {};
 }
 
 void LinkFamily::say(int line, const std::string& key, Sentence sentence) {
-  if (problems_.size() < kMostFamilyProblems) problems_.push_back({std::move(sentence), {file_, line, 0, key}});
+  if (problems_.size() < kMaxFamilyProblems) problems_.push_back({std::move(sentence), {file_, line, 0, key}});
 }
 
 void LinkFamily::note(int line, const std::string& key, Sentence sentence) {
@@ -194,14 +194,14 @@ void LinkFamily::note(int line, const std::string& key, Sentence sentence) {
 std::size_t LinkFamily::find(const std::string& name, int line, const char* key) {
   const auto found = index_.find(name);
   if (found != index_.end()) return found->second;
-  if (problems_.size() >= kMostListed) return kNone;
+  if (problems_.size() >= kMaxListed) return kNone;
   std::vector<std::string> known;
   for (const UrdfLink& link : tree_.links) known.push_back(link.name);
   const std::string nearest = json::nearestWord(name, known);
   say(line, key,
-      nearest.empty()
-          ? said(TRANSLATE_NOOP("problem", "There is no link %1."), {json::shown(name)})
-          : said(TRANSLATE_NOOP("problem", "There is no link %1. Did you mean \"%2\"?"), {json::shown(name), nearest}));
+      nearest.empty() ? phrase(TRANSLATE_NOOP("problem", "There is no link %1."), {json::shown(name)})
+                      : phrase(TRANSLATE_NOOP("problem", "There is no link %1. Did you mean \"%2\"?"),
+                               {json::shown(name), nearest}));
   return kNone;
 }
 

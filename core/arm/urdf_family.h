@@ -39,7 +39,7 @@ class LinkFamily {
   std::size_t tip(const std::string& name, std::size_t base);
 
   /// From link to link by way of their nearest common parent; empty and a problem where there is none.
-  std::vector<UrdfStep> way(std::size_t base, std::size_t tip);
+  std::vector<UrdfStep> path(std::size_t base, std::size_t tip);
   /// A link and all that are fixed to it: those below, and if asked for those above.
   std::vector<BodyLink> bodyOf(std::size_t link, bool above) const;
 

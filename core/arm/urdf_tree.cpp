@@ -22,7 +22,7 @@ namespace {
 using tinyxml2::XMLElement;
 
 constexpr double kFurthest_m = 1e3;
-constexpr std::size_t kMostLinks = 4096;  // a humanoid with two hands has some 100
+constexpr std::size_t kMaxLinks = 4096;  // a humanoid with two hands has some 100
 
 /// Reads the elements of one file; collects its problems.
 class TreeReader : UrdfWords {
@@ -38,10 +38,10 @@ class TreeReader : UrdfWords {
       const std::string_view what = one->Name();
       if (what.starts_with("xacro:"))
         say(*one, std::string(what),
-            said(TRANSLATE_NOOP("problem", "This file is a macro (xacro). Expand it into a URDF file first.")));
-      if (tree.links.size() > kMostLinks || tree.joints.size() > kMostLinks) {
+            phrase(TRANSLATE_NOOP("problem", "This file is a macro (xacro). Expand it into a URDF file first.")));
+      if (tree.links.size() > kMaxLinks || tree.joints.size() > kMaxLinks) {
         say(*one, std::string(what),
-            said(TRANSLATE_NOOP("problem", "A robot can have at most 4096 links and joints.")));
+            phrase(TRANSLATE_NOOP("problem", "A robot can have at most 4096 links and joints.")));
         break;
       }
       if (what == "link") tree.links.push_back(readLink(*one));
@@ -60,14 +60,14 @@ class TreeReader : UrdfWords {
     constexpr std::array<std::string_view, 4> kKnown{"1", "1.0", "1.1", "1.2"};
     if (version == nullptr || std::find(kKnown.begin(), kKnown.end(), version) != kKnown.end()) return;
     say(robot, "version",
-        said(TRANSLATE_NOOP("problem", "This program reads URDF of the versions 1.0, 1.1 and 1.2; here it is %1."),
-             {json::shown(version)}));
+        phrase(TRANSLATE_NOOP("problem", "This program reads URDF of the versions 1.0, 1.1 and 1.2; here it is %1."),
+               {json::shown(version)}));
   }
 
   std::string named(const XMLElement& element, const char* what, std::unordered_set<std::string>& names) {
     std::string name = attribute(element, "name", what);
     if (!name.empty() && !names.insert(name).second)
-      say(element, "name", said(TRANSLATE_NOOP("problem", "The name %1 appears twice."), {json::shown(name)}));
+      say(element, "name", phrase(TRANSLATE_NOOP("problem", "The name %1 appears twice."), {json::shown(name)}));
     return name;
   }
 
@@ -79,7 +79,7 @@ class TreeReader : UrdfWords {
     checkAll(*origin, {"xyz", "rpy", "quat_xyzw"});
     Vec3 p = Vec3::Zero(), turn_rad = Vec3::Zero();
     if (three(*origin, "xyz", p) && p.cwiseAbs().maxCoeff() > kFurthest_m)
-      say(*origin, "xyz", said(TRANSLATE_NOOP("problem", "A length must lie within 1000 m.")));
+      say(*origin, "xyz", phrase(TRANSLATE_NOOP("problem", "A length must lie within 1000 m.")));
     X.translation() = p;
     if (const char* const text = origin->Attribute("quat_xyzw")) {
       X.linear() = rotationOf(*origin, text);
@@ -99,12 +99,12 @@ class TreeReader : UrdfWords {
     Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
     if (origin.Attribute("rpy") != nullptr)
       say(origin, "quat_xyzw",
-          said(TRANSLATE_NOOP("problem", "An <origin> has either \"rpy\" or \"quat_xyzw\", not both.")));
+          phrase(TRANSLATE_NOOP("problem", "An <origin> has either \"rpy\" or \"quat_xyzw\", not both.")));
     if (!numbers(origin, "quat_xyzw", text, {q.coeffs().data(), 4})) return Mat3::Identity();
     if (!(std::abs(q.norm() - 1.0) <= kOffUnit)) {
       say(origin, "quat_xyzw",
-          said(TRANSLATE_NOOP("problem", "A quaternion must have the length 1; here it is %1."),
-               {json::numberText(q.norm())}));
+          phrase(TRANSLATE_NOOP("problem", "A quaternion must have the length 1; here it is %1."),
+                 {json::numberText(q.norm())}));
       return Mat3::Identity();
     }
     return q.normalized().toRotationMatrix();
@@ -115,7 +115,7 @@ class TreeReader : UrdfWords {
     if (form.Attribute(key) == nullptr) attribute(form, key, form.Name());
     const double size_m = one(form, key, 1.0);
     if (!(size_m > 0.0 && size_m <= kFurthest_m))
-      say(form, key, said(TRANSLATE_NOOP("problem", "A length must be above 0 and at most 1000 m.")));
+      say(form, key, phrase(TRANSLATE_NOOP("problem", "A length must be above 0 and at most 1000 m.")));
     return size_m;
   }
 
@@ -127,10 +127,10 @@ class TreeReader : UrdfWords {
     mesh.name = attribute(form, "filename", "mesh");
     mesh.place = {file_, form.GetLineNum(), 0, "filename"};
     if (mesh.name.size() > kLongestMeshName)
-      say(form, "filename", said(TRANSLATE_NOOP("problem", "The name of the mesh is longer than 1024 bytes.")));
+      say(form, "filename", phrase(TRANSLATE_NOOP("problem", "The name of the mesh is longer than 1024 bytes.")));
     if (three(form, "scale", mesh.m_per_unit) && !isMeshScale(mesh.m_per_unit))
       say(form, "scale",
-          said(TRANSLATE_NOOP("problem", "Each factor must be from 1e-9 to 1000, or the same below 0.")));
+          phrase(TRANSLATE_NOOP("problem", "Each factor must be from 1e-9 to 1000, or the same below 0.")));
     return mesh;
   }
 
@@ -142,7 +142,7 @@ class TreeReader : UrdfWords {
       BoxSolid box{Vec3::Constant(1.0)};
       if (form.Attribute("size") == nullptr) attribute(form, "size", "box");
       if (three(form, "size", box.size_m) && !(box.size_m.minCoeff() > 0.0 && box.size_m.maxCoeff() <= kFurthest_m))
-        say(form, "size", said(TRANSLATE_NOOP("problem", "A length must be above 0 and at most 1000 m.")));
+        say(form, "size", phrase(TRANSLATE_NOOP("problem", "A length must be above 0 and at most 1000 m.")));
       solid.form = box;
     } else if (what == "cylinder") {
       solid.form = CylinderSolid{sizeOf(form, "radius"), sizeOf(form, "length")};
@@ -154,7 +154,7 @@ class TreeReader : UrdfWords {
       solid.form = readMesh(form);
     } else {
       say(form, json::plainKey(form.Name()),
-          said(TRANSLATE_NOOP("problem", "The form %1 is not known here."), {json::shown(form.Name())}));
+          phrase(TRANSLATE_NOOP("problem", "The form %1 is not known here."), {json::shown(form.Name())}));
     }
     solid.X_WS = readOrigin(visual);
     return solid;
@@ -173,8 +173,8 @@ class TreeReader : UrdfWords {
       if (link.notes.size() == before) link.solids.push_back(std::move(solid));
     }
     for (Problem& note : link.notes)
-      note.sentence = said(TRANSLATE_NOOP("problem", "A picture of link %1 is not drawn: %2"),
-                           {json::shown(link.name), note.sentence});
+      note.sentence = phrase(TRANSLATE_NOOP("problem", "A picture of link %1 is not drawn: %2"),
+                             {json::shown(link.name), note.sentence});
     into_ = problems;
   }
 
@@ -190,9 +190,10 @@ class TreeReader : UrdfWords {
     const Pose X = readOrigin(*inertial);
     LinkMass mass;
     mass.p_WC = X.translation();
-    if (const XMLElement* const said_mass = inertial->FirstChildElement("mass")) {
-      mass.mass_kg = one(*said_mass, "value", 0.0);
-      if (!(mass.mass_kg >= 0.0)) say(*said_mass, "value", said(TRANSLATE_NOOP("problem", "This must be 0 or above.")));
+    if (const XMLElement* const mass_element = inertial->FirstChildElement("mass")) {
+      mass.mass_kg = one(*mass_element, "value", 0.0);
+      if (!(mass.mass_kg >= 0.0))
+        say(*mass_element, "value", phrase(TRANSLATE_NOOP("problem", "This must be 0 or above.")));
     }
     if (const XMLElement* const inertia = inertial->FirstChildElement("inertia")) {
       Mat3 I;
@@ -207,7 +208,7 @@ class TreeReader : UrdfWords {
   std::string linkOf(const XMLElement& joint, const char* end) {
     const XMLElement* const element = only(joint, end);
     if (element != nullptr) return attribute(*element, "link", end);
-    say(joint, end, said(TRANSLATE_NOOP("problem", "The element <%1> is missing; <joint> needs it."), {end}));
+    say(joint, end, phrase(TRANSLATE_NOOP("problem", "The element <%1> is missing; <joint> needs it."), {end}));
     return {};
   }
 
@@ -216,15 +217,15 @@ class TreeReader : UrdfWords {
     if (limit == nullptr) {
       if (joint.type == "continuous") return;
       return say(element, "limit",
-                 said(TRANSLATE_NOOP("problem", "The element <%1> is missing; <joint> needs it."), {"limit"}));
+                 phrase(TRANSLATE_NOOP("problem", "The element <%1> is missing; <joint> needs it."), {"limit"}));
     }
     checkAttributes(*limit, {"lower", "upper", "effort", "velocity"});
     if (joint.type == "continuous") return;
     joint.min = one(*limit, "lower", 0.0);
     joint.max = one(*limit, "upper", 0.0);
     joint.limit_line = limit->GetLineNum();
-    joint.limits_unsaid = joint.min == 0.0 && joint.max == 0.0;
-    if (joint.limits_unsaid) joint.min = -kInfinity, joint.max = kInfinity;
+    joint.lacks_limits = joint.min == 0.0 && joint.max == 0.0;
+    if (joint.lacks_limits) joint.min = -kInfinity, joint.max = kInfinity;
   }
 
   UrdfJoint readJoint(const XMLElement& element) {
@@ -242,10 +243,10 @@ class TreeReader : UrdfWords {
     if (!joint.type.empty() && std::find(types.begin(), types.end(), joint.type) == types.end()) {
       const std::string nearest = json::nearestWord(joint.type, types);
       say(element, "type",
-          nearest.empty() ? said(TRANSLATE_NOOP("problem", "A joint's type must be %1; here it is %2."),
-                                 {json::listed(types), json::shown(joint.type)})
-                          : said(TRANSLATE_NOOP("problem", "The type %1 is not known. Did you mean \"%2\"?"),
-                                 {json::shown(joint.type), nearest}));
+          nearest.empty() ? phrase(TRANSLATE_NOOP("problem", "A joint's type must be %1; here it is %2."),
+                                   {json::listed(types), json::shown(joint.type)})
+                          : phrase(TRANSLATE_NOOP("problem", "The type %1 is not known. Did you mean \"%2\"?"),
+                                   {json::shown(joint.type), nearest}));
     }
     joint.parent = linkOf(element, "parent");
     joint.child = linkOf(element, "child");
@@ -257,7 +258,7 @@ class TreeReader : UrdfWords {
         const bool read = three(*axis, "xyz", joint.axis);
         const double length = joint.axis.stableNorm();
         if (read && !(length > 0.0 && std::isfinite(length)))
-          say(*axis, "xyz", said(TRANSLATE_NOOP("problem", "The axis has no direction.")));
+          say(*axis, "xyz", phrase(TRANSLATE_NOOP("problem", "The axis has no direction.")));
         if (length > 0.0 && std::isfinite(length)) joint.axis /= length;
       }
       readLimits(element, joint);
@@ -272,15 +273,15 @@ class TreeReader : UrdfWords {
 Sentence stopOf(tinyxml2::XMLError error) {
   switch (error) {
     case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
-      return said(TRANSLATE_NOOP("problem", "The file is empty."));
+      return phrase(TRANSLATE_NOOP("problem", "The file is empty."));
     case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
-      return said(TRANSLATE_NOOP("problem", "An element is not closed, or closed by another name, here or above."));
+      return phrase(TRANSLATE_NOOP("problem", "An element is not closed, or closed by another name, here or above."));
     case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
-      return said(TRANSLATE_NOOP("problem", "An attribute of this element is not written as name=\"value\"."));
+      return phrase(TRANSLATE_NOOP("problem", "An attribute of this element is not written as name=\"value\"."));
     case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
-      return said(TRANSLATE_NOOP("problem", "The elements are nested more than 100 levels deep."));
+      return phrase(TRANSLATE_NOOP("problem", "The elements are nested more than 100 levels deep."));
     default:
-      return said(TRANSLATE_NOOP("problem", "Here the text stops being XML."));
+      return phrase(TRANSLATE_NOOP("problem", "Here the text stops being XML."));
   }
 }
 
@@ -289,7 +290,7 @@ Sentence stopOf(tinyxml2::XMLError error) {
 Result<UrdfTree> readUrdfTree(std::string_view text, const std::string& file_name) {
   if (text.find('\0') != std::string_view::npos)
     return Problems{
-        problemAt(file_name, 0, "", said(TRANSLATE_NOOP("problem", "This is no text: it contains zero bytes.")))};
+        problemAt(file_name, 0, "", phrase(TRANSLATE_NOOP("problem", "This is no text: it contains zero bytes.")))};
   if (const std::optional<XmlExcess> excess = excessOf(text))
     return Problems{problemAt(file_name, excess->line, "", excess->sentence)};
   tinyxml2::XMLDocument document;
@@ -298,12 +299,12 @@ Result<UrdfTree> readUrdfTree(std::string_view text, const std::string& file_nam
   for (const tinyxml2::XMLNode* node = document.FirstChild(); node != nullptr; node = node->NextSibling()) {
     if (node->ToUnknown() == nullptr) continue;
     return Problems{problemAt(file_name, node->GetLineNum(), "",
-                              said(TRANSLATE_NOOP("problem", "A document type is not allowed here. Remove it.")))};
+                              phrase(TRANSLATE_NOOP("problem", "A document type is not allowed here. Remove it.")))};
   }
   const XMLElement* const robot = document.RootElement();
   if (robot == nullptr || std::string_view(robot->Name()) != "robot") {
     return Problems{problemAt(file_name, robot == nullptr ? 0 : robot->GetLineNum(), "",
-                              said(TRANSLATE_NOOP("problem", "A URDF file is one element <robot>.")))};
+                              phrase(TRANSLATE_NOOP("problem", "A URDF file is one element <robot>.")))};
   }
   TreeReader reader(file_name);
   UrdfTree tree = reader.read(*robot);

@@ -31,8 +31,8 @@ struct UrdfJoint {
   Pose X_ParentJoint = Pose::Identity();
   Vec3 axis = Vec3::UnitX();
   double min = -kInfinity, max = kInfinity;
-  int limit_line = 0;          // of <limit>
-  bool limits_unsaid = false;  // it states neither end, or 0 for both, as exporters do that know none
+  int limit_line = 0;         // of <limit>
+  bool lacks_limits = false;  // it states neither end, or 0 for both, as exporters do that know none
 };
 
 /// Robot, links and joints in the order of the file.

@@ -11,7 +11,7 @@
 namespace underact::arm {
 namespace {
 
-constexpr std::size_t kMostUrdfProblems = 100;
+constexpr std::size_t kMaxUrdfProblems = 100;
 
 }  // namespace
 
@@ -25,13 +25,13 @@ void UrdfWords::checkAll(const XMLElement& element, const std::vector<std::strin
     const std::string word = one->Name();
     if (word.find(':') != std::string::npos || !json::nearestWord(word, known).empty()) continue;
     say(element, json::plainKey(word),
-        said(TRANSLATE_NOOP("problem", "The attribute %1 is not known in <%2>, and may move the link."),
-             {json::shown(word), std::string(element.Name())}));
+        phrase(TRANSLATE_NOOP("problem", "The attribute %1 is not known in <%2>, and may move the link."),
+               {json::shown(word), std::string(element.Name())}));
   }
   for (const XMLElement* one = element.FirstChildElement(); one != nullptr; one = one->NextSiblingElement())
     say(*one, json::plainKey(one->Name()),
-        said(TRANSLATE_NOOP("problem", "The element %1 is not known in <%2>, and may move the link."),
-             {json::shown(one->Name()), std::string(element.Name())}));
+        phrase(TRANSLATE_NOOP("problem", "The element %1 is not known in <%2>, and may move the link."),
+               {json::shown(one->Name()), std::string(element.Name())}));
 }
 
 const XMLElement* UrdfWords::only(const XMLElement& parent, const char* name) {
@@ -39,31 +39,32 @@ const XMLElement* UrdfWords::only(const XMLElement& parent, const char* name) {
   if (first == nullptr) return first;
   if (const XMLElement* const second = first->NextSiblingElement(name))
     say(*second, name,
-        said(TRANSLATE_NOOP("problem", "The element <%1> appears twice in <%2>."), {name, std::string(parent.Name())}));
+        phrase(TRANSLATE_NOOP("problem", "The element <%1> appears twice in <%2>."),
+               {name, std::string(parent.Name())}));
   return first;
 }
 
 void UrdfWords::say(const XMLElement& at, const std::string& key, Sentence sentence) {
-  if (into_->size() < kMostUrdfProblems) into_->push_back(problemAt(file_, at.GetLineNum(), key, std::move(sentence)));
+  if (into_->size() < kMaxUrdfProblems) into_->push_back(problemAt(file_, at.GetLineNum(), key, std::move(sentence)));
 }
 
 void UrdfWords::checkWord(const XMLElement& element, const std::vector<std::string>& known) {
-  if (into_->size() >= kMostUrdfProblems) return;
+  if (into_->size() >= kMaxUrdfProblems) return;
   const std::string word = element.Name(), nearest = json::nearestWord(word, known);
   if (nearest.empty() || nearest == word) return;
   say(element, json::plainKey(word),
-      said(TRANSLATE_NOOP("problem", "The element %1 is not known here. Did you mean \"%2\"?"),
-           {json::shown(word), nearest}));
+      phrase(TRANSLATE_NOOP("problem", "The element %1 is not known here. Did you mean \"%2\"?"),
+             {json::shown(word), nearest}));
 }
 
 void UrdfWords::checkAttributes(const XMLElement& element, const std::vector<std::string>& known) {
   for (const tinyxml2::XMLAttribute* one = element.FirstAttribute(); one != nullptr; one = one->Next()) {
     const std::string word = one->Name(), nearest = json::nearestWord(word, known);
-    if (nearest.empty() || nearest == word || into_->size() >= kMostUrdfProblems) continue;
+    if (nearest.empty() || nearest == word || into_->size() >= kMaxUrdfProblems) continue;
     into_->push_back(
         problemAt(file_, one->GetLineNum(), json::plainKey(word),
-                  said(TRANSLATE_NOOP("problem", "The attribute %1 is not known in <%2>. Did you mean \"%3\"?"),
-                       {json::shown(word), std::string(element.Name()), nearest})));
+                  phrase(TRANSLATE_NOOP("problem", "The attribute %1 is not known in <%2>. Did you mean \"%3\"?"),
+                         {json::shown(word), std::string(element.Name()), nearest})));
   }
 }
 
@@ -71,8 +72,8 @@ std::string UrdfWords::attribute(const XMLElement& element, const char* key, con
   const char* const text = element.Attribute(key);
   if (text != nullptr && *text != '\0') return text;
   say(element, key,
-      said(TRANSLATE_NOOP("problem", "The attribute \"%1\" is missing; %2 needs it."),
-           {key, "<" + std::string(what) + ">"}));
+      phrase(TRANSLATE_NOOP("problem", "The attribute \"%1\" is missing; %2 needs it."),
+             {key, "<" + std::string(what) + ">"}));
   return {};
 }
 
@@ -99,9 +100,9 @@ bool UrdfWords::numbers(const XMLElement& element, const char* key, const char* 
   const std::string count = std::to_string(into.size());
   say(element, key,
       into.size() == 1
-          ? said(TRANSLATE_NOOP("problem", "This must be a finite number; here it is %1."), {json::shown(text)})
-          : said(TRANSLATE_NOOP("problem", "This must be %1 finite numbers; here it is %2."),
-                 {count, json::shown(text)}));
+          ? phrase(TRANSLATE_NOOP("problem", "This must be a finite number; here it is %1."), {json::shown(text)})
+          : phrase(TRANSLATE_NOOP("problem", "This must be %1 finite numbers; here it is %2."),
+                   {count, json::shown(text)}));
   return false;
 }
 

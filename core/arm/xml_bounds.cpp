@@ -9,7 +9,7 @@
 namespace underact::arm {
 namespace {
 
-constexpr std::size_t kMostAttributes = 64;    // those of URDF have at most six
+constexpr std::size_t kMaxAttributes = 64;     // those of URDF have at most six
 constexpr std::size_t kLongestReference = 12;  // "&#x0010FFFF;"
 
 /// What begins like this is no element, and ends where the second text does.
@@ -51,9 +51,9 @@ std::optional<XmlExcess> excessOf(std::string_view text) {
       if (text[at] != '"' && text[at] != '\'') continue;
       const std::size_t end = std::min(text.find(text[at], at + 1), text.size());
       if (const std::size_t odd = endlessReference(text.substr(at, end - at)); odd != std::string_view::npos)
-        return at_line(at + odd, said(TRANSLATE_NOOP("problem", "A reference such as &#65; ends with a semicolon.")));
-      if (++attributes > kMostAttributes)
-        return at_line(start, said(TRANSLATE_NOOP("problem", "An element can have at most 64 attributes.")));
+        return at_line(at + odd, phrase(TRANSLATE_NOOP("problem", "A reference such as &#65; ends with a semicolon.")));
+      if (++attributes > kMaxAttributes)
+        return at_line(start, phrase(TRANSLATE_NOOP("problem", "An element can have at most 64 attributes.")));
       at = end;
     }
   }

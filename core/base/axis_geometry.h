@@ -19,12 +19,12 @@ inline Vec3 perpendicularPart(const Vec3& axis_W, Vec3 v_W) noexcept UNDERACT_RE
 /// A unit vector at right angles to a unit axis, always the same: the coordinate axis nearest to a right angle with it
 /// (the first of equals), made perpendicular.
 inline Vec3 referencePerpendicular(const Vec3& axis_W) noexcept UNDERACT_REAL_TIME {
-  Eigen::Index most = 0;
+  Eigen::Index max = 0;
   for (Eigen::Index axis = 1; axis < 3; ++axis) {
-    if (std::abs(axis_W[axis]) < std::abs(axis_W[most])) most = axis;
+    if (std::abs(axis_W[axis]) < std::abs(axis_W[max])) max = axis;
   }
   Vec3 direction_W = Vec3::Zero();
-  direction_W[most] = 1.0;
+  direction_W[max] = 1.0;
   const Vec3 perpendicular_W = perpendicularPart(axis_W, direction_W);
   return perpendicular_W / perpendicular_W.norm();
 }

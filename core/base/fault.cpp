@@ -11,25 +11,25 @@ Sentence whatHappened(const Fault& fault) {
     case FaultKind::None:
       return {};
     case FaultKind::NoSample:
-      return said(TRANSLATE_NOOP("problem", "The arm stopped answering."));
+      return phrase(TRANSLATE_NOOP("problem", "The arm stopped answering."));
     case FaultKind::StaleSample:
-      return said(TRANSLATE_NOOP("problem", "The arm sent the same sample twice."));
+      return phrase(TRANSLATE_NOOP("problem", "The arm sent the same sample twice."));
     case FaultKind::NotFinite:
-      return said(TRANSLATE_NOOP("problem", "The arm sent a position that is not a number."));
+      return phrase(TRANSLATE_NOOP("problem", "The arm sent a position that is not a number."));
     case FaultKind::TooFast:
-      return said(TRANSLATE_NOOP("problem", "The arm's position jumped at %1 m/s; a hand reaches at most %2 m/s."),
-                  {seen(1), allowed(0)});
+      return phrase(TRANSLATE_NOOP("problem", "The arm's position jumped at %1 m/s; a hand reaches at most %2 m/s."),
+                    {seen(1), allowed(0)});
     case FaultKind::TooLate:
-      return said(TRANSLATE_NOOP("problem", "%1 ticks in a row were late by a whole period."), {seen(0)});
+      return phrase(TRANSLATE_NOOP("problem", "%1 ticks in a row were late by a whole period."), {seen(0)});
     case FaultKind::StoodStill:
-      return said(TRANSLATE_NOOP("problem", "The servo stalled for %1 s."), {seen(2)});
+      return phrase(TRANSLATE_NOOP("problem", "The servo stalled for %1 s."), {seen(2)});
     case FaultKind::OddClock:
-      return said(TRANSLATE_NOOP("problem", "The arm's clock advanced by %1 s while %2 s passed."),
-                  {seen(2), allowed(2)});
+      return phrase(TRANSLATE_NOOP("problem", "The arm's clock advanced by %1 s while %2 s passed."),
+                    {seen(2), allowed(2)});
     case FaultKind::Asleep:
-      return said(TRANSLATE_NOOP("problem", "The computer was asleep for %1 s."), {seen(1)});
+      return phrase(TRANSLATE_NOOP("problem", "The computer was asleep for %1 s."), {seen(1)});
     case FaultKind::WindowBusy:
-      return said(TRANSLATE_NOOP("problem", "The window was too busy to hear Stop for %1 s."), {seen(1)});
+      return phrase(TRANSLATE_NOOP("problem", "The window was too busy to hear Stop for %1 s."), {seen(1)});
   }
   return {};
 }
@@ -41,25 +41,25 @@ Sentence whatToDo(const Fault& fault) {
     case FaultKind::NoSample:
     case FaultKind::StaleSample:
     case FaultKind::TooFast:
-      return said(TRANSLATE_NOOP("problem", "Check the cable, then press Start."));
+      return phrase(TRANSLATE_NOOP("problem", "Check the cable, then press Start."));
     case FaultKind::NotFinite:
-      return said(TRANSLATE_NOOP("problem", "Press Start to try again."));
+      return phrase(TRANSLATE_NOOP("problem", "Press Start to try again."));
     case FaultKind::TooLate:
-      return said(TRANSLATE_NOOP(
+      return phrase(TRANSLATE_NOOP(
           "problem", "Close programs that keep the computer busy or choose a lower rate, then press Start."));
     case FaultKind::StoodStill:
     case FaultKind::Asleep:
     case FaultKind::WindowBusy:
-      return said(TRANSLATE_NOOP("problem", "Press Start to continue."));
+      return phrase(TRANSLATE_NOOP("problem", "Press Start to continue."));
     case FaultKind::OddClock:
-      return said(TRANSLATE_NOOP("problem", "Restart the servo to reopen the arm, then press Start."));
+      return phrase(TRANSLATE_NOOP("problem", "Restart the servo to reopen the arm, then press Start."));
   }
   return {};
 }
 
 Sentence describe(const Fault& fault) {
   if (fault.kind == FaultKind::None) return {};
-  return oneAfterAnother({whatHappened(fault), said(TRANSLATE_NOOP("problem", "Force is off.")), whatToDo(fault)});
+  return oneAfterAnother({whatHappened(fault), phrase(TRANSLATE_NOOP("problem", "Force is off.")), whatToDo(fault)});
 }
 
 const char* name(FaultKind kind) {

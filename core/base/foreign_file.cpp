@@ -34,20 +34,21 @@ constexpr auto kFormats = std::to_array<Format>({{"gzip", "\x1F\x8B"},
 
 Sentence foreignKind(std::string_view head) {
   if (head.starts_with("version https://git-lfs"))
-    return said(
+    return phrase(
         TRANSLATE_NOOP("problem", "This is a pointer of Git LFS, not the file itself. Get it with \"git lfs pull\"."));
   std::string start(head.substr(std::min(head.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), head.size()), 14));
   for (char& c : start) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   if (start.starts_with("<html") || start == "<!doctype html")
-    return said(TRANSLATE_NOOP("problem", "This is a web page, not the file itself. Download the file again."));
+    return phrase(TRANSLATE_NOOP("problem", "This is a web page, not the file itself. Download the file again."));
   std::string format = head.size() > 80 && head.substr(72, 8) == "S      1" ? "IGES" : "";
   for (const Format& one : kFormats)
     if (head.starts_with(one.start)) format = one.name;
   if (format.empty()) return {};
-  return said(TRANSLATE_NOOP("problem",
-                             "This file has the format %1, which is not read here. Unpack it or convert it: a mesh to "
-                             "STL or OBJ, a text to UTF-8."),
-              {format});
+  return phrase(
+      TRANSLATE_NOOP("problem",
+                     "This file has the format %1, which is not read here. Unpack it or convert it: a mesh to "
+                     "STL or OBJ, a text to UTF-8."),
+      {format});
 }
 
 }  // namespace underact

@@ -51,21 +51,22 @@ Sentence rotationProblem(const Mat3& R) {
   const double off = offRotation(R);
   if (off <= kFarthestRotation) return {};
   if (!std::isfinite(off))
-    return said(TRANSLATE_NOOP("problem",
-                               "This is not a rotation matrix: its rows must have length 1, be at right angles, and "
-                               "form a right-handed frame."));
-  return said(TRANSLATE_NOOP("problem",
-                             "This is not a rotation matrix: a number in it is %1 off the nearest one, and 0.001 is "
-                             "allowed. Give at least four decimals, better six."),
-              {twoDigits(off)});
+    return phrase(TRANSLATE_NOOP("problem",
+                                 "This is not a rotation matrix: its rows must have length 1, be at right angles, and "
+                                 "form a right-handed frame."));
+  return phrase(TRANSLATE_NOOP("problem",
+                               "This is not a rotation matrix: a number in it is %1 off the nearest one, and 0.001 is "
+                               "allowed. Give at least four decimals, better six."),
+                {twoDigits(off)});
 }
 
 Sentence rotationNote(const Mat3& R) {
   if (offOrthonormal(R) <= kSixDecimals) return {};
-  return said(TRANSLATE_NOOP("problem",
-                             "This matrix is %1 off a rotation, and the nearest one is taken. With six decimals it is "
-                             "exact enough."),
-              {twoDigits(offRotation(R))});
+  return phrase(
+      TRANSLATE_NOOP("problem",
+                     "This matrix is %1 off a rotation, and the nearest one is taken. With six decimals it is "
+                     "exact enough."),
+      {twoDigits(offRotation(R))});
 }
 
 }  // namespace underact

@@ -15,7 +15,7 @@ inline double largestOf(const Vec3& v) noexcept UNDERACT_REAL_TIME {
 }
 
 /// The smallest coordinate, with its sign.
-inline double leastOf(const Vec3& v) noexcept UNDERACT_REAL_TIME {
+inline double minOf(const Vec3& v) noexcept UNDERACT_REAL_TIME {
   return std::min({v.x(), v.y(), v.z()});
 }
 

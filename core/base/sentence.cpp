@@ -25,7 +25,7 @@ std::string filled(std::string_view pattern, const std::vector<std::string>& wor
   return made;
 }
 
-Sentence said(std::string pattern, std::vector<Sentence> places) {
+Sentence phrase(std::string pattern, std::vector<Sentence> places) {
   Sentence sentence(filled(pattern, {places.begin(), places.end()}));
   sentence.pattern_ = std::move(pattern);
   sentence.places_ = std::move(places);
@@ -49,7 +49,7 @@ Sentence shownNumber(double value, int decimals) {
 Sentence oneAfterAnother(const std::vector<Sentence>& sentences) {
   Sentence all;
   for (const Sentence& one : sentences) {
-    if (!one.empty()) all = all.empty() ? one : said(TRANSLATE_NOOP("problem", "%1 %2"), {all, one});
+    if (!one.empty()) all = all.empty() ? one : phrase(TRANSLATE_NOOP("problem", "%1 %2"), {all, one});
   }
   return all;
 }

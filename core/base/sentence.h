@@ -23,7 +23,7 @@ class Sentence : public std::string {
   /// Whether it is a number computed by the program, which a window writes in the format of its language.
   bool isNumber() const { return is_number_; }
 
-  friend Sentence said(std::string pattern, std::vector<Sentence> places);
+  friend Sentence phrase(std::string pattern, std::vector<Sentence> places);
   friend Sentence shownNumber(std::string digits);
 
  private:
@@ -32,8 +32,8 @@ class Sentence : public std::string {
   bool is_number_ = false;
 };
 
-/// The pattern with its places filled: said(TRANSLATE_NOOP("problem", "%1 is not known."), {name}).
-Sentence said(std::string pattern, std::vector<Sentence> places = {});
+/// The pattern with its places filled: phrase(TRANSLATE_NOOP("problem", "%1 is not known."), {name}).
+Sentence phrase(std::string pattern, std::vector<Sentence> places = {});
 
 /// A number that was measured or computed, from its digits with a point.
 Sentence shownNumber(std::string digits);

@@ -20,19 +20,19 @@ Staircase answered(Staircase staircase, bool right) {
   ++staircase.trials;
   staircase.right_now = right ? staircase.right_now + 1 : 0;
   if (right && staircase.right_now < rule.right_in_a_row) return staircase;
-  const int way = right ? -1 : 1;
-  if (staircase.way == -way) staircase.reversals.push_back(staircase.difference);
-  staircase.way = way;
+  const int direction = right ? -1 : 1;
+  if (staircase.direction == -direction) staircase.reversals.push_back(staircase.difference);
+  staircase.direction = direction;
   staircase.right_now = 0;
   const double factor = staircase.reversals.size() < kRunIn ? rule.coarse : rule.fine;
   const double next = right ? staircase.difference / factor : staircase.difference * factor;
-  staircase.difference = std::clamp(next, rule.least, rule.most);
+  staircase.difference = std::clamp(next, rule.min, rule.max);
   return staircase;
 }
 
 bool isDone(const Staircase& staircase) {
   return static_cast<int>(staircase.reversals.size()) >= staircase.rule.reversals ||
-         staircase.trials >= staircase.rule.most_trials;
+         staircase.trials >= staircase.rule.max_trials;
 }
 
 std::optional<Threshold> thresholdOf(const Staircase& staircase) {

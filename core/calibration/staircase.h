@@ -7,13 +7,13 @@ namespace underact::calibration {
 /// The rule of a staircase. Differences are relative: 0.1 means a tenth more than the reference.
 struct StaircaseRule {
   double first = 0.5;      // difference of the first trial
-  double least = 0.005;    // never below
-  double most = 1.5;       // never above
+  double min = 0.005;      // never below
+  double max = 1.5;        // never above
   double coarse = 2.0;     // factor of each step up to the second reversal
   double fine = 1.4;       // factor from then on
   int right_in_a_row = 2;  // right answers to make it harder; one wrong answer makes it easier
   int reversals = 10;      // it ends after so many reversals
-  int most_trials = 100;   // or after so many trials
+  int max_trials = 100;    // or after so many trials
 };
 
 /// An adaptive staircase of a two-alternative forced choice; with two right answers in a row it converges to the
@@ -23,7 +23,7 @@ struct Staircase {
   StaircaseRule rule;
   double difference = 0.0;  // of the next trial
   int right_now = 0;        // right answers since the last step
-  int way = 0;              // -1: the last step was to harder, +1: to easier, 0: none yet
+  int direction = 0;        // -1: the last step was to harder, +1: to easier, 0: none yet
   int trials = 0;
   std::vector<double> reversals;  // the differences at the reversals
 };

@@ -44,10 +44,11 @@ Result<std::array<std::size_t, 2>> beamsOf(const scene::Description& scene) {
     if (isBeam(scene.constraints[index])) beams.push_back(index);
   }
   if (beams.size() != 2 || scene.constraints.size() != 2) {
-    return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "A calibration needs a scene with two beams: two virtual robots, each with "
-                                         "one revolute joint and a spring. Open the scene \"Two beams, one softer\".")),
-                     {scene.file, 0, 0, "constraints"}}};
+    return Problems{
+        {phrase(TRANSLATE_NOOP("problem",
+                               "A calibration needs a scene with two beams: two virtual robots, each with "
+                               "one revolute joint and a spring. Open the scene \"Two beams, one softer\".")),
+         {scene.file, 0, 0, "constraints"}}};
   }
   const auto x_of = [&](std::size_t index) {
     return tipOf(std::get<VirtualManipulator>(scene.constraints[index].shape)).x();

@@ -19,14 +19,14 @@ void check(Joint& joint, std::size_t number, const SourceLocation& place, Proble
   if (length > 0.0 && std::isfinite(length)) {
     joint.axis_W /= length;
   } else {
-    problems.push_back({said(TRANSLATE_NOOP("problem", "Joint %1: the axis has no direction."), {which}), place});
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "Joint %1: the axis has no direction."), {which}), place});
   }
   if (!joint.p_WJ.allFinite())
     problems.push_back(
-        {said(TRANSLATE_NOOP("problem", "Joint %1: the point on the axis is not a finite point."), {which}), place});
+        {phrase(TRANSLATE_NOOP("problem", "Joint %1: the point on the axis is not a finite point."), {which}), place});
   if (!(joint.min <= joint.max) || joint.min == kInfinity || joint.max == -kInfinity) {
     problems.push_back(
-        {said(TRANSLATE_NOOP("problem", "Joint %1: the lower limit must not be above the upper one."), {which}),
+        {phrase(TRANSLATE_NOOP("problem", "Joint %1: the lower limit must not be above the upper one."), {which}),
          place});
   }
 }
@@ -40,21 +40,22 @@ bool isRotation(const Mat3& R) {
 
 Result<Chain> makeChain(std::vector<Joint> joints, const Pose& X_WT_home, const SourceLocation& place) {
   Problems problems;
-  if (joints.empty()) problems.push_back({said(TRANSLATE_NOOP("problem", "A chain needs at least one joint.")), place});
+  if (joints.empty())
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "A chain needs at least one joint.")), place});
   if (joints.size() > kMaxJoints) {
-    problems.push_back({said(TRANSLATE_NOOP("problem", "A chain has at most %1 joints, not %2."),
-                             {std::to_string(kMaxJoints), std::to_string(joints.size())}),
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "A chain has at most %1 joints, not %2."),
+                               {std::to_string(kMaxJoints), std::to_string(joints.size())}),
                         place});
   }
   for (std::size_t i = 0; i < joints.size(); ++i) check(joints[i], i + 1, place, problems);
   if (!isRotation(X_WT_home.linear())) {
     problems.push_back(
-        {said(TRANSLATE_NOOP("problem", "The upper left 3 x 3 numbers of the home pose are not a rotation matrix.")),
+        {phrase(TRANSLATE_NOOP("problem", "The upper left 3 x 3 numbers of the home pose are not a rotation matrix.")),
          place});
   }
   if (!X_WT_home.translation().allFinite())
     problems.push_back(
-        {said(TRANSLATE_NOOP("problem", "The position of the home pose is not a finite point.")), place});
+        {phrase(TRANSLATE_NOOP("problem", "The position of the home pose is not a finite point.")), place});
   if (!problems.empty()) return problems;
   return Chain{std::move(joints), X_WT_home};
 }

@@ -19,13 +19,13 @@ struct CommonNormal {
 };
 CommonNormal commonNormal(const Joint& a, const Joint& b, const Vec3& p, const Vec3& x_before, double near_m) {
   if (!areParallel(a.axis_W, b.axis_W)) {
-    const Vec3 p_a = nearestOn(a, b), p_b = nearestOn(b, a), way = p_b - p_a;
+    const Vec3 p_a = nearestOn(a, b), p_b = nearestOn(b, a), offset = p_b - p_a;
     const Vec3 common = a.axis_W.cross(b.axis_W).normalized();
-    return {way.dot(common) < -near_m ? Vec3(-common) : common, p_a, p_b};
+    return {offset.dot(common) < -near_m ? Vec3(-common) : common, p_a, p_b};
   }
-  const Vec3 way = perpendicularPart(a.axis_W, b.p_WJ - p);
-  const bool apart = way.norm() > near_m;
-  return {apart ? Vec3(way.normalized()) : perpendicularPart(a.axis_W, x_before).normalized(), p, p + way};
+  const Vec3 offset = perpendicularPart(a.axis_W, b.p_WJ - p);
+  const bool apart = offset.norm() > near_m;
+  return {apart ? Vec3(offset.normalized()) : perpendicularPart(a.axis_W, x_before).normalized(), p, p + offset};
 }
 
 double angleFrom(const Vec3& axis, const Vec3& u, const Vec3& v) {

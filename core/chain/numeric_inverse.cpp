@@ -13,7 +13,7 @@ namespace underact::chain {
 namespace {
 
 constexpr double kFirstDamping = 0.01;  // of the squared residual; measured: from 1e-4 to 1 the steps change by a tenth
-constexpr double kLeastDamping = 1e-8, kMostDamping = 1e8;
+constexpr double kMinDamping = 1e-8, kMaxDamping = 1e8;
 constexpr double kDampingFloor = 1e-14;  // of the squared length: keeps pivots positive at singularities
 constexpr double kDeadEnd = 1e-10;       // a step whose predicted gain is below this share of the squared residual
 
@@ -78,9 +78,9 @@ class Search {
       const double gained = solved ? at.squared - next.squared : -1.0;
       if (gained > 0.0) at = next;
       // Where the prediction holds, damp less; where it does not, damp more.
-      if (gained > 0.75 * promised) damping = std::max(kLeastDamping, 0.1 * damping);
+      if (gained > 0.75 * promised) damping = std::max(kMinDamping, 0.1 * damping);
       if (!(gained > 0.25 * promised)) damping = 8.0 * std::max(damping, 1e-3);
-      if (!(damping <= kMostDamping)) return;
+      if (!(damping <= kMaxDamping)) return;
     }
   }
 
@@ -163,15 +163,15 @@ NumericSolution solveNumerically(const Chain& chain, const Pose& X_WT, std::span
                                  const NumericOptions& options) noexcept {
   Search search(chain, X_WT, options);
   NumericSolution best;
-  double least = kInfinity;
+  double min = kInfinity;
   for (int turn = 0; turn <= options.restarts; ++turn) {
     Place at = turn == 0 ? search.start(q_start) : search.randomStart();
     if (turn == 0) best.q = at.q;
     search.measure(at);
     search.descend(at, best.steps);
     best.restarts_used = turn;
-    if (at.squared < least) {
-      least = at.squared;
+    if (at.squared < min) {
+      min = at.squared;
       best.q = at.q;
       best.residual_m = at.residual_m;
       best.residual_rad = at.residual_rad;

@@ -17,8 +17,8 @@ bool spins(const Joint& joint) noexcept {
   return joint.type == JointType::Revolute;
 }
 
-Vec3 flat(const Vec3& normal, const Vec3& way) noexcept {
-  return perpendicularPart(normal, way);
+Vec3 flat(const Vec3& normal, const Vec3& offset) noexcept {
+  return perpendicularPart(normal, offset);
 }
 
 /// Where the motion takes a point.
@@ -35,29 +35,30 @@ PlanarAnswers twoForPoint(const Vec3& n, const Joint& one, const Joint& two, con
   const Vec3 wanted = flat(n, p_wanted - one.p_WJ);
   if (spins(one) && spins(two)) {
     const MovedPoint moved = movedBy(two, p);
-    const Vec3 way = flat(n, moved.fixed - one.p_WJ);
-    const AngleRoots found = rootsOfAngle(way.squaredNorm() + moved.cosine.squaredNorm() - wanted.squaredNorm(),
-                                          2.0 * way.dot(moved.cosine), 2.0 * way.dot(moved.sine), scale * scale);
+    const Vec3 offset = flat(n, moved.fixed - one.p_WJ);
+    const AngleRoots found = rootsOfAngle(offset.squaredNorm() + moved.cosine.squaredNorm() - wanted.squaredNorm(),
+                                          2.0 * offset.dot(moved.cosine), 2.0 * offset.dot(moved.sine), scale * scale);
     const Roots roots = found.free ? Roots{{0.0}, 1} : found.roots;
     for (std::size_t i = 0; i < roots.count; ++i) {
       put(answers, angleAbout(n, moved.at(roots.all[i]) - one.p_WJ, p_wanted - one.p_WJ), roots.all[i]);
     }
   } else if (spins(one)) {
-    const Vec3 way = flat(n, p - one.p_WJ);
-    const Roots roots = rootsOf({way.squaredNorm() - wanted.squaredNorm(), 2.0 * way.dot(two.axis_W), 1.0});
+    const Vec3 offset = flat(n, p - one.p_WJ);
+    const Roots roots = rootsOf({offset.squaredNorm() - wanted.squaredNorm(), 2.0 * offset.dot(two.axis_W), 1.0});
     for (std::size_t i = 0; i < roots.count; ++i) {
-      put(answers, angleAbout(n, way + roots.all[i] * two.axis_W, wanted), roots.all[i]);
+      put(answers, angleAbout(n, offset + roots.all[i] * two.axis_W, wanted), roots.all[i]);
     }
   } else if (spins(two)) {
-    const Vec3 way = flat(n, p_wanted - two.p_WJ), arm = flat(n, p - two.p_WJ);
-    const Roots roots = rootsOf({way.squaredNorm() - arm.squaredNorm(), -2.0 * way.dot(one.axis_W), 1.0});
+    const Vec3 offset = flat(n, p_wanted - two.p_WJ), arm = flat(n, p - two.p_WJ);
+    const Roots roots = rootsOf({offset.squaredNorm() - arm.squaredNorm(), -2.0 * offset.dot(one.axis_W), 1.0});
     for (std::size_t i = 0; i < roots.count; ++i) {
-      put(answers, roots.all[i], angleAbout(n, arm, way - roots.all[i] * one.axis_W));
+      put(answers, roots.all[i], angleAbout(n, arm, offset - roots.all[i] * one.axis_W));
     }
   } else {
     const double area = n.dot(one.axis_W.cross(two.axis_W));
-    const Vec3 way = flat(n, p_wanted - p);
-    if (std::abs(area) > kSame) put(answers, n.dot(way.cross(two.axis_W)) / area, n.dot(one.axis_W.cross(way)) / area);
+    const Vec3 offset = flat(n, p_wanted - p);
+    if (std::abs(area) > kSame)
+      put(answers, n.dot(offset.cross(two.axis_W)) / area, n.dot(one.axis_W.cross(offset)) / area);
   }
   return answers;
 }
@@ -79,11 +80,12 @@ PlanarAnswers threeForMotion(const Vec3& n, const std::vector<Joint>& level, con
   if (spins(level[0]) && spins(level[1])) {
     // e1 e2 = N T(-s d): on the pivot of joint 2, |N J2 - s N d - J1| is the length between the pivots.
     const Vec3 &one = level[0].p_WJ, &two = level[1].p_WJ;
-    const Vec3 way = flat(n, movedTo(n, wanted, two) - one);
+    const Vec3 offset = flat(n, movedTo(n, wanted, two) - one);
     const Vec3 slide = rotated(level[2].axis_W, n, sinCos(wanted.angle_rad));
-    const Roots roots = rootsOf({way.squaredNorm() - flat(n, two - one).squaredNorm(), -2.0 * way.dot(slide), 1.0});
+    const Roots roots =
+        rootsOf({offset.squaredNorm() - flat(n, two - one).squaredNorm(), -2.0 * offset.dot(slide), 1.0});
     for (std::size_t i = 0; i < roots.count; ++i) {
-      const double q1 = angleAbout(n, two - one, way - roots.all[i] * slide);
+      const double q1 = angleAbout(n, two - one, offset - roots.all[i] * slide);
       put(answers, q1, wanted.angle_rad - q1, roots.all[i]);
     }
     return answers;
@@ -94,13 +96,13 @@ PlanarAnswers threeForMotion(const Vec3& n, const std::vector<Joint>& level, con
   const Vec3 last = rotated(level[2].axis_W, n, turn);
   const Vec3 first = turning == 0 ? rotated(level[1].axis_W, n, turn) : level[0].axis_W;
   const Vec3& pivot = level[turning].p_WJ;
-  const Vec3 way = flat(n, movedTo(n, wanted, pivot) - pivot);
+  const Vec3 offset = flat(n, movedTo(n, wanted, pivot) - pivot);
   const double area = n.dot(first.cross(last));
   if (!(std::abs(area) > kSame)) return answers;
   std::array<double, 3> q{};
   q[turning] = wanted.angle_rad;
-  q[other] = n.dot(way.cross(last)) / area;
-  q[2] = n.dot(first.cross(way)) / area;
+  q[other] = n.dot(offset.cross(last)) / area;
+  q[2] = n.dot(first.cross(offset)) / area;
   put(answers, q[0], q[1], q[2]);
   return answers;
 }

@@ -53,16 +53,16 @@ void addSecondTurns(const PositionTask& task, const Vec3& w, double q3, Position
   const Joint &one = task.joints[0], &two = task.joints[1];
   const MovedPoint moved = movedBy(two, w);
   const bool parallel = areParallel(one.axis_W, two.axis_W);
-  const Vec3 way = moved.fixed - one.p_WJ, wanted = task.p_wanted - one.p_WJ;
+  const Vec3 offset = moved.fixed - one.p_WJ, wanted = task.p_wanted - one.p_WJ;
   AngleRoots two_rad;
   if (parallel) {
     const double scale = task.scale_m * task.scale_m;
-    const Vec3 level = perpendicularPart(one.axis_W, way);
+    const Vec3 level = perpendicularPart(one.axis_W, offset);
     const double fixed =
         level.squaredNorm() + moved.cosine.squaredNorm() - perpendicularPart(one.axis_W, wanted).squaredNorm();
     two_rad = rootsOfAngle(fixed, 2.0 * level.dot(moved.cosine), 2.0 * level.dot(moved.sine), scale);
   } else {
-    two_rad = rootsOfAngle(one.axis_W.dot(way - wanted), one.axis_W.dot(moved.cosine), one.axis_W.dot(moved.sine),
+    two_rad = rootsOfAngle(one.axis_W.dot(offset - wanted), one.axis_W.dot(moved.cosine), one.axis_W.dot(moved.sine),
                            task.scale_m);
   }
   if (two_rad.free) two_rad.roots = {{0.0}, 1};
@@ -88,11 +88,11 @@ void solveTurnTurn(const PositionTask& task, PositionAnswers& answers) noexcept 
     return;
   }
   const Vec3 across = one.axis_W.cross(two.axis_W).normalized();
-  const double way = (two.p_WJ - one.p_WJ).dot(across);  // from axis 1 to axis 2 along their common normal
+  const double offset = (two.p_WJ - one.p_WJ).dot(across);  // from axis 1 to axis 2 along their common normal
   const Vec3 foot_1 = nearestOn(one, two);
-  const Vec3 foot_2 = foot_1 + way * across;
+  const Vec3 foot_2 = foot_1 + offset * across;
   const double square = (task.p_wanted - foot_1).squaredNorm();
-  if (std::abs(way) <= kSame * task.scale_m) {
+  if (std::abs(offset) <= kSame * task.scale_m) {
     forEachRoot(
         three.type,
         [&](const UnknownOfJoint& t) {
@@ -109,15 +109,15 @@ void solveTurnTurn(const PositionTask& task, PositionAnswers& answers) noexcept 
   from_foot.fixed -= foot_2;
   const auto condition = [&](const UnknownOfJoint& t) {
     const Quadratic distance = t.squaredDistance(Vec3::Zero(), from_foot), level = t.along(two.axis_W, from_foot);
-    const Quadratic a = combined(t.denominator(), square - way * way, distance, -1.0);
+    const Quadratic a = combined(t.denominator(), square - offset * offset, distance, -1.0);
     const Quadratic b = combined(t.denominator(), height, level, -k_z);
-    Quartic all = sum(product(a, a, k_y * k_y), product(b, b, 4.0 * way * way));
-    all = sum(all, product(distance, t.denominator(), -4.0 * way * way * k_y * k_y));
-    return sum(all, product(level, level, 4.0 * way * way * k_y * k_y));
+    Quartic all = sum(product(a, a, k_y * k_y), product(b, b, 4.0 * offset * offset));
+    all = sum(all, product(distance, t.denominator(), -4.0 * offset * offset * k_y * k_y));
+    return sum(all, product(level, level, 4.0 * offset * offset * k_y * k_y));
   };
   forEachRoot(three.type, condition, [&](double q3) {
     const Vec3 at = w.at(q3) - foot_2;
-    const double u = (square - at.squaredNorm() - way * way) / (2.0 * way),
+    const double u = (square - at.squaredNorm() - offset * offset) / (2.0 * offset),
                  v = (height - k_z * two.axis_W.dot(at)) / k_y;
     const double x = at.dot(across), up = at.dot(y);
     const double q2 = atan2Of(v * x - u * up, u * x + v * up);

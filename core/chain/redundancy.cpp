@@ -26,8 +26,8 @@ bool isRegular(const Eigen::MatrixXd& J, double relative) {
   constexpr double kForRounding = 2.0;
   if (J.rows() != J.cols() || J.rows() < 2) return false;
   const double others = static_cast<double>(J.rows() - 1), norm = J.norm();
-  const double least = std::abs(determinantOf(J)) * std::pow(others / (norm * norm), others / 2);
-  return least > kForRounding * relative * norm;
+  const double min = std::abs(determinantOf(J)) * std::pow(others / (norm * norm), others / 2);
+  return min > kForRounding * relative * norm;
 }
 
 }  // namespace
@@ -54,9 +54,9 @@ std::vector<double> selfMotion(const Chain& chain, std::span<const double> q, As
   std::vector<std::vector<double>> basis = nullSpace(chain, q, asks, relative);
   if (basis.empty()) return {};
   std::vector<double> motion = std::move(basis.back());
-  const double most =
+  const double max =
       *std::max_element(motion.begin(), motion.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-  for (double& one : motion) one /= most;
+  for (double& one : motion) one /= max;
   return motion;
 }
 
@@ -66,16 +66,16 @@ NumericSolution nearPosture(const Chain& chain, const Pose& X_WT, const NumericS
   const std::size_t count = chain.joints.size();
   const double reach_m = std::max(reachOf(chain), 1e-300);
   const Asks asks = options.rotation_length_m == 0.0 ? Asks::Position : Asks::Pose;
-  const auto wayOf = [&](const JointValues& from, std::size_t i) {
-    const double way = posture[i] - from[i];
+  const auto offsetOf = [&](const JointValues& from, std::size_t i) {
+    const double offset = posture[i] - from[i];
     const Joint& joint = chain.joints[i];
     // Within limits of less than a turn the shorter way round is barred.
     const bool is_round = !options.within_limits || joint.max - joint.min >= 2.0 * kPi;
-    return (joint.type == JointType::Revolute && is_round ? wrapped(way) : way) / scaleOfJoint(chain, i, reach_m);
+    return (joint.type == JointType::Revolute && is_round ? wrapped(offset) : offset) / scaleOfJoint(chain, i, reach_m);
   };
   const auto squaredOf = [&](const JointValues& from) {
     double squared = 0.0;
-    for (std::size_t i = 0; i < count; ++i) squared += wayOf(from, i) * wayOf(from, i);
+    for (std::size_t i = 0; i < count; ++i) squared += offsetOf(from, i) * offsetOf(from, i);
     return squared;
   };
   if (!q.reached || posture.size() != count) return best;
@@ -88,7 +88,7 @@ NumericSolution nearPosture(const Chain& chain, const Pose& X_WT, const NumericS
     double far = 0.0;
     for (const std::vector<double>& motion : basis) {
       double along = 0.0;
-      for (std::size_t i = 0; i < count; ++i) along += motion[i] * wayOf(best.q, i);
+      for (std::size_t i = 0; i < count; ++i) along += motion[i] * offsetOf(best.q, i);
       for (std::size_t i = 0; i < count; ++i) next[i] += share * along * motion[i] * scaleOfJoint(chain, i, reach_m);
       far = std::max(far, std::abs(along));
     }

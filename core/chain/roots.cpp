@@ -7,7 +7,7 @@ namespace underact::chain {
 namespace {
 
 constexpr double kTouches = 1e-13;  // of the largest term: some hundred roundings
-constexpr int kMostHalvings =
+constexpr int kMaxHalvings =
     200;  // from the largest double to one ulp of 1 would take 1100; roots lie in a few thousand
 
 double valueAt(const Quartic& c, std::size_t degree, double t) noexcept {
@@ -33,7 +33,7 @@ Quartic derivativeOf(const Quartic& c, std::size_t degree) noexcept {
 double between(const Quartic& c, const Quartic& d, std::size_t degree, double a, double b) noexcept {
   const bool rises = valueAt(c, degree, b) > 0.0;
   double t = 0.5 * (a + b);
-  for (int i = 0; i < kMostHalvings; ++i) {
+  for (int i = 0; i < kMaxHalvings; ++i) {
     const double value = valueAt(c, degree, t);
     if (value == 0.0) return t;
     ((value > 0.0) == rises ? b : a) = t;

@@ -22,8 +22,8 @@ Ellipsoid positionEllipsoid(const Jacobian& J, const std::vector<bool>& driven) 
     ellipsoid.gain[axis] = gains[i];
     ellipsoid.manipulability *= gains[i];
   }
-  const double least = gains[gains.size() - 1];
-  if (least > 0.0) ellipsoid.condition = gains[0] / least;
+  const double min = gains[gains.size() - 1];
+  if (min > 0.0) ellipsoid.condition = gains[0] / min;
   return ellipsoid;
 }
 

@@ -10,7 +10,7 @@
 namespace underact::chain {
 namespace {
 
-constexpr double kMostTurn_rad = 2.0 * kPi;
+constexpr double kMaxTurn_rad = 2.0 * kPi;
 constexpr double kNothing_m = 1e-9, kNothing_rad = 1e-9;
 
 std::string numberOf(std::size_t index) {
@@ -35,10 +35,10 @@ Problems tableErrors(std::span<const DhRow> rows) {
   Problems problems;
   if (rows.empty())
     problems.push_back(
-        {said(TRANSLATE_NOOP("problem", "A table needs at least one row: a chain without joints cannot move.")), {}});
+        {phrase(TRANSLATE_NOOP("problem", "A table needs at least one row: a chain without joints cannot move.")), {}});
   if (rows.size() > kMaxJoints)
     problems.push_back(
-        {said(TRANSLATE_NOOP("problem", "A table has at most %1 rows."), {std::to_string(kMaxJoints)}), {}});
+        {phrase(TRANSLATE_NOOP("problem", "A table has at most %1 rows."), {std::to_string(kMaxJoints)}), {}});
   for (std::size_t index = 0; index < rows.size(); ++index) {
     const DhRow& row = rows[index];
     const auto say = [&](const char* key, const Sentence& sentence) {
@@ -46,23 +46,23 @@ Problems tableErrors(std::span<const DhRow> rows) {
     };
     const std::string number = numberOf(index);
     const auto judgeTurn = [&](const char* key, const char* name, double turn_rad) {
-      if (!(std::abs(turn_rad) <= kMostTurn_rad))
-        say(key,
-            said(TRANSLATE_NOOP("problem", "%1 of row %2 must be from -360 to 360 degrees."), {said(name), number}));
+      if (!(std::abs(turn_rad) <= kMaxTurn_rad))
+        say(key, phrase(TRANSLATE_NOOP("problem", "%1 of row %2 must be from -360 to 360 degrees."),
+                        {phrase(name), number}));
     };
     const auto judgeLength = [&](const char* key, const char* name, double length_m) {
       if (!(std::abs(length_m) <= kLongestLink_m))
-        say(key, said(TRANSLATE_NOOP(
-                          "problem",
-                          "%1 of row %2 must be from -1000 to 1000 mm: a longer one does not fit into the picture."),
-                      {said(name), number}));
+        say(key, phrase(TRANSLATE_NOOP(
+                            "problem",
+                            "%1 of row %2 must be from -1000 to 1000 mm: a longer one does not fit into the picture."),
+                        {phrase(name), number}));
     };
     judgeTurn("alpha_deg", TRANSLATE_NOOP("problem", "The twist alpha"), row.alpha_rad);
     judgeLength("a_mm", TRANSLATE_NOOP("problem", "The length a"), row.a_m);
     judgeTurn("theta_deg", TRANSLATE_NOOP("problem", "The angle theta"), row.theta_rad);
     judgeLength("d_mm", TRANSLATE_NOOP("problem", "The offset d"), row.d_m);
     if (!(row.min <= row.max))
-      say("min", said(TRANSLATE_NOOP("problem", "In row %1 the lower limit is above the upper limit."), {number}));
+      say("min", phrase(TRANSLATE_NOOP("problem", "In row %1 the lower limit is above the upper limit."), {number}));
   }
   return problems;
 }
@@ -76,29 +76,30 @@ Problems tableWarnings(std::span<const DhRow> rows) {
     const DhRow& row = rows[index];
     if (row.a_m < 0.0)
       say(index, "a_mm",
-          said(TRANSLATE_NOOP(
-                   "problem",
-                   "a of row %1 is below 0, but it is a distance along x. Reverse x to describe the same arm: add 180 "
-                   "degrees to theta in this row and in the row before it, and change the signs of a and alpha."),
-               {numberOf(index)}));
+          phrase(
+              TRANSLATE_NOOP(
+                  "problem",
+                  "a of row %1 is below 0, but it is a distance along x. Reverse x to describe the same arm: add 180 "
+                  "degrees to theta in this row and in the row before it, and change the signs of a and alpha."),
+              {numberOf(index)}));
     if (index == 0 || !isParallel(row.alpha_rad)) continue;
     const std::string before = numberOf(index - 1), number = numberOf(index);
     if (row.type == JointType::Prismatic && rows[index - 1].type == JointType::Prismatic) {
       say(index, "alpha_deg",
-          said(TRANSLATE_NOOP("problem", "Joints %1 and %2 slide in the same direction: one of them is redundant."),
-               {before, number}));
+          phrase(TRANSLATE_NOOP("problem", "Joints %1 and %2 slide in the same direction: one of them is redundant."),
+                 {before, number}));
     } else if (row.type == JointType::Revolute && rows[index - 1].type == JointType::Revolute &&
                std::abs(row.a_m) < kNothing_m) {
       say(index, "alpha_deg",
-          said(TRANSLATE_NOOP("problem",
-                              "Joints %1 and %2 turn about the same axis: one of them is redundant. Add a twist or a "
-                              "length between them."),
-               {before, number}));
+          phrase(TRANSLATE_NOOP("problem",
+                                "Joints %1 and %2 turn about the same axis: one of them is redundant. Add a twist or a "
+                                "length between them."),
+                 {before, number}));
     }
   }
   if (!movesTip(rows))
     problems.push_back(
-        {said(TRANSLATE_NOOP(
+        {phrase(TRANSLATE_NOOP(
              "problem",
              "No joint moves the tip: it lies on every axis. Add a length a, or an offset d after a twist.")),
          {}});

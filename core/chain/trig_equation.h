@@ -91,9 +91,10 @@ struct UnknownOfJoint {
   }
   /// |point - from|^2, times the denominator.
   Quadratic squaredDistance(const Vec3& from, const MovedPoint& point) const noexcept UNDERACT_REAL_TIME {
-    const Vec3 way = point.fixed - from;
-    if (type == JointType::Prismatic) return {way.squaredNorm(), 2.0 * way.dot(point.cosine), 1.0};
-    return of(way.squaredNorm() + point.cosine.squaredNorm(), 2.0 * way.dot(point.cosine), 2.0 * way.dot(point.sine));
+    const Vec3 offset = point.fixed - from;
+    if (type == JointType::Prismatic) return {offset.squaredNorm(), 2.0 * offset.dot(point.cosine), 1.0};
+    return of(offset.squaredNorm() + point.cosine.squaredNorm(), 2.0 * offset.dot(point.cosine),
+              2.0 * offset.dot(point.sine));
   }
   /// The joint for a root, rad or m.
   double value(double t) const noexcept UNDERACT_REAL_TIME {

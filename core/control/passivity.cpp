@@ -10,9 +10,9 @@ namespace {
 
 // A limit of the surplus, so that energy dissipated long ago does not pay for a burst now: 0.5 mJ moves 0.145 kg at 83
 // mm/s.
-constexpr double kMostSurplus_J = 5e-4;
+constexpr double kMaxSurplus_J = 5e-4;
 // The apparent mass of the arm alone. A damping of m / dt stops it within a tick; a higher one reverses it.
-constexpr double kLeastMass_kg = 0.045;
+constexpr double kMinMass_kg = 0.045;
 // An encoder shows a uniform motion of 50 mm/s as 0.055 mm a tick, a slower one as steps with ticks without motion in
 // between: a step is remembered for about two ticks, and a step forth and back cancels.
 constexpr double kSmooth_s = 2e-3;
@@ -61,7 +61,7 @@ void observe(EnergyState& state, const PassivityInput& passage) noexcept {
   const double ramped_J = (passage.level - state.level) * state.stored_J;
   const bool handed_over = isHandedOver(state, passage);
   state.energy_J += taken_J + ramped_J + (handed_over ? grown_J : 0.0);
-  state.balance_J = std::min(state.balance_J + taken_J - (handed_over ? 0.0 : grown_J), kMostSurplus_J);
+  state.balance_J = std::min(state.balance_J + taken_J - (handed_over ? 0.0 : grown_J), kMaxSurplus_J);
   const double share = handed_over ? 1.0 : passage.dt_s / (passage.dt_s + kSmooth_s);
   const Vec3 change_W = handed_over ? Vec3(-passage.displacement_T_W) : Vec3(passage.e_W - state.e_last_W);
   state.displacement_T_W += share * (passage.displacement_T_W - state.displacement_T_W);
@@ -83,8 +83,8 @@ Vec3 damper(const EnergyState& state, const PassivityInput& passage) noexcept {
   // What a damper along it dissipates in the next tick: as now, or as recently where the encoders show no step now.
   const double felt2_m2 = std::max(felt_W.squaredNorm(), felt_W.dot(passage.displacement_T_W));
   if (!(felt2_m2 > 0.0)) return Vec3::Zero();
-  const double most_N_per_m = kLeastMass_kg / (passage.dt_s * passage.dt_s);
-  return -std::min(-state.balance_J / felt2_m2, most_N_per_m) * felt_W;
+  const double max_N_per_m = kMinMass_kg / (passage.dt_s * passage.dt_s);
+  return -std::min(-state.balance_J / felt2_m2, max_N_per_m) * felt_W;
 }
 
 void remember(EnergyState& state, const PassivityInput& passage, const Vec3& f_T_W) noexcept {

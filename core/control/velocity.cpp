@@ -48,16 +48,16 @@ double slope(const Window& window, const Window::Row& past, int longest, double 
   for (int n = 1; n <= longest && n < window.count; ++n) {
     back_s += window.after_s[at];
     at = at > 0 ? at - 1 : static_cast<std::size_t>(kLongestWindow);
-    const double way = newest - past[at];
-    const double ends = way / back_s;
+    const double travel = newest - past[at];
+    const double ends = travel / back_s;
     if (!(ends >= lowest && ends <= highest)) break;
-    lowest = std::max(lowest, (way - noise) / back_s);
-    highest = std::min(highest, (way + noise) / back_s);
+    lowest = std::max(lowest, (travel - noise) / back_s);
+    highest = std::min(highest, (travel + noise) / back_s);
     count += 1.0;
     sum_t += back_s;
-    sum_e += way;
+    sum_e += travel;
     sum_tt += back_s * back_s;
-    sum_te += back_s * way;
+    sum_te += back_s * travel;
     best = n == 1 ? ends : (count * sum_te - sum_t * sum_e) / (count * sum_tt - sum_t * sum_t);
   }
   return best;

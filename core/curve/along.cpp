@@ -28,7 +28,7 @@ std::int32_t pieceAt(const Curve& curve, double s_m) noexcept UNDERACT_REAL_TIME
 /// the last two have not halved it.
 double placeAt(const Cubic& cubic, double length_m, double whole_m) noexcept UNDERACT_REAL_TIME {
   double low = 0.0, high = 1.0, u = length_m / whole_m, width = 1.0;
-  for (int i = 0; i < kMostPlacings && low < high; ++i) {
+  for (int i = 0; i < kMaxPlacings && low < high; ++i) {
     const double off_m = lengthUpTo(cubic, u) - length_m, speed = velocityOf(cubic, u).norm();
     if (off_m == 0.0) break;
     (off_m < 0.0 ? low : high) = u;
@@ -93,9 +93,9 @@ Vec3 pointAt(const Curve& curve, double s_m) noexcept {
 }
 
 double arcLengthBetween(const Curve& curve, double from_s_m, double to_s_m) noexcept {
-  const double way_m = to_s_m - from_s_m, whole_m = lengthOf(curve);
-  if (!curve.is_closed || std::abs(way_m) <= 0.5 * whole_m) return way_m;
-  return way_m - whole_m * std::floor(way_m / whole_m + 0.5);
+  const double travel_m = to_s_m - from_s_m, whole_m = lengthOf(curve);
+  if (!curve.is_closed || std::abs(travel_m) <= 0.5 * whole_m) return travel_m;
+  return travel_m - whole_m * std::floor(travel_m / whole_m + 0.5);
 }
 
 double wrappedArcLength(const Curve& curve, double s_m) noexcept {

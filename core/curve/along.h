@@ -26,9 +26,9 @@ double lengthUpTo(const Curve& curve, std::int32_t piece, double u) noexcept UND
 double arcLengthAt(const Curve& curve, std::int32_t piece, double u) noexcept UNDERACT_REAL_TIME;
 
 /// The point at an arc length, m, clamped to the curve's ends; within 1e-15 m and the rounding of the coordinates of
-/// the point for which arcLengthAt() gives s_m. Cost: logarithmic in the pieces, and at most kMostPlacings quadratures.
+/// the point for which arcLengthAt() gives s_m. Cost: logarithmic in the pieces, and at most kMaxPlacings quadratures.
 Vec3 pointAt(const Curve& curve, double s_m) noexcept UNDERACT_REAL_TIME;
-inline constexpr int kMostPlacings = 64;
+inline constexpr int kMaxPlacings = 64;
 
 /// The signed distance from one arc length to another, m: of a closed curve the shorter one, in [-half, half] of its
 /// length.

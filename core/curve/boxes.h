@@ -18,11 +18,11 @@ struct alignas(32) Node {
 /// A tree over pieces in the order of the curve, which needs no index, since neighbours along a curve are neighbours in
 /// space. The children of node i of a level are the nodes (at the bottom: the pieces) 4 i to 4 i + 3 of the next.
 struct Boxes {
-  static constexpr int kMostLevels = 15;  // 4^15 pieces
+  static constexpr int kMaxLevels = 15;  // 4^15 pieces
   Vec3 p_WO = Vec3::Zero();
   int levels = 0;
-  std::array<std::int32_t, kMostLevels> begins{};      // of each level in nodes, the root's first
-  std::array<std::int32_t, kMostLevels + 1> counts{};  // of each level; behind the bottom: of pieces
+  std::array<std::int32_t, kMaxLevels> begins{};      // of each level in nodes, the root's first
+  std::array<std::int32_t, kMaxLevels + 1> counts{};  // of each level; behind the bottom: of pieces
   std::vector<Node> nodes;
 };
 

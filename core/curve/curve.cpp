@@ -16,18 +16,18 @@ namespace {
 
 Problems problemsOf(const std::vector<Vec3>& points_W, const SourceLocation& place) {
   Problems problems;
-  if (points_W.size() > kMostPoints)
-    problems.push_back({said(TRANSLATE_NOOP("problem", "A curve has at most 1000000 points.")), place});
+  if (points_W.size() > kMaxPoints)
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "A curve has at most 1000000 points.")), place});
   for (std::size_t i = 0; i < points_W.size() && problems.empty(); ++i) {
     const std::string number = std::to_string(i + 1);
     if (!points_W[i].allFinite()) {
       problems.push_back(
-          {said(TRANSLATE_NOOP("problem", "Point %1 of the curve is not a finite point."), {number}), place});
+          {phrase(TRANSLATE_NOOP("problem", "Point %1 of the curve is not a finite point."), {number}), place});
     } else if (largestOf(points_W[i]) > kFarthest_m) {
       problems.push_back(
-          {said(TRANSLATE_NOOP("problem",
-                               "Point %1 of the curve is farther than 1e6 mm from the origin; check the scale."),
-                {number}),
+          {phrase(TRANSLATE_NOOP("problem",
+                                 "Point %1 of the curve is farther than 1e6 mm from the origin; check the scale."),
+                  {number}),
            place});
     }
   }
@@ -67,7 +67,7 @@ Result<std::shared_ptr<const Curve>> makeCurve(std::vector<Vec3> points_W, Kind 
   if (points_W.size() < (closed ? 3U : 2U)) {
     const char* sentence = closed ? TRANSLATE_NOOP("problem", "A closed curve needs at least 3 different points.")
                                   : TRANSLATE_NOOP("problem", "A curve needs at least 2 different points.");
-    return Problems{{said(sentence), place}};
+    return Problems{{phrase(sentence), place}};
   }
   if (kind == Kind::Spline) {
     curve->controls_W = splineControls(points_W, closed);

@@ -31,7 +31,7 @@ inline constexpr double kFarthest_m = 1e3;
 
 /// A curve through points_W, m, in their order; closed: and back to the first. Allocates; a million points take 0.2 s
 /// and 61 MB, a spline of them 1 s and 170 MB (with sharp corners everywhere 3 s and 500 MB). Problems: fewer than 2
-/// different points (closed: 3), more than kMostPoints, one that is not finite or too far out.
+/// different points (closed: 3), more than kMaxPoints, one that is not finite or too far out.
 Result<std::shared_ptr<const Curve>> makeCurve(std::vector<Vec3> points_W, Kind kind, bool closed,
                                                const SourceLocation& place = {});
 

@@ -10,7 +10,7 @@ namespace underact::curve {
 
 /// Nodes of the tree and parts of pieces that one search looks at, at most: it bounds the time where very many are
 /// nearly equally near (the centre of a circle).
-inline constexpr int kMostVisits = 2000;
+inline constexpr int kMaxVisits = 2000;
 
 /// Two points are far apart where their directions from the tip differ by more than this, rad.
 inline constexpr double kFarApart = 1e-3;
@@ -52,7 +52,7 @@ inline void offer(Candidate candidate, Found& found) noexcept UNDERACT_REAL_TIME
 
 /// Counts a visit. false: the maximum is reached.
 inline bool visit(Found& found) noexcept UNDERACT_REAL_TIME {
-  if (found.visits >= kMostVisits) {
+  if (found.visits >= kMaxVisits) {
     found.is_cut = true;
     return false;
   }

@@ -11,11 +11,11 @@ namespace {
 /// The lead of the guide after this tick, m, in its direction.
 double aheadOf(const Curve& curve, const Guidance& guide, double hand_s_m, double dt_s,
                const GuidanceState& state) noexcept UNDERACT_REAL_TIME {
-  const double most_m = curve.is_closed ? std::min(guide.lead_m, kMostLeadShare * lengthOf(curve)) : guide.lead_m;
+  const double max_m = curve.is_closed ? std::min(guide.lead_m, kMaxLeadShare * lengthOf(curve)) : guide.lead_m;
   if (!state.begun) return 0.0;
-  const double way = guide.speed_m_per_s < 0.0 ? -1.0 : 1.0;
-  const double ahead_m = way * arcLengthBetween(curve, hand_s_m, state.s_m) + std::abs(guide.speed_m_per_s) * dt_s;
-  return std::clamp(ahead_m, 0.0, most_m);
+  const double sign = guide.speed_m_per_s < 0.0 ? -1.0 : 1.0;
+  const double ahead_m = sign * arcLengthBetween(curve, hand_s_m, state.s_m) + std::abs(guide.speed_m_per_s) * dt_s;
+  return std::clamp(ahead_m, 0.0, max_m);
 }
 
 /// Moves from the last target to the new one, no farther than a tick allows.
@@ -37,9 +37,9 @@ GuidedTarget guidedTarget(const Curve& curve, const Guidance& guide, const Neare
   const double time_s = dt_s > 0.0 && std::isfinite(dt_s) ? dt_s : 0.0;
   GuidedTarget guided{nearest.p_WP, nearest.s_m, nearest.s_m, false};
   if (guide.speed_m_per_s != 0.0) {
-    const double way = guide.speed_m_per_s < 0.0 ? -1.0 : 1.0;
+    const double sign = guide.speed_m_per_s < 0.0 ? -1.0 : 1.0;
     const double ahead_m = aheadOf(curve, guide, nearest.s_m, time_s, state);
-    guided.guide_s_m = wrappedArcLength(curve, nearest.s_m + way * ahead_m);
+    guided.guide_s_m = wrappedArcLength(curve, nearest.s_m + sign * ahead_m);
     const double share_m = (1.0 - guide.t) * arcLengthBetween(curve, nearest.s_m, guided.guide_s_m);
     if (share_m != 0.0) {  // otherwise exactly the nearest point
       guided.s_m = wrappedArcLength(curve, nearest.s_m + share_m);

@@ -19,7 +19,7 @@ inline constexpr double kFastestGuidance_m_per_s = 2.0;
 /// no jolt: at 0.5 N/mm the force grows by at most 1 N/ms. As for influence and virtual robots.
 inline constexpr double kSlew_m_per_s = 2.0;
 /// The greatest lead as a share of a closed curve's length, whatever lead_m says: further round, ahead would be behind.
-inline constexpr double kMostLeadShare = 0.25;
+inline constexpr double kMaxLeadShare = 0.25;
 
 /// The state between ticks.
 struct GuidanceState {

@@ -22,11 +22,11 @@ struct Waiting {
   std::int32_t index = 0;
 };
 
-constexpr std::size_t kMostWaiting = 3 * Boxes::kMostLevels + 4;
+constexpr std::size_t kMaxWaiting = 3 * Boxes::kMaxLevels + 4;
 
 /// Puts the children of a node on the stack, the nearest on top.
 void pushChildren(const Boxes& boxes, const Waiting& node, const Vec3& q_O, double limit,
-                  std::array<Waiting, kMostWaiting>& stack, std::size_t& count) noexcept UNDERACT_REAL_TIME {
+                  std::array<Waiting, kMaxWaiting>& stack, std::size_t& count) noexcept UNDERACT_REAL_TIME {
   const auto level = static_cast<std::size_t>(node.level);
   const Node& boxed = boxes.nodes[static_cast<std::size_t>(boxes.begins[level] + node.index)];
   const std::array<double, 4> squares = squaredDistances(boxed, q_O);
@@ -52,13 +52,13 @@ bool isIn(const Walked& walked, std::int32_t piece, const Curve& curve) noexcept
   if (walked.from < 0) return false;
   const std::int32_t on = piece - walked.from, pieces = curve.is_closed ? pieceCount(curve) : 0;
   const std::int32_t round = on < 0 ? on + pieces : on - pieces;  // the other way to it, of a closed curve
-  const auto isSeen = [&](std::int32_t way) { return way >= -walked.behind && way <= walked.ahead; };
+  const auto isSeen = [&](std::int32_t offset) { return offset >= -walked.behind && offset <= walked.ahead; };
   return isSeen(on) || (curve.is_closed && isSeen(round));
 }
 
 void seekInTree(const Curve& curve, const Vec3& q_W, const Walked& walked, Found& found) noexcept UNDERACT_REAL_TIME {
   const Vec3 q_O = q_W - curve.boxes.p_WO;
-  std::array<Waiting, kMostWaiting> stack;
+  std::array<Waiting, kMaxWaiting> stack;
   std::size_t count = 1;
   stack[0] = {};
   while (count > 0) {
@@ -82,13 +82,12 @@ std::int32_t neighbourOf(const Curve& curve, std::int32_t piece, std::int32_t by
 
 /// Walks from a piece in both directions while the distance decreases. Its neighbours are looked at even where the foot
 /// is inside it: behind a sharp corner it stays inside when the hand has gone round.
-Walked walk(const Curve& curve, std::int32_t from, int most, const Vec3& q_W,
-            Found& found) noexcept UNDERACT_REAL_TIME {
+Walked walk(const Curve& curve, std::int32_t from, int max, const Vec3& q_W, Found& found) noexcept UNDERACT_REAL_TIME {
   Walked walked{from, 0, 0};
   seekOnPiece(curve, from, q_W, found);
   for (const std::int32_t by : {1, -1}) {
     std::int32_t piece = from;
-    for (int step = 0; step < most; ++step) {
+    for (int step = 0; step < max; ++step) {
       piece = neighbourOf(curve, piece, by);
       if (piece < 0) break;
       const double before = found.best.squared;

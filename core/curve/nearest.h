@@ -26,7 +26,7 @@ struct Nearest {
   double u = 0.0;          // on the piece, in [0, 1]
   bool is_proved = false;  // proved to be the global minimum
   bool is_unique = false;  // false: another point, far apart (kFarApart), is as near within rounding
-  int visits = 0;          // nodes and parts of pieces looked at; kMostVisits at most
+  int visits = 0;          // nodes and parts of pieces looked at; kMaxVisits at most
 };
 
 /// The greatest number of pieces that a walk goes each way along the curve: for Local a bound, so that a faster tip is
@@ -42,7 +42,7 @@ inline constexpr double kFarthestTip_m = 1e6;
 /// of the largest coordinate (tip or curve) and 1e-13 of itself, of a polyline within 2^-49 of the largest coordinate.
 /// Local: to the same precision no farther than the last piece, nor than those beside its own. Of equals the one from
 /// the last piece stays, so that a tremor about a tie makes no jump. The first local search is a global one. A tip that
-/// is not finite: the curve's begin, not proved, not unique; the state stays. Cost: bounded by kMostVisits; past it the
+/// is not finite: the curve's begin, not proved, not unique; the state stays. Cost: bounded by kMaxVisits; past it the
 /// best point so far counts, and is_proved is false.
 Nearest nearestPoint(const Curve& curve, Search search, const Vec3& p_WT,
                      SearchState& state) noexcept UNDERACT_REAL_TIME;

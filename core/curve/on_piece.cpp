@@ -30,13 +30,13 @@ Quintic slopeOf(const Cubic& r) noexcept UNDERACT_REAL_TIME {
 }
 
 /// A lower bound of the squared distance of the part: the least coefficient of it.
-double leastOfPiece(const Cubic& r, const Quintic& slope) noexcept UNDERACT_REAL_TIME {
-  double sum = r[0].squaredNorm(), least = sum;
+double minOfPiece(const Cubic& r, const Quintic& slope) noexcept UNDERACT_REAL_TIME {
+  double sum = r[0].squaredNorm(), min = sum;
   for (const double g : slope) {
     sum += g;
-    least = std::min(least, sum);
+    min = std::min(min, sum);
   }
-  return std::max(least, 0.0);
+  return std::max(min, 0.0);
 }
 
 struct Value {
@@ -89,7 +89,7 @@ void seekOnLine(const Curve& curve, std::int32_t piece, const Vec3& q_W, Found& 
 }
 
 void seekOnCubic(const Curve& curve, std::int32_t piece, const Vec3& q_W, Found& found) noexcept UNDERACT_REAL_TIME {
-  std::array<Part, kMostParts> parts;
+  std::array<Part, kMaxParts> parts;
   std::size_t count = 1;
   parts[0] = {cubicOf(curve, piece), 0.0, 1.0};
   for (Vec3& r : parts[0].r) r -= q_W;
@@ -97,8 +97,8 @@ void seekOnCubic(const Curve& curve, std::int32_t piece, const Vec3& q_W, Found&
     if (!visit(found)) return;
     const Part part = parts[--count];
     const Quintic g = slopeOf(part.r);
-    const double least = leastOfPiece(part.r, g);
-    if (least > found.limit) continue;
+    const double min = minOfPiece(part.r, g);
+    if (min > found.limit) continue;
     const bool ends_nearer = part.r[3].squaredNorm() < part.r[0].squaredNorm();
     const auto offerFrom = [&](double v) noexcept UNDERACT_REAL_TIME {
       offerAt(curve, piece, part.u + part.width * v, q_W, found);
@@ -109,7 +109,7 @@ void seekOnCubic(const Curve& curve, std::int32_t piece, const Vec3& q_W, Found&
       offerFrom(1.0);
     } else if (std::is_sorted(g.begin(), g.end())) {
       offerFrom(rootOf(g));
-    } else if (part.width <= kSmallest || least >= (1.0 - kFlat) * found.best.squared) {
+    } else if (part.width <= kSmallest || min >= (1.0 - kFlat) * found.best.squared) {
       offerFrom(ends_nearer ? 1.0 : 0.0);
     } else {
       const Halves halves = halvesOf(part.r);

@@ -20,7 +20,7 @@ namespace underact::curve {
 void seekOnPiece(const Curve& curve, std::int32_t piece, const Vec3& q_W, Found& found) noexcept UNDERACT_REAL_TIME;
 
 inline constexpr double kFlat = 1e-13;
-inline constexpr int kMostParts = 32;  // that wait: each halving leaves one
+inline constexpr int kMaxParts = 32;  // that wait: each halving leaves one
 inline constexpr double kSmallest = 0x1p-30;
 
 }  // namespace underact::curve

@@ -102,11 +102,11 @@ class Reader {
     const bool has_colour = hasColour(fields, line);
     has_colours_ = has_colours_ || has_colour;
     const std::optional<Vec3> p = pointOf(fields, has_colour);
-    if (!p) return problems_.size() < kMostProblems;
+    if (!p) return problems_.size() < kMaxProblems;
     ++count_;
     if (!points_.empty() && points_.back() == *p) return true;
-    if (points_.size() == kMostPoints) {
-      refuse(said(TRANSLATE_NOOP("problem", "The file has more than 1000000 points; remove every second one.")));
+    if (points_.size() == kMaxPoints) {
+      refuse(phrase(TRANSLATE_NOOP("problem", "The file has more than 1000000 points; remove every second one.")));
       return false;
     }
     points_.push_back(*p);
@@ -115,7 +115,7 @@ class Reader {
 
   Sentence note() const {
     if (!has_colours_ && !stated_) return {};
-    return said(TRANSLATE_NOOP("problem", "Colours behind the points, or their number before them, were left out."));
+    return phrase(TRANSLATE_NOOP("problem", "Colours behind the points, or their number before them, were left out."));
   }
 
   Result<std::vector<Vec3>> finished() && {
@@ -124,7 +124,7 @@ class Reader {
       (void)pointOf({.count = 1}, false);  // then it is a point of one number
     }
     if (problems_.empty() && points_.empty())
-      problems_.push_back({said(TRANSLATE_NOOP("problem", "The file has no points.")), {file_, 0, 0, ""}});
+      problems_.push_back({phrase(TRANSLATE_NOOP("problem", "The file has no points.")), {file_, 0, 0, ""}});
     if (!problems_.empty()) return std::move(problems_);
     return std::move(points_);
   }
@@ -134,23 +134,23 @@ class Reader {
 
   std::optional<Vec3> pointOf(const Fields& fields, bool has_colour) {
     if (fields.has_gap) {
-      refuse(said(TRANSLATE_NOOP("problem", "There is nothing between two separators; a point is three numbers.")));
+      refuse(phrase(TRANSLATE_NOOP("problem", "There is nothing between two separators; a point is three numbers.")));
       return std::nullopt;
     }
     if (fields.count != 3 && !has_colour) {
-      refuse(said(TRANSLATE_NOOP("problem", "A point is three numbers, not %1; use a point for decimals."),
-                  {std::to_string(fields.count)}));
+      refuse(phrase(TRANSLATE_NOOP("problem", "A point is three numbers, not %1; use a point for decimals."),
+                    {std::to_string(fields.count)}));
       return std::nullopt;
     }
     Vec3 p;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::optional<double> number = numberOf(fields.text[i]);
       if (!number) {
-        refuse(said(TRANSLATE_NOOP("problem", "%1 is not a number."), {json::shown(fields.text[i])}));
+        refuse(phrase(TRANSLATE_NOOP("problem", "%1 is not a number."), {json::shown(fields.text[i])}));
         return std::nullopt;
       }
       if (!std::isfinite(*number)) {
-        refuse(said(TRANSLATE_NOOP("problem", "%1 is not a finite number."), {json::shown(fields.text[i])}));
+        refuse(phrase(TRANSLATE_NOOP("problem", "%1 is not a finite number."), {json::shown(fields.text[i])}));
         return std::nullopt;
       }
       p[static_cast<Eigen::Index>(i)] = *number;
@@ -179,7 +179,7 @@ Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& 
   for (std::size_t at = 0; at < text.size();) {
     if (--until_look < 0) {
       if (monitor.isCancelled())
-        return Problems{{said(TRANSLATE_NOOP("problem", "Reading was cancelled.")), {file, 0, 0, ""}}};
+        return Problems{{phrase(TRANSLATE_NOOP("problem", "Reading was cancelled.")), {file, 0, 0, ""}}};
       monitor.report(TRANSLATE_NOOP("step of work", "reading points"),
                      static_cast<double>(at) / static_cast<double>(text.size()));
       until_look = kLinesBetweenLooks;
@@ -193,7 +193,7 @@ Result<std::vector<Vec3>> parsePoints(std::string_view text, const std::string& 
 }
 
 Result<std::string> readPointsText(const std::string& path) {
-  return json::readTextFile(path, said(TRANSLATE_NOOP("problem", "a curve")), kLargestFile);
+  return json::readTextFile(path, phrase(TRANSLATE_NOOP("problem", "a curve")), kLargestFile);
 }
 
 Result<std::vector<Vec3>> readPoints(const std::string& path, const TaskMonitor& monitor) {

@@ -21,7 +21,7 @@ Vec3 handle(const Vec3& before, const Vec3& own) {
 void append(const Cubic& cubic, double length_m, double error_m, int halvings, std::vector<Vec3>& controls_W) {
   const Halves halves = halvesOf(cubic);
   const double first_m = lengthUpTo(halves.first, 1.0), second_m = lengthUpTo(halves.second, 1.0);
-  if (halvings == kMostHalvings || std::abs(length_m - (first_m + second_m)) <= error_m) {
+  if (halvings == kMaxHalvings || std::abs(length_m - (first_m + second_m)) <= error_m) {
     controls_W.insert(controls_W.end(), cubic.begin() + 1, cubic.end());
     return;
   }

@@ -18,11 +18,11 @@ namespace underact::curve {
 /// curves.
 ///
 /// A piece whose arc length is not exact to 1e-9 of its chord with eight points of quadrature is halved, up to
-/// kMostHalvings times.
+/// kMaxHalvings times.
 std::vector<Vec3> splineControls(const std::vector<Vec3>& points_W, bool closed);
 
 /// As many are needed only next to a point where the path nearly turns back and its speed nearly vanishes; the
 /// remaining error there is below 1e-6 of the piece between the two points.
-inline constexpr int kMostHalvings = 6;
+inline constexpr int kMaxHalvings = 6;
 
 }  // namespace underact::curve

@@ -40,21 +40,23 @@ void endRound(State& state, bool loops) {
 
 }  // namespace
 
-State advanced(const Trajectory& way, const Options& options, State state, std::int64_t time_ns, const Vec3& p_WT) {
+State advanced(const Trajectory& trajectory, const Options& options, State state, std::int64_t time_ns,
+               const Vec3& p_WT) {
   if (!p_WT.allFinite()) return state;
   const double step_s = stepOf(state, time_ns);
   state.tick_ns = time_ns;
-  state.ghost = poseAt(way, state.time_s);
+  state.ghost = poseAt(trajectory, state.time_s);
   state.distance_m = (p_WT - state.ghost.p_WG).norm();
   if (!options.plays) return state;
   state.phase = phaseAt(options, state.phase, state.distance_m);
   if (state.phase == Phase::Waiting) state.tally.waited_s += step_s;
   if (state.phase != Phase::Going) return state;
-  state.time_s = std::min(state.time_s + step_s * std::clamp(options.speed, kSlowest, kFastest), way.duration_s());
-  state.ghost = poseAt(way, state.time_s);
+  state.time_s =
+      std::min(state.time_s + step_s * std::clamp(options.speed, kSlowest, kFastest), trajectory.duration_s());
+  state.ghost = poseAt(trajectory, state.time_s);
   state.distance_m = (p_WT - state.ghost.p_WG).norm();
   count(state.tally, state.distance_m, step_s);
-  if (state.time_s >= way.duration_s()) endRound(state, options.loops);
+  if (state.time_s >= trajectory.duration_s()) endRound(state, options.loops);
   return state;
 }
 

@@ -50,6 +50,7 @@ struct State {
 /// The state after a tick. time_ns: of the tick, by the arm's clock; steps back, and steps longer than a quarter of a
 /// second, do not move the ghost. p_WT: the tip; not finite: the state stays. way: of two rows or more. The same ticks
 /// give the same states on every machine. Cost: as poseAt().
-State advanced(const Trajectory& way, const Options& options, State state, std::int64_t time_ns, const Vec3& p_WT);
+State advanced(const Trajectory& trajectory, const Options& options, State state, std::int64_t time_ns,
+               const Vec3& p_WT);
 
 }  // namespace underact::ghost

@@ -22,8 +22,8 @@ StylusPose between(const StylusPose& from, const StylusPose& to, double share) {
 }
 
 /// The first row after that time.
-std::vector<Row>::const_iterator rowAfter(const Trajectory& way, double time_s) {
-  return std::upper_bound(way.rows.begin(), way.rows.end(), time_s,
+std::vector<Row>::const_iterator rowAfter(const Trajectory& trajectory, double time_s) {
+  return std::upper_bound(trajectory.rows.begin(), trajectory.rows.end(), time_s,
                           [](double time, const Row& row) { return time < row.time_s; });
 }
 
@@ -42,49 +42,50 @@ void TrajectoryBuilder::add(const arm::JointAngles& q_rad, bool begins_anew) {
     last_.place = {X_WG.translation(), X_WG.linear().col(2)};
   }
   last_.begins_anew = begins_anew && has_last_;
-  if (last_.begins_anew && (last_.place.p_WG - before.p_WG).norm() > kJump_m) ++way_.jumps;
+  if (last_.begins_anew && (last_.place.p_WG - before.p_WG).norm() > kJump_m) ++trajectory_.jumps;
   has_last_ = true;
   if (tick_ >= due_ || last_.begins_anew) keep();
   ++tick_;
 }
 
 void TrajectoryBuilder::keep() {
-  way_.rows.push_back(last_);
+  trajectory_.rows.push_back(last_);
   due_ = tick_ + ticks_a_row_;
 }
 
 Trajectory TrajectoryBuilder::take() {
-  if (has_last_ && way_.rows.back().time_s < last_.time_s) way_.rows.push_back(last_);  // it ends where the hand did
-  return std::move(way_);
+  if (has_last_ && trajectory_.rows.back().time_s < last_.time_s)
+    trajectory_.rows.push_back(last_);  // it ends where the hand did
+  return std::move(trajectory_);
 }
 
-Trajectory mirrored(Trajectory way, const arm::MirrorPlane& plane) {
-  for (Row& row : way.rows) {
+Trajectory mirrored(Trajectory trajectory, const arm::MirrorPlane& plane) {
+  for (Row& row : trajectory.rows) {
     row.place.p_WG = plane.positionSeen(row.place.p_WG);
     row.place.stylus_W = plane.directionSeen(row.place.stylus_W);
   }
-  return way;
+  return trajectory;
 }
 
-StylusPose poseAt(const Trajectory& way, double time_s) {
-  if (!(time_s > 0.0)) return way.rows.front().place;
-  const auto after = rowAfter(way, time_s);
-  if (after == way.rows.end()) return way.rows.back().place;
+StylusPose poseAt(const Trajectory& trajectory, double time_s) {
+  if (!(time_s > 0.0)) return trajectory.rows.front().place;
+  const auto after = rowAfter(trajectory, time_s);
+  if (after == trajectory.rows.end()) return trajectory.rows.back().place;
   const Row& before = *std::prev(after);
   if (after->begins_anew) return before.place;
   return between(before.place, after->place, (time_s - before.time_s) / (after->time_s - before.time_s));
 }
 
-std::vector<Vec3> ahead(const Trajectory& way, double time_s, double ahead_s, std::size_t count) {
-  const double from_s = std::clamp(time_s, 0.0, way.duration_s());
-  double to_s = std::min(from_s + ahead_s, way.duration_s());
-  const auto gap = std::find_if(rowAfter(way, from_s), way.rows.end(),
+std::vector<Vec3> ahead(const Trajectory& trajectory, double time_s, double ahead_s, std::size_t count) {
+  const double from_s = std::clamp(time_s, 0.0, trajectory.duration_s());
+  double to_s = std::min(from_s + ahead_s, trajectory.duration_s());
+  const auto gap = std::find_if(rowAfter(trajectory, from_s), trajectory.rows.end(),
                                 [to_s](const Row& row) { return row.begins_anew || row.time_s > to_s; });
-  if (gap != way.rows.end() && gap->begins_anew) to_s = std::min(to_s, std::prev(gap)->time_s);
+  if (gap != trajectory.rows.end() && gap->begins_anew) to_s = std::min(to_s, std::prev(gap)->time_s);
   std::vector<Vec3> points;
   for (std::size_t step = 0; step < count && to_s > from_s; ++step) {
     const double share = static_cast<double>(step) / static_cast<double>(count - 1);
-    points.push_back(poseAt(way, from_s + share * (to_s - from_s)).p_WG);
+    points.push_back(poseAt(trajectory, from_s + share * (to_s - from_s)).p_WG);
   }
   return points;
 }

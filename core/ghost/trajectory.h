@@ -54,19 +54,19 @@ class TrajectoryBuilder {
   std::size_t tick_ = 0, due_ = 0;  // of the next one to come; of the next one to keep
   Row last_;
   bool has_last_ = false;
-  Trajectory way_;
+  Trajectory trajectory_;
 };
 
 /// The trajectory reflected across the plane of its arm, for a stylus in the other hand. Twice is the original.
-Trajectory mirrored(Trajectory way, const arm::MirrorPlane& plane);
+Trajectory mirrored(Trajectory trajectory, const arm::MirrorPlane& plane);
 
 /// The pose of the stylus at a time of the trajectory, clamped to it; interpolated linearly between two rows, except
 /// across a gap, where it stays at the first. way: of one row or more. Not finite in: the beginning. Cost: logarithmic
 /// in the rows.
-StylusPose poseAt(const Trajectory& way, double time_s);
+StylusPose poseAt(const Trajectory& trajectory, double time_s);
 
 /// The path of the tip from time_s on for ahead_s, in `count` even steps (2 at least); it ends at a gap, and at the
 /// end.
-std::vector<Vec3> ahead(const Trajectory& way, double time_s, double ahead_s, std::size_t count);
+std::vector<Vec3> ahead(const Trajectory& trajectory, double time_s, double ahead_s, std::size_t count);
 
 }  // namespace underact::ghost

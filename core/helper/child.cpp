@@ -32,19 +32,20 @@ std::string secondsText(double s) {
                   : std::to_string(static_cast<int>(s)) + " s";
 }
 
-Sentence timeoutText(double most_time_s) {
-  return said(TRANSLATE_NOOP("problem",
-                             "Reading the file took longer than %1, although there was little to compute: the disk or "
-                             "the network may be slow. Copy the file to this computer, and open the copy."),
-              {secondsText(most_time_s)});
+Sentence timeoutText(double max_time_s) {
+  return phrase(
+      TRANSLATE_NOOP("problem",
+                     "Reading the file took longer than %1, although there was little to compute: the disk or "
+                     "the network may be slow. Copy the file to this computer, and open the copy."),
+      {secondsText(max_time_s)});
 }
 
 Sentence helperFailureText(Ending ending, const std::string& program, int error) {
   if (ending == Ending::NotStarted)
-    return said(TRANSLATE_NOOP("problem", "%1 cannot be started: %2."),
-                {program, std::generic_category().message(error)});
+    return phrase(TRANSLATE_NOOP("problem", "%1 cannot be started: %2."),
+                  {program, std::generic_category().message(error)});
   if (ending == Ending::NotSandboxed)
-    return said(
+    return phrase(
         TRANSLATE_NOOP(
             "problem",
             "The file was not opened: %1 could not be isolated from the rest of this computer, which protects you from "

@@ -59,8 +59,8 @@ class Child {
 /// "2.5 s": a duration for a sentence.
 std::string secondsText(double s);
 
-/// The sentence for Ending::Waited. most_time_s: the time limit.
-Sentence timeoutText(double most_time_s);
+/// The sentence for Ending::Waited. max_time_s: the time limit.
+Sentence timeoutText(double max_time_s);
 
 /// The sentence for an ending that is not the fault of the file; empty: it is. program: its name; error: errno.
 Sentence helperFailureText(Ending ending, const std::string& program, int error);

@@ -61,7 +61,7 @@ bool HelperConnection::receive(std::span<std::byte> bytes, const Bounds& bounds,
     }
     if (count == 0 || errno != EAGAIN) return fail(Ending::Exited);
     if (system::waitToRead(here_.number(), kLookAtTimes_ms)) continue;
-    if (child_.cpuSoFar_s() > from_cpu_s + bounds.most_cpu_s) return fail(Ending::TookTooLong);
+    if (child_.cpuSoFar_s() > from_cpu_s + bounds.max_cpu_s) return fail(Ending::TookTooLong);
     if (now_s() > until_s) return fail(Ending::Waited);
   }
   return true;
@@ -69,10 +69,10 @@ bool HelperConnection::receive(std::span<std::byte> bytes, const Bounds& bounds,
 
 std::optional<std::vector<std::byte>> HelperConnection::ask(std::span<const std::byte> question, const Bounds& bounds) {
   if (!child_.runs()) return {};
-  const double from_cpu_s = child_.cpuSoFar_s(), until_s = now_s() + bounds.most_time_s;
+  const double from_cpu_s = child_.cpuSoFar_s(), until_s = now_s() + bounds.max_time_s;
   std::uint64_t size = 0;
   if (!send(question) || !receive(std::as_writable_bytes(std::span(&size, 1)), bounds, from_cpu_s, until_s)) return {};
-  if (size > bounds.most_bytes) {
+  if (size > bounds.max_bytes) {
     fail(Ending::WroteTooMuch);
     return {};
   }

@@ -11,8 +11,8 @@ namespace underact::helper {
 
 /// Limits of one answer: processor time and total time, s, on a busy machine and a slow disk, and its length.
 struct Bounds {
-  double most_cpu_s = 2.0, most_time_s = 30.0;
-  std::size_t most_bytes = std::size_t{1} << 20;
+  double max_cpu_s = 2.0, max_time_s = 30.0;
+  std::size_t max_bytes = std::size_t{1} << 20;
 };
 
 /// A helper that answers one question after another. One thread at a time. After a question without an answer it has

@@ -25,14 +25,14 @@ class Listening {
     for (;;) {
       if (watch_.isCancelled()) return Ending::Cancelled;
       const double time_s = std::chrono::duration<double>(Clock::now() - start).count();
-      if (child.cpuSoFar_s() > errand_.most_cpu_s) return Ending::TookTooLong;
-      if (time_s > errand_.most_time_s) return Ending::Waited;
+      if (child.cpuSoFar_s() > errand_.max_cpu_s) return Ending::TookTooLong;
+      if (time_s > errand_.max_time_s) return Ending::Waited;
       if (!system::waitToRead(fd, kPoll_ms)) continue;
       const std::ptrdiff_t count = system::readSome(fd, block_);
       if (count == 0) return Ending::Exited;
       if (count < 0) return Ending::Crashed;
       take(std::span(block_).first(static_cast<std::size_t>(count)));
-      if (answer_.output.size() > errand_.most_output) return Ending::WroteTooMuch;
+      if (answer_.output.size() > errand_.max_output) return Ending::WroteTooMuch;
     }
   }
 
@@ -40,7 +40,7 @@ class Listening {
   void take(std::span<const std::byte> bytes) {
     while (answer_.output.empty() && !bytes.empty()) {
       const auto percent = std::to_integer<unsigned char>(bytes.front());
-      if (percent == 0 || percent > kMostProgress) break;
+      if (percent == 0 || percent > kMaxProgress) break;
       if (errand_.progress) errand_.progress(percent);
       bytes = bytes.subspan(1);
     }

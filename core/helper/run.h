@@ -10,15 +10,15 @@
 namespace underact::helper {
 
 /// The greatest byte that reports progress: a helper writes bytes from 1 to this before its answer.
-inline constexpr unsigned char kMostProgress = 100;
+inline constexpr unsigned char kMaxProgress = 100;
 
 /// A program that is started for one answer.
 struct HelperCall {
   std::string program;
   std::string argument;
   int input_fd = -1;  // becomes its standard input
-  double most_cpu_s = 1.0, most_time_s = 10.0;
-  std::uint64_t most_output = 0;
+  double max_cpu_s = 1.0, max_time_s = 10.0;
+  std::uint64_t max_output = 0;
   std::function<void(unsigned char percent)> progress = {};  // called with each byte of progress
 };
 

@@ -8,7 +8,7 @@ namespace {
 
 // The format: number of places, pattern, end of line; then the sentences in its places, likewise.
 constexpr char kEnd = '\n';
-constexpr int kMostPlaces = 9;
+constexpr int kMaxPlaces = 9;
 
 std::string plain(std::string text) {
   for (char& c : text) c = c >= ' ' && c <= '~' ? c : '?';
@@ -35,11 +35,11 @@ std::size_t lengthOf(std::string_view pattern, const std::vector<Sentence>& plac
 /// The first sentence of the letters, which are taken off.
 std::optional<Sentence> take(std::string_view& letters, int nested) {
   const std::size_t end = letters.find(kEnd);
-  if (nested > kMostNested || end == std::string_view::npos || end == 0) return {};
+  if (nested > kMaxNested || end == std::string_view::npos || end == 0) return {};
   const int places = letters.front() - '0';
   const std::string pattern = plain(std::string(letters.substr(1, end - 1)));
   letters.remove_prefix(end + 1);
-  if (places < 0 || places > kMostPlaces) return {};
+  if (places < 0 || places > kMaxPlaces) return {};
   std::vector<Sentence> in_places;
   for (int place = 0; place < places; ++place) {
     std::optional<Sentence> one = take(letters, nested + 1);
@@ -47,7 +47,7 @@ std::optional<Sentence> take(std::string_view& letters, int nested) {
     in_places.push_back(std::move(*one));
   }
   if (lengthOf(pattern, in_places) > kLongestSentence) return {};
-  return said(pattern, std::move(in_places));
+  return phrase(pattern, std::move(in_places));
 }
 
 }  // namespace
@@ -55,13 +55,13 @@ std::optional<Sentence> take(std::string_view& letters, int nested) {
 std::string encodeSentence(const Sentence& sentence) {
   if (sentence.empty()) return {};
   const std::string letters = allLettersOf(sentence);
-  if (letters.size() <= kMostLetters) return letters;
-  return allLettersOf(Sentence(sentence.substr(0, kMostLetters - 2)));  // in English alone, as far as it goes
+  if (letters.size() <= kMaxLetters) return letters;
+  return allLettersOf(Sentence(sentence.substr(0, kMaxLetters - 2)));  // in English alone, as far as it goes
 }
 
 std::optional<Sentence> decodeSentence(std::string_view letters) {
   if (letters.empty()) return Sentence();
-  if (letters.size() > kMostLetters) return {};
+  if (letters.size() > kMaxLetters) return {};
   std::optional<Sentence> sentence = take(letters, 1);
   return letters.empty() ? sentence : std::nullopt;
 }

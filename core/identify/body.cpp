@@ -7,7 +7,7 @@ namespace {
 
 // Below this the series is as exact as a double; above it expm1 does not cancel. z^6 / 5040 at 0.01 is 2e-16.
 constexpr double kSmallDecay = 0.01;
-constexpr int kMostTurns = 4;  // a constant force reverses a body at most once; then it sticks or moves on
+constexpr int kMaxTurns = 4;  // a constant force reverses a body at most once; then it sticks or moves on
 
 }  // namespace
 
@@ -38,7 +38,7 @@ Motion BodyStep::operator()(Motion motion, double force_N, double friction_share
   const double friction_N = friction_share * body_.friction_N;
   const double pull_N = force_N + body_.bias_N;
   double left_s = period_s_;
-  for (int turn = 0; turn < kMostTurns; ++turn) {
+  for (int turn = 0; turn < kMaxTurns; ++turn) {
     if (motion.v_m_per_s == 0.0 && std::abs(pull_N) <= friction_N) return motion;
     const double sign = std::copysign(1.0, motion.v_m_per_s != 0.0 ? motion.v_m_per_s : pull_N);
     const double acceleration = (pull_N - sign * friction_N) / body_.mass_kg;

@@ -13,7 +13,7 @@
 namespace underact::identify {
 namespace {
 
-constexpr int kMostRounds = 60;
+constexpr int kMaxRounds = 60;
 // Sticking makes kinks and local minima in the sum of squares: several starts, of which the best counts.
 constexpr double kStarts[] = {1.0, 0.8, 1.2};
 constexpr double kWorst = 0.1;      // the largest residual, relative to the motion's root mean square
@@ -32,20 +32,21 @@ Body bodyOf(const Shared& shared) {
 const Shared kNudge(1e-6, 1e-5, 1e-4, 1e-5);
 constexpr double kNudge_m_per_s = 1e-5;
 
-std::vector<double> wayOf(const Body& body, const Window& window, const Own& own) {
+std::vector<double> travelOf(const Body& body, const Window& window, const Own& own) {
   const BodyStep step(body, window.period_s);
-  std::vector<double> way_m(window.way_m.size());
+  std::vector<double> travel_m(window.travel_m.size());
   Motion motion{own[0], own[1]};
-  for (std::size_t index = 0; index < way_m.size(); ++index) {
-    way_m[index] = motion.x_m;
+  for (std::size_t index = 0; index < travel_m.size(); ++index) {
+    travel_m[index] = motion.x_m;
     motion = step(motion, window.force_N[index], window.friction_share[index]);
   }
-  return way_m;
+  return travel_m;
 }
 
-double squaresOf(const Window& window, const std::vector<double>& way_m) {
+double squaresOf(const Window& window, const std::vector<double>& travel_m) {
   double squares = 0.0;
-  for (std::size_t index = 0; index < way_m.size(); ++index) squares += std::pow(window.way_m[index] - way_m[index], 2);
+  for (std::size_t index = 0; index < travel_m.size(); ++index)
+    squares += std::pow(window.travel_m[index] - travel_m[index], 2);
   return squares;
 }
 
@@ -54,9 +55,9 @@ double movedOf(std::span<const Window> windows) {
   double squares = 0.0, samples = 0.0;
   for (const Window& window : windows) {
     double mean_m = 0.0;
-    for (const double way_m : window.way_m) mean_m += way_m / static_cast<double>(window.way_m.size());
-    for (const double way_m : window.way_m) squares += std::pow(way_m - mean_m, 2);
-    samples += static_cast<double>(window.way_m.size());
+    for (const double travel_m : window.travel_m) mean_m += travel_m / static_cast<double>(window.travel_m.size());
+    for (const double travel_m : window.travel_m) squares += std::pow(travel_m - mean_m, 2);
+    samples += static_cast<double>(window.travel_m.size());
   }
   return std::sqrt(squares / samples);
 }
@@ -71,35 +72,36 @@ struct Normal {
 };
 
 Normal normalOf(const Shared& shared, const Window& window, const Own& own) {
-  const std::vector<double> way_m = wayOf(bodyOf(shared), window, own);
+  const std::vector<double> travel_m = travelOf(bodyOf(shared), window, own);
   std::vector<std::vector<double>> nudged;
   for (Eigen::Index which = 0; which < 4; ++which) {
     Shared other = shared;
     other[which] += kNudge[which];
-    nudged.push_back(wayOf(bodyOf(other), window, own));
+    nudged.push_back(travelOf(bodyOf(other), window, own));
   }
-  nudged.push_back(wayOf(bodyOf(shared), window, own + Own(0.0, kNudge_m_per_s)));
+  nudged.push_back(travelOf(bodyOf(shared), window, own + Own(0.0, kNudge_m_per_s)));
   Normal normal;
-  for (std::size_t index = 0; index < way_m.size(); ++index) {
+  for (std::size_t index = 0; index < travel_m.size(); ++index) {
     Shared slope;
     for (Eigen::Index which = 0; which < 4; ++which)
-      slope[which] = (nudged[static_cast<std::size_t>(which)][index] - way_m[index]) / kNudge[which];
-    const Own own_slope(1.0, (nudged[4][index] - way_m[index]) / kNudge_m_per_s);
-    const double miss_m = window.way_m[index] - way_m[index];
+      slope[which] = (nudged[static_cast<std::size_t>(which)][index] - travel_m[index]) / kNudge[which];
+    const Own own_slope(1.0, (nudged[4][index] - travel_m[index]) / kNudge_m_per_s);
+    const double miss_m = window.travel_m[index] - travel_m[index];
     normal.shared += slope * slope.transpose();
     normal.own += own_slope * own_slope.transpose();
     normal.across += slope * own_slope.transpose();
     normal.shared_pull += miss_m * slope;
     normal.own_pull += miss_m * own_slope;
   }
-  normal.own(1, 1) += kNothing * static_cast<double>(way_m.size());
+  normal.own(1, 1) += kNothing * static_cast<double>(travel_m.size());
   return normal;
 }
 
 Own guessOf(const Window& window) {
-  const auto look = std::min(window.way_m.size() - 1, static_cast<std::size_t>(std::lround(kPoll_s / window.period_s)));
-  const double way_m = window.way_m[look] - window.way_m[0];
-  return {window.way_m[0], way_m / (window.period_s * static_cast<double>(look))};
+  const auto look =
+      std::min(window.travel_m.size() - 1, static_cast<std::size_t>(std::lround(kPoll_s / window.period_s)));
+  const double travel_m = window.travel_m[look] - window.travel_m[0];
+  return {window.travel_m[0], travel_m / (window.period_s * static_cast<double>(look))};
 }
 
 class Fit {
@@ -112,7 +114,7 @@ class Fit {
   }
   void run() {
     double caution = 1e-3;
-    for (rounds_ = 1; rounds_ <= kMostRounds; ++rounds_) {
+    for (rounds_ = 1; rounds_ <= kMaxRounds; ++rounds_) {
       normals_.clear();
       for (std::size_t index = 0; index < windows_.size(); ++index) {
         if (isStopped()) return;
@@ -137,7 +139,7 @@ class Fit {
   double squaresOf(const Shared& shared, const std::vector<Own>& own) const {
     double squares = 0.0;
     for (std::size_t index = 0; index < windows_.size(); ++index)
-      squares += identify::squaresOf(windows_[index], wayOf(bodyOf(shared), windows_[index], own[index]));
+      squares += identify::squaresOf(windows_[index], travelOf(bodyOf(shared), windows_[index], own[index]));
     return squares;
   }
   double tryStep(double caution);
@@ -170,11 +172,11 @@ double Fit::tryStep(double caution) {
     matrix -= normal.across * inverse.back() * normal.across.transpose();
     pull += normal.shared_pull - normal.across * inverse.back() * normal.own_pull;
   }
-  const Shared way = solveSymmetric(matrix, pull);
-  if (!way.allFinite()) return -1.0;
-  Shared shared = shared_ + way;
+  const Shared change = solveSymmetric(matrix, pull);
+  if (!change.allFinite()) return -1.0;
+  Shared shared = shared_ + change;
   shared[0] = std::max(shared[0], 0.3 * shared_[0]);  // never to 0 in one leap
-  shared[0] = std::max(shared[0], kLeastMass_kg);
+  shared[0] = std::max(shared[0], kMinMass_kg);
   shared[1] = std::max(shared[1], 0.0);
   std::vector<Own> own = own_;
   for (std::size_t index = 0; index < own.size(); ++index) {
@@ -223,8 +225,8 @@ BodyFit Fit::result() const {
   std::vector<Reduced> swings;
   double samples = 0.0;
   for (std::size_t index = 0; index < windows_.size(); ++index) {
-    fit.way_m.push_back(wayOf(fit.body, windows_[index], own_[index]));
-    samples += static_cast<double>(fit.way_m.back().size());
+    fit.travel_m.push_back(travelOf(fit.body, windows_[index], own_[index]));
+    samples += static_cast<double>(fit.travel_m.back().size());
     const Reduced one = reducedOf(normalOf(shared_, windows_[index], own_[index]));
     all.add(one);
     if (index == 0 || windows_[index].swing != windows_[index - 1].swing) swings.emplace_back();
@@ -249,23 +251,24 @@ Result<BodyFit> fitBody(std::span<const Window> windows, const std::function<boo
   const std::vector<Block> blocks = blocksOf(windows);
   const std::optional<Body> guess = firstGuess(blocks);
   if (!guess)
-    return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "The tip hardly moved, so nothing can be measured. Check that the hand has "
-                                         "let go, that nothing is in the way, and that the arm has mass."))}};
+    return Problems{{phrase(TRANSLATE_NOOP("problem",
+                                           "The tip hardly moved, so nothing can be measured. Check that the hand has "
+                                           "let go, that nothing is in the way, and that the arm has mass."))}};
   std::optional<Fit> best;
   for (const double share : kStarts) {
     Body start = *guess;
     start.friction_N *= share;
     Fit fit(windows, start, stop);
     fit.run();
-    if (fit.wasStopped()) return Problems{{said(TRANSLATE_NOOP("problem", "The fit was cancelled."))}};
+    if (fit.wasStopped()) return Problems{{phrase(TRANSLATE_NOOP("problem", "The fit was cancelled."))}};
     if (!best || fit.squares() < best->squares()) best = std::move(fit);
   }
   BodyFit fit = best->result();
   if (!(fit.residual_m < kWorst * movedOf(windows)))
-    return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "No mass with friction and damping moves as the tip did. Check that the hand "
-                                         "has let go, and measure again."))}};
+    return Problems{
+        {phrase(TRANSLATE_NOOP("problem",
+                               "No mass with friction and damping moves as the tip did. Check that the hand "
+                               "has let go, and measure again."))}};
   return fit;
 }
 

@@ -12,9 +12,9 @@ namespace underact::identify {
 /// The body whose motion fits the windows best, under the force that was sent.
 struct BodyFit {
   Body body;
-  Body uncertainty;                        // one standard deviation each
-  double residual_m = 0.0;                 // root mean square
-  std::vector<std::vector<double>> way_m;  // of the body, window by window
+  Body uncertainty;                           // one standard deviation each
+  double residual_m = 0.0;                    // root mean square
+  std::vector<std::vector<double>> travel_m;  // of the body, window by window
   int rounds = 0;
 };
 

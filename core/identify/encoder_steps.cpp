@@ -10,10 +10,10 @@ namespace underact::identify {
 namespace {
 
 constexpr double kNoChange_rad = 1e-9;  // rounding of an angle that has not moved
-constexpr std::size_t kLeastChanges = 8;
-constexpr double kWhole = 0.05;       // a share of the step by which a change may miss a multiple
-constexpr double kMostParts = 100.0;  // of the smallest change seen, where one step alone never came
-constexpr double kStretch_s = 0.1, kLeastWay_m = 0.1e-3;
+constexpr std::size_t kMinChanges = 8;
+constexpr double kWhole = 0.05;      // a share of the step by which a change may miss a multiple
+constexpr double kMaxParts = 100.0;  // of the smallest change seen, where one step alone never came
+constexpr double kStretch_s = 0.1, kMinWay_m = 0.1e-3;
 
 /// The step nearest to guess of which all changes are multiples; none: there is no such step. Small changes first, so
 /// that each refines the step before a larger one needs it.
@@ -39,7 +39,7 @@ std::optional<double> dividerOf(const std::vector<double>& changes) {
       ++index;
       continue;
     }
-    if (rest * kMostParts < changes.front()) return {};
+    if (rest * kMaxParts < changes.front()) return {};
     guess = rest;
     index = 0;  // those before it must be multiples of it, too
   }
@@ -73,7 +73,7 @@ std::optional<Estimate> stepOf(std::span<const double> signal) {
     const double change = std::abs(signal[index] - signal[index - 1]);
     if (change > kNoChange_rad) changes.push_back(change);
   }
-  if (changes.size() < kLeastChanges) return {};
+  if (changes.size() < kMinChanges) return {};
   std::sort(changes.begin(), changes.end());
   const std::optional<double> guess = dividerOf(changes);
   const std::optional<double> step = guess ? stepNear(*guess, changes) : std::nullopt;
@@ -100,7 +100,7 @@ Vec3 slowNoise(std::span<const Row> rows, double period_s) {
   const auto length = static_cast<std::size_t>(std::lround(kStretch_s / period_s));
   std::vector<std::size_t> moving;  // where the stretches begin
   for (std::size_t from = 0; from + length <= rows.size(); from += length) {
-    if ((rows[from + length - 1].p_WT - rows[from].p_WT).norm() >= kLeastWay_m) moving.push_back(from);
+    if ((rows[from + length - 1].p_WT - rows[from].p_WT).norm() >= kMinWay_m) moving.push_back(from);
   }
   const auto count = static_cast<Eigen::Index>(length), stretches = static_cast<Eigen::Index>(moving.size());
   Eigen::MatrixXd powers(count, 3), places(count, 3 * stretches);

@@ -10,7 +10,7 @@
 namespace underact::identify {
 namespace {
 
-const Problems kStopped{{said(TRANSLATE_NOOP("problem", "The evaluation was cancelled."))}};
+const Problems kStopped{{phrase(TRANSLATE_NOOP("problem", "The evaluation was cancelled."))}};
 
 /// The rows of all stages of that kind, in order.
 template <class Chosen>
@@ -24,8 +24,8 @@ std::vector<Row> rowsOf(const Plan& plan, const std::vector<Recorded>& recorded,
 
 /// The sentence, preceded by the swing that it is about.
 Sentence at(std::size_t place, int axis, const Sentence& sentence) {
-  return said(TRANSLATE_NOOP("problem", "Along %1 at position %2: %3"),
-              {std::string(1, "xyz"[axis]), std::to_string(place + 1), sentence});
+  return phrase(TRANSLATE_NOOP("problem", "Along %1 at position %2: %3"),
+                {std::string(1, "xyz"[axis]), std::to_string(place + 1), sentence});
 }
 
 Result<AxisSwings> swingsOf(const std::vector<Row>& rows, std::size_t place, int axis, double period_s,
@@ -113,7 +113,7 @@ void average(Identified& found) {
 }
 
 /// What chi^2 / free exceeds in 1 of 20 cases (Wilson and Hilferty 1931; within 1 % from two degrees of freedom on).
-double mostByChance(double free) {
+double maxByChance(double free) {
   const double variance = 2.0 / (9.0 * free);
   return std::pow(1.0 - variance + 1.645 * std::sqrt(variance), 3);
 }
@@ -135,7 +135,7 @@ Estimate meanOf(const std::vector<Estimate>& estimates) {
     squares += std::pow(one.value - mean, 2);
     chi_squares += weightOf(one) * std::pow(one.value - weighted / weights, 2);
   }
-  const bool scatters = free > 0.0 && chi_squares > free * mostByChance(free);
+  const bool scatters = free > 0.0 && chi_squares > free * maxByChance(free);
   return {mean, std::sqrt(std::max(variances, scatters ? squares * count / free : 0.0)) / count};
 }
 

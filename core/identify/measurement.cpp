@@ -69,34 +69,34 @@ Problems Measurement::repeat() {
 Sentence promptOf(HandTask hand) {
   switch (hand) {
     case HandTask::Presses:
-      return said(TRANSLATE_NOOP("problem",
-                                 "Hold the stylus. Press it down slowly by 3 mm and let it come back just as slowly, "
-                                 "four times, two seconds each."));
+      return phrase(TRANSLATE_NOOP("problem",
+                                   "Hold the stylus. Press it down slowly by 3 mm and let it come back just as slowly, "
+                                   "four times, two seconds each."));
     case HandTask::Turns:
-      return said(TRANSLATE_NOOP("problem",
-                                 "Slowly turn the stylus about its own axis in your fingers, and tilt it both ways."));
+      return phrase(TRANSLATE_NOOP(
+          "problem", "Slowly turn the stylus about its own axis in your fingers, and tilt it both ways."));
     case HandTask::LetsGo:
       break;
   }
-  return said(TRANSLATE_NOOP(
+  return phrase(TRANSLATE_NOOP(
       "problem", "Let go of the stylus and keep your hand away. The arm moves by itself, 20 mm to each side."));
 }
 
 Sentence titleOf(const Stage& stage) {
   switch (stage.kind) {
     case StageKind::Settle:
-      return said(stage.hand == HandTask::LetsGo ? TRANSLATE_NOOP("problem", "The tip moves to its position")
-                                                 : TRANSLATE_NOOP("problem", "The hand grips the stylus"));
+      return phrase(stage.hand == HandTask::LetsGo ? TRANSLATE_NOOP("problem", "The tip moves to its position")
+                                                   : TRANSLATE_NOOP("problem", "The hand grips the stylus"));
     case StageKind::Swing:
-      return said(TRANSLATE_NOOP("problem", "Swings along %1"), {std::string(1, "xyz"[stage.axis])});
+      return phrase(TRANSLATE_NOOP("problem", "Swings along %1"), {std::string(1, "xyz"[stage.axis])});
     case StageKind::Rest:
-      return said(TRANSLATE_NOOP("problem", "At rest"));
+      return phrase(TRANSLATE_NOOP("problem", "At rest"));
     case StageKind::Press:
-      return said(TRANSLATE_NOOP("problem", "Slow press"));
+      return phrase(TRANSLATE_NOOP("problem", "Slow press"));
     case StageKind::Turn:
       break;
   }
-  return said(TRANSLATE_NOOP("problem", "Rotations of the stylus"));
+  return phrase(TRANSLATE_NOOP("problem", "Rotations of the stylus"));
 }
 
 }  // namespace underact::identify

@@ -87,9 +87,9 @@ double Plan::seconds() const {
 Result<Plan> makePlan(const Wanted& wanted) {
   const arm::Preset* const arm = scene::findArm(wanted.arm_of);
   if (arm == nullptr)
-    return Problems{{said(TRANSLATE_NOOP("problem", "There is no arm %1."), {json::shown(wanted.arm_of.arm)})}};
+    return Problems{{phrase(TRANSLATE_NOOP("problem", "There is no arm %1."), {json::shown(wanted.arm_of.arm)})}};
   if (wanted.places_W.empty() || wanted.places_W.size() > 3)
-    return Problems{{said(TRANSLATE_NOOP("problem", "State one to three positions."))}};
+    return Problems{{phrase(TRANSLATE_NOOP("problem", "State one to three positions."))}};
   Problems problems;
   for (const Vec3& p_W : wanted.places_W) {
     bool reached = p_W.allFinite() && isReached(*arm, p_W);
@@ -98,10 +98,10 @@ Result<Plan> makePlan(const Wanted& wanted) {
           isReached(*arm, p_W + kReach_m * Vec3::Unit(axis)) && isReached(*arm, p_W - kReach_m * Vec3::Unit(axis));
     if (reached) continue;
     const Vec3 p_mm = kMillimetrePerMetre * p_W;
-    problems.push_back({said(TRANSLATE_NOOP("problem",
-                                            "Around (%1, %2, %3) mm the arm cannot move 20 mm in every direction. "
-                                            "Choose a position nearer to the middle of the workspace."),
-                             {json::numberText(p_mm.x()), json::numberText(p_mm.y()), json::numberText(p_mm.z())})});
+    problems.push_back({phrase(TRANSLATE_NOOP("problem",
+                                              "Around (%1, %2, %3) mm the arm cannot move 20 mm in every direction. "
+                                              "Choose a position nearer to the middle of the workspace."),
+                               {json::numberText(p_mm.x()), json::numberText(p_mm.y()), json::numberText(p_mm.z())})});
   }
   if (!problems.empty()) return problems;
   Maker maker(wanted);

@@ -11,7 +11,7 @@ namespace {
 constexpr double kLookBack_s = 0.1;    // over which a direction is determined ...
 constexpr double kMoved_m = 0.1e-3;    // ... two encoder steps
 constexpr double kTouched_m = 0.1e-3;  // from which on it counts as pressed
-constexpr std::size_t kLeastRowsEachWay = 50;
+constexpr std::size_t kMinRowsEachWay = 50;
 
 /// Least squares of force over displacement.
 class Line {
@@ -41,7 +41,7 @@ Result<Press> pressOf(std::span<const Row> rows, const Vec3& along_W, double per
   for (std::size_t row = look; row + look < rows.size(); ++row) {
     const double x_m = wayAt(row), f_N = -rows[row].f_T_W.dot(along_W);
     if (!(x_m > kTouched_m)) continue;
-    press.most_N = std::max(press.most_N, f_N);
+    press.max_N = std::max(press.max_N, f_N);
     if (rows[row].is_cut) {
       press.clamped_at_m = std::min(press.clamped_at_m.value_or(x_m), x_m);
       continue;
@@ -50,10 +50,11 @@ Result<Press> pressOf(std::span<const Row> rows, const Vec3& along_W, double per
     const double moved_m = wayAt(row + look) - wayAt(row - look);
     if (std::abs(moved_m) > kMoved_m) (moved_m > 0.0 ? down : up).add(x_m, f_N);
   }
-  if (down.count() < kLeastRowsEachWay || up.count() < kLeastRowsEachWay)
-    return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "The stylus was not pressed down and let back slowly. Press it down by about "
-                                         "3 mm in two seconds, and let it come back just as slowly."))}};
+  if (down.count() < kMinRowsEachWay || up.count() < kMinRowsEachWay)
+    return Problems{
+        {phrase(TRANSLATE_NOOP("problem",
+                               "The stylus was not pressed down and let back slowly. Press it down by about "
+                               "3 mm in two seconds, and let it come back just as slowly."))}};
   press.down_N_per_m = down.slope();
   press.up_N_per_m = up.slope();
   const double middle_m = 0.5 * (down.middle_m() + up.middle_m());

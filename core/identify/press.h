@@ -17,7 +17,7 @@ struct Press {
   double residual_N = 0.0;                  // root mean square about the two lines
   double linear_m = 0.0;                    // as far as nothing was cut
   std::optional<double> clamped_at_m = {};  // the way from which on the gate cut; none: it never did
-  double most_N = 0.0;                      // sent at most
+  double max_N = 0.0;                       // sent at most
 };
 
 /// along_W: of the press, length 1. Problems: it was not pressed, or only one way.

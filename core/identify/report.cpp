@@ -36,9 +36,9 @@ int digitsOf(double uncertainty) {
 void addAxes(std::vector<ReportRow>& rows, const char* name, const char* unit, double factor, const Estimate& mean,
              const std::array<Estimate, 3>& axes, std::optional<double> given) {
   if (given) *given *= factor;
-  rows.push_back({said(name), unit, times(mean, factor), given});
+  rows.push_back({phrase(name), unit, times(mean, factor), given});
   for (std::size_t axis = 0; axis < 3; ++axis)
-    rows.push_back({said(TRANSLATE_NOOP("problem", "%1 along %2"), {said(name), std::string(1, "xyz"[axis])}), unit,
+    rows.push_back({phrase(TRANSLATE_NOOP("problem", "%1 along %2"), {phrase(name), std::string(1, "xyz"[axis])}), unit,
                     times(axes[axis], factor), given});
 }
 
@@ -46,20 +46,20 @@ void addStiffness(std::vector<ReportRow>& rows, const Identified& found) {
   if (found.press) {
     const Press& press = *found.press;
     const double spread = press.stiffness_N_per_m.uncertainty / kNewtonPerMetre;
-    rows.push_back({said(TRANSLATE_NOOP("problem", "Stiffness in a slow press")), "N/mm",
+    rows.push_back({phrase(TRANSLATE_NOOP("problem", "Stiffness in a slow press")), "N/mm",
                     times(press.stiffness_N_per_m, 1.0 / kNewtonPerMetre), kPress_N_per_mm});
-    rows.push_back({said(TRANSLATE_NOOP("problem", "Hysteresis of the press")),
+    rows.push_back({phrase(TRANSLATE_NOOP("problem", "Hysteresis of the press")),
                     "N",
                     {std::abs(press.hysteresis_N), std::max(press.residual_N, spread)}});
-    rows.push_back({said(press.clamped_at_m ? TRANSLATE_NOOP("problem", "Linear up to the clamp, at")
-                                            : TRANSLATE_NOOP("problem", "Linear at least up to")),
+    rows.push_back({phrase(press.clamped_at_m ? TRANSLATE_NOOP("problem", "Linear up to the clamp, at")
+                                              : TRANSLATE_NOOP("problem", "Linear at least up to")),
                     "mm",
                     {kMillimetrePerMetre * press.clamped_at_m.value_or(press.linear_m), 0.0}});
   }
   for (const AxisSwings& one : found.swings) {
     if (!one.stiffness || one.place > 0) continue;
     rows.push_back(
-        {said(TRANSLATE_NOOP("problem", "Stiffness of a free swing along %1"), {std::string(1, "xyz"[one.axis])}),
+        {phrase(TRANSLATE_NOOP("problem", "Stiffness of a free swing along %1"), {std::string(1, "xyz"[one.axis])}),
          "N/mm", times({one.stiffness->value_N_per_m, one.stiffness->uncertainty_N_per_m}, 1.0 / kNewtonPerMetre),
          kSwing_N_per_mm});
   }
@@ -85,14 +85,14 @@ std::vector<ReportRow> rowsOf(const Identified& found, const Given* given) {
           found.damping_N_s_per_m, of(&sim::ArmModel::damping_N_s_per_m));
   for (std::size_t joint = 0; joint < 6; ++joint) {
     if (!found.counts_per_turn[joint]) continue;
-    rows.push_back({said(TRANSLATE_NOOP("problem", "Counts per turn, %1"), {said(kJoints[joint])}), "",
+    rows.push_back({phrase(TRANSLATE_NOOP("problem", "Counts per turn, %1"), {phrase(kJoints[joint])}), "",
                     *found.counts_per_turn[joint], given ? std::optional(given->counts_per_turn[joint]) : std::nullopt,
                     1});
   }
-  rows.push_back({said(TRANSLATE_NOOP("problem", "Noise of the tip at rest")),
+  rows.push_back({phrase(TRANSLATE_NOOP("problem", "Noise of the tip at rest")),
                   "µm",
                   {kMicrometrePerMetre * found.rest_noise_m.norm(), 0.0}});
-  rows.push_back({said(TRANSLATE_NOOP("problem", "Noise of the tip in slow motion")),
+  rows.push_back({phrase(TRANSLATE_NOOP("problem", "Noise of the tip in slow motion")),
                   "µm",
                   {kMicrometrePerMetre * found.slow_noise_m.norm(), 0.0}});
   addStiffness(rows, found);
@@ -101,21 +101,21 @@ std::vector<ReportRow> rowsOf(const Identified& found, const Given* given) {
 
 Sentence valueText(const ReportRow& row) {
   const Estimate& estimate = row.estimate;
-  if (!std::isfinite(estimate.value)) return said(TRANSLATE_NOOP("problem", "none"));
-  if (estimate.uncertainty == 0.0) return shownNumber(fixed(estimate.value, std::min(row.most_digits, 2)));
-  const int digits = std::min(digitsOf(estimate.uncertainty), row.most_digits);
+  if (!std::isfinite(estimate.value)) return phrase(TRANSLATE_NOOP("problem", "none"));
+  if (estimate.uncertainty == 0.0) return shownNumber(fixed(estimate.value, std::min(row.max_digits, 2)));
+  const int digits = std::min(digitsOf(estimate.uncertainty), row.max_digits);
   if (estimate.isSignificant()) return shownNumber(fixed(estimate.value, digits));
   const double unit = std::pow(10.0, -digits);
-  return said(TRANSLATE_NOOP("problem", "below %1"),
-              {shownNumber(fixed(std::ceil(estimate.limit() / unit) * unit, digits))});
+  return phrase(TRANSLATE_NOOP("problem", "below %1"),
+                {shownNumber(fixed(std::ceil(estimate.limit() / unit) * unit, digits))});
 }
 
 Sentence uncertaintyText(const ReportRow& row) {
   const double uncertainty = row.estimate.uncertainty;
   if (!(uncertainty > 0.0) || !std::isfinite(uncertainty)) return "";
-  const double least = std::pow(10.0, -row.most_digits);
-  if (uncertainty < least) return shownNumber("< " + fixed(least, row.most_digits));
-  return shownNumber(fixed(uncertainty, std::min(digitsOf(uncertainty), row.most_digits)));
+  const double min = std::pow(10.0, -row.max_digits);
+  if (uncertainty < min) return shownNumber("< " + fixed(min, row.max_digits));
+  return shownNumber(fixed(uncertainty, std::min(digitsOf(uncertainty), row.max_digits)));
 }
 
 Sentence differenceText(const ReportRow& row) {

@@ -21,7 +21,7 @@ struct ReportRow {
   std::string unit;
   Estimate estimate;
   std::optional<double> given = {};  // by a simulation, or asked of the servo
-  int most_digits = 4;               // behind the point, at most: more are not significant
+  int max_digits = 4;                // behind the point, at most: more are not significant
 };
 
 /// All results in the order in which they are shown. given: null where the true values are unknown, as of a real arm.

@@ -9,7 +9,7 @@ namespace underact::identify {
 namespace {
 
 constexpr double kEven = 0.2;  // a share of the period by which samples may lie beside it
-constexpr std::size_t kLeastRows = 20;
+constexpr std::size_t kMinRows = 20;
 constexpr double kStep_m = 0.055e-3;                       // of the encoders of the arms known, at the tip
 constexpr double kTold_m = 8.0 * kStep_m;                  // a way that has a direction
 constexpr double kShortest_s = 0.004, kLongest_s = 0.016;  // over which it is looked for, before and after
@@ -39,7 +39,7 @@ Window windowOf(std::span<const Row> rows, const Vec3& along_W, double period_s,
   for (std::size_t index = 0; index < rows.size(); ++index) {
     const Row& row = rows[index];
     window.friction_share.push_back(shareAt(rows, along_W, period_s, index));
-    window.way_m.push_back((row.p_WT - p_WOrigin).dot(along_W));
+    window.travel_m.push_back((row.p_WT - p_WOrigin).dot(along_W));
     window.target_m.push_back((row.p_WP - p_WOrigin).dot(along_W));
     window.force_N.push_back(row.f_T_W.dot(along_W));
     window.is_cut.push_back(row.is_cut);
@@ -64,11 +64,11 @@ std::vector<Window> windowsOf(std::span<const Row> rows, const Vec3& along_W, do
   for (std::size_t from = 0, to = 1; from < rows.size(); from = to, ++to) {
     if (from > 0 && !isNext(from)) ++swing;
     while (to < rows.size() && static_cast<double>(to - from) < length && isNext(to)) ++to;
-    if (to - from < kLeastRows) continue;
+    if (to - from < kMinRows) continue;
     Window window = windowOf(rows.subspan(from, to - from), along_W, period_s, from);
     window.swing = swing;
-    const auto [least, most] = std::minmax_element(window.way_m.begin(), window.way_m.end());
-    if (*most - *least >= kLeastTravel_m) windows.push_back(std::move(window));
+    const auto [min, max] = std::minmax_element(window.travel_m.begin(), window.travel_m.end());
+    if (*max - *min >= kMinTravel_m) windows.push_back(std::move(window));
   }
   return windows;
 }

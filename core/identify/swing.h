@@ -28,7 +28,7 @@ struct Window {
   std::size_t first_row = 0;
   std::size_t swing = 0;  // windows of one swing have the same number; a move of the target begins another
   double origin_m = 0.0;  // of way and target, along the direction from W's origin
-  std::vector<double> way_m;
+  std::vector<double> travel_m;
   std::vector<double> target_m;
   std::vector<double> force_N;         // at index i: from sample i to i + 1
   std::vector<double> friction_share;  // of the friction along the direction seen: |v along| / |v|
@@ -40,6 +40,6 @@ struct Window {
 std::vector<Window> windowsOf(std::span<const Row> rows, const Vec3& along_W, double period_s, double seconds = 0.25);
 
 // Windows in which the tip moves less are left out: ten encoder steps of the known arms.
-inline constexpr double kLeastTravel_m = 0.5e-3;
+inline constexpr double kMinTravel_m = 0.5e-3;
 
 }  // namespace underact::identify

@@ -12,8 +12,8 @@ namespace {
 constexpr double kLookAhead_s = 0.005;  // over which a direction is determined
 constexpr double kTurned_m = 0.11e-3;   // two encoder steps
 constexpr double kFade_s = 0.16;        // 8 time constants of the fade from one target to the next: 1 mN is left
-constexpr std::size_t kLeastTicks = 3;  // of a block: each begins a third of it later
-constexpr std::size_t kLeastBlocks = 8, kLeastSprings = 6;
+constexpr std::size_t kMinTicks = 3;    // of a block: each begins a third of it later
+constexpr std::size_t kMinBlocks = 8, kMinSprings = 6;
 constexpr double kSure = 0.025;  // two deviations within 5 %: a less certain stiffness is of no use
 
 /// The direction of the motion in all of [from, to]; 0: it reverses, or is not clear.
@@ -21,9 +21,9 @@ double directionOf(const Window& window, std::size_t from, std::size_t to) {
   const auto look = static_cast<std::size_t>(std::lround(kLookAhead_s / window.period_s));
   double direction = 0.0;
   for (std::size_t index = from; index + look <= to; ++index) {
-    const double way_m = window.way_m[index + look] - window.way_m[index];
-    if (std::abs(way_m) < kTurned_m || way_m * direction < 0.0) return 0.0;
-    direction = way_m;
+    const double travel_m = window.travel_m[index + look] - window.travel_m[index];
+    if (std::abs(travel_m) < kTurned_m || travel_m * direction < 0.0) return 0.0;
+    direction = travel_m;
   }
   return direction > 0.0 ? 1.0 : direction < 0.0 ? -1.0 : 0.0;
 }
@@ -55,10 +55,10 @@ Block blockOf(const Window& window, std::size_t from, std::size_t to, double sig
     const double at = static_cast<double>(index - from);
     const double before = bump((at - 1.0) / length), now = bump(at / length), after = bump((at + 1.0) / length);
     const double held = 0.5 * period_s * (now + after);  // of what a tick sets, until the next one
-    const double x_m = window.way_m[index] - window.way_m[from];
+    const double x_m = window.travel_m[index] - window.travel_m[from];
     block.inertia += (after - 2.0 * now + before) / period_s * x_m;
-    block.way -= 0.5 * (after - before) * x_m;
-    block.stretch += held * (window.target_m[index] - window.way_m[index]);
+    block.travel -= 0.5 * (after - before) * x_m;
+    block.stretch += held * (window.target_m[index] - window.travel_m[index]);
     block.time += period_s * now;
     block.friction += period_s * now * window.friction_share[index];
     block.force += held * window.force_N[index];
@@ -72,8 +72,8 @@ std::vector<Block> blocksOf(std::span<const Window> windows, double seconds) {
   std::vector<Block> blocks;
   for (const Window& window : windows) {
     const auto length = static_cast<std::size_t>(std::lround(seconds / window.period_s));
-    if (length < kLeastTicks) continue;
-    for (std::size_t from = 0; from + length < window.way_m.size(); from += length / 3) {
+    if (length < kMinTicks) continue;
+    for (std::size_t from = 0; from + length < window.travel_m.size(); from += length / 3) {
       const double sign = directionOf(window, from, from + length);
       if (sign != 0.0) blocks.push_back(blockOf(window, from, from + length, sign));
     }
@@ -82,18 +82,18 @@ std::vector<Block> blocksOf(std::span<const Window> windows, double seconds) {
 }
 
 std::optional<Body> firstGuess(std::span<const Block> blocks) {
-  if (blocks.size() < kLeastBlocks) return {};
+  if (blocks.size() < kMinBlocks) return {};
   Eigen::MatrixXd shares(blocks.size(), 4);
   Eigen::VectorXd forces(blocks.size());
   for (std::size_t index = 0; index < blocks.size(); ++index) {
     const Block& block = blocks[index];
     const auto row = static_cast<Eigen::Index>(index);
-    shares.row(row) << block.inertia, block.sign * block.friction, block.way, -block.time;
+    shares.row(row) << block.inertia, block.sign * block.friction, block.travel, -block.time;
     forces[row] = block.force;
   }
   const Eigen::Vector4d found = leastSquares(shares, forces);
   if (!found.allFinite()) return {};
-  return Body{std::max(found[0], kLeastMass_kg), std::max(found[1], 0.0), std::max(found[2], 0.0), found[3]};
+  return Body{std::max(found[0], kMinMass_kg), std::max(found[1], 0.0), std::max(found[2], 0.0), found[3]};
 }
 
 std::optional<StiffnessFromSwing> stiffnessFromSwing(std::span<const Row> rows, const Vec3& along_W, double period_s,
@@ -104,7 +104,7 @@ std::optional<StiffnessFromSwing> stiffnessFromSwing(std::span<const Row> rows, 
   double of_stretch = 0.0, of_both = 0.0;
   StiffnessFromSwing found;
   const auto needed = [&](const Block& block) {
-    return body.mass_kg * block.inertia + body.damping_N_s_per_m * block.way +
+    return body.mass_kg * block.inertia + body.damping_N_s_per_m * block.travel +
            body.friction_N * block.sign * block.friction - body.bias_N * block.time;
   };
   for (const Block& block : blocks) {
@@ -113,7 +113,7 @@ std::optional<StiffnessFromSwing> stiffnessFromSwing(std::span<const Row> rows, 
     of_both += block.stretch * needed(block);
     ++found.blocks;
   }
-  if (found.blocks < kLeastSprings || !(of_stretch > 0.0)) return {};
+  if (found.blocks < kMinSprings || !(of_stretch > 0.0)) return {};
   found.value_N_per_m = of_both / of_stretch;
   double squares = 0.0;
   for (const Block& block : blocks) {

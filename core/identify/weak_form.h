@@ -8,14 +8,14 @@
 
 namespace underact::identify {
 
-inline constexpr double kLeastMass_kg = 1e-4;  // of a body that is fitted
+inline constexpr double kMinMass_kg = 1e-4;  // of a body that is fitted
 
 /// A block of motion in one direction, weighted by a bump phi(t) that ends smoothly at both ends: the integrals of m
 /// x'' = f + bias - b x' - F sign(x') times phi, by parts, so that no sample is differentiated twice. Exact for a
 /// force that is held between samples, but for the damping.
 struct Block {
   double inertia = 0.0;    // of phi'' x, for the mass
-  double way = 0.0;        // of phi x', for the damping
+  double travel = 0.0;     // of phi x', for the damping
   double time = 0.0;       // of phi, for the bias
   double friction = 0.0;   // of phi and the share of the friction along the direction seen
   double force = 0.0;      // of phi f

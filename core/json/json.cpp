@@ -47,78 +47,80 @@ bool followsComma(std::string_view text, std::size_t at) {
 Stop explainValue(std::string_view text, std::size_t at) {
   while (at > 0 && isWordChar(text[at - 1])) --at;  // to where the word begins
   const char c = charAt(text, at);
-  if (at >= text.size()) return {at, said(TRANSLATE_NOOP("problem", "The text ends too early: a value was expected."))};
+  if (at >= text.size())
+    return {at, phrase(TRANSLATE_NOOP("problem", "The text ends too early: a value was expected."))};
   if ((c == ']' || c == '}') && followsComma(text, at)) {
-    return {at, said(TRANSLATE_NOOP(
+    return {at, phrase(TRANSLATE_NOOP(
                     "problem", "There is a comma before this bracket; remove it, or write another value after it."))};
   }
-  if (c == '\'') return {at, said(TRANSLATE_NOOP("problem", "Text must be in double quotes, not in single ones."))};
-  if (c == '/' || c == '#') return {at, said(TRANSLATE_NOOP("problem", "JSON has no comments; remove this."))};
+  if (c == '\'') return {at, phrase(TRANSLATE_NOOP("problem", "Text must be in double quotes, not in single ones."))};
+  if (c == '/' || c == '#') return {at, phrase(TRANSLATE_NOOP("problem", "JSON has no comments; remove this."))};
   if (isWordChar(c)) {
     return {
         at,
-        said(TRANSLATE_NOOP(
-                 "problem",
-                 "A value was expected; %1 is not one. Numbers look like 0.5, -3 or 1e-3; text is in double quotes."),
-             {shown(text.substr(at, text.find_first_of(",:]} \t\r\n\"", at) - at))})};
+        phrase(TRANSLATE_NOOP(
+                   "problem",
+                   "A value was expected; %1 is not one. Numbers look like 0.5, -3 or 1e-3; text is in double quotes."),
+               {shown(text.substr(at, text.find_first_of(",:]} \t\r\n\"", at) - at))})};
   }
   return {at,
-          said(TRANSLATE_NOOP(
+          phrase(TRANSLATE_NOOP(
               "problem", "A value was expected: a number, text in double quotes, a list in [ ] or an object in { }."))};
 }
 
 Stop explainKey(std::string_view text, std::size_t at) {
   if (at >= text.size())
     return {at,
-            said(TRANSLATE_NOOP("problem", "The text ends too early: a key in double quotes or a } was expected."))};
+            phrase(TRANSLATE_NOOP("problem", "The text ends too early: a key in double quotes or a } was expected."))};
   if (text[at] == '}')
-    return {at, said(TRANSLATE_NOOP("problem",
-                                    "There is a comma before this }; remove it, or write another key after it."))};
+    return {at, phrase(TRANSLATE_NOOP("problem",
+                                      "There is a comma before this }; remove it, or write another key after it."))};
   if (text[at] == '/' || text[at] == '#') return explainValue(text, at);
-  return {at, said(TRANSLATE_NOOP("problem", "A key in double quotes was expected."))};
+  return {at, phrase(TRANSLATE_NOOP("problem", "A key in double quotes was expected."))};
 }
 
 Stop explainEnd(std::string_view text, std::size_t at, const char* bracket) {
   if (at >= text.size())
-    return {at, said(TRANSLATE_NOOP("problem", "The text ends too early: a %1 is missing."), {bracket})};
+    return {at, phrase(TRANSLATE_NOOP("problem", "The text ends too early: a %1 is missing."), {bracket})};
   if (text[at] == '/' || text[at] == '#') return explainValue(text, at);
-  return {at, said(TRANSLATE_NOOP("problem", "A comma or a %1 was expected here."), {bracket})};
+  return {at, phrase(TRANSLATE_NOOP("problem", "A comma or a %1 was expected here."), {bracket})};
 }
 
 Stop explainText(std::string_view text, std::size_t at, const Source& source) {
   if (at >= text.size())
     return {source.stringStart(),
-            said(TRANSLATE_NOOP("problem", "This text is not closed: its second double quote is missing."))};
+            phrase(TRANSLATE_NOOP("problem", "This text is not closed: its second double quote is missing."))};
   if (text[at] == '\n' || text[at] == '\r') {
-    return {source.stringStart(),
-            said(TRANSLATE_NOOP("problem", "This text does not end on its line: its second double quote is missing."))};
+    return {
+        source.stringStart(),
+        phrase(TRANSLATE_NOOP("problem", "This text does not end on its line: its second double quote is missing."))};
   }
   if (text[at] == '\\') {
-    return {at, said(TRANSLATE_NOOP(
+    return {at, phrase(TRANSLATE_NOOP(
                     "problem", "JSON does not know this escape; a backslash itself is written \\\\, a new line \\n."))};
   }
-  return {at, said(TRANSLATE_NOOP("problem", "There is a control character in this text; a tab is written \\t."))};
+  return {at, phrase(TRANSLATE_NOOP("problem", "There is a control character in this text; a tab is written \\t."))};
 }
 
 Stop explain(const rapidjson::ParseResult& error, std::string_view text, const Source& source) {
   const std::size_t at = error.Offset();
   switch (error.Code()) {
     case rapidjson::kParseErrorDocumentEmpty:
-      return {at, said(TRANSLATE_NOOP("problem", "The file is empty; an object in { } was expected."))};
+      return {at, phrase(TRANSLATE_NOOP("problem", "The file is empty; an object in { } was expected."))};
     case rapidjson::kParseErrorDocumentRootNotSingular:
-      return {at, said(TRANSLATE_NOOP("problem", "The text should end before this: all its brackets are closed."))};
+      return {at, phrase(TRANSLATE_NOOP("problem", "The text should end before this: all its brackets are closed."))};
     case rapidjson::kParseErrorObjectMissName:
       return explainKey(text, at);
     case rapidjson::kParseErrorObjectMissColon:
-      return {at, said(TRANSLATE_NOOP("problem", "A colon was expected after the key."))};
+      return {at, phrase(TRANSLATE_NOOP("problem", "A colon was expected after the key."))};
     case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
       return explainEnd(text, at, "}");
     case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
       return explainEnd(text, at, "]");
     case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex:
-      return {at, said(TRANSLATE_NOOP("problem", "Four digits of 0-9 and a-f are expected after \\u."))};
+      return {at, phrase(TRANSLATE_NOOP("problem", "Four digits of 0-9 and a-f are expected after \\u."))};
     case rapidjson::kParseErrorStringUnicodeSurrogateInvalid:
-      return {at, said(TRANSLATE_NOOP("problem", "This \\u escape is half of a pair; its other half is missing."))};
+      return {at, phrase(TRANSLATE_NOOP("problem", "This \\u escape is half of a pair; its other half is missing."))};
     case rapidjson::kParseErrorStringEscapeInvalid:
     case rapidjson::kParseErrorStringMissQuotationMark:
       return explainText(text, at, source);
@@ -144,7 +146,7 @@ Result<Value> parse(std::string_view text, const std::string& file_name) {
   for (std::size_t at = 0, length = 0; at < text.size(); at += length) {
     length = text[at] == '\0' ? 0 : codePointLength(text, at);
     if (length == 0)
-      return problemAt({at, said(TRANSLATE_NOOP("problem", "This is not text in UTF-8; save the file as UTF-8."))},
+      return problemAt({at, phrase(TRANSLATE_NOOP("problem", "This is not text in UTF-8; save the file as UTF-8."))},
                        text, file_name);
   }
   Source source(text);

@@ -10,7 +10,7 @@ namespace underact::json {
 namespace {
 
 constexpr std::size_t kDeepest = 64;
-constexpr std::size_t kMostValues = 1'000'000;  // about 150 bytes each
+constexpr std::size_t kMaxValues = 1'000'000;  // about 150 bytes each
 
 }  // namespace
 
@@ -48,10 +48,10 @@ Value Builder::start(Kind kind, std::size_t offset) {
 }
 
 bool Builder::add(Value value) {
-  if (++count_ > kMostValues) {
+  if (++count_ > kMaxValues) {
     return refuse(
         source_.Tell(),
-        said(TRANSLATE_NOOP("problem", "The file contains more than a million values; a scene is far smaller.")));
+        phrase(TRANSLATE_NOOP("problem", "The file contains more than a million values; a scene is far smaller.")));
   }
   (open_.empty() ? root_ : open_.back().items.emplace_back()) = std::move(value);
   return true;
@@ -60,7 +60,7 @@ bool Builder::add(Value value) {
 bool Builder::open(Kind kind) {
   if (open_.size() >= kDeepest)
     return refuse(source_.Tell(),
-                  said(TRANSLATE_NOOP("problem", "Lists and objects are nested more than 64 levels deep here.")));
+                  phrase(TRANSLATE_NOOP("problem", "Lists and objects are nested more than 64 levels deep here.")));
   open_.push_back(start(kind, source_.Tell()));
   return true;
 }
@@ -79,7 +79,7 @@ bool Builder::isWhole(std::string_view text) {
     if (length == 0) {
       return refuse(
           source_.stringStart(),
-          said(TRANSLATE_NOOP("problem", "A \\u escape in this text is half of a pair; its other half is missing.")));
+          phrase(TRANSLATE_NOOP("problem", "A \\u escape in this text is half of a pair; its other half is missing.")));
     }
   }
   return true;

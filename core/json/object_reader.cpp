@@ -8,8 +8,8 @@
 namespace underact::json {
 namespace {
 
-constexpr std::size_t kMostProblems = 100;
-constexpr std::size_t kMostNearest = 10;  // words that a nearest one is looked for: the costly part of a problem
+constexpr std::size_t kMaxProblems = 100;
+constexpr std::size_t kMaxNearest = 10;  // words that a nearest one is looked for: the costly part of a problem
 constexpr const char* kMustBe = TRANSLATE_NOOP("problem", "This must be %1; here it is %2.");
 
 }  // namespace
@@ -35,11 +35,11 @@ void Findings::add(const Problems& problems) {
 }
 
 bool Findings::full() const {
-  return problems_.size() >= kMostProblems;
+  return problems_.size() >= kMaxProblems;
 }
 
 std::string Findings::nearest(std::string_view word, const std::vector<std::string>& known) {
-  if (full() || looked_ >= kMostNearest) return {};
+  if (full() || looked_ >= kMaxNearest) return {};
   ++looked_;
   return nearestWord(word, known);
 }
@@ -49,7 +49,7 @@ Problems Findings::take() {
     return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
   });
   if (more_ > 0) {
-    problems_.push_back({said(TRANSLATE_NOOP("problem", "The file has %1 more problems."), {std::to_string(more_)}),
+    problems_.push_back({phrase(TRANSLATE_NOOP("problem", "The file has %1 more problems."), {std::to_string(more_)}),
                          problems_.back().place});
   }
   return std::move(problems_);
@@ -74,7 +74,7 @@ const Value* ObjectReader::find(const char* key, bool required) {
   }
   if (required)
     findings_.add(object_, pathOf(key),
-                  said(TRANSLATE_NOOP("problem", "The key \"%1\" is missing; %2 needs it."), {key, what_}));
+                  phrase(TRANSLATE_NOOP("problem", "The key \"%1\" is missing; %2 needs it."), {key, what_}));
   return nullptr;
 }
 
@@ -89,9 +89,9 @@ void ObjectReader::finish(bool all_known) {
     } else {
       findings_.add(
           object_.key_places[index], pathOf(plainKey(key)),
-          said(TRANSLATE_NOOP("problem",
-                              "The key %1 appears a second time; the first is on line %2. Remove one of them."),
-               {shown(key), std::to_string(object_.key_places[first].first)}));
+          phrase(TRANSLATE_NOOP("problem",
+                                "The key %1 appears a second time; the first is on line %2. Remove one of them."),
+                 {shown(key), std::to_string(object_.key_places[first].first)}));
     }
   }
 }
@@ -107,10 +107,11 @@ void ObjectReader::judge(std::size_t index, bool all_known) {
   if (refused != refused_.end()) return findings_.add(place, path, refused->second);
   const std::string nearest = findings_.nearest(key, known_);
   findings_.add(place, path,
-                nearest.empty() ? said(TRANSLATE_NOOP("problem", "The key %1 is not known in %2. Known keys: %3."),
-                                       {shown(key), what_, listed(known_, "and")})
-                                : said(TRANSLATE_NOOP("problem", "The key %1 is not known in %2. Did you mean \"%3\"?"),
-                                       {shown(key), what_, nearest}));
+                nearest.empty()
+                    ? phrase(TRANSLATE_NOOP("problem", "The key %1 is not known in %2. Known keys: %3."),
+                             {shown(key), what_, listed(known_, "and")})
+                    : phrase(TRANSLATE_NOOP("problem", "The key %1 is not known in %2. Did you mean \"%3\"?"),
+                             {shown(key), what_, nearest}));
 }
 
 void ObjectReader::refuseLater(const std::vector<std::string>& keys) {
@@ -122,26 +123,26 @@ Sentence kindName(Kind kind) {
     case Kind::Null:
       return "null";
     case Kind::Bool:
-      return said(TRANSLATE_NOOP("problem", "true or false"));
+      return phrase(TRANSLATE_NOOP("problem", "true or false"));
     case Kind::Number:
-      return said(TRANSLATE_NOOP("problem", "a number"));
+      return phrase(TRANSLATE_NOOP("problem", "a number"));
     case Kind::String:
-      return said(TRANSLATE_NOOP("problem", "text"));
+      return phrase(TRANSLATE_NOOP("problem", "text"));
     case Kind::Array:
-      return said(TRANSLATE_NOOP("problem", "a list"));
+      return phrase(TRANSLATE_NOOP("problem", "a list"));
     case Kind::Object:
-      return said(TRANSLATE_NOOP("problem", "an object in { }"));
+      return phrase(TRANSLATE_NOOP("problem", "an object in { }"));
   }
   return "null";
 }
 
 Sentence notYet(const std::string& what) {
-  return said(TRANSLATE_NOOP("problem", "%1 is not in this version of Underact."), {what});
+  return phrase(TRANSLATE_NOOP("problem", "%1 is not in this version of Underact."), {what});
 }
 
 bool isKind(const Value& value, Kind kind, const std::string& path, const Sentence& expected, Findings& findings) {
   if (value.kind == kind) return true;
-  findings.add(value, path, said(kMustBe, {expected, kindName(value.kind)}));
+  findings.add(value, path, phrase(kMustBe, {expected, kindName(value.kind)}));
   return false;
 }
 
@@ -149,7 +150,7 @@ void refuseWord(const Value& value, const std::string& path, const std::vector<s
                 Findings& findings) {
   const Sentence expected = listed(words);
   if (isKind(value, Kind::String, path, expected, findings))
-    findings.add(value, path, said(kMustBe, {expected, shown(value.text)}));
+    findings.add(value, path, phrase(kMustBe, {expected, shown(value.text)}));
 }
 
 namespace {
@@ -159,8 +160,8 @@ bool isTriple(const Value& value, const std::string& path, const Sentence& expec
   if (!isKind(value, Kind::Array, path, expected, findings)) return false;
   if (value.items.size() == 3) return true;
   findings.add(value, path,
-               said(TRANSLATE_NOOP("problem", "This must be %1; here it has %2."),
-                    {expected, std::to_string(value.items.size())}));
+               phrase(TRANSLATE_NOOP("problem", "This must be %1; here it has %2."),
+                      {expected, std::to_string(value.items.size())}));
   return false;
 }
 
@@ -191,14 +192,14 @@ void readNumber(const Value& value, const std::string& path, double& into, Findi
 }
 
 void readNumber(const Value& value, const std::string& path, Vec3& into, Findings& findings) {
-  if (isTriple(value, path, said(TRANSLATE_NOOP("problem", "a list of 3 numbers, as in [0, 30, 0]")), findings)) {
+  if (isTriple(value, path, phrase(TRANSLATE_NOOP("problem", "a list of 3 numbers, as in [0, 30, 0]")), findings)) {
     readThree(value, path, into, findings);
   }
 }
 
 void readNumber(const Value& value, const std::string& path, Mat3& into, Findings& findings) {
   const Sentence expected =
-      said(TRANSLATE_NOOP("problem", "a list of 3 rows, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]"));
+      phrase(TRANSLATE_NOOP("problem", "a list of 3 rows, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]"));
   if (!isTriple(value, path, expected, findings)) return;
   Mat3 read = Mat3::Identity();
   bool all = true;
@@ -207,7 +208,7 @@ void readNumber(const Value& value, const std::string& path, Mat3& into, Finding
     const std::string row_path = elementOf(path, row);
     Vec3 numbers = Vec3::Zero();
     findings.remember(row_path, item);
-    all &= isTriple(item, row_path, said(TRANSLATE_NOOP("problem", "a row of 3 numbers")), findings) &&
+    all &= isTriple(item, row_path, phrase(TRANSLATE_NOOP("problem", "a row of 3 numbers")), findings) &&
            readThree(item, row_path, numbers, findings);
     read.row(row) = numbers.transpose();
   }
@@ -215,7 +216,7 @@ void readNumber(const Value& value, const std::string& path, Mat3& into, Finding
 }
 
 void readText(const Value& value, const std::string& path, std::string& into, Findings& findings) {
-  if (isKind(value, Kind::String, path, said(TRANSLATE_NOOP("problem", "text in double quotes")), findings))
+  if (isKind(value, Kind::String, path, phrase(TRANSLATE_NOOP("problem", "text in double quotes")), findings))
     into = value.text;
 }
 

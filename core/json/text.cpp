@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kLongestShown = 40;  // code points
 constexpr std::size_t kLongestWord = 64;   // bytes; longer ones are not typing errors
-constexpr std::size_t kMostEdits = 12;     // nor are more differences than these
+constexpr std::size_t kMaxEdits = 12;      // nor are more differences than these
 
 /// Whether a number outside the range of double is too large rather than too small: by the position of its first digit.
 bool isLarge(std::string_view number) {
@@ -43,15 +43,15 @@ char lower(char c) {
 
 /// The Levenshtein distance, ignoring case, where it is at most `most`; otherwise a greater number. Only the band
 /// beside the diagonal can matter then, so the cost is that of the shorter word times `most`.
-std::size_t editDistance(std::string_view a, std::string_view b, std::size_t most) {
-  if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) > most) return most + 1;
-  std::vector<std::size_t> row(b.size() + 1, most + 1);
-  std::iota(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(std::min(b.size(), most) + 1), std::size_t{0});
+std::size_t editDistance(std::string_view a, std::string_view b, std::size_t max) {
+  if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) > max) return max + 1;
+  std::vector<std::size_t> row(b.size() + 1, max + 1);
+  std::iota(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(std::min(b.size(), max) + 1), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const std::size_t first = i > most ? i - most : 0;
+    const std::size_t first = i > max ? i - max : 0;
     std::size_t diagonal = row[first];
-    row[first] = first == 0 ? i + 1 : most + 1;
-    for (std::size_t j = first; j < std::min(b.size(), i + most + 1); ++j) {
+    row[first] = first == 0 ? i + 1 : max + 1;
+    for (std::size_t j = first; j < std::min(b.size(), i + max + 1); ++j) {
       const std::size_t changed = diagonal + (lower(a[i]) == lower(b[j]) ? 0 : 1);
       diagonal = row[j + 1];
       row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
@@ -103,12 +103,12 @@ std::string nearestWord(std::string_view word, const std::vector<std::string>& k
   std::string nearest;
   std::size_t best = std::numeric_limits<std::size_t>::max();
   if (word.empty() || word.size() > kLongestWord) return nearest;
-  const std::size_t most = word.size() < 4 ? 1 : std::clamp<std::size_t>(word.size() / 3, 2, kMostEdits);
+  const std::size_t max = word.size() < 4 ? 1 : std::clamp<std::size_t>(word.size() / 3, 2, kMaxEdits);
   for (const std::string& candidate : known) {
     const bool same_stem = stem(word) == stem(candidate);
     const bool shorter = word == stem(candidate);  // radius for radius_mm, kp for kp_N_per_mm
-    const std::size_t distance = shorter ? 0 : editDistance(word, candidate, most);
-    if (distance > most) continue;
+    const std::size_t distance = shorter ? 0 : editDistance(word, candidate, max);
+    if (distance > max) continue;
     const std::size_t cost = distance + (same_stem ? 0 : 2);  // kd_N_per_mm is a slip for kd_..., not for kp_...
     if (cost >= best) continue;
     best = cost;
@@ -123,7 +123,7 @@ Sentence listed(const std::vector<std::string>& words, const char* last) {
   for (std::size_t index = 0; index + 1 < words.size(); ++index)
     before += (index == 0 ? "" : ", ") + quotedText(words[index]);
   if (before.empty()) return quotedText(words.back());
-  return said(
+  return phrase(
       last == std::string_view("or") ? TRANSLATE_NOOP("problem", "%1 or %2") : TRANSLATE_NOOP("problem", "%1 and %2"),
       {before, quotedText(words.back())});
 }

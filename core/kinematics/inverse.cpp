@@ -162,8 +162,8 @@ Answer answerBy(const SolvedArm& arm, const Pose& X_WT, Method method, const Inv
 double squaredFrom(const SolvedArm& arm, const std::vector<double>& posture, const chain::JointValues& q) {
   double squared = 0.0;
   for (std::size_t i = 0; i < std::min(arm.joints(), posture.size()); ++i) {
-    const double way = (q[i] - posture[i]) / (turns(arm.chain().joints[i]) ? 1.0 : arm.inverse.reach_m);
-    squared += way * way;
+    const double offset = (q[i] - posture[i]) / (turns(arm.chain().joints[i]) ? 1.0 : arm.inverse.reach_m);
+    squared += offset * offset;
   }
   return squared;
 }

@@ -68,17 +68,17 @@ Result<Vec3> restingPlace(const tick::TickProgram& program, const sim::Plant& pl
     const tick::TickReport report = firstTick(program, plant, p_WT);
     if (report.held.size() != 1 || report.held[0].status != target::Status::Unique)
       return Problems{
-          {said(TRANSLATE_NOOP("problem", "From there no single target is nearest. Start from another position."))}};
+          {phrase(TRANSLATE_NOOP("problem", "From there no single target is nearest. Start from another position."))}};
     const Vec3 p_WP = report.held[0].p_WP;
     const double off_m = (p_WP - report.p_WT).norm();
     p_WT = p_WP;
     if (off_m < 1e-9) return p_WT;
     if (!isWithinReach(plant, p_WT))
       return Problems{
-          {said(TRANSLATE_NOOP("problem", "The arm does not reach the target there. Start from another position."))}};
+          {phrase(TRANSLATE_NOOP("problem", "The arm does not reach the target there. Start from another position."))}};
   }
-  return Problems{
-      {said(TRANSLATE_NOOP("problem", "The target moves while the tip approaches it. Start from another position."))}};
+  return Problems{{phrase(
+      TRANSLATE_NOOP("problem", "The target moves while the tip approaches it. Start from another position."))}};
 }
 
 Result<scene::Description> onlyOne(scene::Description scene, const std::string& name) {
@@ -86,19 +86,20 @@ Result<scene::Description> onlyOne(scene::Description scene, const std::string& 
   const auto found = std::find_if(scene.constraints.begin(), scene.constraints.end(), chosen);
   if (found == scene.constraints.end())
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "The scene has no constraint \"%1\"; choose one of its names."), {name}),
+        {phrase(TRANSLATE_NOOP("problem", "The scene has no constraint \"%1\"; choose one of its names."), {name}),
          {scene.file}}};
   if (name.empty() && scene.constraints.size() > 1)
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "The scene has %1 constraints; name the one to measure, such as \"%2\"."),
-              {std::to_string(scene.constraints.size()), found->name}),
+        {phrase(TRANSLATE_NOOP("problem", "The scene has %1 constraints; name the one to measure, such as \"%2\"."),
+                {std::to_string(scene.constraints.size()), found->name}),
          {scene.file}}};
   if (found->side != target::Side::Both && !std::holds_alternative<scene::VirtualManipulator>(found->shape))
-    return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "\"%1\" is a wall: it pushes but never pulls, so it does not hold the tip at "
-                                         "a target. Measure one whose side is \"both\"."),
-                          {found->name}),
-                     found->place}};
+    return Problems{
+        {phrase(TRANSLATE_NOOP("problem",
+                               "\"%1\" is a wall: it pushes but never pulls, so it does not hold the tip at "
+                               "a target. Measure one whose side is \"both\"."),
+                {found->name}),
+         found->place}};
   const auto index = static_cast<std::size_t>(found - scene.constraints.begin());
   scene::Constraint one = scene.constraints[index];
   one.control = controlOf(scene, index);

@@ -15,7 +15,7 @@ constexpr std::size_t kFewestToFit = 10;
 constexpr std::size_t kCoarse = 600;  // samples used by the grid
 constexpr int kFrequencies = 80, kDampings = 24;
 constexpr int kSteps = 100;
-constexpr double kLeastZeta = 1e-4, kMostZeta = 50.0;
+constexpr double kMinZeta = 1e-4, kMaxZeta = 50.0;
 
 /// sin(x) / x.
 double sinc(double x) {
@@ -57,8 +57,8 @@ class Distance {
     const Eigen::Map<const Eigen::VectorXd> value(value_.data(), shape.size());
     Mat3 normal = slope.transpose() * slope;
     normal.diagonal() *= 1.0 + damping;
-    const Vec3 way = solveSymmetric(normal, slope.transpose() * (value - gain * shape));
-    return parameters + way.head<2>();
+    const Vec3 offset = solveSymmetric(normal, slope.transpose() * (value - gain * shape));
+    return parameters + offset.head<2>();
   }
 
  private:
@@ -80,14 +80,14 @@ double shareOf(int index, int count, double from, double to) {
 Distance::Parameters bestOfGrid(const Distance& distance, const Distance::Parameters& low,
                                 const Distance::Parameters& high) {
   Distance::Parameters best = low;
-  double least = kInfinity;
+  double min = kInfinity;
   for (int frequency = 0; frequency < kFrequencies; ++frequency) {
     for (int damping = 0; damping < kDampings; ++damping) {
       const Distance::Parameters tried(shareOf(frequency, kFrequencies, low[0], high[0]),
                                        shareOf(damping, kDampings, std::log(0.02), std::log(20.0)));
       const double residual = distance.at(tried).residual;
-      if (residual >= least) continue;
-      least = residual;
+      if (residual >= min) continue;
+      min = residual;
       best = tried;
     }
   }
@@ -111,11 +111,11 @@ double secondOrderAt(double omega_n_rad_per_s, double zeta, double t_s) noexcept
 std::optional<SecondOrderFit> fitSecondOrder(const SampledResponse& curve) {
   const std::vector<double>& value = curve.value;
   if (value.size() < kFewestToFit) return {};
-  const auto [least, most] = std::minmax_element(value.begin(), value.end());
-  if (*least == *most) return {};
+  const auto [min, max] = std::minmax_element(value.begin(), value.end());
+  if (*min == *max) return {};
   const double length_s = curve.period_s * static_cast<double>(value.size() - 1);
-  const Distance::Parameters low(std::log(0.5 * kPi / length_s), std::log(kLeastZeta));
-  const Distance::Parameters high(std::log(kPi / curve.period_s), std::log(kMostZeta));
+  const Distance::Parameters low(std::log(0.5 * kPi / length_s), std::log(kMinZeta));
+  const Distance::Parameters high(std::log(kPi / curve.period_s), std::log(kMaxZeta));
   Distance::Parameters at = bestOfGrid(Distance(curve, 1 + value.size() / kCoarse), low, high);
   const Distance distance(curve, 1);
   SecondOrderFit fit = distance.at(at);

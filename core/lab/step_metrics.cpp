@@ -11,13 +11,13 @@
 namespace underact::lab {
 namespace {
 
-constexpr double kGone = 1e-14;      // relative to the final value; a mode below it is ignored
-constexpr double kTold = 1e-9;       // relative to the level sought; a mode below it adds no peak or crossing
-constexpr double kLargest = 1e18;    // of a mode's share; with equal poles it would be infinite, and they cancel
-constexpr double kPerTurn = 32.0;    // samples in a period of the fastest mode left
-constexpr int kBlock = 64;           // steps from one exact state to the next
-constexpr int kMostBlocks = 10'000;  // 640,000 samples
-constexpr int kSwings = 200;         // of the slowest undamped mode, if several beat against each other
+constexpr double kGone = 1e-14;     // relative to the final value; a mode below it is ignored
+constexpr double kTold = 1e-9;      // relative to the level sought; a mode below it adds no peak or crossing
+constexpr double kLargest = 1e18;   // of a mode's share; with equal poles it would be infinite, and they cancel
+constexpr double kPerTurn = 32.0;   // samples in a period of the fastest mode left
+constexpr int kBlock = 64;          // steps from one exact state to the next
+constexpr int kMaxBlocks = 10'000;  // 640,000 samples
+constexpr int kSwings = 200;        // of the slowest undamped mode, if several beat against each other
 
 /// A mode of the response: at most share e^(-decay t) of the final value.
 struct Mode {
@@ -53,13 +53,13 @@ class Search {
       : step_(transfer), modes_(modesOf(transfer)), final_(gainAtRest(transfer)) {}
 
   /// A bound of the relative distance from the final value at t and later.
-  double mostFrom(double t_s) const {
+  double maxFrom(double t_s) const {
     double sum = 0.0;
     for (const Mode& mode : modes_) sum += mode.share * std::exp(-mode.decay_per_s * t_s);
     return sum;
   }
   /// The bound for all times: that of the undamped modes.
-  double mostForEver() const {
+  double maxForEver() const {
     double sum = 0.0;
     for (const Mode& mode : modes_) sum += mode.decay_per_s > 0.0 ? 0.0 : mode.share;
     return sum;
@@ -99,10 +99,10 @@ class Search {
     return pieces;
   }
   /// A step short enough for the fastest mode that still exceeds least, relative to the final value; 0: none does.
-  double stepAt(double t_s, double least) const {
+  double stepAt(double t_s, double min) const {
     double fastest = 0.0;
     for (const Mode& mode : modes_) {
-      if (mode.share * std::exp(-mode.decay_per_s * t_s) > least) fastest = std::max(fastest, mode.speed_rad_per_s);
+      if (mode.share * std::exp(-mode.decay_per_s * t_s) > min) fastest = std::max(fastest, mode.speed_rad_per_s);
     }
     return fastest > 0.0 ? 2.0 * kPi / (kPerTurn * fastest) : 0.0;
   }
@@ -145,46 +145,46 @@ void findRiseAndPeak(const Search& search, StepMetrics& metrics) {
   std::optional<double> low_s, high_s;
   if (z_first >= kRiseFrom - 1.0) low_s = 0.0;
   if (z_first >= kRiseTo - 1.0) high_s = 0.0;
-  double most = kGone, t_s = 0.0;
-  if (z_first > most) {
-    most = z_first;
+  double max = kGone, t_s = 0.0;
+  if (z_first > max) {
+    max = z_first;
     metrics.peak_time_s = 0.0;
   }
-  for (int block = 0; block < kMostBlocks; ++block) {
-    const double step_s = search.stepAt(t_s, std::max(kGone, high_s ? kTold * most : 0.0));
-    if (step_s == 0.0 || t_s > seen_s || (high_s && search.mostFrom(t_s) <= most)) break;
-    const double wanted = std::min(most, !low_s ? kRiseFrom - 1.0 : !high_s ? kRiseTo - 1.0 : most);
+  for (int block = 0; block < kMaxBlocks; ++block) {
+    const double step_s = search.stepAt(t_s, std::max(kGone, high_s ? kTold * max : 0.0));
+    if (step_s == 0.0 || t_s > seen_s || (high_s && search.maxFrom(t_s) <= max)) break;
+    const double wanted = std::min(max, !low_s ? kRiseFrom - 1.0 : !high_s ? kRiseTo - 1.0 : max);
     for (const Piece& piece : search.block(t_s, step_s, [wanted](double z) { return z > wanted; })) {
       if (!low_s && piece.z_to >= kRiseFrom - 1.0) low_s = search.passing(piece, kRiseFrom - 1.0);
       if (!high_s && piece.z_to >= kRiseTo - 1.0) high_s = search.passing(piece, kRiseTo - 1.0);
-      if (piece.z_to > most + 1e-12 * std::abs(most)) {
-        most = piece.z_to;
+      if (piece.z_to > max + 1e-12 * std::abs(max)) {
+        max = piece.z_to;
         metrics.peak_time_s = piece.to_s;
       }
     }
     t_s += kBlock * step_s;
   }
   if (low_s && high_s) metrics.rise_10_90_s = *high_s - *low_s;
-  metrics.overshoot_fraction = metrics.peak_time_s ? most : 0.0;
+  metrics.overshoot_fraction = metrics.peak_time_s ? max : 0.0;
 }
 
 /// Finds settling, backwards from the time at which it is certain.
 void findSettling(const Search& search, StepMetrics& metrics) {
   double within_s = 0.0;
-  if (search.mostFrom(0.0) >= kSettlingBand) {
+  if (search.maxFrom(0.0) >= kSettlingBand) {
     double low_s = 0.0, high_s = search.stepAt(0.0, kGone);
-    while (search.mostFrom(high_s) >= kSettlingBand) {
-      if (search.mostForEver() >= kSettlingBand || !std::isfinite(high_s)) return;  // never
+    while (search.maxFrom(high_s) >= kSettlingBand) {
+      if (search.maxForEver() >= kSettlingBand || !std::isfinite(high_s)) return;  // never
       low_s = high_s;
       high_s *= 2.0;
     }
     while (high_s - low_s > 1e-6 * high_s) {
       const double middle_s = 0.5 * (low_s + high_s);
-      (search.mostFrom(middle_s) >= kSettlingBand ? low_s : high_s) = middle_s;
+      (search.maxFrom(middle_s) >= kSettlingBand ? low_s : high_s) = middle_s;
     }
     within_s = high_s;
   }
-  for (int block = 0; block < kMostBlocks && within_s > 0.0; ++block) {
+  for (int block = 0; block < kMaxBlocks && within_s > 0.0; ++block) {
     double begin_s = std::max(0.0, within_s - kBlock * search.stepAt(within_s, kTold * kSettlingBand));
     // A faster mode may be left at the beginning of the block: then a shorter block.
     while (within_s - begin_s > 1.0001 * kBlock * search.stepAt(begin_s, kTold * kSettlingBand))

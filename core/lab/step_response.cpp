@@ -21,9 +21,9 @@ namespace {
 
 constexpr double kBefore_s = 0.5;  // the ramp takes 0.3 s
 constexpr double kShortest_s = 0.5, kLongest_s = 10.0;
-constexpr int kMostTicks = 20'000;  // so that it takes less than a second
-constexpr double kMissed = 1e-3;    // relative to the step, by which a target may miss it
-constexpr double kNudge_m = 1e-4;   // for the derivative of a force
+constexpr int kMaxTicks = 20'000;  // so that it takes less than a second
+constexpr double kMissed = 1e-3;   // relative to the step, by which a target may miss it
+constexpr double kNudge_m = 1e-4;  // for the derivative of a force
 
 /// A scene before and after its step.
 struct Programs {
@@ -71,7 +71,7 @@ double secondsFor(const ArmStep& step) {
     const double stopped_s = 3.0 * turns * 2.0 * kPi / motion.omega_n_rad_per_s;
     seconds = step.law == scene::LawType::PID ? std::max(seconds, stopped_s) : std::min(seconds, stopped_s);
   }
-  return std::clamp(seconds, kShortest_s, std::min(kLongest_s, static_cast<double>(kMostTicks) / step.rate_hz));
+  return std::clamp(seconds, kShortest_s, std::min(kLongest_s, static_cast<double>(kMaxTicks) / step.rate_hz));
 }
 
 void record(const Programs& programs, const sim::Plant& plant, double seconds, ArmStep& step) {
@@ -81,7 +81,7 @@ void record(const Programs& programs, const sim::Plant& plant, double seconds, A
   for (int tick = 0; tick < static_cast<int>(kBefore_s * step.rate_hz); ++tick) loop.tick(before, rest);
   carryOver(rest, state, tick::Carry::ArmAndMovedLaws);
   state.retuned = false;  // the step is intended here
-  step.way_m.period_s = loop.period_s();
+  step.travel_m.period_s = loop.period_s();
   const auto ticks = static_cast<int>(std::lround(seconds * step.rate_hz));
   Vec3 p_WBegin = Vec3::Zero(), p_WEnd = Vec3::Zero();
   for (int tick = 0; tick <= ticks; ++tick) {
@@ -92,7 +92,7 @@ void record(const Programs& programs, const sim::Plant& plant, double seconds, A
     }
     p_WEnd = report.p_WT;
     if (tick == 0) p_WBegin = p_WEnd;
-    step.way_m.value.push_back((p_WEnd - p_WBegin).dot(step.along_W));
+    step.travel_m.value.push_back((p_WEnd - p_WBegin).dot(step.along_W));
     step.limited_ticks += report.cut_N > 0.0 ? 1 : 0;
     step.peak_force_N = std::max(step.peak_force_N, report.force.f_T_W().norm());
   }
@@ -110,10 +110,10 @@ Vec3 directionOf(Axis axis, const tick::TickProgram& program, const sim::Plant& 
     growth.col(column) = (above.p_WT - above.held[0].p_WP - below.p_WT + below.held[0].p_WP) / (2.0 * kNudge_m);
   }
   const Mat3 symmetric = 0.5 * (growth + growth.transpose());
-  Vec3 most_W = principalAxes(symmetric).axes.col(2);
+  Vec3 max_W = principalAxes(symmetric).axes.col(2);
   Eigen::Index largest = 0;
-  most_W.cwiseAbs().maxCoeff(&largest);
-  return most_W[largest] < 0.0 ? Vec3(-most_W) : most_W;
+  max_W.cwiseAbs().maxCoeff(&largest);
+  return max_W[largest] < 0.0 ? Vec3(-max_W) : max_W;
 }
 
 /// The scene after a step along axis, if its target moves as a whole; none: it does not.
@@ -129,10 +129,10 @@ Result<std::optional<Programs>> steppedAlong(const scene::Description& held, con
     return std::optional<Programs>();
   const Vec3 p_WAfter = step.p_WBefore + step_W;
   if (!isWithinReach(plant, p_WAfter))
-    return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "The arm does not reach the target after this step (%1). Make the step "
-                                         "smaller, or step in the other direction."),
-                          {name(step.axis)})}};
+    return Problems{{phrase(TRANSLATE_NOOP("problem",
+                                           "The arm does not reach the target after this step (%1). Make the step "
+                                           "smaller, or step in the other direction."),
+                            {name(step.axis)})}};
   return std::optional<Programs>({before, std::move(after).value()});
 }
 
@@ -148,10 +148,10 @@ Result<Programs> stepped(const scene::Description& held, const tick::TickProgram
   }
   const std::string where = setup.axis ? std::string(" (") + name(*setup.axis) + ")" : "";
   return Problems{
-      {said(TRANSLATE_NOOP("problem",
-                           "The constraint does not hold the tip along a straight step there%1: its target does not "
-                           "follow the whole step. Choose another axis, or start from another position."),
-            {where})}};
+      {phrase(TRANSLATE_NOOP("problem",
+                             "The constraint does not hold the tip along a straight step there%1: its target does not "
+                             "follow the whole step. Choose another axis, or start from another position."),
+              {where})}};
 }
 
 struct MoveBy {
@@ -202,8 +202,8 @@ Result<ArmStep> measureStep(const scene::Description& scene, const StepSetup& se
   if (!analytic) return analytic.problems();
   step.analytic = analytic.value();
   record(programs.value(), plant, setup.seconds > 0.0 ? setup.seconds : secondsFor(step), step);
-  step.measured = metricsOf(step.way_m);
-  step.fit = fitSecondOrder(step.way_m);
+  step.measured = metricsOf(step.travel_m);
+  step.fit = fitSecondOrder(step.travel_m);
   return step;
 }
 

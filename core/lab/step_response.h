@@ -40,7 +40,7 @@ struct ArmStep {
   double step_m = 0.0;
   int rate_hz = 1000;
   Vec3 p_WBefore = Vec3::Zero();      // the target before the step
-  SampledResponse way_m;              // of the tip along it, as the encoders show it; the step is at 0
+  SampledResponse travel_m;           // of the tip along it, as the encoders show it; the step is at 0
   StepMetrics measured;               // final value in m
   double steady_error_m = 0.0;        // from the target to where the tip ended, along it
   std::optional<SecondOrderFit> fit;  // gain and residual in m; none: the tip did not move

@@ -56,8 +56,8 @@ void polish(const std::vector<double>& monic, std::vector<Complex>& roots) {
       for (const Complex& other : roots) {
         if (other != root) others += 1.0 / (root - other);
       }
-      const Complex way = newton / (1.0 - newton * others);
-      if (std::isfinite(way.real()) && std::isfinite(way.imag())) root -= way;
+      const Complex loop = newton / (1.0 - newton * others);
+      if (std::isfinite(loop.real()) && std::isfinite(loop.imag())) root -= loop;
     }
   }
 }
@@ -93,25 +93,26 @@ Result<TransferFunction> makeTransferFunction(std::vector<double> num, std::vect
   Problems problems;
   if (num.empty())
     problems.push_back(
-        {said(TRANSLATE_NOOP("problem", "The numerator has no coefficients; for the number 1, write 1."))});
+        {phrase(TRANSLATE_NOOP("problem", "The numerator has no coefficients; for the number 1, write 1."))});
   if (!allFinite(num))
-    problems.push_back({said(TRANSLATE_NOOP("problem", "A coefficient of the numerator is not a finite number."))});
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "A coefficient of the numerator is not a finite number."))});
   if (!allFinite(den))
-    problems.push_back({said(TRANSLATE_NOOP("problem", "A coefficient of the denominator is not a finite number."))});
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "A coefficient of the denominator is not a finite number."))});
   dropLeadingZeros(num);
   dropLeadingZeros(den);
   const std::string room = std::to_string(kHighestDegree);
   if (den.size() < 2)
-    problems.push_back({said(TRANSLATE_NOOP(
+    problems.push_back({phrase(TRANSLATE_NOOP(
         "problem", "The denominator has no s; give at least two coefficients, such as 1,1 for s + 1."))});
   if (den.size() > kHighestDegree + 1)
-    problems.push_back({said(TRANSLATE_NOOP("problem", "The denominator is of order %1; at most %2 is possible."),
-                             {std::to_string(den.size() - 1), room})});
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "The denominator is of order %1; at most %2 is possible."),
+                               {std::to_string(den.size() - 1), room})});
   if (den.size() >= 2 && num.size() > den.size())
-    problems.push_back({said(TRANSLATE_NOOP("problem",
-                                            "The numerator is of a higher order than the denominator (%1 against %2), "
-                                            "so a step would give an impulse. Lower its order."),
-                             {std::to_string(num.size() - 1), std::to_string(den.size() - 1)})});
+    problems.push_back(
+        {phrase(TRANSLATE_NOOP("problem",
+                               "The numerator is of a higher order than the denominator (%1 against %2), "
+                               "so a step would give an impulse. Lower its order."),
+                {std::to_string(num.size() - 1), std::to_string(den.size() - 1)})});
   if (!problems.empty()) return problems;
   if (num.empty()) num = {0.0};
   std::size_t common = std::min(trailingZeros(den), trailingZeros(num));

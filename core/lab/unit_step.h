@@ -11,10 +11,10 @@ namespace underact::lab {
 class UnitStep {
  public:
   // One stage for each pole, and the step itself; on the stack, since a search multiplies millions of them.
-  static constexpr int kMost = static_cast<int>(kHighestDegree) + 1;
-  using Matrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
-  using Vector = Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, kMost, 1>;
-  using Row = Eigen::Matrix<Complex, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMost>;
+  static constexpr int kMax = static_cast<int>(kHighestDegree) + 1;
+  using Matrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, kMax, kMax>;
+  using Vector = Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, kMax, 1>;
+  using Row = Eigen::Matrix<Complex, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMax>;
 
   /// transfer: of makeTransferFunction(). Finds its poles, as poles() does.
   explicit UnitStep(const TransferFunction& transfer);

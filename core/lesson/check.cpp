@@ -70,10 +70,10 @@ bool advance(const Visit& visit, CheckState& state, double) {
 bool advance(const Span& span, CheckState& state, double) {
   const double number = numberOf(span.measure, state.now);
   if (std::isnan(number)) return false;
-  state.least = state.spanning ? std::min(state.least, number) : number;
-  state.most = state.spanning ? std::max(state.most, number) : number;
+  state.min = state.spanning ? std::min(state.min, number) : number;
+  state.max = state.spanning ? std::max(state.max, number) : number;
   state.spanning = true;
-  return state.most - state.least >= span.by;
+  return state.max - state.min >= span.by;
 }
 
 bool advance(const Cross& cross, CheckState& state, double) {
@@ -111,8 +111,9 @@ double numberOf(const Measure& measure, const Values& values) {
 
 double distanceTo(const Measure& measure, const Values& values, const std::vector<double>& place) {
   if (measure.part > 0 || measure.quantity->parts == 1) {
-    const double way = numberOf(measure, values) - place.at(0);
-    return std::abs(measure.quantity->apart == DistanceMetric::Largest ? std::remainder(way, 360.0) : way);
+    const double difference = numberOf(measure, values) - place.at(0);
+    return std::abs(measure.quantity->apart == DistanceMetric::Largest ? std::remainder(difference, 360.0)
+                                                                       : difference);
   }
   if (measure.quantity->apart == DistanceMetric::Angle) {
     const Vec3 is(values[0], values[1], values[2]), wanted(place.at(0), place.at(1), place.at(2));
@@ -121,10 +122,10 @@ double distanceTo(const Measure& measure, const Values& values, const std::vecto
   double sum = 0.0, largest = 0.0;
   for (std::size_t part = 0; part < place.size() && part < values.size(); ++part) {
     if (std::isnan(place[part])) continue;  // any value
-    const double way = values[part] - place[part];
-    sum += way * way;
-    if (std::isnan(way)) return kNotANumber;
-    largest = std::max(largest, std::abs(std::remainder(way, 360.0)));
+    const double difference = values[part] - place[part];
+    sum += difference * difference;
+    if (std::isnan(difference)) return kNotANumber;
+    largest = std::max(largest, std::abs(std::remainder(difference, 360.0)));
   }
   return measure.quantity->apart == DistanceMetric::Euclidean ? std::sqrt(sum) : largest;
 }

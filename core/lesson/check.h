@@ -18,7 +18,7 @@ struct CheckState {
   std::int64_t last_ns = 0;             // of the last tick
   double held_s = 0.0;                  // Hold: how long it has been there
   std::vector<bool> visited;            // Visit: place by place
-  double least = 0.0, most = 0.0;       // Span: since meanwhile holds
+  double min = 0.0, max = 0.0;          // Span: since meanwhile holds
   bool spanning = false;                // least and most are known
   int side = 0;                         // Cross: of the value, on which it was last far enough; 0: on none yet
   std::deque<std::int64_t> crossed_ns;  // Cross: when it went to the other side, lately

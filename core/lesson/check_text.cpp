@@ -14,12 +14,12 @@ class Teller {
 
   Sentence operator()(const Hold& hold) const {
     Sentence now = is(hold.wanted.measure);
-    if (!state_.solved) now = said(TRANSLATE_NOOP("problem", "%1; it should be %2"), {now, should(hold.wanted)});
-    now = said("%1.", {now});
+    if (!state_.solved) now = phrase(TRANSLATE_NOOP("problem", "%1; it should be %2"), {now, should(hold.wanted)});
+    now = phrase("%1.", {now});
     if (!(hold.for_s > 0.0)) return now;
     const Sentence held =
-        said(TRANSLATE_NOOP("problem", "Held for %1 of %2 s."),
-             {shownNumber(state_.solved ? hold.for_s : state_.held_s, 1), shownNumber(hold.for_s, 1)});
+        phrase(TRANSLATE_NOOP("problem", "Held for %1 of %2 s."),
+               {shownNumber(state_.solved ? hold.for_s : state_.held_s, 1), shownNumber(hold.for_s, 1)});
     return oneAfterAnother({held, now});
   }
 
@@ -32,43 +32,43 @@ class Teller {
         continue;
       }
       const Sentence next = place(visit.measure, visit.places[index]);
-      left = left.empty() ? next : said("%1, %2", {left, next});
+      left = left.empty() ? next : phrase("%1, %2", {left, next});
     }
-    const Sentence reached = said(TRANSLATE_NOOP("problem", "%1 of %2 reached."),
-                                  {std::to_string(count), std::to_string(visit.places.size())});
+    const Sentence reached = phrase(TRANSLATE_NOOP("problem", "%1 of %2 reached."),
+                                    {std::to_string(count), std::to_string(visit.places.size())});
     if (left.empty()) return reached;
-    return oneAfterAnother({reached, said(TRANSLATE_NOOP("problem", "Still to reach: %1, to within %2. %3."),
-                                          {left, distance(visit.measure, visit.within), is(visit.measure)})});
+    return oneAfterAnother({reached, phrase(TRANSLATE_NOOP("problem", "Still to reach: %1, to within %2. %3."),
+                                            {left, distance(visit.measure, visit.within), is(visit.measure)})});
   }
 
   Sentence operator()(const Span& span) const {
-    const double by = state_.spanning ? state_.most - state_.least : 0.0;
-    return said(TRANSLATE_NOOP("problem", "%1 covered %2 of %3."),
-                {name(span.measure), amount(span.measure, by), amount(span.measure, span.by)});
+    const double by = state_.spanning ? state_.max - state_.min : 0.0;
+    return phrase(TRANSLATE_NOOP("problem", "%1 covered %2 of %3."),
+                  {name(span.measure), amount(span.measure, by), amount(span.measure, span.by)});
   }
 
   Sentence operator()(const Cross& cross) const {
-    return said(TRANSLATE_NOOP("problem", "%1 crossed %2 %3 of %4 times within %5 s."),
-                {name(cross.measure), amount(cross.measure, cross.value), std::to_string(state_.crossed_ns.size()),
-                 std::to_string(cross.times), shownNumber(cross.in_s, 1)});
+    return phrase(TRANSLATE_NOOP("problem", "%1 crossed %2 %3 of %4 times within %5 s."),
+                  {name(cross.measure), amount(cross.measure, cross.value), std::to_string(state_.crossed_ns.size()),
+                   std::to_string(cross.times), shownNumber(cross.in_s, 1)});
   }
 
   Sentence operator()(const AskNumber& ask) const {
-    if (!state_.answer) return said(TRANSLATE_NOOP("problem", "Type your answer."));
+    if (!state_.answer) return phrase(TRANSLATE_NOOP("problem", "Type your answer."));
     return answered(withUnit(*state_.answer, decimalsOf(*state_.answer), ask.unit));
   }
 
   Sentence operator()(const AskChoice& ask) const {
     const auto number = static_cast<std::size_t>(state_.answer.value_or(0.0));
-    if (number < 1 || number > ask.choices.size()) return said(TRANSLATE_NOOP("problem", "Choose an answer."));
-    return answered(said("“%1”", {ask.choices[number - 1]}));
+    if (number < 1 || number > ask.choices.size()) return phrase(TRANSLATE_NOOP("problem", "Choose an answer."));
+    return answered(phrase("“%1”", {ask.choices[number - 1]}));
   }
 
   Sentence meanwhile(const Criterion& wanted) const {
     const Sentence now = wanted.near.empty() ? amount(wanted.measure, state_.meanwhile_now)
                                              : distance(wanted.measure, state_.meanwhile_now);
-    return said(TRANSLATE_NOOP("problem", "Required at the same time: %1 %2; now %3."),
-                {name(wanted.measure), should(wanted), now});
+    return phrase(TRANSLATE_NOOP("problem", "Required at the same time: %1 %2; now %3."),
+                  {name(wanted.measure), should(wanted), now});
   }
 
  private:
@@ -83,22 +83,22 @@ class Teller {
   }
 
   Sentence answered(const Sentence& answer) const {
-    return said(state_.solved ? TRANSLATE_NOOP("problem", "%1 is right.")
-                              : TRANSLATE_NOOP("problem", "%1 is not right. Try again."),
-                {answer});
+    return phrase(state_.solved ? TRANSLATE_NOOP("problem", "%1 is right.")
+                                : TRANSLATE_NOOP("problem", "%1 is not right. Try again."),
+                  {answer});
   }
 
   static Sentence name(const Measure& measure) {
-    const Sentence whole = said(measure.quantity->name);
+    const Sentence whole = phrase(measure.quantity->name);
     if (measure.part == 0 || measure.quantity->parts <= 1) return whole;
     const bool has_axes = measure.quantity->parts == 3 && measure.quantity->apart != DistanceMetric::Largest;
-    return said("%1 %2", {whole, has_axes ? std::string(1, "xyz"[measure.part - 1]) : std::to_string(measure.part)});
+    return phrase("%1 %2", {whole, has_axes ? std::string(1, "xyz"[measure.part - 1]) : std::to_string(measure.part)});
   }
 
   static Sentence withUnit(double number, int decimals, const std::string& unit) {
-    if (std::isnan(number)) return said(TRANSLATE_NOOP("problem", "not known"));
+    if (std::isnan(number)) return phrase(TRANSLATE_NOOP("problem", "not known"));
     const Sentence digits = shownNumber(number, decimals);
-    return unit.empty() ? digits : said(unit == "°" ? "%1%2" : "%1 %2", {digits, unit});
+    return unit.empty() ? digits : phrase(unit == "°" ? "%1%2" : "%1 %2", {digits, unit});
   }
 
   static Sentence amount(const Measure& measure, double number) {
@@ -109,7 +109,7 @@ class Teller {
     return withUnit(number, measure.quantity->decimals, unitOfDistance(*measure.quantity));
   }
 
-  /// "(1.0, 2.0, 3.0) mm"; parts: kMostParts at most.
+  /// "(1.0, 2.0, 3.0) mm"; parts: kMaxParts at most.
   static Sentence place(const Measure& measure, const std::vector<double>& parts) {
     if (parts.size() == 1) return amount(measure, parts[0]);
     std::string pattern;
@@ -118,13 +118,13 @@ class Teller {
       digits.push_back(shownNumber(number, measure.quantity->decimals));
       pattern += (pattern.empty() ? "(%" : ", %") + std::to_string(digits.size());
     }
-    const Sentence all = said(pattern + ")", std::move(digits));
-    return measure.quantity->unit[0] == '\0' ? all : said("%1 %2", {all, measure.quantity->unit});
+    const Sentence all = phrase(pattern + ")", std::move(digits));
+    return measure.quantity->unit[0] == '\0' ? all : phrase("%1 %2", {all, measure.quantity->unit});
   }
 
   /// "The force is 0.12 N"
   Sentence is(const Measure& measure) const {
-    if (!state_.measured) return said(TRANSLATE_NOOP("problem", "%1 is not measured yet"), {name(measure)});
+    if (!state_.measured) return phrase(TRANSLATE_NOOP("problem", "%1 is not measured yet"), {name(measure)});
     Sentence value;
     if (measure.part > 0 || measure.quantity->parts == 1) {
       value = amount(measure, numberOf(measure, state_.now));
@@ -133,7 +133,7 @@ class Teller {
       while (!all.empty() && std::isnan(all.back())) all.pop_back();  // a robot of fewer joints
       value = all.empty() ? withUnit(kNotANumber, 0, "") : place(measure, all);
     }
-    return said(TRANSLATE_NOOP("problem", "%1 is %2"), {name(measure), value});
+    return phrase(TRANSLATE_NOOP("problem", "%1 is %2"), {name(measure), value});
   }
 
   /// "above 0.30 N"
@@ -141,12 +141,12 @@ class Teller {
     const Measure& measure = wanted.measure;
     if (!wanted.near.empty() && !(wanted.within > 0.0)) return place(measure, wanted.near);  // a count
     if (!wanted.near.empty())
-      return said(TRANSLATE_NOOP("problem", "within %1 of %2"),
-                  {distance(measure, wanted.within), place(measure, wanted.near)});
+      return phrase(TRANSLATE_NOOP("problem", "within %1 of %2"),
+                    {distance(measure, wanted.within), place(measure, wanted.near)});
     const Sentence above = amount(measure, wanted.above), below = amount(measure, wanted.below);
-    if (!std::isfinite(wanted.above)) return said(TRANSLATE_NOOP("problem", "below %1"), {below});
-    if (!std::isfinite(wanted.below)) return said(TRANSLATE_NOOP("problem", "above %1"), {above});
-    return said(TRANSLATE_NOOP("problem", "between %1 and %2"), {above, below});
+    if (!std::isfinite(wanted.above)) return phrase(TRANSLATE_NOOP("problem", "below %1"), {below});
+    if (!std::isfinite(wanted.below)) return phrase(TRANSLATE_NOOP("problem", "above %1"), {above});
+    return phrase(TRANSLATE_NOOP("problem", "between %1 and %2"), {above, below});
   }
 
   const CheckState& state_;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kCubicCentimetres = 1e6;  // of a cubic metre
 constexpr double kMillijoules = 1e3;       // of a joule
-constexpr double kLeastError_m = 0.2e-3;   // below it friction and encoder steps dominate a quotient
+constexpr double kMinError_m = 0.2e-3;     // below it friction and encoder steps dominate a quotient
 constexpr double kNoForce_N = 1e-3;
 
 Values unknown() {
@@ -155,24 +155,24 @@ Values solutionsWithin(const Observation& seen) {
 
 Values limit_deg(const Observation& seen) {
   if (!arm::isOmniForm(seen.arm)) return unknown();
-  double least_rad = kInfinity;
+  double lowest_rad = kInfinity;
   for (std::size_t joint = 0; joint < 3; ++joint) {
     const double q_rad = seen.tick.q_rad[joint];
-    least_rad = std::min({least_rad, q_rad - seen.arm.limits.min_rad[joint], seen.arm.limits.max_rad[joint] - q_rad});
+    lowest_rad = std::min({lowest_rad, q_rad - seen.arm.limits.min_rad[joint], seen.arm.limits.max_rad[joint] - q_rad});
   }
-  return one(std::max(least_rad, 0.0) / kRadPerDegree);
+  return one(std::max(lowest_rad, 0.0) / kRadPerDegree);
 }
 
 Values stiffness_N_per_mm(const Observation& seen) {
-  if (seen.tick.error_m < kLeastError_m) return unknown();
+  if (seen.tick.error_m < kMinError_m) return unknown();
   return one(seen.tick.f_asked_T_W.norm() / (kMillimetrePerMetre * seen.tick.error_m));
 }
 
 Values lean_deg(const Observation& seen) {
-  const Vec3 way_m = -offset_m(seen);
+  const Vec3 travel_m = -offset_m(seen);
   const Vec3& f_N = seen.tick.f_asked_T_W;
-  if (!(way_m.norm() >= kLeastError_m && f_N.norm() >= kNoForce_N)) return unknown();
-  return one(std::atan2(way_m.cross(f_N).norm(), way_m.dot(f_N)) / kRadPerDegree);
+  if (!(travel_m.norm() >= kMinError_m && f_N.norm() >= kNoForce_N)) return unknown();
+  return one(std::atan2(travel_m.cross(f_N).norm(), travel_m.dot(f_N)) / kRadPerDegree);
 }
 
 Values kd_N_s_per_mm(const Observation& seen) {

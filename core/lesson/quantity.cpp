@@ -31,7 +31,7 @@ Sentence missingReason(const Quantity& quantity, const scene::Description& scene
   const auto has = [&scene](bool (*is)(const scene::Constraint&)) {
     return std::any_of(scene.constraints.begin(), scene.constraints.end(), is);
   };
-  const auto missing = [&](const char* pattern) { return said(pattern, {scene.title, quantity.key}); };
+  const auto missing = [&](const char* pattern) { return phrase(pattern, {scene.title, quantity.key}); };
   if (quantity.needs == Needs::Influence && !has(isInfluenced))
     return missing(TRANSLATE_NOOP("problem", "The scene \"%1\" has no %2: none of its constraints has an influence."));
   if (quantity.needs == Needs::Robot && !has(isRobot))

@@ -14,9 +14,9 @@
 
 namespace underact::lesson {
 
-inline constexpr std::size_t kMostParts = 8;
+inline constexpr std::size_t kMaxParts = 8;
 /// The values of a quantity; unused ones are not a number, and so are all where it is not defined now.
-using Values = std::array<double, kMostParts>;
+using Values = std::array<double, kMaxParts>;
 
 /// What quantities are computed from in a tick.
 struct Observation {
@@ -26,8 +26,8 @@ struct Observation {
   const target::Robot& robot;       // the scene's first virtual manipulator, of this tick or shortly before
 };
 
-/// The distance of two values. Way: Euclidean. Largest: the largest difference, of angles in degrees. Turn: the angle
-/// between two directions, degrees.
+/// The distance of two values. Largest: the largest difference, of angles in degrees. Angle: that between two
+/// directions, degrees.
 enum class DistanceMetric : std::uint8_t { Euclidean, Largest, Angle };
 
 /// What the scene needs for the quantity to be defined.

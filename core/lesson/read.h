@@ -21,6 +21,6 @@ bool isLessonText(std::string_view text);
 /// place in the lesson. scene_folder: of the scenes that ship with the program. Empty: no problem.
 Problems checkScenes(const Lesson& lesson, const std::string& scene_folder);
 
-inline constexpr std::size_t kMostSteps = 50, kMostChecks = 20, kMostPlaces = 50;
+inline constexpr std::size_t kMaxSteps = 50, kMaxChecks = 20, kMaxPlaces = 50;
 
 }  // namespace underact::lesson

@@ -12,7 +12,7 @@ namespace {
 using json::Value;
 
 /// A finite number, at least `least`; empty: there is none, or it is a problem.
-std::optional<double> readAmount(ObjectReader& object, const char* key, bool required, double least = -kInfinity) {
+std::optional<double> readAmount(ObjectReader& object, const char* key, bool required, double min = -kInfinity) {
   const Value* const value = object.find(key, required);
   if (value == nullptr) return {};
   const std::string path = object.pathOf(key);
@@ -20,10 +20,10 @@ std::optional<double> readAmount(ObjectReader& object, const char* key, bool req
   readNumber(*value, path, number, object.findings());
   if (value->kind != json::Kind::Number) return {};
   if (!std::isfinite(number)) {
-    object.findings().add(*value, path, said(TRANSLATE_NOOP("problem", "This is not a finite number.")));
-  } else if (number < least) {
+    object.findings().add(*value, path, phrase(TRANSLATE_NOOP("problem", "This is not a finite number.")));
+  } else if (number < min) {
     object.findings().add(*value, path,
-                          said(TRANSLATE_NOOP("problem", "This must be at least %1."), {json::numberText(least)}));
+                          phrase(TRANSLATE_NOOP("problem", "This must be at least %1."), {json::numberText(min)}));
   } else {
     return number;
   }
@@ -40,15 +40,15 @@ Measure readMeasure(ObjectReader& object, bool required) {
   Measure measure;
   if (const Value* const value = object.find("measure", required)) {
     measure.quantity = findQuantity(readName(*value, object.pathOf("measure"), quantityKeys(),
-                                             said(TRANSLATE_NOOP("problem", "quantity")), object.findings()));
+                                             phrase(TRANSLATE_NOOP("problem", "quantity")), object.findings()));
   }
   const std::optional<double> part = readAmount(object, "part", false, 1.0);
   if (!part || measure.quantity == nullptr) return measure;
   const auto parts = static_cast<double>(measure.quantity->parts);
   if (*part > parts || *part != std::floor(*part)) {
     object.findings().add(*object.find("part"), object.pathOf("part"),
-                          said(TRANSLATE_NOOP("problem", "The quantity %1 has the parts 1 to %2."),
-                               {std::string(measure.quantity->key), json::numberText(parts)}));
+                          phrase(TRANSLATE_NOOP("problem", "The quantity %1 has the parts 1 to %2."),
+                                 {std::string(measure.quantity->key), json::numberText(parts)}));
     return measure;
   }
   measure.part = static_cast<std::size_t>(*part);
@@ -65,28 +65,28 @@ std::vector<double> readPlace(const Value& value, const std::string& path, const
   if (isOneNumber(measure)) {
     if (!isKind(value, json::Kind::Number, path, "a number", findings)) return {0.0};
     if (!std::isfinite(value.number))
-      findings.add(value, path, said(TRANSLATE_NOOP("problem", "This is not a finite number.")));
+      findings.add(value, path, phrase(TRANSLATE_NOOP("problem", "This is not a finite number.")));
     return {value.number};
   }
   const std::size_t parts = measure.quantity->parts;
   const bool may_be_fewer = measure.quantity->needs == Needs::Robot;  // a robot may have fewer joints
-  constexpr std::size_t kUsualJoints = 6;                             // more may follow, of an arm that has them
-  const std::size_t fewest = may_be_fewer ? 1 : std::min(parts, kUsualJoints);
+  constexpr std::size_t kDefaultJoints = 6;                           // more may follow, of an arm that has them
+  const std::size_t fewest = may_be_fewer ? 1 : std::min(parts, kDefaultJoints);
   const std::string count = std::to_string(may_be_fewer ? parts : fewest);
-  const Sentence expected = said(TRANSLATE_NOOP("problem", "a list of %1 numbers"), {count});
+  const Sentence expected = phrase(TRANSLATE_NOOP("problem", "a list of %1 numbers"), {count});
   if (!isKind(value, json::Kind::Array, path, expected, findings)) return {0.0};
   if (value.items.size() > parts || value.items.size() < fewest)
     findings.add(value, path,
-                 said(TRANSLATE_NOOP("problem", "This must be %1; here it has %2."),
-                      {expected, std::to_string(value.items.size())}));
+                 phrase(TRANSLATE_NOOP("problem", "This must be %1; here it has %2."),
+                        {expected, std::to_string(value.items.size())}));
   std::vector<double> place;
   for (const Value& item : value.items) {
     const bool is_whichever = item.kind == json::Kind::Null && measure.quantity->apart != DistanceMetric::Angle;
     if (!is_whichever)
-      isKind(item, json::Kind::Number, path, said(TRANSLATE_NOOP("problem", "a number, or null for any value")),
+      isKind(item, json::Kind::Number, path, phrase(TRANSLATE_NOOP("problem", "a number, or null for any value")),
              findings);
     if (item.kind == json::Kind::Number && !std::isfinite(item.number))
-      findings.add(item, path, said(TRANSLATE_NOOP("problem", "This is not a finite number.")));
+      findings.add(item, path, phrase(TRANSLATE_NOOP("problem", "This is not a finite number.")));
     place.push_back(item.kind == json::Kind::Number ? item.number : kNotANumber);
   }
   if (may_be_fewer) place.resize(parts, kNotANumber);
@@ -107,11 +107,11 @@ Criterion readWanted(ObjectReader& object, const Value& whole) {
   if (is_band == (near != nullptr)) {
     object.findings().add(
         whole, object.pathOf("measure"),
-        said(TRANSLATE_NOOP("problem",
-                            "Give a range (\"above\", \"below\" or both), or a value (\"near\" with \"within\").")));
+        phrase(TRANSLATE_NOOP("problem",
+                              "Give a range (\"above\", \"below\" or both), or a value (\"near\" with \"within\").")));
   } else if (wanted.above >= wanted.below) {
     object.findings().add(whole, object.pathOf("above"),
-                          said(TRANSLATE_NOOP("problem", "\"above\" must be less than \"below\".")));
+                          phrase(TRANSLATE_NOOP("problem", "\"above\" must be less than \"below\".")));
   }
   return wanted;
 }
@@ -121,14 +121,14 @@ std::vector<Criterion> readMeanwhile(ObjectReader& object) {
   const Value* const list = object.find("while");
   const std::string path = object.pathOf("while");
   if (list == nullptr || !isKind(*list, json::Kind::Array, path,
-                                 said(TRANSLATE_NOOP("problem", "a list of conditions")), object.findings()))
+                                 phrase(TRANSLATE_NOOP("problem", "a list of conditions")), object.findings()))
     return all;
-  for (std::size_t index = 0; index < std::min(list->items.size(), kMostChecks); ++index) {
+  for (std::size_t index = 0; index < std::min(list->items.size(), kMaxChecks); ++index) {
     const std::string at = path + "[" + std::to_string(index) + "]";
-    if (!isKind(list->items[index], json::Kind::Object, at, said(TRANSLATE_NOOP("problem", "a condition in { }")),
+    if (!isKind(list->items[index], json::Kind::Object, at, phrase(TRANSLATE_NOOP("problem", "a condition in { }")),
                 object.findings()))
       continue;
-    ObjectReader condition(list->items[index], at, said(TRANSLATE_NOOP("problem", "a condition")), object.findings());
+    ObjectReader condition(list->items[index], at, phrase(TRANSLATE_NOOP("problem", "a condition")), object.findings());
     all.push_back(readWanted(condition, list->items[index]));
     condition.finish();
   }
@@ -139,12 +139,12 @@ Visit readVisit(ObjectReader& object) {
   Visit visit{readMeasure(object, true), {}, readAmount(object, "within", true, 0.0).value_or(0.0)};
   const Value& list = *object.find("visit");
   const std::string path = object.pathOf("visit");
-  if (!isKind(list, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of values")), object.findings()))
+  if (!isKind(list, json::Kind::Array, path, phrase(TRANSLATE_NOOP("problem", "a list of values")), object.findings()))
     return visit;
-  if (list.items.empty() || list.items.size() > kMostPlaces)
+  if (list.items.empty() || list.items.size() > kMaxPlaces)
     object.findings().add(list, path,
-                          said(TRANSLATE_NOOP("problem", "Give 1 to %1 values."), {std::to_string(kMostPlaces)}));
-  for (std::size_t index = 0; index < std::min(list.items.size(), kMostPlaces); ++index) {
+                          phrase(TRANSLATE_NOOP("problem", "Give 1 to %1 values."), {std::to_string(kMaxPlaces)}));
+  for (std::size_t index = 0; index < std::min(list.items.size(), kMaxPlaces); ++index) {
     const std::string at = path + "[" + std::to_string(index) + "]";
     visit.places.push_back(readPlace(list.items[index], at, visit.measure, object.findings()));
   }
@@ -157,8 +157,8 @@ Measure readOneNumber(ObjectReader& object, const Value& whole) {
   if (!isOneNumber(measure)) {
     object.findings().add(
         whole, object.pathOf("part"),
-        said(TRANSLATE_NOOP("problem", "The quantity %1 has %2 values here; choose one with \"part\"."),
-             {std::string(measure.quantity->key), std::to_string(measure.quantity->parts)}));
+        phrase(TRANSLATE_NOOP("problem", "The quantity %1 has %2 values here; choose one with \"part\"."),
+               {std::string(measure.quantity->key), std::to_string(measure.quantity->parts)}));
     measure.part = 1;
   }
   return measure;
@@ -184,7 +184,7 @@ AskNumber readNumberQuestion(ObjectReader& object, const Value& whole) {
   if (is_measured && object.find("answer") != nullptr)
     object.findings().add(
         whole, object.pathOf("answer"),
-        said(TRANSLATE_NOOP("problem", "The answer is either measured or given: remove \"measure\" or \"answer\".")));
+        phrase(TRANSLATE_NOOP("problem", "The answer is either measured or given: remove \"measure\" or \"answer\".")));
   if (const Value* const unit = object.find("unit"))
     readText(*unit, object.pathOf("unit"), ask.unit, object.findings());
   if (ask.unit.empty() && ask.measure.quantity != nullptr) ask.unit = ask.measure.quantity->unit;
@@ -196,9 +196,10 @@ AskChoice readChoiceQuestion(ObjectReader& object) {
   ask.question = readLine(object, "question", true);
   const Value& list = *object.find("choices");
   const std::string path = object.pathOf("choices");
-  if (isKind(list, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of answers")), object.findings())) {
+  if (isKind(list, json::Kind::Array, path, phrase(TRANSLATE_NOOP("problem", "a list of answers")),
+             object.findings())) {
     if (list.items.size() < 2 || list.items.size() > 9)
-      object.findings().add(list, path, said(TRANSLATE_NOOP("problem", "Give 2 to 9 answers to choose from.")));
+      object.findings().add(list, path, phrase(TRANSLATE_NOOP("problem", "Give 2 to 9 answers to choose from.")));
     for (std::size_t index = 0; index < list.items.size(); ++index) {
       ask.choices.emplace_back();
       readText(list.items[index], path + "[" + std::to_string(index) + "]", ask.choices.back(), object.findings());
@@ -209,8 +210,8 @@ AskChoice readChoiceQuestion(ObjectReader& object) {
   if (!read) return ask;  // said already
   if (right > static_cast<double>(ask.choices.size()) || right != std::floor(right)) {
     object.findings().add(*object.find("right"), object.pathOf("right"),
-                          said(TRANSLATE_NOOP("problem", "This must be the number of the right answer, 1 to %1."),
-                               {std::to_string(ask.choices.size())}));
+                          phrase(TRANSLATE_NOOP("problem", "This must be the number of the right answer, 1 to %1."),
+                                 {std::to_string(ask.choices.size())}));
   } else {
     ask.right = static_cast<std::size_t>(right);
   }
@@ -233,9 +234,9 @@ Task readTask(ObjectReader& object, const Value& value) {
 
 Check readCheck(const Value& value, const std::string& path, Findings& findings) {
   Check check{Hold{}, {}, {}, {findings.file(), value.line, value.column, path}};
-  if (!isKind(value, json::Kind::Object, path, said(TRANSLATE_NOOP("problem", "a check in { }")), findings))
+  if (!isKind(value, json::Kind::Object, path, phrase(TRANSLATE_NOOP("problem", "a check in { }")), findings))
     return check;
-  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a check")), findings);
+  ObjectReader object(value, path, phrase(TRANSLATE_NOOP("problem", "a check")), findings);
   check.task = readTask(object, value);
   check.meanwhile = readMeanwhile(object);
   if (const Value* const say = object.find("say")) readText(*say, object.pathOf("say"), check.say, findings);

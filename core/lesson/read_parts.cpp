@@ -9,16 +9,16 @@ namespace underact::lesson {
 std::string readName(const json::Value& value, const std::string& path, const std::vector<std::string>& known,
                      const Sentence& what, Findings& findings) {
   std::string name;
-  if (!isKind(value, json::Kind::String, path, said(TRANSLATE_NOOP("problem", "the name of a %1"), {what}), findings))
+  if (!isKind(value, json::Kind::String, path, phrase(TRANSLATE_NOOP("problem", "the name of a %1"), {what}), findings))
     return name;
   readText(value, path, name, findings);
   if (std::find(known.begin(), known.end(), name) != known.end()) return name;
   const std::string nearest = findings.nearest(name, known);
   findings.add(value, path,
-               nearest.empty() ? said(TRANSLATE_NOOP("problem", "There is no %1 %2. There are %3."),
-                                      {what, json::shown(name), json::listed(known, "and")})
-                               : said(TRANSLATE_NOOP("problem", "There is no %1 %2. Did you mean \"%3\"?"),
-                                      {what, json::shown(name), nearest}));
+               nearest.empty() ? phrase(TRANSLATE_NOOP("problem", "There is no %1 %2. There are %3."),
+                                        {what, json::shown(name), json::listed(known, "and")})
+                               : phrase(TRANSLATE_NOOP("problem", "There is no %1 %2. Did you mean \"%3\"?"),
+                                        {what, json::shown(name), nearest}));
   return name;
 }
 
@@ -30,7 +30,7 @@ std::string readLine(ObjectReader& object, const char* key, bool required) {
   const bool is_blank = line.find_first_not_of(" \t\r\n") == std::string::npos;
   if (value->kind == json::Kind::String && (is_blank || line.find('\n') != std::string::npos))
     object.findings().add(*value, object.pathOf(key),
-                          said(TRANSLATE_NOOP("problem", "This must be one line of text, not empty.")));
+                          phrase(TRANSLATE_NOOP("problem", "This must be one line of text, not empty.")));
   return line;
 }
 
@@ -42,7 +42,7 @@ std::string readProse(ObjectReader& object, const char* key, bool required) {
   Findings& findings = object.findings();
   if (value->kind != json::Kind::Array) {
     if (isKind(*value, json::Kind::String, path,
-               said(TRANSLATE_NOOP("problem", "text in double quotes, or a list of its lines")), findings))
+               phrase(TRANSLATE_NOOP("problem", "text in double quotes, or a list of its lines")), findings))
       prose = value->text;
   } else {
     for (std::size_t index = 0; index < value->items.size(); ++index) {
@@ -52,7 +52,7 @@ std::string readProse(ObjectReader& object, const char* key, bool required) {
     }
   }
   if (required && prose.find_first_not_of(" \t\r\n") == std::string::npos && value->kind != json::Kind::Null)
-    findings.add(*value, path, said(TRANSLATE_NOOP("problem", "The text is empty.")));
+    findings.add(*value, path, phrase(TRANSLATE_NOOP("problem", "The text is empty.")));
   return prose;
 }
 

@@ -33,7 +33,7 @@ Problems toldAt(const SourceLocation& place, const std::string& scene_key, const
   for (const Problem& problem : problems) {
     SourceLocation at = place;
     at.key += "." + scene_key;
-    told.push_back({said(TRANSLATE_NOOP("problem", "The scene has an error: %1"), {describe(problem)}), at});
+    told.push_back({phrase(TRANSLATE_NOOP("problem", "The scene has an error: %1"), {describe(problem)}), at});
   }
   return told;
 }

@@ -68,8 +68,8 @@ Closed onSphere(const Manipulator& m, const ClosedForm& form, const Pose& X_WT,
   const double turn_rad = pole ? near[0] : atan2Of(y, x);
   const Values direct{wrapped(turn_rad), wrapped(atan2Of(up, flat) - home_rad)};
   const Values over{wrapped(turn_rad + kPi), wrapped(atan2Of(up, -flat) - home_rad)};
-  const auto way = [&](const Values& to) { return apart(to[0], near[0]) + apart(to[1], near[1]); };
-  closed.theta = pole || way(direct) <= way(over) ? direct : over;
+  const auto distance = [&](const Values& to) { return apart(to[0], near[0]) + apart(to[1], near[1]); };
+  closed.theta = pole || distance(direct) <= distance(over) ? direct : over;
   return closed;
 }
 

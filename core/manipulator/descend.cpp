@@ -13,7 +13,7 @@ namespace {
 using chain::JointType;
 
 constexpr double kFirstDamping = 1e-3;  // of a joint's spread, after an undamped step has failed
-constexpr double kLeastDamping = 1e-9;  // below it there is none
+constexpr double kMinDamping = 1e-9;    // below it there is none
 constexpr double kFloor = 1e-13;        // of the spread: keeps pivots positive where the chain is singular
 constexpr double kLongestTurn_rad = 0.5;
 constexpr double kLongestSlide = 0.25;  // of the reach
@@ -47,13 +47,13 @@ class Slope {
 
   /// The largest step that a joint would take by itself, by the last curvature computed.
   double left(const Energy& at) const noexcept UNDERACT_REAL_TIME {
-    double most = 0.0;
+    double max = 0.0;
     for (std::size_t i = 0; i < count_; ++i) {
       if (held_[i] || at.slope[i] == 0.0) continue;
       const double curved = std::max(std::abs(H_.a[i][i]), 1e-3 * spread_[i]);
-      most = std::max(most, std::abs(at.slope[i]) * unit(i) / curved);
+      max = std::max(max, std::abs(at.slope[i]) * unit(i) / curved);
     }
-    return most;
+    return max;
   }
 
   /// Computes the damped step into next; false where the damped curvature is not positive. promised: the predicted
@@ -146,7 +146,7 @@ Descent descend(const Manipulator& m, const Pose& X_WT, int max_steps, Energy& a
     }
     const double kept = promised > 0.0 ? gained / promised : 1.0, better = 2.0 * kept - 1.0;
     damping *= std::max(1.0 / 3.0, 1.0 - better * better * better);  // Nielsen's rule
-    if (damping < kLeastDamping) damping = 0.0;
+    if (damping < kMinDamping) damping = 0.0;
     growth = 2.0;
     const bool stands = gained <= rounding_J;
     const double before = descent.left;

@@ -98,7 +98,7 @@ void byThesis(const Manipulator& m, const Pose& X_WT, Followed& followed) noexce
 
 /// The joints extrapolated by their last motion, which is mostly within one step of the minimum instead of two.
 /// Unchanged where they rest to within the tolerance, or move so fast that it could be another minimum.
-Values goneOn(const Manipulator& m, const State& state) noexcept UNDERACT_REAL_TIME {
+Values extrapolated(const Manipulator& m, const State& state) noexcept UNDERACT_REAL_TIME {
   Values theta = state.theta;
   for (std::size_t i = 0; i < std::min(m.chain.joints.size(), kMaxJoints); ++i) {
     const double unit = m.chain.joints[i].type == chain::JointType::Revolute ? 1.0 : m.reach_m;
@@ -115,7 +115,7 @@ void solve(const Manipulator& m, const Pose& X_WT, const State& state, Followed&
     followed.is_unique = closed.is_unique || state.begun;  // with a past, the last configuration is kept
     return;
   }
-  evaluate(m, X_WT, state.begun ? goneOn(m, state) : clampedToLimits(m, {}), followed.at);
+  evaluate(m, X_WT, state.begun ? extrapolated(m, state) : clampedToLimits(m, {}), followed.at);
   const Descent descent = descend(m, X_WT, m.options.max_steps, followed.at);
   followed.steps = descent.steps;
   followed.left = descent.left;
@@ -174,7 +174,7 @@ State settledState(const Manipulator& m, const Pose& X_WT, int& steps) {
   State state;
   steps = 0;
   if (m.law == ForceLaw::Thesis52) return state;  // it has no choice of minima
-  const Global global = leastEnergy(m, X_WT);
+  const Global global = minEnergy(m, X_WT);
   state.theta = global.at.theta;
   state.p_WP = global.at.tip.X_WT.translation();
   state.begun = global.is_unique;

@@ -77,7 +77,7 @@ double secondOf(const std::vector<Minimum>& minima, const Minimum& best, double 
 
 }  // namespace
 
-Global leastEnergy(const Manipulator& m, const Pose& X_WT) {
+Global minEnergy(const Manipulator& m, const Pose& X_WT) {
   Global best;
   if (m.closed) {
     const Closed closed = closedForm(m, X_WT, clampedToLimits(m, {}));
@@ -87,7 +87,7 @@ Global leastEnergy(const Manipulator& m, const Pose& X_WT) {
   }
   const double scale_J = 0.5 * m.kp_N_per_m.maxCoeff() * m.reach_m * m.reach_m + m.ko_N_m_per_rad;
   std::vector<Minimum> minima;
-  Minimum least;
+  Minimum min;
   Energy at;
   for (const Values& start : startsFor(m, X_WT)) {
     evaluate(m, X_WT, start, at);
@@ -96,16 +96,16 @@ Global leastEnergy(const Manipulator& m, const Pose& X_WT) {
     if (!(at.energy_J < kInfinity)) continue;
     if (descent.left <= kSettled) minima.push_back({at.theta, at.tip.X_WT.translation(), at.energy_J});
     // An improvement within rounding does not count: the first stays.
-    if (at.energy_J < (1.0 - 1e-12) * least.energy_J) least = {at.theta, at.tip.X_WT.translation(), at.energy_J};
+    if (at.energy_J < (1.0 - 1e-12) * min.energy_J) min = {at.theta, at.tip.X_WT.translation(), at.energy_J};
     if (at.energy_J <= kNothing * scale_J) break;  // none can be lower
   }
   // To the last bit that rounding allows, as there is no time limit.
   Manipulator exact = m;
   exact.options.tolerance = 0.0;
-  evaluate(exact, X_WT, clampedToLimits(m, least.theta), best.at);
+  evaluate(exact, X_WT, clampedToLimits(m, min.theta), best.at);
   best.steps += descend(exact, X_WT, kSteps, best.at).steps;
-  best.second_J = secondOf(minima, least, kSameMinimum * m.reach_m);
-  best.is_unique = least.energy_J < kInfinity && best.second_J > kSameEnergy * (least.energy_J + 1e-6 * scale_J);
+  best.second_J = secondOf(minima, min, kSameMinimum * m.reach_m);
+  best.is_unique = min.energy_J < kInfinity && best.second_J > kSameEnergy * (min.energy_J + 1e-6 * scale_J);
   return best;
 }
 

@@ -14,6 +14,6 @@ struct Global {
 /// Finds it from a cold start: descents from a grid over the joints (a fixed sequence from 3 joints on, and the chain's
 /// own inverse where it has one). For set-up and for single poses; not for the servo thread. Of equal minima the first
 /// one found counts. Deterministic. Cost: a closed form, or some hundred descents.
-Global leastEnergy(const Manipulator& manipulator, const Pose& X_WT);
+Global minEnergy(const Manipulator& manipulator, const Pose& X_WT);
 
 }  // namespace underact::manipulator

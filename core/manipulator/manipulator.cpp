@@ -27,25 +27,25 @@ std::size_t turningJoints(const chain::Chain& chain) {
 
 void judgeNumbers(const Wanted& wanted, const SourceLocation& place, Problems& problems) {
   if (wanted.chain.joints.size() > kMaxJoints) {
-    problems.push_back({said(TRANSLATE_NOOP("problem", "A virtual robot has at most %1 joints, not %2."),
-                             {std::to_string(kMaxJoints), std::to_string(wanted.chain.joints.size())}),
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "A virtual robot has at most %1 joints, not %2."),
+                               {std::to_string(kMaxJoints), std::to_string(wanted.chain.joints.size())}),
                         place});
   }
   bool stiff = isStiffness(wanted.ko_N_m_per_rad);
   for (const double k : wanted.kp_N_per_m) stiff = stiff && isStiffness(k);
   for (const double k : wanted.spring) stiff = stiff && isStiffness(k);
-  if (!stiff) problems.push_back({said(TRANSLATE_NOOP("problem", "A stiffness must be 0 or above.")), place});
+  if (!stiff) problems.push_back({phrase(TRANSLATE_NOOP("problem", "A stiffness must be 0 or above.")), place});
   for (const double rest : wanted.rest) {
     if (!std::isfinite(rest))
       problems.push_back(
-          {said(TRANSLATE_NOOP("problem", "The rest position of a joint's spring is not a finite number.")), place});
+          {phrase(TRANSLATE_NOOP("problem", "The rest position of a joint's spring is not a finite number.")), place});
   }
   if (wanted.max_steps < 1 || wanted.max_steps > 100) {
-    problems.push_back({said(TRANSLATE_NOOP("problem", "The solver takes 1 to 100 steps.")), place});
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "The solver takes 1 to 100 steps.")), place});
   }
   if (!(wanted.tolerance > 0.0 && wanted.tolerance <= 1e-2)) {
     problems.push_back(
-        {said(TRANSLATE_NOOP("problem", "The solver's tolerance must be above 0 and at most 0.01.")), place});
+        {phrase(TRANSLATE_NOOP("problem", "The solver's tolerance must be above 0 and at most 0.01.")), place});
   }
 }
 
@@ -56,10 +56,10 @@ void judgeAngle(const Wanted& wanted, const SourceLocation& place, Problems& pro
   const std::vector<chain::Joint>& joints = wanted.chain.joints;
   if (turningJoints(wanted.chain) != 1 || (by_thesis && joints.size() != 1)) {
     problems.push_back(
-        {said(by_thesis
-                  ? TRANSLATE_NOOP("problem",
-                                   "The thesis's force law needs a chain with just one joint, a revolute one.")
-                  : TRANSLATE_NOOP("problem", "The orientation \"angle\" needs a chain with just one revolute joint.")),
+        {phrase(by_thesis ? TRANSLATE_NOOP("problem",
+                                           "The thesis's force law needs a chain with just one joint, a revolute one.")
+                          : TRANSLATE_NOOP("problem",
+                                           "The orientation \"angle\" needs a chain with just one revolute joint.")),
          place});
     return;
   }
@@ -67,7 +67,7 @@ void judgeAngle(const Wanted& wanted, const SourceLocation& place, Problems& pro
                                     [](const chain::Joint& joint) { return joint.type == JointType::Revolute; });
   if (turning->axis_W.cross(wanted.chain.X_WT_home.linear().col(2)).norm() < kAlongAxis) {
     problems.push_back(
-        {said(TRANSLATE_NOOP(
+        {phrase(TRANSLATE_NOOP(
              "problem",
              "In the home pose the tip's z axis lies along the joint's axis, so it has no angle about that axis.")),
          place});
@@ -103,9 +103,9 @@ Result<Manipulator> makeManipulator(Wanted wanted, const SourceLocation& place) 
   }
   const std::optional<ClosedForm> closed = closedFormOf(made);
   if (wanted.method == Method::ClosedForm && !closed) {
-    return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "There is no closed form for this chain with these gains and this "
-                                         "orientation; use the method \"auto\" or \"iterative\".")),
+    return Problems{{phrase(TRANSLATE_NOOP("problem",
+                                           "There is no closed form for this chain with these gains and this "
+                                           "orientation; use the method \"auto\" or \"iterative\".")),
                      place}};
   }
   if (closed && wanted.method != Method::Iterative && made.law == ForceLaw::Energy) {

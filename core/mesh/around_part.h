@@ -16,7 +16,7 @@ inline std::size_t placeOf(const Face& face, std::int32_t corner) noexcept UNDER
 template <class Visit>
 void forNeighbours(const Surface& surface, std::int32_t face, Part part,
                    const Visit& visit) noexcept UNDERACT_REAL_TIME {
-  constexpr int kMostOfFan = 100;
+  constexpr int kMaxOfFan = 100;
   if (part == Part::Inside) return;
   const auto neighbourOf = [&](std::int32_t of, std::size_t side) noexcept UNDERACT_REAL_TIME {
     return surface.neighbours[static_cast<std::size_t>(of)][side];
@@ -30,7 +30,7 @@ void forNeighbours(const Surface& surface, std::int32_t face, Part part,
   const std::int32_t corner = surface.triangles.faces[static_cast<std::size_t>(face)][start];
   for (const bool forward : {true, false}) {
     std::int32_t at = face;
-    for (int count = 0; count < kMostOfFan; ++count) {
+    for (int count = 0; count < kMaxOfFan; ++count) {
       // Of a face that has this corner at index k, side k leaves it and side k - 1 arrives.
       const std::size_t place = placeOf(surface.triangles.faces[static_cast<std::size_t>(at)], corner);
       at = neighbourOf(at, forward ? place : (place + 2) % 3);

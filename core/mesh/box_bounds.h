@@ -12,7 +12,7 @@ namespace underact::mesh {
 /// Lower bounds of the squared distance to the children's boxes. nearer: bit k is set where that of box k may be below
 /// the limit.
 struct alignas(16) BoxBounds {
-  std::array<float, kWays> squared;
+  std::array<float, kChildren> squared;
   unsigned nearer = 0;
 };
 
@@ -22,8 +22,8 @@ struct alignas(16) BoxBounds {
 [[gnu::always_inline]] inline BoxBounds boundsOf(const Node& node, const Vec3& q_M,
                                                  double limit) noexcept UNDERACT_REAL_TIME {
   constexpr float kNearer = 1.0F - 0x1p-18F, kUp = 1.0F + 0x1p-17F;
-  constexpr double kLeast = 0x1p-120;  // below it floats lose precision, and no box could be nearer
-  const float most = kUp * static_cast<float>(limit > kLeast ? limit : kLeast);
+  constexpr double kMin = 0x1p-120;  // below it floats lose precision, and no box could be nearer
+  const float max = kUp * static_cast<float>(limit > kMin ? limit : kMin);
   BoxBounds bounds;
 #if defined(__SSE2__)  // the same operations, four at a time
   // Four floats are read where three are needed; those after them belong to the node, too.
@@ -47,9 +47,9 @@ struct alignas(16) BoxBounds {
     };
     const __m128 sum = _mm_add_ps(_mm_add_ps(squared(0, x_N), squared(1, y_N)), squared(2, z_N));
     _mm_store_ps(&bounds.squared[first], _mm_mul_ps(_mm_set1_ps(kNearer), sum));
-    return static_cast<unsigned>(_mm_movemask_ps(_mm_cmplt_ps(sum, _mm_set1_ps(most))));
+    return static_cast<unsigned>(_mm_movemask_ps(_mm_cmplt_ps(sum, _mm_set1_ps(max))));
   };
-  static_assert(kWays == 8);
+  static_assert(kChildren == 8);
   bounds.nearer = four(0) | four(4) << 4U;
 #else
   const std::array<float, 3> p{static_cast<float>(q_M.x() - static_cast<double>(node.p_MN[0])),
@@ -58,7 +58,7 @@ struct alignas(16) BoxBounds {
   std::array<float, 3> at;
   for (std::size_t axis = 0; axis < 3; ++axis)
     at[axis] = node.R_MN[axis] * p[0] + node.R_MN[3 + axis] * p[1] + node.R_MN[6 + axis] * p[2];
-  for (std::size_t child = 0; child < kWays; ++child) {
+  for (std::size_t child = 0; child < kChildren; ++child) {
     float sum = 0.0F;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const float low = node.low_N[axis][child], high = node.high_N[axis][child];
@@ -67,7 +67,7 @@ struct alignas(16) BoxBounds {
       sum += outside * outside;
     }
     bounds.squared[child] = kNearer * sum;
-    bounds.nearer |= (sum < most ? 1U : 0U) << child;
+    bounds.nearer |= (sum < max ? 1U : 0U) << child;
   }
 #endif
   return bounds;
@@ -79,7 +79,7 @@ struct alignas(16) BoxBounds {
                                                       std::int32_t* list) noexcept UNDERACT_REAL_TIME {
   std::size_t size = 0;
 #pragma GCC unroll 8
-  for (std::size_t child = 0; child < kWays; ++child) {
+  for (std::size_t child = 0; child < kChildren; ++child) {
     list[size] = node.children[child];
     size += nearer >> child & 1U;
   }

@@ -34,7 +34,7 @@ Mat3 spreadAxes(const std::vector<Eigen::Vector3f>& corners, const Vec3& mean) {
 
 }  // namespace
 
-void setBoxes(const std::vector<Eigen::Vector3f>& corners, const std::array<std::size_t, kWays + 1>& begins,
+void setBoxes(const std::vector<Eigen::Vector3f>& corners, const std::array<std::size_t, kChildren + 1>& begins,
               Node& node) {
   Vec3 mean = Vec3::Zero();
   for (const Eigen::Vector3f& corner : corners) mean += corner.cast<double>();
@@ -49,7 +49,7 @@ void setBoxes(const std::vector<Eigen::Vector3f>& corners, const std::array<std:
   // As the node has them, after rounding.
   const Mat3 R_NM = Eigen::Map<const Eigen::Matrix3f>(node.R_MN.data()).cast<double>();  // a row there is a column here
   const Vec3 p_MN = Eigen::Map<const Eigen::Vector3f>(node.p_MN.data()).cast<double>();
-  for (std::size_t child = 0; child < kWays; ++child) {
+  for (std::size_t child = 0; child < kChildren; ++child) {
     Vec3 low = Vec3::Constant(kInfinity), high = Vec3::Constant(-kInfinity);
     for (std::size_t k = begins[child]; k < begins[child + 1]; ++k) {
       const Vec3 p_N = R_NM * (corners[k].cast<double>() - p_MN);

@@ -10,7 +10,7 @@ namespace underact::mesh {
 
 /// Lays the node's frame along the corners (their mean and principal axes) and its boxes around them: box k around
 /// corners begins[k] to before begins[k + 1], widened by more than the rounding of boundsOf().
-void setBoxes(const std::vector<Eigen::Vector3f>& corners, const std::array<std::size_t, kWays + 1>& begins,
+void setBoxes(const std::vector<Eigen::Vector3f>& corners, const std::array<std::size_t, kChildren + 1>& begins,
               Node& node);
 
 }  // namespace underact::mesh

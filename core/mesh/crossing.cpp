@@ -46,7 +46,7 @@ class Sheared {
 };
 
 /// The share of the path at which it passes through the face; infinite where it does not.
-double shareAt(const Surface& surface, std::int32_t face, CrossingDirection way, const Sheared& sheared,
+double shareAt(const Surface& surface, std::int32_t face, CrossingDirection direction, const Sheared& sheared,
                double slack) noexcept UNDERACT_REAL_TIME {
   const auto [a_M, b_M, c_M] = cornersOf(surface, face);
   const Vec3 a = sheared.of(a_M), b = sheared.of(b_M), c = sheared.of(c_M);
@@ -57,7 +57,7 @@ double shareAt(const Surface& surface, std::int32_t face, CrossingDirection way,
   const double whole = at_a + at_b + at_c;
   // Counterclockwise as seen from the end of the axis: the normal points along it.
   const bool is_against = (whole < 0.0) == (sheared.length() > 0.0);
-  if (whole == 0.0 || is_against != (way == CrossingDirection::Inwards)) return kInfinity;
+  if (whole == 0.0 || is_against != (direction == CrossingDirection::Inwards)) return kInfinity;
   const bool is_through =
       whole > 0.0 ? at_a >= 0.0 && at_b >= 0.0 && at_c >= 0.0 : at_a <= 0.0 && at_b <= 0.0 && at_c <= 0.0;
   if (!is_through) return kInfinity;
@@ -115,7 +115,7 @@ bool isBeside(const Node& node, std::size_t child, const PathInNode& path) noexc
 unsigned metBy(const Node& node, const Vec3& from_M, const Vec3& to_M, bool is_long) noexcept UNDERACT_REAL_TIME {
   const PathInNode path = pathIn(node, from_M, to_M);
   unsigned met = 0;
-  for (std::size_t child = 0; child < kWays; ++child) {
+  for (std::size_t child = 0; child < kChildren; ++child) {
     bool meets = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       meets &= static_cast<double>(node.low_N[axis][child]) <= path.high[axis] + path.wider;
@@ -124,7 +124,7 @@ unsigned metBy(const Node& node, const Vec3& from_M, const Vec3& to_M, bool is_l
     met |= (meets ? 1U : 0U) << child;
   }
   if (!is_long) return met;
-  for (std::size_t child = 0; child < kWays; ++child) {
+  for (std::size_t child = 0; child < kChildren; ++child) {
     if ((met >> child & 1U) != 0U && isBeside(node, child, path)) met &= ~(1U << child);
   }
   return met;
@@ -135,14 +135,14 @@ unsigned metBy(const Node& node, const Vec3& from_M, const Vec3& to_M, bool is_l
 template <class Visit>
 bool eachOnWay(const Surface& surface, const Vec3& from_M, const Vec3& to_M, bool is_long,
                const Visit& visit) noexcept UNDERACT_REAL_TIME {
-  std::array<std::int32_t, (kWays - 1) * kMostDepth + kWays> stack;
+  std::array<std::int32_t, (kChildren - 1) * kMaxDepth + kChildren> stack;
   std::size_t waiting = 0;
   stack[waiting++] = 0;
   for (int visits = 0; waiting > 0; ++visits) {
-    if (visits == kMostVisits) return false;
+    if (visits == kMaxVisits) return false;
     const Node& node = surface.nodes[static_cast<std::size_t>(stack[--waiting])];
     const unsigned met = metBy(node, from_M, to_M, is_long);
-    for (std::size_t child = 0; child < kWays; ++child) {
+    for (std::size_t child = 0; child < kChildren; ++child) {
       if ((met >> child & 1U) == 0U || node.children[child] == kNoChild) continue;
       if (node.children[child] >= 0) {
         stack[waiting++] = node.children[child];
@@ -176,14 +176,15 @@ bool isInside(const Surface& surface, const Vec3& q_M) noexcept {
   return netCrossings(surface, q_M, q_M + 2.0 * (high - low).norm() * Vec3(0.5773, 0.2113, 0.7887)) > 0;
 }
 
-Crossing firstCrossing(const Surface& surface, CrossingDirection way, const Vec3& from_M, const Vec3& to_M) noexcept {
+Crossing firstCrossing(const Surface& surface, CrossingDirection direction, const Vec3& from_M,
+                       const Vec3& to_M) noexcept {
   Crossing crossing;
   if (from_M == to_M) return crossing;
   const Sheared sheared(from_M, to_M);
   const double slack = sheared.slack(surface);
   double first = kInfinity;
   crossing.is_whole = eachOnWay(surface, from_M, to_M, false, [&](std::int32_t face) noexcept UNDERACT_REAL_TIME {
-    const double share = shareAt(surface, face, way, sheared, slack);
+    const double share = shareAt(surface, face, direction, sheared, slack);
     if (share < first) {
       first = share;
       crossing.face = face;

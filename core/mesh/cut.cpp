@@ -7,7 +7,7 @@
 namespace underact::mesh {
 namespace {
 
-using Level = std::array<std::int32_t, Cut::kMost + kWays>;
+using Level = std::array<std::int32_t, Cut::kMax + kChildren>;
 
 /// The children of the cut's nodes that are within its reach; gives their number. 0: they are faces, or too many.
 std::size_t levelBelow(const Surface& surface, const Cut& cut, Level& level, int& visits) noexcept UNDERACT_REAL_TIME {
@@ -17,7 +17,7 @@ std::size_t levelBelow(const Surface& surface, const Cut& cut, Level& level, int
     if (node.children[0] < 0) return 0;
     size += addChildren(node, boundsOf(node, cut.q_M, cut.reach * cut.reach).nearer, &level[size]);
     ++visits;
-    if (size > Cut::kMost) return 0;
+    if (size > Cut::kMax) return 0;
   }
   return size;
 }
@@ -29,7 +29,7 @@ bool isOf(const Cut& cut, const Surface& surface) noexcept UNDERACT_REAL_TIME {
   std::uint32_t beyond = 0;
   for (const std::int32_t node : cut.nodes)
     beyond |= static_cast<std::uint32_t>(node) | (last - static_cast<std::uint32_t>(node));
-  return beyond >> 31U == 0 && cut.size >= 1 && cut.size <= Cut::kMost && cut.surface == surface.mark;
+  return beyond >> 31U == 0 && cut.size >= 1 && cut.size <= Cut::kMax && cut.surface == surface.mark;
 }
 
 }  // namespace

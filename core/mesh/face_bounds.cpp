@@ -82,9 +82,9 @@ std::array<float, kAtOnce> faceBounds(const Surface& surface, const std::array<s
   const Four to_edges = lesser(lesser(squaredToEdge(a, ab, ab_squared), squaredToEdge(a, ac, ac_squared)),
                                squaredToEdge(b, bc, bc_squared));
   const Four none = fourOf(0.0F);
-  const Four least_share =
+  const Four min_share =
       lesser(lesser(dot(cross(a, ab), normal), dot(cross(ac, a), normal)), dot(cross(b, bc), normal));
-  const Four squared = least_share > none ? to_plane : to_edges;
+  const Four squared = min_share > none ? to_plane : to_edges;
   const Four longest = greater(greater(ab_squared, ac_squared), bc_squared);
   // The remainder of splitting q, 2^-47 of it, and what squares of floats cannot represent.
   const float rest = 0x1p-74F * high.squaredNorm() + kSmallest;

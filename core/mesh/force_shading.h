@@ -11,8 +11,8 @@ struct ForceShading {
   bool isThere() const noexcept UNDERACT_REAL_TIME { return sin > 0.0; }
 };
 
-/// most_rad: 0 to pi/4.
-ForceShading forceShadingOf(double most_rad);
+/// max_rad: 0 to pi/4.
+ForceShading forceShadingOf(double max_rad);
 
 /// The direction between the tip and its hit, replaced by the interpolation of the corner normals at the hit. A
 /// corner's normal is that of its faces up to the next sharp edge. u_M: unit, from the hit to the tip or the other way;
@@ -21,6 +21,6 @@ ForceShading forceShadingOf(double most_rad);
 /// bounded for any fan. Source: Morgenbesser and Srinivasan 1996, Force shading for haptic shape perception, after
 /// Phong 1975; the weights at edges and the limit are ours.
 Vec3 shadedDirection(const Surface& surface, const Hit& hit, const Vec3& u_M,
-                     const ForceShading& most) noexcept UNDERACT_REAL_TIME;
+                     const ForceShading& max) noexcept UNDERACT_REAL_TIME;
 
 }  // namespace underact::mesh

@@ -21,8 +21,9 @@ bool isBehindByRay(const Surface& surface, FreeSide free, const Vec3& q_M) noexc
 /// Where a path comes through the wall from its free side.
 Crossing firstWall(const Surface& surface, FreeSide free, const Vec3& from_M,
                    const Vec3& to_M) noexcept UNDERACT_REAL_TIME {
-  const CrossingDirection way = free == FreeSide::Outside ? CrossingDirection::Inwards : CrossingDirection::Outwards;
-  return firstCrossing(surface, way, from_M, to_M);
+  const CrossingDirection direction =
+      free == FreeSide::Outside ? CrossingDirection::Inwards : CrossingDirection::Outwards;
+  return firstCrossing(surface, direction, from_M, to_M);
 }
 
 Hit alongFrom(const Surface& surface, std::int32_t face, const Vec3& q_M) noexcept UNDERACT_REAL_TIME {
@@ -44,12 +45,12 @@ bool isOnIt(const Surface& surface, const Hit& hit) noexcept UNDERACT_REAL_TIME 
 /// edge or a corner, or where faces were cut, a tip that no face is in the way of is free only if a ray confirms it,
 /// since rounding, or the end of a walk halfway, may hide a face there.
 bool staysBehind(const Surface& surface, FreeSide free, const Vec3& q_M, Hit& hit) noexcept UNDERACT_REAL_TIME {
-  constexpr int kMostWalls = 8;           // that a proxy falls on in a tick; past them it is held by the last one
+  constexpr int kMaxWalls = 8;            // that a proxy falls on in a tick; past them it is held by the last one
   constexpr double kNearer = 1.0 - 1e-9;  // by less it is the same point, on another face there
   constexpr double kBegin = 1e-6;         // of the way to the tip: it is past the faces that meet there
   for (int walls = 0; !isBehind(surface, free, hit, q_M); ++walls) {
     if (isOnIt(surface, hit)) return false;
-    if (walls == kMostWalls) return true;
+    if (walls == kMaxWalls) return true;
     // A path from within a face has all others ahead.
     const bool is_within = hit.part == Part::Inside;
     const Crossing wall = firstWall(surface, free, is_within ? hit.p_M : Vec3(hit.p_M + kBegin * (q_M - hit.p_M)), q_M);

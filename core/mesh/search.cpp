@@ -15,7 +15,7 @@ namespace {
 
 /// The greatest number of steps of a walk. A hand moves some tenths of a millimetre in a tick: one or two faces of a
 /// fine mesh.
-constexpr int kMostSteps = 256;
+constexpr int kMaxSteps = 256;
 /// Steps of a walk that the tree follows anyway: a farther point is found faster from the root.
 constexpr int kHybridSteps = 12;
 /// A point further away than this many times the size of the surface is moved nearer, so that floats hold the squares.
@@ -53,9 +53,9 @@ class Recent {
 
 /// Walks from face to face, across edges and around corners, while the distance decreases. Gives whether it reached a
 /// minimum.
-bool walk(const Surface& surface, const Vec3& q_M, int most_steps, Recent& recent,
+bool walk(const Surface& surface, const Vec3& q_M, int max_steps, Recent& recent,
           Hit& hit) noexcept UNDERACT_REAL_TIME {
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const std::int32_t face = hit.face;
     if (face < 0) return false;
     forNeighbours(surface, face, hit.part, [&](std::int32_t other) noexcept UNDERACT_REAL_TIME {
@@ -69,7 +69,7 @@ bool walk(const Surface& surface, const Vec3& q_M, int most_steps, Recent& recen
 
 /// The capacity of a sweep, nodes or faces: along a hand's path some twenty are enough.
 constexpr std::size_t kRoom = 256;
-using List = std::array<std::int32_t, kRoom + kWays>;
+using List = std::array<std::int32_t, kRoom + kChildren>;
 /// How many nodes ahead memory is prefetched; without it, a path over a fine mesh takes 6 % longer.
 constexpr std::size_t kAhead = 3;
 
@@ -138,7 +138,7 @@ struct Waiting {
   float squared;  // of the distance, at least
   std::int32_t child;
 };
-using Stack = std::array<Waiting, (kWays - 1) * kMostDepth + kWays>;
+using Stack = std::array<Waiting, (kChildren - 1) * kMaxDepth + kChildren>;
 
 /// From the root, the nearest box first: where there is no limit yet, or too much within it.
 void searchBestFirst(const Surface& surface, const Vec3& q_M, Hit& hit) noexcept UNDERACT_REAL_TIME {
@@ -152,7 +152,7 @@ void searchBestFirst(const Surface& surface, const Vec3& q_M, Hit& hit) noexcept
       visitFace(surface, -1 - next.child, q_M, hit);
       continue;
     }
-    if (hit.visits >= kMostVisits) return;
+    if (hit.visits >= kMaxVisits) return;
     ++hit.visits;
     const Node& node = surface.nodes[static_cast<std::size_t>(next.child)];
     const BoxBounds bounds = boundsOf(node, q_M, hit.squared);
@@ -184,9 +184,9 @@ bool isLeap(const Surface& surface, const Cut& cut, const Vec3& q_M) noexcept UN
 Hit nearestPoint(const Surface& surface, Search search, const Vec3& q_M, SearchState& state) noexcept {
   const Vec3 low = surface.low_M.cast<double>(), high = surface.high_M.cast<double>();
   const Vec3 far = Vec3::Constant(kFar * std::max((high - low).norm(), 1e-30));
-  const Vec3 least = low - far, most = high + far;
-  const Vec3 at(std::clamp(q_M.x(), least.x(), most.x()), std::clamp(q_M.y(), least.y(), most.y()),
-                std::clamp(q_M.z(), least.z(), most.z()));
+  const Vec3 min = low - far, max = high + far;
+  const Vec3 at(std::clamp(q_M.x(), min.x(), max.x()), std::clamp(q_M.y(), min.y(), max.y()),
+                std::clamp(q_M.z(), min.z(), max.z()));
   const bool knows = state.face >= 0 && state.face < static_cast<std::int32_t>(surface.triangles.faces.size());
   Hit hit;
   bool is_near = false;
@@ -195,7 +195,7 @@ Hit nearestPoint(const Surface& surface, Search search, const Vec3& q_M, SearchS
   if (knows && search != Search::Global && !leaps) {
     recent.add(state.face);
     visitFace(surface, state.face, at, hit);
-    is_near = walk(surface, at, search == Search::Local ? kMostSteps : kHybridSteps, recent, hit);
+    is_near = walk(surface, at, search == Search::Local ? kMaxSteps : kHybridSteps, recent, hit);
   }
   const bool is_done = search == Search::Local ? hit.face >= 0 : is_near && sweep(surface, recent, at, state.cut, hit);
   if (!is_done) searchBestFirst(surface, at, hit);

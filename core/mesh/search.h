@@ -30,11 +30,11 @@ struct Hit {
 
 /// Nodes that one search looks at, at most: it bounds the time where very many faces are nearly equally near (the
 /// centre of a sphere). Past it the best point so far counts, and is_proved is false.
-inline constexpr int kMostVisits = 4000;
+inline constexpr int kMaxVisits = 4000;
 
 /// The point of the surface nearest to q_M, any finite point. Where is_proved, exact within 1e-15 of the largest
 /// coordinate, for a q_M within 1e6 times the size of the mesh. Local: to the same precision no farther than the face
-/// of the last tick, nor than the faces that meet the face of the hit there. Cost: bounded by kMostVisits.
+/// of the last tick, nor than the faces that meet the face of the hit there. Cost: bounded by kMaxVisits.
 Hit nearestPoint(const Surface& surface, Search search, const Vec3& q_M,
                  SearchState& state) noexcept UNDERACT_REAL_TIME;
 

@@ -11,25 +11,25 @@
 namespace underact::mesh {
 namespace {
 
-constexpr std::size_t kMostFaces = std::size_t{1} << 27U;
+constexpr std::size_t kMaxFaces = std::size_t{1} << 27U;
 constexpr float kLargest = 1e15F;  // units: the square of a distance is a float
 
 Problems whatIsWrong(const Triangles& triangles) {
-  if (triangles.faces.empty()) return {{said(TRANSLATE_NOOP("problem", "The mesh has no triangles.")), {}}};
-  if (triangles.faces.size() > kMostFaces || triangles.p_MV.size() > 3 * kMostFaces)
-    return {{said(TRANSLATE_NOOP("problem", "The mesh has more than 134 million triangles.")), {}}};
+  if (triangles.faces.empty()) return {{phrase(TRANSLATE_NOOP("problem", "The mesh has no triangles.")), {}}};
+  if (triangles.faces.size() > kMaxFaces || triangles.p_MV.size() > 3 * kMaxFaces)
+    return {{phrase(TRANSLATE_NOOP("problem", "The mesh has more than 134 million triangles.")), {}}};
   for (const Eigen::Vector3f& corner : triangles.p_MV) {
     if (!(corner.cwiseAbs().maxCoeff() <= kLargest) || !corner.allFinite())
-      return {{said(TRANSLATE_NOOP("problem", "A vertex of the mesh is not a finite point.")), {}}};
+      return {{phrase(TRANSLATE_NOOP("problem", "A vertex of the mesh is not a finite point.")), {}}};
   }
   const auto corners = static_cast<std::int32_t>(triangles.p_MV.size());
   for (const Face& face : triangles.faces) {
     for (const std::int32_t corner : face) {
       if (corner < 0 || corner >= corners)
-        return {{said(TRANSLATE_NOOP("problem", "A triangle refers to a vertex that does not exist.")), {}}};
+        return {{phrase(TRANSLATE_NOOP("problem", "A triangle refers to a vertex that does not exist.")), {}}};
     }
     if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0])
-      return {{said(TRANSLATE_NOOP("problem", "A triangle has the same vertex twice.")), {}}};
+      return {{phrase(TRANSLATE_NOOP("problem", "A triangle has the same vertex twice.")), {}}};
   }
   return {};
 }
@@ -91,7 +91,7 @@ Result<std::shared_ptr<const Surface>> makeSurface(Triangles triangles, const Ta
                                                    const Vec3& origin_M) {
   Problems problems = whatIsWrong(triangles);
   if (!problems.empty()) return problems;
-  const Problems cancelled{{said(TRANSLATE_NOOP("problem", "Cancelled.")), {}}};
+  const Problems cancelled{{phrase(TRANSLATE_NOOP("problem", "Cancelled.")), {}}};
   monitor.report(TRANSLATE_NOOP("step of work", "Building the tree"), 0.0);
   std::optional<Tree> tree = makeTree(triangles, monitor);
   if (!tree) return cancelled;

@@ -35,7 +35,7 @@ bool areFinite(const std::vector<Eigen::Vector3f>& vectors) {
 /// Whether each face has existing corners, and each neighbour is a face that shares the edge, so that a walk around a
 /// corner ends. No corner is without a face, and a closed surface has a neighbour at each side: so it has no more
 /// corners than its faces allow.
-bool areFacesWell(const Surface& surface) {
+bool areFacesValid(const Surface& surface) {
   const auto corners = static_cast<std::int32_t>(surface.triangles.p_MV.size());
   const auto faces = static_cast<std::int32_t>(surface.triangles.faces.size());
   std::vector<bool> has_face(surface.triangles.p_MV.size(), false);
@@ -64,7 +64,7 @@ bool isEmptyBox(const Node& node, std::size_t slot) {
 /// Whether each node but the root is the child of one before it, and each face of one node; none deeper than a search
 /// has room for. A missing child needs a box that nothing intersects, since a search does not check for children. The
 /// numbers of other boxes may be any: they affect what is found, not whether it ends.
-bool areNodesWell(const Surface& surface) {
+bool areNodesValid(const Surface& surface) {
   std::vector<bool> has_node(surface.nodes.size(), false), has_face(surface.triangles.faces.size(), false);
   std::vector<int> depths(surface.nodes.size(), 1);
   const auto nodes = static_cast<std::int32_t>(surface.nodes.size());
@@ -85,7 +85,7 @@ bool areNodesWell(const Surface& surface) {
       has[place] = true;
       if (!is_bottom) depths[place] = depths[static_cast<std::size_t>(index)] + 1;
     }
-    if (node.children[0] == kNoChild || depths[static_cast<std::size_t>(index)] > kMostDepth) return false;
+    if (node.children[0] == kNoChild || depths[static_cast<std::size_t>(index)] > kMaxDepth) return false;
   }
   return std::all_of(has_face.begin(), has_face.end(), [](bool has) { return has; });
 }
@@ -138,9 +138,9 @@ std::shared_ptr<const Surface> surfaceOfBytes(std::span<const std::byte> bytes) 
     std::memcpy(static_cast<void*>(list.data()), bytes.data() + at, list.size() * sizeof(list[0]));
     at += list.size() * sizeof(list[0]);
   });
-  const bool is_well = areFinite(surface->triangles.p_MV) && areFinite(surface->normals_M) &&
-                       surface->origin_M.allFinite() && areFacesWell(*surface) && areNodesWell(*surface);
-  if (!is_well || surface->triangles.p_MV.empty()) return nullptr;
+  const bool is_ok = areFinite(surface->triangles.p_MV) && areFinite(surface->normals_M) &&
+                     surface->origin_M.allFinite() && areFacesValid(*surface) && areNodesValid(*surface);
+  if (!is_ok || surface->triangles.p_MV.empty()) return nullptr;
   complete(*surface);
   return surface;
 }

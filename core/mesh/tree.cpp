@@ -11,9 +11,9 @@
 namespace underact::mesh {
 namespace {
 
-constexpr auto kInBottom = static_cast<std::int32_t>(kWays);  // faces of a leaf
-constexpr std::int32_t kWorthAThread = 50'000;                // faces
-using Centre = Eigen::Vector3f;                               // three times the centroid; only its order counts
+constexpr auto kInBottom = static_cast<std::int32_t>(kChildren);  // faces of a leaf
+constexpr std::int32_t kWorthAThread = 50'000;                    // faces
+using Centre = Eigen::Vector3f;                                   // three times the centroid; only its order counts
 
 struct Range {
   std::int32_t begin, end;  // of the order
@@ -77,7 +77,7 @@ class Splitter {
   std::vector<std::int32_t> order_;
 };
 
-constexpr int kHalvings = std::countr_zero(kWays);  // of a node's faces among its children
+constexpr int kHalvings = std::countr_zero(kChildren);  // of a node's faces among its children
 
 /// The parts of a range halved kHalvings times; what fits into a leaf stays together.
 template <class Use>
@@ -96,7 +96,7 @@ class Layout {
  public:
   explicit Layout(std::int32_t faces) { place({0, faces}); }
   std::vector<Node> nodes;
-  std::vector<std::array<Range, kWays>> parts;  // of each node's children
+  std::vector<std::array<Range, kChildren>> parts;  // of each node's children
 
  private:
   std::int32_t place(const Range& range) {
@@ -127,10 +127,10 @@ std::optional<Tree> makeTree(const Triangles& triangles, const TaskMonitor& moni
   Layout layout(static_cast<std::int32_t>(tree.order.size()));
   inParallel(layout.nodes.size(), [&](std::size_t begin, std::size_t end) {
     std::vector<Eigen::Vector3f> corners;
-    std::array<std::size_t, kWays + 1> begins{};
+    std::array<std::size_t, kChildren + 1> begins{};
     for (std::size_t index = begin; index < end && !monitor.isCancelled(); ++index) {
       corners.clear();
-      for (std::size_t child = 0; child < kWays; ++child) {
+      for (std::size_t child = 0; child < kChildren; ++child) {
         begins[child] = corners.size();
         const Range& part = layout.parts[index][child];
         for (std::int32_t place = part.begin; place < part.end; ++place) {
@@ -139,7 +139,7 @@ std::optional<Tree> makeTree(const Triangles& triangles, const TaskMonitor& moni
             corners.push_back(triangles.p_MV[static_cast<std::size_t>(corner)]);
         }
       }
-      begins[kWays] = corners.size();
+      begins[kChildren] = corners.size();
       setBoxes(corners, begins, layout.nodes[index]);
     }
   });

@@ -19,6 +19,6 @@ struct Tree {
 std::optional<Tree> makeTree(const Triangles& triangles, const TaskMonitor& monitor);
 
 /// The greatest depth with 2^27 faces: a leaf holds 8, each node above halves three times, except for the lowest.
-inline constexpr int kMostDepth = 10;
+inline constexpr int kMaxDepth = 10;
 
 }  // namespace underact::mesh

@@ -86,8 +86,8 @@ bool digestAll(Digest& digest, std::span<const std::byte> bytes, const TaskMonit
 
 }  // namespace
 
-Cache::Cache(std::string folder, std::uint64_t most_bytes)
-    : folder_(folder.empty() ? defaultFolder().string() : std::move(folder)), most_bytes_(most_bytes) {}
+Cache::Cache(std::string folder, std::uint64_t max_bytes)
+    : folder_(folder.empty() ? defaultFolder().string() : std::move(folder)), max_bytes_(max_bytes) {}
 
 std::optional<std::vector<std::byte>> Cache::get(const std::string& key, const TaskMonitor& monitor) const {
   if (folder_.empty() || !isName(key)) return {};
@@ -121,18 +121,18 @@ bool Cache::put(const std::string& key, std::span<const std::span<const std::byt
     head.bytes += part.size();
     if (!digestAll(digest, part, monitor)) return false;
   }
-  if (head.bytes + sizeof head > most_bytes_) return false;
+  if (head.bytes + sizeof head > max_bytes_) return false;
   const std::string text = digest.text();
   std::copy(text.begin(), text.end(), head.digest.begin());
   std::error_code error;
   fs::create_directories(folder_, error);
   const fs::path aside = fs::path(folder_) / (key + "." + system::uniqueWord() + kAside);
   Writing writing(aside, monitor);
-  bool is_well = writing.add(std::as_bytes(std::span(&head, 1)));
-  for (const std::span<const std::byte> part : parts) is_well = is_well && writing.add(part);
-  is_well = writing.close() && is_well;
-  if (is_well) fs::rename(aside, fs::path(folder_) / (key + kExtension), error);
-  if (!is_well || error) {
+  bool is_ok = writing.add(std::as_bytes(std::span(&head, 1)));
+  for (const std::span<const std::byte> part : parts) is_ok = is_ok && writing.add(part);
+  is_ok = writing.close() && is_ok;
+  if (is_ok) fs::rename(aside, fs::path(folder_) / (key + kExtension), error);
+  if (!is_ok || error) {
     fs::remove(aside, error);
     return false;
   }
@@ -161,7 +161,7 @@ void Cache::makeRoom() const {
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.used != b.used ? a.used < b.used : a.path < b.path; });
   for (const Entry& entry : entries) {
-    if (sum <= most_bytes_) break;
+    if (sum <= max_bytes_) break;
     fs::remove(entry.path, error);
     sum -= entry.bytes;
   }

@@ -15,9 +15,9 @@ namespace underact::mesh_file {
 /// entry is written aside and then renamed. A folder that is missing or not writable is no error: nothing is kept then.
 class Cache {
  public:
-  /// folder empty: UNDERACT_CACHE_DIR, else underact/meshes in XDG_CACHE_HOME, else in ~/.cache. most_bytes: of all
+  /// folder empty: UNDERACT_CACHE_DIR, else underact/meshes in XDG_CACHE_HOME, else in ~/.cache. max_bytes: of all
   /// entries; beyond it the least recently used ones are removed.
-  explicit Cache(std::string folder = {}, std::uint64_t most_bytes = std::uint64_t{1} << 30);
+  explicit Cache(std::string folder = {}, std::uint64_t max_bytes = std::uint64_t{1} << 30);
 
   const std::string& folder() const { return folder_; }
 
@@ -31,7 +31,7 @@ class Cache {
  private:
   void makeRoom() const;
   std::string folder_;
-  std::uint64_t most_bytes_;
+  std::uint64_t max_bytes_;
 };
 
 }  // namespace underact::mesh_file

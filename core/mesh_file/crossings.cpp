@@ -10,8 +10,8 @@
 namespace underact::mesh_file {
 namespace {
 
-constexpr std::int64_t kMostBoxes = 400'000'000;  // compared; about 1 s
-constexpr std::int64_t kMostTests = 3'000'000;    // of triangles; about 1 s
+constexpr std::int64_t kMaxBoxes = 400'000'000;  // compared; about 1 s
+constexpr std::int64_t kMaxTests = 3'000'000;    // of triangles; about 1 s
 
 struct Box {
   Eigen::Vector3f low, high;
@@ -107,7 +107,7 @@ bool overlap(const Box& a, const Box& b) {
 
 Crossings crossingsOf(const mesh::Triangles& triangles, const TaskMonitor& monitor) {
   Crossings found;
-  if (triangles.faces.size() > kMostFacesForCrossings) return found;
+  if (triangles.faces.size() > kMaxFacesForCrossings) return found;
   Eigen::Index axis = 0;
   const std::vector<Box> boxes = boxesOf(triangles, axis);
   std::int64_t compared = 0, tested = 0;
@@ -115,7 +115,7 @@ Crossings crossingsOf(const mesh::Triangles& triangles, const TaskMonitor& monit
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Corners corners = cornersOf(triangles, boxes[i].face);
     for (std::size_t j = i + 1; j < boxes.size() && boxes[j].low[axis] <= boxes[i].high[axis]; ++j) {
-      if (++compared > kMostBoxes || tested > kMostTests || steps.isCancelled()) return found;
+      if (++compared > kMaxBoxes || tested > kMaxTests || steps.isCancelled()) return found;
       if (!overlap(boxes[i], boxes[j])) continue;
       const mesh::Face& a = triangles.faces[static_cast<std::size_t>(boxes[i].face)];
       const mesh::Face& b = triangles.faces[static_cast<std::size_t>(boxes[j].face)];

@@ -13,7 +13,7 @@ struct Crossings {
 };
 
 /// Above this many faces crossings are not looked for.
-inline constexpr std::size_t kMostFacesForCrossings = 200'000;
+inline constexpr std::size_t kMaxFacesForCrossings = 200'000;
 
 /// Pairs of faces without a common corner that cross: an edge of one passes through the other. In doubles, without
 /// exact arithmetic: a mere touch may count or not. Coplanar faces that overlap count where an edge of one crosses an

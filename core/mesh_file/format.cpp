@@ -41,21 +41,21 @@ bool hasObjCorner(std::string_view head) {
 
 Problem tooShort(const Sentence& states, const std::string& path) {
   return {
-      said(TRANSLATE_NOOP("problem", "The file is truncated or damaged: it declares %1, but is too short for that."),
-           {states}),
+      phrase(TRANSLATE_NOOP("problem", "The file is truncated or damaged: it declares %1, but is too short for that."),
+             {states}),
       {path}};
 }
 
 Sentence cornersText(std::uint64_t count) {
-  return said(TRANSLATE_NOOP("problem", "%1 vertices"), {std::to_string(count)});
+  return phrase(TRANSLATE_NOOP("problem", "%1 vertices"), {std::to_string(count)});
 }
 
 Sentence facesText(std::uint64_t count) {
-  return said(TRANSLATE_NOOP("problem", "%1 faces"), {std::to_string(count)});
+  return phrase(TRANSLATE_NOOP("problem", "%1 faces"), {std::to_string(count)});
 }
 
 Sentence both(const Sentence& one, const Sentence& other) {
-  return said(TRANSLATE_NOOP("problem", "%1 and %2"), {one, other});
+  return phrase(TRANSLATE_NOOP("problem", "%1 and %2"), {one, other});
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ const char* nameOf(Format format) {
 }
 
 Result<Format> formatOf(std::string_view head, std::uint64_t file_bytes, const std::string& path) {
-  if (file_bytes == 0) return Problems{{said(TRANSLATE_NOOP("problem", "The file is empty.")), {path}}};
+  if (file_bytes == 0) return Problems{{phrase(TRANSLATE_NOOP("problem", "The file is empty.")), {path}}};
   const std::string extension = extensionOf(path);
   const std::string first = lowered(Scan(head).word());
   if (isWholeStlBinary(head, file_bytes)) return Format::StlBinary;
@@ -86,13 +86,13 @@ Result<Format> formatOf(std::string_view head, std::uint64_t file_bytes, const s
   if ((extension == ".stl" && !is_text) || extension == ".stlb") return Format::StlBinary;
   if (extension == ".ply")
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "This is not a PLY file: it does not begin with \"ply\".")), {path}}};
+        {phrase(TRANSLATE_NOOP("problem", "This is not a PLY file: it does not begin with \"ply\".")), {path}}};
   if (extension == ".off")
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "This is not an OFF file: it does not begin with \"OFF\".")), {path}}};
+        {phrase(TRANSLATE_NOOP("problem", "This is not an OFF file: it does not begin with \"OFF\".")), {path}}};
   if (is_text && hasObjCorner(head)) return Format::Obj;
   return Problems{
-      {said(TRANSLATE_NOOP("problem", "This is not a mesh that can be read. Use an STL, OBJ, PLY or OFF file.")),
+      {phrase(TRANSLATE_NOOP("problem", "This is not a mesh that can be read. Use an STL, OBJ, PLY or OFF file.")),
        {path}}};
 }
 
@@ -100,16 +100,16 @@ Problems checkHead(Format format, std::string_view head, std::uint64_t file_byte
   const auto size = static_cast<double>(file_bytes);
   if (format == Format::StlBinary) {
     const std::uint64_t count = stlBinaryCount(head);
-    if (file_bytes < kStlHeadBytes) return {tooShort(said(TRANSLATE_NOOP("problem", "a binary STL mesh")), path)};
+    if (file_bytes < kStlHeadBytes) return {tooShort(phrase(TRANSLATE_NOOP("problem", "a binary STL mesh")), path)};
     const std::uint64_t rest = file_bytes - kStlHeadBytes;
     if (rest > 0 && rest % kStlFaceBytes == 0) return {};  // whole faces, whatever their stated number
     if (count * kStlFaceBytes > rest) return {tooShort(facesText(count), path)};
-    if (count == 0) return {{said(TRANSLATE_NOOP("problem", "The file contains no faces.")), {path}}};
+    if (count == 0) return {{phrase(TRANSLATE_NOOP("problem", "The file contains no faces.")), {path}}};
   } else if (format == Format::Ply) {
     const Result<PlyHeader> header = readPlyHeader(head);
     if (!header) return {{header.problems()[0].sentence, {path}}};
-    const double least = static_cast<double>(header.value().bytes) + leastBytes(header.value());
-    if (least > size) {
+    const double min = static_cast<double>(header.value().bytes) + minBytes(header.value());
+    if (min > size) {
       Sentence states;
       for (const PlyElement& element : header.value().elements) {
         if (element.name != "vertex" && element.name != "face") continue;

@@ -8,7 +8,7 @@
 namespace underact::mesh_file {
 namespace {
 
-constexpr std::size_t kMostSteps = 20'000;  // of borders; looking for loops takes the square of the longest
+constexpr std::size_t kMaxSteps = 20'000;  // of borders; looking for loops takes the square of the longest
 
 /// From a corner to the next one, as the faces that close the hole go along it.
 struct Step {
@@ -60,19 +60,19 @@ std::vector<std::vector<std::int32_t>> loopsOf(const std::vector<Step>& steps) {
   std::vector<std::vector<std::int32_t>> loops;
   for (std::size_t first = 0; first < steps.size(); ++first) {
     if (is_used[first] != 0) continue;
-    std::vector<std::int32_t> way;
+    std::vector<std::int32_t> path;
     for (std::size_t place = first; place < steps.size(); place = firstFrom(steps[place].to)) {
       is_used[place] = 1;
       const std::int32_t from = steps[place].from;
       // Where it comes back to a corner, what is between is a loop of its own.
-      const auto again = std::find(way.begin(), way.end(), from);
-      if (again != way.end()) {
-        loops.emplace_back(again, way.end());
-        way.erase(again, way.end());
+      const auto again = std::find(path.begin(), path.end(), from);
+      if (again != path.end()) {
+        loops.emplace_back(again, path.end());
+        path.erase(again, path.end());
       }
-      way.push_back(from);
+      path.push_back(from);
     }
-    loops.push_back(std::move(way));
+    loops.push_back(std::move(path));
   }
   return loops;
 }
@@ -94,7 +94,7 @@ std::optional<ClosedHoles> closeHoles(mesh::Triangles& triangles, const TaskMoni
   double area = 0.0, closed_area = 0.0;
   const double size = sizeOf(triangles, area);
   const std::vector<Step> borders = bordersOf(triangles);
-  if (monitor.isCancelled() || borders.size() > kMostSteps) return {};
+  if (monitor.isCancelled() || borders.size() > kMaxSteps) return {};
   ClosedHoles closed;
   std::vector<mesh::Face> faces;
   std::vector<Eigen::Vector3f> middles;
@@ -122,7 +122,7 @@ std::optional<ClosedHoles> closeHoles(mesh::Triangles& triangles, const TaskMoni
     ++closed.count;
     closed.longest = std::max(closed.longest, around);
   }
-  if (closed_area > kMostOfArea * area) return {};
+  if (closed_area > kMaxOfArea * area) return {};
   triangles.faces.insert(triangles.faces.end(), faces.begin(), faces.end());
   triangles.p_MV.insert(triangles.p_MV.end(), middles.begin(), middles.end());
   return closed;

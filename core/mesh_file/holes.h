@@ -16,7 +16,7 @@ struct ClosedHoles {
 /// Holes with a border longer than this share of the mesh's diagonal are taken as intended.
 inline constexpr double kLongestHole = 0.3;
 /// So are holes that need faces of more than this share of the mesh's area.
-inline constexpr double kMostOfArea = 0.05;
+inline constexpr double kMaxOfArea = 0.05;
 
 /// Closes small holes by triangles from the middle of each to its border: then each edge is used as often in one
 /// direction as in the other, so the winding number is an integer everywhere. Except for points in the hole itself, it

@@ -19,13 +19,13 @@ Problems problemAt(const std::string& path, const Sentence& sentence) {
 }  // namespace
 
 Result<Input> Input::open(const std::string& path) {
-  Result<system::NamedFile> file = system::NamedFile::open(path, said(TRANSLATE_NOOP("problem", "a mesh")));
+  Result<system::NamedFile> file = system::NamedFile::open(path, phrase(TRANSLATE_NOOP("problem", "a mesh")));
   if (!file) return file.problems();
   const std::uint64_t bytes = file.value().bytes();
-  if (bytes > kMostFileBytes) {
+  if (bytes > kMaxFileBytes) {
     return problemAt(
-        path,
-        said(TRANSLATE_NOOP("problem", "The file is larger than 4 GiB. Make the mesh coarser, or save it in parts.")));
+        path, phrase(TRANSLATE_NOOP("problem",
+                                    "The file is larger than 4 GiB. Make the mesh coarser, or save it in parts.")));
   }
   std::string head(kHeadBytes, '\0');
   const Result<std::size_t> count = file.value().read(head);
@@ -49,7 +49,7 @@ Result<std::string> Input::checksum(const TaskMonitor& monitor) const {
   std::vector<char> block(kBlock);
   std::uint64_t done = 0;
   for (;;) {
-    if (monitor.isCancelled()) return problemAt(path(), said(TRANSLATE_NOOP("problem", "Cancelled.")));
+    if (monitor.isCancelled()) return problemAt(path(), phrase(TRANSLATE_NOOP("problem", "Cancelled.")));
     const Result<std::size_t> count = file_.read(block);
     if (!count) return count.problems();
     if (count.value() == 0) break;

@@ -61,7 +61,7 @@ void addRaw(const RawMesh& raw, Facts& facts) {
 }
 
 Sentence nothingLeft(const Facts& facts) {
-  Sentence sentence = said(TRANSLATE_NOOP("problem", "The file contains nothing to feel."));
+  Sentence sentence = phrase(TRANSLATE_NOOP("problem", "The file contains nothing to feel."));
   for (const Sentence& line : reportOf(facts, 1.0)) sentence = oneAfterAnother({sentence, line});
   return sentence;
 }

@@ -15,7 +15,7 @@ namespace underact::mesh_file {
 namespace {
 
 constexpr std::array<char, 8> kMessageMagic{'\x89', 'M', 'E', 'S', 'H', '2', '\r', '\n'};  // no progress
-constexpr std::uint64_t kMostFaces = std::uint64_t{1} << 27;                               // as a surface takes them
+constexpr std::uint64_t kMaxFaces = std::uint64_t{1} << 27;                                // as a surface takes them
 
 struct MessageHead {
   std::array<char, 8> magic = kMessageMagic;
@@ -74,8 +74,8 @@ std::optional<Message> readMessage(std::span<const std::byte> bytes) {
   MessageHead head;
   if (bytes.size() < sizeof head) return {};
   std::memcpy(&head, bytes.data(), sizeof head);
-  if (head.magic != kMessageMagic || head.problem_bytes > helper::kMostLetters || head.faces > kMostFaces ||
-      head.corners > 3 * kMostFaces) {
+  if (head.magic != kMessageMagic || head.problem_bytes > helper::kMaxLetters || head.faces > kMaxFaces ||
+      head.corners > 3 * kMaxFaces) {
     return {};
   }
   if (bytes.size() != sizeof head + head.problem_bytes + 12 * (head.corners + head.faces)) return {};

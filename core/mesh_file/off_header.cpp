@@ -31,15 +31,15 @@ Result<OffHeader> readOffHeader(std::string_view head) {
     }
     if (!isOffKeyword(keyword))
       return Problems{
-          {said(TRANSLATE_NOOP("problem", "The OFF header is damaged: it does not begin with \"OFF\".")), {}}};
+          {phrase(TRANSLATE_NOOP("problem", "The OFF header is damaged: it does not begin with \"OFF\".")), {}}};
     if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos) {
-      return Problems{{said(TRANSLATE_NOOP("problem", "The mesh in the OFF file is not three-dimensional.")), {}}};
+      return Problems{{phrase(TRANSLATE_NOOP("problem", "The mesh in the OFF file is not three-dimensional.")), {}}};
     }
     std::array<std::string_view, 3> counts{scan.word(), scan.word(), scan.word()};
     if (counts[0] == "BINARY") {
       return Problems{
-          {said(TRANSLATE_NOOP("problem",
-                               "This is a binary OFF file, which cannot be read. Save it as text, or as STL or PLY.")),
+          {phrase(TRANSLATE_NOOP(
+               "problem", "This is a binary OFF file, which cannot be read. Save it as text, or as STL or PLY.")),
            {}}};
     }
     // The third number, of edges, is not used, and some programs leave it out.
@@ -51,14 +51,14 @@ Result<OffHeader> readOffHeader(std::string_view head) {
     if (!readInteger(counts[0], header.corners) || !readInteger(counts[1], header.faces)) break;
     if (header.faces == 0)
       return Problems{
-          {said(TRANSLATE_NOOP("problem", "The OFF file contains points but no faces. A surface needs faces.")), {}}};
+          {phrase(TRANSLATE_NOOP("problem", "The OFF file contains points but no faces. A surface needs faces.")), {}}};
     header.bytes = lines.place();
     header.lines = lines.lineNumber();
     return header;
   }
-  return Problems{
-      {said(TRANSLATE_NOOP("problem", "The OFF header is damaged: the numbers of vertices and faces cannot be read.")),
-       {}}};
+  return Problems{{phrase(TRANSLATE_NOOP(
+                       "problem", "The OFF header is damaged: the numbers of vertices and faces cannot be read.")),
+                   {}}};
 }
 
 }  // namespace underact::mesh_file

@@ -9,8 +9,8 @@ namespace underact::mesh_file {
 namespace {
 
 // Whether a part is within another is decided by a ray through all faces of a part; at most this many tests.
-constexpr double kMostRayTests = 1e8;
-constexpr std::size_t kMostNested = 1000;
+constexpr double kMaxRayTests = 1e8;
+constexpr std::size_t kMaxNested = 1000;
 
 class Finding {
  public:
@@ -90,7 +90,7 @@ class Finding {
     for (std::size_t k = 0; k < found_.parts.size(); ++k) {
       if (isClosed(found_.parts[k])) closed.push_back(k);
     }
-    if (closed.size() > kMostNested) closed.resize(kMostNested);
+    if (closed.size() > kMaxNested) closed.resize(kMaxNested);
     double tests = 0.0;
     for (const std::size_t inner : closed) {
       int around = 0;
@@ -101,7 +101,7 @@ class Finding {
           continue;
         tests += static_cast<double>(triangles_.faces.size());
         // Beyond the bound it stays as in the file.
-        if (tests > kMostRayTests || isWithin(in.some_corner, static_cast<std::int32_t>(outer))) ++around;
+        if (tests > kMaxRayTests || isWithin(in.some_corner, static_cast<std::int32_t>(outer))) ++around;
         if (steps_.isCancelled()) return;
       }
       found_.parts[inner].is_nested = around > 0;

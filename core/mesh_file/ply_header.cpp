@@ -10,8 +10,8 @@
 namespace underact::mesh_file {
 namespace {
 
-constexpr std::size_t kMostElements = 64;
-constexpr std::size_t kMostProperties = 256;
+constexpr std::size_t kMaxElements = 64;
+constexpr std::size_t kMaxProperties = 256;
 
 struct Type {
   const char* word;
@@ -44,7 +44,7 @@ const Type* typeOf(std::string_view word) {
 }
 
 Problems damaged(const char* pattern, const std::string& what = {}) {
-  return {{said(pattern, {what}), {}}};
+  return {{phrase(pattern, {what}), {}}};
 }
 
 bool readProperty(Scan& words, PlyElement& element) {
@@ -60,7 +60,7 @@ bool readProperty(Scan& words, PlyElement& element) {
   }
   const Type* type = typeOf(word);
   property.name = words.word();
-  if (type == nullptr || property.name.empty() || element.properties.size() >= kMostProperties) return false;
+  if (type == nullptr || property.name.empty() || element.properties.size() >= kMaxProperties) return false;
   property.type = type->known;
   property.bytes = type->bytes;
   element.properties.push_back(std::move(property));
@@ -70,7 +70,7 @@ bool readProperty(Scan& words, PlyElement& element) {
 bool readElement(Scan& words, PlyHeader& header) {
   PlyElement element;
   element.name = words.word();
-  if (!readInteger(words.word(), element.count) || header.elements.size() >= kMostElements) return false;
+  if (!readInteger(words.word(), element.count) || header.elements.size() >= kMaxElements) return false;
   header.elements.push_back(std::move(element));
   return true;
 }
@@ -91,17 +91,18 @@ Problems checkSurface(const PlyHeader& header) {
   const PlyElement* corners = elementOf(header, "vertex");
   const PlyElement* faces = elementOf(header, "face");
   if (corners == nullptr)
-    return {{said(TRANSLATE_NOOP("problem", "The PLY file contains no vertices (element vertex).")), {}}};
+    return {{phrase(TRANSLATE_NOOP("problem", "The PLY file contains no vertices (element vertex).")), {}}};
   if (elementOf(header, "tristrips") != nullptr) {
-    return {{said(TRANSLATE_NOOP(
+    return {{phrase(TRANSLATE_NOOP(
                  "problem", "The PLY file contains triangle strips, which cannot be read. Save it with single faces.")),
              {}}};
   }
   if (faces == nullptr || faces->count == 0) {
-    return {{said(TRANSLATE_NOOP("problem",
-                                 "The PLY file contains points but no faces. A surface needs faces: create them in the "
-                                 "program that made the points.")),
-             {}}};
+    return {
+        {phrase(TRANSLATE_NOOP("problem",
+                               "The PLY file contains points but no faces. A surface needs faces: create them in the "
+                               "program that made the points.")),
+         {}}};
   }
   if (isTwice(header, "vertex") || isTwice(header, "face"))
     return damaged(TRANSLATE_NOOP("problem", "The PLY header is damaged: it declares vertices or faces twice."));
@@ -115,10 +116,11 @@ Problems checkSurface(const PlyHeader& header) {
     }
     if (found->is_list || (found->type != "float" && found->type != "double")) {
       return {
-          {said(TRANSLATE_NOOP(
-                    "problem",
-                    "The PLY file contains %1 of its vertices as integers. Save it with float or double coordinates."),
-                {axis}),
+          {phrase(
+               TRANSLATE_NOOP(
+                   "problem",
+                   "The PLY file contains %1 of its vertices as integers. Save it with float or double coordinates."),
+               {axis}),
            {}}};
     }
   }
@@ -150,29 +152,29 @@ Result<PlyHeader> readPlyHeader(std::string_view head) {
       if (!problems.empty()) return problems;
       return header;
     }
-    bool is_well = true;
+    bool is_ok = true;
     if (key == "format") {
       const std::string_view encoding = words.word();
       has_format = encoding == "ascii" || encoding == "binary_little_endian" || encoding == "binary_big_endian";
       header.encoding = encoding == "ascii"               ? PlyEncoding::Text
                         : encoding == "binary_big_endian" ? PlyEncoding::BigEndian
                                                           : PlyEncoding::LittleEndian;
-      is_well = has_format;
+      is_ok = has_format;
     } else if (key == "element") {
-      is_well = readElement(words, header);
+      is_ok = readElement(words, header);
     } else if (key == "property") {
-      is_well = !header.elements.empty() && readProperty(words, header.elements.back());
+      is_ok = !header.elements.empty() && readProperty(words, header.elements.back());
     } else if (key != "comment" && key != "obj_info" && !key.empty()) {
-      is_well = false;
+      is_ok = false;
     }
-    if (!is_well)
+    if (!is_ok)
       return damaged(TRANSLATE_NOOP("problem", "The PLY header is damaged: line %1 is not valid."),
                      std::to_string(lines.lineNumber() - 1));
   }
   return damaged(TRANSLATE_NOOP("problem", "The PLY header is damaged: it has no end."));
 }
 
-double leastBytes(const PlyHeader& header) {
+double minBytes(const PlyHeader& header) {
   double bytes = 0.0;
   for (const PlyElement& element : header.elements) {
     double each = 0.0;

@@ -39,6 +39,6 @@ struct PlyHeader {
 Result<PlyHeader> readPlyHeader(std::string_view head);
 
 /// The least number of bytes of a body with these elements.
-double leastBytes(const PlyHeader& header);
+double minBytes(const PlyHeader& header);
 
 }  // namespace underact::mesh_file

@@ -18,20 +18,20 @@ Sentence noneReason(const helper::Answer& answer, const helper::HelperCall& erra
     case Ending::Exited:
       return answer.code == 0
                  ? Sentence()
-                 : said(TRANSLATE_NOOP("problem", "The file cannot be read: the reader program exited with %1."),
-                        {std::to_string(answer.code)});
+                 : phrase(TRANSLATE_NOOP("problem", "The file cannot be read: the reader program exited with %1."),
+                          {std::to_string(answer.code)});
     case Ending::Crashed:
-      return said(TRANSLATE_NOOP("problem", "The file is damaged: the reader program crashed (signal %1)."),
-                  {std::to_string(answer.code)});
+      return phrase(TRANSLATE_NOOP("problem", "The file is damaged: the reader program crashed (signal %1)."),
+                    {std::to_string(answer.code)});
     case Ending::TookTooLong:
-      return said(TRANSLATE_NOOP("problem",
-                                 "The file is damaged, or has very large faces: reading it took longer than %1, "
-                                 "which is enough for a file of its size."),
-                  {helper::secondsText(errand.most_cpu_s)});
+      return phrase(TRANSLATE_NOOP("problem",
+                                   "The file is damaged, or has very large faces: reading it took longer than %1, "
+                                   "which is enough for a file of its size."),
+                    {helper::secondsText(errand.max_cpu_s)});
     case Ending::Waited:
-      return helper::timeoutText(errand.most_time_s);
+      return helper::timeoutText(errand.max_time_s);
     case Ending::WroteTooMuch:
-      return said(
+      return phrase(
           TRANSLATE_NOOP("problem", "The file is damaged: it declares more faces than a file of its size can hold."));
     case Ending::Cancelled:
       return kCancelled;
@@ -48,15 +48,15 @@ Result<RawMesh> readFile(const Input& input, const TaskMonitor& monitor) {
   const auto problem = [&](const Sentence& sentence) { return Problems{{sentence, {input.path()}}}; };
   const Result<std::string> reader = system::findProgram(kReader, "UNDERACT_MESH_READER");
   if (!reader)
-    return problem(oneAfterAnother(
-        {reader.problems().front().sentence, said(TRANSLATE_NOOP("problem", "It reads meshes: reinstall Underact."))}));
+    return problem(oneAfterAnother({reader.problems().front().sentence,
+                                    phrase(TRANSLATE_NOOP("problem", "It reads meshes: reinstall Underact."))}));
   helper::HelperCall errand;
   errand.program = reader.value();
   errand.argument = wordOf(input.format());
   errand.input_fd = input.rewound();
-  errand.most_cpu_s = mostCpu_s(input.bytes());
-  errand.most_time_s = mostTime_s(input.bytes());
-  errand.most_output = mostMemory(input.bytes());
+  errand.max_cpu_s = maxCpu_s(input.bytes());
+  errand.max_time_s = maxTime_s(input.bytes());
+  errand.max_output = maxMemory(input.bytes());
   errand.progress = [&monitor](unsigned char percent) {
     monitor.report(TRANSLATE_NOOP("step of work", "Reading the mesh"), percent / 100.0);
   };
@@ -66,10 +66,10 @@ Result<RawMesh> readFile(const Input& input, const TaskMonitor& monitor) {
   std::optional<Message> message = readMessage(answer.output);
   if (!message)
     return problem(
-        said(TRANSLATE_NOOP("problem", "The file is damaged: the reader program could not make a mesh of it.")));
+        phrase(TRANSLATE_NOOP("problem", "The file is damaged: the reader program could not make a mesh of it.")));
   if (!message->problem.empty()) return problem(message->problem);
   if (input.hasChanged())
-    return problem(said(TRANSLATE_NOOP("problem", "The file changed while it was being read. Open it again.")));
+    return problem(phrase(TRANSLATE_NOOP("problem", "The file changed while it was being read. Open it again.")));
   message->raw.cpu_s = answer.cpu_s;
   return std::move(message->raw);
 }

@@ -28,22 +28,22 @@ std::string figure(double value) {
 }
 
 Sentence lengthText(double units, double mm_per_unit) {
-  return said(TRANSLATE_NOOP("problem", "%1 mm"), {shownNumber(figure(units * mm_per_unit))});
+  return phrase(TRANSLATE_NOOP("problem", "%1 mm"), {shownNumber(figure(units * mm_per_unit))});
 }
 
 /// A sentence for one or for several, with the number as %1.
 Sentence counted(std::int64_t count, const char* one, const char* more, const Sentence& second = {}) {
-  return said(count == 1 ? one : more, {std::to_string(count), second});
+  return phrase(count == 1 ? one : more, {std::to_string(count), second});
 }
 
 void addLeftOut(const Facts& facts, std::vector<Sentence>& report) {
   if (facts.miscounted != 0)
     report.push_back(
-        said(TRANSLATE_NOOP("problem", "The file declares %1 faces, but has the length of %2: these were read."),
-             {std::to_string(facts.file_faces - facts.miscounted), std::to_string(facts.file_faces)}));
+        phrase(TRANSLATE_NOOP("problem", "The file declares %1 faces, but has the length of %2: these were read."),
+               {std::to_string(facts.file_faces - facts.miscounted), std::to_string(facts.file_faces)}));
   if (facts.skipped_bytes > 0)
-    report.push_back(said(TRANSLATE_NOOP("problem", "What belongs to no face was skipped: %1 B."),
-                          {std::to_string(facts.skipped_bytes)}));
+    report.push_back(phrase(TRANSLATE_NOOP("problem", "What belongs to no face was skipped: %1 B."),
+                            {std::to_string(facts.skipped_bytes)}));
   const auto leftOut = [&report](std::int64_t count, const char* one, const char* more) {
     if (count > 0) report.push_back(counted(count, one, more));
   };
@@ -84,9 +84,9 @@ void addRepaired(const Facts& facts, double mm_per_unit, std::vector<Sentence>& 
   }
   if (2 * facts.normals_against > facts.normals) {
     report.push_back(
-        said(TRANSLATE_NOOP("problem",
-                            "Most normals in the file point against the order of the vertices. Only the order counts "
-                            "here: if outside and inside feel swapped, save the mesh with its faces turned over.")));
+        phrase(TRANSLATE_NOOP("problem",
+                              "Most normals in the file point against the order of the vertices. Only the order counts "
+                              "here: if outside and inside feel swapped, save the mesh with its faces turned over.")));
   }
 }
 
@@ -118,9 +118,10 @@ void addRemaining(const Facts& facts, double mm_per_unit, std::vector<Sentence>&
   if (const Sentence crosses = crossingReport(facts); !crosses.empty()) {
     report.push_back(crosses);
   } else if (facts.crossings_checked == 0 && facts.faces > 0) {
-    report.push_back(said(TRANSLATE_NOOP("problem",
-                                         "The check for self-intersection was left out or not completed: there are too "
-                                         "many faces, or too many near each other.")));
+    report.push_back(
+        phrase(TRANSLATE_NOOP("problem",
+                              "The check for self-intersection was left out or not completed: there are too "
+                              "many faces, or too many near each other.")));
   }
   if (facts.flat_faces > 0) {
     report.push_back(counted(
@@ -138,7 +139,7 @@ constexpr double kThin_mm = 1.0;
 
 void addConsequences(const Facts& facts, double mm_per_unit, std::vector<Sentence>& report) {
   if (facts.thinnest > 0.0 && facts.thinnest * mm_per_unit < kThin_mm) {
-    report.push_back(said(
+    report.push_back(phrase(
         TRANSLATE_NOOP(
             "problem",
             "Part of it is thin, %1 on average: felt from both sides, it may let the stylus through; a wall does not."),
@@ -146,9 +147,10 @@ void addConsequences(const Facts& facts, double mm_per_unit, std::vector<Sentenc
   }
   report.push_back(
       allowsWalls(facts)
-          ? said(TRANSLATE_NOOP(
+          ? phrase(TRANSLATE_NOOP(
                 "problem", "The mesh is closed: it can be felt from both sides, or as a wall from outside or inside."))
-          : said(TRANSLATE_NOOP("problem", "The mesh can be felt from both sides only: %1."), {noWallsReason(facts)}));
+          : phrase(TRANSLATE_NOOP("problem", "The mesh can be felt from both sides only: %1."),
+                   {noWallsReason(facts)}));
 }
 
 }  // namespace
@@ -157,9 +159,9 @@ Sentence partsReport(const Facts& facts) {
   if (facts.parts <= 1) return {};
   const std::string parts = std::to_string(facts.parts);
   if (facts.nested_parts == 0)
-    return said(TRANSLATE_NOOP("problem", "The mesh consists of %1 separate parts."), {parts});
-  const Sentence nested = said(TRANSLATE_NOOP("problem", "The mesh consists of %1 separate parts, %2 inside others."),
-                               {parts, std::to_string(facts.nested_parts)});
+    return phrase(TRANSLATE_NOOP("problem", "The mesh consists of %1 separate parts."), {parts});
+  const Sentence nested = phrase(TRANSLATE_NOOP("problem", "The mesh consists of %1 separate parts, %2 inside others."),
+                                 {parts, std::to_string(facts.nested_parts)});
   if (facts.hollows == 0) return nested;
   return oneAfterAnother(
       {nested, counted(facts.hollows, TRANSLATE_NOOP("problem", "%1 of these is a hollow, which is felt from within."),
@@ -177,10 +179,10 @@ Sentence holesReport(const Facts& facts, double mm_per_unit) {
 
 Sentence precisionReport(const Facts& facts, double mm_per_unit) {
   if (facts.single_step * mm_per_unit < kFeltStep_mm) return {};
-  return said(TRANSLATE_NOOP("problem",
-                             "The mesh is so far from its origin that the single-precision numbers of the file have "
-                             "steps of %1: smaller details are lost. Save it nearer to its origin."),
-              {lengthText(facts.single_step, mm_per_unit)});
+  return phrase(TRANSLATE_NOOP("problem",
+                               "The mesh is so far from its origin that the single-precision numbers of the file have "
+                               "steps of %1: smaller details are lost. Save it nearer to its origin."),
+                {lengthText(facts.single_step, mm_per_unit)});
 }
 
 bool allowsWalls(const Facts& facts) {
@@ -189,12 +191,12 @@ bool allowsWalls(const Facts& facts) {
 
 Sentence noWallsReason(const Facts& facts) {
   if (allowsWalls(facts)) return {};
-  if (facts.faces == 0) return said(TRANSLATE_NOOP("problem", "it has no faces"));
-  if (facts.border_edges > 0) return said(TRANSLATE_NOOP("problem", "it is open, so it has no inside"));
-  if (facts.clashing_edges > 0) return said(TRANSLATE_NOOP("problem", "its faces cannot agree on an outside"));
+  if (facts.faces == 0) return phrase(TRANSLATE_NOOP("problem", "it has no faces"));
+  if (facts.border_edges > 0) return phrase(TRANSLATE_NOOP("problem", "it is open, so it has no inside"));
+  if (facts.clashing_edges > 0) return phrase(TRANSLATE_NOOP("problem", "its faces cannot agree on an outside"));
   if (facts.crowded_edges > 0)
-    return said(TRANSLATE_NOOP("problem", "edges with more than two faces leave the inside undefined"));
-  return said(TRANSLATE_NOOP("problem", "it intersects itself too often to tell inside from outside"));
+    return phrase(TRANSLATE_NOOP("problem", "edges with more than two faces leave the inside undefined"));
+  return phrase(TRANSLATE_NOOP("problem", "it intersects itself too often to tell inside from outside"));
 }
 
 std::vector<Sentence> reportOf(const Facts& facts, double mm_per_unit) {
@@ -202,7 +204,7 @@ std::vector<Sentence> reportOf(const Facts& facts, double mm_per_unit) {
   addLeftOut(facts, report);
   addRepaired(facts, mm_per_unit, report);
   if (facts.faces == 0) {
-    report.push_back(said(TRANSLATE_NOOP("problem", "No face is left, so there is nothing to feel.")));
+    report.push_back(phrase(TRANSLATE_NOOP("problem", "No face is left, so there is nothing to feel.")));
     return report;
   }
   addRemaining(facts, mm_per_unit, report);
@@ -214,8 +216,8 @@ std::optional<Proposal> implausible(double largest_mm) {
   if (!(largest_mm > 0.0) || !std::isfinite(largest_mm)) return {};
   if (largest_mm >= kSmallest_mm && largest_mm <= kLargest_mm) return {};
   Proposal proposal;
-  proposal.sentence = said(TRANSLATE_NOOP("problem", "Read as millimetres, the mesh is %1 mm long."),
-                           {shownNumber(figure(largest_mm))});
+  proposal.sentence = phrase(TRANSLATE_NOOP("problem", "Read as millimetres, the mesh is %1 mm long."),
+                             {shownNumber(figure(largest_mm))});
   constexpr std::array<Unit, 4> kUnits{{{TRANSLATE_NOOP("problem", "metres"), 1000.0, 0.0},
                                         {TRANSLATE_NOOP("problem", "centimetres"), 10.0, 0.0},
                                         {TRANSLATE_NOOP("problem", "inches"), 25.4, 0.0},
@@ -224,16 +226,16 @@ std::optional<Proposal> implausible(double largest_mm) {
     unit.size_mm = largest_mm * unit.mm_per_unit;
     if (unit.size_mm < kSmallest_mm || unit.size_mm > kLargest_mm) continue;
     proposal.sentence =
-        oneAfterAnother({proposal.sentence, said(TRANSLATE_NOOP("problem", "In %1 it would be %2 mm."),
-                                                 {said(unit.name), shownNumber(figure(unit.size_mm))})});
+        oneAfterAnother({proposal.sentence, phrase(TRANSLATE_NOOP("problem", "In %1 it would be %2 mm."),
+                                                   {phrase(unit.name), shownNumber(figure(unit.size_mm))})});
     proposal.units.push_back(unit);
   }
   if (proposal.units.empty()) {
     proposal.sentence = oneAfterAnother(
         {proposal.sentence,
-         said(largest_mm < kSmallest_mm
-                  ? TRANSLATE_NOOP("problem", "That is too small to feel: state a larger scale.")
-                  : TRANSLATE_NOOP("problem", "That is far beyond the arm's reach: state a smaller scale."))});
+         phrase(largest_mm < kSmallest_mm
+                    ? TRANSLATE_NOOP("problem", "That is too small to feel: state a larger scale.")
+                    : TRANSLATE_NOOP("problem", "That is far beyond the arm's reach: state a smaller scale."))});
   }
   return proposal;
 }

@@ -13,7 +13,7 @@ namespace {
 using mesh::Face;
 using mesh::Triangles;
 
-constexpr std::int64_t kMostCompared = 20'000'000;  // corners compared with borders, a tenth of a second
+constexpr std::int64_t kMaxCompared = 20'000'000;  // corners compared with borders, a tenth of a second
 
 using Along = std::vector<std::int32_t>;  // corners on a side, from its start to its end
 
@@ -40,18 +40,18 @@ class BorderCorners {
   /// Those on the side, without its ends.
   Along on(Side side) {
     const Vec3 start = cornerAt(triangles_, startOf(triangles_, side));
-    const Vec3 way = cornerAt(triangles_, endOf(triangles_, side)) - start;
-    const double least = std::min(start[axis_], start[axis_] + way[axis_]) - tolerance_;
-    const double most = std::max(start[axis_], start[axis_] + way[axis_]) + tolerance_;
+    const Vec3 offset = cornerAt(triangles_, endOf(triangles_, side)) - start;
+    const double min = std::min(start[axis_], start[axis_] + offset[axis_]) - tolerance_;
+    const double max = std::max(start[axis_], start[axis_] + offset[axis_]) + tolerance_;
     std::vector<std::pair<double, std::int32_t>> found;
-    auto next = std::lower_bound(corners_.begin(), corners_.end(), least,
+    auto next = std::lower_bound(corners_.begin(), corners_.end(), min,
                                  [this](std::int32_t corner, double value) { return place(corner) < value; });
-    for (; next != corners_.end() && place(*next) <= most && tests_ < kMostCompared; ++next, ++tests_) {
+    for (; next != corners_.end() && place(*next) <= max && tests_ < kMaxCompared; ++next, ++tests_) {
       const Face& face = triangles_.faces[static_cast<std::size_t>(faceOf(side))];
       if (std::find(face.begin(), face.end(), *next) != face.end()) continue;
       const Vec3 from_start = cornerAt(triangles_, *next) - start;
-      const double share = from_start.dot(way) / way.squaredNorm();
-      if (share > 0.0 && share < 1.0 && (from_start - share * way).norm() <= tolerance_)
+      const double share = from_start.dot(offset) / offset.squaredNorm();
+      if (share > 0.0 && share < 1.0 && (from_start - share * offset).norm() <= tolerance_)
         found.emplace_back(share, *next);
     }
     std::sort(found.begin(), found.end());
@@ -59,7 +59,7 @@ class BorderCorners {
     for (const auto& [share, corner] : found) along.push_back(corner);
     return along;
   }
-  bool isTooMuch() const { return tests_ >= kMostCompared; }
+  bool isTooMuch() const { return tests_ >= kMaxCompared; }
 
  private:
   double place(std::int32_t corner) const { return cornerAt(triangles_, corner)[axis_]; }

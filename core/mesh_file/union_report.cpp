@@ -13,12 +13,12 @@ Sentence crossesText(const Facts& facts) {
                         : is_one
                             ? TRANSLATE_NOOP("problem", "The surface intersects itself, at %1 pair of faces or more.")
                             : TRANSLATE_NOOP("problem", "The surface intersects itself, at %1 pairs of faces or more.");
-  return said(pattern, {std::to_string(facts.crossings)});
+  return phrase(pattern, {std::to_string(facts.crossings)});
 }
 
 Sentence feltText(const Facts& facts) {
   if (facts.within == 0)
-    return said(TRANSLATE_NOOP("problem", "You feel the surface of the whole body, without walls inside it."));
+    return phrase(TRANSLATE_NOOP("problem", "You feel the surface of the whole body, without walls inside it."));
   const char* pattern = facts.within == 1
                             ? TRANSLATE_NOOP("problem",
                                              "You feel the surface of the whole body, without walls inside it: %1 face "
@@ -26,7 +26,7 @@ Sentence feltText(const Facts& facts) {
                             : TRANSLATE_NOOP("problem",
                                              "You feel the surface of the whole body, without walls inside it: %1 "
                                              "faces there were left out.");
-  return said(pattern, {std::to_string(facts.within)});
+  return phrase(pattern, {std::to_string(facts.within)});
 }
 
 }  // namespace
@@ -38,10 +38,10 @@ Sentence crossingReport(const Facts& facts) {
       if (!crosses && facts.within == 0 && facts.closed_holes > 0) return {};
       return crosses ? oneAfterAnother({crossesText(facts), feltText(facts)})
                      : oneAfterAnother(
-                           {said(TRANSLATE_NOOP("problem", "Parts touch or contain each other.")), feltText(facts)});
+                           {phrase(TRANSLATE_NOOP("problem", "Parts touch or contain each other.")), feltText(facts)});
     case Inside::Unsure:
       return oneAfterAnother(
-          {crossesText(facts), said(TRANSLATE_NOOP("problem", "Inside and outside cannot be distinguished."))});
+          {crossesText(facts), phrase(TRANSLATE_NOOP("problem", "Inside and outside cannot be distinguished."))});
     case Inside::AsItIs:
       return crosses ? crossesText(facts) : Sentence();
   }

@@ -11,11 +11,11 @@ namespace underact::mesh_file {
 namespace {
 
 /// Larger meshes are not searched for intersections here; they are united if some were found before.
-constexpr std::int64_t kMostFacesToUnite = 2'000'000;
+constexpr std::int64_t kMaxFacesToUnite = 2'000'000;
 
 bool mayCross(const Facts& facts) {
   if (facts.crossings > 0 || facts.crowded_edges > 0 || facts.border_edges > 0) return true;
-  return (facts.parts > 1 || facts.crossings_checked == 0) && facts.faces <= kMostFacesToUnite;
+  return (facts.parts > 1 || facts.crossings_checked == 0) && facts.faces <= kMaxFacesToUnite;
 }
 
 void setFelt(const mesh::Triangles& triangles, Facts& facts) {

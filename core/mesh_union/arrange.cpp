@@ -59,16 +59,16 @@ class Arranging {
 
   bool meetAll(const Boxes& boxes) {
     std::int64_t pairs = 0;
-    bool is_well = true;
+    bool is_ok = true;
     boxes.eachPair([&](std::int32_t a, std::int32_t b) {
       const Flat &one = flats_[static_cast<std::size_t>(a)], &other = flats_[static_cast<std::size_t>(b)];
       if (!one.plane.isThere() || !other.plane.isThere()) return true;
-      is_well = ++pairs <= limits_.pairs && found_.crossings <= limits_.crossings &&
-                (pairs % kBetweenLooks != 0 || !monitor_.isCancelled());
-      if (is_well) meet(a, b);
-      return is_well;
+      is_ok = ++pairs <= limits_.pairs && found_.crossings <= limits_.crossings &&
+              (pairs % kBetweenLooks != 0 || !monitor_.isCancelled());
+      if (is_ok) meet(a, b);
+      return is_ok;
     });
-    return is_well;
+    return is_ok;
   }
 
   void meet(std::int32_t a, std::int32_t b) {

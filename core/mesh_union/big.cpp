@@ -47,8 +47,8 @@ Big operator+(const Big& a, const Big& b) {
   sum.is_negative_ = large.is_negative_;
   const bool adds = large.is_negative_ == small.is_negative_;
   std::uint64_t carry = 0;
-  const std::uint32_t most = std::min<std::uint32_t>(large.size_ + 1, Big::kLimbs);
-  for (std::uint32_t k = 0; k < most; ++k) {
+  const std::uint32_t max = std::min<std::uint32_t>(large.size_ + 1, Big::kLimbs);
+  for (std::uint32_t k = 0; k < max; ++k) {
     const UnsignedWide x = large.limbs_[k], y = static_cast<UnsignedWide>(small.limbs_[k]) + carry;
     const UnsignedWide z = adds ? x + y : x - y;
     sum.limbs_[k] = static_cast<std::uint64_t>(z);

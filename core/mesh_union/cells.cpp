@@ -152,8 +152,8 @@ Cells::Edge Cells::edgeOf(std::int32_t a, std::int32_t b) {
   return {};
 }
 
-Cells::Way Cells::wayOf(std::int32_t from, std::int32_t to) {
-  Way way;
+Cells::Path Cells::pathBetween(std::int32_t from, std::int32_t to) {
+  Path path;
   Edge edge;
   for (const Edge& leaving : around(from)) {
     const Cell& cell = at(leaving.cell);
@@ -161,8 +161,8 @@ Cells::Way Cells::wayOf(std::int32_t from, std::int32_t to) {
     const int of_right = turn(from, right, to), of_left = turn(from, to, left);
     if (of_right < 0 || of_left < 0 || (of_right == 0 && of_left == 0)) continue;
     if (of_right == 0 || of_left == 0) {
-      way.end = of_right == 0 ? right : left;
-      return way;
+      path.end = of_right == 0 ? right : left;
+      return path;
     }
     edge = {leaving.cell, (leaving.side + 1) % 3};
     break;
@@ -171,32 +171,32 @@ Cells::Way Cells::wayOf(std::int32_t from, std::int32_t to) {
     const Cell& cell = at(edge.cell);
     const std::int32_t right = cell.corners[edge.side], left = cell.corners[(edge.side + 1) % 3];
     if (cell.cut[edge.side] >= 0) {
-      way.blocked = edge;
-      return way;
+      path.blocked = edge;
+      return path;
     }
-    way.across.push_back({right, left});
+    path.across.push_back({right, left});
     const std::int32_t beyond = cell.beside[edge.side];
-    if (beyond < 0 || way.across.size() > cells_.size()) break;
+    if (beyond < 0 || path.across.size() > cells_.size()) break;
     const std::size_t side = sideFrom(at(beyond), left);  // left to right, seen from there
     const std::int32_t opposite = at(beyond).corners[(side + 2) % 3];
     const int of_opposite = opposite == to ? 0 : turn(from, to, opposite);
     if (of_opposite == 0) {
-      way.end = opposite;
-      return way;
+      path.end = opposite;
+      return path;
     }
     // Corners there: left, right, opposite.
     edge = {beyond, of_opposite > 0 ? (side + 1) % 3 : (side + 2) % 3};
   }
   has_failed_ = true;
-  return way;
+  return path;
 }
 
 /// Flips what the way crosses until it is an edge.
-void Cells::clear(std::int32_t from, const Way& way) {
-  std::deque<std::array<std::int32_t, 2>> waiting(way.across.begin(), way.across.end());
-  const std::size_t most = 64 + 64 * waiting.size() * waiting.size();
+void Cells::clear(std::int32_t from, const Path& path) {
+  std::deque<std::array<std::int32_t, 2>> waiting(path.across.begin(), path.across.end());
+  const std::size_t max = 64 + 64 * waiting.size() * waiting.size();
   for (std::size_t step = 0; !waiting.empty(); ++step) {
-    if (step > most) {
+    if (step > max) {
       has_failed_ = true;
       return;
     }
@@ -209,8 +209,8 @@ void Cells::clear(std::int32_t from, const Way& way) {
       continue;
     }
     const auto [c, d] = flip(edge);
-    const bool meets_end = c == from || d == from || c == way.end || d == way.end;
-    if (!meets_end && turn(from, way.end, c) * turn(from, way.end, d) < 0) waiting.push_back({c, d});
+    const bool meets_end = c == from || d == from || c == path.end || d == path.end;
+    if (!meets_end && turn(from, path.end, c) * turn(from, path.end, d) < 0) waiting.push_back({c, d});
   }
 }
 
@@ -237,22 +237,22 @@ void Cells::constrain(std::int32_t from, std::int32_t to, const Plane& plane) {
       mark(a, b, cut);
       continue;
     }
-    const Way way = wayOf(a, b);
+    const Path path = pathBetween(a, b);
     if (has_failed_) return;
-    if (way.blocked.cell >= 0) {
-      const Plane& other = cuts_[static_cast<std::size_t>(at(way.blocked.cell).cut[way.blocked.side])];
+    if (path.blocked.cell >= 0) {
+      const Plane& other = cuts_[static_cast<std::size_t>(at(path.blocked.cell).cut[path.blocked.side])];
       const std::int32_t crossing = points_.ofPlanes(own_, plane, other);
       has_failed_ = crossing < 0 || cell_of_.contains(crossing);
       if (has_failed_) return;
-      splitEdge(way.blocked, crossing);
+      splitEdge(path.blocked, crossing);
       waiting.push_back({crossing, b});
       waiting.push_back({a, crossing});
       continue;
     }
-    clear(a, way);
+    clear(a, path);
     if (has_failed_) return;
-    mark(a, way.end, cut);
-    waiting.push_back({way.end, b});
+    mark(a, path.end, cut);
+    waiting.push_back({path.end, b});
   }
 }
 

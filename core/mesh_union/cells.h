@@ -38,7 +38,7 @@ class Cells {
     std::int32_t cell = -1;
     std::size_t side = 0;
   };
-  struct Way {                                        // from a point towards another one
+  struct Path {                                       // from a point towards another one
     std::int32_t end = -1;                            // the first point on it that is a corner of a cell
     std::vector<std::array<std::int32_t, 2>> across;  // edges that it crosses before, right to left
     Edge blocked;                                     // the first of them that may not go
@@ -47,8 +47,8 @@ class Cells {
   int turn(std::int32_t a, std::int32_t b, std::int32_t c) const { return points_.turn(axis_, a, b, c); }
   std::vector<Edge> around(std::int32_t point);
   Edge edgeOf(std::int32_t a, std::int32_t b);
-  Way wayOf(std::int32_t from, std::int32_t to);
-  void clear(std::int32_t from, const Way& way);
+  Path pathBetween(std::int32_t from, std::int32_t to);
+  void clear(std::int32_t from, const Path& path);
   void mark(std::int32_t a, std::int32_t b, std::int32_t cut);
   void put(std::int32_t cell);
   std::int32_t cellOf(std::int32_t point);

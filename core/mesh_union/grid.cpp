@@ -43,7 +43,7 @@ Grid gridOf(const std::vector<Eigen::Vector3f>& p_MV) {
 }
 
 void widen(Grid& grid, const std::vector<mesh::Face>& faces, double steps) {
-  constexpr double kLeastShare = 1.0 / 3.0;  // of a face in the way that its corner goes: else spikes would grow long
+  constexpr double kMinShare = 1.0 / 3.0;  // of a face in the way that its corner goes: else spikes would grow long
   const auto at = [&](const mesh::Face& face, std::size_t k) -> Vec3 {
     const GridPoint& p = grid.points[static_cast<std::size_t>(face[k % 3])];
     return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
@@ -59,16 +59,16 @@ void widen(Grid& grid, const std::vector<mesh::Face>& faces, double steps) {
     }
   }
   for (Vec3& of : out) of = of.stableNormalized();
-  std::vector<double> least(out.size(), 1.0);  // share of the way, over the faces of a corner
+  std::vector<double> min(out.size(), 1.0);  // share of the way, over the faces of a corner
   for (std::size_t face = 0; face < faces.size(); ++face) {
     if (normals[face] == Vec3::Zero()) continue;  // it has no area
     for (const std::int32_t corner : faces[face]) {
-      double& share = least[static_cast<std::size_t>(corner)];
+      double& share = min[static_cast<std::size_t>(corner)];
       share = std::min(share, out[static_cast<std::size_t>(corner)].dot(normals[face]));
     }
   }
   for (std::size_t corner = 0; corner < out.size(); ++corner) {
-    const Vec3 by = steps / std::max(least[corner], kLeastShare) * out[corner];
+    const Vec3 by = steps / std::max(min[corner], kMinShare) * out[corner];
     for (std::size_t axis = 0; axis < 3; ++axis)
       grid.points[corner][axis] += std::llround(by[static_cast<Eigen::Index>(axis)]);
   }

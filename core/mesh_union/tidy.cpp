@@ -18,8 +18,8 @@ std::size_t placeIn(const Face& face, std::int32_t corner) {
 
 class Tidying {
  public:
-  Tidying(mesh::Triangles& triangles, Made made, double least)
-      : triangles_(triangles), made_(std::move(made)), least_(least) {
+  Tidying(mesh::Triangles& triangles, Made made, double min)
+      : triangles_(triangles), made_(std::move(made)), min_(min) {
     around_.resize(triangles.p_MV.size());
     for (std::size_t face = 0; face < triangles.faces.size(); ++face) {
       for (const std::int32_t corner : triangles.faces[face]) at(corner).push_back(static_cast<std::int32_t>(face));
@@ -29,8 +29,8 @@ class Tidying {
   }
 
   void all() {
-    const std::size_t most = 20 * waiting_.size() + 100;
-    for (std::size_t step = 0; step < most && !waiting_.empty(); ++step) {
+    const std::size_t max = 20 * waiting_.size() + 100;
+    for (std::size_t step = 0; step < max && !waiting_.empty(); ++step) {
       const std::int32_t face = waiting_.front();
       waiting_.pop_front();
       if (is_gone_[static_cast<std::size_t>(face)] == 0) poll(face);
@@ -60,11 +60,11 @@ class Tidying {
     for (std::size_t k = 0; k < 3; ++k) length[k] = (p(face[(k + 1) % 3]) - p(face[k])).norm();
     const auto shortest = static_cast<std::size_t>(std::min_element(length.begin(), length.end()) - length.begin());
     const auto longest = static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
-    if (length[shortest] < least_) {
+    if (length[shortest] < min_) {
       const std::int32_t a = face[shortest], b = face[(shortest + 1) % 3];
       if (collapse(a, b) || collapse(b, a)) return;
     }
-    if (heightOf(face) < least_) {
+    if (heightOf(face) < min_) {
       flip(index, longest, Why::Low);
       return;
     }
@@ -94,7 +94,7 @@ class Tidying {
     const Vec3 own = areaOf(face), its = areaOf(beside);
     if (!(own.dot(its) < 0.0) || own.norm() > its.norm()) return false;
     const double between = std::abs(its.dot(p(face[(side + 2) % 3]) - p(face[side])));
-    return between < least_ * its.norm();
+    return between < min_ * its.norm();
   }
 
   /// Of the corners that share a face with it, in order.
@@ -112,7 +112,7 @@ class Tidying {
 
   /// The face with a new corner in place of an old one does not turn over, as far as it is wide enough to say.
   bool staysUp(const Face& old, const Face& now) const {
-    return heightOf(old) < least_ || heightOf(now) < least_ || areaOf(old).dot(areaOf(now)) > 0.0;
+    return heightOf(old) < min_ || heightOf(now) < min_ || areaOf(old).dot(areaOf(now)) > 0.0;
   }
 
   /// Draws a corner that was made to another one.
@@ -180,7 +180,7 @@ class Tidying {
 
   mesh::Triangles& triangles_;
   Made made_;
-  double least_;
+  double min_;
   std::vector<std::vector<std::int32_t>> around_;  // of each corner: its faces
   std::vector<std::uint8_t> is_gone_;
   std::deque<std::int32_t> waiting_;
@@ -188,8 +188,8 @@ class Tidying {
 
 }  // namespace
 
-void tidy(mesh::Triangles& triangles, const Made& made, double least) {
-  Tidying(triangles, made, least).all();
+void tidy(mesh::Triangles& triangles, const Made& made, double min) {
+  Tidying(triangles, made, min).all();
 }
 
 }  // namespace underact::mesh_union

@@ -14,6 +14,6 @@ struct Made {
 /// collapsed; the longest edge of triangles with a smaller height is flipped, and so is the edge between two triangles
 /// that lie on each other with less than `least` between them. Corners that are not marked do not move, the others by a
 /// few `least` at most; each edge keeps two faces. least: in the unit of the mesh.
-void tidy(mesh::Triangles& triangles, const Made& made, double least);
+void tidy(mesh::Triangles& triangles, const Made& made, double min);
 
 }  // namespace underact::mesh_union

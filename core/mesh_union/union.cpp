@@ -23,15 +23,15 @@ Eigen::Vector3f placeOf(const std::array<std::int32_t, 2>& between, const mesh::
 }
 
 /// Floats far from the origin are far apart.
-double leastLengthOf(double least, const mesh::Triangles& triangles) {
+double minLengthOf(double min, const mesh::Triangles& triangles) {
   float largest = 0.0F;
   for (const Eigen::Vector3f& p : triangles.p_MV) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  return std::max(least, 0x1p-21 * static_cast<double>(largest));
+  return std::max(min, 0x1p-21 * static_cast<double>(largest));
 }
 
 }  // namespace
 
-Union unite(mesh::Triangles& triangles, double least, double wide, const TaskMonitor& monitor, const Limits& limits) {
+Union unite(mesh::Triangles& triangles, double min, double wide, const TaskMonitor& monitor, const Limits& limits) {
   Union made;
   const auto ended = [&](Outcome outcome) {
     made.outcome = monitor.isCancelled() ? Outcome::Cancelled : outcome;
@@ -58,7 +58,7 @@ Union unite(mesh::Triangles& triangles, double least, double wide, const TaskMon
   }
   for (const std::int32_t piece : solid.piece_of)
     is_made.faces.push_back(kept->pieces[static_cast<std::size_t>(piece)].is_cut ? 1 : 0);
-  tidy(now, is_made, leastLengthOf(least, triangles));
+  tidy(now, is_made, minLengthOf(min, triangles));
   if (!mesh::topologyOf(now.faces).is_closed) return ended(Outcome::Open);  // or nothing is inside
   if (monitor.isCancelled()) return ended(Outcome::Cancelled);
   triangles = std::move(now);

@@ -34,7 +34,6 @@ struct Union {
 /// they are. least, wide: in the unit of the mesh. Deterministic to the bit. Cost: about 10 us
 /// for each intersection, besides the search for them. Sources: Zhou et al. 2016, Mesh arrangements for solid geometry;
 /// Jacobson et al. 2013, for the winding number.
-Union unite(mesh::Triangles& triangles, double least, double wide, const TaskMonitor& monitor,
-            const Limits& limits = {});
+Union unite(mesh::Triangles& triangles, double min, double wide, const TaskMonitor& monitor, const Limits& limits = {});
 
 }  // namespace underact::mesh_union

@@ -62,9 +62,9 @@ std::string columnsJson() {
     object.addText("presence", presenceWord(table.presence));
     object.addInteger("block_rows", table.block_rows);
     object.addInteger("chunk_rows", table.chunk_rows);
-    object.addInteger("most_block_rows", table.most_block_rows);
-    const std::int64_t most_rows = kSessionLimits.rowsOf(static_cast<TableIndex>(index));
-    most_rows == INT64_MAX ? object.addNull("most_rows") : object.addInteger("most_rows", most_rows);
+    object.addInteger("most_block_rows", table.max_block_rows);
+    const std::int64_t max_rows = kSessionLimits.rowsOf(static_cast<TableIndex>(index));
+    max_rows == INT64_MAX ? object.addNull("most_rows") : object.addInteger("most_rows", max_rows);
     std::vector<json::ObjectText> columns;
     for (const Column& column : table.columns) columns.push_back(objectOf(column));
     object.addList("columns", columns);

@@ -65,7 +65,7 @@ Result<CsvWriter> CsvWriter::into(system::Descriptor made, const std::string& pa
   std::FILE* const file = system::streamOf(std::move(made));
   if (file == nullptr)
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "The recording cannot be started: %1."), {std::strerror(errno)}), {path}}};
+        {phrase(TRANSLATE_NOOP("problem", "The recording cannot be started: %1."), {std::strerror(errno)}), {path}}};
   return CsvWriter(file, path);
 }
 
@@ -93,7 +93,7 @@ Problems CsvWriter::close() {
   if (std::fflush(file_.get()) != 0 && error_ == 0) error_ = errno;
   if (std::fclose(file_.release()) != 0 && error_ == 0) error_ = errno;
   if (error_ == 0) return {};
-  return {{said(TRANSLATE_NOOP("problem", "The recording is incomplete: %1."), {std::strerror(error_)}), {path_}}};
+  return {{phrase(TRANSLATE_NOOP("problem", "The recording is incomplete: %1."), {std::strerror(error_)}), {path_}}};
 }
 
 CsvExport exportCsv(Session& session, CsvWriter& csv, const std::function<bool(double share)>& goes_on) {

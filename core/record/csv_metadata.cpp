@@ -95,8 +95,9 @@ Problems checkCsvNames(const std::string& session_path, const std::string& csv_p
   for (const std::string& path : {csv_path, beside}) {
     if (Problems problems = system::checkNew(path, system::Existing::ReplaceFile); !problems.empty()) return problems;
     if (system::isSameFile(system::statusOf(session_path), system::statusOf(path)))
-      return {{said(TRANSLATE_NOOP("problem", "This is the session itself, which is not replaced. Give another name.")),
-               {path}}};
+      return {
+          {phrase(TRANSLATE_NOOP("problem", "This is the session itself, which is not replaced. Give another name.")),
+           {path}}};
   }
   return {};
 }
@@ -110,7 +111,7 @@ Problems writeCsvMetadata(Session& session, const std::string& csv_path) {
   int reason = file.isOpen() ? system::writeAll(file.number(), std::as_bytes(std::span(text.value()))) : errno;
   if (const int late = file.close(); reason == 0) reason = late;
   if (reason == 0) return {};
-  return {{said(TRANSLATE_NOOP("problem", "The recording is incomplete: %1."), {std::strerror(reason)}), {path}}};
+  return {{phrase(TRANSLATE_NOOP("problem", "The recording is incomplete: %1."), {std::strerror(reason)}), {path}}};
 }
 
 }  // namespace underact::record

@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::string_view kFileBegin = "fault_";
 constexpr std::string_view kFileEnd = ".json";
-constexpr int kMostInASecond = 99;
+constexpr int kMaxInASecond = 99;
 
 /// A row as a JSON list.
 class JsonRow {
@@ -81,8 +81,8 @@ std::string twoDigits(int value) {
 }
 
 Problems cannotBeSaved(const std::string& path, int error) {
-  return {
-      {said(TRANSLATE_NOOP("problem", "The fault cannot be written to a file: %1."), {std::strerror(error)}), {path}}};
+  return {{phrase(TRANSLATE_NOOP("problem", "The fault cannot be written to a file: %1."), {std::strerror(error)}),
+           {path}}};
 }
 
 struct Closer {
@@ -187,7 +187,7 @@ Result<std::string> saveFault(const servo::FaultReport& report, const FaultWords
     const std::string name = one.filename().string(), begin = std::string(kFileBegin) + time + "_";
     int taken = 0;
     if (name.starts_with(begin)) std::from_chars(name.data() + begin.size(), name.data() + name.size(), taken);
-    number = std::min(std::max(number, taken + 1), kMostInASecond);
+    number = std::min(std::max(number, taken + 1), kMaxInASecond);
   }
   const std::string file =
       std::string(kFileBegin) + time + "_" + twoDigits(number) + "_" + words.kind + std::string(kFileEnd);

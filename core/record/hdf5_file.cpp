@@ -31,15 +31,15 @@ Problems problemAt(const std::string& path, Sentence sentence) {
 /// The system's reason for the last failure, if it gave one.
 Sentence reason() {
   if (errno != 0) return std::strerror(errno);
-  return said(TRANSLATE_NOOP("problem", "the HDF5 library gives no reason"));
+  return phrase(TRANSLATE_NOOP("problem", "the HDF5 library gives no reason"));
 }
 
 /// None: the file exists. The library would wait for the writer of a pipe.
 Problems notThere(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error))
-    return problemAt(path, said(TRANSLATE_NOOP("problem", "There is no such file.")));
-  const Result<system::NamedFile> file = system::NamedFile::open(path, said(TRANSLATE_NOOP("problem", "a session")));
+    return problemAt(path, phrase(TRANSLATE_NOOP("problem", "There is no such file.")));
+  const Result<system::NamedFile> file = system::NamedFile::open(path, phrase(TRANSLATE_NOOP("problem", "a session")));
   return file ? Problems{} : file.problems();
 }
 
@@ -68,7 +68,7 @@ struct Hdf5File::Impl {
   /// Remembers a failure. pattern: with a placeholder for the reason.
   Problems fail(const char* pattern) {
     failed = true;
-    failure = problemAt(path, said(pattern, {reason()}));
+    failure = problemAt(path, phrase(pattern, {reason()}));
     letBe();
     return failure;
   }
@@ -96,11 +96,12 @@ struct Hdf5File::Impl {
       const Id group(isOwn(file, name) ? H5Gopen2(file, name.c_str(), H5P_DEFAULT) : -1, H5Gclose);
       if (!group.isGood())
         return problemAt(
-            path, said(TRANSLATE_NOOP("problem", "This session is incomplete: it has no table \"%1\"."), {name}));
+            path, phrase(TRANSLATE_NOOP("problem", "This session is incomplete: it has no table \"%1\"."), {name}));
       std::optional<OpenTable> table = openTable(group, wanted, writes, bytes());
       if (!table)
         return problemAt(
-            path, said(TRANSLATE_NOOP("problem", "This session is incomplete: the table \"%1\" is damaged."), {name}));
+            path,
+            phrase(TRANSLATE_NOOP("problem", "This session is incomplete: the table \"%1\" is damaged."), {name}));
       tables.push_back(std::move(*table));
     }
     return {};
@@ -118,10 +119,11 @@ struct Hdf5File::Impl {
   Problems noSessionReason(std::int64_t there, std::int64_t stated) const {
     if (there < stated)
       return problemAt(
-          path, said(TRANSLATE_NOOP("problem",
-                                    "This file is truncated: it has %1 of %2 bytes. Copy it again from where it came."),
-                     {std::to_string(there), std::to_string(stated)}));
-    return problemAt(path, said(TRANSLATE_NOOP("problem", "This is not a session, or its beginning is damaged.")));
+          path,
+          phrase(TRANSLATE_NOOP("problem",
+                                "This file is truncated: it has %1 of %2 bytes. Copy it again from where it came."),
+                 {std::to_string(there), std::to_string(stated)}));
+    return problemAt(path, phrase(TRANSLATE_NOOP("problem", "This is not a session, or its beginning is damaged.")));
   }
 };
 
@@ -142,7 +144,7 @@ Result<Hdf5File> Hdf5File::create(const std::string& path, std::span<const Attri
   if (Problems problems = system::checkNew(path, existing); !problems.empty()) return problems;
   if (existing == system::Existing::Replace && RecordingLock::isAt(path))
     return problemAt(
-        path, said(TRANSLATE_NOOP("problem", "Another program is recording into this file. Give another name.")));
+        path, phrase(TRANSLATE_NOOP("problem", "Another program is recording into this file. Give another name.")));
   const system::Descriptor made = system::makeNew(path, existing);  // the library would let others read it
   const auto cannotStart = [&] {
     Problems problems = impl->fail(TRANSLATE_NOOP("problem", "The recording cannot be started: %1."));
@@ -215,13 +217,13 @@ Result<Hdf5File> Hdf5File::reopen(const std::string& path, std::span<const Table
   if (!impl->file.isGood()) {
     if (RecordingLock::isAt(impl->opened))  // not by errno: HDF5 1.14 asks for other things after the lock was refused
       return problemAt(path,
-                       said(TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")));
+                       phrase(TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")));
     return impl->fail(TRANSLATE_NOOP("problem", "The file cannot be opened for writing: %1."));
   }
   if (fd >= 0 && !system::isSameFile(system::statusOf(fd), system::statusOf(impl->descriptor())))
     return problemAt(
         path,
-        said(TRANSLATE_NOOP(
+        phrase(TRANSLATE_NOOP(
             "problem", "Another file has taken this one's place in the meantime, so nothing was changed. Try again.")));
   // A killed writer's file is longer than it states; new data must not be written over its end.
   if (killed && H5Fincrement_filesize(impl->file, 0) < 0)
@@ -238,9 +240,9 @@ Problems Hdf5File::append(std::size_t table, const Block& block) {
   impl_->full = impl_->full || !impl_->set_aside.reserve(impl_->unflushed_bytes, impl_->descriptor());
   if (impl_->full)
     return problemAt(impl_->path,
-                     said(TRANSLATE_NOOP("problem",
-                                         "The disk is full: the recording was stopped, and everything up to then was "
-                                         "saved. Free some space, or record into another folder.")));
+                     phrase(TRANSLATE_NOOP("problem",
+                                           "The disk is full: the recording was stopped, and everything up to then was "
+                                           "saved. Free some space, or record into another folder.")));
   return appendLast(table, block);
 }
 
@@ -298,7 +300,7 @@ Problems Hdf5File::close() {
 
 std::int64_t Hdf5File::rows(std::size_t table) {
   const OpenTable& open = impl_->tables[table];
-  return std::min(rowsOf(open), mostRows(open, impl_->bytes()));
+  return std::min(rowsOf(open), maxRows(open, impl_->bytes()));
 }
 
 std::int64_t Hdf5File::blockRows(std::size_t table) const {
@@ -312,7 +314,8 @@ Result<std::vector<Block>> Hdf5File::read(std::size_t table, std::int64_t first,
   if (end <= begin) return std::vector<Block>{};
   std::optional<std::vector<Block>> blocks = readBlocks(open, begin, end);
   if (!blocks)
-    return problemAt(impl_->path, said(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
+    return problemAt(impl_->path,
+                     phrase(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
   return std::move(*blocks);
 }
 

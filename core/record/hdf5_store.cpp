@@ -7,7 +7,7 @@
 namespace underact::record {
 namespace {
 
-constexpr hsize_t kMostStoreRows = hsize_t{1} << 40;
+constexpr hsize_t kMaxStoreRows = hsize_t{1} << 40;
 
 hid_t typeOf(Kind kind) {
   switch (kind) {
@@ -66,7 +66,7 @@ std::uint64_t rowsOf(const Store& store) {
   const Id space(H5Dget_space(store.id), H5Sclose);
   hsize_t size[2] = {0, 0};
   if (!space.isGood() || H5Sget_simple_extent_dims(space, size, nullptr) != store.rank()) return 0;
-  return std::min(size[0], kMostStoreRows);
+  return std::min(size[0], kMaxStoreRows);
 }
 
 Store createStore(Handle group, const Column& column, std::uint64_t chunk_rows) {
@@ -74,9 +74,9 @@ Store createStore(Handle group, const Column& column, std::uint64_t chunk_rows) 
   store.kind = column.kind;
   store.width = static_cast<hsize_t>(column.width);
   const hsize_t none[2] = {0, store.width};
-  const hsize_t most[2] = {H5S_UNLIMITED, store.width};
+  const hsize_t max[2] = {H5S_UNLIMITED, store.width};
   const hsize_t chunk[2] = {chunk_rows, store.width};
-  const Id space(H5Screate_simple(store.rank(), none, most), H5Sclose);
+  const Id space(H5Screate_simple(store.rank(), none, max), H5Sclose);
   const Id layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_chunk(layout, store.rank(), chunk);
   store.id = Id(
@@ -98,10 +98,10 @@ Store openStore(Handle group, const Column& column, std::uint64_t chunk_rows) {
   if (!store.id.isGood()) return store;
   const Id type(H5Dget_type(store.id), H5Tclose);
   const Id space(H5Dget_space(store.id), H5Sclose);
-  hsize_t size[2] = {0, 1}, most[2] = {0, 1};
+  hsize_t size[2] = {0, 1}, max[2] = {0, 1};
   const bool same = H5Tequal(type, typeOf(column.kind)) > 0 && H5Sget_simple_extent_ndims(space) == store.rank() &&
-                    H5Sget_simple_extent_dims(space, size, most) == store.rank() && most[0] == H5S_UNLIMITED &&
-                    (store.rank() == 1 || (size[1] == store.width && most[1] == store.width));
+                    H5Sget_simple_extent_dims(space, size, max) == store.rank() && max[0] == H5S_UNLIMITED &&
+                    (store.rank() == 1 || (size[1] == store.width && max[1] == store.width));
   if (!same || !isLaidOutAsOurs(store, chunk_rows)) store.id = Id();
   return store;
 }

@@ -19,8 +19,8 @@ std::string namesOf(std::span<const Column> columns) {
 }
 
 bool hasItsBlocks(const Table& wanted, std::int64_t block_rows) {
-  if (wanted.most_block_rows == 0) return block_rows == wanted.block_rows;
-  return block_rows >= 1 && block_rows <= wanted.most_block_rows;
+  if (wanted.max_block_rows == 0) return block_rows == wanted.block_rows;
+  return block_rows >= 1 && block_rows <= wanted.max_block_rows;
 }
 
 }  // namespace
@@ -54,8 +54,7 @@ std::optional<OpenTable> openTable(Handle group, const Table& wanted, bool write
   table.columns.assign(wanted.columns.begin(), wanted.columns.end());
   table.block_rows = integerAttribute(group, "block_rows").value_or(0);
   if (!hasItsBlocks(wanted, table.block_rows)) return {};
-  const auto chunk_rows =
-      static_cast<std::uint64_t>(wanted.most_block_rows == 0 ? wanted.chunk_rows : table.block_rows);
+  const auto chunk_rows = static_cast<std::uint64_t>(wanted.max_block_rows == 0 ? wanted.chunk_rows : table.block_rows);
   table.crc = openStore(group, kCrc, kCrcChunk);
   bool good = table.crc.id.isGood();
   for (const Column& column : wanted.columns) {
@@ -65,16 +64,16 @@ std::optional<OpenTable> openTable(Handle group, const Table& wanted, bool write
   }
   // Writing into a packed file would require unpacking it in this process.
   if (!good || (writes && (table.is_packed || table.crc.is_packed))) return {};
-  const auto most = static_cast<std::uint64_t>(mostRows(table, file_bytes));
-  const auto fits = [most](const Store& store) { return rowsOf(store) <= most; };
+  const auto max = static_cast<std::uint64_t>(maxRows(table, file_bytes));
+  const auto fits = [max](const Store& store) { return rowsOf(store) <= max; };
   if (!fits(table.crc) || !std::all_of(table.stores.begin(), table.stores.end(), fits)) return {};
   return table;
 }
 
-std::int64_t mostRows(const OpenTable& table, std::int64_t file_bytes) {
-  const std::int64_t most =
+std::int64_t maxRows(const OpenTable& table, std::int64_t file_bytes) {
+  const std::int64_t max =
       std::min(file_bytes, kLongestFile) / static_cast<std::int64_t>(rowBytes(Table{{}, table.columns}));
-  return (table.is_packed ? kMostPacked * most : most) + table.block_rows;
+  return (table.is_packed ? kMaxPacked * max : max) + table.block_rows;
 }
 
 std::int64_t rowsOf(const OpenTable& table) {

@@ -30,7 +30,7 @@ std::optional<OpenTable> openTable(Handle group, const Table& wanted, bool write
 
 /// The greatest number of rows that a file of so many bytes can hold; rows that a writer is just adding are allowed
 /// for.
-std::int64_t mostRows(const OpenTable& table, std::int64_t file_bytes);
+std::int64_t maxRows(const OpenTable& table, std::int64_t file_bytes);
 /// Rows that all columns have, with a checksum for each of their blocks.
 std::int64_t rowsOf(const OpenTable& table);
 

@@ -91,8 +91,8 @@ Problems removeFiles(const ParticipantFiles& files) {
     for (const std::string& path : *list) {
       std::error_code error;
       if (!fs::remove(path, error))
-        problems.push_back({said(TRANSLATE_NOOP("problem", "This file could not be deleted: %1."),
-                                 {error ? error.message() : std::string("?")}),
+        problems.push_back({phrase(TRANSLATE_NOOP("problem", "This file could not be deleted: %1."),
+                                   {error ? error.message() : std::string("?")}),
                             {path}});
     }
   }

@@ -129,8 +129,8 @@ ObjectText deviceProvenance(const servo::DeviceInfo& device) {
   return object;
 }
 
-const char* schedulingWord(system::SchedulingMethod way) {
-  switch (way) {
+const char* schedulingWord(system::SchedulingMethod method) {
+  switch (method) {
     case system::SchedulingMethod::Auto:
       return "auto";
     case system::SchedulingMethod::Fifo:
@@ -147,7 +147,7 @@ ObjectText schedulingProvenance(const servo::Host& host) {
   const system::SchedulingRequest& wanted = host.schedulingWanted();
   const system::Scheduling granted = host.scheduling();
   ObjectText object;
-  object.addText("wanted", schedulingWord(wanted.way));
+  object.addText("wanted", schedulingWord(wanted.method));
   object.addInteger("wanted_core", wanted.core);
   object.addBool("wanted_memory_locked", wanted.lock_memory);
   object.addText("granted", granted.name);

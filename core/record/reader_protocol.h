@@ -32,10 +32,10 @@ static_assert(std::is_trivially_copyable_v<Question> && sizeof(Question) == 80);
 // and Real, the number.
 inline constexpr std::byte kNo{0}, kYes{1};
 
-inline constexpr std::size_t kMostForeignTables = 16;
+inline constexpr std::size_t kMaxForeignTables = 16;
 /// Of each table, in their order: its rows, and the rows of its blocks.
 struct Shape {
-  std::array<std::int64_t, kMostForeignTables> rows{}, block_rows{};
+  std::array<std::int64_t, kMaxForeignTables> rows{}, block_rows{};
   std::int64_t is_open_elsewhere = 0;
 };
 

@@ -31,7 +31,7 @@ constexpr std::int64_t kReserve = 64LL << 20;
 constexpr std::int64_t kReserveShare = 16;  // of what is free at the beginning, on a small disk
 // How full a session is when the next is asked for: what the servo's queues hold still fits.
 constexpr double kGoesOn = 0.75;
-constexpr int kMostParts = 10'000;
+constexpr int kMaxParts = 10'000;
 
 SessionHeader headerOf(const servo::Host& host, const SessionMetadata& words, const RecorderOptions& options) {
   SessionHeader header;
@@ -86,7 +86,7 @@ struct Recorder::Impl {
         options(wanted),
         reserve_bytes(wanted.reserve_bytes.value_or(std::min(kReserve, freeBytes(file).value_or(0) / kReserveShare))),
         writer(std::move(made)),
-        tap(std::make_shared<servo::Tap>(1'000'000'000 / servo.rateHz(), wanted.most_ticks, detailsOf(servo, wanted))) {
+        tap(std::make_shared<servo::Tap>(1'000'000'000 / servo.rateHz(), wanted.max_ticks, detailsOf(servo, wanted))) {
     shown.files.push_back(file);
   }
 
@@ -208,7 +208,7 @@ struct Recorder::Impl {
     do {
       part_path = nameOfPart(path, ++part);
       made = SessionWriter::create(part_path, header, system::Existing::Refuse, options.limits);
-    } while (!made && part < kMostParts && !system::checkNew(part_path, system::Existing::Refuse).empty());
+    } while (!made && part < kMaxParts && !system::checkNew(part_path, system::Existing::Refuse).empty());
     return made;
   }
   /// Writes a row of /clock when it is time, and at the end.
@@ -234,7 +234,7 @@ struct Recorder::Impl {
     const auto size = static_cast<std::int64_t>(std::filesystem::file_size(part_path, error));
     if (error)
       return note(
-          {{said(TRANSLATE_NOOP("problem", "The recording stopped: its file was moved or deleted.")), {part_path}}});
+          {{phrase(TRANSLATE_NOOP("problem", "The recording stopped: its file was moved or deleted.")), {part_path}}});
     const std::optional<std::int64_t> available = freeBytes(part_path);
     if (!available) return;
     const auto left = static_cast<double>(*available - reserve_bytes);
@@ -247,9 +247,9 @@ struct Recorder::Impl {
     }
     if (left > 0.0) return;
     disk_full = true;
-    note({{said(TRANSLATE_NOOP("problem",
-                               "The disk is nearly full: the recording was stopped, and everything up to then was "
-                               "saved. Free some space, or record into another folder.")),
+    note({{phrase(TRANSLATE_NOOP("problem",
+                                 "The disk is nearly full: the recording was stopped, and everything up to then was "
+                                 "saved. Free some space, or record into another folder.")),
            {part_path}}});
   }
 
@@ -258,7 +258,7 @@ struct Recorder::Impl {
     bool in_order = problems.empty() || disk_full || writer.isAtLimit();
     const EndReason reason = disk_full ? EndReason::DiskFull : wished_reason.load();
     if (in_order && !begun)
-      note({{said(TRANSLATE_NOOP("problem", "The servo did not tick, so the recording is empty.")), {part_path}}});
+      note({{phrase(TRANSLATE_NOOP("problem", "The servo did not tick, so the recording is empty.")), {part_path}}});
     if (in_order && !disk_full && !is_closed) readClocks(true);
     if (in_order && !is_closed) {
       const Problems at_end = writer.end({0, tap->dropped() - dropped_before, unixNow_ns(), reason});
@@ -272,7 +272,7 @@ struct Recorder::Impl {
       saved = whole ? whole.value() : 0;
       Sentence& sentence = problems.front().sentence;
       if (whole)
-        sentence = oneAfterAnother({sentence, said(TRANSLATE_NOOP("problem", "Everything up to then was saved."))});
+        sentence = oneAfterAnother({sentence, phrase(TRANSLATE_NOOP("problem", "Everything up to then was saved."))});
     }
     sayWhatIsMissing();
     const std::scoped_lock lock(mutex);
@@ -284,15 +284,15 @@ struct Recorder::Impl {
   }
   void sayWhatIsMissing() {
     if (const std::int64_t dropped = tap->dropped(); dropped > 0)
-      problems.push_back({said(TRANSLATE_NOOP("problem",
-                                              "%1 ticks or events are missing in the recording: the computer was too "
-                                              "busy to write them."),
-                               {std::to_string(dropped)}),
+      problems.push_back({phrase(TRANSLATE_NOOP("problem",
+                                                "%1 ticks or events are missing in the recording: the computer was too "
+                                                "busy to write them."),
+                                 {std::to_string(dropped)}),
                           {path}});
     if (!waiting_marks.empty() && begun)
       problems.push_back(
-          {said(TRANSLATE_NOOP("problem", "%1 markers are missing: the recording has as many as a session may have."),
-                {std::to_string(waiting_marks.size())}),
+          {phrase(TRANSLATE_NOOP("problem", "%1 markers are missing: the recording has as many as a session may have."),
+                  {std::to_string(waiting_marks.size())}),
            {path}});
   }
 

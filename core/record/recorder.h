@@ -13,7 +13,7 @@ namespace underact::record {
 
 /// When a recording ends by itself, and how its file is written.
 struct RecorderOptions {
-  std::int64_t most_ticks = 0;  // at most; 0: until stop()
+  std::int64_t max_ticks = 0;  // at most; 0: until stop()
   /// With less left on the disk the recording ends in order; none: 64 MiB, or less where the disk is small.
   std::optional<std::int64_t> reserve_bytes = {};
   double block_s = kBlock_s;                             // kShortestBlock_s to kLongestBlock_s

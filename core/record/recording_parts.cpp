@@ -17,10 +17,11 @@ std::string nameOfPart(const std::string& path, int part) {
 std::vector<Sentence> newsOf(const RecorderStatus& before, const RecorderStatus& now) {
   std::vector<Sentence> news;
   for (std::size_t index = std::max<std::size_t>(before.files.size(), 1); index < now.files.size(); ++index)
-    news.push_back(said(TRANSLATE_NOOP("problem", "The session is as long as one may be: the recording goes on in %1."),
-                        {now.files[index]}));
+    news.push_back(
+        phrase(TRANSLATE_NOOP("problem", "The session is as long as one may be: the recording goes on in %1."),
+               {now.files[index]}));
   if (before.dropped == 0 && now.dropped > 0)
-    news.push_back(said(TRANSLATE_NOOP(
+    news.push_back(phrase(TRANSLATE_NOOP(
         "problem", "Ticks are missing in the recording: the computer is too busy to write them. The servo goes on.")));
   if (before.recording && !now.recording)
     for (const Problem& problem : now.problems) news.push_back(problem.sentence);

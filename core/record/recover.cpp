@@ -73,11 +73,12 @@ struct Copy {
 };
 
 Problems copyProblem(int reason, const std::string& path) {
-  return {{said(TRANSLATE_NOOP("problem",
-                               "Recovering takes a copy of the file in its folder, and there is none: %1. Nothing was "
-                               "changed."),
-                {std::generic_category().message(reason)}),
-           {path}}};
+  return {
+      {phrase(TRANSLATE_NOOP("problem",
+                             "Recovering takes a copy of the file in its folder, and there is none: %1. Nothing was "
+                             "changed."),
+              {std::generic_category().message(reason)}),
+       {path}}};
 }
 
 }  // namespace
@@ -96,7 +97,7 @@ Result<std::int64_t> recover(const std::string& path) {
   }
   if (!system::lock(input->fd(), system::Lock::Alone))  // until the copy has taken its place
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")), {path}}};
+        {phrase(TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")), {path}}};
   Copy copy{path + ".part", system::makeNew(path + ".part", system::Existing::Replace)};
   const int fd = copy.file.number();
   int reason = copy.file.isOpen() ? system::copyContent(input->fd(), fd) : errno;
@@ -110,14 +111,15 @@ Result<std::int64_t> recover(const std::string& path) {
     unread = whole.problems();
   }
   if (!unread.empty())
-    return Problems{{oneAfterAnother({unread.front().sentence,
-                                      said(TRANSLATE_NOOP("problem", "It cannot be recovered; nothing was changed."))}),
-                     {path}}};
+    return Problems{
+        {oneAfterAnother({unread.front().sentence,
+                          phrase(TRANSLATE_NOOP("problem", "It cannot be recovered; nothing was changed."))}),
+         {path}}};
   if (!system::isSameFile(system::statusOf(path, system::Links::Refuse), system::statusOf(input->fd())))
     return Problems{
-        {said(TRANSLATE_NOOP("problem",
-                             "Another file has taken this one's place in the meantime, so nothing was changed. Try "
-                             "again.")),
+        {phrase(TRANSLATE_NOOP("problem",
+                               "Another file has taken this one's place in the meantime, so nothing was changed. Try "
+                               "again.")),
          {path}}};
   reason = system::putInPlace(std::move(copy.file), copy.part, path, "", system::Lasting::OnDisk);
   if (reason != 0) return copyProblem(reason, path);

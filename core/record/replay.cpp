@@ -115,7 +115,7 @@ class Verification {
   }
   void stopAt(const Gap& gap) {
     if (!result_.unknown.empty()) return;
-    result_.unknown = said(
+    result_.unknown = phrase(
         TRANSLATE_NOOP("problem", "The file is damaged from row %1 on, for %2 ticks; what follows cannot be replayed."),
         {std::to_string(gap.first_row + 1), std::to_string(gap.rows)});
   }
@@ -133,8 +133,8 @@ class Verification {
       const auto missing = static_cast<std::int64_t>(static_cast<std::uint64_t>(record.tick) -
                                                      static_cast<std::uint64_t>(*last_tick_) - 1);
       result_.unknown =
-          said(TRANSLATE_NOOP("problem", "%1 ticks are missing after tick %2; what follows cannot be replayed."),
-               {std::to_string(missing), std::to_string(*last_tick_)});
+          phrase(TRANSLATE_NOOP("problem", "%1 ticks are missing after tick %2; what follows cannot be replayed."),
+                 {std::to_string(missing), std::to_string(*last_tick_)});
     }
     last_tick_ = record.tick;
     return next;
@@ -173,7 +173,7 @@ class Verification {
 /// The servo as it was at the first row.
 Result<servo::Rerun> rerunFromStart(Session& session, const std::vector<std::string>& files_in) {
   if (session.changes().empty())
-    return Problems{{said(TRANSLATE_NOOP("problem", "This session does not say which scene it began with.")),
+    return Problems{{phrase(TRANSLATE_NOOP("problem", "This session does not say which scene it began with.")),
                      {session.info().path}}};
   Result<scene::Description> scene = session.scene(session.changes().front());
   if (!scene) return scene.problems();
@@ -226,7 +226,7 @@ Result<Verified> verify(Session& session, const Listener& listener, const std::f
   if (!verification.problems().empty()) return verification.problems();
   Verified result = verification.result();
   if (!goes_on && result.unknown.empty() && !result.differs)
-    result.unknown = said(TRANSLATE_NOOP("problem", "It was cancelled."));
+    result.unknown = phrase(TRANSLATE_NOOP("problem", "It was cancelled."));
   return result;
 }
 

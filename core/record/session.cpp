@@ -17,8 +17,8 @@ namespace {
 constexpr std::int64_t kBytesAtOnce = 8LL << 20;  // at least one block
 constexpr std::int64_t kBlocksAtOnce = 64;
 constexpr std::int64_t kRowsAtOnce = 4096;  // of a small table
-constexpr std::int64_t kMostLate = 1'000'000;
-constexpr std::int64_t kMostGaps = 100'000;  // damaged blocks, adjacent or not
+constexpr std::int64_t kMaxLate = 1'000'000;
+constexpr std::int64_t kMaxGaps = 100'000;  // damaged blocks, adjacent or not
 
 Problems damagedAt(const std::string& path, Sentence what) {
   return {{std::move(what), {path}}};
@@ -75,9 +75,9 @@ Result<Session> Session::open(std::shared_ptr<const UntrustedInput> input, std::
 Problems Session::readInfo(const std::string& path) {
   const std::int64_t version = file_.integer("underact_session", 0);
   if (version < 1)
-    return {{said(TRANSLATE_NOOP("problem", "This is an HDF5 file, but not a session of Underact.")), {path}}};
+    return {{phrase(TRANSLATE_NOOP("problem", "This is an HDF5 file, but not a session of Underact.")), {path}}};
   if (version > kSessionVersion)
-    return {{said(TRANSLATE_NOOP(
+    return {{phrase(TRANSLATE_NOOP(
                  "problem", "This session was recorded by a newer version of Underact. This version reads layout 1.")),
              {path}}};
   info_.path = path;
@@ -93,22 +93,24 @@ Problems Session::readInfo(const std::string& path) {
   header.rate_hz = file_.integer("rate_hz", 0);
   header.frozen_s = file_.real("frozen_s", 0.0);
   if (!(header.frozen_s >= 0.0 && std::isfinite(header.frozen_s))) header.frozen_s = 0.0;
-  header.max_late = static_cast<int>(std::clamp<std::int64_t>(file_.integer("max_late", 20), 0, kMostLate));
+  header.max_late = static_cast<int>(std::clamp<std::int64_t>(file_.integer("max_late", 20), 0, kMaxLate));
   header.force_share = file_.real("force_share", 1.0);
   if (!(header.force_share >= 0.0 && header.force_share <= 1.0)) header.force_share = 1.0;
   header.session_id = file_.text("session_id");
   header.details = file_.rows(kTruth) > 0 || file_.rows(kConstraints) > 0;
   header.gate_time = file_.text("gate_time") == kServosTime ? GateTime::Servo : GateTime::Arm;
   if (header.rate_hz < 1 || header.rate_hz > 1'000'000)
-    return {{said(TRANSLATE_NOOP("problem", "This session does not state the rate of the servo: the file is damaged.")),
-             {path}}};
+    return {
+        {phrase(TRANSLATE_NOOP("problem", "This session does not state the rate of the servo: the file is damaged.")),
+         {path}}};
   return {};
 }
 
 Problem Session::unreadable(TableIndex table) const {
-  return {said(TRANSLATE_NOOP("problem", "The table \"%1\" of this session cannot be read: the file is damaged there."),
-               {std::string(sessionTables(1000)[table].name)}),
-          {info_.path}};
+  return {
+      phrase(TRANSLATE_NOOP("problem", "The table \"%1\" of this session cannot be read: the file is damaged there."),
+             {std::string(sessionTables(1000)[table].name)}),
+      {info_.path}};
 }
 
 template <class Row>
@@ -194,12 +196,13 @@ Result<std::vector<std::byte>> Session::bytesOf(TableIndex table, std::int64_t b
     if (!read) return read.problems();
     if (!areThere(read.value()))
       return damagedAt(info_.path,
-                       said(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
+                       phrase(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
     for (const Block& block : read.value()) bytes.insert(bytes.end(), block.bytes.begin(), block.bytes.end());
   }
   const auto skip = static_cast<std::size_t>(begin - from * block_rows), count = static_cast<std::size_t>(end - begin);
   if (bytes.size() < skip || bytes.size() - skip < count)
-    return damagedAt(info_.path, said(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
+    return damagedAt(info_.path,
+                     phrase(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
   const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(skip);
   return std::vector<std::byte>(first, first + static_cast<std::ptrdiff_t>(count));
 }
@@ -211,7 +214,7 @@ Result<std::string> Session::words(const Words& words) {
   if (!bytes)
     return damagedAt(
         info_.path,
-        said(TRANSLATE_NOOP("problem", "The texts of this session cannot be read: the file is damaged there.")));
+        phrase(TRANSLATE_NOOP("problem", "The texts of this session cannot be read: the file is damaged there.")));
   return std::string(reinterpret_cast<const char*>(bytes.value().data()), bytes.value().size());
 }
 
@@ -239,8 +242,8 @@ Result<scene::Description> Session::scene(const ChangeRow& change) {
 Result<tick::TickState> Session::start(const tick::TickProgram& program) {
   if (file_.text("start_layout") != stateLayout())
     return Problems{
-        {said(TRANSLATE_NOOP("problem",
-                             "The servo's state at the beginning was recorded by a version with a different layout.")),
+        {phrase(TRANSLATE_NOOP(
+             "problem", "The servo's state at the beginning was recorded by a version with a different layout.")),
          {info_.path}}};
   const std::int64_t all = file_.rows(kStart);
   const Result<std::vector<std::byte>> bytes =
@@ -248,7 +251,7 @@ Result<tick::TickState> Session::start(const tick::TickProgram& program) {
   if (!bytes)
     return damagedAt(
         info_.path,
-        said(TRANSLATE_NOOP(
+        phrase(TRANSLATE_NOOP(
             "problem",
             "The servo's state at the beginning of this session cannot be read: the file is damaged there.")));
   Result<tick::TickState> state = stateOfBytes(bytes.value(), program);
@@ -315,9 +318,9 @@ Problems Session::eachBlock(const std::function<bool(const Block&, std::int64_t)
     std::int64_t row = first * blockRows();
     for (const Block& block : read.value()) {
       if (block.bytes.empty()) {
-        if (++gaps > kMostGaps)
+        if (++gaps > kMaxGaps)
           return damagedAt(info_.path,
-                           said(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
+                           phrase(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
         damaged({row, block.rows});
       } else if (!visit(block, row)) {
         return {};

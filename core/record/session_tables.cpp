@@ -10,8 +10,8 @@ constexpr std::array kByteColumns{Column{"bytes", "", "UTF-8", Kind::Byte}};
 constexpr std::array kStartColumns{Column{"bytes", "", "the servo's memory at the first row", Kind::Byte}};
 
 // The rows of the longest block at the highest rate of a session.
-constexpr std::int64_t kMostBlockRows = 200'000;
-static_assert(kMostBlockRows >= kLongestBlock_s * 1e6);
+constexpr std::int64_t kMaxBlockRows = 200'000;
+static_assert(kMaxBlockRows >= kLongestBlock_s * 1e6);
 
 std::array<Table, kTables> sessionTables(std::int64_t rate_hz, double block_s) {
   const std::int64_t ticks = std::max<std::int64_t>(std::llround(block_s * static_cast<double>(rate_hz)), 1);
@@ -19,7 +19,7 @@ std::array<Table, kTables> sessionTables(std::int64_t rate_hz, double block_s) {
     return Table{name, columns, 1, 64, 0, Presence::Always, true, about};
   };
   std::array tables{
-      Table{"ticks", tickColumns(), ticks, ticks, kMostBlockRows, Presence::Always, true, "one tick of the servo"},
+      Table{"ticks", tickColumns(), ticks, ticks, kMaxBlockRows, Presence::Always, true, "one tick of the servo"},
       small("changes", kColumns<ChangeRow>,
             "a scene that came into effect: the first row is the initial scene, every later edit adds a row"),
       small("markers", kColumns<MarkerRow>, "a marker that somebody set"),
@@ -32,13 +32,13 @@ std::array<Table, kTables> sessionTables(std::int64_t rate_hz, double block_s) {
             "what was run, as JSON: the first row all of it, a later one what changed"),
       small("clock", kColumns<ClockRow>,
             "the system's clocks at a tick: at the beginning, every ten seconds, at the end"),
-      Table{"truth", kColumns<servo::TruthRow>, ticks, ticks, kMostBlockRows, Presence::OnRequest, false,
+      Table{"truth", kColumns<servo::TruthRow>, ticks, ticks, kMaxBlockRows, Presence::OnRequest, false,
             "what the simulated arm knows of a tick and no real arm says"},
-      Table{"constraints", kColumns<servo::ConstraintRow>, ticks, ticks, kMostBlockRows, Presence::OnRequest, false,
+      Table{"constraints", kColumns<servo::ConstraintRow>, ticks, ticks, kMaxBlockRows, Presence::OnRequest, false,
             "one constraint in one tick"},
       small("steering", kColumns<SteeringRow>,
             "what a program that steered the servo did besides edits: a force that it added, a target that it carried"),
-      Table{"joints", kColumns<JointsRow>, ticks, ticks, kMostBlockRows, Presence::Later, true,
+      Table{"joints", kColumns<JointsRow>, ticks, ticks, kMaxBlockRows, Presence::Later, true,
             "one tick of the servo, of a session with an arm of more than six joints"}};
   tables[kProvenance].presence = tables[kClock].presence = tables[kSteering].presence = Presence::Later;
   return tables;

@@ -28,8 +28,8 @@ bool isWithinLetter(char byte) {
 }
 
 /// At most so many bytes of a text, up to the end of a character.
-std::string_view beginningOf(std::string_view text, std::int64_t most_bytes) {
-  auto end = static_cast<std::size_t>(most_bytes);
+std::string_view beginningOf(std::string_view text, std::int64_t max_bytes) {
+  auto end = static_cast<std::size_t>(max_bytes);
   if (text.size() <= end) return text;
   while (end > 0 && isWithinLetter(text[end])) --end;
   return text.substr(0, end);
@@ -100,10 +100,10 @@ Result<SessionWriter> SessionWriter::create(const std::string& path, const Sessi
 
 Problems SessionWriter::limitMet(TableIndex table) {
   is_at_limit_ = true;
-  return {{said(TRANSLATE_NOOP("problem",
-                               "The recording was stopped: its table \"%1\" is as long as that of a session may be. "
-                               "Everything up to then was saved."),
-                {std::string(sessionTables(1000)[table].name)}),
+  return {{phrase(TRANSLATE_NOOP("problem",
+                                 "The recording was stopped: its table \"%1\" is as long as that of a session may be. "
+                                 "Everything up to then was saved."),
+                  {std::string(sessionTables(1000)[table].name)}),
            {}}};
 }
 
@@ -118,12 +118,12 @@ double SessionWriter::fill() const {
   const auto share = [](std::int64_t part, std::int64_t all) {
     return static_cast<double>(part) / static_cast<double>(all);
   };
-  double most = std::max(share(label_bytes_, limits_.all_label_bytes), share(ticks_, limits_.ticks));
+  double max = std::max(share(label_bytes_, limits_.all_label_bytes), share(ticks_, limits_.ticks));
   for (std::size_t table = 0; table < kTables; ++table) {
     if (table != kEnd && table != kStart)
-      most = std::max(most, share(rows_[table], limits_.rowsOf(static_cast<TableIndex>(table))));
+      max = std::max(max, share(rows_[table], limits_.rowsOf(static_cast<TableIndex>(table))));
   }
-  return most;
+  return max;
 }
 
 bool SessionWriter::hasRoomFor(std::string_view label) const {

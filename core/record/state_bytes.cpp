@@ -133,7 +133,7 @@ Result<tick::TickState> stateOfBytes(const std::vector<std::byte>& bytes, const 
   state.carries = bytes.size() == wanted && bytes.size() != without_carried;
   if (bytes.size() != wanted && bytes.size() != without_carried)
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "The servo's state at the beginning was not recorded completely."))}};
+        {phrase(TRANSLATE_NOOP("problem", "The servo's state at the beginning was not recorded completely."))}};
   const std::byte* next = bytes.data();
   const auto take = [&next](auto& part) {
     std::memcpy(static_cast<void*>(&part), next, sizeof part);
@@ -143,7 +143,7 @@ Result<tick::TickState> stateOfBytes(const std::vector<std::byte>& bytes, const 
   if (state.carries) eachCarried(state, take);
   // A modified byte may have any value, and a correct checksum.
   if (!isValid(state, program))
-    return Problems{{said(TRANSLATE_NOOP(
+    return Problems{{phrase(TRANSLATE_NOOP(
         "problem",
         "The servo's state at the beginning of this session is not valid: the file is damaged, or was changed."))}};
   return state;

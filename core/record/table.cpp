@@ -85,12 +85,12 @@ std::vector<std::size_t> offsetsOf(std::span<const Column> columns, std::int64_t
 
 Packer::Packer(std::span<const Column> columns) : columns_(columns) {}
 
-void Packer::begin(std::int64_t most_rows) {
-  if (most_rows != most_rows_ || offsets_.empty()) {
-    offsets_ = offsetsOf(columns_, most_rows);
+void Packer::begin(std::int64_t max_rows) {
+  if (max_rows != max_rows_ || offsets_.empty()) {
+    offsets_ = offsetsOf(columns_, max_rows);
     bytes_.resize(offsets_.back());
   }
-  most_rows_ = most_rows;
+  max_rows_ = max_rows;
   rows_ = 0;
   column_ = in_row_ = 0;
 }

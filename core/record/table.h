@@ -43,7 +43,7 @@ struct Table {
   std::span<const Column> columns;
   std::int64_t block_rows = 1;
   std::int64_t chunk_rows = 64;
-  std::int64_t most_block_rows = 0;  // that a file may have, each block a chunk; 0: only block_rows and chunk_rows
+  std::int64_t max_block_rows = 0;  // that a file may have, each block a chunk; 0: only block_rows and chunk_rows
   Presence presence = Presence::Always;
   bool is_made = true;          // by a writer that makes a file
   std::string_view about = {};  // one row is ...
@@ -63,7 +63,7 @@ std::uint32_t crcOf(std::span<const std::byte> bytes);
 
 /// The greatest compression ratio of a file that was packed by another program: of an arm that stands still, in the
 /// longest blocks.
-inline constexpr std::int64_t kMostPacked = 256;
+inline constexpr std::int64_t kMaxPacked = 256;
 
 /// The greatest length that a file is taken to have, bytes: a sparse file may state any.
 inline constexpr std::int64_t kLongestFile = std::int64_t{1} << 44;
@@ -83,8 +83,8 @@ class Packer {
  public:
   /// columns: they outlive this.
   explicit Packer(std::span<const Column> columns);
-  /// Begins a block of no rows. Allocates where most_rows is another than before.
-  void begin(std::int64_t most_rows);
+  /// Begins a block of no rows. Allocates where max_rows is another than before.
+  void begin(std::int64_t max_rows);
   // The next number: one of the kind that its column has; not checked, nor that there is room.
   void integer(std::int64_t value) { put(&value, sizeof value); }
   void unsigned32(std::uint32_t value) { put(&value, sizeof value); }
@@ -92,16 +92,16 @@ class Packer {
   void real(double value) { put(&value, sizeof value); }
   std::int64_t rows() const { return rows_; }
   /// Whether there are as many rows as begin() was told.
-  bool isFull() const { return rows_ == most_rows_; }
+  bool isFull() const { return rows_ == max_rows_; }
   /// The rows written so far, without gaps.
   Block block() const;
 
  private:
   void put(const void* value, std::size_t bytes);
   std::span<const Column> columns_;
-  std::vector<std::size_t> offsets_;  // of the columns, for most_rows_
+  std::vector<std::size_t> offsets_;  // of the columns, for max_rows_
   std::vector<std::byte> bytes_;
-  std::int64_t rows_ = 0, most_rows_ = 0;
+  std::int64_t rows_ = 0, max_rows_ = 0;
   std::size_t column_ = 0, in_row_ = 0;  // the next number
 };
 

@@ -40,19 +40,19 @@ class Work {
   /// A tick: the force that was sent, N, and the tip when it was sampled, m.
   void add(const Vec3& f_T_W, const Vec3& p_WT) {
     if (begun_) all_J_ += f_T_W_.dot(p_WT - p_WT_);
-    most_J_ = std::max(most_J_, all_J_);
+    max_J_ = std::max(max_J_, all_J_);
     begun_ = true;
     f_T_W_ = f_T_W;
     p_WT_ = p_WT;
   }
   /// Since the first tick; positive where the force moved the hand.
   double all_J() const { return all_J_; }
-  double most_J() const { return most_J_; }   // the largest so far
+  double max_J() const { return max_J_; }     // the largest so far
   const Vec3& p_WT() const { return p_WT_; }  // of the last tick
 
  private:
   bool begun_ = false;
-  double all_J_ = 0.0, most_J_ = 0.0;
+  double all_J_ = 0.0, max_J_ = 0.0;
   Vec3 f_T_W_ = Vec3::Zero(), p_WT_ = Vec3::Constant(kNotANumber);
 };
 

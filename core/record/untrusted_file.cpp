@@ -39,10 +39,10 @@ bool fits(const Shape& shape, std::span<const Table> tables, std::int64_t bytes)
   for (std::size_t index = 0; index < tables.size(); ++index) {
     const Table& table = tables[index];
     const std::int64_t rows = shape.rows[index], block_rows = shape.block_rows[index];
-    const bool is_block = table.most_block_rows == 0 ? block_rows == table.block_rows
-                                                     : block_rows >= 1 && block_rows <= table.most_block_rows;
-    const std::int64_t most = std::min(bytes, kLongestFile) / static_cast<std::int64_t>(rowBytes(table));
-    if (!is_block || rows < 0 || rows > kMostPacked * most + block_rows) return false;
+    const bool is_block = table.max_block_rows == 0 ? block_rows == table.block_rows
+                                                    : block_rows >= 1 && block_rows <= table.max_block_rows;
+    const std::int64_t max = std::min(bytes, kLongestFile) / static_cast<std::int64_t>(rowBytes(table));
+    if (!is_block || rows < 0 || rows > kMaxPacked * max + block_rows) return false;
   }
   return shape.is_open_elsewhere == 0 || shape.is_open_elsewhere == 1;
 }
@@ -58,22 +58,22 @@ struct UntrustedFile::Impl {
 
   Problems problem(Sentence sentence) const { return {{std::move(sentence), {input->path()}}}; }
   Problems unreadable() const {
-    return problem(said(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
+    return problem(phrase(TRANSLATE_NOOP("problem", "The file is damaged, and the rest cannot be read.")));
   }
   /// The reason why there was no answer.
   Problems silenceReason(const helper::Bounds& bounds) const {
     using helper::Ending;
     switch (talk.ending()) {
       case Ending::Crashed:
-        return problem(said(TRANSLATE_NOOP("problem", "The file is damaged: the reader program crashed (signal %1)."),
-                            {std::to_string(talk.code())}));
+        return problem(phrase(TRANSLATE_NOOP("problem", "The file is damaged: the reader program crashed (signal %1)."),
+                              {std::to_string(talk.code())}));
       case Ending::TookTooLong:
-        return problem(said(TRANSLATE_NOOP("problem",
-                                           "The file is damaged: reading a part of it took longer than %1, which "
-                                           "is enough for any session."),
-                            {helper::secondsText(bounds.most_cpu_s)}));
+        return problem(phrase(TRANSLATE_NOOP("problem",
+                                             "The file is damaged: reading a part of it took longer than %1, which "
+                                             "is enough for any session."),
+                              {helper::secondsText(bounds.max_cpu_s)}));
       case Ending::Waited:
-        return problem(helper::timeoutText(bounds.most_time_s));
+        return problem(helper::timeoutText(bounds.max_time_s));
       case Ending::NotStarted:
       case Ending::NotSandboxed:
         return problem(helper::helperFailureText(talk.ending(), kSessionReader, talk.code()));
@@ -82,9 +82,9 @@ struct UntrustedFile::Impl {
     }
   }
   /// The answer after a yes. Problems: the sentence after a no, and why there was no answer.
-  Result<std::vector<std::byte>> ask(const Question& question, std::size_t most_bytes) {
+  Result<std::vector<std::byte>> ask(const Question& question, std::size_t max_bytes) {
     helper::Bounds bounds;
-    bounds.most_bytes = std::max(most_bytes, helper::kMostLetters) + 1;
+    bounds.max_bytes = std::max(max_bytes, helper::kMaxLetters) + 1;
     std::optional<std::vector<std::byte>> answer = talk.ask(std::as_bytes(std::span(&question, 1)), bounds);
     if (!answer) return silenceReason(bounds);
     if (answer->empty()) return unreadable();
@@ -121,8 +121,9 @@ Result<UntrustedFile> UntrustedFile::open(std::shared_ptr<const UntrustedInput> 
   impl->at_least = at_least;
   const Result<std::string> program = system::findProgram(kSessionReader, "UNDERACT_SESSION_READER");
   if (!program)
-    return impl->problem(oneAfterAnother({program.problems().front().sentence,
-                                          said(TRANSLATE_NOOP("problem", "It reads sessions: reinstall Underact."))}));
+    return impl->problem(
+        oneAfterAnother({program.problems().front().sentence,
+                         phrase(TRANSLATE_NOOP("problem", "It reads sessions: reinstall Underact."))}));
   impl->talk = helper::HelperConnection(program.value(), impl->input->fd());
   const Problems problems = impl->request(QuestionKind::Open);
   if (!problems.empty()) return problems;

@@ -9,14 +9,16 @@ namespace underact::record {
 namespace {
 
 Problems openFailureReason(const std::string& path, int error) {
-  if (error == ENOENT || error == ENOTDIR) return {{said(TRANSLATE_NOOP("problem", "There is no such file.")), {path}}};
+  if (error == ENOENT || error == ENOTDIR)
+    return {{phrase(TRANSLATE_NOOP("problem", "There is no such file.")), {path}}};
   if (error == ELOOP)
     return {
-        {said(TRANSLATE_NOOP(
+        {phrase(TRANSLATE_NOOP(
              "problem", "This is a link to another file, which would be changed instead. Give the name of that file.")),
          {path}}};
-  return {{said(TRANSLATE_NOOP("problem", "The file cannot be opened: %1."), {std::generic_category().message(error)}),
-           {path}}};
+  return {
+      {phrase(TRANSLATE_NOOP("problem", "The file cannot be opened: %1."), {std::generic_category().message(error)}),
+       {path}}};
 }
 
 }  // namespace
@@ -26,12 +28,12 @@ Result<UntrustedInput> UntrustedInput::open(const std::string& path, bool follow
   const std::optional<system::Status> file = opened.isOpen() ? system::statusOf(opened.number()) : std::nullopt;
   if (!file) return openFailureReason(path, errno);
   if (file->kind == system::Kind::Folder)
-    return Problems{{said(TRANSLATE_NOOP("problem", "This is a folder, not a session.")), {path}}};
+    return Problems{{phrase(TRANSLATE_NOOP("problem", "This is a folder, not a session.")), {path}}};
   if (file->kind != system::Kind::File)
-    return Problems{{said(TRANSLATE_NOOP("problem", "This is not a session file.")), {path}}};
+    return Problems{{phrase(TRANSLATE_NOOP("problem", "This is not a session file.")), {path}}};
   if (!system::lock(opened.number(), system::Lock::Shared))
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")), {path}}};
+        {phrase(TRANSLATE_NOOP("problem", "Another program has this file open. Close it there first.")), {path}}};
   return UntrustedInput(path, std::move(opened));
 }
 

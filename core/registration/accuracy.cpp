@@ -38,7 +38,7 @@ Accuracy accuracyOf(const std::vector<Vec3>& points_D, double touching_m, int dr
     off_m.push_back((fit.value().X_DW.translation() - kMiddle_D).norm());
     left_m2 += fit.value().rms_m * fit.value().rms_m;
     seen_m2 += off_m.back() * off_m.back();
-    covered += errorInTheMiddle(touches, fit.value()).likely_most_m >= accuracy.expected_m ? 1 : 0;
+    covered += errorInTheMiddle(touches, fit.value()).likely_max_m >= accuracy.expected_m ? 1 : 0;
   }
   const auto count = static_cast<double>(std::max<std::size_t>(1, off_m.size()));
   accuracy.left_m = std::sqrt(left_m2 / count);

@@ -18,7 +18,7 @@ constexpr double kAlike_m = 1.5e-3;     // difference of the residuals of two eq
 constexpr double kRestless_m = 0.5e-3;  // of a tip that was held
 
 Sentence millimetres(double length_m) {
-  return said(TRANSLATE_NOOP("problem", "%1 mm"), {shownNumber(length_m * kMillimetrePerMetre, 1)});
+  return phrase(TRANSLATE_NOOP("problem", "%1 mm"), {shownNumber(length_m * kMillimetrePerMetre, 1)});
 }
 
 /// "2", "2 and 3", "1, 2 and 3": counted from 1.
@@ -26,7 +26,7 @@ Sentence listOf(const std::vector<std::size_t>& marks) {
   Sentence text;
   for (std::size_t at = 0; at < marks.size(); ++at) {
     const std::string mark = std::to_string(marks[at] + 1);
-    if (at > 0 && at + 1 == marks.size()) return said(TRANSLATE_NOOP("problem", "%1 and %2"), {text, mark});
+    if (at > 0 && at + 1 == marks.size()) return phrase(TRANSLATE_NOOP("problem", "%1 and %2"), {text, mark});
     text = at > 0 ? text + ", " + mark : mark;
   }
   return text;
@@ -71,19 +71,20 @@ void warnOfLayout(const std::vector<Touch>& touches, std::vector<Warning>& warni
   if (layout.off_line_m < kNearLine_m) {
     warnings.push_back(
         {Warning::Kind::NearLine,
-         said(TRANSLATE_NOOP("problem",
-                             "The reference points lie nearly on one line, at most %1 beside it: small errors turn the "
-                             "arm about it. Choose a reference point farther from the line."),
-              {millimetres(layout.off_line_m)}),
+         phrase(
+             TRANSLATE_NOOP("problem",
+                            "The reference points lie nearly on one line, at most %1 beside it: small errors turn the "
+                            "arm about it. Choose a reference point farther from the line."),
+             {millimetres(layout.off_line_m)}),
          {}});
   }
-  if (layout.least_apart_m < kNearMarks_m) {
+  if (layout.min_apart_m < kNearMarks_m) {
     const std::vector<std::size_t> both{layout.near_one, layout.near_other};
     warnings.push_back({Warning::Kind::NearMarks,
-                        said(TRANSLATE_NOOP("problem",
-                                            "The reference points %1 are only %2 apart: small errors there turn "
-                                            "everything. Choose reference points that are farther apart."),
-                             {listOf(both), millimetres(layout.least_apart_m)}),
+                        phrase(TRANSLATE_NOOP("problem",
+                                              "The reference points %1 are only %2 apart: small errors there turn "
+                                              "everything. Choose reference points that are farther apart."),
+                               {listOf(both), millimetres(layout.min_apart_m)}),
                         both});
   }
 }
@@ -95,21 +96,22 @@ void warnOfOrder(const std::vector<Touch>& touches, const Fit& fit, std::vector<
     if (order[at] != at) others.push_back(at);
   }
   if (!others.empty()) {
-    warnings.push_back({Warning::Kind::Order,
-                        others.size() == 2
-                            ? said(TRANSLATE_NOOP("problem",
-                                                  "The reference points %1 were probably swapped. Touch them again in "
-                                                  "the order of their numbers."),
-                                   {listOf(others)})
-                            : said(TRANSLATE_NOOP("problem",
-                                                  "The reference points were probably touched in another order: %1. "
-                                                  "Touch them again in the order of their numbers."),
-                                   {listOf(order)}),
-                        others});
+    warnings.push_back(
+        {Warning::Kind::Order,
+         others.size() == 2
+             ? phrase(TRANSLATE_NOOP("problem",
+                                     "The reference points %1 were probably swapped. Touch them again in "
+                                     "the order of their numbers."),
+                      {listOf(others)})
+             : phrase(TRANSLATE_NOOP("problem",
+                                     "The reference points were probably touched in another order: %1. "
+                                     "Touch them again in the order of their numbers."),
+                      {listOf(order)}),
+         others});
   } else if (!isUpright(fit)) {
     warnings.push_back(
         {Warning::Kind::UpsideDown,
-         said(TRANSLATE_NOOP(
+         phrase(TRANSLATE_NOOP(
              "problem",
              "According to these reference points the arm hangs upside down below the desk. If it does not, they were "
              "touched in mirrored order: touch them again in the order of their numbers.")),
@@ -125,7 +127,7 @@ bool isUpright(const Fit& fit) {
 
 std::size_t worstPoint(const std::vector<Touch>& touches, const Fit& fit) {
   std::size_t worst = 0;
-  double least_m = kInfinity;
+  double min_m = kInfinity;
   for (std::size_t at = 0; at < touches.size(); ++at) {
     double left_m = -fit.off_D[at].norm();
     if (touches.size() > kFewestMarks) {
@@ -134,8 +136,8 @@ std::size_t worstPoint(const std::vector<Touch>& touches, const Fit& fit) {
       const Result<Fit> without = fitTouches(others);
       left_m = without ? without.value().rms_m : kInfinity;
     }
-    if (left_m >= least_m) continue;
-    least_m = left_m;
+    if (left_m >= min_m) continue;
+    min_m = left_m;
     worst = at;
   }
   return worst;
@@ -175,20 +177,21 @@ std::vector<Warning> warningsOf(const std::vector<Touch>& touches, const Fit& fi
     const std::size_t worst = worstPoint(touches, fit);
     warnings.push_back(
         {Warning::Kind::Residual,
-         said(TRANSLATE_NOOP(
-                  "problem",
-                  "The touched points miss the reference points by %1, which is a lot. Reference point %2 fits worst: "
-                  "touch it again, and check that the sheet was printed at 100 % and that the arm is calibrated."),
-              {millimetres(fit.rms_m), std::to_string(worst + 1)}),
+         phrase(
+             TRANSLATE_NOOP(
+                 "problem",
+                 "The touched points miss the reference points by %1, which is a lot. Reference point %2 fits worst: "
+                 "touch it again, and check that the sheet was printed at 100 % and that the arm is calibrated."),
+             {millimetres(fit.rms_m), std::to_string(worst + 1)}),
          {worst}});
   }
   for (std::size_t at = 0; at < touches.size(); ++at) {
     if (touches[at].spread_m <= kRestless_m) continue;
     warnings.push_back({Warning::Kind::Moved,
-                        said(TRANSLATE_NOOP("problem",
-                                            "At reference point %1 the tip moved by %2 while it was held. Touch it "
-                                            "again, with your hand resting on the desk."),
-                             {std::to_string(at + 1), millimetres(touches[at].spread_m)}),
+                        phrase(TRANSLATE_NOOP("problem",
+                                              "At reference point %1 the tip moved by %2 while it was held. Touch it "
+                                              "again, with your hand resting on the desk."),
+                               {std::to_string(at + 1), millimetres(touches[at].spread_m)}),
                         {at}});
   }
   return warnings;

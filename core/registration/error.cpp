@@ -19,8 +19,8 @@ double touchingError_m(double rms_m, std::size_t marks) {
   return rms_m * std::sqrt(count / (count - 2.0));
 }
 
-double likelyMost_m(double rms_m, std::size_t marks) {
-  const std::size_t row = std::clamp(marks, kFewestMarks, kMostMarks) - kFewestMarks;
+double likelyMax_m(double rms_m, std::size_t marks) {
+  const std::size_t row = std::clamp(marks, kFewestMarks, kMaxMarks) - kFewestMarks;
   const double freedom = 3.0 * static_cast<double>(row) + 3.0;
   return touchingError_m(rms_m, marks) * std::sqrt(freedom / kLowTwentieth[row]);
 }
@@ -45,7 +45,7 @@ double expectedError_m(const std::vector<Vec3>& points_D, double touching_m, con
 ErrorInTheMiddle errorInTheMiddle(const std::vector<Touch>& touches, const Fit& fit) {
   const std::vector<Vec3> points_D = referencePointsOf(touches);
   const double unit = expectedError_m(points_D, 1.0, fit.X_DW.translation());
-  return {unit * touchingError_m(fit.rms_m, touches.size()), unit * likelyMost_m(fit.rms_m, touches.size())};
+  return {unit * touchingError_m(fit.rms_m, touches.size()), unit * likelyMax_m(fit.rms_m, touches.size())};
 }
 
 }  // namespace underact::registration

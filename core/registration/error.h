@@ -14,7 +14,7 @@ double touchingError_m(double rms_m, std::size_t marks);
 
 /// An upper bound of it that holds in 19 of 20 registrations, since 3N - 6 squares are few. Source: chi-square, 5 %.
 /// marks: 3 to 8.
-double likelyMost_m(double rms_m, std::size_t marks);
+double likelyMax_m(double rms_m, std::size_t marks);
 
 /// The expected error at a point of the desk, m, root mean square, where each reference point was touched with that
 /// error: e^2 / N (1 + (d1^2 / f1^2 + d2^2 / f2^2 + d3^2 / f3^2) / 3), with d the point's and f the reference points'
@@ -25,10 +25,10 @@ double expectedError_m(const std::vector<Vec3>& points_D, double touching_m, con
 /// The expected error at the middle of the workspace, p_W = 0, m.
 struct ErrorInTheMiddle {
   double expected_m = 0.0;
-  double likely_most_m = 0.0;  // expected, of likelyMost_m()
+  double likely_max_m = 0.0;  // expected, of likelyMax_m()
 };
 /// fit: fitTouches() of these touches, 3 to 8 of them. Source: as expectedError_m(), touchingError_m() and
-/// likelyMost_m().
+/// likelyMax_m().
 ErrorInTheMiddle errorInTheMiddle(const std::vector<Touch>& touches, const Fit& fit);
 
 }  // namespace underact::registration

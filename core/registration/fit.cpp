@@ -46,16 +46,16 @@ constexpr Words kTouchedPoints{
 void judge(const std::vector<Vec3>& points, const Words& words, Problems& problems) {
   for (const Vec3& point : points) {
     if (!point.allFinite() || point.cwiseAbs().maxCoeff() > kFarthest_m) {
-      problems.push_back({said(words.not_finite), {}});
+      problems.push_back({phrase(words.not_finite), {}});
       return;
     }
   }
   const Layout layout = layoutOf(points);
-  if (layout.least_apart_m < kSame_m) {
+  if (layout.min_apart_m < kSame_m) {
     problems.push_back(
-        {said(words.same, {std::to_string(layout.near_one + 1), std::to_string(layout.near_other + 1)}), {}});
+        {phrase(words.same, {std::to_string(layout.near_one + 1), std::to_string(layout.near_other + 1)}), {}});
   } else if (layout.off_line_m < kOnLine_m) {
-    problems.push_back({said(words.on_line), {}});
+    problems.push_back({phrase(words.on_line), {}});
   }
 }
 
@@ -75,11 +75,11 @@ std::vector<Vec3> touchedOf(const std::vector<Touch>& touches) {
 
 Layout layoutOf(const std::vector<Vec3>& points) {
   Layout layout;
-  layout.least_apart_m = kInfinity;
+  layout.min_apart_m = kInfinity;
   for (std::size_t one = 0; one < points.size(); ++one) {
     for (std::size_t other = one + 1; other < points.size(); ++other) {
       const double apart_m = (points[one] - points[other]).norm();
-      if (apart_m < layout.least_apart_m) layout = {layout.off_line_m, apart_m, one, other};
+      if (apart_m < layout.min_apart_m) layout = {layout.off_line_m, apart_m, one, other};
     }
   }
   Eigen::Matrix3Xd away = columnsOf(points);
@@ -91,9 +91,9 @@ Layout layoutOf(const std::vector<Vec3>& points) {
 }
 
 Result<Fit> fitTouches(const std::vector<Touch>& touches) {
-  if (touches.size() < kFewestMarks || touches.size() > kMostMarks) {
-    return Problems{{said(TRANSLATE_NOOP("problem", "A registration needs 3 to 8 reference points; this one has %1."),
-                          {std::to_string(touches.size())}),
+  if (touches.size() < kFewestMarks || touches.size() > kMaxMarks) {
+    return Problems{{phrase(TRANSLATE_NOOP("problem", "A registration needs 3 to 8 reference points; this one has %1."),
+                            {std::to_string(touches.size())}),
                      {}}};
   }
   Problems problems;

@@ -11,7 +11,7 @@ namespace underact::registration {
 // towards the person in front of it: parallel to the arm's own frame W where the arm stands straight before that
 // person.
 
-inline constexpr std::size_t kFewestMarks = 3, kMostMarks = 8;
+inline constexpr std::size_t kFewestMarks = 3, kMaxMarks = 8;
 
 /// A reference point on the desk, and where the arm measured its tip while that rested on it.
 struct Touch {
@@ -35,8 +35,8 @@ Result<Fit> fitTouches(const std::vector<Touch>& touches);
 
 /// The arrangement of the reference points.
 struct Layout {
-  double off_line_m = 0.0;     // root mean square distance from the line that fits them best
-  double least_apart_m = 0.0;  // of the two that are nearest to each other
+  double off_line_m = 0.0;   // root mean square distance from the line that fits them best
+  double min_apart_m = 0.0;  // of the two that are nearest to each other
   std::size_t near_one = 0, near_other = 0;
 };
 /// points: three at least, finite.

@@ -16,7 +16,7 @@ using json::numberText;
 using json::ObjectReader;
 using json::Value;
 
-constexpr double kMostSpread_mm = 1e3;
+constexpr double kMaxSpread_mm = 1e3;
 constexpr double kSamePlace_mm = 0.01, kSameTurn = 1e-4;  // of an X_DW that was rounded by a person
 constexpr std::size_t kLargest = std::size_t{1} << 20;    // bytes; eight marks are a thousand
 
@@ -37,20 +37,20 @@ void readPlace(ObjectReader& object, const char* key, Vec3& p) {
 
 Touch readTouch(const Value& value, const std::string& path, Findings& findings) {
   Touch touch;
-  if (!isKind(
-          value, json::Kind::Object, path,
-          said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"p_DM_mm\": [0, 0, 0], \"p_WM_mm\": [1, 2, 3]}"}),
-          findings))
+  if (!isKind(value, json::Kind::Object, path,
+              phrase(TRANSLATE_NOOP("problem", "an object, as in %1"),
+                     {"{\"p_DM_mm\": [0, 0, 0], \"p_WM_mm\": [1, 2, 3]}"}),
+              findings))
     return touch;
-  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a reference point")), findings);
+  ObjectReader object(value, path, phrase(TRANSLATE_NOOP("problem", "a reference point")), findings);
   readPlace(object, "p_DM_mm", touch.p_DM);
   readPlace(object, "p_WM_mm", touch.p_WM);
   if (const Value* const spread = object.find("spread_mm")) {
     double spread_mm = 0.0;
     json::readNumber(*spread, object.pathOf("spread_mm"), spread_mm, findings);
-    if (!(spread_mm >= 0.0 && spread_mm <= kMostSpread_mm))
+    if (!(spread_mm >= 0.0 && spread_mm <= kMaxSpread_mm))
       findings.add(*spread, object.pathOf("spread_mm"),
-                   said(TRANSLATE_NOOP("problem", "This must be from 0 to 1000 mm.")));
+                   phrase(TRANSLATE_NOOP("problem", "This must be from 0 to 1000 mm.")));
     touch.spread_m = kMetrePerMillimetre * spread_mm;
   }
   object.finish();
@@ -59,13 +59,13 @@ Touch readTouch(const Value& value, const std::string& path, Findings& findings)
 
 std::vector<Touch> readTouches(const Value& list, Findings& findings) {
   std::vector<Touch> touches;
-  if (!isKind(list, json::Kind::Array, "marks", said(TRANSLATE_NOOP("problem", "a list of 3 to 8 reference points")),
+  if (!isKind(list, json::Kind::Array, "marks", phrase(TRANSLATE_NOOP("problem", "a list of 3 to 8 reference points")),
               findings))
     return touches;
-  if (list.items.size() < kFewestMarks || list.items.size() > kMostMarks) {
+  if (list.items.size() < kFewestMarks || list.items.size() > kMaxMarks) {
     findings.add(list, "marks",
-                 said(TRANSLATE_NOOP("problem", "This must be a list of 3 to 8 reference points; this one has %1."),
-                      {std::to_string(list.items.size())}));
+                 phrase(TRANSLATE_NOOP("problem", "This must be a list of 3 to 8 reference points; this one has %1."),
+                        {std::to_string(list.items.size())}));
     return touches;
   }
   for (std::size_t at = 0; at < list.items.size(); ++at)
@@ -77,8 +77,9 @@ std::vector<Touch> readTouches(const Value& list, Findings& findings) {
 void compare(const Value& value, const Pose& X_DW, Findings& findings) {
   const char* const kKey = "X_DW";
   const Sentence expected =
-      said(TRANSLATE_NOOP("problem", "This must be four rows of four numbers, the last one 0, 0, 0, 1."));
-  if (!isKind(value, json::Kind::Array, kKey, said(TRANSLATE_NOOP("problem", "a list of four rows")), findings)) return;
+      phrase(TRANSLATE_NOOP("problem", "This must be four rows of four numbers, the last one 0, 0, 0, 1."));
+  if (!isKind(value, json::Kind::Array, kKey, phrase(TRANSLATE_NOOP("problem", "a list of four rows")), findings))
+    return;
   if (value.items.size() != 4) return findings.add(value, kKey, expected);
   Eigen::Matrix4d X = X_DW.matrix();
   X.topRightCorner<3, 1>() *= kMillimetrePerMetre;
@@ -92,21 +93,21 @@ void compare(const Value& value, const Pose& X_DW, Findings& findings) {
       if (std::abs(one.number - X(row, column)) <= allowed) continue;
       return findings.add(
           one, kKey,
-          said(TRANSLATE_NOOP(
-                   "problem",
-                   "This is not what the reference points give, %1. Leave X_DW out: it is computed from them."),
-               {numberText(X(row, column))}));
+          phrase(TRANSLATE_NOOP(
+                     "problem",
+                     "This is not what the reference points give, %1. Leave X_DW out: it is computed from them."),
+                 {numberText(X(row, column))}));
     }
   }
 }
 
 Registration readWhole(const Value& root, Findings& findings) {
   Registration registration;
-  ObjectReader object(root, "", said(TRANSLATE_NOOP("problem", "a registration")), findings);
+  ObjectReader object(root, "", phrase(TRANSLATE_NOOP("problem", "a registration")), findings);
   const Value* const version = object.find("underact_registration", true);
   if (version != nullptr && (version->kind != json::Kind::Number || version->number != 1.0))
     findings.add(*version, "underact_registration",
-                 said(TRANSLATE_NOOP("problem", "This program reads version 1 of registrations.")));
+                 phrase(TRANSLATE_NOOP("problem", "This program reads version 1 of registrations.")));
   readWords(object, "arm", true, registration.arm);
   readWords(object, "date", true, registration.date);
   readWords(object, "program", false, registration.program);
@@ -162,7 +163,7 @@ Result<Registration> readRegistration(std::string_view text, const std::string& 
   if (!root) return root.problems();
   Findings findings(file_name);
   if (!isKind(root.value(), json::Kind::Object, "",
-              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_registration\": 1, ...}"}),
+              phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_registration\": 1, ...}"}),
               findings))
     return findings.take();
   Registration registration = readWhole(root.value(), findings);
@@ -173,7 +174,7 @@ Result<Registration> readRegistration(std::string_view text, const std::string& 
 
 Result<Registration> readRegistrationFile(const std::string& path) {
   const Result<std::string> text =
-      json::readTextFile(path, said(TRANSLATE_NOOP("problem", "a registration")), kLargest);
+      json::readTextFile(path, phrase(TRANSLATE_NOOP("problem", "a registration")), kLargest);
   if (!text) return text.problems();
   return readRegistration(text.value(), path);
 }

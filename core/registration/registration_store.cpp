@@ -18,14 +18,14 @@ std::string variable(const char* name) {
 
 Problems cannotKeep(const std::string& path, const std::error_code& error) {
   if (!error)
-    return {{said(TRANSLATE_NOOP("problem",
-                                 "The registration cannot be saved. Check that the folder exists and is yours, and "
-                                 "that the disk is not full.")),
+    return {{phrase(TRANSLATE_NOOP("problem",
+                                   "The registration cannot be saved. Check that the folder exists and is yours, and "
+                                   "that the disk is not full.")),
              {path}}};
-  return {{said(TRANSLATE_NOOP("problem",
-                               "The registration cannot be saved: %1. Check that the folder exists and is yours, and "
-                               "that the disk is not full."),
-                {error.message()}),
+  return {{phrase(TRANSLATE_NOOP("problem",
+                                 "The registration cannot be saved: %1. Check that the folder exists and is yours, and "
+                                 "that the disk is not full."),
+                  {error.message()}),
            {path}}};
 }
 
@@ -73,8 +73,8 @@ Result<std::optional<Registration>> loadRegistration(const std::string& arm, con
   if (!read) return read.problems();
   if (read.value().arm != arm)
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "This is the registration of another arm, \"%1\". Register this arm again."),
-              {read.value().arm}),
+        {phrase(TRANSLATE_NOOP("problem", "This is the registration of another arm, \"%1\". Register this arm again."),
+                {read.value().arm}),
          {path}}};
   return std::optional<Registration>(std::move(read).value());
 }
@@ -84,11 +84,12 @@ Problems removeRegistration(const std::string& arm, const std::string& folder) {
   std::error_code error;
   fs::remove(path, error);
   if (!error) return {};
-  return {{said(TRANSLATE_NOOP("problem",
-                               "The registration cannot be deleted: %1. Check that the folder exists and is yours, and "
-                               "that the disk is not full."),
-                {error.message()}),
-           {path}}};
+  return {
+      {phrase(TRANSLATE_NOOP("problem",
+                             "The registration cannot be deleted: %1. Check that the folder exists and is yours, and "
+                             "that the disk is not full."),
+              {error.message()}),
+       {path}}};
 }
 
 }  // namespace underact::registration

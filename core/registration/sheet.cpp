@@ -15,14 +15,14 @@ struct Mark {
 
 // Within 120 x 80 mm, which the tip of an Omni reaches (its workspace is 160 x 120 x 70 mm), and mostly at the rim: the
 // further apart, the less an error rotates.
-constexpr std::array<Mark, kMostMarks> kMarks{
+constexpr std::array<Mark, kMaxMarks> kMarks{
     {{0, 0}, {120, 0}, {0, 80}, {120, 60}, {70, 80}, {50, 0}, {0, 30}, {90, 30}}};
 
 }  // namespace
 
 std::vector<Vec3> sheetPoints(std::size_t count) {
   std::vector<Vec3> points_D;
-  for (std::size_t at = 0; at < std::clamp(count, kFewestMarks, kMostMarks); ++at)
+  for (std::size_t at = 0; at < std::clamp(count, kFewestMarks, kMaxMarks); ++at)
     points_D.push_back(
         onDesk(kMetrePerMillimetre * kMarks[at].right_mm, kMetrePerMillimetre * kMarks[at].away_mm, 0.0));
   return points_D;

@@ -24,8 +24,8 @@ double moved(double level, bool up, double dt_s, double ramp_s) noexcept UNDERAC
 }  // namespace
 
 double travelTime_s(double by_arm_s, double by_servo_s) noexcept {
-  constexpr double kMost = 4.0;
-  return std::min(by_arm_s, kMost * by_servo_s);
+  constexpr double kMax = 4.0;
+  return std::min(by_arm_s, kMax * by_servo_s);
 }
 
 Vec3 clampForce(const Vec3& f_T_W, double max_force_N) noexcept {

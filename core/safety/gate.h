@@ -36,11 +36,11 @@ struct DrivenJoint {
 
 /// Configuration and motion of the arm in this tick.
 struct Motion {
-  Motion() noexcept UNDERACT_REAL_TIME {}       // what is not read is not written, either: a tick has no time for it
-  Vec3 v_WT = Vec3::Zero();                     // of the tip since the last sample, m/s
-  bool moved = true;                            // some joint angle has changed, by at least a bit
-  std::size_t count = 0;                        // of driven joints; 0: no limits of heat and edge
-  std::array<DrivenJoint, kMostDriven> joints;  // those beyond count are not read
+  Motion() noexcept UNDERACT_REAL_TIME {}      // what is not read is not written, either: a tick has no time for it
+  Vec3 v_WT = Vec3::Zero();                    // of the tip since the last sample, m/s
+  bool moved = true;                           // some joint angle has changed, by at least a bit
+  std::size_t count = 0;                       // of driven joints; 0: no limits of heat and edge
+  std::array<DrivenJoint, kMaxDriven> joints;  // those beyond count are not read
   // What the motors render of a force, arm::renderable(), and of force and moment, arm::renderableWrench().
   bool renders_all = true;  // of a force: `renders` is not read
   bool turns = false;       // they render a moment: renders_wrench is read in place of `renders`

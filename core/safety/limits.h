@@ -8,13 +8,13 @@
 namespace underact::safety {
 
 /// The most driven joints of an arm.
-inline constexpr std::size_t kMostDriven = 8;
+inline constexpr std::size_t kMaxDriven = 8;
 
 /// The lever arm at which a moment counts as much as a force: a hand's grip on a tool.
 inline constexpr double kMomentArm_m = 0.1;
 
 /// One number for each driven joint; infinite: no limit.
-using PerDriven = std::array<double, kMostDriven>;
+using PerDriven = std::array<double, kMaxDriven>;
 inline constexpr PerDriven kNoTorqueLimits{kInfinity, kInfinity, kInfinity, kInfinity,
                                            kInfinity, kInfinity, kInfinity, kInfinity};
 

@@ -87,12 +87,12 @@ double edgeShare(const Limits& limits, const Motion& motion, const Wrench& wrenc
 double torqueShare(const Limits& limits, const Heat& heat, const Motion& motion, const Wrench& wrench) noexcept {
   double keep = 1.0;
   for (std::size_t joint = 0; joint < motion.count; ++joint) {
-    const double bears = limits.thermal.continuous_N_m[joint], most = limits.max_torque_N_m[joint];
+    const double bears = limits.thermal.continuous_N_m[joint], max = limits.max_torque_N_m[joint];
     const bool is_warm = bears > 0.0 && heat[joint] > kWarm;
-    if (!is_warm && most == kInfinity) continue;
+    if (!is_warm && max == kInfinity) continue;
     const double size = std::abs(torqueAt(motion, joint, wrench));
     if (!(size > 0.0)) continue;
-    keep = std::min(keep, most / size);
+    keep = std::min(keep, max / size);
     if (is_warm) keep = std::min(keep, (1.0 + std::max(0.0, 1.0 - heat[joint]) / (heat[joint] - kWarm)) * bears / size);
   }
   return keep;
@@ -114,11 +114,11 @@ Heat heated(const Thermal& thermal, const Heat& heat, const Motion& motion, cons
 }
 
 Vec3 limitSlew(const Limits& limits, const Vec3& last_T_W, const Vec3& f_T_W, double dt_s) noexcept {
-  const double most_N = limits.max_slew_N_per_s * std::max(0.0, dt_s);
+  const double max_N = limits.max_slew_N_per_s * std::max(0.0, dt_s);
   const Vec3 way_N = f_T_W - last_T_W;
   const double square = way_N.squaredNorm();
-  if (!(square > most_N * most_N)) return f_T_W;  // an infinite limit times 0 s is not a number, and limits nothing
-  return last_T_W + (most_N / std::sqrt(square)) * way_N;
+  if (!(square > max_N * max_N)) return f_T_W;  // an infinite limit times 0 s is not a number, and limits nothing
+  return last_T_W + (max_N / std::sqrt(square)) * way_N;
 }
 
 }  // namespace underact::safety

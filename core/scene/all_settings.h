@@ -10,10 +10,10 @@ namespace underact::scene {
 // The settings of a scene for those who go through all of them, or have a value as a file has it.
 
 /// The scene with all of the values as they stand in a file, by their paths, in whatever order they are possible; null:
-/// none. Problems: not many more than most_problems, of which the first most_hints name the nearest path where there is
+/// none. Problems: not many more than max_problems, of which the first max_hints name the nearest path where there is
 /// none.
-Result<Description> withFileValues(const Description& scene, const json::Value& values, std::size_t most_problems,
-                                   std::size_t most_hints);
+Result<Description> withFileValues(const Description& scene, const json::Value& values, std::size_t max_problems,
+                                   std::size_t max_hints);
 
 /// Whether the scene has a setting at the path.
 bool hasSetting(const Description& scene, const std::string& path);

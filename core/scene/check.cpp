@@ -86,17 +86,17 @@ void Checker::checkControl(const std::string& key, const Control& control) {
   for (const SettingOf<Control>& row : rowsOf<Control>()) {
     if (row.is_used == nullptr || row.is_used(control) || std::get<Vec3>(row.get(control)) == Vec3::Zero()) continue;
     add(key + "." + row.is.key,
-        said(TRANSLATE_NOOP(
-                 "problem",
-                 "The control law %1 does not use this gain; %2 does. Change the control law, or remove the gain."),
-             {wordOf(kLawWords, control.law),
-              row.is_used(pd) ? said(TRANSLATE_NOOP("problem", "PD (or PID)")) : "PID"}));
+        phrase(TRANSLATE_NOOP(
+                   "problem",
+                   "The control law %1 does not use this gain; %2 does. Change the control law, or remove the gain."),
+               {wordOf(kLawWords, control.law),
+                row.is_used(pd) ? phrase(TRANSLATE_NOOP("problem", "PD (or PID)")) : "PID"}));
   }
   checkAll(key + ".velocity", control.velocity);
   const arm::Preset* const arm = findArm(scene_);
   if (control.space == tick::Space::Joint && arm != nullptr && !arm::isOmniForm(*arm))
     add(key + ".space",
-        said(
+        phrase(
             TRANSLATE_NOOP("problem",
                            "The control of joints follows the closed form of the Omni's geometry, which the arm %1 has "
                            "not; \"cartesian\" works with every arm."),
@@ -114,46 +114,46 @@ void Checker::checkMetric(const std::string& key, const Control& control, const 
   }
   if (!kp.allFinite() || kp.minCoeff() < 0.0 || kp.minCoeff() > kSmallestGainRatio * kp.maxCoeff()) return;
   Eigen::Index axis = 0;
-  const double least = kp.minCoeff(&axis);
+  const double min = kp.minCoeff(&axis);
   add(key,
-      said(TRANSLATE_NOOP(
-               "problem",
-               "The gain along %1 is %2 while the others are larger, so no point of the %3 is nearest in the gains' "
-               "own metric. Set \"anisotropy\" to \"euclidean\" in the control, or give every axis a gain."),
-           {std::string(1, "xyz"[axis]),
-            least == 0.0 ? Sentence(numberText(least))
-                         : said(TRANSLATE_NOOP("problem", "%1, almost nothing,"), {numberText(least)}),
-            typeName(shape)}));
+      phrase(TRANSLATE_NOOP(
+                 "problem",
+                 "The gain along %1 is %2 while the others are larger, so no point of the %3 is nearest in the gains' "
+                 "own metric. Set \"anisotropy\" to \"euclidean\" in the control, or give every axis a gain."),
+             {std::string(1, "xyz"[axis]),
+              min == 0.0 ? Sentence(numberText(min))
+                         : phrase(TRANSLATE_NOOP("problem", "%1, almost nothing,"), {numberText(min)}),
+              typeName(shape)}));
 }
 
 void Checker::checkName(const std::string& key, const std::string& name) {
   if (name.empty()) {
-    add(key, said(TRANSLATE_NOOP("problem", "The constraint has no name.")));
+    add(key, phrase(TRANSLATE_NOOP("problem", "The constraint has no name.")));
     return;
   }
   const auto [first, is_new] = names_.emplace(name, path_);
   if (!is_new)
-    add(key, said(TRANSLATE_NOOP("problem", "The name %1 is taken by %2; names must differ."),
-                  {json::shown(name), first->second}));
+    add(key, phrase(TRANSLATE_NOOP("problem", "The name %1 is taken by %2; names must differ."),
+                    {json::shown(name), first->second}));
 }
 
 void Checker::checkInfluence(const Constraint& constraint, const Control& control) {
   const std::string key = path_ + ".influence";
   if (!takesInfluence(constraint.shape)) {
-    add(key, said(TRANSLATE_NOOP("problem", "A %1 has no influence."), {typeName(constraint.shape)}));
+    add(key, phrase(TRANSLATE_NOOP("problem", "A %1 has no influence."), {typeName(constraint.shape)}));
   }
   checkAll(key, *constraint.influence);
   if (constraint.side != target::Side::Both) {
     add(key,
-        said(TRANSLATE_NOOP(
+        phrase(TRANSLATE_NOOP(
             "problem",
             "A wall has no influence: where the stylus is free, nothing pulls it. Remove \"side\" or \"influence\".")));
   }
   const bool weighted = control.space == tick::Space::Cartesian && control.anisotropy == Anisotropy::Weighted;
   if (weighted && !allSame(control.gains.kp_N_per_mm)) {
-    add(key, said(TRANSLATE_NOOP("problem",
-                                 "With influence, the target is not the nearest point in the gains' own metric. Set "
-                                 "\"anisotropy\" to \"euclidean\" in the control, or give every axis the same kp.")));
+    add(key, phrase(TRANSLATE_NOOP("problem",
+                                   "With influence, the target is not the nearest point in the gains' own metric. Set "
+                                   "\"anisotropy\" to \"euclidean\" in the control, or give every axis the same kp.")));
   }
 }
 
@@ -182,7 +182,7 @@ void Checker::checkConstraint(std::size_t index) {
       constraint.shape);
   if (constraint.side != target::Side::Both && !hasSides(constraint.shape)) {
     add(path_ + ".side",
-        said(TRANSLATE_NOOP("problem", "A %1 has no inside and no outside."), {typeName(constraint.shape)}));
+        phrase(TRANSLATE_NOOP("problem", "A %1 has no inside and no outside."), {typeName(constraint.shape)}));
   }
   if (const auto* robot = std::get_if<VirtualManipulator>(&constraint.shape)) {
     checkRobot(*robot, constraint, controlOf(scene_, index));
@@ -198,7 +198,7 @@ void Checker::checkConstraint(std::size_t index) {
   if (constraint.influence) checkInfluence(constraint, controlOf(scene_, index));
   if (constraint.friction) {
     if (!takesFriction(constraint.shape))
-      add(path_ + ".friction", said(TRANSLATE_NOOP("problem", "There is nothing to slide along.")));
+      add(path_ + ".friction", phrase(TRANSLATE_NOOP("problem", "There is nothing to slide along.")));
     checkAll(path_ + ".friction", *constraint.friction);
   }
   if (constraint.control) checkControl(path_ + ".control", *constraint.control);
@@ -208,30 +208,30 @@ void Checker::checkConstraint(std::size_t index) {
 void Checker::checkArm() {
   if (findArm(scene_) != nullptr) return;
   if (isArmFile(scene_.arm))
-    return add("arm", said(TRANSLATE_NOOP("problem", "The arm file %1 was not read."), {json::shown(scene_.arm)}));
+    return add("arm", phrase(TRANSLATE_NOOP("problem", "The arm file %1 was not read."), {json::shown(scene_.arm)}));
   if (const arm::Model* const model = arm::findModel(scene_.arm)) {
     const Result<arm::Preset> preset = arm::presetOf(*model);
-    return add("arm", said(TRANSLATE_NOOP("problem", "The arm %1: %2"),
-                           {json::shown(scene_.arm), preset.problems().front().sentence}));
+    return add("arm", phrase(TRANSLATE_NOOP("problem", "The arm %1: %2"),
+                             {json::shown(scene_.arm), preset.problems().front().sentence}));
   }
   std::vector<std::string> known;
   for (const arm::Preset& preset : arm::sceneArms()) known.emplace_back(preset.name);
   const std::string nearest = json::nearestWord(scene_.arm, known);
   const Sentence listed = json::listed(known, "and");
-  add("arm", nearest.empty() ? said(TRANSLATE_NOOP("problem",
-                                                   "The arm %1 is not known. Known arms: %2; or the name of an arm "
-                                                   "file, such as \"my_arm.json\"."),
-                                    {json::shown(scene_.arm), listed})
-                             : said(TRANSLATE_NOOP("problem",
-                                                   "The arm %1 is not known. Did you mean \"%2\"? Known arms: %3; or "
-                                                   "the name of an arm file, such as \"my_arm.json\"."),
-                                    {json::shown(scene_.arm), nearest, listed}));
+  add("arm", nearest.empty() ? phrase(TRANSLATE_NOOP("problem",
+                                                     "The arm %1 is not known. Known arms: %2; or the name of an arm "
+                                                     "file, such as \"my_arm.json\"."),
+                                      {json::shown(scene_.arm), listed})
+                             : phrase(TRANSLATE_NOOP("problem",
+                                                     "The arm %1 is not known. Did you mean \"%2\"? Known arms: %3; or "
+                                                     "the name of an arm file, such as \"my_arm.json\"."),
+                                      {json::shown(scene_.arm), nearest, listed}));
 }
 
 Problems Checker::run() {
   if (scene_.title.find_first_not_of(" \t\r\n") == std::string::npos) {
     add("title",
-        said(TRANSLATE_NOOP("problem", "The title is empty; say in a few words what the scene lets you feel.")));
+        phrase(TRANSLATE_NOOP("problem", "The title is empty; say in a few words what the scene lets you feel.")));
   }
   checkArm();
   checkControl("control", scene_.control);

@@ -58,17 +58,17 @@ Vec3 leversOf(const arm::Geometry& geometry) {
 void limitJoints(const arm::GeneralArm& arm, double force_N, safety::Limits& limits) {
   const chain::Jacobian J = chain::jacobian(arm.chain, arm.rest);
   const arm::Watched watched = arm::watchedJoints(arm);
-  std::array<double, safety::kMostDriven> bears{};
+  std::array<double, safety::kMaxDriven> bears{};
   for (std::size_t i = 0; i < watched.count; ++i) {
     const auto column = J.col(static_cast<Eigen::Index>(watched.joint[i]));
     bears[i] = force_N * column.head<3>().norm();
     if (arm.renders_moment) bears[i] = std::max(bears[i], arm.max_moment_N_m * column.tail<3>().norm());
-    const double most = arm.max_torque[watched.joint[i]];
-    if (most > 0.0) limits.max_torque_N_m[i] = most;
+    const double max = arm.max_torque[watched.joint[i]];
+    if (max > 0.0) limits.max_torque_N_m[i] = max;
   }
-  const double least = 0.1 * *std::max_element(bears.begin(), bears.end());
+  const double min = 0.1 * *std::max_element(bears.begin(), bears.end());
   for (std::size_t i = 0; i < watched.count; ++i) {
-    limits.thermal.continuous_N_m[i] = std::min(std::max(bears[i], least), limits.max_torque_N_m[i]);
+    limits.thermal.continuous_N_m[i] = std::min(std::max(bears[i], min), limits.max_torque_N_m[i]);
   }
   if (arm.renders_moment) limits.max_moment_N_m = arm.max_moment_N_m;
 }

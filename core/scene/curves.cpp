@@ -9,7 +9,7 @@ namespace underact::scene {
 void readCurve(ObjectReader& object, Curve& into) {
   readPlacement(object, into);
   if (const json::Value* guide = object.find("guide"))
-    readObject(*guide, object.pathOf("guide"), said(TRANSLATE_NOOP("problem", "a guide")), "{\"speed_mm_per_s\": 30}",
+    readObject(*guide, object.pathOf("guide"), phrase(TRANSLATE_NOOP("problem", "a guide")), "{\"speed_mm_per_s\": 30}",
                into.guide.emplace(), object.findings());
   if (const json::Value* checksum = object.find("checksum"))
     readText(*checksum, object.pathOf("checksum"), into.checksum, object.findings());
@@ -24,7 +24,8 @@ void checkCurve(const Curve& curve, const Control& control, const Say& say) {
 
 Result<target::CurvePath> makeCurvePath(const Curve& curve, const SourceLocation& place) {
   if (curve.points == nullptr)
-    return Problems{{said(TRANSLATE_NOOP("problem", "The curve %1 is not loaded."), {json::shown(curve.file)}), place}};
+    return Problems{
+        {phrase(TRANSLATE_NOOP("problem", "The curve %1 is not loaded."), {json::shown(curve.file)}), place}};
   auto made = cachedCurve(curve, place);
   if (!made) return made.problems();
   target::CurvePath path{std::move(made).value(), curve.search, {}};

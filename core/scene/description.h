@@ -51,7 +51,7 @@ struct VirtualManipulator {
   bool operator==(const VirtualManipulator&) const = default;
 };
 
-inline constexpr double kMostSmooth_deg = 45.0;  // sharper bends are meant to be felt as edges
+inline constexpr double kMaxSmooth_deg = 45.0;  // sharper bends are meant to be felt as edges
 
 /// A mesh from a file, placed in the workspace.
 struct Mesh {

@@ -74,10 +74,11 @@ void addDefault(Value& control) {
   control.kind = Kind::Object;
   for (const SettingOf<Control>& row : rowsOf<Control>()) {
     if (control.find(row.is.key) != nullptr) continue;
-    const SettingValue usual = row.usual({});
+    const SettingValue default_value = row.default_value({});
     Value value;
     value.kind = Kind::String;
-    value.text = std::holds_alternative<std::string>(usual) ? std::get<std::string>(usual) : fileTextOf(usual);
+    value.text = std::holds_alternative<std::string>(default_value) ? std::get<std::string>(default_value)
+                                                                    : fileTextOf(default_value);
     control.keys.emplace_back(row.is.key);
     control.items.push_back(std::move(value));
   }

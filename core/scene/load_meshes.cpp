@@ -73,11 +73,12 @@ SurfacesInUse& surfacesInUse() {
 Problems checked(Mesh& mesh, const SourceLocation& place) {
   if (mesh.checksum.empty() || mesh.checksum == mesh.loaded_checksum) return {};
   mesh.surface.reset();
-  return {{said(TRANSLATE_NOOP("problem",
-                               "The mesh %1 is not the one that the scene was made with: its checksum differs. Restore "
-                               "that file, or remove \"checksum\" to use this one."),
-                {json::shown(mesh.file)}),
-           place}};
+  return {
+      {phrase(TRANSLATE_NOOP("problem",
+                             "The mesh %1 is not the one that the scene was made with: its checksum differs. Restore "
+                             "that file, or remove \"checksum\" to use this one."),
+              {json::shown(mesh.file)}),
+       place}};
 }
 
 Problems load(Mesh& mesh, const Description& scene, const SourceLocation& place, const TaskMonitor& monitor) {
@@ -89,7 +90,7 @@ Problems load(Mesh& mesh, const Description& scene, const SourceLocation& place,
     Problems problems = withNearest(loaded.problems(), mesh.file, scene);
     for (Problem& problem : problems) {
       if (place.file.empty()) continue;
-      problem.sentence = said(TRANSLATE_NOOP("problem", "The mesh %1: %2"), {path, problem.sentence});
+      problem.sentence = phrase(TRANSLATE_NOOP("problem", "The mesh %1: %2"), {path, problem.sentence});
       problem.place = place;
     }
     return problems;
@@ -109,10 +110,10 @@ Problems load(Curve& curve, const Description& scene, const SourceLocation& plac
   digest.add(std::as_bytes(std::span(text.value())));
   curve.loaded_checksum = digest.text();
   if (!curve.checksum.empty() && curve.checksum != curve.loaded_checksum)
-    return {{said(TRANSLATE_NOOP("problem",
-                                 "The curve %1 is not the one that the scene was made with: its checksum differs. "
-                                 "Restore that file, or remove \"checksum\" to use this one."),
-                  {json::shown(curve.file)}),
+    return {{phrase(TRANSLATE_NOOP("problem",
+                                   "The curve %1 is not the one that the scene was made with: its checksum differs. "
+                                   "Restore that file, or remove \"checksum\" to use this one."),
+                    {json::shown(curve.file)}),
              place}};
   Result<std::vector<Vec3>> points = curve::parsePoints(text.value(), path, monitor, &curve.note);
   if (!points) return points.problems();  // each with its line
@@ -145,11 +146,11 @@ Problems notFound(const std::string& name, const Description& scene, const std::
     if (!folder.empty() && std::find(looked.begin(), looked.end(), folder) == looked.end()) looked.push_back(folder);
   }
   return {
-      {said(TRANSLATE_NOOP("problem",
-                           "The file %1 was not found in %2. A recording stores the names of its meshes and curves, "
-                           "not their folders. Put the file beside the session, or choose its folder: in the window "
-                           "with Replay, Folder with meshes and curves; on the command line with --files FOLDER."),
-            {json::shown(name), json::listed(looked, "and")}),
+      {phrase(TRANSLATE_NOOP("problem",
+                             "The file %1 was not found in %2. A recording stores the names of its meshes and curves, "
+                             "not their folders. Put the file beside the session, or choose its folder: in the window "
+                             "with Replay, Folder with meshes and curves; on the command line with --files FOLDER."),
+              {json::shown(name), json::listed(looked, "and")}),
        {scene.file}}};
 }
 

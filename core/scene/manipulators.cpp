@@ -27,7 +27,7 @@ class JointChecker {
   void check(const std::string& key, const Joint& joint) const {
     if (!joint.axis.allFinite()) {
       say(key + ".axis",
-          said(TRANSLATE_NOOP("problem", "This is not a finite direction; the largest number is about 1.8e308.")));
+          phrase(TRANSLATE_NOOP("problem", "This is not a finite direction; the largest number is about 1.8e308.")));
     } else if (joint.axis.isZero(0.0)) {
       say(key + ".axis", hasNoDirection());
     }
@@ -38,14 +38,14 @@ class JointChecker {
     }
     checkSettings(joint, [&](const std::string& its, Sentence wrong) { say(key + "." + its, std::move(wrong)); });
     if (joint.min && joint.max && *joint.min > *joint.max) {
-      say(key + ".min", said(TRANSLATE_NOOP("problem", "The lower limit %1 is above the upper limit %2."),
-                             {numberText(*joint.min), numberText(*joint.max)}));
+      say(key + ".min", phrase(TRANSLATE_NOOP("problem", "The lower limit %1 is above the upper limit %2."),
+                               {numberText(*joint.min), numberText(*joint.max)}));
     }
     if (joint.stiffness == 0.0 && joint.rest != 0.0) {
       say(key + ".rest",
-          said(TRANSLATE_NOOP("problem",
-                              "Without a spring the joint has no rest position; give it \"%1\", or remove this."),
-               {stiffnessKey(joint.type)}));
+          phrase(TRANSLATE_NOOP("problem",
+                                "Without a spring the joint has no rest position; give it \"%1\", or remove this."),
+                 {stiffnessKey(joint.type)}));
     }
   }
 
@@ -77,23 +77,23 @@ bool checkManipulator(const VirtualManipulator& robot, const Control& control,
   checkSettings(robot, say);
   if (robot.orientation == manipulator::Orientation::None && robot.ko_N_mm_per_rad != 0.0) {
     checker.say("ko_N_mm_per_rad",
-                said(TRANSLATE_NOOP("problem",
-                                    "The orientation \"none\" does not use this; set \"orientation\" to \"axis\", "
-                                    "\"angle\" or \"full\", or remove this.")));
+                phrase(TRANSLATE_NOOP("problem",
+                                      "The orientation \"none\" does not use this; set \"orientation\" to \"axis\", "
+                                      "\"angle\" or \"full\", or remove this.")));
   }
   checkSettings(robot.solver, [&](const std::string& key, Sentence wrong) { say("solver." + key, std::move(wrong)); });
   if (control.space == tick::Space::Joint) {
     checker.say(
         "",
-        said(TRANSLATE_NOOP(
+        phrase(TRANSLATE_NOOP(
             "problem",
             "A virtual robot pulls the tip, which control in joint space cannot do. Set \"space\" to \"cartesian\".")));
   }
   const Vec3& kp = control.gains.kp_N_per_mm;
   if (control.anisotropy == Anisotropy::Euclidean && !(kp.x() == kp.y() && kp.y() == kp.z())) {
-    checker.say("", said(TRANSLATE_NOOP("problem",
-                                        "A virtual robot is held in the gains' own metric. Remove \"anisotropy\", or "
-                                        "give every axis the same kp.")));
+    checker.say("", phrase(TRANSLATE_NOOP("problem",
+                                          "A virtual robot is held in the gains' own metric. Remove \"anisotropy\", or "
+                                          "give every axis the same kp.")));
   }
   return well;
 }

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostEntries = 20'000, kDeepest = 2;
+constexpr int kMaxEntries = 20'000, kDeepest = 2;
 
 // After each mark the letters that Unicode has with it, each before the letter without it.
 constexpr std::u32string_view kAccents =
@@ -52,7 +52,7 @@ std::vector<std::string> filesBelow(fs::path folder) {
   std::vector<std::string> files;
   if (folder.empty()) folder = ".";
   std::error_code error;
-  int left = kMostEntries;
+  int left = kMaxEntries;
   constexpr auto kSkip = fs::directory_options::skip_permission_denied;
   for (fs::recursive_directory_iterator one(folder, kSkip, error), last; !error && one != last; one.increment(error)) {
     if (--left < 0) return {};
@@ -64,7 +64,7 @@ std::vector<std::string> filesBelow(fs::path folder) {
 }
 
 /// The greatest number of steps up in a relative path. More of them only reflect where on this disk the mesh is.
-constexpr std::ptrdiff_t kMostStepsUp = 2;
+constexpr std::ptrdiff_t kMaxStepsUp = 2;
 
 /// The name of what is at path in a scene in that file.
 std::string nameFrom(const std::string& path, const std::string& file) {
@@ -73,7 +73,7 @@ std::string nameFrom(const std::string& path, const std::string& file) {
   if (error) return path;
   const fs::path relative = whole.lexically_relative(fs::path(file).parent_path().lexically_normal());
   const std::ptrdiff_t steps_up = std::count(relative.begin(), relative.end(), fs::path(".."));
-  const bool is_near = !relative.empty() && steps_up <= kMostStepsUp;
+  const bool is_near = !relative.empty() && steps_up <= kMaxStepsUp;
   return is_near ? relative.generic_string() : whole.string();
 }
 
@@ -110,7 +110,7 @@ Problems withNearest(Problems problems, const std::string& name, const Descripti
   const std::string nearest = json::nearestWord(fs::path(plainName(folder, name)).filename().string(), names);
   const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), nearest) - names.begin());
   if (at == files.size()) return problems;
-  const Sentence note = said(TRANSLATE_NOOP("problem", "The nearest name is %1."), {json::shown(files[at])});
+  const Sentence note = phrase(TRANSLATE_NOOP("problem", "The nearest name is %1."), {json::shown(files[at])});
   problems[0].sentence = oneAfterAnother({problems[0].sentence, note});
   return problems;
 }

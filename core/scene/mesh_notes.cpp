@@ -20,10 +20,11 @@ Sentence sizeNote(const Mesh& mesh) {
   const double largest_mm = std::abs(mesh.scale_mm_per_unit) * mesh_file::largestExtent(*mesh.facts);
   const std::string shown = shownNumber(json::numberText(std::round(largest_mm * 1e3) / 1e3));
   if (largest_mm < mesh_file::kSmallest_mm)
-    return said(TRANSLATE_NOOP("problem", "It is %1 mm long, too small to be felt: state a larger scale_mm_per_unit."),
-                {shown});
+    return phrase(
+        TRANSLATE_NOOP("problem", "It is %1 mm long, too small to be felt: state a larger scale_mm_per_unit."),
+        {shown});
   if (largest_mm > mesh_file::kLargest_mm)
-    return said(
+    return phrase(
         TRANSLATE_NOOP("problem", "It is %1 mm long, far beyond the arm's reach: state a smaller scale_mm_per_unit."),
         {shown});
   return {};
@@ -45,8 +46,8 @@ Problems meshNotes(const Description& scene) {
   const auto note_name = [&](const std::string& name, const SourceLocation& place) {
     const std::string path = pathOf(name, scene);
     if (path == std::filesystem::path(scene.file).parent_path() / name) return;
-    notes.push_back({said(TRANSLATE_NOOP("problem", "There is no file %1, so %2 was read."),
-                          {json::shown(name), json::shown(path)}),
+    notes.push_back({phrase(TRANSLATE_NOOP("problem", "There is no file %1, so %2 was read."),
+                            {json::shown(name), json::shown(path)}),
                      place});
   };
   if (isArmFile(scene.arm) && scene.arm_text.empty()) note_name(scene.arm, {scene.file, 1, 1, "arm"});
@@ -65,7 +66,7 @@ Problems meshNotes(const Description& scene) {
                                            mesh_file::precisionReport(*mesh->facts, mm_per_unit), sizeNote(*mesh)});
     if (note.empty()) continue;
     notes.push_back(
-        {said(TRANSLATE_NOOP("problem", "The mesh %1: %2"), {json::shown(mesh->file), note}), constraint.place});
+        {phrase(TRANSLATE_NOOP("problem", "The mesh %1: %2"), {json::shown(mesh->file), note}), constraint.place});
   }
   const Problems of_arm = arm::solidProblems(modelOf(scene));
   notes.insert(notes.end(), of_arm.begin(), of_arm.end());

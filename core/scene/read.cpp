@@ -18,18 +18,19 @@ void readVersion(ObjectReader& object) {
   const json::Value* value = object.find("underact_scene", true);
   if (value == nullptr) return;
   Findings& findings = object.findings();
-  if (!isKind(*value, json::Kind::Number, "underact_scene", said(TRANSLATE_NOOP("problem", "the number 1")), findings))
+  if (!isKind(*value, json::Kind::Number, "underact_scene", phrase(TRANSLATE_NOOP("problem", "the number 1")),
+              findings))
     return;
   if (value->number > kVersion && std::floor(value->number) == value->number && std::isfinite(value->number)) {
     findings.add(
         *value, "underact_scene",
-        said(TRANSLATE_NOOP(
-                 "problem",
-                 "The scene has version %1, but this program only reads version 1. Use a newer version of Underact."),
-             {json::numberText(value->number)}));
+        phrase(TRANSLATE_NOOP(
+                   "problem",
+                   "The scene has version %1, but this program only reads version 1. Use a newer version of Underact."),
+               {json::numberText(value->number)}));
   } else if (value->number != kVersion) {
     findings.add(*value, "underact_scene",
-                 said(TRANSLATE_NOOP("problem", "This must be the number 1, the version of scene files.")));
+                 phrase(TRANSLATE_NOOP("problem", "This must be the number 1, the version of scene files.")));
   }
 }
 
@@ -49,7 +50,7 @@ void readConstraints(ObjectReader& object, std::vector<Constraint>& into) {
   const json::Value* list = object.find("constraints", true);
   Findings& findings = object.findings();
   if (list == nullptr || !isKind(*list, json::Kind::Array, "constraints",
-                                 said(TRANSLATE_NOOP("problem", "a list of constraints")), findings)) {
+                                 phrase(TRANSLATE_NOOP("problem", "a list of constraints")), findings)) {
     into.emplace_back();  // a harmless one
   } else {
     const std::size_t count = list->items.size();
@@ -78,18 +79,19 @@ void readTexts(ObjectReader& object, Description& into) {
 Description readWhole(const json::Value& root, const std::string& file_name, Findings& findings) {
   Description scene;
   scene.file = file_name;
-  ObjectReader object(root, "", said(TRANSLATE_NOOP("problem", "a scene")), findings);
+  ObjectReader object(root, "", phrase(TRANSLATE_NOOP("problem", "a scene")), findings);
   readVersion(object);
   readTexts(object, scene);
   if (const json::Value* control = object.find("control")) scene.control = readControl(*control, "control", findings);
   readSettings(object, scene);
   if (const json::Value* simulation = object.find("simulation"))
-    readObject(*simulation, "simulation", said(TRANSLATE_NOOP("problem", "a simulation")), "{\"substep_us\": 50}",
+    readObject(*simulation, "simulation", phrase(TRANSLATE_NOOP("problem", "a simulation")), "{\"substep_us\": 50}",
                scene.simulation, findings);
   if (const json::Value* teach = object.find("teach")) readTeaching(*teach, findings);  // see teachingOf()
   readConstraints(object, scene.constraints);
   if (const json::Value* schema = object.find("$schema")) {  // for editors; not part of the scene
-    isKind(*schema, json::Kind::String, "$schema", said(TRANSLATE_NOOP("problem", "text in double quotes")), findings);
+    isKind(*schema, json::Kind::String, "$schema", phrase(TRANSLATE_NOOP("problem", "text in double quotes")),
+           findings);
   }
   object.refuse("velocity", belongsToControl());
   object.refuse("friction", belongsToConstraint());

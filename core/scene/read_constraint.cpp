@@ -20,12 +20,13 @@ std::optional<Shape> shapeOfType(const json::Value& value, const std::string& pa
   if (!isKind(value, json::Kind::String, path, listed(types), findings)) return std::nullopt;
   if (shape) return shape;
   const std::string nearest = findings.nearest(value.text, types);
-  findings.add(value, path,
-               nearest.empty()
-                   ? said(TRANSLATE_NOOP("problem", "The type %1 is not known. Known types: %2."),
-                          {shown(value.text), listed(types, "and")})
-                   : said(TRANSLATE_NOOP("problem", "The type %1 is not known. Did you mean \"%2\"? Known types: %3."),
-                          {shown(value.text), nearest, listed(types, "and")}));
+  findings.add(
+      value, path,
+      nearest.empty()
+          ? phrase(TRANSLATE_NOOP("problem", "The type %1 is not known. Known types: %2."),
+                   {shown(value.text), listed(types, "and")})
+          : phrase(TRANSLATE_NOOP("problem", "The type %1 is not known. Did you mean \"%2\"? Known types: %3."),
+                   {shown(value.text), nearest, listed(types, "and")}));
   return std::nullopt;
 }
 
@@ -55,15 +56,15 @@ void readName(const json::Value& value, const std::string& path, std::string& in
   if (value.kind == json::Kind::String && value.text.empty()) {
     findings.add(
         value, path,
-        said(TRANSLATE_NOOP("problem", "The name is empty; write one, or remove the key to get a default name.")));
+        phrase(TRANSLATE_NOOP("problem", "The name is empty; write one, or remove the key to get a default name.")));
   }
   readText(value, path, into, findings);
 }
 
 void readSide(ObjectReader& object, Constraint& into) {
   if (!hasSides(into.shape)) {
-    object.refuse("side", said(TRANSLATE_NOOP("problem", "A %1 has no inside and no outside; remove \"side\"."),
-                               {typeName(into.shape)}));
+    object.refuse("side", phrase(TRANSLATE_NOOP("problem", "A %1 has no inside and no outside; remove \"side\"."),
+                                 {typeName(into.shape)}));
   } else {
     readSettings(object, into);
   }
@@ -71,52 +72,53 @@ void readSide(ObjectReader& object, Constraint& into) {
 
 void readInfluence(ObjectReader& object, Constraint& into) {
   if (!takesInfluence(into.shape)) {
-    object.refuse("influence",
-                  said(TRANSLATE_NOOP("problem",
-                                      "A %1 has no influence; only a circle, a cylinder and a sphere have. Remove it."),
-                       {typeName(into.shape)}));
+    object.refuse(
+        "influence",
+        phrase(
+            TRANSLATE_NOOP("problem", "A %1 has no influence; only a circle, a cylinder and a sphere have. Remove it."),
+            {typeName(into.shape)}));
     return;
   }
   if (const json::Value* const value = object.find("influence"))
-    readObject(*value, object.pathOf("influence"), said(TRANSLATE_NOOP("problem", "an influence")), "{\"t\": 0.5}",
+    readObject(*value, object.pathOf("influence"), phrase(TRANSLATE_NOOP("problem", "an influence")), "{\"t\": 0.5}",
                into.influence.emplace(), object.findings());
 }
 
 void readFriction(ObjectReader& object, Constraint& into) {
   if (!takesFriction(into.shape)) {
     object.refuse("friction",
-                  said(TRANSLATE_NOOP("problem", "Nothing can slide along a %1, so it has no friction. Remove it."),
-                       {typeName(into.shape)}));
+                  phrase(TRANSLATE_NOOP("problem", "Nothing can slide along a %1, so it has no friction. Remove it."),
+                         {typeName(into.shape)}));
     return;
   }
   if (const json::Value* const value = object.find("friction"))
-    readObject(*value, object.pathOf("friction"), said(TRANSLATE_NOOP("problem", "a friction")),
+    readObject(*value, object.pathOf("friction"), phrase(TRANSLATE_NOOP("problem", "a friction")),
                "{\"static\": 0.4, \"dynamic\": 0.3}", into.friction.emplace(), object.findings());
 }
 
 }  // namespace
 
 Sentence belongsToConstraint() {
-  return said(TRANSLATE_NOOP("problem", "This belongs in a constraint, as in %1."),
-              {"{\"type\": \"mesh\", \"file\": \"a.stl\", \"friction\": {\"static\": 0.4}}"});
+  return phrase(TRANSLATE_NOOP("problem", "This belongs in a constraint, as in %1."),
+                {"{\"type\": \"mesh\", \"file\": \"a.stl\", \"friction\": {\"static\": 0.4}}"});
 }
 
 void readConstraint(const json::Value& value, const std::string& path, Constraint& into, Findings& findings) {
   into.place = {findings.file(), value.line, value.column, path};
   findings.remember(path, value);
-  if (!isKind(
-          value, json::Kind::Object, path,
-          said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"type\": \"point\", \"position_mm\": [0, 0, 0]}"}),
-          findings)) {
+  if (!isKind(value, json::Kind::Object, path,
+              phrase(TRANSLATE_NOOP("problem", "an object, as in %1"),
+                     {"{\"type\": \"point\", \"position_mm\": [0, 0, 0]}"}),
+              findings)) {
     return;
   }
-  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a constraint")), findings);
+  ObjectReader object(value, path, phrase(TRANSLATE_NOOP("problem", "a constraint")), findings);
   if (const json::Value* name = object.find("name")) readName(*name, object.pathOf("name"), into.name, findings);
   std::optional<Shape> shape;
   if (const json::Value* type = object.find("type", true)) shape = shapeOfType(*type, object.pathOf("type"), findings);
   if (shape) {
     into.shape = *shape;
-    object.setWhat(said(TRANSLATE_NOOP("problem", "a %1"), {typeName(into.shape)}));
+    object.setWhat(phrase(TRANSLATE_NOOP("problem", "a %1"), {typeName(into.shape)}));
     if (auto* robot = std::get_if<VirtualManipulator>(&into.shape)) {
       readManipulator(object, *robot);
     } else if (auto* mesh = std::get_if<Mesh>(&into.shape)) {
@@ -130,10 +132,11 @@ void readConstraint(const json::Value& value, const std::string& path, Constrain
     readInfluence(object, into);
     readFriction(object, into);
     if (!std::holds_alternative<Mesh>(into.shape) && !std::holds_alternative<Curve>(into.shape)) {
-      object.refuse("search", said(TRANSLATE_NOOP("problem",
-                                                  "The nearest point of a %1 is computed by a formula; only a mesh and "
-                                                  "a curve have a search. Remove it."),
-                                   {typeName(into.shape)}));
+      object.refuse("search",
+                    phrase(TRANSLATE_NOOP("problem",
+                                          "The nearest point of a %1 is computed by a formula; only a mesh and "
+                                          "a curve have a search. Remove it."),
+                           {typeName(into.shape)}));
     }
   }
   if (const json::Value* control = object.find("control")) {

@@ -4,18 +4,18 @@
 namespace underact::scene {
 
 Sentence belongsToControl() {
-  return said(TRANSLATE_NOOP("problem", "This belongs in the control, as in %1."),
-              {"\"control\": {\"law\": \"PD\", \"velocity\": {\"filter\": \"kalman\"}}"});
+  return phrase(TRANSLATE_NOOP("problem", "This belongs in the control, as in %1."),
+                {"\"control\": {\"law\": \"PD\", \"velocity\": {\"filter\": \"kalman\"}}"});
 }
 
 Control readControl(const json::Value& value, const std::string& path, Findings& findings) {
   Control control;
   if (!isKind(value, json::Kind::Object, path,
-              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"law\": \"P\", \"kp_N_per_mm\": 0.5}"}),
+              phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"law\": \"P\", \"kp_N_per_mm\": 0.5}"}),
               findings)) {
     return control;
   }
-  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a control")), findings);
+  ObjectReader object(value, path, phrase(TRANSLATE_NOOP("problem", "a control")), findings);
   // PID uses every gain: where the law cannot be read, unused gains are not reported.
   if (value.find("law") != nullptr) control.law = LawType::PID;
   readSettings(object, control);

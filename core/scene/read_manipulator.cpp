@@ -10,13 +10,13 @@ namespace {
 
 void readJoint(const json::Value& value, const std::string& path, Joint& into, Findings& findings) {
   if (!isKind(value, json::Kind::Object, path,
-              said(TRANSLATE_NOOP("problem", "an object, as in %1"),
-                   {"{\"type\": \"revolute\", \"axis\": [0, 0, 1], \"point_mm\": [0, 0, 0]}"}),
+              phrase(TRANSLATE_NOOP("problem", "an object, as in %1"),
+                     {"{\"type\": \"revolute\", \"axis\": [0, 0, 1], \"point_mm\": [0, 0, 0]}"}),
               findings)) {
     return;
   }
   findings.remember(path, value);
-  ObjectReader joint(value, path, said(TRANSLATE_NOOP("problem", "a joint")), findings);
+  ObjectReader joint(value, path, phrase(TRANSLATE_NOOP("problem", "a joint")), findings);
   bool known = false;
   if (const json::Value* type = joint.find("type", true)) {
     known = readWord(*type, joint.pathOf("type"), kJointWords, into.type, findings);
@@ -29,13 +29,13 @@ void readJoint(const json::Value& value, const std::string& path, Joint& into, F
       readNumber(*point, joint.pathOf("point_mm"), into.point_mm, findings);
     }
   } else {
-    joint.refuse("point_mm",
-                 said(TRANSLATE_NOOP("problem", "A prismatic joint has a direction but no point; remove the point.")));
+    joint.refuse("point_mm", phrase(TRANSLATE_NOOP(
+                                 "problem", "A prismatic joint has a direction but no point; remove the point.")));
   }
   const bool turns = into.type == chain::JointType::Revolute;
   joint.refuse(stiffnessKey(turns ? chain::JointType::Prismatic : chain::JointType::Revolute),
-               said(TRANSLATE_NOOP("problem", "The spring of a %1 joint is called \"%2\"."),
-                    {wordOf(kJointWords, into.type), stiffnessKey(into.type)}));
+               phrase(TRANSLATE_NOOP("problem", "The spring of a %1 joint is called \"%2\"."),
+                      {wordOf(kJointWords, into.type), stiffnessKey(into.type)}));
   readSettings(joint, into);
   joint.finish(known);
 }
@@ -46,10 +46,10 @@ void readPose(const json::Value& value, const std::string& path, Eigen::Matrix4d
   findings.remember(path, value);
   const bool four = value.kind == json::Kind::Array && value.items.size() == 4;
   if (!four) {
-    if (isKind(value, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "4 rows of 4 numbers")), findings)) {
+    if (isKind(value, json::Kind::Array, path, phrase(TRANSLATE_NOOP("problem", "4 rows of 4 numbers")), findings)) {
       findings.add(value, path,
-                   said(TRANSLATE_NOOP("problem", "A pose has 4 rows of 4 numbers; this one has %1."),
-                        {std::to_string(value.items.size())}));
+                   phrase(TRANSLATE_NOOP("problem", "A pose has 4 rows of 4 numbers; this one has %1."),
+                          {std::to_string(value.items.size())}));
     }
     return;
   }
@@ -57,11 +57,11 @@ void readPose(const json::Value& value, const std::string& path, Eigen::Matrix4d
     const json::Value& line = value.items[static_cast<std::size_t>(row)];
     const std::string line_path = path + "[" + std::to_string(row) + "]";
     findings.remember(line_path, line);
-    if (!isKind(line, json::Kind::Array, line_path, said(TRANSLATE_NOOP("problem", "4 numbers")), findings)) continue;
+    if (!isKind(line, json::Kind::Array, line_path, phrase(TRANSLATE_NOOP("problem", "4 numbers")), findings)) continue;
     if (line.items.size() != 4) {
       findings.add(line, line_path,
-                   said(TRANSLATE_NOOP("problem", "A row has 4 numbers; this one has %1."),
-                        {std::to_string(line.items.size())}));
+                   phrase(TRANSLATE_NOOP("problem", "A row has 4 numbers; this one has %1."),
+                          {std::to_string(line.items.size())}));
       continue;
     }
     for (Eigen::Index column = 0; column < 4; ++column) {
@@ -75,7 +75,7 @@ void readManipulator(ObjectReader& object, VirtualManipulator& into) {
   Findings& findings = object.findings();
   const json::Value* joints = object.find("joints", true);
   if (joints != nullptr && isKind(*joints, json::Kind::Array, object.pathOf("joints"),
-                                  said(TRANSLATE_NOOP("problem", "a list of joints")), findings)) {
+                                  phrase(TRANSLATE_NOOP("problem", "a list of joints")), findings)) {
     findings.remember(object.pathOf("joints"), *joints);
     const std::size_t count = joints->items.size();
     if (count > manipulator::kMaxJoints) findings.add(*joints, object.pathOf("joints"), jointCountProblem(count));
@@ -91,8 +91,8 @@ void readManipulator(ObjectReader& object, VirtualManipulator& into) {
   }
   readSettings(object, into);
   if (const json::Value* solver = object.find("solver"))
-    readObject(*solver, object.pathOf("solver"), said(TRANSLATE_NOOP("problem", "a solver")), "{\"method\": \"auto\"}",
-               into.solver, findings);
+    readObject(*solver, object.pathOf("solver"), phrase(TRANSLATE_NOOP("problem", "a solver")),
+               "{\"method\": \"auto\"}", into.solver, findings);
 }
 
 }  // namespace underact::scene

@@ -22,9 +22,9 @@ void refuseOthers(ObjectReader& object, const Velocity& chosen) {
   }
   for (const auto& [key, filters] : users) {
     object.refuse(
-        key,
-        said(TRANSLATE_NOOP("problem", "This is for %2, not for the filter \"%1\". Change the filter, or remove this."),
-             {filterName(chosen), listed(filters, "and")}));
+        key, phrase(TRANSLATE_NOOP("problem",
+                                   "This is for %2, not for the filter \"%1\". Change the filter, or remove this."),
+                    {filterName(chosen), listed(filters, "and")}));
   }
 }
 
@@ -33,9 +33,9 @@ void refuseOthers(ObjectReader& object, const Velocity& chosen) {
 Velocity readVelocity(const json::Value& value, const std::string& path, Findings& findings) {
   Velocity velocity;
   if (!isKind(value, json::Kind::Object, path,
-              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"filter\": \"kalman\"}"}), findings))
+              phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"filter\": \"kalman\"}"}), findings))
     return velocity;
-  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a velocity filter")), findings);
+  ObjectReader object(value, path, phrase(TRANSLATE_NOOP("problem", "a velocity filter")), findings);
   const std::span<const SettingOf<Velocity>> rows = rowsOf<Velocity>();
   const bool is_known = readSetting(object, rows.front(), velocity);  // the filter, which decides about the others
   if (is_known) {

@@ -22,14 +22,14 @@ Problems ofScene(const Description& scene, Sentence sentence) {
 Result<std::string> textOfArm(const Description& scene, const std::string& path, NamedFiles files) {
   if (!scene.arm_text.empty()) return scene.arm_text;
   if (files == NamedFiles::Closed)
-    return ofScene(scene, said(TRANSLATE_NOOP("problem",
-                                              "The arm %1 is from a file, and the recording does not say what that "
-                                              "file contained."),
-                               {json::shown(scene.arm)}));
-  Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "an arm")), kLargestArmFile);
+    return ofScene(scene, phrase(TRANSLATE_NOOP("problem",
+                                                "The arm %1 is from a file, and the recording does not say what that "
+                                                "file contained."),
+                                 {json::shown(scene.arm)}));
+  Result<std::string> text = json::readTextFile(path, phrase(TRANSLATE_NOOP("problem", "an arm")), kLargestArmFile);
   if (text) return text;
   const Problems problems = withNearest(text.problems(), scene.arm, scene);
-  return ofScene(scene, said(TRANSLATE_NOOP("problem", "The arm %1: %2"), {path, problems.front().sentence}));
+  return ofScene(scene, phrase(TRANSLATE_NOOP("problem", "The arm %1: %2"), {path, problems.front().sentence}));
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ Problems readSceneArm(Description& scene, NamedFiles files) {
     if (scene.arm_text.empty()) return {};
     return ofScene(
         scene,
-        said(TRANSLATE_NOOP("problem", "\"arm_text\" is the content of an arm file, but \"arm\" names none."), {}));
+        phrase(TRANSLATE_NOOP("problem", "\"arm_text\" is the content of an arm file, but \"arm\" names none."), {}));
   }
   const std::string path = scene.arm_text.empty() ? pathOf(scene.arm, scene) : scene.arm;
   Result<std::string> text = textOfArm(scene, path, files);

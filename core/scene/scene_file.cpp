@@ -31,7 +31,7 @@ std::string withoutLinks(const std::string& path) {
 }  // namespace
 
 Result<Description> readSceneFile(const std::string& path) {
-  const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "a scene")));
+  const Result<std::string> text = json::readTextFile(path, phrase(TRANSLATE_NOOP("problem", "a scene")));
   if (!text) return text.problems();
   return readScene(text.value(), path);
 }
@@ -41,17 +41,17 @@ Problems writeSceneFile(const Description& scene, const std::string& path, const
   const std::string part = target + "." + system::uniqueWord() + ".part";
   const std::optional<system::Status> old = system::statusOf(target);
   if (old && old->kind == system::Kind::Folder)
-    return problem(path, said(TRANSLATE_NOOP("problem", "This is a folder; a scene needs a file name.")));
-  system::Descriptor file = system::makeFile(part, system::Making::Emptied, system::Readers::AsUsual);
+    return problem(path, phrase(TRANSLATE_NOOP("problem", "This is a folder; a scene needs a file name.")));
+  system::Descriptor file = system::makeFile(part, system::Making::Emptied, system::Readers::Default);
   if (!file.isOpen())
-    return problem(path, said(TRANSLATE_NOOP("problem", "The scene cannot be saved: %1."), {wordsOf(errno)}));
+    return problem(path, phrase(TRANSLATE_NOOP("problem", "The scene cannot be saved: %1."), {wordsOf(errno)}));
   if (old) (void)system::setRights(file.number(), old->rights);
   const int reason =
       system::putInPlace(std::move(file), part, target, writeScene(scene, teaching), system::Lasting::OnDisk);
   if (reason != 0)
     return problem(path,
-                   said(TRANSLATE_NOOP("problem", "The scene cannot be saved: %1. The existing file is unchanged."),
-                        {wordsOf(reason)}));
+                   phrase(TRANSLATE_NOOP("problem", "The scene cannot be saved: %1. The existing file is unchanged."),
+                          {wordsOf(reason)}));
   return {};
 }
 

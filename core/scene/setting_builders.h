@@ -171,10 +171,10 @@ constexpr SettingOf<Velocity> filter(Setting setting) {
   setting.object = kObject<Velocity>;
   return {setting, [](const Velocity& velocity) -> SettingValue { return std::string(filterName(velocity)); },
           [](Velocity& velocity, const SettingValue& value) {
-            static const Velocity kUsual[] = {KalmanFilter{}, LowPassFilter{}, AdaptiveWindowFilter{}, RawFilter{}};
+            static const Velocity kDefault[] = {KalmanFilter{}, LowPassFilter{}, AdaptiveWindowFilter{}, RawFilter{}};
             std::size_t wanted = velocity.index();
             putWord<kFilterWords>(value, wanted);
-            if (wanted != velocity.index()) velocity = kUsual[wanted];
+            if (wanted != velocity.index()) velocity = kDefault[wanted];
           },
           [](const Velocity&) -> SettingValue { return std::string(filterName({})); }};
 }
@@ -201,8 +201,8 @@ Sentence checkedAsGain(const Object&, double number) {
 /// The row of a gain. kFrom: the first law that uses it; the later ones do, too.
 template <auto kMember, LawType kFrom>
 constexpr SettingOf<Control> gain(Setting setting) {
-  setting.least = 0.0;
-  setting.most = kHighestGain;
+  setting.min = 0.0;
+  setting.max = kHighestGain;
   SettingOf<Control> row{setting,
                          [](const Control& control) { return valueOf(control.gains.*kMember); },
                          [](Control& control, const SettingValue& value) { put(value, control.gains.*kMember); },

@@ -13,7 +13,7 @@
 namespace underact::scene {
 namespace {
 
-constexpr int kMostRounds = 8;  // values that allow one another in a longer row do not exist
+constexpr int kMaxRounds = 8;  // values that allow one another in a longer row do not exist
 
 Problems problemAt(const std::string& path, Sentence sentence) {
   return {{std::move(sentence), {{}, 0, 0, path}}};
@@ -29,16 +29,16 @@ Problems nowhere(const Description& scene, const std::string& path, bool has_hin
     const std::string nearest = json::nearestWord(path, known);
     return problemAt(
         path, nearest.empty()
-                  ? said(TRANSLATE_NOOP("problem", "There is no setting %1."), {path})
-                  : said(TRANSLATE_NOOP("problem", "There is no setting %1. Did you mean \"%2\"?"), {path, nearest}));
+                  ? phrase(TRANSLATE_NOOP("problem", "There is no setting %1."), {path})
+                  : phrase(TRANSLATE_NOOP("problem", "There is no setting %1. Did you mean \"%2\"?"), {path, nearest}));
   }
   const std::vector<std::string> steps = stepsOf(path);
   const std::optional<std::size_t> index = steps.size() > 1 ? numberOfStep(steps[1]) : std::nullopt;
   if (index && *index >= scene.constraints.size())
-    return problemAt(path, said(TRANSLATE_NOOP("problem", "The scene has %1 constraints, counted from 0."),
-                                {std::to_string(scene.constraints.size())}));
+    return problemAt(path, phrase(TRANSLATE_NOOP("problem", "The scene has %1 constraints, counted from 0."),
+                                  {std::to_string(scene.constraints.size())}));
   return problemAt(
-      path, said(TRANSLATE_NOOP("problem", "The scene has nothing there with a setting \"%1\"."), {setting->key}));
+      path, phrase(TRANSLATE_NOOP("problem", "The scene has nothing there with a setting \"%1\"."), {setting->key}));
 }
 
 json::Value jsonOf(const SettingValue& value) {
@@ -67,7 +67,7 @@ class Putting {
 
   template <class Object>
   void operator()(const SettingOf<Object>& row, Object& into) const {
-    if (value_.kind == json::Kind::Null && isNone(row.usual(into))) {
+    if (value_.kind == json::Kind::Null && isNone(row.default_value(into))) {
       row.set(into, {});
       return;
     }
@@ -83,14 +83,14 @@ class Putting {
 
   template <class Object>
   void operator()(const SettingOf<Object>& row, std::optional<Object>& into) const {
-    if (value_.kind == json::Kind::Null && row.is.said == KeyPresence::Required) {
+    if (value_.kind == json::Kind::Null && row.is.given == KeyPresence::Required) {
       into.reset();
     } else if (into) {
       (*this)(row, *into);
     } else {
       (*this)(row, into.emplace());
       for (const SettingOf<Object>& other : rowsOf<Object>()) {
-        if (&other != &row) other.set(*into, other.usual(*into));
+        if (&other != &row) other.set(*into, other.default_value(*into));
       }
     }
   }
@@ -214,11 +214,11 @@ Result<SettingValue> valueAt(const Description& scene, const std::string& path) 
 Result<SettingValue> defaultAt(const Description& scene, const std::string& path) {
   SettingValue value;
   const auto take = [&value]<class Object>(const SettingOf<Object>& row, const auto& from) {
-    if (row.is.said == KeyPresence::Required) return;
+    if (row.is.given == KeyPresence::Required) return;
     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(from)>, Object>)
-      value = row.usual(from);
+      value = row.default_value(from);
     else
-      value = row.usual(from ? *from : Object());
+      value = row.default_value(from ? *from : Object());
   };
   if (!inScene(scene, stepsOf(path), take)) return nowhere(scene, path);
   return value;
@@ -228,22 +228,22 @@ Result<Description> withValue(const Description& scene, const std::string& path,
   return withJson(scene, path, jsonOf(value));
 }
 
-Result<Description> withFileValues(const Description& scene, const json::Value& values, std::size_t most_problems,
-                                   std::size_t most_hints) {
+Result<Description> withFileValues(const Description& scene, const json::Value& values, std::size_t max_problems,
+                                   std::size_t max_hints) {
   Description edited = scene;
   std::vector<std::size_t> left(values.keys.size());
   for (std::size_t index = 0; index < left.size(); ++index) left[index] = index;
   Problems problems;
   std::size_t before = left.size() + 1;
   // One value may allow another, as the greater static friction the greater dynamic one: they have no order.
-  for (int round = 0; round < kMostRounds && !left.empty() && left.size() < before; ++round) {
+  for (int round = 0; round < kMaxRounds && !left.empty() && left.size() < before; ++round) {
     before = left.size();
     problems.clear();
     std::vector<std::size_t> again;
     for (const std::size_t index : left) {
       const std::string& path = values.keys[index];
-      const bool has_room = problems.size() < most_problems;
-      for (Problem& problem : put(edited, path, values.items[index], problems.size() < most_hints)) {
+      const bool has_room = problems.size() < max_problems;
+      for (Problem& problem : put(edited, path, values.items[index], problems.size() < max_hints)) {
         if (problem.place.key.empty()) problem.place.key = path;
         if (again.empty() || again.back() != index) again.push_back(index);
         if (has_room) problems.push_back(std::move(problem));

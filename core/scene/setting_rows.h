@@ -19,7 +19,7 @@ struct SettingOf {
   Setting is;
   SettingValue (*get)(const Object& object);
   void (*set)(Object& object, const SettingValue& value);                   // value: of the setting's kind
-  SettingValue (*usual)(const Object& object);                              // the default, where the key is left out
+  SettingValue (*default_value)(const Object& object);                      // the default, where the key is left out
   Sentence (*valueProblem)(const Object& object, double number) = nullptr;  // null: by the range
   bool (*is_there)(const Object& object) = nullptr;  // whether the object can have it; null: always
   bool (*is_used)(const Object& object) = nullptr;   // whether it has an effect; null: always
@@ -93,9 +93,9 @@ void checkSettings(const Object& object, const Say& say) {
 /// Reads one setting. False: the key is missing, or its value cannot be read.
 template <class Object>
 bool readSetting(ObjectReader& reader, const SettingOf<Object>& row, Object& into) {
-  const json::Value* const found = reader.find(row.is.key, row.is.said == KeyPresence::Required);
+  const json::Value* const found = reader.find(row.is.key, row.is.given == KeyPresence::Required);
   if (found == nullptr) {
-    if (row.is.said != KeyPresence::Required) row.set(into, row.usual(into));
+    if (row.is.given != KeyPresence::Required) row.set(into, row.default_value(into));
     return false;
   }
   const std::string path = reader.pathOf(row.is.key);
@@ -123,7 +123,7 @@ void readSettings(ObjectReader& reader, Object& into) {
 template <class Object>
 void readObject(const json::Value& value, const std::string& path, const Sentence& what, const char* example,
                 Object& into, Findings& findings) {
-  if (!isKind(value, json::Kind::Object, path, said(TRANSLATE_NOOP("problem", "an object, as in %1"), {example}),
+  if (!isKind(value, json::Kind::Object, path, phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {example}),
               findings))
     return;
   ObjectReader reader(value, path, what, findings);
@@ -135,7 +135,7 @@ void readObject(const json::Value& value, const std::string& path, const Sentenc
 template <class Object>
 bool isDefault(const Object& object) {
   for (const SettingOf<Object>& row : rowsOf<Object>()) {
-    if (isThere(row, object) && !isSameValue(row.get(object), row.usual(object))) return false;
+    if (isThere(row, object) && !isSameValue(row.get(object), row.default_value(object))) return false;
   }
   return true;
 }

@@ -22,7 +22,7 @@ bool readAxes(const json::Value& value, const std::string& path, Vec3& into, Fin
     readNumber(value, path, into, findings);
   } else {
     return isKind(value, json::Kind::Number, path,
-                  said(TRANSLATE_NOOP("problem", "a number, or a list of 3 numbers for x, y and z")), findings);
+                  phrase(TRANSLATE_NOOP("problem", "a number, or a list of 3 numbers for x, y and z")), findings);
   }
   return true;
 }
@@ -65,12 +65,12 @@ bool readValue(const Setting& is, const json::Value& value, const std::string& p
 
 Sentence rangeProblem(const Setting& is, double number) {
   const bool is_whole = is.kind == SettingKind::Whole;
-  const bool is_inside = (is.is_above_least ? number > is.least : number >= is.least) && number <= is.most;
+  const bool is_inside = (is.is_above_min ? number > is.min : number >= is.min) && number <= is.max;
   if (is_inside && (!is_whole || number == std::floor(number))) return {};
   const char* const pattern = is.wrong != nullptr ? is.wrong : is_whole ? kNotWhole : kOutside;
   const int places = std::strstr(pattern, "%3") != nullptr ? 3 : std::strstr(pattern, "%2") != nullptr ? 2 : 1;
-  const std::vector<Sentence> all{json::numberText(is.least), json::numberText(is.most), json::numberText(number)};
-  return said(pattern, {all.end() - places, all.end()});
+  const std::vector<Sentence> all{json::numberText(is.min), json::numberText(is.max), json::numberText(number)};
+  return phrase(pattern, {all.end() - places, all.end()});
 }
 
 std::string fileTextOf(const SettingValue& value) {

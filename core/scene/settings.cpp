@@ -10,7 +10,7 @@ namespace {
 
 using enum KeyPresence;
 
-constexpr double kMostFriction = 5.0;  // rubber on rubber is about 1.2
+constexpr double kMaxFriction = 5.0;  // rubber on rubber is about 1.2
 constexpr double kFastest_mm_per_s = kMillimetrePerMetre * curve::kFastestGuidance_m_per_s;
 
 /// Whether the constraint can have a side; a side that it must not have counts as well, so that it is shown.
@@ -26,16 +26,16 @@ bool slides(const Joint& joint) {
 
 /// At most the static coefficient, where that is valid.
 Sentence judgeDynamic(const Friction& friction, double number) {
-  const double most = friction.static_share;
-  if (!(most >= 0.0 && most <= kMostFriction) || (number >= 0.0 && number <= most)) return {};
-  return said(TRANSLATE_NOOP("problem", "This must be from 0 to the static friction, %1; here it is %2."),
-              {json::numberText(most), json::numberText(number)});
+  const double max = friction.static_share;
+  if (!(max >= 0.0 && max <= kMaxFriction) || (number >= 0.0 && number <= max)) return {};
+  return phrase(TRANSLATE_NOOP("problem", "This must be from 0 to the static friction, %1; here it is %2."),
+                {json::numberText(max), json::numberText(number)});
 }
 
 /// By default equal to the static coefficient.
 constexpr SettingOf<Friction> dynamicShare(Setting setting) {
   SettingOf<Friction> made = row::member<&Friction::dynamic_share>(setting);
-  made.usual = [](const Friction& friction) { return row::valueOf(friction.static_share); };
+  made.default_value = [](const Friction& friction) { return row::valueOf(friction.static_share); };
   return made;
 }
 
@@ -83,8 +83,8 @@ constexpr SettingOf<Simulation> kOfSimulation[] = {
          .label = TRANSLATE_NOOP("setting", "substep"),
          .tip = TRANSLATE_NOOP("setting", "The longest substep of the simulated arm, in microseconds."),
          .unit = TRANSLATE_NOOP("setting", "us"),
-         .least = kShortestSubstep_us,
-         .most = kLongestSubstep_us,
+         .min = kShortestSubstep_us,
+         .max = kLongestSubstep_us,
          .wrong = TRANSLATE_NOOP("problem", "This must be from %1 to %2 µs; here it is %3.")})};
 
 constexpr SettingOf<Control> kOfControl[] = {
@@ -93,7 +93,7 @@ constexpr SettingOf<Control> kOfControl[] = {
          .label = TRANSLATE_NOOP("setting", "control law"),
          .tip = TRANSLATE_NOOP("setting",
                                "P: f = kp e.  PD: f = kp e + kd de/dt.  PID: f = kp e + kd de/dt + integral of ki e."),
-         .said = Always}),
+         .given = Always}),
     row::gain<&Gains::kp_N_per_mm, LawType::P>(
         {.key = "kp_N_per_mm",
          .label = TRANSLATE_NOOP("setting", "stiffness"),
@@ -140,44 +140,44 @@ constexpr SettingOf<Velocity> kOfVelocity[] = {
                  .tip = TRANSLATE_NOOP("setting",
                                        "How the rate de/dt is estimated from positions in encoder steps: each filter "
                                        "trades delay for noise in another way."),
-                 .said = Required,
+                 .given = Required,
                  .shown = kFilterShown}),
     row::ofFilter<&KalmanFilter::noise_mm>({.key = "noise_mm",
                                             .label = TRANSLATE_NOOP("setting", "noise"),
                                             .tip = TRANSLATE_NOOP("setting", "The standard deviation of a sample."),
                                             .unit = TRANSLATE_NOOP("setting", "mm"),
-                                            .least = 1e-6,
-                                            .most = 1e3}),
+                                            .min = 1e-6,
+                                            .max = 1e3}),
     row::ofFilter<&KalmanFilter::acceleration_mm_per_s2>(
         {.key = "acceleration_mm_per_s2",
          .label = TRANSLATE_NOOP("setting", "acceleration"),
          .tip = TRANSLATE_NOOP(
              "setting", "The acceleration expected of the hand: with more, the filter follows faster and is noisier."),
          .unit = TRANSLATE_NOOP("setting", "mm/s²"),
-         .least = 1e-3,
-         .most = 1e9}),
+         .min = 1e-3,
+         .max = 1e9}),
     row::ofFilter<&LowPassFilter::time_constant_ms>(
         {.key = "time_constant_ms",
          .label = TRANSLATE_NOOP("setting", "time constant"),
          .tip = TRANSLATE_NOOP("setting", "Time constant tau of the low-pass, r' = (de/dt - r) / tau: its delay."),
          .unit = TRANSLATE_NOOP("setting", "ms"),
-         .least = 0.0,
-         .most = 1e3}),
+         .min = 0.0,
+         .max = 1e3}),
     row::ofFilter<&AdaptiveWindowFilter::window>(
         {.key = "window",
          .label = TRANSLATE_NOOP("setting", "longest window"),
          .tip = TRANSLATE_NOOP("setting", "The longest window, in ticks: a longer one is smoother but adds delay."),
          .unit = TRANSLATE_NOOP("setting", "ticks"),
-         .least = 1.0,
-         .most = control::kLongestWindow},
+         .min = 1.0,
+         .max = control::kLongestWindow},
         SettingKind::Whole),
     row::ofFilter<&AdaptiveWindowFilter::noise_mm>(
         {.key = "noise_mm",
          .label = TRANSLATE_NOOP("setting", "noise"),
          .tip = TRANSLATE_NOOP("setting", "How far a sample may lie off the line through the ends of the window."),
          .unit = TRANSLATE_NOOP("setting", "mm"),
-         .least = 0.0,
-         .most = 1e3})};
+         .min = 0.0,
+         .max = 1e3})};
 
 constexpr SettingOf<Constraint> kOfConstraint[] = {row::presentIf<Constraint>(
     &partsSpace, row::oneOf<&Constraint::side, kSideWords>(
@@ -194,9 +194,9 @@ constexpr SettingOf<Influence> kOfInfluence[] = {
          .tip = TRANSLATE_NOOP("setting",
                                "0: the point that the stylus points at; 1: the point nearest to the tip; between "
                                "them along the shorter arc: theta = alpha + t wrap(beta - alpha)."),
-         .least = 0.0,
-         .most = 1.0,
-         .said = Required,
+         .min = 0.0,
+         .max = 1.0,
+         .given = Required,
          .wrong =
              TRANSLATE_NOOP("problem", "This must be from 0 (orientation only) to 1 (position only); here it is %1.")}),
     row::oneOf<&Influence::stylus_axis, kStylusAxisWords, kStylusAxisShown>(
@@ -212,8 +212,8 @@ constexpr SettingOf<Influence> kOfInfluence[] = {
                                "Within this angle of the shape's axis the stylus's direction counts less and less, and "
                                "the target changes smoothly to position only."),
          .unit = TRANSLATE_NOOP("setting", "°"),
-         .least = 0.0,
-         .most = 30.0,
+         .min = 0.0,
+         .max = 30.0,
          .wrong = TRANSLATE_NOOP("problem", "This must be from 0 to 30 degrees; here it is %1.")})};
 
 constexpr SettingOf<Friction> kOfFriction[] = {
@@ -223,9 +223,9 @@ constexpr SettingOf<Friction> kOfFriction[] = {
          .tip = TRANSLATE_NOOP("setting",
                                "How firmly the target sticks: coefficient of static friction. It moves when the force "
                                "along the surface exceeds this share of the force across it."),
-         .least = 0.0,
-         .most = kMostFriction,
-         .said = Required,
+         .min = 0.0,
+         .max = kMaxFriction,
+         .given = Required,
          .wrong = TRANSLATE_NOOP("problem", "This must be from 0 (smooth) to %1; here it is %2.")}),
     row::checkedBy<Friction>(
         &judgeDynamic, dynamicShare({.key = "dynamic",
@@ -233,8 +233,8 @@ constexpr SettingOf<Friction> kOfFriction[] = {
                                      .tip = TRANSLATE_NOOP("setting",
                                                            "How strongly the target drags while it slides: coefficient "
                                                            "of dynamic friction, at most the static one."),
-                                     .least = 0.0,
-                                     .most = kMostFriction}))};
+                                     .min = 0.0,
+                                     .max = kMaxFriction}))};
 
 // For a mesh and for a curve.
 constexpr const char* kSearchTip =
@@ -252,8 +252,8 @@ constexpr SettingOf<Mesh> kOfMesh[] = {
                                "Bends between faces feel round: the force tilts by up to this angle from the face's "
                                "own normal. Edges that bend by more stay sharp. 0: faces as they are."),
          .unit = TRANSLATE_NOOP("setting", "°"),
-         .least = 0.0,
-         .most = kMostSmooth_deg,
+         .min = 0.0,
+         .max = kMaxSmooth_deg,
          .wrong = TRANSLATE_NOOP("problem", "This must be from 0 (faces as they are) to %1 degrees; here it is %2.")})};
 
 constexpr SettingOf<Curve> kOfCurve[] = {
@@ -275,9 +275,9 @@ constexpr SettingOf<CurveGuidance> kOfGuide[] = {
              "setting",
              "How fast the guide moves along the curve; in a scene file, a negative speed moves it backwards."),
          .unit = TRANSLATE_NOOP("setting", "mm/s"),
-         .least = -kFastest_mm_per_s,
-         .most = kFastest_mm_per_s,
-         .said = Required,
+         .min = -kFastest_mm_per_s,
+         .max = kFastest_mm_per_s,
+         .given = Required,
          .wrong = TRANSLATE_NOOP("problem", "This must be from -2000 to 2000 mm/s; here it is %1.")}),
     row::member<&CurveGuidance::t>(
         {.key = "t",
@@ -285,8 +285,8 @@ constexpr SettingOf<CurveGuidance> kOfGuide[] = {
          .tip = TRANSLATE_NOOP("setting",
                                "0: to the guide; 1: to the point nearest to the tip; between them along the curve: "
                                "s = s_guide + t (s_hand - s_guide)."),
-         .least = 0.0,
-         .most = 1.0,
+         .min = 0.0,
+         .max = 1.0,
          .wrong =
              TRANSLATE_NOOP("problem", "This must be from 0 (guide only) to 1 (nearest point only); here it is %1.")}),
     row::member<&CurveGuidance::lead_mm>(
@@ -294,9 +294,9 @@ constexpr SettingOf<CurveGuidance> kOfGuide[] = {
          .label = TRANSLATE_NOOP("setting", "lead of the guide"),
          .tip = TRANSLATE_NOOP("setting", "How far ahead of the hand the guide may go before it waits."),
          .unit = TRANSLATE_NOOP("setting", "mm"),
-         .least = 0.0,
-         .most = 1000.0,
-         .is_above_least = true,
+         .min = 0.0,
+         .max = 1000.0,
+         .is_above_min = true,
          .wrong = TRANSLATE_NOOP("problem", "This must be above 0 and at most 1000 mm; here it is %1.")})};
 
 constexpr SettingOf<VirtualManipulator> kOfRobot[] = {
@@ -316,8 +316,8 @@ constexpr SettingOf<VirtualManipulator> kOfRobot[] = {
                  "How firmly the end effector's orientation follows the stylus's: it adds Kθ e_o² / 2 to the energy, "
                  "so that the joints, and with them the end effector, go where the stylus points."),
              .unit = TRANSLATE_NOOP("setting", "N mm/rad"),
-             .least = 0.0,
-             .most = kHighestGain})),
+             .min = 0.0,
+             .max = kHighestGain})),
     row::oneOf<&VirtualManipulator::force_law, kForceLawWords, kForceLawShown>(
         {.key = "force_law",
          .label = TRANSLATE_NOOP("setting", "force law"),
@@ -338,17 +338,17 @@ constexpr SettingOf<Solver> kOfSolver[] = {
          .label = TRANSLATE_NOOP("setting", "solver steps"),
          .tip =
              TRANSLATE_NOOP("setting", "The most iterations in one tick, 1 to 100; the next tick goes on from there."),
-         .least = 1.0,
-         .most = 100.0}),
+         .min = 1.0,
+         .max = 100.0}),
     row::member<&Solver::tolerance>(
         {.key = "tolerance",
          .label = TRANSLATE_NOOP("setting", "solver tolerance"),
          .tip = TRANSLATE_NOOP(
              "setting",
              "The iteration ends when no joint would move by more than this: in rad, or as a fraction of the reach."),
-         .least = 0.0,
-         .most = 0.01,
-         .is_above_least = true,
+         .min = 0.0,
+         .max = 0.01,
+         .is_above_min = true,
          .wrong = TRANSLATE_NOOP(
              "problem", "This must be above 0 and at most 0.01 (rad, or a fraction of the reach); here it is %1.")})};
 
@@ -358,8 +358,8 @@ constexpr Setting kSpring{
     .tip = TRANSLATE_NOOP("setting",
                           "The joint's own spring adds k (q - rest)^2 / 2 to the energy; 0: the joint moves freely."),
     .unit = TRANSLATE_NOOP("setting", "N/mm"),
-    .least = 0.0,
-    .most = kHighestGain};
+    .min = 0.0,
+    .max = kHighestGain};
 constexpr Setting turningSpring() {
   Setting spring = kSpring;
   spring.key = "stiffness_N_mm_per_rad";

@@ -26,7 +26,7 @@ inline bool isNone(const SettingValue& value) {
 enum class SettingKind : std::uint8_t { Number, Whole, Gain, Choice, Flag };
 
 /// When its key is in a file. Always: whenever its object is; Required: the object needs it.
-enum class KeyPresence : std::uint8_t { IfUnusual, Always, Required };
+enum class KeyPresence : std::uint8_t { UnlessDefault, Always, Required };
 
 /// A row of the table: one setting, and all that texts, checks and panels need to know of it.
 struct Setting {
@@ -34,9 +34,9 @@ struct Setting {
   const char* label;  // for use in a sentence, as for undo: "blend width"
   const char* tip;    // a sentence or two
   const char* unit = "";
-  double least = -kInfinity, most = kInfinity;
-  bool is_above_least = false;  // least itself is not allowed
-  KeyPresence said = KeyPresence::IfUnusual;
+  double min = -kInfinity, max = kInfinity;
+  bool is_above_min = false;  // least itself is not allowed
+  KeyPresence given = KeyPresence::UnlessDefault;
   const char* wrong = nullptr;  // for a number outside the range: its last placeholders are least, most and the number
   const char* const* shown = nullptr;  // of a choice: what a panel shows for each word; null: the words
 

@@ -16,12 +16,12 @@ void readPart(ObjectReader& object, const char* key, std::string& into) {
 
 Teaching readTeaching(const json::Value& value, Findings& findings) {
   Teaching teaching;
-  if (!isKind(
-          value, json::Kind::Object, "teach",
-          said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"group\": \"shapes\", \"feel\": \"A spring.\"}"}),
-          findings))
+  if (!isKind(value, json::Kind::Object, "teach",
+              phrase(TRANSLATE_NOOP("problem", "an object, as in %1"),
+                     {"{\"group\": \"shapes\", \"feel\": \"A spring.\"}"}),
+              findings))
     return teaching;
-  ObjectReader object(value, "teach", said(TRANSLATE_NOOP("problem", "what a scene teaches")), findings);
+  ObjectReader object(value, "teach", phrase(TRANSLATE_NOOP("problem", "what a scene teaches")), findings);
   if (const json::Value* group = object.find("group", true))
     readWord(*group, object.pathOf("group"), kGroupWords, teaching.group, findings);
   readPart(object, "feel", teaching.feel);
@@ -42,7 +42,7 @@ std::optional<Teaching> teachingIn(std::string_view text) {
 }
 
 std::optional<Teaching> teachingOf(const std::string& path) {
-  const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "a scene")));
+  const Result<std::string> text = json::readTextFile(path, phrase(TRANSLATE_NOOP("problem", "a scene")));
   if (!text) return {};
   return teachingIn(text.value());
 }

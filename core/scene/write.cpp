@@ -55,7 +55,7 @@ void addSettings(Members& members, const Object& object, std::string_view before
     if (row.is.key == before) between();
     if (!isThere(row, object)) continue;
     const SettingValue value = row.get(object);
-    if (row.is.said == KeyPresence::IfUnusual && isSameValue(value, row.usual(object))) continue;
+    if (row.is.given == KeyPresence::UnlessDefault && isSameValue(value, row.default_value(object))) continue;
     members.emplace_back(row.is.key, fileTextOf(value));
   }
 }
@@ -112,12 +112,12 @@ void addManipulator(Members& members, const VirtualManipulator& robot) {
 
 template <class FromFile>
 void addPlacement(Members& members, const FromFile& shape) {
-  const FromFile usual;
+  const FromFile default_value;
   members.emplace_back("file", json::quotedText(shape.file));
-  if (shape.scale_mm_per_unit != usual.scale_mm_per_unit) {
+  if (shape.scale_mm_per_unit != default_value.scale_mm_per_unit) {
     members.emplace_back("scale_mm_per_unit", text(shape.scale_mm_per_unit));
   }
-  if (!sameBits(shape.X_WM, usual.X_WM)) members.emplace_back("X_WM", poseText(shape.X_WM));
+  if (!sameBits(shape.X_WM, default_value.X_WM)) members.emplace_back("X_WM", poseText(shape.X_WM));
   addSettings(members, shape);
 }
 
@@ -142,10 +142,10 @@ std::string constraintText(const Constraint& constraint, std::size_t index) {
   if (const auto* curve = std::get_if<Curve>(&constraint.shape)) addCurve(members, *curve);
   std::visit(
       [&](const auto& shape) {
-        const std::remove_cvref_t<decltype(shape)> usual;
+        const std::remove_cvref_t<decltype(shape)> default_value;
         eachField(shape, [&](const auto& field, const auto& number) {
           if constexpr (requires { number.data(); }) {
-            if (!field.required && sameBits(number, usual.*field.member)) return;
+            if (!field.required && sameBits(number, default_value.*field.member)) return;
           }
           members.emplace_back(field.key, text(number));
         });
@@ -169,11 +169,11 @@ std::string teachingText(const Teaching& teaching) {
 }  // namespace
 
 std::string writeScene(const Description& scene, const std::optional<Teaching>& teaching) {
-  const Description usual;
+  const Description default_value;
   std::string result = "{\n  \"underact_scene\": 1,\n  \"title\": " + json::quotedText(scene.title);
-  if (scene.about != usual.about) result += ",\n  \"about\": " + json::quotedText(scene.about);
+  if (scene.about != default_value.about) result += ",\n  \"about\": " + json::quotedText(scene.about);
   if (teaching) result += ",\n  \"teach\": " + teachingText(*teaching);
-  if (scene.arm != usual.arm) result += ",\n  \"arm\": " + json::quotedText(scene.arm);
+  if (scene.arm != default_value.arm) result += ",\n  \"arm\": " + json::quotedText(scene.arm);
   if (!scene.arm_text.empty()) result += ",\n  \"arm_text\": " + json::quotedText(scene.arm_text);
   if (!isDefault(scene.control) || !(scene.control.velocity == Velocity{}))
     result += ",\n  \"control\": " + controlText(scene.control, 2);

@@ -38,13 +38,13 @@ Fault ArmClockWatch::check(std::int64_t sample_ns, std::int64_t earliest_ns, std
   last_ns_ = sample_ns;
   advanced_ns_ += step_ns;
   counted_ns_ += period_ns;
-  const std::int64_t most_ns = std::max(latest_ns - begin_earliest_ns_, counted_ns_);
-  const std::int64_t least_ns = std::min(earliest_ns - begin_latest_ns_, counted_ns_);
-  const bool is_ahead = advanced_ns_ > most_ns + kSlack_ns, is_behind = advanced_ns_ < least_ns - kSlack_ns;
+  const std::int64_t max_ns = std::max(latest_ns - begin_earliest_ns_, counted_ns_);
+  const std::int64_t min_ns = std::min(earliest_ns - begin_latest_ns_, counted_ns_);
+  const bool is_ahead = advanced_ns_ > max_ns + kSlack_ns, is_behind = advanced_ns_ < min_ns - kSlack_ns;
   if (is_ahead || is_behind) {
     has_begun_ = false;
     return {FaultKind::OddClock, kSecondPerNanosecond * static_cast<double>(advanced_ns_),
-            kSecondPerNanosecond * static_cast<double>(is_ahead ? most_ns : least_ns)};
+            kSecondPerNanosecond * static_cast<double>(is_ahead ? max_ns : min_ns)};
   }
   if (earliest_ns - begin_latest_ns_ >= kWindow_ns) begin(sample_ns, earliest_ns, latest_ns);
   return {};

@@ -5,7 +5,7 @@
 namespace underact::servo {
 
 Sentence DevicePort::fixedRateReason() const {
-  return said(TRANSLATE_NOOP("problem", "This arm keeps the rate that it was opened with."));
+  return phrase(TRANSLATE_NOOP("problem", "This arm keeps the rate that it was opened with."));
 }
 
 }  // namespace underact::servo

@@ -17,14 +17,14 @@ namespace underact::servo {
 
 Sentence guardPhrase(const Guard* guard, const Sentence& why_none) {
   const Sentence gap = guard == nullptr ? why_none : guard->gap();
-  if (guard == nullptr || !gap.empty()) return said(TRANSLATE_NOOP("problem", "no guard: %1"), {gap});
-  if (guard->replaced() == 0) return said(TRANSLATE_NOOP("problem", "guarded by a separate process"));
-  return said(TRANSLATE_NOOP("problem", "guarded by a separate process (replaced so far: %1)"),
-              {std::to_string(guard->replaced())});
+  if (guard == nullptr || !gap.empty()) return phrase(TRANSLATE_NOOP("problem", "no guard: %1"), {gap});
+  if (guard->replaced() == 0) return phrase(TRANSLATE_NOOP("problem", "guarded by a separate process"));
+  return phrase(TRANSLATE_NOOP("problem", "guarded by a separate process (replaced so far: %1)"),
+                {std::to_string(guard->replaced())});
 }
 
 Sentence noGuardText(const Sentence& gap) {
-  return said(
+  return phrase(
       TRANSLATE_NOOP("problem",
                      "Nothing guards the arm: %1. If this program crashed now, the arm could hold its last force. "
                      "Until the guard is back, keep a hand on the arm's plug or switch, or switch the force off."),
@@ -43,7 +43,7 @@ constexpr int kLimitsInPatience = 10;  // in each of which it checks five times
 std::unique_ptr<Guard> Guard::start(const ZeroForceMessage& word, std::int64_t limit_ns, const std::string& program,
                                     Sentence& why) {
   if (word.fd < 0) {
-    why = said(TRANSLATE_NOOP("problem", "this arm cannot be reached from outside the program"));
+    why = phrase(TRANSLATE_NOOP("problem", "this arm cannot be reached from outside the program"));
     return nullptr;
   }
   const Result<std::string> path = program.empty() ? system::findProgram("underact-guard") : program;
@@ -89,7 +89,7 @@ void Guard::watch() {
   system::nameThread("underact-warden");
   system::setOwnPriority({});  // the creating thread may be real-time
   while (waitUntilItEnds()) {
-    setGap(said(TRANSLATE_NOOP("problem", "the guard has ended and is being restarted")));
+    setGap(phrase(TRANSLATE_NOOP("problem", "the guard has ended and is being restarted")));
     if (!startAnother()) return;
     replaced_.fetch_add(1, std::memory_order_relaxed);
     setGap({});
@@ -115,8 +115,8 @@ bool Guard::startAnother() {
   for (;;) {
     if (isStopRequested(pace_.next_ns(system::monotonicNow_ns()))) return false;
     if (process_->start()) return true;
-    setGap(said(TRANSLATE_NOOP("problem", "the guard has ended and does not restart (%1)"),
-                {std::string(std::strerror(process_->failure()))}));
+    setGap(phrase(TRANSLATE_NOOP("problem", "the guard has ended and does not restart (%1)"),
+                  {std::string(std::strerror(process_->failure()))}));
   }
 }
 

@@ -52,7 +52,7 @@ struct Host::Impl {
     if (limit_ns > 0)
       guard = Guard::start(word, limit_ns, options.guard_program, no_guard);
     else
-      no_guard = said(TRANSLATE_NOOP("problem", "the watchdog is switched off"));
+      no_guard = phrase(TRANSLATE_NOOP("problem", "the watchdog is switched off"));
     if (guard) loop.countInto(&guard->beats());
     driven = DeviceClockedLoop::start(loop, *device, options.rate_hz, limit_ns);
     if (!driven) thread.emplace(loop, options.rate_hz, options.scheduling);
@@ -84,11 +84,11 @@ struct Host::Impl {
   bool records() const { return tap && !tap->ended() && !tap->givenUp(); }
   Problems mayTickAt(int rate_hz) const {
     if (rate_hz < kSlowest_hz || rate_hz > kFastest_hz)
-      return {{said(TRANSLATE_NOOP("problem", "The servo rate must be from 100 to 10000 Hz, not %1."),
-                    {std::to_string(rate_hz)}),
+      return {{phrase(TRANSLATE_NOOP("problem", "The servo rate must be from 100 to 10000 Hz, not %1."),
+                      {std::to_string(rate_hz)}),
                {}}};
     if (records())
-      return {{said(TRANSLATE_NOOP(
+      return {{phrase(TRANSLATE_NOOP(
                    "problem", "A session is recorded at a single rate. Stop the recording, then change the rate.")),
                {}}};
     const Sentence why = device->rateRefusal(rate_hz);
@@ -245,12 +245,12 @@ bool Host::holdToRun() const {
 
 Problems Host::setForceShare(double share) {
   if (!(share >= 0.0 && share <= 1.0))
-    return {{said(TRANSLATE_NOOP("problem", "The share of the force must be from 0 to 1.")), {}}};
+    return {{phrase(TRANSLATE_NOOP("problem", "The share of the force must be from 0 to 1.")), {}}};
   if (share == impl_->force_share) return {};
   if (impl_->records())
-    return {
-        {said(TRANSLATE_NOOP("problem", "A session is recorded with a single force limit. Stop the recording first.")),
-         {}}};
+    return {{phrase(TRANSLATE_NOOP("problem",
+                                   "A session is recorded with a single force limit. Stop the recording first.")),
+             {}}};
   impl_->force_share = share;
   return impl_->revision > 0 ? impl_->put(scene::Description(impl_->scene), Order::Retune) : Problems{};
 }
@@ -364,8 +364,8 @@ int Host::rateHz() const {
 system::Scheduling Host::scheduling() const {
   const bool is_manual = impl_->options.clock == Clock::Manual;
   if (!impl_->ticksByItself())
-    return {said(is_manual ? TRANSLATE_NOOP("problem", "manual") : TRANSLATE_NOOP("problem", "not started")), "", {}};
-  system::Scheduling granted{said(TRANSLATE_NOOP("problem", "by the arm's own clock")), "", {}};
+    return {phrase(is_manual ? TRANSLATE_NOOP("problem", "manual") : TRANSLATE_NOOP("problem", "not started")), "", {}};
+  system::Scheduling granted{phrase(TRANSLATE_NOOP("problem", "by the arm's own clock")), "", {}};
   if (impl_->thread) granted = impl_->thread->scheduling();
   granted.also.push_back(guarding());
   return granted;

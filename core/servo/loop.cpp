@@ -165,7 +165,7 @@ void Loop::applyCommands() noexcept {
         break;
       case Order::Record:
       case Order::EndRecord:
-        letIn();  // a recording begins with the scene loaded before it, where possible
+        admit();  // a recording begins with the scene loaded before it, where possible
         listen(command.tap);
         break;
       case Order::Load:
@@ -188,10 +188,10 @@ void Loop::applyCommands() noexcept {
         break;
     }
   }
-  letIn();
+  admit();
 }
 
-void Loop::letIn() noexcept {
+void Loop::admit() noexcept {
   if (waiting_ == nullptr || current_->state.gate.level > 0.0) return;
   replaceBy(waiting_, tick::Carry::Arm);
   waiting_ = nullptr;

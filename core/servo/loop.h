@@ -93,7 +93,7 @@ class Loop {
 
  private:
   void heedStops() noexcept UNDERACT_REAL_TIME;
-  void letIn() noexcept UNDERACT_REAL_TIME;
+  void admit() noexcept UNDERACT_REAL_TIME;
   void listen(Tap* tap) noexcept UNDERACT_REAL_TIME;
   void replaceBy(Instance* instance, tick::Carry carry, std::int64_t over_ticks = 0) noexcept UNDERACT_REAL_TIME;
   void push(const Command& command) noexcept UNDERACT_REAL_TIME;

@@ -5,11 +5,11 @@
 
 namespace underact::servo {
 
-/// The delay before a process that ended is started again: nearly none at first, doubled each time, and at most kMost
+/// The delay before a process that ended is started again: nearly none at first, doubled each time, and at most kMax
 /// starts within kWindow_ns, so that one that dies at once costs nothing. A process that lasted resets it.
 class RestartPace {
  public:
-  static constexpr int kMost = 6;
+  static constexpr int kMax = 6;
   static constexpr std::int64_t kWindow_ns = 60'000'000'000;
   static constexpr std::int64_t kFirst_ns = 20'000'000;
 
@@ -17,7 +17,7 @@ class RestartPace {
   std::int64_t next_ns(std::int64_t now_ns) noexcept;
 
  private:
-  std::array<std::int64_t, kMost> starts_ns_{};  // a ring
+  std::array<std::int64_t, kMax> starts_ns_{};  // a ring
   std::size_t oldest_ = 0, count_ = 0;
 };
 

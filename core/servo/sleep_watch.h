@@ -26,11 +26,11 @@ class SleepWatch {
   std::int64_t poll(const system::Clocks& clocks, std::int64_t ahead_ns) noexcept UNDERACT_REAL_TIME {
     if (!knows_) {
       knows_ = true;
-      most_ahead_ns_ = std::max({ahead_ns, aheadNow_ns(clocks), aheadNow_ns(clocks)});
+      max_ahead_ns_ = std::max({ahead_ns, aheadNow_ns(clocks), aheadNow_ns(clocks)});
       return 0;
     }
-    const std::int64_t slept_ns = ahead_ns - most_ahead_ns_;
-    most_ahead_ns_ = std::max(most_ahead_ns_, ahead_ns);
+    const std::int64_t slept_ns = ahead_ns - max_ahead_ns_;
+    max_ahead_ns_ = std::max(max_ahead_ns_, ahead_ns);
     return slept_ns >= kShortest_ns ? slept_ns : 0;
   }
 
@@ -41,7 +41,7 @@ class SleepWatch {
   }
 
   bool knows_ = false;
-  std::int64_t most_ahead_ns_ = 0;
+  std::int64_t max_ahead_ns_ = 0;
 };
 
 }  // namespace underact::servo

@@ -18,13 +18,13 @@ std::size_t roomFor(std::int64_t period_ns) {
 
 }  // namespace
 
-Tap::Tap(std::int64_t period_ns, std::int64_t most_ticks, std::size_t details)
+Tap::Tap(std::int64_t period_ns, std::int64_t max_ticks, std::size_t details)
     : records_(roomFor(period_ns)),
       changes_(kEvents),
       faults_(kEvents),
       pushes_(roomFor(period_ns)),  // a program may push in each tick
       details_(details),
-      ticks_left_(most_ticks > 0 ? most_ticks : -1) {
+      ticks_left_(max_ticks > 0 ? max_ticks : -1) {
   touchPages(records_);
   touchPages(changes_);
   touchPages(faults_);

@@ -57,10 +57,10 @@ struct ConstraintRow {
 /// never waits; what finds no room is counted. One servo, one recorder, one Host.
 class Tap {
  public:
-  /// period_ns: of the servo; there is room for 4 s of ticks, 16384 at least. most_ticks: it takes no more; 0: no
+  /// period_ns: of the servo; there is room for 4 s of ticks, 16384 at least. max_ticks: it takes no more; 0: no
   /// limit. details: room for so many constraints of each tick, and for what a simulated arm knows; 0: these are not
   /// wanted.
-  explicit Tap(std::int64_t period_ns, std::int64_t most_ticks = 0, std::size_t details = 0);
+  explicit Tap(std::int64_t period_ns, std::int64_t max_ticks = 0, std::size_t details = 0);
 
   // The servo thread.
   /// The next tick is the first one, or, where wantsStart(), the first one of another part; state: at its beginning.

@@ -37,8 +37,8 @@ void Thread::run(std::promise<system::Scheduling> granted) {
   system::nameThread("underact-servo");
   const FlushDenormals flush;
   system::Scheduling scheduling = system::askForRealTime(wanted_, rate_hz_);
-  scheduling.also.push_back(said(FlushDenormals::isKnown() ? TRANSLATE_NOOP("problem", "denormals flushed")
-                                                           : TRANSLATE_NOOP("problem", "denormals kept")));
+  scheduling.also.push_back(phrase(FlushDenormals::isKnown() ? TRANSLATE_NOOP("problem", "denormals flushed")
+                                                             : TRANSLATE_NOOP("problem", "denormals kept")));
   granted.set_value(std::move(scheduling));
   while (request_ != Request::End) {
     tickWhileRequested();

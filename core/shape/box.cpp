@@ -32,10 +32,10 @@ Nearest fromInside(const Box& box, const Vec3& d_B, const Vec3& p_WT) noexcept {
 Result<Box> makeBox(const Vec3& p_WC, const Vec3& size_m, const Mat3& R_WB, const SourceLocation& place) {
   Problems problems;
   if (!p_WC.allFinite())
-    problems.push_back({said(TRANSLATE_NOOP("problem", "The centre is not a finite point.")), place});
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "The centre is not a finite point.")), place});
   const Vec3 half_m = size_m / 2.0;
-  if (!(half_m.allFinite() && leastOf(half_m) > 0.0))
-    problems.push_back({said(TRANSLATE_NOOP("problem", "Every size must be above 0.")), place});
+  if (!(half_m.allFinite() && minOf(half_m) > 0.0))
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "Every size must be above 0.")), place});
   if (Sentence sentence = rotationProblem(R_WB); !sentence.empty()) problems.push_back({std::move(sentence), place});
   if (!problems.empty()) return problems;
   if (R_WB == Mat3::Identity()) return Box{p_WC, half_m, R_WB};

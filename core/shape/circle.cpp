@@ -11,10 +11,10 @@ Result<Circle> makeCircle(const Vec3& p_WC, const Vec3& normal_W, double radius_
   Problems problems;
   const std::optional<Vec3> axis_W = unitOf(normal_W);
   if (!p_WC.allFinite())
-    problems.push_back({said(TRANSLATE_NOOP("problem", "The centre is not a finite point.")), place});
-  if (!axis_W) problems.push_back({said(TRANSLATE_NOOP("problem", "The axis has no direction.")), place});
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "The centre is not a finite point.")), place});
+  if (!axis_W) problems.push_back({phrase(TRANSLATE_NOOP("problem", "The axis has no direction.")), place});
   if (!(radius_m > 0.0 && std::isfinite(radius_m)))
-    problems.push_back({said(TRANSLATE_NOOP("problem", "The radius must be above 0.")), place});
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "The radius must be above 0.")), place});
   if (!problems.empty()) return problems;
   return Circle{p_WC, *axis_W, radius_m};
 }

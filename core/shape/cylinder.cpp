@@ -11,10 +11,10 @@ Result<Cylinder> makeCylinder(const Vec3& p_WC, const Vec3& axis_W, double radiu
   Problems problems;
   const std::optional<Vec3> unit_W = unitOf(axis_W);
   if (!p_WC.allFinite())
-    problems.push_back({said(TRANSLATE_NOOP("problem", "The point on the axis is not a finite point.")), place});
-  if (!unit_W) problems.push_back({said(TRANSLATE_NOOP("problem", "The axis has no direction.")), place});
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "The point on the axis is not a finite point.")), place});
+  if (!unit_W) problems.push_back({phrase(TRANSLATE_NOOP("problem", "The axis has no direction.")), place});
   if (!(radius_m > 0.0 && std::isfinite(radius_m)))
-    problems.push_back({said(TRANSLATE_NOOP("problem", "The radius must be above 0.")), place});
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "The radius must be above 0.")), place});
   if (!problems.empty()) return problems;
   return Cylinder{p_WC, *unit_W, radius_m};
 }

@@ -11,9 +11,9 @@ namespace underact::shape {
 Result<Ellipsoid> makeEllipsoid(const Vec3& p_WC, const Vec3& semi_m, const Mat3& R_WB, const SourceLocation& place) {
   Problems problems;
   if (!p_WC.allFinite())
-    problems.push_back({said(TRANSLATE_NOOP("problem", "The centre is not a finite point.")), place});
-  if (!(semi_m.allFinite() && leastOf(semi_m) > 0.0))
-    problems.push_back({said(TRANSLATE_NOOP("problem", "Every size must be above 0.")), place});
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "The centre is not a finite point.")), place});
+  if (!(semi_m.allFinite() && minOf(semi_m) > 0.0))
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "Every size must be above 0.")), place});
   if (Sentence sentence = rotationProblem(R_WB); !sentence.empty()) problems.push_back({std::move(sentence), place});
   if (!problems.empty()) return problems;
   return Ellipsoid{p_WC, semi_m, R_WB == Mat3::Identity() ? R_WB : nearestRotation(R_WB)};

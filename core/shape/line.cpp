@@ -9,8 +9,8 @@ Result<Line> makeLine(const Vec3& p_WC, const Vec3& direction_W, const SourceLoc
   Problems problems;
   const std::optional<Vec3> axis_W = unitOf(direction_W);
   if (!p_WC.allFinite())
-    problems.push_back({said(TRANSLATE_NOOP("problem", "The point is not a finite point.")), place});
-  if (!axis_W) problems.push_back({said(TRANSLATE_NOOP("problem", "The line has no direction.")), place});
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "The point is not a finite point.")), place});
+  if (!axis_W) problems.push_back({phrase(TRANSLATE_NOOP("problem", "The line has no direction.")), place});
   if (!problems.empty()) return problems;
   return Line{p_WC, *axis_W};
 }

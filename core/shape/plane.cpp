@@ -9,8 +9,8 @@ Result<Plane> makePlane(const Vec3& p_WC, const Vec3& normal_W, const SourceLoca
   Problems problems;
   const std::optional<Vec3> unit_W = unitOf(normal_W);
   if (!p_WC.allFinite())
-    problems.push_back({said(TRANSLATE_NOOP("problem", "The point is not a finite point.")), place});
-  if (!unit_W) problems.push_back({said(TRANSLATE_NOOP("problem", "The normal has no direction.")), place});
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "The point is not a finite point.")), place});
+  if (!unit_W) problems.push_back({phrase(TRANSLATE_NOOP("problem", "The normal has no direction.")), place});
   if (!problems.empty()) return problems;
   return Plane{p_WC, *unit_W};
 }

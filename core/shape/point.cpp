@@ -6,7 +6,7 @@ namespace underact::shape {
 
 Result<Point> makePoint(const Vec3& p_WC, const SourceLocation& place) {
   if (!p_WC.allFinite())
-    return Problems{{said(TRANSLATE_NOOP("problem", "The position is not a finite point.")), place}};
+    return Problems{{phrase(TRANSLATE_NOOP("problem", "The position is not a finite point.")), place}};
   return Point{p_WC};
 }
 

@@ -40,17 +40,17 @@ inline double quadricStart(double pole, double beyond, double slope) noexcept UN
 template <std::size_t N>
 OnQuadric<N> nearestOnQuadric(const std::array<double, N>& semi,
                               const std::array<double, N>& y) noexcept UNDERACT_REAL_TIME {
-  double least = semi[0], size = 0.0;
-  for (std::size_t i = 0; i < N; ++i) least = std::fmin(least, semi[i]);
+  double min = semi[0], size = 0.0;
+  for (std::size_t i = 0; i < N; ++i) min = std::fmin(min, semi[i]);
   std::array<double, N> above{}, weighted{};  // semi^2 - least^2, and semi * |y|
   double at_pole = 0.0, pole = 0.0, beyond = 0.0, slope_there = 0.0, aside = 0.0, within = 0.0;
   for (std::size_t i = 0; i < N; ++i) {
-    above[i] = (semi[i] - least) * (semi[i] + least);
+    above[i] = (semi[i] - min) * (semi[i] + min);
     weighted[i] = semi[i] * std::abs(y[i]);
     size = std::fmax(size, std::abs(y[i]) + semi[i]);
     within += (y[i] / semi[i]) * (y[i] / semi[i]);
     if (above[i] > 0.0) {
-      const double share = weighted[i] / above[i], back = y[i] * (least / above[i]) * least;
+      const double share = weighted[i] / above[i], back = y[i] * (min / above[i]) * min;
       beyond += share * share;
       slope_there += 2.0 * share * share / above[i];
       aside += back * back;
@@ -64,7 +64,7 @@ OnQuadric<N> nearestOnQuadric(const std::array<double, N>& semi,
   if (beyond < 1.0 && std::sqrt(at_pole) <= kDirectionLost * size) {
     result.x = y;
     result.status = Status::NotUnique;
-    result.apart = std::sqrt(aside + least * least * (1.0 - beyond));
+    result.apart = std::sqrt(aside + min * min * (1.0 - beyond));
     return result;
   }
   double s = quadricStart(pole, beyond, slope_there);  // the multiplier, counted from -least^2

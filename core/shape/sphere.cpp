@@ -9,9 +9,9 @@ namespace underact::shape {
 Result<Sphere> makeSphere(const Vec3& p_WC, double radius_m, const SourceLocation& place) {
   Problems problems;
   if (!p_WC.allFinite())
-    problems.push_back({said(TRANSLATE_NOOP("problem", "The centre is not a finite point.")), place});
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "The centre is not a finite point.")), place});
   if (!(radius_m > 0.0 && std::isfinite(radius_m)))
-    problems.push_back({said(TRANSLATE_NOOP("problem", "The radius must be above 0.")), place});
+    problems.push_back({phrase(TRANSLATE_NOOP("problem", "The radius must be above 0.")), place});
   if (!problems.empty()) return problems;
   return Sphere{p_WC, radius_m};
 }

@@ -17,22 +17,22 @@ using json::ObjectReader;
 using json::quotedText;
 using json::Value;
 
-constexpr double kHeaviest_kg = 100.0, kMost = 1e6;
+constexpr double kHeaviest_kg = 100.0, kMax = 1e6;
 constexpr double kFurthest_mm = 1e6;
 constexpr int kSlowest_Hz = 1, kFastest_Hz = 1'000'000;
 
-void readAmountUpTo(ObjectReader& object, const char* key, bool required, double most, double& amount) {
+void readAmountUpTo(ObjectReader& object, const char* key, bool required, double max, double& amount) {
   const Value* const value = object.find(key, required);
   if (value == nullptr) return;
   const std::string path = object.pathOf(key);
   json::readNumber(*value, path, amount, object.findings());
   if (value->kind != json::Kind::Number) return;
-  if (amount >= 0.0 && amount <= most) return;
+  if (amount >= 0.0 && amount <= max) return;
   object.findings().add(
       *value, path,
-      said(TRANSLATE_NOOP("problem", "This must lie within 0 and %1; here it is %2."),
-           {numberText(most), std::isfinite(amount) ? Sentence(numberText(amount))
-                                                    : said(TRANSLATE_NOOP("problem", "not a finite number"))}));
+      phrase(TRANSLATE_NOOP("problem", "This must lie within 0 and %1; here it is %2."),
+             {numberText(max), std::isfinite(amount) ? Sentence(numberText(amount))
+                                                     : phrase(TRANSLATE_NOOP("problem", "not a finite number"))}));
   amount = 0.0;
 }
 
@@ -43,11 +43,11 @@ void readWords(ObjectReader& object, const char* key, bool required, std::string
 
 void readCounts(const Value& list, ArmModel& model, Findings& findings) {
   const char* const kKey = "counts_per_turn";
-  if (!isKind(list, json::Kind::Array, kKey, said(TRANSLATE_NOOP("problem", "a list of six numbers")), findings))
+  if (!isKind(list, json::Kind::Array, kKey, phrase(TRANSLATE_NOOP("problem", "a list of six numbers")), findings))
     return;
   if (list.items.size() != 6)
     return findings.add(list, kKey,
-                        said(TRANSLATE_NOOP("problem", "This must be a list of six numbers, one for each joint.")));
+                        phrase(TRANSLATE_NOOP("problem", "This must be a list of six numbers, one for each joint.")));
   arm::EncoderCounts counts{};
   for (std::size_t joint = 0; joint < arm::firstSix(counts).size(); ++joint) {
     const Value& count = list.items[joint];
@@ -56,30 +56,31 @@ void readCounts(const Value& list, ArmModel& model, Findings& findings) {
     if (count.kind == json::Kind::Number && count.number >= 1.0 && std::isfinite(count.number)) continue;
     findings.add(
         count, std::string(kKey) + "[" + std::to_string(joint) + "]",
-        said(TRANSLATE_NOOP("problem", "This must be a number of at least 1, or null where it was not measured.")));
+        phrase(TRANSLATE_NOOP("problem", "This must be a number of at least 1, or null where it was not measured.")));
   }
   model.counts_per_turn = counts;
 }
 
 void readPlaces(const Value& list, std::vector<Vec3>& places_mm, Findings& findings) {
   const std::string path = "provenance.places_mm";
-  if (!isKind(list, json::Kind::Array, path, said(TRANSLATE_NOOP("problem", "a list of positions")), findings)) return;
+  if (!isKind(list, json::Kind::Array, path, phrase(TRANSLATE_NOOP("problem", "a list of positions")), findings))
+    return;
   for (std::size_t index = 0; index < list.items.size(); ++index) {
     Vec3 place_mm = Vec3::Zero();
     const std::string own_path = path + "[" + std::to_string(index) + "]";
     readNumber(list.items[index], own_path, place_mm, findings);
     if (!(place_mm.cwiseAbs().maxCoeff() <= kFurthest_mm))
       findings.add(list.items[index], own_path,
-                   said(TRANSLATE_NOOP("problem", "Each coordinate must lie within 1e6 mm (1 km).")));
+                   phrase(TRANSLATE_NOOP("problem", "Each coordinate must lie within 1e6 mm (1 km).")));
     places_mm.push_back(place_mm);
   }
 }
 
 void readProvenance(const Value& value, Provenance& provenance, Findings& findings) {
   if (!isKind(value, json::Kind::Object, "provenance",
-              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"device\": \"...\", ...}"}), findings))
+              phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"device\": \"...\", ...}"}), findings))
     return;
-  ObjectReader object(value, "provenance", said(TRANSLATE_NOOP("problem", "the origin of a model")), findings);
+  ObjectReader object(value, "provenance", phrase(TRANSLATE_NOOP("problem", "the origin of a model")), findings);
   readWords(object, "device", true, provenance.device);
   readWords(object, "serial", false, provenance.serial);
   readWords(object, "date", true, provenance.date);
@@ -92,7 +93,7 @@ void readProvenance(const Value& value, Provenance& provenance, Findings& findin
       provenance.rate_hz = static_cast<int>(rate_hz);
     else
       findings.add(*rate, "provenance.rate_hz",
-                   said(TRANSLATE_NOOP("problem", "This must be a whole number of ticks per second, at least 1.")));
+                   phrase(TRANSLATE_NOOP("problem", "This must be a whole number of ticks per second, at least 1.")));
   }
   if (const Value* const places = object.find("places_mm")) readPlaces(*places, provenance.places_mm, findings);
   object.finish();
@@ -101,12 +102,12 @@ void readProvenance(const Value& value, Provenance& provenance, Findings& findin
 ModelUncertainty readUncertainty(const Value& value, Findings& findings) {
   ModelUncertainty uncertainty;
   if (!isKind(value, json::Kind::Object, "uncertainty",
-              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"mass_kg\": 0.001}"}), findings))
+              phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"mass_kg\": 0.001}"}), findings))
     return uncertainty;
-  ObjectReader object(value, "uncertainty", said(TRANSLATE_NOOP("problem", "an uncertainty")), findings);
-  readAmountUpTo(object, "mass_kg", false, kMost, uncertainty.mass_kg);
-  readAmountUpTo(object, "friction_N", false, kMost, uncertainty.friction_N);
-  readAmountUpTo(object, "damping_N_s_per_m", false, kMost, uncertainty.damping_N_s_per_m);
+  ObjectReader object(value, "uncertainty", phrase(TRANSLATE_NOOP("problem", "an uncertainty")), findings);
+  readAmountUpTo(object, "mass_kg", false, kMax, uncertainty.mass_kg);
+  readAmountUpTo(object, "friction_N", false, kMax, uncertainty.friction_N);
+  readAmountUpTo(object, "damping_N_s_per_m", false, kMax, uncertainty.damping_N_s_per_m);
   object.finish();
   return uncertainty;
 }
@@ -115,19 +116,19 @@ void readVersion(ObjectReader& object) {
   const Value* const version = object.find("underact_arm_model", true);
   if (version == nullptr || (version->kind == json::Kind::Number && version->number == 1.0)) return;
   object.findings().add(*version, "underact_arm_model",
-                        said(TRANSLATE_NOOP("problem", "This program reads version 1 of arm models.")));
+                        phrase(TRANSLATE_NOOP("problem", "This program reads version 1 of arm models.")));
 }
 
 ArmModelFile readWhole(const Value& root, Findings& findings) {
   ArmModelFile file;
-  ObjectReader object(root, "", said(TRANSLATE_NOOP("problem", "an arm model")), findings);
+  ObjectReader object(root, "", phrase(TRANSLATE_NOOP("problem", "an arm model")), findings);
   readVersion(object);
   readWords(object, "name", true, file.arm.name);
   readWords(object, "title", true, file.arm.title);
   if (const Value* const value = object.find("provenance", true)) readProvenance(*value, file.provenance, findings);
   readAmountUpTo(object, "mass_kg", true, kHeaviest_kg, file.arm.mass_kg);
-  readAmountUpTo(object, "friction_N", true, kMost, file.arm.friction_N);
-  readAmountUpTo(object, "damping_N_s_per_m", false, kMost, file.arm.damping_N_s_per_m);
+  readAmountUpTo(object, "friction_N", true, kMax, file.arm.friction_N);
+  readAmountUpTo(object, "damping_N_s_per_m", false, kMax, file.arm.damping_N_s_per_m);
   if (const Value* const encoders = object.find("encoders")) {
     if (isKind(*encoders, json::Kind::Bool, "encoders", "true or false", findings))
       file.arm.encoders = encoders->boolean;
@@ -169,7 +170,7 @@ Result<ArmModelFile> readArmModel(std::string_view text, const std::string& file
   if (!root) return root.problems();
   Findings findings(file_name);
   if (!isKind(root.value(), json::Kind::Object, "",
-              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_arm_model\": 1, ...}"}), findings))
+              phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_arm_model\": 1, ...}"}), findings))
     return findings.take();
   ArmModelFile file = readWhole(root.value(), findings);
   Problems problems = findings.take();
@@ -178,7 +179,7 @@ Result<ArmModelFile> readArmModel(std::string_view text, const std::string& file
 }
 
 Result<ArmModelFile> readArmModelFile(const std::string& path) {
-  const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "an arm model")));
+  const Result<std::string> text = json::readTextFile(path, phrase(TRANSLATE_NOOP("problem", "an arm model")));
   if (!text) return text.problems();
   return readArmModel(text.value(), path);
 }
@@ -229,8 +230,8 @@ Result<ArmModel> chooseArmModel(const std::string& name) {
   std::vector<std::string> names;
   for (const ArmModel& one : armModels()) names.push_back(one.name);
   return Problems{
-      {said(TRANSLATE_NOOP("problem", "There is no arm model %1; use %2, or a file (a name with a dot or a slash)."),
-            {json::shown(name), json::listed(names)})}};
+      {phrase(TRANSLATE_NOOP("problem", "There is no arm model %1; use %2, or a file (a name with a dot or a slash)."),
+              {json::shown(name), json::listed(names)})}};
 }
 
 }  // namespace underact::sim

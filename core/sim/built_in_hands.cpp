@@ -138,7 +138,8 @@ Result<HandScript> builtInHand(std::string_view name, std::uint64_t seed) {
     }
     names += (names.empty() ? "" : ", ") + std::string(row.hand.name);
   }
-  return Problems{{said(TRANSLATE_NOOP("problem", "There is no hand \"%1\". Hands: %2."), {std::string(name), names})}};
+  return Problems{
+      {phrase(TRANSLATE_NOOP("problem", "There is no hand \"%1\". Hands: %2."), {std::string(name), names})}};
 }
 
 }  // namespace underact::sim

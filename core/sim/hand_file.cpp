@@ -23,7 +23,7 @@ constexpr double kFurthestHand_mm = 1e6;
 bool checkFinite(const Value& value, const std::string& path, double number, Findings& findings) {
   if (std::isfinite(number)) return true;
   findings.add(value, path,
-               said(TRANSLATE_NOOP("problem", "This is not a finite number; the largest is about 1.8e308.")));
+               phrase(TRANSLATE_NOOP("problem", "This is not a finite number; the largest is about 1.8e308.")));
   return false;
 }
 
@@ -35,17 +35,17 @@ void readAmount(ObjectReader& object, const char* key, bool may_be_zero, double&
   if (!checkFinite(*value, path, amount, object.findings())) return;
   if (amount > 0.0 || (amount == 0.0 && may_be_zero)) return;
   object.findings().add(*value, path,
-                        said(may_be_zero ? TRANSLATE_NOOP("problem", "This must not be below 0; here it is %1.")
-                                         : TRANSLATE_NOOP("problem", "This must be above 0; here it is %1."),
-                             {json::numberText(amount)}));
+                        phrase(may_be_zero ? TRANSLATE_NOOP("problem", "This must not be below 0; here it is %1.")
+                                           : TRANSLATE_NOOP("problem", "This must be above 0; here it is %1."),
+                               {json::numberText(amount)}));
 }
 
 HandModel readModel(const Value& value, Findings& findings) {
   HandModel hand;
   if (!isKind(value, json::Kind::Object, "hand",
-              said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"mass_kg\": 0.1}"}), findings))
+              phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"mass_kg\": 0.1}"}), findings))
     return hand;
-  ObjectReader object(value, "hand", said(TRANSLATE_NOOP("problem", "a hand")), findings);
+  ObjectReader object(value, "hand", phrase(TRANSLATE_NOOP("problem", "a hand")), findings);
   readAmount(object, "mass_kg", false, hand.mass_kg);
   readAmount(object, "damping_N_s_per_m", true, hand.damping_N_s_per_m);
   readAmount(object, "stiffness_N_per_m", true, hand.stiffness_N_per_m);
@@ -57,14 +57,14 @@ void readTime(const Value& value, const std::string& path, double before_s, doub
   readNumber(value, path, t_s, findings);
   if (std::isnan(t_s) || !checkFinite(value, path, t_s, findings)) return;
   if (t_s <= before_s)
-    findings.add(value, path, said(TRANSLATE_NOOP("problem", "Each time must be later than those before it.")));
+    findings.add(value, path, phrase(TRANSLATE_NOOP("problem", "Each time must be later than those before it.")));
 }
 
 void readPlace(const Value& value, const std::string& path, Vec3& p_WT, Findings& findings) {
   Vec3 p_mm = Vec3::Zero();
   readNumber(value, path, p_mm, findings);
   if (p_mm.cwiseAbs().maxCoeff() > kFurthestHand_mm) {
-    findings.add(value, path, said(TRANSLATE_NOOP("problem", "Each coordinate must lie within 1e6 mm (1 km).")));
+    findings.add(value, path, phrase(TRANSLATE_NOOP("problem", "Each coordinate must lie within 1e6 mm (1 km).")));
   }
   p_WT = kMetrePerMillimetre * p_mm;
 }
@@ -80,9 +80,9 @@ HandPoint readPoint(const Value& value, const std::string& path, double before_s
   HandPoint point;
   point.t_s = kNotANumber;  // remains where the file gives none
   const Sentence expected =
-      said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"t_s\": 0, \"p_mm\": [0, 0, 60]}"});
+      phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"t_s\": 0, \"p_mm\": [0, 0, 60]}"});
   if (!isKind(value, json::Kind::Object, path, expected, findings)) return point;
-  ObjectReader object(value, path, said(TRANSLATE_NOOP("problem", "a point of a hand's path")), findings);
+  ObjectReader object(value, path, phrase(TRANSLATE_NOOP("problem", "a point of a hand's path")), findings);
   if (const Value* const t = object.find("t_s", true)) {
     readTime(*t, object.pathOf("t_s"), before_s, point.t_s, findings);
   }
@@ -111,10 +111,10 @@ void carryTurns(std::vector<HandPoint>& path) {
 
 std::vector<HandPoint> readPath(const Value& value, Findings& findings) {
   std::vector<HandPoint> path;
-  if (!isKind(value, json::Kind::Array, "path", said(TRANSLATE_NOOP("problem", "a list of points")), findings))
+  if (!isKind(value, json::Kind::Array, "path", phrase(TRANSLATE_NOOP("problem", "a list of points")), findings))
     return path;
   if (value.items.empty())
-    findings.add(value, "path", said(TRANSLATE_NOOP("problem", "A path needs at least one point.")));
+    findings.add(value, "path", phrase(TRANSLATE_NOOP("problem", "A path needs at least one point.")));
   double latest_s = -kInfinity;
   for (std::size_t index = 0; index < value.items.size(); ++index) {
     path.push_back(readPoint(value.items[index], "path[" + std::to_string(index) + "]", latest_s, findings));
@@ -132,13 +132,14 @@ Result<HandScript> readHand(std::string_view text, const std::string& file_name)
   Findings findings(file_name);
   HandScript script;
   if (isKind(root.value(), json::Kind::Object, "",
-             said(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_hand\": 1, ...}"}), findings)) {
-    ObjectReader object(root.value(), "", said(TRANSLATE_NOOP("problem", "a hand file")), findings);
+             phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_hand\": 1, ...}"}), findings)) {
+    ObjectReader object(root.value(), "", phrase(TRANSLATE_NOOP("problem", "a hand file")), findings);
     if (const Value* const version = object.find("underact_hand", true)) {
       double number = 1.0;
       readNumber(*version, "underact_hand", number, findings);
       if (number != 1.0)
-        findings.add(*version, "underact_hand", said(TRANSLATE_NOOP("problem", "This program reads version 1 only.")));
+        findings.add(*version, "underact_hand",
+                     phrase(TRANSLATE_NOOP("problem", "This program reads version 1 only.")));
     }
     if (const Value* const hand = object.find("hand")) script.hand = readModel(*hand, findings);
     if (const Value* const path = object.find("path", true)) script.path = readPath(*path, findings);
@@ -150,7 +151,7 @@ Result<HandScript> readHand(std::string_view text, const std::string& file_name)
 }
 
 Result<HandScript> readHandFile(const std::string& path) {
-  const Result<std::string> text = json::readTextFile(path, said(TRANSLATE_NOOP("problem", "a hand")));
+  const Result<std::string> text = json::readTextFile(path, phrase(TRANSLATE_NOOP("problem", "a hand")));
   if (!text) return text.problems();
   return readHand(text.value(), path);
 }

@@ -201,9 +201,9 @@ Column<N> ratesAfter(const Plant& plant, const Period<N>& period, const Moving<N
     const Square<N> A =
         (1.0 + 2.0 * now * dt_s * kLead_rad_per_s + dt_s * now_s * kLead_rad_per_s * kLead_rad_per_s) * period.M +
         now * dt_s * period.D;
-    const Column<N> way = Eigen::Map<const Column<N>>(wish.posture->data()) - Eigen::Map<const Column<N>>(q.data());
+    const Column<N> offset = Eigen::Map<const Column<N>>(wish.posture->data()) - Eigen::Map<const Column<N>>(q.data());
     const double kept = 1.0 - 2.0 * old * dt_s * kLead_rad_per_s - dt_s * old_s * kLead_rad_per_s * kLead_rad_per_s;
-    Column<N> right = times<N>(period.M, kept * dq + dt_s * kLead_rad_per_s * kLead_rad_per_s * way) + dt_s * tau;
+    Column<N> right = times<N>(period.M, kept * dq + dt_s * kLead_rad_per_s * kLead_rad_per_s * offset) + dt_s * tau;
     if (has_old) right -= (old * dt_s) * times<N>(period.D, dq);
     return solved<N>(A, right);
   }
@@ -322,13 +322,13 @@ bool hasUpToSix(const Plant& plant) noexcept UNDERACT_REAL_TIME {
 }  // namespace
 
 PlantState restingJoints(const Plant& plant, const Vec3* p_WT) noexcept {
-  return hasUpToSix(plant) ? restAt<6>(plant, p_WT) : restAt<arm::kMostJoints>(plant, p_WT);
+  return hasUpToSix(plant) ? restAt<6>(plant, p_WT) : restAt<arm::kMaxJoints>(plant, p_WT);
 }
 
 PlantState advanceJoints(const Plant& plant, PlantState state, const Pushed& pushed, const HandSetpoint& setpoint,
                          std::int64_t period_ns) noexcept {
   return hasUpToSix(plant) ? advanceBy<6>(plant, state, pushed, setpoint, period_ns)
-                           : advanceBy<arm::kMostJoints>(plant, state, pushed, setpoint, period_ns);
+                           : advanceBy<arm::kMaxJoints>(plant, state, pushed, setpoint, period_ns);
 }
 
 }  // namespace underact::sim

@@ -14,7 +14,7 @@
 namespace underact::sim {
 namespace {
 
-constexpr double kLeastLever_m = 1e-3;  // a joint that moves the tip less than this per radian is not used
+constexpr double kMinLever_m = 1e-3;  // a joint that moves the tip less than this per radian is not used
 
 bool isFinite(const Vec3& v) noexcept UNDERACT_REAL_TIME {
   return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
@@ -68,10 +68,10 @@ void slideAtStop(const arm::Preset& arm, const Vec3& p_WT, arm::JointAngles& q_r
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (std::size_t joint = 0; joint < 3; ++joint) {
       const arm::Tip tip = arm::tip(arm.geometry, q_rad);
-      const Vec3 way = tip.J_p.col(static_cast<Eigen::Index>(joint));
-      const double way2 = way.squaredNorm();
-      if (!(way2 > kLeastLever_m * kLeastLever_m)) continue;
-      const double wanted_rad = q_rad[joint] + way.dot(p_WT - tip.p_WT) / way2;
+      const Vec3 offset = tip.J_p.col(static_cast<Eigen::Index>(joint));
+      const double way2 = offset.squaredNorm();
+      if (!(way2 > kMinLever_m * kMinLever_m)) continue;
+      const double wanted_rad = q_rad[joint] + offset.dot(p_WT - tip.p_WT) / way2;
       q_rad[joint] = std::clamp(wanted_rad, arm.limits.min_rad[joint], arm.limits.max_rad[joint]);
     }
   }

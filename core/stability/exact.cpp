@@ -90,19 +90,19 @@ Mat3 motionOver(const SampledWall& wall) {
   return period;
 }
 
-/// The greatest K up to which is_well holds, which it does at 0; none: it holds up to the maximum.
-template <class IsWell>
-std::optional<double> greatest(const IsWell& is_well) {
-  if (!is_well(0.0)) return 0.0;
+/// The greatest K up to which is_ok holds, which it does at 0; none: it holds up to the maximum.
+template <class IsOk>
+std::optional<double> greatest(const IsOk& is_ok) {
+  if (!is_ok(0.0)) return 0.0;
   double well = 0.0, ill = 1.0;
-  while (ill <= kMostStiffness_N_per_m && is_well(ill)) {
+  while (ill <= kMaxStiffness_N_per_m && is_ok(ill)) {
     well = ill;
     ill *= 2.0;
   }
-  if (ill > kMostStiffness_N_per_m) return std::nullopt;
+  if (ill > kMaxStiffness_N_per_m) return std::nullopt;
   for (int n = 0; n < 60; ++n) {
     const double middle = 0.5 * (well + ill);
-    (is_well(middle) ? well : ill) = middle;
+    (is_ok(middle) ? well : ill) = middle;
   }
   return well;
 }
@@ -155,7 +155,7 @@ double passiveLimit(const SampledWall& wall) {
   constexpr int kFrequencies = 2000;
   const LinearFilter filter = filterOf(wall);
   const double T = wall.period_s();
-  double limit = kMostStiffness_N_per_m;
+  double limit = kMaxStiffness_N_per_m;
   for (int n = 1; n <= kFrequencies; ++n) {
     const double omega = kPi / T * n / kFrequencies;
     const std::complex<double> z = std::polar(1.0, omega * T);

@@ -12,10 +12,10 @@ namespace underact::stability {
 double spectralRadius(const SampledWall& wall, double stiffness_N_per_m);
 
 /// The greatest K, N/m, such that all up to it are stable; 0 where the damping alone is not. None: the wall is not
-/// linear, or nothing below kMostStiffness is unstable.
+/// linear, or nothing below kMaxStiffness is unstable.
 std::optional<double> exactLimit(const SampledWall& wall);
 
-inline constexpr double kMostStiffness_N_per_m = 1e7;
+inline constexpr double kMaxStiffness_N_per_m = 1e7;
 
 /// The greatest K, N/m, up to which wall and damping together never give any hand more energy than it put in; mass and
 /// hand do not matter. 0 where there is none. Friction and encoder steps are ignored. Exact for a linear wall with its

@@ -51,7 +51,7 @@ std::vector<Variant> filters() {
   return {by("raw", control::RawDifference{}), by("low-pass 1.6 ms", control::LowPass{}),
           by("low-pass 5 ms", control::LowPass{5e-3}),
           by("window of 8", control::AdaptiveWindow{static_cast<int>(adaptive.window), noise_m}),
-          by("Kalman", usualKalman())};
+          by("Kalman", defaultKalman())};
 }
 
 std::vector<Variant> steps() {

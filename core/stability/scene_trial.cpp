@@ -58,7 +58,7 @@ Result<Vec3> restingPlace(const SceneWall& wall, const tick::TickProgram& progra
     const tick::TickReport& report = loop.tick(program, state);
     if (tick == 0 && (report.held.size() != 1 || report.held[0].status != target::Status::Unique))
       return Problems{
-          {said(TRANSLATE_NOOP("problem", "From there no single target is nearest. Start from another position."))}};
+          {phrase(TRANSLATE_NOOP("problem", "From there no single target is nearest. Start from another position."))}};
   }
   return loop.arm().p_WT;
 }
@@ -81,22 +81,22 @@ SceneTrialResult follow(const SceneWall& wall, const tick::TickProgram& program,
   auto& [loop, state, rest_m] = rest;
   loop.nudge(kSpeed_m_per_s * way_W.normalized());
   const double swing_m = kSpeed_m_per_s * std::sqrt(wall.mass_kg / stiffness_N_per_m);
-  const int least = ticksToObserve(wall.mass_kg, stiffness_N_per_m, loop.period_s());
+  const int min = ticksToObserve(wall.mass_kg, stiffness_N_per_m, loop.period_s());
   const bool is_smooth = wall.friction_N == 0.0 && !wall.encoders;
-  SwingObserver observer(swing_m, {least, kLooks * least, is_smooth ? Motion::Smooth : Motion::Stepped, kTells});
+  SwingObserver observer(swing_m, {min, kLooks * min, is_smooth ? Motion::Smooth : Motion::Stepped, kTells});
   SceneTrialResult result;
   double farthest_m = 0.0;
   for (bool goes_on = true; goes_on;) {
     const tick::TickReport& report = loop.tick(program, state);
     const bool is_lost = report.fault.kind != FaultKind::None || report.held.size() != 1;
     const double off_m = is_lost ? kNotANumber : errorOf(report) - rest_m;
-    result.least_energy_J = std::min(result.least_energy_J, is_lost ? 0.0 : report.held[0].energy_J);
+    result.min_energy_J = std::min(result.min_energy_J, is_lost ? 0.0 : report.held[0].energy_J);
     farthest_m = is_lost ? kInfinity : std::max(farthest_m, std::abs(off_m));
     goes_on = observer.goesOn(off_m);
   }
   result.trial = observer.trial();
   result.holds = !(farthest_m < kHolds * swing_m);
-  result.is_passive = result.least_energy_J >= -kActive_J;
+  result.is_passive = result.min_energy_J >= -kActive_J;
   return result;
 }
 
@@ -117,7 +117,7 @@ Result<SceneTrialResult> tryOne(const SceneWall& wall, const scene::Description&
   for (const Vec3& way_W : kWays_W) {
     const SceneTrialResult trial = follow(wall, program.value(), rest, way_W, stiffness_N_per_m);
     if (&way_W != &kWays_W[2]) worst.holds = worst.holds && trial.holds;
-    worst.least_energy_J = std::min(worst.least_energy_J, trial.least_energy_J);
+    worst.min_energy_J = std::min(worst.min_energy_J, trial.min_energy_J);
     worst.is_passive = worst.is_passive && trial.is_passive;
     const bool worse = std::pair(trial.trial.behaviour, trial.trial.amplitude_m) >=
                        std::pair(worst.trial.behaviour, worst.trial.amplitude_m);
@@ -133,21 +133,22 @@ Result<SceneTrialResult> tryScene(const SceneWall& wall, double stiffness_N_per_
   const Result<scene::Description> one = lab::onlyOne(wall.scene, wall.constraint);
   if (!one) return one.problems();
   if (!arm::isOmniForm(scene::armOf(wall.scene)))
-    return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "The trial pushes a mass at the tip, as haptic arms have one; the arm \"%1\" "
-                                         "has links instead."),
-                          {wall.scene.arm})}};
+    return Problems{
+        {phrase(TRANSLATE_NOOP("problem",
+                               "The trial pushes a mass at the tip, as haptic arms have one; the arm \"%1\" "
+                               "has links instead."),
+                {wall.scene.arm})}};
   return tryOne(wall, one.value(), stiffness_N_per_m);
 }
 
 Result<double> simulatedLimit(const SceneWall& wall, double share) {
-  constexpr double kLeast_N_per_m = 10.0, kMost_N_per_m = 1e6;
+  constexpr double kMin_N_per_m = 10.0, kMax_N_per_m = 1e6;
   const Result<scene::Description> one = lab::onlyOne(wall.scene, wall.constraint);
   if (!one) return one.problems();
-  const Result<SceneTrialResult> soft = tryOne(wall, one.value(), kLeast_N_per_m);
+  const Result<SceneTrialResult> soft = tryOne(wall, one.value(), kMin_N_per_m);
   if (!soft) return soft.problems();
   if (!soft.value().holds)
-    return Problems{{said(TRANSLATE_NOOP(
+    return Problems{{phrase(TRANSLATE_NOOP(
         "problem", "Nothing holds the tip there: the target follows the tip everywhere, so no stiffness is felt."))}};
   if (soft.value().trial.behaviour == Behaviour::Grows) return 0.0;
   Problems problems;
@@ -157,7 +158,7 @@ Result<double> simulatedLimit(const SceneWall& wall, double share) {
     if (!trial) problems = trial.problems();
     return trial && trial.value().trial.behaviour != Behaviour::Grows;
   };
-  const double limit = limitBySearch(is_calm, kLeast_N_per_m, kMost_N_per_m, share);
+  const double limit = limitBySearch(is_calm, kMin_N_per_m, kMax_N_per_m, share);
   if (!problems.empty()) return problems;
   return limit;
 }

@@ -22,9 +22,9 @@ struct SceneWall {
 /// How a trial of a scene ended.
 struct SceneTrialResult {
   TrialResult trial;
-  double least_energy_J = 0.0;  // the least energy of the constraint at any time: below 0 it was active
-  bool is_passive = true;       // never active beyond the observer's rounding
-  bool holds = true;            // false: the target follows the tip wherever it goes
+  double min_energy_J = 0.0;  // the least energy of the constraint at any time: below 0 it was active
+  bool is_passive = true;     // never active beyond the observer's rounding
+  bool holds = true;          // false: the target follows the tip wherever it goes
 };
 
 /// Trials in the whole tick, of which the worst counts: the tip rests until the ramps are done, is given 5 mm/s in one

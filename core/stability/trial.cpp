@@ -17,8 +17,8 @@ constexpr double kBeyond = 5.0;         // pushes: it will not return
 constexpr double kAtRest = 1e-4;        // of the push
 constexpr double kSeconds = 0.5;        // before the first judgement, at least
 constexpr double kSwings = 6.0;         // periods before the first judgement: more than one in a quarter
-constexpr double kMostTicks = 4e6;      // before the first judgement; slower motions are judged too early
-constexpr double kLeast_N_per_m = 1e-2, kUsualLeast_N_per_m = 1.0;  // the start of the search
+constexpr double kMaxTicks = 4e6;       // before the first judgement; slower motions are judged too early
+constexpr double kMin_N_per_m = 1e-2, kDefaultLeast_N_per_m = 1.0;  // the start of the search
 constexpr int kLinearLooks = 256, kOtherLooks = 16;  // times as long at most, while hardly anything changes
 
 }  // namespace
@@ -30,15 +30,15 @@ const char* name(Behaviour behaviour) {
 
 int ticksToObserve(double mass_kg, double stiffness_N_per_m, double period_s) {
   const double swing_s = 2.0 * kPi * std::sqrt(mass_kg / stiffness_N_per_m);
-  return static_cast<int>(std::min(std::max(kSeconds, kSwings * swing_s) / period_s, kMostTicks));
+  return static_cast<int>(std::min(std::max(kSeconds, kSwings * swing_s) / period_s, kMaxTicks));
 }
 
 SwingObserver::SwingObserver(double push_m, const Rules& rules)
-    : push_m_(push_m), rules_(rules), next_(std::max(rules.least_ticks, 16)) {}
+    : push_m_(push_m), rules_(rules), next_(std::max(rules.min_ticks, 16)) {}
 
 void SwingObserver::Span::add(double off_m) {
-  least_m = std::min(least_m, off_m);
-  most_m = std::max(most_m, off_m);
+  min_m = std::min(min_m, off_m);
+  max_m = std::max(max_m, off_m);
 }
 
 Behaviour SwingObserver::judge() const {
@@ -65,7 +65,7 @@ bool SwingObserver::goesOn(double off_m) {
   const bool was_steady = steady_;
   steady_ = !tells && rules_.motion != Motion::Linear;
   const bool told = late_m <= kAtRest * push_m_ || (rules_.motion == Motion::Linear && tells) ||
-                    (steady_ && was_steady) || next_ > rules_.most_ticks / 2;
+                    (steady_ && was_steady) || next_ > rules_.max_ticks / 2;
   trial_.behaviour = judge();
   trial_.amplitude_m = late_m;
   if (told) return false;
@@ -78,9 +78,9 @@ bool SwingObserver::goesOn(double off_m) {
 TrialResult tryWall(const SampledWall& wall, double stiffness_N_per_m, double push_m) {
   const bool linear = wall.isLinear();
   const double off_m = linear ? kLinearPush_m : push_m;
-  const int least = ticksToObserve(wall.mass_kg, stiffness_N_per_m + wall.hand_stiffness_N_per_m, wall.period_s());
-  SwingObserver observer(
-      off_m, {least, least * (linear ? kLinearLooks : kOtherLooks), linear ? Motion::Linear : Motion::Stepped});
+  const int min = ticksToObserve(wall.mass_kg, stiffness_N_per_m + wall.hand_stiffness_N_per_m, wall.period_s());
+  SwingObserver observer(off_m,
+                         {min, min * (linear ? kLinearLooks : kOtherLooks), linear ? Motion::Linear : Motion::Stepped});
   const sim::Plant plant = plantOf(wall);
   const Vec3 p_WP(0.0, 0.0, 0.03);
   const control::Law law =
@@ -90,9 +90,9 @@ TrialResult tryWall(const SampledWall& wall, double stiffness_N_per_m, double pu
   state.p_WT.x() += off_m;
   sim::HandSetpoint setpoint;
   setpoint.p_WT = p_WP;
-  std::array<Vec3, kMostDelay + 1> asked;
+  std::array<Vec3, kMaxDelay + 1> asked;
   asked.fill(Vec3::Zero());
-  const auto late = static_cast<std::size_t>(std::clamp(wall.delay_ticks, 0, kMostDelay));
+  const auto late = static_cast<std::size_t>(std::clamp(wall.delay_ticks, 0, kMaxDelay));
   for (std::size_t tick = 0;; ++tick) {
     const Vec3 p_WSeen =
         plant.model.encoders ? arm::tipPosition(plant.arm.geometry, shownAngles(plant, state)) : state.p_WT;
@@ -107,9 +107,9 @@ TrialResult tryWall(const SampledWall& wall, double stiffness_N_per_m, double pu
 
 double simulatedLimit(const SampledWall& wall, double share) {
   const auto is_calm = [&](double K) { return tryWall(wall, K).behaviour != Behaviour::Grows; };
-  const bool is_usual = is_calm(kUsualLeast_N_per_m);
-  if (!is_usual && !is_calm(kLeast_N_per_m)) return 0.0;
-  return limitBySearch(is_calm, is_usual ? kUsualLeast_N_per_m : kLeast_N_per_m, kMostStiffness_N_per_m, share);
+  const bool is_default = is_calm(kDefaultLeast_N_per_m);
+  if (!is_default && !is_calm(kMin_N_per_m)) return 0.0;
+  return limitBySearch(is_calm, is_default ? kDefaultLeast_N_per_m : kMin_N_per_m, kMaxStiffness_N_per_m, share);
 }
 
 }  // namespace underact::stability

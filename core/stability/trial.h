@@ -28,8 +28,8 @@ class SwingObserver {
  public:
   /// When the oscillation is judged, and of which kind it is.
   struct Rules {
-    int least_ticks = 0;  // before the first judgement; then as many again, twice as many, ...
-    int most_ticks = 0;   // then the last judgement counts
+    int min_ticks = 0;  // before the first judgement; then as many again, twice as many, ...
+    int max_ticks = 0;  // then the last judgement counts
     Motion motion = Motion::Linear;
     double tells = 0.02;  // a relative change by this, from one judgement to the next, is decisive
   };
@@ -41,9 +41,9 @@ class SwingObserver {
 
  private:
   struct Span {
-    double least_m = kInfinity, most_m = -kInfinity;
+    double min_m = kInfinity, max_m = -kInfinity;
     void add(double off_m);
-    double amplitude_m() const { return 0.5 * (most_m - least_m); }
+    double amplitude_m() const { return 0.5 * (max_m - min_m); }
   };
   Behaviour judge() const;
 
@@ -63,17 +63,17 @@ int ticksToObserve(double mass_kg, double stiffness_N_per_m, double period_s);
 TrialResult tryWall(const SampledWall& wall, double stiffness_N_per_m, double push_m = 1e-3);
 
 /// The greatest K, N/m, to `share` of itself, up to which a trial does not grow: by doubling, then by bisection. 0:
-/// below 0.01; kMostStiffness_N_per_m: all.
+/// below 0.01; kMaxStiffness_N_per_m: all.
 double simulatedLimit(const SampledWall& wall, double share = 2e-3);
 
 /// The search for any trial at a stiffness that does not grow at the least one.
 template <class IsCalm>
-double limitBySearch(const IsCalm& is_calm, double least, double most, double share) {
-  double calm = least, wild = 2.0 * least;
+double limitBySearch(const IsCalm& is_calm, double min, double max, double share) {
+  double calm = min, wild = 2.0 * min;
   while (is_calm(wild)) {
     calm = wild;
     wild *= 2.0;
-    if (wild > most) return most;
+    if (wild > max) return max;
   }
   while (wild - calm > share * wild) {
     const double middle = 0.5 * (calm + wild);

@@ -9,9 +9,10 @@ bool SampledWall::isLinear() const {
   return friction_N == 0.0 && coarseness == 0.0 && !std::holds_alternative<control::AdaptiveWindow>(velocity);
 }
 
-control::Velocity usualKalman() {
-  const scene::KalmanFilter usual;
-  return control::Kalman{kMetrePerMillimetre * usual.noise_mm, kMetrePerMillimetre * usual.acceleration_mm_per_s2};
+control::Velocity defaultKalman() {
+  const scene::KalmanFilter default_value;
+  return control::Kalman{kMetrePerMillimetre * default_value.noise_mm,
+                         kMetrePerMillimetre * default_value.acceleration_mm_per_s2};
 }
 
 sim::Plant plantOf(const SampledWall& wall) {

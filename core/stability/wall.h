@@ -13,7 +13,7 @@ struct SampledWall {
   double kd_N_s_per_m = 0.0;                              // B
   control::Velocity velocity = control::RawDifference{};  // how dx/dt is found
   std::int64_t period_ns = 1'000'000;
-  int delay_ticks = 0;      // 0 to kMostDelay
+  int delay_ticks = 0;      // 0 to kMaxDelay
   double friction_N = 0.0;  // Coulomb's
   double coarseness = 0.0;  // of the encoders: 1 in steps of the arm's own, 2 in steps twice as long; 0: exact
 
@@ -23,10 +23,10 @@ struct SampledWall {
   bool isLinear() const;
 };
 
-inline constexpr int kMostDelay = 16;
+inline constexpr int kMaxDelay = 16;
 
 /// The default Kalman filter, in m.
-control::Velocity usualKalman();
+control::Velocity defaultKalman();
 
 /// A simulated arm of the same mass and damping, its tip free apart from the hand's spring.
 sim::Plant plantOf(const SampledWall& wall);

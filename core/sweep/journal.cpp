@@ -72,7 +72,7 @@ Journal::Journal(std::string path, std::string fingerprint, system::Descriptor f
 
 Result<Journal> Journal::open(const Sweep& sweep, const std::string& result) {
   const std::string path = journalOf(result);
-  system::Descriptor file = system::makeFile(path, system::Making::Further, system::Readers::AsUsual);
+  system::Descriptor file = system::makeFile(path, system::Making::Further, system::Readers::Default);
   if (!file.isOpen()) return systemProblem(path, "The journal of finished cells cannot be opened", errno);
   if (!system::lock(file.number(), system::Lock::Alone))
     return problemAt(path,

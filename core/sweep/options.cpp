@@ -35,19 +35,19 @@ std::string between(double low, double high) {
 
 }  // namespace
 
-Result<Options> Options::from(const std::vector<Option>& rows, const Values& said) {
+Result<Options> Options::from(const std::vector<Option>& rows, const Values& given) {
   Options options;
   Problems problems;
   std::vector<std::string> names;
   for (const Option& row : rows) {
     names.push_back(row.name);
-    const auto found = said.find(row.name);
-    options.values_[row.name] = found == said.end() ? row.usual : found->second;
+    const auto found = given.find(row.name);
+    options.values_[row.name] = found == given.end() ? row.default_value : found->second;
     const std::size_t count = options.values_[row.name].size();
     if (count == 0) problems.push_back(problemWith(row.name, "A value is missing. " + row.what + "."));
     if (count > 1 && !row.many) problems.push_back(problemWith(row.name, "It takes one value, but has several here."));
   }
-  for (const auto& [name, values] : said) {
+  for (const auto& [name, values] : given) {
     if (options.values_.contains(name)) continue;
     const std::string near = json::nearestWord(name, names);
     problems.push_back(
@@ -93,13 +93,13 @@ std::int64_t Options::integer(const std::string& name, std::int64_t low, std::in
 }
 
 Range Options::range(const std::string& name, double low, double high) {
-  const std::string& said = text(name);
-  const std::size_t colon = said.find(':');
-  const std::optional<double> first = finite(said.substr(0, colon));
-  const std::optional<double> last = colon == std::string::npos ? first : finite(said.substr(colon + 1));
+  const std::string& given = text(name);
+  const std::size_t colon = given.find(':');
+  const std::optional<double> first = finite(given.substr(0, colon));
+  const std::optional<double> last = colon == std::string::npos ? first : finite(given.substr(colon + 1));
   if (first && last && low <= *first && *first <= *last && *last <= high) return {*first, *last};
   note(name,
-       "It must be a number, or two as LOW:HIGH, " + between(low, high) + "; here it is " + json::shown(said) + ".");
+       "It must be a number, or two as LOW:HIGH, " + between(low, high) + "; here it is " + json::shown(given) + ".");
   return {low, low};
 }
 

@@ -11,10 +11,10 @@ namespace underact::sweep {
 
 /// An option of a kind, on the command line and in a sweep's file.
 struct Option {
-  std::string name;                // "rate_hz"; on the command line --rate_hz
-  std::string what;                // one sentence, for --help
-  std::vector<std::string> usual;  // the default; empty: the option is required
-  bool many = false;               // takes more than one value
+  std::string name;                        // "rate_hz"; on the command line --rate_hz
+  std::string what;                        // one sentence, for --help
+  std::vector<std::string> default_value;  // the default; empty: the option is required
+  bool many = false;                       // takes more than one value
 };
 
 /// A number that each cell draws, uniformly; low = high: a fixed one.
@@ -30,7 +30,7 @@ class Options {
   /// The given values of each option, as text.
   using Values = std::map<std::string, std::vector<std::string>>;
   /// Problems: an option that is not in the rows, one without a value, several values for one that takes one.
-  static Result<Options> from(const std::vector<Option>& rows, const Values& said);
+  static Result<Options> from(const std::vector<Option>& rows, const Values& given);
 
   // Each notes a problem, and gives a harmless value, where a value is not allowed; the name must be that of a row.
   // low, high: the bounds of a value, both allowed.

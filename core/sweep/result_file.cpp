@@ -57,7 +57,7 @@ Problems writeResult(const Sweep& sweep, const Rows& rows, const std::string& pa
   const std::string beside = path + ".new";
   Problems in_the_way = removeTorn(beside, text);
   if (!in_the_way.empty()) return in_the_way;
-  system::Descriptor made = system::makeFile(beside, system::Making::New, system::Readers::AsUsual);
+  system::Descriptor made = system::makeFile(beside, system::Making::New, system::Readers::Default);
   const bool is_made = made.isOpen();
   int error = is_made ? system::writeAll(made.number(), std::as_bytes(std::span(text))) : errno;
   if (error == 0) error = system::sync(made.number());

@@ -11,7 +11,7 @@
 namespace underact::sweep {
 namespace {
 
-constexpr std::size_t kMostCells = 10'000'000;  // their rows fit into the memory of any machine
+constexpr std::size_t kMaxCells = 10'000'000;  // their rows fit into the memory of any machine
 
 std::string headerOf(const Kind& kind, const Options& options, std::uint64_t seed, const Cells& cells) {
   std::string text = "# underact-sweep: 1\n";
@@ -47,15 +47,15 @@ Problems inCell(std::size_t cell, const std::string& sentence) {
 
 }  // namespace
 
-Result<Sweep> makeSweep(const Kind& kind, const Options::Values& said, std::uint64_t seed) {
-  Result<Options> options = Options::from(kind.options, said);
+Result<Sweep> makeSweep(const Kind& kind, const Options::Values& given, std::uint64_t seed) {
+  Result<Options> options = Options::from(kind.options, given);
   if (!options) return options.problems();
   Result<Cells> cells = kind.make(options.value());
   if (!cells) return cells.problems();
   if (cells.value().count == 0) return Problems{{"These options give no cell, so there is nothing to run."}};
-  if (cells.value().count > kMostCells)
+  if (cells.value().count > kMaxCells)
     return Problems{{"These options make " + std::to_string(cells.value().count) + " cells; a sweep has at most " +
-                     std::to_string(kMostCells) + ". Divide it into several."}};
+                     std::to_string(kMaxCells) + ". Divide it into several."}};
   Sweep sweep{kind.key, seed, std::move(cells).value(), {}, {}};
   const std::string about = headerOf(kind, options.value(), seed, sweep.cells);
   const std::string columns = columnsOf(sweep.cells);

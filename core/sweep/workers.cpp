@@ -10,7 +10,7 @@ namespace {
 // Giving cells takes twice the interval at which a rank reads its messages, about 1 ms; this much work in store hides
 // it.
 constexpr double kInStore_s = 0.02;
-constexpr double kMostInStore = 256.0;  // cells a thread
+constexpr double kMaxInStore = 256.0;  // cells a thread
 
 }  // namespace
 
@@ -33,11 +33,11 @@ std::size_t Workers::wants() const {
   double each = 1.0;
   if (ran_ > 0) {
     const double mean_s = std::max(spent_s_ / static_cast<double>(ran_), 1e-9);
-    each += std::min(std::floor(kInStore_s / mean_s), kMostInStore);
+    each += std::min(std::floor(kInStore_s / mean_s), kMaxInStore);
   }
-  const std::size_t most = threads_.size() * static_cast<std::size_t>(each);
+  const std::size_t max = threads_.size() * static_cast<std::size_t>(each);
   const std::size_t has = open_.size() + running_;
-  return most > has ? most - has : 0;
+  return max > has ? max - has : 0;
 }
 
 void Workers::give(std::span<const std::size_t> cells) {

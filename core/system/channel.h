@@ -11,8 +11,8 @@ namespace underact::system {
 struct Pipe {
   Descriptor reads, writes;  // both none on failure
 };
-/// most_bytes: its capacity, as far as the system grants it; 0: the default.
-Pipe makePipe(std::size_t most_bytes = 0);
+/// max_bytes: its capacity, as far as the system grants it; 0: the default.
+Pipe makePipe(std::size_t max_bytes = 0);
 
 /// A connected pair of ends, each for both directions. Writing to a closed end raises no signal.
 struct Line {

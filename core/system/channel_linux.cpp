@@ -13,7 +13,7 @@
 namespace underact::system {
 namespace {
 
-constexpr std::size_t kMostWaitedFor = 4;
+constexpr std::size_t kMaxWaitedFor = 4;
 
 template <class Call>
 std::ptrdiff_t uninterrupted(Call&& call) {
@@ -25,10 +25,10 @@ std::ptrdiff_t uninterrupted(Call&& call) {
 
 }  // namespace
 
-Pipe makePipe(std::size_t most_bytes) {
+Pipe makePipe(std::size_t max_bytes) {
   std::array<int, 2> ends{-1, -1};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return {};
-  if (most_bytes > 0) ::fcntl(ends[0], F_SETPIPE_SZ, static_cast<int>(most_bytes));
+  if (max_bytes > 0) ::fcntl(ends[0], F_SETPIPE_SZ, static_cast<int>(max_bytes));
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
@@ -39,7 +39,7 @@ Line makeLine() {
 }
 
 int waitForAny(std::span<const int> descriptors, int time_ms) {
-  std::array<pollfd, kMostWaitedFor> waited{};
+  std::array<pollfd, kMaxWaitedFor> waited{};
   const std::size_t count = std::min(descriptors.size(), waited.size());
   for (std::size_t index = 0; index < count; ++index) waited[index] = {descriptors[index], POLLIN, 0};
   if (::poll(waited.data(), count, time_ms) <= 0) return -1;

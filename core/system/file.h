@@ -30,7 +30,7 @@ Descriptor openToWrite(const std::string& path);
 /// stays, and each write appends.
 enum class Making : std::uint8_t { New, Emptied, Further };
 /// Who may read a new file: as the umask allows, or its owner alone in any case.
-enum class Readers : std::uint8_t { AsUsual, OwnerAlone };
+enum class Readers : std::uint8_t { Default, OwnerAlone };
 
 /// Makes a file and opens it for writing, and, except for Emptied, for reading, too.
 Descriptor makeFile(const std::string& path, Making making, Readers readers);

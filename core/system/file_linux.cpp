@@ -14,7 +14,7 @@
 namespace underact::system {
 namespace {
 
-constexpr mode_t kOwnersFile = 0600, kOwnersFolder = 0700, kUsualFile = 0666;
+constexpr mode_t kOwnersFile = 0600, kOwnersFolder = 0700, kDefaultFile = 0666;
 
 int reasonOf(int result) {
   return result == 0 ? 0 : errno;
@@ -73,7 +73,7 @@ Descriptor makeFile(const std::string& path, Making making, Readers readers) {
   const int flags = making == Making::New       ? O_RDWR | O_EXCL | O_NOFOLLOW
                     : making == Making::Emptied ? O_WRONLY | O_TRUNC
                                                 : O_RDWR | O_APPEND;
-  const mode_t rights = readers == Readers::OwnerAlone ? kOwnersFile : kUsualFile;
+  const mode_t rights = readers == Readers::OwnerAlone ? kOwnersFile : kDefaultFile;
   return Descriptor(::open(path.c_str(), flags | O_CREAT | O_CLOEXEC, rights));
 }
 
@@ -116,18 +116,18 @@ std::string nameOf(int descriptor, const std::string& path) {
 
 std::optional<std::size_t> readAll(int descriptor, std::span<std::byte> into) {
   return movedAll(into.size(),
-                  [&](std::size_t at, std::size_t most) { return ::read(descriptor, into.data() + at, most); });
+                  [&](std::size_t at, std::size_t max) { return ::read(descriptor, into.data() + at, max); });
 }
 
 std::optional<std::size_t> readAllAt(int descriptor, std::uint64_t from, std::span<std::byte> into) {
-  return movedAll(into.size(), [&](std::size_t at, std::size_t most) {
-    return ::pread(descriptor, into.data() + at, most, static_cast<off_t>(from + at));
+  return movedAll(into.size(), [&](std::size_t at, std::size_t max) {
+    return ::pread(descriptor, into.data() + at, max, static_cast<off_t>(from + at));
   });
 }
 
 int writeAll(int descriptor, std::span<const std::byte> bytes) {
   const std::optional<std::size_t> done = movedAll(
-      bytes.size(), [&](std::size_t at, std::size_t most) { return ::write(descriptor, bytes.data() + at, most); });
+      bytes.size(), [&](std::size_t at, std::size_t max) { return ::write(descriptor, bytes.data() + at, max); });
   if (!done) return errno;
   return *done < bytes.size() ? ENOSPC : 0;
 }
@@ -149,9 +149,9 @@ int copyContent(int from, int to) {
     if (data < 0) return errno;
     const off_t hole = std::min(std::max(::lseek(from, data, SEEK_HOLE), data + 1), end);
     for (at = data; at < hole;) {
-      const std::size_t most = std::min(some.size(), static_cast<std::size_t>(hole - at));
+      const std::size_t max = std::min(some.size(), static_cast<std::size_t>(hole - at));
       const std::optional<std::size_t> count =
-          readAllAt(from, static_cast<std::uint64_t>(at), std::span(some).first(most));
+          readAllAt(from, static_cast<std::uint64_t>(at), std::span(some).first(max));
       if (!count || ::lseek(to, at, SEEK_SET) < 0) return errno;
       if (*count == 0) return EIO;  // it has become shorter
       if (const int reason = writeAll(to, std::span(some).first(*count)); reason != 0) return reason;

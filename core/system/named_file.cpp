@@ -17,18 +17,18 @@ Problems problemOf(const std::string& path, Sentence sentence) {
 }
 
 Problems failed(const std::string& path, const char* pattern) {
-  return problemOf(path, said(pattern, {std::generic_category().message(errno)}));
+  return problemOf(path, phrase(pattern, {std::generic_category().message(errno)}));
 }
 
 /// The problem of opening such a file; none: it may be opened.
 Problems judge(const Status& file, const std::string& path, const Sentence& what) {
   if (file.kind == Kind::Folder)
-    return problemOf(path, said(TRANSLATE_NOOP("problem", "This is a folder, not %1 file."), {what}));
+    return problemOf(path, phrase(TRANSLATE_NOOP("problem", "This is a folder, not %1 file."), {what}));
   if (file.kind == Kind::File) return {};
-  return problemOf(path, said(TRANSLATE_NOOP("problem",
-                                             "This is a pipe, a device or a socket, not a regular file, so %1 is not "
-                                             "read from it. Save its output to a file, and give that file."),
-                              {what}));
+  return problemOf(path, phrase(TRANSLATE_NOOP("problem",
+                                               "This is a pipe, a device or a socket, not a regular file, so %1 is not "
+                                               "read from it. Save its output to a file, and give that file."),
+                                {what}));
 }
 
 }  // namespace
@@ -58,10 +58,10 @@ Result<std::size_t> NamedFile::read(std::span<char> into) const {
   return *count;
 }
 
-Result<std::string> NamedFile::readAll(std::uint64_t most_bytes) const {
+Result<std::string> NamedFile::readAll(std::uint64_t max_bytes) const {
   std::string text;
   bool ended = false;
-  while (!ended && bytes_ <= most_bytes && text.size() <= most_bytes) {
+  while (!ended && bytes_ <= max_bytes && text.size() <= max_bytes) {
     const std::size_t at = text.size();
     text.resize(at + kReadAtOnce);
     const Result<std::size_t> count = read(std::span(text).subspan(at));
@@ -69,13 +69,13 @@ Result<std::string> NamedFile::readAll(std::uint64_t most_bytes) const {
     text.resize(at + count.value());
     ended = count.value() < kReadAtOnce;
   }
-  if (bytes_ > most_bytes || text.size() > most_bytes)
-    return problemOf(path_, said(TRANSLATE_NOOP("problem", "The file is larger than %1 MiB; %2 is far smaller."),
-                                 {std::to_string(most_bytes >> 20), what_}));
+  if (bytes_ > max_bytes || text.size() > max_bytes)
+    return problemOf(path_, phrase(TRANSLATE_NOOP("problem", "The file is larger than %1 MiB; %2 is far smaller."),
+                                   {std::to_string(max_bytes >> 20), what_}));
   if (hasChanged())
-    return problemOf(path_, said(TRANSLATE_NOOP("problem",
-                                                "Another program wrote to the file while it was being read. Open it "
-                                                "again once that program has saved it.")));
+    return problemOf(path_, phrase(TRANSLATE_NOOP("problem",
+                                                  "Another program wrote to the file while it was being read. Open it "
+                                                  "again once that program has saved it.")));
   return text;
 }
 

@@ -27,8 +27,8 @@ class NamedFile {
   void rewind() const;
   /// Reads until `into` is full or the file ends; gives the number of bytes. Problems: the disk's.
   Result<std::size_t> read(std::span<char> into) const;
-  /// Reads the rest, at most most_bytes. Problems: larger; unreadable; modified meanwhile.
-  Result<std::string> readAll(std::uint64_t most_bytes) const;
+  /// Reads the rest, at most max_bytes. Problems: larger; unreadable; modified meanwhile.
+  Result<std::string> readAll(std::uint64_t max_bytes) const;
   /// Whether the file was modified since it was opened.
   bool hasChanged() const;
 

@@ -20,17 +20,17 @@ Problems checkNew(const std::string& path, Existing existing) {
   const std::optional<Status> there = statusOf(path, Links::Refuse);
   if (!there) return {};  // missing; any other problem shows when it is made
   if (existing == Existing::ReplaceFile && there->kind == Kind::Link)
-    return {{said(TRANSLATE_NOOP("problem",
-                                 "This is a link to another file, which would be changed instead. Give the name of "
-                                 "that file.")),
+    return {{phrase(TRANSLATE_NOOP("problem",
+                                   "This is a link to another file, which would be changed instead. Give the name of "
+                                   "that file.")),
              {path}}};
   if (!mayBeReplaced(*there, existing))
-    return {{said(TRANSLATE_NOOP("problem",
-                                 "A folder, a pipe or a device has this name and is not replaced. Give another "
-                                 "name.")),
+    return {{phrase(TRANSLATE_NOOP("problem",
+                                   "A folder, a pipe or a device has this name and is not replaced. Give another "
+                                   "name.")),
              {path}}};
   if (existing != Existing::Refuse) return {};
-  return {{said(TRANSLATE_NOOP(
+  return {{phrase(TRANSLATE_NOOP(
                "problem", "A file or a link of this name already exists; it was left unchanged. Give another name.")),
            {path}}};
 }

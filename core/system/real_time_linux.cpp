@@ -69,64 +69,64 @@ CoreChoice takeCore(int wanted, std::vector<Sentence>& also) {
   const std::optional<int> isolated = isolatedCore();
   const int core = wanted >= 0 ? wanted : isolated.value_or(-1);
   if (core < 0) {
-    also.push_back(said(TRANSLATE_NOOP("problem", "all cores")));
+    also.push_back(phrase(TRANSLATE_NOOP("problem", "all cores")));
     return CoreChoice::AllCores;
   }
   if (!runOnCore(core)) {
-    also.push_back(said(TRANSLATE_NOOP("problem", "core %1 refused"), {std::to_string(core)}));
+    also.push_back(phrase(TRANSLATE_NOOP("problem", "core %1 refused"), {std::to_string(core)}));
     return wanted >= 0 ? CoreChoice::Refused : CoreChoice::AllCores;  // an isolated core was not granted
   }
   if (wanted >= 0) {
-    also.push_back(said(TRANSLATE_NOOP("problem", "core %1"), {std::to_string(core)}));
+    also.push_back(phrase(TRANSLATE_NOOP("problem", "core %1"), {std::to_string(core)}));
     return CoreChoice::OneCore;
   }
-  also.push_back(said(TRANSLATE_NOOP("problem", "isolated core %1"), {std::to_string(core)}));
+  also.push_back(phrase(TRANSLATE_NOOP("problem", "isolated core %1"), {std::to_string(core)}));
   return CoreChoice::IsolatedCore;
 }
 
 /// Requests the scheduling, and gives the name of what was granted. priority: that of FIFO, else 0.
-Sentence takeWay(SchedulingMethod way, std::vector<Sentence>& also, int& priority) {
+Sentence takeMethod(SchedulingMethod method, std::vector<Sentence>& also, int& priority) {
   setOwnPriority({});  // a new thread inherits the scheduling of its creator
-  priority = way == SchedulingMethod::Auto || way == SchedulingMethod::Fifo ? askForFifo() : 0;
+  priority = method == SchedulingMethod::Auto || method == SchedulingMethod::Fifo ? askForFifo() : 0;
   if (priority > 0) return "FIFO " + std::to_string(priority);
-  if (way == SchedulingMethod::Auto || way == SchedulingMethod::Rtkit) {
+  if (method == SchedulingMethod::Auto || method == SchedulingMethod::Rtkit) {
     const RtkitAnswer answer = askRtkit();
     if (answer.priority > 0) return "rtkit " + std::to_string(answer.priority);
-    also.push_back(said(TRANSLATE_NOOP("problem", "rtkit: %1"), {answer.refusal}));
+    also.push_back(phrase(TRANSLATE_NOOP("problem", "rtkit: %1"), {answer.refusal}));
   }
-  return said(TRANSLATE_NOOP("problem", "normal"));
+  return phrase(TRANSLATE_NOOP("problem", "normal"));
 }
 
 Sentence hintFor(const Scheduling& granted, const SchedulingRequest& wanted, int priority, bool locked,
                  CoreChoice place) {
   if (place == CoreChoice::Refused)
-    return said(TRANSLATE_NOOP("problem", "The requested core does not exist, or is not available to this program."));
-  if (granted.name == "normal" && wanted.way == SchedulingMethod::Normal)
-    return said(
+    return phrase(TRANSLATE_NOOP("problem", "The requested core does not exist, or is not available to this program."));
+  if (granted.name == "normal" && wanted.method == SchedulingMethod::Normal)
+    return phrase(
         TRANSLATE_NOOP("problem", "Real time was not requested, so ticks can be late when the computer is busy."));
   if (granted.name == "normal") {
-    return said(TRANSLATE_NOOP(
+    return phrase(TRANSLATE_NOOP(
         "problem",
         "The system did not grant real-time scheduling, so ticks can be late when the computer is busy. Put \"@users - "
         "rtprio 90\" and \"@users - memlock unlimited\" into a file in /etc/security/limits.d and log in again, or "
         "install rtkit; the guide's page real_time.md explains how."));
   }
   if (priority < kPriority) {
-    return said(TRANSLATE_NOOP(
+    return phrase(TRANSLATE_NOOP(
         "problem",
         "A higher priority would be better still. Put \"@users - rtprio 90\" and \"@users - memlock unlimited\" into a "
         "file in /etc/security/limits.d and log in again; the guide's page real_time.md explains how."));
   }
   if (wanted.lock_memory && !locked) {
-    return said(TRANSLATE_NOOP(
+    return phrase(TRANSLATE_NOOP(
         "problem",
         "Parts of the program may be swapped out, and a tick then waits for them. Put \"@users - memlock unlimited\" "
         "into a file in /etc/security/limits.d and log in again; the guide's page real_time.md explains how."));
   }
   if (place == CoreChoice::IsolatedCore) return {};
-  return said(TRANSLATE_NOOP("problem",
-                             "On a computer that is always busy, a core for the servo alone (isolcpus) is better "
-                             "still; the guide's page real_time.md explains how."));
+  return phrase(TRANSLATE_NOOP("problem",
+                               "On a computer that is always busy, a core for the servo alone (isolcpus) is better "
+                               "still; the guide's page real_time.md explains how."));
 }
 
 }  // namespace
@@ -137,13 +137,14 @@ Scheduling askForRealTime(const SchedulingRequest& wanted, int /*rate_hz*/) {
   const CoreChoice place = takeCore(wanted.core, granted.also);
   const bool locked = wanted.lock_memory && lockMemory();
   granted.also.push_back(
-      said(locked ? TRANSLATE_NOOP("problem", "memory locked") : TRANSLATE_NOOP("problem", "memory not locked")));
+      phrase(locked ? TRANSLATE_NOOP("problem", "memory locked") : TRANSLATE_NOOP("problem", "memory not locked")));
   // Without real-time scheduling the kernel delays every wait by 50 us, so as to wake less often.
-  granted.also.push_back(said(prctl(PR_SET_TIMERSLACK, 1UL) == 0 ? TRANSLATE_NOOP("problem", "timer slack 1 ns")
-                                                                 : TRANSLATE_NOOP("problem", "timer slack unchanged")));
+  granted.also.push_back(phrase(prctl(PR_SET_TIMERSLACK, 1UL) == 0
+                                    ? TRANSLATE_NOOP("problem", "timer slack 1 ns")
+                                    : TRANSLATE_NOOP("problem", "timer slack unchanged")));
   touchStack();
-  granted.also.push_back(said(TRANSLATE_NOOP("problem", "stack in memory")));
-  granted.name = takeWay(wanted.way, granted.also, priority);
+  granted.also.push_back(phrase(TRANSLATE_NOOP("problem", "stack in memory")));
+  granted.name = takeMethod(wanted.method, granted.also, priority);
   granted.hint = hintFor(granted, wanted, priority, locked, place);
   return granted;
 }

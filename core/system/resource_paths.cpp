@@ -120,7 +120,7 @@ Result<std::string> findResource(Resource resource, const SearchRoots& from) {
   for (const std::string& place : places) {
     if (holds(place, row.mark)) return fs::weakly_canonical(place, error).string();
   }
-  return Problems{{said(row.lost, {listed(places)})}};
+  return Problems{{phrase(row.lost, {listed(places)})}};
 }
 
 Result<std::string> findProgram(const std::string& program, const char* variable, const SearchRoots& from) {
@@ -129,7 +129,7 @@ Result<std::string> findProgram(const std::string& program, const char* variable
       stated != nullptr && *stated != '\0' ? std::vector<std::string>{stated} : searchFolders(program, from);
   const auto found = std::find_if(places.begin(), places.end(), isProgram);
   if (found != places.end()) return *found;
-  return Problems{{said(TRANSLATE_NOOP("problem", "%1 was not found. Searched: %2."), {program, listed(places)})}};
+  return Problems{{phrase(TRANSLATE_NOOP("problem", "%1 was not found. Searched: %2."), {program, listed(places)})}};
 }
 
 }  // namespace underact::system

@@ -16,7 +16,7 @@
 namespace underact::system {
 namespace {
 
-constexpr int kMostByRtkit = 20;                // rtkit's default maximum
+constexpr int kMaxByRtkit = 20;                 // rtkit's default maximum
 constexpr std::uint64_t kLongest_us = 200'000;  // of uninterrupted computation, rtkit's default
 constexpr std::uint64_t kPatience_us = 1000'000;
 
@@ -45,8 +45,8 @@ class CallError {
 bool limitTimeWithoutRest(std::uint64_t longest_us) {
   rlimit limit{};
   if (getrlimit(RLIMIT_RTTIME, &limit) != 0) return false;
-  const rlim_t most_us = std::min<rlim_t>(longest_us, limit.rlim_max);
-  limit = {std::min(limit.rlim_cur, most_us), most_us};
+  const rlim_t max_us = std::min<rlim_t>(longest_us, limit.rlim_max);
+  limit = {std::min(limit.rlim_cur, max_us), max_us};
   return setrlimit(RLIMIT_RTTIME, &limit) == 0;
 }
 
@@ -60,15 +60,15 @@ bool isRealTime() {
 RtkitAnswer askRtkit() {
   sd_bus* opened = nullptr;
   if (const int code = sd_bus_open_system(&opened); code < 0)
-    return {0, said(TRANSLATE_NOOP("problem", "no D-Bus: %1"), {std::strerror(-code)})};
+    return {0, phrase(TRANSLATE_NOOP("problem", "no D-Bus: %1"), {std::strerror(-code)})};
   const std::unique_ptr<sd_bus, Release> bus(opened);
   sd_bus_set_method_call_timeout(bus.get(), kPatience_us);
   CallError absent;
-  std::int32_t most_priority = 0;
+  std::int32_t max_priority = 0;
   if (const int code = sd_bus_get_property_trivial(bus.get(), kService, kObject, kService, "MaxRealtimePriority",
-                                                   absent.get(), 'i', &most_priority);
+                                                   absent.get(), 'i', &max_priority);
       code < 0) {
-    return {0, said(TRANSLATE_NOOP("problem", "it does not answer: %1"), {absent.words(code)})};
+    return {0, phrase(TRANSLATE_NOOP("problem", "it does not answer: %1"), {absent.words(code)})};
   }
   std::int64_t longest_us = 0;  // older versions do not state it
   if (sd_bus_get_property_trivial(bus.get(), kService, kObject, kService, "RTTimeUSecMax", nullptr, 'x', &longest_us) <
@@ -76,10 +76,10 @@ RtkitAnswer askRtkit() {
       longest_us <= 0) {
     longest_us = static_cast<std::int64_t>(kLongest_us);
   }
-  const int priority = std::min(kMostByRtkit, static_cast<int>(most_priority));
-  if (priority < 1) return {0, said(TRANSLATE_NOOP("problem", "it grants no priority"))};
+  const int priority = std::min(kMaxByRtkit, static_cast<int>(max_priority));
+  if (priority < 1) return {0, phrase(TRANSLATE_NOOP("problem", "it grants no priority"))};
   if (!limitTimeWithoutRest(std::min(kLongest_us, static_cast<std::uint64_t>(longest_us)))) {
-    return {0, said(TRANSLATE_NOOP("problem", "RLIMIT_RTTIME cannot be set"))};
+    return {0, phrase(TRANSLATE_NOOP("problem", "RLIMIT_RTTIME cannot be set"))};
   }
   CallError refused;
   const auto thread = static_cast<std::uint64_t>(syscall(SYS_gettid));
@@ -88,7 +88,7 @@ RtkitAnswer askRtkit() {
       code < 0) {
     return {0, refused.words(code)};
   }
-  if (!isRealTime()) return {0, said(TRANSLATE_NOOP("problem", "it agreed, but nothing changed"))};
+  if (!isRealTime()) return {0, phrase(TRANSLATE_NOOP("problem", "it agreed, but nothing changed"))};
   return {priority, {}};
 }
 

@@ -23,26 +23,26 @@
 namespace underact::system {
 namespace {
 
-bool limit(int resource, rlim_t most) {
+bool limit(int resource, rlim_t max) {
   // A lower existing limit is fine, and cannot be raised.
   rlimit both{};
   if (::getrlimit(static_cast<decltype(RLIMIT_CORE)>(resource), &both) != 0) return false;
-  both.rlim_max = std::min(both.rlim_max, most);
+  both.rlim_max = std::min(both.rlim_max, max);
   both.rlim_cur = both.rlim_max;
   return ::setrlimit(static_cast<decltype(RLIMIT_CORE)>(resource), &both) == 0;
 }
 
-bool setLimits(std::uint64_t most_bytes, double most_cpu_s) {
-  bool is_well = limit(RLIMIT_CORE, 0);
+bool setLimits(std::uint64_t max_bytes, double max_cpu_s) {
+  bool is_ok = limit(RLIMIT_CORE, 0);
   // In whole seconds, and one more to be sure. The starting program checks more closely.
-  is_well = limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(most_cpu_s)) + 1) && is_well;
+  is_ok = limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(max_cpu_s)) + 1) && is_ok;
 #ifdef UNDERACT_SANITIZED
-  static_cast<void>(most_bytes);
+  static_cast<void>(max_bytes);
 #else
-  is_well = limit(RLIMIT_NOFILE, 0) && is_well;
-  is_well = limit(RLIMIT_AS, most_bytes) && is_well;
+  is_ok = limit(RLIMIT_NOFILE, 0) && is_ok;
+  is_ok = limit(RLIMIT_AS, max_bytes) && is_ok;
 #endif
-  return is_well;
+  return is_ok;
 }
 
 #if defined(__x86_64__)
@@ -120,10 +120,10 @@ bool setFilter() {
 
 }  // namespace
 
-bool enterSandbox(std::uint64_t most_bytes, double most_cpu_s) {
-  bool is_well = setLimits(most_bytes, most_cpu_s);
-  is_well = ::prctl(PR_SET_DUMPABLE, 0) == 0 && is_well;
-  return setFilter() && is_well;
+bool enterSandbox(std::uint64_t max_bytes, double max_cpu_s) {
+  bool is_ok = setLimits(max_bytes, max_cpu_s);
+  is_ok = ::prctl(PR_SET_DUMPABLE, 0) == 0 && is_ok;
+  return setFilter() && is_ok;
 }
 
 void endWithParent() {

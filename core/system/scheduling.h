@@ -11,7 +11,7 @@ enum class SchedulingMethod : std::uint8_t { Auto, Fifo, Rtkit, Normal };
 
 /// The scheduling requested for the servo thread.
 struct SchedulingRequest {
-  SchedulingMethod way = SchedulingMethod::Auto;
+  SchedulingMethod method = SchedulingMethod::Auto;
   int core = -1;            // the core it runs on; -1: an isolated one where there is one, else all
   bool lock_memory = true;  // lock the program's memory, where the system's limit allows
 };

@@ -57,15 +57,15 @@ bool runOnCore(int /*core*/) noexcept {
 
 Scheduling askForRealTime(const SchedulingRequest& wanted, int rate_hz) {
   Scheduling granted{
-      said(TRANSLATE_NOOP("problem", "normal")),
-      said(TRANSLATE_NOOP(
+      phrase(TRANSLATE_NOOP("problem", "normal")),
+      phrase(TRANSLATE_NOOP(
           "problem", "The servo has never been tested on macOS: the latency that it reports is all that is known.")),
       {}};
   granted.also.push_back(wanted.core >= 0
-                             ? said(TRANSLATE_NOOP("problem", "core %1 refused"), {std::to_string(wanted.core)})
-                             : said(TRANSLATE_NOOP("problem", "all cores")));
-  granted.also.push_back(said(TRANSLATE_NOOP("problem", "memory not locked")));
-  if (wanted.way != SchedulingMethod::Normal) {
+                             ? phrase(TRANSLATE_NOOP("problem", "core %1 refused"), {std::to_string(wanted.core)})
+                             : phrase(TRANSLATE_NOOP("problem", "all cores")));
+  granted.also.push_back(phrase(TRANSLATE_NOOP("problem", "memory not locked")));
+  if (wanted.method != SchedulingMethod::Normal) {
     const std::int64_t period_ns = 1'000'000'000 / rate_hz;
     thread_time_constraint_policy_data_t policy{};
     policy.period = static_cast<std::uint32_t>(toMach(period_ns));
@@ -75,9 +75,9 @@ Scheduling askForRealTime(const SchedulingRequest& wanted, int rate_hz) {
     const kern_return_t answer =
         thread_policy_set(pthread_mach_thread_np(pthread_self()), THREAD_TIME_CONSTRAINT_POLICY,
                           reinterpret_cast<thread_policy_t>(&policy), THREAD_TIME_CONSTRAINT_POLICY_COUNT);
-    if (answer == KERN_SUCCESS) granted.name = said(TRANSLATE_NOOP("problem", "time constraint"));
+    if (answer == KERN_SUCCESS) granted.name = phrase(TRANSLATE_NOOP("problem", "time constraint"));
   }
-  granted.also.push_back(said(TRANSLATE_NOOP("problem", "untested")));
+  granted.also.push_back(phrase(TRANSLATE_NOOP("problem", "untested")));
   return granted;
 }
 

@@ -87,30 +87,30 @@ bool runOnCore(int core) noexcept {
 
 Scheduling askForRealTime(const SchedulingRequest& wanted, int /*rate_hz*/) {
   Scheduling granted{
-      said(TRANSLATE_NOOP("problem", "normal")),
-      said(TRANSLATE_NOOP(
+      phrase(TRANSLATE_NOOP("problem", "normal")),
+      phrase(TRANSLATE_NOOP(
           "problem", "The servo has never been tested on Windows: the latency that it reports is all that is known.")),
       {}};
   if (wanted.core >= 0) {
     const bool runs = runOnCore(wanted.core);
     granted.also.push_back(
-        said(runs ? TRANSLATE_NOOP("problem", "core %1") : TRANSLATE_NOOP("problem", "core %1 refused"),
-             {std::to_string(wanted.core)}));
+        phrase(runs ? TRANSLATE_NOOP("problem", "core %1") : TRANSLATE_NOOP("problem", "core %1 refused"),
+               {std::to_string(wanted.core)}));
   } else {
-    granted.also.push_back(said(TRANSLATE_NOOP("problem", "all cores")));
+    granted.also.push_back(phrase(TRANSLATE_NOOP("problem", "all cores")));
   }
-  granted.also.push_back(said(TRANSLATE_NOOP("problem", "memory not locked")));
-  if (wanted.way != SchedulingMethod::Normal) {
+  granted.also.push_back(phrase(TRANSLATE_NOOP("problem", "memory not locked")));
+  if (wanted.method != SchedulingMethod::Normal) {
     DWORD task = 0;
     const HANDLE mmcss = AvSetMmThreadCharacteristicsW(L"Pro Audio", &task);  // given back when the thread ends
     if (mmcss != nullptr) {
       AvSetMmThreadPriority(mmcss, AVRT_PRIORITY_CRITICAL);
       granted.name = "MMCSS Pro Audio";
     } else if (SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_TIME_CRITICAL) != 0) {
-      granted.name = said(TRANSLATE_NOOP("problem", "time critical"));
+      granted.name = phrase(TRANSLATE_NOOP("problem", "time critical"));
     }
   }
-  granted.also.push_back(said(TRANSLATE_NOOP("problem", "untested")));
+  granted.also.push_back(phrase(TRANSLATE_NOOP("problem", "untested")));
   return granted;
 }
 

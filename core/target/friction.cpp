@@ -5,7 +5,7 @@
 namespace underact::target {
 namespace {
 
-constexpr double kUsualPeriod_s = 1e-3;
+constexpr double kDefaultPeriod_s = 1e-3;
 constexpr double kMicrosecondsPerSecond = 1e6;
 
 /// The share with which a target that slides lags now: from the static to the dynamic one, without a step.
@@ -32,17 +32,17 @@ bool slides(const Friction& friction, const Vec3& p_WT, const Vec3& p_WP, double
     return false;
   }
   const Vec3 along_W = grip.p_WG - p_WP;
-  const double way_m = along_W.norm(), depth_m = (p_WP - p_WT).norm();
+  const double travel_m = along_W.norm(), depth_m = (p_WP - p_WT).norm();
   if (grip.hold == Hold::Sticks) {
-    if (way_m <= friction.static_share * depth_m) return false;
+    if (travel_m <= friction.static_share * depth_m) return false;
     grip.hold = Hold::Slides;
     grip.relaxation_left_us = static_cast<std::uint16_t>(kMicrosecondsPerSecond * kRelaxation_s);
     grip.speed_m_per_s = 0.0F;
   }
   const double lag_m = slidingShare(friction, grip) * depth_m;
-  slideOn(std::max(way_m - lag_m, 0.0), dt_s > 0.0 ? dt_s : kUsualPeriod_s, grip);
-  if (way_m <= lag_m) return false;
-  grip.p_WG = p_WP + (lag_m / way_m) * along_W;
+  slideOn(std::max(travel_m - lag_m, 0.0), dt_s > 0.0 ? dt_s : kDefaultPeriod_s, grip);
+  if (travel_m <= lag_m) return false;
+  grip.p_WG = p_WP + (lag_m / travel_m) * along_W;
   return true;
 }
 

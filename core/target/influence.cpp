@@ -176,16 +176,16 @@ Influenced unslewed(const shape::Shape& shape, const Influence& influence, const
   return {p_WT, {}, false, 0.0, {}};
 }
 
-/// last_W rotated towards to_W by at most most_rad; near half a turn the rotation is about about_W.
+/// last_W rotated towards to_W by at most max_rad; near half a turn the rotation is about about_W.
 Vec3 turnedTowards(const Vec3& last_W, const Vec3& to_W, const Vec3& about_W,
-                   double most_rad) noexcept UNDERACT_REAL_TIME {
+                   double max_rad) noexcept UNDERACT_REAL_TIME {
   const Vec3 normal_W = last_W.cross(to_W);
   const double sine = normal_W.norm();
-  if (atan2Of(sine, last_W.dot(to_W)) <= most_rad) return to_W;
+  if (atan2Of(sine, last_W.dot(to_W)) <= max_rad) return to_W;
   Vec3 axis_W = sine > kNoDirection ? Vec3(normal_W / sine) : perpendicularPart(last_W, about_W);
   const double length = axis_W.norm();
   axis_W = length > 0.5 ? Vec3(axis_W / length) : referencePerpendicular(last_W);
-  const SinCos turn = sinCos(most_rad);
+  const SinCos turn = sinCos(max_rad);
   const Vec3 n_W = turn.cos * last_W + turn.sin * axis_W.cross(last_W);
   return n_W / n_W.norm();
 }
@@ -201,8 +201,8 @@ void slew(const shape::Shape& shape, const Influence& influence, const Vec3& sty
   }
   const Vec3 n_W = p_CP_W / radius_m;
   const bool limited = state.aims && dt_s > 0.0;
-  const double most_rad = manipulator::kSlew_m_per_s * dt_s / radius_m;
-  const Vec3 now_W = limited && most_rad < kPi ? turnedTowards(state.n_W, n_W, found.arc.axis_W, most_rad) : n_W;
+  const double max_rad = manipulator::kSlew_m_per_s * dt_s / radius_m;
+  const Vec3 now_W = limited && max_rad < kPi ? turnedTowards(state.n_W, n_W, found.arc.axis_W, max_rad) : n_W;
   state.n_W = now_W;
   state.aims = true;
   if (now_W == n_W) return;

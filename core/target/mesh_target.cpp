@@ -19,7 +19,7 @@ bool isValid(const MeshState& state, const mesh::Surface& surface) noexcept {
   const std::size_t faces = surface.triangles.faces.size();
   const auto isFace = [faces](std::int32_t face) { return face >= -1 && face < static_cast<std::int64_t>(faces); };
   return isFace(state.search.face) && isFace(state.touch.face) && isFlag(state.touch.knows_last) &&
-         state.search.cut.size <= mesh::Cut::kMost;  // each search looks at its nodes before using them
+         state.search.cut.size <= mesh::Cut::kMax;  // each search looks at its nodes before using them
 }
 
 Target meshTarget(const MeshPlace& place, Side side, const Vec3& p_WT, MeshState& state) noexcept {

@@ -13,17 +13,17 @@ double storedIn(const TickProgram& program, const TickReport& report, const Tick
                 std::size_t index) noexcept UNDERACT_REAL_TIME {
   const Entry& entry = program.entries[index];
   const ConstraintReport& held = report.held[index];
-  const double most_N = program.limits.max_force_N;
-  if (held.robot.joints > 0) return control::clampedEnergy(held.robot.energy_J, held.f_T_W.norm(), most_N);
+  const double max_N = program.limits.max_force_N;
+  if (held.robot.joints > 0) return control::clampedEnergy(held.robot.energy_J, held.f_T_W.norm(), max_N);
   const Vec3& kp = control::stiffness(entry.law);
   if (entry.space == Space::Cartesian) {
     const Vec3 e_W = held.p_WP - report.p_WT, f_T_W = kp.cwiseProduct(e_W);
-    return control::clampedEnergy(0.5 * f_T_W.dot(e_W), f_T_W.norm(), most_N);
+    return control::clampedEnergy(0.5 * f_T_W.dot(e_W), f_T_W.norm(), max_N);
   }
   const arm::JointAngles& q_rad = report.sample.q_rad;
   const arm::JointAngles wanted_rad = arm::withinLimits(program.joint_limits, state.entries[index].follower.q_rad);
   const Vec3 e_rad(wanted_rad[0] - q_rad[0], wanted_rad[1] - q_rad[1], wanted_rad[2] - q_rad[2]);
-  return control::clampedEnergy(0.5 * kp.cwiseProduct(e_rad).dot(e_rad), held.f_T_W.norm(), most_N);
+  return control::clampedEnergy(0.5 * kp.cwiseProduct(e_rad).dot(e_rad), held.f_T_W.norm(), max_N);
 }
 
 /// The part of the force sent last that belongs to a constraint which asked for f_T_W of it. A single one has all of

@@ -17,7 +17,7 @@ double secondsSince(const TickState& state, std::int64_t time_ns) noexcept UNDER
 struct GateTime {
   double dt_s = 0.0;
   double waited_s = 0.0;
-  double way_s = 0.0;  // of the tip's motion since the last sample that counted
+  double motion_s = 0.0;  // of the tip's motion since the last sample that counted
 };
 
 /// Ramps, slew, heat and frozen time use the servo's periods, so that the clock of the samples cannot hold a force. At

@@ -106,7 +106,7 @@ void step(const TickProgram& program, const TickInput& input, TickState& state, 
   if (is_good) {
     if (dt_s > kLongestTick_s) reset(state);
     computeKinematics(program, input.sample.q_rad, report, asked.motion);  // the targets depend on it
-    computeMotion(input.sample.q_rad, state, time.way_s, report.p_WT, asked.motion);
+    computeMotion(input.sample.q_rad, state, time.motion_s, report.p_WT, asked.motion);
     findTargets(program, law_dt_s, state, report);
     if (program.needs.choice) keepNearest(report.held);
     const Vec3 displacement_T_W = law_dt_s > 0.0 ? Vec3(report.p_WT - state.p_WT) : Vec3(Vec3::Zero());

@@ -67,10 +67,10 @@ std::vector<Option> solvers() {
 
 std::vector<Option> steps() {
   std::vector<Option> options;
-  for (const int most : {1, 2, 3, 5, 10, 20, 50}) {
-    options.push_back({std::to_string(most), [=](Settings& s) {
+  for (const int max : {1, 2, 3, 5, 10, 20, 50}) {
+    options.push_back({std::to_string(max), [=](Settings& s) {
                          s.solver.method = scene::SolverMethod::Iterative;
-                         s.solver.max_steps = most;
+                         s.solver.max_steps = max;
                        }});
   }
   return options;
@@ -78,8 +78,8 @@ std::vector<Option> steps() {
 
 std::vector<Option> inverses() {
   std::vector<Option> options{{"closed form", [](Settings& s) { s.inverse_steps = 0; }}};
-  for (const int most : {1, 2, 3, 5, 60})
-    options.push_back({"iterative, " + std::to_string(most), [=](Settings& s) { s.inverse_steps = most; }});
+  for (const int max : {1, 2, 3, 5, 60})
+    options.push_back({"iterative, " + std::to_string(max), [=](Settings& s) { s.inverse_steps = max; }});
   return options;
 }
 

@@ -54,7 +54,7 @@ double secondsToMeasure(const scene::Description& scene, std::size_t hands, doub
   finest.rate_hz = kOracleRate_hz;
   finest.simulation.substep_us = scene::kShortestSubstep_us;
   double work_ns = runOf_ns(finest, tick_ns);
-  for (const Settings& way : settingsToTry(scene, rate_hz)) work_ns += runOf_ns(way, tick_ns);
+  for (const Settings& candidate : settingsToTry(scene, rate_hz)) work_ns += runOf_ns(candidate, tick_ns);
   for (const Choice& choice : choices()) {
     if (!choice.applies(scene)) continue;
     work_ns += oracleOf_ns(choice, base, tick_ns);

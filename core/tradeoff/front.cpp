@@ -8,15 +8,15 @@
 namespace underact::tradeoff {
 namespace {
 
-using Ways = std::vector<Settings>;
+using Candidates = std::vector<Settings>;
 
 /// All combinations of the settings with the values of one choice.
 template <class Value>
-Ways times(const Ways& ways, std::initializer_list<Value> values, Value Settings::*field) {
-  Ways all;
-  for (const Settings& way : ways) {
+Candidates times(const Candidates& candidates, std::initializer_list<Value> values, Value Settings::*field) {
+  Candidates all;
+  for (const Settings& candidate : candidates) {
     for (const Value& value : values) {
-      Settings next = way;
+      Settings next = candidate;
       next.*field = value;
       all.push_back(next);
     }
@@ -34,16 +34,17 @@ Settings oracleOf(Settings own) {
 }
 
 /// The result of one set of settings for all hands; none: a run ended early, or is not possible.
-std::optional<Point> measured(const std::vector<Bench>& benches, const std::vector<Run>& oracles, const Settings& way) {
+std::optional<Point> measured(const std::vector<Bench>& benches, const std::vector<Run>& oracles,
+                              const Settings& candidate) {
   Point point;
-  point.settings = way;
+  point.settings = candidate;
   std::vector<double> errors_mm, errors_N;
   for (std::size_t hand = 0; hand < benches.size(); ++hand) {
-    const Result<Run> one = run(benches[hand], way);
+    const Result<Run> one = run(benches[hand], candidate);
     if (!one || one.value().faulted) return std::nullopt;
     const RunDifference off = differenceOf(one.value(), oracles[hand]);
     const double cost_ns = one.value().tick.p50_ns + one.value().arm.p50_ns;
-    point.cost_us_per_s += 1e-3 * way.rate_hz * cost_ns / static_cast<double>(benches.size());
+    point.cost_us_per_s += 1e-3 * candidate.rate_hz * cost_ns / static_cast<double>(benches.size());
     errors_mm.push_back(kMillimetrePerMetre * off.rms_m);
     errors_N.push_back(off.rms_N);
   }
@@ -56,24 +57,25 @@ std::optional<Point> measured(const std::vector<Bench>& benches, const std::vect
 
 std::vector<Settings> settingsToTry(const scene::Description& scene, int rate_hz) {
   const Settings own = settingsOf(scene, rate_hz);
-  Ways ways{own};
-  ways = times(ways, {250, 500, 1000, 2000, 4000, 8000}, &Settings::rate_hz);
-  ways = times(ways,
-               {scene::Simulation{Integrator::Trapezoidal, 1000.0}, scene::Simulation{},
-                scene::Simulation{Integrator::Trapezoidal, 50.0}},
-               &Settings::simulation);
-  if (hasSearch(scene)) ways = times(ways, {Search::Local, Search::Hybrid, Search::Global}, &Settings::search);
+  Candidates candidates{own};
+  candidates = times(candidates, {250, 500, 1000, 2000, 4000, 8000}, &Settings::rate_hz);
+  candidates = times(candidates,
+                     {scene::Simulation{Integrator::Trapezoidal, 1000.0}, scene::Simulation{},
+                      scene::Simulation{Integrator::Trapezoidal, 50.0}},
+                     &Settings::simulation);
+  if (hasSearch(scene))
+    candidates = times(candidates, {Search::Local, Search::Hybrid, Search::Global}, &Settings::search);
   if (hasSolver(scene)) {
     using scene::Solver;
     using scene::SolverMethod;
-    ways = times(ways, {Solver{SolverMethod::Iterative, 2, 1e-10}, Solver{}}, &Settings::solver);
+    candidates = times(candidates, {Solver{SolverMethod::Iterative, 2, 1e-10}, Solver{}}, &Settings::solver);
   }
   if (hasVelocity(scene)) {
     const scene::Velocity calm = scene::KalmanFilter{0.016, 3000.0};
-    ways = times(ways, {calm, scene::Velocity{}}, &Settings::velocity);
+    candidates = times(candidates, {calm, scene::Velocity{}}, &Settings::velocity);
   }
-  if (std::find(ways.begin(), ways.end(), own) == ways.end()) ways.push_back(own);
-  return ways;
+  if (std::find(candidates.begin(), candidates.end(), own) == candidates.end()) candidates.push_back(own);
+  return candidates;
 }
 
 void markFront(std::vector<Point>& points) {
@@ -88,7 +90,7 @@ void markFront(std::vector<Point>& points) {
 std::vector<Point> measurePoints(const scene::Description& scene, const std::vector<NamedHand>& hands, double seconds,
                                  int rate_hz, const Progress& goes_on) {
   const Settings own = settingsOf(scene, rate_hz);
-  const std::vector<Settings> ways = settingsToTry(scene, rate_hz);
+  const std::vector<Settings> candidates = settingsToTry(scene, rate_hz);
   std::vector<Bench> benches;
   std::vector<Run> oracles;
   std::vector<Point> points;
@@ -98,11 +100,11 @@ std::vector<Point> measurePoints(const scene::Description& scene, const std::vec
     if (!oracle || oracle.value().faulted || !goes_on(0.0)) return points;
     oracles.push_back(std::move(oracle).value());
   }
-  for (std::size_t index = 0; index < ways.size(); ++index) {
-    if (!goes_on(static_cast<double>(index) / static_cast<double>(ways.size()))) break;
-    std::optional<Point> point = measured(benches, oracles, ways[index]);
+  for (std::size_t index = 0; index < candidates.size(); ++index) {
+    if (!goes_on(static_cast<double>(index) / static_cast<double>(candidates.size()))) break;
+    std::optional<Point> point = measured(benches, oracles, candidates[index]);
     if (!point) continue;
-    point->is_own = ways[index] == own;
+    point->is_own = candidates[index] == own;
     points.push_back(*point);
   }
   std::sort(points.begin(), points.end(),

@@ -29,7 +29,7 @@ class Errors {
   }
   /// Problems: nothing was added, so there is no result.
   Result<Figures> figures(const lab::Cost& cost, int rate_hz) const {
-    if (count_ == 0) return Problems{{said(TRANSLATE_NOOP("problem", "The hand never touches the constraint."))}};
+    if (count_ == 0) return Problems{{phrase(TRANSLATE_NOOP("problem", "The hand never touches the constraint."))}};
     const double rms = std::sqrt(sum_ / static_cast<double>(count_));
     return Figures{cost, 1e-3 * cost.p50_ns * rate_hz, rms, worst_};
   }
@@ -40,7 +40,7 @@ class Errors {
 };
 
 const Problems kEndedEarly{
-    {said(TRANSLATE_NOOP("problem", "The run ended in a fault, so what it measured means nothing."))}};
+    {phrase(TRANSLATE_NOOP("problem", "The run ended in a fault, so what it measured means nothing."))}};
 
 /// The motion of the tip against that of the finest run. cost: which part of an option's own run is timed.
 Measure againstRun(const Bench& bench, const Settings& finest, lab::Cost Run::*cost) {
@@ -53,16 +53,16 @@ Measure againstRun(const Bench& bench, const Settings& finest, lab::Cost Run::*c
     const RunDifference off = differenceOf(one.value(), fine.value());
     const lab::Cost& own = one.value().*cost;
     return Figures{own, 1e-3 * own.p50_ns * settings.rate_hz, kMillimetrePerMetre * off.rms_m,
-                   kMillimetrePerMetre * off.most_m};
+                   kMillimetrePerMetre * off.max_m};
   };
 }
 
 /// Compares the results of ticks along one path, the same for all options, with exact ones.
 using Compare = Errors (*)(const Bench& bench, const Settings& settings, const Walk& found, const Walk& exact);
-Measure againstWalk(const Bench& bench, JointPath way, Result<Walk> exact, Compare errorsOf) {
-  return [bench, way = std::move(way), exact = std::move(exact), errorsOf](const Settings& s) -> Result<Figures> {
+Measure againstWalk(const Bench& bench, JointPath path, Result<Walk> exact, Compare errorsOf) {
+  return [bench, path = std::move(path), exact = std::move(exact), errorsOf](const Settings& s) -> Result<Figures> {
     if (!exact) return exact.problems();
-    const Result<Walk> found = walk(bench, s, way);
+    const Result<Walk> found = walk(bench, s, path);
     if (!found) return found.problems();
     return errorsOf(bench, s, found.value(), exact.value()).figures(found.value().tick, s.rate_hz);
   };
@@ -131,15 +131,15 @@ Measure simulationOn(const Bench& bench, const Settings& base) {
 Measure searchOn(const Bench& bench, const Settings& base) {
   Settings exact = base;
   exact.search = Search::Global;
-  const JointPath way = jointPathOf(bench, timesOf(bench, base.rate_hz), false);
-  return againstWalk(bench, way, walk(bench, exact, way), fartherOff);
+  const JointPath path = jointPathOf(bench, timesOf(bench, base.rate_hz), false);
+  return againstWalk(bench, path, walk(bench, exact, path), fartherOff);
 }
 
 Measure solverOn(const Bench& bench, const Settings& base) {
   Settings exact = base;
   exact.solver = kOracleSolver;
-  const JointPath way = jointPathOf(bench, timesOf(bench, base.rate_hz), false);
-  return againstWalk(bench, way, walk(bench, exact, way), besideTarget);
+  const JointPath path = jointPathOf(bench, timesOf(bench, base.rate_hz), false);
+  return againstWalk(bench, path, walk(bench, exact, path), besideTarget);
 }
 
 Measure velocityOn(const Bench& bench, const Settings& base) {

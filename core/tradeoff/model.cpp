@@ -129,13 +129,13 @@ std::optional<tick::TickProgram> programWith(const scene::Description& bare, con
   return program;
 }
 
-double medianTick_ns(const tick::TickProgram& program, const JointPath& way) {
+double medianTick_ns(const tick::TickProgram& program, const JointPath& path) {
   tick::TickState state = makeState(program);
   tick::TickReport report;
   tick::TickInput input;
   input.engage = input.restart = true;
-  lab::Stopwatch watch(way.size());
-  for (const arm::Sample& sample : way) {
+  lab::Stopwatch watch(path.size());
+  for (const arm::Sample& sample : path) {
     input.sample = sample;
     watch.time([&] { step(program, input, state, report); });
     input.restart = false;
@@ -144,11 +144,11 @@ double medianTick_ns(const tick::TickProgram& program, const JointPath& way) {
 }
 
 /// The median over rounds of each program's median.
-std::vector<double> inTurn_ns(const std::vector<const tick::TickProgram*>& programs, const JointPath& way) {
+std::vector<double> inTurn_ns(const std::vector<const tick::TickProgram*>& programs, const JointPath& path) {
   std::vector<std::vector<double>> all(programs.size());
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t index = 0; index < programs.size(); ++index)
-      all[index].push_back(medianTick_ns(*programs[index], way));
+      all[index].push_back(medianTick_ns(*programs[index], path));
   }
   std::vector<double> medians;
   for (const std::vector<double>& times : all) medians.push_back(lab::quantile(times, 0.5));

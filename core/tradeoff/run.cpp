@@ -89,15 +89,15 @@ Result<Run> run(const Bench& bench, const Settings& settings, bool exact) {
 
 JointPath jointPathOf(const Bench& bench, const std::vector<double>& at_s, bool encoders) {
   const sim::Plant plant = plantOf(bench, bench.scene, !encoders);
-  JointPath way(at_s.size());
+  JointPath path(at_s.size());
   for (std::size_t tick = 0; tick < at_s.size(); ++tick) {
-    way[tick].time_ns = nanosecondsAt(at_s[tick]) + 1;  // a first one at 0 would count as no time
-    way[tick].q_rad = jointsAt(plant, setpointAt(bench.hand, nanosecondsAt(at_s[tick])));
+    path[tick].time_ns = nanosecondsAt(at_s[tick]) + 1;  // a first one at 0 would count as no time
+    path[tick].q_rad = jointsAt(plant, setpointAt(bench.hand, nanosecondsAt(at_s[tick])));
   }
-  return way;
+  return path;
 }
 
-Result<Walk> walk(const Bench& bench, const Settings& settings, const JointPath& way) {
+Result<Walk> walk(const Bench& bench, const Settings& settings, const JointPath& path) {
   const scene::Description scene = withSettings(bench.scene, settings);
   const Result<tick::TickProgram> program = scene::compile(scene);
   if (!program) return program.problems();
@@ -112,8 +112,8 @@ Result<Walk> walk(const Bench& bench, const Settings& settings, const JointPath&
   result.distance_m.resize(constraints);
   result.acts.resize(constraints);
   if (state.needs.rate) result.rate_W.resize(constraints);
-  lab::Stopwatch of_tick(way.size());
-  for (const arm::Sample& sample : way) {
+  lab::Stopwatch of_tick(path.size());
+  for (const arm::Sample& sample : path) {
     input.sample = sample;
     of_tick.time([&] { step(program.value(), input, state, report); });
     input.restart = false;
@@ -148,7 +148,7 @@ RunDifference differenceOf(const Run& coarse, const Run& fine) {
     const double off_m = (coarse.p_WT[tick] - between(fine.p_WT, other, share)).norm();
     sum_m2 += off_m * off_m;
     sum_N2 += (coarse.f_T_W[tick] - between(fine.f_T_W, other, share)).squaredNorm();
-    result.most_m = std::max(result.most_m, off_m);
+    result.max_m = std::max(result.max_m, off_m);
     ++count;
   }
   result.rms_m = std::sqrt(sum_m2 / static_cast<double>(count));

@@ -51,7 +51,7 @@ struct Walk {
 };
 
 /// Runs the ticks along the path. Problems: those of the scene with these settings.
-Result<Walk> walk(const Bench& bench, const Settings& settings, const JointPath& way);
+Result<Walk> walk(const Bench& bench, const Settings& settings, const JointPath& path);
 
 /// The times from 0 to the bench's seconds, evenly spaced.
 std::vector<double> timesOf(const Bench& bench, int rate_hz);
@@ -59,8 +59,8 @@ std::vector<double> timesOf(const Bench& bench, int rate_hz);
 /// The distance of two runs at the times of the slower one. Where `fine` has no tick at such a time it is interpolated
 /// linearly: at 16 kHz and 30 m/s^2, the most that the hands do, that is off by 1.5e-5 mm.
 struct RunDifference {
-  double rms_m = 0.0, most_m = 0.0;  // of the tips, root of the mean square and largest
-  double rms_N = 0.0;                // of the forces
+  double rms_m = 0.0, max_m = 0.0;  // of the tips, root of the mean square and largest
+  double rms_N = 0.0;               // of the forces
 };
 /// Of runs of the same bench, fine at no lower a rate than coarse. One of them without ticks: all 0.
 RunDifference differenceOf(const Run& coarse, const Run& fine);

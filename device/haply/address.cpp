@@ -28,10 +28,11 @@ Result<Place> readPlace(std::string_view text) {
   const bool is_id = id.size() <= kLongestId && std::all_of(id.begin(), id.end(), isOfIds) && names_one == !id.empty();
   if (!read || read.value().port == 0 || !is_id)
     return Problems{
-        {said(TRANSLATE_NOOP("problem",
-                             "\"%1\" is not an address of Haply's service. Give HOST:PORT or HOST, and /ID for one of "
-                             "several arms, as in 127.0.0.1:10001 or 127.0.0.1:10001/04C3."),
-              {std::string(text.substr(0, kLongestShown))}),
+        {phrase(
+             TRANSLATE_NOOP("problem",
+                            "\"%1\" is not an address of Haply's service. Give HOST:PORT or HOST, and /ID for one of "
+                            "several arms, as in 127.0.0.1:10001 or 127.0.0.1:10001/04C3."),
+             {std::string(text.substr(0, kLongestShown))}),
          {}}};
   Place place{read.value().host, read.value().port, std::string(id)};
   const bool has_port = address.find(':', address.rfind(']') == std::string_view::npos ? 0 : address.rfind(']')) !=

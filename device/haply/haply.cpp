@@ -29,7 +29,7 @@ std::vector<Found> searchAt(const std::string& address) {
   hearMessage(getOverHttp(place.value(), "/devices", kLook_ms), told);
   std::vector<Found> found;
   for (const std::string& id : told.ids)
-    found.push_back({said(TRANSLATE_NOOP("problem", "Inverse3 %1 at %2"), {id, place.value().text()}),
+    found.push_back({phrase(TRANSLATE_NOOP("problem", "Inverse3 %1 at %2"), {id, place.value().text()}),
                      place.value().text() + "/" + id,
                      {}});
   return found;

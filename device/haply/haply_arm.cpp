@@ -61,7 +61,7 @@ Problems HaplyArm::connect() {
   missed_ = 0;
   unanswered_ = 0;
   sent_ = wanted_.latest().number;  // a force for a lost connection is not sent on this one
-  said_ns_ = wrote_ns_ = system::monotonicNow_ns();
+  sent_ns_ = wrote_ns_ = system::monotonicNow_ns();
   thread_ = std::thread(&HaplyArm::run, this);
   return {};
 }
@@ -80,25 +80,27 @@ Problems HaplyArm::awaitFirst() {
     if (heard == Heard::Missing) break;
   }
   if (heard == Heard::Missing && told.ids.empty())
-    return {{said(TRANSLATE_NOOP("problem",
-                                 "Haply's service at %1 has no Inverse3. Plug it in, switch it on, and open it again."),
-                  {place_.text()}),
-             {}}};
+    return {
+        {phrase(TRANSLATE_NOOP("problem",
+                               "Haply's service at %1 has no Inverse3. Plug it in, switch it on, and open it again."),
+                {place_.text()}),
+         {}}};
   if (heard == Heard::Missing)
-    return {{said(TRANSLATE_NOOP("problem", "Haply's service at %1 has no Inverse3 \"%2\". It has: %3."),
-                  {place_.text(), place_.id, namesOf(told.ids)}),
+    return {{phrase(TRANSLATE_NOOP("problem", "Haply's service at %1 has no Inverse3 \"%2\". It has: %3."),
+                    {place_.text(), place_.id, namesOf(told.ids)}),
              {}}};
   if (heard != Heard::Place)
-    return {
-        {said(TRANSLATE_NOOP("problem", "What answers at %1 does not say where an Inverse3 is. Is it Haply's service?"),
-              {place_.text()}),
-         {}}};
-  if (told.axes != "XYZ")
-    return {{said(TRANSLATE_NOOP("problem",
-                                 "Haply's service at %1 tells places in the axes %2. Set the basis of the Inverse3 to "
-                                 "XYZ there."),
-                  {place_.text(), told.axes}),
+    return {{phrase(TRANSLATE_NOOP("problem",
+                                   "What answers at %1 does not say where an Inverse3 is. Is it Haply's service?"),
+                    {place_.text()}),
              {}}};
+  if (told.axes != "XYZ")
+    return {
+        {phrase(TRANSLATE_NOOP("problem",
+                               "Haply's service at %1 tells places in the axes %2. Set the basis of the Inverse3 to "
+                               "XYZ there."),
+                {place_.text(), told.axes}),
+         {}}};
   const std::scoped_lock lock(words_mutex_);
   told_ = std::move(told);
   heard_ = heard;
@@ -145,7 +147,7 @@ void HaplyArm::run() {
     }
   }
   // Whatever was lost: zero may still arrive.
-  while (line_->isOpen() && line_->isSending() && system::monotonicNow_ns() - said_ns_ < 100'000'000)
+  while (line_->isOpen() && line_->isSending() && system::monotonicNow_ns() - sent_ns_ < 100'000'000)
     line_->wait(-1, 1);
   line_->send(forceText(told_.id, form_, Vec3::Zero()));
 }
@@ -189,15 +191,15 @@ void HaplyArm::speak(std::int64_t now_ns) {
   if (is_new) wrote_ns_ = now_ns;
   const bool is_cut = is_cut_.load(std::memory_order_acquire);
   const std::int64_t quiet_ns = kQuietPeriods * period_ns_;
-  const bool is_quiet = now_ns - wrote_ns_ >= quiet_ns && now_ns - said_ns_ >= quiet_ns;
+  const bool is_quiet = now_ns - wrote_ns_ >= quiet_ns && now_ns - sent_ns_ >= quiet_ns;
   if (!is_new && !is_quiet && !is_cut) return;
   const Vec3 f_H = is_new && !is_cut ? wanted.f_H : Vec3::Zero();
   // Late ones would be felt late. What is zero goes out whatever happens.
-  if (unanswered_ >= kMostUnanswered && f_H != Vec3::Zero()) return;
+  if (unanswered_ >= kMaxUnanswered && f_H != Vec3::Zero()) return;
   if (!line_->send(forceText(told_.id, form_, f_H))) return;
   ++unanswered_;
   sent_ = wanted.number;
-  said_ns_ = now_ns;
+  sent_ns_ = now_ns;
   if (is_cut) is_cut_.store(false, std::memory_order_release);
 }
 
@@ -256,26 +258,26 @@ HaplyArm::Loss HaplyArm::lossOf(Heard heard) {
 Sentence HaplyArm::wordsOf(Loss loss) const {
   switch (loss) {
     case Loss::Line:
-      return said(TRANSLATE_NOOP("problem",
-                                 "The connection to Haply's service at %1 was lost. Start the service and press "
-                                 "Restart."),
-                  {place_.text()});
+      return phrase(TRANSLATE_NOOP("problem",
+                                   "The connection to Haply's service at %1 was lost. Start the service and press "
+                                   "Restart."),
+                    {place_.text()});
     case Loss::Arm:
-      return said(
+      return phrase(
           TRANSLATE_NOOP("problem",
                          "Haply's service at %1 no longer has the Inverse3. Plug it in, switch it on, and press "
                          "Restart."),
           {place_.text()});
     case Loss::Words:
-      return said(TRANSLATE_NOOP("problem",
-                                 "Haply's service at %1 sends messages that are not understood. Restart the service "
-                                 "and press Restart."),
-                  {place_.text()});
+      return phrase(TRANSLATE_NOOP("problem",
+                                   "Haply's service at %1 sends messages that are not understood. Restart the service "
+                                   "and press Restart."),
+                    {place_.text()});
     case Loss::Silence:
-      return said(TRANSLATE_NOOP("problem",
-                                 "Haply's service at %1 no longer says where the Inverse3 is. Check the service and "
-                                 "press Restart."),
-                  {place_.text()});
+      return phrase(TRANSLATE_NOOP("problem",
+                                   "Haply's service at %1 no longer says where the Inverse3 is. Check the service and "
+                                   "press Restart."),
+                    {place_.text()});
     case Loss::None:
       break;
   }
@@ -287,12 +289,12 @@ Sentence HaplyArm::trouble() const {
   if (missed_ >= kSilentStates) return wordsOf(lossOf(heard_));
   const std::scoped_lock lock(words_mutex_);
   if (!told_.has_power)
-    return said(TRANSLATE_NOOP("problem", "The Inverse3 has no power supply, so it gives no force. Connect it."));
+    return phrase(TRANSLATE_NOOP("problem", "The Inverse3 has no power supply, so it gives no force. Connect it."));
   if (!told_.is_calibrated)
-    return said(TRANSLATE_NOOP(
+    return phrase(TRANSLATE_NOOP(
         "problem", "The Inverse3 is not calibrated, so it gives no force. Calibrate it as its manual says."));
   if (!told_.is_ready)
-    return said(
+    return phrase(
         TRANSLATE_NOOP("problem", "Haply's service says that the Inverse3 is not ready, so it gives no force."));
   return {};
 }
@@ -311,7 +313,7 @@ std::vector<std::string> HaplyArm::listing() const {
 
 servo::DeviceInfo HaplyArm::info() const {
   const std::scoped_lock lock(words_mutex_);
-  return {said(TRANSLATE_NOOP("problem", "Inverse3 %1 at %2"), {told_.id, place_.text()}), false, true, kStill_s,
+  return {phrase(TRANSLATE_NOOP("problem", "Inverse3 %1 at %2"), {told_.id, place_.text()}), false, true, kStill_s,
           told_.id};
 }
 

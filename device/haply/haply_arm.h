@@ -19,11 +19,11 @@ namespace underact::device::haply {
 /// which the service answers with the state; the tick takes the newest one. If no new one is there, the tick waits up
 /// to half a period for it; then the last one is used while it is no older than kStale_ns (or kStalePeriods). If no
 /// force was written for kQuietPeriods, the service is told zero, and so asked for the state. Of frames that push, no
-/// more than kMostUnanswered are under way. A lost connection stays lost until reopen().
+/// more than kMaxUnanswered are under way. A lost connection stays lost until reopen().
 class HaplyArm final : public servo::DevicePort {
  public:
   static constexpr std::int64_t kStale_ns = 20'000'000;
-  static constexpr int kStalePeriods = 5, kQuietPeriods = 5, kMostUnanswered = 4;
+  static constexpr int kStalePeriods = 5, kQuietPeriods = 5, kMaxUnanswered = 4;
 
   /// arm: the arm whose joints the samples have: those that put its tip where the Inverse3's cursor is, and its stylus
   /// as the grip, or joints 4 to 6 at 0 without one. Out of that arm's reach no force goes out. Problems: no service
@@ -88,7 +88,7 @@ class HaplyArm final : public servo::DevicePort {
   std::atomic<int> missed_{0};                // reads in a row that had none
   // The thread's.
   std::uint64_t states_ = 0, sent_ = 0;
-  std::int64_t came_ns_ = 0, said_ns_ = 0, wrote_ns_ = 0;
+  std::int64_t came_ns_ = 0, sent_ns_ = 0, wrote_ns_ = 0;
   int unanswered_ = 0;
   std::uint32_t epoch_ = 0;
   bool was_able_ = false;

@@ -15,7 +15,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using web_socket::Milliseconds;
 
-constexpr std::size_t kMostKept = 16;               // frames that nobody took
+constexpr std::size_t kMaxKept = 16;                // frames that nobody took
 constexpr std::size_t kLongestMessage = 1U << 20U;  // bytes
 constexpr int kGoodbye_ms = 100;
 
@@ -36,7 +36,7 @@ struct Line::Impl {
         return;
       }
       if (is_text) kept.emplace_back(message);
-      if (kept.size() > kMostKept) kept.pop_front();
+      if (kept.size() > kMaxKept) kept.pop_front();
       read();
     });
   }
@@ -71,18 +71,18 @@ Result<std::unique_ptr<Line>> Line::open(const Place& place, int time_ms) {
   impl->connection.limit({.message_bytes = kLongestMessage});
   impl->connection.connect(place.host, place.port, took);
   if (!cameIn(impl->loop, answer, time_ms))
-    return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "No service of Haply answers at %1. Is it running there? Another address is "
-                                         "given as haply:HOST:PORT."),
-                          {place.text()}),
+    return Problems{{phrase(TRANSLATE_NOOP("problem",
+                                           "No service of Haply answers at %1. Is it running there? Another address is "
+                                           "given as haply:HOST:PORT."),
+                            {place.text()}),
                      {}}};
   answer.reset();
   impl->connection.handshake(place.text(), took);
   if (!cameIn(impl->loop, answer, time_ms))
-    return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "What answers at %1 is not Haply's service. Another address is given as "
-                                         "haply:HOST:PORT."),
-                          {place.text()}),
+    return Problems{{phrase(TRANSLATE_NOOP("problem",
+                                           "What answers at %1 is not Haply's service. Another address is given as "
+                                           "haply:HOST:PORT."),
+                            {place.text()}),
                      {}}};
   impl->read();
   return std::unique_ptr<Line>(new Line(std::move(impl)));

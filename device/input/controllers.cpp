@@ -14,12 +14,12 @@ namespace underact::device::input {
 namespace {
 
 void takeAxes(const float* values, int count, Readings& readings) {
-  readings.axes = std::min(count, kMostAxes);
+  readings.axes = std::min(count, kMaxAxes);
   for (int axis = 0; axis < readings.axes; ++axis) readings.axis[static_cast<std::size_t>(axis)] = values[axis];
 }
 
 void takeButtons(const unsigned char* values, int count, Readings& readings) {
-  readings.buttons = std::min(count, kMostButtons);
+  readings.buttons = std::min(count, kMaxButtons);
   for (int button = 0; button < readings.buttons; ++button) {
     if (values[button] == GLFW_PRESS) readings.pressed |= std::uint64_t{1} << static_cast<unsigned>(button);
   }
@@ -64,10 +64,10 @@ bool Controllers::begin() {
   if (works_) return true;
   const char* why = nullptr;
   ::glfwGetError(&why);
-  trouble_ = said(TRANSLATE_NOOP("problem",
-                                 "Game controllers cannot be read here (%1). Mouse, keyboard and 3D mice still work. "
-                                 "Controllers need an X11 display, or a Wayland desktop with Xwayland."),
-                  {why == nullptr ? said(TRANSLATE_NOOP("problem", "no reason given")) : Sentence(why)});
+  trouble_ = phrase(TRANSLATE_NOOP("problem",
+                                   "Game controllers cannot be read here (%1). Mouse, keyboard and 3D mice still work. "
+                                   "Controllers need an X11 display, or a Wayland desktop with Xwayland."),
+                    {why == nullptr ? phrase(TRANSLATE_NOOP("problem", "no reason given")) : Sentence(why)});
   return false;
 }
 

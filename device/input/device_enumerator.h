@@ -18,7 +18,7 @@ struct DeviceState {
   Readings readings;
   std::vector<Sentence> axis_names, button_names;  // "left stick, right"; may be shorter: the others have numbers
   std::vector<Source> pairs;                       // of buttons and triggers that belong together
-  Map usual;                                       // the default mapping
+  Map default_value;                               // the default mapping
   std::vector<Missing> missing;                    // empty: it can be read
 };
 

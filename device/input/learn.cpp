@@ -11,12 +11,12 @@ constexpr double kAtItsEnd = -0.9;  // where a trigger rests
 
 std::optional<int> furthest(const Readings& before, const Readings& now) {
   std::optional<int> best;
-  double way = kFar;
-  for (int axis = 0; axis < std::min({before.axes, now.axes, kMostAxes}); ++axis) {
+  double deflection = kFar;
+  for (int axis = 0; axis < std::min({before.axes, now.axes, kMaxAxes}); ++axis) {
     const auto index = static_cast<std::size_t>(axis);
     const double moved = std::abs(now.axis[index] - before.axis[index]);
-    if (!(moved >= way)) continue;  // NaN, too
-    way = moved;
+    if (!(moved >= deflection)) continue;  // NaN, too
+    deflection = moved;
     best = axis;
   }
   return best;
@@ -25,7 +25,7 @@ std::optional<int> furthest(const Readings& before, const Readings& now) {
 /// The only other axis that rests at its end.
 int counterpart(const Readings& before, int trigger) {
   int found = -1;
-  for (int axis = 0; axis < std::min(before.axes, kMostAxes); ++axis) {
+  for (int axis = 0; axis < std::min(before.axes, kMaxAxes); ++axis) {
     if (axis == trigger || !(before.axis[static_cast<std::size_t>(axis)] < kAtItsEnd)) continue;
     if (found >= 0) return -1;
     found = axis;
@@ -47,7 +47,7 @@ std::optional<Learnt> learn(const Readings& before, const Readings& now) {
 }
 
 std::optional<int> learnButton(const Readings& before, const Readings& now) {
-  for (int button = 0; button < std::min(now.buttons, kMostButtons); ++button) {
+  for (int button = 0; button < std::min(now.buttons, kMaxButtons); ++button) {
     if (now.isPressed(button) && !before.isPressed(button)) return button;
   }
   return {};

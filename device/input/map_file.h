@@ -28,7 +28,7 @@ std::string sourceText(const Source& source);
 std::optional<Source> sourceOf(std::string_view text);
 
 /// The name of a direction in files and commands: "right", "turn_x".
-const char* motionAxisName(MotionAxis way);
+const char* motionAxisName(MotionAxis motion);
 const char* pressName(ButtonRole press);  // "stylus_1", "stylus_2", "stop"
 
 }  // namespace underact::device::input

@@ -7,14 +7,14 @@ namespace underact::device::input {
 namespace {
 
 double axisAt(const Readings& readings, int axis) {
-  if (axis < 0 || axis >= std::min(readings.axes, kMostAxes)) return 0.0;
+  if (axis < 0 || axis >= std::min(readings.axes, kMaxAxes)) return 0.0;
   const double value = readings.axis[static_cast<std::size_t>(axis)];
   return std::isfinite(value) ? std::clamp(value, -1.0, 1.0) : 0.0;
 }
 
 /// Of a trigger, 0 to 1; a missing one is not pressed.
 double pulled(const Readings& readings, int axis) {
-  if (axis < 0 || axis >= std::min(readings.axes, kMostAxes)) return 0.0;
+  if (axis < 0 || axis >= std::min(readings.axes, kMaxAxes)) return 0.0;
   if (!std::isfinite(readings.axis[static_cast<std::size_t>(axis)])) return 0.0;
   return 0.5 * (axisAt(readings, axis) + 1.0);
 }
@@ -47,25 +47,25 @@ double shaped(double deflection, double dead_zone, double exponent) {
 }
 
 double share(const AxisMap& map, const Readings& readings) {
-  const double way = shaped(deflection(map.source, readings), map.dead_zone, map.exponent);
-  return map.inverted ? -way : way;
+  const double part = shaped(deflection(map.source, readings), map.dead_zone, map.exponent);
+  return map.inverted ? -part : part;
 }
 
 ReadyAxes updatedReadyAxes(const ReadyAxes& awake, const Map& map, const Readings& readings) {
   ReadyAxes now = awake;
-  for (std::size_t way = 0; way < kMotionAxes; ++way) {
-    if (share(map.ways[way], readings) == 0.0) now.ways[way] = true;
+  for (std::size_t part = 0; part < kMotionAxes; ++part) {
+    if (share(map.motions[part], readings) == 0.0) now.motions[part] = true;
   }
   return now;
 }
 
 Motion motionOf(const Map& map, const Readings& readings, const ReadyAxes& awake) {
   Motion motion;
-  for (std::size_t way = 0; way < kMotionAxes; ++way) {
-    if (!awake.ways[way]) continue;
-    const double speed = map.ways[way].top * share(map.ways[way], readings);
-    const auto axis = static_cast<Eigen::Index>(way % kMoves);
-    (way < kMoves ? motion.v_WT : motion.w_WT_W)[axis] = speed;
+  for (std::size_t part = 0; part < kMotionAxes; ++part) {
+    if (!awake.motions[part]) continue;
+    const double speed = map.motions[part].top * share(map.motions[part], readings);
+    const auto axis = static_cast<Eigen::Index>(part % kMoves);
+    (part < kMoves ? motion.v_WT : motion.w_WT_W)[axis] = speed;
   }
   const auto held = [&](ButtonRole press) { return isPressed(readings, map.presses[static_cast<std::size_t>(press)]); };
   motion.stylus_buttons = (held(ButtonRole::Stylus1) ? 1U : 0U) | (held(ButtonRole::Stylus2) ? 2U : 0U);
@@ -87,9 +87,9 @@ sim::HandSetpoint movedSetpoint(const sim::HandSetpoint& setpoint, const Motion&
   const double step_s = std::min(dt_s, kLongestStep_s);
   const Vec3 p_WT = X_WT.translation();
   if (!motion.v_WT.isZero(0.0)) {
-    const double most_m = std::max(kLeash_m, (setpoint.p_WT - p_WT).norm());
+    const double max_m = std::max(kLeash_m, (setpoint.p_WT - p_WT).norm());
     const Vec3 ahead_W = setpoint.p_WT + step_s * motion.v_WT - p_WT;
-    next.p_WT = p_WT + ahead_W * std::min(1.0, most_m / std::max(ahead_W.norm(), most_m));
+    next.p_WT = p_WT + ahead_W * std::min(1.0, max_m / std::max(ahead_W.norm(), max_m));
     next.p_WT *= std::min(1.0, kReach_m / std::max(next.p_WT.norm(), kReach_m));
   }
   const double turn_rad = step_s * motion.w_WT_W.norm();

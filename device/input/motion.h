@@ -7,16 +7,16 @@
 
 namespace underact::device::input {
 
-inline constexpr int kMostAxes = 16, kMostButtons = 64;
+inline constexpr int kMaxAxes = 16, kMaxButtons = 64;
 
 /// The readings of a controller or a 3D mouse at one moment.
 struct Readings {
-  int axes = 0;                          // how many there are
-  std::array<double, kMostAxes> axis{};  // -1 to 1; a stick rests at 0, a trigger at -1
-  int buttons = 0;                       // how many there are
-  std::uint64_t pressed = 0;             // bit 0: the first
+  int axes = 0;                         // how many there are
+  std::array<double, kMaxAxes> axis{};  // -1 to 1; a stick rests at 0, a trigger at -1
+  int buttons = 0;                      // how many there are
+  std::uint64_t pressed = 0;            // bit 0: the first
   bool isPressed(int button) const {
-    return button >= 0 && button < kMostButtons && (pressed >> static_cast<unsigned>(button) & 1U) != 0;
+    return button >= 0 && button < kMaxButtons && (pressed >> static_cast<unsigned>(button) & 1U) != 0;
   }
 };
 
@@ -51,7 +51,7 @@ inline constexpr std::size_t kPresses = 3;
 
 /// What each input of a device does.
 struct Map {
-  std::array<AxisMap, kMotionAxes> ways;
+  std::array<AxisMap, kMotionAxes> motions;
   std::array<int, kPresses> presses{-1, -1, -1};  // a button each; -1: none
   friend bool operator==(const Map&, const Map&) = default;
 };
@@ -68,7 +68,7 @@ struct Motion {
 /// Which directions have been at rest once since the device appeared. What was held before that moves nothing: a
 /// throttle at its end, a stick that is pushed while another window is active.
 struct ReadyAxes {
-  std::array<bool, kMotionAxes> ways{};
+  std::array<bool, kMotionAxes> motions{};
 };
 
 /// How far an input is moved, -1 to 1; 0 if the device has no such axis or button, or its reading is not finite.

@@ -14,7 +14,7 @@ namespace underact::device::input {
 namespace {
 
 constexpr int kRead_ms = 10, kIdle_ms = 50;
-constexpr int kMostAtOnce = 64;  // reports: as many as the kernel keeps
+constexpr int kMaxAtOnce = 64;  // reports: as many as the kernel keeps
 
 DeviceState describeNode(const HidNode& node, const SpaceMouseModel& model) {
   DeviceState seen;
@@ -99,9 +99,9 @@ void SpaceMice::open(Mouse& mouse) {
   mouse.readings = {};
   mouse.readings.axes = 6;
   mouse.readings.buttons =
-      mouse.model->buttons.empty() ? kMostButtons / 4 : static_cast<int>(mouse.model->buttons.size());
+      mouse.model->buttons.empty() ? kMaxButtons / 4 : static_cast<int>(mouse.model->buttons.size());
   if (!bus_.mayOpen(mouse.node)) {
-    mouse.missing = {{said(TRANSLATE_NOOP("problem", "You do not have permission to read %1."), {mouse.node.path}),
+    mouse.missing = {{phrase(TRANSLATE_NOOP("problem", "You do not have permission to read %1."), {mouse.node.path}),
                       udevCommand(mouse.node)}};
     return;
   }
@@ -115,7 +115,7 @@ void SpaceMice::open(Mouse& mouse) {
 /// false: it is unplugged.
 bool SpaceMice::read(Mouse& mouse, int time_ms) {
   std::array<std::uint8_t, 64> bytes{};
-  for (int count = 0; count < kMostAtOnce; ++count) {
+  for (int count = 0; count < kMaxAtOnce; ++count) {
     const int size = mouse.pipe->read(bytes, count == 0 ? time_ms : 0);
     if (size < 0) return false;
     if (size == 0) break;

@@ -95,14 +95,14 @@ const SpaceMouseModel* findSpaceMouse(std::uint16_t vendor, std::uint16_t produc
 // A product's name is the same in every language, unless it states how the mouse is connected.
 Sentence spaceMouseName(const SpaceMouseModel& model) {
   const std::string_view name(model.name);
-  return name.ends_with("(cable)") || name.ends_with("(receiver)") ? said(model.name) : Sentence(model.name);
+  return name.ends_with("(cable)") || name.ends_with("(receiver)") ? phrase(model.name) : Sentence(model.name);
 }
 
 // Names where nothing is printed on the buttons.
 std::vector<Sentence> buttonNames(const SpaceMouseModel& model) {
   std::vector<Sentence> names(model.buttons.begin(), model.buttons.end());
   if (model.buttons.data() == kTwo.data())
-    std::transform(names.begin(), names.end(), names.begin(), [](const Sentence& name) { return said(name); });
+    std::transform(names.begin(), names.end(), names.begin(), [](const Sentence& name) { return phrase(name); });
   return names;
 }
 

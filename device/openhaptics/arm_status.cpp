@@ -59,23 +59,25 @@ Sentence ArmStatus::sentence(std::int64_t now_ns, const std::string& arm) const 
   if (status != kCalibrated) return calibrationSentence(status, style);
   if (without_sample_.load(std::memory_order_relaxed) >= kManyPeriods) return sentenceOf(sample_code_);
   if (docked_.load(std::memory_order_relaxed))
-    return said(TRANSLATE_NOOP("problem", "The stylus is in the inkwell, so the arm gives no force. Take it out."));
+    return phrase(TRANSLATE_NOOP("problem", "The stylus is in the inkwell, so the arm gives no force. Take it out."));
   const double off_m = off_m_.load(std::memory_order_relaxed);
   if (wrong_.load(std::memory_order_relaxed)) {
-    return said(TRANSLATE_NOOP("problem",
-                               "The arm reports its tip %1 mm from where the scene's arm \"%2\" has it, so it gets no "
-                               "force: the force would point elsewhere. Choose the arm that is connected."),
-                {millimetres(off_m), arm});
+    return phrase(
+        TRANSLATE_NOOP("problem",
+                       "The arm reports its tip %1 mm from where the scene's arm \"%2\" has it, so it gets no "
+                       "force: the force would point elsewhere. Choose the arm that is connected."),
+        {millimetres(off_m), arm});
   }
   const std::int64_t at_ns = force_error_ns_.load(std::memory_order_relaxed);
   if (at_ns != 0 && now_ns - at_ns < kShown_ns)
     return oneAfterAnother({sentenceOf(force_code_),
-                            said(TRANSLATE_NOOP("problem", "%1 times so far."), {std::to_string(forceErrors())})});
+                            phrase(TRANSLATE_NOOP("problem", "%1 times so far."), {std::to_string(forceErrors())})});
   if (off_m > kWorthAWord_m) {
-    return said(TRANSLATE_NOOP("problem",
-                               "The arm reports its tip %1 mm from where the scene's arm \"%2\" has it. Choose the arm "
-                               "that is connected, otherwise shapes are felt elsewhere than they are shown."),
-                {millimetres(off_m), arm});
+    return phrase(
+        TRANSLATE_NOOP("problem",
+                       "The arm reports its tip %1 mm from where the scene's arm \"%2\" has it. Choose the arm "
+                       "that is connected, otherwise shapes are felt elsewhere than they are shown."),
+        {millimetres(off_m), arm});
   }
   return {};
 }

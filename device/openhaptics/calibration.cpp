@@ -36,17 +36,17 @@ void Calibration::poll(const Calls& hd, bool pressed) noexcept {
 Sentence calibrationSentence(std::uint32_t status, std::uint32_t style) {
   if (status == kCalibrated) return {};
   if (status == kCalibrationNeedsHand && style == kInkwell)
-    return said(
+    return phrase(
         TRANSLATE_NOOP("problem", "The arm is not calibrated, so it gives no force. Put the stylus into the inkwell."));
   if (status == kCalibrationNeedsHand && style == kEncoderReset) {
-    return said(TRANSLATE_NOOP("problem",
-                               "The arm is not calibrated, so it gives no force. Hold it in its reset position, as "
-                               "the vendor's manual shows, and press the stylus button nearer to the tip."));
+    return phrase(TRANSLATE_NOOP("problem",
+                                 "The arm is not calibrated, so it gives no force. Hold it in its reset position, as "
+                                 "the vendor's manual shows, and press the stylus button nearer to the tip."));
   }
   if (status == kCalibrationNeedsHand || status == kCalibrationNeedsUpdate)
-    return said(TRANSLATE_NOOP(
+    return phrase(TRANSLATE_NOOP(
         "problem", "The arm is not calibrated, so it gives no force. Move the stylus around slowly until it is."));
-  return said(TRANSLATE_NOOP(
+  return phrase(TRANSLATE_NOOP(
       "problem", "The arm does not say whether it is calibrated, so it gives no force. Run the vendor's setup."));
 }
 

@@ -79,7 +79,7 @@ const Row* find(std::uint32_t code) noexcept {
   return row == kRows.end() ? nullptr : row;
 }
 
-constexpr int kMostErrors = 64;  // more than any frame has calls
+constexpr int kMaxErrors = 64;  // more than any frame has calls
 
 }  // namespace
 
@@ -90,7 +90,7 @@ Severity severityOf(std::uint32_t code) noexcept {
 
 Drained drain(const Calls& hd) noexcept {
   Drained drained;
-  while (drained.count < kMostErrors) {
+  while (drained.count < kMaxErrors) {
     const std::uint32_t code = hd.hdGetError().code;
     if (code == 0) return drained;
     ++drained.count;
@@ -104,11 +104,11 @@ Drained drain(const Calls& hd) noexcept {
 }
 
 Sentence sentenceOf(std::uint32_t code) {
-  if (const Row* const row = find(code)) return said(row->sentence);
+  if (const Row* const row = find(code)) return phrase(row->sentence);
   std::array<char, 16> number{};
   std::snprintf(number.data(), number.size(), "0x%X", static_cast<unsigned>(code));
-  return said(TRANSLATE_NOOP("problem", "The arm's driver reports the unknown error %1. Restart the servo."),
-              {number.data()});
+  return phrase(TRANSLATE_NOOP("problem", "The arm's driver reports the unknown error %1. Restart the servo."),
+                {number.data()});
 }
 
 }  // namespace underact::device::openhaptics

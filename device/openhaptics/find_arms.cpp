@@ -60,15 +60,17 @@ std::vector<Missing> permissions(const SearchPaths& places, const fs::path& devi
     const fs::path path = places.nodes / node;
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {
-      missing.push_back({said(TRANSLATE_NOOP("problem", "The system has not created %1 for the arm. Plug it in again."),
-                              {path.string()}),
-                         ""});
+      missing.push_back(
+          {phrase(TRANSLATE_NOOP("problem", "The system has not created %1 for the arm. Plug it in again."),
+                  {path.string()}),
+           ""});
     } else if (!system::mayReadAndWrite(path.string())) {
-      missing.push_back({said(TRANSLATE_NOOP("problem",
-                                             "You do not have permission to use %1 of the arm. This rule gives it to "
-                                             "whoever is logged in at the computer; plug the arm in again afterwards."),
-                              {path.string()}),
-                         ruleFor(node, vendor)});
+      missing.push_back(
+          {phrase(TRANSLATE_NOOP("problem",
+                                 "You do not have permission to use %1 of the arm. This rule gives it to "
+                                 "whoever is logged in at the computer; plug the arm in again afterwards."),
+                  {path.string()}),
+           ruleFor(node, vendor)});
     }
   }
   return missing;
@@ -76,12 +78,12 @@ std::vector<Missing> permissions(const SearchPaths& places, const fs::path& devi
 
 std::vector<Missing> settings(const SearchPaths& places) {
   if (places.settings_are_named || settingsFolder(places.home, places.shared)) return {};
-  return {
-      {said(TRANSLATE_NOOP("problem",
-                           "The vendor's driver has no settings: there is no folder config in %1 or %2, and GTDD_HOME "
-                           "names no other. Run the vendor's Touch_Setup, or set GTDD_HOME to the folder."),
-            {places.home.string(), places.shared.string()}),
-       std::string("export ") + kSettingsVariable + "=" + places.home.string()}};
+  return {{phrase(TRANSLATE_NOOP(
+                      "problem",
+                      "The vendor's driver has no settings: there is no folder config in %1 or %2, and GTDD_HOME "
+                      "names no other. Run the vendor's Touch_Setup, or set GTDD_HOME to the folder."),
+                  {places.home.string(), places.shared.string()}),
+           std::string("export ") + kSettingsVariable + "=" + places.home.string()}};
 }
 
 void append(std::vector<Missing>& to, const std::vector<Missing>& from) {
@@ -107,18 +109,18 @@ std::vector<Found> findArms(const SearchPaths& places, const std::vector<Missing
     const std::string vendor = wordIn(at->path() / "idVendor"), product = wordIn(at->path() / "idProduct");
     if (!isTheMakers(vendor, product)) continue;
     const std::string serial = wordIn(at->path() / "serial");
-    Found one{serial.empty() ? said(TRANSLATE_NOOP("problem", "Touch or Omni on USB"))
-                             : said(TRANSLATE_NOOP("problem", "Touch or Omni on USB, serial %1"), {serial}),
+    Found one{serial.empty() ? phrase(TRANSLATE_NOOP("problem", "Touch or Omni on USB"))
+                             : phrase(TRANSLATE_NOOP("problem", "Touch or Omni on USB, serial %1"), {serial}),
               "", common};
     append(one.missing, permissions(places, at->path(), vendor));
     found.push_back(std::move(one));
   }
   if (!found.empty()) return found;
-  common.push_back({said(TRANSLATE_NOOP("problem",
-                                        "No Touch or Omni was found on USB. Plug it in and switch it on. An arm on "
-                                        "FireWire or Ethernet is not detected here, but may still open.")),
+  common.push_back({phrase(TRANSLATE_NOOP("problem",
+                                          "No Touch or Omni was found on USB. Plug it in and switch it on. An arm on "
+                                          "FireWire or Ethernet is not detected here, but may still open.")),
                     "lsusb -d 2988:"});
-  return {{said(TRANSLATE_NOOP("problem", "Touch, Omni (vendor's driver)")), "", common}};
+  return {{phrase(TRANSLATE_NOOP("problem", "Touch, Omni (vendor's driver)")), "", common}};
 }
 
 }  // namespace underact::device::openhaptics

@@ -158,9 +158,9 @@ Frames::Seen Frames::poll(std::int64_t now_ns) noexcept {
   const Vec3 p_WT = kMetrePerMillimetre * Vec3(p_mm[0], p_mm[1], p_mm[2]);
   seen.off_m = (p_WT - arm::tipPosition(geometry_, seen.sample.q_rad)).norm();
   // Trigonometry of huge angles is no place: they are no arm's.
-  constexpr double kMostTurns_rad = 100.0;
+  constexpr double kMaxTurns_rad = 100.0;
   const bool is_finite = std::all_of(seen.sample.q_rad.begin(), seen.sample.q_rad.end(),
-                                     [](double angle) { return std::fabs(angle) < kMostTurns_rad; });
+                                     [](double angle) { return std::fabs(angle) < kMaxTurns_rad; });
   seen.is_fresh = drained.worst == Severity::None && is_finite;
   without_sample_ = seen.is_fresh ? 0 : without_sample_ + 1;
   arm_status_.withoutSample(without_sample_, is_finite && drained.code != 0 ? drained.code : kNotANumberSent);

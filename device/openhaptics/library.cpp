@@ -77,8 +77,8 @@ Result<const Calls*> load() {
   for (const Missing& one : the.missing)
     problems.push_back({one.command.empty()
                             ? one.sentence
-                            : oneAfterAnother({one.sentence, said(TRANSLATE_NOOP("problem", "In a terminal: \"%1\"."),
-                                                                  {one.command})}),
+                            : oneAfterAnother({one.sentence, phrase(TRANSLATE_NOOP("problem", "In a terminal: \"%1\"."),
+                                                                    {one.command})}),
                         {}});
   return problems;
 }
@@ -102,8 +102,8 @@ Problems bind(const std::function<void*(const char*)>& resolve, Calls& calls) {
   UNDERACT_HD_CALLS(UNDERACT_HD_FIND)
 #undef UNDERACT_HD_FIND
   if (absent.empty()) return {};
-  return {{said(TRANSLATE_NOOP("problem", "The library that was found is not OpenHaptics 3.0 to 3.4: it lacks %1."),
-                {absent}),
+  return {{phrase(TRANSLATE_NOOP("problem", "The library that was found is not OpenHaptics 3.0 to 3.4: it lacks %1."),
+                  {absent}),
            {}}};
 }
 
@@ -111,33 +111,34 @@ Missing explain(std::string_view text) {
   const std::string name(text.substr(0, text.find(':')));
   const bool is_not_there = contains(text, "No such file") || contains(text, "image not found");
   if (!is_not_there)
-    return {said(TRANSLATE_NOOP("problem", "The arm's driver cannot be loaded: %1."), {std::string(text)}), ""};
+    return {phrase(TRANSLATE_NOOP("problem", "The arm's driver cannot be loaded: %1."), {std::string(text)}), ""};
   if (contains(name, "libHD")) {
-    return {said(TRANSLATE_NOOP("problem",
-                                "The vendor's driver, OpenHaptics, is not installed (%1 was not found). Get it for "
-                                "Linux from the maker of the arm, unpack it, and run its installer in its folder; "
-                                "then do the same with the arm's device driver."),
-                 {name}),
+    return {phrase(TRANSLATE_NOOP("problem",
+                                  "The vendor's driver, OpenHaptics, is not installed (%1 was not found). Get it for "
+                                  "Linux from the maker of the arm, unpack it, and run its installer in its folder; "
+                                  "then do the same with the arm's device driver."),
+                   {name}),
             "sudo ./install"};
   }
   if (contains(name, "ncurses") || contains(name, "tinfo")) {
-    return {said(TRANSLATE_NOOP("problem",
-                                "The vendor's driver needs %1 from the old packages libncurses5 and libtinfo5, which "
-                                "are not installed."),
-                 {name}),
+    return {phrase(TRANSLATE_NOOP("problem",
+                                  "The vendor's driver needs %1 from the old packages libncurses5 and libtinfo5, which "
+                                  "are not installed."),
+                   {name}),
             "sudo apt-get install libncurses5 libtinfo5"};
   }
   if (contains(name, "libusb-1.0"))
-    return {said(TRANSLATE_NOOP("problem", "The vendor's driver needs libusb, which is not installed.")),
+    return {phrase(TRANSLATE_NOOP("problem", "The vendor's driver needs libusb, which is not installed.")),
             "sudo apt-get install libusb-1.0-0"};
   if (contains(name, "hantomIO") || contains(name, "HANToMIO")) {
-    return {said(TRANSLATE_NOOP("problem",
-                                "OpenHaptics is installed, but %1 of the arm's device driver is not, or the system has "
-                                "not registered it yet. Install the device driver."),
-                 {name}),
-            "sudo ldconfig"};
+    return {
+        phrase(TRANSLATE_NOOP("problem",
+                              "OpenHaptics is installed, but %1 of the arm's device driver is not, or the system has "
+                              "not registered it yet. Install the device driver."),
+               {name}),
+        "sudo ldconfig"};
   }
-  return {said(TRANSLATE_NOOP("problem", "The vendor's driver needs %1, which is missing."), {name}),
+  return {phrase(TRANSLATE_NOOP("problem", "The vendor's driver needs %1, which is missing."), {name}),
           "apt-cache search " + name.substr(0, name.find('.'))};
 }
 

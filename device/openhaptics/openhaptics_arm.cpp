@@ -67,7 +67,7 @@ OpenHapticsArm::~OpenHapticsArm() {
 }
 
 Problems OpenHapticsArm::connect() {
-  if (hangs_) return {{said(kHangs), {}}};
+  if (hangs_) return {{phrase(kHangs), {}}};
   keepNumbersPlain();
   pointToSettings();
   Problems problems = initialise();
@@ -111,11 +111,11 @@ Problems OpenHapticsArm::initialise() {
     const char* const words = worst != 0 ? hd_.hdGetErrorString(worst) : nullptr;
     return {{oneAfterAnother(
                  {options_.address.empty()
-                      ? said(TRANSLATE_NOOP("problem", "No arm could be opened."))
-                      : said(TRANSLATE_NOOP("problem", "No arm could be opened under the name \"%1\"."),
-                             {options_.address}),
-                  worst != 0 ? sentenceOf(worst) : said(TRANSLATE_NOOP("problem", "Its driver gives no reason.")),
-                  words != nullptr ? said(TRANSLATE_NOOP("problem", "Its driver says: %1."), {words}) : Sentence()}),
+                      ? phrase(TRANSLATE_NOOP("problem", "No arm could be opened."))
+                      : phrase(TRANSLATE_NOOP("problem", "No arm could be opened under the name \"%1\"."),
+                               {options_.address}),
+                  worst != 0 ? sentenceOf(worst) : phrase(TRANSLATE_NOOP("problem", "Its driver gives no reason.")),
+                  words != nullptr ? phrase(TRANSLATE_NOOP("problem", "Its driver says: %1."), {words}) : Sentence()}),
              {}}};
   }
   hd_.hdMakeCurrentDevice(device_);
@@ -125,14 +125,14 @@ Problems OpenHapticsArm::initialise() {
   if (is_on && drained.worst == Severity::None) return {};
   disconnect();
   return {{oneAfterAnother(
-               {said(TRANSLATE_NOOP("problem", "The arm's force cannot be switched on.")), sentenceOf(drained.code)}),
+               {phrase(TRANSLATE_NOOP("problem", "The arm's force cannot be switched on.")), sentenceOf(drained.code)}),
            {}}};
 }
 
 Problems OpenHapticsArm::awaitFirstFrame() {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
   while (frames_->capabilities() == nullptr && !frames_->armStatus().stopped()) {
-    if (std::chrono::steady_clock::now() > end) return {{said(kStandsStill), {}}};
+    if (std::chrono::steady_clock::now() > end) return {{phrase(kStandsStill), {}}};
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
   if (frames_->armStatus().stopped()) return {{frames_->armStatus().sentence(0, options_.arm.name), {}}};
@@ -187,7 +187,8 @@ Sentence OpenHapticsArm::fixedRateReason() const {
   const std::vector<int> rates = Scheduler::theOne().rates();
   if (Scheduler::theOne().users() > 1) return rateRefusal(0);
   if (rates.size() > 1) return {};
-  return said(TRANSLATE_NOOP("problem", "The arm's driver supports only one rate, %1 Hz."), {std::to_string(rate_hz_)});
+  return phrase(TRANSLATE_NOOP("problem", "The arm's driver supports only one rate, %1 Hz."),
+                {std::to_string(rate_hz_)});
 }
 
 Sentence OpenHapticsArm::rateRefusal(int rate_hz) const {
@@ -217,14 +218,14 @@ Sentence OpenHapticsArm::trouble() const {
   if (!trouble_.empty()) return trouble_;
   const std::int64_t now_ns = system::monotonicNow_ns();
   const Sentence sentence = frames_->armStatus().sentence(now_ns, options_.arm.name);
-  return sentence.empty() && now_ns - frames_->began_ns() > kSilence_ns ? said(kStandsStill) : sentence;
+  return sentence.empty() && now_ns - frames_->began_ns() > kSilence_ns ? phrase(kStandsStill) : sentence;
 }
 
 servo::DeviceInfo OpenHapticsArm::info() const {
   const std::scoped_lock lock(mutex_);
   std::string title = capabilities_.model.value_or("");
   if (title.empty()) title = "Touch, Omni";
-  return {said(TRANSLATE_NOOP("problem", "%1 (vendor's driver)"), {title}), false, true, kFrozen_s,
+  return {phrase(TRANSLATE_NOOP("problem", "%1 (vendor's driver)"), {title}), false, true, kFrozen_s,
           capabilities_.serial.value_or("")};
 }
 

@@ -21,7 +21,8 @@ bool takes(const Calls& hd, int rate_hz) {
 }
 
 Sentence notTaken(int rate_hz) {
-  return said(TRANSLATE_NOOP("problem", "The arm's driver did not accept the rate %1 Hz."), {std::to_string(rate_hz)});
+  return phrase(TRANSLATE_NOOP("problem", "The arm's driver did not accept the rate %1 Hz."),
+                {std::to_string(rate_hz)});
 }
 
 Problems wentWrong(const Drained& drained) {
@@ -108,19 +109,20 @@ Sentence Scheduler::refusesLocked(int rate_hz) const {
   if (users_ > 1) return refusesBeside(rate_hz);
   if (std::find(rates_.begin(), rates_.end(), rate_hz) != rates_.end()) return {};
   if (rates_.empty())
-    return said(TRANSLATE_NOOP("problem", "The arm's driver accepts no rate at all. Restart the servo."));
+    return phrase(TRANSLATE_NOOP("problem", "The arm's driver accepts no rate at all. Restart the servo."));
   std::string list;
   for (const int rate : rates_) list += (list.empty() ? "" : ", ") + std::to_string(rate);
-  return said(TRANSLATE_NOOP("problem", "The arm's driver supports %1 Hz, not %2. Choose one of these rates."),
-              {list, std::to_string(rate_hz)});
+  return phrase(TRANSLATE_NOOP("problem", "The arm's driver supports %1 Hz, not %2. Choose one of these rates."),
+                {list, std::to_string(rate_hz)});
 }
 
 Sentence Scheduler::refusesBeside(int rate_hz) const {
   if (rate_hz == rate_hz_) return {};
-  return said(TRANSLATE_NOOP(
-                  "problem",
-                  "Another arm uses the same driver at %1 Hz, and both share one scheduler. Close one of them first."),
-              {std::to_string(rate_hz_)});
+  return phrase(
+      TRANSLATE_NOOP(
+          "problem",
+          "Another arm uses the same driver at %1 Hz, and both share one scheduler. Close one of them first."),
+      {std::to_string(rate_hz_)});
 }
 
 void Scheduler::tryRates(const Calls& hd) {

@@ -20,10 +20,10 @@ bool isOfIpv6(char c) {
 }
 
 Problems wrong(std::string_view text) {
-  return {{said(TRANSLATE_NOOP("problem",
-                               "\"%1\" is not an address of a shared arm. Give HOST:PORT or HOST, as in "
-                               "192.168.1.20:7878, arm-pc or [fe80::1]:7878."),
-                {std::string(text)}),
+  return {{phrase(TRANSLATE_NOOP("problem",
+                                 "\"%1\" is not an address of a shared arm. Give HOST:PORT or HOST, as in "
+                                 "192.168.1.20:7878, arm-pc or [fe80::1]:7878."),
+                  {std::string(text)}),
            {}}};
 }
 

@@ -102,7 +102,7 @@ Vec3 ArmSide::keepPassive(const Vec3& displacement_T_W, double dt_s, const Vec3&
   passage.untouched = !passage.pulls;
   control::observe(energy_, passage);
   if (energy_.energy_J < kLent_J) energy_.energy_J = std::min(energy_.energy_J + kLentAgain_W * dt_s, kLent_J);
-  energy_.energy_J = std::min(energy_.energy_J, kMostStored_J);
+  energy_.energy_J = std::min(energy_.energy_J, kMaxStored_J);
   energy_.balance_J = energy_.energy_J;
   Vec3 kept_T_W = f_T_W;
   if (options_.is_passive && passage.pulls) {
@@ -197,7 +197,7 @@ void ArmSide::tick() noexcept {
   noticeSleep();  // since it was last checked: this tick's force is withdrawn, and the next one says why
   if (slept_ns_ > 0) port_.write({});
   now_.f_T_W = gated.force.f_T_W();
-  if (now_.f_T_W != Vec3::Zero()) now_.most_unfresh = std::max(now_.most_unfresh, unfresh_);
+  if (now_.f_T_W != Vec3::Zero()) now_.max_unfresh = std::max(now_.max_unfresh, unfresh_);
   now_.fault = gate_.fault;
   now_.energy_J = energy_.energy_J;
   shown_.back() = now_;

@@ -21,7 +21,7 @@ inline constexpr int kQuietPeriods = 4;
 inline constexpr std::int64_t kOldest_ns = 150'000'000;
 /// Energy that was put in long ago must not pay for a burst now: no more than this is remembered, what 0.88 N absorb
 /// over 57 mm.
-inline constexpr double kMostStored_J = 0.05;
+inline constexpr double kMaxStored_J = 0.05;
 /// A spring that pulls the tip from its position at Start gives out energy that nobody has put in. This much is lent,
 /// and again over time: more slowly than the friction of an arm dissipates it (0.26 N at 10 mm/s are 2.6 mW).
 inline constexpr double kLent_J = 0.010, kLentAgain_W = 0.001;
@@ -44,11 +44,11 @@ class ArmSide final : public servo::Ticks {
   /// What a tick saw.
   struct Shown {
     SampleMessage sample;
-    Vec3 f_T_W = Vec3::Zero();      // written
-    Fault fault;                    // of the gate here
-    double energy_J = 0.0;          // put in at the arm and not returned, including what was lent
-    std::int64_t pauses = 0;        // times that a force ended because no new one came
-    std::int64_t most_unfresh = 0;  // most forces, over all of these, sent after the last one received
+    Vec3 f_T_W = Vec3::Zero();     // written
+    Fault fault;                   // of the gate here
+    double energy_J = 0.0;         // put in at the arm and not returned, including what was lent
+    std::int64_t pauses = 0;       // times that a force ended because no new one came
+    std::int64_t max_unfresh = 0;  // most forces, over all of these, sent after the last one received
   };
   ArmSide(servo::DevicePort& port, const Options& options, system::Doorbell& shown);
 

@@ -18,23 +18,23 @@ Problems refusalReason(LineState state, const Address& address) {
   const std::string where = address.text();
   switch (state) {
     case LineState::NotAllowed:
-      return problem(said(TRANSLATE_NOOP("problem",
-                                         "The arm at %1 is not shared with you: your key is not known there. Here, "
-                                         "\"underact-cli share-arm --show-key\" prints the line to run there."),
-                          {where}));
+      return problem(phrase(TRANSLATE_NOOP("problem",
+                                           "The arm at %1 is not shared with you: your key is not known there. Here, "
+                                           "\"underact-cli share-arm --show-key\" prints the line to run there."),
+                            {where}));
     case LineState::NotTheOne:
     case LineState::Gone:
-      return problem(
-          said(TRANSLATE_NOOP(
-                   "problem",
-                   "What answers at %1 is not the arm whose key is known here. If it was given a new key, run the line "
-                   "that \"underact-cli share-arm\" prints there; if not, somebody else is answering in its place."),
-               {where}));
+      return problem(phrase(
+          TRANSLATE_NOOP(
+              "problem",
+              "What answers at %1 is not the arm whose key is known here. If it was given a new key, run the line "
+              "that \"underact-cli share-arm\" prints there; if not, somebody else is answering in its place."),
+          {where}));
     default:
-      return problem(said(TRANSLATE_NOOP("problem",
-                                         "No arm is shared at %1. Is that computer on, does \"underact-cli "
-                                         "share-arm\" run there, and is it listening for others (--listen)?"),
-                          {where}));
+      return problem(phrase(TRANSLATE_NOOP("problem",
+                                           "No arm is shared at %1. Is that computer on, does \"underact-cli "
+                                           "share-arm\" run there, and is it listening for others (--listen)?"),
+                            {where}));
   }
 }
 
@@ -47,10 +47,10 @@ std::optional<Message> nextOf(Wire& wire, int time_ms) {
       if (message) return message;
       if (const std::optional<int> version = versionOf(bytes); version && *version != kVersion)
         return Words{About::Refusal,
-                     said(TRANSLATE_NOOP("problem",
-                                         "It is shared with version %1 of the protocol, and this program speaks %2. "
-                                         "Install the same release of Underact at both ends."),
-                          {std::to_string(*version), std::to_string(kVersion)})};
+                     phrase(TRANSLATE_NOOP("problem",
+                                           "It is shared with version %1 of the protocol, and this program speaks %2. "
+                                           "Install the same release of Underact at both ends."),
+                            {std::to_string(*version), std::to_string(kVersion)})};
     }
   }
   return {};
@@ -59,7 +59,7 @@ std::optional<Message> nextOf(Wire& wire, int time_ms) {
 }  // namespace
 
 Sentence ofArmAt(const Address& address, const Sentence& words) {
-  return said(TRANSLATE_NOOP("problem", "The arm at %1: %2"), {address.text(), words});
+  return phrase(TRANSLATE_NOOP("problem", "The arm at %1: %2"), {address.text(), words});
 }
 
 Result<std::unique_ptr<Wire>> connectTo(const Endpoint& endpoint, int time_ms) {
@@ -86,11 +86,11 @@ Result<Welcome> awaitWelcome(Wire& wire, const Hello& hello, const Address& addr
       return problem(ofArmAt(address, words->text));
     }
   }
-  return problem(
-      said(TRANSLATE_NOOP(
-               "problem",
-               "The arm at %1 does not answer, although its computer does. Restart \"underact-cli share-arm\" there."),
-           {address.text()}));
+  return problem(phrase(
+      TRANSLATE_NOOP(
+          "problem",
+          "The arm at %1 does not answer, although its computer does. Restart \"underact-cli share-arm\" there."),
+      {address.text()}));
 }
 
 Result<Endpoint> endpointOf(const Address& address, const KeyFolder& folder) {
@@ -99,10 +99,10 @@ Result<Endpoint> endpointOf(const Address& address, const KeyFolder& folder) {
   Result<std::string> key = folder.keyOf(address);
   if (!key) return key.problems();
   if (key.value().empty())
-    return problem(said(TRANSLATE_NOOP("problem",
-                                       "The key of the arm at %1 is not known here. \"underact-cli share-arm\" "
-                                       "prints, at the arm's computer, the line to run here once."),
-                        {address.text()}));
+    return problem(phrase(TRANSLATE_NOOP("problem",
+                                         "The key of the arm at %1 is not known here. \"underact-cli share-arm\" "
+                                         "prints, at the arm's computer, the line to run here once."),
+                          {address.text()}));
   return Endpoint{address, key.value(), own.value()};
 }
 

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kKeyCharacters = 40, kKeyBytes = 32;
-constexpr std::size_t kMostBytes = std::size_t{1} << 20;  // of a key file
+constexpr std::size_t kMaxBytes = std::size_t{1} << 20;  // of a key file
 
 Problems problemAt(Sentence sentence, const fs::path& file) {
   return {{std::move(sentence), {file.string()}}};
@@ -40,13 +40,13 @@ fs::path usersFolder() {
 Problems notOursAlone(const system::Status& status, const Sentence& may, const Sentence& what_to_do,
                       const fs::path& file) {
   if (!status.is_trusted)
-    return problemAt(said(TRANSLATE_NOOP("problem",
-                                         "This key file belongs to another user of this computer, so it is not used. "
-                                         "Delete it, and find out who put it there.")),
+    return problemAt(phrase(TRANSLATE_NOOP("problem",
+                                           "This key file belongs to another user of this computer, so it is not used. "
+                                           "Delete it, and find out who put it there.")),
                      file);
   if ((status.rights & 077U) == 0) return {};
-  return problemAt(said(TRANSLATE_NOOP("problem", "%1 Run chmod 600 '%2' and, if somebody may have done so, %3."),
-                        {may, file.string(), what_to_do}),
+  return problemAt(phrase(TRANSLATE_NOOP("problem", "%1 Run chmod 600 '%2' and, if somebody may have done so, %3."),
+                          {may, file.string(), what_to_do}),
                    file);
 }
 
@@ -67,13 +67,13 @@ Result<std::optional<std::vector<std::string>>> linesOf(const fs::path& folder, 
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::optional<std::vector<std::string>>{};
   const Result<system::NamedFile> file =
-      system::NamedFile::open(path.string(), said(TRANSLATE_NOOP("problem", "a key")));
+      system::NamedFile::open(path.string(), phrase(TRANSLATE_NOOP("problem", "a key")));
   if (!file) return file.problems();
   const std::optional<system::Status> status = system::statusOf(file.value().descriptor());
-  if (!status) return problemAt(said(TRANSLATE_NOOP("problem", "The key file cannot be read.")), path);
-  Problems problems = notOursAlone(*status, said(which.may), said(which.what_to_do), path);
+  if (!status) return problemAt(phrase(TRANSLATE_NOOP("problem", "The key file cannot be read.")), path);
+  Problems problems = notOursAlone(*status, phrase(which.may), phrase(which.what_to_do), path);
   if (!problems.empty()) return problems;
-  const Result<std::string> text = file.value().readAll(kMostBytes);
+  const Result<std::string> text = file.value().readAll(kMaxBytes);
   if (!text) return text.problems();
   std::vector<std::string> lines;
   std::istringstream stream(text.value());
@@ -91,7 +91,7 @@ Problems writeFile(const fs::path& file, const std::string& text) {
   const int reason = system::putInPlace(system::makeNew(part.string(), system::Existing::Replace), part.string(),
                                         file.string(), text, system::Lasting::Written);
   if (reason == 0) return {};
-  return problemAt(said(TRANSLATE_NOOP("problem", "The key file cannot be written: %1."), {std::strerror(reason)}),
+  return problemAt(phrase(TRANSLATE_NOOP("problem", "The key file cannot be written: %1."), {std::strerror(reason)}),
                    file);
 }
 
@@ -104,12 +104,12 @@ std::pair<std::string, std::string> wordsOf(const std::string& line) {
 }
 
 Problems noKey(const std::string& text) {
-  return {
-      {said(TRANSLATE_NOOP("problem",
-                           "\"%1\" is not a key. A key has 40 characters; \"underact-cli share-arm --show-key\" prints "
-                           "it. Put it in single quotes, since some of its characters have a meaning in a shell."),
-            {text.substr(0, kKeyCharacters + 1)}),
-       {}}};
+  return {{phrase(TRANSLATE_NOOP(
+                      "problem",
+                      "\"%1\" is not a key. A key has 40 characters; \"underact-cli share-arm --show-key\" prints "
+                      "it. Put it in single quotes, since some of its characters have a meaning in a shell."),
+                  {text.substr(0, kKeyCharacters + 1)}),
+           {}}};
 }
 
 }  // namespace
@@ -128,8 +128,8 @@ Result<KeyPair> KeyFolder::makeNew() const {
   std::array<char, kKeyCharacters + 1> public_key{}, secret_key{};
   if (zmq_curve_keypair(public_key.data(), secret_key.data()) != 0)
     return Problems{
-        {said(TRANSLATE_NOOP("problem",
-                             "The ZeroMQ library of this computer was built without CURVE, so no arm can be shared.")),
+        {phrase(TRANSLATE_NOOP(
+             "problem", "The ZeroMQ library of this computer was built without CURVE, so no arm can be shared.")),
          {}}};
   const KeyPair pair{public_key.data(), secret_key.data()};
   const Problems problems = writeFile(folder_ / kOwn.name, pair.public_key + "\n" + pair.secret_key + "\n");
@@ -150,7 +150,7 @@ Result<KeyPair> KeyFolder::own() const {
   const std::vector<std::string>& text = *lines.value();
   if (text.size() < 2 || !isKey(text[0]) || !isKey(text[1]))
     return problemAt(
-        said(TRANSLATE_NOOP(
+        phrase(TRANSLATE_NOOP(
             "problem", "This is not a key pair. \"underact-cli share-arm --new-key\" makes a new one in its place.")),
         file);
   return KeyPair{text[0], text[1]};
@@ -170,8 +170,8 @@ Result<std::vector<std::string>> KeyFolder::clients() const {
     if (isKey(key)) {
       keys.push_back(key);
     } else {
-      problems.push_back(
-          {said(TRANSLATE_NOOP("problem", "A line must begin with a key of 40 characters.")), {file.string(), number}});
+      problems.push_back({phrase(TRANSLATE_NOOP("problem", "A line must begin with a key of 40 characters.")),
+                          {file.string(), number}});
     }
   }
   if (!problems.empty()) return problems;
@@ -199,7 +199,7 @@ Result<std::string> KeyFolder::keyOf(const Address& address) const {
     const auto [host, key] = wordsOf(line);
     if (host != address.text()) continue;
     if (!isKey(key))
-      return problemAt(said(TRANSLATE_NOOP("problem", "The key of %1 in this file is not valid."), {host}), file);
+      return problemAt(phrase(TRANSLATE_NOOP("problem", "The key of %1 in this file is not valid."), {host}), file);
     return key;
   }
   if (!address.isThisMachine()) return std::string();

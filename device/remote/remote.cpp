@@ -31,7 +31,7 @@ std::vector<Found> searchRow() {
   const char* const title = welcome.value().allows_force
                                 ? TRANSLATE_NOOP("problem", "%1, shared on this computer")
                                 : TRANSLATE_NOOP("problem", "%1, shared on this computer, without force");
-  return {{said(title, {welcome.value().title}), here.text(), {}}};
+  return {{phrase(title, {welcome.value().title}), here.text(), {}}};
 }
 
 }  // namespace underact::device::remote

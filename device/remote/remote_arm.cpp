@@ -40,8 +40,8 @@ Problems RemoteArm::connect() {
   Result<Welcome> welcome = ask(*wire.value());
   if (!welcome) return welcome.problems();
   if (welcome.value().rate_hz != rate_hz_)
-    return {{said(TRANSLATE_NOOP("problem", "The arm at %1 ticks at %2 Hz, not at %3 Hz."),
-                  {endpoint_.address.text(), std::to_string(welcome.value().rate_hz), std::to_string(rate_hz_)}),
+    return {{phrase(TRANSLATE_NOOP("problem", "The arm at %1 ticks at %2 Hz, not at %3 Hz."),
+                    {endpoint_.address.text(), std::to_string(welcome.value().rate_hz), std::to_string(rate_hz_)}),
              {}}};
   wire_ = std::move(wire).value();
   {
@@ -52,7 +52,7 @@ Problems RemoteArm::connect() {
   }
   ++line_;
   sequence_ = 0;
-  came_ns_ = wrote_ns_ = said_ns_ = system::monotonicNow_ns();
+  came_ns_ = wrote_ns_ = sent_ns_ = system::monotonicNow_ns();
   ends_ = false;
   is_lost_ = false;
   missed_ = 0;
@@ -115,15 +115,16 @@ void RemoteArm::run() {
     const bool is_broken = wire_->state() != LineState::Connected;
     if (is_broken) hear();  // the reason, if it was sent
     if (is_broken)
-      lose(said(TRANSLATE_NOOP("problem",
-                               "The connection to the arm at %1 was lost. Check the network and the sharing program on "
-                               "its computer, then press Restart."),
-                {endpoint_.address.text()}));
+      lose(phrase(
+          TRANSLATE_NOOP("problem",
+                         "The connection to the arm at %1 was lost. Check the network and the sharing program on "
+                         "its computer, then press Restart."),
+          {endpoint_.address.text()}));
     else if (now_ns - came_ns_ > kLost_ns)
-      lose(said(TRANSLATE_NOOP("problem",
-                               "The arm at %1 no longer sends anything. Check the network and the sharing program on "
-                               "its computer, then press Restart."),
-                {endpoint_.address.text()}));
+      lose(phrase(TRANSLATE_NOOP("problem",
+                                 "The arm at %1 no longer sends anything. Check the network and the sharing program on "
+                                 "its computer, then press Restart."),
+                  {endpoint_.address.text()}));
   }
   if (is_lost_) wire_.reset();  // late messages are ignored
 }
@@ -166,14 +167,14 @@ void RemoteArm::speak(std::int64_t now_ns) {
   sent_ = wanted.number;
   const bool is_cut = is_cut_.load(std::memory_order_acquire);
   const std::int64_t quiet_ns = kQuietTicks * period_ns_;
-  const bool is_quiet = now_ns - wrote_ns_ >= quiet_ns && now_ns - said_ns_ >= quiet_ns;
+  const bool is_quiet = now_ns - wrote_ns_ >= quiet_ns && now_ns - sent_ns_ >= quiet_ns;
   if (!is_new && !is_quiet && !is_cut) return;
   ForceMessage message;
   if (is_new && !is_cut) message = wanted;
   if (!is_new || is_cut) message.answered = sequence_;
   message.number = ++forces_;
   wire_->send(bytesOf(message));
-  said_ns_ = now_ns;
+  sent_ns_ = now_ns;
 }
 
 std::int64_t RemoteArm::staleAfter_ns() const noexcept {
@@ -224,10 +225,10 @@ void RemoteArm::cut() noexcept {
 }
 
 Sentence RemoteArm::fixedRateReason() const {
-  return said(TRANSLATE_NOOP("problem",
-                             "The arm at %1 keeps the rate that it was opened with. Choose the simulated arm, then "
-                             "the rate, and open it again."),
-              {endpoint_.address.text()});
+  return phrase(TRANSLATE_NOOP("problem",
+                               "The arm at %1 keeps the rate that it was opened with. Choose the simulated arm, then "
+                               "the rate, and open it again."),
+                {endpoint_.address.text()});
 }
 
 Sentence RemoteArm::trouble() const {
@@ -235,7 +236,7 @@ Sentence RemoteArm::trouble() const {
   if (!loss_.empty()) return loss_;
   if (!trouble_.empty()) return ofArmAt(endpoint_.address, trouble_);
   if (missed_ >= kSilentReads)
-    return said(
+    return phrase(
         TRANSLATE_NOOP(
             "problem",
             "The arm at %1 no longer sends anything. Check the network and the sharing program on its computer."),
@@ -254,7 +255,7 @@ servo::DeviceInfo RemoteArm::info() const {
   const std::scoped_lock lock(words_mutex_);
   const char* const title = welcome_.allows_force ? TRANSLATE_NOOP("problem", "%1 at %2")
                                                   : TRANSLATE_NOOP("problem", "%1 at %2, without force");
-  return {said(title, {welcome_.title, endpoint_.address.text()}), false, true, welcome_.frozen_s};
+  return {phrase(title, {welcome_.title, endpoint_.address.text()}), false, true, welcome_.frozen_s};
 }
 
 }  // namespace underact::device::remote

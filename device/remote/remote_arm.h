@@ -79,7 +79,7 @@ class RemoteArm final : public servo::DevicePort {
   // The thread's.
   std::uint64_t samples_ = 0, sequence_ = 0, forces_ = 0, sent_ = 0;
   std::int64_t wrote_ns_ = 0;  // the tick, as seen from here
-  std::int64_t said_ns_ = 0;   // anything sent
+  std::int64_t sent_ns_ = 0;   // anything sent
   Bytes bytes_;
   // The tick's.
   std::uint64_t number_ = 0, writes_ = 0, answered_ = 0;

@@ -251,7 +251,7 @@ void Share::show() {
   hub_->send(seat_, bytesOf(message));
   if (shown.f_T_W != Vec3::Zero() && !std::exchange(pushed_, true)) tell_("It pushes.");
   if (std::exchange(pauses_, shown.pauses) < shown.pauses)
-    tell_("No force received: zero after " + std::to_string(shown.most_unfresh) + " more periods at most.");
+    tell_("No force received: zero after " + std::to_string(shown.max_unfresh) + " more periods at most.");
 }
 
 std::string Share::troubleNow() {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kEvents = "inproc://line";
 // What waits on a slow connection is out of date: little of it is kept, here and in the system.
-constexpr int kMostWaiting = 5, kSystemBytes = 16384;
+constexpr int kMaxWaiting = 5, kSystemBytes = 16384;
 constexpr int kHandshake_ms = 2000, kHeartbeat_ms = 1000, kSilence_ms = 3000;
 
 /// ZeroMQ handles messages in threads of its own: on a busy computer they need the priority of the threads that wait
@@ -94,7 +94,7 @@ Result<std::unique_ptr<Wire>> Wire::open(const Address& address, const std::stri
     socket.set(zmq::sockopt::curve_serverkey, server_key);
     socket.set(zmq::sockopt::curve_publickey, own.public_key);
     socket.set(zmq::sockopt::curve_secretkey, own.secret_key);
-    socket.set(zmq::sockopt::sndhwm, kMostWaiting);
+    socket.set(zmq::sockopt::sndhwm, kMaxWaiting);
     socket.set(zmq::sockopt::sndbuf, kSystemBytes);
     socket.set(zmq::sockopt::rcvbuf, kSystemBytes);
     socket.set(zmq::sockopt::maxmsgsize, std::int64_t{kLongestMessage});
@@ -108,7 +108,8 @@ Result<std::unique_ptr<Wire>> Wire::open(const Address& address, const std::stri
     socket.connect("tcp://" + address.text());
     return std::unique_ptr<Wire>(new Wire(std::move(impl)));
   } catch (const zmq::error_t& error) {
-    return Problems{{said(TRANSLATE_NOOP("problem", "No connection to %1: %2."), {address.text(), error.what()}), {}}};
+    return Problems{
+        {phrase(TRANSLATE_NOOP("problem", "No connection to %1: %2."), {address.text(), error.what()}), {}}};
   }
 }
 
@@ -163,7 +164,7 @@ struct Hub::Impl {
   std::vector<std::string> allowed;
   int turned_away = 0;
 
-  void letIn();
+  void admit();
   void answer();
 };
 
@@ -180,7 +181,7 @@ Result<std::unique_ptr<Hub>> Hub::open(const Address& address, const KeyPair& ow
     socket.set(zmq::sockopt::zap_domain, "underact");
     socket.set(zmq::sockopt::curve_server, true);
     socket.set(zmq::sockopt::curve_secretkey, own.secret_key);
-    socket.set(zmq::sockopt::sndhwm, kMostWaiting);
+    socket.set(zmq::sockopt::sndhwm, kMaxWaiting);
     socket.set(zmq::sockopt::sndbuf, kSystemBytes);
     socket.set(zmq::sockopt::rcvbuf, kSystemBytes);
     socket.set(zmq::sockopt::maxmsgsize, std::int64_t{kLongestMessage});
@@ -198,10 +199,10 @@ Result<std::unique_ptr<Hub>> Hub::open(const Address& address, const KeyPair& ow
                 (address.port == 0 ? address.text().substr(0, address.text().size() - 1) + "*" : address.text()));
     return std::unique_ptr<Hub>(new Hub(std::move(impl)));
   } catch (const zmq::error_t& error) {
-    return Problems{{said(TRANSLATE_NOOP("problem",
-                                         "Connections cannot be accepted at %1: %2. Is an arm already shared there? "
-                                         "Choose another port with --listen HOST:PORT."),
-                          {address.text(), error.what()}),
+    return Problems{{phrase(TRANSLATE_NOOP("problem",
+                                           "Connections cannot be accepted at %1: %2. Is an arm already shared there? "
+                                           "Choose another port with --listen HOST:PORT."),
+                            {address.text(), error.what()}),
                      {}}};
   }
 }
@@ -234,7 +235,7 @@ void Hub::Impl::answer() {
     keeper.send(zmq::buffer(reply[part]), part + 1 < reply.size() ? zmq::send_flags::sndmore : zmq::send_flags::none);
 }
 
-void Hub::Impl::letIn() {
+void Hub::Impl::admit() {
   try {
     zmq::pollitem_t item{keeper.handle(), 0, ZMQ_POLLIN, 0};
     while (zmq_poll(&item, 1, 0) > 0) answer();
@@ -247,7 +248,7 @@ void Hub::wait(int bell, int time_ms) {
                    zmq::pollitem_t{impl_->keeper.handle(), 0, ZMQ_POLLIN, 0},
                    zmq::pollitem_t{nullptr, bell, ZMQ_POLLIN, 0}};
   zmq_poll(items.data(), bell < 0 ? 2 : 3, bell < 0 ? std::min(time_ms, 1) : time_ms);
-  if ((items[1].revents & ZMQ_POLLIN) != 0) impl_->letIn();
+  if ((items[1].revents & ZMQ_POLLIN) != 0) impl_->admit();
 }
 
 bool Hub::receive(std::string& from, Bytes& bytes) {

@@ -24,12 +24,13 @@ Result<HidNode> find(const std::vector<HidNode>& nodes, const std::string& which
   }
   const Sentence none =
       which.empty()
-          ? said(TRANSLATE_NOOP("problem", "No WoodenHaptics arm is plugged in."))
-          : said(TRANSLATE_NOOP("problem", "No WoodenHaptics arm with the serial number or path \"%1\" is plugged in."),
-                 {which});
+          ? phrase(TRANSLATE_NOOP("problem", "No WoodenHaptics arm is plugged in."))
+          : phrase(
+                TRANSLATE_NOOP("problem", "No WoodenHaptics arm with the serial number or path \"%1\" is plugged in."),
+                {which});
   if (others.empty()) return problem(none);
   return problem(oneAfterAnother(
-      {none, said(TRANSLATE_NOOP("problem", "Devices that may be one, and can be chosen by name: %1."), {others})}));
+      {none, phrase(TRANSLATE_NOOP("problem", "Devices that may be one, and can be chosen by name: %1."), {others})}));
 }
 
 /// The first report that arrives, and the format that its length implies. Zero is sent in the shortest form first: too
@@ -40,7 +41,7 @@ Result<WoodenLine> listen(HidNode node, std::unique_ptr<HidPipe> pipe) {
   for (int ask = 0; ask < kAsks; ++ask) {
     const int size = pipe->read(bytes, kAsk_ms);
     if (size < 0)
-      return problem(said(TRANSLATE_NOOP(
+      return problem(phrase(TRANSLATE_NOOP(
           "problem", "The WoodenHaptics arm was unplugged while it was being opened. Plug it in again.")));
     const auto format = formatOf(static_cast<std::size_t>(size));
     if (format) {
@@ -52,14 +53,14 @@ Result<WoodenLine> listen(HidNode node, std::unique_ptr<HidPipe> pipe) {
     pipe->write(currentsMessage(kTried[static_cast<std::size_t>(ask) % kTried.size()], {}).span());
   }
   if (last_size > 0)
-    return problem(
-        said(TRANSLATE_NOOP("problem", "%1 sends reports of %2 bytes; those of a WoodenHaptics arm have 8, 14 or 64."),
-             {node.path, std::to_string(last_size)}));
-  return problem(
-      said(TRANSLATE_NOOP(
-               "problem",
-               "The WoodenHaptics arm at %1 sends nothing. Press the reset button on its board, or plug it in again."),
-           {node.path}));
+    return problem(phrase(
+        TRANSLATE_NOOP("problem", "%1 sends reports of %2 bytes; those of a WoodenHaptics arm have 8, 14 or 64."),
+        {node.path, std::to_string(last_size)}));
+  return problem(phrase(
+      TRANSLATE_NOOP(
+          "problem",
+          "The WoodenHaptics arm at %1 sends nothing. Press the reset button on its board, or plug it in again."),
+      {node.path}));
 }
 
 }  // namespace
@@ -85,10 +86,10 @@ std::vector<HidNode> woodenNodes(HidBus& bus) {
 Result<WoodenLine> shakeHands(HidBus& bus, const WoodenChoice& choice) {
   if (choice.model != nullptr && !choice.model->is_open)
     return problem(
-        said(TRANSLATE_NOOP(
-                 "problem",
-                 "The kinematics of the arm \"%1\" are not published, so it cannot be used. WoodenHaptics arms can."),
-             {choice.model->title}));
+        phrase(TRANSLATE_NOOP(
+                   "problem",
+                   "The kinematics of the arm \"%1\" are not published, so it cannot be used. WoodenHaptics arms can."),
+               {choice.model->title}));
   const Result<HidNode> node = find(woodenNodes(bus), choice.which);
   if (!node) return node.problems();
   Result<std::unique_ptr<HidPipe>> pipe = bus.open(node.value());

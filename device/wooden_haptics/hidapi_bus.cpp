@@ -79,18 +79,19 @@ class HidapiBus final : public HidBus {
       pipe = std::make_unique<HidapiPipe>(node.path);
     }
     if (pipe->isTaken())
-      return Problems{{said(TRANSLATE_NOOP("problem", "%1 is already in use, here or by another program of this kind."),
-                            {node.path}),
-                       {}}};
+      return Problems{
+          {phrase(TRANSLATE_NOOP("problem", "%1 is already in use, here or by another program of this kind."),
+                  {node.path}),
+           {}}};
     if (pipe->isOpen()) return std::unique_ptr<HidPipe>(std::move(pipe));
     if (!mayOpen(node))
       return Problems{
-          {said(TRANSLATE_NOOP("problem",
-                               "You do not have permission to open %1. This command, in a terminal, grants it: %2"),
-                {node.path, udevCommand(node)}),
+          {phrase(TRANSLATE_NOOP("problem",
+                                 "You do not have permission to open %1. This command, in a terminal, grants it: %2"),
+                  {node.path, udevCommand(node)}),
            {}}};
     return Problems{
-        {said(TRANSLATE_NOOP("problem", "%1 cannot be opened. Unplug it and plug it in again."), {node.path}), {}}};
+        {phrase(TRANSLATE_NOOP("problem", "%1 cannot be opened. Unplug it and plug it in again."), {node.path}), {}}};
   }
 
   bool mayOpen(const HidNode& node) const override { return system::mayReadAndWrite(node.path); }

@@ -43,7 +43,7 @@ Currents_mA woodenCurrents(const WoodenModel& model, const WoodenWiring& wiring,
     if (!std::isfinite(wanted_mA[body])) return {};
     largest_mA = std::max(largest_mA, std::abs(wanted_mA[body]));
   }
-  const double share = largest_mA > kMostCurrent_mA ? kMostCurrent_mA / largest_mA : 1.0;
+  const double share = largest_mA > kMaxCurrent_mA ? kMaxCurrent_mA / largest_mA : 1.0;
   Currents_mA currents_mA{};
   for (std::size_t body = 0; body < 3; ++body)
     currents_mA[body] = static_cast<std::int16_t>(std::round(share * wanted_mA[body]));

@@ -16,7 +16,7 @@ arm::JointAngles woodenJoints(const WoodenModel& model, const WoodenWiring& wiri
 bool isWoodenPosture(const arm::JointAngles& q_rad);
 
 /// The currents for the force f_T_W, N, on the tip: torques by the transposed Jacobian, through capstans and torque
-/// constants, to the nearest mA. If a motor would need more than kMostCurrent_mA, all are scaled down alike, so that
+/// constants, to the nearest mA. If a motor would need more than kMaxCurrent_mA, all are scaled down alike, so that
 /// the force keeps its direction. For a force that is not finite: 0.
 Currents_mA woodenCurrents(const WoodenModel& model, const WoodenWiring& wiring, const arm::JointAngles& q_rad,
                            const Vec3& f_T_W) noexcept UNDERACT_REAL_TIME;

@@ -46,7 +46,7 @@ const WoodenModel* findWoodenModel(std::string_view key);
 const WoodenModel& defaultWoodenModel(WoodenProtocol protocol);
 
 /// The limit of each motor, mA.
-inline constexpr double kMostCurrent_mA = 2000.0;
+inline constexpr double kMaxCurrent_mA = 2000.0;
 
 /// The signs of counts and currents, and where counting begins. The same for all arms of a protocol.
 struct WoodenWiring {

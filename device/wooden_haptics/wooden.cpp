@@ -28,14 +28,14 @@ std::vector<Found> searchWooden(HidBus& bus) {
         std::count_if(nodes.begin(), nodes.end(), [&](const HidNode& other) { return other.serial == node.serial; });
     const bool has_serial = !node.serial.empty() && alike == 1;
     Found one{id.board, has_serial ? node.serial : node.path, {}};
-    one.title = has_serial ? said(TRANSLATE_NOOP("problem", "%1, serial %2"), {id.board, one.address})
+    one.title = has_serial ? phrase(TRANSLATE_NOOP("problem", "%1, serial %2"), {id.board, one.address})
                            : Sentence(id.board + (", " + one.address));
-    if (id.is_shared) one.title = said(TRANSLATE_NOOP("problem", "%1: perhaps a WoodenHaptics arm"), {one.title});
+    if (id.is_shared) one.title = phrase(TRANSLATE_NOOP("problem", "%1: perhaps a WoodenHaptics arm"), {one.title});
     if (!bus.mayOpen(node))
       one.missing.push_back(
-          {said(TRANSLATE_NOOP("problem",
-                               "You do not have permission to open %1: the system's rules give it to nobody."),
-                {node.path}),
+          {phrase(TRANSLATE_NOOP("problem",
+                                 "You do not have permission to open %1: the system's rules give it to nobody."),
+                  {node.path}),
            udevCommand(node)});
     found.push_back(std::move(one));
   }

@@ -21,8 +21,8 @@ constexpr std::int64_t kSilent_ns = 100'000'000;
 constexpr int kSilentReads = 20;  // in a row; after more, the gate gives up
 // Steps of 0.05 mm at the tip: a hand that holds the arm crosses many per second.
 constexpr double kFrozen_s = 1.0;
-constexpr int kMostRefused = 5;  // messages in a row that the arm did not accept: a single one may be lost
-constexpr int kRead_ms = 5;      // how often a thread checks whether to end
+constexpr int kMaxRefused = 5;  // messages in a row that the arm did not accept: a single one may be lost
+constexpr int kRead_ms = 5;     // how often a thread checks whether to end
 constexpr std::int64_t kBetweenCalibrations_ns = 50'000'000;  // until the arm has answered the last one
 
 std::int64_t periodOf(int rate_hz) {
@@ -66,15 +66,15 @@ Problems WoodenArm::connect() {
     const std::scoped_lock lock(words_mutex_);
     const std::string& serial = line.value().node.serial;
     info_ = {serial.empty() ? Sentence(model_->title)
-                            : said(TRANSLATE_NOOP("problem", "%1, serial %2"), {model_->title, serial}),
+                            : phrase(TRANSLATE_NOOP("problem", "%1, serial %2"), {model_->title, serial}),
              false, true, kFrozen_s, serial};
-    way_home_ = format_.protocol == WoodenProtocol::V1
-                    ? said(TRANSLATE_NOOP("problem",
-                                          "Unplug it, put it in its home posture (upper arm upright, forearm level, "
-                                          "straight ahead), plug it in and press Restart."))
-                    : said(TRANSLATE_NOOP("problem",
-                                          "Put it in its home posture (upper arm upright, forearm level, straight "
-                                          "ahead) and press the calibration button on its board."));
+    home_path_ = format_.protocol == WoodenProtocol::V1
+                     ? phrase(TRANSLATE_NOOP("problem",
+                                             "Unplug it, put it in its home posture (upper arm upright, forearm level, "
+                                             "straight ahead), plug it in and press Restart."))
+                     : phrase(TRANSLATE_NOOP("problem",
+                                             "Put it in its home posture (upper arm upright, forearm level, straight "
+                                             "ahead) and press the calibration button on its board."));
   }
   ends_ = false;
   calibrates_ = false;
@@ -151,17 +151,17 @@ void WoodenArm::take(const WoodenReport& report) {
 }
 
 void WoodenArm::writeAll() {
-  std::uint64_t said = wanted_.latest().number;  // a command for a lost connection is not sent on this one
-  std::int64_t said_ns = 0, calibrated_ns = 0;
+  std::uint64_t given = wanted_.latest().number;  // a command for a lost connection is not sent on this one
+  std::int64_t sent_ns = 0, calibrated_ns = 0;
   int refused = 0;
   while (!ends_ && loss_ == Loss::None) {
     const std::int64_t quiet_ns = kQuietPeriods * period_ns_;
     wrote_.waitFor(quiet_ns);
     const std::int64_t now_ns = system::monotonicNow_ns();
     const Wanted& wanted = wanted_.latest();
-    const bool is_new = wanted.number != said, is_quiet = now_ns - said_ns >= quiet_ns;
+    const bool is_new = wanted.number != given, is_quiet = now_ns - sent_ns >= quiet_ns;
     if (!is_new && !is_quiet && !is_cut_ && !calibrates_) continue;  // woken again for what was sent already
-    said = wanted.number;
+    given = wanted.number;
     WoodenMessage message =
         currentsMessage(format_, is_new && !is_cut_ && !calibrates_ ? wanted.currents_mA : Currents_mA{});
     if (calibrates_ && now_ns - calibrated_ns >= kBetweenCalibrations_ns) {
@@ -169,8 +169,8 @@ void WoodenArm::writeAll() {
       calibrated_ns = now_ns;
     }
     refused = pipe_->write(message.span()) ? 0 : refused + 1;
-    if (refused > kMostRefused) lose(Loss::Writing);
-    said_ns = now_ns;
+    if (refused > kMaxRefused) lose(Loss::Writing);
+    sent_ns = now_ns;
   }
   pipe_->write(currentsMessage(format_, {}).span());  // whatever was lost: it may still arrive
 }
@@ -239,17 +239,18 @@ servo::ZeroForceMessage WoodenArm::zeroForceMessage() const {
 
 Sentence WoodenArm::trouble() const {
   if (loss_ != Loss::None)
-    return said(TRANSLATE_NOOP(
+    return phrase(TRANSLATE_NOOP(
         "problem", "The WoodenHaptics arm was unplugged, or its connection was lost. Plug it in and press Restart."));
   if (isSilent())
-    return said(TRANSLATE_NOOP("problem",
-                               "The WoodenHaptics arm is plugged in, but sends nothing. Press the reset button on its "
-                               "board, or plug it in again, and press Restart."));
+    return phrase(
+        TRANSLATE_NOOP("problem",
+                       "The WoodenHaptics arm is plugged in, but sends nothing. Press the reset button on its "
+                       "board, or plug it in again, and press Restart."));
   const std::scoped_lock lock(words_mutex_);
   if (is_lost_)
     return oneAfterAnother(
-        {said(TRANSLATE_NOOP("problem", "The WoodenHaptics arm does not know its posture, so it gives no force.")),
-         way_home_});
+        {phrase(TRANSLATE_NOOP("problem", "The WoodenHaptics arm does not know its posture, so it gives no force.")),
+         home_path_});
   return {};
 }
 

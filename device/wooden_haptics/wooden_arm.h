@@ -77,7 +77,7 @@ class WoodenArm final : public servo::DevicePort {
   std::thread reader_, writer_;
   mutable std::mutex words_mutex_;  // never in the tick
   servo::DeviceInfo info_{"WoodenHaptics"};
-  Sentence way_home_;
+  Sentence home_path_;
   // Between threads.
   servo::Slot<Taken> taken_;
   servo::Slot<Wanted> wanted_;

@@ -18,7 +18,7 @@ TOGETHER = 12  # as the build has it: reading headers is most of the time
 SWITCHED_OFF = re.compile(r'(?:#\s*pragma|_Pragma|__pragma)\b[^\n]*(?:function-effects|everything)')
 EXCEPTION = re.compile(r"\bUNDERACT_EXCEPTED\(")
 NO_CAST = re.compile(r"\bexcepted\(")
-LEAST_REASON = 15  # letters
+MIN_REASON = 15  # letters
 
 
 @dataclasses.dataclass(frozen=True)
@@ -124,7 +124,7 @@ def exceptions(texts):
                 reason = reason_of(line, opening.end())
                 if reason is None:
                     wrong.append(f"{place}: an exception is a reason, one expression, on one line.")
-                elif len(reason) < LEAST_REASON:
+                elif len(reason) < MIN_REASON:
                     wrong.append(f"{place}: no reason is said.")
                 else:
                     found.append(Excepted(path, number, reason))

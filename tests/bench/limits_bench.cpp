@@ -42,7 +42,7 @@ std::vector<Pose> posesOf(const chain::Chain& chain) {
 void withinLimits(benchmark::State& state, const std::string& name) {
   const kinematics::SolvedArm arm = armOf(name);
   const std::vector<Pose> poses = posesOf(arm.chain());
-  std::vector<double> least_us(poses.size(), kInfinity);
+  std::vector<double> min_us(poses.size(), kInfinity);
   int within = 0;
   for (auto unused : state) {
     for (int round = 0; round < kTimes; ++round) {
@@ -51,15 +51,15 @@ void withinLimits(benchmark::State& state, const std::string& name) {
         const auto begin = std::chrono::steady_clock::now();
         const kinematics::Answer answer = kinematics::solve(arm, poses[i], kinematics::Method::Iteration, {});
         const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
-        least_us[i] = std::min(least_us[i], took.count());
+        min_us[i] = std::min(min_us[i], took.count());
         within += !answer.found.empty() && answer.found[0].within_limits ? 1 : 0;
       }
     }
   }
-  std::sort(least_us.begin(), least_us.end());
+  std::sort(min_us.begin(), min_us.end());
   state.counters["within"] = within;
-  state.counters["median_us"] = least_us[kPoses / 2];
-  state.counters["p99_us"] = least_us[kPoses * 99 / 100];
+  state.counters["median_us"] = min_us[kPoses / 2];
+  state.counters["p99_us"] = min_us[kPoses * 99 / 100];
 }
 
 BENCHMARK_CAPTURE(withinLimits, panda, "panda")->Iterations(1);

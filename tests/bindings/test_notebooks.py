@@ -8,7 +8,7 @@ import unittest
 from beside import ROOT
 from run_notebooks import GUIDE, NOTEBOOKS, run
 
-MOST_BYTES = 60_000  # of each, with its pictures: they are part of the Debian package
+MAX_BYTES = 60_000  # of each, with its pictures: they are part of the Debian package
 
 
 class Notebooks(unittest.TestCase):
@@ -24,7 +24,7 @@ class Notebooks(unittest.TestCase):
         self.assertEqual(len(NOTEBOOKS), 5)
         for path in NOTEBOOKS:
             text = path.read_text(encoding="utf-8")
-            self.assertLess(len(text), MOST_BYTES, path.name)
+            self.assertLess(len(text), MAX_BYTES, path.name)
             self.assertNotIn("/work/", text)
             self.assertNotIn("/home/", text)
             cells = [cell for cell in json.loads(text)["cells"] if cell["cell_type"] == "code"]

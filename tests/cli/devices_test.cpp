@@ -9,7 +9,7 @@ using cli::Exit;
 
 TEST(Devices, AreListedWithWhatIsMissing) {
   const Outcome outcome = runCli({"devices"});
-  EXPECT_EQ(outcome.exit, Exit::Well);
+  EXPECT_EQ(outcome.exit, Exit::Success);
   EXPECT_NE(outcome.out.find("Simulated arm"), std::string::npos);
   EXPECT_NE(outcome.out.find("(--device simulated)"), std::string::npos);
   EXPECT_NE(outcome.out.find("WoodenHaptics"), std::string::npos);
@@ -17,7 +17,7 @@ TEST(Devices, AreListedWithWhatIsMissing) {
 
 TEST(Devices, AreObjectsForPrograms) {
   const Outcome outcome = runCli({"devices", "--json"});
-  EXPECT_EQ(outcome.exit, Exit::Well);
+  EXPECT_EQ(outcome.exit, Exit::Success);
   bool has_simulated = false;
   for (const json::Value& device : lines(outcome.out)) {
     EXPECT_FALSE(textAt(device, "kind").empty());
@@ -36,7 +36,7 @@ TEST(Devices, ThatDoNotExistAreRefusedWithThoseThatDo) {
 
 TEST(Devices, AreTriedWithoutForceForAReport) {
   const Outcome outcome = runCli({"devices", "--report", "simulated", "--seconds", "0.3", "--words", "It felt round."});
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   EXPECT_NE(outcome.out.find("Arm: simulated, Simulated arm\n"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("Remarks: It felt round.\n"), std::string::npos);
   EXPECT_NE(outcome.out.find("without a sample: 0"), std::string::npos) << outcome.out;

@@ -21,7 +21,7 @@ TEST(IdentifyCommand, FindsWithinFivePercentWhatTheSimulationWasGivenAndWritesAF
   const std::string out = scratchPath("out.json"), report = scratchPath("report.md");
   const Outcome outcome =
       runCli({"identify", "--arm-model", given.path(), "--json", "--name", "again", "--out", out, "--report", report});
-  ASSERT_EQ(outcome.exit, cli::Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, cli::Exit::Success) << outcome.err;
   const json::Value result = lines(outcome.out).at(0);
   EXPECT_NEAR(numberAt(result, "mass_kg"), 0.08, 0.05 * 0.08);
   EXPECT_NEAR(numberAt(result, "friction_N"), 0.15, 0.05 * 0.15);
@@ -45,14 +45,14 @@ TEST(IdentifyCommand, FindsWithinFivePercentWhatTheSimulationWasGivenAndWritesAF
   EXPECT_GT(std::abs(numberAt(stepOf("vendor-nominal"), "rise_10_90_s") - was_s), 0.1 * was_s);
   const Outcome run =
       runCli({"run", shipped("01_point.json"), "--hand", "still", "--seconds", "0.2", "--fast", "--arm-model", out});
-  EXPECT_EQ(run.exit, cli::Exit::Well) << run.err;
+  EXPECT_EQ(run.exit, cli::Exit::Success) << run.err;
   std::filesystem::remove(out);
   std::filesystem::remove(report);
 }
 
 TEST(IdentifyCommand, PrintsATableWithWhatWasGivenBeside) {
   const Outcome outcome = runCli({"identify"});
-  ASSERT_EQ(outcome.exit, cli::Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, cli::Exit::Success) << outcome.err;
   EXPECT_NE(outcome.out.find("Mass along z"), std::string::npos);
   EXPECT_NE(outcome.out.find("difference"), std::string::npos);
   EXPECT_NE(outcome.out.find("Counts per turn, shin               15419.0"), std::string::npos) << outcome.out;

@@ -82,8 +82,8 @@ TEST(Interrupt, OfARunLeavesItsResults) {
     ASSERT_TRUE(comes([&] { return std::filesystem::exists(rows); }));
     run.kill(signal);
     EXPECT_NE(run.end(), -1) << signal << " ended it at once";
-    EXPECT_TRUE(run.says("\"ticks\": ")) << run.said();
-    EXPECT_TRUE(run.says("\"guard\": ")) << run.said();
+    EXPECT_TRUE(run.says("\"ticks\": ")) << run.output();
+    EXPECT_TRUE(run.says("\"guard\": ")) << run.output();
   }
 }
 

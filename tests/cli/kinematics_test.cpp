@@ -33,7 +33,7 @@ std::string linesFrom(const Value& file, const char* key, const char* field) {
 }
 
 std::vector<Value> commandAnswers(const std::vector<std::string>& command, const std::string& in,
-                                  Exit exit = Exit::Well) {
+                                  Exit exit = Exit::Success) {
   const Outcome outcome = runCli(command, in);
   EXPECT_EQ(outcome.exit, exit) << outcome.err;
   return lines(outcome.out);

@@ -11,7 +11,7 @@ using cli::Exit;
 TEST(LabSearch, TellsTimeAndErrorOfEachSearchOfAMesh) {
   const Outcome outcome =
       runCli({"lab", "search", scene("26_bumpy_sphere"), "--hand", "probe", "--seconds", "2", "--json"});
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   const json::Value object = lines(outcome.out).at(0);
   EXPECT_EQ(textAt(object, "constraint"), "ball");
   EXPECT_GT(numberAt(object, "count"), 15000);
@@ -28,7 +28,7 @@ TEST(LabSearch, TellsTimeAndErrorOfEachSearchOfAMesh) {
 
 TEST(LabSearch, TellsThemOfACurveAsATableToo) {
   const Outcome outcome = runCli({"lab", "search", scene("29_signature"), "--seconds", "1"});
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   EXPECT_NE(outcome.out.find("stroke, "), std::string::npos);
   for (const char* search : {"local", "hybrid", "global"}) EXPECT_NE(outcome.out.find(search), std::string::npos);
 }

@@ -15,7 +15,7 @@ using cli::Exit;
 TEST(LabStability, OneWallHasBothLimitsOfTheTable) {
   const Outcome outcome = runCli({"lab", "stability", "--mass_kg", "0.045", "--damping_N_s_per_m", "0.1",
                                   "--kd_N_s_per_m", "2", "--rate_hz", "4000", "--delay_ticks", "1", "--json"});
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   const json::Value cell = lines(outcome.out).at(0);
   EXPECT_NEAR(numberAt(cell, "exact_limit_N_per_m"), 5531.7, 0.1);
   EXPECT_NEAR(numberAt(cell, "simulated_limit_N_per_m"), 5531.7, 0.02 * 5531.7);
@@ -36,13 +36,13 @@ TEST(LabStability, OneStiffnessIsLabelled) {
 
 TEST(LabStability, WhatIsNotLinearHasNoExactLimit) {
   const Outcome outcome = runCli({"lab", "stability", "--friction_N", "0.26", "--json"});
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   EXPECT_TRUE(isNullAt(lines(outcome.out).at(0), "exact_limit_N_per_m"));
 }
 
 TEST(LabStability, AMapIsATableWithARowForEachDampingOfEachVariant) {
   const Outcome outcome = runCli({"lab", "stability", "--map", "hand", "--json"});
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   const std::vector<json::Value> rows = lines(outcome.out);
   EXPECT_EQ(rows.size(), 3U * 11U);
   for (const json::Value& row : rows) {
@@ -64,14 +64,14 @@ TEST(LabStability, AFolderGetsTablesAndPictures) {
 
 TEST(LabStability, AScenesLimitIsFoundAndOneThatHoldsNothingIsLeftOut) {
   const Outcome outcome = runCli({"lab", "stability", "--map", "scenes", "--scenes", scene("04_plane"), "--json"});
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   const std::vector<json::Value> rows = lines(outcome.out);
   EXPECT_EQ(rows.size(), 4U * 6U);
   EXPECT_EQ(textAt(rows.at(0), "scene"), "04_plane");
   EXPECT_EQ(numberAt(rows.at(0), "rate_hz"), 500.0);
   EXPECT_NEAR(numberAt(rows.at(0), "simulated_N_per_m"), 100.0, 3.0);
   const Outcome nothing = runCli({"lab", "stability", "--map", "scenes", "--scenes", scene("20_scara")});
-  EXPECT_EQ(nothing.exit, Exit::Well);
+  EXPECT_EQ(nothing.exit, Exit::Success);
   EXPECT_TRUE(nothing.out.empty());
   EXPECT_NE(nothing.err.find("Nothing holds the tip there"), std::string::npos);
 }

@@ -36,7 +36,7 @@ std::vector<std::vector<std::string>> rowsOf(const std::string& path, const std:
 
 TEST(LabStep, PrintsExactlyTheFiveKeysOfTheStepOfAFunction) {
   const Outcome outcome = step({"--num", "1", "--den", "1,0.8,1", "--json"});
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   EXPECT_TRUE(outcome.err.empty());
   const Value result = lines(outcome.out).at(0);
   EXPECT_EQ(result.keys, (std::vector<std::string>{"final_value", "rise_10_90_s", "settling_2pct_s", "peak_time_s",
@@ -48,12 +48,12 @@ TEST(LabStep, PrintsExactlyTheFiveKeysOfTheStepOfAFunction) {
 
 TEST(LabStep, WhatNeverSettlesHasNullAndSaysWhy) {
   const Outcome swings = step({"--num", "1", "--den", "1,0,1", "--json"});
-  EXPECT_EQ(swings.exit, Exit::Well);
+  EXPECT_EQ(swings.exit, Exit::Success);
   EXPECT_TRUE(isNullAt(lines(swings.out).at(0), "settling_2pct_s"));
   EXPECT_NEAR(numberAt(lines(swings.out).at(0), "rise_10_90_s"), 1.0196020938370745, 1e-12);
   EXPECT_NE(swings.err.find("no damping"), std::string::npos);
   const Outcome grows = step({"--num", "1", "--den", "1,-1", "--json"});
-  EXPECT_EQ(grows.exit, Exit::Well);
+  EXPECT_EQ(grows.exit, Exit::Success);
   EXPECT_TRUE(isNullAt(lines(grows.out).at(0), "final_value"));
   EXPECT_NE(grows.err.find("grows"), std::string::npos);
   EXPECT_NE(step({"--den", "1,0"}).err.find("integrator"), std::string::npos);
@@ -81,7 +81,7 @@ TEST(LabStep, WrongUsageIsToldInWords) {
 
 TEST(LabStep, TheCurveOfAFunctionGoesIntoAFile) {
   const ScratchPath file("step.csv");
-  ASSERT_EQ(step({"--den", "1,1", "--seconds", "5", "--csv", file.path()}).exit, Exit::Well);
+  ASSERT_EQ(step({"--den", "1,1", "--seconds", "5", "--csv", file.path()}).exit, Exit::Success);
   const auto rows = rowsOf(file.path(), "t_s,y");
   ASSERT_EQ(rows.size(), 1001U);
   for (const auto& row : rows) EXPECT_NEAR(std::stod(row.at(1)), -std::expm1(-std::stod(row.at(0))), 1e-14);
@@ -97,7 +97,7 @@ TEST(LabStep, TheArmUnderASceneIsMeasuredBesideItsFitAndItsModel) {
                                            "--no-limits",     "--csv",
                                            file.path(),       "--json"};
   const Outcome outcome = step(arguments);
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   EXPECT_TRUE(outcome.err.empty()) << outcome.err;
   const Value result = lines(outcome.out).at(0);
   EXPECT_EQ(textAt(result, "axis"), "x");
@@ -123,7 +123,7 @@ TEST(LabStep, WhatTheArmCannotShowIsSaid) {
   const std::string point = shipped("01_point.json");
   EXPECT_NE(step({"--scene", point}).err.find("reduced the force"), std::string::npos);
   const Outcome stuck = step({"--scene", point, "--step_mm", "0.4", "--json"});
-  EXPECT_EQ(stuck.exit, Exit::Well);
+  EXPECT_EQ(stuck.exit, Exit::Success);
   EXPECT_TRUE(isNullAt(lines(stuck.out).at(0), "fit"));
   EXPECT_TRUE(isNullAt(lines(stuck.out).at(0), "rise_10_90_s"));
   EXPECT_EQ(numberAt(lines(stuck.out).at(0), "steady_error_mm"), 0.4);

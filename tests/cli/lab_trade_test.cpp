@@ -17,7 +17,7 @@ using cli::Exit;
 TEST(LabTrade, TellsEachOptionsCostAndErrorAndMarksTheDefault) {
   const Outcome outcome = runCli({"lab", "trade", "--scenes", scene("12_line_pid"), "--hands", "tremor,stab",
                                   "--choices", "velocity,blocks", "--seconds", "1", "--json"});
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   int defaults = 0;
   std::set<std::string> options;
   for (const json::Value& row : lines(outcome.out)) {
@@ -37,13 +37,13 @@ TEST(LabTrade, TellsEachOptionsCostAndErrorAndMarksTheDefault) {
 TEST(LabTrade, TellsTheRunsAndTheFronts) {
   const Outcome rows = runCli({"lab", "trade", "--scenes", scene("18_sphere_of_two_joints"), "--hands", "sweep",
                                "--choices", "solver", "--seconds", "0.5", "--table", "rows"});
-  ASSERT_EQ(rows.exit, Exit::Well) << rows.err;
+  ASSERT_EQ(rows.exit, Exit::Success) << rows.err;
   EXPECT_EQ(rows.out.substr(0, rows.out.find('\n')),
             "scene,hand,choice,option,p50_ns,p99_ns,us_per_s,error,worst,unit,default");
   EXPECT_NE(rows.out.find("18_sphere_of_two_joints,sweep,solver,closed form,"), std::string::npos);
   const Outcome fronts = runCli({"lab", "trade", "--scenes", scene("05_circle"), "--hands", "stab", "--seconds", "0.6",
                                  "--table", "fronts", "--json"});
-  ASSERT_EQ(fronts.exit, Exit::Well) << fronts.err;
+  ASSERT_EQ(fronts.exit, Exit::Success) << fronts.err;
   int on_front = 0, own = 0;
   for (const json::Value& row : lines(fronts.out)) {
     on_front += row.find("on_front")->boolean ? 1 : 0;
@@ -105,7 +105,7 @@ TEST(LabTrade, WhereEveryRunEndsInAFaultThereIsNoFrontButWhatElseCanBeMeasured) 
   }
   EXPECT_FALSE(std::filesystem::exists(made));
   const Outcome choices = tradeOf({"--json"});
-  ASSERT_EQ(choices.exit, Exit::Well) << choices.err;
+  ASSERT_EQ(choices.exit, Exit::Success) << choices.err;
   for (const json::Value& row : lines(choices.out)) EXPECT_EQ(textAt(row, "choice"), "inverse");
   EXPECT_EQ(lines(choices.out).size(), 6U);
 }
@@ -119,7 +119,7 @@ TEST(LabTrade, WhatIsNotKnownIsRefused) {
 TEST(LabModel, TellsWhatASceneRequiresAndWhatItSaves) {
   const Outcome outcome =
       runCli({"lab", "model", scene("01_point"), scene("14_circle_influence"), "--seconds", "0.2", "--json"});
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   const std::vector<json::Value> rows = lines(outcome.out);
   ASSERT_EQ(rows.size(), 2U * 11U);
   const auto rowOf = [&](const std::string& name, const std::string& quantity) -> const json::Value& {

@@ -40,7 +40,7 @@ TEST_F(LessonCheck, SaysNothingOfTheLessonsThatShip) {
   }
   EXPECT_GE(arguments.size(), 12u);
   const Outcome outcome = runCli(arguments);
-  EXPECT_EQ(outcome.exit, Exit::Well);
+  EXPECT_EQ(outcome.exit, Exit::Success);
   EXPECT_EQ(outcome.out + outcome.err, "");
 }
 
@@ -71,7 +71,7 @@ TEST_F(LessonCheck, AFileThatCannotBeReadGivesItsOwnStatus) {
 TEST_F(LessonTry, SaysWhatIsSolvedAndWhatIsMissing) {
   const ScratchFile lesson(kPull, "pull.json"), strong(handAt(10), "strong.json"), weak(handAt(1), "weak.json");
   const Outcome right = runCli({"lesson", "try", lesson.path(), "--hand", strong.path(), "--answer", "3"});
-  EXPECT_EQ(right.exit, Exit::Well) << right.out;
+  EXPECT_EQ(right.exit, Exit::Success) << right.out;
   EXPECT_NE(right.out.find("solved   Held for 0.5 of 0.5 s."), std::string::npos) << right.out;
   EXPECT_NE(right.out.find("solved   3 is right."), std::string::npos) << right.out;
   const Outcome wrong = runCli({"lesson", "try", lesson.path(), "--hand", weak.path(), "--answer", "4"});
@@ -93,7 +93,7 @@ TEST_F(LessonTry, GivesOneObjectForPrograms) {
 TEST_F(LessonTry, TakesALessonByItsNameAndSettingsOfTheStudent) {
   const Outcome outcome = runCli({"lesson", "try", "07_stiffness", "--step", "5", "--hand", "still", "--seconds", "1",
                                   "--set", "kp_N_per_mm=0.1", "--set", "kd_N_s_per_mm=0.0023"});
-  EXPECT_EQ(outcome.exit, Exit::Well) << outcome.out << outcome.err;
+  EXPECT_EQ(outcome.exit, Exit::Success) << outcome.out << outcome.err;
   const Outcome odd = runCli({"lesson", "try", "07_stiffness", "--hand", "still", "--set", "stiffness=1"});
   EXPECT_EQ(odd.exit, Exit::BadInput);
   EXPECT_NE(odd.err.find("is none"), std::string::npos) << odd.err;
@@ -113,12 +113,12 @@ TEST_F(LessonQuantities, AreAllListed) {
   EXPECT_EQ(lines(runCli({"lesson", "quantities", "--json"}).out).size(), lesson::quantities().size());
   const Outcome table = runCli({"lesson", "quantities"});
   EXPECT_NE(table.out.find("force_N"), std::string::npos);
-  EXPECT_EQ(table.exit, Exit::Well);
+  EXPECT_EQ(table.exit, Exit::Success);
 }
 
 TEST_F(LessonList, NamesEachWithItsSteps) {
   const Outcome outcome = runCli({"lesson", "list"});
-  EXPECT_EQ(outcome.exit, Exit::Well);
+  EXPECT_EQ(outcome.exit, Exit::Success);
   EXPECT_NE(outcome.out.find("04_inverse                  6  steps  Eight inverse solutions"), std::string::npos)
       << outcome.out;
 }

@@ -19,7 +19,7 @@ void record(const std::string& file, const std::string& scene, std::vector<std::
                                      "2",   "--fast",       "--record", file};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const Outcome outcome = runCli(arguments);
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
 }
 
 /// The lines without the two columns that a clock measured.
@@ -48,7 +48,7 @@ TEST(Log, InfoSaysWhatASessionHolds) {
   const ScratchPath session("s.h5");
   record(session.path(), "02_sphere.json", {"--name", "first", "--tags", "demo,sphere", "--subject", "S07"});
   const Outcome outcome = runCli({"log", "info", session.path(), "--json"});
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   const json::Value info = lines(outcome.out).at(0);
   EXPECT_EQ(numberAt(info, "ticks"), 2000);
   EXPECT_NEAR(numberAt(info, "duration_s"), 1.999, 1e-9);
@@ -70,7 +70,7 @@ TEST(Log, ExportGivesTheRowsOfACsvRecordingOfTheSameRun) {
   record(session.path(), "14_circle_influence.json");
   record(csv.path(), "14_circle_influence.json");
   const Outcome outcome = runCli({"log", "export", session.path(), "--out", out.path()});
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   const std::vector<std::string> rows = rowsWithoutClock(fileContent(out.path()));
   EXPECT_EQ(rows.size(), 2001U);
   EXPECT_EQ(rows, rowsWithoutClock(fileContent(csv.path())));
@@ -81,7 +81,7 @@ TEST(Log, VerifyFindsDamageAndSaysWhere) {
   const ScratchPath session("s.h5");
   record(session.path(), "02_sphere.json");
   const Outcome whole = runCli({"log", "verify", session.path()});
-  EXPECT_EQ(whole.exit, Exit::Well) << whole.err;
+  EXPECT_EQ(whole.exit, Exit::Success) << whole.err;
   EXPECT_EQ(whole.out, "2000 ticks, all of them intact.\n");
   std::string bytes = fileContent(session.path());
   bytes[bytes.size() * 2 / 3] = static_cast<char>(bytes[bytes.size() * 2 / 3] ^ 4);
@@ -143,8 +143,8 @@ TEST(Log, ExportTakesTheFormatOfTheNameInAnyCaseAndRefusesAnother) {
   const ScratchFolder folder;
   const std::string session = folder.file("s.h5");
   record(session, "02_sphere.json");
-  EXPECT_EQ(runCli({"log", "export", session, "--out", folder.file("A.CSV")}).exit, Exit::Well);
-  EXPECT_EQ(runCli({"log", "export", session, "--format", "csv", "--out", folder.file("a.txt")}).exit, Exit::Well);
+  EXPECT_EQ(runCli({"log", "export", session, "--out", folder.file("A.CSV")}).exit, Exit::Success);
+  EXPECT_EQ(runCli({"log", "export", session, "--format", "csv", "--out", folder.file("a.txt")}).exit, Exit::Success);
   for (const auto& [format, name] :
        {std::pair{"csv", "a.Parquet"}, std::pair{"mcap", "a.csv"}, std::pair{"", "a.html"}}) {
     std::vector<std::string> words{"log", "export", session, "--out", folder.file(name)};
@@ -159,7 +159,7 @@ TEST(Log, RecoverLeavesAClosedSessionAsItIs) {
   record(session.path(), "02_sphere.json");
   const std::string before = fileContent(session.path());
   const Outcome outcome = runCli({"log", "recover", session.path()});
-  EXPECT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  EXPECT_EQ(outcome.exit, Exit::Success) << outcome.err;
   EXPECT_EQ(fileContent(session.path()), before);
   EXPECT_EQ(runCli({"log", "recover", "/dev/null/nowhere/s.h5"}).exit, Exit::File);
 }
@@ -178,7 +178,7 @@ TEST(ReplayCommand, VerifiesToTheBitAndFindsAForgedForce) {
   const ScratchPath session("s.h5");
   record(session.path(), "20_scara.json");
   const Outcome outcome = runCli({"replay", session.path(), "--verify"});
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   const json::Value answer = lines(outcome.out).at(0);
   EXPECT_TRUE(answer.find("identical")->boolean);
   EXPECT_EQ(numberAt(answer, "identical_ticks"), 2000);
@@ -204,17 +204,17 @@ TEST(ReplayCommand, ComparesOtherGainsWithWhatWasRecorded) {
   const ScratchPath session("s.h5"), csv("now.csv");
   record(session.path(), "02_sphere.json");
   const Outcome same = runCli({"replay", session.path()});
-  ASSERT_EQ(same.exit, Exit::Well) << same.err;
+  ASSERT_EQ(same.exit, Exit::Success) << same.err;
   EXPECT_EQ(numberAt(*lines(same.out).at(0).find("force_difference"), "max_N"), 0.0);
   const Outcome softer = runCli({"replay", session.path(), "--kp", "0.01", "--record", csv.path()});
-  ASSERT_EQ(softer.exit, Exit::Well) << softer.err;
+  ASSERT_EQ(softer.exit, Exit::Success) << softer.err;
   const json::Value answer = lines(softer.out).at(0);
   const double recorded_N = numberAt(*answer.find("recorded"), "mean_force_N");
   const double now_N = numberAt(*answer.find("replayed"), "mean_force_N");
   EXPECT_LT(now_N, 0.5 * recorded_N);
   EXPECT_EQ(rowsWithoutClock(fileContent(csv.path())).size(), 2001U);
   const Outcome other = runCli({"replay", session.path(), "--scene", shipped("04_plane.json")});
-  EXPECT_EQ(other.exit, Exit::Well) << other.err;
+  EXPECT_EQ(other.exit, Exit::Success) << other.err;
   EXPECT_GT(numberAt(*lines(other.out).at(0).find("force_difference"), "max_N"), 0.0);
   EXPECT_EQ(runCli({"replay", session.path(), "--kp", "-1"}).exit, Exit::Usage);
 }
@@ -228,14 +228,15 @@ TEST(ReplayCommand, SetsAnySettingByItsPathOrItsKey) {
     return runCli(words);
   };
   const Outcome alias = replayed({"--kp", "0.01"});
-  ASSERT_EQ(alias.exit, Exit::Well) << alias.err;
+  ASSERT_EQ(alias.exit, Exit::Success) << alias.err;
   EXPECT_EQ(replayed({"--set", "kp_N_per_mm=0.01"}).out, alias.out);
   EXPECT_EQ(replayed({"--set", "/constraints/*/control/kp_N_per_mm=0.01"}).out, alias.out);
-  EXPECT_EQ(replayed({"--set", "/constraints/0/control/kp_N_per_mm=0.01", "--set", "passivity=off"}).exit, Exit::Well);
+  EXPECT_EQ(replayed({"--set", "/constraints/0/control/kp_N_per_mm=0.01", "--set", "passivity=off"}).exit,
+            Exit::Success);
   const Outcome rough = replayed({"--set", "/constraints/0/friction/static=0.4"});
-  ASSERT_EQ(rough.exit, Exit::Well) << rough.err;
+  ASSERT_EQ(rough.exit, Exit::Success) << rough.err;
   EXPECT_GT(numberAt(*lines(rough.out).at(0).find("force_difference"), "max_N"), 0.0);
-  EXPECT_EQ(replayed({"--t", "0.5"}).exit, Exit::Well);  // nobody has an influence there
+  EXPECT_EQ(replayed({"--t", "0.5"}).exit, Exit::Success);  // nobody has an influence there
   const Outcome wrong = replayed({"--set", "/control/lawn=P"});
   EXPECT_EQ(wrong.exit, Exit::BadInput);
   EXPECT_NE(wrong.err.find("Did you mean \"/control/law\"?"), std::string::npos) << wrong.err;

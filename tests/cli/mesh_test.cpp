@@ -26,7 +26,7 @@ TEST_F(MeshInfo, SaysWhatTheMeshIsAndHowItCanBeFelt) {
   const std::string path = folder_.write("cube.stl", stlBinary(turnedOver(cube(20.0F))));
   for (const bool from_cache : {false, true}) {
     const Outcome outcome = runCli({"mesh", "info", path, "--json"});
-    ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+    ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
     const json::Value object = lines(outcome.out).at(0);
     EXPECT_EQ(textAt(object, "format"), "binary STL");
     EXPECT_EQ(vectorAt(object, "size_mm"), Vec3(20, 20, 20));
@@ -70,7 +70,7 @@ TEST_F(MeshInfo, ADamagedFileIsBadInputAndOneThatIsNotThereAFile) {
 }
 
 /// One box stands on another, 10 deep in it.
-std::string leastCase() {
+std::string minCase() {
   return stlBinary(soup(together({boxOf({-20, -20, -20}, {20, 20, 0}), boxOf({0, -20, -10}, {20, 20, 20})})));
 }
 
@@ -82,7 +82,7 @@ std::string sceneWith(const std::string& keys) {
 }
 
 TEST_F(MeshInfo, OfAMeshThatIntersectsItselfSaysWhatIsFelt) {
-  const std::string path = folder_.write("two.stl", leastCase());
+  const std::string path = folder_.write("two.stl", minCase());
   const json::Value object = lines(runCli({"mesh", "info", path, "--json"}).out).at(0);
   EXPECT_EQ(numberAt(object, "parts"), 2);
   EXPECT_GT(numberAt(object, "crossings"), 0);
@@ -94,23 +94,23 @@ TEST_F(MeshInfo, OfAMeshThatIntersectsItselfSaysWhatIsFelt) {
 }
 
 TEST_F(MeshInfo, OfAMeshThatIntersectsItselfScenesAndRunsSayTheSame) {
-  folder_.write("two.stl", leastCase());
+  folder_.write("two.stl", minCase());
   const std::string scene = folder_.write("two.json", sceneWith(R"(, "side": "outside")"));
   const std::string note =
       "two.json:3:19: note: constraints[0]: The mesh \"two.stl\": The mesh consists of 2 separate parts. The surface "
       "intersects itself, at ";
   const Outcome checked = runCli({"scene", "check", scene});
-  EXPECT_EQ(checked.exit, Exit::Well);
+  EXPECT_EQ(checked.exit, Exit::Success);
   EXPECT_NE(checked.err.find(note), std::string::npos) << checked.err;
   EXPECT_EQ(checked.out, "");  // nothing, where there is no problem
   const Outcome ran = runCli({"run", scene, "--hand", "still", "--seconds", "0.1", "--fast"});
-  EXPECT_EQ(ran.exit, Exit::Well);
+  EXPECT_EQ(ran.exit, Exit::Success);
   EXPECT_NE(ran.err.find(note), std::string::npos) << ran.err;
   EXPECT_EQ(lines(ran.out).size(), 1U);
 }
 
 TEST_F(MeshInfo, TheTargetDeepInTheSecondOfTwoBoxesIsOnTheSurfaceOfBoth) {
-  folder_.write("two.stl", leastCase());
+  folder_.write("two.stl", minCase());
   const std::string scene = folder_.write("two.json", sceneWith(R"(, "side": "outside")"));
   const Outcome outcome = runCli({"target", scene}, "{\"p_mm\": [10, 0, 8]}\n{\"p_mm\": [-10, 0, 8]}\n");
   const std::vector<json::Value> answers = lines(outcome.out);
@@ -123,7 +123,7 @@ TEST_F(MeshInfo, TheTargetDeepInTheSecondOfTwoBoxesIsOnTheSurfaceOfBoth) {
 }
 
 TEST_F(MeshInfo, AMeshThatNoHandFeelsOrNoArmReachesIsNotedInTheScene) {
-  folder_.write("two.stl", leastCase());
+  folder_.write("two.stl", minCase());
   const auto notes = [&](const std::string& keys) {
     return runCli({"scene", "check", folder_.write("size.json", sceneWith(keys))}).err;
   };

@@ -42,7 +42,7 @@ TEST(NamedFileOfACommand, IsAnsweredAtOnceWhateverItIs) {
       for (std::string& word : words) word = word == "FILE" ? odd.path : word;
       const Outcome outcome = runCli(words);
       const std::string told = command[0] + " " + command[1] + ", " + odd.what + ": " + outcome.err;
-      EXPECT_NE(outcome.exit, Exit::Well) << told;
+      EXPECT_NE(outcome.exit, Exit::Success) << told;
       EXPECT_NE(outcome.err.find(odd.path), std::string::npos) << told;
     }
   }

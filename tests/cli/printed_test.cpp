@@ -36,7 +36,7 @@ TEST(PrintedWords, OfSessionsCannotOperateATerminal) {
                     one.path(), "--name", kHostile, "--notes", kHostile, "--tags", kHostile, "--subject", kHostile,
                     "--consent", kHostile})
                 .exit,
-            Exit::Well);
+            Exit::Success);
   expectClean({"log", "info", one.path()});
   expectClean({"log", "info", one.path(), "--json"});
   const std::string renamed = one.path() + kHostile + ".h5";

@@ -47,12 +47,12 @@ class Process {
   }
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
-  std::string said() const {
+  std::string output() const {
     std::ifstream file(file_);
     return {std::istreambuf_iterator<char>(file), {}};
   }
   bool says(const std::string& words) const {
-    return comes([&] { return test::says(said(), words); });
+    return comes([&] { return test::says(output(), words); });
   }
   void kill(int signal) const { ::kill(id_, signal); }
   /// Its exit status; below 0: a signal ended it.

@@ -15,7 +15,7 @@ TEST(Program, EveryCommandHasHelpOnStandardOutput) {
   for (std::vector<std::string> arguments : commands) {
     arguments.emplace_back("--help");
     const Outcome outcome = runCli(arguments);
-    EXPECT_EQ(outcome.exit, Exit::Well) << testing::PrintToString(arguments);
+    EXPECT_EQ(outcome.exit, Exit::Success) << testing::PrintToString(arguments);
     EXPECT_NE(outcome.out.find("Usage: underact-cli"), std::string::npos) << outcome.out;
     EXPECT_EQ(outcome.err, "");
   }
@@ -23,7 +23,7 @@ TEST(Program, EveryCommandHasHelpOnStandardOutput) {
 
 TEST(Program, SaysItsVersion) {
   const Outcome outcome = runCli({"--version"});
-  EXPECT_EQ(outcome.exit, Exit::Well);
+  EXPECT_EQ(outcome.exit, Exit::Success);
   EXPECT_TRUE(outcome.out.starts_with("underact-cli ")) << outcome.out;
 }
 

@@ -27,7 +27,7 @@ Outcome recordRun(const std::string& path, const std::vector<std::string>& more,
 
 json::Value infoOf(const std::string& path) {
   const Outcome outcome = runCli({"log", "info", path, "--json"});
-  EXPECT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  EXPECT_EQ(outcome.exit, Exit::Success) << outcome.err;
   return lines(outcome.out).at(0);
 }
 
@@ -46,7 +46,7 @@ TEST(Provenance, WithNotesSeedHandAndArmModelStay) {
   const ScratchPath session("s.h5");
   ASSERT_EQ(
       recordRun(session.path(), {"--hand", "tremor", "--seed", "42", "--arm-model", "ideal", "--notes", "mine"}).exit,
-      Exit::Well);
+      Exit::Success);
   const json::Value info = infoOf(session.path());
   EXPECT_EQ(textAt(info, "notes"), "mine");
   const json::Value& run = at(info, {"provenance", "run"});
@@ -62,7 +62,8 @@ TEST(Provenance, WithNotesSeedHandAndArmModelStay) {
 
 TEST(Provenance, NamesProgramMachineArmServoGainsAndClocks) {
   const ScratchPath session("s.h5");
-  ASSERT_EQ(recordRun(session.path(), {"--hand", "probe", "--subject", "S07", "--consent", "form 2"}).exit, Exit::Well);
+  ASSERT_EQ(recordRun(session.path(), {"--hand", "probe", "--subject", "S07", "--consent", "form 2"}).exit,
+            Exit::Success);
   const json::Value info = infoOf(session.path());
   const json::Value& all = at(info, {"provenance"});
   EXPECT_EQ(at(all, {"underact_provenance"}).number, 1);
@@ -101,7 +102,7 @@ TEST(Provenance, OfARunInRealTimeSaysTheSchedulingThatWasGranted) {
   ASSERT_EQ(runCli({"run", shipped("02_sphere.json"), "--hand", "probe", "--seconds", "0.3", "--scheduling", "normal",
                     "--record", session.path()})
                 .exit,
-            Exit::Well);
+            Exit::Success);
   EXPECT_EQ(textAt(infoOf(session.path()), "scheduling"), "normal");
 }
 
@@ -114,7 +115,8 @@ TEST(Provenance, HasTheHandsFileAndTheMeshsChecksum) {
       {"name": "patella", "type": "mesh", "file": "patella.obj"},
       {"name": "walk", "type": "curve", "file": "walk.txt"}]})");
   const std::string session = folder.file("s.h5");
-  ASSERT_EQ(runCli({"run", scene, "--hand", hand, "--seconds", "0.2", "--fast", "--record", session}).exit, Exit::Well);
+  ASSERT_EQ(runCli({"run", scene, "--hand", hand, "--seconds", "0.2", "--fast", "--record", session}).exit,
+            Exit::Success);
   const json::Value info = infoOf(session);
   const json::Value& kept = at(info, {"provenance", "run", "hand"});
   EXPECT_EQ(at(kept, {"file"}).text, kHandFile);
@@ -135,17 +137,17 @@ TEST(Provenance, HasTheHandsFileAndTheMeshsChecksum) {
 TEST(Difference, OfTheSameRunTwiceIsNothing) {
   const ScratchPath a("a.h5"), b("b.h5");
   for (const ScratchPath* path : {&a, &b})
-    ASSERT_EQ(recordRun(path->path(), {"--hand", "tremor", "--notes", path->path()}).exit, Exit::Well);
+    ASSERT_EQ(recordRun(path->path(), {"--hand", "tremor", "--notes", path->path()}).exit, Exit::Success);
   const Outcome outcome = runCli({"log", "info", "--diff", a.path(), b.path()});
-  EXPECT_EQ(outcome.exit, Exit::Well) << outcome.out;
+  EXPECT_EQ(outcome.exit, Exit::Success) << outcome.out;
   EXPECT_EQ(outcome.out, "Nothing that was run differs.\n");
 }
 
 TEST(Difference, NamesWhateverWasRunOtherwise) {
   const ScratchFolder folder;
   const std::string hand = folder.write("mine.json", kHandFile);
-  const std::string usual = folder.file("usual.h5");
-  ASSERT_EQ(recordRun(usual, {"--hand", "tremor"}).exit, Exit::Well);
+  const std::string default_value = folder.file("usual.h5");
+  ASSERT_EQ(recordRun(default_value, {"--hand", "tremor"}).exit, Exit::Success);
   struct Case {
     std::vector<std::string> options;
     std::string scene, named;
@@ -162,20 +164,20 @@ TEST(Difference, NamesWhateverWasRunOtherwise) {
     const std::string other = folder.file("other.h5");
     std::vector<std::string> options = one.options;
     options.emplace_back("--overwrite");
-    ASSERT_EQ(recordRun(other, options, one.scene).exit, Exit::Well) << one.named;
-    const Outcome outcome = runCli({"log", "info", "--diff", usual, other, "--json"});
+    ASSERT_EQ(recordRun(other, options, one.scene).exit, Exit::Success) << one.named;
+    const Outcome outcome = runCli({"log", "info", "--diff", default_value, other, "--json"});
     EXPECT_EQ(outcome.exit, Exit::BadInput) << one.named;
     EXPECT_NE(outcome.out.find("\"what\": \"" + one.named + "\""), std::string::npos) << one.named << outcome.out;
   }
   EXPECT_EQ(runCli({"log", "info"}).exit, Exit::Usage);
-  EXPECT_EQ(runCli({"log", "info", usual, "--diff", usual, usual}).exit, Exit::Usage);
+  EXPECT_EQ(runCli({"log", "info", default_value, "--diff", default_value, default_value}).exit, Exit::Usage);
 }
 
 TEST(Details, AreTheTrueTipTheHandsForceAndEachConstraintsShare) {
   const ScratchPath session("s.h5"), without("t.h5");
   ASSERT_EQ(recordRun(session.path(), {"--hand", "probe", "--record-details"}, "10_two_spheres_nearest").exit,
-            Exit::Well);
-  ASSERT_EQ(recordRun(without.path(), {"--hand", "probe"}).exit, Exit::Well);
+            Exit::Success);
+  ASSERT_EQ(recordRun(without.path(), {"--hand", "probe"}).exit, Exit::Success);
   record::Session read = record::Session::open(session.path()).value();
   EXPECT_EQ(read.rows(record::kTruth), 300);
   const std::size_t constraints = read.scene(read.changes()[0]).value().constraints.size();
@@ -194,20 +196,20 @@ TEST(Details, AreTheTrueTipTheHandsForceAndEachConstraintsShare) {
       EXPECT_TRUE(row.truth.f_hand_T_W.allFinite());
     }
   }
-  double most_apart_m = 0.0;
+  double max_apart_m = 0.0;
   const std::vector<record::Block> ticks = read.readTicks(0, 1000).value();
   for (const record::Block& block : ticks) {
     for (const servo::TickRecord& row : record::unpackTicks(block)) {
       EXPECT_LT((sums[static_cast<std::size_t>(row.tick)] - row.f_asked_T_W).norm(), 1e-12) << row.tick;
-      most_apart_m = std::max(most_apart_m, (true_tips[static_cast<std::size_t>(row.tick)] - row.p_WT).norm());
+      max_apart_m = std::max(max_apart_m, (true_tips[static_cast<std::size_t>(row.tick)] - row.p_WT).norm());
     }
   }
-  EXPECT_GT(most_apart_m, 0.0) << "encoders round";
-  EXPECT_LT(most_apart_m, 0.2e-3);
+  EXPECT_GT(max_apart_m, 0.0) << "encoders round";
+  EXPECT_LT(max_apart_m, 0.2e-3);
   record::Session none = record::Session::open(without.path()).value();
   EXPECT_EQ(none.rows(record::kTruth), 0);
-  EXPECT_EQ(runCli({"replay", session.path(), "--verify"}).exit, Exit::Well);
-  EXPECT_EQ(runCli({"log", "verify", session.path()}).exit, Exit::Well);
+  EXPECT_EQ(runCli({"replay", session.path(), "--verify"}).exit, Exit::Success);
+  EXPECT_EQ(runCli({"log", "verify", session.path()}).exit, Exit::Success);
 }
 
 }  // namespace

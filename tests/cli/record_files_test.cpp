@@ -56,13 +56,13 @@ TEST_P(RecordTo, WithOverwriteTheFileIsReplacedAndOfALinkTheLinkAlone) {
   fs::create_symlink(file, link);
   fs::create_symlink(folder.file("nowhere"), dangling);
   for (const std::string& path : {link, dangling}) {
-    EXPECT_EQ(recordTo(path, {"--overwrite"}).exit, Exit::Well) << path;
+    EXPECT_EQ(recordTo(path, {"--overwrite"}).exit, Exit::Success) << path;
     EXPECT_FALSE(fs::is_symlink(path));
     EXPECT_GT(fs::file_size(path), 1000U);
   }
   EXPECT_EQ(fileContent(file), "mine");
   EXPECT_FALSE(fs::exists(folder.file("nowhere")));
-  EXPECT_EQ(recordTo(file, {"--overwrite"}).exit, Exit::Well);
+  EXPECT_EQ(recordTo(file, {"--overwrite"}).exit, Exit::Success);
   EXPECT_GT(fs::file_size(file), 1000U);
   fs::create_directory(folder.file("folder" + ending));
   EXPECT_EQ(recordTo(folder.file("folder" + ending), {"--overwrite"}).exit, Exit::File);
@@ -72,7 +72,7 @@ TEST_P(RecordTo, IsItsOwnersAloneWhateverTheUmaskIs) {
   const ScratchFolder folder;
   const Umask everybody(0);
   const std::string path = folder.file(std::string("s") + GetParam());
-  ASSERT_EQ(recordTo(path).exit, Exit::Well);
+  ASSERT_EQ(recordTo(path).exit, Exit::Success);
   EXPECT_EQ(modeOf(path), 0600U);
 }
 
@@ -83,37 +83,38 @@ TEST(RecordFiles, ReplayAndExportsKeepToTheSame) {
   const ScratchFolder folder;
   const Umask everybody(0);
   const std::string session = folder.file("s.h5"), now = folder.file("now.csv"), out = folder.file("out.csv");
-  ASSERT_EQ(recordTo(session).exit, Exit::Well);
-  ASSERT_EQ(runCli({"replay", session, "--record", now}).exit, Exit::Well);
+  ASSERT_EQ(recordTo(session).exit, Exit::Success);
+  ASSERT_EQ(runCli({"replay", session, "--record", now}).exit, Exit::Success);
   EXPECT_EQ(modeOf(now), 0600U);
   const Outcome again = runCli({"replay", session, "--record", now});
   EXPECT_EQ(again.exit, Exit::File);
   EXPECT_EQ(again.out, "");
-  EXPECT_EQ(runCli({"replay", session, "--record", now, "--overwrite"}).exit, Exit::Well);
+  EXPECT_EQ(runCli({"replay", session, "--record", now, "--overwrite"}).exit, Exit::Success);
   EXPECT_EQ(runCli({"replay", session, "--overwrite"}).exit, Exit::Usage);
   for (int time = 0; time < 2; ++time)  // exports go on replacing
-    EXPECT_EQ(runCli({"log", "export", session, "--out", out}).exit, Exit::Well);
+    EXPECT_EQ(runCli({"log", "export", session, "--out", out}).exit, Exit::Success);
   EXPECT_EQ(modeOf(out), 0600U);
 }
 
 TEST(RecordFiles, ConsentIsAmongTheWordsAndOldSessionsLackIt) {
   const ScratchFolder folder;
   const std::string session = folder.file("s.h5"), none = folder.file("none.h5");
-  ASSERT_EQ(recordTo(session, {"--subject", "S07", "--consent", "form 2.1, 2026-11-20, in writing"}).exit, Exit::Well);
-  ASSERT_EQ(recordTo(none).exit, Exit::Well);
+  ASSERT_EQ(recordTo(session, {"--subject", "S07", "--consent", "form 2.1, 2026-11-20, in writing"}).exit,
+            Exit::Success);
+  ASSERT_EQ(recordTo(none).exit, Exit::Success);
   EXPECT_EQ(textAt(lines(runCli({"log", "info", session, "--json"}).out).at(0), "consent"),
             "form 2.1, 2026-11-20, in writing");
   EXPECT_EQ(textAt(lines(runCli({"log", "info", none, "--json"}).out).at(0), "consent"), "");
   EXPECT_NE(runCli({"log", "info", none}).out.find("consent       not recorded"), std::string::npos);
   EXPECT_TRUE(record::rewriteMetadata(none, {.name = "n", .consent = "given later"}).empty());
   EXPECT_EQ(textAt(lines(runCli({"log", "info", none, "--json"}).out).at(0), "consent"), "given later");
-  EXPECT_EQ(runCli({"log", "info", UNDERACT_TEST_DATA "/golden/session.h5"}).exit, Exit::Well);  // of before
+  EXPECT_EQ(runCli({"log", "info", UNDERACT_TEST_DATA "/golden/session.h5"}).exit, Exit::Success);  // of before
 }
 
 TEST(RecordFiles, OtherWordsAreWrittenIntoNoFileThatALinkLeadsTo) {
   const ScratchFolder folder;
   const std::string session = folder.file("s.h5"), link = folder.file("link.h5");
-  ASSERT_EQ(recordTo(session).exit, Exit::Well);
+  ASSERT_EQ(recordTo(session).exit, Exit::Success);
   fs::create_symlink(session, link);
   const std::string before = fileContent(session);
   const Problems problems = record::rewriteMetadata(link, {.name = "Another"});
@@ -154,7 +155,7 @@ TEST(RecordFiles, HoldNoFolderOfThePerson) {
       runCli({"run", person.file("thesis/knee.json"), "--hand", person.file("thesis/leap.json"), "--arm-model", "ideal",
               "--seconds", "1", "--fast", "--record", session, "--fault-file", fault});
   ASSERT_EQ(run.exit, Exit::Fault) << run.err;
-  ASSERT_EQ(runCli({"log", "export", session, "--out", csv}).exit, Exit::Well);
+  ASSERT_EQ(runCli({"log", "export", session, "--out", csv}).exit, Exit::Success);
   for (const std::string& path : {session, fault, csv})
     EXPECT_EQ(fileContent(path).find("some-person"), std::string::npos) << path;
   EXPECT_NE(fileContent(fault).find("patella.obj"), std::string::npos);
@@ -177,7 +178,7 @@ TEST(RecordFiles, AReplayFindsTheFilesBesideTheSessionOrWhereItIsTold) {
   ASSERT_EQ(runCli({"run", person.file("thesis/knee.json"), "--hand", "probe", "--seconds", "0.5", "--fast", "--record",
                     session})
                 .exit,
-            Exit::Well);
+            Exit::Success);
   const Outcome lost = runCli({"replay", session, "--verify"});
   EXPECT_EQ(lost.exit, Exit::File);
   EXPECT_NE(lost.err.find("\"patella.obj\" was not found"), std::string::npos) << lost.err;
@@ -186,16 +187,16 @@ TEST(RecordFiles, AReplayFindsTheFilesBesideTheSessionOrWhereItIsTold) {
   for (const char* how : {"--verify", "--kp=0.1"}) {
     std::vector<std::string> words{"replay", session, how};
     words.insert(words.end(), told.begin(), told.end());
-    EXPECT_EQ(runCli(words).exit, Exit::Well) << how << runCli(words).err;
+    EXPECT_EQ(runCli(words).exit, Exit::Success) << how << runCli(words).err;
   }
   fs::copy(person.file("parts/of the knee/patella.obj"), records.file("patella.obj"));
   fs::copy(person.file("parts/walk.txt"), records.file("walk.txt"));
-  EXPECT_EQ(runCli({"replay", session, "--verify"}).exit, Exit::Well);
+  EXPECT_EQ(runCli({"replay", session, "--verify"}).exit, Exit::Success);
   records.write("patella.obj", obj(cube(21.0F)));  // another of that name: the checksum tells
   EXPECT_NE(runCli({"replay", session, "--verify"}).err.find("its checksum differs"), std::string::npos);
   std::vector<std::string> words{"replay", session, "--verify"};
   words.insert(words.end(), told.begin(), told.end());
-  EXPECT_EQ(runCli(words).exit, Exit::Well);
+  EXPECT_EQ(runCli(words).exit, Exit::Success);
 }
 
 TEST(RecordFiles, AReplayFindsTheMeshesThatShip) {
@@ -203,11 +204,11 @@ TEST(RecordFiles, AReplayFindsTheMeshesThatShip) {
   ASSERT_EQ(runCli({"run", shipped("26_bumpy_sphere.json"), "--hand", "probe", "--seconds", "0.2", "--fast", "--record",
                     session.path()})
                 .exit,
-            Exit::Well);
+            Exit::Success);
   ::setenv("UNDERACT_DATA_DIR", UNDERACT_SOURCE, 1);
   const Outcome outcome = runCli({"replay", session.path(), "--verify"});
   ::unsetenv("UNDERACT_DATA_DIR");
-  EXPECT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  EXPECT_EQ(outcome.exit, Exit::Success) << outcome.err;
 }
 
 }  // namespace

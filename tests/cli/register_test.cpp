@@ -26,7 +26,7 @@ Outcome runRegistration(const std::string& points, std::vector<std::string> more
 
 TEST(Register, PointsOfTheSheetGiveThePoseOfTheArm) {
   const Outcome outcome = runRegistration(kPoints, {"--json"});
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   const Value result = lines(outcome.out).at(0);
   const double expected[4][4] = {{1, 0, 0, 60}, {0, 1, 0, 50}, {0, 0, 1, -30}, {0, 0, 0, 1}};
   for (std::size_t row = 0; row < 4; ++row) {
@@ -42,7 +42,7 @@ TEST(Register, PointsOfTheSheetGiveThePoseOfTheArm) {
 
 TEST(Register, ResidualsAndTheExpectedErrorAreATable) {
   const Outcome outcome = runRegistration("-60,-50,31\n60,-50,30\n-60,-50,-50\n");
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   EXPECT_NE(outcome.out.find("residual_mm"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("Distance of the points from their reference points: 0."), std::string::npos)
       << outcome.out;
@@ -66,13 +66,13 @@ TEST(Register, ItIsKeptForItsArmAndReadAgain) {
   setenv("UNDERACT_REGISTRATION_DIR", scratch.file("kept").c_str(), 1);
   EXPECT_EQ(runRegistration(kPoints, {"--keep"}).exit, Exit::Usage);  // of which arm?
   ASSERT_EQ(runRegistration(kPoints, {"--keep", "--of", "wooden:0042", "--out", scratch.file("r.json")}).exit,
-            Exit::Well);
+            Exit::Success);
   const auto kept = registration::loadRegistration("wooden:0042", scratch.file("kept"));
   ASSERT_TRUE(kept && kept.value());
   EXPECT_EQ(kept.value()->touches.size(), 3U);
   EXPECT_EQ(kept.value()->date.size(), 10U);
   const Outcome again = runCli({"register", "--points", scratch.file("r.json"), "--json"});
-  ASSERT_EQ(again.exit, Exit::Well) << again.err;
+  ASSERT_EQ(again.exit, Exit::Success) << again.err;
   EXPECT_EQ(textAt(lines(again.out).at(0), "arm"), "wooden:0042");
   unsetenv("UNDERACT_REGISTRATION_DIR");
 }
@@ -81,7 +81,7 @@ TEST(Register, OwnMarksComeFromAFile) {
   const ScratchFile marks("# right away up\n0 0 0\n200 0 0\n0 150 0\n100 50 40\n", "marks.txt");
   const Outcome outcome =
       runRegistration("0 0 0\n200 0 0\n0 0 -150\n100 40 -50\n", {"--marks", marks.path(), "--json"});
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   EXPECT_LT(numberAt(lines(outcome.out).at(0), "rms_mm"), 1e-12);
 }
 
@@ -111,7 +111,7 @@ TEST(Register, AnArmThatNobodyTouchesWithIsSaid) {
 
 TEST(Register, TheAccuracyIsThatOfTheFormulaAndTheSameForTheSameSeed) {
   const Outcome outcome = runCli({"register", "--accuracy", "--draws", "3000", "--json"});
-  ASSERT_EQ(outcome.exit, Exit::Well);
+  ASSERT_EQ(outcome.exit, Exit::Success);
   const std::vector<Value> rows = lines(outcome.out);
   ASSERT_EQ(rows.size(), 16U);
   for (const Value& row : rows) {

@@ -26,7 +26,7 @@ Outcome runAndRecord(const std::string& path, std::vector<std::string> words) {
 json::Value sameAgain(const std::string& session, std::vector<std::string> more = {}) {
   more.insert(more.begin(), {"rerun", session});
   const Outcome outcome = runCli(more);
-  EXPECT_EQ(outcome.exit, Exit::Well) << outcome.err << outcome.out;
+  EXPECT_EQ(outcome.exit, Exit::Success) << outcome.err << outcome.out;
   const std::vector<json::Value> answers = lines(outcome.out);
   if (answers.size() != 1) return {};
   EXPECT_TRUE(answers[0].find("identical")->boolean) << outcome.out;
@@ -42,7 +42,7 @@ TEST(RerunCommand, MakesARunOfEachHandAgainFromItsFileAlone) {
                            "18446744073709551615", "--arm-model", "ideal"});
     EXPECT_EQ(textAt(sameAgain(session, {"--out", again}), "made_from"), "hand") << hand;
     const Outcome difference = runCli({"log", "info", "--diff", session, again});
-    EXPECT_EQ(difference.exit, Exit::Well) << hand << difference.out;
+    EXPECT_EQ(difference.exit, Exit::Success) << hand << difference.out;
     EXPECT_EQ(textAt(sameAgain(again), "made_from"), "hand");
   }
 }
@@ -53,7 +53,7 @@ TEST(RerunCommand, OfARunInRealTimeCountsItsLateTicksAsTheyWere) {
   ASSERT_EQ(runAndRecord(session, {"run", shipped("02_sphere.json"), "--hand", "probe", "--seconds", "1", "--rate",
                                    "2000", "--max-late", "1000000", "--scheduling", "normal"})
                 .exit,
-            Exit::Well);
+            Exit::Success);
   sameAgain(session);
 }
 
@@ -67,7 +67,7 @@ TEST(RerunCommand, TakesTheMeshByItsChecksumAndTheHandFromTheFile) {
       {"name": "patella", "type": "mesh", "file": "patella.obj"},
       {"name": "walk", "type": "curve", "file": "walk.txt"}]})");
   const std::string session = records.file("s.h5");
-  ASSERT_EQ(runAndRecord(session, {"run", scene, "--hand", hand, "--seconds", "0.5", "--fast"}).exit, Exit::Well);
+  ASSERT_EQ(runAndRecord(session, {"run", scene, "--hand", hand, "--seconds", "0.5", "--fast"}).exit, Exit::Success);
   fs::remove(hand);
   fs::remove(scene);
   EXPECT_EQ(runCli({"rerun", session}).exit, Exit::File);  // the mesh is elsewhere
@@ -77,7 +77,7 @@ TEST(RerunCommand, TakesTheMeshByItsChecksumAndTheHandFromTheFile) {
   sameAgain(session);
   records.write("patella.obj", obj(cube(21.0F)));
   const Outcome other = runCli({"rerun", session});
-  EXPECT_NE(other.exit, Exit::Well);
+  EXPECT_NE(other.exit, Exit::Success);
   EXPECT_NE(other.err.find("its checksum differs"), std::string::npos) << other.err;
 }
 
@@ -91,14 +91,15 @@ TEST(RerunCommand, OfAnArmFromAFileNeedsThatFileNoMore) {
     const std::string arm = folder.write("mine.json", whole), session = folder.file(is_long ? "l.h5" : "s.h5");
     const std::string scene = folder.write("ball.json", R"({"underact_scene": 1, "title": "Ball", "arm": "mine.json",
         "constraints": [{"type": "sphere", "center_mm": [0, 0, 20], "radius_mm": 40}]})");
-    ASSERT_EQ(runAndRecord(session, {"run", scene, "--hand", "probe", "--seconds", "0.5", "--fast"}).exit, Exit::Well);
+    ASSERT_EQ(runAndRecord(session, {"run", scene, "--hand", "probe", "--seconds", "0.5", "--fast"}).exit,
+              Exit::Success);
     fs::remove(scene);
     fs::remove(arm);
     EXPECT_EQ(textAt(sameAgain(session), "made_from"), "hand");
-    EXPECT_EQ(runCli({"replay", session, "--verify"}).exit, Exit::Well);
+    EXPECT_EQ(runCli({"replay", session, "--verify"}).exit, Exit::Success);
     const std::string again = session + ".again.h5";
     sameAgain(session, {"--out", again});
-    EXPECT_EQ(runCli({"log", "info", "--diff", session, again}).exit, Exit::Well);
+    EXPECT_EQ(runCli({"log", "info", "--diff", session, again}).exit, Exit::Success);
     const json::Value info = lines(runCli({"log", "info", session, "--json"}).out).at(0);
     EXPECT_EQ(textAt(info, "arm"), "mine.json");
     const json::Value* const kept = info.find("provenance")->find("arm")->find("file");
@@ -114,7 +115,7 @@ TEST(RerunCommand, OfAnArmFromAFileIsOfItsLengths) {
         folder.write("ball.json", R"({"underact_scene": 1, "title": "Ball", "arm": ")" + arm + R"(",
         "constraints": [{"type": "sphere", "center_mm": [0, 0, 20], "radius_mm": 40}]})");
     const Outcome run = runCli({"run", scene, "--hand", "probe", "--seconds", "0.5", "--fast"});
-    EXPECT_EQ(run.exit, Exit::Well) << run.err;
+    EXPECT_EQ(run.exit, Exit::Success) << run.err;
     return run.out;
   };
   folder.write("same.json", std::string(arm::fileOf("touch-measured")));
@@ -130,11 +131,11 @@ TEST(RerunCommand, OfWhatAPersonDidGoesByTheRecordedInput) {
   const std::string session = folder.file("s.h5"), again = folder.file("t.h5");
   recordEvents(session, sphereScene(), "tremor", Seed{5});
   EXPECT_EQ(textAt(sameAgain(session, {"--out", again}), "made_from"), "recorded input");
-  EXPECT_EQ(runCli({"replay", again, "--verify"}).exit, Exit::Well);
+  EXPECT_EQ(runCli({"replay", again, "--verify"}).exit, Exit::Success);
   const Outcome difference = runCli({"log", "info", "--diff", session, again});
-  EXPECT_EQ(difference.exit, Exit::Well) << difference.out;
+  EXPECT_EQ(difference.exit, Exit::Success) << difference.out;
   EXPECT_EQ(runCli({"rerun", session, "--out", again}).exit, Exit::File) << "it is there already";
-  EXPECT_EQ(runCli({"rerun", session, "--out", again, "--overwrite"}).exit, Exit::Well);
+  EXPECT_EQ(runCli({"rerun", session, "--out", again, "--overwrite"}).exit, Exit::Success);
 }
 
 TEST(RerunCommand, SaysWhereARunThatIsNotTheSameDiffers) {
@@ -142,7 +143,7 @@ TEST(RerunCommand, SaysWhereARunThatIsNotTheSameDiffers) {
   const std::string session = folder.file("s.h5");
   ASSERT_EQ(
       runAndRecord(session, {"run", shipped("02_sphere.json"), "--hand", "tremor", "--seconds", "0.5", "--fast"}).exit,
-      Exit::Well);
+      Exit::Success);
   // Another tremor in its provenance, as if another version had another hand. The texts are bytes of the file.
   std::string bytes = fileContent(session);
   const std::string before = "\"tremor_m\": 5e-04", after = "\"tremor_m\": 6e-04";
@@ -163,10 +164,10 @@ TEST(RerunCommand, OfTheRunInTheRepositoryIsTheSameToTheBitInThisBuild) {
     ASSERT_EQ(runAndRecord(path, {"run", shipped("20_scara.json"), "--hand", "tremor", "--seconds", "0.5", "--fast",
                                   "--seed", "7", "--record-details", "--overwrite"})
                   .exit,
-              Exit::Well);
+              Exit::Success);
   }
   EXPECT_EQ(textAt(sameAgain(path), "made_from"), "hand");
-  EXPECT_EQ(runCli({"replay", path, "--verify"}).exit, Exit::Well);
+  EXPECT_EQ(runCli({"replay", path, "--verify"}).exit, Exit::Success);
 }
 
 // Recorded when arms of other families than the Omni's took no integrator, with one in the scene that did not count.
@@ -196,23 +197,23 @@ TEST(RemoveParticipant, DeletesTheSessionsAndWhatWasExportedFromThem) {
     ASSERT_EQ(runAndRecord(path, {"run", shipped("02_sphere.json"), "--hand", "probe", "--seconds", "0.1", "--fast",
                                   "--subject", subject})
                   .exit,
-              Exit::Well);
+              Exit::Success);
   };
   record(theirs[0], "S07");
   record(theirs[1], "S07");
   record(others[0], "S070");
-  ASSERT_EQ(runCli({"log", "export", theirs[0], "--out", theirs[2]}).exit, Exit::Well);
-  ASSERT_EQ(runCli({"log", "export", others[0], "--out", others[1]}).exit, Exit::Well);
+  ASSERT_EQ(runCli({"log", "export", theirs[0], "--out", theirs[2]}).exit, Exit::Success);
+  ASSERT_EQ(runCli({"log", "export", others[0], "--out", others[1]}).exit, Exit::Success);
   folder.write("notes.csv", "S07\n");
   const Outcome listed = runCli({"log", "remove", "--participant", "S07", folder.path()});
-  EXPECT_EQ(listed.exit, Exit::Well) << listed.err;
+  EXPECT_EQ(listed.exit, Exit::Success) << listed.err;
   for (const std::string& path : theirs) {
     EXPECT_NE(listed.out.find(path + "\n"), std::string::npos) << path;
     EXPECT_TRUE(fs::exists(path)) << path;
   }
   EXPECT_NE(listed.err.find("Nothing was deleted"), std::string::npos) << listed.err;
   const Outcome removed = runCli({"log", "remove", "--participant", "S07", folder.path(), "--yes"});
-  EXPECT_EQ(removed.exit, Exit::Well) << removed.err;
+  EXPECT_EQ(removed.exit, Exit::Success) << removed.err;
   for (const std::string& path : theirs) EXPECT_FALSE(fs::exists(path)) << path;
   for (const std::string& path : others) EXPECT_TRUE(fs::exists(path)) << path;
   EXPECT_EQ(runCli({"log", "remove", "--participant", "S07", folder.path()}).out, "");

@@ -21,7 +21,7 @@ Outcome run(std::vector<std::string> more, const std::string& scene = "02_sphere
 
 Value summary(const std::vector<std::string>& more, const std::string& scene = "02_sphere.json") {
   const Outcome outcome = run(more, scene);
-  EXPECT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  EXPECT_EQ(outcome.exit, Exit::Success) << outcome.err;
   const std::vector<Value> all = lines(outcome.out);
   EXPECT_EQ(all.size(), 1U);
   return all.empty() ? Value{} : all[0];
@@ -95,7 +95,7 @@ TEST(Run, AFaultIsInTheSummaryAndInItsFileWithTheTicksBeforeIt) {
 
 TEST(Run, WithoutAFaultThereIsNoFaultFile) {
   const std::string path = ScratchFile("", "none.json").path();
-  EXPECT_EQ(run({"--hand", "still", "--seconds", "0.1", "--fast", "--fault-file", path}).exit, Exit::Well);
+  EXPECT_EQ(run({"--hand", "still", "--seconds", "0.1", "--fast", "--fault-file", path}).exit, Exit::Success);
   EXPECT_FALSE(std::ifstream(path).good());
 }
 
@@ -249,7 +249,8 @@ TEST(Run, AFullDiskIsToldAtOnceAndInTheExitStatusAndInTheLastLineAndTheRunGoesOn
     EXPECT_NE(outcome.err.find(" of 4000 ticks.", last), std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.err.find("it has 4000 of", last), std::string::npos) << outcome.err;
   }
-  EXPECT_EQ(run({"--hand", "still", "--seconds", "0.1", "--fast", "--record", folder.file("A.CSV")}).exit, Exit::Well);
+  EXPECT_EQ(run({"--hand", "still", "--seconds", "0.1", "--fast", "--record", folder.file("A.CSV")}).exit,
+            Exit::Success);
   EXPECT_EQ(fileContent(folder.file("A.CSV")).substr(0, 4), "tick");
 }
 

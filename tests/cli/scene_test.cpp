@@ -23,7 +23,7 @@ TEST(SceneCheck, SaysNothingOfScenesThatAreWell) {
   EXPECT_GE(arguments.size(), 9U);
   arguments.insert(arguments.begin(), {"scene", "check"});
   const Outcome outcome = runCli(arguments);
-  EXPECT_EQ(outcome.exit, Exit::Well);
+  EXPECT_EQ(outcome.exit, Exit::Success);
   EXPECT_EQ(outcome.out + outcome.err, "");
 }
 
@@ -76,7 +76,7 @@ TEST(SceneShow, TellsWhatTheTickNeedsAndNothingItDoesNot) {
 
 TEST(SceneShow, PrintsATableForPeople) {
   const Outcome outcome = runCli({"scene", "show", shipped("02_sphere.json")});
-  EXPECT_EQ(outcome.exit, Exit::Well);
+  EXPECT_EQ(outcome.exit, Exit::Success);
   EXPECT_NE(outcome.out.find("needs position          yes"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("ns per tick"), std::string::npos) << outcome.out;
 }

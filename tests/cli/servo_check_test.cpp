@@ -12,7 +12,7 @@ Value check(std::vector<std::string> more) {
   std::vector<std::string> arguments{"servo-check", "--json", "--seconds", "1"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const Outcome outcome = runCli(arguments);
-  EXPECT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  EXPECT_EQ(outcome.exit, Exit::Success) << outcome.err;
   const std::vector<Value> all = lines(outcome.out);
   EXPECT_EQ(all.size(), 1U) << outcome.out;
   return all.empty() ? Value{} : all[0];
@@ -49,7 +49,7 @@ TEST(ServoCheck, TakesAnyShippedSceneRateAndArmModelAndALoad) {
 
 TEST(ServoCheck, PrintsATableForPeople) {
   const Outcome outcome = runCli({"servo-check", "--seconds", "1", "--scheduling", "normal"});
-  EXPECT_EQ(outcome.exit, Exit::Well);
+  EXPECT_EQ(outcome.exit, Exit::Success);
   for (const char* word :
        {"Scheduling: normal", "p99.9", "latency of a bare loop", "latency of the servo", "A period or more late"}) {
     EXPECT_NE(outcome.out.find(word), std::string::npos) << word << " in\n" << outcome.out;
@@ -91,7 +91,7 @@ TEST(Run, TakesTheSchedulingThatIsAskedFor) {
   std::vector<std::string> arguments = still;
   for (const char* more : {"--scheduling", "normal"}) arguments.emplace_back(more);
   const Outcome outcome = runCli(arguments);
-  ASSERT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   EXPECT_EQ(textAt(lines(outcome.out)[0], "scheduling"), "normal");
   arguments.back() = "best";
   EXPECT_EQ(runCli(arguments).exit, Exit::Usage);

@@ -12,7 +12,7 @@ namespace underact::test {
 
 /// What a command gave.
 struct Outcome {
-  cli::Exit exit = cli::Exit::Well;
+  cli::Exit exit = cli::Exit::Success;
   std::string out;
   std::string err;
 };

@@ -20,7 +20,7 @@ using cli::Exit;
 /// "remote:HOST:PORT", as the sharing program says how it is opened.
 std::string deviceOf(const Process& shared) {
   EXPECT_TRUE(shared.says("--device remote:"));
-  const std::vector<PatternMatch> found = matchesOf("remote:[0-9.]+:[0-9]+", shared.said());
+  const std::vector<PatternMatch> found = matchesOf("remote:[0-9.]+:[0-9]+", shared.output());
   return found.empty() ? "" : found[0].groups[0];
 }
 
@@ -37,7 +37,7 @@ class ShareArm : public testing::Test {
 
 TEST_F(ShareArm, PrintsTheLineThatTheOtherComputerNeeds) {
   const Outcome shown = runCli({"share-arm", "--show-key"});
-  ASSERT_EQ(shown.exit, Exit::Well) << shown.err;
+  ASSERT_EQ(shown.exit, Exit::Success) << shown.err;
   const std::vector<PatternMatch> line = matchesOf("  underact-cli (share-arm --allow='[^']{40} [^']+')\n", shown.out);
   ASSERT_FALSE(line.empty()) << shown.out;
   // As it is, in a shell: whatever characters the key has.
@@ -55,7 +55,7 @@ TEST_F(ShareArm, TakesEveryKeyThatCanBe) {
   for (const char first : std::string("-[{(<%$#@!*/?&=^:.+")) {
     const std::string key = first + std::string(39, '1');
     const Outcome outcome = runCli({"share-arm", "--trust=arm-pc:7878 " + key});
-    if (outcome.exit == Exit::Well) {
+    if (outcome.exit == Exit::Success) {
       std::ifstream file(scratch.file("keys/arm_hosts"));
       std::string host, noted;
       file >> host >> noted;
@@ -89,10 +89,10 @@ TEST_F(ShareArm, LetsAnotherProgramPush) {
   Process shared(scratch, "shared", {"share-arm", "--force", "--listen", "127.0.0.1:0"});
   const std::string device = deviceOf(shared);
   EXPECT_TRUE(shared.says("Simulated arm is shared at 127.0.0.1:"));
-  EXPECT_TRUE(says(shared.said(), ", with force, with passivity control."));
+  EXPECT_TRUE(says(shared.output(), ", with force, with passivity control."));
   Outcome outcome = runCli(runOf(device, "1"));
   for (int again = 0; again < 2 && outcome.exit == Exit::Fault; ++again) outcome = runCli(runOf(device, "1"));
-  EXPECT_EQ(outcome.exit, Exit::Well) << outcome.err;
+  EXPECT_EQ(outcome.exit, Exit::Success) << outcome.err;
   EXPECT_GT(numberAt(lines(outcome.out).at(0), "peak_force_N"), 0.1);
   EXPECT_TRUE(shared.says("A program has the arm."));
   EXPECT_TRUE(shared.says("It pushes."));
@@ -105,9 +105,9 @@ TEST_F(ShareArm, LetsAnotherProgramPush) {
 TEST_F(ShareArm, WithoutForceItOnlyShows) {
   Process shared(scratch, "shared", {"share-arm", "--listen", "127.0.0.1:0"});
   const Outcome outcome = runCli(runOf(deviceOf(shared), "0.5"));
-  EXPECT_TRUE(outcome.exit == Exit::Well || says(outcome.out, "no_sample")) << outcome.err;
+  EXPECT_TRUE(outcome.exit == Exit::Success || says(outcome.out, "no_sample")) << outcome.err;
   EXPECT_TRUE(shared.says("A program has the arm, without force."));
-  EXPECT_FALSE(says(shared.said(), "It pushes."));
+  EXPECT_FALSE(says(shared.output(), "It pushes."));
 }
 
 TEST_F(ShareArm, AKilledProgramsForceEndsWithinFivePeriods) {
@@ -119,11 +119,11 @@ TEST_F(ShareArm, AKilledProgramsForceEndsWithinFivePeriods) {
   EXPECT_TRUE(shared.says("stopped sending. Zero force"));
   EXPECT_TRUE(shared.says("No force received: zero after "));
   for (const PatternMatch& pause :
-       matchesOf("No force received: zero after ([0-9]+) more periods at most.", shared.said()))
+       matchesOf("No force received: zero after ([0-9]+) more periods at most.", shared.output()))
     EXPECT_LT(std::stoi(pause.groups[1]), device::remote::kQuietPeriods);
   Process next(scratch, "next", runOf(device, "60"));
   EXPECT_TRUE(comes([&] {
-    const std::string now = shared.said();
+    const std::string now = shared.output();
     return says(now.substr(now.find("stopped sending")), "It pushes.");
   })) << "it is free for the next";
 }
@@ -146,7 +146,7 @@ TEST_F(ShareArm, AnotherUsersKeyIsTurnedAway) {
   std::string key;
   file >> key;
   setenv("UNDERACT_KEYS", (scratch.path() + "/others").c_str(), 1);
-  ASSERT_EQ(runCli({"share-arm", "--trust=" + device.substr(7) + " " + key}).exit, Exit::Well);
+  ASSERT_EQ(runCli({"share-arm", "--trust=" + device.substr(7) + " " + key}).exit, Exit::Success);
   const Outcome outcome = runCli(runOf(device, "0.1"));
   EXPECT_EQ(outcome.exit, Exit::Fault);
   EXPECT_TRUE(says(outcome.err, "your key is not known there")) << outcome.err;

@@ -18,7 +18,7 @@ using json::Value;
 constexpr const char* kSphere = R"({"name": "ball", "type": "sphere", "center_mm": [0, 0, 0], "radius_mm": 50})";
 
 /// The sceneAnswers of a scene to lines.
-std::vector<Value> sceneAnswers(const std::string& scene, const std::string& in, Exit exit = Exit::Well) {
+std::vector<Value> sceneAnswers(const std::string& scene, const std::string& in, Exit exit = Exit::Success) {
   const ScratchFile file(scene);
   const Outcome outcome = runCli({"target", file.path()}, in);
   EXPECT_EQ(outcome.exit, exit) << outcome.err;

@@ -59,7 +59,7 @@ TEST_F(ControllersTest, AGamepadIsKnownByItsLayout) {
   EXPECT_EQ(first().id, "030000005e0400008e02000010010000");
   EXPECT_EQ(readings().axes, 6);
   EXPECT_EQ(readings().buttons, 15);
-  EXPECT_NE(first().usual, Map{});
+  EXPECT_NE(first().default_value, Map{});
   EXPECT_TRUE(first().missing.empty());
 }
 

@@ -116,8 +116,8 @@ std::vector<guint8> KernelPad::answer(gulong request) const {
   if (number == _IOC_NR(EVIOCGNAME(0))) return {kind_.name.c_str(), kind_.name.c_str() + kind_.name.size() + 1};
   std::vector<int> codes;
   for (std::size_t axis = 0; axis < values_.size(); ++axis) {
-    const auto& [code, least, most] = kind_.axes[axis];
-    if (number == _IOC_NR(EVIOCGABS(code))) return bytesOf(input_absinfo{values_[axis], least, most, 0, 0, 0});
+    const auto& [code, min, max] = kind_.axes[axis];
+    if (number == _IOC_NR(EVIOCGABS(code))) return bytesOf(input_absinfo{values_[axis], min, max, 0, 0, 0});
     codes.push_back(code);
   }
   return number == _IOC_NR(EVIOCGBIT(EV_ABS, 0)) ? bits(codes, room) : Bytes{};

@@ -11,7 +11,7 @@ namespace underact::test {
 
 /// One axis as the kernel tells of it: its code (ABS_X is 0, ABS_HAT0X is 16) and its range.
 struct KernelAxis {
-  int code, least, most;
+  int code, min, max;
 };
 
 /// What the kernel tells of a device of its own accord.

@@ -34,23 +34,23 @@ scene::Description pointScene() {
 }
 
 /// Where a servo with a point brings the arm after so many ticks.
-std::vector<arm::JointAngles> wayOf(std::unique_ptr<SimulatedArm> arm, int ticks) {
+std::vector<arm::JointAngles> pathOf(std::unique_ptr<SimulatedArm> arm, int ticks) {
   servo::Host host(std::move(arm), {.clock = servo::Clock::Manual});
   EXPECT_TRUE(host.load(pointScene()).empty());
   host.start();
   host.run(ticks);
-  std::vector<arm::JointAngles> way;
-  host.drain([&](const servo::TickRecord& record) { way.push_back(record.q_rad); });
-  return way;
+  std::vector<arm::JointAngles> path;
+  host.drain([&](const servo::TickRecord& record) { path.push_back(record.q_rad); });
+  return path;
 }
 
 TEST(SimulatedArm, ThatBecomesAModelMovesToTheBitAsOneMadeOfIt) {
   const sim::ArmModel& vendors = *sim::findArmModel(sim::kDefaultArmModel);
   auto other = std::make_unique<SimulatedArm>(modelOptions(vendors));
   other->become(heavy());
-  const std::vector<arm::JointAngles> as_made = wayOf(std::make_unique<SimulatedArm>(modelOptions(heavy())), 1500);
-  EXPECT_EQ(wayOf(std::move(other), 1500), as_made);
-  EXPECT_NE(wayOf(std::make_unique<SimulatedArm>(modelOptions(vendors)), 1500), as_made);
+  const std::vector<arm::JointAngles> as_made = pathOf(std::make_unique<SimulatedArm>(modelOptions(heavy())), 1500);
+  EXPECT_EQ(pathOf(std::move(other), 1500), as_made);
+  EXPECT_NE(pathOf(std::make_unique<SimulatedArm>(modelOptions(vendors)), 1500), as_made);
 }
 
 TEST(SimulatedArm, ThatBecomesTheVendorsAgainHasItsPresetsEncoders) {
@@ -58,7 +58,7 @@ TEST(SimulatedArm, ThatBecomesTheVendorsAgainHasItsPresetsEncoders) {
   auto other = std::make_unique<SimulatedArm>(modelOptions(vendors));
   other->become(heavy());
   other->become(vendors);
-  EXPECT_EQ(wayOf(std::move(other), 1500), wayOf(std::make_unique<SimulatedArm>(modelOptions(vendors)), 1500));
+  EXPECT_EQ(pathOf(std::move(other), 1500), pathOf(std::make_unique<SimulatedArm>(modelOptions(vendors)), 1500));
 }
 
 TEST(SimulatedArm, AHandThatLetsGoMovesNothingUntilItHoldsAgain) {

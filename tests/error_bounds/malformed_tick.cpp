@@ -69,10 +69,10 @@ struct Run {
 /// be.
 double forceError(const Run& run) {
   const Vec3& f_T_W = run.report->force.f_T_W();
-  const double most_N = run.program.limits.max_force_N, size_N = f_T_W.norm();
+  const double max_N = run.program.limits.max_force_N, size_N = f_T_W.norm();
   if (!f_T_W.allFinite()) return kInfinity;
   if (run.report->fault.kind != FaultKind::None && size_N > 0.0) return kInfinity;
-  return size_N > most_N ? (size_N - most_N) / (0x1p-52 * most_N) : 0.0;
+  return size_N > max_N ? (size_N - max_N) / (0x1p-52 * max_N) : 0.0;
 }
 
 bool areFinite(std::initializer_list<Vec3> all) {

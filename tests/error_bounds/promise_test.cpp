@@ -56,7 +56,7 @@ TEST(Guide, HasTheWorstErrorAndThePromisesOfEachGroup) {
   std::ifstream file(UNDERACT_SOURCE "/resources/guide/extremes.md");
   const std::string guide{std::istreambuf_iterator<char>(file), {}};
   struct Group {
-    double worst_ulp = 0.0, least_ulp = kInfinity, most_ulp = 0.0;
+    double worst_ulp = 0.0, min_ulp = kInfinity, max_ulp = 0.0;
   };
   std::map<std::string, Group> groups;
   for (const RegressionCase& kept : regressionCases()) {
@@ -64,14 +64,14 @@ TEST(Guide, HasTheWorstErrorAndThePromisesOfEachGroup) {
     if (row.promised_ulp > 1000.0) continue;  // of the descent of a robot: its tolerance, which the page names
     Group& group = groups[name(row.kind)];
     group.worst_ulp = std::max(group.worst_ulp, kept.error_ulp);
-    group.least_ulp = std::min(group.least_ulp, row.promised_ulp);
-    group.most_ulp = std::max(group.most_ulp, row.promised_ulp);
+    group.min_ulp = std::min(group.min_ulp, row.promised_ulp);
+    group.max_ulp = std::max(group.max_ulp, row.promised_ulp);
   }
   for (const auto& [key, group] : groups) {
     std::ostringstream line;
     line << "| " << key << " | " << std::setprecision(2) << group.worst_ulp << std::setprecision(6) << " | "
-         << group.least_ulp;
-    if (group.most_ulp > group.least_ulp) line << " to " << group.most_ulp;
+         << group.min_ulp;
+    if (group.max_ulp > group.min_ulp) line << " to " << group.max_ulp;
     EXPECT_NE(guide.find(line.str() + " |"), std::string::npos) << line.str();
   }
 }

@@ -141,7 +141,7 @@ void expectSound(const Result<Model>& read) {
   }
   const Model& model = read.value();
   const std::size_t count = model.chain.joints.size();
-  ASSERT_TRUE(count >= 1 && count <= kMostJoints);
+  ASSERT_TRUE(count >= 1 && count <= kMaxJoints);
   ASSERT_EQ(model.rows.size(), count);
   ASSERT_EQ(model.joints.size(), count);
   ASSERT_TRUE(model.masses.empty() || model.masses.size() == count);

@@ -21,8 +21,8 @@ std::vector<std::string> theMaps() {
   input::DeviceState controller, mouse;
   input::describeController(controller);
   input::describeSpaceMouse(mouse, 22);
-  texts.push_back(input::mapText({"Controller", "030000005e0400008e02000010010000", controller.usual}));
-  texts.push_back(input::mapText({"SpaceMouse Pro", "3d-SpaceMouse Pro", mouse.usual}));
+  texts.push_back(input::mapText({"Controller", "030000005e0400008e02000010010000", controller.default_value}));
+  texts.push_back(input::mapText({"SpaceMouse Pro", "3d-SpaceMouse Pro", mouse.default_value}));
   texts.emplace_back(R"({"underact_hand_map": 1, "id": "x", "ways": {"up": {"triggers": [5, null]}}})");
   return texts;
 }
@@ -49,8 +49,8 @@ std::string judgeMap(const std::string& text, bool& accepted) {
   }
   const input::Map& map = read.value().map;
   input::Readings readings;
-  readings.axes = input::kMostAxes;
-  readings.buttons = input::kMostButtons;
+  readings.axes = input::kMaxAxes;
+  readings.buttons = input::kMaxButtons;
   readings.axis.fill(1.0);
   readings.pressed = 0x5555555555555555U;
   const input::Motion motion = input::motionOf(map, readings, {{true, true, true, true, true, true}});

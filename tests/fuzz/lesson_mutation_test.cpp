@@ -41,12 +41,12 @@ std::string judgeRefusal(const Problems& problems, const std::string& text) {
   const auto lines = static_cast<int>(std::count(text.begin(), text.end(), '\n')) + 1;
   if (problems.empty()) return "Refused without a problem.";
   for (const Problem& problem : problems) {
-    const std::string said = describe(problem);
-    if (problem.place.line < 1 || problem.place.line > lines) return "No place of the file: " + said;
+    const std::string given = describe(problem);
+    if (problem.place.line < 1 || problem.place.line > lines) return "No place of the file: " + given;
     if (problem.sentence.size() < 10 || std::string_view(".?").find(problem.sentence.back()) == std::string_view::npos)
-      return "No sentence: " + said;
-    if (problem.sentence.pattern().empty()) return "No other language can say: " + said;
-    if (!isUtf8(said) || said.find('\n') != std::string::npos) return "Not one line: " + said;
+      return "No sentence: " + given;
+    if (problem.sentence.pattern().empty()) return "No other language can say: " + given;
+    if (!isUtf8(given) || given.find('\n') != std::string::npos) return "Not one line: " + given;
   }
   return {};
 }

@@ -232,7 +232,7 @@ TEST_P(MeshMutations, AreReadOrRefusedInTimeAndInMemory) {
     longest_cpu_s = std::max(longest_cpu_s, raw.value().cpu_s);
     peak_bytes = std::max(peak_bytes, raw.value().peak_bytes);
 #ifndef __SANITIZE_ADDRESS__
-    ASSERT_LE(raw.value().peak_bytes, static_cast<std::int64_t>(mesh_file::mostMemory(bytes.size())));
+    ASSERT_LE(raw.value().peak_bytes, static_cast<std::int64_t>(mesh_file::maxMemory(bytes.size())));
 #endif
   }
   std::printf("%s: %d files, %d of them read, the rest refused; longest %.3f s (%.3f s of the processor), %.1f MiB\n",

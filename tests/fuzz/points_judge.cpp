@@ -10,18 +10,19 @@ namespace underact::test {
 namespace {
 
 std::string judgeRefusal(const Problems& problems, std::string_view text) {
-  if (problems.empty() || problems.size() > curve::kMostProblems) return "Refused with no problem, or too many.";
+  if (problems.empty() || problems.size() > curve::kMaxProblems) return "Refused with no problem, or too many.";
   const auto isEnd = [](char c) { return c == '\n' || c == '\r'; };
   const auto lines = static_cast<int>(std::count_if(text.begin(), text.end(), isEnd)) + 1;
   int last = 0;
   for (const Problem& problem : problems) {
-    const std::string said = describe(problem);
+    const std::string given = describe(problem);
     const bool is_of_all =
         problem.place.line == 0 && problems.size() == 1 && problem.sentence == "The file has no points.";
-    if (problem.place.line > lines || (problem.place.line <= last && !is_of_all)) return "No line of the file: " + said;
-    if (problem.sentence.size() < 10 || problem.sentence.back() != '.') return "No sentence: " + said;
-    if (problem.sentence.pattern().empty()) return "No other language can say: " + said;
-    if (said.size() > 1000 || said.find('\n') != std::string::npos) return "Not one line: " + said;
+    if (problem.place.line > lines || (problem.place.line <= last && !is_of_all))
+      return "No line of the file: " + given;
+    if (problem.sentence.size() < 10 || problem.sentence.back() != '.') return "No sentence: " + given;
+    if (problem.sentence.pattern().empty()) return "No other language can say: " + given;
+    if (given.size() > 1000 || given.find('\n') != std::string::npos) return "Not one line: " + given;
     last = problem.place.line;
   }
   return {};

@@ -25,12 +25,12 @@ std::string judgeProblems(const Problems& problems, std::string_view text) {
   const auto lines = static_cast<int>(std::count(text.begin(), text.end(), '\n')) + 1;
   for (const Problem& problem : problems) {
     const SourceLocation& place = problem.place;
-    const std::string said = describe(problem);
-    if (place.line < 1 || place.line > lines || place.column < 1) return "No place of the file: " + said;
+    const std::string given = describe(problem);
+    if (place.line < 1 || place.line > lines || place.column < 1) return "No place of the file: " + given;
     if (problem.sentence.size() < 10 || std::string_view(".?").find(problem.sentence.back()) == std::string_view::npos)
-      return "No sentence: " + said;
-    if (problem.sentence.pattern().empty()) return "No other language can say: " + said;
-    if (!isUtf8(said) || said.size() > 1000 || said.find('\n') != std::string::npos) return "Not one line: " + said;
+      return "No sentence: " + given;
+    if (problem.sentence.pattern().empty()) return "No other language can say: " + given;
+    if (!isUtf8(given) || given.size() > 1000 || given.find('\n') != std::string::npos) return "Not one line: " + given;
   }
   return {};
 }

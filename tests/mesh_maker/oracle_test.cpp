@@ -33,7 +33,7 @@ TEST(MeshOracle, KnowsTheCubeInsideAndOut) {
 void expectStroke(const mesh::Triangles& triangles, double mm) {
   const std::vector<Vec3> path = handPath(triangles, mm, 4000, Seed{20070612});
   const MeshOracle oracle(triangles);
-  double nearest = kInfinity, way = 0.0;
+  double nearest = kInfinity, direction = 0.0;
   for (std::size_t i = 0; i < path.size(); ++i) {
     const double distance = oracle.distance(path[i]) / mm;
     nearest = std::min(nearest, distance);
@@ -41,14 +41,14 @@ void expectStroke(const mesh::Triangles& triangles, double mm) {
     if (i == 0) continue;
     const double step = (path[i] - path[i - 1]).norm() / mm;
     ASSERT_LT(step, 0.5 + 1e-9);
-    way += step;
+    direction += step;
     if (i > 1) {
       // Back on its heel at 0.5 mm/ms, smoothed over s = 4 ms: 2 x 0.5 / (s sqrt(2 pi)).
       ASSERT_LT((path[i] - 2.0 * path[i - 1] + path[i - 2]).norm() / mm, 0.1);
     }
   }
   EXPECT_LT(nearest, 0.05);
-  EXPECT_GT(way / static_cast<double>(path.size()), 0.25);  // mm/ms; 0.3 but for what turns cost
+  EXPECT_GT(direction / static_cast<double>(path.size()), 0.25);  // mm/ms; 0.3 but for what turns cost
 }
 
 TEST(HandPath, StrokesTheSurfaceAtAHandsSpeed) {

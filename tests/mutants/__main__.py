@@ -26,8 +26,8 @@ from pathlib import Path
 from breakages import BREAKAGES, Breakage
 
 ROOT = Path(__file__).resolve().parents[2]
-MOST_ALIVE = 3
-LEAST_LIMIT_S = 60.0  # a test may take this long, or
+MAX_ALIVE = 3
+MIN_LIMIT_S = 60.0  # a test may take this long, or
 TIMES = 10.0  # so many times as long as on the whole program
 BUILD_LIMIT_S = 6 * 3600.0  # a whole build beside other work took more than an hour
 
@@ -56,7 +56,7 @@ def end_session(session: int) -> None:
 
 
 def run(command: list[str], limit_s: float, cwd: Path, more: dict[str, str]) -> tuple[bool, str]:
-    """Whether it ended well in time, and what it said. All that it started ends with it."""
+    """Whether it ended without an error in time, and its output. All that it started ends with it."""
     with subprocess.Popen(
         command,
         cwd=cwd,
@@ -69,8 +69,8 @@ def run(command: list[str], limit_s: float, cwd: Path, more: dict[str, str]) -> 
         start_new_session=True,
     ) as child:
         try:
-            said = child.communicate(timeout=limit_s)[0]
-            return child.returncode == 0, said
+            output = child.communicate(timeout=limit_s)[0]
+            return child.returncode == 0, output
         except subprocess.TimeoutExpired:
             return False, f"It took more than {limit_s:.0f} s."
         finally:
@@ -114,9 +114,9 @@ class Bench:
         copy_tracked(self.source)
         words = ["cmake", "--preset", "ci", "-B", str(self.binary), "-DUNDERACT_BENCH=OFF"]
         words += ["-DUNDERACT_SANITIZE=", "-DCMAKE_COMPILE_WARNING_AS_ERROR=OFF"]
-        well, said = run(words, 600, self.source, self.compiling)
-        if not well:
-            raise ListError(f"It does not configure:\n{said}")
+        passed, output = run(words, 600, self.source, self.compiling)
+        if not passed:
+            raise ListError(f"It does not configure:\n{output}")
 
     def build(self, programs: set[str]) -> tuple[bool, str]:
         """Builds these targets."""
@@ -126,8 +126,8 @@ class Bench:
     def ask_ctest(self) -> None:
         """Which command each test is."""
         words = ["ctest", "--test-dir", str(self.binary), "--show-only=json-v1"]
-        said = subprocess.run(words, check=True, capture_output=True, text=True).stdout
-        self.known = {test["name"]: test for test in json.loads(said)["tests"]}
+        output = subprocess.run(words, check=True, capture_output=True, text=True).stdout
+        self.known = {test["name"]: test for test in json.loads(output)["tests"]}
 
     def passes(self, breakage: Breakage, limit_s: float) -> tuple[bool, str]:
         """Runs the test as ctest would, with the filter."""
@@ -141,10 +141,10 @@ class Bench:
         if breakage.only != "*":
             command.append(f"--gtest_filter={breakage.only}")
         where = Path(properties.get("WORKING_DIRECTORY", self.binary))
-        well, said = run(command, limit_s, where, more)
-        if "Running 0 tests" in said:
+        passed, output = run(command, limit_s, where, more)
+        if "Running 0 tests" in output:
             raise ListError(f"{breakage.file}: no test of {breakage.test} is {breakage.only}.")
-        return well, said
+        return passed, output
 
     @contextlib.contextmanager
     def broken(self, breakage: Breakage) -> Iterator[None]:
@@ -163,20 +163,20 @@ def judge_whole(bench: Bench, chosen: list[Breakage]) -> dict[tuple[str, str], f
     """Builds all once and runs the tests: they pass. Gives how long each takes at most."""
     started = time.monotonic()
     bench.configure()
-    well, said = bench.build({word for one in chosen for word in one.program.split()})
-    if not well:
-        raise ListError(f"It does not build without a breakage:\n{said[-4000:]}")
+    passed, output = bench.build({word for one in chosen for word in one.program.split()})
+    if not passed:
+        raise ListError(f"It does not build without a breakage:\n{output[-4000:]}")
     bench.ask_ctest()
     limits_s: dict[tuple[str, str], float] = {}
     for one in chosen:
         if (one.test, one.only) in limits_s:
             continue
         begun = time.monotonic()
-        well, said = bench.passes(one, BUILD_LIMIT_S)
-        if not well:
-            raise ListError(f"{one.test} ({one.only}) fails without a breakage:\n{said[-4000:]}")
+        passed, output = bench.passes(one, BUILD_LIMIT_S)
+        if not passed:
+            raise ListError(f"{one.test} ({one.only}) fails without a breakage:\n{output[-4000:]}")
         seconds = time.monotonic() - begun
-        limits_s[one.test, one.only] = max(LEAST_LIMIT_S, TIMES * seconds)
+        limits_s[one.test, one.only] = max(MIN_LIMIT_S, TIMES * seconds)
         print(f"whole: {one.test} {one.only}: {seconds:.1f} s", flush=True)
     print(f"whole: built and tested in {(time.monotonic() - started) / 60:.1f} min", flush=True)
     return limits_s
@@ -185,9 +185,9 @@ def judge_whole(bench: Bench, chosen: list[Breakage]) -> dict[tuple[str, str], f
 def lives(bench: Bench, breakage: Breakage, limit_s: float) -> bool:
     """Whether the test passes all the same."""
     with bench.broken(breakage):
-        well, said = bench.build(set(breakage.program.split()))
-        if not well:
-            raise ListError(f"{breakage.file}: does not compile when broken:\n{said[-4000:]}")
+        passed, output = bench.build(set(breakage.program.split()))
+        if not passed:
+            raise ListError(f"{breakage.file}: does not compile when broken:\n{output[-4000:]}")
         return bench.passes(breakage, limit_s)[0]
 
 
@@ -218,7 +218,7 @@ def tell(alive: list[Breakage], count: int) -> int:
         print(f"  was: {one.old.strip()}\n  is:  {one.new.strip() or '(left out)'}")
         print(f"  {one.lives or f'{one.test} ({one.only}) should notice it.'}")
     print(f"\n{count - len(alive)} of {count} breakages are noticed, {len(alive)} live.")
-    return 1 if len(alive) > MOST_ALIVE or any(not one.lives for one in alive) else 0
+    return 1 if len(alive) > MAX_ALIVE or any(not one.lives for one in alive) else 0
 
 
 def main() -> int:

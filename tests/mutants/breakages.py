@@ -36,8 +36,8 @@ BREAKAGES = [
     Breakage(
         says="half of the words beside a typing error are not compared with it",
         file="core/json/text.cpp",
-        old="i > most ? i - most : 0",
-        new="i > most ? i : 0",
+        old="i > max ? i - max : 0",
+        new="i > max ? i : 0",
         program="json_test",
         test="json_test",
     ),
@@ -95,7 +95,7 @@ BREAKAGES = [
     Breakage(
         says="a helper may write without end",
         file="core/helper/run.cpp",
-        old="if (answer_.output.size() > errand_.most_output) return Ending::WroteTooMuch;",
+        old="if (answer_.output.size() > errand_.max_output) return Ending::WroteTooMuch;",
         new="",
         program="helper_test",
         test="helper_test",
@@ -111,8 +111,8 @@ BREAKAGES = [
     Breakage(
         says="the way along a closed curve is rounded down, not to the nearest round",
         file="core/curve/along.cpp",
-        old="std::floor(way_m / whole_m + 0.5)",
-        new="std::floor(way_m / whole_m)",
+        old="std::floor(travel_m / whole_m + 0.5)",
+        new="std::floor(travel_m / whole_m)",
         program="curve_test",
         test="curve_test",
     ),
@@ -474,7 +474,7 @@ BREAKAGES = [
     Breakage(
         says="frames that push pile up before a service that does not answer",
         file="device/haply/haply_arm.cpp",
-        old="unanswered_ >= kMostUnanswered && ",
+        old="unanswered_ >= kMaxUnanswered && ",
         new="false && ",
         program="device_test",
         test="device_test",
@@ -704,7 +704,7 @@ BREAKAGES = [
     Breakage(
         says="for the left hand the ghost goes its way unmirrored",
         file="app/gui/ghost/ghost_hand.cpp",
-        old="ghost_->way = ghost::mirrored(std::move(ghost_->way), ghost_->mirror);",
+        old="ghost_->trajectory = ghost::mirrored(std::move(ghost_->trajectory), ghost_->mirror);",
         new="",
         program="stories",
         test="stories.GhostStory",
@@ -722,8 +722,8 @@ BREAKAGES = [
     Breakage(
         says="the greatest cut of a limit is forgotten as soon as it cuts less",
         file="app/gui/servo/limits_section.cpp",
-        old="limit.most_N = std::max(limit.most_N, cut_N);",
-        new="limit.most_N = cut_N;",
+        old="limit.max_N = std::max(limit.max_N, cut_N);",
+        new="limit.max_N = cut_N;",
         program="stories",
         test="stories.ServoStory",
         only="ServoStory.ALimit*",
@@ -758,8 +758,8 @@ BREAKAGES = [
     Breakage(
         says="the view turns over the pole",
         file="app/gui/view/orbit_camera.cpp",
-        old="std::clamp(camera.elevation_rad + turn * way.y(), -0.5 * kPi, 0.5 * kPi)",
-        new="camera.elevation_rad + turn * way.y()",
+        old="std::clamp(camera.elevation_rad + turn * offset.y(), -0.5 * kPi, 0.5 * kPi)",
+        new="camera.elevation_rad + turn * offset.y()",
         program="gui_view_test",
         test="gui_view_test",
         only="SceneView*",

@@ -70,7 +70,7 @@ class EveryCall : public OpenHapticsArmTest, public testing::WithParamInterface<
   }
   /// What a fault has left behind does not last: the next opening is as the first. After a library that would not let
   /// the arm go, that takes a second attempt.
-  void expectWell(std::uint32_t code) {
+  void expectOk(std::uint32_t code) {
     Result<std::unique_ptr<OpenHapticsArm>> opened = tryToOpen(rate_hz);
     if (!opened) opened = tryToOpen(rate_hz);
     ASSERT_TRUE(opened) << GetParam().call << std::hex << " 0x" << code << ": " << opened.problems().front().sentence;
@@ -96,7 +96,7 @@ TEST_P(EveryCall, ThatFailsWhileTheArmIsOpenedIsAProblemOrIsBorne) {
       }
       expectRest(code);
     }
-    expectWell(code);
+    expectOk(code);
   }
 }
 
@@ -116,7 +116,7 @@ TEST_P(EveryCall, ThatFailsWhileItPushesLeavesNoForceAndASentence) {
     }
     expectRest(code);
   }
-  expectWell(0);
+  expectOk(0);
 }
 
 TEST_P(EveryCall, ThatFailsOnceWhileItPushesIsOverAfterARestart) {
@@ -144,7 +144,7 @@ TEST_P(EveryCall, ThatFailsWhileTheArmIsClosedLeavesNoForce) {
     far->inject(GetParam().call, 1, code, Extent::Lasting);
     expectRest(code);
   }
-  expectWell(0);
+  expectOk(0);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTheLibrary, EveryCall, testing::ValuesIn(kCalls),

@@ -17,12 +17,12 @@ using test::comes;
 /// The servo at work on the arm, which dies in that way.
 class Program : public test::WiredProgram {
  public:
-  explicit Program(const std::string& way, const std::string& guard = UNDERACT_GUARD)
-      : WiredProgram(UNDERACT_DYING_PROGRAM, {guard, way}) {}
+  explicit Program(const std::string& ending, const std::string& guard = UNDERACT_GUARD)
+      : WiredProgram(UNDERACT_DYING_PROGRAM, {guard, ending}) {}
 };
 
-void expectZeroAfterDeath(const std::string& way, int signal) {
-  Program program(way);
+void expectZeroAfterDeath(const std::string& ending, int signal) {
+  Program program(ending);
   ASSERT_EQ(program.line(), "pushing");
   ASSERT_GT(program.arm().pushes(), 0) << "else there is nothing to end";
   if (signal != 0) program.send(signal);

@@ -13,7 +13,7 @@ from underact import DamagedSession, Session, SessionError, layout
 from underact.info import info_of
 from underact.plots import draw, view_of
 
-MOST_BYTES = 2 << 30  # of addresses, most of which libraries take
+MAX_BYTES = 2 << 30  # of addresses, most of which libraries take
 
 
 def replaced(table: h5py.Group, column: str, rows: int, kind: str, chunk: int, **more) -> None:
@@ -38,7 +38,7 @@ class Bounded(InFolder):
         super().setUp()
         before = resource.getrlimit(resource.RLIMIT_AS)
         self.addCleanup(resource.setrlimit, resource.RLIMIT_AS, before)
-        resource.setrlimit(resource.RLIMIT_AS, (MOST_BYTES, before[1]))
+        resource.setrlimit(resource.RLIMIT_AS, (MAX_BYTES, before[1]))
         signal.alarm(120)  # a hang is a failure
         self.addCleanup(signal.alarm, 0)
         self.path = write_session(self.folder / "a.h5", 250)
@@ -108,7 +108,7 @@ class ATable(Bounded):
 
     def test_of_too_many_marks_is_refused(self):
         def change(file):
-            marks, rows = file["markers"], layout.MOST_ROWS["markers"] + 1
+            marks, rows = file["markers"], layout.MAX_ROWS["markers"] + 1
             for column in marks:
                 marks[column].resize(rows, axis=0)
                 marks[column][:] = zlib.crc32(bytes(24)) if column == "crc32" else 0

@@ -38,7 +38,7 @@ bool forbidFilters() {
 }
 
 /// What is said there, of a process of its own.
-std::string saidThere(const std::function<Problems()>& work) {
+std::string givenThere(const std::function<Problems()>& work) {
   std::array<int, 2> pipe{-1, -1};
   EXPECT_EQ(::pipe(pipe.data()), 0);
   const pid_t pid = ::fork();
@@ -69,7 +69,7 @@ TEST(NotSandboxed, AMeshIsNotRead) {
   const test::ScratchFolder folder;
   const std::string path = folder.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   EXPECT_TRUE(mesh_file::readFile(path)) << "where it is shut off, it reads";
-  const std::string words = saidThere([&] {
+  const std::string words = givenThere([&] {
     const Result<mesh_file::RawMesh> raw = mesh_file::readFile(path);
     return raw ? Problems{} : raw.problems();
   });
@@ -81,7 +81,7 @@ TEST(NotSandboxed, ASessionIsNotRead) {
   const std::string path = folder.file("s.h5");
   ASSERT_TRUE(record::SessionWriter::create(path, {}));
   EXPECT_TRUE(record::Session::open(path)) << "where it is shut off, it reads";
-  const std::string words = saidThere([&] {
+  const std::string words = givenThere([&] {
     const Result<record::Session> session = record::Session::open(path);
     return session ? Problems{} : session.problems();
   });

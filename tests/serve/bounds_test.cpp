@@ -64,11 +64,11 @@ TEST(LiveServiceBounds, ALongRequestIsReadByAWorkerWhileOthersAreAnswered) {
   desk.send(client, R"({"id": 1, "do": "set", "values": {"/control/kp_N_per_mm": 0.3}, "pad": ")" +
                         std::string(900'000, ' ') + "\"}");
   EXPECT_FALSE(desk.service->hasMessage(client)) << "nothing of it is read at once";
-  EXPECT_TRUE(Desk::isWell(desk.ask(other, R"({"id": 2, "do": "status"})")));
+  EXPECT_TRUE(Desk::isOk(desk.ask(other, R"({"id": 2, "do": "status"})")));
   EXPECT_NE(desk.ask(client, R"({"id": 3, "do": "status"})").find("\"/pad\""), std::string::npos) << "in its order";
   const std::string well =
       desk.ask(client, R"({"id": 4, "do": "set", "values": {"/control/kp_N_per_mm": 0.3}})" + std::string(20'000, ' '));
-  EXPECT_TRUE(Desk::isWell(well)) << well;
+  EXPECT_TRUE(Desk::isOk(well)) << well;
   EXPECT_EQ(desk.host->scene().control.gains.kp_N_per_mm, Vec3(Vec3::Constant(0.3)));
   const std::string mark = desk.ask(client, R"({"id": 5, "do": "mark", "text": "a"})" + std::string(20'000, ' '));
   EXPECT_NE(mark.find("more than 16384 bytes"), std::string::npos) << mark;
@@ -92,7 +92,7 @@ TEST(LiveServiceBounds, LoadsOfClientsThatHaveLeftMakeNoThreadsAndAreDropped) {
 TEST(LiveServiceBounds, OfRequestsBehindALoadAHundredWaitAndStopDoesNot) {
   Desk desk;
   const int client = desk.join("lab");
-  ASSERT_TRUE(Desk::isWell(desk.ask(client, R"({"id": 1, "do": "start"})")));
+  ASSERT_TRUE(Desk::isOk(desk.ask(client, R"({"id": 1, "do": "start"})")));
   desk.send(client, R"({"id": 2, "do": "load", "file": "14_circle_influence"})");
   desk.send(client, R"({"id": "again", "do": "start"})");
   for (int index = 0; index < 150; ++index) desk.send(client, R"({"id": "later", "do": "status"})");
@@ -138,11 +138,11 @@ TEST(LiveServiceBounds, AGlanceSeesIdAndNameAtTheTopOfTheFirstBytesAlone) {
 
 TEST(Challenge, IsAnsweredOnceBeforeHelloByWhoKnowsTheToken) {
   Desk desk;
-  const auto asked = [&](int client, const std::string& nonce, const char* said, bool closes) {
+  const auto asked = [&](int client, const std::string& nonce, const char* given, bool closes) {
     const std::string text = R"({"id": 1, "do": "challenge", "nonce": ")" + nonce + "\"}";
     EXPECT_EQ(desk.isRequest(text), nonce.size() == 32 && nonce.back() == 'f');
     const std::string answer = desk.ask(client, text);
-    EXPECT_NE(answer.find(said), std::string::npos) << nonce << ": " << answer;
+    EXPECT_NE(answer.find(given), std::string::npos) << nonce << ": " << answer;
     EXPECT_EQ(desk.service->closes(client), closes) << nonce;
   };
   const char* const nonce = "00112233445566778899aabbccddeeff";

@@ -42,7 +42,7 @@ class Desk {
     const int client = connect();
     const std::string answer =
         ask(client, R"({"id": 0, "do": "hello", "token": ")" + std::string(kToken) + R"(", "name": ")" + name + "\"}");
-    EXPECT_TRUE(isWell(answer)) << answer;
+    EXPECT_TRUE(isOk(answer)) << answer;
     return client;
   }
   void send(int client, const std::string& text) { service->receive(client, {text, true, host->stops()}, now_s); }
@@ -72,7 +72,7 @@ class Desk {
     }
     return "no answer to " + text;
   }
-  static bool isWell(const std::string& answer) { return answer.find("\"ok\": true") != std::string::npos; }
+  static bool isOk(const std::string& answer) { return answer.find("\"ok\": true") != std::string::npos; }
   /// The number of a key in an answer.
   static double number(const std::string& answer, const char* key) {
     const Result<json::Value> root = json::parse(answer, "");

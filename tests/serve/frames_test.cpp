@@ -56,7 +56,7 @@ TEST(LiveServiceFrames, AnyBytesAreAnsweredOrCloseTheConnectionAndTheServoGoesOn
   }
   desk.run(2500);
   desk.take(client);
-  EXPECT_TRUE(Desk::isWell(desk.ask(client, R"({"id": 1, "do": "stop"})")));
+  EXPECT_TRUE(Desk::isOk(desk.ask(client, R"({"id": 1, "do": "stop"})")));
   EXPECT_TRUE(desk.host->snapshot().report.p_WT.allFinite());
 }
 

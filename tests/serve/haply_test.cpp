@@ -175,7 +175,7 @@ TEST(Haply, ThereIsOneClientAndItsForceEndsWithIt) {
 TEST(Haply, WhereAnotherClientSteersItOnlyListens) {
   HaplyDesk desk;
   const int other = desk.join("other");
-  ASSERT_TRUE(Desk::isWell(desk.ask(other, R"({"id": 1, "do": "lease", "lease": "take"})")));
+  ASSERT_TRUE(Desk::isOk(desk.ask(other, R"({"id": 1, "do": "lease", "lease": "take"})")));
   const Vec3 before_N = desk.asked_N();
   desk.push(Vec3(0.5, 0.0, 0.0));
   desk.tick(2);

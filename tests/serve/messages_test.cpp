@@ -47,7 +47,7 @@ TEST(LiveService, AnswersEachRequestAsTheSchemaSays) {
   for (const std::string& request : all) {
     EXPECT_TRUE(desk.isRequest(request)) << request;
     const std::string answer = desk.ask(client, request);
-    EXPECT_TRUE(Desk::isWell(answer)) << request << "\n" << answer;
+    EXPECT_TRUE(Desk::isOk(answer)) << request << "\n" << answer;
   }
 }
 
@@ -150,7 +150,7 @@ TEST(LiveService, RefusesEachWrongRequestWithASentenceAndItsPathAndChangesNothin
   for (const Wrong& wrong : kWrong) {
     EXPECT_EQ(desk.isRequest(wrong.request), !wrong.is_of_schema) << wrong.request;
     const std::string answer = desk.ask(client, wrong.request);
-    EXPECT_FALSE(Desk::isWell(answer)) << wrong.request << "\n" << answer;
+    EXPECT_FALSE(Desk::isOk(answer)) << wrong.request << "\n" << answer;
     const std::string path = std::string("\"path\": \"") + wrong.path + "\"";
     EXPECT_NE(answer.find(path), std::string::npos) << wrong.request << "\n" << answer;
     EXPECT_NE(answer.find(wrong.words), std::string::npos) << wrong.request << "\n" << answer;
@@ -189,7 +189,7 @@ TEST(LiveService, ClosesAfterAnythingElseThanHelloAndAfterAWrongToken) {
        {std::string(R"({"id": 1, "do": "status"})"), hello("wrong"), hello(""), hello(std::string(kToken) + "0")}) {
     const int client = desk.connect();
     const std::string answer = desk.ask(client, first);
-    EXPECT_FALSE(Desk::isWell(answer)) << first;
+    EXPECT_FALSE(Desk::isOk(answer)) << first;
     EXPECT_TRUE(desk.service->closes(client)) << first;
     desk.send(client, hello());
     EXPECT_FALSE(desk.service->hasMessage(client)) << "it is not listened to any longer";
@@ -218,7 +218,7 @@ TEST(LiveService, HasEightClientsAndTellsTheNinth) {
   Desk desk;
   for (int number = 0; number < 8; ++number) desk.join("client " + std::to_string(number));
   const int ninth = desk.connect();
-  EXPECT_FALSE(Desk::isWell(desk.ask(ninth, hello())));
+  EXPECT_FALSE(Desk::isOk(desk.ask(ninth, hello())));
   EXPECT_TRUE(desk.service->closes(ninth));
 }
 
@@ -227,11 +227,11 @@ TEST(LiveService, SetsAllValuesAtOneTickOrNone) {
   const int client = desk.join("lab");
   const std::string well = desk.ask(client, R"({"id": 1, "do": "set", "values": {"/constraints/0/friction/dynamic": 0.3,
                         "/constraints/0/friction/static": 0.4, "/control/kp_N_per_mm": 0.2}})");
-  EXPECT_TRUE(Desk::isWell(well)) << well;  // whatever their order
+  EXPECT_TRUE(Desk::isOk(well)) << well;  // whatever their order
   EXPECT_EQ(desk.host->scene().control.gains.kp_N_per_mm, Vec3(Vec3::Constant(0.2)));
   const std::string none =
       desk.ask(client, R"({"id": 2, "do": "set", "values": {"/control/kp_N_per_mm": 0.9, "/control/law": "none"}})");
-  EXPECT_FALSE(Desk::isWell(none));
+  EXPECT_FALSE(Desk::isOk(none));
   EXPECT_EQ(desk.host->scene().control.gains.kp_N_per_mm, Vec3(Vec3::Constant(0.2)));
 }
 
@@ -258,7 +258,7 @@ TEST(LiveService, AnswersWithTheTickInWhichItActs) {
 TEST(LiveService, GivesTheLeaseToOneAndStopToEverybody) {
   Desk desk;
   const int one = desk.join("one"), other = desk.join("other");
-  EXPECT_TRUE(Desk::isWell(desk.ask(one, R"({"id": 1, "do": "start"})")));
+  EXPECT_TRUE(Desk::isOk(desk.ask(one, R"({"id": 1, "do": "start"})")));
   const std::string refused = desk.ask(other, R"({"id": 2, "do": "set", "values": {"/control/kp_N_per_mm": 0.2}})");
   EXPECT_NE(refused.find("one steers"), std::string::npos) << refused;
   EXPECT_NE(desk.ask(other, R"({"id": 3, "do": "lease", "lease": "take"})").find("has to give the lease first"),
@@ -266,14 +266,14 @@ TEST(LiveService, GivesTheLeaseToOneAndStopToEverybody) {
   const std::string stopped = desk.ask(other, R"({"id": 4, "do": "stop"})");
   EXPECT_NE(stopped.find("\"mode\": \"stopped\""), std::string::npos) << stopped;
   desk.service->disconnect(one);
-  EXPECT_TRUE(Desk::isWell(desk.ask(other, R"({"id": 5, "do": "start"})")));
+  EXPECT_TRUE(Desk::isOk(desk.ask(other, R"({"id": 5, "do": "start"})")));
 }
 
 TEST(LiveService, LetsAnyoneSteerWhereItIsToldTo) {
   Desk desk(true);
   const int one = desk.join("one"), other = desk.join("other");
-  EXPECT_TRUE(Desk::isWell(desk.ask(one, R"({"id": 1, "do": "start"})")));
-  EXPECT_TRUE(Desk::isWell(desk.ask(other, R"({"id": 2, "do": "lease", "lease": "take"})")));
+  EXPECT_TRUE(Desk::isOk(desk.ask(one, R"({"id": 1, "do": "start"})")));
+  EXPECT_TRUE(Desk::isOk(desk.ask(other, R"({"id": 2, "do": "lease", "lease": "take"})")));
   EXPECT_NE(desk.ask(one, R"({"id": 3, "do": "status"})").find("\"steered_by\": \"other\""), std::string::npos);
 }
 
@@ -389,13 +389,13 @@ TEST(LiveService, KeepsTheOrderOfRequestsWhileASceneIsRead) {
 TEST(LiveService, WritesNewFilesInTheSessionsFolderAlone) {
   Desk desk;
   const int client = desk.join("lab");
-  EXPECT_TRUE(Desk::isWell(desk.ask(client, R"({"id": 1, "do": "record", "file": "a.h5"})")));
-  EXPECT_FALSE(Desk::isWell(desk.ask(client, R"({"id": 2, "do": "record", "file": "b.h5"})")));
+  EXPECT_TRUE(Desk::isOk(desk.ask(client, R"({"id": 1, "do": "record", "file": "a.h5"})")));
+  EXPECT_FALSE(Desk::isOk(desk.ask(client, R"({"id": 2, "do": "record", "file": "b.h5"})")));
   desk.ask(client, R"({"id": 3, "do": "mark", "text": "in the file"})");
   desk.run(300);
   const std::string ended = desk.ask(client, R"({"id": 4, "do": "record", "stop": true})");
   EXPECT_GE(Desk::number(ended, "ticks"), 300.0);
-  EXPECT_FALSE(Desk::isWell(desk.ask(client, R"({"id": 5, "do": "record", "file": "a.h5"})")));
+  EXPECT_FALSE(Desk::isOk(desk.ask(client, R"({"id": 5, "do": "record", "file": "a.h5"})")));
   Result<record::Session> session = record::Session::open(desk.folder.path() + "/sessions/a.h5");
   ASSERT_TRUE(session);
   ASSERT_EQ(session.value().markers().size(), 1U);

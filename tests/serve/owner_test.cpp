@@ -17,8 +17,8 @@ std::string heardBy(Desk& desk, int client) {
 TEST(SceneOwner, TakesTheLeaseWithTheForceAndGivesItBack) {
   Desk desk;
   const int client = desk.join("client"), other = desk.join("other");
-  ASSERT_TRUE(Desk::isWell(desk.ask(client, R"({"id": 1, "do": "start"})")));
-  ASSERT_TRUE(Desk::isWell(desk.ask(client, R"({"id": 2, "do": "force", "f_N": [0.3, 0, 0], "for_ms": 1000})")));
+  ASSERT_TRUE(Desk::isOk(desk.ask(client, R"({"id": 1, "do": "start"})")));
+  ASSERT_TRUE(Desk::isOk(desk.ask(client, R"({"id": 2, "do": "force", "f_N": [0.3, 0, 0], "for_ms": 1000})")));
   desk.run(60);
   heardBy(desk, other);
   EXPECT_EQ(desk.service->steeringClient(), "client");
@@ -29,17 +29,17 @@ TEST(SceneOwner, TakesTheLeaseWithTheForceAndGivesItBack) {
     EXPECT_NE(desk.ask(one, kSet).find("The person at the window steers"), std::string::npos);
   EXPECT_NE(desk.ask(client, R"({"id": 4, "do": "status"})").find(R"("steered_by": "window")"), std::string::npos);
   EXPECT_NE(desk.ask(client, R"({"id": 5, "do": "lease", "lease": "take"})").find("/lease"), std::string::npos);
-  EXPECT_TRUE(Desk::isWell(desk.ask(other, R"({"id": 6, "do": "stop"})")));
+  EXPECT_TRUE(Desk::isOk(desk.ask(other, R"({"id": 6, "do": "stop"})")));
   desk.service->takeBack(false);
   EXPECT_NE(heardBy(desk, other).find(R"("held": false)"), std::string::npos);
-  EXPECT_TRUE(Desk::isWell(desk.ask(client, kSet)));
+  EXPECT_TRUE(Desk::isOk(desk.ask(client, kSet)));
 }
 
 TEST(SceneOwner, TakesItFromAllWhereAnyoneSteers) {
   Desk desk(true);
   const int client = desk.join("client");
   desk.service->takeBack(true);
-  EXPECT_FALSE(Desk::isWell(desk.ask(client, kSet)));
+  EXPECT_FALSE(Desk::isOk(desk.ask(client, kSet)));
 }
 
 TEST(SceneOwner, HisEditsAreToldAsTheWindows) {
@@ -53,7 +53,7 @@ TEST(SceneOwner, HisEditsAreToldAsTheWindows) {
   desk.run(2);
   const std::string heard = heardBy(desk, client);
   EXPECT_NE(heard.find(R"("do": "edit", "by": "window")"), std::string::npos) << heard;
-  EXPECT_TRUE(Desk::isWell(desk.ask(client, R"({"id": 1, "do": "set", "values": {"/control/kp_N_per_mm": 0.3}})")));
+  EXPECT_TRUE(Desk::isOk(desk.ask(client, R"({"id": 1, "do": "set", "values": {"/control/kp_N_per_mm": 0.3}})")));
   desk.run(2);
   EXPECT_EQ(heardBy(desk, client).find(R"("by": "window")"), std::string::npos)
       << "a client's own edit is the client's";

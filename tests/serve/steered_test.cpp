@@ -11,8 +11,8 @@
 namespace underact::test {
 namespace {
 
-Vec3 anyVector(Random& random, double most) {
-  return {random.between(-most, most), random.between(-most, most), random.between(-most, most)};
+Vec3 anyVector(Random& random, double max) {
+  return {random.between(-max, max), random.between(-max, max), random.between(-max, max)};
 }
 
 /// A ball, a wall, a box and a pointed-at ring: targets that are carried in all their numbers.
@@ -129,12 +129,12 @@ void recordClients(const std::string& file, std::uint64_t seed, std::string& pat
   Desk desk(false, "tremor", seed);
   desk.run(static_cast<int>(random.below(20)));
   int client = desk.join("first");
-  ASSERT_TRUE(Desk::isWell(desk.ask(client, R"({"id": 1, "do": "record", "file": ")" + file + "\"}")));
+  ASSERT_TRUE(Desk::isOk(desk.ask(client, R"({"id": 1, "do": "record", "file": ")" + file + "\"}")));
   path = desk.folder.path() + "/sessions/" + file;
   desk.ask(client, R"({"id": 1, "do": "constraint.add", "constraint": {"name": "wall", "type": "plane",
                      "point_mm": [0, 0, 0], "normal": [0, 1, 0], "side": "outside"}})");
   desk.ask(client, R"({"id": 1, "do": "start"})");
-  const auto number = [&random](double most) { return json::numberText(random.between(-most, most)); };
+  const auto number = [&random](double max) { return json::numberText(random.between(-max, max)); };
   for (int act = 0; act < 40; ++act) {
     desk.run(static_cast<int>(random.below(30)));
     switch (random.below(8)) {

@@ -60,7 +60,7 @@ TEST(Disk, ThatTakesNoMoreEndsTheRecordingWithASentenceAndAWholeFileAndTheServoG
 
 #if !defined(__SANITIZE_THREAD__)  // a forked child of TSan's runtime starts no threads
 // What the child found, as its exit status.
-enum SmallDisk : int { kWell = 0, kNoSentence, kNotWhole, kNotTheSame, kNoSmallDisk };
+enum SmallDisk : int { kOk = 0, kNoSentence, kNotWhole, kNotTheSame, kNoSmallDisk };
 
 /// In a name space of its own, so that the small disk is gone with the process.
 void makeSmallDisk(const std::string& folder) {
@@ -70,9 +70,9 @@ void makeSmallDisk(const std::string& folder) {
     _exit(kNoSmallDisk);
 }
 
-/// reserve_bytes: of the recorder; least_ticks: that fit before it.
+/// reserve_bytes: of the recorder; min_ticks: that fit before it.
 [[noreturn]] void recordOnDiskOf16MB(const std::string& folder, std::optional<std::int64_t> reserve_bytes,
-                                     const char* word, std::int64_t least_ticks) {
+                                     const char* word, std::int64_t min_ticks) {
   makeSmallDisk(folder);
   const std::string path = folder + "/s.h5";
   const auto host = test::makeHost(servo::Clock::Manual, "probe");
@@ -90,8 +90,8 @@ void makeSmallDisk(const std::string& folder) {
     _exit(kNotWhole);
   const Result<Verified> verified = verifyReplay(session.value());
   const bool same =
-      verified && verified.value().ticks == session.value().info().ticks && verified.value().ticks > least_ticks;
-  _exit(same ? kWell : kNotTheSame);
+      verified && verified.value().ticks == session.value().info().ticks && verified.value().ticks > min_ticks;
+  _exit(same ? kOk : kNotTheSame);
 }
 
 [[noreturn]] void recordOnSmallDisk(const std::string& folder) {
@@ -99,7 +99,7 @@ void makeSmallDisk(const std::string& folder) {
 }
 
 /// As a recording has it that nobody told how much is to be left: 40 % of 16 MB at least are used.
-[[noreturn]] void recordAsUsual(const std::string& folder) {
+[[noreturn]] void recordByDefault(const std::string& folder) {
   recordOnDiskOf16MB(folder, {}, "full", 14'000);
 }
 
@@ -117,10 +117,10 @@ void makeSmallDisk(const std::string& folder) {
   if (!writer.value().isFull()) _exit(kNoSentence);
   const bool ended = writer.value().end({0, 0, 0, EndReason::DiskFull}).empty();
   const Result<Session> session = Session::open(path);
-  _exit(ended && session && session.value().info().end && session.value().info().ticks > 1000 ? kWell : kNotWhole);
+  _exit(ended && session && session.value().info().end && session.value().info().ticks > 1000 ? kOk : kNotWhole);
 }
 
-void expectWell(void (*act)(const std::string& folder)) {
+void expectOk(void (*act)(const std::string& folder)) {
   const test::ScratchFolder folder;
   const pid_t child = fork();
   if (child == 0) act(folder.file(""));
@@ -128,19 +128,19 @@ void expectWell(void (*act)(const std::string& folder)) {
   waitpid(child, &status, 0);
   ASSERT_TRUE(WIFEXITED(status));
   if (WEXITSTATUS(status) == kNoSmallDisk) GTEST_SKIP() << "this system lets no program make a small disk";
-  EXPECT_EQ(WEXITSTATUS(status), kWell);
+  EXPECT_EQ(WEXITSTATUS(status), kOk);
 }
 
 TEST(Disk, ThatIsFullLeavesASessionThatWasEndedInOrder) {
-  expectWell(recordOnSmallDisk);
+  expectOk(recordOnSmallDisk);
 }
 
 TEST(Disk, OfFewMegabytesIsUsedUntilItIsNearlyFull) {
-  expectWell(recordAsUsual);
+  expectOk(recordByDefault);
 }
 
 TEST(Disk, ThatIsFullIsMetBeforeTheLibraryMeetsItHoweverLateItWrites) {
-  expectWell(flushTooLate);
+  expectOk(flushTooLate);
 }
 #endif
 

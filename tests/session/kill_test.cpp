@@ -21,7 +21,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double kMostLost_s = 0.25;  // the promise
+constexpr double kMaxLost_s = 0.25;  // the promise
 constexpr int kRate_hz = 1000;
 
 /// What the child tells the parent until it dies.
@@ -63,7 +63,7 @@ TEST(Killed, AtAnyMomentLosesAQuarterOfASecondAtMostAndOpensAtOnceAndAfterRecove
   test::Random random(test::Seed{7});
   auto* const shared =
       static_cast<Shared*>(mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
-  double most_lost_s = 0.0;
+  double max_lost_s = 0.0;
   const int kills = test::sweep(6, 200);
   for (int kill_number = 0; kill_number < kills; ++kill_number) {
     const std::string path = folder.file("k.h5");
@@ -92,7 +92,7 @@ TEST(Killed, AtAnyMomentLosesAQuarterOfASecondAtMostAndOpensAtOnceAndAfterRecove
         last_tick = unpackTicks(last).back().tick;
       }
       const std::int64_t lost = shared->ticks - last_tick;
-      most_lost_s = std::max(most_lost_s, static_cast<double>(lost) / kRate_hz);
+      max_lost_s = std::max(max_lost_s, static_cast<double>(lost) / kRate_hz);
       if (ticks == 0) continue;
       const Result<Verified> verified = verifyReplay(session.value());
       ASSERT_TRUE(verified) << verified.problems().front().sentence;
@@ -115,9 +115,9 @@ TEST(Killed, AtAnyMomentLosesAQuarterOfASecondAtMostAndOpensAtOnceAndAfterRecove
     EXPECT_EQ(verified.value().ticks, whole) << "what was there is still there";
   }
   munmap(shared, sizeof(Shared));
-  EXPECT_LE(most_lost_s, kMostLost_s);
-  RecordProperty("most_lost_ms", static_cast<int>(1e3 * most_lost_s));
-  std::printf("%d kills, at most %.0f ms lost\n", kills, 1e3 * most_lost_s);
+  EXPECT_LE(max_lost_s, kMaxLost_s);
+  RecordProperty("most_lost_ms", static_cast<int>(1e3 * max_lost_s));
+  std::printf("%d kills, at most %.0f ms lost\n", kills, 1e3 * max_lost_s);
 }
 
 TEST(Killed, IsNotRecoveredWhileItStillRecords) {
@@ -131,10 +131,10 @@ TEST(Killed, IsNotRecoveredWhileItStillRecords) {
   // Another process: within one, HDF5 knows that the file is open.
   const std::string command = "'" UNDERACT_CLI "' log recover '" + folder.file("s.h5") + "' 2>&1";
   std::FILE* const pipe = popen(command.c_str(), "r");
-  std::array<char, 400> said{};
-  ASSERT_GT(std::fread(said.data(), 1, said.size() - 1, pipe), 0U);
+  std::array<char, 400> given{};
+  ASSERT_GT(std::fread(given.data(), 1, given.size() - 1, pipe), 0U);
   EXPECT_EQ(WEXITSTATUS(pclose(pipe)), 4);
-  EXPECT_NE(std::string(said.data()).find("Another program has this file open"), std::string::npos) << said.data();
+  EXPECT_NE(std::string(given.data()).find("Another program has this file open"), std::string::npos) << given.data();
   EXPECT_TRUE(recorder.value()->stop().empty());
   EXPECT_EQ(Session::open(folder.file("s.h5")).value().info().ticks, 500);
 }

@@ -42,14 +42,14 @@ TEST(Labels, LongerThanMayBeAreCutBetweenLettersWhenTheyAreWritten) {
 
 TEST(Labels, OfWhichThereAreTooManyAreDamageAndNotKept) {
   const test::ScratchFolder folder;
-  const auto most = static_cast<std::size_t>(kSessionLimits.all_label_bytes / kSessionLimits.label_bytes);
+  const auto max = static_cast<std::size_t>(kSessionLimits.all_label_bytes / kSessionLimits.label_bytes);
   Problems damage;
   const std::vector<Marker> markers = markersOf(
-      folder.file("s.h5"), std::vector<std::string>(most + 3, std::string(kSessionLimits.label_bytes, 'x')), damage);
-  ASSERT_EQ(markers.size(), most + 3);
+      folder.file("s.h5"), std::vector<std::string>(max + 3, std::string(kSessionLimits.label_bytes, 'x')), damage);
+  ASSERT_EQ(markers.size(), max + 3);
   EXPECT_EQ(damage.size(), 3U);
-  EXPECT_EQ(markers[most - 1].label.size(), static_cast<std::size_t>(kSessionLimits.label_bytes));
-  EXPECT_EQ(markers[most].label, "?");
+  EXPECT_EQ(markers[max - 1].label.size(), static_cast<std::size_t>(kSessionLimits.label_bytes));
+  EXPECT_EQ(markers[max].label, "?");
 }
 
 }  // namespace underact::record

@@ -74,9 +74,9 @@ Read readParts(const std::vector<std::string>& files) {
 
 TEST(Limits, OfMarkersAndTheirLabelsAreTheSameForWriterAndReader) {
   const test::ScratchFolder folder;
-  const SessionLimits& most = kSessionLimits;
-  for (const auto& [label, count] : {std::pair{std::string(), most.markers},
-                                     {std::string(most.label_bytes, 'x'), most.all_label_bytes / most.label_bytes}}) {
+  const SessionLimits& max = kSessionLimits;
+  for (const auto& [label, count] : {std::pair{std::string(), max.markers},
+                                     {std::string(max.label_bytes, 'x'), max.all_label_bytes / max.label_bytes}}) {
     const std::string path = folder.file("s" + std::to_string(label.size()) + ".h5");
     Result<SessionWriter> writer = SessionWriter::create(path, {});
     ASSERT_TRUE(writer && writer.value().begin(0, 0, {}, test::sphereScene()).empty());

@@ -126,18 +126,18 @@ TEST(Replay, WithTheSceneAsItWasGivesTheForcesThatWereSentAndWithOthersOthers) {
     ASSERT_TRUE(recorder.value()->stop().empty());
   }
   Result<Session> session = Session::open(folder.file("s.h5"));
-  const auto mostApart_N = [&](const scene::Description& scene) {
-    double most_N = 0.0;
+  const auto maxApart_N = [&](const scene::Description& scene) {
+    double max_N = 0.0;
     const Problems problems = replayWith(session.value(), scene, [&](const auto& recorded, const auto& now) {
-      most_N = std::max(most_N, (recorded.f_sent_T_W - now.f_sent_T_W).norm());
+      max_N = std::max(max_N, (recorded.f_sent_T_W - now.f_sent_T_W).norm());
     });
     EXPECT_TRUE(problems.empty());
-    return most_N;
+    return max_N;
   };
-  EXPECT_EQ(mostApart_N(test::sphereScene()), 0.0) << "the recording began with the servo";
+  EXPECT_EQ(maxApart_N(test::sphereScene()), 0.0) << "the recording began with the servo";
   scene::Description softer = test::sphereScene();
   softer.control.gains.kp_N_per_mm.setConstant(0.1);
-  EXPECT_GT(mostApart_N(softer), 0.05);
+  EXPECT_GT(maxApart_N(softer), 0.05);
 }
 
 TEST(Replay, OfAServoThatWasLimitedToLessForceIsTheSameToTheBit) {

@@ -89,12 +89,12 @@ QString idOf(const QWidget* widget) {
   return has_place ? id : QString("%1in %2").arg(id, idOf(widget->parentWidget()));
 }
 
-LargeText::LargeText() : usual_(QApplication::font()) {
-  QApplication::setFont(larger(usual_, 2.0));
+LargeText::LargeText() : defaults_(QApplication::font()) {
+  QApplication::setFont(larger(defaults_, 2.0));
 }
 
 LargeText::~LargeText() {
-  QApplication::setFont(usual_);
+  QApplication::setFont(defaults_);
 }
 
 void bringPanel(Story& story, const QString& key) {

@@ -18,7 +18,7 @@ class LargeText {
   LargeText& operator=(const LargeText&) = delete;
 
  private:
-  QFont usual_;
+  QFont defaults_;
 };
 
 /// To the front, also where it stands behind another tab.

@@ -26,7 +26,7 @@ bool isSeen(const QWidget& widget) {
   return !widget.visibleRegion().isEmpty() || (area != nullptr && !area->viewport()->visibleRegion().isEmpty());
 }
 
-constexpr int kMostStops = 400;
+constexpr int kMaxStops = 400;
 
 /// The stops from `from` on until the focus leaves the widget, or has gone round a window; each once, though links in a
 /// text are stops of their own.
@@ -34,7 +34,7 @@ QList<QWidget*> stops(Story& story, QWidget& root, QWidget* from, Qt::Key key, Q
   QList<QWidget*> met;
   QWidget* here = from;
   const bool is_alone = reachable(root).size() == 1;
-  for (int step = 0; step < kMostStops; ++step) {
+  for (int step = 0; step < kMaxStops; ++step) {
     if (met.isEmpty() || met.last() != here) met << here;
     if (!isSeen(*here)) wrong << idOf(here) + " has the focus where it cannot be seen";
     story.key(key);
@@ -47,13 +47,13 @@ QList<QWidget*> stops(Story& story, QWidget& root, QWidget* from, Qt::Key key, Q
   return met;
 }
 
-QStringList differences(const QList<QWidget*>& wanted, const QList<QWidget*>& met, const QString& way) {
+QStringList differences(const QList<QWidget*>& wanted, const QList<QWidget*>& met, const QString& context) {
   QStringList wrong;
   for (QWidget* widget : wanted)
     if (!met.contains(widget) && widget->isEnabled() && widget->isVisible())
-      wrong << idOf(widget) + " is left out by " + way;
+      wrong << idOf(widget) + " is left out by " + context;
   for (QWidget* widget : met)
-    if (met.count(widget) > 1) wrong << idOf(widget) + " comes more than once by " + way;
+    if (met.count(widget) > 1) wrong << idOf(widget) + " comes more than once by " + context;
   return wrong;
 }
 

@@ -339,10 +339,10 @@ TEST(CalibrationStory, ThePictureOfTheResult) {
 
 // To be looked at by people: build/.../pictures/window_calibration_*.png.
 TEST(CalibrationStory, NoTextIsCutAtTheUsualSizeNorAtTwiceIt) {
-  const QFont usual = QApplication::font();
+  const QFont default_value = QApplication::font();
   for (const double share : {1.0, 2.0}) {
-    QFont font = usual;
-    font.setPointSizeF(share * usual.pointSizeF());
+    QFont font = default_value;
+    font.setPointSizeF(share * default_value.pointSizeF());
     QApplication::setFont(font);
     {
       CalibrationLab story({.size = share > 1.5 ? QSize(1920, 1080) : QSize(1280, 800)});
@@ -369,7 +369,7 @@ TEST(CalibrationStory, NoTextIsCutAtTheUsualSizeNorAtTwiceIt) {
       look("result");
     }
   }
-  QApplication::setFont(usual);
+  QApplication::setFont(default_value);
 }
 
 }  // namespace underact::gui::test

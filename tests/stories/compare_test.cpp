@@ -125,8 +125,8 @@ TEST(CompareStory, WhatCannotBeComparedIsSaid) {
   EXPECT_FALSE(desk.text("compare.told").isEmpty());
   EXPECT_FALSE(desk.story.find("compare.told")->isHidden());
   desk.story.perform("compare.open", sceneOfAnotherArm());
-  const auto isSaid = [&] { return desk.story.run(20), desk.text("compare.told").contains("different arms"); };
-  EXPECT_TRUE(QTest::qWaitFor(isSaid, 10'000)) << desk.text("compare.told").toStdString();
+  const auto isGiven = [&] { return desk.story.run(20), desk.text("compare.told").contains("different arms"); };
+  EXPECT_TRUE(QTest::qWaitFor(isGiven, 10'000)) << desk.text("compare.told").toStdString();
   desk.story.run(200);
   EXPECT_NEAR(desk.besideForce_N(), desk.feltForce_N(), 1e-6);  // the one before stays
 }
@@ -134,8 +134,8 @@ TEST(CompareStory, WhatCannotBeComparedIsSaid) {
 TEST(CompareStory, WhenTheFeltSceneIsForAnotherArmNothingStandsBesideIt) {
   CompareDesk desk;
   ASSERT_TRUE(desk.story.perform("scene.open", sceneOfAnotherArm()));
-  const auto isSaid = [&] { return desk.story.run(20), desk.text("compare.told").contains("different arms"); };
-  EXPECT_TRUE(QTest::qWaitFor(isSaid, kLong_ms)) << desk.text("compare.told").toStdString();
+  const auto isGiven = [&] { return desk.story.run(20), desk.text("compare.told").contains("different arms"); };
+  EXPECT_TRUE(QTest::qWaitFor(isGiven, kLong_ms)) << desk.text("compare.told").toStdString();
   EXPECT_FALSE(desk.tool.beside().isOn());
 }
 
@@ -216,8 +216,8 @@ TEST(CompareStory, BothViewsHaveOneScaleWhateverTheirHeadsSay) {
   desk.story.run(2);
   desk.story.settle(100);
   const auto scale_px = [](const SceneView& view) {
-    const QPointF way = view.screenOf({0.02, 0.0, 0.0}) - view.screenOf({0.0, 0.0, 0.0});
-    return std::hypot(way.x(), way.y());
+    const QPointF offset = view.screenOf({0.02, 0.0, 0.0}) - view.screenOf({0.0, 0.0, 0.0});
+    return std::hypot(offset.x(), offset.y());
   };
   auto* right = desk.story.find<SceneView>("view.beside");
   EXPECT_EQ(right->height(), desk.story.view().height());

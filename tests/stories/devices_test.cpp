@@ -141,9 +141,9 @@ TEST(DevicesStory, AnUnpluggedArmIsSaidAndComesBackOnTheUsersWord) {
   ASSERT_TRUE(desk.comes([&] { return desk.story.window().findChild<FaultDialog*>("dialog.fault") != nullptr; }));
   EXPECT_EQ(desk.force_N(), 0.0);
   EXPECT_TRUE(desk.comes([&] { return desk.label("status.mode") == "Fault"; }));
-  const QString said = desk.label("dialog.fault.what");
-  EXPECT_TRUE(said.startsWith("The arm stopped answering.")) << said.toStdString();
-  EXPECT_GT(said.size(), 40) << "nothing of what the arm's side says: " << said.toStdString();
+  const QString given = desk.label("dialog.fault.what");
+  EXPECT_TRUE(given.startsWith("The arm stopped answering.")) << given.toStdString();
+  EXPECT_GT(given.size(), 40) << "nothing of what the arm's side says: " << given.toStdString();
   desk.library->plug(true);
   desk.story.run(300);
   EXPECT_EQ(desk.force_N(), 0.0);

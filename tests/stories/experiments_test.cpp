@@ -45,10 +45,10 @@ TEST(ExperimentsStory, TheWayAndTheForceOfASpringAreOnALine) {
   int steps = 0;
   for (double last_mm = 0.0; steps < 4; ++steps) {
     press(story, Qt::Key_Right, 1);
-    const double way_mm = 1e3 * story.snapshot().report.held[0].distance_m;
-    EXPECT_GT(way_mm, last_mm + 0.5) << "after press " << steps + 1;
-    EXPECT_NEAR(story.force_N(), 0.1 * way_mm, 1e-9);
-    last_mm = way_mm;
+    const double travel_mm = 1e3 * story.snapshot().report.held[0].distance_m;
+    EXPECT_GT(travel_mm, last_mm + 0.5) << "after press " << steps + 1;
+    EXPECT_NEAR(story.force_N(), 0.1 * travel_mm, 1e-9);
+    last_mm = travel_mm;
   }
 }
 

@@ -17,7 +17,7 @@ struct ExploreDesk {
     story.run(200);
   }
   QString number(const char* table, int row, int column) { return story.find<NumberTable>(table)->text(row, column); }
-  QString said(const char* label) { return story.find<QLabel>(label)->text(); }
+  QString textOf(const char* label) { return story.find<QLabel>(label)->text(); }
   bool isThere(const char* name) { return story.find(name)->isVisible(); }
   int rows(const char* table) { return story.find<QTableWidget>(table)->rowCount(); }
   void press(const char* button) { story.click(story.find(button)); }
@@ -29,8 +29,8 @@ struct ExploreDesk {
 double away_mm(ExploreDesk& desk) {
   double sum = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
-    const double way = desk.number("panel.dh.tip", 1, axis).replace(QChar(0x2212), '-').toDouble();
-    sum += way * way;
+    const double difference = desk.number("panel.dh.tip", 1, axis).replace(QChar(0x2212), '-').toDouble();
+    sum += difference * difference;
   }
   return std::sqrt(sum);
 }
@@ -58,15 +58,15 @@ TEST(ExploreStory, TheArmsOwnTableCoversTheArmWhereverTheHandGoes) {
 TEST(ExploreStory, AnImpossibleTableIsRefusedWithItsRowAndAnOddOneIsSaid) {
   ExploreDesk desk("dh");
   EXPECT_FALSE(desk.story.perform("dh.set", 3, QString("a"), QString("4000")));
-  EXPECT_TRUE(desk.said("panel.dh.told").contains("row 3"));
-  EXPECT_TRUE(desk.said("panel.dh.told").contains("1000 mm"));
+  EXPECT_TRUE(desk.textOf("panel.dh.told").contains("row 3"));
+  EXPECT_TRUE(desk.textOf("panel.dh.told").contains("1000 mm"));
   EXPECT_FALSE(desk.story.perform("dh.set", 3, QString("a"), QString("long")));
   EXPECT_TRUE(desk.isThere("panel.dh.told"));
   EXPECT_FALSE(desk.isThere("panel.dh.odd"));
   ASSERT_TRUE(desk.story.perform("dh.start", QString("planar")));
   EXPECT_FALSE(desk.isThere("panel.dh.told"));
   ASSERT_TRUE(desk.story.perform("dh.set", 2, QString("a"), QString("0")));
-  EXPECT_TRUE(desk.said("panel.dh.odd").contains("Joints 1 and 2 turn about the same axis"));
+  EXPECT_TRUE(desk.textOf("panel.dh.odd").contains("Joints 1 and 2 turn about the same axis"));
   EXPECT_TRUE(desk.isThere("panel.dh.odd"));
 }
 
@@ -103,7 +103,7 @@ TEST(ExploreStory, BothOrdersStandSideBySideAndTheOtherAxesAreTheOtherOrder) {
   };
   const QStringList listed = matrix("panel.transform.listed"), reversed = matrix("panel.transform.reversed");
   EXPECT_NE(listed, reversed);
-  EXPECT_TRUE(desk.said("panel.transform.apart").contains("order matters"));
+  EXPECT_TRUE(desk.textOf("panel.transform.apart").contains("order matters"));
   EXPECT_EQ(listed[7], "40.0");  // Rz 90, then along what is now x: the old y
   desk.story.savePicture("transforms");
   ASSERT_TRUE(desk.story.perform("transform.axes", QString("fixed")));
@@ -118,7 +118,7 @@ TEST(ExploreStory, StepsThatCommuteAreSaidToAndTooFarIsRefused) {
   ASSERT_TRUE(desk.story.perform("transform.set", 1, QString("Dx"), QString("30")));
   ASSERT_TRUE(desk.story.perform("transform.set", 2, QString("Dy"), QString("-20")));
   ASSERT_TRUE(desk.story.perform("transform.set", 3, QString("Dz"), QString("10")));
-  EXPECT_TRUE(desk.said("panel.transform.apart").contains("order does not matter"));
+  EXPECT_TRUE(desk.textOf("panel.transform.apart").contains("order does not matter"));
   EXPECT_FALSE(desk.story.perform("transform.set", 3, QString("Dz"), QString("900")));
   EXPECT_TRUE(desk.isThere("panel.transform.told"));
   desk.press("panel.transform.remove");

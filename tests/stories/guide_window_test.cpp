@@ -283,9 +283,9 @@ TEST(GuideWindowStory, APageScrollsSidewaysWhereMoreThanItsMarginIsBeyondTheEdge
 }
 
 TEST(GuideWindowStory, TextOfTwiceTheSizeIsNotCut) {
-  const QFont usual = QApplication::font();
-  QFont large = usual;
-  large.setPointSizeF(2.0 * usual.pointSizeF());
+  const QFont default_value = QApplication::font();
+  QFont large = default_value;
+  large.setPointSizeF(2.0 * default_value.pointSizeF());
   QApplication::setFont(large);
   {
     Reader reader("course_jacobian");
@@ -297,7 +297,7 @@ TEST(GuideWindowStory, TextOfTwiceTheSizeIsNotCut) {
     EXPECT_FALSE(reader.page().horizontalScrollBar()->isVisible());
     savePicture(&reader.guide(), "guide_large_text");
   }
-  QApplication::setFont(usual);
+  QApplication::setFont(default_value);
 }
 
 TEST(GuideWindowStory, PicturesAreShownAndFitThePageAlsoWhenItBecomesNarrower) {

@@ -120,11 +120,11 @@ TEST(HandStory, AStylusThatIsOnlyTurnedGoesRoundTheRim) {
       user.story.key(Qt::Key_Left, Qt::ControlModifier);
       user.story.run(400);
     }
-    const double way_m = (user.story.snapshot().report.p_WT - before).norm();
+    const double travel_m = (user.story.snapshot().report.p_WT - before).norm();
     if (keeps)
-      EXPECT_LT(way_m, 0.004);
+      EXPECT_LT(travel_m, 0.004);
     else
-      EXPECT_GT(way_m, 0.010);
+      EXPECT_GT(travel_m, 0.010);
   }
 }
 

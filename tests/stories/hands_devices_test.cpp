@@ -20,9 +20,9 @@ TEST(HandDevicesStory, WithoutAScreenForGlfwItIsSaidAndTheKeysWork) {
   Story story("02_sphere", {.hands = {&controllers}});
   story.perform("dock.hands", true);
   story.run(1);
-  const QString said = story.find<QLabel>("panel.hands.trouble")->text();
-  EXPECT_TRUE(said.startsWith("Game controllers cannot be read here")) << said.toStdString();
-  EXPECT_TRUE(said.contains("Mouse, keyboard and 3D mice still work")) << said.toStdString();
+  const QString given = story.find<QLabel>("panel.hands.trouble")->text();
+  EXPECT_TRUE(given.startsWith("Game controllers cannot be read here")) << given.toStdString();
+  EXPECT_TRUE(given.contains("Mouse, keyboard and 3D mice still work")) << given.toStdString();
   EXPECT_TRUE(story.find("panel.hands.trouble")->isVisible());
   story.perform("view.front");
   story.settle(400);

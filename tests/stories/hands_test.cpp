@@ -75,8 +75,8 @@ TEST(HandsStory, AMappingIsLearntKeptAndThereInTheNextWindow) {
     desk.hold(250);
     EXPECT_EQ(desk.setpoint(), before);  // it is looked at, not moved by
     EXPECT_FALSE(desk.story().arm().setpoint().turns);
-    EXPECT_EQ(desk.map().ways[1].source, (Source{SourceKind::Axis, 3, -1}));
-    EXPECT_TRUE(desk.map().ways[1].inverted);
+    EXPECT_EQ(desk.map().motions[1].source, (Source{SourceKind::Axis, 3, -1}));
+    EXPECT_TRUE(desk.map().motions[1].inverted);
     EXPECT_FALSE(desk.story().find("panel.hands.asked")->isVisible());
     EXPECT_EQ(desk.story().find<QComboBox>("panel.hands.source")->currentText(), "right stick, down");
     desk.story().run(250);
@@ -88,10 +88,10 @@ TEST(HandsStory, AMappingIsLearntKeptAndThereInTheNextWindow) {
     EXPECT_NEAR(desk.setpoint().y(), before.y() + 0.012, 1e-9);
   }
   HandsDesk desk(false);
-  EXPECT_EQ(desk.map().ways[1].source, (Source{SourceKind::Axis, 3, -1}));
-  EXPECT_TRUE(desk.map().ways[1].inverted);
+  EXPECT_EQ(desk.map().motions[1].source, (Source{SourceKind::Axis, 3, -1}));
+  EXPECT_TRUE(desk.map().motions[1].inverted);
   ASSERT_TRUE(desk.story().perform("hands.reset"));
-  EXPECT_EQ(desk.map(), desk.pad.pad.usual);
+  EXPECT_EQ(desk.map(), desk.pad.pad.default_value);
   EXPECT_TRUE(comes([] { return QDir(mapFolder()).entryList(QDir::Files).isEmpty(); }));  // as usual: no file
 }
 
@@ -105,7 +105,7 @@ TEST(HandsStory, APairOfButtonsIsLearntOneAfterTheOtherAndAButtonForStop) {
   desk.hold(1);
   desk.pad.press(1U << 12U);
   desk.hold(1);
-  EXPECT_EQ(desk.map().ways[0].source, (Source{SourceKind::Buttons, 14, 12}));
+  EXPECT_EQ(desk.map().motions[0].source, (Source{SourceKind::Buttons, 14, 12}));
   EXPECT_EQ(desk.hands().learning(), "");
   desk.pad.rest();
   desk.hold(1);
@@ -116,22 +116,22 @@ TEST(HandsStory, APairOfButtonsIsLearntOneAfterTheOtherAndAButtonForStop) {
   ASSERT_TRUE(desk.story().perform("hands.undo"));
   EXPECT_EQ(desk.map().presses[2], 1);
   ASSERT_TRUE(desk.story().perform("hands.undo"));  // both buttons were one change
-  EXPECT_EQ(desk.map(), desk.pad.pad.usual);
+  EXPECT_EQ(desk.map(), desk.pad.pad.default_value);
   ASSERT_TRUE(desk.story().perform("hands.redo"));
-  EXPECT_EQ(desk.map().ways[0].source, (Source{SourceKind::Buttons, 14, 12}));
+  EXPECT_EQ(desk.map().motions[0].source, (Source{SourceKind::Buttons, 14, 12}));
 }
 
 TEST(HandsStory, TheEditorChangesWhatItSays) {
   HandsDesk desk;
   auto& story = desk.story();
   story.type(story.find<QDoubleSpinBox>("panel.hands.dead_zone.number"), "30");
-  EXPECT_NEAR(desk.map().ways[0].dead_zone, 0.30, 1e-12);
+  EXPECT_NEAR(desk.map().motions[0].dead_zone, 0.30, 1e-12);
   story.type(story.find<QDoubleSpinBox>("panel.hands.fine.number"), "0");
-  EXPECT_EQ(desk.map().ways[0].exponent, 1.0);
+  EXPECT_EQ(desk.map().motions[0].exponent, 1.0);
   story.type(story.find<QDoubleSpinBox>("panel.hands.speed.number"), "50");
-  EXPECT_NEAR(desk.map().ways[0].top, 0.05, 1e-12);
+  EXPECT_NEAR(desk.map().motions[0].top, 0.05, 1e-12);
   story.find<QCheckBox>("panel.hands.inverted")->click();
-  EXPECT_TRUE(desk.map().ways[0].inverted);
+  EXPECT_TRUE(desk.map().motions[0].inverted);
   EXPECT_FALSE(story.perform("hands.set", QString("right.dead_zone"), 1.5));
   EXPECT_FALSE(story.perform("hands.set", QString("right.source"), QString("axis 77")));
   EXPECT_FALSE(story.perform("hands.set", QString("left.inverted"), true));
@@ -142,7 +142,7 @@ TEST(HandsStory, TheEditorChangesWhatItSays) {
   EXPECT_NEAR(desk.setpoint().x(), before.x() - 0.005, 1e-9);
   EXPECT_NEAR(story.find<AxisBar>("panel.hands.bar.right")->share(), -0.5, 1e-12);
   story.click(story.find("panel.hands.undo"));
-  EXPECT_FALSE(desk.map().ways[0].inverted);
+  EXPECT_FALSE(desk.map().motions[0].inverted);
 }
 
 TEST(HandsStory, UnpluggedInTheMidstOfAPushTheHandRests) {
@@ -222,7 +222,7 @@ TEST(HandsStory, AMapThatCannotBeReadIsSaidAndLeftAlone) {
   file.write("{\"underact_hand_map\": 1, \"id\": \"x\", \"ways\": {\"rihgt\": {}}}");
   file.close();
   HandsDesk desk(false);
-  EXPECT_EQ(desk.map(), desk.pad.pad.usual);
+  EXPECT_EQ(desk.map(), desk.pad.pad.default_value);
   EXPECT_TRUE(desk.label("panel.hands.trouble").contains("Did you mean \"right\"?"))
       << desk.label("panel.hands.trouble").toStdString();
   desk.story_.reset();

@@ -48,7 +48,7 @@ void Wizard::begin() {
 }
 
 bool Wizard::record() {
-  for (int ticks = 0; ticks < kMostTicks; ticks += kTicksAtOnce) {
+  for (int ticks = 0; ticks < kMaxTicks; ticks += kTicksAtOnce) {
     if (state() == State::Asks && in("identify.go")->isVisible()) press("identify.go");
     if (state() != State::Asks && state() != State::Runs) break;
     tick_(kTicksAtOnce);

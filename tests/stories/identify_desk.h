@@ -14,7 +14,7 @@ namespace underact::gui::test {
 
 /// Where they are waited for, never measured: the machine may be busy.
 inline constexpr int kFitsTake_ms = 120'000;
-inline constexpr int kMostTicks = 60'000;  // of the arm at 1 kHz; a measurement takes 34,000
+inline constexpr int kMaxTicks = 60'000;  // of the arm at 1 kHz; a measurement takes 34,000
 
 /// The wizard in a window whose servo ticks by count.
 class Wizard {

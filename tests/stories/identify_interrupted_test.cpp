@@ -242,7 +242,7 @@ TEST(IdentifyInterruptedStory, AStopWhileItAsksStays) {
   Wizard& wizard = *desk.wizard;
   wizard.begin();
   wizard.press("identify.go");
-  for (int ticks = 0; ticks < kMostTicks && wizard.state() == Wizard::State::Runs; ticks += 100) desk.run(100);
+  for (int ticks = 0; ticks < kMaxTicks && wizard.state() == Wizard::State::Runs; ticks += 100) desk.run(100);
   ASSERT_EQ(wizard.state(), Wizard::State::Asks);
   EXPECT_TRUE(wizard.text("identify.prompt").startsWith("Hold the stylus"));
   ASSERT_TRUE(desk.window.actions().perform("session.stop"));

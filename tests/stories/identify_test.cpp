@@ -162,10 +162,10 @@ TEST(IdentifyStory, ItSaysWhyItCannotBegin) {
 }
 
 TEST(IdentifyStory, ItLooksRightInDarkOnALargeScreenAndWithLargeText) {
-  const QFont usual = QApplication::font();
+  const QFont default_value = QApplication::font();
   for (const double share : {1.0, 2.0}) {
-    QFont font = usual;
-    font.setPointSizeF(share * usual.pointSizeF());
+    QFont font = default_value;
+    font.setPointSizeF(share * default_value.pointSizeF());
     QApplication::setFont(font);
     IdentifyDesk desk({.size = share > 1.0 ? QSize(1280, 800) : QSize(1920, 1080)});
     desk.perform("view.theme.dark");
@@ -181,7 +181,7 @@ TEST(IdentifyStory, ItLooksRightInDarkOnALargeScreenAndWithLargeText) {
     EXPECT_LT(desk.wizard.in<SwingPlot>("identify.found.plot")->picture().pixelColor(3, 3).lightness(), 80);
     desk.wizard.keepPicture(share > 1.0 ? "identify_dark_large_text" : "identify_dark");
   }
-  QApplication::setFont(usual);
+  QApplication::setFont(default_value);
 }
 
 }  // namespace underact::gui::test

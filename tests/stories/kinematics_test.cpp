@@ -302,10 +302,10 @@ TEST(KinematicsStory, NothingInThePanelMovesWhenNumbersChange) {
 }
 
 TEST(KinematicsStory, NoNumberIsCutAtTheUsualTextNorAtTwiceIt) {
-  const QFont usual = QApplication::font();
+  const QFont default_value = QApplication::font();
   for (const double share : {1.0, 2.0}) {
-    QFont font = usual;
-    font.setPointSizeF(share * usual.pointSizeF());
+    QFont font = default_value;
+    font.setPointSizeF(share * default_value.pointSizeF());
     QApplication::setFont(font);
     {
       Lesson story({.size = {1920, 1080}});
@@ -332,7 +332,7 @@ TEST(KinematicsStory, NoNumberIsCutAtTheUsualTextNorAtTwiceIt) {
           story.picture().save(QString("%1/pictures/window_kinematics_text_%2.png").arg(UNDERACT_BINARY).arg(share)));
     }
   }
-  QApplication::setFont(usual);
+  QApplication::setFont(default_value);
 }
 
 TEST(KinematicsStory, ItIsSeenWhereOpaqueChildrenCoverAllOfIt) {

@@ -248,12 +248,12 @@ TEST(LabStory, ItIsReadableInLightAndDarkAndInASmallWindow) {
 
 // To be looked at by people: build/.../pictures/window_lab_2.png.
 TEST(LabStory, NoTextIsCutAtTheUsualSizeNorAtTwiceIt) {
-  const QFont usual = QApplication::font();
-  QFont large = usual;
-  large.setPointSizeF(2.0 * usual.pointSizeF());
-  for (const QFont& font : {usual, large}) {
+  const QFont default_value = QApplication::font();
+  QFont large = default_value;
+  large.setPointSizeF(2.0 * default_value.pointSizeF());
+  for (const QFont& font : {default_value, large}) {
     QApplication::setFont(font);
-    Lab story("12_line_pid", {.size = font == usual ? QSize(1024, 700) : QSize(1920, 1080)});
+    Lab story("12_line_pid", {.size = font == default_value ? QSize(1024, 700) : QSize(1920, 1080)});
     story.measure("sweep", 0.2);
     ASSERT_TRUE(story.perform("lab.walk", 0));
     story.settle();
@@ -265,10 +265,10 @@ TEST(LabStory, NoTextIsCutAtTheUsualSizeNorAtTwiceIt) {
       else
         EXPECT_GE(label->width(), label->sizeHint().width()) << what;
     }
-    EXPECT_TRUE(
-        story.picture().save(QString("%1/pictures/window_lab_%2.png").arg(UNDERACT_BINARY).arg(font == usual ? 1 : 2)));
+    EXPECT_TRUE(story.picture().save(
+        QString("%1/pictures/window_lab_%2.png").arg(UNDERACT_BINARY).arg(font == default_value ? 1 : 2)));
   }
-  QApplication::setFont(usual);
+  QApplication::setFont(default_value);
 }
 
 }  // namespace underact::gui::test

@@ -178,8 +178,8 @@ TEST(LanguageStory, AFaultIsSaidInGermanAndItsFileStaysEnglish) {
     const QString english = sentenceText(describe(fault));
     EXPECT_EQ(english.toStdString(), describe(fault));
     const German german;
-    const QString said = sentenceText(describe(fault));
-    EXPECT_TRUE(said.contains("Die Kraft ist aus.")) << said.toStdString();
+    const QString given = sentenceText(describe(fault));
+    EXPECT_TRUE(given.contains("Die Kraft ist aus.")) << given.toStdString();
     EXPECT_NE(sentenceText(whatHappened(fault)), QString::fromStdString(whatHappened(fault)));
     EXPECT_NE(sentenceText(whatToDo(fault)), QString::fromStdString(whatToDo(fault)));
     EXPECT_EQ(german.missing().join('\n').toStdString(), "");

@@ -108,13 +108,13 @@ TEST(LeftHandStory, AMeshIsFeltInTheMirrorAndTheFileStaysAsItWas) {
   for (const Vec3& p_WT : places) right.push_back(felt(story, p_WT));
   ASSERT_TRUE(story.perform(kAction, true));
   EXPECT_LT(meshOf(story).scale_mm_per_unit, 0.0);
-  double most_N = 0.0;
+  double max_N = 0.0;
   for (std::size_t index = 0; index < places.size(); ++index) {
     const Vec3 left = felt(story, seen(places[index]));
     EXPECT_LT((seen(left) - right[index]).norm(), kSame_N) << index;
-    most_N = std::max(most_N, left.norm());
+    max_N = std::max(max_N, left.norm());
   }
-  EXPECT_GT(most_N, 0.1);
+  EXPECT_GT(max_N, 0.1);
   ASSERT_TRUE(story.perform("scene.save_as", path));
   const scene::Description saved = scene::readSceneFile(path.toStdString()).value();
   scene::Description original = scene::readSceneFile(bracket.toStdString()).value();

@@ -21,7 +21,7 @@
 namespace underact::gui::test {
 namespace {
 
-QString saidOf(Story& story, int check) {
+QString givenOf(Story& story, int check) {
   return story.find<QLabel>(QString("panel.lessons.check%1.said").arg(check))->text();
 }
 
@@ -79,10 +79,10 @@ TEST(LessonsStory, TheFirstLessonIsSolvedByTheKeyboardAlone) {
   steps(story, Qt::Key_Right, 4);
   steps(story, Qt::Key_Left, 4);
   steps(story, Qt::Key_Up, 4);
-  EXPECT_TRUE(saidOf(story, 1).contains("2 of 3 reached")) << saidOf(story, 1).toStdString();
+  EXPECT_TRUE(givenOf(story, 1).contains("2 of 3 reached")) << givenOf(story, 1).toStdString();
   steps(story, Qt::Key_Down, 4);
   steps(story, Qt::Key_PageUp, 4);
-  EXPECT_TRUE(stepTitle(story).contains("✓")) << saidOf(story, 1).toStdString();
+  EXPECT_TRUE(stepTitle(story).contains("✓")) << givenOf(story, 1).toStdString();
   story.key(Qt::Key_F8);  // next
   ASSERT_EQ(stepTitle(story), "The same position in B");
   story.run(500);
@@ -90,9 +90,9 @@ TEST(LessonsStory, TheFirstLessonIsSolvedByTheKeyboardAlone) {
   typeAnswer(story, 1, QString::number(p_mm.z() + 176.0));
   typeAnswer(story, 2, QString::number(p_mm.x()));
   typeAnswer(story, 3, "much");
-  EXPECT_EQ(saidOf(story, 3), "“much” is not a number.");
+  EXPECT_EQ(givenOf(story, 3), "“much” is not a number.");
   typeAnswer(story, 3, QString::number(p_mm.y() - 30.0));
-  EXPECT_TRUE(stepTitle(story).contains("✓")) << saidOf(story, 3).toStdString();
+  EXPECT_TRUE(stepTitle(story).contains("✓")) << givenOf(story, 3).toStdString();
   story.key(Qt::Key_F8);
   story.key(Qt::Key_1, Qt::ControlModifier);  // the view from the front
   story.settle(400);
@@ -100,13 +100,13 @@ TEST(LessonsStory, TheFirstLessonIsSolvedByTheKeyboardAlone) {
   steps(story, Qt::Key_Up, 4);  // to (0, 40, 40) from where each step begins, (0, 0, 50)
   steps(story, Qt::Key_PageUp, 1);
   story.run(1500);
-  EXPECT_TRUE(stepTitle(story).contains("✓")) << saidOf(story, 1).toStdString();
+  EXPECT_TRUE(stepTitle(story).contains("✓")) << givenOf(story, 1).toStdString();
   story.key(Qt::Key_F8);
   story.key(Qt::Key_F2);
   story.settle(400);  // the camera goes to the front
   for (int turn = 0; turn < 40 && !stepTitle(story).contains("✓"); ++turn)
     steps(story, Qt::Key_Up, 1, Qt::ControlModifier);
-  EXPECT_TRUE(stepTitle(story).contains("✓")) << saidOf(story, 1).toStdString();
+  EXPECT_TRUE(stepTitle(story).contains("✓")) << givenOf(story, 1).toStdString();
   story.key(Qt::Key_F8);
   for (int check = 1; check <= 2; ++check) {
     tabTo(story, QString("panel.lessons.check%1.choice1").arg(check));
@@ -130,13 +130,13 @@ TEST(LessonsStory, AWrongHandIsToldWhatIsMissing) {
   leadHand(story, {0, 0, 0});
   leadHand(story, {3, 0, 0});
   EXPECT_FALSE(story.find("panel.lessons.servo")->isVisible());
-  const QString missing = saidOf(story, 1);
+  const QString missing = givenOf(story, 1);
   EXPECT_TRUE(missing.startsWith("○ To do: Held for 0.0 of 1.0 s. The force is 0.1")) << missing.toStdString();
   EXPECT_TRUE(missing.endsWith("it should be between 0.35 N and 0.45 N.")) << missing.toStdString();
   EXPECT_FALSE(stepTitle(story).contains("✓"));
   leadHand(story, {9.3, 0, 0});
   leadHand(story, {9.3, 0, 0});
-  EXPECT_TRUE(saidOf(story, 1).startsWith("✓ Solved: Held for 1.0 of 1.0 s.")) << saidOf(story, 1).toStdString();
+  EXPECT_TRUE(givenOf(story, 1).startsWith("✓ Solved: Held for 1.0 of 1.0 s.")) << givenOf(story, 1).toStdString();
   EXPECT_TRUE(stepTitle(story).contains("✓"));
 }
 
@@ -148,11 +148,11 @@ TEST(LessonsStory, TheGainsThatAStudentSetsCount) {
   story.perform("session.start");
   leadHand(story, {0, 0, 0});
   leadHand(story, {8, 0, 0});
-  EXPECT_TRUE(saidOf(story, 1).contains("○"));
+  EXPECT_TRUE(givenOf(story, 1).contains("○"));
   ASSERT_TRUE(story.perform("gains.set", "kp", "x", 0.1));
   story.run(3000);
-  EXPECT_TRUE(saidOf(story, 1).contains("✓")) << saidOf(story, 1).toStdString();
-  EXPECT_TRUE(saidOf(story, 2).contains("✓")) << saidOf(story, 2).toStdString();
+  EXPECT_TRUE(givenOf(story, 1).contains("✓")) << givenOf(story, 1).toStdString();
+  EXPECT_TRUE(givenOf(story, 2).contains("✓")) << givenOf(story, 2).toStdString();
   ASSERT_TRUE(story.perform("lesson.next"));  // nobody is asked what becomes of an exercise's gains
 }
 
@@ -163,7 +163,7 @@ TEST(LessonsStory, AReportSaysWhatWasDoneAndNamesNobodyUnasked) {
   story.run(100);
   EXPECT_FALSE(story.perform("lesson.answer", 2, 8));
   ASSERT_TRUE(story.perform("lesson.answer", 1, 7));
-  EXPECT_TRUE(saidOf(story, 1).contains("7 is not right")) << saidOf(story, 1).toStdString();
+  EXPECT_TRUE(givenOf(story, 1).contains("7 is not right")) << givenOf(story, 1).toStdString();
   ASSERT_TRUE(story.perform("lesson.answer", 1, 8));
   const auto report = [&story] {
     const QString path = temporaryFile("report.html");

@@ -90,9 +90,9 @@ void drop(Story& story, const QString& path) {
 }
 
 bool waitForMeshes(Story& story) {
-  constexpr int kMost_ms = 30'000;
+  constexpr int kMax_ms = 30'000;
   const auto* loads = story.find<LoadStrip>("load");
-  return QTest::qWaitFor([loads] { return !loads->isBusy(); }, kMost_ms);
+  return QTest::qWaitFor([loads] { return !loads->isBusy(); }, kMax_ms);
 }
 
 void openMesh(Story& story, const QString& path) {

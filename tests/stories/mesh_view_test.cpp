@@ -146,10 +146,10 @@ TEST(MeshViewStory, TheCutIsFilledAndGoesWhereTheSliderIs) {
 }
 
 TEST(MeshViewStory, NothingOfTheStripIsCutInASmallWindowNorAtTwiceTheText) {
-  const QFont usual = QApplication::font();
+  const QFont default_value = QApplication::font();
   for (const double share : {1.0, 2.0}) {
-    QFont font = usual;
-    font.setPointSizeF(share * usual.pointSizeF());
+    QFont font = default_value;
+    font.setPointSizeF(share * default_value.pointSizeF());
     QApplication::setFont(font);
     {
       Story story("", {.size = share > 1.0 ? QSize(1920, 1080) : QSize(1024, 700)});
@@ -168,7 +168,7 @@ TEST(MeshViewStory, NothingOfTheStripIsCutInASmallWindowNorAtTwiceTheText) {
       }
     }
   }
-  QApplication::setFont(usual);
+  QApplication::setFont(default_value);
 }
 
 TEST(MeshViewStory, TheFaceOfACutLooksAsItDidInLightAndDark) {

@@ -102,9 +102,9 @@ TEST(PicturesStory, TheDialogsAndTheWarnings) {
 }
 
 TEST(PicturesStory, TextOfTwiceTheSizeIsNotCut) {
-  const QFont usual = QApplication::font();
-  QFont large = usual;
-  large.setPointSizeF(2.0 * usual.pointSizeF());
+  const QFont default_value = QApplication::font();
+  QFont large = default_value;
+  large.setPointSizeF(2.0 * default_value.pointSizeF());
   QApplication::setFont(large);
   {
     Story story("12_line_pid", {.size = {1920, 1080}});
@@ -116,7 +116,7 @@ TEST(PicturesStory, TextOfTwiceTheSizeIsNotCut) {
     }
     EXPECT_TRUE(story.picture().save(QString(UNDERACT_BINARY) + "/pictures/window_large_text.png"));
   }
-  QApplication::setFont(usual);
+  QApplication::setFont(default_value);
 }
 
 // To be looked at by people: build/.../pictures/window_WIDTH_THEME.png.

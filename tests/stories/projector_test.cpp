@@ -59,10 +59,10 @@ TEST(ProjectorStory, TheGaugeIsLargerThere) {
   };
   story.perform("layer.arm", false);  // nor its shadow
   story.settle(300);
-  const int usual = gaugeInk();
+  const int default_value = gaugeInk();
   story.perform("view.projector", true);
   story.settle(300);
-  EXPECT_GT(gaugeInk(), 2 * usual);
+  EXPECT_GT(gaugeInk(), 2 * default_value);
 }
 
 TEST(ProjectorStory, PicturesOfIt) {

@@ -26,7 +26,7 @@ double latenessWhile(Story& story, const std::function<void(int)>& each) {
 }
 
 // With software GL, which takes more than half of it.
-constexpr double kMostWithOneScene_MB = 240.0;
+constexpr double kMaxWithOneScene_MB = 240.0;
 constexpr double kMoreOfMesa25_MB = 40.0;  // Debian 13's driver, see figures.md; Debian 12's is within the bound
 
 }  // namespace
@@ -73,13 +73,13 @@ TEST(RealTimeStory, TheProgramDrawsItsFirstPictureByItselfAndStaysSmall) {
   environment.insert("UNDERACT_TIMING", "1");
   program.setProcessEnvironment(environment);
   program.start(UNDERACT_WINDOW, {shippedScene("02_sphere")});
-  QByteArray said;
-  for (int waited = 0; waited < 600 && !said.contains("first picture"); ++waited) {
+  QByteArray given;
+  for (int waited = 0; waited < 600 && !given.contains("first picture"); ++waited) {
     program.waitForReadyRead(100);
-    said += program.readAllStandardError();
+    given += program.readAllStandardError();
   }
-  const auto match = QRegularExpression("first picture after (\\d+) ms").match(said);
-  EXPECT_TRUE(match.hasMatch()) << said.toStdString();
+  const auto match = QRegularExpression("first picture after (\\d+) ms").match(given);
+  EXPECT_TRUE(match.hasMatch()) << given.toStdString();
   QTest::qWait(3000);  // the plots have something to show
   const double resident = 1e-6 * underact::test::residentBytes(static_cast<long>(program.processId()));
   QFile maps(QString("/proc/%1/maps").arg(program.processId()));
@@ -87,7 +87,7 @@ TEST(RealTimeStory, TheProgramDrawsItsFirstPictureByItselfAndStaysSmall) {
   // The first is a number for the reader; its goal of 0.4 s is the benchmark's, which has its machine.
   std::printf("first picture after %s ms, then %.0f MB resident\n", match.captured(1).toUtf8().constData(), resident);
 #ifndef __SANITIZE_ADDRESS__  // which keeps what is freed, and a shadow of all
-  EXPECT_LT(resident, kMostWithOneScene_MB + (is_mesa_25 ? kMoreOfMesa25_MB : 0.0));
+  EXPECT_LT(resident, kMaxWithOneScene_MB + (is_mesa_25 ? kMoreOfMesa25_MB : 0.0));
 #endif
   EXPECT_GT(resident, 20.0);
   program.kill();

@@ -367,10 +367,10 @@ TEST(RegistrationStory, AnArmThatIsNotCalibratedIsNotTouchedWith) {
 }
 
 TEST(RegistrationStory, EveryWidgetOfTheWizardSpeaksAndLargeTextFits) {
-  const QFont usual = QApplication::font();
+  const QFont default_value = QApplication::font();
   for (const double share : {1.0, 2.0}) {
-    QFont font = usual;
-    font.setPointSizeF(share * usual.pointSizeF());
+    QFont font = default_value;
+    font.setPointSizeF(share * default_value.pointSizeF());
     QApplication::setFont(font);
     RegistrationDesk desk;
     desk.story.perform(share > 1.0 ? "view.theme.dark" : "view.theme.light");
@@ -392,7 +392,7 @@ TEST(RegistrationStory, EveryWidgetOfTheWizardSpeaksAndLargeTextFits) {
       EXPECT_TRUE(desk.dialog()->rect().contains(there)) << name << " at " << share;
     }
   }
-  QApplication::setFont(usual);
+  QApplication::setFont(default_value);
 }
 
 }  // namespace underact::gui::test

@@ -63,10 +63,10 @@ TEST(RobotLookStory, EachRobotLooksAsItDid) {
 }
 
 TEST(RobotLookStory, NothingIsCutAtTheUsualTextNorAtTwiceIt) {
-  const QFont usual = QApplication::font();
+  const QFont default_value = QApplication::font();
   for (const double share : {1.0, 2.0}) {
-    QFont font = usual;
-    font.setPointSizeF(share * usual.pointSizeF());
+    QFont font = default_value;
+    font.setPointSizeF(share * default_value.pointSizeF());
     QApplication::setFont(font);
     {
       Robot story("21_puma_560", {.size = {1920, 1080}});
@@ -95,7 +95,7 @@ TEST(RobotLookStory, NothingIsCutAtTheUsualTextNorAtTwiceIt) {
           story.picture().save(QString("%1/pictures/window_robot_text_%2.png").arg(UNDERACT_BINARY).arg(share)));
     }
   }
-  QApplication::setFont(usual);
+  QApplication::setFont(default_value);
 }
 
 // To be looked at by people: build/.../pictures/window_robot_THEME.png.

@@ -29,7 +29,7 @@ struct ServedWindow {
   ~ServedWindow() { story->window().document().undoStack().setClean(); }  // or it asks whether to save
   int join(const std::string& name) {
     const int client = live->service()->connect();
-    EXPECT_TRUE(isWell(ask(client, R"("do": "hello", "token": ")" + token() + R"(", "name": ")" + name + "\"")));
+    EXPECT_TRUE(isOk(ask(client, R"("do": "hello", "token": ")" + token() + R"(", "name": ")" + name + "\"")));
     return client;
   }
   std::string token() {
@@ -52,7 +52,7 @@ struct ServedWindow {
     }
     return "no answer to " + keys;
   }
-  static bool isWell(const std::string& answer) { return answer.find("\"ok\": true") != std::string::npos; }
+  static bool isOk(const std::string& answer) { return answer.find("\"ok\": true") != std::string::npos; }
   static std::string setStiffness(double kp) {
     return R"("do": "set", "values": {")" + std::string(kStiffness) + "\": " + std::to_string(kp) + "}";
   }
@@ -92,7 +92,7 @@ TEST(ServiceStory, WhatAProgramChangesIsShownAndIsOneStepOfUndo) {
   const int client = served.join("trials");
   EXPECT_EQ(served.button(), "1 program listens");
   for (int time = 0; time < 20; ++time)
-    ASSERT_TRUE(ServedWindow::isWell(served.ask(client, ServedWindow::setStiffness(0.1 + 0.01 * time))));
+    ASSERT_TRUE(ServedWindow::isOk(served.ask(client, ServedWindow::setStiffness(0.1 + 0.01 * time))));
   EXPECT_EQ(served.button(), "trials steers");
   EXPECT_DOUBLE_EQ(served.stiffness(), 0.29);
   EXPECT_EQ(served.story->window().document().undoStack().count(), 1);
@@ -102,7 +102,7 @@ TEST(ServiceStory, WhatAProgramChangesIsShownAndIsOneStepOfUndo) {
   EXPECT_EQ(hand_edits.count(), 0) << "the welcome counts what the person does";
   EXPECT_TRUE(served.story->perform("edit.undo"));
   EXPECT_DOUBLE_EQ(served.stiffness(), before);
-  ASSERT_TRUE(ServedWindow::isWell(served.ask(client, ServedWindow::setStiffness(0.2))));
+  ASSERT_TRUE(ServedWindow::isOk(served.ask(client, ServedWindow::setStiffness(0.2))));
   EXPECT_NE(served.heard.find(R"("do": "edit", "by": "window")"), std::string::npos) << served.heard;
   EXPECT_EQ(served.story->window().document().undoStack().count(), 1) << "after the person's undo a new step begins";
 }
@@ -110,9 +110,9 @@ TEST(ServiceStory, WhatAProgramChangesIsShownAndIsOneStepOfUndo) {
 TEST(ServiceStory, ThePersonTakesTheSteeringBackAndStopIsStillForEverybody) {
   ServedWindow served;
   const int client = served.join("wall");
-  ASSERT_TRUE(ServedWindow::isWell(served.ask(client, "\"do\": \"start\"")));
+  ASSERT_TRUE(ServedWindow::isOk(served.ask(client, "\"do\": \"start\"")));
   EXPECT_TRUE(served.story->host().running());
-  ASSERT_TRUE(ServedWindow::isWell(served.ask(client, R"("do": "force", "f_N": [0.3, 0, 0], "for_ms": 1000)")));
+  ASSERT_TRUE(ServedWindow::isOk(served.ask(client, R"("do": "force", "f_N": [0.3, 0, 0], "for_ms": 1000)")));
   ASSERT_TRUE(served.story->perform("service.take_back", true));
   EXPECT_EQ(served.button(), "You steer");
   const double before = served.stiffness();
@@ -122,32 +122,32 @@ TEST(ServiceStory, ThePersonTakesTheSteeringBackAndStopIsStillForEverybody) {
   EXPECT_NE(served.heard.find(R"("event": "lease")"), std::string::npos);
   EXPECT_NE(served.heard.find(R"("held": true, "by": "window")"), std::string::npos) << served.heard;
   served.story->run(20);
-  EXPECT_TRUE(ServedWindow::isWell(served.ask(client, "\"do\": \"stop\"")));
+  EXPECT_TRUE(ServedWindow::isOk(served.ask(client, "\"do\": \"stop\"")));
   EXPECT_FALSE(served.story->host().running());
   ASSERT_TRUE(served.story->perform("service.take_back", false));
-  EXPECT_TRUE(ServedWindow::isWell(served.ask(client, ServedWindow::setStiffness(0.2))));
+  EXPECT_TRUE(ServedWindow::isOk(served.ask(client, ServedWindow::setStiffness(0.2))));
   EXPECT_EQ(served.button(), "wall steers");
 }
 
 TEST(ServiceStory, WhatThePersonHasStoppedNoProgramStartsAgain) {
   ServedWindow served;
   const int client = served.join("restless");
-  ASSERT_TRUE(ServedWindow::isWell(served.ask(client, "\"do\": \"start\"")));
+  ASSERT_TRUE(ServedWindow::isOk(served.ask(client, "\"do\": \"start\"")));
   ASSERT_TRUE(served.story->perform("session.stop"));
-  EXPECT_FALSE(ServedWindow::isWell(served.ask(client, "\"do\": \"start\"")));
+  EXPECT_FALSE(ServedWindow::isOk(served.ask(client, "\"do\": \"start\"")));
   EXPECT_FALSE(served.story->host().running());
   EXPECT_EQ(served.button(), "You steer");
   ASSERT_TRUE(served.story->perform("service.take_back", false));
-  EXPECT_TRUE(ServedWindow::isWell(served.ask(client, "\"do\": \"start\"")));
+  EXPECT_TRUE(ServedWindow::isOk(served.ask(client, "\"do\": \"start\"")));
 }
 
 TEST(ServiceStory, AnotherSceneDoesNotReplaceThePersonsUnsavedChanges) {
   ServedWindow served;
   const int client = served.join("loader");
-  ASSERT_TRUE(ServedWindow::isWell(served.ask(client, R"("do": "load", "file": "03_line")")));
+  ASSERT_TRUE(ServedWindow::isOk(served.ask(client, R"("do": "load", "file": "03_line")")));
   EXPECT_EQ(served.story->host().scene().title, "Line");
-  ASSERT_TRUE(ServedWindow::isWell(served.ask(client, ServedWindow::setStiffness(0.2))));
-  ASSERT_TRUE(ServedWindow::isWell(served.ask(client, R"("do": "load", "file": "02_sphere")")))
+  ASSERT_TRUE(ServedWindow::isOk(served.ask(client, ServedWindow::setStiffness(0.2))));
+  ASSERT_TRUE(ServedWindow::isOk(served.ask(client, R"("do": "load", "file": "02_sphere")")))
       << "its own changes are in nobody's way";
   scene::Description edited = served.story->window().document().scene();
   edited.control.gains.kp_N_per_mm.setConstant(0.15);
@@ -160,14 +160,14 @@ TEST(ServiceStory, AProgramRecordsIntoTheWindowsFolderAndTheWindowShowsIt) {
   ServedWindow served;
   const int client = served.join("recorder");
   const std::string begun = served.ask(client, R"("do": "record", "file": "trial_1.h5")");
-  ASSERT_TRUE(ServedWindow::isWell(begun)) << begun;
+  ASSERT_TRUE(ServedWindow::isOk(begun)) << begun;
   EXPECT_NE(begun.find("trial_1.h5"), std::string::npos);
   served.story->run(50);
-  EXPECT_TRUE(ServedWindow::isWell(served.ask(client, R"("do": "mark", "text": "here")")));
+  EXPECT_TRUE(ServedWindow::isOk(served.ask(client, R"("do": "mark", "text": "here")")));
   served.story->host().endRecord();  // a recording ends between two ticks, and in a story time stands
   served.story->host().run(1);
   const std::string ended = served.ask(client, R"("do": "record", "stop": true)");
-  EXPECT_TRUE(ServedWindow::isWell(ended)) << ended;
+  EXPECT_TRUE(ServedWindow::isOk(ended)) << ended;
   EXPECT_TRUE(QFile::exists(served.desk->file("trial_1.h5")));
   ASSERT_TRUE(served.desk->record(true));
   EXPECT_NE(served.ask(client, R"("do": "record", "stop": true)").find("No client has begun"), std::string::npos);

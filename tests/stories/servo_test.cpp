@@ -241,13 +241,13 @@ TEST(ServoStory, ThePictureOfWhatActsAndOfLateness) {
 
 // To be looked at by people: build/.../pictures/window_servo_*.png.
 TEST(ServoStory, NoTextOfThePanelIsCutAtTheUsualSizeNorAtTwiceIt) {
-  const QFont usual = QApplication::font();
-  QFont large = usual;
-  large.setPointSizeF(2.0 * usual.pointSizeF());
-  for (const QFont& font : {usual, large}) {
+  const QFont default_value = QApplication::font();
+  QFont large = default_value;
+  large.setPointSizeF(2.0 * default_value.pointSizeF());
+  for (const QFont& font : {default_value, large}) {
     QApplication::setFont(font);
     for (const char* theme : {"light", "dark"}) {
-      Story story("02_sphere", {.size = font == usual ? QSize(1280, 800) : QSize(1920, 1080)});
+      Story story("02_sphere", {.size = font == default_value ? QSize(1280, 800) : QSize(1920, 1080)});
       story.perform(QString("view.theme.") + theme);
       openPanel(story);
       handTo(story, {0.0, 0.0, 0.030}, 1500);
@@ -256,11 +256,12 @@ TEST(ServoStory, NoTextOfThePanelIsCutAtTheUsualSizeNorAtTwiceIt) {
         EXPECT_GE(label->width(), label->fontMetrics().horizontalAdvance(label->text()))
             << label->objectName().toStdString() << ": " << label->text().toStdString();
       }
-      EXPECT_TRUE(story.picture().save(
-          QString("%1/pictures/window_servo_%2_%3.png").arg(UNDERACT_BINARY, theme).arg(font == usual ? 1 : 2)));
+      EXPECT_TRUE(story.picture().save(QString("%1/pictures/window_servo_%2_%3.png")
+                                           .arg(UNDERACT_BINARY, theme)
+                                           .arg(font == default_value ? 1 : 2)));
     }
   }
-  QApplication::setFont(usual);
+  QApplication::setFont(default_value);
 }
 
 }  // namespace underact::gui::test

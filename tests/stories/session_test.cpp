@@ -259,10 +259,10 @@ TEST(SessionStory, ARestartOfTheServoIsPartOfTheRecording) {
 
 // To be looked at by people: build/.../pictures/window_sessions_*.png.
 TEST(SessionStory, NoTextOfThePanelIsCutAtTheUsualSizeNorAtTwiceIt) {
-  const QFont usual = QApplication::font();
-  QFont large = usual;
-  large.setPointSizeF(2.0 * usual.pointSizeF());
-  for (const QFont& font : {usual, large}) {
+  const QFont default_value = QApplication::font();
+  QFont large = default_value;
+  large.setPointSizeF(2.0 * default_value.pointSizeF());
+  for (const QFont& font : {default_value, large}) {
     QApplication::setFont(font);
     for (const char* theme : {"light", "dark"}) {
       Desk desk;
@@ -280,12 +280,13 @@ TEST(SessionStory, NoTextOfThePanelIsCutAtTheUsualSizeNorAtTwiceIt) {
         EXPECT_GE(label->width(), label->fontMetrics().horizontalAdvance(QString(label->text()).remove('&')))
             << label->objectName().toStdString() << ": " << label->text().toStdString();
       }
-      EXPECT_TRUE(desk.story->picture().save(
-          QString("%1/pictures/window_sessions_%2_%3.png").arg(UNDERACT_BINARY, theme).arg(font == usual ? 1 : 2)));
+      EXPECT_TRUE(desk.story->picture().save(QString("%1/pictures/window_sessions_%2_%3.png")
+                                                 .arg(UNDERACT_BINARY, theme)
+                                                 .arg(font == default_value ? 1 : 2)));
       desk.record(false);
     }
   }
-  QApplication::setFont(usual);
+  QApplication::setFont(default_value);
 }
 
 TEST(SessionStory, ThePictureOfTheRecordingAndTheList) {

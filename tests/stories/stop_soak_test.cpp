@@ -32,7 +32,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kWithin_ms = 50.0;
 constexpr milliseconds kPatience{20'000}, kAgain{500};
 
-enum Way { kShiftEsc, kClick, kEsc, kWays };
+enum Means { kShiftEsc, kClick, kEsc, kMeanses };
 
 /// Presses Stop in one of the ways there are, from a thread of its own, when it is told to.
 class Presser {
@@ -44,7 +44,7 @@ class Presser {
   Presser(const Presser&) = delete;
   Presser& operator=(const Presser&) = delete;
   /// The window's thread may do what it likes until it is done().
-  void press(Way how, microseconds in) {
+  void press(Means how, microseconds in) {
     is_done_ = false;
     thread_ = std::thread([this, how, in] {
       std::this_thread::sleep_for(in);
@@ -68,7 +68,7 @@ class Presser {
   }
 
  private:
-  void press(Way how) {
+  void press(Means how) {
     if (how == kShiftEsc) person_.pressWithShift(Person::kEscape);
     if (how == kClick) person_.click(button_px_);
     if (how == kEsc) person_.press(Person::kEscape);
@@ -137,7 +137,7 @@ TEST(StopSoakStory, StopIsHeardWhateverTheWindowIsBusyWithAndAllThatItRecordsIsW
                                        live->tokenFile(), "3600", "53", "stop"});
   const QStringList files = foreignFiles(folder.path());
   underact::test::Random random(underact::test::Seed{53});
-  std::array<double, kWays> worst_ms{};
+  std::array<double, kMeanses> worst_ms{};
   for (int trial = 0; trial < trials; ++trial) {
     for (QWidget* one : QApplication::topLevelWidgets())
       if (one != &story->window() && one->isVisible()) one->close();
@@ -146,7 +146,7 @@ TEST(StopSoakStory, StopIsHeardWhateverTheWindowIsBusyWithAndAllThatItRecordsIsW
     if (trial % 4 == 0) story->perform("session.record", trial % 8 == 0);
     story->bringToFront(&story->window());
     QTest::qWait(60);
-    const Way how = static_cast<Way>(trial % kWays);
+    const Means how = static_cast<Means>(trial % kMeanses);
     presser.press(how, microseconds(static_cast<std::int64_t>(random.below(150'000))));
     do {
       switch (random.below(4)) {

@@ -155,13 +155,13 @@ void Story::dragHandTo(const Vec3& p_W, bool hold) {
   const HeldPaints held;
   const QPointF from = view().screenOf(snapshot().report.p_WT);
   const bool holds = arm().setpoint().holds;
-  const QPointF way = view().screenOf(p_W) - (holds ? view().screenOf(arm().setpoint().p_WT) : from);
+  const QPointF offset = view().screenOf(p_W) - (holds ? view().screenOf(arm().setpoint().p_WT) : from);
   press(&view(), from.toPoint());
   for (int step = 1; step <= kSteps; ++step) {
-    moveTo(&view(), (from + way * step / kSteps).toPoint());
+    moveTo(&view(), (from + offset * step / kSteps).toPoint());
     run(50);
   }
-  if (!hold) release(&view(), (from + way).toPoint());
+  if (!hold) release(&view(), (from + offset).toPoint());
 }
 
 void Story::settle(int ms) {

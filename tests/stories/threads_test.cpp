@@ -27,7 +27,7 @@ using underact::test::LooseCable;
 // would lock the sanitizer's, too.
 servo::HostOptions byItself() {
   return {.clock = servo::Clock::Thread,
-          .scheduling = {.way = system::SchedulingMethod::Normal, .core = -1, .lock_memory = false},
+          .scheduling = {.method = system::SchedulingMethod::Normal, .core = -1, .lock_memory = false},
           .watchdog_s = 30.0,
           .max_late = 1'000'000};
 }

@@ -16,13 +16,13 @@ namespace {
 
 using underact::test::Random;
 
-constexpr double kMost_N = 0.5 * 0.88;
+constexpr double kMax_N = 0.5 * 0.88;
 constexpr int kTicksAStep = 500;
 constexpr double kSampled_h = 1.0 / 6.0, kDay_h = 8.0;
 // Scenes come and go with what the graphics driver keeps of them: 8 MiB to and fro in a day, none in ten minutes,
 // measured. A leak adds up: of 11 kB in each of the 290 paints, it is found in ten minutes.
-constexpr double kMostResident_MiB = 14.0, kMostAllocated_MiB = 3.0;
-constexpr double kMostResidentInADay_MiB = 64.0, kMostAllocatedInADay_MiB = 16.0;
+constexpr double kMaxResident_MiB = 14.0, kMaxAllocated_MiB = 3.0;
+constexpr double kMaxResidentInADay_MiB = 64.0, kMaxAllocatedInADay_MiB = 16.0;
 
 std::int64_t ticksOfADay() {
   const double asked_h = qEnvironmentVariable("UNDERACT_VISITOR_HOURS").toDouble();
@@ -132,8 +132,8 @@ TEST(VisitorDayStory, NoFaultIsLeftUnansweredAndTheMemoryStaysFlat) {
   Visitors visitors(desk);
   int pulled = 0, faults = 0, answered = 0;
   std::set<std::size_t> scenes;
-  double most_N = 0.0, first_resident_MiB = 0.0, first_allocated_MiB = 0.0;
-  static_cast<void>(desk.cable->takeMost_N());
+  double max_N = 0.0, first_resident_MiB = 0.0, first_allocated_MiB = 0.0;
+  static_cast<void>(desk.cable->takeMax_N());
   for (std::int64_t ticks = 0; ticks < day; ticks += kTicksAStep) {
     {
       const HeldPaints held;
@@ -148,9 +148,9 @@ TEST(VisitorDayStory, NoFaultIsLeftUnansweredAndTheMemoryStaysFlat) {
     ASSERT_TRUE(desk.window->isVisible());
     ASSERT_FALSE(anyDialog());
     ASSERT_EQ(QApplication::activePopupWidget(), nullptr);
-    const double pushed_N = desk.cable->takeMost_N();
-    ASSERT_LE(pushed_N, kMost_N + 1e-9);
-    most_N = std::max(most_N, pushed_N);
+    const double pushed_N = desk.cable->takeMax_N();
+    ASSERT_LE(pushed_N, kMax_N + 1e-9);
+    max_N = std::max(max_N, pushed_N);
     scenes.insert(desk.window->findChild<VisitorMode*>()->shown());
     if (desk.host->snapshot().mode == servo::Mode::Faulted) {
       ++faults;
@@ -181,9 +181,9 @@ TEST(VisitorDayStory, NoFaultIsLeftUnansweredAndTheMemoryStaysFlat) {
   EXPECT_GE(answered, faults);
   EXPECT_EQ(scenes.size(), 5u);
   const bool is_sampled = day <= static_cast<std::int64_t>(kSampled_h * 3.6e6);
-  EXPECT_LT(resident_MiB(), first_resident_MiB + (is_sampled ? kMostResident_MiB : kMostResidentInADay_MiB));
-  EXPECT_LT(allocated_MiB(), first_allocated_MiB + (is_sampled ? kMostAllocated_MiB : kMostAllocatedInADay_MiB));
-  EXPECT_GT(most_N, 0.1) << "nobody felt anything all day";
+  EXPECT_LT(resident_MiB(), first_resident_MiB + (is_sampled ? kMaxResident_MiB : kMaxResidentInADay_MiB));
+  EXPECT_LT(allocated_MiB(), first_allocated_MiB + (is_sampled ? kMaxAllocated_MiB : kMaxAllocatedInADay_MiB));
+  EXPECT_GT(max_N, 0.1) << "nobody felt anything all day";
 }
 
 }  // namespace underact::gui::test

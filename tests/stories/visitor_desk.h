@@ -49,11 +49,11 @@ struct VisitorDesk {
   }
   void setpointAt(const Vec3& p_W) { cable->arm().setSetpoint({.p_WT = p_W}); }
   /// A hand that presses as deep into the ball as it can.
-  double mostPushed_N() {
-    static_cast<void>(cable->takeMost_N());
+  double maxPushed_N() {
+    static_cast<void>(cable->takeMax_N());
     setpointAt({0.0, 0.0, 0.030});
     run(1500);
-    return cable->takeMost_N();
+    return cable->takeMax_N();
   }
   template <class Widget = QWidget>
   Widget* find(const char* name) {

@@ -66,12 +66,12 @@ TEST(VisitorStory, NothingElseCanBeReached) {
 TEST(VisitorStory, HalfOfTheForceIsSentAndAllOfItAfter) {
   VisitorDesk desk;
   ASSERT_TRUE(desk.begin());
-  const double pushed_N = desk.mostPushed_N();
+  const double pushed_N = desk.maxPushed_N();
   EXPECT_NEAR(pushed_N, 0.5 * kWhole_N, 1e-6);
   desk.window->findChild<VisitorMode*>()->leave();
   desk.window->actions().perform("scene.open", QVariant(shippedScene("02_sphere")));
   desk.run(1000);
-  EXPECT_NEAR(desk.mostPushed_N(), kWhole_N, 1e-6);
+  EXPECT_NEAR(desk.maxPushed_N(), kWhole_N, 1e-6);
 }
 
 TEST(VisitorStory, ScenesComeInTurnByTimeAndByNext) {
@@ -127,12 +127,12 @@ TEST(VisitorStory, AnUnpluggedArmIsSaidAndPushesAgainOnSomebodysWordAlone) {
   EXPECT_TRUE(desk.find("visitor.go")->isVisible());
   EXPECT_EQ(dialogsSeen(), QStringList());
   desk.plugged_in = true;
-  static_cast<void>(desk.cable->takeMost_N());
+  static_cast<void>(desk.cable->takeMax_N());
   desk.run(5000);
-  EXPECT_EQ(desk.cable->takeMost_N(), 0.0) << "a plug is nobody's word";
+  EXPECT_EQ(desk.cable->takeMax_N(), 0.0) << "a plug is nobody's word";
   desk.press("visitor.go");
   desk.run(1500);
-  EXPECT_GT(desk.cable->takeMost_N(), 0.1);
+  EXPECT_GT(desk.cable->takeMax_N(), 0.1);
   EXPECT_FALSE(desk.find("visitor.trouble")->isVisible());
   EXPECT_FALSE(desk.find("visitor.go")->isVisible());
 }
@@ -157,7 +157,7 @@ TEST(VisitorStory, TheHiddenKeyOpensTheDemonstratorsPanel) {
   QTest::qWait(50);
   ASSERT_EQ(dialogsSeen(), QStringList{"demonstrator"});
   desk.find<QSpinBox>("demonstrator.force")->setValue(25);
-  EXPECT_NEAR(desk.mostPushed_N(), 0.25 * kWhole_N, 1e-6);
+  EXPECT_NEAR(desk.maxPushed_N(), 0.25 * kWhole_N, 1e-6);
   desk.find<QSpinBox>("demonstrator.dwell")->setValue(10);
   desk.run(11'000);
   EXPECT_EQ(desk.scene(), "Box from outside");

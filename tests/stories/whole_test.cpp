@@ -50,12 +50,12 @@ TEST(WholeStory, AWindowWithoutItsFilesSaysSoWithThePlaces) {
   bringPanel(story, "scenes");
   story.savePicture("window_without_its_scenes");
   EXPECT_FALSE(story.perform("help.guide"));
-  QString said;
+  QString given;
   for (const QWidget* const window : QApplication::topLevelWidgets()) {
-    for (const QLabel* const label : window->findChildren<QLabel*>()) said += label->text() + "\n";
+    for (const QLabel* const label : window->findChildren<QLabel*>()) given += label->text() + "\n";
   }
-  EXPECT_TRUE(said.contains("The guide's pages were not found in")) << said.toStdString();
-  EXPECT_TRUE(said.contains(share + "guide")) << said.toStdString();
+  EXPECT_TRUE(given.contains("The guide's pages were not found in")) << given.toStdString();
+  EXPECT_TRUE(given.contains(share + "guide")) << given.toStdString();
 }
 
 TEST(WholeStory, AWindowThatIsWholeSaysNothingOfIt) {

@@ -239,10 +239,10 @@ TEST(WindowStory, WhereItCannotDrawTheProgramSaysSoAndEnds) {
       QProcess program;
       program.start("env", changes + command);
       ASSERT_TRUE(program.waitForFinished(60000));
-      const QByteArray said = program.readAllStandardError();
+      const QByteArray given = program.readAllStandardError();
       EXPECT_TRUE(program.exitStatus() == QProcess::NormalExit && program.exitCode() == 2) << words;
-      EXPECT_TRUE(said.contains(words) && !said.contains("einstall") && !said.contains("written"))
-          << said.toStdString();
+      EXPECT_TRUE(given.contains(words) && !given.contains("einstall") && !given.contains("written"))
+          << given.toStdString();
     }
   }
 }

@@ -38,7 +38,7 @@ void atOnce(int fd) {
 }  // namespace
 
 /// One direction: what came, and when it is due.
-struct Cable::Way {
+struct Cable::Lane {
   struct Part {
     std::int64_t due_ns;
     std::vector<char> bytes;
@@ -48,7 +48,7 @@ struct Cable::Way {
 };
 
 struct Cable::Line {
-  Way out, back;
+  Lane out, back;
   ~Line() {
     for (const int fd : {out.from, out.to}) {
       if (fd >= 0) close(fd);
@@ -123,26 +123,26 @@ void Cable::accept() {
 /// false: an end has closed.
 bool Cable::carry(Line& line) {
   const std::int64_t now_ns = now();
-  for (Way* const way : {&line.out, &line.back}) {
+  for (Lane* const lane : {&line.out, &line.back}) {
     std::array<char, 4096> bytes{};
-    for (ssize_t size = 0; (size = recv(way->from, bytes.data(), bytes.size(), 0)) != -1;) {
+    for (ssize_t size = 0; (size = recv(lane->from, bytes.data(), bytes.size(), 0)) != -1;) {
       if (size == 0) return false;
       seed_ = seed_ * 6364136223846793005ULL + 1442695040888963407ULL;
       const double share = static_cast<double>(seed_ >> 40U) / static_cast<double>(1U << 24U);
       std::int64_t due_ns = now_ns + delay_ns_ + static_cast<std::int64_t>(share * static_cast<double>(jitter_ns_));
-      if (!way->parts.empty()) due_ns = std::max(due_ns, way->parts.back().due_ns);
-      way->parts.push_back({due_ns, {bytes.begin(), bytes.begin() + size}});
+      if (!lane->parts.empty()) due_ns = std::max(due_ns, lane->parts.back().due_ns);
+      lane->parts.push_back({due_ns, {bytes.begin(), bytes.begin() + size}});
     }
     if (errno != EAGAIN && errno != EWOULDBLOCK) return false;
-    while (!held_ && !way->parts.empty() && way->parts.front().due_ns <= now_ns) {
-      std::vector<char>& first = way->parts.front().bytes;
-      const ssize_t sent = send(way->to, first.data(), first.size(), MSG_NOSIGNAL);
+    while (!held_ && !lane->parts.empty() && lane->parts.front().due_ns <= now_ns) {
+      std::vector<char>& first = lane->parts.front().bytes;
+      const ssize_t sent = send(lane->to, first.data(), first.size(), MSG_NOSIGNAL);
       if (sent < 0) {
         if (errno != EAGAIN && errno != EWOULDBLOCK) return false;
         break;
       }
       first.erase(first.begin(), first.begin() + sent);
-      if (first.empty()) way->parts.pop_front();
+      if (first.empty()) lane->parts.pop_front();
     }
   }
   return true;

@@ -34,7 +34,7 @@ class Cable {
   }
 
  private:
-  struct Way;
+  struct Lane;
   struct Line;
   void run();
   void listen();

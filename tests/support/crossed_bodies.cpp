@@ -69,8 +69,8 @@ Triangles together(const std::vector<Triangles>& parts) {
   return all;
 }
 
-Triangles drawnBody(Random& random, int most_parts) {
-  const std::size_t count = 2 + random.below(static_cast<std::size_t>(most_parts - 1));
+Triangles drawnBody(Random& random, int max_parts) {
+  const std::size_t count = 2 + random.below(static_cast<std::size_t>(max_parts - 1));
   const bool along_axes = random.below(4) == 0;
   std::vector<Triangles> parts;
   for (std::size_t k = 0; k < count; ++k) {

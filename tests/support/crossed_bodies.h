@@ -15,9 +15,9 @@ mesh::Triangles moved(mesh::Triangles triangles, const Mat3& R, const Vec3& by);
 /// One mesh of all, each with corners of its own.
 mesh::Triangles together(const std::vector<mesh::Triangles>& parts);
 
-/// 2 to most_parts boxes, wedges and balls, as bodies come with physics engines: rotated at random, or all along the
+/// 2 to max_parts boxes, wedges and balls, as bodies come with physics engines: rotated at random, or all along the
 /// axes with integer coordinates, so that faces lie on each other and edges and corners meet.
-mesh::Triangles drawnBody(Random& random, int most_parts);
+mesh::Triangles drawnBody(Random& random, int max_parts);
 
 /// The winding number of a mesh about q, by solid angles in long doubles; an integer if the mesh is closed and q is not
 /// on a face.

@@ -71,7 +71,7 @@ class HidDouble final : public device::HidBus {
   /// The next report, whatever it is.
   void say(std::vector<std::uint8_t> report) {
     const std::scoped_lock lock(mutex_);
-    said_.push_back(std::move(report));
+    message_.push_back(std::move(report));
     changed_.notify_all();
   }
   /// Reports of the host, of whatever length and content.
@@ -100,7 +100,7 @@ class HidDouble final : public device::HidBus {
   bool isGone(int plugged) const { return !is_plugged_ || plugged != plugged_; }
   /// When the next report is there; never: it is not spoken to.
   Clock::time_point due() const {
-    if (!said_.empty()) return Clock::time_point::min();
+    if (!message_.empty()) return Clock::time_point::min();
     if (is_silent_ || (firmware_.onlyAnswers() && !is_asked_)) return Clock::time_point::max();
     return next_;
   }
@@ -115,9 +115,9 @@ class HidDouble final : public device::HidBus {
       changed_.wait_until(lock, std::min(end, due()));
     }
     std::vector<std::uint8_t> bytes;
-    if (!said_.empty()) {
-      bytes = std::move(said_.front());
-      said_.pop_front();
+    if (!message_.empty()) {
+      bytes = std::move(message_.front());
+      message_.pop_front();
     } else {
       bytes = firmware_.report(system::monotonicNow_ns());
       is_asked_ = false;
@@ -154,7 +154,7 @@ class HidDouble final : public device::HidBus {
   int plugged_ = 0;
   std::chrono::microseconds write_{0};
   Clock::time_point next_ = Clock::time_point::min();
-  std::deque<std::vector<std::uint8_t>> said_;
+  std::deque<std::vector<std::uint8_t>> message_;
   std::int64_t written_ = 0;
 };
 

@@ -13,7 +13,7 @@ class LooseCable final : public servo::DevicePort {
       : arm_(options), plugged_in_(plugged_in) {}
   bool read(arm::Sample& sample) noexcept override { return arm_.read(sample) && plugged_in_.load(); }
   void write(const safety::GatedForce& force) noexcept override {
-    most_N_ = std::max(most_N_.load(), force.f_T_W().norm());
+    max_N_ = std::max(max_N_.load(), force.f_T_W().norm());
     arm_.write(force);
   }
   void cut() noexcept override { arm_.cut(); }
@@ -26,12 +26,12 @@ class LooseCable final : public servo::DevicePort {
 
   device::SimulatedArm& arm() { return arm_; }
   /// Since the last call, N.
-  double takeMost_N() { return most_N_.exchange(0.0); }
+  double takeMax_N() { return max_N_.exchange(0.0); }
 
  private:
   device::SimulatedArm arm_;
   std::atomic<bool>& plugged_in_;
-  std::atomic<double> most_N_{0.0};
+  std::atomic<double> max_N_{0.0};
 };
 
 }  // namespace underact::test

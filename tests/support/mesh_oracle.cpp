@@ -35,15 +35,15 @@ std::optional<Wide> footOnPlane(const Wide& a, const Wide& b, const Wide& c, con
 std::optional<bool> isMet(const Wide& a, const Wide& b, const Wide& c, const Wide& q_M, const Wide& ray) {
   const Wide qa = a - q_M, qb = b - q_M, qc = c - q_M;
   const long double ab = ray.dot(qa.cross(qb)), bc = ray.dot(qb.cross(qc)), ca = ray.dot(qc.cross(qa));
-  const long double least = 1e-15L * std::max({qa.squaredNorm(), qb.squaredNorm(), qc.squaredNorm()});
-  const bool all_left = ab > least && bc > least && ca > least, all_right = ab < -least && bc < -least && ca < -least;
+  const long double min = 1e-15L * std::max({qa.squaredNorm(), qb.squaredNorm(), qc.squaredNorm()});
+  const bool all_left = ab > min && bc > min && ca > min, all_right = ab < -min && bc < -min && ca < -min;
   if (all_left || all_right) {
     const Wide normal = (b - a).cross(c - a);
     const long double height = normal.dot(qa);
     if (std::abs(height) < 1e-15L * normal.norm() * qa.norm()) return {};
     return height / normal.dot(ray) > 0.0L;
   }
-  const bool one_left = ab > least || bc > least || ca > least, one_right = ab < -least || bc < -least || ca < -least;
+  const bool one_left = ab > min || bc > min || ca > min, one_right = ab < -min || bc < -min || ca < -min;
   if (one_left && one_right) return false;
   return {};
 }
@@ -97,17 +97,17 @@ MeshOracle::Nearest MeshOracle::nearest(const Vec3& q_M) const {
   }
   const Wide asked = q_M.cast<long double>();
   Wide best = Wide::Constant(INFINITY);
-  long double least = INFINITY;
+  long double min = INFINITY;
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     if (off[i] > within * (1.0 + 1e-9) + capsules_[i].radius) continue;
     const Wide p_M = nearestOf(faces_[i], asked);
     const long double distance = (p_M - asked).norm();
-    if (!(distance < least)) continue;
-    least = distance;
+    if (!(distance < min)) continue;
+    min = distance;
     best = p_M;
-    within = std::min(within, static_cast<double>(least));
+    within = std::min(within, static_cast<double>(min));
   }
-  return {static_cast<double>(least), best.cast<double>()};
+  return {static_cast<double>(min), best.cast<double>()};
 }
 
 bool MeshOracle::isInside(const Vec3& q_M) const {

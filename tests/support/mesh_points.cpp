@@ -52,10 +52,10 @@ std::vector<Vec3> stroke(const mesh::Triangles& triangles, double mm, std::size_
   MeshWalker walker(triangles, seed);
   std::vector<Vec3> rough;
   for (std::size_t i = 0; i < steps; ++i) {
-    const double way_mm = kStep_mm * static_cast<double>(i);
+    const double travel_mm = kStep_mm * static_cast<double>(i);
     walker.go(kStep_mm * mm);
-    walker.turn(kStep_mm * 0.05 * std::sin(kWholeTurn_rad * way_mm / 70.0));
-    rough.push_back(walker.p_M() + mm * (1.5 + 3.5 * std::sin(kWholeTurn_rad * way_mm / 37.0)) * walker.normal_M());
+    walker.turn(kStep_mm * 0.05 * std::sin(kWholeTurn_rad * travel_mm / 70.0));
+    rough.push_back(walker.p_M() + mm * (1.5 + 3.5 * std::sin(kWholeTurn_rad * travel_mm / 37.0)) * walker.normal_M());
   }
   return smoothed(rough, kSmoothSteps);
 }
@@ -63,22 +63,23 @@ std::vector<Vec3> stroke(const mesh::Triangles& triangles, double mm, std::size_
 /// Where one is on a way after a length, there and back again.
 class Traveller {
  public:
-  explicit Traveller(const std::vector<Vec3>& way) : way_(way) {
-    for (std::size_t i = 1; i < way.size(); ++i) after_.push_back(after_.back() + (way[i] - way[i - 1]).norm());
+  explicit Traveller(const std::vector<Vec3>& hand_path) : hand_path_(hand_path) {
+    for (std::size_t i = 1; i < hand_path.size(); ++i)
+      after_.push_back(after_.back() + (hand_path[i] - hand_path[i - 1]).norm());
   }
   Vec3 after(double length) const {
     const double whole = after_.back();
-    if (!(whole > 0.0)) return way_.front();
+    if (!(whole > 0.0)) return hand_path_.front();
     const double in_turn = std::fmod(length, 2.0 * whole), at = in_turn < whole ? in_turn : 2.0 * whole - in_turn;
     const auto next = std::upper_bound(after_.begin() + 1, after_.end() - 1, at);
     const auto i = static_cast<std::size_t>(next - after_.begin());
     const double piece = after_[i] - after_[i - 1];
     const double share = piece > 0.0 ? std::clamp((at - after_[i - 1]) / piece, 0.0, 1.0) : 0.0;
-    return way_[i - 1] + share * (way_[i] - way_[i - 1]);
+    return hand_path_[i - 1] + share * (hand_path_[i] - hand_path_[i - 1]);
   }
 
  private:
-  const std::vector<Vec3>& way_;
+  const std::vector<Vec3>& hand_path_;
   std::vector<double> after_{0.0};
 };
 
@@ -111,11 +112,11 @@ std::vector<Vec3> pointsNear(const mesh::Triangles& triangles, double reach, int
 
 std::vector<Vec3> pointsAbout(const mesh::Triangles& triangles, int count, Seed seed) {
   const Eigen::AlignedBox3d box = boxOf(triangles);
-  const double least = 0.1 * box.diagonal().norm();  // a flat mesh has a box without height
+  const double min = 0.1 * box.diagonal().norm();  // a flat mesh has a box without height
   Random random(seed);
   std::vector<Vec3> points;
   for (int i = 0; i < count; ++i) {
-    points.emplace_back(box.center() + random.inBox(0.75).cwiseProduct(box.sizes().cwiseMax(least)));
+    points.emplace_back(box.center() + random.inBox(0.75).cwiseProduct(box.sizes().cwiseMax(min)));
   }
   return points;
 }
@@ -123,8 +124,8 @@ std::vector<Vec3> pointsAbout(const mesh::Triangles& triangles, int count, Seed 
 std::vector<Vec3> handPath(const mesh::Triangles& triangles, double mm, int milliseconds, Seed seed) {
   // Half as far again as the hand will go: rising and sinking, and corners, are cut short by the smoothing.
   const auto steps = static_cast<std::size_t>(1.5 * 0.3 * milliseconds / kStep_mm) + 2000U;
-  const std::vector<Vec3> way = stroke(triangles, mm, steps, seed);
-  const Traveller traveller(way);
+  const std::vector<Vec3> hand_path = stroke(triangles, mm, steps, seed);
+  const Traveller traveller(hand_path);
   std::vector<Vec3> path;
   double gone = 0.0;
   for (int ms = 0; ms < milliseconds + 6 * kSmooth_ms; ++ms) {

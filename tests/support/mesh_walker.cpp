@@ -93,8 +93,8 @@ void MeshWalker::go(double length) {
       const Vec3 inward_M = inward(i);
       const double closing = -ahead_M_.dot(inward_M);
       if (!(closing > 0.0)) continue;
-      const double way = std::max(0.0, (p_M_ - corner(i)).dot(inward_M)) / closing;
-      if (way < nearest) nearest = way, edge = i;
+      const double travel = std::max(0.0, (p_M_ - corner(i)).dot(inward_M)) / closing;
+      if (travel < nearest) nearest = travel, edge = i;
     }
     if (edge == 3) break;
     p_M_ += std::min(nearest, length) * ahead_M_;

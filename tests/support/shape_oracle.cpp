@@ -6,7 +6,7 @@
 namespace underact::test {
 namespace {
 
-constexpr double kMostTurn_rad = 3.14159265358979323846;
+constexpr double kMaxTurn_rad = 3.14159265358979323846;
 constexpr double kFar_m = 2.0;  // how far lines, planes and cylinders are searched
 
 struct Axes {
@@ -35,7 +35,7 @@ ShapeOracle sphere(Random& random) {
   made.patches = {{[=](double a, double b) -> Vec3 {
                      return c + r * Vec3(std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b));
                    },
-                   kMostTurn_rad, kMostTurn_rad / 2}};
+                   kMaxTurn_rad, kMaxTurn_rad / 2}};
   made.off = [=](const Vec3& q) { return (q - c).norm() - r; };
   return made;
 }
@@ -46,7 +46,7 @@ ShapeOracle circle(Random& random) {
   const Axes axes = around(random, n);
   ShapeOracle made{"circle", shape::makeCircle(c, 3.0 * n, r, {}).value(), {}, Vec3::Ones(), {}, {}, false, r};
   made.patches = {{[=](double a, double) -> Vec3 { return c + r * (std::cos(a) * axes.u + std::sin(a) * axes.v); },
-                   kMostTurn_rad, 0.0}};
+                   kMaxTurn_rad, 0.0}};
   made.off = [=](const Vec3& q) { return std::hypot((q - c).dot(n), distanceFromAxis(q, c, n) - r); };
   return made;
 }
@@ -58,7 +58,7 @@ ShapeOracle cylinder(Random& random) {
   ShapeOracle made{"cylinder", shape::makeCylinder(c, 0.2 * n, r, {}).value(), {}, Vec3::Ones(), {}, {}, true, r};
   made.patches = {
       {[=](double a, double b) -> Vec3 { return c + r * (std::cos(a) * axes.u + std::sin(a) * axes.v) + b * n; },
-       kMostTurn_rad, kFar_m, false, true}};
+       kMaxTurn_rad, kFar_m, false, true}};
   made.off = [=](const Vec3& q) { return distanceFromAxis(q, c, n) - r; };
   return made;
 }
@@ -100,7 +100,7 @@ ShapeOracle ellipsoid(Random& random) {
                      return c + semi.x() * std::cos(a) * std::cos(b) * axes.u +
                             semi.y() * std::sin(a) * std::cos(b) * axes.v + semi.z() * std::sin(b) * axes.w;
                    },
-                   kMostTurn_rad, kMostTurn_rad / 2}};
+                   kMaxTurn_rad, kMaxTurn_rad / 2}};
   made.off = [=](const Vec3& q) {  // to first order: the level over its slope
     const Vec3 d(axes.u.dot(q - c), axes.v.dot(q - c), axes.w.dot(q - c)), share = d.cwiseQuotient(semi);
     return share.norm() * (share.norm() - 1.0) / share.cwiseQuotient(semi).norm();
@@ -157,7 +157,7 @@ double searchPatch(const Patch& patch, const Vec3& p_WT) {
   const int grid = patch.b_half > 0.0 ? 8 : 64;
   const auto inRange = [&](double x, double half) { return patch.held ? std::clamp(x, -half, half) : x; };
   const auto square = [&](double a, double b) { return (patch.at(a, b) - p_WT).squaredNorm(); };
-  constexpr std::array<std::array<double, 2>, 8> kWays{
+  constexpr std::array<std::array<double, 2>, 8> kHeadings{
       {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
   double over_all = kInfinity;
   for (int i = 0; i <= (patch.a_half > 0.0 ? grid : 0); ++i) {  // from each a: the far side has a bottom of its own
@@ -173,9 +173,9 @@ double searchPatch(const Patch& patch, const Vec3& p_WT) {
     }
     for (double step = 2.0 / grid; step > 1e-9;) {  // 1e-9 of a flat bottom: 1e-18 of the square
       bool better = false;
-      for (const auto& way : kWays) {  // eight: a slanting valley of a scaled face is followed too
-        better = take(inRange(best_a + way[0] * step * patch.a_half, patch.a_half),
-                      inRange(best_b + way[1] * step * patch.b_half, patch.b_half)) ||
+      for (const auto& heading : kHeadings) {  // eight: a slanting valley of a scaled face is followed too
+        better = take(inRange(best_a + heading[0] * step * patch.a_half, patch.a_half),
+                      inRange(best_b + heading[1] * step * patch.b_half, patch.b_half)) ||
                  better;
       }
       if (!better) step /= 2.0;

@@ -45,7 +45,7 @@ class SpaceMouseDouble final : public device::HidBus {
   /// The next report, whatever it is.
   void say(std::vector<std::uint8_t> report) {
     const std::scoped_lock lock(mutex_);
-    said_.push_back(std::move(report));
+    message_.push_back(std::move(report));
     changed_.notify_all();
   }
   /// Shift and turn, -350 to 350, said again and again until hold() says others, or rest() none any more.
@@ -58,7 +58,7 @@ class SpaceMouseDouble final : public device::HidBus {
   void rest(bool silent = false) {
     const std::scoped_lock lock(mutex_);
     held_.clear();
-    if (!silent) said_.insert(said_.end(), {report(1, {0, 0, 0}), report(2, {0, 0, 0})});
+    if (!silent) message_.insert(message_.end(), {report(1, {0, 0, 0}), report(2, {0, 0, 0})});
     changed_.notify_all();
   }
 
@@ -92,17 +92,17 @@ class SpaceMouseDouble final : public device::HidBus {
     const Clock::time_point end = Clock::now() + time;
     for (;;) {
       if (!is_plugged_ || plugged != plugged_) return -1;
-      if (!said_.empty()) break;
+      if (!message_.empty()) break;
       if (!held_.empty() && Clock::now() >= next_) {
-        said_.insert(said_.end(), held_.begin(), held_.end());
+        message_.insert(message_.end(), held_.begin(), held_.end());
         next_ = Clock::now() + std::chrono::milliseconds(8);
         break;
       }
       if (Clock::now() >= end) return 0;
       changed_.wait_until(lock, held_.empty() ? end : std::min(end, next_));
     }
-    const std::vector<std::uint8_t> next = std::move(said_.front());
-    said_.pop_front();
+    const std::vector<std::uint8_t> next = std::move(message_.front());
+    message_.pop_front();
     const std::size_t size = std::min(next.size(), bytes.size());
     if (size > 0) std::memcpy(bytes.data(), next.data(), size);
     return static_cast<int>(size);
@@ -112,7 +112,7 @@ class SpaceMouseDouble final : public device::HidBus {
   std::condition_variable changed_;
   bool is_plugged_ = true;
   int plugged_ = 0;
-  std::deque<std::vector<std::uint8_t>> said_;
+  std::deque<std::vector<std::uint8_t>> message_;
   std::vector<std::vector<std::uint8_t>> held_;
   Clock::time_point next_ = Clock::time_point::min();
 };

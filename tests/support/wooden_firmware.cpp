@@ -119,10 +119,10 @@ void WoodenFirmware::receive(std::span<const std::uint8_t> report, std::int64_t 
     return;
   }
   for (std::size_t body = 0; body < 3; ++body) currents_mA_[body] = wordAt(report, body);
-  for (std::size_t body = 0; body < 3 && said_ns_ >= 0; ++body) {
+  for (std::size_t body = 0; body < 3 && sent_ns_ >= 0; ++body) {
     if (std::abs(currents_mA_[body] - then_mA_[body]) <= 5) continue;
-    reactions_ns_.push_back(time_ns - said_ns_);
-    said_ns_ = -1;
+    reactions_ns_.push_back(time_ns - sent_ns_);
+    sent_ns_ = -1;
   }
   ++taken_;
   pushes_ += currents_mA_ != std::array<int, 3>{} ? 1 : 0;
@@ -140,7 +140,7 @@ std::vector<std::uint8_t> WoodenFirmware::report(std::int64_t time_ns) {
     setWord(bytes, 6, wants_calibration_ ? 1 : 0);
   }
   if (is_placed_) {
-    said_ns_ = time_ns;
+    sent_ns_ = time_ns;
     then_mA_ = currents_mA_;
   }
   is_placed_ = false;

@@ -69,7 +69,7 @@ class WoodenFirmware {
   bool has_heard_ = false, is_held_ = true, button_ = false, wants_calibration_ = false, is_frozen_ = false;
   std::vector<std::uint8_t> frozen_;
   bool is_placed_ = false;     // no report has said so yet
-  std::int64_t said_ns_ = -1;  // when one did; -1: none, or it was answered
+  std::int64_t sent_ns_ = -1;  // when one did; -1: none, or it was answered
   std::array<int, 3> then_mA_{};
   std::vector<std::int64_t> reactions_ns_;
 };

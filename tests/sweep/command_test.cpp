@@ -28,12 +28,12 @@ void writeTo(const std::string& path, const std::string& text) {
 }
 
 TEST(SweepCommand, SaysItsVersionAndWhetherItHasMpi) {
-  const Said said = sweepHere({"--version"});
-  EXPECT_EQ(said.exit, Exit::Well);
+  const Given given = sweepHere({"--version"});
+  EXPECT_EQ(given.exit, Exit::Success);
 #ifdef UNDERACT_MPIRUN
-  EXPECT_NE(said.out.find("(MPI: Open MPI v"), std::string::npos) << said.out;
+  EXPECT_NE(given.out.find("(MPI: Open MPI v"), std::string::npos) << given.out;
 #else
-  EXPECT_NE(said.out.find("(MPI: "), std::string::npos) << said.out;
+  EXPECT_NE(given.out.find("(MPI: "), std::string::npos) << given.out;
 #endif
 }
 
@@ -67,8 +67,8 @@ TEST(SweepCommand, NeedsAKindAndAPlaceForTheResult) {
 TEST(SweepCommand, GivesTheSameBytesOnOneThreadAndOnMany) {
   const ScratchFolder folder;
   const std::string one = folder.file("1.csv"), four = folder.file("4.csv");
-  EXPECT_EQ(sweepHere(smallSweep(one, {"--threads", "1"})).exit, Exit::Well);
-  EXPECT_EQ(sweepHere(smallSweep(four, {"--threads", "4"})).exit, Exit::Well);
+  EXPECT_EQ(sweepHere(smallSweep(one, {"--threads", "1"})).exit, Exit::Success);
+  EXPECT_EQ(sweepHere(smallSweep(four, {"--threads", "4"})).exit, Exit::Success);
   EXPECT_EQ(textOf(one), textOf(four));
   EXPECT_FALSE(std::filesystem::exists(one + ".part"));
 }
@@ -86,11 +86,11 @@ TEST(SweepCommand, GivenTwiceRunsNothingTwice) {
 TEST(SweepCommand, OverwritesNoOtherResult) {
   const ScratchFolder folder;
   const std::string out = folder.file("r.csv");
-  EXPECT_EQ(sweepHere(smallSweep(out)).exit, Exit::Well);
+  EXPECT_EQ(sweepHere(smallSweep(out)).exit, Exit::Success);
   const std::string text = textOf(out);
-  const Said said = sweepHere(smallSweep(out, {"--seed", "2"}));
-  EXPECT_EQ(said.exit, Exit::File);
-  EXPECT_NE(said.err.find("is not overwritten"), std::string::npos);
+  const Given given = sweepHere(smallSweep(out, {"--seed", "2"}));
+  EXPECT_EQ(given.exit, Exit::File);
+  EXPECT_NE(given.err.find("is not overwritten"), std::string::npos);
   EXPECT_EQ(textOf(out), text);
 }
 
@@ -99,24 +99,24 @@ TEST(SweepCommand, IsAnotherOneWhereASceneHasChanged) {
   const std::string here = folder.file("s.json"), out = folder.file("r.csv");
   writeTo(here, textOf(scene("02_sphere.json")));
   const std::vector<std::string> command{"hands", "--scene", here, "--draws", "1", "--seconds", "0.01", "--out", out};
-  EXPECT_EQ(sweepHere(command).exit, Exit::Well);
+  EXPECT_EQ(sweepHere(command).exit, Exit::Success);
   writeTo(here, textOf(scene("02_sphere.json")) + "\n");
   EXPECT_EQ(sweepHere(command).exit, Exit::File);
 }
 
 TEST(SweepCommand, TellsAFolderThatCannotBeWritten) {
-  const Said said = sweepHere(smallSweep("/dev/null/r.csv"));
-  EXPECT_EQ(said.exit, Exit::File);
-  EXPECT_NE(said.err.find("/dev/null/r.csv.part"), std::string::npos) << said.err;
+  const Given given = sweepHere(smallSweep("/dev/null/r.csv"));
+  EXPECT_EQ(given.exit, Exit::File);
+  EXPECT_NE(given.err.find("/dev/null/r.csv.part"), std::string::npos) << given.err;
   EXPECT_EQ(sweepHere(smallSweep("/dev/null")).exit, Exit::File);
 }
 
 TEST(SweepCommand, MeasuresWithoutAResult) {
-  const Said said = sweepHere({"hands", "--scene", scene("02_sphere.json"), "--draws", "1000", "--seconds", "0.5",
-                               "--threads", "2", "--dry-run"});
-  EXPECT_EQ(said.exit, Exit::Well);
-  EXPECT_TRUE(said.out.starts_with("1000 cells. 8 of them, measured one by one, took 0.0")) << said.out;
-  EXPECT_NE(said.out.find("on 2 threads"), std::string::npos);
+  const Given given = sweepHere({"hands", "--scene", scene("02_sphere.json"), "--draws", "1000", "--seconds", "0.5",
+                                 "--threads", "2", "--dry-run"});
+  EXPECT_EQ(given.exit, Exit::Success);
+  EXPECT_TRUE(given.out.starts_with("1000 cells. 8 of them, measured one by one, took 0.0")) << given.out;
+  EXPECT_NE(given.out.find("on 2 threads"), std::string::npos);
 }
 
 TEST(SweepCommand, IsReadFromAFileToTheSameBytes) {
@@ -126,31 +126,31 @@ TEST(SweepCommand, IsReadFromAFileToTheSameBytes) {
                     "options": {"scene": [")" +
                     scene("02_sphere.json") +
                     R"("], "rate_hz": [500, 1000], "draws": 2, "seconds": 0.05, "mass_kg": "0.1:0.2"}})");
-  const Said said = sweepHere({"from", file, "--out", one});
-  EXPECT_EQ(said.exit, Exit::Well) << said.err;
+  const Given given = sweepHere({"from", file, "--out", one});
+  EXPECT_EQ(given.exit, Exit::Success) << given.err;
   EXPECT_EQ(sweepHere({"hands", "--scene", scene("02_sphere.json"), "--rate_hz", "500", "1000", "--draws", "2",
                        "--seconds", "0.05", "--mass_kg", "0.1:0.2", "--seed", "3", "--out", two})
                 .exit,
-            Exit::Well);
+            Exit::Success);
   EXPECT_EQ(textOf(one), textOf(two));
 }
 
 TEST(SweepCommand, TellsWhatIsWrongWithItsFile) {
   const ScratchFolder folder;
   const std::string file = folder.file("sweep.json");
-  const auto said = [&](const std::string& text) {
+  const auto expectSentence = [&](const std::string& text) {
     writeTo(file, text);
     return sweepHere({"from", file, "--out", folder.file("r.csv")});
   };
-  const Said many = said(R"({"underact_sweep": 2, "kind": "feet", "seed": 1.5,
+  const Given many = expectSentence(R"({"underact_sweep": 2, "kind": "feet", "seed": 1.5,
     "options": {"draws": true, "draws": 1}, "more": 1})");
   EXPECT_EQ(many.exit, Exit::BadInput);
   for (const char* words : {"must be 1", "must be \"hands\"", "from 0 to 2^53", "options.draws", "twice", "more"})
     EXPECT_NE(many.err.find(words), std::string::npos) << words << " in\n" << many.err;
-  EXPECT_EQ(said("{").exit, Exit::BadInput);
-  EXPECT_EQ(said("[]").exit, Exit::BadInput);
-  EXPECT_EQ(said(R"({"underact_sweep": 1})").exit, Exit::BadInput);
-  EXPECT_EQ(said(R"({"underact_sweep": 1, "kind": "hands", "options": {}})").exit, Exit::Usage);
+  EXPECT_EQ(expectSentence("{").exit, Exit::BadInput);
+  EXPECT_EQ(expectSentence("[]").exit, Exit::BadInput);
+  EXPECT_EQ(expectSentence(R"({"underact_sweep": 1})").exit, Exit::BadInput);
+  EXPECT_EQ(expectSentence(R"({"underact_sweep": 1, "kind": "hands", "options": {}})").exit, Exit::Usage);
   EXPECT_EQ(sweepHere({"from", folder.file("none.json"), "--out", "x"}).exit, Exit::File);
 }
 

@@ -13,7 +13,7 @@ namespace underact::test {
 namespace {
 
 /// A sweep of hands with what every hand file has by itself.
-std::vector<std::string> usualHands(std::vector<std::string> more) {
+std::vector<std::string> defaultHands(std::vector<std::string> more) {
   std::vector<std::string> all{"hands", "--mass_kg", "0.1", "--damping_N_s_per_m", "4", "--stiffness_N_per_m", "300"};
   all.insert(all.end(), more.begin(), more.end());
   return all;
@@ -24,17 +24,17 @@ TEST(SweepOfHands, HasTheNumbersOfUnderactCliRunToTheBit) {
   const std::string out = folder.file("r.csv");
   const std::vector<std::string> scenes{scene("02_sphere.json"), scene("12_line_pid.json"),
                                         scene("26_bumpy_sphere.json")};
-  const Said said = sweepHere(usualHands(
+  const Given given = sweepHere(defaultHands(
       {"--scene", scenes[0], scenes[1],   scenes[2], "--hand", "tremor", "stab",        "--rate_hz", "500",   "1000",
        "--draws", "2",       "--seconds", "0.7",     "--seed", "9",      "--arm-model", "ideal",     "--out", out}));
-  ASSERT_EQ(said.exit, cli::Exit::Well) << said.err;
+  ASSERT_EQ(given.exit, cli::Exit::Success) << given.err;
   const Table rows = table(out);
   ASSERT_EQ(rows.size(), 1U + 3 * 2 * 2 * 2);
   for (std::size_t row = 1; row < rows.size(); ++row) {
     const Outcome run = runCli({"run", field(rows, row, "scene"), "--hand", field(rows, row, "hand"), "--rate",
                                 field(rows, row, "rate_hz"), "--seed", field(rows, row, "seed"), "--seconds", "0.7",
                                 "--arm-model", "ideal", "--fast"});
-    ASSERT_EQ(run.exit, cli::Exit::Well) << run.err;
+    ASSERT_EQ(run.exit, cli::Exit::Success) << run.err;
     const json::Value object = lines(run.out).at(0);
     for (const char* key :
          {"ticks", "peak_force_N", "rms_error_mm", "clamped_ticks", "work_mJ", "most_work_mJ", "rate_hz", "seed"}) {
@@ -48,10 +48,10 @@ TEST(SweepOfHands, HasTheNumbersOfUnderactCliRunToTheBit) {
 TEST(SweepOfHands, HasEachSceneHandAndRateWithAllItsDraws) {
   const ScratchFolder folder;
   const std::string out = folder.file("r.csv");
-  const Said said =
+  const Given given =
       sweepHere({"hands", "--scene", scene("01_point.json"), scene("02_sphere.json"), "--hand", "still", "tremor",
                  "--rate_hz", "500", "1000", "--draws", "3", "--seconds", "0.02", "--out", out});
-  ASSERT_EQ(said.exit, cli::Exit::Well) << said.err;
+  ASSERT_EQ(given.exit, cli::Exit::Success) << given.err;
   const Table rows = table(out);
   std::set<std::string> combinations;
   for (std::size_t row = 1; row < rows.size(); ++row) {
@@ -67,10 +67,10 @@ TEST(SweepOfHands, HasEachSceneHandAndRateWithAllItsDraws) {
 TEST(SweepOfHands, DrawsEachHandFromTheRangesAnew) {
   const ScratchFolder folder;
   const std::string out = folder.file("r.csv");
-  const Said said =
+  const Given given =
       sweepHere({"hands", "--scene", scene("02_sphere.json"), "--draws", "200", "--seconds", "0.001", "--mass_kg",
                  "0.1:0.3", "--damping_N_s_per_m", "5", "--stiffness_N_per_m", "0:1000", "--out", out});
-  ASSERT_EQ(said.exit, cli::Exit::Well) << said.err;
+  ASSERT_EQ(given.exit, cli::Exit::Success) << given.err;
   const Table rows = table(out);
   std::set<double> masses;
   double sum_kg = 0.0, together = 0.0;
@@ -92,15 +92,15 @@ TEST(SweepOfHands, DrawsEachHandFromTheRangesAnew) {
 TEST(SweepOfHands, HasForceAndEnergyOfTheTicks) {  // against every tick of the same run, written by the other program
   const ScratchFolder folder;
   const std::string out = folder.file("r.csv"), ticks = folder.file("ticks.csv");
-  ASSERT_EQ(sweepHere(usualHands({"--scene", scene("02_sphere.json"), "--hand", "stab", "--draws", "1", "--seconds",
-                                  "1.5", "--out", out}))
+  ASSERT_EQ(sweepHere(defaultHands({"--scene", scene("02_sphere.json"), "--hand", "stab", "--draws", "1", "--seconds",
+                                    "1.5", "--out", out}))
                 .exit,
-            cli::Exit::Well);
+            cli::Exit::Success);
   const Table rows = table(out);
   ASSERT_EQ(runCli({"run", scene("02_sphere.json"), "--hand", "stab", "--seed", field(rows, 1, "seed"), "--seconds",
                     "1.5", "--fast", "--record", ticks})
                 .exit,
-            cli::Exit::Well);
+            cli::Exit::Success);
   const Table all = table(ticks);
   double sum_N2 = 0.0, lowest_mJ = 0.0, last_mJ = 0.0;
   for (std::size_t row = 1; row < all.size(); ++row) {
@@ -139,19 +139,19 @@ TEST(SweepOfHands, ARowIsRunAgainByThePrintedCommandToTheBit) {
   std::vector<std::string> all = wanted, print = wanted;
   all.insert(all.end(), {"--out", out});
   print.emplace_back("--print");
-  ASSERT_EQ(sweepHere(all).exit, cli::Exit::Well);
-  const Said said = sweepHere(print);
-  ASSERT_EQ(said.exit, cli::Exit::Well) << said.err;
+  ASSERT_EQ(sweepHere(all).exit, cli::Exit::Success);
+  const Given given = sweepHere(print);
+  ASSERT_EQ(given.exit, cli::Exit::Success) << given.err;
   const Table rows = table(out);
   ASSERT_EQ(rows.size(), 1U + 12);
-  const std::vector<std::string> commands = linesOf(said.out);
+  const std::vector<std::string> commands = linesOf(given.out);
   ASSERT_EQ(commands.size(), 12U);
   std::set<std::string> masses;
   for (std::size_t row = 1; row < rows.size(); ++row) {
     const std::string& command = commands[row - 1];
     EXPECT_EQ(command.rfind("underact-cli run ", 0), 0U) << command;
     const Outcome run = runCli(argumentsOf(command));
-    ASSERT_EQ(run.exit, cli::Exit::Well) << command << run.err;
+    ASSERT_EQ(run.exit, cli::Exit::Success) << command << run.err;
     const json::Value object = lines(run.out).at(0);
     for (const char* key : {"ticks", "peak_force_N", "rms_force_N", "rms_error_mm", "clamped_ticks", "work_mJ",
                             "most_work_mJ", "energy_mJ", "lowest_energy_mJ", "rate_hz", "seed"}) {
@@ -182,9 +182,10 @@ TEST(SweepOfHands, PrintsTheCommandOfOneCell) {
 TEST(SweepOfHands, PairedConditionsHaveTheSameHands) {
   const ScratchFolder folder;
   const std::string out = folder.file("r.csv");
-  const Said said = sweepHere({"hands", "--scene", scene("01_point.json"), scene("02_sphere.json"), "--hand", "tremor",
-                               "stab", "--draws", "3", "--seconds", "0.02", "--paired", "yes", "--out", out});
-  ASSERT_EQ(said.exit, cli::Exit::Well) << said.err;
+  const Given given =
+      sweepHere({"hands", "--scene", scene("01_point.json"), scene("02_sphere.json"), "--hand", "tremor", "stab",
+                 "--draws", "3", "--seconds", "0.02", "--paired", "yes", "--out", out});
+  ASSERT_EQ(given.exit, cli::Exit::Success) << given.err;
   const Table rows = table(out);
   ASSERT_EQ(rows.size(), 1U + 12);
   std::set<std::string> seeds;
@@ -196,19 +197,19 @@ TEST(SweepOfHands, PairedConditionsHaveTheSameHands) {
     seeds.insert(field(rows, row, "seed"));
   }
   EXPECT_EQ(seeds.size(), 3U);
-  const Said wrong = sweepHere({"hands", "--scene", scene("01_point.json"), "--paired", "maybe", "--out", out});
+  const Given wrong = sweepHere({"hands", "--scene", scene("01_point.json"), "--paired", "maybe", "--out", out});
   EXPECT_EQ(wrong.exit, cli::Exit::Usage);
   EXPECT_NE(wrong.err.find("--paired"), std::string::npos) << wrong.err;
 }
 
 TEST(SweepOfHands, RefusesWhatItCannotRunAndSaysAllOfIt) {
-  const Said said = sweepHere({"hands", "--scene", "none.json", "--hand", "waving", "--rate_hz", "50", "--draws", "0",
-                               "--arm-model", "heavy", "--mass_kg", "0", "--out", "x.csv"});
+  const Given given = sweepHere({"hands", "--scene", "none.json", "--hand", "waving", "--rate_hz", "50", "--draws", "0",
+                                 "--arm-model", "heavy", "--mass_kg", "0", "--out", "x.csv"});
   for (const char* words : {"none.json", "There is no hand \"waving\"", "--rate_hz", "--draws", "--arm-model",
                             "--mass_kg", "\"vendor-nominal\" or \"ideal\""}) {
-    EXPECT_NE(said.err.find(words), std::string::npos) << words << " in\n" << said.err;
+    EXPECT_NE(given.err.find(words), std::string::npos) << words << " in\n" << given.err;
   }
-  EXPECT_EQ(said.exit, cli::Exit::File);
+  EXPECT_EQ(given.exit, cli::Exit::File);
   EXPECT_FALSE(std::filesystem::exists("x.csv.part"));
 }
 

@@ -29,7 +29,7 @@ constexpr auto kPatience = 60s;
 
 }  // namespace
 
-Said sweepHere(std::vector<std::string> arguments) {
+Given sweepHere(std::vector<std::string> arguments) {
   std::istringstream in;
   std::ostringstream out, err;
   const cli::Streams streams{in, out, err};
@@ -45,8 +45,8 @@ std::string gatedProgram() {
   return std::string("'") + UNDERACT_GATED_SWEEP + "'";
 }
 
-Process::Process(const std::string& command, const std::string& said) {
-  const std::string whole = "exec " + command + " >'" + said + "' 2>&1 </dev/null";
+Process::Process(const std::string& command, const std::string& given) {
+  const std::string whole = "exec " + command + " >'" + given + "' 2>&1 </dev/null";
   pid_ = fork();
   if (pid_ != 0) return;
   setpgid(0, 0);
@@ -141,8 +141,8 @@ bool isFree(const std::string& result) {
   return is_free;
 }
 
-int runNow(const std::string& said) {
-  const std::vector<PatternMatch> found = matchesOf(" cells, ([0-9]+) of them run now", contentOf(said));
+int runNow(const std::string& given) {
+  const std::vector<PatternMatch> found = matchesOf(" cells, ([0-9]+) of them run now", contentOf(given));
   return found.empty() ? -1 : std::stoi(found[0].groups[1]);
 }
 

@@ -12,13 +12,13 @@
 namespace underact::test {
 
 /// What underact-sweep said, and how it ended.
-struct Said {
-  cli::Exit exit = cli::Exit::Well;
+struct Given {
+  cli::Exit exit = cli::Exit::Success;
   std::string out, err;
 };
 
 /// The program in this process.
-Said sweepHere(std::vector<std::string> arguments);
+Given sweepHere(std::vector<std::string> arguments);
 
 /// The path of underact-sweep, in quotes; and that of the same program with the kind of tests/gated_sweep alone.
 std::string sweepProgram();
@@ -28,7 +28,7 @@ std::string gatedProgram();
 class Process {
  public:
   /// Its messages go to the file `said`.
-  Process(const std::string& command, const std::string& said);
+  Process(const std::string& command, const std::string& given);
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
@@ -64,7 +64,7 @@ std::size_t cellsIn(const std::string& result);
 bool isFree(const std::string& result);
 
 /// How many cells a program says it has run, in the file of its messages; -1: it does not say.
-int runNow(const std::string& said);
+int runNow(const std::string& given);
 
 /// What is in a file that must be there; and in one that need not.
 std::string textOf(const std::string& path);

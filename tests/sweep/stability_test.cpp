@@ -12,8 +12,8 @@ namespace {
 TEST(SweepOfWalls, HasTheCellsOfAMapAsTheLabHasThem) {
   const ScratchFolder folder;
   const std::string out = folder.file("r.csv");
-  const Said said = sweepHere({"stability", "--map", "delay", "--threads", "2", "--out", out});
-  ASSERT_EQ(said.exit, cli::Exit::Well) << said.err;
+  const Given given = sweepHere({"stability", "--map", "delay", "--threads", "2", "--out", out});
+  ASSERT_EQ(given.exit, cli::Exit::Success) << given.err;
   const Table rows = table(out);
   const stability::WallMap* map = nullptr;
   for (const stability::WallMap& one : stability::wallMaps()) {
@@ -36,13 +36,13 @@ TEST(SweepOfWalls, HasTheCellsOfAMapAsTheLabHasThem) {
 TEST(SweepOfWalls, DrawsWallsFromItsRangesWhoseLimitsAgree) {
   const ScratchFolder folder;
   const std::string out = folder.file("r.csv");
-  const Said said = sweepHere({"stability", "--map",          "none",     "--draws",
-                               "40",        "--rate_hz",      "500",      "1000",
-                               "2000",      "--mass_kg",      "0.05:0.5", "--damping_N_s_per_m",
-                               "0.2:3",     "--kd_N_s_per_m", "0:1",      "--hand_stiffness_N_per_m",
-                               "0:300",     "--delay_ticks",  "0:2",      "--seed",
-                               "7",         "--out",          out});
-  ASSERT_EQ(said.exit, cli::Exit::Well) << said.err;
+  const Given given = sweepHere({"stability", "--map",          "none",     "--draws",
+                                 "40",        "--rate_hz",      "500",      "1000",
+                                 "2000",      "--mass_kg",      "0.05:0.5", "--damping_N_s_per_m",
+                                 "0.2:3",     "--kd_N_s_per_m", "0:1",      "--hand_stiffness_N_per_m",
+                                 "0:300",     "--delay_ticks",  "0:2",      "--seed",
+                                 "7",         "--out",          out});
+  ASSERT_EQ(given.exit, cli::Exit::Success) << given.err;
   const Table rows = table(out);
   ASSERT_EQ(rows.size(), 41U);
   bool delayed[3] = {};
@@ -67,13 +67,13 @@ TEST(SweepOfWalls, ARowIsComputedAgainByThePrintedCommandToTheBit) {
   std::vector<std::string> all = wanted, print = wanted;
   all.insert(all.end(), {"--out", out});
   print.emplace_back("--print");
-  ASSERT_EQ(sweepHere(all).exit, cli::Exit::Well);
+  ASSERT_EQ(sweepHere(all).exit, cli::Exit::Success);
   const std::vector<std::string> commands = linesOf(sweepHere(print).out);
   const Table rows = table(out);
   ASSERT_EQ(rows.size(), 1 + commands.size());
   for (std::size_t row = 1; row < rows.size(); row += row + 5 < rows.size() ? 5 : 1) {
     const Outcome again = runCli(argumentsOf(commands[row - 1]));
-    ASSERT_EQ(again.exit, cli::Exit::Well) << commands[row - 1] << again.err;
+    ASSERT_EQ(again.exit, cli::Exit::Success) << commands[row - 1] << again.err;
     const json::Value wall = lines(again.out).at(0);
     EXPECT_EQ(number(rows, row, "simulated_N_per_m"), numberAt(wall, "simulated_limit_N_per_m")) << commands[row - 1];
     EXPECT_EQ(number(rows, row, "passive_N_per_m"), numberAt(wall, "passive_limit_N_per_m"));
@@ -88,9 +88,9 @@ TEST(SweepOfWalls, ARowIsComputedAgainByThePrintedCommandToTheBit) {
 
 TEST(SweepOfWalls, AMapThatThereIsNotIsRefused) {
   const ScratchFolder folder;
-  const Said said = sweepHere({"stability", "--map", "rates", "--out", folder.file("r.csv")});
-  EXPECT_EQ(said.exit, cli::Exit::Usage);
-  EXPECT_NE(said.err.find("\"rates\""), std::string::npos) << said.err;
+  const Given given = sweepHere({"stability", "--map", "rates", "--out", folder.file("r.csv")});
+  EXPECT_EQ(given.exit, cli::Exit::Usage);
+  EXPECT_NE(given.err.find("\"rates\""), std::string::npos) << given.err;
 }
 
 }  // namespace

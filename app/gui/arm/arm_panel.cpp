@@ -13,7 +13,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kMostNotDrawn = 5;
+constexpr int kMaxNotDrawn = 5;
 
 /// So many joints, as far as there are so many: degrees, or mm.
 QString jointsText(const arm::JointAngles& q, const std::vector<bool>& slides, std::size_t first, std::size_t count) {
@@ -84,8 +84,8 @@ void ArmPanel::setArm(const arm::Model& model) {
 bool ArmPanel::showNotDrawn(const Problems& problems) {
   QStringList lines;
   for (const Problem& problem : problems) {
-    if (lines.size() == kMostNotDrawn) {
-      lines << tr("And %n more.", nullptr, static_cast<int>(problems.size()) - kMostNotDrawn);
+    if (lines.size() == kMaxNotDrawn) {
+      lines << tr("And %n more.", nullptr, static_cast<int>(problems.size()) - kMaxNotDrawn);
       break;
     }
     const QString sentence = sentenceText(problem.sentence);
@@ -101,7 +101,7 @@ void ArmPanel::present(const servo::Snapshot& snapshot) {
   const tick::TickReport& report = snapshot.report;
   readout_->set(tip_, placeText(report.p_WT * kMillimetrePerMetre));
   readout_->set(first_joints_, jointsText(report.sample.q_rad, slides_, 0, 3));
-  readout_->set(last_joints_, jointsText(report.sample.q_rad, slides_, 3, arm::kMostJoints));
+  readout_->set(last_joints_, jointsText(report.sample.q_rad, slides_, 3, arm::kMaxJoints));
   readout_->set(level_, tr("%1 %").arg(numberText(report.level * 100.0, 0)));
   readout_->set(fault_, faultText(report.fault.kind));
 }

@@ -93,7 +93,7 @@ bool SceneArmBox::take(const QString& name_or_path) {
     return false;
   };
   if (!document_.isOpen())
-    return refuse({{said(QT_TRANSLATE_NOOP("problem", "Open a scene first; then it can be given another arm."))}});
+    return refuse({{phrase(QT_TRANSLATE_NOOP("problem", "Open a scene first; then it can be given another arm."))}});
   Result<scene::Description> after = withArm(document_.scene(), chosen);
   if (!after) return refuse(after.problems());
   const Problems problems =

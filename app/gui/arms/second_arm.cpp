@@ -79,7 +79,7 @@ void SecondArm::end() {
 
 Problems SecondArm::choose(const QString& name) {
   if (name != "simulated" && name == first_arms_.name())
-    return Problems{{said(QT_TRANSLATE_NOOP(
+    return Problems{{phrase(QT_TRANSLATE_NOOP(
                          "problem", "This arm is already in use as the first arm. Choose another one here or there.")),
                      {}}};
   return arms_->choose(name);

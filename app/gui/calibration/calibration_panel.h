@@ -64,7 +64,7 @@ class CalibrationPanel : public Panel {
   QComboBox* who_ = nullptr;
   QSpinBox* seed_ = nullptr;
   QCheckBox* feedback_ = nullptr;
-  QLabel *refusal_ = nullptr, *trial_ = nullptr, *hint_ = nullptr, *said_ = nullptr;
+  QLabel *refusal_ = nullptr, *trial_ = nullptr, *hint_ = nullptr, *message_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QWidget* answers_ = nullptr;
   std::array<QToolButton*, 2> buttons_{};

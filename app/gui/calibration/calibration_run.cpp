@@ -26,7 +26,7 @@ CalibrationRun::CalibrationRun(Document& document, ServoFacts servo, QObject* pa
 Problems CalibrationRun::begin(const CalibrationSetup& setup) {
   cancel();
   if (document_.isTryingOut())
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Another measurement is running. End it first."))}};
+    return Problems{{phrase(QT_TRANSLATE_NOOP("problem", "Another measurement is running. End it first."))}};
   auto beams = calibration::beamsOf(document_.scene());
   if (!beams) return beams.problems();
   beams_ = beams.value();

@@ -46,7 +46,7 @@ ProcedurePage* CalibrationPanel::runPage() {
   hint_ = quietLabel("panel.calibration.hint", {}, page);
   progress_ = new QProgressBar(page);
   answers_ = new QWidget(page);
-  said_ = quietLabel("panel.calibration.said", {}, page);
+  message_ = quietLabel("panel.calibration.said", {}, page);
   trial_->setObjectName("panel.calibration.trial");
   trial_->setProperty("role", "section");
   trial_->setWordWrap(true);
@@ -76,7 +76,7 @@ ProcedurePage* CalibrationPanel::runPage() {
   column->addWidget(trial_);
   column->addWidget(hint_);
   column->addWidget(answers_);
-  column->addWidget(said_);
+  column->addWidget(message_);
   column->addWidget(progress_);
   column->addWidget(cancel);
   column->addStretch(1);
@@ -119,11 +119,11 @@ void CalibrationPanel::showRun() {
     pressed_[side]->setText(pressed ? tr("✓ pressed") : tr("press it"));
     buttons_[side]->setEnabled(session_->mayAnswer());
   }
-  const bool is_said = feedback_->isChecked() && setup().who == Answering::Person && !run.answers.empty();
-  said_->setText(!is_said                       ? QString()
-                 : run.answers.back().isRight() ? tr("✓ That was right.")
-                                                : tr("✗ It was the other one."));
-  said_->setVisible(is_said);
+  const bool is_given = feedback_->isChecked() && setup().who == Answering::Person && !run.answers.empty();
+  message_->setText(!is_given                      ? QString()
+                    : run.answers.back().isRight() ? tr("✓ That was right.")
+                                                   : tr("✗ It was the other one."));
+  message_->setVisible(is_given);
 }
 
 void CalibrationPanel::setTheme(const Theme& theme) {

@@ -30,13 +30,13 @@ MarkSheet staircaseSheet(const calibration::Measurement& run) {
   sheet.words = {{0, Qt::AlignHCenter, tr("trial")}, {0, Qt::AlignLeft, "1"}, {0, Qt::AlignRight, trials}};
   sheet.key = tr("● right  ○ wrong  ◎ reversal");
   sheet.widest = percentLabel(0.005);
-  sheet.way_line = {&Theme::ink, 0.5};
+  sheet.path_line = {&Theme::ink, 0.5};
   if (threshold) sheet.band = {threshold->low, threshold->difference, threshold->high};
   std::vector<double> differences{run.staircase.rule.first};
   for (const calibration::Answered& one : run.answers) {
     differences.push_back(one.trial.difference);
-    const QPointF at(static_cast<double>(sheet.way.size() + 1), one.trial.difference);
-    sheet.way.push_back(at);
+    const QPointF at(static_cast<double>(sheet.path.size() + 1), one.trial.difference);
+    sheet.path.push_back(at);
     sheet.marks.push_back(
         {at, kTrialDot, {&Theme::ink}, 1.2, MarkSheet::Colour{&Theme::ink, one.isRight() ? 1.0 : 0.0}});
     if (one.turned) sheet.marks.push_back({at, 2.0 * kTrialDot, {&Theme::force_limited}, 1.5});

@@ -24,8 +24,8 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kFramesAFigure = 12;   // numbers that change more often cannot be read
-constexpr qsizetype kMostShown = 3;  // differences; the rest is in the tool tip
+constexpr int kFramesAFigure = 12;  // numbers that change more often cannot be read
+constexpr qsizetype kMaxShown = 3;  // differences; the rest is in the tool tip
 
 QString wordsOf(const scene::Difference& difference) {
   const DifferenceWords words = differenceWords(difference);
@@ -159,8 +159,8 @@ void CompareTool::showScenes() {
   views_->setHeads(tr("Felt: %1").arg(sceneText(felt.title)), tr("Not felt: %1").arg(sceneText(other.title)));
   QStringList words;
   for (const scene::Difference& one : scene::differencesBetween(felt, other)) words << wordsOf(one);
-  const QString shown = QStringList(words.mid(0, kMostShown)).join("\n");
-  const qsizetype more = words.size() - kMostShown;
+  const QString shown = QStringList(words.mid(0, kMaxShown)).join("\n");
+  const qsizetype more = words.size() - kMaxShown;
   strip_->setDifference(words.isEmpty() ? tr("The two scenes are the same. Change the felt one: gains, shape, method.")
                         : more > 0      ? tr("%1\nand %2 more").arg(shown).arg(more)
                                         : shown,

@@ -12,10 +12,10 @@ namespace underact::gui {
 /// force is not sent to the arm. It runs in the window's thread, so it may take half of a servo period at most.
 class ComparedScene {
  public:
-  static constexpr double kMostOfAPeriod = 0.5;
+  static constexpr double kMaxOfAPeriod = 0.5;
 
   /// most_of_a_period: the comparison ends when a tick takes longer than this share of a period, on average.
-  explicit ComparedScene(ServoFacts servo, double most_of_a_period = kMostOfAPeriod)
+  explicit ComparedScene(ServoFacts servo, double most_of_a_period = kMaxOfAPeriod)
       : servo_(servo), most_of_a_period_(most_of_a_period) {}
   /// Problems: it is for another arm than the scene in effect, or does not compile; then the previous one is kept.
   Problems setScene(const scene::Description& scene);

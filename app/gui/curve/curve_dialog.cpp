@@ -18,7 +18,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kLeastScale = 1e-6, kMostScale = 1e6;  // mm per unit; a scene file may have more
+constexpr double kMinScale = 1e-6, kMaxScale = 1e6;  // mm per unit; a scene file may have more
 constexpr int kScaleDecimals = 6;
 
 /// "25.4 mm", without trailing zeros.
@@ -40,7 +40,7 @@ CurveDialog::CurveDialog(const QString& path, std::shared_ptr<const std::vector<
   for (const Vec3& p : *points_) {
     low_ = low_.cwiseMin(p);
     high_ = high_.cwiseMax(p);
-    way_ += (p - last).norm();
+    length_m_ += (p - last).norm();
     last = p;
   }
   buildChoices();
@@ -64,7 +64,7 @@ void CurveDialog::buildChoices() {
   scale_->setAccessibleName(tr("Millimetres per file unit"));
   scale_->setToolTip(tr("Length of one file unit: 1 for mm, 1000 for m, 25.4 for inches."));
   scale_->setDecimals(kScaleDecimals);
-  scale_->setRange(kLeastScale, kMostScale);
+  scale_->setRange(kMinScale, kMaxScale);
   scale_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   scale_->setValue(1.0);
   scale_->setSuffix(tr(" mm"));
@@ -97,10 +97,10 @@ void CurveDialog::proposeUnit() {
 
 void CurveDialog::refresh() {
   const double scale = scale_->value();
-  const double way = way_ + (closed_->isChecked() ? (points_->front() - points_->back()).norm() : 0.0);
+  const double length_m = length_m_ + (closed_->isChecked() ? (points_->front() - points_->back()).norm() : 0.0);
   counts()->setText(tr("%1 points, %2, length %3.")
                         .arg(points_->size())
-                        .arg(placeText(scale * (high_ - low_)).replace(", ", " × "), millimetres(scale * way)));
+                        .arg(placeText(scale * (high_ - low_)).replace(", ", " × "), millimetres(scale * length_m)));
 }
 
 scene::Constraint CurveDialog::constraint() const {

@@ -26,8 +26,8 @@ class CurveDialog : public AddDialog {
   void refresh();
 
   std::shared_ptr<const std::vector<Vec3>> points_;
-  Vec3 low_, high_;   // of all points, in the file's unit
-  double way_ = 0.0;  // the length from point to point
+  Vec3 low_, high_;        // of all points, in the file's unit
+  double length_m_ = 0.0;  // the length from point to point
   QComboBox* kind_ = nullptr;
   QCheckBox* closed_ = nullptr;
   QDoubleSpinBox* scale_ = nullptr;

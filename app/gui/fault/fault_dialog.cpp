@@ -22,7 +22,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr std::size_t kMostTold = record::kFaultFilesKept;  // files of older faults are deleted, too
+constexpr std::size_t kMaxTold = record::kFaultFilesKept;  // files of older faults are deleted, too
 
 }  // namespace
 
@@ -88,7 +88,7 @@ QWidget* FaultDialog::buildButtons() {
 }
 
 void FaultDialog::tell(const ShownFault& fault) {
-  if (faults_.size() >= kMostTold) faults_.erase(faults_.begin());
+  if (faults_.size() >= kMaxTold) faults_.erase(faults_.begin());
   faults_.push_back(fault);
   fillList();
   showFault(count() - 1);

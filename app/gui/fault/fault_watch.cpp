@@ -20,10 +20,11 @@ namespace {
 constexpr const char* kWindowKind = "window";
 
 record::FaultWords wordsOfException(const std::string& message) {
-  return {kWindowKind, said(QT_TRANSLATE_NOOP("problem", "An internal error occurred in the window: %1."), {message}),
-          said(QT_TRANSLATE_NOOP("problem",
-                                 "Save the scene under another name, then press Start. If the error occurs again, quit "
-                                 "the program and send the fault file to its developers."))};
+  return {
+      kWindowKind, phrase(QT_TRANSLATE_NOOP("problem", "An internal error occurred in the window: %1."), {message}),
+      phrase(QT_TRANSLATE_NOOP("problem",
+                               "Save the scene under another name, then press Start. If the error occurs again, quit "
+                               "the program and send the fault file to its developers."))};
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ std::function<void(bool)> showsRow(QFormLayout* form, QWidget* widget) {
 ValueRow* SettingRows::makeNumber(const SettingRowSpec& spec, QWidget* parent) {
   const std::string path = inTable(spec);
   auto* const row = new ValueRow({settingTip(path), settingUnit(path), spec.steps_per_unit, spec.slider_steps,
-                                  spec.decimals, spec.most > 0.0 ? spec.most : settingMost(path)},
+                                  spec.decimals, spec.max > 0.0 ? spec.max : settingMax(path)},
                                  spec.name, parent);
   row->setLabel(spec.label, spec.spoken, spec.widest);
   connect(row, &ValueRow::changed, this,
@@ -83,7 +83,7 @@ QSpinBox* SettingRows::addWhole(const SettingRowSpec& spec, QFormLayout* into, Q
   const scene::Setting& setting = *scene::findSetting(inTable(spec));
   auto* const box = new FocusWheel<QSpinBox>(parent);
   nameWidget(box, spec.name, spec.spoken, settingTip(inTable(spec)));
-  box->setRange(static_cast<int>(setting.least), static_cast<int>(setting.most));
+  box->setRange(static_cast<int>(setting.min), static_cast<int>(setting.max));
   box->setKeyboardTracking(false);
   box->setFocusPolicy(Qt::StrongFocus);
   connect(box, &QSpinBox::valueChanged, this,

@@ -27,7 +27,7 @@ struct SettingRowSpec {
   // For a number in a row with a slider.
   QString widest = {};                                       // the longest label among it and its neighbours
   int steps_per_unit = 1, slider_steps = 100, decimals = 0;  // from 0 to the slider's end; larger values can be typed
-  double most = 0.0;                                         // maximum for typing, if it differs from the table's
+  double max = 0.0;                                          // maximum for typing, if it differs from the table's
   // For a choice.
   std::vector<std::string> order = {};  // of its words, if it differs from the table's
 };

@@ -83,8 +83,8 @@ void StatusLine::presentDevice(bool is_recorded) {
   const servo::DeviceInfo info = servo_.device();
   const QString title = sentenceText(info.title);
   const QString in_english = QString::fromStdString(info.title);  // the kind may be a part of it in any language
-  const bool is_said = is_recorded || in_english.contains("simulated", Qt::CaseInsensitive);
-  QString kind = info.simulated && !is_said ? tr(" (simulated)") : QString();
+  const bool is_given = is_recorded || in_english.contains("simulated", Qt::CaseInsensitive);
+  QString kind = info.simulated && !is_given ? tr(" (simulated)") : QString();
   if (info.untested) kind += tr(" (untested)");
   if (!is_recorded && info.simulated && !arm_model_.isEmpty()) kind += tr(": %1").arg(arm_model_);
   device_->setText(title + kind);

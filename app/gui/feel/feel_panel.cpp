@@ -203,8 +203,9 @@ scene::Description FeelPanel::asWritten() const {
     if (!is_here) continue;
     const std::string path = pathOf(setting).substr(any.size());
     scene::SettingValue own = parts_.document.own(index_, path);
-    const Result<scene::SettingValue> usual = scene::defaultAt(edited, here + path);
-    if (scene::isNone(own) && object == any && usual) own = usual.value();  // a constraint that is not in the file
+    const Result<scene::SettingValue> default_value = scene::defaultAt(edited, here + path);
+    if (scene::isNone(own) && object == any && default_value)
+      own = default_value.value();  // a constraint that is not in the file
     const Result<scene::Description> next = scene::withValue(edited, here + path, own);
     if (next) edited = next.value();  // otherwise neither has the setting
   }

@@ -102,7 +102,7 @@ void DhPanel::addCommands() {
     return values.size() == 3 && type(values[0].toInt() - 1, dhFieldOf(values[1].toString()), values[2].toString());
   });
   parts_.actions.addCommand("dh.add", [this](const QVariantList&) {
-    return tables_.now().rows.size() < kMostDhRows && change(withRow(tables_.now(), selected()));
+    return tables_.now().rows.size() < kMaxDhRows && change(withRow(tables_.now(), selected()));
   });
   parts_.actions.addCommand("dh.remove", [this](const QVariantList&) {
     return tables_.now().rows.size() > 1 && change(withoutRow(tables_.now(), selected()));
@@ -175,7 +175,7 @@ void DhPanel::showTable() {
     table_->fitHeight();
   }
   showNumbers();
-  buttons_.add->setEnabled(table.rows.size() < kMostDhRows);
+  buttons_.add->setEnabled(table.rows.size() < kMaxDhRows);
   buttons_.remove->setEnabled(table.rows.size() > 1);
   buttons_.undo->setEnabled(tables_.stack().canUndo());
   buttons_.redo->setEnabled(tables_.stack().canRedo());
@@ -201,10 +201,10 @@ void DhPanel::showNumbers() {
     }
   }
   const Vec3 tip_mm = kMillimetrePerMetre * framesOf(now, now.q).back().translation();
-  const Vec3 way_mm = tip_mm - kMillimetrePerMetre * p_WT_;
+  const Vec3 travel_mm = tip_mm - kMillimetrePerMetre * p_WT_;
   for (int axis = 0; axis < 3; ++axis) {
     tip_->set(0, axis, numberText(tip_mm[axis], 1));
-    tip_->set(1, axis, numberText(way_mm[axis], 1));
+    tip_->set(1, axis, numberText(travel_mm[axis], 1));
   }
 }
 

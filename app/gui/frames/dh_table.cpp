@@ -119,12 +119,12 @@ QString exactText(const DhTable& table, std::size_t row, DhField field) {
 }
 
 Result<DhTable> withField(DhTable table, std::size_t row, DhField field, const QString& text) {
-  if (row >= table.rows.size()) return Problems{{said(QT_TRANSLATE_NOOP("problem", "There is no such row."))}};
+  if (row >= table.rows.size()) return Problems{{phrase(QT_TRANSLATE_NOOP("problem", "There is no such row."))}};
   DhRow& one = table.rows[row];
   if (field == DhField::Type) {
     const bool slides = text == QObject::tr("prismatic") || text == QLatin1String("prismatic");
     if (!slides && text != QObject::tr("revolute") && text != QLatin1String("revolute"))
-      return Problems{{said(QT_TRANSLATE_NOOP("problem", "A joint is revolute or prismatic."))}};
+      return Problems{{phrase(QT_TRANSLATE_NOOP("problem", "A joint is revolute or prismatic."))}};
     one.type = slides ? JointType::Prismatic : JointType::Revolute;
     one.min = -kInfinity;  // the limits have the other unit
     one.max = kInfinity;
@@ -157,7 +157,7 @@ DhTable tableOf(const arm::Model& model) {
 }
 
 DhTable withRow(DhTable table, std::size_t index) {
-  if (table.rows.size() >= kMostDhRows) return table;
+  if (table.rows.size() >= kMaxDhRows) return table;
   const auto at = static_cast<std::ptrdiff_t>(std::min(index + 1, table.rows.size()));
   table.rows.insert(table.rows.begin() + at, DhRow{JointType::Revolute, 0.0, kNewLink_m});
   table.q.insert(table.q.begin() + at, 0.0);

@@ -17,7 +17,7 @@ struct DhTable {
   Pose X_NT = Pose::Identity();
 };
 
-inline constexpr std::size_t kMostDhRows = 8;
+inline constexpr std::size_t kMaxDhRows = 8;
 
 /// The columns of the table, in the order of the motions: Rx(alpha) Dx(a) Rz(theta) Dz(d).
 enum class DhField { Type, Alpha, A, Theta, D, Q };

@@ -29,9 +29,9 @@ using chain::Step;
 using chain::StepKind;
 
 constexpr const char* kTransformOwner = "transform";
-constexpr std::size_t kMostSteps = 6;
-constexpr double kMostTurn_deg = 360.0, kMostShift_mm = 200.0;  // the range of the view
-constexpr double kSame_m = 5e-5, kSame_rad = 5e-4;              // not visible on the screen
+constexpr std::size_t kMaxSteps = 6;
+constexpr double kMaxTurn_deg = 360.0, kMaxShift_mm = 200.0;  // the range of the view
+constexpr double kSame_m = 5e-5, kSame_rad = 5e-4;            // not visible on the screen
 constexpr const char* kTransformKeys[chain::kStepKinds] = {"Rx", "Ry", "Rz", "Dx", "Dy", "Dz"};
 
 double stepUnit(StepKind kind) {
@@ -127,7 +127,7 @@ void TransformPanel::addCommands() {
   });
   actions.addCommand("transform.add", [this](const QVariantList&) {
     State state = states_.now();
-    if (state.steps.size() >= kMostSteps) return false;
+    if (state.steps.size() >= kMaxSteps) return false;
     state.steps.insert(state.steps.begin() + selected() + 1, Step{StepKind::TurnZ, kPi / 4});
     return change(state);
   });
@@ -153,9 +153,9 @@ bool TransformPanel::setStep(int row, const QString& kind, const QString& amount
   }
   const Result<double> number =
       amount.isEmpty() ? Result<double>(step.amount * stepUnit(step.kind)) : typedNumber(amount);
-  const double most = chain::isRotationStep(step.kind) ? kMostTurn_deg : kMostShift_mm;
+  const double max = chain::isRotationStep(step.kind) ? kMaxTurn_deg : kMaxShift_mm;
   QString refused = number ? QString() : sentencesOf(number.problems());
-  if (number && !(std::abs(number.value()) <= most))
+  if (number && !(std::abs(number.value()) <= max))
     refused = chain::isRotationStep(step.kind)
                   ? tr("A rotation must be from −360 to 360 degrees.")
                   : tr("A translation must be from −200 to 200 mm, the range of the view.");
@@ -216,19 +216,19 @@ void TransformPanel::refresh() {
                     {numberText(amount, 1), exactNumber(amount), tr("step %1, value").arg(row + 1),
                      chain::isRotationStep(step.kind) ? tr("Degrees.") : tr("Millimetres.")});
   }
-  buttons_.add->setEnabled(state.steps.size() < kMostSteps);
+  buttons_.add->setEnabled(state.steps.size() < kMaxSteps);
   buttons_.remove->setEnabled(state.steps.size() > 1);
   buttons_.undo->setEnabled(states_.stack().canUndo());
   buttons_.redo->setEnabled(states_.stack().canRedo());
   const Pose listed = frames(false).back(), reversed = frames(true).back();
   write(*listed_, listed);
   write(*reversed_, reversed);
-  const double way_m = (listed.translation() - reversed.translation()).norm();
+  const double travel_m = (listed.translation() - reversed.translation()).norm();
   const double turn_rad = Eigen::AngleAxisd(listed.linear().transpose() * reversed.linear()).angle();
-  apart_->setText(way_m < kSame_m && turn_rad < kSame_rad
+  apart_->setText(travel_m < kSame_m && turn_rad < kSame_rad
                       ? tr("Both orders end in the same pose: here, the order does not matter.")
                       : tr("The results are %1 and %2° apart: the order matters.")
-                            .arg(millimetres(kMillimetrePerMetre * way_m), numberText(turn_rad / kRadPerDegree, 1)));
+                            .arg(millimetres(kMillimetrePerMetre * travel_m), numberText(turn_rad / kRadPerDegree, 1)));
   draw();
 }
 

@@ -61,11 +61,11 @@ Result<FigureList> readFigures(const QString& folder) {
   const QString path = dir.filePath("figures.json");
   const SourceLocation place{path.toStdString()};
   if (!QFile::exists(path))
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "The figures have not been made yet.")), place}};
+    return Problems{{phrase(QT_TRANSLATE_NOOP("problem", "The figures have not been made yet.")), place}};
   const QJsonDocument document = documentOf(path);
   if (!document.isArray() || document.array().isEmpty())
     return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "The list of figures cannot be read. Make the figures again.")), place}};
+        {phrase(QT_TRANSLATE_NOOP("problem", "The list of figures cannot be read. Make the figures again.")), place}};
   FigureList list;
   for (const QJsonValue& value : document.array()) list.rows.push_back(figureRow(value.toObject(), dir));
   const QJsonObject mark = documentOf(dir.filePath(kMark)).object();

@@ -18,10 +18,10 @@ GalleryCallbacks waysOf(Actions& actions, QWidget* window) {
       window->activateWindow();
     };
   };
-  GalleryCallbacks ways;
-  ways.open_scene = by("scene.open");
-  if (actions.names().contains(kReplay)) ways.open_session = by(kReplay);
-  return ways;
+  GalleryCallbacks callbacks;
+  callbacks.open_scene = by("scene.open");
+  if (actions.names().contains(kReplay)) callbacks.open_session = by(kReplay);
+  return callbacks;
 }
 
 }  // namespace

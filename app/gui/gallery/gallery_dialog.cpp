@@ -30,9 +30,9 @@ QPushButton* button(const char* name, const QString& text, const QString& tip, Q
 
 }  // namespace
 
-GalleryDialog::GalleryDialog(GalleryCallbacks ways, const QString& only, QWidget* parent)
+GalleryDialog::GalleryDialog(GalleryCallbacks callbacks, const QString& only, QWidget* parent)
     : QDialog(parent),
-      ways_(std::move(ways)),
+      callbacks_(std::move(callbacks)),
       folder_(figureFolder()),
       only_(only),
       figures_(new FigureChooser(this)),
@@ -70,8 +70,8 @@ QWidget* GalleryDialog::buildActions() {
   pdf_ = button("pdf", tr("Save as &PDF…"), tr("Saves the figure in print quality."), strip);
   for (QPushButton* one : {scene_, session_, pdf_}) row->addWidget(one);
   row->addStretch(1);
-  connect(scene_, &QPushButton::clicked, this, [this] { ways_.open_scene(shown()->scene); });
-  connect(session_, &QPushButton::clicked, this, [this] { ways_.open_session(shown()->session); });
+  connect(scene_, &QPushButton::clicked, this, [this] { callbacks_.open_scene(shown()->scene); });
+  connect(session_, &QPushButton::clicked, this, [this] { callbacks_.open_session(shown()->session); });
   connect(pdf_, &QPushButton::clicked, this, &GalleryDialog::choosePdf);
   return strip;
 }
@@ -184,7 +184,7 @@ void GalleryDialog::showFigure() {
   const FigureRow& row = shown() == nullptr ? none : *shown();
   sheet_->present(row);
   scene_->setEnabled(!row.scene.isEmpty());
-  session_->setVisible(ways_.open_session != nullptr);
+  session_->setVisible(callbacks_.open_session != nullptr);
   session_->setEnabled(!row.session.isEmpty());
   pdf_->setEnabled(sheet_->hasPicture());
 }

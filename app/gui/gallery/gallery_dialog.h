@@ -27,7 +27,7 @@ class GalleryDialog : public QDialog {
   Q_OBJECT
  public:
   /// only: figure numbers separated by commas; empty: all.
-  GalleryDialog(GalleryCallbacks ways, const QString& only, QWidget* parent);
+  GalleryDialog(GalleryCallbacks callbacks, const QString& only, QWidget* parent);
   ~GalleryDialog() override;
   bool isMaking() const { return run_ != nullptr; }
   /// The state of the figures, or the result of a run; read by screen readers.
@@ -46,7 +46,7 @@ class GalleryDialog : public QDialog {
   void choosePdf();
   const FigureRow* shown() const;
 
-  GalleryCallbacks ways_;
+  GalleryCallbacks callbacks_;
   QString folder_, only_;
   FigureList list_;
   std::unique_ptr<FiguresRun> run_;

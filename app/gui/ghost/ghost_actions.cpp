@@ -18,7 +18,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kLeastWait_mm = 1.0, kMostWait_mm = 100.0;
+constexpr double kMinWait_mm = 1.0, kMaxWait_mm = 100.0;
 
 void chooseSession(Actions& actions, QWidget* window) {
   askForFile(window, "dialog.follow", tr("Follow a recorded hand"), {},
@@ -38,10 +38,10 @@ void addOption(Actions& actions, GhostHand& ghost, const char* name,
   });
 }
 
-bool putWithin(double& number, const QVariant& to, double least, double most, double unit) {
+bool putWithin(double& number, const QVariant& to, double min, double max, double unit) {
   bool is_number = false;
   const double asked = to.toDouble(&is_number);
-  if (!is_number || !(asked >= least && asked <= most)) return false;
+  if (!is_number || !(asked >= min && asked <= max)) return false;
   number = unit * asked;
   return true;
 }
@@ -60,7 +60,7 @@ void addOptions(Actions& actions, GhostHand& ghost) {
     return putWithin(options.speed, to, ghost::kSlowest, ghost::kFastest, 1.0);
   });
   addOption(actions, ghost, "ghost.wait_beyond", [](ghost::Options& options, const QVariant& to_mm) {
-    return putWithin(options.waits_beyond_m, to_mm, kLeastWait_mm, kMostWait_mm, kMetrePerMillimetre);
+    return putWithin(options.waits_beyond_m, to_mm, kMinWait_mm, kMaxWait_mm, kMetrePerMillimetre);
   });
 }
 

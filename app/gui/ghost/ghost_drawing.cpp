@@ -12,9 +12,9 @@ constexpr double kAhead_s = 1.5;
 constexpr std::size_t kPoints = 40;
 constexpr double kFaintest = 0.4;  // opacity at the end
 
-Drawing ghostDrawing(const ghost::Trajectory& way, const ghost::State& state, const Vec3& p_WT) {
+Drawing ghostDrawing(const ghost::Trajectory& trajectory, const ghost::State& state, const Vec3& p_WT) {
   Drawing drawing;
-  const std::vector<Vec3> points = ghost::ahead(way, state.time_s, kAhead_s, kPoints);
+  const std::vector<Vec3> points = ghost::ahead(trajectory, state.time_s, kAhead_s, kPoints);
   for (std::size_t index = 1; index < points.size(); ++index) {
     const double share = static_cast<double>(index) / static_cast<double>(points.size());
     drawing.links.push_back({points[index - 1], points[index], false, 1.0 - (1.0 - kFaintest) * share});

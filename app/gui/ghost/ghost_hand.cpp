@@ -84,7 +84,7 @@ void GhostHand::restart() {
 void GhostHand::setMirrored(bool on) {
   if (!isOpen() || on == is_mirrored_) return;
   is_mirrored_ = on;
-  ghost_->way = ghost::mirrored(std::move(ghost_->way), ghost_->mirror);
+  ghost_->trajectory = ghost::mirrored(std::move(ghost_->trajectory), ghost_->mirror);
   restart();
 }
 
@@ -101,7 +101,7 @@ void GhostHand::add(const servo::TickRecord& record) {
   if (!isOpen() || (record.input & servo::kHadSample) == 0 || !record.p_WT.allFinite()) return;
   p_WT_ = record.p_WT;
   const int rounds = state_.rounds;
-  state_ = ghost::advanced(ghost_->way, options_, state_, record.time_ns, record.p_WT);
+  state_ = ghost::advanced(ghost_->trajectory, options_, state_, record.time_ns, record.p_WT);
   if (state_.rounds > rounds) emit ended();
 }
 
@@ -111,7 +111,7 @@ void GhostHand::present(const servo::Snapshot&) {
   const bool is_alike = is_drawn_ && (now.p_WG - drawn_.p_WG).norm() + (p_WT_ - drawn_p_WT_).norm() < kLooksTheSame_m &&
                         now.stylus_W == drawn_.stylus_W;
   if (is_alike) return;
-  view_.draw("ghost", ghostDrawing(ghost_->way, state_, p_WT_));
+  view_.draw("ghost", ghostDrawing(ghost_->trajectory, state_, p_WT_));
   drawn_ = now;
   drawn_p_WT_ = p_WT_;
   is_drawn_ = true;

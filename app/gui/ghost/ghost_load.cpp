@@ -19,7 +19,7 @@ Problems oneProblem(const QString& sentence, const std::string& path) {
   return {{sentence.toStdString(), {path}}};
 }
 
-ghost::Trajectory wayOf(const device::Recorded& recorded, const arm::Geometry& geometry) {
+ghost::Trajectory pathOf(const device::Recorded& recorded, const arm::Geometry& geometry) {
   ghost::TrajectoryBuilder maker(geometry, recorded.rate_hz);
   for (const device::RecordedRow& row : recorded.rows) maker.add(row.q_rad, row.begins_anew);
   return maker.take();
@@ -55,8 +55,8 @@ Result<LoadedGhost> loadGhost(const std::string& path, const TaskMonitor& monito
     return oneProblem(QObject::tr("This program does not know the session's arm “%1”.").arg(recorded.arm.c_str()),
                       path);
   const arm::MirrorPlane mirror = first != nullptr ? scene::mirrorPlaneOf(first->scene) : arm::MirrorPlane{};
-  LoadedGhost ghost{recorded.name, path, wayOf(recorded, preset->geometry), mirror, {}, recorded.damage};
-  if (ghost.way.rows.size() < 2)
+  LoadedGhost ghost{recorded.name, path, pathOf(recorded, preset->geometry), mirror, {}, recorded.damage};
+  if (ghost.trajectory.rows.size() < 2)
     return oneProblem(QObject::tr("This session has only one tick: there is nothing to follow."), path);
   if (first != nullptr) ghost.scene = first->scene;
   if (ghost.scene) makeDrawnMeshes(*ghost.scene, monitor);

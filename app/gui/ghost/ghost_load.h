@@ -13,7 +13,7 @@ namespace underact::gui {
 struct LoadedGhost {
   std::string name;  // of the session, or its file
   std::string path;
-  ghost::Trajectory way;
+  ghost::Trajectory trajectory;
   arm::MirrorPlane mirror;                  // of its arm
   std::optional<scene::Description> scene;  // of the recording: the first one; none: no scene could be read
   Problems damage;                          // what could not be read of the file

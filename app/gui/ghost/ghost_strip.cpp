@@ -175,8 +175,8 @@ void GhostStrip::present(const servo::Snapshot&) {
 
 void GhostStrip::presentNumbers() {
   const ghost::State& state = ghost_.state();
-  updateText(time_,
-             clockText(std::round(state.time_s)) + " / " + clockText(std::round(ghost_.ghost().way.duration_s())));
+  updateText(time_, clockText(std::round(state.time_s)) + " / " +
+                        clockText(std::round(ghost_.ghost().trajectory.duration_s())));
   updateText(now_, state.tick_ns ? millimetres(kMillimetrePerMetre * state.distance_m) : QString());
   updateText(told_, toldText(state, ghost_.options()));
   tell(last_, lastText(state));
@@ -200,7 +200,7 @@ void GhostStrip::presentOptions() {
 
 void GhostStrip::presentNotes() {
   if (!ghost_.isOpen()) return;
-  QStringList notes{jumpsText(ghost_.ghost().way.jumps)};
+  QStringList notes{jumpsText(ghost_.ghost().trajectory.jumps)};
   if (ghost_.isElsewhere()) notes << elsewhereText(ghost_.ghost(), document_.scene().title);
   notes.removeAll(QString());
   tell(notes_, notes.join('\n'));
@@ -211,8 +211,8 @@ void GhostStrip::sayResult() {
   copy_->setText(tr("Copy"));
   presentNumbers();
   told_->setAccessibleDescription(resultText(*ghost_.state().last_round));  // the name says what the text is
-  QAccessibleEvent said(told_, QAccessible::Alert);
-  QAccessible::updateAccessibility(&said);
+  QAccessibleEvent alert(told_, QAccessible::Alert);
+  QAccessible::updateAccessibility(&alert);
 }
 
 void GhostStrip::setTheme(const Theme& theme) {

@@ -58,17 +58,18 @@ Problems IdentifyRun::begin(identify::Wanted wanted) {
 /// Empty if the measurement can begin or continue.
 Problems IdentifyRun::refusalNow() const {
   if (!parts_.document.isOpen())
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Open a scene first. It is restored after the measurement."))}};
+    return Problems{
+        {phrase(QT_TRANSLATE_NOOP("problem", "Open a scene first. It is restored after the measurement."))}};
   if (!arm::isOmniForm(scene::armOf(parts_.document.scene())))
-    return Problems{{said(QT_TRANSLATE_NOOP("problem",
-                                            "Only arms with the geometry of table 3.1 of the thesis can be measured. "
-                                            "Open a scene for one of them."))}};
+    return Problems{{phrase(QT_TRANSLATE_NOOP("problem",
+                                              "Only arms with the geometry of table 3.1 of the thesis can be measured. "
+                                              "Open a scene for one of them."))}};
   if (parts_.player.isOpen() || parts_.player.isLoading())
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "A recording is being replayed. Close it first."))}};
+    return Problems{{phrase(QT_TRANSLATE_NOOP("problem", "A recording is being replayed. Close it first."))}};
   if (parts_.document.isTryingOut() && !hasOwnScene())
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "Another measurement is running. End it first."))}};
+    return Problems{{phrase(QT_TRANSLATE_NOOP("problem", "Another measurement is running. End it first."))}};
   if (parts_.servo.holdToRun())
-    return Problems{{said(QT_TRANSLATE_NOOP(
+    return Problems{{phrase(QT_TRANSLATE_NOOP(
         "problem", "Hold to run is on, but this measurement needs your hand off the stylus. Switch it off first."))}};
   return {};
 }
@@ -280,7 +281,7 @@ void IdentifyRun::fitLive() {
       [rows = std::move(rows), axis, first, period_s = 1.0 / parts_.servo.rateHz()](WorkState& work) {
         const std::vector<identify::Window> windows = windowsOf(rows, Vec3::Unit(axis), period_s);
         const Result<identify::BodyFit> fit = identify::fitBody(windows, [&work] { return work.cancelled.load(); });
-        return fit ? LiveFit{first, pointsOf(windows, fit.value().way_m)} : LiveFit{first, {}};
+        return fit ? LiveFit{first, pointsOf(windows, fit.value().travel_m)} : LiveFit{first, {}};
       });
 }
 

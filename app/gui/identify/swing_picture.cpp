@@ -5,15 +5,15 @@
 namespace underact::gui {
 namespace {
 
-template <class Way>
-std::vector<SwingPoint> inWindows(const std::vector<identify::Window>& windows, const Way& wayOf) {
+template <class Travel>
+std::vector<SwingPoint> inWindows(const std::vector<identify::Window>& windows, const Travel& travelOf) {
   std::vector<SwingPoint> points;
   for (std::size_t index = 0; index < windows.size(); ++index) {
     const identify::Window& window = windows[index];
-    const std::vector<double>& way_m = wayOf(index);
-    for (std::size_t row = 0; row < way_m.size(); ++row) {
+    const std::vector<double>& travel_m = travelOf(index);
+    for (std::size_t row = 0; row < travel_m.size(); ++row) {
       const double t_s = window.period_s * static_cast<double>(window.first_row + row);
-      points.push_back({t_s, kMillimetrePerMetre * (way_m[row] + window.origin_m)});
+      points.push_back({t_s, kMillimetrePerMetre * (travel_m[row] + window.origin_m)});
     }
     if (!points.empty()) points.push_back({points.back().t_s, kNotANumber});
   }
@@ -23,15 +23,15 @@ std::vector<SwingPoint> inWindows(const std::vector<identify::Window>& windows, 
 }  // namespace
 
 std::vector<SwingPoint> pointsOf(const std::vector<identify::Window>& windows,
-                                 const std::vector<std::vector<double>>& way_m) {
-  return inWindows(windows, [&](std::size_t index) -> const std::vector<double>& { return way_m[index]; });
+                                 const std::vector<std::vector<double>>& travel_m) {
+  return inWindows(windows, [&](std::size_t index) -> const std::vector<double>& { return travel_m[index]; });
 }
 
 SwingPicture pictureOf(const identify::AxisSwings& swings) {
   SwingPicture picture;
   picture.axis = "xyz"[swings.axis];
-  picture.fit = pointsOf(swings.windows, swings.fit.way_m);
-  const auto own = [&](std::size_t index) -> const std::vector<double>& { return swings.windows[index].way_m; };
+  picture.fit = pointsOf(swings.windows, swings.fit.travel_m);
+  const auto own = [&](std::size_t index) -> const std::vector<double>& { return swings.windows[index].travel_m; };
   const auto target = [&](std::size_t index) -> const std::vector<double>& { return swings.windows[index].target_m; };
   picture.measured = inWindows(swings.windows, own);
   picture.target = inWindows(swings.windows, target);

@@ -7,7 +7,7 @@ namespace underact::gui {
 
 struct SwingPoint {
   double t_s = 0.0;
-  double way_mm = 0.0;  // along the axis of W; NaN for a gap
+  double travel_mm = 0.0;  // along the axis of W; NaN for a gap
 };
 
 /// Swings along an axis: the target, the tip, and the fitted body.
@@ -21,6 +21,6 @@ SwingPicture pictureOf(const identify::AxisSwings& swings);
 
 /// The paths of all windows, with a gap after each.
 std::vector<SwingPoint> pointsOf(const std::vector<identify::Window>& windows,
-                                 const std::vector<std::vector<double>>& way_m);
+                                 const std::vector<std::vector<double>>& travel_m);
 
 }  // namespace underact::gui

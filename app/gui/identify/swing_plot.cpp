@@ -19,9 +19,9 @@ void fill(std::span<PlotPoint> into, const std::vector<SwingPoint>& from) {
   const std::size_t every = from.size() / into.size() + 1;
   std::size_t used = 0;
   for (std::size_t index = 0; index < from.size() && used < into.size(); ++index) {
-    const bool is_gap = !std::isfinite(from[index].way_mm);
+    const bool is_gap = !std::isfinite(from[index].travel_mm);
     if (index % every != 0 && !is_gap) continue;
-    into[used++] = {static_cast<float>(from[index].t_s), is_gap ? kGap : static_cast<float>(from[index].way_mm)};
+    into[used++] = {static_cast<float>(from[index].t_s), is_gap ? kGap : static_cast<float>(from[index].travel_mm)};
   }
   std::fill(into.begin() + static_cast<std::ptrdiff_t>(used), into.end(), PlotPoint{kGap, kGap});
 }
@@ -34,22 +34,22 @@ struct SwingPlot::Impl {
     fill(chart.points(kMeasuredSwing), picture.measured);
     fill(chart.points(kSwingFit), picture.fit);
     chart.setCurveShown(kSwingFit, !picture.fit.empty());
-    double from_s = 0.0, to_s = 1.0, least_mm = -1.0, most_mm = 1.0;
+    double from_s = 0.0, to_s = 1.0, min_mm = -1.0, max_mm = 1.0;
     if (!picture.measured.empty()) {
       from_s = picture.measured.front().t_s;
       to_s = std::max(from_s + 0.1, picture.measured.back().t_s);
-      least_mm = most_mm = picture.measured.front().way_mm;
+      min_mm = max_mm = picture.measured.front().travel_mm;
     }
     for (const std::vector<SwingPoint>* points : {&picture.target, &picture.measured, &picture.fit}) {
       for (const SwingPoint& point : *points) {
-        if (!std::isfinite(point.way_mm)) continue;
-        least_mm = std::min(least_mm, point.way_mm);
-        most_mm = std::max(most_mm, point.way_mm);
+        if (!std::isfinite(point.travel_mm)) continue;
+        min_mm = std::min(min_mm, point.travel_mm);
+        max_mm = std::max(max_mm, point.travel_mm);
       }
     }
-    const double room_mm = std::max(0.5, 0.08 * (most_mm - least_mm));
+    const double room_mm = std::max(0.5, 0.08 * (max_mm - min_mm));
     chart.setTitle(SwingPlot::tr("Tip along %1 [mm]").arg(QLatin1Char(picture.axis)));
-    chart.setRange(from_s, to_s, least_mm - room_mm, most_mm + room_mm);
+    chart.setRange(from_s, to_s, min_mm - room_mm, max_mm + room_mm);
   }
 
   Chart chart{SwingPlot::tr("Tip along x [mm]"),

@@ -143,12 +143,12 @@ void InputDevices::take(input::DeviceState seen, std::vector<InputDeviceEntry>& 
 void InputDevices::readMap(InputDeviceEntry& entry) {
   const QString id = entry.id();
   entry.used = unused_.count(id) == 0;
-  usual_[id] = entry.seen.usual;
+  defaults_[id] = entry.seen.default_value;
   if (const auto known = maps_.find(id); known != maps_.end()) {
     entry.map = known->second.map;
     return;
   }
-  entry.map = entry.seen.usual;
+  entry.map = entry.seen.default_value;
   const Result<std::optional<input::Map>> kept = store_.load(entry.seen.id);
   if (!kept) {
     const Problem& problem = kept.problems()[0];
@@ -189,7 +189,7 @@ bool InputDevices::change(const QString& id, const input::Map& map, const QStrin
 }
 
 bool InputDevices::reset(const QString& id) {
-  return usual_.count(id) > 0 && change(id, usual_[id], "reset");
+  return defaults_.count(id) > 0 && change(id, defaults_[id], "reset");
 }
 
 void InputDevices::setMap(const QString& id, const input::Map& map) {
@@ -235,7 +235,7 @@ void InputDevices::goOnLearning() {
 void InputDevices::save() {
   for (const QString& id : std::exchange(unsaved_, {})) {
     const input::MapFile& file = maps_[id];
-    if (file.map == usual_[id]) {
+    if (file.map == defaults_[id]) {
       store_.forget(file.id);
       continue;
     }

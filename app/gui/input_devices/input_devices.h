@@ -84,7 +84,7 @@ class InputDevices : public QObject {
   std::vector<InputDeviceEntry> entries_;
   std::set<QString> unused_, unsaved_;
   std::map<QString, device::input::MapFile> maps_;  // of all devices seen so far, with their names
-  std::map<QString, device::input::Map> usual_;
+  std::map<QString, device::input::Map> defaults_;
   std::map<QString, QString> problems_;  // by device
   QUndoStack undo_;
   QString gestured_;  // device and field of the last change

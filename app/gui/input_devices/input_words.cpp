@@ -12,10 +12,10 @@ namespace input = device::input;
 
 namespace {
 
-bool setNumber(const QVariant& value, double least, double most, double& into) {
+bool setNumber(const QVariant& value, double min, double max, double& into) {
   bool is_number = false;
   const double number = value.toDouble(&is_number);
-  if (!is_number || !(number >= least && number <= most)) return false;
+  if (!is_number || !(number >= min && number <= max)) return false;
   into = number;
   return true;
 }
@@ -36,21 +36,21 @@ bool setPart(input::AxisMap& map, const QString& part, const QVariant& value, bo
 
 }  // namespace
 
-QString motionAxisTitle(input::MotionAxis way) {
+QString motionAxisTitle(input::MotionAxis motion) {
   static const char* const kTitles[input::kMotionAxes] = {
       QT_TR_NOOP("Right, left"), QT_TR_NOOP("Up, down"), QT_TR_NOOP("Nearer, farther"),
       QT_TR_NOOP("Pitch"),       QT_TR_NOOP("Yaw"),      QT_TR_NOOP("Roll")};
-  return tr(kTitles[static_cast<std::size_t>(way)]);
+  return tr(kTitles[static_cast<std::size_t>(motion)]);
 }
 
-QString motionAxisPrompt(input::MotionAxis way) {
+QString motionAxisPrompt(input::MotionAxis motion) {
   static const char* const kGoals[input::kMotionAxes] = {QT_TR_NOOP("moves the stylus to the right"),
                                                          QT_TR_NOOP("moves the stylus up"),
                                                          QT_TR_NOOP("moves the stylus towards you"),
                                                          QT_TR_NOOP("tilts the top of the stylus towards you"),
                                                          QT_TR_NOOP("turns the front of the stylus to the right"),
                                                          QT_TR_NOOP("tilts the top of the stylus to the left")};
-  return tr(kGoals[static_cast<std::size_t>(way)]);
+  return tr(kGoals[static_cast<std::size_t>(motion)]);
 }
 
 QString pressTitle(input::ButtonRole press) {
@@ -101,7 +101,7 @@ QString sourceTitle(const input::DeviceState& seen, const input::Source& source)
 
 std::vector<input::Source> sourcesFor(const input::DeviceState& seen, const input::Source& now) {
   std::vector<input::Source> sources{{}};
-  for (int axis = 0; axis < std::min(seen.readings.axes, input::kMostAxes); ++axis)
+  for (int axis = 0; axis < std::min(seen.readings.axes, input::kMaxAxes); ++axis)
     sources.push_back({input::SourceKind::Axis, axis, -1});
   sources.insert(sources.end(), seen.pairs.begin(), seen.pairs.end());
   if (std::find(sources.begin(), sources.end(), now) == sources.end()) sources.push_back(now);
@@ -115,13 +115,13 @@ std::optional<input::Map> withField(const input::Map& map, const QString& field,
     if (field != input::pressName(static_cast<input::ButtonRole>(press))) continue;
     bool is_number = false;
     const int button = value.toInt(&is_number);
-    if (!is_number || button < -1 || button >= input::kMostButtons) return {};
+    if (!is_number || button < -1 || button >= input::kMaxButtons) return {};
     next.presses[press] = button;
     return next;
   }
-  for (std::size_t way = 0; way < input::kMotionAxes; ++way) {
-    if (parts.size() != 2 || parts[0] != input::motionAxisName(static_cast<input::MotionAxis>(way))) continue;
-    if (setPart(next.ways[way], parts[1], value, way >= input::kMoves)) return next;
+  for (std::size_t motion = 0; motion < input::kMotionAxes; ++motion) {
+    if (parts.size() != 2 || parts[0] != input::motionAxisName(static_cast<input::MotionAxis>(motion))) continue;
+    if (setPart(next.motions[motion], parts[1], value, motion >= input::kMoves)) return next;
   }
   return {};
 }

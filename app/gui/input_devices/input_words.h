@@ -9,9 +9,9 @@
 namespace underact::gui {
 
 /// "Right, left"
-QString motionAxisTitle(device::input::MotionAxis way);
+QString motionAxisTitle(device::input::MotionAxis motion);
 /// What the way does: "moves the stylus to the right"
-QString motionAxisPrompt(device::input::MotionAxis way);
+QString motionAxisPrompt(device::input::MotionAxis motion);
 /// "Stylus button 1"
 QString pressTitle(device::input::ButtonRole press);
 QString kindText(device::input::Kind kind);

@@ -18,8 +18,8 @@ bool isPress(const QString& field) {
 }  // namespace
 
 std::optional<Learning> Learning::of(const QString& id, const QString& field, const input::Readings& before) {
-  const bool is_way = withField({}, field + ".source", "nothing").has_value();
-  return isPress(field) || is_way ? std::optional(Learning(id, field, before)) : std::nullopt;
+  const bool is_motion = withField({}, field + ".source", "nothing").has_value();
+  return isPress(field) || is_motion ? std::optional(Learning(id, field, before)) : std::nullopt;
 }
 
 QString Learning::asked() const {
@@ -28,8 +28,8 @@ QString Learning::asked() const {
     if (field_ == input::pressName(which)) return tr("Press the button for “%1”.").arg(pressTitle(which));
   }
   if (first_ >= 0) return tr("Now press the button for the opposite direction.");
-  for (std::size_t way = 0; way < input::kMotionAxes; ++way) {
-    const auto which = static_cast<input::MotionAxis>(way);
+  for (std::size_t motion = 0; motion < input::kMotionAxes; ++motion) {
+    const auto which = static_cast<input::MotionAxis>(motion);
     if (field_ == input::motionAxisName(which))
       return tr("Push the stick fully, or press the button, that %1.").arg(motionAxisPrompt(which));
   }

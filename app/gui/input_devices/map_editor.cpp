@@ -60,25 +60,25 @@ MapEditor::MapEditor(InputDevices& hands, Actions& actions, QWidget* parent)
 
 void MapEditor::buildMotionAxes(QGridLayout* grid) {
   auto* group = new QButtonGroup(this);
-  for (std::size_t way = 0; way < input::kMotionAxes; ++way) {
-    const QString title = motionAxisTitle(static_cast<input::MotionAxis>(way)),
-                  name = input::motionAxisName(static_cast<input::MotionAxis>(way));
+  for (std::size_t motion = 0; motion < input::kMotionAxes; ++motion) {
+    const QString title = motionAxisTitle(static_cast<input::MotionAxis>(motion)),
+                  name = input::motionAxisName(static_cast<input::MotionAxis>(motion));
     auto* button = new QToolButton(this);
     button->setObjectName("panel.hands.way." + name);
     button->setText(title);
     button->setAccessibleName(title);
-    button->setToolTip(tr("Shows what %1.").arg(motionAxisPrompt(static_cast<input::MotionAxis>(way))));
+    button->setToolTip(tr("Shows what %1.").arg(motionAxisPrompt(static_cast<input::MotionAxis>(motion))));
     button->setCheckable(true);
     button->setProperty("role", "choice");
     button->setFocusPolicy(Qt::StrongFocus);
     button->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
     group->addButton(button);
-    ways_[way] = button;
-    bars_[way] = new AxisBar("panel.hands.bar." + name, title, this);
-    const int row = static_cast<int>(way);
+    motions_[motion] = button;
+    bars_[motion] = new AxisBar("panel.hands.bar." + name, title, this);
+    const int row = static_cast<int>(motion);
     grid->addWidget(button, row, 0);
-    grid->addWidget(bars_[way], row, 1);
-    connect(button, &QToolButton::clicked, this, [this, way] { chooseMotionAxis(way); });
+    grid->addWidget(bars_[motion], row, 1);
+    connect(button, &QToolButton::clicked, this, [this, motion] { chooseMotionAxis(motion); });
   }
   grid->setColumnStretch(1, 1);
 }
@@ -86,7 +86,7 @@ void MapEditor::buildMotionAxes(QGridLayout* grid) {
 QWidget* MapEditor::buildOne() {
   auto* box = new QWidget(this);
   auto* column = tight<QVBoxLayout>(box, 4);
-  column->addWidget(way_title_ = sectionTitle({}, box));
+  column->addWidget(motion_title_ = sectionTitle({}, box));
   source_ = chooser("panel.hands.source", tr("Moved by"), tr("The stick, buttons or triggers for this motion."), box);
   learn_ = pushButton("panel.hands.learn", tr("Learn…"), tr("Assigns the stick or button that you use next."), box);
   inverted_ = new QCheckBox(tr("Inverted"), box);
@@ -121,7 +121,7 @@ QWidget* MapEditor::buildOne() {
       {tr("Rotational speed at full deflection."), tr("°/s"), 1, 180, 0, input::kFastest_rad_per_s / kRadPerDegree});
   connect(source_, &QComboBox::activated, this, [this] { set(field("source"), source_->currentData()); });
   connect(learn_, &QPushButton::clicked, this,
-          [this] { learn(input::motionAxisName(static_cast<input::MotionAxis>(way_))); });
+          [this] { learn(input::motionAxisName(static_cast<input::MotionAxis>(motion_))); });
   connect(inverted_, &QCheckBox::clicked, this, [this](bool on) { set(field("inverted"), on); });
   connect(zone_, &ValueRow::changed, this, [this](double v, bool fresh) { set(field("dead_zone"), v / 100.0, fresh); });
   connect(fine_, &ValueRow::changed, this, [this](double v, bool fresh) { set(field("exponent"), v + 1.0, fresh); });
@@ -163,7 +163,7 @@ const InputDeviceEntry* MapEditor::entry() const {
 }
 
 QString MapEditor::field(const char* part) const {
-  return QString("%1.%2").arg(input::motionAxisName(static_cast<input::MotionAxis>(way_)), part);
+  return QString("%1.%2").arg(input::motionAxisName(static_cast<input::MotionAxis>(motion_)), part);
 }
 
 void MapEditor::set(const QString& field, const QVariant& value, bool fresh) {
@@ -178,8 +178,8 @@ void MapEditor::learn(const QString& field) {
     actions_.perform("hands.learn", field);
 }
 
-void MapEditor::chooseMotionAxis(std::size_t way) {
-  way_ = way;
+void MapEditor::chooseMotionAxis(std::size_t motion) {
+  motion_ = motion;
   hands_.endLearning();
   rebuild();
 }
@@ -189,30 +189,30 @@ void MapEditor::rebuild() {
   setVisible(now != nullptr && now->seen.missing.empty());
   if (now == nullptr) return;
   title_->setText(tr("Mapping of %1").arg(sentenceText(now->seen.name)));
-  ways_[way_]->setChecked(true);
-  way_title_->setText(motionAxisTitle(static_cast<input::MotionAxis>(way_)));
+  motions_[motion_]->setChecked(true);
+  motion_title_->setText(motionAxisTitle(static_cast<input::MotionAxis>(motion_)));
   fillSources(*now);
   presses_->present(*now);
-  const input::AxisMap &map = now->map.ways[way_], &usual = now->seen.usual.ways[way_];
-  const bool turns = way_ >= input::kMoves;
+  const input::AxisMap &map = now->map.motions[motion_], &default_value = now->seen.default_value.motions[motion_];
+  const bool turns = motion_ >= input::kMoves;
   inverted_->setChecked(map.inverted);
-  zone_->present(100.0 * map.dead_zone, 100.0 * usual.dead_zone);
-  fine_->present(map.exponent - 1.0, usual.exponent - 1.0);
+  zone_->present(100.0 * map.dead_zone, 100.0 * default_value.dead_zone);
+  fine_->present(map.exponent - 1.0, default_value.exponent - 1.0);
   speed_->setVisible(!turns);
   turn_speed_->setVisible(turns);
   if (turns)
-    turn_speed_->present(map.top / kRadPerDegree, usual.top / kRadPerDegree);
+    turn_speed_->present(map.top / kRadPerDegree, default_value.top / kRadPerDegree);
   else
-    speed_->present(map.top * kMillimetrePerMetre, usual.top * kMillimetrePerMetre);
+    speed_->present(map.top * kMillimetrePerMetre, default_value.top * kMillimetrePerMetre);
   undo_->setEnabled(hands_.undoStack().canUndo());
   redo_->setEnabled(hands_.undoStack().canRedo());
-  reset_->setEnabled(!(now->map == now->seen.usual));
+  reset_->setEnabled(!(now->map == now->seen.default_value));
   presentLearning();
 }
 
 void MapEditor::fillSources(const InputDeviceEntry& now) {
   const QSignalBlocker quiet(source_);
-  const input::Source& current = now.map.ways[way_].source;
+  const input::Source& current = now.map.motions[motion_].source;
   source_->clear();
   for (const input::Source& source : sourcesFor(now.seen, current))
     source_->addItem(sourceTitle(now.seen, source), QString::fromStdString(input::sourceText(source)));
@@ -222,18 +222,18 @@ void MapEditor::fillSources(const InputDeviceEntry& now) {
 void MapEditor::presentLearning() {
   const QString learning = hands_.learning();
   showMessage(asked_, hands_.asked());
-  learn_->setText(learning == input::motionAxisName(static_cast<input::MotionAxis>(way_)) ? tr("Cancel")
-                                                                                          : tr("Learn…"));
+  learn_->setText(learning == input::motionAxisName(static_cast<input::MotionAxis>(motion_)) ? tr("Cancel")
+                                                                                             : tr("Learn…"));
   presses_->presentLearning(learning);
 }
 
 void MapEditor::present() {
   const InputDeviceEntry* const now = entry();
   if (now == nullptr) return;
-  for (std::size_t way = 0; way < input::kMotionAxes; ++way) {
-    const input::AxisMap& map = now->map.ways[way];
+  for (std::size_t motion = 0; motion < input::kMotionAxes; ++motion) {
+    const input::AxisMap& map = now->map.motions[motion];
     const double moved = input::deflection(map.source, now->seen.readings);
-    bars_[way]->present(map.inverted ? -moved : moved, input::share(map, now->seen.readings), map.dead_zone);
+    bars_[motion]->present(map.inverted ? -moved : moved, input::share(map, now->seen.readings), map.dead_zone);
   }
 }
 

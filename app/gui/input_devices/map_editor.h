@@ -37,7 +37,7 @@ class MapEditor : public QWidget {
   void buildMotionAxes(QGridLayout* grid);
   QWidget* buildOne();
   QWidget* buildFoot();
-  void chooseMotionAxis(std::size_t way);
+  void chooseMotionAxis(std::size_t motion);
   const InputDeviceEntry* entry() const;
   QString field(const char* part) const;
   void set(const QString& field, const QVariant& value, bool fresh = true);
@@ -48,9 +48,9 @@ class MapEditor : public QWidget {
   InputDevices& hands_;
   Actions& actions_;
   QString id_;
-  std::size_t way_ = 0;
-  QLabel *title_, *way_title_ = nullptr, *asked_ = nullptr;
-  std::array<QToolButton*, device::input::kMotionAxes> ways_{};
+  std::size_t motion_ = 0;
+  QLabel *title_, *motion_title_ = nullptr, *asked_ = nullptr;
+  std::array<QToolButton*, device::input::kMotionAxes> motions_{};
   std::array<AxisBar*, device::input::kMotionAxes> bars_{};
   QComboBox* source_ = nullptr;
   QCheckBox* inverted_ = nullptr;

@@ -33,10 +33,10 @@ Problems MapStore::save(const device::input::MapFile& file) const {
   QSaveFile out(path);
   const QByteArray text = QByteArray::fromStdString(device::input::mapText(file));
   if (out.open(QIODevice::WriteOnly) && out.write(text) == text.size() && out.commit()) return {};
-  return Problems{
-      {said(QT_TRANSLATE_NOOP(
-                "problem", "The mapping could not be saved in %1: %2. It stays in effect until you close the window."),
-            {path.toStdString(), out.errorString().toStdString()})}};
+  return Problems{{phrase(
+      QT_TRANSLATE_NOOP("problem",
+                        "The mapping could not be saved in %1: %2. It stays in effect until you close the window."),
+      {path.toStdString(), out.errorString().toStdString()})}};
 }
 
 void MapStore::forget(const std::string& id) const {

@@ -49,7 +49,7 @@ void PressRows::present(const InputDeviceEntry& now) {
     QComboBox* const box = presses_[press];
     const QSignalBlocker quiet(box);
     box->clear();
-    const int buttons = std::max(std::min(now.seen.readings.buttons, input::kMostButtons), now.map.presses[press] + 1);
+    const int buttons = std::max(std::min(now.seen.readings.buttons, input::kMaxButtons), now.map.presses[press] + 1);
     for (int button = -1; button < buttons; ++button) {
       const auto index = static_cast<std::size_t>(std::max(button, 0));
       const auto& names = now.seen.button_names;

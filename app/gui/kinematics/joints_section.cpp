@@ -50,9 +50,9 @@ void JointsSection::setArm(const arm::Preset& preset, const arm::Model& model) {
                              slides);
     }
     per_unit_[joint] = slides ? kMetrePerMillimetre : kRadPerDegree;
-    const double most = slides ? 10.0 : 2.0 * kPi;  // where the file states no limit
-    rows_[joint]->setLimits(std::max(-most, preset.limits.min_rad[joint]) / per_unit_[joint],
-                            std::min(most, preset.limits.max_rad[joint]) / per_unit_[joint]);
+    const double max = slides ? 10.0 : 2.0 * kPi;  // where the file states no limit
+    rows_[joint]->setLimits(std::max(-max, preset.limits.min_rad[joint]) / per_unit_[joint],
+                            std::min(max, preset.limits.max_rad[joint]) / per_unit_[joint]);
   }
 }
 

@@ -76,7 +76,7 @@ void KinematicsPanel::addActions() {
   });
   parts_.actions.addCommand("solution.show", [this](const QVariantList& values) {  // from 1; 0: none
     const int number = values.value(0, -1).toInt();
-    if (number < 0 || number > solutions_->most()) return false;
+    if (number < 0 || number > solutions_->max()) return false;
     if (solutions_->chosen() == number) return showSolution(number);
     solutions_->choose(number);
     return true;

@@ -33,8 +33,8 @@ class JointsSection : public Section {
   void stepped(int joint, double by_deg);
 
  private:
-  std::array<JointRow*, arm::kMostJoints> rows_{};
-  std::array<double, arm::kMostJoints> per_unit_{};  // rad in a degree, m in a mm
+  std::array<JointRow*, arm::kMaxJoints> rows_{};
+  std::array<double, arm::kMaxJoints> per_unit_{};  // rad in a degree, m in a mm
   QLabel* note_;
 };
 
@@ -63,7 +63,7 @@ class SolutionsSection : public Section {
   void choose(int number);
   int chosen() const;
   /// The largest number that there is now.
-  int most() const { return rows_; }
+  int max() const { return rows_; }
   /// Whether the sentence with the number of solutions is hidden: a lesson asks for it.
   void hideCounts(bool on);
  signals:

@@ -103,7 +103,7 @@ SolutionsSection::SolutionsSection(QWidget* parent)
               parent),
       status_(quietLabel("panel.kinematics.solutions.status", QString(), this)),
       angles_(quietLabel("panel.kinematics.solutions.angles", QString(), this)),
-      table_(new QTableWidget(kMostSolutions, kSolutionColumns, this)),
+      table_(new QTableWidget(kMaxSolutions, kSolutionColumns, this)),
       again_(new QPushButton(tr("&Go there"), this)),
       none_(new QPushButton(tr("Show &none"), this)) {
   status_->setAlignment(Qt::AlignTop);
@@ -175,7 +175,7 @@ void SolutionsSection::buildTable() {
   table_->setFrameShape(QFrame::NoFrame);
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  for (int row = 0; row < kMostSolutions; ++row) {
+  for (int row = 0; row < kMaxSolutions; ++row) {
     std::array<QString, kSolutionColumns> texts;
     texts[kNumber] = QString::number(row + 1);
     if (row < kOmniRows) {
@@ -219,7 +219,7 @@ int SolutionsSection::limitsWidth() const {
 void SolutionsSection::showRows(int rows) {
   if (rows == rows_) return;
   rows_ = rows;
-  for (int row = 0; row < kMostSolutions; ++row) table_->setRowHidden(row, row >= rows);
+  for (int row = 0; row < kMaxSolutions; ++row) table_->setRowHidden(row, row >= rows);
   table_->setFixedHeight(rows * table_->verticalHeader()->defaultSectionSize() +
                          table_->horizontalHeader()->sizeHint().height() + 2);
 }
@@ -248,7 +248,7 @@ void SolutionsSection::present(const KinematicsNow& now) {
   q_rad_ = now.q_rad;
   const QString status = statusText(solutions_);
   if (status_->text() != status) status_->setText(status);
-  if (!is_omni_) showRows(solutions_.all.empty() ? 0 : std::min(kMostSolutions, solutions_.all.back().number));
+  if (!is_omni_) showRows(solutions_.all.empty() ? 0 : std::min(kMaxSolutions, solutions_.all.back().number));
   for (int row = 0; row < rows_; ++row) {
     const NumberedSolution* const one = solutions_.find(row + 1);
     // No separate solution: it coincides with another one at a singularity.

@@ -14,7 +14,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kMostJoints = arm::kMostJoints;
+constexpr int kMaxJoints = arm::kMaxJoints;
 const QString kWideAngle = "−000.0", kWideLength = "−000.0", kWideGain = "−0.000";
 
 QString degrees(double angle_rad) {
@@ -45,7 +45,7 @@ DhSection::DhSection(QWidget* parent)
                               {tr("θ [°]"), kWideAngle},
                               {tr("d [mm]"), kWideLength}},
                              this)) {
-  for (int row = 1; row <= kMostJoints; ++row) {
+  for (int row = 1; row <= kMaxJoints; ++row) {
     table_->addRow(
         QString("i = %1").arg(row),
         DhSection::tr("Twist α and length a of link %1, angle θ and offset d of joint %2.").arg(row - 1).arg(row));
@@ -111,7 +111,7 @@ JacobianSection::JacobianSection(QWidget* parent)
       only_position_(new QCheckBox(tr("&Position only, J_p (3 × 3)"), this)),
       tables_(new QStackedWidget(this)) {
   std::vector<NumberTable::Column> columns;
-  for (int joint = 1; joint <= kMostJoints; ++joint) columns.push_back({QString("q%1").arg(joint), kWideGain});
+  for (int joint = 1; joint <= kMaxJoints; ++joint) columns.push_back({QString("q%1").arg(joint), kWideGain});
   whole_ = new NumberTable("panel.kinematics.jacobian.whole", columns, this);
   position_ = new NumberTable("panel.kinematics.jacobian.position", {columns.begin(), columns.begin() + 3}, this);
   for (const char axis : {'x', 'y', 'z'}) {

@@ -20,8 +20,8 @@ void fitToScreen(QWidget& window) {
   // It is not known before the window was shown once; GNOME's is the largest.
   const QMargins frame = known.isNull() ? QMargins(4, 40, 4, 4) : known;
   const QRect now = window.normalGeometry(), fits = fitted(now, window.screen()->availableGeometry(), frame);
-  const QSize least = window.minimumSize().boundedTo(fits.size());
-  if (least != window.minimumSize()) window.setMinimumSize(least);
+  const QSize min = window.minimumSize().boundedTo(fits.size());
+  if (min != window.minimumSize()) window.setMinimumSize(min);
   const bool is_placed = window.testAttribute(Qt::WA_Moved);
   if (is_placed ? fits == now : fits.size() == now.size()) return;
   const Qt::WindowStates state = window.windowState();

@@ -128,7 +128,7 @@ void drawScrollBar(const QStyleOptionSlider& option, const QRect& handle, QPaint
   painter.restore();
 }
 
-QRect partOfScrollBar(const QStyleOptionSlider& option, QStyle::SubControl part, int least_handle) {
+QRect partOfScrollBar(const QStyleOptionSlider& option, QStyle::SubControl part, int min_handle) {
   const bool is_across = option.orientation == Qt::Horizontal;
   const QRect& all = option.rect;
   const int length = is_across ? all.width() : all.height();
@@ -136,7 +136,7 @@ QRect partOfScrollBar(const QStyleOptionSlider& option, QStyle::SubControl part,
   if (option.maximum > option.minimum) {
     const qint64 range = qint64{option.maximum} - option.minimum;
     handle = static_cast<int>(qint64{option.pageStep} * length / (range + option.pageStep));
-    handle = std::min(std::max(handle, least_handle), length);
+    handle = std::min(std::max(handle, min_handle), length);
     from = QStyle::sliderPositionFromValue(option.minimum, option.maximum, option.sliderPosition, length - handle,
                                            option.upsideDown);
   }

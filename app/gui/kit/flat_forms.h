@@ -17,6 +17,6 @@ void drawSlider(const QStyleOptionSlider& option, const QRect& groove, const QRe
 void drawScrollBar(const QStyleOptionSlider& option, const QRect& handle, QPainter& painter);
 
 /// The parts of a scroll bar without buttons at its ends.
-QRect partOfScrollBar(const QStyleOptionSlider& option, QStyle::SubControl part, int least_handle);
+QRect partOfScrollBar(const QStyleOptionSlider& option, QStyle::SubControl part, int min_handle);
 
 }  // namespace underact::gui

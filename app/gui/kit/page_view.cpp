@@ -28,9 +28,9 @@ namespace underact::gui {
 namespace {
 
 constexpr int kPageMargin = 16;
-constexpr qsizetype kShort = 3;          // letters; shorter words must match whole
-constexpr int kHighestPicture = 2000;    // logical pixels
-constexpr qsizetype kMostPictures = 20;  // of a stranger's page
+constexpr qsizetype kShort = 3;         // letters; shorter words must match whole
+constexpr int kHighestPicture = 2000;   // logical pixels
+constexpr qsizetype kMaxPictures = 20;  // of a stranger's page
 constexpr int kSmallestZoom = 50, kLargestZoom = 300, kZoomStep = 10;
 
 page::Colours coloursOf(const QPalette& palette) {
@@ -53,7 +53,7 @@ QThreadPool& pictureThread() {
 }
 
 Problems tooManyPictures() {
-  return {{said(TRANSLATE_NOOP("problem", "A page shows at most %1 pictures."), {std::to_string(kMostPictures)})}};
+  return {{phrase(TRANSLATE_NOOP("problem", "A page shows at most %1 pictures."), {std::to_string(kMaxPictures)})}};
 }
 
 /// The target of a link, in the form that asked() emits.
@@ -76,8 +76,8 @@ PageView::PageView(QWidget* parent) : QTextBrowser(parent) {
   document()->setDocumentMargin(kPageMargin);
   // With some fonts, rounding makes a table a few pixels too wide; as long as only the empty margin is cut off, there
   // is nothing to scroll to.
-  connect(horizontalScrollBar(), &QScrollBar::rangeChanged, this, [this](int, int most) {
-    setHorizontalScrollBarPolicy(most > kPageMargin ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
+  connect(horizontalScrollBar(), &QScrollBar::rangeChanged, this, [this](int, int max) {
+    setHorizontalScrollBarPolicy(max > kPageMargin ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
   });
   setTextInteractionFlags(Qt::TextBrowserInteraction | Qt::TextSelectableByKeyboard);
   connect(this, &QTextBrowser::anchorClicked, this, &PageView::follow);
@@ -184,7 +184,7 @@ QImage PageView::awaitPicture(const QUrl& name) {
   const std::string within = (is_own ? folder_ + "/.." : folder_).toStdString();
   // An address has no path here; nothing is ever fetched.
   const std::string path = name.isRelative() ? folder_.toStdString() + "/" + name.path().toStdString() : "/";
-  const bool is_one_too_many = !is_own && pictures_.size() > kMostPictures;
+  const bool is_one_too_many = !is_own && pictures_.size() > kMaxPictures;
   pictureThread().start(
       [this, rendering = std::weak_ptr(rendering_), name, within, path, is_one_too_many, room = roomForPicture()] {
         if (rendering.expired()) return;

@@ -81,8 +81,8 @@ void Procedure::setPages(const std::vector<ProcedurePage*>& pages, const QString
   constexpr int kHighLines = 46;
   const int line = fontMetrics().lineSpacing();
   const QWidget* const behind = parentWidget();
-  const QSize most = behind != nullptr ? behind->size() : QSize(1280, 800);  // large text on a small screen
-  resize(QSize(wide_lines * line, kHighLines * line).boundedTo(most));
+  const QSize max = behind != nullptr ? behind->size() : QSize(1280, 800);  // large text on a small screen
+  resize(QSize(wide_lines * line, kHighLines * line).boundedTo(max));
 }
 
 void Procedure::bringForward() {

@@ -99,8 +99,8 @@ QColor faint(QColor colour, double share) {
 }
 
 QPalette paletteOf(const Theme& theme) {
-  const QColor usual = theme.dark ? QColor(0x2A, 0x2B, 0x2F) : QColor(0xEF, 0xEF, 0xEC);
-  const QColor window = theme.high_contrast ? theme.background : usual;
+  const QColor default_value = theme.dark ? QColor(0x2A, 0x2B, 0x2F) : QColor(0xEF, 0xEF, 0xEC);
+  const QColor window = theme.high_contrast ? theme.background : default_value;
   const QColor base = theme.dark ? theme.background : QColor(0xFF, 0xFF, 0xFF);
   const QColor button = theme.dark ? QColor(0x36, 0x38, 0x3D) : QColor(0xF7, 0xF7, 0xF5);
   const QColor text = theme.ink;
@@ -183,9 +183,9 @@ void ThemeWatcher::apply() {
   if (!own_palette_) system_dark_ = isDark(QApplication::palette());
   const bool system_wants_dark = portal_scheme_ == 0 ? system_dark_ : portal_scheme_ == 1;
   const bool dark = choice_ == ThemeChoice::System ? system_wants_dark : choice_ == ThemeChoice::Dark;
-  const bool is_told = dark == dark_ && contrast_ == said_contrast_;
+  const bool is_told = dark == dark_ && contrast_ == announced_contrast_;
   dark_ = dark;
-  said_contrast_ = contrast_;
+  announced_contrast_ = contrast_;
   if (choice_ != ThemeChoice::System || dark != system_dark_ || contrast_) {
     // Styles that draw with native elements support only one lightness.
     const QString style = QApplication::style()->name();

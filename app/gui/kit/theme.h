@@ -72,7 +72,7 @@ class ThemeWatcher : public QObject {
   bool dark_ = false;         // as last emitted
   bool own_palette_ = false;  // QApplication has one of ours
   bool applying_ = false;
-  bool contrast_ = false, said_contrast_ = false;
+  bool contrast_ = false, announced_contrast_ = false;
 };
 
 /// Gives it the theme, now and whenever another one comes.

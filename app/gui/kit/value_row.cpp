@@ -75,7 +75,7 @@ ValueRow::ValueRow(const ValueKind& kind, const QString& name, QWidget* parent)
   slider_->setMinimumWidth(64);
   number_->setObjectName(name + ".number");
   number_->setDecimals(kind.decimals);
-  number_->setRange(0.0, kind.most);
+  number_->setRange(0.0, kind.max);
   number_->setSingleStep(1.0 / kind.steps_per_unit);
   if (!kind.unit.isEmpty()) number_->setSuffix(" " + kind.unit);
   number_->setKeyboardTracking(false);  // typing 0.5 must not first set 0, which may be refused
@@ -119,13 +119,13 @@ void ValueRow::setLabel(const QString& label, const QString& spoken, const QStri
   number_->setAccessibleName(kind_.unit.isEmpty() ? spoken : tr("%1, %2").arg(spoken, kind_.unit));
 }
 
-void ValueRow::setEnds(const QString& least, const QString& most) {
+void ValueRow::setEnds(const QString& min, const QString& max) {
   auto* ends = new QHBoxLayout;
   ends->setSpacing(8);
-  for (const QString& text : {least, most}) {
+  for (const QString& text : {min, max}) {
     auto* word = new QLabel(text, this);
     word->setProperty("role", "quiet");
-    if (text == most) ends->addStretch(1);
+    if (text == max) ends->addStretch(1);
     ends->addWidget(word);
   }
   grid_->addLayout(ends, 1, 1);

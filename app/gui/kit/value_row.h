@@ -19,7 +19,7 @@ struct ValueKind {
   int steps_per_unit = 1;
   int slider_steps = 100;  // from 0 to the slider's end; up to most can be typed
   int decimals = 0;
-  double most = 1.0;
+  double max = 1.0;
   QString mark = {};  // the meaning of the mark on the slider, in a sentence; empty: the scene's own value
 };
 
@@ -52,7 +52,7 @@ class ValueRow : public QWidget {
   /// widest: the longest label used here or in a row above or below, so that the sliders line up.
   void setLabel(const QString& label, const QString& spoken, const QString& widest);
   /// Captions below the slider's two ends.
-  void setEnds(const QString& least, const QString& most);
+  void setEnds(const QString& min, const QString& max);
   /// Shows the row in amber, with the reason; empty: normal.
   void setWarning(const QString& reason);
   bool isHeld() const { return slider_->isSliderDown(); }

@@ -8,14 +8,14 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kLeastCost_us_per_s = 1e-3,
-                 kLeastError_mm = 1e-6;  // the place of an exact one: a logarithmic axis has no zero
+constexpr double kMinCost_us_per_s = 1e-3,
+                 kMinError_mm = 1e-6;  // the place of an exact one: a logarithmic axis has no zero
 constexpr double kFrontDot = 3.0, kFrontSquare = 5.0, kFrontRing = 8.0;
 constexpr double kFrontRoom = 1.25;
 constexpr MarkSheet::Colour kFrontGround{&Theme::ink, 0.0};
 
 QPointF placeOf(const tradeoff::Point& point) {
-  return {std::max(point.cost_us_per_s, kLeastCost_us_per_s), std::max(point.error_mm, kLeastError_mm)};
+  return {std::max(point.cost_us_per_s, kMinCost_us_per_s), std::max(point.error_mm, kMinError_mm)};
 }
 
 QString spokenOf(const std::vector<tradeoff::Point>& points, const std::optional<std::size_t>& chosen) {
@@ -53,15 +53,15 @@ MarkSheet frontSheet(const std::vector<tradeoff::Point>& points, const std::opti
   for (const tradeoff::Point& point : points) {
     costs.push_back(placeOf(point).x());
     errors.push_back(placeOf(point).y());
-    if (point.on_front) sheet.way.push_back(placeOf(point));
+    if (point.on_front) sheet.path.push_back(placeOf(point));
   }
   sheet.x = MarkSheet::around(costs, kFrontRoom);
   sheet.x.text = timeText;
   sheet.y = MarkSheet::around(errors, kFrontRoom);
   sheet.y.text = lengthText;
   sheet.y.lines_a_tick = 1.5;
-  sheet.way_line = {&Theme::constraint};
-  sheet.way_width = 2.0;
+  sheet.path_line = {&Theme::constraint};
+  sheet.path_width = 2.0;
   for (const bool on_front : {false, true}) {  // the front is drawn on top
     const MarkSheet::Colour line =
         on_front ? MarkSheet::Colour{&Theme::constraint} : MarkSheet::Colour{&Theme::ink, 0.55};

@@ -26,7 +26,7 @@ constexpr int kLettersOfNumber = 10;
 CheckRow::CheckRow(const lesson::Check& check, std::size_t number, QWidget* parent)
     : QWidget(parent),
       name_(QString("panel.lessons.check%1").arg(number)),
-      said_(messageLabel(qPrintable(name_ + ".said"), tr("Check %1").arg(number), "", this)) {
+      message_(messageLabel(qPrintable(name_ + ".said"), tr("Check %1").arg(number), "", this)) {
   auto* const column = new QVBoxLayout(this);
   column->setContentsMargins(0, 4, 0, 4);
   column->setSpacing(4);
@@ -37,7 +37,7 @@ CheckRow::CheckRow(const lesson::Check& check, std::size_t number, QWidget* pare
   }
   if (const auto* const ask = std::get_if<lesson::AskNumber>(&check.task)) addNumber(*ask);
   if (const auto* const ask = std::get_if<lesson::AskChoice>(&check.task)) addChoices(*ask);
-  column->addWidget(said_);
+  column->addWidget(message_);
 }
 
 void CheckRow::addNumber(const lesson::AskNumber& ask) {
@@ -83,7 +83,7 @@ void CheckRow::give() {
   if (const std::optional<double> number = typed(number_->text())) {
     emit answered(*number);
   } else {
-    said_->setText(tr("“%1” is not a number.").arg(number_->text()));
+    message_->setText(tr("“%1” is not a number.").arg(number_->text()));
   }
 }
 
@@ -91,12 +91,12 @@ void CheckRow::present(const lesson::Check& check, const lesson::CheckState& sta
   const QString text = checkText(check, state);
   const bool shows_slip = number_ != nullptr && !state.solved && !number_->text().isEmpty() &&
                           !typed(number_->text());  // the message of give() stays
-  if (said_->text() != text && !shows_slip) said_->setText(text);
+  if (message_->text() != text && !shows_slip) message_->setText(text);
   const char* const role = state.solved ? "running" : "";
-  if (said_->property("role").toString() == role) return;
-  said_->setProperty("role", role);
-  said_->style()->unpolish(said_);
-  said_->style()->polish(said_);
+  if (message_->property("role").toString() == role) return;
+  message_->setProperty("role", role);
+  message_->style()->unpolish(message_);
+  message_->style()->polish(message_);
 }
 
 }  // namespace underact::gui

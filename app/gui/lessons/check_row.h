@@ -27,7 +27,7 @@ class CheckRow : public QWidget {
   void give();
 
   QString name_;  // prefix of the object names in it
-  QLabel* said_;
+  QLabel* message_;
   QLineEdit* number_ = nullptr;
   QButtonGroup* choices_ = nullptr;
 };

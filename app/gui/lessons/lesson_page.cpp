@@ -128,9 +128,9 @@ void LessonPage::shareRoom() {
   const int below =
       layout()->spacing() + (content.hasHeightForWidth() ? content.heightForWidth(scroll_->viewport()->width())
                                                          : content.sizeHint().height());
-  const int least = 5 * fontMetrics().lineSpacing();
-  const int wanted = text + below <= room ? text : std::max({least, room - below, room * kTextPercent / 100});
-  const int height = std::min({wanted, text, std::max(least, room - least)});
+  const int min = 5 * fontMetrics().lineSpacing();
+  const int wanted = text + below <= room ? text : std::max({min, room - below, room * kTextPercent / 100});
+  const int height = std::min({wanted, text, std::max(min, room - min)});
   // Without this the bar of a text that had less room before stays.
   text_->setVerticalScrollBarPolicy(height >= text ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
   if (height != text_->height() || text_->minimumHeight() != height) text_->setFixedHeight(height);

@@ -22,8 +22,8 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kUsualStatic = 0.4, kUsualDynamic = 0.3;  // about wood on wood
-constexpr double kMostFriction = 1.5;
+constexpr double kDefaultStatic = 0.4, kDefaultDynamic = 0.3;  // about wood on wood
+constexpr double kMaxFriction = 1.5;
 
 QString formatText(mesh_file::Format format) {
   switch (format) {
@@ -45,7 +45,7 @@ QDoubleSpinBox* shareField(const char* name, const QString& spoken, double value
   auto* field = new NumberBox(parent);
   field->setObjectName(name);
   field->setAccessibleName(spoken);
-  field->setRange(0.0, kMostFriction);
+  field->setRange(0.0, kMaxFriction);
   field->setDecimals(2);
   field->setSingleStep(0.05);
   field->setValue(value);
@@ -110,8 +110,8 @@ void MeshDialog::buildChoices() {
   friction_ = new QCheckBox(tr("F&riction"), this);
   friction_->setObjectName("dialog.mesh.friction");
   friction_->setAccessibleName(tr("Friction"));
-  static_ = shareField("dialog.mesh.static", tr("Static friction"), kUsualStatic, this);
-  dynamic_ = shareField("dialog.mesh.dynamic", tr("Dynamic friction"), kUsualDynamic, this);
+  static_ = shareField("dialog.mesh.static", tr("Static friction"), kDefaultStatic, this);
+  dynamic_ = shareField("dialog.mesh.dynamic", tr("Dynamic friction"), kDefaultDynamic, this);
   auto* shares = new QHBoxLayout;
   shares->setSpacing(8);
   shares->addWidget(friction_);
@@ -127,7 +127,7 @@ void MeshDialog::buildChoices() {
     connect(friction_, &QCheckBox::toggled, field, &QWidget::setEnabled);
   }
   // Dynamic friction never exceeds static friction.
-  connect(static_, &QDoubleSpinBox::valueChanged, dynamic_, [this](double most) { dynamic_->setMaximum(most); });
+  connect(static_, &QDoubleSpinBox::valueChanged, dynamic_, [this](double max) { dynamic_->setMaximum(max); });
   dynamic_->setMaximum(static_->value());
 }
 

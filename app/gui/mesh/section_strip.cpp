@@ -87,8 +87,8 @@ bool SectionStrip::hasCut() const {
 }
 
 bool SectionStrip::put(double at_mm) {
-  const auto [least_mm, most_mm] = view_.sectionRange_mm(view_.layers().section_axis);
-  if (at_mm < least_mm || at_mm > most_mm) return false;
+  const auto [min_mm, max_mm] = view_.sectionRange_mm(view_.layers().section_axis);
+  if (at_mm < min_mm || at_mm > max_mm) return false;
   actions_.perform("layer.section_follows", false);
   Layers layers = view_.layers();
   layers.section_mm[layers.section_axis] = at_mm;
@@ -100,11 +100,11 @@ void SectionStrip::follow() {
   if (isVisibleTo(parentWidget()) != hasCut()) setVisible(hasCut());
   if (!hasCut()) return;
   const Layers& layers = view_.layers();
-  const auto [least_mm, most_mm] = view_.sectionRange_mm(layers.section_axis);
-  const double at_mm = std::clamp(layers.section_mm[layers.section_axis], least_mm, most_mm);
+  const auto [min_mm, max_mm] = view_.sectionRange_mm(layers.section_axis);
+  const double at_mm = std::clamp(layers.section_mm[layers.section_axis], min_mm, max_mm);
   const QSignalBlocker silent_slider(slider_), silent_number(number_);  // showing a value must not set it
-  slider_->setRange(static_cast<int>(std::ceil(kStepsPerMillimetre * least_mm)),
-                    static_cast<int>(std::floor(kStepsPerMillimetre * most_mm)));
+  slider_->setRange(static_cast<int>(std::ceil(kStepsPerMillimetre * min_mm)),
+                    static_cast<int>(std::floor(kStepsPerMillimetre * max_mm)));
   number_->setRange(slider_->minimum() / double(kStepsPerMillimetre), slider_->maximum() / double(kStepsPerMillimetre));
   if (!slider_->isSliderDown()) slider_->setValue(static_cast<int>(std::lround(kStepsPerMillimetre * at_mm)));
   if (!number_->hasFocus() || layers.section_follows) number_->setValue(at_mm);

@@ -34,18 +34,19 @@ device::SimulatedArm* ArmChoice::simulated() const {
 
 Problems ArmChoice::refusalNow() const {
   if (chosen_ == nullptr)
-    return Problems{{said(QT_TRANSLATE_NOOP("problem", "This window was opened for one arm only.")), {}}};
+    return Problems{{phrase(QT_TRANSLATE_NOOP("problem", "This window was opened for one arm only.")), {}}};
   if (host_.records())
-    return Problems{{said(QT_TRANSLATE_NOOP("problem",
-                                            "A session is being recorded, and a session contains only one arm. Stop "
-                                            "the recording, then choose the arm.")),
+    return Problems{{phrase(QT_TRANSLATE_NOOP("problem",
+                                              "A session is being recorded, and a session contains only one arm. Stop "
+                                              "the recording, then choose the arm.")),
                      {}}};
   if (document_.showsRecorded())
     return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "A session is being replayed. Close it, then choose the arm.")), {}}};
+        {phrase(QT_TRANSLATE_NOOP("problem", "A session is being replayed. Close it, then choose the arm.")), {}}};
   if (document_.isTryingOut())
     return Problems{
-        {said(QT_TRANSLATE_NOOP("problem", "A measurement is running on this arm. End it, then choose the arm.")), {}}};
+        {phrase(QT_TRANSLATE_NOOP("problem", "A measurement is running on this arm. End it, then choose the arm.")),
+         {}}};
   return {};
 }
 

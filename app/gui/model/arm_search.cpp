@@ -15,7 +15,7 @@ bool isSame(const device::Missing& one, const device::Missing& other) {
 }
 
 ArmEntry nobody(const device::Row& row) {
-  return {row.key, ArmSearch::tr("%1: none is plugged in").arg(sentenceText(said(row.name))), {}, {}};
+  return {row.key, ArmSearch::tr("%1: none is plugged in").arg(sentenceText(phrase(row.name))), {}, {}};
 }
 
 }  // namespace

@@ -42,16 +42,16 @@ std::span<const LimitName> limitNames() {
 }
 
 QString mostLimiting(const Cuts& cuts) {
-  const LimitName* most = nullptr;
+  const LimitName* max = nullptr;
   for (const LimitName& name : limitNames()) {
     if (name.cut_N == nullptr) {
       if (cuts.frozen) return QCoreApplication::translate("limit", name.word);
       continue;
     }
     const double cut_N = cuts.*name.cut_N;
-    if (cut_N > 0.0 && (most == nullptr || cut_N > cuts.*most->cut_N)) most = &name;
+    if (cut_N > 0.0 && (max == nullptr || cut_N > cuts.*max->cut_N)) max = &name;
   }
-  return most == nullptr ? QString() : QCoreApplication::translate("limit", most->word);
+  return max == nullptr ? QString() : QCoreApplication::translate("limit", max->word);
 }
 
 }  // namespace underact::gui

@@ -80,7 +80,7 @@ NumberedSolutions SolutionFinder::at(const Pose& X_WT) const {
     NumberedSolution solution{0, {}, one.within_limits, one.family, one.branch, one.null_space};
     std::copy_n(one.q.begin(), joints, solution.q.begin());
     found.all.push_back(std::move(solution));
-    if (found.all.size() == kMostSolutions) break;
+    if (found.all.size() == kMaxSolutions) break;
   }
   number(found.all);
   return found;

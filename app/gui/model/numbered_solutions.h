@@ -32,7 +32,7 @@ struct NumberedSolutions {
 /// The starts of the search, for an arm without a closed form: joints at 0, then draws within the limits from seed 1,
 /// as `underact-cli ik --search 16`.
 inline constexpr int kSearchStarts = 16;
-inline constexpr int kMostSolutions = 16;
+inline constexpr int kMaxSolutions = 16;
 
 /// What finds the solutions of an arm, in the same way for panel and view. Of an arm of the Omni's form by its own
 /// code, of others as underact-cli and the Python package do. Not for the servo thread.

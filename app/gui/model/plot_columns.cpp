@@ -52,10 +52,10 @@ void fillColumns(const servo::TickRecord& record, const arm::Geometry& geometry,
   record::fillAll(record, geometry, row);
 }
 
-ColumnRows::ColumnRows(std::vector<int> columns, std::size_t most)
+ColumnRows::ColumnRows(std::vector<int> columns, std::size_t max)
     : columns_(std::move(columns)),
       geometry_(arm::findPreset(arm::kDefaultArm)->geometry),
-      most_(most),
+      max_(max),
       all_(plotColumns().size()) {}
 
 void ColumnRows::add(double time_s, const servo::TickRecord& record) {
@@ -68,7 +68,7 @@ void ColumnRows::add(double time_s, const servo::TickRecord& record) {
   fillColumns(record, geometry_, all_);
   times_s_.push_back(time_s);
   for (const int column : columns_) values_.push_back(all_[static_cast<std::size_t>(column)]);
-  if (size() >= most_) halve();
+  if (size() >= max_) halve();
 }
 
 void ColumnRows::dropBefore(double time_s) {

@@ -34,7 +34,7 @@ void fillColumns(const servo::TickRecord& record, const arm::Geometry& geometry,
 class ColumnRows {
  public:
   /// columns: of plotColumns(), as many as are chosen; most: rows, above which every other one is dropped; even.
-  explicit ColumnRows(std::vector<int> columns, std::size_t most = std::size_t{1} << 20);
+  explicit ColumnRows(std::vector<int> columns, std::size_t max = std::size_t{1} << 20);
   /// Of the arm whose ticks are added from now on; at first the default arm's.
   void setGeometry(const arm::Geometry& geometry) { geometry_ = geometry; }
   void add(double time_s, const servo::TickRecord& record);
@@ -51,7 +51,7 @@ class ColumnRows {
 
   std::vector<int> columns_;
   arm::Geometry geometry_;
-  std::size_t most_, first_ = 0;
+  std::size_t max_, first_ = 0;
   std::int64_t every_ = 1, seen_ = 0;
   std::vector<double> times_s_;
   std::vector<float> values_;

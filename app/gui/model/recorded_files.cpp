@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kFolders = "replay/files";
 constexpr const char* kRecentScenes = "files/recent";
-constexpr qsizetype kMostFolders = 8;
+constexpr qsizetype kMaxFolders = 8;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void rememberRecordedFiles(const QString& folder) {
   QStringList folders = stored.value(kFolders).toStringList();
   folders.removeAll(folder);
   folders.prepend(folder);
-  stored.setValue(kFolders, folders.mid(0, kMostFolders));
+  stored.setValue(kFolders, folders.mid(0, kMaxFolders));
 }
 
 }  // namespace underact::gui

@@ -79,7 +79,7 @@ bool Recording::stop(record::EndReason reason) {
       unwritten.insert(unwritten.end(), of_part.begin(), of_part.end());
     }
     if (!unwritten.empty() && problems.empty())
-      problems.push_back({said(QT_TRANSLATE_NOOP(
+      problems.push_back({phrase(QT_TRANSLATE_NOOP(
           "problem", "Text typed during the recording is not in the file. Edit the details of the session below."))});
   }
   words_.name.clear();  // they belonged to this recording

@@ -10,7 +10,7 @@
 
 namespace underact::gui {
 
-constexpr qsizetype kMostRecent = 8;
+constexpr qsizetype kMaxRecent = 8;
 
 SceneEntry sceneEntry(const QString& path) {
   const Result<scene::Description> read = scene::readSceneFile(path.toStdString());
@@ -57,7 +57,7 @@ QString firstScene(const std::vector<SceneEntry>& scenes) {
 void RecentFiles::set(const QStringList& paths) {
   paths_.clear();
   for (const QString& path : paths) {
-    if (QFileInfo::exists(path) && paths_.size() < kMostRecent) paths_ << path;
+    if (QFileInfo::exists(path) && paths_.size() < kMaxRecent) paths_ << path;
   }
   emit changed();
 }

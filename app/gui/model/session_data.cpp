@@ -7,12 +7,12 @@
 namespace underact::gui {
 namespace {
 
-constexpr std::size_t kMostPathPoints = 8000;
+constexpr std::size_t kMaxPathPoints = 8000;
 constexpr double kFinest_mm = 0.2, kCoarser = 1.5;  // between two points of the path
 
 }  // namespace
 
-std::vector<PathPoint> pathOf(const std::vector<SessionRow>& rows, std::size_t most) {
+std::vector<PathPoint> pathOf(const std::vector<SessionRow>& rows, std::size_t max) {
   for (double step_mm = kFinest_mm;; step_mm *= kCoarser) {
     std::vector<PathPoint> path;
     double greatest_N = 0.0;
@@ -23,9 +23,9 @@ std::vector<PathPoint> pathOf(const std::vector<SessionRow>& rows, std::size_t m
       if (!path.empty() && (p_mm - path.back().p_mm).norm() < step_mm) continue;
       path.push_back({p_mm, greatest_N});
       greatest_N = 0.0;
-      if (path.size() > most) break;
+      if (path.size() > max) break;
     }
-    if (path.size() <= most) return path;
+    if (path.size() <= max) return path;
   }
 }
 
@@ -40,7 +40,7 @@ void SessionData::finish(double rate_hz) {
   const double each_hz = rate_hz / static_cast<double>(ticks_per_row_);
   force_spectrum_ = spectrumOf(force_N, each_hz);
   error_spectrum_ = spectrumOf(error_mm, each_hz);
-  path_ = pathOf(rows_, kMostPathPoints);
+  path_ = pathOf(rows_, kMaxPathPoints);
 }
 
 void SessionData::add(std::int64_t row, double rate_hz, const servo::TickRecord& record) {
@@ -56,7 +56,7 @@ void SessionData::add(std::int64_t row, double rate_hz, const servo::TickRecord&
     if (fresh.plot.sent_N > rows_.back().plot.sent_N) rows_.back() = fresh;
     return;
   }
-  if (rows_.size() >= most_rows_) halve();
+  if (rows_.size() >= max_rows_) halve();
   group_ = row / ticks_per_row_;
   rows_.push_back(fresh);
 }

@@ -25,10 +25,10 @@ struct SessionRow {
 /// A session for charts. In a long one, a row represents a group of ticks by the one with the greatest force.
 class SessionData {
  public:
-  static constexpr std::size_t kMostRows = 2'000'000;
+  static constexpr std::size_t kMaxRows = 2'000'000;
 
-  /// most_rows: above it the rows are halved; must be even.
-  explicit SessionData(std::size_t most_rows = kMostRows) : most_rows_(most_rows) {}
+  /// max_rows: above it the rows are halved; must be even.
+  explicit SessionData(std::size_t max_rows = kMaxRows) : max_rows_(max_rows) {}
   /// Adds a row of the recording, in order.
   void add(std::int64_t row, double rate_hz, const servo::TickRecord& record);
   /// Call it after the last row. It is slow, so not in the window's thread.
@@ -46,7 +46,7 @@ class SessionData {
  private:
   void halve();
 
-  std::size_t most_rows_;
+  std::size_t max_rows_;
   std::vector<SessionRow> rows_;
   std::int64_t ticks_per_row_ = 1, group_ = -1;
   servo::Histogram lateness_;
@@ -56,6 +56,6 @@ class SessionData {
 
 /// The path of the tip in at most that many points: one each time it has moved far enough, with the greatest force
 /// since the last one.
-std::vector<PathPoint> pathOf(const std::vector<SessionRow>& rows, std::size_t most);
+std::vector<PathPoint> pathOf(const std::vector<SessionRow>& rows, std::size_t max);
 
 }  // namespace underact::gui

@@ -29,9 +29,9 @@ QString settingUnit(std::string_view path) {
                       : unit;  // as everywhere else in the window; files and commands are ASCII
 }
 
-double settingMost(std::string_view path) {
+double settingMax(std::string_view path) {
   const scene::Setting* const setting = scene::findSetting(path);
-  return setting == nullptr ? 0.0 : setting->most;
+  return setting == nullptr ? 0.0 : setting->max;
 }
 
 QStringList settingChoices(std::string_view path) {

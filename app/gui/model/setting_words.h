@@ -11,7 +11,7 @@ QString settingLabel(std::string_view path);
 QString settingTip(std::string_view path);
 /// Empty: a plain number.
 QString settingUnit(std::string_view path);
-double settingMost(std::string_view path);
+double settingMax(std::string_view path);
 /// For a choice: the text for each of its words, in order: "P, proportional".
 QStringList settingChoices(std::string_view path);
 /// The text for one of its words.

@@ -13,7 +13,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr std::size_t kLeast = 16, kMost = 4096;
+constexpr std::size_t kMin = 16, kMax = 4096;
 
 double meanOf(std::span<const float> values) {
   double sum = 0.0;
@@ -29,8 +29,8 @@ double meanOf(std::span<const float> values) {
 }  // namespace
 
 std::vector<SpectrumLine> spectrumOf(std::span<const float> values, double rate_hz) {
-  if (values.size() < kLeast) return {};
-  const std::size_t size = std::min(std::bit_floor(values.size()), kMost);
+  if (values.size() < kMin) return {};
+  const std::size_t size = std::min(std::bit_floor(values.size()), kMax);
   const double mean = meanOf(values);
   std::vector<double> window(size), power(size / 2 + 1, 0.0);
   for (std::size_t at = 0; at < size; ++at)

@@ -24,7 +24,7 @@ std::size_t thinRows(std::size_t count, Time time_s, Value value, double part_s,
   std::size_t used = 0;
   bool has_part = false;
   double part_end_s = 0.0;
-  PlotPoint least, greatest;
+  PlotPoint min, greatest;
   const auto put = [&](const PlotPoint& point) {
     const bool broken = used > 0 && std::abs(point.y - points[used - 1].y) > largest_step;
     if (used + (broken ? 2 : 1) > points.size()) return;
@@ -33,8 +33,8 @@ std::size_t thinRows(std::size_t count, Time time_s, Value value, double part_s,
   };
   const auto close = [&] {
     if (!has_part) return;
-    put(least.x <= greatest.x ? least : greatest);
-    if (least.x != greatest.x) put(least.x <= greatest.x ? greatest : least);
+    put(min.x <= greatest.x ? min : greatest);
+    if (min.x != greatest.x) put(min.x <= greatest.x ? greatest : min);
   };
   for (std::size_t row = 0; row < count; ++row) {
     const double now_s = time_s(row);
@@ -45,9 +45,9 @@ std::size_t thinRows(std::size_t count, Time time_s, Value value, double part_s,
       has_part = true;
       part_end_s = part_s * (std::floor(now_s / part_s) + 1.0);
       if (part_end_s <= now_s) part_end_s += part_s;  // rounding at an interval's edge
-      least = greatest = point;
-    } else if (point.y < least.y) {
-      least = point;
+      min = greatest = point;
+    } else if (point.y < min.y) {
+      min = point;
     } else if (point.y > greatest.y) {
       greatest = point;
     }

@@ -28,19 +28,19 @@ void WindowScene::drain(serve::Service&) {
 
 // Programs read English, whatever the window's language is.
 std::string WindowScene::refusal() const {
-  if (!parts_.document.isOpen()) return said(QT_TRANSLATE_NOOP("problem", "No scene is open in the window."));
+  if (!parts_.document.isOpen()) return phrase(QT_TRANSLATE_NOOP("problem", "No scene is open in the window."));
   if (parts_.player.isOpen())
-    return said(QT_TRANSLATE_NOOP("problem", "The window plays a recording. Close the replay there first."));
+    return phrase(QT_TRANSLATE_NOOP("problem", "The window plays a recording. Close the replay there first."));
   if (parts_.actions.isLocked())
-    return said(QT_TRANSLATE_NOOP("problem", "The window is in visitor mode. End it there first."));
+    return phrase(QT_TRANSLATE_NOOP("problem", "The window is in visitor mode. End it there first."));
   if (parts_.document.isTryingOut())
-    return said(QT_TRANSLATE_NOOP("problem", "The window measures with a scene of its own. End that there first."));
+    return phrase(QT_TRANSLATE_NOOP("problem", "The window measures with a scene of its own. End that there first."));
   return {};
 }
 
 Problems WindowScene::load(const scene::Description& scene, const std::string&) {
   if (has_own_edits_)
-    return Problems{{said(QT_TRANSLATE_NOOP(
+    return Problems{{phrase(QT_TRANSLATE_NOOP(
         "problem", "The scene in the window has changes that are not saved. Save or undo them there first."))}};
   return parts_.document.open(scene);
 }

@@ -16,7 +16,7 @@ constexpr double kLabelRoom_px = 56.0;                                        //
 constexpr double kLineRoom_px = 26.0;                                         // between two labels on the y axis
 constexpr double kSwatch_px = 16.0, kSwatchGap_px = 4.0, kNameGap_px = 12.0;  // of the legend
 constexpr double kDash_px = 8.0, kDashGap_px = 5.0;
-constexpr double kMostColumns = 100'000.0;
+constexpr double kMaxColumns = 100'000.0;
 
 QString tickText(double value, int decimals) {
   if (std::abs(value) < 1e-9) value = 0.0;
@@ -39,20 +39,20 @@ QFont boldOf(QFont font) {
 /// Clips the line from a to b to the box; false: nothing of it is inside. Liang and Barsky, "A new concept and method
 /// for line clipping", 1984: the fractions of the line at which it enters and leaves.
 bool clipLine(const QRectF& box, QPointF& a, QPointF& b) {
-  const QPointF way = b - a;
+  const QPointF offset = b - a;
   double in = 0.0, out = 1.0;
-  for (const auto& [step, room] : {std::pair{-way.x(), a.x() - box.left()},
-                                   {way.x(), box.right() - a.x()},
-                                   {-way.y(), a.y() - box.top()},
-                                   {way.y(), box.bottom() - a.y()}}) {
+  for (const auto& [step, room] : {std::pair{-offset.x(), a.x() - box.left()},
+                                   {offset.x(), box.right() - a.x()},
+                                   {-offset.y(), a.y() - box.top()},
+                                   {offset.y(), box.bottom() - a.y()}}) {
     if (step == 0.0 && room < 0.0) return false;
     if (step < 0.0) in = std::max(in, room / step);
     if (step > 0.0) out = std::min(out, room / step);
   }
   if (in > out) return false;
   const QPointF from = a;
-  if (out < 1.0) b = from + out * way;
-  if (in > 0.0) a = from + in * way;
+  if (out < 1.0) b = from + out * offset;
+  if (in > 0.0) a = from + in * offset;
   return true;
 }
 
@@ -73,7 +73,7 @@ void Chart::setColours(const Theme& theme, const std::vector<QColor>& curves) {
 }
 
 void Chart::setPlace(const QRectF& area, double scale, const QFont& font) {
-  usual_font_ = font;
+  default_font_ = font;
   font_ = smaller(font);
   const QFontMetricsF metrics(font_);
   const double left = std::ceil(metrics.horizontalAdvance(QStringLiteral("\u221200.0")) + kGap);
@@ -90,13 +90,13 @@ void Chart::setPlace(const QRectF& area, double scale, const QFont& font) {
 void Chart::setCurveShown(std::size_t curve, bool shown) {
   if (curves_[curve].shown == shown) return;
   curves_[curve].shown = shown;
-  setPlace(area_, scale_, usual_font_);  // the legend may move below the title, or back
+  setPlace(area_, scale_, default_font_);  // the legend may move below the title, or back
 }
 
 std::size_t Chart::columns() const {
   const double enlarged = (whole_.x_to - whole_.x_from) / (x_to_ - x_from_);
   const double all = scale_ * axes_.width() * (std::isfinite(enlarged) ? std::max(enlarged, 1.0) : 1.0);
-  return static_cast<std::size_t>(std::clamp(all, 8.0, kMostColumns));
+  return static_cast<std::size_t>(std::clamp(all, 8.0, kMaxColumns));
 }
 
 void Chart::setRange(double x_from, double x_to, double y_from, double y_to) {
@@ -126,8 +126,8 @@ void Chart::show(const Part& part) {
 
 void Chart::setTicks() {
   x_ticks_ = ticks(x_from_, x_to_, std::max(2, static_cast<int>(axes_.width() / kLabelRoom_px)));
-  const int most = std::max(2, static_cast<int>(axes_.height() / kLineRoom_px));
-  y_ticks_ = tick_step_ > 0.0 ? multiples(y_from_, y_to_, tick_step_, most) : ticks(y_from_, y_to_, most);
+  const int max = std::max(2, static_cast<int>(axes_.height() / kLineRoom_px));
+  y_ticks_ = tick_step_ > 0.0 ? multiples(y_from_, y_to_, tick_step_, max) : ticks(y_from_, y_to_, max);
 }
 
 void Chart::reserve(std::size_t count) {

@@ -34,7 +34,7 @@ class Chart {
   /// In the legend. setPlace() finds room for it.
   void setCurveName(std::size_t curve, const QString& name) { curves_[curve].name = name; }
   /// Ticks of y at multiples of least, 2 least, ...; 0: at round numbers.
-  void setTickStep(double least) { tick_step_ = least; }
+  void setTickStep(double min) { tick_step_ = min; }
   void setColours(const Theme& theme, const std::vector<QColor>& curves);
   /// area: logical pixels from the top left of the widget; it contains the axes. scale: device pixels per logical one.
   void setPlace(const QRectF& area, double scale, const QFont& font);
@@ -112,7 +112,7 @@ class Chart {
   std::vector<Curve> curves_;
   std::vector<QColor> colours_;
   Theme theme_ = Theme::light();
-  QFont usual_font_, font_;
+  QFont default_font_, font_;
   QRectF area_, axes_;
   int legend_lines_ = 0;  // over the axes; 0: it fits beside the title
   double scale_ = 1.0;

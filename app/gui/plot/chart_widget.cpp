@@ -13,12 +13,12 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kMostEnlarged = 1e5;  // of the whole range
+constexpr double kMaxEnlarged = 1e5;  // of the whole range
 
 /// The range enlarged about a point in it, inside the whole.
 void enlargeRange(double& from, double& to, double about, double factor, double whole_from, double whole_to) {
-  const double least = (whole_to - whole_from) / kMostEnlarged;
-  const double span = std::clamp((to - from) / factor, least, whole_to - whole_from);
+  const double min = (whole_to - whole_from) / kMaxEnlarged;
+  const double span = std::clamp((to - from) / factor, min, whole_to - whole_from);
   const double share = (about - from) / (to - from);
   from = std::clamp(about - share * span, whole_from, whole_to - span);
   to = from + span;

@@ -32,7 +32,7 @@ void ColumnButton::read() {
   for (std::size_t index = 0; index < actions_.size(); ++index) {
     if (actions_[index]->isChecked()) chosen_.push_back(static_cast<int>(index));
   }
-  const bool is_full = chosen_.size() >= kMost;
+  const bool is_full = chosen_.size() >= kMax;
   for (QAction* const action : actions_) action->setEnabled(action->isChecked() || !is_full);
   setText(chosen_.empty() ? tr("Columns") : tr("Columns (%1)").arg(chosen_.size()));
   emit changed();
@@ -42,7 +42,7 @@ void ColumnButton::choose(const QStringList& names) {
   int count = 0;
   for (std::size_t index = 0; index < actions_.size(); ++index) {
     const QSignalBlocker silent(actions_[index]);
-    const bool wanted = names.contains(plotColumns()[index].name) && count < kMost;
+    const bool wanted = names.contains(plotColumns()[index].name) && count < kMax;
     count += wanted ? 1 : 0;
     actions_[index]->setChecked(wanted);
   }

@@ -8,12 +8,12 @@ namespace underact::gui {
 class ColumnButton : public QToolButton {
   Q_OBJECT
  public:
-  static constexpr int kMost = 6;  // curves that can still be told apart
+  static constexpr int kMax = 6;  // curves that can still be told apart
 
   ColumnButton(const QString& name, QWidget* parent);
   /// Indices in plotColumns(), in their order.
   const std::vector<int>& chosen() const { return chosen_; }
-  /// By name; unknown ones are left out, and those beyond kMost.
+  /// By name; unknown ones are left out, and those beyond kMax.
   void choose(const QStringList& names);
   QStringList names() const;
 

@@ -40,20 +40,20 @@ void setColumnColours(Chart& chart, const Theme& theme) {
 }
 
 void fillColumnChart(Chart& chart, const ColumnRows& rows, double from_s, double to_s, double shift_s) {
-  double least = 0.0, greatest = 0.0;
+  double min = 0.0, greatest = 0.0;
   bool has_one = false;
   for (std::size_t index = 0; index + 1 < chart.curves(); ++index) {
     if (index >= rows.columns().size()) break;
     const std::size_t used = thinColumn(rows, index, chart.columns(), from_s, to_s, shift_s, chart.points(index));
     for (const PlotPoint& point : chart.points(index).first(used)) {
       const auto value = static_cast<double>(point.y);
-      least = has_one ? std::min(least, value) : value;
+      min = has_one ? std::min(min, value) : value;
       greatest = has_one ? std::max(greatest, value) : value;
       has_one = true;
     }
   }
-  const double span = greatest > least ? greatest - least : std::max(std::abs(greatest), 1.0);
-  chart.setRange(from_s + shift_s, to_s + shift_s, least - kBeyond * span, greatest + kBeyond * span);
+  const double span = greatest > min ? greatest - min : std::max(std::abs(greatest), 1.0);
+  chart.setRange(from_s + shift_s, to_s + shift_s, min - kBeyond * span, greatest + kBeyond * span);
 }
 
 }  // namespace underact::gui

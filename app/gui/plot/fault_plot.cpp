@@ -10,7 +10,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kFaultLeastForce_N = 0.2, kLeastLateness_us = 100.0;
+constexpr double kFaultMinForce_N = 0.2, kMinLateness_us = 100.0;
 constexpr double kFaultAskedShown = 3.0;  // times the greatest force sent: the commanded force has no limit
 constexpr double kFaultRoom = 1.05;
 
@@ -57,9 +57,9 @@ void FaultPlot::setTicks(const std::vector<servo::TickRecord>& ticks, int rate_h
     my.force.points(1)[index] = {time_s, finiteOrNone(tick.f_sent_T_W.norm())};
     my.lateness.points(0)[index] = {time_s, finiteOrNone(1e-3 * static_cast<double>(tick.lateness_ns))};
   }
-  const double sent_N = std::max(greatestY(my.force.points(1)), kFaultLeastForce_N);
+  const double sent_N = std::max(greatestY(my.force.points(1)), kFaultMinForce_N);
   const double asked_N = std::min(greatestY(my.force.points(0)), kFaultAskedShown * sent_N);
-  const double late_us = std::max(greatestY(my.lateness.points(0)), kLeastLateness_us);
+  const double late_us = std::max(greatestY(my.lateness.points(0)), kMinLateness_us);
   my.force.setRange(-1.0, 0.0, 0.0, roundUp(kFaultRoom * std::max(sent_N, asked_N)));
   my.lateness.setRange(-1.0, 0.0, 0.0, roundUp(kFaultRoom * late_us));
   draw();

@@ -61,8 +61,8 @@ double LatenessChart::xOf(double lateness_us) const {
 void LatenessChart::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const QRectF area = plot();
-  const std::int64_t most = *std::max_element(counts_.begin(), counts_.end());
-  const double highest = std::log10(1.0 + static_cast<double>(std::max<std::int64_t>(most, 9)));
+  const std::int64_t max = *std::max_element(counts_.begin(), counts_.end());
+  const double highest = std::log10(1.0 + static_cast<double>(std::max<std::int64_t>(max, 9)));
   const double width = area.width() / static_cast<double>(kBars);
   for (std::size_t bar = 0; bar < kBars; ++bar) {
     if (counts_[bar] == 0) continue;

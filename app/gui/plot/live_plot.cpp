@@ -18,10 +18,9 @@ namespace {
 constexpr std::size_t kPathGroups = 250;  // of force against displacement: 1000 points
 // Times the limit: a greater commanded force leaves the plot, so that the sent one is readable.
 constexpr double kAskedShown = 2.5;
-constexpr double kLeastError_mm = 1.0, kLeastAway_mm = 1.0, kLeastForce_N = 0.2, kLeastEnergy_mJ = 1.0,
-                 kLeastActive_mJ = 0.1;
-constexpr double kLeastChart_lines = 9.0;  // of text: the width that a chart needs for its labels
-constexpr double kBelowZero = 0.1;         // of the energy's range
+constexpr double kMinError_mm = 1.0, kMinAway_mm = 1.0, kMinForce_N = 0.2, kMinEnergy_mJ = 1.0, kMinActive_mJ = 0.1;
+constexpr double kMinChart_lines = 9.0;  // of text: the width that a chart needs for its labels
+constexpr double kBelowZero = 0.1;       // of the energy's range
 
 QString pathTitle(int axis) {
   return QCoreApplication::translate("underact::gui::LivePlot", "Force along %1 [N]").arg(QLatin1Char("xyz"[axis]));
@@ -49,8 +48,8 @@ struct LivePlot::Impl {
     const double width = plot->width(), height = plot->height();
     double path_width = std::clamp(0.26 * width, std::min(180.0, 0.3 * width), 1.6 * height + 60.0);
     const double against_time = 2.0 + (energy_shown ? 1.0 : 0.0) + (angles_shown ? 1.0 : 0.0) + (columns ? 1.0 : 0.0);
-    const double least = kLeastChart_lines * plot->fontMetrics().lineSpacing();
-    letPathFit(against_time <= 2.0 || (width - path_width) / against_time >= least);
+    const double min = kMinChart_lines * plot->fontMetrics().lineSpacing();
+    letPathFit(against_time <= 2.0 || (width - path_width) / against_time >= min);
     if (!path_fits) path_width = 0.0;
     const double each = (width - path_width) / against_time;
     double left = 0.0;
@@ -85,13 +84,13 @@ struct LivePlot::Impl {
     const std::size_t old_sent = thinByTime(rows_seen, &PlotRow::recorded_N, force.columns(), force.points(4));
     error.setCurveShown(1, old_errors > 0);
     force.setCurveShown(4, old_sent > 0);
-    const double most_mm =
+    const double max_mm =
         std::max(greatestOf(error.points(0).first(errors)), greatestOf(error.points(1).first(old_errors)));
-    const double top_mm = error_range.update(most_mm, now_s);
-    const double most_N = std::max({greatestOf(force.points(2).first(sent)), greatestOf(force.points(1).first(asked)),
-                                    greatestOf(force.points(4).first(old_sent))});
+    const double top_mm = error_range.update(max_mm, now_s);
+    const double max_N = std::max({greatestOf(force.points(2).first(sent)), greatestOf(force.points(1).first(asked)),
+                                   greatestOf(force.points(4).first(old_sent))});
     force.setCurveShown(3, greatestOf(force.points(3).first(passive)) > 0.0);
-    force_range.update(std::min(std::max(most_N, limit), kAskedShown * limit) / 1.05, now_s);
+    force_range.update(std::min(std::max(max_N, limit), kAskedShown * limit) / 1.05, now_s);
     double away_mm = 0.0, along_N = 0.0;
     for (const PlotPoint& point : path.points(0).first(steps)) {
       away_mm = std::max(away_mm, static_cast<double>(std::abs(point.x)));
@@ -118,12 +117,12 @@ struct LivePlot::Impl {
     if (active == 0) std::fill(energy.points(1).begin(), energy.points(1).end(), PlotPoint{});
     std::fill(energy.points(0).begin(), energy.points(0).end(), PlotPoint{});
     energy.points(0)[0].x = static_cast<float>(-PlotHistory::kSpan_s);
-    double most_mJ = 0.0, least_mJ = 0.0;
+    double max_mJ = 0.0, min_mJ = 0.0;
     for (const PlotPoint& point : line) {
-      most_mJ = std::max(most_mJ, static_cast<double>(point.y));
-      least_mJ = std::min(least_mJ, static_cast<double>(point.y));
+      max_mJ = std::max(max_mJ, static_cast<double>(point.y));
+      min_mJ = std::min(min_mJ, static_cast<double>(point.y));
     }
-    const double top_mJ = stored_range.update(most_mJ, now_s), bottom_mJ = active_range.update(-least_mJ, now_s);
+    const double top_mJ = stored_range.update(max_mJ, now_s), bottom_mJ = active_range.update(-min_mJ, now_s);
     // Room below zero even if nothing is there, so that the zero line is not the frame.
     energy.setRange(-PlotHistory::kSpan_s, 0.0, -std::max(bottom_mJ, kBelowZero * top_mJ), top_mJ);
   }
@@ -183,9 +182,8 @@ struct LivePlot::Impl {
   Chart energy{LivePlot::tr("Energy [mJ]"),
                LivePlot::tr("time [s]"),
                {{QString(), 1.0F}, {LivePlot::tr("active"), 1.0F}, {LivePlot::tr("stored"), 2.0F}}};
-  PlotRange stored_range{kLeastEnergy_mJ}, active_range{kLeastActive_mJ};
-  PlotRange error_range{kLeastError_mm}, force_range{kLeastForce_N}, away_range{kLeastAway_mm},
-      along_range{kLeastForce_N};
+  PlotRange stored_range{kMinEnergy_mJ}, active_range{kMinActive_mJ};
+  PlotRange error_range{kMinError_mm}, force_range{kMinForce_N}, away_range{kMinAway_mm}, along_range{kMinForce_N};
   double limit_N = arm::findPreset(arm::kDefaultArm)->continuous_force_N;
   int axis = 0;
   bool angles_shown = false;

@@ -9,7 +9,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kUsualLine = 14.0;  // the height of a line of text of the usual size
+constexpr double kDefaultLine = 14.0;  // the height of a line of text of the usual size
 constexpr double kMarkGap = 4.0;
 
 double shareOf(const MarkSheet::Axis& axis, double value) {
@@ -37,13 +37,12 @@ std::vector<double> ticksIn(const MarkSheet::Axis& axis, double room, double roo
 }  // namespace
 
 MarkSheet::Axis MarkSheet::around(const std::vector<double>& values, double room) {
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  return {.from = *least / room, .to = *most * room, .is_logarithmic = true};
+  const auto [min, max] = std::minmax_element(values.begin(), values.end());
+  return {.from = *min / room, .to = *max * room, .is_logarithmic = true};
 }
 
-MarkChart::MarkChart(const QString& name, const QString& spoken, const QString& tip, const QSize& least,
-                     QWidget* parent)
-    : Painted(name, spoken, tip, parent), least_(least) {
+MarkChart::MarkChart(const QString& name, const QString& spoken, const QString& tip, const QSize& min, QWidget* parent)
+    : Painted(name, spoken, tip, parent), min_(min) {
   setAccessibleRole(this, QAccessible::Chart);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
 }
@@ -55,7 +54,7 @@ void MarkChart::present(MarkSheet sheet) {
 }
 
 QSize MarkChart::minimumSizeHint() const {
-  return {least_.width() * fontMetrics().averageCharWidth() + 96, least_.height() * fontMetrics().lineSpacing()};
+  return {min_.width() * fontMetrics().averageCharWidth() + 96, min_.height() * fontMetrics().lineSpacing()};
 }
 
 // With room for a label to the left, the title of y above, and words and the key below.
@@ -120,12 +119,12 @@ void MarkChart::drawBand(QPainter& painter) const {
 }
 
 void MarkChart::drawMarks(QPainter& painter) const {
-  std::vector<QPointF> way;
-  for (const QPointF& at : sheet_.way) way.push_back(placeOf(at));
+  std::vector<QPointF> path;
+  for (const QPointF& at : sheet_.path) path.push_back(placeOf(at));
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(colourOf(sheet_.way_line), sheet_.way_width));
-  painter.drawPolyline(way.data(), static_cast<int>(way.size()));
-  const double unit = sheet_.marks_grow ? lineHeight() / kUsualLine : 1.0;
+  painter.setPen(QPen(colourOf(sheet_.path_line), sheet_.path_width));
+  painter.drawPolyline(path.data(), static_cast<int>(path.size()));
+  const double unit = sheet_.marks_grow ? lineHeight() / kDefaultLine : 1.0;
   for (const MarkSheet::Mark& mark : sheet_.marks) {
     const double half = mark.half * unit;
     painter.setPen(QPen(colourOf(mark.line), mark.line_width));

@@ -43,9 +43,9 @@ struct MarkSheet {
   Axis x, y;
   std::vector<Word> words;
   std::vector<Mark> marks;  // the last on top
-  std::vector<QPointF> way;
-  Colour way_line;
-  double way_width = 1.0;
+  std::vector<QPointF> path;
+  Colour path_line;
+  double path_width = 1.0;
   std::optional<Band> band = {};  // of y
   bool marks_grow = false;        // with the text
 
@@ -58,7 +58,7 @@ class MarkChart : public Painted {
   Q_OBJECT
  public:
   /// least: minimum size, in characters and lines.
-  MarkChart(const QString& name, const QString& spoken, const QString& tip, const QSize& least, QWidget* parent);
+  MarkChart(const QString& name, const QString& spoken, const QString& tip, const QSize& min, QWidget* parent);
   void present(MarkSheet sheet);
   QSize minimumSizeHint() const override;
 
@@ -76,7 +76,7 @@ class MarkChart : public Painted {
   void drawBand(QPainter& painter) const;
   void drawMarks(QPainter& painter) const;
 
-  const QSize least_;
+  const QSize min_;
   MarkSheet sheet_;
 };
 

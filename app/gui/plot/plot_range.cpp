@@ -20,7 +20,7 @@ double roundUp(double value) {
 }
 
 double PlotRange::update(double greatest, double time_s) {
-  const double wanted = std::isfinite(greatest) ? std::max(least_, roundUp(std::max(kRoom * greatest, 1e-9))) : least_;
+  const double wanted = std::isfinite(greatest) ? std::max(min_, roundUp(std::max(kRoom * greatest, 1e-9))) : min_;
   if (wanted >= end_) {
     end_ = wanted;
     small_since_s_ = -1.0;
@@ -44,13 +44,13 @@ std::vector<double> placesAt(double from, double to, double step) {
 
 }  // namespace
 
-std::vector<double> ticks(double from, double to, int most) {
-  return placesAt(from, to, roundUp(std::max((to - from) / std::max(most, 1), 1e-12)));
+std::vector<double> ticks(double from, double to, int max) {
+  return placesAt(from, to, roundUp(std::max((to - from) / std::max(max, 1), 1e-12)));
 }
 
-std::vector<double> multiples(double from, double to, double least, int most) {
-  double step = least;
-  while ((to - from) / step > std::max(most, 1)) step *= 2.0;
+std::vector<double> multiples(double from, double to, double min, int max) {
+  double step = min;
+  while ((to - from) / step > std::max(max, 1)) step *= 2.0;
   return placesAt(from, to, step);
 }
 

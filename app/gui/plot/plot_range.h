@@ -7,14 +7,14 @@ namespace underact::gui {
 /// been small for a while, so that it does not jitter.
 class PlotRange {
  public:
-  explicit PlotRange(double least) : least_(least), end_(least) {}
+  explicit PlotRange(double min) : min_(min), end_(min) {}
   /// greatest: of the values shown, >= 0; time_s: of the newest.
   double update(double greatest, double time_s);
   double end() const { return end_; }
-  void clear() { *this = PlotRange(least_); }
+  void clear() { *this = PlotRange(min_); }
 
  private:
-  double least_;
+  double min_;
   double end_;
   double small_since_s_ = -1.0;
 };
@@ -22,9 +22,9 @@ class PlotRange {
 /// The smallest of 1, 2, 5 x 10^k that is not below value (> 0).
 double roundUp(double value);
 /// Round steps from `from` to `to`: at most `most` of them.
-std::vector<double> ticks(double from, double to, int most);
+std::vector<double> ticks(double from, double to, int max);
 /// Ticks at multiples of least, or of 2, 4, 8 ... times least.
-std::vector<double> multiples(double from, double to, double least, int most);
+std::vector<double> multiples(double from, double to, double min, int max);
 /// Decimals needed to tell the ticks apart.
 int decimalsOf(double step);
 

@@ -51,7 +51,7 @@ void RegistrationWizard::showFit() {
   const registration::ErrorInTheMiddle middle = errorInTheMiddle(touches, fit);
   expected_->setText(tr("Expected error at the centre of the workspace: %1 mm; at most %2 mm in 19 of 20 registrations "
                         "like this one. More reference points, and points farther apart, make it smaller.")
-                         .arg(mm(middle.expected_m), mm(middle.likely_most_m)));
+                         .arg(mm(middle.expected_m), mm(middle.likely_max_m)));
   QStringList sentences;
   for (const registration::Warning& warning : warningsOf(touches, fit)) sentences << sentenceText(warning.sentence);
   showMessage(warnings_, sentences.join('\n'));

@@ -68,7 +68,7 @@ void RegistrationWizard::addMarks() {
   nameWidget(count_, "registration.count", tr("Number of reference points"),
              tr("More reference points make the error smaller, and better known. Restores the positions of the printed "
                 "sheet."));
-  count_->setRange(static_cast<int>(registration::kFewestMarks), static_cast<int>(registration::kMostMarks));
+  count_->setRange(static_cast<int>(registration::kFewestMarks), static_cast<int>(registration::kMaxMarks));
   count_->setSuffix(tr(" points"));
   paper_ = chooser("registration.paper", tr("Paper"), tr("The paper to print the sheet on."), prepare_);
   paper_->addItems({tr("A4"), tr("Letter")});

@@ -39,16 +39,16 @@ void ReferencePointsPicture::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), theme_.background);
   if (marks_.empty()) return;
-  QPointF least = flat_mm(marks_.front().p_D), most = least;
+  QPointF min = flat_mm(marks_.front().p_D), max = min;
   for (const ShownPoint& mark : marks_) {
     const QPointF at = flat_mm(mark.p_D);
-    least = {std::min(least.x(), at.x()), std::min(least.y(), at.y())};
-    most = {std::max(most.x(), at.x()), std::max(most.y(), at.y())};
+    min = {std::min(min.x(), at.x()), std::min(min.y(), at.y())};
+    max = {std::max(max.x(), at.x()), std::max(max.y(), at.y())};
   }
-  const QPointF span = most - least;
+  const QPointF span = max - min;
   const double scale = std::min((width() - 2.0 * kRoom_px) / std::max(span.x(), 1.0),
                                 (height() - 2.0 * kRoom_px) / std::max(span.y(), 1.0));
-  const QPointF middle = 0.5 * (least + most), center(0.5 * width(), 0.5 * height());
+  const QPointF middle = 0.5 * (min + max), center(0.5 * width(), 0.5 * height());
   const auto place = [&](const Vec3& p_D) { return center + scale * (flat_mm(p_D) - middle); };
   const QColor grey = mixed(theme_.background, theme_.ink, 0.5);
   painter.setPen(mixed(theme_.quiet, theme_.ink, 0.55));
@@ -75,13 +75,13 @@ void ReferencePointsPicture::paintEvent(QPaintEvent*) {
 void ReferencePointsPicture::paintOff(QPainter& painter, const ShownPoint& mark, const QPointF& at,
                                       double scale) const {
   if (!mark.off_D) return;
-  QPointF way = scale * kEnlarged * flat_mm(*mark.off_D);
-  const double length = std::hypot(way.x(), way.y()), most = 0.4 * std::min(width(), height());
-  if (length > most) way *= most / length;
+  QPointF offset = scale * kEnlarged * flat_mm(*mark.off_D);
+  const double length = std::hypot(offset.x(), offset.y()), max = 0.4 * std::min(width(), height());
+  if (length > max) offset *= max / length;
   painter.setPen(QPen(theme_.force, 2.0));
-  painter.drawLine(at, at + way);
+  painter.drawLine(at, at + offset);
   painter.setBrush(theme_.force);
-  painter.drawEllipse(at + way, 2.5, 2.5);
+  painter.drawEllipse(at + offset, 2.5, 2.5);
 }
 
 }  // namespace underact::gui

@@ -153,7 +153,7 @@ void RegistrationTool::stopTouching() {
 }
 
 Problems RegistrationTool::accept() {
-  if (!run_.isOn()) return {{said(QT_TRANSLATE_NOOP("problem", "No reference point has been touched.")), {}}};
+  if (!run_.isOn()) return {{phrase(QT_TRANSLATE_NOOP("problem", "No reference point has been touched.")), {}}};
   const Result<registration::Fit> fit = run_.fit();
   if (!fit) return fit.problems();
   Registration made{keyOf(which_), QDate::currentDate().toString(Qt::ISODate).toStdString(),

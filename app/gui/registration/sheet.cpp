@@ -79,21 +79,23 @@ Problems saveSheet(const QString& path, const std::vector<Vec3>& points_D, Paper
   for (const Vec3& mark_D : points_D) {
     if (std::abs(registration::upOf(mark_D) - registration::upOf(points_D.front())) > kFlat_m)
       return {
-          {said(QT_TRANSLATE_NOOP(
+          {phrase(QT_TRANSLATE_NOOP(
                "problem",
                "A sheet holds only reference points of equal height: at least one is higher or lower than point 1.")),
            {}}};
   }
   const QRectF bounds = boundsOf(points_D);
   if (bounds.width() > page_mm.width() - 4.0 * kRim_mm || bounds.height() > page_mm.height() - 2.5 * kWords_mm)
-    return {{said(QT_TRANSLATE_NOOP("problem",
-                                    "The reference points do not fit on this paper. Move them closer together, or draw "
-                                    "them on the desk by hand.")),
-             {}}};
+    return {
+        {phrase(QT_TRANSLATE_NOOP("problem",
+                                  "The reference points do not fit on this paper. Move them closer together, or draw "
+                                  "them on the desk by hand.")),
+         {}}};
   QFile file(path);
   if (!file.open(QIODevice::WriteOnly))
-    return {{said(QT_TRANSLATE_NOOP("problem", "The sheet cannot be written: %1."), {file.errorString().toStdString()}),
-             {path.toStdString()}}};
+    return {
+        {phrase(QT_TRANSLATE_NOOP("problem", "The sheet cannot be written: %1."), {file.errorString().toStdString()}),
+         {path.toStdString()}}};
   QPdfWriter writer(&file);
   writer.setPageSize(page);
   writer.setPageMargins(QMarginsF());
@@ -105,8 +107,9 @@ Problems saveSheet(const QString& path, const std::vector<Vec3>& points_D, Paper
   painter.end();
   file.close();
   if (file.error() != QFileDevice::NoError)
-    return {{said(QT_TRANSLATE_NOOP("problem", "The sheet cannot be written: %1."), {file.errorString().toStdString()}),
-             {path.toStdString()}}};
+    return {
+        {phrase(QT_TRANSLATE_NOOP("problem", "The sheet cannot be written: %1."), {file.errorString().toStdString()}),
+         {path.toStdString()}}};
   return {};
 }
 

@@ -14,11 +14,11 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kLeastShownError_mm = 1.0, kLeastForce_N = 0.2, kLeastEnergy_mJ = 1.0, kLeastAway_mm = 1.0;
+constexpr double kMinShownError_mm = 1.0, kMinForce_N = 0.2, kMinEnergy_mJ = 1.0, kMinAway_mm = 1.0;
 constexpr double kSessionRoom = 1.05;
-constexpr double kSessionAskedShown = 2.5;   // times the greatest force sent: the commanded force has no limit
-constexpr double kMostFrequency_hz = 250.0;  // a hand reaches some 20 Hz, the buzzing of a stiff scene stays below this
-constexpr double kLeast_dB = -20.0, kStep_dB = 20.0;
+constexpr double kSessionAskedShown = 2.5;  // times the greatest force sent: the commanded force has no limit
+constexpr double kMaxFrequency_hz = 250.0;  // a hand reaches some 20 Hz, the buzzing of a stiff scene stays below this
+constexpr double kMin_dB = -20.0, kStep_dB = 20.0;
 constexpr double kPerUnit_dB = 60.0;  // of N, mm: 1 is 60 dB re a thousandth
 constexpr std::size_t kPathGroups = 500;
 constexpr float kNoBreak = std::numeric_limits<float>::infinity();
@@ -31,8 +31,8 @@ double greatestOf(std::span<const PlotPoint> points, float PlotPoint::*value) {
   return static_cast<double>(greatest);
 }
 
-double endOf(double greatest, double least) {
-  return roundUp(std::max(kSessionRoom * greatest, least));
+double endOf(double greatest, double min) {
+  return roundUp(std::max(kSessionRoom * greatest, min));
 }
 
 /// Both ends of the cursor, the last two points of each chart's last curve.
@@ -131,22 +131,22 @@ struct SessionPlot::Impl {
     against(error, 0, [](const SessionRow& row) { return row.plot.error_mm; });
     against(force, 0, [](const SessionRow& row) { return row.plot.asked_N; });
     against(force, 1, [](const SessionRow& row) { return row.plot.sent_N; });
-    error.setRange(0.0, end_s(), 0.0, endOf(greatestOf(error.points(0), &PlotPoint::y), kLeastShownError_mm));
-    const double sent_N = std::max(greatestOf(force.points(1), &PlotPoint::y), kLeastForce_N);
+    error.setRange(0.0, end_s(), 0.0, endOf(greatestOf(error.points(0), &PlotPoint::y), kMinShownError_mm));
+    const double sent_N = std::max(greatestOf(force.points(1), &PlotPoint::y), kMinForce_N);
     const double asked_N = std::min(greatestOf(force.points(0), &PlotPoint::y), kSessionAskedShown * sent_N);
-    force.setRange(0.0, end_s(), 0.0, endOf(std::max(sent_N, asked_N), kLeastForce_N));
+    force.setRange(0.0, end_s(), 0.0, endOf(std::max(sent_N, asked_N), kMinForce_N));
   }
 
   /// One scale for all three axes, so that their stiffnesses can be compared.
   void fillAlong() {
-    double away_mm = kLeastAway_mm, along_N = kLeastForce_N;
+    double away_mm = kMinAway_mm, along_N = kMinForce_N;
     for (std::size_t axis = 0; axis < along.size(); ++axis) {
       thinSessionPath(rows(), axis, kPathGroups, along[axis].points(0));
       away_mm = std::max(away_mm, greatestOf(along[axis].points(0), &PlotPoint::x));
       along_N = std::max(along_N, greatestOf(along[axis].points(0), &PlotPoint::y));
     }
-    away_mm = endOf(away_mm, kLeastAway_mm);
-    along_N = endOf(along_N, kLeastForce_N);
+    away_mm = endOf(away_mm, kMinAway_mm);
+    along_N = endOf(along_N, kMinForce_N);
     for (Chart& chart : along) chart.setRange(-away_mm, away_mm, -along_N, along_N);
   }
 
@@ -162,31 +162,31 @@ struct SessionPlot::Impl {
 
   void fillEnergy() {
     const std::size_t used = against(energy, 1, [](const SessionRow& row) { return row.plot.energy_mJ; });
-    double most_mJ = 0.0, least_mJ = 0.0;
+    double max_mJ = 0.0, min_mJ = 0.0;
     for (const PlotPoint& point : energy.points(1).first(used)) {
-      most_mJ = std::max(most_mJ, static_cast<double>(point.y));
-      least_mJ = std::min(least_mJ, static_cast<double>(point.y));
+      max_mJ = std::max(max_mJ, static_cast<double>(point.y));
+      min_mJ = std::min(min_mJ, static_cast<double>(point.y));
     }
     std::fill(energy.points(0).begin(), energy.points(0).end(), PlotPoint{static_cast<float>(end_s()), 0.0F});
     energy.points(0)[0].x = 0.0F;
-    const double top_mJ = endOf(most_mJ, kLeastEnergy_mJ);
-    energy.setRange(0.0, end_s(), least_mJ < 0.0 ? -endOf(-least_mJ, 0.1 * top_mJ) : -0.1 * top_mJ, top_mJ);
+    const double top_mJ = endOf(max_mJ, kMinEnergy_mJ);
+    energy.setRange(0.0, end_s(), min_mJ < 0.0 ? -endOf(-min_mJ, 0.1 * top_mJ) : -0.1 * top_mJ, top_mJ);
   }
 
   void fillLines(Chart& chart, const std::vector<SpectrumLine>& spectrum) const {
-    const double most_hz = std::min(kMostFrequency_hz, spectrum.empty() ? 1e9 : spectrum.back().frequency_hz);
+    const double max_hz = std::min(kMaxFrequency_hz, spectrum.empty() ? 1e9 : spectrum.back().frequency_hz);
     const std::span<PlotPoint> points = chart.points(0);
     std::size_t used = 0;
-    double most_dB = kStep_dB;
+    double max_dB = kStep_dB;
     for (const SpectrumLine& line : spectrum) {
-      if (line.frequency_hz > most_hz || used >= points.size()) break;
-      const double level_dB = std::max(kPerUnit_dB + 20.0 * std::log10(std::max(line.amplitude, 1e-9)), kLeast_dB);
-      most_dB = std::max(most_dB, level_dB);
+      if (line.frequency_hz > max_hz || used >= points.size()) break;
+      const double level_dB = std::max(kPerUnit_dB + 20.0 * std::log10(std::max(line.amplitude, 1e-9)), kMin_dB);
+      max_dB = std::max(max_dB, level_dB);
       points[used++] = {static_cast<float>(line.frequency_hz), static_cast<float>(level_dB)};
     }
     std::fill(points.begin() + static_cast<std::ptrdiff_t>(used), points.end(),
               used > 0 ? points[used - 1] : PlotPoint{});
-    chart.setRange(0.0, most_hz, kLeast_dB, kStep_dB * std::ceil(most_dB / kStep_dB));
+    chart.setRange(0.0, max_hz, kMin_dB, kStep_dB * std::ceil(max_dB / kStep_dB));
   }
 
   void putCursor() {

@@ -27,18 +27,18 @@ std::size_t thinSession(const std::vector<SessionRow>& rows, const std::function
     points[used++] = point;
   };
   eachPart(rows.size(), columns, [&](std::size_t from, std::size_t to) {
-    PlotPoint least, greatest;
+    PlotPoint min, greatest;
     bool has_one = false;
     for (std::size_t index = from; index < to; ++index) {
       const PlotPoint point{static_cast<float>(rows[index].plot.time_s), value(rows[index])};
       if (!std::isfinite(point.y)) continue;
-      if (!has_one || point.y < least.y) least = point;
+      if (!has_one || point.y < min.y) min = point;
       if (!has_one || point.y > greatest.y) greatest = point;
       has_one = true;
     }
     if (!has_one) return;
-    put(least.x <= greatest.x ? least : greatest);
-    if (least.x != greatest.x) put(least.x <= greatest.x ? greatest : least);
+    put(min.x <= greatest.x ? min : greatest);
+    if (min.x != greatest.x) put(min.x <= greatest.x ? greatest : min);
   });
   repeatLast(points, used);
   return used;

@@ -12,7 +12,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kUsualKo_N_mm_per_rad = 100.0;
+constexpr double kDefaultKo_N_mm_per_rad = 100.0;
 
 std::vector<std::size_t> robotsOf(const scene::Description& scene) {
   std::vector<std::size_t> robots;
@@ -102,7 +102,8 @@ bool RobotEdits::set(const std::string& path, const scene::SettingValue& value, 
     robot.ko_N_mm_per_rad = 0.0;
   } else if (path == "/orientation" && before->orientation == manipulator::Orientation::None) {
     const auto* const own = std::get_if<scene::VirtualManipulator>(&document_.written(index_).shape);
-    robot.ko_N_mm_per_rad = own != nullptr && own->ko_N_mm_per_rad > 0.0 ? own->ko_N_mm_per_rad : kUsualKo_N_mm_per_rad;
+    robot.ko_N_mm_per_rad =
+        own != nullptr && own->ko_N_mm_per_rad > 0.0 ? own->ko_N_mm_per_rad : kDefaultKo_N_mm_per_rad;
   }
   return send(edited.value(), settingLabel(here + path), fresh);
 }

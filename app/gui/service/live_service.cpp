@@ -46,7 +46,7 @@ void LiveService::poll(const servo::Snapshot& snapshot) {
 
 Problems LiveService::start() {
   if (isOn()) return {};
-  Result<serve::Server> server = serve::Server::open(serve::kUsualPort, {});
+  Result<serve::Server> server = serve::Server::open(serve::kDefaultPort, {});
   if (!server) server = serve::Server::open(0, {});  // another program or window has it
   if (!server) return server.problems();
   Result<serve::Token> token = serve::tokenFor({}, server.value().port());

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kPollEvery_ms = 200;
 constexpr double kGoodP99 = 1.3, kGoodP999 = 2.0;  // relative to the bare loop
-constexpr int kLeastSeconds = 2, kSeconds = 60, kMostSeconds = 3600;
+constexpr int kMinSeconds = 2, kSeconds = 60, kMaxSeconds = 3600;
 
 QStringList cellsOf(const servo::Percentiles& values) {
   QStringList cells;
@@ -66,7 +66,7 @@ CheckDialog::CheckDialog(int rate_hz, const system::SchedulingRequest& wanted, Q
          "can do. The check uses a simulated arm of its own; your arm and the window keep running.")
           .arg(rate_hz));
   nameWidget(seconds_, "dialog.check.seconds", tr("Duration in seconds"));
-  seconds_->setRange(kLeastSeconds, kMostSeconds);
+  seconds_->setRange(kMinSeconds, kMaxSeconds);
   seconds_->setValue(kSeconds);
   seconds_->setSuffix(tr(" s"));
   load_->setObjectName("dialog.check.load");

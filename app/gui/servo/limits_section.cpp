@@ -68,7 +68,7 @@ void LimitsSection::add(const servo::TickRecord& record) {
   for (std::size_t index = 0; index < limits_.size(); ++index) {
     if ((record.limits & limitNames()[index].bit) == 0U) continue;
     limits_[index].last_tick = record.tick;
-    if (alone) limits_[index].most_N = std::max(limits_[index].most_N, record.cut_N);
+    if (alone) limits_[index].max_N = std::max(limits_[index].max_N, record.cut_N);
   }
 }
 
@@ -87,14 +87,14 @@ void LimitsSection::present(const servo::Snapshot& snapshot, int rate_hz) {
     const bool whole = name.cut_N == nullptr;
     const double cut_N = whole || !(report.level > 0.0) ? 0.0 : report.cuts.*name.cut_N;
     const bool acts = whole ? report.cuts.frozen && snapshot.mode == servo::Mode::Running : cut_N > 0.0;
-    limit.most_N = std::max(limit.most_N, cut_N);
+    limit.max_N = std::max(limit.max_N, cut_N);
     if (acts) limit.last_tick = snapshot.ticks;
     const double share = whole ? (acts ? 1.0 : 0.0) : cut_N > 0.0 ? cut_N / (cut_N + sent_N) : 0.0;
     limit.bar->present(share, whole ? (acts ? tr("released") : QString()) : acts ? forceText(-cut_N) : QString(), acts);
     const double ago_s = static_cast<double>(snapshot.ticks - limit.last_tick) / rate_hz;
     limit.bar->setNote(limit.last_tick == 0 ? tr("not active yet")
                        : whole              ? agoText(ago_s)
-                                            : tr("%1, at most %2").arg(agoText(ago_s), forceText(limit.most_N)));
+                                            : tr("%1, at most %2").arg(agoText(ago_s), forceText(limit.max_N)));
   }
   const bool on_its_way = report.level > 0.0 && report.level < 1.0;
   ramp_->present(1.0 - report.level, tr("%1 %").arg(numberText(-100.0 * (1.0 - report.level), 0)), on_its_way);

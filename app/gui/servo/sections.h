@@ -58,7 +58,7 @@ class LimitsSection : public Section {
   struct Limit {
     ShareBar* bar = nullptr;
     std::int64_t last_tick = 0;  // at which it last acted; 0: never
-    double most_N = 0.0;
+    double max_N = 0.0;
   };
   std::vector<Limit> limits_;
   ShareBar* ramp_;

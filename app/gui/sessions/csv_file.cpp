@@ -18,7 +18,7 @@ CsvFile writeCsvFile(const std::string& session, const std::string& out, WorkSta
   if (!writer)
     return {
         .problems = {
-            {said(QT_TRANSLATE_NOOP("problem", "The file cannot be created there. Choose another folder.")), {out}}}};
+            {phrase(QT_TRANSLATE_NOOP("problem", "The file cannot be created there. Choose another folder.")), {out}}}};
   const record::CsvExport exported = record::exportCsv(read.value(), writer.value(), [&state](double share) {
     state.share = share;
     return !state.cancelled;
@@ -33,7 +33,7 @@ CsvFile writeCsvFile(const std::string& session, const std::string& out, WorkSta
   std::filesystem::rename(part, out, error);
   if (error) {
     done.problems = {
-        {said(QT_TRANSLATE_NOOP("problem", "The existing file cannot be replaced. Choose another name.")), {out}}};
+        {phrase(QT_TRANSLATE_NOOP("problem", "The existing file cannot be replaced. Choose another name.")), {out}}};
     std::filesystem::remove(part, error);
     return done;
   }

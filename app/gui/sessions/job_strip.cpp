@@ -101,9 +101,9 @@ void JobStrip::cancel() {
   if (plots_ != nullptr) plots_->cancel();
 }
 
-void JobStrip::begin(const QString& sentence, int most) {
+void JobStrip::begin(const QString& sentence, int max) {
   say(sentence, false);
-  bar_->setRange(0, most);
+  bar_->setRange(0, max);
   bar_->setValue(0);
   bar_->show();
   cancel_->show();

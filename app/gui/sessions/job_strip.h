@@ -43,7 +43,7 @@ class JobStrip : public QWidget {
   void saved(const QString& sentence, const QString& path);
 
  private:
-  void begin(const QString& sentence, int most);
+  void begin(const QString& sentence, int max);
   bool beginJob(const QString& sentence, std::function<JobResult(WorkState&)> work);
   void poll();
   void end(const JobResult& result);

@@ -126,8 +126,8 @@ void RecordSection::present() {
   place_->setVisible(any);
   const QString warning = warningOf(status, runs);
   const bool alarming = !runs && !recording_.notice().isEmpty();
-  const QString said = alarming ? recording_.notice() : warning;
-  showMessage(notice_, said);
+  const QString given = alarming ? recording_.notice() : warning;
+  showMessage(notice_, given);
   const char* role = alarming ? "alarm" : "amber";
   if (notice_->property("role") != role) {
     notice_->setProperty("role", role);

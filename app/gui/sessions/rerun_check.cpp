@@ -12,7 +12,7 @@ RerunCheck checkRerun(const std::string& session, WorkState& state) {
   Result<record::Session> read = record::Session::open(session);
   if (!read) return {{}, false, read.problems()};
   if (read.value().info().ticks == 0)
-    return {{}, false, {{said(QT_TRANSLATE_NOOP("problem", "This session contains no ticks.")), {session}}}};
+    return {{}, false, {{phrase(QT_TRANSLATE_NOOP("problem", "This session contains no ticks.")), {session}}}};
   device::RerunOptions options;
   options.files_in = recordedFilesFolders();
   options.progress = [&state](double share) {

@@ -77,13 +77,13 @@ QString titleOf(const SessionEntry& entry) {
 
 bool fitsSearch(const SessionEntry& entry, const QString& text) {
   const record::SessionHeader& header = entry.info.header;
-  QStringList said{QFileInfo(entry.path).fileName(),
-                   QDateTime::fromMSecsSinceEpoch(entry.began_ms()).toString("d MMM yyyy yyyy-MM-dd hh:mm")};
+  QStringList given{QFileInfo(entry.path).fileName(),
+                    QDateTime::fromMSecsSinceEpoch(entry.began_ms()).toString("d MMM yyyy yyyy-MM-dd hh:mm")};
   for (const std::string& one : {header.words.name, header.words.notes, header.words.tags, header.words.subject,
                                  header.words.consent, header.scene_title, header.arm, header.device})
-    said << textOf(one);
-  for (const record::Marker& marker : entry.markers) said << textOf(marker.label);
-  const QString all = said.join('\n');
+    given << textOf(one);
+  for (const record::Marker& marker : entry.markers) given << textOf(marker.label);
+  const QString all = given.join('\n');
   const QStringList words = text.split(' ', Qt::SkipEmptyParts);
   return std::all_of(words.begin(), words.end(),
                      [&all](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });

@@ -7,7 +7,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kMostMarkers = 5;
+constexpr int kMaxMarkers = 5;
 const QString kBetween = QString(" %1 ").arg(QChar(0x00B7));
 
 QString shownText(const std::string& text) {
@@ -26,8 +26,8 @@ QString shortDateOf(const SessionEntry& entry) {
 QString markersOf(const SessionEntry& entry) {
   QStringList marks;
   for (const record::Marker& marker : entry.markers) {
-    if (marks.size() == kMostMarkers) {
-      marks << QObject::tr("and %1 more").arg(entry.markers.size() - kMostMarkers);
+    if (marks.size() == kMaxMarkers) {
+      marks << QObject::tr("and %1 more").arg(entry.markers.size() - kMaxMarkers);
       break;
     }
     const auto rate_hz = static_cast<double>(entry.info.header.rate_hz);

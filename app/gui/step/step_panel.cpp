@@ -264,7 +264,7 @@ StepPicture StepPanel::pictureOfArm(QString& note) const {
   picture.seconds = lab::plotDuration_s(transfer.value());
   note = sentenceOn(transfer.value());
   if (!measured_) return picture;
-  lab::SampledResponse share = measured_->way_m;
+  lab::SampledResponse share = measured_->travel_m;
   for (double& value : share.value) value /= measured_->step_m;
   const double length_s = share.period_s * static_cast<double>(share.value.size() - 1);
   const double rest_s = measured_->measured.settling_2pct_s.value_or(0.0);

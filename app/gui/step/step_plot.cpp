@@ -17,7 +17,7 @@ constexpr std::size_t kCurvePoints = 600;
 constexpr double kStepRoom = 1.08;
 constexpr double kMarkWide = 0.025, kMarkHigh = 0.07;  // half a cross, shares of the s-plane's chart
 // Curves of the chart against time.
-constexpr std::size_t kTimeMarks = 0, kFirst = 1, kMeasuredCurve = kFirst + StepPlot::kMostResponses,
+constexpr std::size_t kTimeMarks = 0, kFirst = 1, kMeasuredCurve = kFirst + StepPlot::kMaxResponses,
                       kFitCurve = kMeasuredCurve + 1;
 // Curves of the s-plane.
 constexpr std::size_t kAxes = 0, kPoles = 1, kZeros = 2;
@@ -65,19 +65,19 @@ std::vector<Chart::Curve> timeCurves() {
 
 struct StepPlot::Impl {
   void drawTime(const StepPicture& shown) {
-    double least = 0.0, most = 0.0;
+    double min = 0.0, max = 0.0;
     const auto fill = [&](std::size_t curve, bool there, const auto& valueAt) {
       for (std::size_t index = 0; index < kCurvePoints; ++index) {
         const double t_s = shown.seconds * static_cast<double>(index) / (kCurvePoints - 1);
         const double y = there ? valueAt(t_s) : std::numeric_limits<double>::quiet_NaN();
         time.points(curve)[index] = {plotted(t_s), plotted(y)};
         if (!std::isfinite(y)) continue;
-        least = std::min(least, y);
-        most = std::max(most, y);
+        min = std::min(min, y);
+        max = std::max(max, y);
       }
       time.setCurveShown(curve, there);
     };
-    for (std::size_t one = 0; one < kMostResponses; ++one) {
+    for (std::size_t one = 0; one < kMaxResponses; ++one) {
       const bool there = one < shown.responses.size();
       time.setCurveName(kFirst + one, there ? shown.responses[one].name : QString());
       const lab::UnitStep step(there ? shown.responses[one].transfer : lab::TransferFunction{{1.0}, {1.0, 1.0}});
@@ -91,10 +91,10 @@ struct StepPlot::Impl {
     fill(kFitCurve, shown.fit.has_value(), [&](double t_s) {
       return shown.fit->gain * lab::secondOrderAt(shown.fit->omega_n_rad_per_s, shown.fit->zeta, t_s);
     });
-    if (most <= least) most = least + 1.0;
-    drawMarks(shown, kStepRoom * most);
-    const double low = least < -1e-3 * most ? kStepRoom * least : 0.0;
-    time.setRange(0.0, shown.seconds, low, kStepRoom * most);
+    if (max <= min) max = min + 1.0;
+    drawMarks(shown, kStepRoom * max);
+    const double low = min < -1e-3 * max ? kStepRoom * min : 0.0;
+    time.setRange(0.0, shown.seconds, low, kStepRoom * max);
   }
 
   void drawMarks(const StepPicture& shown, double top) {

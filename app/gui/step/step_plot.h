@@ -16,7 +16,7 @@ struct StepPicture {
     QString name;
     lab::TransferFunction transfer;
   };
-  std::vector<Response> responses;  // at most kMostResponses
+  std::vector<Response> responses;  // at most kMaxResponses
   double seconds = 1.0;
   lab::StepMetrics metrics;                           // of the first
   std::optional<lab::SampledResponse> measured = {};  // as a fraction of the step
@@ -29,7 +29,7 @@ struct StepPicture {
 class StepPlot : public ChartWidget {
   Q_OBJECT
  public:
-  static constexpr std::size_t kMostResponses = 6;
+  static constexpr std::size_t kMaxResponses = 6;
 
   explicit StepPlot(QWidget* parent = nullptr);
   ~StepPlot() override;

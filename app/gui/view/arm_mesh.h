@@ -27,7 +27,7 @@ struct ArmMeshes {
 
 /// The largest file of a mesh of an arm, and the most triangles that an arm is drawn with; with more it is coarser.
 inline constexpr std::uint64_t kLargestArmMesh = std::uint64_t{64} << 20;
-inline constexpr std::size_t kMostArmTriangles = 200'000;
+inline constexpr std::size_t kMaxArmTriangles = 200'000;
 
 std::size_t countMeshes(const arm::Model& model);
 

@@ -29,7 +29,7 @@ void addRods(std::vector<ShadowRod>& rods, const TurnedForm& form, const Pose& X
   to_m = form.profile.back().z;
   // A rod has round ends: it begins inside.
   const double inside_m = std::min(0.8 * widest_m, 0.49 * std::abs(to_m - from_m));
-  const double way = to_m > from_m ? 1.0 : -1.0;
+  const double sign = to_m > from_m ? 1.0 : -1.0;
   const Pose X_WS = X_WLink * form.X_WS;
   const auto radiusNear = [&](double z_m) {
     double radius_m = 0.0;
@@ -38,7 +38,7 @@ void addRods(std::vector<ShadowRod>& rods, const TurnedForm& form, const Pose& X
     }
     return radius_m;
   };
-  rods.push_back({X_WS * Vec3(0.0, 0.0, from_m + way * inside_m), X_WS * Vec3(0.0, 0.0, to_m - way * inside_m),
+  rods.push_back({X_WS * Vec3(0.0, 0.0, from_m + sign * inside_m), X_WS * Vec3(0.0, 0.0, to_m - sign * inside_m),
                   radiusNear(from_m), radiusNear(to_m)});
 }
 
@@ -65,8 +65,8 @@ void addRods(std::vector<ShadowRod>& rods, const MeshForm& form, const Pose& X_W
   const Vec3 half = 0.5 * (form.mesh->high - form.mesh->low).cwiseProduct(form.m_per_unit).cwiseAbs();
   Eigen::Index axis = 0;
   const double longest_m = half.maxCoeff(&axis), radius_m = 0.5 * (half.sum() - longest_m);
-  const Vec3 way = std::max(0.0, longest_m - radius_m) * Vec3::Unit(axis);
-  rods.push_back({X_WS * Vec3(middle - way), X_WS * Vec3(middle + way), radius_m, radius_m});
+  const Vec3 sign = std::max(0.0, longest_m - radius_m) * Vec3::Unit(axis);
+  rods.push_back({X_WS * Vec3(middle - sign), X_WS * Vec3(middle + sign), radius_m, radius_m});
 }
 
 bool isSameChain(const chain::Chain& a, const chain::Chain& b) {
@@ -203,8 +203,8 @@ void ArmPicture::update(const OrbitCamera& camera) {
   if (known_) {
     EdgeShade shade{kArmAmbient, kArmDiffuse, {}, kLightStrengths};
     for (std::size_t light = 0; light < kLights.size(); ++light) {
-      const Vec3 way = kLights[light].normalized();
-      shade.lights_W[light] = way.x() * camera.right_W() + way.y() * camera.up_W() + way.z() * camera.back_W();
+      const Vec3 sign = kLights[light].normalized();
+      shade.lights_W[light] = sign.x() * camera.right_W() + sign.y() * camera.up_W() + sign.z() * camera.back_W();
     }
     const Finishes finishes = armFinishes(theme_);
     for (const ArmSolid& solid : arm_.solids) {

@@ -26,10 +26,10 @@ double reachOfModel(const arm::Model& model) {
 
 /// The points of two lines that are nearest to each other; of parallel ones `a` and its foot on the other.
 std::array<Vec3, 2> nearestPoints(const Vec3& a, const Vec3& a_axis, const Vec3& b, const Vec3& b_axis) {
-  const Vec3 common = a_axis.cross(b_axis), way = b - a;
-  if (common.norm() < kParallel) return {a, Vec3(b - way.dot(b_axis) * b_axis)};
-  const double along_a = way.cross(b_axis).dot(common) / common.squaredNorm();
-  const double along_b = way.cross(a_axis).dot(common) / common.squaredNorm();
+  const Vec3 common = a_axis.cross(b_axis), direction = b - a;
+  if (common.norm() < kParallel) return {a, Vec3(b - direction.dot(b_axis) * b_axis)};
+  const double along_a = direction.cross(b_axis).dot(common) / common.squaredNorm();
+  const double along_b = direction.cross(a_axis).dot(common) / common.squaredNorm();
   return {Vec3(a + along_a * a_axis), Vec3(b + along_b * b_axis)};
 }
 
@@ -90,16 +90,16 @@ class JointMaker {
     const chain::Joint& joint = model_.chain.joints[index];
     const double radius_m = axis.radius_m, margin_m = 1.8 * radius_m;
     const double open_m = kOpenRangeShare * reachOfModel(model_);
-    const double most_m = std::isfinite(joint.max) ? joint.max : open_m;
-    const double least_m = std::isfinite(joint.min) ? joint.min : -open_m;
+    const double max_m = std::isfinite(joint.max) ? joint.max : open_m;
+    const double min_m = std::isfinite(joint.min) ? joint.min : -open_m;
     const double end_m = (axis.out_W - axis.in_W).dot(axis.axis_W);
-    double from_m = std::min(end_m, -most_m - margin_m), to_m = std::max(end_m, -least_m + margin_m);
+    double from_m = std::min(end_m, -max_m - margin_m), to_m = std::max(end_m, -min_m + margin_m);
     if (index == 0) {
-      from_m = least_m - margin_m;
-      to_m = most_m + margin_m;
-    } else if (end_m >= -least_m) {
+      from_m = min_m - margin_m;
+      to_m = max_m + margin_m;
+    } else if (end_m >= -min_m) {
       to_m = end_m;
-    } else if (end_m <= -most_m) {
+    } else if (end_m <= -max_m) {
       from_m = end_m;
     }
     const std::size_t rail = index == 0 ? 0 : index + 1, sleeve = index == 0 ? 1 : index;

@@ -26,7 +26,7 @@ struct DrawnAxis {
   double radius_m = 0.0;  // of its housing: the more there is to carry behind it, the larger
 };
 
-/// An arm of 1 to kMostJoints joints as solids, with all joints at 0. Posed by the displacement of each link
+/// An arm of 1 to kMaxJoints joints as solids, with all joints at 0. Posed by the displacement of each link
 /// (chain::forward()).
 struct ArmSolids {
   ArmStand stand;

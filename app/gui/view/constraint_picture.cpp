@@ -221,17 +221,17 @@ void ConstraintPicture::add(const scene::Plane& plane) {
     for (double step = 0.0; step < steps; step += 1.0) addHair(from_mm + step / steps * (to_mm - from_mm), normal);
   }
   const QColor soft = faint(theme_.constraint, 0.35);
-  for (const auto& [way, across] : {std::pair{u, v}, {v, u}}) {
-    double least = kInfinity, most = -kInfinity;
+  for (const auto& [heading, across] : {std::pair{u, v}, {v, u}}) {
+    double min = kInfinity, max = -kInfinity;
     for (const Vec3& corner : corners) {
-      least = std::min(least, across.dot(corner - plane.point_mm));
-      most = std::max(most, across.dot(corner - plane.point_mm));
+      min = std::min(min, across.dot(corner - plane.point_mm));
+      max = std::max(max, across.dot(corner - plane.point_mm));
     }
-    for (double step = std::ceil(least / kGrid_mm); step * kGrid_mm < most; step += 1.0) {
+    for (double step = std::ceil(min / kGrid_mm); step * kGrid_mm < max; step += 1.0) {
       const Vec3 start_mm = plane.point_mm + step * kGrid_mm * across;
       double from = 0.0, to = 0.0;
-      if (clip(start_mm - middle_mm_, way, 1e-9, from, to))
-        fine_.segment(start_mm + from * way, start_mm + to * way, soft);
+      if (clip(start_mm - middle_mm_, heading, 1e-9, from, to))
+        fine_.segment(start_mm + from * heading, start_mm + to * heading, soft);
     }
   }
   extent_mm_.insert(extent_mm_.end(), corners.begin(), corners.end());
@@ -312,10 +312,10 @@ template <>
 void ConstraintPicture::add(const scene::Curve& curve) {
   const Result<target::CurvePath> path = scene::makeCurvePath(curve);
   if (!path) return;
-  constexpr double kStep_mm = 0.5, kMostSteps = 4000.0;
+  constexpr double kStep_mm = 0.5, kMaxSteps = 4000.0;
   const curve::Curve& drawn = *path.value().curve;
   const double length_m = lengthOf(drawn);
-  const double steps = std::clamp(std::ceil(kMillimetrePerMetre * length_m / kStep_mm), 1.0, kMostSteps);
+  const double steps = std::clamp(std::ceil(kMillimetrePerMetre * length_m / kStep_mm), 1.0, kMaxSteps);
   Vec3 last_mm = kMillimetrePerMetre * pointAt(drawn, 0.0);
   extent_mm_.push_back(last_mm);
   for (double step = 1.0; step <= steps; step += 1.0) {

@@ -13,8 +13,8 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kDiscSides = 20;            // of the disc
-constexpr std::size_t kMostFaces = 1500;  // of one patch: a finer mesh gets a smaller one
+constexpr int kDiscSides = 20;           // of the disc
+constexpr std::size_t kMaxFaces = 1500;  // of one patch: a finer mesh gets a smaller one
 
 /// The part of a polygon within reach of p along the unit direction.
 std::vector<Vec3> cut(const std::vector<Vec3>& polygon, const Vec3& p, const Vec3& direction, double reach) {
@@ -68,7 +68,7 @@ void ContactPatch::add(const target::MeshPlace& place, const Vec3& p_WP) {
   const std::vector<Vec3> directions = prismAround(normal_M);
   std::vector<std::int32_t> faces{hit.face};  // connected to it, as far as they are within reach
   std::set<std::int32_t> seen{hit.face};
-  for (std::size_t index = 0; index < faces.size() && index < kMostFaces; ++index) {
+  for (std::size_t index = 0; index < faces.size() && index < kMaxFaces; ++index) {
     const mesh::Corners corners = mesh::cornersOf(surface, faces[index]);
     std::vector<Vec3> polygon{corners.a, corners.b, corners.c};
     for (const Vec3& direction : directions) polygon = cut(polygon, hit.p_M, direction, reach);

@@ -44,23 +44,24 @@ void DeskPicture::build() {
     X_WD_mm.translation() *= kMillimetrePerMetre;
     const Vec3 right = X_WD_mm.linear().col(0), up = X_WD_mm.linear().col(1), back = X_WD_mm.linear().col(2);
     const QColor ink = mixed(theme_.quiet, theme_.ink, 0.6);
-    Vec3 least_mm = Vec3::Constant(kInfinity), most_mm = -least_mm;
+    Vec3 min_mm = Vec3::Constant(kInfinity), max_mm = -min_mm;
     for (std::size_t at = 0; at < desk_->points_D.size(); ++at) {
       const Vec3 p_DM_mm = kMillimetrePerMetre * desk_->points_D[at], p_mm = X_WD_mm * p_DM_mm;
-      least_mm = least_mm.cwiseMin(p_DM_mm);
-      most_mm = most_mm.cwiseMax(p_DM_mm);
+      min_mm = min_mm.cwiseMin(p_DM_mm);
+      max_mm = max_mm.cwiseMax(p_DM_mm);
       lines_.circle(p_mm, right, back, kDeskRing_mm, ink);
-      for (const Vec3& way : {right, back}) lines_.segment(p_mm - kCross_mm * way, p_mm + kCross_mm * way, ink);
+      for (const Vec3& direction : {right, back})
+        lines_.segment(p_mm - kCross_mm * direction, p_mm + kCross_mm * direction, ink);
       labels_.push_back({QString::number(at + 1), p_mm + kDeskLabelAway_mm * (right + back).normalized(), ink, true});
     }
     const Vec3 rim_mm(kRim_mm, 0.0, kRim_mm);
-    least_mm -= rim_mm;
-    most_mm += rim_mm;
-    for (const auto& [x, z] : {std::pair{least_mm.x(), least_mm.z()},
-                               {most_mm.x(), least_mm.z()},
-                               {most_mm.x(), most_mm.z()},
-                               {least_mm.x(), most_mm.z()}})
-      corners_mm_.push_back(X_WD_mm * Vec3(x, least_mm.y(), z));
+    min_mm -= rim_mm;
+    max_mm += rim_mm;
+    for (const auto& [x, z] : {std::pair{min_mm.x(), min_mm.z()},
+                               {max_mm.x(), min_mm.z()},
+                               {max_mm.x(), max_mm.z()},
+                               {min_mm.x(), max_mm.z()}})
+      corners_mm_.push_back(X_WD_mm * Vec3(x, min_mm.y(), z));
     lines_.chain(corners_mm_, theme_.quiet, true);
     labels_.push_back({QCoreApplication::translate("SceneView", "desk"), corners_mm_[3] + 6.0 * up, ink, false});
   }

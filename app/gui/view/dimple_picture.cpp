@@ -42,8 +42,8 @@ void DimplePicture::present(const tick::TickReport& report, const Vec3& p_WT, do
   dimples_ = 0;
   faces_.clear();
   rings_.clear();
-  if (shown_ && force_share > kLeastShare && p_WT.allFinite()) {
-    const double radius_mm = size * (kLeast_mm + (kMost_mm - kLeast_mm) * std::sqrt(std::min(1.0, force_share)));
+  if (shown_ && force_share > kMinShare && p_WT.allFinite()) {
+    const double radius_mm = size * (kMin_mm + (kMax_mm - kMin_mm) * std::sqrt(std::min(1.0, force_share)));
     for (std::size_t index = 0; index < std::min(report.held.size(), is_surface_.size()); ++index) {
       const tick::ConstraintReport& held = report.held[index];
       if (!is_surface_[index] || !held.acts || held.status != target::Status::Unique || !held.p_WP.allFinite())

@@ -16,8 +16,8 @@ namespace underact::gui {
 class DimplePicture {
  public:
   // Of an arm of the Omni's size: its radius without and with all the force that the arm can hold.
-  static constexpr double kLeast_mm = 3.5, kMost_mm = 12.0;
-  static constexpr double kLeastShare = 0.01;  // of that force: less is not shown
+  static constexpr double kMin_mm = 3.5, kMax_mm = 12.0;
+  static constexpr double kMinShare = 0.01;  // of that force: less is not shown
 
   DimplePicture();
   void setScene(const scene::Description& scene);

@@ -76,11 +76,11 @@ void DrawingPicture::add(const DrawnFrame& frame) {
   const Vec3 origin_mm = kMillimetrePerMetre * frame.X_WF.translation();
   const double length_mm = kMillimetrePerMetre * frame.axis_m;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Vec3 way = frame.X_WF.linear().col(static_cast<Eigen::Index>(axis));
-    lines_.segment(origin_mm, origin_mm + length_mm * way, colours[axis]);
+    const Vec3 direction = frame.X_WF.linear().col(static_cast<Eigen::Index>(axis));
+    lines_.segment(origin_mm, origin_mm + length_mm * direction, colours[axis]);
     if (frame.has_letters)
       labels_.push_back(
-          {QString(QChar(u"xyz"[axis])), origin_mm + (length_mm + kLabelGap_mm) * way, colours[axis], false});
+          {QString(QChar(u"xyz"[axis])), origin_mm + (length_mm + kLabelGap_mm) * direction, colours[axis], false});
   }
   if (!frame.has_letters) {
     labels_.push_back(
@@ -93,12 +93,12 @@ void DrawingPicture::add(const DrawnFrame& frame) {
 
 void DrawingPicture::add(const DrawnLink& link) {
   if (!link.from_W.allFinite() || !link.to_W.allFinite()) return;
-  const Vec3 from_mm = kMillimetrePerMetre * link.from_W, way_mm = kMillimetrePerMetre * (link.to_W - link.from_W);
+  const Vec3 from_mm = kMillimetrePerMetre * link.from_W, travel_mm = kMillimetrePerMetre * (link.to_W - link.from_W);
   const QColor colour = mixed(theme_.background, theme_.virtual_robot, link.strength);
-  const int pieces = link.dashed ? std::max(1, static_cast<int>(way_mm.norm() / 8.0)) : 1;
+  const int pieces = link.dashed ? std::max(1, static_cast<int>(travel_mm.norm() / 8.0)) : 1;
   for (int piece = 0; piece < pieces; ++piece) {
     const double from = static_cast<double>(piece) / pieces, to = from + (link.dashed ? 0.5 : 1.0) / pieces;
-    lines_.segment(from_mm + from * way_mm, from_mm + to * way_mm, colour);
+    lines_.segment(from_mm + from * travel_mm, from_mm + to * travel_mm, colour);
   }
 }
 
@@ -138,9 +138,9 @@ void DrawingPicture::add(const DrawnMeasure& measure) {
   const QColor& colour = colours[static_cast<std::size_t>(measure.axis)];
   const Vec3 p_mm = kMillimetrePerMetre * measure.p_W;
   if (measure.turn_rad == 0.0) {
-    const Vec3 way_mm = kMillimetrePerMetre * measure.way_W;
-    lit_.segment(p_mm, p_mm + way_mm, colour);
-    labels_.push_back({measure.text, p_mm + 0.5 * way_mm, colour, true});
+    const Vec3 travel_mm = kMillimetrePerMetre * measure.way_W;
+    lit_.segment(p_mm, p_mm + travel_mm, colour);
+    labels_.push_back({measure.text, p_mm + 0.5 * travel_mm, colour, true});
     return;
   }
   const int parts = std::max(2, static_cast<int>(std::abs(measure.turn_rad) / 0.1));

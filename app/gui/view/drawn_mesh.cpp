@@ -42,7 +42,7 @@ vtkSmartPointer<vtkPolyData> copyOf(const mesh::Triangles& triangles) {
 }
 
 /// Vertices that are near each other become one, at the point that fits their faces best.
-vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine, const TaskMonitor& monitor, std::size_t most) {
+vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine, const TaskMonitor& monitor, std::size_t max) {
   vtkSmartPointer<vtkPolyData> data = fine;
   for (int boxes = kFinest; boxes >= kCoarsest && !monitor.isCancelled(); boxes = boxes * 3 / 4) {
     const vtkNew<vtkQuadricClustering> clusters;
@@ -53,7 +53,7 @@ vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine, const TaskMonitor& monit
     clusters->PreventDuplicateCellsOff();
     clusters->Update();
     data = clusters->GetOutput();
-    if (static_cast<std::size_t>(data->GetNumberOfPolys()) <= most) break;
+    if (static_cast<std::size_t>(data->GetNumberOfPolys()) <= max) break;
   }
   return data;
 }
@@ -103,12 +103,12 @@ vtkSmartPointer<vtkPolyData> edgesOf(vtkPolyData* data) {
   return edges;
 }
 
-std::shared_ptr<const DrawnMesh> make(const mesh::Surface& surface, const TaskMonitor& monitor, std::size_t most) {
+std::shared_ptr<const DrawnMesh> make(const mesh::Surface& surface, const TaskMonitor& monitor, std::size_t max) {
   DrawnMesh drawn;
   vtkSmartPointer<vtkPolyData> data = copyOf(surface.triangles);
-  drawn.is_coarser = surface.triangles.faces.size() > most;
+  drawn.is_coarser = surface.triangles.faces.size() > max;
   if (drawn.is_coarser) {
-    data = coarser(data, monitor, most);
+    data = coarser(data, monitor, max);
     drawn.coarser = trianglesOf(data);
   }
   if (monitor.isCancelled()) return nullptr;
@@ -128,7 +128,7 @@ struct Kept {
 }  // namespace
 
 std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Surface>& surface,
-                                           const TaskMonitor& monitor, std::size_t most) {
+                                           const TaskMonitor& monitor, std::size_t max) {
   static std::mutex mutex;
   static std::map<const mesh::Surface*, Kept> kept;
   {
@@ -138,15 +138,15 @@ std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Sur
     if (found != kept.end()) return found->second.drawn;
   }
   std::shared_ptr<const DrawnMesh> drawn =
-      make(*surface, monitor, most);  // not under the lock: the window may request another one
+      make(*surface, monitor, max);  // not under the lock: the window may request another one
   if (drawn == nullptr) return nullptr;
   const std::scoped_lock lock(mutex);
   return kept.emplace(surface.get(), Kept{surface, drawn}).first->second.drawn;
 }
 
-vtkSmartPointer<vtkPolyData> bodyOf(const mesh::Triangles& triangles, const TaskMonitor& monitor, std::size_t most) {
+vtkSmartPointer<vtkPolyData> bodyOf(const mesh::Triangles& triangles, const TaskMonitor& monitor, std::size_t max) {
   vtkSmartPointer<vtkPolyData> data = copyOf(triangles);
-  if (triangles.faces.size() > most) data = coarser(data, monitor, most);
+  if (triangles.faces.size() > max) data = coarser(data, monitor, max);
   if (monitor.isCancelled()) return nullptr;
   data = withNormals(data);
   data->ComputeBounds();

@@ -12,11 +12,11 @@
 namespace underact::gui {
 
 /// Meshes with more triangles are drawn coarser; what is felt has all of them.
-inline constexpr std::size_t kMostDrawn = 100'000;
+inline constexpr std::size_t kMaxDrawn = 100'000;
 
 /// Triangles as they are drawn: with normals, smooth but for sharp edges. most: above, they are made coarser. Any
 /// thread. null: it was cancelled.
-vtkSmartPointer<vtkPolyData> bodyOf(const mesh::Triangles& triangles, const TaskMonitor& monitor, std::size_t most);
+vtkSmartPointer<vtkPolyData> bodyOf(const mesh::Triangles& triangles, const TaskMonitor& monitor, std::size_t max);
 
 /// A mesh as it is drawn, in its own frame and unit.
 struct DrawnMesh {
@@ -30,7 +30,7 @@ struct DrawnMesh {
 /// Made once for each surface and kept as long as the surface exists. Takes a second for millions of triangles. Any
 /// thread. null: it was cancelled. most: triangles above which it is made coarser; ignored if it exists already.
 std::shared_ptr<const DrawnMesh> drawnMesh(const std::shared_ptr<const mesh::Surface>& surface,
-                                           const TaskMonitor& monitor = {}, std::size_t most = kMostDrawn);
+                                           const TaskMonitor& monitor = {}, std::size_t max = kMaxDrawn);
 
 /// The body with the winding of its faces reversed; for a placement that mirrors it, so that its outside remains its
 /// front. Normals are kept: they are mirrored correctly. Takes some milliseconds.

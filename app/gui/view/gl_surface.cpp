@@ -24,7 +24,7 @@ namespace underact::gui {
 namespace {
 
 // Creases darken within this distance: of the size of a gap between two links. 128 samples show no grain.
-constexpr double kCrease_mm = 25.0, kLeastDepth_mm = 1.0;
+constexpr double kCrease_mm = 25.0, kMinDepth_mm = 1.0;
 constexpr int kSamplesOfCreases = 128;
 
 std::pair<int, int> found_opengl = surfaceFormat().version();  // until a context was made, or could not be
@@ -137,7 +137,7 @@ GlSurface::GlSurface(Before before, Words words, QWidget* parent)
   renderer_->SetBackgroundAlpha(1.0);              // otherwise the widget blends with the window behind it
   renderer_->SetClippingRangeExpansion(0.0);
   renderer_->SetSSAORadius(kCrease_mm);
-  renderer_->SetSSAOBias(kLeastDepth_mm);
+  renderer_->SetSSAOBias(kMinDepth_mm);
   renderer_->SetSSAOKernelSize(kSamplesOfCreases);
   renderer_->SSAOBlurOn();
   if (in_memory_) {

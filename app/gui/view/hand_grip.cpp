@@ -50,17 +50,17 @@ void HandGrip::hold(const Vec3& p_WT) {
   setpoint_.holds = true;
 }
 
-void HandGrip::drag(const OrbitCamera& camera, const QSizeF& size, const Vec3& p_WT, const QPointF& way) {
+void HandGrip::drag(const OrbitCamera& camera, const QSizeF& size, const Vec3& p_WT, const QPointF& offset) {
   const double depth_mm = std::max(project(camera, size, kMillimetrePerMetre * p_WT).depth_mm, 1.0);
   hold(p_WT);
   const double pixel_m = kMetrePerMillimetre * pixelLength_mm(size, depth_mm);
-  setpoint_.p_WT += pixel_m * (way.x() * camera.right_W() - way.y() * camera.up_W());
+  setpoint_.p_WT += pixel_m * (offset.x() * camera.right_W() - offset.y() * camera.up_W());
   keepInside();
 }
 
-void HandGrip::deepen(const OrbitCamera& camera, const Vec3& p_WT, double way_m) {
+void HandGrip::deepen(const OrbitCamera& camera, const Vec3& p_WT, double travel_m) {
   hold(p_WT);
-  setpoint_.p_WT -= way_m * camera.back_W();
+  setpoint_.p_WT -= travel_m * camera.back_W();
   keepInside();
 }
 
@@ -69,10 +69,10 @@ void HandGrip::beginTurn(const Mat3& R_WT) {
   if (!moved_ && !keeps_holding_) setpoint_.holds = false;
 }
 
-void HandGrip::turn(const OrbitCamera& camera, const Mat3& R_WT, const QPointF& way) {
+void HandGrip::turn(const OrbitCamera& camera, const Mat3& R_WT, const QPointF& offset) {
   beginTurn(R_WT);
-  turnAbout(camera.up_W(), kTurnPerPixel_rad * way.x());
-  turnAbout(camera.right_W(), kTurnPerPixel_rad * way.y());
+  turnAbout(camera.up_W(), kTurnPerPixel_rad * offset.x());
+  turnAbout(camera.right_W(), kTurnPerPixel_rad * offset.y());
 }
 
 void HandGrip::step(const OrbitCamera& camera, const Vec3& p_WT, const Vec3& right_up_away, double length_m) {

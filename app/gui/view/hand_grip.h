@@ -22,12 +22,12 @@ class HandGrip {
   const sim::HandSetpoint& setpoint() const { return setpoint_; }
 
   /// In the plane parallel to the screen through the tip; way in pixels.
-  void drag(const OrbitCamera& camera, const QSizeF& size, const Vec3& p_WT, const QPointF& way);
+  void drag(const OrbitCamera& camera, const QSizeF& size, const Vec3& p_WT, const QPointF& offset);
   /// Away from the eye, m.
-  void deepen(const OrbitCamera& camera, const Vec3& p_WT, double way_m);
+  void deepen(const OrbitCamera& camera, const Vec3& p_WT, double travel_m);
   /// About the axes of the screen; way in pixels, one degree for two. R_WT: of the stylus, if no command has rotated it
   /// yet. A grip that has not moved the stylus turns it in loose fingers: the scene moves the tip.
-  void turn(const OrbitCamera& camera, const Mat3& R_WT, const QPointF& way);
+  void turn(const OrbitCamera& camera, const Mat3& R_WT, const QPointF& offset);
 
   /// Steps along the axes of W nearest to those of the screen: right, up, away, each -1, 0 or 1.
   void step(const OrbitCamera& camera, const Vec3& p_WT, const Vec3& right_up_away, double length_m);

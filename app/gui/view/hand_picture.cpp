@@ -14,7 +14,7 @@ namespace {
 // Of an arm of the Omni's size.
 constexpr double kTarget_mm = 4.6;
 constexpr double kShaft_mm = 1.1, kHead_mm = 3.2, kHeadLength_mm = 9.0, kBar_mm = 6.5, kBarThick_mm = 1.1;
-constexpr double kLeastForce_N = 0.005;  // what the gauge rounds to zero
+constexpr double kMinForce_N = 0.005;  // what the gauge rounds to zero
 constexpr double kRing_px = 17.0;
 
 /// Little shading: a colour with a meaning must look the same from every side.
@@ -25,8 +25,8 @@ void showMeaning(vtkActor& actor) {
 
 /// The size of a target's marker, relative to that of one far away.
 double markerShare(double away_mm) {
-  constexpr double kNear_mm = 6.0, kLeast = 0.55;
-  return std::clamp(away_mm / kNear_mm, kLeast, 1.0);
+  constexpr double kNear_mm = 6.0, kMin = 0.55;
+  return std::clamp(away_mm / kNear_mm, kMin, 1.0);
 }
 
 vtkSmartPointer<vtkPolyData> headSurface() {
@@ -106,9 +106,9 @@ void HandPicture::present(const servo::Snapshot& snapshot) {
   faulted_ = report.fault.kind != FaultKind::None || snapshot.mode == servo::Mode::Faulted;
   const Vec3& f_T_W = report.force.f_T_W();
   force_N_ = f_T_W.allFinite() ? f_T_W.norm() : 0.0;
-  limited_ = report.cut_N > 0.0 && force_N_ > kLeastForce_N;  // while the force is off, no limit is felt
+  limited_ = report.cut_N > 0.0 && force_N_ > kMinForce_N;  // while the force is off, no limit is felt
   const Vec3 tip_mm = kMillimetrePerMetre * X_WT().translation();
-  arrow_ = force_N_ > kLeastForce_N && !faulted_ && force_limit_N_ > 0.0;
+  arrow_ = force_N_ > kMinForce_N && !faulted_ && force_limit_N_ > 0.0;
   if (arrow_) force_end_mm_ = tip_mm + size_ * kArrow_mm / force_limit_N_ * f_T_W;
   held_mm_.clear();
   for (const tick::ConstraintReport& held : report.held) {
@@ -129,8 +129,8 @@ void HandPicture::placeForce() {
   const QColor colour = limited_ ? theme_.force_limited : theme_.force;
   for (vtkActor* actor : {shaft_.Get(), head_.Get(), bar_.Get()}) setColour(*actor, colour);
   const Vec3 tip_mm = kMillimetrePerMetre * X_WT().translation();
-  const Vec3 way_mm = force_end_mm_ - tip_mm, direction = way_mm.normalized();
-  const double head_length_mm = std::min(size_ * kHeadLength_mm, 0.6 * way_mm.norm());
+  const Vec3 travel_mm = force_end_mm_ - tip_mm, direction = travel_mm.normalized();
+  const double head_length_mm = std::min(size_ * kHeadLength_mm, 0.6 * travel_mm.norm());
   head_mm_ = force_end_mm_ - head_length_mm * direction;
   place(*shaft_, along(tip_mm, head_mm_, size_ * kShaft_mm));
   place(*head_, along(head_mm_, force_end_mm_, kHead_mm * head_length_mm / kHeadLength_mm));

@@ -15,14 +15,14 @@ constexpr double kInfluenceRing_px = 8.0, kLetter_px = 18.0;  // its radius; how
 constexpr std::size_t kRingParts = 24;                        // parts shorter than a pixel come out pale
 constexpr double kTangent_mm = 22.0;                          // to each side
 constexpr double kPart_rad = 0.05;                            // of an arc's chain
-constexpr std::size_t kMostParts = 80;                        // half a turn and kTie_rad
+constexpr std::size_t kMaxParts = 80;                         // half a turn and kTie_rad
 constexpr double kArcEndShare = 0.45;                         // how opaque the lines to the arc's ends are
 
 /// Points of the arc between two shares of its turn, mm.
 std::vector<Vec3> pointsOf(const target::Arc& arc, double from, double to) {
   const double turn_rad = (to - from) * arc.turn_rad;
   const std::size_t parts =
-      std::clamp<std::size_t>(static_cast<std::size_t>(std::abs(turn_rad) / kPart_rad) + 1, 1, kMostParts);
+      std::clamp<std::size_t>(static_cast<std::size_t>(std::abs(turn_rad) / kPart_rad) + 1, 1, kMaxParts);
   std::vector<Vec3> points;
   for (std::size_t part = 0; part <= parts; ++part) {
     const double share = from + (to - from) * static_cast<double>(part) / static_cast<double>(parts);

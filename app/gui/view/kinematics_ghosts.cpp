@@ -28,7 +28,7 @@ bool isSameConfiguration(const chain::Chain& chain, const arm::JointAngles& a, c
 std::size_t KinematicsPicture::apartPoint() const {
   std::vector<std::vector<Vec3>> skeletons_mm;
   for (const NumberedSolution& one : solutions().all) skeletons_mm.push_back(others_.skeleton_mm(one.q));
-  std::size_t best = 0, most = 0;
+  std::size_t best = 0, max = 0;
   double widest_mm = 0.0;
   for (std::size_t point = 0;; ++point) {
     std::vector<Vec3> places_mm;
@@ -39,9 +39,9 @@ std::size_t KinematicsPicture::apartPoint() const {
       around_mm.extend(skeleton_mm[point]);
     }
     const double wide_mm = places_mm.size() > 1 ? around_mm.diagonal().norm() : 0.0;
-    if (places_mm.size() < most || (places_mm.size() == most && wide_mm <= widest_mm)) continue;
+    if (places_mm.size() < max || (places_mm.size() == max && wide_mm <= widest_mm)) continue;
     best = point;
-    most = places_mm.size();
+    max = places_mm.size();
     widest_mm = wide_mm;
   }
 }
@@ -77,9 +77,9 @@ void KinematicsPicture::addChosenArm(const arm::JointAngles& q_rad, const OrbitC
   for (std::size_t index = 0; index < points_mm.size(); ++index) {
     mark_.circle(points_mm[index], camera.right_W(), camera.up_W(), hollow_mm, colour);
     if (index == 0) continue;
-    const Vec3 way_mm = points_mm[index] - points_mm[index - 1];
-    if (way_mm.norm() < 2.0 * hollow_mm) continue;
-    const Vec3 rim_mm = hollow_mm * way_mm.normalized();  // up to the rims of the hollow joints
+    const Vec3 travel_mm = points_mm[index] - points_mm[index - 1];
+    if (travel_mm.norm() < 2.0 * hollow_mm) continue;
+    const Vec3 rim_mm = hollow_mm * travel_mm.normalized();  // up to the rims of the hollow joints
     mark_.segment(points_mm[index - 1] + rim_mm, points_mm[index] - rim_mm, colour);
   }
 }

@@ -17,7 +17,7 @@ namespace underact::gui {
 namespace {
 
 // Frames 1 and 2 share their origin, and so do 4, 5 and 6: each a little smaller than the one before.
-constexpr std::array<double, arm::kMostJoints> kAxis_mm{30.0, 24.0, 24.0, 30.0, 24.0, 18.0, 18.0, 18.0};
+constexpr std::array<double, arm::kMaxJoints> kAxis_mm{30.0, 24.0, 24.0, 30.0, 24.0, 18.0, 18.0, 18.0};
 constexpr double kBeyond_mm = 5.0;   // of a label
 constexpr double kFacing_mm = 18.0;  // a ghost's turret: the way it faces
 constexpr double kBend_mm = 14.0;    // a ghost's wrist: its axis 5
@@ -34,7 +34,7 @@ struct Figure {
 
 Figure figureOf(const arm::Model& model, const arm::Geometry& geometry, const arm::JointAngles& q_rad) {
   const arm::Skeleton skeleton = arm::skeleton(geometry, q_rad);
-  const std::array<Pose, arm::kMostJoints> frames = arm::linkFrames(model, q_rad);
+  const std::array<Pose, arm::kMaxJoints> frames = arm::linkFrames(model, q_rad);
   return {kMillimetrePerMetre * skeleton.p_WShoulder, kMillimetrePerMetre * skeleton.p_WElbow,
           kMillimetrePerMetre * skeleton.p_WTip, frames[0].linear().col(0), frames[4].linear().col(2)};
 }
@@ -49,10 +49,10 @@ std::size_t placeAmong(std::vector<Vec3>& places_mm, const Vec3& p_mm) {
 }
 
 void addDashes(Lines& lines, const Vec3& a_mm, const Vec3& b_mm, double dash_mm, const QColor& colour) {
-  const Vec3 way_mm = b_mm - a_mm;
-  const int pieces = std::max(1, static_cast<int>(way_mm.norm() / (2.0 * dash_mm)));
+  const Vec3 travel_mm = b_mm - a_mm;
+  const int pieces = std::max(1, static_cast<int>(travel_mm.norm() / (2.0 * dash_mm)));
   for (int piece = 0; piece < pieces; ++piece) {
-    lines.segment(a_mm + way_mm * ((piece + 0.25) / pieces), a_mm + way_mm * ((piece + 0.75) / pieces), colour);
+    lines.segment(a_mm + travel_mm * ((piece + 0.25) / pieces), a_mm + travel_mm * ((piece + 0.75) / pieces), colour);
   }
 }
 
@@ -165,7 +165,7 @@ void KinematicsPicture::update(const OrbitCamera& camera) {
 void KinematicsPicture::addFrames() {
   const std::array<QColor, 3> colours{theme_.x_axis, theme_.y_axis, theme_.z_axis};
   const double scale = isOmni() ? 1.0 : others_.size();
-  const std::array<Pose, arm::kMostJoints> frames = arm::linkFrames(model_, q_rad_);
+  const std::array<Pose, arm::kMaxJoints> frames = arm::linkFrames(model_, q_rad_);
   for (std::size_t index = 0; index < std::min(frames.size(), model_.rows.size()); ++index) {
     const Vec3 origin_mm = kMillimetrePerMetre * frames[index].translation();
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -229,8 +229,8 @@ void KinematicsPicture::addSolution(const NumberedSolution& solution, double asi
   // Aside within the plane of the arm, where it is seen from the side; an arm that is stretched has no plane.
   const Vec3 normal = (at.elbow_mm - at.shoulder_mm).cross(at.tip_mm - at.elbow_mm);
   const auto beside = [&](const Vec3& from_mm, const Vec3& to_mm) {
-    const Vec3 way = normal.cross(to_mm - from_mm);
-    return way.norm() > 1e-6 ? Vec3(aside_mm * way.normalized()) : Vec3(Vec3::Zero());
+    const Vec3 heading = normal.cross(to_mm - from_mm);
+    return heading.norm() > 1e-6 ? Vec3(aside_mm * heading.normalized()) : Vec3(Vec3::Zero());
   };
   const Vec3 upper_mm = beside(at.shoulder_mm, at.elbow_mm), fore_mm = beside(at.elbow_mm, at.tip_mm);
   const std::array<std::array<Vec3, 2>, 4> strokes{{{at.shoulder_mm + upper_mm, at.elbow_mm + upper_mm},
@@ -270,9 +270,9 @@ void KinematicsPicture::addChosen(const arm::JointAngles& q_rad, const OrbitCame
   const Figure at = figureOf(model_, geometry_, q_rad);
   const QColor colour = theme_.virtual_robot;
   const auto link = [&](const Vec3& a_mm, const Vec3& b_mm) {  // up to the rims of its hollow joints
-    const Vec3 way_mm = b_mm - a_mm;
-    if (way_mm.norm() < 2.0 * kHollow_mm) return;
-    const Vec3 rim_mm = kHollow_mm * way_mm.normalized();
+    const Vec3 travel_mm = b_mm - a_mm;
+    if (travel_mm.norm() < 2.0 * kHollow_mm) return;
+    const Vec3 rim_mm = kHollow_mm * travel_mm.normalized();
     mark_.segment(a_mm + rim_mm, b_mm - rim_mm, colour);
   };
   link(at.shoulder_mm, at.elbow_mm);

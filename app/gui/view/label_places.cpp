@@ -14,7 +14,7 @@ std::vector<std::optional<QPointF>> placesOfLabels(const std::vector<WantedLabel
   std::vector<std::pair<QString, QRectF>> drawn;
   for (const WantedLabel& label : labels) {
     const double w = label.where.width(), h = label.where.height();
-    const std::vector<QPointF> ways =
+    const std::vector<QPointF> directions =
         label.may_move ? std::vector<QPointF>{{0, 0},  {0, -h}, {0, h},   {w, 0},      {-w, 0},   {w, -h},
                                               {-w, h}, {w, h},  {-w, -h}, {0, -2 * h}, {0, 2 * h}}
                        : std::vector<QPointF>{{0, 0}};
@@ -22,11 +22,11 @@ std::vector<std::optional<QPointF>> placesOfLabels(const std::vector<WantedLabel
       return other.first == label.text && other.second.intersects(label.where);
     });
     std::optional<QPointF> place;
-    for (const QPointF& way : ways) {
+    for (const QPointF& direction : directions) {
       if (is_there || place) break;
-      const QRectF at = label.where.translated(way).adjusted(-kGap_px, 0, kGap_px, 0);
+      const QRectF at = label.where.translated(direction).adjusted(-kGap_px, 0, kGap_px, 0);
       if (std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(at); }))
-        place = way;
+        place = direction;
     }
     if (place) {
       taken.push_back(label.where.translated(*place));

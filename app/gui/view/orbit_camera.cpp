@@ -47,16 +47,16 @@ double pixelLength_mm(const QSizeF& size, double depth_mm) {
   return 2.0 * depth_mm * slope(1.0) / std::max(size.height(), 1.0);
 }
 
-OrbitCamera orbited(OrbitCamera camera, const QSizeF& size, const QPointF& way) {
+OrbitCamera orbited(OrbitCamera camera, const QSizeF& size, const QPointF& offset) {
   const double turn = kPi / std::max(size.height(), 1.0);
-  camera.azimuth_rad = std::remainder(camera.azimuth_rad - turn * way.x(), 2.0 * kPi);
-  camera.elevation_rad = std::clamp(camera.elevation_rad + turn * way.y(), -0.5 * kPi, 0.5 * kPi);
+  camera.azimuth_rad = std::remainder(camera.azimuth_rad - turn * offset.x(), 2.0 * kPi);
+  camera.elevation_rad = std::clamp(camera.elevation_rad + turn * offset.y(), -0.5 * kPi, 0.5 * kPi);
   return camera;
 }
 
-OrbitCamera panned(OrbitCamera camera, const QSizeF& size, const QPointF& way) {
+OrbitCamera panned(OrbitCamera camera, const QSizeF& size, const QPointF& offset) {
   const double pixel_mm = pixelLength_mm(size, camera.distance_mm);
-  camera.focus_mm += pixel_mm * (way.y() * camera.up_W() - way.x() * camera.right_W());
+  camera.focus_mm += pixel_mm * (offset.y() * camera.up_W() - offset.x() * camera.right_W());
   return camera;
 }
 
@@ -85,18 +85,18 @@ OrbitCamera fitted(OrbitCamera camera, const QSizeF& size, std::span<const Vec3>
   const double to_right = aspect * side(room.right(), size.width()), to_left = aspect * side(room.left(), size.width());
   const double to_top = side(room.top(), size.height()), to_bottom = side(room.bottom(), size.height());
   if (camera.parallel) {
-    Vec3 least = Vec3::Constant(kInfinity), most = -least;
+    Vec3 min = Vec3::Constant(kInfinity), max = -min;
     for (const Vec3& p_mm : points_mm) {
       const Vec3 p(p_mm.dot(right_W), p_mm.dot(up_W), p_mm.dot(back_W));
-      least = least.cwiseMin(p);
-      most = most.cwiseMax(p);
+      min = min.cwiseMin(p);
+      max = max.cwiseMax(p);
     }
-    camera.distance_mm = std::clamp(
-        std::max((most.x() - least.x()) / (to_right + to_left), (most.y() - least.y()) / (to_top + to_bottom)),
-        kNearest_mm, kFarthest_mm);
-    const double x = 0.5 * (most.x() + least.x() + camera.distance_mm * (to_left - to_right));
-    const double y = 0.5 * (most.y() + least.y() + camera.distance_mm * (to_bottom - to_top));
-    camera.focus_mm = x * right_W + y * up_W + 0.5 * (least.z() + most.z()) * back_W;
+    camera.distance_mm =
+        std::clamp(std::max((max.x() - min.x()) / (to_right + to_left), (max.y() - min.y()) / (to_top + to_bottom)),
+                   kNearest_mm, kFarthest_mm);
+    const double x = 0.5 * (max.x() + min.x() + camera.distance_mm * (to_left - to_right));
+    const double y = 0.5 * (max.y() + min.y() + camera.distance_mm * (to_bottom - to_top));
+    camera.focus_mm = x * right_W + y * up_W + 0.5 * (min.z() + max.z()) * back_W;
     return camera;
   }
   // Each point keeps the eye behind the four planes: eye_z slope >= p_z slope + (p_x - eye_x), and so on.

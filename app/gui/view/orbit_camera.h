@@ -40,9 +40,9 @@ OnScreen project(const OrbitCamera& camera, const QSizeF& size, const Vec3& p_mm
 double pixelLength_mm(const QSizeF& size, double depth_mm);
 
 /// dx, dy in pixels, as the mouse moved. The full height is half a turn.
-OrbitCamera orbited(OrbitCamera camera, const QSizeF& size, const QPointF& way);
+OrbitCamera orbited(OrbitCamera camera, const QSizeF& size, const QPointF& offset);
 /// Points in the focal plane follow the pointer.
-OrbitCamera panned(OrbitCamera camera, const QSizeF& size, const QPointF& way);
+OrbitCamera panned(OrbitCamera camera, const QSizeF& size, const QPointF& offset);
 /// factor < 1: nearer. The point under the pointer in the focal plane stays there.
 OrbitCamera zoomed(OrbitCamera camera, const QSizeF& size, const QPointF& pointer, double factor);
 /// Looks from the direction `from_W` of W; along the vertical with the user's side below.

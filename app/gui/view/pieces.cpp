@@ -91,10 +91,11 @@ void lightCorners(vtkActor& actor, bool from_both_sides) {
   if (from_both_sides) lit += "  n = n.z < 0.0 ? -n : n;\n";
   lit += "  litVSOutput = vec2(0.0);\n  vec3 l;\n  float d;\n";
   for (std::size_t light = 0; light < kLights.size(); ++light) {
-    const Vec3 way = kLights[light].normalized();
+    const Vec3 offset = kLights[light].normalized();
     const auto word = [](double value) { return QByteArray::number(value, 'f', 6).toStdString(); };
     const std::string strength = word(kLightStrengths[light]);
-    lit += "  l = vec3(" + word(way.x()) + ", " + word(way.y()) + ", " + word(way.z()) + ");\n  d = dot(n, l);\n";
+    lit +=
+        "  l = vec3(" + word(offset.x()) + ", " + word(offset.y()) + ", " + word(offset.z()) + ");\n  d = dot(n, l);\n";
     lit += "  litVSOutput += " + strength +
            " * vec2(max(d, 0.0), d > 0.0 ? pow(max(1e-5, reflect(-l, n).z), 28.0) : 0.0);\n";
   }
@@ -193,9 +194,9 @@ void place(vtkActor& actor, const Eigen::Matrix4d& X) {
 }
 
 Eigen::Matrix4d along(const Vec3& a_mm, const Vec3& b_mm, double radius_mm) {
-  const Vec3 way_mm = b_mm - a_mm;
-  const double length_mm = std::max(way_mm.norm(), 1e-9);
-  const Vec3 axis = way_mm.norm() > 1e-9 ? Vec3(way_mm / length_mm) : Vec3::UnitZ();
+  const Vec3 travel_mm = b_mm - a_mm;
+  const double length_mm = std::max(travel_mm.norm(), 1e-9);
+  const Vec3 axis = travel_mm.norm() > 1e-9 ? Vec3(travel_mm / length_mm) : Vec3::UnitZ();
   const Vec3 u = anyAcross(axis);
   Eigen::Matrix4d X = Eigen::Matrix4d::Identity();
   X.block<3, 1>(0, 0) = radius_mm * u;
@@ -268,10 +269,10 @@ void Lines::circle(const Vec3& center_mm, const Vec3& u, const Vec3& v, double r
 }
 
 void Lines::outline(const Vec3& eye_mm, const Vec3& center_mm, const Mat3& axes_mm, const QColor& colour) {
-  const Vec3 way = axes_mm.inverse() * (eye_mm - center_mm);  // in half axes, where it is the unit sphere
-  const double share = 1.0 / std::max(way.norm(), 1e-9);
+  const Vec3 offset = axes_mm.inverse() * (eye_mm - center_mm);  // in half axes, where it is the unit sphere
+  const double share = 1.0 / std::max(offset.norm(), 1e-9);
   if (share >= 1.0) return;  // none from inside
-  const Vec3 axis = way.normalized(), u = anyAcross(axis);
+  const Vec3 axis = offset.normalized(), u = anyAcross(axis);
   circle(center_mm + axes_mm * (share * axis), axes_mm * u, axes_mm * axis.cross(u), std::sqrt(1.0 - share * share),
          colour);
 }
@@ -279,11 +280,11 @@ void Lines::outline(const Vec3& eye_mm, const Vec3& center_mm, const Mat3& axes_
 void Lines::sides(const Vec3& eye_mm, const Vec3& a_mm, const Vec3& b_mm, double a_radius_mm, double b_radius_mm,
                   const QColor& colour) {
   const Vec3 axis = (b_mm - a_mm).normalized();
-  Vec3 way_mm = eye_mm - a_mm;
-  way_mm -= way_mm.dot(axis) * axis;
-  const double share = std::max(a_radius_mm, b_radius_mm) / std::max(way_mm.norm(), 1e-9);
+  Vec3 travel_mm = eye_mm - a_mm;
+  travel_mm -= travel_mm.dot(axis) * axis;
+  const double share = std::max(a_radius_mm, b_radius_mm) / std::max(travel_mm.norm(), 1e-9);
   if (share >= 1.0 || !axis.allFinite()) return;
-  const Vec3 u = way_mm.normalized(), v = axis.cross(u);
+  const Vec3 u = travel_mm.normalized(), v = axis.cross(u);
   for (const double side : {-1.0, 1.0}) {
     const Vec3 out = share * u + side * std::sqrt(1.0 - share * share) * v;
     segment(a_mm + a_radius_mm * out, b_mm + b_radius_mm * out, colour);
@@ -306,9 +307,9 @@ vtkSmartPointer<vtkPolyData> turned(std::span<const Ring> profile, int sectors) 
     const Ring lower = profile[strip], upper = profile[strip + 1];
     // A small change of slope means a rounded part: there both strips share the mean normal.
     const auto slopeOf = [&](std::size_t index) {
-      const Eigen::Vector2d way(profile[index + 1].radius - profile[index].radius,
-                                profile[index + 1].z - profile[index].z);
-      return Eigen::Vector2d(way.y(), -way.x()).normalized();
+      const Eigen::Vector2d offset(profile[index + 1].radius - profile[index].radius,
+                                   profile[index + 1].z - profile[index].z);
+      return Eigen::Vector2d(offset.y(), -offset.x()).normalized();
     };
     const auto meanOf = [&](std::size_t one, std::size_t other) {
       const Eigen::Vector2d a = slopeOf(one), b = slopeOf(other);

@@ -14,12 +14,12 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kRobotJoint_mm = 4.2, kLeastJoint_mm = 2.6;  // its radius; smaller for a small robot
+constexpr double kRobotJoint_mm = 4.2, kMinJoint_mm = 2.6;  // its radius; smaller for a small robot
 constexpr double kOfReach = 0.07;
 constexpr double kCrossing = 0.72;  // a joint that intersects another is this much smaller
 constexpr double kZ_mm = 16.0, kFrame_mm = 14.0, kAxisHead_mm = 3.0;
 constexpr double kMomentRadius_mm = 17.0;
-constexpr double kLeastMoment_N_mm = 2.0;
+constexpr double kMinMoment_N_mm = 2.0;
 constexpr int kTurns = 2, kSpringParts = 40, kArcParts = 48;
 
 Vec3 millimetresOf(const Vec3& p_W) {
@@ -33,19 +33,19 @@ Vec3 acrossTowards(const Vec3& axis, const Vec3& towards) {
 }
 
 void addArrow(Lines& lines, const Vec3& from_mm, const Vec3& to_mm, const Vec3& back_W, const QColor& colour) {
-  const Vec3 way = (to_mm - from_mm).normalized();
-  const Vec3 side = acrossTowards(way, way.cross(back_W));
+  const Vec3 direction = (to_mm - from_mm).normalized();
+  const Vec3 side = acrossTowards(direction, direction.cross(back_W));
   lines.segment(from_mm, to_mm, colour);
-  lines.segment(to_mm, to_mm - kAxisHead_mm * way + 0.6 * kAxisHead_mm * side, colour);
-  lines.segment(to_mm, to_mm - kAxisHead_mm * way - 0.6 * kAxisHead_mm * side, colour);
+  lines.segment(to_mm, to_mm - kAxisHead_mm * direction + 0.6 * kAxisHead_mm * side, colour);
+  lines.segment(to_mm, to_mm - kAxisHead_mm * direction - 0.6 * kAxisHead_mm * side, colour);
 }
 
 /// From rim to rim: hollow joints are not crossed out.
 void addLink(Lines& lines, const Vec3& a_mm, double a_rim_mm, const Vec3& b_mm, double b_rim_mm, const QColor& colour) {
-  const Vec3 way_mm = b_mm - a_mm;
-  if (way_mm.norm() <= a_rim_mm + b_rim_mm) return;  // intersecting axes: no link is visible
-  const Vec3 way = way_mm.normalized();
-  lines.segment(a_mm + a_rim_mm * way, b_mm - b_rim_mm * way, colour);
+  const Vec3 travel_mm = b_mm - a_mm;
+  if (travel_mm.norm() <= a_rim_mm + b_rim_mm) return;  // intersecting axes: no link is visible
+  const Vec3 direction = travel_mm.normalized();
+  lines.segment(a_mm + a_rim_mm * direction, b_mm - b_rim_mm * direction, colour);
 }
 
 }  // namespace
@@ -125,7 +125,7 @@ void RobotPicture::update(const OrbitCamera& camera) {
 void RobotPicture::add(const Robot& robot, const OrbitCamera& camera) {
   const RobotFigure figure = figureOf(robot.manipulator, robot.theta);
   const double size_mm =
-      std::clamp(kOfReach * kMillimetrePerMetre * robot.manipulator.reach_m, kLeastJoint_mm, kRobotJoint_mm);
+      std::clamp(kOfReach * kMillimetrePerMetre * robot.manipulator.reach_m, kMinJoint_mm, kRobotJoint_mm);
   const Vec3 tip_mm = millimetresOf(figure.X_WV.translation());
   robot.body->setColour(theme_.virtual_robot);
   robot.body->present(robot.theta);
@@ -141,7 +141,7 @@ void RobotPicture::add(const Robot& robot, const OrbitCamera& camera) {
   }
   addLink(thick_, last_mm, rim_mm, tip_mm, 0.0, theme_.virtual_robot);
   addTip(robot, figure.X_WV, camera);
-  addWays(robot, tip_mm, camera);
+  addDirections(robot, tip_mm, camera);
   if (known_) addMoment(robot.moment_W, camera);
 }
 
@@ -215,15 +215,15 @@ void RobotPicture::addTip(const Robot& robot, const Pose& X_WV, const OrbitCamer
       {QStringLiteral("V"), tip_mm + beyond_mm * R_WV.col(2), mixed(theme_.virtual_robot, theme_.ink, 0.35), true});
 }
 
-void RobotPicture::addWays(const Robot& robot, const Vec3& tip_mm, const OrbitCamera& camera) {
+void RobotPicture::addDirections(const Robot& robot, const Vec3& tip_mm, const OrbitCamera& camera) {
   const QColor colour = mixed(theme_.virtual_robot, theme_.ink, 0.25);
   const Freedom freedom = freedomOf(robot.manipulator, robot.theta);
   if (freedom.rank == 3) {  // all directions: a ball
     thin_.circle(tip_mm, camera.right_W(), camera.up_W(), 0.5 * kWay_mm, colour);
     return;
   }
-  for (int way = 0; way < freedom.rank; ++way) {
-    const Vec3 half_mm = kWay_mm * freedom.directions_W.col(way);
+  for (int direction = 0; direction < freedom.rank; ++direction) {
+    const Vec3 half_mm = kWay_mm * freedom.directions_W.col(direction);
     addArrow(thin_, tip_mm, tip_mm + half_mm, camera.back_W(), colour);
     addArrow(thin_, tip_mm, tip_mm - half_mm, camera.back_W(), colour);
   }
@@ -235,7 +235,7 @@ void RobotPicture::addWays(const Robot& robot, const Vec3& tip_mm, const OrbitCa
 /// Dashed, in the force's colour: it belongs to the force, but the arm has no motor for it.
 void RobotPicture::addMoment(const Vec3& moment_W, const OrbitCamera& camera) {
   const double size_N_mm = kMillimetrePerMetre * moment_W.norm();
-  if (!(size_N_mm >= kLeastMoment_N_mm)) return;
+  if (!(size_N_mm >= kMinMoment_N_mm)) return;
   const Vec3 axis = moment_W.normalized();
   const Vec3 u = acrossTowards(axis, Vec3::UnitY()), v = axis.cross(u);
   const Vec3 middle_mm = millimetresOf(p_WT_);
@@ -247,8 +247,8 @@ void RobotPicture::addMoment(const Vec3& moment_W, const OrbitCamera& camera) {
     if (part % 4 == 3 && part + 1 < kArcParts) continue;
     thin_.segment(at(angle_rad * part / kArcParts), at(angle_rad * (part + 1) / kArcParts), theme_.force);
   }
-  const Vec3 end_mm = at(angle_rad), way = axis.cross(end_mm - middle_mm).normalized();
-  addArrow(thin_, end_mm - 0.1 * way, end_mm + 0.1 * way, camera.back_W(), theme_.force);
+  const Vec3 end_mm = at(angle_rad), direction = axis.cross(end_mm - middle_mm).normalized();
+  addArrow(thin_, end_mm - 0.1 * direction, end_mm + 0.1 * direction, camera.back_W(), theme_.force);
   labels_.push_back({is_sent_ ? QCoreApplication::translate("SceneView", "moment, sent")
                               : QCoreApplication::translate("SceneView", "moment, not sent"),
                      middle_mm - (kMomentRadius_mm + 8.0) * camera.up_W(), mixed(theme_.force, theme_.ink, 0.45),

@@ -55,7 +55,7 @@ class RobotPicture {
   void addSpring(const JointFigure& joint, double size_mm);
   void addBase(const Vec3& p_mm, double size_mm, const Vec3& right_W);
   void addTip(const Robot& robot, const Pose& X_WV, const OrbitCamera& camera);
-  void addWays(const Robot& robot, const Vec3& tip_mm, const OrbitCamera& camera);
+  void addDirections(const Robot& robot, const Vec3& tip_mm, const OrbitCamera& camera);
   void addMoment(const Vec3& moment_W, const OrbitCamera& camera);
 
   Theme theme_ = Theme::light();

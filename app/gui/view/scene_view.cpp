@@ -29,7 +29,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), impl_(std::make_unique<
 
 SceneView::~SceneView() {
   impl_->movement.stop();
-  impl_->ghost_way.stop();
+  impl_->ghost_trajectory.stop();
   delete impl_->surface;  // while what it draws is still there
 }
 
@@ -155,10 +155,10 @@ void SceneView::setLayers(const Layers& layers) {
 }
 
 void SceneView::chooseSolution(int number) {
-  impl_->ghost_way.stop();
+  impl_->ghost_trajectory.stop();
   impl_->kinematics.choose(number);
   if (number > 0 && isVisible()) {
-    impl_->ghost_way.start();
+    impl_->ghost_trajectory.start();
   } else {
     impl_->kinematics.setShare(1.0);
   }
@@ -166,7 +166,7 @@ void SceneView::chooseSolution(int number) {
 }
 
 bool SceneView::solutionMoving() const {
-  return impl_->ghost_way.state() == QAbstractAnimation::Running;
+  return impl_->ghost_trajectory.state() == QAbstractAnimation::Running;
 }
 
 std::size_t SceneView::solutionsDrawn() const {
@@ -301,13 +301,13 @@ std::size_t SceneView::patchDrawn() const {
 
 std::pair<double, double> SceneView::sectionRange_mm(int axis) const {
   const double half_mm = workspaceHalf_mm()[axis], now_mm = impl_->layers.section_mm[axis];
-  double most = std::max(half_mm, now_mm), least = std::min(-half_mm, now_mm);
+  double max = std::max(half_mm, now_mm), min = std::min(-half_mm, now_mm);
   for (const Vec3& p_mm : impl_->meshes.extent_mm()) {
-    least = std::min(least, p_mm[axis]);
-    most = std::max(most, p_mm[axis]);
+    min = std::min(min, p_mm[axis]);
+    max = std::max(max, p_mm[axis]);
   }
   constexpr double kFarthestMesh_mm = 1e8;  // of a mesh in map coordinates; a slider's steps are whole numbers
-  return {std::max(least, -kFarthestMesh_mm), std::min(most, kFarthestMesh_mm)};
+  return {std::max(min, -kFarthestMesh_mm), std::min(max, kFarthestMesh_mm)};
 }
 
 std::size_t SceneView::cutPartsDrawn() const {

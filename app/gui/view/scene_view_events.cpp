@@ -16,7 +16,7 @@ constexpr double kStep_m = 0.002, kBigStep_m = 0.010, kWheelDepth_m = 0.005, kTu
 constexpr double kOrbit_px = 24.0;  // of a drag, equivalent to one arrow key
 
 /// right, up, away of an arrow or page key; zero: another key.
-Vec3 wayOf(int key) {
+Vec3 offsetOf(int key) {
   switch (key) {
     case Qt::Key_Right:
       return {1, 0, 0};
@@ -36,10 +36,10 @@ Vec3 wayOf(int key) {
 }
 
 double distanceToSegment(const QPointF& p, const QPointF& a, const QPointF& b) {
-  const QPointF way = b - a;
-  const double length2 = QPointF::dotProduct(way, way);
-  const double share = length2 > 0.0 ? std::clamp(QPointF::dotProduct(p - a, way) / length2, 0.0, 1.0) : 0.0;
-  const QPointF off = p - a - share * way;
+  const QPointF offset = b - a;
+  const double length2 = QPointF::dotProduct(offset, offset);
+  const double share = length2 > 0.0 ? std::clamp(QPointF::dotProduct(p - a, offset) / length2, 0.0, 1.0) : 0.0;
+  const QPointF off = p - a - share * offset;
   return std::hypot(off.x(), off.y());
 }
 
@@ -116,24 +116,24 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
   Impl& my = *impl_;
-  const QPointF way = event->position() - my.last;
+  const QPointF offset = event->position() - my.last;
   my.last = event->position();
   my.showPointer(event->position());
-  if (way.isNull()) return;
+  if (offset.isNull()) return;
   switch (my.drag) {
     case Drag::None:
       return;
     case Drag::Orbit:
-      return my.cameraByHand(orbited(my.camera, my.size(), way));
+      return my.cameraByHand(orbited(my.camera, my.size(), offset));
     case Drag::Pan:
-      return my.cameraByHand(panned(my.camera, my.size(), way));
+      return my.cameraByHand(panned(my.camera, my.size(), offset));
     case Drag::Zoom:
-      return my.cameraByHand(zoomed(my.camera, my.size(), my.pressed, std::exp(0.006 * way.y())));
+      return my.cameraByHand(zoomed(my.camera, my.size(), my.pressed, std::exp(0.006 * offset.y())));
     case Drag::Hand:
       if (event->modifiers().testFlag(Qt::ControlModifier)) {
-        my.grip.turn(my.camera, my.hand.X_WT().linear(), way);
+        my.grip.turn(my.camera, my.hand.X_WT().linear(), offset);
       } else {
-        my.grip.drag(my.camera, my.size(), my.hand.X_WT().translation(), way);
+        my.grip.drag(my.camera, my.size(), my.hand.X_WT().translation(), offset);
       }
       emit handMoved(my.grip.setpoint());
   }
@@ -170,23 +170,23 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 
 void SceneView::keyPressEvent(QKeyEvent* event) {
   Impl& my = *impl_;
-  const Vec3 way = wayOf(event->key());
+  const Vec3 offset = offsetOf(event->key());
   const Qt::KeyboardModifiers modifiers = event->modifiers() & ~Qt::KeypadModifier;
-  if (way.isZero()) return QWidget::keyPressEvent(event);
+  if (offset.isZero()) return QWidget::keyPressEvent(event);
   if (!my.hand_available || !my.hand.known() || modifiers.testFlag(Qt::AltModifier)) {
-    if (way.z() != 0.0) {
-      my.cameraByHand(zoomed(my.camera, my.size(), QPointF(0.5 * width(), 0.5 * height()), std::pow(0.87, way.z())));
+    if (offset.z() != 0.0) {
+      my.cameraByHand(zoomed(my.camera, my.size(), QPointF(0.5 * width(), 0.5 * height()), std::pow(0.87, offset.z())));
     } else {
-      my.cameraByHand(orbited(my.camera, my.size(), kOrbit_px * QPointF(way.x(), -way.y())));
+      my.cameraByHand(orbited(my.camera, my.size(), kOrbit_px * QPointF(offset.x(), -offset.y())));
     }
     return;
   }
   my.take();
   my.held_by_keys.insert(event->key());
   if (modifiers.testFlag(Qt::ControlModifier)) {
-    my.grip.turnStep(my.camera, my.hand.X_WT().linear(), way, kTurn_rad);
+    my.grip.turnStep(my.camera, my.hand.X_WT().linear(), offset, kTurn_rad);
   } else {
-    my.grip.step(my.camera, my.hand.X_WT().translation(), way,
+    my.grip.step(my.camera, my.hand.X_WT().translation(), offset,
                  modifiers.testFlag(Qt::ShiftModifier) ? kBigStep_m : kStep_m);
   }
   emit handMoved(my.grip.setpoint());

@@ -17,7 +17,7 @@ namespace underact::gui {
 namespace {
 
 constexpr int kPoll_ms = 200, kGhost_ms = 800, kArmsRead_ms = 50;
-constexpr double kMostTaken = 0.36;       // of the height, by a card over the view
+constexpr double kMaxTaken = 0.36;        // of the height, by a card over the view
 constexpr double kThickestPen_m = 0.005;  // from its middle, of the Omni's size
 
 OrbitCamera firstLook() {
@@ -51,11 +51,11 @@ SceneView::Impl::Impl(SceneView* owner) : view(owner), camera(firstLook()) {
   });
   arms_read.setInterval(kArmsRead_ms);
   connect(&arms_read, &QTimer::timeout, view, [this] { takeArms(); });
-  ghost_way.setDuration(kGhost_ms);
-  ghost_way.setStartValue(0.0);
-  ghost_way.setEndValue(1.0);
-  ghost_way.setEasingCurve(QEasingCurve::InOutCubic);
-  connect(&ghost_way, &QVariantAnimation::valueChanged, view, [this](const QVariant& share) {
+  ghost_trajectory.setDuration(kGhost_ms);
+  ghost_trajectory.setStartValue(0.0);
+  ghost_trajectory.setEndValue(1.0);
+  ghost_trajectory.setEasingCurve(QEasingCurve::InOutCubic);
+  connect(&ghost_trajectory, &QVariantAnimation::valueChanged, view, [this](const QVariant& share) {
     kinematics.setShare(share.toDouble());
     surface->update();
   });
@@ -228,7 +228,7 @@ OrbitCamera SceneView::Impl::wanted() const {
 QMarginsF SceneView::Impl::room_px() const {
   QMarginsF room = kRoom_px;
   room.setBottom(std::max(1.0, gauge_scale) * room.bottom());  // the gauge stands below the arm
-  if (taken_px > room.top() && taken_px < kMostTaken * size().height()) room.setTop(taken_px);
+  if (taken_px > room.top() && taken_px < kMaxTaken * size().height()) room.setTop(taken_px);
   return room;
 }
 

@@ -86,7 +86,7 @@ struct SceneView::Impl {
   bool camera_is_mine = true;  // not moved by the user: it keeps everything in the picture
   QTimer arms_read;            // looks for the meshes of arms
   QVariantAnimation movement;
-  QVariantAnimation ghost_way;  // of the chosen solution's ghost
+  QVariantAnimation ghost_trajectory;  // of the chosen solution's ghost
 
   HandGrip grip;
   bool hand_available = false;

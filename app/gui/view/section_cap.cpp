@@ -98,18 +98,18 @@ std::vector<SectionCap::Segment> SectionCap::segmentsOf(const mesh::Triangles& t
 }
 
 void SectionCap::fill(const std::vector<Segment>& segments, int axis, double at_mm) {
-  double least = std::numeric_limits<double>::infinity(), most = -least;
+  double min = std::numeric_limits<double>::infinity(), max = -min;
   for (const Segment& segment : segments) {  // each corner of a closed outline is the begin of one
-    least = std::min(least, segment.from.y());
-    most = std::max(most, segment.from.y());
+    min = std::min(min, segment.from.y());
+    max = std::max(max, segment.from.y());
   }
-  if (!(most > least)) return;
-  const double row_mm = kRow * (most - least);
+  if (!(max > min)) return;
+  const double row_mm = kRow * (max - min);
   std::vector<Side> sides;
   std::vector<int> rows;  // at which a side begins or ends
   for (const Segment& segment : segments) {
-    const auto from = static_cast<int>(std::lround((segment.from.y() - least) / row_mm));
-    const auto to = static_cast<int>(std::lround((segment.to.y() - least) / row_mm));
+    const auto from = static_cast<int>(std::lround((segment.from.y() - min) / row_mm));
+    const auto to = static_cast<int>(std::lround((segment.to.y() - min) / row_mm));
     if (from < to) sides.push_back({from, to, segment.from.x(), segment.to.x(), 1});
     if (to < from) sides.push_back({to, from, segment.to.x(), segment.from.x(), -1});
     if (from != to) rows.insert(rows.end(), {from, to});
@@ -131,7 +131,7 @@ void SectionCap::fill(const std::vector<Segment>& segments, int axis, double at_
       if (turns == 0) left = &side;
       turns += side.turns;
       if (turns != 0) continue;
-      const double low_mm = least + (low - kOver) * row_mm, high_mm = least + high * row_mm;
+      const double low_mm = min + (low - kOver) * row_mm, high_mm = min + high * row_mm;
       face_cells_->InsertNextCell(4);
       for (const auto& [u_mm, v_mm] : {std::pair{left->at(low), low_mm},
                                        {side.at(low), low_mm},

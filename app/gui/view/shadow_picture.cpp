@@ -19,7 +19,7 @@ namespace {
 constexpr double kSharpest_m = 0.004;  // the soft edge of a shadow on the desk itself
 constexpr double kWidening = 0.30;     // and how much it widens with height
 constexpr double kFading_m = 0.06;     // at this height it is half as dark: from far above it would look like a stain
-constexpr float kLeastShade = 0.004F;
+constexpr float kMinShade = 0.004F;
 constexpr double kDarkest = 0.55, kDarkestOnDark = 0.75;
 
 struct FlatRod {
@@ -43,36 +43,36 @@ ShadowField shadowOf(std::span<const ShadowRod> rods, const Pose& X_WD, double s
   if (rods.empty()) return field;
   const Pose X_DW = X_WD.inverse();
   std::vector<FlatRod> flat;
-  double least_x = kInfinity, most_x = -kInfinity, least_z = kInfinity, most_z = -kInfinity;
+  double min_x = kInfinity, max_x = -kInfinity, min_z = kInfinity, max_z = -kInfinity;
   for (const ShadowRod& rod : rods) {
     const Vec3 a = X_DW * rod.from_W, b = X_DW * rod.to_W;
     const double ha = std::max(0.0, a.y() - rod.from_radius_m), hb = std::max(0.0, b.y() - rod.to_radius_m);
     flat.push_back({a.x(), a.z(), b.x(), b.z(), rod.from_radius_m, rod.to_radius_m, ha, hb});
     const double around = std::max(rod.from_radius_m + edgeOf(ha, size), rod.to_radius_m + edgeOf(hb, size));
-    least_x = std::min({least_x, a.x() - around, b.x() - around});
-    most_x = std::max({most_x, a.x() + around, b.x() + around});
-    least_z = std::min({least_z, a.z() - around, b.z() - around});
-    most_z = std::max({most_z, a.z() + around, b.z() + around});
+    min_x = std::min({min_x, a.x() - around, b.x() - around});
+    max_x = std::max({max_x, a.x() + around, b.x() + around});
+    min_z = std::min({min_z, a.z() - around, b.z() - around});
+    max_z = std::max({max_z, a.z() + around, b.z() + around});
   }
-  const double step_x = (most_x - least_x) / (n - 1), step_z = (most_z - least_z) / (n - 1);
-  field.p_WCorner = X_WD * Vec3(least_x, 0.0, least_z);
-  field.x_W = X_WD.linear().col(0) * (most_x - least_x);
-  field.z_W = X_WD.linear().col(2) * (most_z - least_z);
+  const double step_x = (max_x - min_x) / (n - 1), step_z = (max_z - min_z) / (n - 1);
+  field.p_WCorner = X_WD * Vec3(min_x, 0.0, min_z);
+  field.x_W = X_WD.linear().col(0) * (max_x - min_x);
+  field.z_W = X_WD.linear().col(2) * (max_z - min_z);
   field.shade.assign(static_cast<std::size_t>(n * n), 0.0F);
   for (const FlatRod& rod : flat) {
     const double wx = rod.bx - rod.ax, wz = rod.bz - rod.az, length2 = wx * wx + wz * wz;
     const double around =
         std::max(rod.from_radius + edgeOf(rod.from_height, size), rod.to_radius + edgeOf(rod.to_height, size));
-    const auto range = [&](double p, double q, double least, double step) {
-      const int from = static_cast<int>(std::floor((std::min(p, q) - around - least) / step));
-      const int to = static_cast<int>(std::ceil((std::max(p, q) + around - least) / step));
+    const auto range = [&](double p, double q, double min, double step) {
+      const int from = static_cast<int>(std::floor((std::min(p, q) - around - min) / step));
+      const int to = static_cast<int>(std::ceil((std::max(p, q) + around - min) / step));
       return std::array<int, 2>{std::max(from, 0), std::min(to, n - 1)};
     };
-    const auto [from_x, to_x] = range(rod.ax, rod.bx, least_x, step_x);
-    const auto [from_z, to_z] = range(rod.az, rod.bz, least_z, step_z);
+    const auto [from_x, to_x] = range(rod.ax, rod.bx, min_x, step_x);
+    const auto [from_z, to_z] = range(rod.az, rod.bz, min_z, step_z);
     for (int row = from_z; row <= to_z; ++row) {
       for (int column = from_x; column <= to_x; ++column) {
-        const double px = least_x + column * step_x - rod.ax, pz = least_z + row * step_z - rod.az;
+        const double px = min_x + column * step_x - rod.ax, pz = min_z + row * step_z - rod.az;
         const double share = length2 > 0.0 ? std::clamp((px * wx + pz * wz) / length2, 0.0, 1.0) : 0.0;
         const double away = std::sqrt(std::pow(px - share * wx, 2) + std::pow(pz - share * wz, 2));
         const double radius = rod.from_radius + share * (rod.to_radius - rod.from_radius);
@@ -130,7 +130,7 @@ void ShadowPicture::present(std::span<const ShadowRod> rods, const Pose& X_WD, d
       const vtkIdType corner = row * n + column;
       const std::array<vtkIdType, 4> quad{corner, corner + 1, corner + n + 1, corner + n};
       const bool shaded = std::any_of(quad.begin(), quad.end(), [this](vtkIdType at) {
-        return field_.shade[static_cast<std::size_t>(at)] > kLeastShade;
+        return field_.shade[static_cast<std::size_t>(at)] > kMinShade;
       });
       if (shaded) cells_->InsertNextCell(4, quad.data());
     }

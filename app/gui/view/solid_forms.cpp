@@ -49,11 +49,11 @@ std::vector<std::array<Eigen::Vector2d, 2>> stripNormals(std::span<const Ring> p
   std::vector<Eigen::Vector2d> own;
   std::vector<double> lengths;
   for (std::size_t strip = 0; strip + 1 < profile.size(); ++strip) {
-    const Eigen::Vector2d way(profile[strip + 1].radius - profile[strip].radius,
-                              profile[strip + 1].z - profile[strip].z);
-    const double length = way.norm();
+    const Eigen::Vector2d offset(profile[strip + 1].radius - profile[strip].radius,
+                                 profile[strip + 1].z - profile[strip].z);
+    const double length = offset.norm();
     lengths.push_back(length);
-    own.push_back(length > 0.0 ? Eigen::Vector2d(way.y() / length, -way.x() / length) : Eigen::Vector2d::Zero());
+    own.push_back(length > 0.0 ? Eigen::Vector2d(offset.y() / length, -offset.x() / length) : Eigen::Vector2d::Zero());
   }
   for (std::size_t strip = 0; strip < own.size(); ++strip) {  // without length: as its neighbour
     if (own[strip].isZero() && strip > 0) own[strip] = own[strip - 1];

@@ -18,7 +18,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kLeastSectors = 12, kMostSectors = 48, kRodSectors = 12;
+constexpr int kMinSectors = 12, kMaxSectors = 48, kRodSectors = 12;
 constexpr double kSamePlace = 1e-6;      // of two poses of a link
 constexpr double kBentParts = 24.0;      // of a half circle
 constexpr double kFlatness_m = 0.00007;  // at most, between a circle and its chords: less than a pixel
@@ -26,7 +26,7 @@ constexpr double kFlatness_m = 0.00007;  // at most, between a circle and its ch
 /// Corners of a circle.
 int sectorsOf(double radius_m) {
   const double wanted = kPi / std::sqrt(2.0 * kFlatness_m / std::max(radius_m, kFlatness_m));
-  return std::clamp(4 * static_cast<int>(std::ceil(0.25 * wanted)), kLeastSectors, kMostSectors);
+  return std::clamp(4 * static_cast<int>(std::ceil(0.25 * wanted)), kMinSectors, kMaxSectors);
 }
 
 class LinkMesh {

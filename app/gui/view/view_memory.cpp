@@ -74,7 +74,7 @@ void ViewMemory::keep() {
   const int index = indexOf(rows_, path_);
   if (index >= 0) rows_.removeAt(index);
   if (!viewpoint.fits || viewpoint.camera.parallel) rows_.prepend(rowOf(path_, viewpoint));
-  while (rows_.size() > kMost) rows_.removeLast();
+  while (rows_.size() > kMax) rows_.removeLast();
   QSettings().setValue(kViewsKey, rows_);
 }
 

@@ -7,10 +7,10 @@ namespace underact::gui {
 class SceneView;
 
 /// How the view of each scene file was left: it looks so again when the scene is opened the next time. Views that were
-/// not moved by hand are not kept: they fit whatever the scene is. The latest kMost are stored in the user's settings.
+/// not moved by hand are not kept: they fit whatever the scene is. The latest kMax are stored in the user's settings.
 class ViewMemory {
  public:
-  static constexpr int kMost = 60;
+  static constexpr int kMax = 60;
 
   explicit ViewMemory(SceneView& view);
   /// The scene of that file is in the view now; empty: one without a file, whose view is not kept.

@@ -195,8 +195,8 @@ void ViewWords::paintHint(QPainter& painter, const WordsState& state) {
 
 void ViewWords::paintTriad(QPainter& painter, const WordsState& state) {
   QString key = state.theme.ink.name() + state.theme.background.name() + state.font.key();
-  for (const Vec3& way : {state.camera.right_W(), state.camera.back_W()})
-    key += QStringLiteral(" %1 %2 %3").arg(way.x()).arg(way.y()).arg(way.z());
+  for (const Vec3& direction : {state.camera.right_W(), state.camera.back_W()})
+    key += QStringLiteral(" %1 %2 %3").arg(direction.x()).arg(direction.y()).arg(direction.z());
   constexpr double kSide = AxisGizmo::kSide;
   const QImage& image = triad_.image(key, {kSide, kSide}, state.scale, [&](QPainter& p, const QSizeF&) {
     AxisGizmo::paint(p, state.camera, state.theme, state.font);

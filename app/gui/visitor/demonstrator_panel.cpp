@@ -18,10 +18,10 @@
 namespace underact::gui {
 namespace {
 
-QSpinBox* number(const char* name, const QString& spoken, int least, int most, int value, QWidget* parent) {
+QSpinBox* number(const char* name, const QString& spoken, int min, int max, int value, QWidget* parent) {
   auto* box = new QSpinBox(parent);
   nameWidget(box, name, spoken);
-  box->setRange(least, most);
+  box->setRange(min, max);
   box->setValue(value);
   box->setKeyboardTracking(false);
   return box;
@@ -34,8 +34,8 @@ DemonstratorPanel::DemonstratorPanel(const VisitorSettings& visitor_settings, QW
       scenes_(new QListWidget(this)),
       dwell_(number("demonstrator.dwell", tr("Seconds per scene"), kShortestDwell_s, kLongestDwell_s,
                     visitor_settings.dwell_s, this)),
-      force_(number("demonstrator.force", tr("Maximum force, percent of the arm's continuous force"),
-                    kLeastForce_percent, kMostForce_percent, visitor_settings.force_percent, this)),
+      force_(number("demonstrator.force", tr("Maximum force, percent of the arm's continuous force"), kMinForce_percent,
+                    kMaxForce_percent, visitor_settings.force_percent, this)),
       told_(messageLabel("demonstrator.told", tr("Note"), "amber", this)) {
   setObjectName("demonstrator");
   setWindowTitle(tr("Demonstrator"));

@@ -28,11 +28,11 @@ DragHint::DragHint(SceneView& view)
   setFocusPolicy(Qt::NoFocus);
   resize(kSide_px, kSide_px);
   hide();
-  way_.setStartValue(0.0);
-  way_.setEndValue(1.0);
-  way_.setDuration(kRound_ms);
-  way_.setLoopCount(-1);
-  connect(&way_, &QVariantAnimation::valueChanged, this, qOverload<>(&QWidget::update));
+  progress_.setStartValue(0.0);
+  progress_.setEndValue(1.0);
+  progress_.setDuration(kRound_ms);
+  progress_.setLoopCount(-1);
+  connect(&progress_, &QVariantAnimation::valueChanged, this, qOverload<>(&QWidget::update));
 }
 
 void DragHint::present(bool on) {
@@ -44,13 +44,13 @@ void DragHint::present(bool on) {
   }
   if (on == !isHidden()) return;
   setVisible(on);
-  if (!on) return way_.stop();
+  if (!on) return progress_.stop();
   raise();
-  way_.start();
+  progress_.start();
 }
 
 void DragHint::paintEvent(QPaintEvent*) {
-  const double at = way_.currentValue().toDouble();
+  const double at = progress_.currentValue().toDouble();
   const double share = std::clamp((at - kTakes) / (kStays - kTakes), 0.0, 1.0);
   const QPointF tip = kFrom + share * share * (3.0 - 2.0 * share) * (kTo - kFrom);
   QPainter painter(this);

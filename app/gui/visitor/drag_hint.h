@@ -21,7 +21,7 @@ class DragHint : public Painted {
 
  private:
   SceneView& view_;
-  QVariantAnimation way_;
+  QVariantAnimation progress_;
 };
 
 }  // namespace underact::gui

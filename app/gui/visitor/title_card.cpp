@@ -29,7 +29,7 @@ TitleCard::TitleCard(QWidget* parent)
       feel_(messageLabel("visitor.feel", tr("What to feel"), "", this)),
       try_(messageLabel("visitor.try", tr("What to try"), "", this)),
       trouble_(messageLabel("visitor.trouble", tr("Problem"), "alarm", this)),
-      way_out_(messageLabel("visitor.way_out", tr("How to leave"), "quiet", this)),
+      leaving_(messageLabel("visitor.way_out", tr("How to leave"), "quiet", this)),
       next_(pushButton("visitor.next", tr("Next"), tr("Shows the next scene."), this)),
       start_(pushButton("visitor.go", tr("Start"), tr("Turns the force on. Esc turns it off."), this)) {
   setObjectName("visitor");
@@ -43,13 +43,13 @@ TitleCard::TitleCard(QWidget* parent)
   grid->addWidget(feel_, 1, 0);
   grid->addWidget(try_, 2, 0);
   grid->addWidget(trouble_, 3, 0);
-  grid->addWidget(way_out_, 4, 0, 1, 2);
+  grid->addWidget(leaving_, 4, 0, 1, 2);
   grid->addWidget(start_, 0, 1, 2, 1);
   grid->addWidget(next_, 2, 1, 2, 1);
   grid->setColumnStretch(0, 1);
-  way_out_->setText(tr("For demonstrators: Ctrl+Alt+Shift+U opens a panel with Stop and Leave visitor mode."));
-  way_out_->hide();
-  for (QLabel* label : {title_, feel_, try_, trouble_, way_out_}) label->setTextInteractionFlags(Qt::NoTextInteraction);
+  leaving_->setText(tr("For demonstrators: Ctrl+Alt+Shift+U opens a panel with Stop and Leave visitor mode."));
+  leaving_->hide();
+  for (QLabel* label : {title_, feel_, try_, trouble_, leaving_}) label->setTextInteractionFlags(Qt::NoTextInteraction);
   connect(next_, &QPushButton::clicked, this, &TitleCard::nextAsked);
   connect(start_, &QPushButton::clicked, this, &TitleCard::startAsked);
   setState(false, {});
@@ -59,8 +59,8 @@ void TitleCard::setScene(const QString& title, const QString& feel, const QStrin
   title_->setText(title);
   feel_->setText(feel);
   try_->setText(try_this);
-  QAccessibleEvent said(title_, QAccessible::Alert);
-  if (isVisible()) QAccessible::updateAccessibility(&said);
+  QAccessibleEvent alert(title_, QAccessible::Alert);
+  if (isVisible()) QAccessible::updateAccessibility(&alert);
 }
 
 void TitleCard::setState(bool can_start, const QString& trouble) {
@@ -70,14 +70,14 @@ void TitleCard::setState(bool can_start, const QString& trouble) {
 }
 
 void TitleCard::showWayOut(bool on) {
-  way_out_->setVisible(on);
+  leaving_->setVisible(on);
 }
 
 void TitleCard::fitInto(int height_px) {
   setType(title_, height_px / 24.0, true);
   for (QWidget* words : {static_cast<QWidget*>(feel_), static_cast<QWidget*>(try_), static_cast<QWidget*>(trouble_)})
     setType(words, height_px / 38.0);
-  setType(way_out_, height_px / 50.0);
+  setType(leaving_, height_px / 50.0);
   const int side = height_px / 24, above = height_px / 40;
   layout()->setContentsMargins(side, above, side, above);
   setType(next_, height_px / 30.0);

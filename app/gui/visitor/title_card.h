@@ -24,7 +24,7 @@ class TitleCard : public QFrame {
   void startAsked();
 
  private:
-  QLabel *title_, *feel_, *try_, *trouble_, *way_out_;
+  QLabel *title_, *feel_, *try_, *trouble_, *leaving_;
   QPushButton *next_, *start_;
 };
 

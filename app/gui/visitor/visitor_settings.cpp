@@ -12,9 +12,9 @@ namespace underact::gui {
 namespace {
 
 // Each feels different, and none needs an explanation first.
-constexpr const char* kUsual[] = {"02_sphere.json",           "07_box_outside.json",         "05_circle.json",
-                                  "14_circle_influence.json", "10_two_spheres_nearest.json", "25_torus_knot.json",
-                                  "26_bumpy_sphere.json",     "28_trefoil_path.json"};
+constexpr const char* kDefault[] = {"02_sphere.json",           "07_box_outside.json",         "05_circle.json",
+                                    "14_circle_influence.json", "10_two_spheres_nearest.json", "25_torus_knot.json",
+                                    "26_bumpy_sphere.json",     "28_trefoil_path.json"};
 
 QStringList existing(const QStringList& paths) {
   QStringList there;
@@ -23,9 +23,9 @@ QStringList existing(const QStringList& paths) {
   return there;
 }
 
-QStringList usualScenes() {
+QStringList defaultScenes() {
   QStringList paths;
-  for (const char* name : kUsual) paths << QDir(sceneFolder()).filePath(name);
+  for (const char* name : kDefault) paths << QDir(sceneFolder()).filePath(name);
   return existing(paths);
 }
 
@@ -39,10 +39,10 @@ VisitorSettings readVisitorSettings() {
     visitor_settings.dwell_s = std::clamp(stored.value("visitor/dwell_s", visitor_settings.dwell_s).toInt(),
                                           kShortestDwell_s, kLongestDwell_s);
     visitor_settings.force_percent =
-        std::clamp(stored.value("visitor/force_percent", visitor_settings.force_percent).toInt(), kLeastForce_percent,
-                   kMostForce_percent);
+        std::clamp(stored.value("visitor/force_percent", visitor_settings.force_percent).toInt(), kMinForce_percent,
+                   kMaxForce_percent);
   }
-  if (visitor_settings.scenes.isEmpty()) visitor_settings.scenes = usualScenes();
+  if (visitor_settings.scenes.isEmpty()) visitor_settings.scenes = defaultScenes();
   return visitor_settings;
 }
 

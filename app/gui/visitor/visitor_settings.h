@@ -11,7 +11,7 @@ struct VisitorSettings {
 };
 
 inline constexpr int kShortestDwell_s = 10, kLongestDwell_s = 3600;
-inline constexpr int kLeastForce_percent = 10, kMostForce_percent = 100;
+inline constexpr int kMinForce_percent = 10, kMaxForce_percent = 100;
 
 /// Missing scenes are left out; if none remains, some of those that come with the program are used.
 VisitorSettings readVisitorSettings();

@@ -140,8 +140,8 @@ void Tour::go(int stop) {
   spotlight_->pointAt([this] { return where(); });
   follow();
   next_->setFocus(Qt::OtherFocusReason);
-  QAccessibleEvent said(this, QAccessible::Alert);  // a screen reader reads the stop, not only the button
-  QAccessible::updateAccessibility(&said);
+  QAccessibleEvent alert(this, QAccessible::Alert);  // a screen reader reads the stop, not only the button
+  QAccessible::updateAccessibility(&alert);
 }
 
 void Tour::end() {

@@ -60,9 +60,9 @@ QString pushWords(const scene::Description& scene) {
 }
 
 double wristTurn_rad(const arm::JointAngles& from, const arm::JointAngles& to) {
-  double most = 0.0;
-  for (std::size_t joint = 3; joint < from.size(); ++joint) most = std::max(most, std::abs(to[joint] - from[joint]));
-  return most;
+  double max = 0.0;
+  for (std::size_t joint = 3; joint < from.size(); ++joint) max = std::max(max, std::abs(to[joint] - from[joint]));
+  return max;
 }
 
 }  // namespace
@@ -166,8 +166,8 @@ void Welcome::done(Thing thing, const QString& sentence) {
   was_seen_ = next() == kThings;
   confirmed_->setText(was_seen_ ? sentence + " " + tr("The Help menu brings this card back.") : sentence);
   tell();
-  QAccessibleEvent said(confirmed_, QAccessible::Alert);
-  QAccessible::updateAccessibility(&said);
+  QAccessibleEvent alert(confirmed_, QAccessible::Alert);
+  QAccessible::updateAccessibility(&alert);
 }
 
 void Welcome::watch(const servo::Snapshot& snapshot) {

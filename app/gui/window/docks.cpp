@@ -13,15 +13,15 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kLeastLines = 12, kMostPercent = 20;       // of a panel's width
+constexpr int kMinLines = 12, kMaxPercent = 20;          // of a panel's width
 constexpr int kPlotsPercent = 25, kSessionPercent = 42;  // of the window's height
 
 /// Plots below the view, which were closed, get enough of the window to be read.
 void heighten(QDockWidget* dock) {
   auto* const window = qobject_cast<QMainWindow*>(dock->window());
   if (window == nullptr || homeOf(dock) != Qt::BottomDockWidgetArea || dock->isFloating()) return;
-  const int least = window->height() * (dock->objectName() == "dock.session" ? kSessionPercent : kPlotsPercent) / 100;
-  if (dock->height() < least) window->resizeDocks({dock}, {least}, Qt::Vertical);
+  const int min = window->height() * (dock->objectName() == "dock.session" ? kSessionPercent : kPlotsPercent) / 100;
+  if (dock->height() < min) window->resizeDocks({dock}, {min}, Qt::Vertical);
 }
 
 QAction* addDockAction(Actions& actions, const PanelRow& row, QDockWidget* dock) {
@@ -60,8 +60,8 @@ void resize(QMainWindow* window, const QList<QPair<QDockWidget*, int>>& sizes, Q
 /// As wide as what is in it asks for, in the room there is.
 void widen(QMainWindow* window, QDockWidget* dock) {
   if (dock == nullptr) return;
-  const int most = std::max(kLeastLines * window->fontMetrics().lineSpacing(), window->width() * kMostPercent / 100);
-  window->resizeDocks({dock}, {std::min(dock->widget()->sizeHint().width(), most)}, Qt::Horizontal);
+  const int max = std::max(kMinLines * window->fontMetrics().lineSpacing(), window->width() * kMaxPercent / 100);
+  window->resizeDocks({dock}, {std::min(dock->widget()->sizeHint().width(), max)}, Qt::Horizontal);
 }
 
 }  // namespace

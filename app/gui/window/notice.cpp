@@ -67,17 +67,17 @@ void Notice::tell(const QString& sentence, const QString& path) {
   show();
   place();
   leaves_.start();
-  QAccessibleEvent said(sentence_, QAccessible::Alert);
-  QAccessible::updateAccessibility(&said);
+  QAccessibleEvent alert(sentence_, QAccessible::Alert);
+  QAccessible::updateAccessibility(&alert);
 }
 
 void Notice::place() {
-  const int most = std::max(200, view_.width() - 2 * kFoot_px);
+  const int max = std::max(200, view_.width() - 2 * kFoot_px);
   sentence_->setWordWrap(false);
   int width = sizeHint().width();
-  if (width > most) {
+  if (width > max) {
     sentence_->setWordWrap(true);
-    width = most;
+    width = max;
   }
   resize(width, hasHeightForWidth() ? heightForWidth(width) : sizeHint().height());
   move((view_.width() - width) / 2, view_.height() - height() - kFoot_px - kGauge_px);

@@ -25,8 +25,8 @@ void StopBanner::present(bool is_off) {
   setVisible(is_off);
   if (!is_off) return;
   place();
-  QAccessibleEvent said(this, QAccessible::Alert);
-  QAccessible::updateAccessibility(&said);
+  QAccessibleEvent alert(this, QAccessible::Alert);
+  QAccessible::updateAccessibility(&alert);
 }
 
 /// At the top, where a fault or a remark would be.

@@ -63,11 +63,11 @@ def block_rows_of(where: str, name: str, group: h5py.Group) -> int:
     rows = attribute(group, "block_rows")
     if not isinstance(rows, int) or rows < 1:
         raise SessionError(f"{where} does not say how many rows a block has (block_rows).")
-    least, most = 1, layout.MOST_TICKS_A_BLOCK
+    lowest, highest = 1, layout.MAX_TICKS_A_BLOCK
     if name not in layout.LONG:
-        least = most = layout.BLOCKS[name][0]
-    if not least <= rows <= most:
-        wanted = f"{most}" if least == most else f"{least} to {most}"
+        lowest = highest = layout.BLOCKS[name][0]
+    if not lowest <= rows <= highest:
+        wanted = f"{highest}" if lowest == highest else f"{lowest} to {highest}"
         raise SessionError(
             f"{where} says that a block has {rows} rows (block_rows), and not {wanted}. The file "
             "is damaged, or no session of this program: copy it anew from where it came."
@@ -95,12 +95,12 @@ def check_layout(where: str, column: str, dataset: h5py.Dataset, chunk_rows: int
         )
 
 
-def most_rows(columns: list[h5py.Dataset], block_rows: int, length: int) -> int:
+def max_rows(columns: list[h5py.Dataset], block_rows: int, length: int) -> int:
     """Rows that a file of so many bytes can hold: each takes its own. What a writer is just adding
     counts before it is there.
     """
-    most = length // sum(row_bytes(one) for one in columns)
-    return most * (layout.MOST_PACKED if any(map(is_packed, columns)) else 1) + block_rows
+    highest = length // sum(row_bytes(one) for one in columns)
+    return highest * (layout.MAX_PACKED if any(map(is_packed, columns)) else 1) + block_rows
 
 
 def row_bytes(dataset: h5py.Dataset) -> int:

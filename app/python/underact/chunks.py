@@ -47,9 +47,9 @@ def _chunk(dataset: h5py.Dataset, start: int, filters: list[int]) -> np.ndarray:
     return np.frombuffer(packed, dataset.dtype).reshape(dataset.chunks)
 
 
-def _inflated(packed: bytes, most: int) -> bytes:
+def _inflated(packed: bytes, max_bytes: int) -> bytes:
     try:
-        return zlib.decompressobj().decompress(packed, most)
+        return zlib.decompressobj().decompress(packed, max_bytes)
     except zlib.error as error:
         raise OSError(str(error)) from error
 

@@ -57,8 +57,8 @@ TYPES: dict[str, str] = {
 }
 
 # What core/record takes, and no more: a file may come from anybody.
-MOST_TICKS_A_BLOCK = 200_000
-MOST_BLOCK_BYTES = 128 << 20  # the longest block takes 80 MB; a later version may have columns more
+MAX_TICKS_A_BLOCK = 200_000
+MAX_BLOCK_BYTES = 128 << 20  # the longest block takes 80 MB; a later version may have columns more
 #: table -> rows of a block, rows of a chunk; of LONG tables the blocks are the chunks
 BLOCKS: dict[str, tuple[int, int]] = {
     table["name"]: (table["block_rows"], table["chunk_rows"]) for table in COLUMNS["tables"]
@@ -66,9 +66,9 @@ BLOCKS: dict[str, tuple[int, int]] = {
 #: tables whose blocks are as long as their file says
 LONG = {table["name"] for table in COLUMNS["tables"] if table["most_block_rows"] > 0}
 CHECKS_CHUNK = 64
-MOST_PACKED = 256  # times more rows than its bytes hold, where h5repack has packed it
+MAX_PACKED = 256  # times more rows than its bytes hold, where h5repack has packed it
 #: table -> rows, whatever the file's length
-MOST_ROWS: dict[str, int] = {
+MAX_ROWS: dict[str, int] = {
     table["name"]: table["most_rows"] for table in COLUMNS["tables"] if table["most_rows"]
 }
 LONGEST_LABEL = COLUMNS["limits"]["label_bytes"]
@@ -76,7 +76,7 @@ ALL_LABELS = COLUMNS["limits"]["all_label_bytes"]
 LONGEST_SCENE = COLUMNS["limits"]["text_bytes"]
 LONGEST_FILE = 1 << 44  # one may have a length that nothing on the disk stands behind
 LONGEST_ATTRIBUTE = COLUMNS["limits"]["attribute_bytes"]
-MOST_DAMAGED_BLOCKS = 100_000
+MAX_DAMAGED_BLOCKS = 100_000
 
 FAULTS = tuple(re.findall(r"\d (\w+)", TICK["fault"]["meaning"]))
 CARRIES = ("loaded", "gains", "targets")

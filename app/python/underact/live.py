@@ -33,8 +33,8 @@ Ticks = dict[str, npt.NDArray[np.float64]]
 _Answer = dict[str, Any]
 _T = TypeVar("_T")
 
-_MOST_EVENTS = 10_000  # that wait to be read; the oldest are dropped
-_MOST_MESSAGES = 1_000  # of ticks that wait to be read
+_MAX_EVENTS = 10_000  # that wait to be read; the oldest are dropped
+_MAX_MESSAGES = 1_000  # of ticks that wait to be read
 _ANSWER_WITHIN_S = 60.0  # a scene with a large mesh takes seconds to be read
 
 
@@ -96,11 +96,11 @@ class AsyncLive:
         self._socket = socket
         self._next = 0
         self._waiting: dict[int, asyncio.Future[_Answer]] = {}
-        self._ticks: asyncio.Queue[Ticks | None] = asyncio.Queue(_MOST_MESSAGES)
+        self._ticks: asyncio.Queue[Ticks | None] = asyncio.Queue(_MAX_MESSAGES)
         self._columns: Columns | None = None
         self._reader = asyncio.ensure_future(self._read())
         #: What the service told: {"event": "fault", "mode", "edit", "mark", "lag" or "lease", ...}
-        self.events: deque[dict[str, Any]] = deque(maxlen=_MOST_EVENTS)
+        self.events: deque[dict[str, Any]] = deque(maxlen=_MAX_EVENTS)
         #: Rows that this client was too slow for.
         self.lost = 0
         #: The answer to hello: program, arm, rate_hz, force_limit_N, ...
@@ -287,11 +287,11 @@ async def _challenge(live: AsyncLive, secret: str, address: str) -> None:
     except (Refused, KeyError, TypeError):
         answer = ""
     if not hmac.compare_digest(answer.encode(errors="replace"), proof.encode()):
-        said = (
+        sentence = (
             f"Whoever listens at {address} does not know this token, so it was not sent. Give the "
             'port and the token_file= that "underact-cli serve" prints.'
         )
-        raise Refused([("/token", said)])
+        raise Refused([("/token", sentence)])
 
 
 async def connect_async(

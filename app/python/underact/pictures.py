@@ -61,8 +61,8 @@ def sliders(arm: Arm, q: ArrayLike | None = None, scene: Scene | None = None) ->
         return draw(start)
     names = [joint.name or f"q{number}" for number, joint in enumerate(arm.joints, start=1)]
     all_ = {
-        name: ipywidgets.FloatSlider(float(at), min=least, max=most, step=(most - least) / 200)
-        for name, at, least, most in zip(names, start, low, high)
+        name: ipywidgets.FloatSlider(float(at), min=a, max=b, step=(b - a) / 200)
+        for name, at, a, b in zip(names, start, low, high)
     }
     return ipywidgets.interactive(lambda **values: draw([values[name] for name in names]), **all_)
 

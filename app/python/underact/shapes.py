@@ -187,9 +187,9 @@ def _along(
 
 def _reach(along: Points) -> Points:
     """A little further than the data go, and never less than 20 mm."""
-    least, most = float(np.nanmin(along)), float(np.nanmax(along))
-    more = max(5.0, 10.0 - (most - least) / 2)
-    return np.array([least - more, most + more])
+    lowest, highest = float(np.nanmin(along)), float(np.nanmax(along))
+    more = max(5.0, 10.0 - (highest - lowest) / 2)
+    return np.array([lowest - more, highest + more])
 
 
 _OUTLINES = {name: globals()[f"_{name}"] for name in __all__}

@@ -17,7 +17,7 @@ from .errors import DamagedSession, SessionError, library_errors
 _ROWS_AT_ONCE = 65536  # while checking: some 30 MB of ticks
 
 
-_MOST_TOLD = 1000  # stretches of damage that an error tells the ticks of, and 20 in its words
+_MAX_TOLD = 1000  # stretches of damage that an error tells the ticks of, and 20 in its words
 
 
 def _columns_of(group: h5py.Group) -> list[str]:
@@ -80,7 +80,7 @@ class Table(Mapping):
         columns = [*self._datasets.values()]
         block_bytes = self.block_rows * sum(map(bounds.row_bytes, columns))
         lengths = [dataset.shape[0] for dataset in [self._crc32, *columns]]
-        if block_bytes > layout.MOST_BLOCK_BYTES or max(lengths) > self._most_rows():
+        if block_bytes > layout.MAX_BLOCK_BYTES or max(lengths) > self._most_rows():
             raise SessionError(
                 f"{where} says that it has {max(lengths)} rows, which is more than the file has "
                 "bytes for. It is damaged: copy it anew from where it came."
@@ -88,7 +88,7 @@ class Table(Mapping):
 
     def _most_rows(self) -> int:
         columns = [*self._datasets.values()]
-        return bounds.most_rows(columns, self.block_rows, bounds.file_bytes(self._file))
+        return bounds.max_rows(columns, self.block_rows, bounds.file_bytes(self._file))
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._datasets)
@@ -153,9 +153,9 @@ class Table(Mapping):
         bad = []
         step = max(1, _ROWS_AT_ONCE // self.block_rows) * self.block_rows
         for start in range(first_row, end_row, step):
-            if len(bad) > layout.MOST_DAMAGED_BLOCKS:
+            if len(bad) > layout.MAX_DAMAGED_BLOCKS:
                 raise SessionError(
-                    f"{self._file.filename}: more than {layout.MOST_DAMAGED_BLOCKS} blocks of "
+                    f"{self._file.filename}: more than {layout.MAX_DAMAGED_BLOCKS} blocks of "
                     f"/{self.name} are damaged. Copy it anew from where it came."
                 )
             stop = min(start + step, end_row)
@@ -164,7 +164,7 @@ class Table(Mapping):
                     _little_endian(read_rows(d, start, stop)) for d in self._datasets.values()
                 ]
                 blocks = (start // self.block_rows, -(-stop // self.block_rows))
-                said = read_rows(self._crc32, *blocks)
+                sums = read_rows(self._crc32, *blocks)
             except (OSError, RuntimeError):  # what cannot be read is as bad as what reads wrong
                 if stop - start <= self.block_rows:
                     bad.append(start // self.block_rows)
@@ -176,7 +176,7 @@ class Table(Mapping):
                 crc = 0
                 for column in columns:
                     crc = zlib.crc32(column[begin : begin + self.block_rows], crc)
-                if crc != int(said[index]) & 0xFFFFFFFF:
+                if crc != int(sums[index]) & 0xFFFFFFFF:
                     bad.append(start // self.block_rows + index)
         return bad
 
@@ -200,10 +200,10 @@ class Table(Mapping):
         if self._kept is not None:
             return
         rows = self.common_rows()
-        if rows > layout.MOST_ROWS.get(self.name, rows):
+        if rows > layout.MAX_ROWS.get(self.name, rows):
             raise SessionError(
                 f"{self._file.filename}: /{self.name} has {rows} rows, and a session at most "
-                f"{layout.MOST_ROWS[self.name]}. It is damaged: copy it anew from where it came."
+                f"{layout.MAX_ROWS[self.name]}. It is damaged: copy it anew from where it came."
             )
         bad = self.bad_blocks(0, rows)
         kept = np.ones(rows, dtype=bool)
@@ -223,7 +223,7 @@ class Table(Mapping):
                 runs.append([block, block + 1])
         spans = [
             self._ticks_of(first * self.block_rows, min(end * self.block_rows, rows))
-            for first, end in runs[:_MOST_TOLD]
+            for first, end in runs[:_MAX_TOLD]
         ]
         words = ", ".join(f"{first} to {last}" for first, last in spans[:20])
         words += f" and {len(runs) - 20} stretches more" if len(runs) > 20 else ""

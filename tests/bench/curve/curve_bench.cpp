@@ -26,11 +26,11 @@ constexpr int kTicks = 4000, kRounds = 5;
 std::vector<Vec3> scribble(int count, double step_m) {
   Random random({20070601});
   std::vector<Vec3> points_W{Vec3::Zero()};
-  Vec3 way = random.direction();
+  Vec3 heading = random.direction();
   while (static_cast<int>(points_W.size()) < count) {
     const Vec3 home = -std::max(0.0, points_W.back().norm() / 0.08 - 0.5) * points_W.back().normalized();
-    way = (way + std::sqrt(step_m / 0.02) * random.direction() + step_m / 0.02 * home).normalized();
-    points_W.push_back(points_W.back() + step_m * way);
+    heading = (heading + std::sqrt(step_m / 0.02) * random.direction() + step_m / 0.02 * home).normalized();
+    points_W.push_back(points_W.back() + step_m * heading);
   }
   return points_W;
 }
@@ -39,10 +39,10 @@ std::vector<Vec3> along(const Curve& curve) {
   Random random({20070602});
   std::vector<Vec3> tips;
   Vec3 off_W = Vec3::Zero();
-  double s_m = 0.5 * lengthOf(curve), way = 1.0;
+  double s_m = 0.5 * lengthOf(curve), heading = 1.0;
   for (int tick = 0; tick < kTicks; ++tick) {
-    if (s_m + way * 2e-4 > lengthOf(curve) || s_m + way * 2e-4 < 0.0) way = -way;
-    s_m += way * 2e-4;
+    if (s_m + heading * 2e-4 > lengthOf(curve) || s_m + heading * 2e-4 < 0.0) heading = -heading;
+    s_m += heading * 2e-4;
     off_W = 0.998 * off_W + 1e-4 * random.inBox(1.0);
     tips.push_back(pointAt(curve, s_m) + off_W);
   }

@@ -23,8 +23,8 @@ except ImportError as error:  # also where a package is not there
     print(f"SKIPPED: {error}.")
     sys.exit(0)
 
-MOST_MM, MOST_J = 1e-10, 1e-11
-MOST_IK = 1.001e-9  # the iteration stops below 1e-9 by its own kinematics
+MAX_MM, MAX_J = 1e-10, 1e-11
+MAX_IK = 1.001e-9  # the iteration stops below 1e-9 by its own kinematics
 FOR_INVERSE = 1000
 
 # A file, and the links between which the arm lies; one arm of each robot.
@@ -131,7 +131,7 @@ def compare(cli, urdf, base, tip, poses):
             off_ik = max(off_ik, np.linalg.norm(M.translation - X[:3, 3]))
             if len(joints) > 3:  # of fewer, `ik` asks for the position
                 off_ik = max(off_ik, np.linalg.norm(M.rotation - X[:3, :3]) / np.sqrt(2))
-    bad = worst[0] > MOST_MM or worst[1:].max() > MOST_J or off_ik > MOST_IK or (closed and missed)
+    bad = worst[0] > MAX_MM or worst[1:].max() > MAX_J or off_ik > MAX_IK or (closed and missed)
     return (
         f"{len(joints)} joints  fk {worst[0]:.1e} mm {worst[1]:.1e}  J {worst[2]:.1e}"
         f"  ik {off_ik:.1e}, {count / len(inverse):.2f} {'closed' if closed else 'numeric'}"

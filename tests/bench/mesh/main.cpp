@@ -22,8 +22,8 @@ namespace {
 struct Options {
   std::string python;  // none: without FCPW and libigl
   int points = 10000;
-  int least_faces = 0;
-  int most_faces = 1310720;
+  int min_faces = 0;
+  int max_faces = 1310720;
 };
 
 Case caseOf(const mesh::Triangles& triangles, int points) {
@@ -114,7 +114,7 @@ void compareAll(const Options& options) {
   } bodies[] = {{"sphere", mesh_maker::bumpySphere}, {"knot", mesh_maker::torusKnot}};
   for (const auto& body : bodies) {
     for (const int faces : {1000, 20480, 81920, 327680, 1310720}) {
-      if (faces < options.least_faces || faces > options.most_faces) continue;
+      if (faces < options.min_faces || faces > options.max_faces) continue;
       const Case one = caseOf(body.make(faces), options.points);
       if (write(one, folder / "case")) print(body.name, one.triangles.faces.size(), askAll(options, folder));
     }
@@ -130,8 +130,8 @@ int main(int count, char** words) {
   for (int i = 1; i + 1 < count; i += 2) {
     if (std::strcmp(words[i], "--python") == 0) options.python = words[i + 1];
     if (std::strcmp(words[i], "--points") == 0) options.points = std::max(100, std::atoi(words[i + 1]));
-    if (std::strcmp(words[i], "--least") == 0) options.least_faces = std::atoi(words[i + 1]);
-    if (std::strcmp(words[i], "--most") == 0) options.most_faces = std::atoi(words[i + 1]);
+    if (std::strcmp(words[i], "--least") == 0) options.min_faces = std::atoi(words[i + 1]);
+    if (std::strcmp(words[i], "--most") == 0) options.max_faces = std::atoi(words[i + 1]);
   }
   underact::bench::compareAll(options);
   return 0;

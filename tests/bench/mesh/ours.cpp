@@ -15,16 +15,15 @@ int main(int count, char** words) {
   const struct {
     const char* name;
     mesh::Search search;
-  } ways[] = {{"underact hybrid", mesh::Search::Hybrid},
-              {"underact global", mesh::Search::Global},
-              {"underact local", mesh::Search::Local}};
+  } variants[] = {{"underact hybrid", mesh::Search::Hybrid},
+                  {"underact global", mesh::Search::Global},
+                  {"underact local", mesh::Search::Local}};
   bench::Teller teller(one, words[2]);
-  for (const auto& way : ways) {
-    line.by = way.name;
-    const auto ask = [&surface = *surface, search = way.search, state = mesh::SearchState()](const Vec3& q_M) mutable {
-      return mesh::nearestPoint(surface, search, q_M, state).squared;
-    };
-    line.note = way.search == mesh::Search::Local ? "the first minimum, which need not be the least" : "";
+  for (const auto& variant : variants) {
+    line.by = variant.name;
+    const auto ask = [&surface = *surface, search = variant.search, state = mesh::SearchState()](
+                         const Vec3& q_M) mutable { return mesh::nearestPoint(surface, search, q_M, state).squared; };
+    line.note = variant.search == mesh::Search::Local ? "the first minimum, which need not be the least" : "";
     teller.tell(line, ask);
   }
   return 0;

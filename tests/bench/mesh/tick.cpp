@@ -46,7 +46,7 @@ struct CrossingDirection {
 };
 
 constexpr target::Friction kRough{0.4, 0.3};
-constexpr CrossingDirection kWays[] = {
+constexpr CrossingDirection kDirections[] = {
     {"wall", target::Side::Outside, mesh::Search::Hybrid, {}, 0.0},
     {"wall, friction", target::Side::Outside, mesh::Search::Hybrid, kRough, 0.0},
     {"wall, smoothed 20 deg", target::Side::Outside, mesh::Search::Hybrid, {}, 20.0},
@@ -71,14 +71,14 @@ void timeTicks(int faces, int points) {
                 1e3 * shareOf(steps_N, 0.99), 1e3 * shareOf(steps_N, 1.0));
   };
   const control::P law{Vec3::Constant(500.0)};
-  for (const CrossingDirection& way : kWays) {
+  for (const CrossingDirection& direction : kDirections) {
     tick::Entry entry{{}, law};
-    place.search = way.search;
-    place.lean = mesh::forceShadingOf(kRadPerDegree * way.smooth_deg);
+    place.search = direction.search;
+    place.lean = mesh::forceShadingOf(kRadPerDegree * direction.smooth_deg);
     entry.constraint.goal = place;
-    entry.constraint.side = way.side;
-    entry.constraint.friction = way.friction;
-    tell(way.name, entry);
+    entry.constraint.side = direction.side;
+    entry.constraint.friction = direction.friction;
+    tell(direction.name, entry);
   }
   const double radius_m = kMetrePerMillimetre * mesh_maker::kBall_mm;
   tell("no mesh: a sphere, wall",

@@ -173,7 +173,7 @@ std::shared_ptr<const Surface> surfaceOf(const Triangles& triangles) {
   return mesh::makeSurface(triangles).value();
 }
 
-void compareWays(const Triangles& given, int points) {
+void compareVariants(const Triangles& given, int points) {
   Triangles united = given;
   const Clock::time_point begin = Clock::now();
   const mesh_union::Union made = mesh_union::unite(united, 0.25 * kWeld, 2.0 * kWeld, {});
@@ -269,11 +269,11 @@ void compareWithHandmade(const char* name, const ByHand& body, int points) {
 
 void compareBodies(int points) {
   test::Random random(test::Seed{20070601});
-  for (const int parts : {6, 30}) compareWays(test::drawnBody(random, parts), points);
+  for (const int parts : {6, 30}) compareVariants(test::drawnBody(random, parts), points);
   std::vector<Triangles> balls;
   for (int k = 0; k < 12; ++k)
     balls.push_back(test::moved(test::roundOf(12.0, 4), Mat3::Identity(), random.inBox(15.0)));
-  compareWays(test::together(balls), points);
+  compareVariants(test::together(balls), points);
   std::printf("\n  %-22s %7s %7s   %-13s   %-13s   %5s   different (of these right)\n", "the proxy, us (p50, p99)",
               "faces", "by hand", "united", "by hand", "p99");
   compareWithHandmade("two boxes", bodyByHand({{{-20, -20, -20}, {20, 20, 0}}, {{0, -20, -10}, {20, 20, 20}}}), points);

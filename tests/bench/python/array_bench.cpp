@@ -22,15 +22,15 @@ using namespace underact;
 
 /// Nanoseconds of one of count, in the fastest of seven rounds of work(i).
 template <class Work>
-double leastOf(std::size_t count, const Work& work) {
-  double least = 1e300;
+double minOf(std::size_t count, const Work& work) {
+  double min = 1e300;
   for (int round = 0; round < 7; ++round) {
     const auto begin = std::chrono::steady_clock::now();
     for (std::size_t i = 0; i < count; ++i) work(i);
     const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - begin;
-    least = std::min(least, took.count() / static_cast<double>(count));
+    min = std::min(min, took.count() / static_cast<double>(count));
   }
-  return least;
+  return min;
 }
 
 }  // namespace
@@ -45,8 +45,8 @@ int main(int argc, char** argv) {
   for (chain::JointValues& one : q) std::generate_n(one.begin(), 6, [&] { return angle(random); });
   std::vector<Eigen::Matrix4d> X(count);
   std::vector<Eigen::Matrix<double, 6, 6>> J(count);
-  const double fk_ns = leastOf(count, [&](std::size_t i) { X[i] = kinematics::poseOf(arm.value(), q[i]); });
-  const double jacobian_ns = leastOf(count, [&](std::size_t i) { J[i] = kinematics::jacobianOf(arm.value(), q[i]); });
+  const double fk_ns = minOf(count, [&](std::size_t i) { X[i] = kinematics::poseOf(arm.value(), q[i]); });
+  const double jacobian_ns = minOf(count, [&](std::size_t i) { J[i] = kinematics::jacobianOf(arm.value(), q[i]); });
   std::vector<Pose> poses(count);
   for (std::size_t i = 0; i < count; ++i) {
     if (!kinematics::readPose(X[i], poses[i]).empty()) return 1;
@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
   const kinematics::InverseOptions options{"auto", 1, 0, {}};
   const Result<kinematics::Method> method = kinematics::methodFor(arm.value(), "auto");
   if (!method) return 1;
-  const double ik_ns = leastOf(count, [&](std::size_t i) {
+  const double ik_ns = minOf(count, [&](std::size_t i) {
     if (!kinematics::readPose(X[i], poses[i]).empty()) return;
     for (const kinematics::Found& one : kinematics::solve(arm.value(), poses[i], method.value(), options).found) {
       kinematics::writeJoints(arm.value().chain(), one.q, solutions[8 * i + found++ % 8]);

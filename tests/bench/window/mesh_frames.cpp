@@ -89,13 +89,13 @@ double cut_ms(const mesh::Triangles& triangles, double scale) {
   return 1e-6 * static_cast<double>(clock.nsecsElapsed()) / kCuts;
 }
 
-void measureOne(const std::string& source, const Row& row, std::size_t most) {
+void measureOne(const std::string& source, const Row& row, std::size_t max) {
   scene::Description scene = sceneOf(source, row);
   if (scene.constraints.empty()) return;
   const auto surface = std::get<scene::Mesh>(scene.constraints[0].shape).surface;
   QElapsedTimer clock;
   clock.start();
-  const auto drawn = drawnMesh(surface, {}, most);
+  const auto drawn = drawnMesh(surface, {}, max);
   std::printf("%s: %zu triangles, %zu drawn, made in %lld ms", row.mesh, surface->triangles.faces.size(),
               drawn->triangles, static_cast<long long>(clock.elapsed()));
   std::printf(", cut in %.2f ms\n", cut_ms(drawn->is_coarser ? drawn->coarser : surface->triangles,
@@ -122,9 +122,9 @@ void measureMeshFrames(const std::string& source) {
   const Row rows[] = {{"25_torus_knot", "meshes/torus_knot_300k.stl"},
                       {"26_bumpy_sphere", "meshes/bumpy_sphere_300k.ply"},
                       {"27_bracket", "meshes/bracket_300k.obj"}};
-  measureOne(source, {"25_torus_knot", "meshes/torus_knot_20k.stl"}, kMostDrawn);
+  measureOne(source, {"25_torus_knot", "meshes/torus_knot_20k.stl"}, kMaxDrawn);
   for (const Row& row : rows) {
-    for (const std::size_t most : {kMostDrawn, kWhole}) measureOne(source, row, most);
+    for (const std::size_t max : {kMaxDrawn, kWhole}) measureOne(source, row, max);
   }
 }
 

@@ -32,15 +32,15 @@ void measureStarts() {
     QProcess program;
     program.setProcessEnvironment(environment);
     program.start(UNDERACT_WINDOW, {QString(UNDERACT_SOURCE) + "/scenes/02_sphere.json"});
-    QString said;
+    QString given;
     QRegularExpressionMatch first;
     for (int waited = 0; waited < 300 && !first.hasMatch(); ++waited) {
       static const QRegularExpression kFirst("first picture after (\\d+) ms \\((\\d+) ms of CPU time\\)");
       program.waitForReadyRead(100);
-      said += QString::fromLocal8Bit(program.readAllStandardError());  // Qt may have something to say before
-      first = kFirst.match(said);
+      given += QString::fromLocal8Bit(program.readAllStandardError());  // Qt may have something to say before
+      first = kFirst.match(given);
     }
-    if (!first.hasMatch()) std::printf("no picture: %s\n", qUtf8Printable(said));
+    if (!first.hasMatch()) std::printf("no picture: %s\n", qUtf8Printable(given));
     if (first.hasMatch()) {
       first_ms.push_back(first.captured(1).toDouble());
       processor_ms.push_back(first.captured(2).toDouble());

@@ -28,14 +28,14 @@ std::string problemsIn(const Result<Model>& read) {
   return all;
 }
 
-double mostApart(const chain::Chain& a, const chain::Chain& b) {
+double maxApart(const chain::Chain& a, const chain::Chain& b) {
   std::uint64_t random = 5;
-  double most = a.joints.size() == b.joints.size() ? 0.0 : kInfinity;
+  double max = a.joints.size() == b.joints.size() ? 0.0 : kInfinity;
   for (int draw = 0; draw < 50; ++draw) {
     const chain::JointValues q = chain::drawnJoints(a, random);
-    most = std::max(most, (chain::forward(a, q).matrix() - chain::forward(b, q).matrix()).cwiseAbs().maxCoeff());
+    max = std::max(max, (chain::forward(a, q).matrix() - chain::forward(b, q).matrix()).cwiseAbs().maxCoeff());
   }
-  return most;
+  return max;
 }
 
 TEST(ArmForms, ClassicRowsByHand) {  // two links of 100 and 50 mm, the second axis turned up by the first row's alpha
@@ -65,7 +65,7 @@ TEST(ArmForms, AProductOfExponentialsByHand) {  // a turn about z, then a slide 
   EXPECT_DOUBLE_EQ(read.value().chain.joints[1].max, 0.2);
   // The table beside it is the same arm.
   const Model& model = read.value();
-  EXPECT_LE(mostApart(model.chain, chain::chainFromDh(model.rows, model.X_WB, model.X_NT)), 1e-14);
+  EXPECT_LE(maxApart(model.chain, chain::chainFromDh(model.rows, model.X_WB, model.X_NT)), 1e-14);
   EXPECT_TRUE(isWithinLimits(model, q));
   EXPECT_FALSE(isWithinLimits(model, std::array<double, 2>{0.0, 0.25}));
 }
@@ -120,7 +120,7 @@ TEST(ArmForms, EveryShippedArmComesBackFromEveryFormThatCanSayIt) {
       const bool is_urdf = to == ArmForm::Urdf;
       const Result<Model> back = is_urdf ? readUrdf(text.value(), "a.urdf", {}) : readArm(text.value(), "a.json");
       ASSERT_TRUE(back) << problemsIn(back) << text.value();
-      EXPECT_LE(mostApart(model.chain, back.value().chain), 1e-14);
+      EXPECT_LE(maxApart(model.chain, back.value().chain), 1e-14);
       for (std::size_t i = 0; i < model.rows.size(); ++i) {
         const chain::DhRow &one = back.value().rows[i], &given = model.rows[i];
         EXPECT_TRUE(one.min == given.min || std::abs(one.min - given.min) <= 1e-14) << i;  // equal where infinite

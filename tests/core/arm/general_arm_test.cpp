@@ -111,9 +111,9 @@ TEST(GeneralArm, AnUndrivenJointPassesNoTorqueOn) {  // the part that is left is
       }
       for (std::size_t joint = 0; joint < joints; ++joint) {
         if (arm.driven[joint]) continue;
-        // A joint with a lever below kLeastLever_m fades: at most that times a quarter and the force stays.
+        // A joint with a lever below kMinLever_m fades: at most that times a quarter and the force stays.
         EXPECT_LE(std::abs(J.col(static_cast<Eigen::Index>(joint)).head<3>().dot(rendered)),
-                  0.5 * kLeastLever_m * asked.norm())
+                  0.5 * kMinLever_m * asked.norm())
             << name << " joint " << joint + 1;
       }
     }
@@ -138,7 +138,7 @@ TEST(GeneralArm, WatchesAllDrivenJoints) {
   arm.driven = {false, true, true, false, true, true};
   const Watched watched = watchedJoints(arm);
   ASSERT_EQ(watched.count, 4U);
-  EXPECT_EQ(watched.joint, (std::array<std::size_t, kMostJoints>{1, 2, 4, 5}));
+  EXPECT_EQ(watched.joint, (std::array<std::size_t, kMaxJoints>{1, 2, 4, 5}));
   EXPECT_EQ(watchedJoints(armNamed("panda")).count, 7U);
 }
 

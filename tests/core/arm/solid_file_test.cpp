@@ -74,7 +74,7 @@ TEST(Solids, ThatNoArmHasAreErrorsAtTheirKeys) {
   EXPECT_NE(solidProblem(R"({"link": 1, "type": "sphere", "radius_mm": 1, "colour": 3})").find("colour"),
             std::string::npos);
   std::string many = R"({"link": 0, "type": "sphere", "radius_mm": 1})";
-  for (std::size_t i = 0; i < kMostSolids; ++i) many += R"(, {"link": 0, "type": "sphere", "radius_mm": 1})";
+  for (std::size_t i = 0; i < kMaxSolids; ++i) many += R"(, {"link": 0, "type": "sphere", "radius_mm": 1})";
   EXPECT_NE(solidProblem(many).find("at most 256"), std::string::npos);
 }
 

@@ -63,14 +63,14 @@ TEST(SingularValues, FallAndAreTheLengthsOfWhatTheirVectorsBecome) {
   for (int round = 0; round < 100; ++round) {
     const Eigen::MatrixXd A = drawn(random, 3, 1 + round % 7);
     const SingularValues right = rightSingularValues(A), left = leftSingularValues(A);
-    const double least = 100.0 * 7.0 * kEpsilon * A.squaredNorm();
+    const double min = 100.0 * 7.0 * kEpsilon * A.squaredNorm();
     ASSERT_EQ(right.vectors.cols(), A.cols());  // the whole space, not what A leaves of it
     ASSERT_EQ(left.vectors.cols(), 3);
     for (Eigen::Index i = 0; i < right.values.size(); ++i) {
       if (i > 0) EXPECT_LE(right.values[i], right.values[i - 1]);
       const double square = right.values[i] * right.values[i];
-      EXPECT_LT((A.transpose() * (A * right.vectors.col(i)) - square * right.vectors.col(i)).norm(), least);
-      EXPECT_LT((A * (A.transpose() * left.vectors.col(i)) - square * left.vectors.col(i)).norm(), least);
+      EXPECT_LT((A.transpose() * (A * right.vectors.col(i)) - square * right.vectors.col(i)).norm(), min);
+      EXPECT_LT((A * (A.transpose() * left.vectors.col(i)) - square * left.vectors.col(i)).norm(), min);
     }
   }
 }

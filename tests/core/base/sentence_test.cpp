@@ -8,7 +8,7 @@ namespace underact {
 namespace {
 
 TEST(Sentence, IsItsEnglishAndKnowsWhatItWasMadeFrom) {
-  const Sentence sentence = said("%2 is not %1.", {said("a number"), "kp"});
+  const Sentence sentence = phrase("%2 is not %1.", {phrase("a number"), "kp"});
   EXPECT_EQ(sentence, "kp is not a number.");
   EXPECT_EQ(sentence.pattern(), "%2 is not %1.");
   ASSERT_EQ(sentence.places().size(), 2U);
@@ -17,7 +17,7 @@ TEST(Sentence, IsItsEnglishAndKnowsWhatItWasMadeFrom) {
 }
 
 TEST(Sentence, IsPlainOnceItWasTakenApart) {
-  const Sentence sentence = said("Nothing is there.");
+  const Sentence sentence = phrase("Nothing is there.");
   const Sentence more = sentence + " Really.";
   EXPECT_EQ(more, "Nothing is there. Really.");
   EXPECT_EQ(more.pattern(), "");
@@ -26,7 +26,7 @@ TEST(Sentence, IsPlainOnceItWasTakenApart) {
 TEST(Sentence, NumbersAreToldFromOtherDigits) {
   EXPECT_TRUE(shownNumber("0.5").isNumber());
   EXPECT_FALSE(Sentence("0.5").isNumber());
-  EXPECT_EQ(said("%1 mm", {shownNumber("0.5")}), "0.5 mm");
+  EXPECT_EQ(phrase("%1 mm", {shownNumber("0.5")}), "0.5 mm");
   EXPECT_TRUE(shownNumber(0.5, 1).isNumber());
 }
 
@@ -37,10 +37,10 @@ TEST(Sentence, NumbersHaveTheDecimalsAskedForAndNoMinusBeforeZero) {
 }
 
 TEST(Sentence, SeveralStandOneAfterAnother) {
-  const Sentence both = oneAfterAnother({"", said("One."), "", said("Two."), "Three."});
+  const Sentence both = oneAfterAnother({"", phrase("One."), "", phrase("Two."), "Three."});
   EXPECT_EQ(both, "One. Two. Three.");
   EXPECT_EQ(both.places().size(), 2U);
-  EXPECT_EQ(oneAfterAnother({"", said("One.")}).pattern(), "One.");
+  EXPECT_EQ(oneAfterAnother({"", phrase("One.")}).pattern(), "One.");
   EXPECT_TRUE(oneAfterAnother({}).empty());
 }
 

@@ -44,13 +44,13 @@ TEST(Staircase, ReversalsAreWhereTheWayTurns) {
 
 TEST(Staircase, StaysWithinItsBoundsAndEnds) {
   StaircaseRule rule;
-  rule.most_trials = 30;
+  rule.max_trials = 30;
   const Staircase always_right = told("rrrrrrrrrrrrrrrrrrrrrrrrrrrrrr", rule);
-  EXPECT_EQ(always_right.difference, rule.least);
+  EXPECT_EQ(always_right.difference, rule.min);
   EXPECT_TRUE(isDone(always_right));
   EXPECT_FALSE(thresholdOf(always_right));  // it never met what cannot be told
   const Staircase always_wrong = told("wwwwwwwwww", rule);
-  EXPECT_EQ(always_wrong.difference, rule.most);
+  EXPECT_EQ(always_wrong.difference, rule.max);
   EXPECT_FALSE(isDone(always_wrong));
   EXPECT_TRUE(isDone(told("rrwrrwrrwrrwrrwrr")));  // ten reversals
 }

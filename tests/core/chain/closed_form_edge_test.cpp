@@ -27,35 +27,35 @@ bool finite(const Solutions& found) {
 
 /// The largest miss of all exact solutions, m and rad alike.
 double worst(const Chain& chain, const Solutions& found, const Pose& X_WT) {
-  double most = 0.0;
+  double max = 0.0;
   for (std::size_t i = 0; i < found.exact; ++i) {
     const Pose X = forward(chain, found.all[i].q);
-    most = std::max({most, test::wayBetween(X, X_WT), test::turnBetween(X, X_WT)});
+    max = std::max({max, test::wayBetween(X, X_WT), test::turnBetween(X, X_WT)});
   }
-  return most;
+  return max;
 }
 
-double mostApart(const Angles& a, const Angles& b) {
-  double most_rad = 0.0;
+double maxApart(const Angles& a, const Angles& b) {
+  double max_rad = 0.0;
   for (std::size_t i = 0; i < 6; ++i) {
-    most_rad = std::max(most_rad, std::abs(std::remainder(a[i] - b[i], 2 * kPi)));
+    max_rad = std::max(max_rad, std::abs(std::remainder(a[i] - b[i], 2 * kPi)));
   }
-  return most_rad;
+  return max_rad;
 }
 
 /// How far the answers, taken as a set, are from those of a golden case; rad.
 double setDistance(const Solutions& found, const underact::test::Value& solutions) {
-  double most_rad = 0.0;
+  double max_rad = 0.0;
   for (const underact::test::Value& expected : solutions.items) {
     const arm::JointAngles q_rad = underact::test::anglesOf(*expected.find("q"));
     const Angles six{q_rad[0], q_rad[1], q_rad[2], q_rad[3], q_rad[4], q_rad[5]};
-    double least_rad = kInfinity;
+    double min_rad = kInfinity;
     for (std::size_t i = 0; i < found.exact; ++i) {
-      least_rad = std::min(least_rad, mostApart(found.all[i].q, six));
+      min_rad = std::min(min_rad, maxApart(found.all[i].q, six));
     }
-    most_rad = std::max(most_rad, least_rad);
+    max_rad = std::max(max_rad, min_rad);
   }
-  return most_rad;
+  return max_rad;
 }
 
 TEST(ClosedFormGolden, HasTheSolutionsOfEveryCaseAndNoOthers) {
@@ -216,7 +216,7 @@ TEST(ClosedFormEdge, WristOfLeaningAxesHasAnEdgeOfItsOwn) {  // axis 6 as near t
     int same_arm = 0;
     for (std::size_t i = 0; i < found.exact; ++i) {
       const Angles& other = found.all[i].q;
-      if (mostApart({other[0], other[1], other[2]}, {q[0], q[1], q[2]}) < 1e-6) ++same_arm;
+      if (maxApart({other[0], other[1], other[2]}, {q[0], q[1], q[2]}) < 1e-6) ++same_arm;
     }
     ASSERT_EQ(same_arm, 1) << "draw " << draw;
     ASSERT_LE(worst(chain, found, X_WT), 1e-12);

@@ -48,9 +48,9 @@ double between(double a_rad, double b_rad) {
 }
 
 double apart(const Angles& a, const Angles& b) {
-  double most_rad = 0.0;
-  for (std::size_t i = 0; i < 6; ++i) most_rad = std::max(most_rad, between(a[i], b[i]));
-  return most_rad;
+  double max_rad = 0.0;
+  for (std::size_t i = 0; i < 6; ++i) max_rad = std::max(max_rad, between(a[i], b[i]));
+  return max_rad;
 }
 
 Angles anyAngles(test::property::Random& random) {
@@ -87,9 +87,9 @@ void expectAllReach(const Known& known, const Solutions& found, const Pose& X_WT
 }
 
 double nearestTo(const Solutions& found, const Angles& q) {
-  double least_rad = kInfinity;
-  for (std::size_t i = 0; i < found.exact; ++i) least_rad = std::min(least_rad, apart(found.all[i].q, q));
-  return least_rad;
+  double min_rad = kInfinity;
+  for (std::size_t i = 0; i < found.exact; ++i) min_rad = std::min(min_rad, apart(found.all[i].q, q));
+  return min_rad;
 }
 
 /// How far q is from where two solutions meet: 0 there. What q loses in digits, its inverse gains.

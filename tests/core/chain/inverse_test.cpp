@@ -11,12 +11,12 @@ using test::property::Random;
 
 /// How far two sets of joints are apart, rad or m, the largest.
 double jointsApart(const Chain& chain, const JointValues& a, const std::vector<double>& b) {
-  double most = 0.0;
+  double max = 0.0;
   for (std::size_t i = 0; i < chain.joints.size(); ++i) {
     const bool turns = chain.joints[i].type == JointType::Revolute;
-    most = std::max(most, turns ? std::abs(std::remainder(a[i] - b[i], 2 * kPi)) : std::abs(a[i] - b[i]));
+    max = std::max(max, turns ? std::abs(std::remainder(a[i] - b[i], 2 * kPi)) : std::abs(a[i] - b[i]));
   }
-  return most;
+  return max;
 }
 
 /// The smallest singular value of the Jacobian at q, lengths in reaches: how far from a singularity.
@@ -47,7 +47,7 @@ std::vector<std::vector<double>> bruteForce(const Chain& chain, const Pose& X_WT
 }
 
 struct Tally {
-  int poses = 0, skipped = 0, most = 0;
+  int poses = 0, skipped = 0, max = 0;
   double solutions = 0.0;
 };
 
@@ -78,7 +78,7 @@ Tally expectAllFound(const Chain& chain, Random& random, int poses, int searched
       }
     }
     EXPECT_LE(nearest, 1e-9 / margin) << "pose " << i << " of " << found.count << " solutions, margin " << margin;
-    tally.most = std::max(tally.most, static_cast<int>(found.count));
+    tally.max = std::max(tally.max, static_cast<int>(found.count));
     tally.solutions += static_cast<double>(found.count);
     if (i >= searched) continue;
     const std::vector<std::vector<double>> all = bruteForce(chain, X_WT, inverse.asks, 300);
@@ -142,7 +142,7 @@ void addWristTo(Chain& chain, Random& random) {
 TEST(InverseOf, TheUr5eHasEightSolutions) {
   Random random({101});
   const Tally tally = expectAllFound(ur5e().chain(), random, test::property::sweep(1000, 100000), 20);
-  EXPECT_EQ(tally.most, 8);
+  EXPECT_EQ(tally.max, 8);
   EXPECT_TRUE(std::holds_alternative<ThreeParallelArm>(inverseOf(ur5e().chain()).form));
 }
 
@@ -192,7 +192,7 @@ TEST(InverseOf, AWristAtTheBaseOfAPuma) {
   Random random({106});
   const Chain chain = reversedChain(test::puma().chain());
   EXPECT_TRUE(std::holds_alternative<SphericalWristArm>(inverseOf(chain).form));
-  EXPECT_EQ(expectAllFound(chain, random, 300, 5).most, 8);
+  EXPECT_EQ(expectAllFound(chain, random, 300, 5).max, 8);
 }
 
 TEST(InverseOf, AReversedChainIsTheInverse) {
@@ -249,13 +249,13 @@ TEST(InverseOf, AScaraByHand) {  // 0.4 and 0.3 m, at right angles: the tip at (
                     test::poseOf(Mat3::Identity(), {0.7, 0, 0.2})};
   const InverseSolutions found = solveAll(inverseOf(chain), test::poseOf(Mat3::Identity(), {0.4, 0.3, 0.1}));
   ASSERT_EQ(found.count, 2U);
-  double least = kInfinity;
+  double min = kInfinity;
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_NEAR(found.all[i].q[2], 0.1, 1e-12);
     EXPECT_NEAR(found.all[i].q[3], found.all[i].q[0] + found.all[i].q[1], 1e-12);
-    least = std::min(least, std::abs(found.all[i].q[0]) + std::abs(found.all[i].q[1] - kPi / 2));
+    min = std::min(min, std::abs(found.all[i].q[0]) + std::abs(found.all[i].q[1] - kPi / 2));
   }
-  EXPECT_LE(least, 1e-12);
+  EXPECT_LE(min, 1e-12);
 }
 
 TEST(InverseOf, NothingIsFoundOutOfReachOrForNumbersThatAreNone) {

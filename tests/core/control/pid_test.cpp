@@ -8,11 +8,11 @@
 namespace underact::control {
 namespace {
 
-constexpr double kMost_N = 0.88;
+constexpr double kMax_N = 0.88;
 
-/// A stylus of 0.145 kg in a hand that only damps, 2 N s/m, drawn to a target by a force of at most kMost_N.
+/// A stylus of 0.145 kg in a hand that only damps, 2 N s/m, drawn to a target by a force of at most kMax_N.
 struct Drawn {
-  PID law{Vec3::Constant(100.0), Vec3::Constant(4.0), Vec3::Constant(100.0), kMost_N, {}};
+  PID law{Vec3::Constant(100.0), Vec3::Constant(4.0), Vec3::Constant(100.0), kMax_N, {}};
   bool told = true;  // the law is told that its force was cut
   LawState state = {};
   Vec3 p_W = Vec3::Zero(), v_W = Vec3::Zero();
@@ -20,8 +20,8 @@ struct Drawn {
 
   void tick(const Vec3& target_W, const Vec3& pushed_T_W = Vec3::Zero()) {
     Vec3 f_T_W = force(law, state, target_W - p_W, {kTick_s, told && limited, false});
-    limited = f_T_W.norm() > kMost_N;
-    if (limited) f_T_W *= kMost_N / f_T_W.norm();
+    limited = f_T_W.norm() > kMax_N;
+    if (limited) f_T_W *= kMax_N / f_T_W.norm();
     v_W += kTick_s / 0.145 * (f_T_W + pushed_T_W - 2.0 * v_W);
     p_W += kTick_s * v_W;
   }
@@ -58,7 +58,7 @@ TEST(AntiWindup, AHandThatHeldAgainstTheCutForceIsNotThrownWhenItGivesWay) {
     if (told) {
       EXPECT_LT(integral_N, 0.1);
     } else {
-      EXPECT_NEAR(integral_N, kMost_N, 1e-9) << "the case did not come up";
+      EXPECT_NEAR(integral_N, kMax_N, 1e-9) << "the case did not come up";
     }
   }
 }
@@ -91,7 +91,7 @@ TEST(PidLaw, APutTargetGivesNoKickOfTheDamper) {  // derivative on measurement
        {Velocity(LowPass{}), Velocity(RawDifference{}), Velocity(AdaptiveWindow{16, Vec3::Constant(55e-6)}),
         Velocity(Kalman{20e-6, 10.0})}) {
     Drawn drawn;
-    drawn.law = {Vec3::Zero(), Vec3::Constant(4.0), Vec3::Zero(), kMost_N, velocity};
+    drawn.law = {Vec3::Zero(), Vec3::Constant(4.0), Vec3::Zero(), kMax_N, velocity};
     for (int n = 0; n < 100; ++n) drawn.tick(Vec3::Zero());
     drawn.state.velocity.has_last = false;
     drawn.tick({0.05, 0, 0});
@@ -100,7 +100,7 @@ TEST(PidLaw, APutTargetGivesNoKickOfTheDamper) {  // derivative on measurement
 }
 
 TEST(PidLaw, WithoutKiNothingOfAnOldIntegralStays) {
-  const PID pid{Vec3::Constant(100.0), Vec3::Zero(), Vec3(0.0, 500.0, 500.0), kMost_N, {}};
+  const PID pid{Vec3::Constant(100.0), Vec3::Zero(), Vec3(0.0, 500.0, 500.0), kMax_N, {}};
   LawState state;
   state.integral_T_W = {0.3, 0.2, 0.1};
   (void)force(pid, state, Vec3::Zero(), {kTick_s, false, false});

@@ -40,7 +40,7 @@ TEST(Curve, OfTooFewPointsOrImpossibleOnesIsRefused) {
   EXPECT_EQ(sentenceOf({{0, 0, 0}, {1, kNotANumber, 0}}), "Point 2 of the curve is not a finite point.");
   EXPECT_EQ(sentenceOf({{0, 0, 0}, {1, 0, 0}, {0, -1001, 0}}),
             "Point 3 of the curve is farther than 1e6 mm from the origin; check the scale.");
-  EXPECT_EQ(sentenceOf(std::vector<Vec3>(kMostPoints + 1, Vec3::Zero())), "A curve has at most 1000000 points.");
+  EXPECT_EQ(sentenceOf(std::vector<Vec3>(kMaxPoints + 1, Vec3::Zero())), "A curve has at most 1000000 points.");
 }
 
 TEST(Curve, LeavesRepeatedPointsOut) {
@@ -86,7 +86,7 @@ TEST(Curve, ASplineIsTheOneOfBarryAndGoldman) {
     const std::vector<Vec3> points_W = randomPath(random, 12, 0.01);
     const Oracle oracle(points_W, Kind::Spline, closed);
     const auto curve = curveOf(points_W, Kind::Spline, closed);
-    // Pieces are halves of halves of the oracle's, so each has a whole number of 2^-kMostHalvings of it.
+    // Pieces are halves of halves of the oracle's, so each has a whole number of 2^-kMaxHalvings of it.
     std::int32_t piece = 0;
     for (int i = 0; i < oracle.pieces(); ++i) {
       for (long double share = 0.0L; share < 1.0L; ++piece) {
@@ -239,7 +239,7 @@ TEST(Curve, EveryBoxHoldsItsPieces) {
 TEST(Curve, OfAMillionPointsIsMadeAndIsNoLargerThanItHasToBe) {
   Random random(Seed{20070607});
   std::vector<Vec3> points_W;
-  for (std::size_t i = 0; i < kMostPoints; ++i) points_W.push_back(random.inBox(0.1));  // the worst: all turns sharp
+  for (std::size_t i = 0; i < kMaxPoints; ++i) points_W.push_back(random.inBox(0.1));  // the worst: all turns sharp
   const auto polyline = curveOf(points_W, Kind::Polyline);
   EXPECT_EQ(pieceCount(*polyline), 999'999);
   EXPECT_LT(bytesOf(*polyline), 70'000'000U);
@@ -251,7 +251,7 @@ TEST(Curve, OfAMillionPointsIsMadeAndIsNoLargerThanItHasToBe) {
 
 TEST(Curve, AMillionLengthsAddUpToTheLastDigit) {
   std::vector<Vec3> points_W;
-  for (std::size_t i = 0; i < kMostPoints; ++i) points_W.emplace_back(i % 2 == 0 ? 0.0 : 0.1, 0.0, 0.0);
+  for (std::size_t i = 0; i < kMaxPoints; ++i) points_W.emplace_back(i % 2 == 0 ? 0.0 : 0.1, 0.0, 0.0);
   // 0.1 is 5.6e-18 more as a double; added one by one without correction a million of it are off by 1e-6.
   EXPECT_NEAR(lengthOf(*curveOf(points_W, Kind::Polyline)), 99999.9, 2e-11);
 }

@@ -21,7 +21,7 @@ void expectSound(const Curve& curve, const Nearest& nearest, const Vec3& p_WT, d
   ASSERT_NEAR(nearest.distance_m, (nearest.p_WP - p_WT).norm(), 1e-15 * scale_m + 1e-15 * nearest.distance_m);
   ASSERT_LE((pointOn(curve, nearest.piece, nearest.u) - nearest.p_WP).norm(), 0.0);
   ASSERT_LE((pointAt(curve, nearest.s_m) - nearest.p_WP).norm(), 4e-15 * scale_m);
-  ASSERT_LE(nearest.visits, kMostVisits);
+  ASSERT_LE(nearest.visits, kMaxVisits);
 }
 
 TEST(CurveNearest, IsTheFootOfACornerWorkedByHand) {
@@ -215,7 +215,7 @@ TEST(CurveNearest, AtTheCentreOfACircleTimeIsBounded) {
       const auto curve = curveOf(points_W, kind, true);
       for (const Search search : {Search::Global, Search::Hybrid, Search::Local}) {
         const Nearest nearest = nearestOf(*curve, Vec3::Zero(), search);
-        EXPECT_LE(nearest.visits, kMostVisits);
+        EXPECT_LE(nearest.visits, kMaxVisits);
         EXPECT_FALSE(nearest.is_unique);
         // The apothem of the polygon, or for a cubic within its distance from the circle.
         const double apothem_m = 0.04 * std::cos(kPi / count);

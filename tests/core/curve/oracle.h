@@ -101,10 +101,10 @@ inline std::shared_ptr<const Curve> curveOf(const std::vector<Vec3>& points_W, K
 /// A hand-sized path of steps in random directions, each turning by a part of the last one.
 inline std::vector<Vec3> randomPath(test::Random& random, int count, double step_m) {
   std::vector<Vec3> points_W{random.inBox(0.05)};
-  Vec3 way = random.direction();
+  Vec3 heading = random.direction();
   for (int i = 1; i < count; ++i) {
-    way = (way + random.between(0.0, 1.5) * random.direction()).normalized();
-    points_W.push_back(points_W.back() + step_m * random.between(0.05, 2.0) * way);
+    heading = (heading + random.between(0.0, 1.5) * random.direction()).normalized();
+    points_W.push_back(points_W.back() + step_m * random.between(0.05, 2.0) * heading);
   }
   return points_W;
 }

@@ -98,14 +98,14 @@ TEST(Points, EachProblemComesWithItsLine) {
 TEST(Points, AtMostTenProblemsAreSaid) {
   std::string text;
   for (int i = 0; i < 50; ++i) text += "1 2\n";
-  ASSERT_EQ(problemsOf(text).size(), kMostProblems);
+  ASSERT_EQ(problemsOf(text).size(), kMaxProblems);
   EXPECT_EQ(problemsOf(text).back().place.line, 10);
 }
 
 TEST(Points, AreAMillionAtMost) {
   std::string text;
-  for (std::size_t i = 0; i < kMostPoints; ++i) text += i % 2 == 0 ? "0 0 0\n" : "1 0 0\n";
-  EXPECT_EQ(pointsOf(text).size(), kMostPoints);
+  for (std::size_t i = 0; i < kMaxPoints; ++i) text += i % 2 == 0 ? "0 0 0\n" : "1 0 0\n";
+  EXPECT_EQ(pointsOf(text).size(), kMaxPoints);
   EXPECT_EQ(problemOf(text + "0 0 1\n"), "1000001: The file has more than 1000000 points; remove every second one.");
 }
 

@@ -82,9 +82,9 @@ TEST(CurveSearch, LocalFollowsTheBranchThatItIsOnAndIsTheLeastThere) {
       const std::vector<Vec3> tips = handPath(*curve, random, 2e-4, 4000);
       for (const Vec3& p_WT : tips) {
         const Nearest walked = nearestPoint(*curve, Search::Local, p_WT, local);
-        const Nearest least = nearestPoint(*curve, Search::Global, p_WT, global);
-        ASSERT_GE(walked.distance_m, least.distance_m - 1e-15);
-        if (walked.distance_m > least.distance_m + 1e-12) ++other;
+        const Nearest min = nearestPoint(*curve, Search::Global, p_WT, global);
+        ASSERT_GE(walked.distance_m, min.distance_m - 1e-15);
+        if (walked.distance_m > min.distance_m + 1e-12) ++other;
         // A minimum of its own neighbourhood: no better a little farther along the curve.
         for (const double step_m : {-1e-7, 1e-7}) {
           ASSERT_GE((pointAt(*curve, wrappedArcLength(*curve, walked.s_m + step_m)) - p_WT).norm(),
@@ -149,11 +149,11 @@ TEST(CurveSearch, NeverLooksAtManyPartsOnAPathOfAHand) {
   for (const Kind kind : {Kind::Polyline, Kind::Spline}) {
     const auto curve = curveOf(randomPath(random, 20'000, 0.001), kind);
     SearchState state;
-    int most = 0;
+    int max = 0;
     for (const Vec3& p_WT : handPath(*curve, random, 0.002, 5000)) {
-      most = std::max(most, nearestPoint(*curve, Search::Hybrid, p_WT, state).visits);
+      max = std::max(max, nearestPoint(*curve, Search::Hybrid, p_WT, state).visits);
     }
-    EXPECT_LT(most, 1000);
+    EXPECT_LT(max, 1000);
   }
 }
 

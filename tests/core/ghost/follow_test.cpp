@@ -16,21 +16,22 @@ constexpr int kWhole = 4002;  // ticks that the way takes, and one that rounding
 
 /// 4 s along x at 50 mm/s, from the middle of W.
 Trajectory straight() {
-  Trajectory way;
-  way.rows = {{0.0, {Vec3::Zero(), Vec3::UnitZ()}}, {4.0, {{0.200, 0.0, 0.0}, Vec3::UnitZ()}}};
-  return way;
+  Trajectory trajectory;
+  trajectory.rows = {{0.0, {Vec3::Zero(), Vec3::UnitZ()}}, {4.0, {{0.200, 0.0, 0.0}, Vec3::UnitZ()}}};
+  return trajectory;
 }
 
 /// Ticks at 1 kHz, with the tip where tip_W says at each time since the first, s.
 struct Walk {
   Options options;
-  Trajectory way = straight();
+  Trajectory trajectory = straight();
   State state = {};
   std::int64_t now_ns = 7 * kMillisecond_ns;  // an arm's clock begins anywhere
 
   void ticks(int count, const std::function<Vec3(double)>& tip_W) {
     for (int tick = 0; tick < count; ++tick, now_ns += kMillisecond_ns)
-      state = advanced(way, options, state, now_ns, tip_W(1e-9 * static_cast<double>(now_ns - 7 * kMillisecond_ns)));
+      state =
+          advanced(trajectory, options, state, now_ns, tip_W(1e-9 * static_cast<double>(now_ns - 7 * kMillisecond_ns)));
   }
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 TEST(Words, ComeThroughWithTheirPatterns) {
   const Sentence sentence =
-      said("It holds %1, and is too short.", {said("%1 and %2", {"2 corners", said("%1 faces", {"12"})})});
+      phrase("It holds %1, and is too short.", {phrase("%1 and %2", {"2 corners", phrase("%1 faces", {"12"})})});
   const std::optional<Sentence> come = decodeSentence(encodeSentence(sentence));
   ASSERT_TRUE(come);
   EXPECT_EQ(*come, sentence);
@@ -37,10 +37,10 @@ TEST(Words, DoNotGrowWithoutBound) {
 }
 
 TEST(Words, ThatAreTooManyAreCutAndPlain) {
-  const std::optional<Sentence> come = decodeSentence(encodeSentence(said("It says %1.", {std::string(2000, 'x')})));
+  const std::optional<Sentence> come = decodeSentence(encodeSentence(phrase("It says %1.", {std::string(2000, 'x')})));
   ASSERT_TRUE(come);
   EXPECT_EQ(come->substr(0, 12), "It says xxxx");
-  EXPECT_LE(come->size(), kMostLetters);
+  EXPECT_LE(come->size(), kMaxLetters);
 }
 
 }  // namespace

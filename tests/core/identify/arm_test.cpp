@@ -24,10 +24,10 @@ constexpr double kShare = 0.05;
 // b over a travel L by about b L W / (6 m). Below one step (0.055 mm) of that, a window cannot tell it. A swing by 10
 // mm under k = 100 N/m travels 20 mm without friction, and ends 2 F / k earlier with it.
 constexpr double kStep_m = 0.055e-3, kWindow_s = 0.25, kTravel_m = 0.02, kSpring_N_per_m = 100.0;
-double leastForce_N(double mass_kg) {
+double minForce_N(double mass_kg) {
   return 2.0 * mass_kg * kStep_m / (kWindow_s * kWindow_s);
 }
-double leastDamping(double mass_kg, double friction_N) {
+double minDamping(double mass_kg, double friction_N) {
   const double travel_m = kTravel_m - 2.0 * friction_N / kSpring_N_per_m;
   return 6.0 * mass_kg * kStep_m / (travel_m * kWindow_s);
 }
@@ -55,10 +55,9 @@ Identified identified(const Case& one, bool encoders = true) {
 void expectGiven(const Case& one) {
   SCOPED_TRACE(wordsOf(one));
   const Identified found = identified(one);
-  const double damping = std::max(kShare * one.damping_N_s_per_m, leastDamping(one.mass_kg, one.friction_N));
+  const double damping = std::max(kShare * one.damping_N_s_per_m, minDamping(one.mass_kg, one.friction_N));
   EXPECT_NEAR(found.mean_mass_kg.value, one.mass_kg, kShare * one.mass_kg);
-  EXPECT_NEAR(found.mean_friction_N.value, one.friction_N,
-              std::max(kShare * one.friction_N, leastForce_N(one.mass_kg)));
+  EXPECT_NEAR(found.mean_friction_N.value, one.friction_N, std::max(kShare * one.friction_N, minForce_N(one.mass_kg)));
   EXPECT_NEAR(found.mean_damping_N_s_per_m.value, one.damping_N_s_per_m, damping);
   const arm::EncoderCounts& counts = arm::findPreset(one.preset)->counts_per_turn;
   for (std::size_t joint = 0; joint < 6; ++joint) {
@@ -154,7 +153,7 @@ TEST(SimulatedArm, WithoutEncodersItHasNoneAndTheFitIsNearerStill) {
 TEST(SimulatedArm, ADampingThatIsNotThereIsSaidToBeBelowSomething) {
   const Identified found = identified({"omni-thesis", 1000, 0.045, 0.26, 0.0});
   const Estimate& damping = found.mean_damping_N_s_per_m;
-  EXPECT_LT(std::abs(damping.value), leastDamping(0.045, 0.26));
+  EXPECT_LT(std::abs(damping.value), minDamping(0.045, 0.26));
   EXPECT_FALSE(damping.isSignificant()) << damping.value << " +- " << damping.uncertainty;
   EXPECT_EQ(valueText({"", "", damping}).substr(0, 6), "below ");
   EXPECT_EQ(modelFileOf(found, "x", "X", {}).arm.damping_N_s_per_m, 0.0);

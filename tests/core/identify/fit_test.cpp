@@ -105,8 +105,8 @@ TEST(Windows, NoneGoesOverAGapAndRestsAreLeftOut) {
   std::vector<Row> rows = swingsOf({0.045, 0.26, 0.4, 0.0}, 0.0, 2);
   for (std::size_t row = 100; row < rows.size(); ++row) rows[row].time_ns += 5'000'000;
   for (const Window& window : windowsOf(rows, Vec3::UnitX(), kPeriod_s)) {
-    EXPECT_TRUE(window.first_row >= 100 || window.first_row + window.way_m.size() <= 100);
-    EXPECT_LE(window.way_m.size(), 250U);
+    EXPECT_TRUE(window.first_row >= 100 || window.first_row + window.travel_m.size() <= 100);
+    EXPECT_LE(window.travel_m.size(), 250U);
   }
   EXPECT_TRUE(windowsOf(rows, Vec3::UnitY(), kPeriod_s).empty());
 }
@@ -218,7 +218,7 @@ TEST(Press, FindsTheSlopeTheGapAndTheClamp) {
   // Up to 0.88 N / 500 N/m there, to 0.98 N back; a tick goes 4.7 um.
   EXPECT_NEAR(press.value().clamped_at_m.value(), 1.76e-3, 5e-6);
   EXPECT_NEAR(press.value().linear_m, 1.96e-3, 5e-6);
-  EXPECT_NEAR(press.value().most_N, 0.88, 1e-12);
+  EXPECT_NEAR(press.value().max_N, 0.88, 1e-12);
 }
 
 TEST(Press, OneWayOnlyIsRefused) {
@@ -230,7 +230,7 @@ TEST(Press, OneWayOnlyIsRefused) {
 TEST(Blocks, AWindowOfTooFewTicksHasNone) {  // a light arm at a low rate: the step from block to block would be none
   Window window;
   window.period_s = 0.01;
-  window.way_m = {0.0, 0.01, 0.02, 0.03, 0.04, 0.05};
+  window.travel_m = {0.0, 0.01, 0.02, 0.03, 0.04, 0.05};
   window.target_m.assign(6, 0.1);
   window.force_N.assign(6, 0.5);
   window.friction_share.assign(6, 1.0);

@@ -79,8 +79,8 @@ TEST(NearestWord, IsFoundUpToAThirdOfItsLettersAndNotBeyond) {
       if (slip != 0) known += slip == 1 ? 'c' : letter;
       if (slip == 2) known += 'b';
     }
-    const std::size_t most = word.size() < 4 ? 1 : std::clamp<std::size_t>(word.size() / 3, 2, 12);
-    const bool is_near = distanceOf(word, known) <= most;
+    const std::size_t max = word.size() < 4 ? 1 : std::clamp<std::size_t>(word.size() / 3, 2, 12);
+    const bool is_near = distanceOf(word, known) <= max;
     ASSERT_EQ(nearestWord(word, {known}), is_near ? known : "") << word << " " << known;
     found += is_near ? 1 : 0;
   }

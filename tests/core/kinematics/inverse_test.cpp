@@ -12,16 +12,16 @@ namespace underact::kinematics {
 namespace {
 
 /// Three joints of which each turns from 0 to a full turn: two links above a turntable.
-SolvedArm turntable(double least = 0.0, double most = 2.0 * kPi) {
-  const chain::Joint base{chain::JointType::Revolute, Vec3::UnitZ(), Vec3(0, 0, 0.1), least, most};
-  const chain::Joint shoulder{chain::JointType::Revolute, Vec3::UnitY(), Vec3(0, 0, 0.4), least, most};
-  const chain::Joint elbow{chain::JointType::Revolute, Vec3::UnitY(), Vec3(0, 0, 0.7), least, most};
+SolvedArm turntable(double min = 0.0, double max = 2.0 * kPi) {
+  const chain::Joint base{chain::JointType::Revolute, Vec3::UnitZ(), Vec3(0, 0, 0.1), min, max};
+  const chain::Joint shoulder{chain::JointType::Revolute, Vec3::UnitY(), Vec3(0, 0, 0.4), min, max};
+  const chain::Joint elbow{chain::JointType::Revolute, Vec3::UnitY(), Vec3(0, 0, 0.7), min, max};
   arm::Model model;
   model.chain = {{base, shoulder, elbow}, chain::test::omni().X_NT};
   model.chain.X_WT_home.translation() = Vec3(0, 0, 0.9);
   model.joints.resize(3);
   model.rows.resize(3);
-  for (chain::DhRow& row : model.rows) row.min = least, row.max = most;
+  for (chain::DhRow& row : model.rows) row.min = min, row.max = max;
   return solvedArm(model);
 }
 

@@ -199,14 +199,14 @@ TEST(StepMetrics, DenseSamplesOfThePartialFractionsFindTheSame) {
     ASSERT_EQ(metrics.final_value, final_value);
     constexpr double kStep_s = 1e-3, kLong_s = 120.0;
     const auto z = [&](double t_s) { return partialFractions(drawn, t_s) / final_value; };
-    double low_s = -1.0, high_s = -1.0, settled_s = 0.0, most = -kInfinity, peak_s = 0.0;
+    double low_s = -1.0, high_s = -1.0, settled_s = 0.0, max = -kInfinity, peak_s = 0.0;
     double nearest_band = kInfinity;
     for (double t_s = 0.0; t_s < kLong_s; t_s += t_s < 20.0 ? kStep_s : 20.0 * kStep_s) {
       const double now = z(t_s);
       if (low_s < 0.0 && now >= 0.1) low_s = t_s;
       if (high_s < 0.0 && now >= 0.9) high_s = t_s;
       if (std::abs(now - 1.0) >= 0.02) settled_s = t_s;
-      if (now > most) most = now, peak_s = t_s;
+      if (now > max) max = now, peak_s = t_s;
       nearest_band = std::min(nearest_band, t_s > settled_s + 0.1 ? std::abs(std::abs(now - 1.0) - 0.02) : kInfinity);
     }
     ASSERT_TRUE(metrics.rise_10_90_s && metrics.settling_2pct_s && metrics.overshoot_fraction);
@@ -214,9 +214,9 @@ TEST(StepMetrics, DenseSamplesOfThePartialFractionsFindTheSame) {
     if (nearest_band > 1e-4) {
       EXPECT_NEAR(*metrics.settling_2pct_s, settled_s, 25.0 * kStep_s) << drawn_count;
     }
-    EXPECT_NEAR(*metrics.overshoot_fraction, std::max(0.0, most - 1.0), 1e-4 * std::max(1.0, most)) << drawn_count;
-    if (most > 1.001) {
-      EXPECT_NEAR(z(*metrics.peak_time_s), z(peak_s), 1e-4 * most) << drawn_count;
+    EXPECT_NEAR(*metrics.overshoot_fraction, std::max(0.0, max - 1.0), 1e-4 * std::max(1.0, max)) << drawn_count;
+    if (max > 1.001) {
+      EXPECT_NEAR(z(*metrics.peak_time_s), z(peak_s), 1e-4 * max) << drawn_count;
     }
     // And to the last digits: what was found is where it says.
     EXPECT_NEAR(std::abs(z(*metrics.settling_2pct_s) - 1.0), *metrics.settling_2pct_s > 0.0 ? 0.02 : 0.0,

@@ -32,9 +32,9 @@ StepSetup smooth(double mass_kg, double damping_N_s_per_m) {
 double worstOf(const ArmStep& step) {
   const UnitStep model(step.analytic);
   double worst = 0.0;
-  for (std::size_t index = 0; index < step.way_m.value.size(); ++index) {
-    const double y = model.at(step.way_m.period_s * static_cast<double>(index));
-    worst = std::max(worst, std::abs(step.way_m.value[index] / step.step_m - y));
+  for (std::size_t index = 0; index < step.travel_m.value.size(); ++index) {
+    const double y = model.at(step.travel_m.period_s * static_cast<double>(index));
+    worst = std::max(worst, std::abs(step.travel_m.value[index] / step.step_m - y));
   }
   return worst;
 }
@@ -106,8 +106,8 @@ TEST(ArmStep, TheIntegralWorksTheFrictionOff) {
 TEST(ArmStep, TheSameStepGivesTheSameNumbers) {
   StepSetup setup;
   setup.arm = *sim::findArmModel("vendor-nominal");
-  EXPECT_EQ(measureStep(sceneOf(kPoint), setup).value().way_m.value,
-            measureStep(sceneOf(kPoint), setup).value().way_m.value);
+  EXPECT_EQ(measureStep(sceneOf(kPoint), setup).value().travel_m.value,
+            measureStep(sceneOf(kPoint), setup).value().travel_m.value);
 }
 
 TEST(ArmStep, AShapeIsMeasuredAcrossItself) {

@@ -8,7 +8,7 @@ namespace {
 
 using test::checkOf;
 using test::Moment;
-using test::said;
+using test::sentenceOf;
 
 /// The state after ticks of a millisecond from begin_s to end_s, each made by put().
 template <class Put>
@@ -37,7 +37,7 @@ TEST(Hold, IsSolvedWhereTheBandIsHeldForSoLong) {
   EXPECT_FALSE(after(check, 0.19, strong).solved);
   const CheckState done = after(check, 0.25, strong);
   EXPECT_TRUE(done.solved);
-  EXPECT_EQ(said(check, done), "Held for 0.2 of 0.2 s. The commanded force is 0.40 N.");
+  EXPECT_EQ(sentenceOf(check, done), "Held for 0.2 of 0.2 s. The commanded force is 0.40 N.");
   for (const double force_N : {0.2, 0.6, kNotANumber}) {
     EXPECT_FALSE(after(check, 1.0, [force_N](Moment& moment, double) { push(moment, force_N); }).solved) << force_N;
   }
@@ -65,14 +65,14 @@ TEST(Hold, APauseOfTheClockCountsAsNoTime) {
 
 TEST(Hold, SaysWhatIsAndWhatShouldBe) {
   const Check check = checkOf(R"({"measure": "asked_N", "above": 0.3, "for_s": 2, "say": "Pull harder."})");
-  EXPECT_EQ(said(check, {}),
+  EXPECT_EQ(sentenceOf(check, {}),
             "Pull harder. Held for 0.0 of 2.0 s. The commanded force is not measured yet; it should be "
             "above 0.30 N.");
   const CheckState state = after(check, 0.01, [](Moment& moment, double) { push(moment, 0.12); });
-  EXPECT_EQ(said(check, state),
+  EXPECT_EQ(sentenceOf(check, state),
             "Pull harder. Held for 0.0 of 2.0 s. The commanded force is 0.12 N; it should be above 0.30 N.");
   const Check band = checkOf(R"({"measure": "asked_N", "above": 0.3, "below": 0.5})");
-  EXPECT_EQ(said(band, {}), "The commanded force is not measured yet; it should be between 0.30 N and 0.50 N.");
+  EXPECT_EQ(sentenceOf(band, {}), "The commanded force is not measured yet; it should be between 0.30 N and 0.50 N.");
 }
 
 TEST(Near, CountsTheWayOfPlacesAndTheLargestOfAngles) {
@@ -94,10 +94,10 @@ TEST(Near, CountsTheWayOfPlacesAndTheLargestOfAngles) {
   EXPECT_TRUE(stands(0, 40, -179.0));  // the same angle but for a turn
   EXPECT_FALSE(stands(2.1, 40, 180));
   const Check turn = checkOf(R"({"measure": "stylus", "near": [0, 0, 2], "within": 10})");
-  EXPECT_EQ(said(turn, {}),
+  EXPECT_EQ(sentenceOf(turn, {}),
             "The direction of the stylus is not measured yet; it should be within 10.00° of (0.00, 0.00, 2.00).");
   const Check count = checkOf(R"({"measure": "solutions_within", "near": 2, "within": 0})");
-  EXPECT_EQ(said(count, {}), "The number of solutions within the limits is not measured yet; it should be 2.");
+  EXPECT_EQ(sentenceOf(count, {}), "The number of solutions within the limits is not measured yet; it should be 2.");
 }
 
 TEST(Visit, RemembersEachPlaceAndNamesThoseThatAreLeft) {
@@ -110,12 +110,13 @@ TEST(Visit, RemembersEachPlaceAndNamesThoseThatAreLeft) {
   };
   goTo(0, 0.0);
   goTo(38, 0.1);
-  EXPECT_EQ(said(check, state), "2 of 3 reached. Still to reach: -40.0 mm, to within 3.0 mm. The tip x is 38.0 mm.");
+  EXPECT_EQ(sentenceOf(check, state),
+            "2 of 3 reached. Still to reach: -40.0 mm, to within 3.0 mm. The tip x is 38.0 mm.");
   goTo(-36, 9.0);  // visits outlast a pause
   EXPECT_FALSE(state.solved);
   goTo(-37, 9.1);
   EXPECT_TRUE(state.solved);
-  EXPECT_EQ(said(check, state), "3 of 3 reached.");
+  EXPECT_EQ(sentenceOf(check, state), "3 of 3 reached.");
 }
 
 TEST(Span, BeginsAnewWhereWhatHoldsMeanwhileBreaks) {
@@ -130,9 +131,9 @@ TEST(Span, BeginsAnewWhereWhatHoldsMeanwhileBreaks) {
   EXPECT_TRUE(slide(1.0).solved);
   const CheckState broken = slide(5.0);
   EXPECT_FALSE(broken.solved);
-  EXPECT_EQ(said(check, broken), "The tip y covered 24.0 mm of 30.0 mm.");
+  EXPECT_EQ(sentenceOf(check, broken), "The tip y covered 24.0 mm of 30.0 mm.");
   const CheckState outside = after(check, 0.5, [](Moment& moment, double) { moment.tick.error_m = 5.1e-3; });
-  EXPECT_EQ(said(check, outside),
+  EXPECT_EQ(sentenceOf(check, outside),
             "The tip y covered 0.0 mm of 30.0 mm. Required at the same time: The error below 2.0 mm; now 5.1 mm.");
 }
 
@@ -156,8 +157,8 @@ TEST(AskNumber, TakesWhatIsWithinTheTolerance) {
   EXPECT_TRUE(afterAnswer(check, {}, 127.1).solved);
   const CheckState wrong = afterAnswer(check, {}, 128.1);
   EXPECT_FALSE(wrong.solved);
-  EXPECT_EQ(said(check, {}), "Type your answer.");
-  EXPECT_EQ(said(check, wrong), "128.1 mm is not right. Try again.");
+  EXPECT_EQ(sentenceOf(check, {}), "Type your answer.");
+  EXPECT_EQ(sentenceOf(check, wrong), "128.1 mm is not right. Try again.");
   EXPECT_TRUE(afterAnswer(check, wrong, 127.5).solved);  // another go
   EXPECT_FALSE(afterAnswer(check, {}, kNotANumber).solved);
 }
@@ -173,10 +174,10 @@ TEST(AskNumber, CanBeMeasuredAtThatMoment) {
 TEST(AskChoice, TakesTheRightOneAlone) {
   const Check check = checkOf(R"({"question": "Which?", "choices": ["this", "that"], "right": 2})");
   EXPECT_TRUE(afterAnswer(check, {}, 2).solved);
-  EXPECT_EQ(said(check, afterAnswer(check, {}, 2)), "“that” is right.");
-  EXPECT_EQ(said(check, afterAnswer(check, {}, 1)), "“this” is not right. Try again.");
+  EXPECT_EQ(sentenceOf(check, afterAnswer(check, {}, 2)), "“that” is right.");
+  EXPECT_EQ(sentenceOf(check, afterAnswer(check, {}, 1)), "“this” is not right. Try again.");
   EXPECT_FALSE(afterAnswer(check, {}, 0).solved);
-  EXPECT_EQ(said(check, {}), "Choose an answer.");
+  EXPECT_EQ(sentenceOf(check, {}), "Choose an answer.");
 }
 
 TEST(ASolvedCheck, StaysSolvedAndKeepsWhatWasMeasured) {
@@ -185,7 +186,7 @@ TEST(ASolvedCheck, StaysSolvedAndKeepsWhatWasMeasured) {
   ASSERT_TRUE(state.solved);
   state = after(check, std::move(state), 1.0, 1.1, [](Moment& moment, double) { push(moment, 0.0); });
   EXPECT_TRUE(state.solved);
-  EXPECT_EQ(said(check, state), "The commanded force is 0.40 N.");
+  EXPECT_EQ(sentenceOf(check, state), "The commanded force is 0.40 N.");
   EXPECT_TRUE(isSolved({state}));
   EXPECT_FALSE(isSolved({state, CheckState{}}));
 }

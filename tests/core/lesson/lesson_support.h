@@ -54,7 +54,7 @@ inline std::vector<std::string> problemsIn(const std::string& text) {
   return lines;
 }
 
-inline std::string said(const Check& check, const CheckState& state) {
+inline std::string sentenceOf(const Check& check, const CheckState& state) {
   return describeCheck(check, state);
 }
 

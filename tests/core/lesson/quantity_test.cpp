@@ -25,9 +25,9 @@ TEST(Quantities, EachHasAKeyOfItsOwnASentenceAndAsManyNumbersAsItSays) {
     EXPECT_TRUE(keys.insert(quantity.key).second) << quantity.key;
     EXPECT_EQ(std::string(quantity.what).back(), '.') << quantity.key;
     EXPECT_EQ(findQuantity(quantity.key), &quantity);
-    ASSERT_LE(quantity.parts, kMostParts) << quantity.key;
+    ASSERT_LE(quantity.parts, kMaxParts) << quantity.key;
     const Values values = quantity.of(moment.seen());
-    for (std::size_t part = quantity.parts; part < kMostParts; ++part) EXPECT_TRUE(std::isnan(values[part]));
+    for (std::size_t part = quantity.parts; part < kMaxParts; ++part) EXPECT_TRUE(std::isnan(values[part]));
   }
   EXPECT_EQ(findQuantity("force"), nullptr);
 }

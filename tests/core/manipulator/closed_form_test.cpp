@@ -79,7 +79,7 @@ TEST(ClosedForm, ItIsTheGlobalMinimumThatTheSolverFinds) {
     const Manipulator iterative = test::made(wanted);
     ++seen[static_cast<int>(closed.closed->kind)];
     const Pose X_WT = test::anyPose(random, 0.15);
-    const Global by_form = leastEnergy(closed, X_WT), by_search = leastEnergy(iterative, X_WT);
+    const Global by_form = minEnergy(closed, X_WT), by_search = minEnergy(iterative, X_WT);
     ASSERT_TRUE(by_form.is_unique) << i;
     const double scale_J = by_search.at.energy_J + 1e-3;
     ASSERT_NEAR(by_form.at.energy_J, by_search.at.energy_J, 1e-13 * scale_J) << i;
@@ -142,7 +142,7 @@ TEST(ClosedForm, OnTheAxisItStaysWhereItWas) {
     const Closed closed = closedForm(m, test::tipAt(Vec3::Zero()), {0.7, 0.0});
     EXPECT_FALSE(closed.is_unique);
     EXPECT_EQ(closed.theta[0], 0.7);
-    EXPECT_FALSE(leastEnergy(m, test::tipAt(Vec3::Zero())).is_unique);
+    EXPECT_FALSE(minEnergy(m, test::tipAt(Vec3::Zero())).is_unique);
     State state;
     const Followed followed = follow(m, test::tipAt(Vec3::Zero()), 1e-3, state);
     EXPECT_FALSE(followed.is_unique);

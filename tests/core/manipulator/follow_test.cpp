@@ -159,8 +159,8 @@ TEST(Follow, ABetterMinimumIsAnnouncedAndTakenAfterAWhileAndTheTargetGoesThereSl
   ASSERT_GT(announced, 0);
   EXPECT_LE(announced, 400);
   EXPECT_NEAR(left - announced, kBetterFor_s / kTick_s, 2.0);
-  const double way_m = 2.0 * 0.05 * std::sin(0.5 * (0.4766366887 + 0.5252628586));
-  EXPECT_NEAR(arrived - left, way_m / (kSlew_m_per_s * kTick_s), 2.0);
+  const double travel_m = 2.0 * 0.05 * std::sin(0.5 * (0.4766366887 + 0.5252628586));
+  EXPECT_NEAR(arrived - left, travel_m / (kSlew_m_per_s * kTick_s), 2.0);
   EXPECT_NEAR(state.theta[0], 0.4766366886973705, 1e-9);
 }
 

@@ -114,7 +114,7 @@ TEST(ManipulatorGolden, ColdTheIterativeMethodFindsTheLeastOfAllMinima) {
   for (const Value& one : file.find("cases")->items) {
     SCOPED_TRACE(nameOf(one));
     const Case c = caseOf(file, one, Method::Iterative);
-    const Global found = leastEnergy(c.manipulator, c.X_WT);
+    const Global found = minEnergy(c.manipulator, c.X_WT);
     EXPECT_TRUE(found.is_unique);
     EXPECT_GT(found.steps, 0);
     expectMet(c, found.at);
@@ -135,7 +135,7 @@ TEST(ManipulatorGolden, TheClosedFormsAreThereForEqualGainsAndAllButAWholeTurnOf
     ASSERT_EQ(c.manipulator.closed.has_value(),
               equal && (slides_only || c.manipulator.orientation != Orientation::Full));
     if (!c.manipulator.closed) continue;
-    const Global found = leastEnergy(c.manipulator, c.X_WT);
+    const Global found = minEnergy(c.manipulator, c.X_WT);
     EXPECT_TRUE(found.is_unique);
     EXPECT_EQ(found.steps, 0);
     expectMet(c, found.at);
@@ -181,7 +181,7 @@ TEST(ManipulatorGolden, ThePlanarAngleOfTheThesisHasItsGlobalMinimum) {
     const Pose X_WT =
         test::poseOf(test::about(Vec3::UnitZ(), numberOf(one, "theta_r")) * test::tipAt(Vec3::Zero()).linear(),
                      kMetrePerMillimetre * Vec3(p.items.at(0).number, p.items.at(1).number, 0.0));
-    const Global found = leastEnergy(test::made(wanted), X_WT);
+    const Global found = minEnergy(test::made(wanted), X_WT);
     EXPECT_NEAR(std::remainder(found.at.theta[0] - numberOf(one, "theta"), 2.0 * kPi), 0.0, 3e-12);
     EXPECT_NEAR(1e3 * found.at.energy_J, numberOf(one, "cost"), 1e-13 * numberOf(one, "cost") + 1e-20);
     const Vec3 wrench = threeOf(*one.find("wrench"));

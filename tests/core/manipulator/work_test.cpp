@@ -131,7 +131,7 @@ TEST(Work, TurningAndSlidingPumpsWhatTheMissingMomentWouldTakeAndNoMore) {
   // is twice the least energy at a difference of D, ks D^2 less a share of the joint's fourth order (2e-5 here).
   const Manipulator m = ringOf(ForceLaw::Energy);
   const double turn_rad = 0.3;
-  const double least_J = leastEnergy(m, test::poseOf(pointing(turn_rad), onRing(0.05, 0.0))).at.energy_J;
+  const double min_J = minEnergy(m, test::poseOf(pointing(turn_rad), onRing(0.05, 0.0))).at.energy_J;
   const double corners[4][2] = {{0.0, turn_rad}, {turn_rad, turn_rad}, {turn_rad, 0.0}, {0.0, 0.0}};
   double at_rad[2] = {0.0, 0.0};
   State state;
@@ -143,7 +143,7 @@ TEST(Work, TurningAndSlidingPumpsWhatTheMissingMomentWouldTakeAndNoMore) {
       moment_J += pumped.moment_J;
     }
     EXPECT_NEAR(force_J, 0.01875, 2e-6);
-    EXPECT_NEAR(force_J, 2.0 * least_J, 1e-9);  // each cycle the same: nothing winds up
+    EXPECT_NEAR(force_J, 2.0 * min_J, 1e-9);  // each cycle the same: nothing winds up
     EXPECT_NEAR(force_J + moment_J, 0.0, 1e-9);
   }
 }

@@ -44,7 +44,7 @@ Triangles outside(const Surface& surface, const Cut& cut) {
 TEST(Cut, LeavesOutNoFaceWithinItsReach) {
   std::vector<Triangles> meshes{mesh_maker::torusKnot(20000), mesh_maker::bracket(5000)};
   for (const test::OddMesh& odd : test::oddMeshes()) meshes.push_back(odd.triangles);
-  int most_left_out = 0;
+  int max_left_out = 0;
   for (const Triangles& triangles : meshes) {
     const auto surface = makeSurface(triangles).value();
     const double size = test::diagonalOf(triangles);
@@ -54,7 +54,7 @@ TEST(Cut, LeavesOutNoFaceWithinItsReach) {
         int visits = 0;
         const Cut cut = makeCut(*surface, q_M, reach, visits);
         ASSERT_GE(cut.size, 1U);
-        ASSERT_LE(cut.size, Cut::kMost);
+        ASSERT_LE(cut.size, Cut::kMax);
         const Triangles others = outside(*surface, cut);
         if (others.faces.empty()) continue;
         ++left_out;
@@ -62,9 +62,9 @@ TEST(Cut, LeavesOutNoFaceWithinItsReach) {
         ASSERT_GE(test::MeshOracle(others).distance(q_M), reach - rounding);
       }
     }
-    most_left_out = std::max(most_left_out, left_out);
+    max_left_out = std::max(max_left_out, left_out);
   }
-  EXPECT_GT(most_left_out, 30);  // of 60: or nothing was put to the test
+  EXPECT_GT(max_left_out, 30);  // of 60: or nothing was put to the test
 }
 
 TEST(Cut, HoldsForAsFarAsTheTipMayGo) {
@@ -90,7 +90,7 @@ TEST(Cut, HoldsForNoOtherSurfaceAndNotWhereItIsBroken) {
     EXPECT_FALSE(holds(broken, *surface, Vec3::Zero(), 1.0));
   }
   Cut broken = cut;
-  broken.size = Cut::kMost + 1;
+  broken.size = Cut::kMax + 1;
   EXPECT_FALSE(holds(broken, *surface, Vec3::Zero(), 1.0));
   broken.size = 0;
   EXPECT_FALSE(holds(broken, *surface, Vec3::Zero(), 1.0));

@@ -64,7 +64,7 @@ std::vector<Vec3> fourFaces(const Vec3& middle, double size, Random& random) {
 
 TEST(FaceBounds, AreNeverAboveTheDistanceWhateverTheFacesAre) {
   Random random(Seed{20070650});
-  int said = 0;
+  int given = 0;
   for (int i = 0; i < test::sweep(20000, 1000000); ++i) {
     const double size = powerOfTen(random, -12.0, 12.0);
     const Vec3 middle = size * powerOfTen(random, -2.0, 4.0) * random.direction();
@@ -73,10 +73,10 @@ TEST(FaceBounds, AreNeverAboveTheDistanceWhateverTheFacesAre) {
     for (const Bounded& one : bounded(surface, q_M)) {
       // Of the oracle's own distance: a root in doubles, squared again.
       ASSERT_LE(one.bound, std::max(0.0, one.squared * (1.0 + 1e-14))) << "draw " << i;
-      said += one.bound > 0.0 ? 1 : 0;
+      given += one.bound > 0.0 ? 1 : 0;
     }
   }
-  EXPECT_GT(said, test::sweep(20000, 1000000));  // a quarter of them, or the bound is never put to the test
+  EXPECT_GT(given, test::sweep(20000, 1000000));  // a quarter of them, or the bound is never put to the test
 }
 
 TEST(FaceBounds, AreCloseWhereNoAngleIsSharp) {  // or a search would look at all faces exactly

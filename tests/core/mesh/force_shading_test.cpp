@@ -64,11 +64,11 @@ Triangles cone(int sides, double slope_deg) {
 struct Directions {
   Vec3 true_M, smooth_M, p_M;
 };
-Directions directionsAt(const Surface& surface, const Vec3& q_M, double most_deg = kLean_deg) {
+Directions directionsAt(const Surface& surface, const Vec3& q_M, double max_deg = kLean_deg) {
   SearchState state;
   const Hit hit = nearestPoint(surface, Search::Global, q_M, state);
   const Vec3 u_M = (q_M - hit.p_M).normalized();
-  return {u_M, shadedDirection(surface, hit, u_M, forceShadingOf(kRadPerDegree * most_deg)), hit.p_M};
+  return {u_M, shadedDirection(surface, hit, u_M, forceShadingOf(kRadPerDegree * max_deg)), hit.p_M};
 }
 
 TEST(ForceShading, OfABallOfFacesIsTheBall) {
@@ -96,12 +96,12 @@ TEST(ForceShading, IsNeverMoreThanItsLimitAndTheOtherWayRoundOnTheOtherSide) {
       const Hit hit = nearestPoint(surface, Search::Global, q_M, state);
       const Vec3 u_M = (q_M - hit.p_M).stableNormalized();
       if (!(u_M.norm() > 0.5)) continue;
-      for (const double most_deg : {5.0, 20.0, 45.0}) {
-        const ForceShading most = forceShadingOf(kRadPerDegree * most_deg);
-        const Vec3 there = shadedDirection(surface, hit, u_M, most);
+      for (const double max_deg : {5.0, 20.0, 45.0}) {
+        const ForceShading max = forceShadingOf(kRadPerDegree * max_deg);
+        const Vec3 there = shadedDirection(surface, hit, u_M, max);
         ASSERT_NEAR(there.norm(), 1.0, 1e-12) << odd.name;
-        ASSERT_LE(angle_deg(there, u_M), most_deg + 1e-6) << odd.name;
-        ASSERT_NEAR((shadedDirection(surface, hit, -u_M, most) + there).norm(), 0.0, 1e-12) << odd.name;
+        ASSERT_LE(angle_deg(there, u_M), max_deg + 1e-6) << odd.name;
+        ASSERT_NEAR((shadedDirection(surface, hit, -u_M, max) + there).norm(), 0.0, 1e-12) << odd.name;
       }
       ASSERT_EQ(shadedDirection(surface, hit, u_M, {}), u_M) << odd.name;
     }
@@ -241,7 +241,7 @@ TEST(ForceShading, HasNoStepOverTheTipOfACone) {
     const double top = static_cast<double>(surface->high_M.z());
     const auto above = [&]() -> Vec3 { return Vec3(0, 0, top + 1.5) + random.inBox(1.4); };
     int looked = 0;
-    for (int way = 0; way < 60; ++way) {
+    for (int trial = 0; trial < 60; ++trial) {
       const Vec3 a_M = above(), b_M = above();
       const double jump = jumpBetween(*surface, a_M, b_M);
       EXPECT_LT(jump, 1e-4) << sides << " from " << a_M.transpose() << " to " << b_M.transpose();

@@ -87,10 +87,10 @@ void expectSound(const Case& one, const Vec3& q_M, const Hit& hit) {
   ASSERT_LE((alone.nearest(q_M).p_M - hit.p_M).norm(), exact);  // the one point of it that is nearest
 }
 
-void expectNearest(double least, double exact, const Hit& hit) {
-  ASSERT_GE(std::sqrt(hit.squared), least - exact) << "nearer than any point of the mesh";
+void expectNearest(double min, double exact, const Hit& hit) {
+  ASSERT_GE(std::sqrt(hit.squared), min - exact) << "nearer than any point of the mesh";
   if (hit.is_proved) {
-    ASSERT_LE(std::sqrt(hit.squared), least + exact) << "said to be proved";
+    ASSERT_LE(std::sqrt(hit.squared), min + exact) << "said to be proved";
   }
 }
 
@@ -99,11 +99,11 @@ int sweep(const Case& one, const std::vector<Search>& searches, const std::vecto
   std::vector<SearchState> states(searches.size());
   int proved = 0;
   for (const Vec3& q_M : asked) {
-    const double least = one.oracle.distance(q_M);
+    const double min = one.oracle.distance(q_M);
     for (std::size_t i = 0; i < searches.size(); ++i) {
       const Hit hit = nearestPoint(*one.surface, searches[i], q_M, states[i]);
       proved += hit.is_proved ? 1 : 0;
-      expectNearest(least, one.exact(q_M), hit);
+      expectNearest(min, one.exact(q_M), hit);
       expectSound(one, q_M, hit);
       if (testing::Test::HasFatalFailure()) {
         ADD_FAILURE() << one.mesh.name << ", search " << static_cast<int>(searches[i]) << ", q " << q_M.transpose();
@@ -213,7 +213,7 @@ TEST(NearestPoint, InTheMiddleOfABallEndsInTimeWithAPointOfIt) {
     SearchState state;
     static_cast<void>(nearestPoint(*one.surface, search, {0, 0, 1}, state));
     const Hit hit = nearestPoint(*one.surface, search, Vec3::Zero(), state);
-    EXPECT_LE(hit.visits, kMostVisits);
+    EXPECT_LE(hit.visits, kMaxVisits);
     expectSound(one, Vec3::Zero(), hit);
     expectNearest(one.oracle.distance(Vec3::Zero()), one.exact(Vec3::Zero()), hit);
   }

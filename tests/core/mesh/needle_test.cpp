@@ -23,11 +23,11 @@ QuadPoint wide(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-QuadPoint along(const QuadPoint& from, const Quad& times, const QuadPoint& way) {
-  return {from[0] + times * way[0], from[1] + times * way[1], from[2] + times * way[2]};
+QuadPoint along(const QuadPoint& from, const Quad& times, const QuadPoint& offset) {
+  return {from[0] + times * offset[0], from[1] + times * offset[1], from[2] + times * offset[2]};
 }
 
-QuadPoint way(const QuadPoint& from, const QuadPoint& to) {
+QuadPoint offset(const QuadPoint& from, const QuadPoint& to) {
   return along(to, -1, from);
 }
 
@@ -36,12 +36,12 @@ Quad inner(const QuadPoint& u, const QuadPoint& v) {
 }
 
 Quad distance(const QuadPoint& p, const QuadPoint& q) {
-  return sqrt(inner(way(p, q), way(p, q)));
+  return sqrt(inner(offset(p, q), offset(p, q)));
 }
 
 Quad distanceToEdge(const QuadPoint& a, const QuadPoint& b, const QuadPoint& q) {
-  const QuadPoint ab = way(a, b);
-  const Quad length2 = inner(ab, ab), t = length2 > 0 ? Quad(inner(way(a, q), ab) / length2) : Quad(0);
+  const QuadPoint ab = offset(a, b);
+  const Quad length2 = inner(ab, ab), t = length2 > 0 ? Quad(inner(offset(a, q), ab) / length2) : Quad(0);
   return distance(along(a, t < 0 ? Quad(0) : t > 1 ? Quad(1) : t, ab), q);
 }
 
@@ -49,7 +49,7 @@ Quad distanceToEdge(const QuadPoint& a, const QuadPoint& b, const QuadPoint& q) 
 Quad distanceToTriangle(const std::array<Vec3, 3>& corners, const Vec3& from) {
   const QuadPoint a = wide(corners[0]), b = wide(corners[1]), c = wide(corners[2]), q = wide(from);
   Quad best = std::min({distanceToEdge(a, b, q), distanceToEdge(b, c, q), distanceToEdge(c, a, q)});
-  const QuadPoint ab = way(a, b), ac = way(a, c), aq = way(a, q);
+  const QuadPoint ab = offset(a, b), ac = offset(a, c), aq = offset(a, q);
   const Quad bb = inner(ab, ab), bc = inner(ab, ac), cc = inner(ac, ac), whole = bb * cc - bc * bc;
   if (!(whole > 0)) return best;
   const Quad u = (cc * inner(aq, ab) - bc * inner(aq, ac)) / whole;

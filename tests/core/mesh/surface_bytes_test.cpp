@@ -51,7 +51,7 @@ TEST(SurfaceBytes, ABoxWhereNoChildIsMustBeEmpty) {
   const std::shared_ptr<const Surface> surface = makeSurface(mesh_maker::cube(200)).value();
   int without = 0;
   for (std::size_t node = 0; node < surface->nodes.size(); ++node) {
-    for (std::size_t slot = 0; slot < kWays; ++slot) {
+    for (std::size_t slot = 0; slot < kChildren; ++slot) {
       if (surface->nodes[node].children[slot] != kNoChild) continue;
       Surface forged = *surface;
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -85,7 +85,7 @@ TEST(SurfaceBytes, WhateverIsDamagedNothingComesBackThatASearchCouldBeLostIn) {
     SearchState state;
     ProxyState touching;
     for (const Vec3& q : points) {
-      EXPECT_LE(nearestPoint(*surface, Search::Hybrid, q, state).visits, 2 * kMostVisits);
+      EXPECT_LE(nearestPoint(*surface, Search::Hybrid, q, state).visits, 2 * kMaxVisits);
       followProxy(*surface, FreeSide::Outside, q, touching);
     }
   }

@@ -16,7 +16,7 @@ namespace {
 
 using mesh::Triangles;
 
-Triangles leastCase() {  // one box stands on another, 10 deep in it
+Triangles minCase() {  // one box stands on another, 10 deep in it
   return test::together({test::boxOf({-20, -20, -20}, {20, 20, 0}), test::boxOf({0, -20, -10}, {20, 20, 20})});
 }
 
@@ -26,7 +26,7 @@ Loaded loaded(const Triangles& triangles) {
 }
 
 TEST(IntersectingMesh, HasNoFreePlaceWithinAndNoWayThroughItsWalls) {
-  const Loaded body = loaded(leastCase());
+  const Loaded body = loaded(minCase());
   EXPECT_EQ(body.facts.inside, Inside::United);
   EXPECT_GT(body.facts.crossings, 0);
   ASSERT_TRUE(body.surface->is_closed);
@@ -44,7 +44,7 @@ TEST(IntersectingMesh, HasNoFreePlaceWithinAndNoWayThroughItsWalls) {
 TEST(IntersectingMesh, ComesFromTheCacheAsItWasMade) {
   const test::ScratchFolder folder;
   const Cache cache(folder.path() + "/cache");
-  const std::string path = folder.write("m.stl", test::stlBinary(test::soup(leastCase())));
+  const std::string path = folder.write("m.stl", test::stlBinary(test::soup(minCase())));
   const Loaded first = loadMesh(path, {}, cache).value(), second = loadMesh(path, {}, cache).value();
   EXPECT_TRUE(second.from_cache);
   EXPECT_EQ(mesh::surfaceBytes(*first.surface), mesh::surfaceBytes(*second.surface));
@@ -89,7 +89,7 @@ TEST(IntersectingMesh, AGapOfRoundingBetweenPartsIsNotFelt) {
 }
 
 TEST(IntersectingMesh, OpenOrTwistedIsHeldToAndIsNoWall) {
-  Triangles open = leastCase();
+  Triangles open = minCase();
   open.faces.pop_back();
   EXPECT_FALSE(allowsWalls(loaded(open).facts));
   EXPECT_FALSE(loaded(open).surface->is_closed);

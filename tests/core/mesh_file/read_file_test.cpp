@@ -56,7 +56,7 @@ TEST(ReadFile, EveryFormatComesBackToTheBit) {
     const RawMesh raw = readOrFail(folder, name, content);
     expectSame(raw.triangles, meant, name);
     EXPECT_EQ(raw.polygons, static_cast<std::int64_t>(meant.faces.size())) << name;
-    EXPECT_LT(raw.peak_bytes, static_cast<std::int64_t>(mostMemory(content.size()))) << name;
+    EXPECT_LT(raw.peak_bytes, static_cast<std::int64_t>(maxMemory(content.size()))) << name;
   }
 }
 
@@ -282,11 +282,11 @@ TEST(ReadFile, ABinaryStlIsReadByItsLengthOrThatOfItsAttributes) {
                  std::string(bytes, 'x');
     return content;
   };
-  const std::string left = "What belongs to no face was skipped: ", said = "The file declares ",
+  const std::string left = "What belongs to no face was skipped: ", given = "The file declares ",
                     by = " faces, but has the length of 12: these were read.";
-  for (const auto& [content, report] : {std::pair{with(0, 0, 0), said + "0" + by},
-                                        {with(5, 0, 0), said + "5" + by},
-                                        {with(~0U, 0, 0), said + "4294967295" + by},
+  for (const auto& [content, report] : {std::pair{with(0, 0, 0), given + "0" + by},
+                                        {with(5, 0, 0), given + "5" + by},
+                                        {with(~0U, 0, 0), given + "4294967295" + by},
                                         {with(12, 4, 4), left + "48 B."},
                                         {with(12, 50, 50), left + "600 B."},
                                         {with(12, 0, 300), left + "1800 B."},

@@ -76,16 +76,16 @@ TEST(UnionSeams, ArePressedAndSlidAlongWithoutAStepOrAWayIn) {
       bool was_touched = false;
       const auto tick = [&](const Vec3& q) {
         const mesh::Hit hit = mesh::followProxy(*surface, mesh::FreeSide::Outside, q, state);
-        const Vec3 way = hit.face >= 0 ? Vec3(hit.p_M - q) : Vec3(Vec3::Zero());
+        const Vec3 offset = hit.face >= 0 ? Vec3(hit.p_M - q) : Vec3(Vec3::Zero());
         if (++ticks % 7 == 0 && oracle.distance(q) > kWeld) {
           EXPECT_EQ(hit.face >= 0, test::windingOf(given, q) > 0.5L)
               << draw << " seam " << seam.middle.transpose() << " at " << q.transpose();
         }
         if (was_touched) {
-          EXPECT_LT((way - last).norm(), 1.5 * kStep + 1e-3)
+          EXPECT_LT((offset - last).norm(), 1.5 * kStep + 1e-3)
               << draw << " seam " << seam.middle.transpose() << " at " << q.transpose();
         }
-        last = way;
+        last = offset;
         held = hit.p_M;
         was_touched = true;
       };

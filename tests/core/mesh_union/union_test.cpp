@@ -13,15 +13,15 @@ namespace {
 
 using mesh::Triangles;
 
-constexpr double kLeast = 1e-5, kWide = 0.0;
+constexpr double kMin = 1e-5, kWide = 0.0;
 
 Triangles united(Triangles triangles, Outcome outcome = Outcome::Made) {
-  EXPECT_EQ(unite(triangles, kLeast, kWide, {}).outcome, outcome);
+  EXPECT_EQ(unite(triangles, kMin, kWide, {}).outcome, outcome);
   return triangles;
 }
 
 /// The least case: one box stands on another, 10 deep in it.
-Triangles leastCase() {
+Triangles minCase() {
   return test::together({test::boxOf({-20, -20, -20}, {20, 20, 0}), test::boxOf({0, -20, -10}, {20, 20, 20})});
 }
 
@@ -44,13 +44,13 @@ void expectSameInside(const Triangles& given, const Triangles& made, double half
 }
 
 TEST(Union, OfTwoBoxesIsWhatBothFill) {
-  const Triangles made = united(leastCase());
+  const Triangles made = united(minCase());
   EXPECT_NEAR(volumeOf(made), 40 * 40 * 20 + 20 * 40 * 20, 1e-6);
-  expectSameInside(leastCase(), made, 30.0, 2000, test::Seed{1});
+  expectSameInside(minCase(), made, 30.0, 2000, test::Seed{1});
 }
 
 TEST(Union, HasAProxyThatNoInnerWallStopsAndNoWallLetsThrough) {
-  const std::shared_ptr<const mesh::Surface> surface = mesh::makeSurface(united(leastCase())).value();
+  const std::shared_ptr<const mesh::Surface> surface = mesh::makeSurface(united(minCase())).value();
   mesh::ProxyState first;
   EXPECT_GE(mesh::followProxy(*surface, mesh::FreeSide::Outside, {10, 0, 8}, first).face,
             0);  // 8 deep in the second box
@@ -73,7 +73,7 @@ TEST(Union, LeavesWhatDoesNotCrossItselfAsItIs) {
 }
 
 TEST(Union, KeepsTheCornersOfTheMeshToTheBit) {
-  const Triangles made = united(leastCase());
+  const Triangles made = united(minCase());
   for (const Vec3& corner : {Vec3(-20, -20, -20), Vec3(20, 20, 20), Vec3(0, -20, 20), Vec3(-20, 20, 0)}) {
     EXPECT_TRUE(std::find(made.p_MV.begin(), made.p_MV.end(), corner.cast<float>()) != made.p_MV.end());
   }
@@ -101,7 +101,7 @@ TEST(Union, OfTouchingAndDoubledBodiesIsOneBody) {
   expectSameInside(at({10, 5, 3}), united(at({10, 5, 3})), 25.0, 1000, test::Seed{3});
   for (const Vec3& by : {Vec3(10, 10, 0), Vec3(10, 10, 10), Vec3(10, 10, 4)}) {  // edge on edge, corner on corner
     Triangles made = at(by);
-    const Outcome outcome = unite(made, kLeast, kWide, {}).outcome;
+    const Outcome outcome = unite(made, kMin, kWide, {}).outcome;
     EXPECT_TRUE(outcome == Outcome::Made || outcome == Outcome::AsItWas);
     EXPECT_NEAR(volumeOf(made), 2000.0, 1e-6);
     EXPECT_TRUE(mesh::topologyOf(made.faces).is_closed);
@@ -124,7 +124,7 @@ TEST(Union, OfPartsThatShareCornersIsClosed) {  // as a reader leaves them that 
 }
 
 TEST(Union, OfAnOpenMeshIsNone) {
-  Triangles open = leastCase();
+  Triangles open = minCase();
   open.faces.pop_back();
   united(open, Outcome::Open);
 }
@@ -134,7 +134,7 @@ TEST(Union, OfDrawnBodiesIsInsideWhereTheWindingNumberSaysSo) {
   for (int draw = 0; draw < test::dearSweep(200, 10'000); ++draw) {
     const Triangles given = test::drawnBody(random, draw % 3 == 0 ? 30 : 6);
     Triangles made = given;
-    const Outcome outcome = unite(made, kLeast, kWide, {}).outcome;
+    const Outcome outcome = unite(made, kMin, kWide, {}).outcome;
     ASSERT_TRUE(outcome == Outcome::Made || outcome == Outcome::AsItWas) << draw << ": " << static_cast<int>(outcome);
     expectSameInside(given, made, 35.0, 100, test::Seed{static_cast<std::uint64_t>(draw)});
     ASSERT_FALSE(testing::Test::HasFatalFailure()) << draw;

@@ -25,7 +25,7 @@ const Warning* find(const std::vector<Warning>& all, Kind kind) {
 
 TEST(Warnings, AGoodRegistrationHasNone) {
   test::Random random({11});
-  for (std::size_t count = kFewestMarks; count <= kMostMarks; ++count) {
+  for (std::size_t count = kFewestMarks; count <= kMaxMarks; ++count) {
     for (const double turn_rad : {0.0, 1.0, 3.0, -1.6}) {
       const auto all = warnings(touched(sheetPoints(count), standing(turn_rad), 0.5e-3, random));
       EXPECT_TRUE(all.empty()) << all.front().sentence;

@@ -21,15 +21,15 @@ TEST(ExpectedError, AtTheMiddleOfTheMarksIsThatOfAMean) {
 TEST(ExpectedError, TheFitHidesAPartOfTheTouches) {
   EXPECT_NEAR(touchingError_m(1e-3, 3), std::sqrt(3.0) * 1e-3, 1e-15);
   EXPECT_NEAR(touchingError_m(1e-3, 8), std::sqrt(8.0 / 6.0) * 1e-3, 1e-15);
-  EXPECT_NEAR(likelyMost_m(1e-3, 4) / touchingError_m(1e-3, 4), 1.9154, 1e-3);
-  for (std::size_t marks = kFewestMarks; marks < kMostMarks; ++marks)
-    EXPECT_GT(likelyMost_m(1.0, marks), likelyMost_m(1.0, marks + 1));
+  EXPECT_NEAR(likelyMax_m(1e-3, 4) / touchingError_m(1e-3, 4), 1.9154, 1e-3);
+  for (std::size_t marks = kFewestMarks; marks < kMaxMarks; ++marks)
+    EXPECT_GT(likelyMax_m(1.0, marks), likelyMax_m(1.0, marks + 1));
 }
 
 // The oracle is drawing: what the formula says against how far off thousands of registrations really are.
 TEST(ExpectedError, IsWhatDrawsShow) {
   const int draws = test::sweep(4'000, 200'000);
-  for (std::size_t marks = kFewestMarks; marks <= kMostMarks; ++marks) {
+  for (std::size_t marks = kFewestMarks; marks <= kMaxMarks; ++marks) {
     const Accuracy accuracy = accuracyOf(sheetPoints(marks), 0.3e-3, draws, 20260104 + marks);
     EXPECT_NEAR(accuracy.seen_m / accuracy.expected_m, 1.0, 0.05) << marks;
     EXPECT_NEAR(touchingError_m(accuracy.left_m, marks) / 0.3e-3, 1.0, 0.05) << marks;
@@ -53,7 +53,7 @@ TEST(ExpectedError, OfTheMiddleIsThatOfTheArmsOwnMiddle) {
   const ErrorInTheMiddle middle = errorInTheMiddle(touches, fit);
   EXPECT_NEAR(middle.expected_m, expectedError_m(sheetPoints(5), touchingError_m(fit.rms_m, 5), fit.X_DW.translation()),
               1e-15);
-  EXPECT_GT(middle.likely_most_m, middle.expected_m);
+  EXPECT_GT(middle.likely_max_m, middle.expected_m);
 }
 
 }  // namespace

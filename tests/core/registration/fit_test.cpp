@@ -58,8 +58,8 @@ TEST(FitTouches, ThreeMarksOfAnEqualSidedTriangleAreMissedByWhatItIsTooLarge) {
   std::vector<Touch> touches;
   for (int corner = 0; corner < 3; ++corner) {
     const double angle = 2.0943951023931953 * corner;
-    const Vec3 way(std::cos(angle), 0.0, std::sin(angle));
-    touches.push_back({0.100 * way, 0.103 * way});
+    const Vec3 trial(std::cos(angle), 0.0, std::sin(angle));
+    touches.push_back({0.100 * trial, 0.103 * trial});
   }
   const Fit fit = fitTouches(touches).value();
   EXPECT_NEAR(fit.rms_m, 0.003, 1e-15);  // scale is not fitted
@@ -99,7 +99,7 @@ TEST(FitTouches, NoOtherPoseFitsBetter) {
   for (int draw = 0; draw < test::sweep(100, 2'000); ++draw) {
     const std::vector<Touch> touches = touched(sheetPoints(4), anyPose(random), 0.004, random);
     const Fit fit = fitTouches(touches).value();
-    for (int way = 0; way < 20; ++way) {
+    for (int trial = 0; trial < 20; ++trial) {
       Pose other = fit.X_DW;
       other.linear() = Eigen::AngleAxisd(0.002, random.direction()).toRotationMatrix() * other.linear();
       other.translation() += 1e-4 * random.direction();
@@ -136,7 +136,7 @@ TEST(FitTouches, WhatSaysNothingAboutATurnIsRefused) {
 
 TEST(Layout, IsOfTheNearestTwoAndTheBestLine) {
   const Layout layout = layoutOf({{0, 0, 0}, {0.1, 0, 0}, {0.1, 0, 0.03}, {0, 0, 0.03}});
-  EXPECT_NEAR(layout.least_apart_m, 0.03, 1e-16);
+  EXPECT_NEAR(layout.min_apart_m, 0.03, 1e-16);
   EXPECT_NEAR(layout.off_line_m, 0.015, 1e-16);
   EXPECT_EQ(layout.near_one + layout.near_other, 3U);  // 1 and 2, or 0 and 3
 }
@@ -149,7 +149,7 @@ TEST(Sheet, NoOtherOrderOfTheFirstThreeFitsTheirDistances) {
   EXPECT_GT(std::abs(b - c), 0.02);
   EXPECT_GT(std::abs(c - a), 0.02);
   EXPECT_EQ(sheetPoints(8).size(), 8U);
-  EXPECT_GT(layoutOf(sheetPoints(8)).least_apart_m, 0.02);
+  EXPECT_GT(layoutOf(sheetPoints(8)).min_apart_m, 0.02);
   EXPECT_EQ(awayOf(onDesk(0.1, 0.2, 0.3)), 0.2);
   EXPECT_EQ(onDesk(0.1, 0.2, 0.3), Vec3(0.1, 0.3, -0.2));
 }

@@ -70,8 +70,8 @@ TEST(Clamp, NeverAboveTheLimitAndInTheSameDirection) {
       ASSERT_LE((clamped.stableNormalized() - direction).norm(), 8 * kUlp) << f.transpose();
     }
   }
-  const double most = std::numeric_limits<double>::max();
-  EXPECT_NEAR(clampForce({most, -most, most}, 0.88).norm(), 0.88, 4 * kUlp);
+  const double max = std::numeric_limits<double>::max();
+  EXPECT_NEAR(clampForce({max, -max, max}, 0.88).norm(), 0.88, 4 * kUlp);
 }
 
 TEST(Gate, OpenAndEngagedTheForcePassesAsItIs) {

@@ -69,8 +69,8 @@ TEST(CompileScene, GainsBecomeSiAndTheIntegralIsHeldWithinTheArmsContinuousForce
   EXPECT_EQ(law.ki_N_per_m_s, Vec3(4000, 5000, 6000));
   EXPECT_EQ(law.integral_limit_N, 0.88);
   EXPECT_EQ(program.limits.max_force_N, 0.88);
-  const tick::TickProgram usual = programOf("", kPointAside);
-  EXPECT_EQ(std::get<control::P>(usual.entries[0].law).kp_N_per_m, Vec3::Constant(500));
+  const tick::TickProgram default_value = programOf("", kPointAside);
+  EXPECT_EQ(std::get<control::P>(default_value.entries[0].law).kp_N_per_m, Vec3::Constant(500));
   const tick::TickProgram damped = programOf(R"("control": {"law": "PD", "kd_N_s_per_mm": 0.002}, )", kPointAside);
   EXPECT_EQ(std::get<control::PD>(damped.entries[0].law).kd_N_s_per_m, Vec3::Constant(0.002 * 1e3));
   EXPECT_EQ(std::get<control::PD>(damped.entries[0].law).kp_N_per_m, Vec3::Constant(500));

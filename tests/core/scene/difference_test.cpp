@@ -62,9 +62,9 @@ TEST(Difference, WhatAFileLeavesOutOfItsControlIsShownAsItIs) {
   text.replace(text.find("\"law\": \"P\""), 10, "\"law\": \"PID\"");
   const Result<Description> read = readScene(text + "}}", "usual.json");
   ASSERT_TRUE(read) << text;
-  Control usual;
-  usual.law = LawType::PID;
-  EXPECT_EQ(read.value().control, usual);
+  Control default_value;
+  default_value.law = LawType::PID;
+  EXPECT_EQ(read.value().control, default_value);
 }
 
 TEST(Difference, OfAConstraintItsNameGoesFirst) {

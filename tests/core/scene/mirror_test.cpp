@@ -42,13 +42,13 @@ class Sway {
  public:
   explicit Sway(test::Seed seed) {
     Random random(seed);
-    for (std::size_t way = 0; way < 6; ++way) {
-      pace_[way] = random.between(0.7, 3.0);
-      begin_[way] = random.between(0.0, 6.28);
+    for (std::size_t part = 0; part < 6; ++part) {
+      pace_[part] = random.between(0.7, 3.0);
+      begin_[part] = random.between(0.0, 6.28);
     }
   }
   arm::JointAngles at(const arm::Geometry& geometry, int tick) const {
-    const auto swing = [&](std::size_t way) { return sinCos(begin_[way] + 1e-3 * tick * pace_[way]).sin; };
+    const auto swing = [&](std::size_t part) { return sinCos(begin_[part] + 1e-3 * tick * pace_[part]).sin; };
     arm::JointAngles q_rad = arm::solvePosition(geometry, 0.04 * Vec3(swing(0), swing(1), swing(2))).q_rad;
     q_rad[3] = swing(3), q_rad[4] = 1.5 + 0.6 * swing(4), q_rad[5] = 0.7 * swing(5);
     return q_rad;
@@ -182,7 +182,7 @@ TEST(Mirror, EachSceneOnTheMirroredArmPushesWithTheMirrorImageOfItsForce) {
   for (const auto& [name, scene] : everyScene()) {
     const arm::Geometry& geometry = arm::findPreset(scene.arm)->geometry;
     if (geometry.general != nullptr) continue;  // below: the mirror image of such an arm is another arm
-    double most_N = 0.0;
+    double max_N = 0.0;
     for (int draw = 0; draw < test::sweep(3, 40); ++draw) {
       const Sway motion(test::Seed{static_cast<std::uint64_t>(100 + draw)});
       test::Hand right(compile(scene).value()), left(compile(mirrored(scene)).value());
@@ -195,12 +195,12 @@ TEST(Mirror, EachSceneOnTheMirroredArmPushesWithTheMirrorImageOfItsForce) {
           ASSERT_EQ(r.held[index].status, l.held[index].status) << where;
           ASSERT_EQ(r.held[index].acts, l.held[index].acts) << where;
         }
-        most_N = std::max(most_N, r.f_T_W.norm());
+        max_N = std::max(max_N, r.f_T_W.norm());
         ASSERT_LE((seen(r.f_T_W) - l.f_T_W).norm(), kRounding_N) << where;
         ASSERT_LE((seen(r.force.f_T_W()) - l.force.f_T_W()).norm(), kRounding_N) << where;
       }
     }
-    EXPECT_GT(most_N, 0.01) << name << ": nothing was felt, so nothing is shown";
+    EXPECT_GT(max_N, 0.01) << name << ": nothing was felt, so nothing is shown";
   }
 }
 

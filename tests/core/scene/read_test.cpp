@@ -467,37 +467,42 @@ TEST(ReadScene, OfVeryManyConstraintsOrJointsOnlyTheFirstAreRead) {
 }
 
 TEST(ReadScene, WhatIsWrongWithAVirtualManipulatorIsSaid) {
-  const auto said = [](const std::string& constraint, const std::string& part) {
+  const auto expectSentence = [](const std::string& constraint, const std::string& part) {
     const std::string all = joined(problemsIn(test::sceneWith(constraint)));
     EXPECT_NE(all.find(part), std::string::npos) << constraint << "\n" << all;
   };
-  said(robotWith(""), "joints: A virtual robot has 1 to 8 joints; this one has 0.");
-  said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "point_mm": [0, 0, 0]})"),
-       "joints[0].point_mm: A prismatic joint has a direction but no point");
-  said(robotWith(R"({"type": "revolute", "axis": [0, 0, 0], "point_mm": [0, 0, 0]})"),
-       "joints[0].axis: A direction must not be [0, 0, 0]");
-  said(robotWith(R"({"type": "revolute", "axis": [0, 0, 1]})"), "joints[0].point_mm: The key \"point_mm\" is missing");
-  said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "min": 3, "max": 2})"),
-       "joints[0].min: The lower limit 3 is above the upper limit 2");
-  said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "stiffness_N_mm_per_rad": 2})"),
-       "The spring of a prismatic joint is called \"stiffness_N_per_mm\".");
-  said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "rest": 2})"), "Without a spring the joint has no rest");
-  said(robotWith(kTurning, "", "[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]"),
-       "A pose has 4 rows of 4 numbers; this one has 3.");
-  said(robotWith(kTurning, "", "[[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"), "is not a rotation matrix");
-  said(robotWith(kTurning, "", "[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 1, 1]]"), "The last row of a pose");
-  said(robotWith(kTurning, R"(, "ko_N_mm_per_rad": 3)"), "The orientation \"none\" does not use this");
-  said(robotWith(kTurning, R"(, "orientation": "angle", "ko_N_mm_per_rad": 3)"), "lies along the joint's axis");
-  said(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0]})", R"(, "orientation": "angle")"),
-       "needs a chain with just one revolute joint");
-  said(robotWith(kTurning, R"(, "solver": {"max_steps": 1.5})"), "This must be a whole number from 1 to 100");
-  said(robotWith(kTurning, R"(, "solver": {"method": "closed_form"}, "orientation": "full")"),
-       "There is no closed form for this chain");
-  said(robotWith(kTurning, R"(, "control": {"space": "joint"})"), "Set \"space\" to \"cartesian\"");
-  said(robotWith(kTurning, R"(, "control": {"kp_N_per_mm": [1, 2, 3], "anisotropy": "euclidean"})"),
-       "is held in the gains' own metric");
-  said(robotWith(kTurning, R"(, "influence": {"t": 1})"), "has no influence");
-  said(robotWith(kTurning, R"(, "side": "inside")"), "has no inside and no outside");
+  expectSentence(robotWith(""), "joints: A virtual robot has 1 to 8 joints; this one has 0.");
+  expectSentence(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "point_mm": [0, 0, 0]})"),
+                 "joints[0].point_mm: A prismatic joint has a direction but no point");
+  expectSentence(robotWith(R"({"type": "revolute", "axis": [0, 0, 0], "point_mm": [0, 0, 0]})"),
+                 "joints[0].axis: A direction must not be [0, 0, 0]");
+  expectSentence(robotWith(R"({"type": "revolute", "axis": [0, 0, 1]})"),
+                 "joints[0].point_mm: The key \"point_mm\" is missing");
+  expectSentence(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "min": 3, "max": 2})"),
+                 "joints[0].min: The lower limit 3 is above the upper limit 2");
+  expectSentence(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "stiffness_N_mm_per_rad": 2})"),
+                 "The spring of a prismatic joint is called \"stiffness_N_per_mm\".");
+  expectSentence(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0], "rest": 2})"),
+                 "Without a spring the joint has no rest");
+  expectSentence(robotWith(kTurning, "", "[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]"),
+                 "A pose has 4 rows of 4 numbers; this one has 3.");
+  expectSentence(robotWith(kTurning, "", "[[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"),
+                 "is not a rotation matrix");
+  expectSentence(robotWith(kTurning, "", "[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 1, 1]]"),
+                 "The last row of a pose");
+  expectSentence(robotWith(kTurning, R"(, "ko_N_mm_per_rad": 3)"), "The orientation \"none\" does not use this");
+  expectSentence(robotWith(kTurning, R"(, "orientation": "angle", "ko_N_mm_per_rad": 3)"),
+                 "lies along the joint's axis");
+  expectSentence(robotWith(R"({"type": "prismatic", "axis": [1, 0, 0]})", R"(, "orientation": "angle")"),
+                 "needs a chain with just one revolute joint");
+  expectSentence(robotWith(kTurning, R"(, "solver": {"max_steps": 1.5})"), "This must be a whole number from 1 to 100");
+  expectSentence(robotWith(kTurning, R"(, "solver": {"method": "closed_form"}, "orientation": "full")"),
+                 "There is no closed form for this chain");
+  expectSentence(robotWith(kTurning, R"(, "control": {"space": "joint"})"), "Set \"space\" to \"cartesian\"");
+  expectSentence(robotWith(kTurning, R"(, "control": {"kp_N_per_mm": [1, 2, 3], "anisotropy": "euclidean"})"),
+                 "is held in the gains' own metric");
+  expectSentence(robotWith(kTurning, R"(, "influence": {"t": 1})"), "has no influence");
+  expectSentence(robotWith(kTurning, R"(, "side": "inside")"), "has no inside and no outside");
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ SettingValue otherValue(const Setting& setting, const SettingValue& now) {
   if (setting.kind == SettingKind::Flag) return !std::get<bool>(now);
   if (setting.kind == SettingKind::Whole) return 17.0;
   if (setting.kind == SettingKind::Gain) return Vec3(0.25, 0.5, 0.75);
-  return std::isfinite(setting.least) ? setting.least + 0.0625 * std::min(setting.most - setting.least, 4.0) : 0.5;
+  return std::isfinite(setting.min) ? setting.min + 0.0625 * std::min(setting.max - setting.min, 4.0) : 0.5;
 }
 
 std::string pathInSentences(const std::string& path) {
@@ -151,8 +151,9 @@ TEST_F(EverySetting, StandsInTheFileWhereItsPathSays) {
     const json::Value root = json::parse(writeScene(edited.value()), "").value();
     const json::Value* const there = inJson(root, path);
     if (there == nullptr) {
-      const bool is_usual = setting.said == KeyPresence::Required || defaultAt(edited.value(), path).value() == value;
-      EXPECT_TRUE(is_usual);  // the filter is required of a velocity, and that is left out where it is the usual one
+      const bool is_default =
+          setting.given == KeyPresence::Required || defaultAt(edited.value(), path).value() == value;
+      EXPECT_TRUE(is_default);  // the filter is required of a velocity, and that is left out where it is the usual one
       return;
     }
     const std::string text = fileTextOf(value);
@@ -180,7 +181,7 @@ TEST_F(EverySetting, LeftOutIsWhatTheTableSays) {
       return;
     }
     const Result<Description> read = readScene(replaced(text, path, ""), "");
-    if (setting.said == KeyPresence::Required) {
+    if (setting.given == KeyPresence::Required) {
       ASSERT_FALSE(read);
       EXPECT_NE(read.problems().front().sentence.find("is missing"), std::string::npos);
     } else if (read) {  // what is between keys may refuse it
@@ -192,10 +193,10 @@ TEST_F(EverySetting, LeftOutIsWhatTheTableSays) {
 TEST_F(EverySetting, OutOfItsRangeIsRefusedByWhomeverItIsSet) {
   each([](const Description& scene, const Setting& setting, const std::string& path) {
     if (setting.kind == SettingKind::Choice || setting.kind == SettingKind::Flag) return;
-    std::vector<double> wrong{std::nextafter(setting.most, kInfinity), std::nextafter(setting.least, -kInfinity)};
-    if (setting.is_above_least) wrong.back() = setting.least;
-    if (setting.kind == SettingKind::Whole) wrong = {setting.most + 1.0, setting.least - 1.0, setting.least + 0.5};
-    if (!std::isfinite(setting.least)) wrong = {1e7};  // of a joint: rad, or mm
+    std::vector<double> wrong{std::nextafter(setting.max, kInfinity), std::nextafter(setting.min, -kInfinity)};
+    if (setting.is_above_min) wrong.back() = setting.min;
+    if (setting.kind == SettingKind::Whole) wrong = {setting.max + 1.0, setting.min - 1.0, setting.min + 0.5};
+    if (!std::isfinite(setting.min)) wrong = {1e7};  // of a joint: rad, or mm
     const json::Value root = json::parse(writeScene(scene), "").value();
     for (const double number : wrong) {
       const Result<Description> set = withValue(scene, path, number);
@@ -296,8 +297,8 @@ std::vector<const json::Value*> inSchema(const json::Value& root, const Setting&
 }
 
 template <class Object>
-std::string usualTextOf(const SettingOf<Object>& row) {
-  return fileTextOf(row.usual(Object{}));
+std::string defaultTextOf(const SettingOf<Object>& row) {
+  return fileTextOf(row.default_value(Object{}));
 }
 
 std::string schemaText(const json::Value& value) {
@@ -315,28 +316,28 @@ void holdAgainstSchema(const json::Value& root, const SettingOf<Object>& row) {
   for (const json::Value* place : places) {
     const json::Value* is = &resolved(root, *place);
     if (row.is.kind == SettingKind::Gain) is = &resolved(root, is->find("oneOf")->items[0]);
-    const json::Value* usual = place->find("default") != nullptr ? place->find("default") : is->find("default");
+    const json::Value* default_value = place->find("default") != nullptr ? place->find("default") : is->find("default");
     const json::Value* const words = is->find("enum");
     if (row.is.kind == SettingKind::Choice && words == nullptr) continue;  // filter: a const in each
     if (words != nullptr) {
-      std::set<std::string> known, said;
-      for (const json::Value& word : words->items) said.insert(word.text);
+      std::set<std::string> known, given;
+      for (const json::Value& word : words->items) given.insert(word.text);
       for (const std::string& word : row.is.words()) known.insert(word);
-      EXPECT_EQ(said, known);
+      EXPECT_EQ(given, known);
       has_words = true;
     }
-    const json::Value* const least = is->find(row.is.is_above_least ? "exclusiveMinimum" : "minimum");
-    const json::Value* const most = is->find("maximum");
-    has_range = has_range || (least == nullptr ? !std::isfinite(row.is.least)
-                                               : least->number == row.is.least && most->number == row.is.most);
+    const json::Value* const min = is->find(row.is.is_above_min ? "exclusiveMinimum" : "minimum");
+    const json::Value* const max = is->find("maximum");
+    has_range = has_range ||
+                (min == nullptr ? !std::isfinite(row.is.min) : min->number == row.is.min && max->number == row.is.max);
     if (row.is.kind == SettingKind::Whole) {
       EXPECT_EQ(is->find("type")->text, "integer");
     }
-    const bool has_usual =
-        row.is.said != KeyPresence::Required && !isNone(row.usual(Object{})) && row.is.key != std::string("dynamic");
-    ASSERT_EQ(usual != nullptr, has_usual);
-    if (places.size() == 1 && usual != nullptr) {
-      EXPECT_EQ(schemaText(*usual), usualTextOf(row));
+    const bool has_default = row.is.given != KeyPresence::Required && !isNone(row.default_value(Object{})) &&
+                             row.is.key != std::string("dynamic");
+    ASSERT_EQ(default_value != nullptr, has_default);
+    if (places.size() == 1 && default_value != nullptr) {
+      EXPECT_EQ(schemaText(*default_value), defaultTextOf(row));
     }
   }
   if (row.is.kind != SettingKind::Choice) {

@@ -15,7 +15,7 @@ namespace {
 
 using test::ScriptedPort;
 
-constexpr system::SchedulingRequest kPlainScheduling{.way = system::SchedulingMethod::Normal, .lock_memory = false};
+constexpr system::SchedulingRequest kPlainScheduling{.method = system::SchedulingMethod::Normal, .lock_memory = false};
 
 tick::TickProgram sphere() {
   scene::Description scene;
@@ -41,13 +41,13 @@ class RealPort final : public DevicePort {
  public:
   bool read(arm::Sample& sample) noexcept override { return port_.read(sample); }
   void write(const safety::GatedForce& force) noexcept override {
-    most_N = std::max(most_N, force.f_T_W().norm());
+    max_N = std::max(max_N, force.f_T_W().norm());
     port_.write(force);
   }
   void cut() noexcept override { port_.cut(); }
   DeviceInfo info() const override { return {"Scripted", false, false}; }
   ScriptedPort::Seen seen;
-  double most_N = 0.0;
+  double max_N = 0.0;
 
  private:
   ScriptedPort port_{seen};
@@ -76,9 +76,9 @@ TEST(CheckServo, MeasuresABareLoopAndTheServoInTurnAndLeavesTheArmAtZeroForce) {
   EXPECT_EQ(std::accumulate(result.late.by_cause.begin(), result.late.by_cause.end(), std::int64_t{0}),
             result.late.total);
   EXPECT_EQ(seen.last_size_N, 0.0);
-  double most_N = 0.0;
-  for (const Vec3& force : seen.forces) most_N = std::max(most_N, force.norm());
-  EXPECT_GT(most_N, 0.0);  // the ticks that were measured had work to do
+  double max_N = 0.0;
+  for (const Vec3& force : seen.forces) max_N = std::max(max_N, force.norm());
+  EXPECT_GT(max_N, 0.0);  // the ticks that were measured had work to do
 }
 
 TEST(CheckServo, TicksOnlyInItsOwnTurns) {
@@ -98,7 +98,7 @@ TEST(CheckServo, AnArmThatIsNoSimulationIsNotPushed) {
   const CheckResult result = checkServo(port, sphere(), {.seconds = 1, .scheduling = kPlainScheduling}, goOn);
   EXPECT_GT(result.ticks, 0);
   EXPECT_GT(port.seen.writes, 0);
-  EXPECT_EQ(port.most_N, 0.0);
+  EXPECT_EQ(port.max_N, 0.0);
 }
 
 TEST(CheckServo, EndsWhenItIsToldToWithWhatItHas) {

@@ -82,7 +82,7 @@ struct FakeRtkit::Impl {
     const char *interface = nullptr, *property = nullptr;
     if (const int code = sd_bus_message_read(call, "ss", &interface, &property); code < 0) return code;
     if (property == std::string("MaxRealtimePriority"))
-      return sd_bus_reply_method_return(call, "v", "i", behaviour.most_priority);
+      return sd_bus_reply_method_return(call, "v", "i", behaviour.max_priority);
     if (property == std::string("RTTimeUSecMax"))
       return sd_bus_reply_method_return(call, "v", "x", behaviour.longest_us);
     return sd_bus_error_set(error, "org.freedesktop.DBus.Error.UnknownProperty", property);

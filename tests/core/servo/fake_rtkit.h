@@ -40,7 +40,7 @@ class SystemBusAt {
 
 /// What a stand-in of RealtimeKit says and does.
 struct Rtkit {
-  std::int32_t most_priority = 20;
+  std::int32_t max_priority = 20;
   std::int64_t longest_us = 200'000;
   bool refuses = false;
   bool answers = true;  // MakeThreadRealtime

@@ -24,8 +24,8 @@ TEST(RestartPace, WhatDiesAtOnceIsStartedNoMoreThanSixTimesInAnyMinute) {
   for (std::int64_t now_ns = 0; now_ns < 3600 * kPaceSecond_ns; now_ns = starts_ns.back() + 1)
     starts_ns.push_back(pace.next_ns(now_ns));
   ASSERT_GT(starts_ns.size(), 300U) << "and it is not given up";
-  for (std::size_t at = RestartPace::kMost; at < starts_ns.size(); ++at)
-    ASSERT_GE(starts_ns[at] - starts_ns[at - RestartPace::kMost], RestartPace::kWindow_ns) << at;
+  for (std::size_t at = RestartPace::kMax; at < starts_ns.size(); ++at)
+    ASSERT_GE(starts_ns[at] - starts_ns[at - RestartPace::kMax], RestartPace::kWindow_ns) << at;
 }
 
 TEST(RestartPace, WhatLastedAMinuteIsStartedAtOnceAgain) {

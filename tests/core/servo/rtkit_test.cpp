@@ -77,14 +77,14 @@ TEST_F(RtkitAtItsBorder, AsksForTheCallingThreadWithTheLimitSetFirst) {
 }
 
 TEST_F(RtkitAtItsBorder, AsksForNoMoreThanTheServiceGrants) {
-  const FakeRtkit rtkit(bus_->address(), {.most_priority = 7, .longest_us = 150'000});
+  const FakeRtkit rtkit(bus_->address(), {.max_priority = 7, .longest_us = 150'000});
   askInThread();
   EXPECT_EQ(rtkit.asked().priority, 7U);
   EXPECT_LE(rtkit.asked().rest.rlim_max, 150'000U);
 }
 
 TEST_F(RtkitAtItsBorder, AServiceThatGrantsNoPriorityIsNotAsked) {
-  const FakeRtkit rtkit(bus_->address(), {.most_priority = 0});
+  const FakeRtkit rtkit(bus_->address(), {.max_priority = 0});
   EXPECT_EQ(askInThread().answer.refusal, "it grants no priority");
   EXPECT_EQ(rtkit.asked().calls, 0);
 }
@@ -119,7 +119,7 @@ TEST_F(RtkitAtItsBorder, ABusWithoutTheServiceSaysSo) {
 TEST_F(RtkitAtItsBorder, IsTheWayThatIsNamedWhereItIsWanted) {
   const FakeRtkit rtkit(bus_->address(), Rtkit{});
   const Got got = inThread([](Got& into) {
-    into.scheduling = system::askForRealTime({.way = system::SchedulingMethod::Rtkit, .lock_memory = false}, 1000);
+    into.scheduling = system::askForRealTime({.method = system::SchedulingMethod::Rtkit, .lock_memory = false}, 1000);
   });
   EXPECT_EQ(got.scheduling.name, rtkit.asked().is_held ? "normal" : "rtkit 20");
   EXPECT_NE(got.scheduling.hint.find("rtprio"), std::string::npos) << got.scheduling.hint;
@@ -128,7 +128,7 @@ TEST_F(RtkitAtItsBorder, IsTheWayThatIsNamedWhereItIsWanted) {
 TEST_F(RtkitAtItsBorder, ItsRefusalLeavesTheThreadNormalWithAHintAndTheReason) {
   const FakeRtkit rtkit(bus_->address(), {.refuses = true});
   const Got got = inThread([](Got& into) {
-    into.scheduling = system::askForRealTime({.way = system::SchedulingMethod::Rtkit, .lock_memory = false}, 1000);
+    into.scheduling = system::askForRealTime({.method = system::SchedulingMethod::Rtkit, .lock_memory = false}, 1000);
   });
   EXPECT_EQ(got.scheduling.name, "normal");
   EXPECT_NE(got.scheduling.hint.find("real_time.md"), std::string::npos) << got.scheduling.hint;

@@ -33,7 +33,7 @@ namespace {
 
 using test::ScriptedPort;
 
-constexpr system::SchedulingRequest kPlain{.way = system::SchedulingMethod::Normal, .lock_memory = false};
+constexpr system::SchedulingRequest kPlain{.method = system::SchedulingMethod::Normal, .lock_memory = false};
 
 /// What a thread of its own is granted.
 template <class Before>
@@ -114,7 +114,7 @@ TEST(AskForRealTime, FifoIs80OrWhatTheLimitOfTheLoginAllows) {
   getrlimit(RLIMIT_RTPRIO, &limit);
   const auto allowed = static_cast<int>(std::min<rlim_t>(limit.rlim_cur, 80));
   const system::Scheduling scheduling =
-      granted({.way = system::SchedulingMethod::Fifo, .lock_memory = false}, dropPrivileges);
+      granted({.method = system::SchedulingMethod::Fifo, .lock_memory = false}, dropPrivileges);
   EXPECT_EQ(scheduling.name, allowed > 0 ? "FIFO " + std::to_string(allowed) : "normal");
   EXPECT_EQ(scheduling.hint.find("rtprio") != std::string::npos, allowed < 80) << scheduling.hint;
   EXPECT_NE(scheduling.hint.find("real_time.md"), std::string::npos);
@@ -127,7 +127,7 @@ TEST(AskForRealTime, AutoTriesFifoThenRtkitThenNothing) {
   const rlimit none{0, before.rlim_max};  // so that FIFO is refused, whatever this login is allowed
   setrlimit(RLIMIT_RTPRIO, &none);
   const system::Scheduling scheduling =
-      granted({.way = system::SchedulingMethod::Auto, .lock_memory = false}, dropPrivileges);
+      granted({.method = system::SchedulingMethod::Auto, .lock_memory = false}, dropPrivileges);
   setrlimit(RLIMIT_RTPRIO, &before);
   EXPECT_EQ(scheduling.name, "normal");
   EXPECT_TRUE(std::any_of(scheduling.also.begin(), scheduling.also.end(),
@@ -170,7 +170,7 @@ TEST(AskForRealTime, LeavesMemoryAloneUnderALimitSoThatNoAllocationFailsLater) {
   system::Scheduling scheduling;
   std::thread([&] {
     dropPrivileges();
-    scheduling = system::askForRealTime({.way = system::SchedulingMethod::Normal}, 1000);
+    scheduling = system::askForRealTime({.method = system::SchedulingMethod::Normal}, 1000);
     memory = mmap(nullptr, beyond_bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   }).join();
   setrlimit(RLIMIT_MEMLOCK, &before);
@@ -181,7 +181,7 @@ TEST(AskForRealTime, LeavesMemoryAloneUnderALimitSoThatNoAllocationFailsLater) {
 
 TEST(AskForRealTime, LocksMemoryWhereThatIsAllowedAndLeavesItWhereItIsNotWanted) {
   EXPECT_TRUE(tells(granted(kPlain, [] {}), "memory not locked"));
-  const system::Scheduling scheduling = granted({.way = system::SchedulingMethod::Normal}, [] {});
+  const system::Scheduling scheduling = granted({.method = system::SchedulingMethod::Normal}, [] {});
   if (!tells(scheduling, "memory locked") || !kLocksMemory) {
     GTEST_SKIP() << "SKIPPED: memory may not be locked here (or a sanitizer keeps it from being).";
   }
@@ -260,9 +260,9 @@ TEST(ServoThread, RestsWithoutATickAtZeroForceUntilItIsToldToGoOn) {
   Thread thread(loop, 1000, kPlain);
   while (loop.beats() < 5) std::this_thread::yield();
   thread.rest();
-  const std::int64_t most = loop.beats() + 1;  // one may be under way
+  const std::int64_t max = loop.beats() + 1;  // one may be under way
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  EXPECT_LE(loop.beats(), most);
+  EXPECT_LE(loop.beats(), max);
   EXPECT_EQ(seen.last_size_N, 0.0);
   const std::int64_t rested = loop.beats();
   thread.resume();

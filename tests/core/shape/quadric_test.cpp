@@ -12,12 +12,12 @@ using Real = long double;  // 64 or more bits of fraction
 /// The same point by bisection, in another unknown and another number (Eberly's own way): shares no line with Newton.
 template <std::size_t N>
 std::array<Real, N> byBisection(const std::array<double, N>& semi, const std::array<double, N>& y) {
-  Real least = semi[0];
-  for (const double one : semi) least = std::min<Real>(least, one);
+  Real min = semi[0];
+  for (const double one : semi) min = std::min<Real>(min, one);
   const auto excess = [&](Real u) {  // u = t + least^2 > 0
     Real sum = 0;
     for (std::size_t i = 0; i < N; ++i) {
-      const Real e = semi[i], gap = (e - least) * (e + least);
+      const Real e = semi[i], gap = (e - min) * (e + min);
       if (y[i] != 0.0) sum += (e * y[i] / (u + gap)) * (e * y[i] / (u + gap));
     }
     return sum - 1;
@@ -33,7 +33,7 @@ std::array<Real, N> byBisection(const std::array<double, N>& semi, const std::ar
   }
   std::array<Real, N> x{};
   for (std::size_t i = 0; i < N; ++i) {
-    const Real e = semi[i], gap = (e - least) * (e + least);
+    const Real e = semi[i], gap = (e - min) * (e + min);
     x[i] = y[i] == 0.0 ? 0 : e * e * y[i] / (high + gap);
   }
   return x;

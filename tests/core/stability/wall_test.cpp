@@ -92,7 +92,7 @@ TEST(SampledWall, WithAFilterTheSimulatedLimitIsThatOfTheEigenvalues) {
   for (const std::int64_t period_ns : {250'000, 1'000'000}) {
     wall.period_ns = period_ns;
     for (const control::Velocity& velocity :
-         {control::Velocity(control::LowPass{1.6e-3}), control::Velocity(control::LowPass{5e-3}), usualKalman()}) {
+         {control::Velocity(control::LowPass{1.6e-3}), control::Velocity(control::LowPass{5e-3}), defaultKalman()}) {
       wall.velocity = velocity;
       const double exact = exactLimit(wall).value();
       EXPECT_NEAR(simulatedLimit(wall), exact, kShare * exact) << velocity.index() << " at " << period_ns << " ns";

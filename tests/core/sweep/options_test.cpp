@@ -10,9 +10,9 @@ const std::vector<Option> kRows{{"scene", "Scene files", {}, true},
                                 {"rate_hz", "Ticks a second", {"1000"}, true},
                                 {"mass_kg", "Of the hand", {"0.05:0.2"}}};
 
-Options optionsOf(Options::Values said) {
-  said.try_emplace("scene", std::vector<std::string>{"a.json"});
-  return Options::from(kRows, said).value();
+Options optionsOf(Options::Values given) {
+  given.try_emplace("scene", std::vector<std::string>{"a.json"});
+  return Options::from(kRows, given).value();
 }
 
 std::string sentencesOf(const Problems& problems) {

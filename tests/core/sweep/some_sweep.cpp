@@ -74,8 +74,8 @@ sweep::Kind someKind() {
           make};
 }
 
-sweep::Sweep someSweep(const sweep::Options::Values& said, std::uint64_t seed) {
-  return sweep::makeSweep(someKind(), said, seed).value();
+sweep::Sweep someSweep(const sweep::Options::Values& given, std::uint64_t seed) {
+  return sweep::makeSweep(someKind(), given, seed).value();
 }
 
 std::string allRows(const sweep::Sweep& sweep) {

@@ -19,7 +19,7 @@ std::string textAt(const std::string& path) {
 }
 
 int put(const std::string& part, const std::string& path, std::string_view text) {
-  return putInPlace(makeFile(part, Making::New, Readers::AsUsual), part, path, text, Lasting::OnDisk);
+  return putInPlace(makeFile(part, Making::New, Readers::Default), part, path, text, Lasting::OnDisk);
 }
 
 TEST(PutInPlace, TakesThePlaceOfWhatWasThereOrLeavesItAndNoPart) {
@@ -66,7 +66,7 @@ TEST(File, IsMadeAnewEmptiedOrWrittenFurther) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("file");
   const auto write = [&](Making making, std::string_view text) {
-    const Descriptor file = makeFile(path, making, Readers::AsUsual);
+    const Descriptor file = makeFile(path, making, Readers::Default);
     return file.isOpen() ? writeAll(file.number(), std::as_bytes(std::span(text))) : errno;
   };
   EXPECT_EQ(write(Making::New, "one"), 0);

@@ -10,12 +10,12 @@
 namespace underact::system {
 namespace {
 
-constexpr std::uint64_t kMost = std::uint64_t{1} << 20;
+constexpr std::uint64_t kMax = std::uint64_t{1} << 20;
 
 Sentence problemOf(const std::string& path) {
   const Result<NamedFile> file = NamedFile::open(path, "a scene");
   if (!file) return file.problems().at(0).sentence;
-  const Result<std::string> text = file.value().readAll(kMost);
+  const Result<std::string> text = file.value().readAll(kMax);
   return text ? Sentence() : text.problems().at(0).sentence;
 }
 
@@ -46,7 +46,7 @@ TEST(NamedFile, IsReadWholeAndALinkToItToo) {
   const std::string long_text(3 * 65536 + 17, 'x');
   for (const std::string& text : {std::string(), std::string("a\0b", 3), std::string(65536, 'y'), long_text}) {
     const std::string path = folder.write("file", text);
-    EXPECT_EQ(NamedFile::open(path, "a scene").value().readAll(kMost).value(), text);
+    EXPECT_EQ(NamedFile::open(path, "a scene").value().readAll(kMax).value(), text);
   }
   std::filesystem::create_symlink(folder.file("file"), folder.file("link"));
   const Result<NamedFile> linked = NamedFile::open(folder.file("link"), "a scene");
@@ -63,7 +63,7 @@ TEST(NamedFile, WhatIsWrittenIntoMeanwhileIsNotTakenForWhole) {
   const std::string path = folder.write("file", "{}");
   const Result<NamedFile> file = NamedFile::open(path, "a scene");
   std::ofstream(path, std::ios::app) << " ";
-  const Result<std::string> text = file.value().readAll(kMost);
+  const Result<std::string> text = file.value().readAll(kMax);
   ASSERT_FALSE(text);
   EXPECT_EQ(text.problems()[0].sentence,
             "Another program wrote to the file while it was being read. Open it again once that program has saved it.");
@@ -71,8 +71,8 @@ TEST(NamedFile, WhatIsWrittenIntoMeanwhileIsNotTakenForWhole) {
 
 TEST(NamedFile, OneByteTooManyIsTooLarge) {
   const test::ScratchFolder folder;
-  EXPECT_EQ(problemOf(folder.write("file", std::string(kMost, ' '))), "");
-  EXPECT_EQ(problemOf(folder.write("file", std::string(kMost + 1, ' '))),
+  EXPECT_EQ(problemOf(folder.write("file", std::string(kMax, ' '))), "");
+  EXPECT_EQ(problemOf(folder.write("file", std::string(kMax + 1, ' '))),
             "The file is larger than 1 MiB; a scene is far smaller.");
 }
 

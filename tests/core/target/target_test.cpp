@@ -114,9 +114,9 @@ TEST(Target, WithUnequalGainsTheForceHasNoPartAlongTheConstraint) {  // errata: 
       const Target target = nearestTarget(nearestOn(shape, stiffness), Side::Both, p_WT);
       control::LawState state;
       const Vec3 f_T_W = control::force(control::P{stiffness}, state, target.p_WP - p_WT, {});
-      double most_N = 0.0;
-      for (const Vec3& tangent : tangents(target.p_WP)) most_N = std::max(most_N, std::abs(f_T_W.dot(tangent)));
-      return most_N;
+      double max_N = 0.0;
+      for (const Vec3& tangent : tangents(target.p_WP)) max_N = std::max(max_N, std::abs(f_T_W.dot(tangent)));
+      return max_N;
     };
     // 1000 N/m times the 1e-12 m that nearest_test allows.
     constexpr double kRound_N = 1e-9;

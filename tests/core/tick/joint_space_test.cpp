@@ -58,16 +58,16 @@ TEST(JointSpace, ItIsNotTheCartesianSpringButOneThatLeansAsideAwayFromItsMiddle)
   const arm::JointAngles there_rad = arm::solvePosition(test::thesisGeometry(), target).q_rad;
   const Mat3 J = arm::positionJacobian(test::thesisGeometry(), there_rad), inverse = J.inverse();
   const Mat3 stiffness = inverse.transpose() * kK.asDiagonal() * inverse;
-  double least_deg = 90.0;
-  for (const Vec3& way : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0, 1, 1)}) {
-    const Vec3 e_W = -1e-6 * way.normalized();
+  double min_deg = 90.0;
+  for (const Vec3& direction : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0, 1, 1)}) {
+    const Vec3 e_W = -1e-6 * direction.normalized();
     Hand hand(jointProgram(joint(kJointPoint, P{kK})));
     const Vec3 f_T_W = hand.at(target - e_W).f_T_W;
-    EXPECT_LE((f_T_W - stiffness * e_W).norm(), 1e-4 * f_T_W.norm()) << way.transpose();  // 1 um of 0.1 m, curved
+    EXPECT_LE((f_T_W - stiffness * e_W).norm(), 1e-4 * f_T_W.norm()) << direction.transpose();  // 1 um of 0.1 m, curved
     const double cosine = f_T_W.normalized().dot(e_W.normalized());
-    least_deg = std::min(least_deg, 90.0 - std::acos(std::clamp(cosine, -1.0, 1.0)) / kRadPerDegree);
+    min_deg = std::min(min_deg, 90.0 - std::acos(std::clamp(cosine, -1.0, 1.0)) / kRadPerDegree);
   }
-  EXPECT_LT(least_deg, 85.0);  // somewhere the force leans by more than 5 degrees
+  EXPECT_LT(min_deg, 85.0);  // somewhere the force leans by more than 5 degrees
 }
 
 TEST(JointSpace, AWallNeverPullsAndAnUntouchedOneIsFree) {

@@ -83,11 +83,11 @@ TEST(MeshTick, ForceStepsAreNoLargerThanTheSurfaceBends) {
       const TickReport& report = hand.at(1e-3 * q_mm);
       const bool touches = report.held[0].status == target::Status::Unique;
       if (touches && touched) {
-        const double way_m = (report.p_WT - last_W).norm(), depth_m = report.held[0].distance_m;
+        const double travel_m = (report.p_WT - last_W).norm(), depth_m = report.held[0].distance_m;
         // Bumps of radius 5 mm: within their hollow the foot goes faster than the tip, 1 / (1 - depth / 5 mm) at most.
-        const double foot_m = way_m / std::max(0.2, 1.0 - depth_m / 5e-3);
+        const double foot_m = travel_m / std::max(0.2, 1.0 - depth_m / 5e-3);
         const double step_N = (report.f_T_W - last_f).norm();
-        steepest_N = std::max(steepest_N, step_N - 500.0 * (way_m + foot_m));
+        steepest_N = std::max(steepest_N, step_N - 500.0 * (travel_m + foot_m));
         ++steps;
       }
       touched = touches;
@@ -109,15 +109,14 @@ TEST(MeshTick, ASmoothedForceLeansAndStepsLess) {
   round.lean = mesh::forceShadingOf(kRadPerDegree * 15.0);
   Hand flat = handOn(entryOf(placed(triangles), target::Side::Outside));
   Hand smooth = handOn(entryOf(round, target::Side::Outside));
-  double flat_N = 0.0, smooth_N = 0.0, most_deg = 0.0;
+  double flat_N = 0.0, smooth_N = 0.0, max_deg = 0.0;
   Vec3 last_flat = Vec3::Zero(), last_smooth = Vec3::Zero();
   bool touched = false;
   for (const Vec3& q_mm : test::handPath(triangles, 1.0, 6000, test::Seed{8})) {
     const Vec3 f_flat = flat.at(1e-3 * q_mm).held[0].f_T_W, f_smooth = smooth.at(1e-3 * q_mm).held[0].f_T_W;
     ASSERT_NEAR(f_smooth.norm(), f_flat.norm(), 1e-12);
     const bool touches = f_flat.norm() > 0.2;
-    if (touches)
-      most_deg = std::max(most_deg, std::acos(f_flat.normalized().dot(f_smooth.normalized())) / kRadPerDegree);
+    if (touches) max_deg = std::max(max_deg, std::acos(f_flat.normalized().dot(f_smooth.normalized())) / kRadPerDegree);
     if (touches && touched) {
       flat_N = std::max(flat_N, (f_flat - last_flat).norm());
       smooth_N = std::max(smooth_N, (f_smooth - last_smooth).norm());
@@ -126,8 +125,8 @@ TEST(MeshTick, ASmoothedForceLeansAndStepsLess) {
     last_flat = f_flat;
     last_smooth = f_smooth;
   }
-  EXPECT_GT(most_deg, 3.0);
-  EXPECT_LT(most_deg, 15.0 + 1e-6);
+  EXPECT_GT(max_deg, 3.0);
+  EXPECT_LT(max_deg, 15.0 + 1e-6);
   RecordProperty("flat_mN", static_cast<int>(1000 * flat_N));
   RecordProperty("smooth_mN", static_cast<int>(1000 * smooth_N));
   EXPECT_LT(smooth_N, 0.8 * flat_N);
@@ -142,14 +141,14 @@ TEST(MeshTick, FrictionIsThatOfTheTrueSurfaceWhateverTheForceLeans) {
   Hand leaning = handOn(entryOf(round, target::Side::Outside));
   Hand with_friction = handOn(entryOf(placed(triangles), target::Side::Outside, rough));
   Hand both = handOn(entryOf(round, target::Side::Outside, rough));
-  double most_N = 0.0;
+  double max_N = 0.0;
   for (const Vec3& q_mm : test::handPath(triangles, 1.0, 3000, test::Seed{9})) {
     const auto at = [&q_mm](Hand& hand) -> Vec3 { return hand.at(1e-3 * q_mm).held[0].f_T_W; };
     const Vec3 lean_N = at(leaning) - at(plain), same_N = at(both) - at(with_friction);
     ASSERT_NEAR((lean_N - same_N).norm(), 0.0, 1e-12);
-    most_N = std::max(most_N, lean_N.norm());
+    max_N = std::max(max_N, lean_N.norm());
   }
-  EXPECT_GT(most_N, 0.02);
+  EXPECT_GT(max_N, 0.02);
 }
 
 TEST(MeshTick, HeldToTheSurfaceFromBothSidesItPullsBack) {

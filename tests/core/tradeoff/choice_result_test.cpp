@@ -142,7 +142,7 @@ TEST(RunDifference, OnALineTwoRatesAgreeWhereverTheirTicksLie) {
   const tradeoff::Run fine = lineAt(16'000);
   for (const int rate_hz : {250, 1000, 3000, 7000, 10'000}) {
     const RunDifference off = differenceOf(lineAt(rate_hz), fine);
-    EXPECT_LT(off.most_m, 1e-15) << rate_hz;  // a few roundings of 0.3 m
+    EXPECT_LT(off.max_m, 1e-15) << rate_hz;  // a few roundings of 0.3 m
     EXPECT_LT(off.rms_N, 1e-15) << rate_hz;
   }
   tradeoff::Run shifted = lineAt(3000);

@@ -89,27 +89,28 @@ TEST(ShippedTable, ItsRecommendationsAreTheProgramsDefaults) {
   for (const Choice& choice : choices()) {
     std::vector<Summary>& options = by_choice[choice.key];
     ASSERT_EQ(options.size(), choice.options.size()) << choice.key;
-    const std::string& usual = choice.options[optionOf(choice, Settings{}).value()].name;
-    EXPECT_EQ(recommendedOf(choice.bound, options), usual) << choice.key;  // the rule, applied to the table's numbers
+    const std::string& default_value = choice.options[optionOf(choice, Settings{}).value()].name;
+    EXPECT_EQ(recommendedOf(choice.bound, options), default_value)
+        << choice.key;  // the rule, applied to the table's numbers
     for (const Summary& one : options) {
-      EXPECT_EQ(one.is_recommended, one.option == usual) << choice.key << ", " << one.option;
-      EXPECT_EQ(one.is_default, one.option == usual) << choice.key << ", " << one.option;
+      EXPECT_EQ(one.is_recommended, one.option == default_value) << choice.key << ", " << one.option;
+      EXPECT_EQ(one.is_default, one.option == default_value) << choice.key << ", " << one.option;
     }
   }
 }
 
 TEST(ShippedTable, TheDefaultsAreThoseOfSceneFilesServoAndRecorder) {
   const scene::Control control;
-  const Settings usual;
-  EXPECT_EQ(usual.velocity, control.velocity);
-  EXPECT_EQ(usual.search, scene::Mesh{}.search);
-  EXPECT_EQ(usual.search, scene::Curve{}.search);
-  EXPECT_EQ(usual.solver, scene::VirtualManipulator{}.solver);
-  EXPECT_EQ(usual.simulation, scene::Description{}.simulation);
-  EXPECT_EQ(integrationOf(usual.simulation).substep_ns, Integration{}.substep_ns);
-  EXPECT_EQ(integrationOf(usual.simulation).integrator, Integration{}.integrator);
-  EXPECT_EQ(usual.rate_hz, servo::HostOptions{}.rate_hz);
-  EXPECT_EQ(usual.block_s, record::RecorderOptions{}.block_s);
+  const Settings default_value;
+  EXPECT_EQ(default_value.velocity, control.velocity);
+  EXPECT_EQ(default_value.search, scene::Mesh{}.search);
+  EXPECT_EQ(default_value.search, scene::Curve{}.search);
+  EXPECT_EQ(default_value.solver, scene::VirtualManipulator{}.solver);
+  EXPECT_EQ(default_value.simulation, scene::Description{}.simulation);
+  EXPECT_EQ(integrationOf(default_value.simulation).substep_ns, Integration{}.substep_ns);
+  EXPECT_EQ(integrationOf(default_value.simulation).integrator, Integration{}.integrator);
+  EXPECT_EQ(default_value.rate_hz, servo::HostOptions{}.rate_hz);
+  EXPECT_EQ(default_value.block_s, record::RecorderOptions{}.block_s);
 }
 
 TEST(ShippedTable, EveryShippedScenesFrontHasThreePointsAtLeast) {

@@ -212,7 +212,7 @@ TEST(HaplyArm, OfFramesThatPushFewAreUnderWay) {
     rig.arm->write(gatedForHaply(kHaplyPush_N));
     std::this_thread::sleep_for(1ms);
   }
-  EXPECT_LE(rig.service.pushes() - pushes, HaplyArm::kMostUnanswered);
+  EXPECT_LE(rig.service.pushes() - pushes, HaplyArm::kMaxUnanswered);
   rig.arm->cut();
   EXPECT_TRUE(comes([&] { return rig.rests(); })) << "what is zero goes out";
 }

@@ -16,8 +16,8 @@ std::string problemsOf(const std::string& text) {
   return all;
 }
 
-std::string withWays(const std::string& ways) {
-  return R"({"underact_hand_map": 1, "id": "x", "ways": {)" + ways + "}}";
+std::string withMotions(const std::string& motions) {
+  return R"({"underact_hand_map": 1, "id": "x", "ways": {)" + motions + "}}";
 }
 
 }  // namespace
@@ -25,43 +25,44 @@ std::string withWays(const std::string& ways) {
 TEST(HandMapFile, WhatIsWrittenReadsBack) {
   DeviceState seen;
   describeController(seen);
-  const MapFile file{"A \"pad\"\n", "03000000", seen.usual};
+  const MapFile file{"A \"pad\"\n", "03000000", seen.default_value};
   const Result<MapFile> read = readMap(mapText(file), "hand.json");
   ASSERT_TRUE(read) << problemsOf(mapText(file));
   EXPECT_EQ(read.value().device, file.device);
   EXPECT_EQ(read.value().id, file.id);
   EXPECT_EQ(read.value().map.presses, file.map.presses);
-  for (std::size_t way = 0; way < kMotionAxes; ++way) {
-    const AxisMap &back = read.value().map.ways[way], &one = file.map.ways[way];
-    EXPECT_EQ(back.source, one.source) << way;
-    EXPECT_EQ(back.inverted, one.inverted) << way;
-    EXPECT_EQ(back.dead_zone, one.dead_zone) << way;
-    EXPECT_EQ(back.exponent, one.exponent) << way;
-    EXPECT_NEAR(back.top, one.top, 1e-15) << way;
+  for (std::size_t motion = 0; motion < kMotionAxes; ++motion) {
+    const AxisMap &back = read.value().map.motions[motion], &one = file.map.motions[motion];
+    EXPECT_EQ(back.source, one.source) << motion;
+    EXPECT_EQ(back.inverted, one.inverted) << motion;
+    EXPECT_EQ(back.dead_zone, one.dead_zone) << motion;
+    EXPECT_EQ(back.exponent, one.exponent) << motion;
+    EXPECT_NEAR(back.top, one.top, 1e-15) << motion;
   }
   EXPECT_EQ(mapText(read.value()), mapText(file));  // and no further: a map does not creep
 }
 
 TEST(HandMapFile, AMapByHand) {
-  const Result<MapFile> read = readMap(withWays(R"("up": {"triggers": [5, null], "top_mm_per_s": 50, "dead_zone": 0.3},
+  const Result<MapFile> read =
+      readMap(withMotions(R"("up": {"triggers": [5, null], "top_mm_per_s": 50, "dead_zone": 0.3},
       "turn_z": {"buttons": [4, 5], "inverted": true, "top_deg_per_s": 90})"),
-                                       "hand.json");
+              "hand.json");
   ASSERT_TRUE(read);
   const Map& map = read.value().map;
-  EXPECT_EQ(map.ways[1].source, (Source{SourceKind::Triggers, 5, -1}));
-  EXPECT_NEAR(map.ways[1].top, 0.05, 1e-15);
-  EXPECT_EQ(map.ways[1].dead_zone, 0.3);
-  EXPECT_EQ(map.ways[5].source, (Source{SourceKind::Buttons, 4, 5}));
-  EXPECT_NEAR(map.ways[5].top, 0.5 * kPi, 1e-15);
-  EXPECT_TRUE(map.ways[5].inverted);
-  EXPECT_EQ(map.ways[0].source.kind, SourceKind::None);
+  EXPECT_EQ(map.motions[1].source, (Source{SourceKind::Triggers, 5, -1}));
+  EXPECT_NEAR(map.motions[1].top, 0.05, 1e-15);
+  EXPECT_EQ(map.motions[1].dead_zone, 0.3);
+  EXPECT_EQ(map.motions[5].source, (Source{SourceKind::Buttons, 4, 5}));
+  EXPECT_NEAR(map.motions[5].top, 0.5 * kPi, 1e-15);
+  EXPECT_TRUE(map.motions[5].inverted);
+  EXPECT_EQ(map.motions[0].source.kind, SourceKind::None);
   EXPECT_EQ(map.presses[2], -1);
 }
 
 TEST(HandMapFile, EveryProblemIsASentenceWithItsPlace) {
   const std::string all = problemsOf(
-      withWays("\n\"right\": {\"axis\": 99, \"dead_zone\": 2, \"top_mm_per_s\": 1e9, \"exponent\": \"much\"},\n"
-               "\"up\": {\"axis\": 0.5, \"buttons\": [1]},\n\"rihgt\": {}"));
+      withMotions("\n\"right\": {\"axis\": 99, \"dead_zone\": 2, \"top_mm_per_s\": 1e9, \"exponent\": \"much\"},\n"
+                  "\"up\": {\"axis\": 0.5, \"buttons\": [1]},\n\"rihgt\": {}"));
   for (const char* part : {"hand.json:2", "ways.right.axis: This must be a whole number from 0 to 15",
                            "between 0 and 0.9", "between 0 and 500", "ways.right.exponent", "hand.json:3",
                            "a list of two", "Give only one of \"axis\"", "Did you mean \"right\"?"}) {

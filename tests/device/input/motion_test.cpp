@@ -12,7 +12,7 @@ namespace {
 Readings axes(std::initializer_list<double> values) {
   Readings readings;
   for (const double value : values) readings.axis[static_cast<std::size_t>(readings.axes++)] = value;
-  readings.buttons = kMostButtons;
+  readings.buttons = kMaxButtons;
   return readings;
 }
 
@@ -83,8 +83,8 @@ TEST(HandMotion, WhatIsNotThereOrNoNumberMovesNothing) {
 
 TEST(HandMotion, TheUsualControllerMovesAsItIsPushed) {  // each stick to its end, by hand
   const DeviceState seen = controller();
-  const auto motion = [&](const Readings& readings) { return motionOf(seen.usual, readings, kAwake); };
-  const double top = seen.usual.ways[0].top;
+  const auto motion = [&](const Readings& readings) { return motionOf(seen.default_value, readings, kAwake); };
+  const double top = seen.default_value.motions[0].top;
   EXPECT_TRUE(motion(axes({0, 0, 0, 0, -1, -1})).isAtRest());
   EXPECT_EQ(motion(axes({1, 0, 0, 0, -1, -1})).v_WT, Vec3(top, 0, 0));
   EXPECT_EQ(motion(axes({0, 1, 0, 0, -1, -1})).v_WT, Vec3(0, 0, top));  // the stick drawn: towards the person
@@ -106,19 +106,19 @@ TEST(HandMotion, AJoystickMovesByItsHatAndItsThrottleMovesNothing) {
   describeJoystick(seen, 1);
   Readings held = seen.readings;
   held.pressed = std::uint64_t{1} << 12U;
-  EXPECT_GT(motionOf(seen.usual, held, kAwake).v_WT.y(), 0.1);
+  EXPECT_GT(motionOf(seen.default_value, held, kAwake).v_WT.y(), 0.1);
   held.pressed = std::uint64_t{1} << 14U;
-  EXPECT_LT(motionOf(seen.usual, held, kAwake).v_WT.y(), -0.1);
-  EXPECT_TRUE(motionOf(seen.usual, seen.readings, kAwake).isAtRest());
+  EXPECT_LT(motionOf(seen.default_value, held, kAwake).v_WT.y(), -0.1);
+  EXPECT_TRUE(motionOf(seen.default_value, seen.readings, kAwake).isAtRest());
 }
 
 TEST(HandMotion, WhatIsHeldFromTheBeginningMovesNothingUntilItWasLetGo) {
   const DeviceState seen = controller();
   const Readings held = axes({1, 0, 0, 0, -1, -1}), rests = axes({0, 0, 0, 0, -1, -1});
-  ReadyAxes awake = updatedReadyAxes({}, seen.usual, held);
-  EXPECT_TRUE(motionOf(seen.usual, held, awake).isAtRest());
-  awake = updatedReadyAxes(awake, seen.usual, rests);
-  EXPECT_FALSE(motionOf(seen.usual, held, awake).isAtRest());
+  ReadyAxes awake = updatedReadyAxes({}, seen.default_value, held);
+  EXPECT_TRUE(motionOf(seen.default_value, held, awake).isAtRest());
+  awake = updatedReadyAxes(awake, seen.default_value, rests);
+  EXPECT_FALSE(motionOf(seen.default_value, held, awake).isAtRest());
 }
 
 TEST(HandMotion, AHandMovesAsFarAsItsSpeedSays) {

@@ -58,7 +58,7 @@ TEST(SpaceMouseModels, EachIsThereOnceAndItsOtherInterfacesAreNone) {
   EXPECT_EQ(spaceMouseModels().size(), 21U);  // facts on devices, 3.3
   for (const SpaceMouseModel& model : spaceMouseModels()) {
     EXPECT_EQ(findSpaceMouse(model.vendor, model.product), &model) << model.name;
-    EXPECT_LE(model.buttons.size(), static_cast<std::size_t>(kMostButtons));
+    EXPECT_LE(model.buttons.size(), static_cast<std::size_t>(kMaxButtons));
     EXPECT_TRUE(isSpaceMouse({model.vendor, model.product, 1, 8, "", ""}));
     EXPECT_TRUE(isSpaceMouse({model.vendor, model.product, 0, 0, "", ""}));   // not known, as long as it is closed
     EXPECT_FALSE(isSpaceMouse({model.vendor, model.product, 1, 2, "", ""}));  // a mouse at the same receiver
@@ -87,7 +87,7 @@ TEST(SpaceMouseModels, TheCapMovesTheStylusAsItIsMoved) {
     Readings readings;
     readings.axes = 6;
     std::copy(values.begin(), values.end(), readings.axis.begin());
-    return motionOf(seen.usual, readings, awake);
+    return motionOf(seen.default_value, readings, awake);
   };
   EXPECT_GT(motion({1, 0, 0, 0, 0, 0}).v_WT.x(), 0.1);
   EXPECT_GT(motion({0, 1, 0, 0, 0, 0}).v_WT.z(), 0.1);   // towards the person

@@ -22,12 +22,12 @@ class Watched final : public servo::DevicePort {
  public:
   explicit Watched(const char* hand) : arm_(optionsFor()) { arm_.follow(sim::builtInHand(hand, 1).value()); }
   double given_J() const { return given_J_; }
-  double most_given_J = -1.0;
+  double max_given_J = -1.0;
   bool read(arm::Sample& sample) noexcept override {
     const bool has = arm_.read(sample);
     const Vec3 p_WT = arm::tipPosition(arm::findPreset(kPreset)->geometry, sample.q_rad);
     if (begun_) given_J_ += f_T_W_.dot(p_WT - p_WT_);
-    most_given_J = std::max(most_given_J, given_J_);
+    max_given_J = std::max(max_given_J, given_J_);
     p_WT_ = p_WT;
     begun_ = true;
     return has;
@@ -91,7 +91,7 @@ ArmSide::Options optionsFor(bool is_passive, const char* preset = kPreset) {
 }
 
 /// 10 s of a hand at a ball of 40 mm that is felt from afar: the most that the arm has given away, J.
-double mostGiven_J(const Trial& trial) {
+double maxGiven_J(const Trial& trial) {
   Watched arm(trial.hand);
   system::Doorbell bell;
   ArmSide side(arm, optionsFor(trial.is_passive), bell);
@@ -111,7 +111,7 @@ double mostGiven_J(const Trial& trial) {
     back.put(tick, {++number, last.sequence, f_T_W, true});
     if (const auto force = back.take(tick)) side.take(*force);
   }
-  return arm.most_given_J;
+  return arm.max_given_J;
 }
 
 /// What was lent in those 10 s, and what a tick of a stab gives away before it is seen: 1 mm of 0.88 N, twice.
@@ -154,21 +154,21 @@ TEST(RemoteArmSide, AWallThatIsFeltLateStaysPassiveWithTheControllerAndOnlyWithI
   for (const char* const hand : {"still", "sweep", "probe", "tremor", "stab"}) {
     for (const double stiffness_N_per_m : {200.0, 1000.0, 4000.0}) {
       for (const int delay_ms : {5, 10, 20, 50}) {
-        const double given_J = mostGiven_J({delay_ms, 0, stiffness_N_per_m, hand, true});
+        const double given_J = maxGiven_J({delay_ms, 0, stiffness_N_per_m, hand, true});
         EXPECT_LE(given_J, kPassive_J) << hand << ", " << stiffness_N_per_m << " N/m, " << delay_ms << " ms";
       }
     }
   }
   for (const int delay_ms : {5, 10, 20, 50})
-    EXPECT_GT(mostGiven_J({delay_ms, 0, 1000.0, "stab", false}), 10.0 * kPassive_J) << delay_ms << " ms";
+    EXPECT_GT(maxGiven_J({delay_ms, 0, 1000.0, "stab", false}), 10.0 * kPassive_J) << delay_ms << " ms";
 }
 
 TEST(RemoteArmSide, SoItDoesWhereTheDelayChanges) {
   for (const char* const hand : {"sweep", "probe", "stab"}) {
     for (const int delay_ms : {5, 20, 50}) {
-      EXPECT_LE(mostGiven_J({delay_ms, 4, 1000.0, hand, true}), kPassive_J) << hand << ", " << delay_ms << " ms";
+      EXPECT_LE(maxGiven_J({delay_ms, 4, 1000.0, hand, true}), kPassive_J) << hand << ", " << delay_ms << " ms";
     }
-    EXPECT_GT(mostGiven_J({10, 4, 4000.0, hand, false}), kPassive_J) << hand;
+    EXPECT_GT(maxGiven_J({10, 4, 4000.0, hand, false}), kPassive_J) << hand;
   }
 }
 
@@ -183,7 +183,7 @@ TEST(RemoteArmSide, PassesAForceOnAndEndsItWhereNoneComes) {
   EXPECT_LT(rig.arm.pushes() - before, 5) << "and one may be under way: five in all, as the guide says";
   EXPECT_EQ(rig.arm.force_N(), Vec3(Vec3::Zero()));
   EXPECT_EQ(rig.side.shown().pauses, 1);
-  EXPECT_EQ(rig.side.shown().most_unfresh, kQuietPeriods - 1);
+  EXPECT_EQ(rig.side.shown().max_unfresh, kQuietPeriods - 1);
   rig.answer();
   rig.advance();
   EXPECT_LT(rig.arm.force_N().x(), 0.01) << "a soft start";

@@ -138,13 +138,13 @@ TEST(WoodenCurrents, BeyondTheCapAllAreMadeSmallerAlike) {
     const Currents_mA small = woodenCurrents(model, wiring, q_rad, one_N);
     const Currents_mA capped = woodenCurrents(model, wiring, q_rad, 50.0 * one_N);
     const double largest = std::max({std::abs(small[0]), std::abs(small[1]), std::abs(small[2])});
-    double most = 0.0;
+    double max = 0.0;
     for (std::size_t motor = 0; motor < 3; ++motor) {
-      most = std::max(most, static_cast<double>(std::abs(capped[motor])));
+      max = std::max(max, static_cast<double>(std::abs(capped[motor])));
       // Both are rounded to half a mA, the small ones before they are scaled up.
-      ASSERT_NEAR(capped[motor], small[motor] * kMostCurrent_mA / largest, 0.5 + kMostCurrent_mA / largest);
+      ASSERT_NEAR(capped[motor], small[motor] * kMaxCurrent_mA / largest, 0.5 + kMaxCurrent_mA / largest);
     }
-    ASSERT_EQ(most, kMostCurrent_mA);
+    ASSERT_EQ(max, kMaxCurrent_mA);
   }
 }
 

@@ -78,7 +78,7 @@ TEST(WoodenReport, WhateverComesIsRefusedOrASampleOfNumbers) {
         const arm::JointAngles q_rad = woodenJoints(model, wiring, report->counts);
         for (const double angle_rad : q_rad) ASSERT_TRUE(std::isfinite(angle_rad));
         for (const std::int16_t mA : woodenCurrents(model, wiring, q_rad, 1e6 * random.direction()))
-          ASSERT_LE(std::abs(mA), kMostCurrent_mA);
+          ASSERT_LE(std::abs(mA), kMaxCurrent_mA);
       }
     }
   }

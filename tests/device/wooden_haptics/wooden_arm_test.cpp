@@ -149,7 +149,7 @@ TEST(WoodenArm, ThatWasNotCalibratedPushesOnlyOnceItIs) {
 }
 
 TEST(WoodenArm, ThatDoesNotKnowItsPostureSaysHowToTellIt) {
-  for (const auto& [protocol, way] :
+  for (const auto& [protocol, protocol_name] :
        {std::pair(1, "Unplug it, put it in its home posture"), std::pair(2, "press the calibration button")}) {
     WoodenRig rig({protocol, protocol == 1 ? 8U : 14U, {0.321, 0.0603, 0.0603}, false});
     rig.firmware.placeTip(Vec3(0.0, -0.3, -0.15));  // hanging down, far from home
@@ -157,7 +157,7 @@ TEST(WoodenArm, ThatDoesNotKnowItsPostureSaysHowToTellIt) {
     rig.firmware.placeTip(Vec3(0.0, 0.15, 0.1));
     ASSERT_TRUE(rig.open().empty());
     EXPECT_NE(rig.arm->trouble().find("does not know its posture"), std::string::npos);
-    EXPECT_NE(rig.arm->trouble().find(way), std::string::npos) << rig.arm->trouble();
+    EXPECT_NE(rig.arm->trouble().find(protocol_name), std::string::npos) << rig.arm->trouble();
     for (int tick = 0; tick < 50; ++tick) ASSERT_TRUE(comes([&] { return rig.tick(Vec3(0.5, 0.0, 0.0)); }));
     EXPECT_EQ(rig.firmware.pushes(), 0);
   }

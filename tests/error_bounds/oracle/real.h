@@ -65,8 +65,8 @@ inline const Real& piReal() {
 
 /// |error| in ulp of scale (2^-52 of it); errors below the smallest normal number count as none.
 inline double ulpsOf(const Real& error, const Real& scale) {
-  static const Real kUlp = ldexp(Real(1), -52), kLeast = ldexp(Real(1), -1022);
-  return static_cast<double>(Real(abs(error) / (kUlp * scale + kLeast)));
+  static const Real kUlp = ldexp(Real(1), -52), kMin = ldexp(Real(1), -1022);
+  return static_cast<double>(Real(abs(error) / (kUlp * scale + kMin)));
 }
 inline double ulpsOf(const Vec3& got, const Real3& right, const Real& scale) {
   if (!got.allFinite()) return kInfinity;

@@ -13,8 +13,8 @@ const Nearest& nearer(const Nearest& a, const Nearest& b) {
 
 /// Any direction at right angles to the axis.
 Real3 anyAcross(const Real3& axis) {
-  const bool x_least = abs(axis.x) <= abs(axis.y) && abs(axis.x) <= abs(axis.z);
-  const Real3 other = x_least ? Real3{1, 0, 0} : abs(axis.y) <= abs(axis.z) ? Real3{0, 1, 0} : Real3{0, 0, 1};
+  const bool x_min = abs(axis.x) <= abs(axis.y) && abs(axis.x) <= abs(axis.z);
+  const Real3 other = x_min ? Real3{1, 0, 0} : abs(axis.y) <= abs(axis.z) ? Real3{0, 1, 0} : Real3{0, 0, 1};
   return unit(cross(axis, other));
 }
 
@@ -50,10 +50,10 @@ Nearest onCylinder(const Real3& p_WC, const Real3& axis_W, const Real& radius, c
 }
 
 Nearest onSegment(const Real3& a, const Real3& b, const Real3& q) {
-  const Real3 way = b - a;
-  const Real squared = dot(way, way);
+  const Real3 heading = b - a;
+  const Real squared = dot(heading, heading);
   if (squared == 0) return at(a, q);
-  return at(a + clamped(Real(dot(q - a, way) / squared), 0, 1) * way, q);
+  return at(a + clamped(Real(dot(q - a, heading) / squared), 0, 1) * heading, q);
 }
 
 Nearest onTriangle(const Real3& a, const Real3& b, const Real3& c, const Real3& q) {
@@ -100,11 +100,11 @@ bool isInSolid(const Real3& c, const std::array<Real3, 3>& edges, const Real3& q
 
 Real toQuadric(const std::array<Real, 3>& semi, const std::array<Real, 3>& y, int count) {
   const auto end = static_cast<std::size_t>(count);
-  Real least = semi[0], beyond = 0;
-  for (std::size_t i = 1; i < end; ++i) least = std::min(least, semi[i]);
+  Real min = semi[0], beyond = 0;
+  for (std::size_t i = 1; i < end; ++i) min = std::min(min, semi[i]);
   // x_i = semi_i^2 y_i / (semi_i^2 + t); on the shape for one t above -least^2, except in the middle of the thin axes,
   // where the sum stays below 1 up to there and the remainder goes along a thin axis.
-  const Real pole = -least * least;
+  const Real pole = -min * min;
   // By s = t + least^2, which may be 1e-300 of it.
   const auto sumAt = [&](const Real& s) {
     Real sum = -1;
@@ -119,7 +119,7 @@ Real toQuadric(const std::array<Real, 3>& semi, const std::array<Real, 3>& y, in
   Real aside = 0, size = 0;
   for (std::size_t i = 0; i < end; ++i) {
     size += abs(semi[i] * y[i]);
-    if (semi[i] == least) {
+    if (semi[i] == min) {
       is_thin = is_thin && y[i] == 0;
       continue;
     }
@@ -127,9 +127,9 @@ Real toQuadric(const std::array<Real, 3>& semi, const std::array<Real, 3>& y, in
     beyond += (x / semi[i]) * (x / semi[i]);
     aside += (x - y[i]) * (x - y[i]);
   }
-  if (is_thin && beyond <= 1) return sqrt(aside + least * least * (1 - beyond));
+  if (is_thin && beyond <= 1) return sqrt(aside + min * min * (1 - beyond));
   // Bisects the logarithm of s, which spans from below the rounding of a hundred digits up to size.
-  Real low = ldexp(least * least, -2300), high = 2 * size + least * least;
+  Real low = ldexp(min * min, -2300), high = 2 * size + min * min;
   while (sumAt(high) > 0) high *= 4;
   for (int step = 0; step < 400 && high > low * (1 + ldexp(Real(1), -40)); ++step) {
     const Real middle = sqrt(low * high);

@@ -23,11 +23,11 @@ struct Drawn {
   std::optional<Manipulator> made;
   Outcome refused;  // right where z of V lies along the axis
 };
-Drawn drawTurning(Input& input, std::size_t most_slides, manipulator::ForceLaw law) {
+Drawn drawTurning(Input& input, std::size_t max_slides, manipulator::ForceLaw law) {
   manipulator::Wanted wanted;
   wanted.law = law;
   const double size_m = input.number("size_m", [](Dice& dice) { return dice.scale(); });
-  const std::size_t count = 1 + (most_slides > 0 ? input.choice("slides", most_slides + 1) : 0);
+  const std::size_t count = 1 + (max_slides > 0 ? input.choice("slides", max_slides + 1) : 0);
   const std::size_t turning = count > 1 ? input.choice("turning", count) : 0;
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 axis_W = input.vector("axis_W", [](Dice& dice) { return dice.direction(); });

@@ -61,7 +61,7 @@ Outcome judgeJacobian(Input& input) {
 /// of the characteristic polynomial, by Newton from below.
 struct RightForce {
   Real3 f;
-  Real least_gain, damping, weakest;  // weakest: the smallest eigenvalue of what is inverted
+  Real min_gain, damping, weakest;  // weakest: the smallest eigenvalue of what is inverted
   Real largest_gain;
 };
 
@@ -81,22 +81,22 @@ RightForce rightForce(const std::array<Real3, 3>& J, const Real3& torque) {
   const Real minors = a[0][0] * a[1][1] - a[0][1] * a[1][0] + a[0][0] * a[2][2] - a[0][2] * a[2][0] +
                       a[1][1] * a[2][2] - a[1][2] * a[2][1];
   const Real volume = dot(J[0], cross(J[1], J[2])), det = volume * volume;
-  Real least = 0;  // x^3 - trace x^2 + minors x - det, which rises from -det to its least root
+  Real min = 0;  // x^3 - trace x^2 + minors x - det, which rises from -det to its least root
   for (int step = 0; step < 200; ++step) {
-    const Real value = ((least - trace) * least + minors) * least - det;
-    const Real slope = (3 * least - 2 * trace) * least + minors;
+    const Real value = ((min - trace) * min + minors) * min - det;
+    const Real slope = (3 * min - 2 * trace) * min + minors;
     if (slope <= 0) break;
-    const Real next = least - value / slope;
-    if (!(next > least * (1 + ldexp(Real(1), -200)))) break;
-    least = next;
+    const Real next = min - value / slope;
+    if (!(next > min * (1 + ldexp(Real(1), -200)))) break;
+    min = next;
   }
   RightForce right;
-  right.least_gain = sqrt(least);
+  right.min_gain = sqrt(min);
   right.largest_gain = sqrt(trace);
-  const Real share = right.least_gain / Real(arm::kDampedBelow_m);
+  const Real share = right.min_gain / Real(arm::kDampedBelow_m);
   const Real strength = Real(arm::kDamping_m) * arm::kDamping_m;
   right.damping = share < 1 ? Real(strength * (1 - share * share)) : Real(0);
-  right.weakest = least + right.damping;
+  right.weakest = min + right.damping;
   for (std::size_t i = 0; i < 3; ++i) a[i][i] += right.damping;
   for (std::size_t i = 0; i < 3; ++i) A[i] = {a[0][i], a[1][i], a[2][i]};
   const Real3 pushed = torque.x * J[0] + torque.y * J[1] + torque.z * J[2];

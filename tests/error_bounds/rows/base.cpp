@@ -54,19 +54,19 @@ Outcome judgeRotationVector(Input& input) {
 
 /// L D L^T and its right side by the residual of the result: backward stable, whatever the condition.
 Outcome judgeSystem(Input& input) {
-  constexpr std::size_t kMost = 8;
-  const std::size_t size = 1 + input.choice("size", kMost);
+  constexpr std::size_t kMax = 8;
+  const std::size_t size = 1 + input.choice("size", kMax);
   const double unit = input.number("unit", [](Dice& dice) { return dice.scale(); });
-  std::array<std::array<double, kMost>, kMost> root{};
+  std::array<std::array<double, kMax>, kMax> root{};
   for (std::size_t i = 0; i < size; ++i) {
     for (std::size_t j = 0; j <= i; ++j)
       root[i][j] = input.number("a", [&](Dice& dice) { return unit * (i == j ? dice.ratio() : dice.between(-1, 1)); });
   }
-  SymmetricSystem<kMost> system;
+  SymmetricSystem<kMax> system;
   system.size = size;
   Real largest = 0;
-  std::array<std::array<Real, kMost>, kMost> a;
-  std::array<Real, kMost> b;
+  std::array<std::array<Real, kMax>, kMax> a;
+  std::array<Real, kMax> b;
   for (std::size_t i = 0; i < size; ++i) {
     system.b[i] = input.number("b", [](Dice& dice) { return dice.between(-1, 1); });
     b[i] = system.b[i];

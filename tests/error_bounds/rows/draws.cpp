@@ -27,8 +27,8 @@ void drawGains(Input& input, double size_m, manipulator::Wanted& wanted) {
 
 }  // namespace
 
-chain::Chain drawChain(Input& input, std::size_t most, int size) {
-  const std::size_t count = 1 + input.choice("joints", most);
+chain::Chain drawChain(Input& input, std::size_t max, int size) {
+  const std::size_t count = 1 + input.choice("joints", max);
   const double size_m = input.number("size_m", [&](Dice& dice) { return dice.power(-size, size); });
   chain::Chain chain;
   for (std::size_t i = 0; i < count; ++i) {

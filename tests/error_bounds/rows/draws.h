@@ -13,7 +13,7 @@ namespace underact::error_bounds {
 // Inputs of rows about chains.
 
 /// 1 to most joints of both types, 2^-size to 2^size m; axes sometimes in one line, parallel or intersecting.
-chain::Chain drawChain(Input& input, std::size_t most = chain::kMaxJoints, int size = 40);
+chain::Chain drawChain(Input& input, std::size_t max = chain::kMaxJoints, int size = 40);
 /// A value for each joint: angles as Dice::angle(), slides of the chain's own scale.
 std::vector<double> drawJoints(Input& input, const chain::Chain& chain);
 

@@ -41,10 +41,10 @@ Outcome judgeSlew(Input& input) {
     return dice.one(2) ? dice.inBox(size) : Vec3(last + size * dice.closeness() * dice.direction());
   });
   const Vec3 got = asTheServo([&] { return safety::limitSlew(limits, last, f_T_W, dt_s); });
-  const Real3 way = real(f_T_W) - real(last);
-  const Real length = norm(way), most = Real(limits.max_slew_N_per_s) * dt_s;
-  const Real3 right = length > most ? real(last) + Real(most / length) * way : real(f_T_W);
-  return {ulpsOf(got, right, norm(real(last)) + std::min(length, most)), false};
+  const Real3 heading = real(f_T_W) - real(last);
+  const Real length = norm(heading), max = Real(limits.max_slew_N_per_s) * dt_s;
+  const Real3 right = length > max ? real(last) + Real(max / length) * heading : real(f_T_W);
+  return {ulpsOf(got, right, norm(real(last)) + std::min(length, max)), false};
 }
 
 Outcome judgeHeat(Input& input) {

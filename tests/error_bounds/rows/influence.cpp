@@ -141,7 +141,7 @@ Outcome judgeGrip(Input& input) {
         return Vec3(p_WP + size_m * (dice.one(2) ? dice.ratio() : dice.closeness()) * dice.direction());
       })};
   const Real3 along = real(before.p_WG) - real(p_WP);
-  const Real way = norm(along), depth = norm(real(p_WP) - real(p_WT));
+  const Real heading = norm(along), depth = norm(real(p_WP) - real(p_WT));
   // What sticks lets go at the static share; what slides lags by the dynamic one.
   bool moved = false;
   target::Grip grip;
@@ -151,13 +151,13 @@ Outcome judgeGrip(Input& input) {
     moved = asTheServo([&] { return slides(friction, p_WT, p_WP, 1e-3, grip); });
     const double share = hold == target::Hold::Sticks ? friction.static_share : friction.dynamic_share;
     const Real held = Real(share) * depth;
-    const Real edge = ldexp(Real(way + held), -48) + ldexp(Real(1), -500);  // whose squares are no normal numbers
-    if (moved ? way < held - edge : way > held + edge) return {kInfinity, false};
+    const Real edge = ldexp(Real(heading + held), -48) + ldexp(Real(1), -500);  // whose squares are no normal numbers
+    if (moved ? heading < held - edge : heading > held + edge) return {kInfinity, false};
     if (!moved && grip.p_WG != before.p_WG) return {kInfinity, true};
   }
   if (!moved) return {0.0, true};
   const Real length = Real(friction.dynamic_share) * depth;
-  const Real3 right = real(p_WP) + Real(length / way) * along;
+  const Real3 right = real(p_WP) + Real(length / heading) * along;
   return {ulpsOf(grip.p_WG, right, Real(largestOf(p_WP)) + length), false};
 }
 

@@ -131,7 +131,7 @@ Outcome judgePID(Input& input) {
 
 /// The energy of a constraint, summed as the observer's comment defines it.
 Outcome judgePassivity(Input& input) {
-  const Signal way = drawSignal(input, 60), force = drawSignal(input, 60);
+  const Signal travel = drawSignal(input, 60), force = drawSignal(input, 60);
   Dice dice = drawFlags(input);
   double largest_N = 0.0;
   for (const Vec3& f_T_W : force.e_W) largest_N = std::max(largest_N, largestOf(f_T_W));
@@ -143,14 +143,14 @@ Outcome judgePassivity(Input& input) {
     bool pulled = false, untouched = false, begun = false;
   } last;
   double worst = 0.0;
-  for (std::size_t i = 1; i < way.e_W.size(); ++i) {
+  for (std::size_t i = 1; i < travel.e_W.size(); ++i) {
     control::PassivityInput passage;
-    passage.displacement_T_W = dice.one(4) ? Vec3(Vec3::Zero()) : Vec3(way.e_W[i] - way.e_W[i - 1]);
+    passage.displacement_T_W = dice.one(4) ? Vec3(Vec3::Zero()) : Vec3(travel.e_W[i] - travel.e_W[i - 1]);
     passage.f_T_W = force.e_W[i];
-    passage.e_W = way.e_W[i];
-    passage.stored_J = force.e_W[i].norm() * way.e_W[i].norm();
+    passage.e_W = travel.e_W[i];
+    passage.stored_J = force.e_W[i].norm() * travel.e_W[i].norm();
     passage.level = dice.share();
-    passage.dt_s = way.dt_s[i];
+    passage.dt_s = travel.dt_s[i];
     passage.pulls = !dice.one(8);
     passage.untouched = !passage.pulls && dice.one(2);
     passage.edited = dice.one(16);

@@ -24,7 +24,7 @@ struct Sizes {
   Real length, turn, energy, springs;
   Real slope(bool turns) const { return turns ? energy : Real(energy / length); }
 };
-Sizes sizesOf(const Manipulator& m, const Pose& X_WT, const manipulator::Values& theta, double least_m = 0.0) {
+Sizes sizesOf(const Manipulator& m, const Pose& X_WT, const manipulator::Values& theta, double min_m = 0.0) {
   Sizes sizes{largestOf(Vec3(X_WT.translation())), 1, 0, 0};
   Real slid = largestOf(Vec3(m.chain.X_WT_home.translation())), springs = 0;
   for (std::size_t i = 0; i < m.chain.joints.size(); ++i) {
@@ -40,7 +40,7 @@ Sizes sizesOf(const Manipulator& m, const Pose& X_WT, const manipulator::Values&
     springs += m.spring[i] * bent * (turns ? Real(bent + 1) : bent);
     sizes.springs += m.spring[i] * (turns ? Real(1) : Real(m.reach_m) * m.reach_m);
   }
-  sizes.length = std::max(Real(sizes.length + slid), Real(least_m));
+  sizes.length = std::max(Real(sizes.length + slid), Real(min_m));
   sizes.energy =
       sizes.turn * (Real(largestOf(m.kp_N_per_m)) * sizes.length * sizes.length + m.ko_N_m_per_rad) + springs;
   return sizes;
@@ -71,11 +71,11 @@ Outcome judgeEnergy(Input& input) {
 
 /// The least energy of a chain with a closed form, from the form of the energy over each joint: a parabola for a
 /// prismatic one, a sine for a revolute one; three values determine it.
-Real leastEnergy(const Manipulator& m, const Pose& X_WT) {
+Real minEnergy(const Manipulator& m, const Pose& X_WT) {
   const std::size_t count = m.chain.joints.size();
   std::vector<Real> zero(count, 0);
   const Real start = oracle::energyOf(m, X_WT, zero);
-  Real least = start;
+  Real min = start;
   for (std::size_t i = 0; i < count; ++i) {
     const chain::Joint& joint = m.chain.joints[i];
     std::vector<Real> theta = zero;
@@ -87,7 +87,7 @@ Real leastEnergy(const Manipulator& m, const Pose& X_WT) {
       const Real step = 1, bend = at(step) - 2 * start + at(-step), slope = (at(step) - at(-step)) / 2;
       if (bend == 0) continue;  // no gain for the position
       const Real best = clamped(Real(-slope / bend), joint.min, joint.max);
-      least += best * (slope + bend * best / 2);
+      min += best * (slope + bend * best / 2);
       continue;
     }
     const Real mean = (start + at(piReal())) / 2, a = mean - start, b = mean - at(Real(piReal() / 2));
@@ -101,13 +101,13 @@ Real leastEnergy(const Manipulator& m, const Pose& X_WT) {
       }
       if (!within) lowest = std::min(at(Real(joint.min)), at(Real(joint.max)));
     }
-    least += lowest - start;
+    min += lowest - start;
   }
-  return least;
+  return min;
 }
 
 /// Two revolute joints about one point: c - |kp r d +- ko z|, whatever the joints.
-Real leastOnSphere(const Manipulator& m, const Pose& X_WT) {
+Real minOnSphere(const Manipulator& m, const Pose& X_WT) {
   const manipulator::ClosedForm& form = *m.closed;
   const Real3 radial = real(m.chain.X_WT_home.translation()) - real(form.p_WC);
   const Real radius = norm(radial), kp = m.kp_N_per_m.x();
@@ -127,9 +127,9 @@ Outcome judgeClosedForm(Input& input) {
   for (const double value : got.theta) {
     if (!std::isfinite(value)) return {kInfinity, false};
   }
-  const Real least = m.closed->kind == manipulator::Kind::Sphere ? leastOnSphere(m, X_WT) : leastEnergy(m, X_WT);
+  const Real min = m.closed->kind == manipulator::Kind::Sphere ? minOnSphere(m, X_WT) : minEnergy(m, X_WT);
   const std::vector<Real> joints = realOf(m, got.theta);
-  double worst = ulpsOf(Real(oracle::energyOf(m, X_WT, joints) - least), sizes.energy);
+  double worst = ulpsOf(Real(oracle::energyOf(m, X_WT, joints) - min), sizes.energy);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const chain::Joint& joint = m.chain.joints[i];
     const bool held = got.theta[i] <= joint.min || got.theta[i] >= joint.max;

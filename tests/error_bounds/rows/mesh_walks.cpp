@@ -90,11 +90,11 @@ bool isReached(const Surface& surface, std::vector<std::int32_t> from, const Vec
     if (seen[static_cast<std::size_t>(face)]) continue;
     seen[static_cast<std::size_t>(face)] = true;
     if (onFace(surface, face, end).distance <= rounding) return true;
-    const Real most = onFace(surface, face, rq).distance + rounding;
+    const Real max = onFace(surface, face, rq).distance + rounding;
     for (std::int32_t other = 0; other < facesOf(surface); ++other) {
       if (seen[static_cast<std::size_t>(other)]) continue;
       const Real shared = toShared(surface, face, other, rq);
-      if (shared >= 0 && shared <= most && onFace(surface, other, rq).distance <= most) from.push_back(other);
+      if (shared >= 0 && shared <= max && onFace(surface, other, rq).distance <= max) from.push_back(other);
     }
   }
   return false;
@@ -236,17 +236,17 @@ class WallWatch {
   /// well inside, and those before it whose edges it meets, where rounding decides. A tip that rests on a face, within
   /// 1e-12 of the coordinates, may have passed through it or not.
   std::vector<std::int32_t> facesEntered(const Vec3& q, const Vec3& r, const Real& scale) const {
-    const Real3 begin = real(q), way = real(r) - begin;
-    const Real resting = ldexp(scale, -38), length = norm(way);
+    const Real3 begin = real(q), heading = real(r) - begin;
+    const Real resting = ldexp(scale, -38), length = norm(heading);
     std::vector<std::pair<Real, std::int32_t>> met;
     Real first = 2 * length + resting;
     for (std::int32_t face = 0; face < facesOf(surface_); ++face) {
       const mesh::Corners at = cornersOf(surface_, face);
       const Real3 a = real(at.a), b = real(at.b), c = real(at.c), normal = cross(b - a, c - a);
-      const Real along = dot(way, normal);
+      const Real along = dot(heading, normal);
       if (!(free_ == mesh::FreeSide::Outside ? along < 0 : along > 0)) continue;
       const Real share = dot(a - begin, normal) / along, gone = share * length;
-      const Real3 there = begin + share * way;
+      const Real3 there = begin + share * heading;
       if (gone < -resting || gone > length + resting || onFace(surface_, face, there).distance > resting) continue;
       met.emplace_back(gone, face);
       const Real inside = std::min({oracle::onSegment(a, b, there).distance, oracle::onSegment(b, c, there).distance,
@@ -263,8 +263,8 @@ class WallWatch {
   /// Whether the proxy is reached on the surface from these faces, or from the walls that stop a proxy on its straight
   /// way to the tip where it has fallen off an edge.
   bool isReachedOverGaps(std::vector<std::int32_t> from, const Vec3& p, const Vec3& q, const Real& scale) const {
-    constexpr int kMostWalls = 8;
-    for (int walls = 0; walls <= kMostWalls && !from.empty(); ++walls) {
+    constexpr int kMaxWalls = 8;
+    for (int walls = 0; walls <= kMaxWalls && !from.empty(); ++walls) {
       if (isReached(surface_, from, p, q)) return true;
       std::set<std::int32_t> next;
       for (const std::int32_t face : from) {
@@ -280,14 +280,14 @@ class WallWatch {
   /// Whether a point slightly off the proxy towards the tip is on the wrong side: it must be barred exactly if the wall
   /// is touched. Not tested where the tip is at the proxy, or another part of the surface is equally near.
   bool isWrongSide(const mesh::Hit& hit, const Real3& q, const Real& scale) const {
-    const Real3 p = real(hit.p_M), way = q - p;
+    const Real3 p = real(hit.p_M), heading = q - p;
     const Real little = ldexp(Real(size_), -24), rounding = ldexp(scale, -46);
-    if (norm(way) < 2 * little) return false;
+    if (norm(heading) < 2 * little) return false;
     for (std::int32_t face = 0; face < facesOf(surface_); ++face) {
       const Real off = onFace(surface_, face, p).distance;
       if (off > rounding && off < 4 * little) return false;
     }
-    return isBarred(p + Real(little / norm(way)) * way) != (hit.face >= 0);
+    return isBarred(p + Real(little / norm(heading)) * heading) != (hit.face >= 0);
   }
 
   const Surface& surface_;

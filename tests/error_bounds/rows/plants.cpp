@@ -78,20 +78,21 @@ Outcome judgeSubstep(Input& input) {
   const bool halves = plant.integration.integrator == Integrator::Trapezoidal;
   const Real t = Real(plant.integration.substep_ns) / 1000000000, w = ends ? Real(0) : Real(0.5),
              d = halves ? Real(0.5) : Real(0);
-  const Real3 x = real(before.p_WT), v = real(before.v_WT), v2 = real(state.v_WT), way = t * (w * v + Real(1 - w) * v2);
+  const Real3 x = real(before.p_WT), v = real(before.v_WT), v2 = real(state.v_WT),
+              heading = t * (w * v + Real(1 - w) * v2);
   if (norm(real(state.p_WT) - real(kMiddle)) > Real(0.05)) return {0.0, true};  // outside the region that is tested
   const Real b = plant.hand.damping_N_s_per_m, own = plant.model.damping_N_s_per_m, k = plant.hand.stiffness_N_per_m;
   // v_w is constant; the spring is evaluated at the end, or (trapezoidal) in the middle of displacement and wish.
-  const Real3 spring_at = halves ? x + Real(0.5) * way : x + way;
+  const Real3 spring_at = halves ? x + Real(0.5) * heading : x + heading;
   const Real3 meant = real(setpoint.p_WT) - Real(d * t) * real(setpoint.v_WT), mean_v = d * v + Real(1 - d) * v2;
   const Real3 pushed = t * (real(f_T_W) - own * mean_v + b * (real(setpoint.v_WT) - mean_v) + k * (meant - spring_at));
   const Real3 friction_change = pushed - Real(mass_kg) * (v2 - v);  // the impulse of friction
-  const Real most = t * plant.model.friction_N, taken = norm(friction_change);
+  const Real max = t * plant.model.friction_N, taken = norm(friction_change);
   const Real size = t * norm(real(f_T_W)) + t * (own + b) * (norm(v) + norm(v2) + norm(real(setpoint.v_WT))) +
-                    t * k * (norm(meant) + norm(x) + norm(way)) + Real(mass_kg) * (norm(v) + norm(v2)) + most;
-  double worst = ulpsOf(state.p_WT, x + way, norm(x) + norm(t * v) + norm(t * v2));
-  if (norm(v2) == 0) return {std::max(worst, ulpsOf(taken > most ? Real(taken - most) : Real(0), size)), false};
-  const Real3 against = friction_change - Real(most / norm(v2)) * v2;
+                    t * k * (norm(meant) + norm(x) + norm(heading)) + Real(mass_kg) * (norm(v) + norm(v2)) + max;
+  double worst = ulpsOf(state.p_WT, x + heading, norm(x) + norm(t * v) + norm(t * v2));
+  if (norm(v2) == 0) return {std::max(worst, ulpsOf(taken > max ? Real(taken - max) : Real(0), size)), false};
+  const Real3 against = friction_change - Real(max / norm(v2)) * v2;
   worst = std::max(worst, ulpsOf(norm(against), size));
   return {worst, false};
 }

@@ -36,8 +36,8 @@ TEST(DhTable, ASlideIsInMillimetresAndForgetsTheAngleItHad) {
 TEST(DhTable, TheLastRowStaysAndThereAreNoMoreThanEight) {
   DhTable table = dhStarts().front().make();
   for (int more = 0; more < 20; ++more) table = withRow(table, 0);
-  EXPECT_EQ(table.rows.size(), kMostDhRows);
-  EXPECT_EQ(table.q.size(), kMostDhRows);
+  EXPECT_EQ(table.rows.size(), kMaxDhRows);
+  EXPECT_EQ(table.q.size(), kMaxDhRows);
   for (int fewer = 0; fewer < 20; ++fewer) table = withoutRow(table, 0);
   EXPECT_EQ(table.rows.size(), 1U);
 }

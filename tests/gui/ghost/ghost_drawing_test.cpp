@@ -6,7 +6,7 @@ namespace underact::gui {
 namespace {
 
 /// 2 s along x, 100 mm, with a gap after the first second.
-ghost::Trajectory way() {
+ghost::Trajectory trajectory() {
   const auto at = [](double x_m) { return ghost::StylusPose{{x_m, 0.0, 0.0}, Vec3::UnitY()}; };
   ghost::Trajectory made;
   made.rows = {{0.0, at(0.0)}, {1.0, at(0.050)}, {1.1, at(0.080), true}, {2.0, at(0.100)}};
@@ -18,12 +18,12 @@ ghost::State stateAt(double time_s, const Vec3& p_WT) {
   at_once.begins_near = at_once.waits = false;
   ghost::State state;
   state.time_s = time_s;
-  return ghost::advanced(way(), at_once, state, 0, p_WT);
+  return ghost::advanced(trajectory(), at_once, state, 0, p_WT);
 }
 
 TEST(GhostDrawing, HasItsStylusTheWayAheadUpToTheGapAndTheDistance) {
   const Vec3 p_WT(0.025, 0.012, 0.0);
-  const Drawing drawing = ghostDrawing(way(), stateAt(0.5, p_WT), p_WT);
+  const Drawing drawing = ghostDrawing(trajectory(), stateAt(0.5, p_WT), p_WT);
   ASSERT_EQ(drawing.styluses.size(), 1U);
   EXPECT_NEAR(drawing.styluses.front().p_W.x(), 0.025, 1e-12);
   EXPECT_EQ(drawing.styluses.front().axis_W, Vec3::UnitY());
@@ -40,7 +40,7 @@ TEST(GhostDrawing, HasItsStylusTheWayAheadUpToTheGapAndTheDistance) {
 }
 
 TEST(GhostDrawing, AtTheEndThereIsNoWayAhead) {
-  const Drawing drawing = ghostDrawing(way(), stateAt(2.0, Vec3::Zero()), Vec3::Zero());
+  const Drawing drawing = ghostDrawing(trajectory(), stateAt(2.0, Vec3::Zero()), Vec3::Zero());
   EXPECT_EQ(drawing.links.size(), 1U);
 }
 

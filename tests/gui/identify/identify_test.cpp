@@ -55,9 +55,9 @@ TEST(SwingPicture, WaysAreInMillimetresWithAGapAfterEachWindow) {
   windows[1].first_row = 1000;
   const std::vector<SwingPoint> points = pointsOf(windows, {{0.001, 0.002}, {0.003}});
   ASSERT_EQ(points.size(), 5U);
-  EXPECT_DOUBLE_EQ(points[1].way_mm, 2.0);
-  EXPECT_TRUE(std::isnan(points[2].way_mm));
-  EXPECT_DOUBLE_EQ(points[3].way_mm, 3.0);
+  EXPECT_DOUBLE_EQ(points[1].travel_mm, 2.0);
+  EXPECT_TRUE(std::isnan(points[2].travel_mm));
+  EXPECT_DOUBLE_EQ(points[3].travel_mm, 3.0);
   EXPECT_DOUBLE_EQ(points[3].t_s, 1.0);
 }
 

@@ -12,8 +12,8 @@ TEST(HandWords, AFieldIsSetByItsNameAndWhatIsOutOfRangeOrUnknownIsNone) {
   const input::Map map;
   const auto inverted = withField(map, "right.inverted", true);
   ASSERT_TRUE(inverted.has_value());
-  EXPECT_TRUE(inverted->ways[0].inverted);
-  EXPECT_DOUBLE_EQ(withField(map, "right.dead_zone", 0.2)->ways[0].dead_zone, 0.2);
+  EXPECT_TRUE(inverted->motions[0].inverted);
+  EXPECT_DOUBLE_EQ(withField(map, "right.dead_zone", 0.2)->motions[0].dead_zone, 0.2);
   EXPECT_FALSE(withField(map, "right.dead_zone", 2.0));
   EXPECT_FALSE(withField(map, "right.exponent", 0.5)) << "coarser than even";
   EXPECT_FALSE(withField(map, "right.top", "fast"));
@@ -53,7 +53,7 @@ TEST(MapStore, AMapIsThereAgainUntilItIsForgotten) {
   ASSERT_TRUE(store.save(file).empty());
   const auto read = MapStore().load(file.id);
   ASSERT_TRUE(read && read.value());
-  EXPECT_DOUBLE_EQ(read.value()->ways[1].dead_zone, 0.25);
+  EXPECT_DOUBLE_EQ(read.value()->motions[1].dead_zone, 0.25);
   store.forget(file.id);
   const auto again = store.load(file.id);
   EXPECT_TRUE(again && !again.value());

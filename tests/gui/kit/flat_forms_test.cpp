@@ -35,12 +35,12 @@ QImage drawn(const QSize& size, const Theme& theme, const Draw& draw) {
   return image;
 }
 
-double mostContrast(const QImage& image, const QColor& ground) {
-  double most = 1.0;
+double maxContrast(const QImage& image, const QColor& ground) {
+  double max = 1.0;
   for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) most = std::max(most, contrastOf(image.pixelColor(x, y), ground));
+    for (int x = 0; x < image.width(); ++x) max = std::max(max, contrastOf(image.pixelColor(x, y), ground));
   }
-  return most;
+  return max;
 }
 
 TEST(FlatForms, AScrollBarIsAllHandleAndWayWithoutButtons) {
@@ -72,7 +72,7 @@ TEST(FlatForms, WhatIsThereIsSeenInEachTheme) {
     EXPECT_GE(contrastOf(unticked.pixelColor(9, 2), window), 2.9) << theme.background.name().toStdString();
     box.state = QStyle::State_Enabled | QStyle::State_On;
     const QImage ticked = drawn({18, 18}, theme, draws);
-    EXPECT_GE(mostContrast(ticked.copy(4, 4, 10, 10), ticked.pixelColor(4, 4)), 2.5) << "the tick in its box";
+    EXPECT_GE(maxContrast(ticked.copy(4, 4, 10, 10), ticked.pixelColor(4, 4)), 2.5) << "the tick in its box";
     const QStyleOptionSlider bar = barOf(theme, 150);
     const QImage scroll = drawn({12, 200}, theme, [&](QPainter& painter) {
       drawScrollBar(bar, partOfScrollBar(bar, QStyle::SC_ScrollBarSlider, 24), painter);

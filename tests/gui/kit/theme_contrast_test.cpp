@@ -12,8 +12,8 @@ TEST(Theme, TextHasTheContrastOfWcagAaInEveryPalette) {
        {Theme::light(), Theme::dark_theme(), Theme::contrasting(false), Theme::contrasting(true)}) {
     const QPalette palette = paletteOf(theme);
     const std::string name = std::string(theme.dark ? "dark" : "light") + (theme.high_contrast ? " contrasting" : "");
-    const double least = theme.high_contrast ? 7.0 : 4.5;  // AAA for the far end of the room
-    EXPECT_GE(contrast(theme.ink, theme.background), least) << name;
+    const double min = theme.high_contrast ? 7.0 : 4.5;  // AAA for the far end of the room
+    EXPECT_GE(contrast(theme.ink, theme.background), min) << name;
     struct Pair {
       QPalette::ColorRole text, ground;
     };
@@ -21,7 +21,7 @@ TEST(Theme, TextHasTheContrastOfWcagAaInEveryPalette) {
          {Pair{QPalette::WindowText, QPalette::Window}, Pair{QPalette::Text, QPalette::Base},
           Pair{QPalette::ButtonText, QPalette::Button}, Pair{QPalette::ToolTipText, QPalette::ToolTipBase},
           Pair{QPalette::Text, QPalette::AlternateBase}})
-      EXPECT_GE(contrast(palette.color(pair.text), palette.color(pair.ground)), least) << name << " " << pair.text;
+      EXPECT_GE(contrast(palette.color(pair.text), palette.color(pair.ground)), min) << name << " " << pair.text;
     EXPECT_GE(contrast(palette.color(QPalette::Link), palette.color(QPalette::Base)), 4.5) << name;
     EXPECT_GE(contrast(mixed(theme.background, theme.ink, 0.68), palette.color(QPalette::Window)), 4.5)
         << name << ": quiet labels";

@@ -29,10 +29,10 @@ TEST(LabWords, WhatIsBeyondTheBoundOrWorseThanAnotherIsMarkedInWords) {
   EXPECT_FALSE(words.front().is_beyond);
   EXPECT_EQ(words.front().mark, "");
   EXPECT_TRUE(words.front().figures.contains("500 ns for the servo's tick"));
-  const int usual_hz = tradeoff::Settings{}.rate_hz;  // the default where nothing is better: no warning, but said
+  const int default_hz = tradeoff::Settings{}.rate_hz;  // the default where nothing is better: no warning, but said
   choice_result.options = {option("1000 Hz", 100.0, 2.0 * rate.bound), option("250 Hz", 90.0, 4.0 * rate.bound)};
   tradeoff::recommend(rate.bound, choice_result.options);
-  words = choiceWords(scene, tradeoff::settingsOf(scene, usual_hz), {choice_result});
+  words = choiceWords(scene, tradeoff::settingsOf(scene, default_hz), {choice_result});
   EXPECT_FALSE(words.front().is_beyond);
   EXPECT_TRUE(words.front().mark.startsWith("The default;")) << words.front().mark.toStdString();
   words = choiceWords(scene, tradeoff::settingsOf(scene, 250), {choice_result});

@@ -26,14 +26,14 @@ arm::JointAngles near(const arm::Preset& preset, Random& random) {
   return q;
 }
 
-std::size_t mostOf(const std::string& arm) {
+std::size_t maxOf(const std::string& arm) {
   Random random(Seed{7});
   const arm::Preset& preset = *arm::findPreset(arm);
   const SolutionFinder finder(preset, *arm::findModel(arm));
-  std::size_t most = 0;
+  std::size_t max = 0;
   for (int draw = 0; draw < 20; ++draw)
-    most = std::max(most, finder.at(arm::tipPose(preset.geometry, near(preset, random))).all.size());
-  return most;
+    max = std::max(max, finder.at(arm::tipPose(preset.geometry, near(preset, random))).all.size());
+  return max;
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ TEST(NumberedSolutions, EachReachesThePoseAndHasANumberOfItsOwn) {
         ASSERT_LT((X_WS.translation() - X_WT.translation()).norm(), 2e-9) << preset.name;
         ASSERT_TRUE(numbers.insert(one.number).second) << preset.name;
         ASSERT_GE(one.number, 1);
-        ASSERT_LE(one.number, kMostSolutions);
+        ASSERT_LE(one.number, kMaxSolutions);
         ASSERT_EQ(found.find(one.number), &one);
         double apart = 0.0;
         for (std::size_t joint = 0; joint < model.rows.size(); ++joint)
@@ -71,13 +71,13 @@ TEST(NumberedSolutions, EachReachesThePoseAndHasANumberOfItsOwn) {
 }
 
 TEST(NumberedSolutions, AreAsManyAsTheGeometryHas) {
-  EXPECT_EQ(mostOf("ur5e"), 8U);
-  EXPECT_EQ(mostOf("ur10e"), 8U);
-  EXPECT_EQ(mostOf("puma-560"), 8U);
-  EXPECT_EQ(mostOf("abb-irb-120"), 8U);
-  EXPECT_EQ(mostOf("cobra-600"), 2U);
-  EXPECT_EQ(mostOf("planar-3"), 2U);
-  EXPECT_GT(mostOf("panda"), 4U);
+  EXPECT_EQ(maxOf("ur5e"), 8U);
+  EXPECT_EQ(maxOf("ur10e"), 8U);
+  EXPECT_EQ(maxOf("puma-560"), 8U);
+  EXPECT_EQ(maxOf("abb-irb-120"), 8U);
+  EXPECT_EQ(maxOf("cobra-600"), 2U);
+  EXPECT_EQ(maxOf("planar-3"), 2U);
+  EXPECT_GT(maxOf("panda"), 4U);
 }
 
 TEST(NumberedSolutions, OfABranchKeepTheirNumberWhicheverOthersThereAre) {

@@ -66,13 +66,13 @@ TEST(ChartWidget, WhatIsEnlargedIsAsFineAsTheWholeAndAllComesBack) {
   // twentieth of them.
   EXPECT_GT(lineCount(part), before / 4);
   const QStringList rows = part.split('\n');
-  double least_s = 0.0, greatest_s = -10.0;
+  double min_s = 0.0, greatest_s = -10.0;
   for (const QString& row : rows.mid(1)) {
     if (row.isEmpty()) break;
-    least_s = std::min(least_s, row.section('\t', 0, 0).toDouble());
+    min_s = std::min(min_s, row.section('\t', 0, 0).toDouble());
     greatest_s = std::max(greatest_s, row.section('\t', 0, 0).toDouble());
   }
-  EXPECT_NEAR(greatest_s - least_s, 0.5, 0.05);
+  EXPECT_NEAR(greatest_s - min_s, 0.5, 0.05);
   plots.plot.showAll();
   plots.plot.picture();
   EXPECT_FALSE(plots.plot.showsPart());
@@ -193,7 +193,7 @@ TEST(ColumnButton, ChoosesByNameAndNoMoreThanCanBeToldApart) {
   QStringList all;
   for (const PlotColumn& column : plotColumns()) all << column.name;
   button.choose(all);
-  EXPECT_EQ(button.chosen().size(), static_cast<std::size_t>(ColumnButton::kMost));
+  EXPECT_EQ(button.chosen().size(), static_cast<std::size_t>(ColumnButton::kMax));
   Plots plots;
   plots.plot.showColumns({findPlotColumn("heat_2")});
   for (std::int64_t tick = 10'000; tick < 12'000; ++tick) plots.plot.add(tickAt(tick, 0.001));

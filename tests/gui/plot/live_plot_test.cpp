@@ -120,9 +120,9 @@ bool drawsALongStep(const std::vector<PlotPoint>& points, std::size_t used) {
 TEST(PlotHistory, AnAngleThatGoesRoundIsBrokenAtTheWrapAndNowhereElse) {
   PlotHistory round, still, trembling;
   for (std::int64_t tick = 0; tick < 10'000; ++tick) {
-    const double way_rad = 0.002 * static_cast<double>(tick);  // three times round
-    round.add(angleAt(tick, std::remainder(way_rad, 2.0 * kPi)));
-    still.add(angleAt(tick, 3.0 * std::sin(way_rad)));
+    const double travel_rad = 0.002 * static_cast<double>(tick);  // three times round
+    round.add(angleAt(tick, std::remainder(travel_rad, 2.0 * kPi)));
+    still.add(angleAt(tick, 3.0 * std::sin(travel_rad)));
     trembling.add(angleAt(tick, tick % 2 == 0 ? 3.14 : -3.14));
   }
   const auto gapsOf = [](const PlotHistory& history) {
@@ -242,22 +242,22 @@ TEST(LivePlot, EnergyBelowZeroIsMarkedAndThePassiveForceIsBesideIt) {
 
 TEST(LivePlot, WhereAllWouldBeTooNarrowThePathLeavesItsRoomAndSaysSo) {
   LivePlot plot;
-  std::vector<bool> said;
-  QObject::connect(&plot, &LivePlot::pathShown, [&said](bool shown) { said.push_back(shown); });
+  std::vector<bool> given;
+  QObject::connect(&plot, &LivePlot::pathShown, [&given](bool shown) { given.push_back(shown); });
   const int line = plot.fontMetrics().lineSpacing();
   plot.resize(28 * line, 12 * line);  // three charts of nine lines, and no more
   plot.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&plot));
   plot.picture();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return said == std::vector<bool>{false}; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return given == std::vector<bool>{false}; }));
   plot.showEnergy(false);
   plot.picture();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return said == std::vector<bool>{false, true}; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return given == std::vector<bool>{false, true}; }));
   plot.showEnergy(true);
   plot.resize(60 * line, 12 * line);
   plot.picture();
   QTest::qWait(20);
-  EXPECT_TRUE(said.back());
+  EXPECT_TRUE(given.back());
 }
 
 TEST(LivePlot, DrawsWhatWasAddedAndOnlyThen) {

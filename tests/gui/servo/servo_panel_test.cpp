@@ -22,10 +22,10 @@ TEST(RateChooser, HasTheUsualRatesAndThePresentOneAmongThem) {
   RateChooser chooser;
   chooser.present(1000);
   auto* box = chooser.findChild<QComboBox*>();
-  const int usual = box->count();
+  const int default_value = box->count();
   QSignalSpy asked(&chooser, &RateChooser::asked);
   chooser.present(1500);
-  EXPECT_EQ(box->count(), usual + 1);
+  EXPECT_EQ(box->count(), default_value + 1);
   EXPECT_EQ(box->currentText(), QString("1500 Hz"));
   EXPECT_EQ(box->itemText(box->currentIndex() + 1), QString("2000 Hz"));
   EXPECT_EQ(asked.count(), 0) << "to show a rate asks for none";

@@ -21,10 +21,10 @@ TEST(ShapeText, SaysTypeSideLengthsAndFriction) {
   constraint.shape = scene::Sphere{{1, 2, 3}, 50.0};
   constraint.side = target::Side::Outside;
   constraint.friction = scene::Friction{.static_share = 0.5, .dynamic_share = 0.25};
-  QStringList said;
-  for (const ShapeLine& line : shapeText(constraint)) said << line.label + ": " + line.value;
-  EXPECT_EQ(said.join("; "), QString("Sphere: felt from outside; Centre: 1.0, 2.0, 3.0 mm; Radius: 50.0 mm; "
-                                     "Friction: 0.50 static, 0.25 dynamic"));
+  QStringList given;
+  for (const ShapeLine& line : shapeText(constraint)) given << line.label + ": " + line.value;
+  EXPECT_EQ(given.join("; "), QString("Sphere: felt from outside; Centre: 1.0, 2.0, 3.0 mm; Radius: 50.0 mm; "
+                                      "Friction: 0.50 static, 0.25 dynamic"));
 }
 
 TEST(ShapeText, ARobotIsItsJointsInOrderWithSpringsAndLimits) {
@@ -35,11 +35,11 @@ TEST(ShapeText, ARobotIsItsJointsInOrderWithSpringsAndLimits) {
   robot.joints[1].max = 10.0;
   scene::Constraint constraint;
   constraint.shape = robot;
-  QHash<QString, QString> said;
-  for (const ShapeLine& line : shapeText(constraint)) said[line.label] = line.value;
-  EXPECT_EQ(said["Joints"], QString("R P"));
-  EXPECT_EQ(said["Springs"], QString("q1"));
-  EXPECT_EQ(said["Limits"], QString("q2"));
+  QHash<QString, QString> given;
+  for (const ShapeLine& line : shapeText(constraint)) given[line.label] = line.value;
+  EXPECT_EQ(given["Joints"], QString("R P"));
+  EXPECT_EQ(given["Springs"], QString("q1"));
+  EXPECT_EQ(given["Limits"], QString("q2"));
   EXPECT_EQ(shapeName(robot), QString("Virtual robot"));
 }
 

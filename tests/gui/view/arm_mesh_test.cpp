@@ -70,17 +70,17 @@ class ArmMeshTest : public testing::Test {
 };
 
 /// The least of its triangles' turns about their normals: above 0 where all go round as their normals say.
-double leastTurn(vtkPolyData& data) {
-  double least = kInfinity;
+double minTurn(vtkPolyData& data) {
+  double min = kInfinity;
   vtkIdType count = 0;
   const vtkIdType* corners = nullptr;
   for (data.GetPolys()->InitTraversal(); data.GetPolys()->GetNextCell(count, corners) != 0;) {
     const auto at = [&](int corner) { return Vec3(Eigen::Map<const Vec3>(data.GetPoint(corners[corner]))); };
-    const Vec3 first = at(0), way = at(1) - first, turn = way.cross(at(2) - first);
+    const Vec3 first = at(0), delta = at(1) - first, turn = delta.cross(at(2) - first);
     const Vec3 normal = Eigen::Map<const Vec3>(data.GetPointData()->GetNormals()->GetTuple3(corners[0]));
-    least = std::min(least, turn.normalized().dot(normal));
+    min = std::min(min, turn.normalized().dot(normal));
   }
-  return least;
+  return min;
 }
 
 bool comes(const std::function<bool()>& condition) {
@@ -109,14 +109,14 @@ TEST_F(ArmMeshTest, IsReadAndPlacedInMetres) {
     EXPECT_NEAR(bounds[2 * axis], middle_mm - half_mm, 1e-3);
     EXPECT_NEAR(bounds[2 * axis + 1], middle_mm + half_mm, 1e-3);
   }
-  EXPECT_GT(leastTurn(*drawn), 0.999);
+  EXPECT_GT(minTurn(*drawn), 0.999);
   EXPECT_EQ(readArmMeshes(model, {}).of_solids[0], meshes.of_solids[0]);  // in use: not read again
 }
 
 TEST_F(ArmMeshTest, AMirroredOneKeepsItsOutsideOutside) {
   const arm::Model model = armWith(R"(filename="cube.obj" scale="0.04 -0.02 0.01")");
   const std::vector<ArmSolid> alone{solidsOf(model, readArmMeshes(model, {})).solids[0]};
-  EXPECT_GT(leastTurn(*meshOfLink(alone, 1, {})), 0.999);
+  EXPECT_GT(minTurn(*meshOfLink(alone, 1, {})), 0.999);
 }
 
 TEST_F(ArmMeshTest, OneThatIsNotDrawnIsSaidWithItsLineAndTheRestIsDrawn) {

@@ -106,7 +106,7 @@ TEST(ArmSolids, AHousingStandsOnItsAxisAndLinksBeginAndEndOnAxes) {
 }
 
 TEST(ArmSolids, ArmsOfOneToEightJointsThatTurnOrSlideAreDrawn) {
-  for (std::size_t joints = 1; joints <= arm::kMostJoints; ++joints) {
+  for (std::size_t joints = 1; joints <= arm::kMaxJoints; ++joints) {
     const arm::Model model = armOf(joints);
     ArmPicture picture;
     picture.setArm(model);

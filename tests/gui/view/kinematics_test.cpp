@@ -98,7 +98,7 @@ TEST(KinematicsPicture, TheChosenGhostIsSolidAndNothingHidesIt) {
 TEST(KinematicsPicture, EachLinkFrameShowsItsAxes) {
   Taught taught(&Layers::link_frames);
   const Theme theme = Theme::light();
-  const std::array<Pose, arm::kMostJoints> frames = arm::linkFrames(*arm::findModel(arm::kDefaultArm), taught.q_rad());
+  const std::array<Pose, arm::kMaxJoints> frames = arm::linkFrames(*arm::findModel(arm::kDefaultArm), taught.q_rad());
   const std::array<QColor, 3> colours{theme.x_axis, theme.y_axis, theme.z_axis};
   const QImage picture = taught.view.picture();
   // Two frames in one place may share an axis: the smaller one lies over the larger one, but for its end.

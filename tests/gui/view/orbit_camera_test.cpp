@@ -184,14 +184,14 @@ TEST_F(ViewMemoryOnDisk, ADamagedEntryIsIgnoredAndThereAreNotMoreThanTheMost) {
     memory.enter(path);
     EXPECT_EQ(shown.view.viewpoint(), before) << path;
   }
-  for (int scene = 0; scene < ViewMemory::kMost + 5; ++scene) {
+  for (int scene = 0; scene < ViewMemory::kMax + 5; ++scene) {
     memory.enter(QString("/%1.json").arg(scene));
     Viewpoint viewpoint = shown.view.viewpoint();
     viewpoint.fits = false;
     shown.view.setViewpoint(viewpoint);
   }
   memory.keep();
-  EXPECT_EQ(QSettings().value("view/of_scenes").toStringList().size(), ViewMemory::kMost);
+  EXPECT_EQ(QSettings().value("view/of_scenes").toStringList().size(), ViewMemory::kMax);
 }
 
 }  // namespace underact::gui

@@ -129,10 +129,10 @@ TEST(SceneView, ADragOnTheTipMovesTheHandAsFarAsThePointer) {
   shown.drag(tip + QPointF(3, 4), tip + QPointF(43, 24));
   EXPECT_EQ(grabbed.count(), 1);
   EXPECT_EQ(released.count(), 1);
-  const Vec3 way_mm = 1e3 * (setpoint.p_WT - kTipInFront);
-  EXPECT_NEAR(way_mm.x(), 40.0 / pixels_per_mm, 0.01);
-  EXPECT_NEAR(way_mm.y(), -20.0 / pixels_per_mm, 0.01);
-  EXPECT_NEAR(way_mm.z(), 0.0, 1e-9);
+  const Vec3 travel_mm = 1e3 * (setpoint.p_WT - kTipInFront);
+  EXPECT_NEAR(travel_mm.x(), 40.0 / pixels_per_mm, 0.01);
+  EXPECT_NEAR(travel_mm.y(), -20.0 / pixels_per_mm, 0.01);
+  EXPECT_NEAR(travel_mm.z(), 0.0, 1e-9);
   EXPECT_FALSE(setpoint.turns);
 }
 
@@ -177,11 +177,11 @@ TEST(SceneView, OrbitAndPanMoveThePictureAndNotTheHand) {
 }
 
 TEST(SceneView, OrbitEndsAboveAndBelowAndNothingStandsOnItsHead) {
-  for (const double way : {4000.0, -4000.0}) {
+  for (const double delta : {4000.0, -4000.0}) {
     Shown shown(sceneOf(kSphere));
     shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
-    shown.drag({60, 300}, QPointF(60, 300 + way));
-    EXPECT_NEAR(shown.view.viewpoint().camera.elevation_rad, std::copysign(0.5 * kPi, way), 1e-12);
+    shown.drag({60, 300}, QPointF(60, 300 + delta));
+    EXPECT_NEAR(shown.view.viewpoint().camera.elevation_rad, std::copysign(0.5 * kPi, delta), 1e-12);
   }
 }
 

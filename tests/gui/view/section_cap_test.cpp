@@ -155,7 +155,7 @@ TEST(SectionCap, WhatIsDrawnCoarserIsStillClosed) {
       along[std::minmax(a, b)] += a < b ? 1 : -1;
     }
   }
-  for (const auto& [edge, ways] : along) ASSERT_EQ(ways, 0) << edge.first << ' ' << edge.second;
+  for (const auto& [edge, deltas] : along) ASSERT_EQ(deltas, 0) << edge.first << ' ' << edge.second;
 }
 
 TEST(MeshPicture, CutsOnceAFrameAndOnlyWhereSomethingMoved) {

@@ -18,7 +18,7 @@ TEST(VisitorSettings, AreKeptWithinTheirRangesAndFilesThatAreGoneAreLeftOut) {
   const VisitorSettings visitor_settings = readVisitorSettings();
   EXPECT_EQ(visitor_settings.scenes, QStringList{shippedScene("05_circle")});
   EXPECT_EQ(visitor_settings.dwell_s, kShortestDwell_s);
-  EXPECT_EQ(visitor_settings.force_percent, kMostForce_percent);
+  EXPECT_EQ(visitor_settings.force_percent, kMaxForce_percent);
 }
 
 TEST(VisitorSettings, WhereNoneIsLeftThereAreSomeThatComeWithTheProgram) {

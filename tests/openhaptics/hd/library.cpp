@@ -7,7 +7,7 @@
 namespace underact::test::hd {
 namespace {
 
-constexpr std::int64_t kMostLatencies = 100'000;
+constexpr std::int64_t kMaxLatencies = 100'000;
 
 std::int64_t now_ns() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
@@ -91,7 +91,7 @@ void Library::endFrame() {
   if (size_N != 0.0) ++pushing_forces_;
   if (blind_ && size_N != 0.0) ++blind_forces_;
   if (force_is_on_) motors_N_ = pending_N_;
-  if (static_cast<std::int64_t>(latencies_ns_.size()) < kMostLatencies)
+  if (static_cast<std::int64_t>(latencies_ns_.size()) < kMaxLatencies)
     latencies_ns_.push_back(now_ns() - frame_began_ns_);
 }
 

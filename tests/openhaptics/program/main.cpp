@@ -44,7 +44,7 @@ int main() {
   scene::Description scene;
   scene.title = "Pull";
   scene.constraints.push_back({"point", scene::Point{Vec3(5.0, 0.0, 60.0)}, target::Side::Both, {}, {}});
-  double most_N = 0.0;
+  double max_N = 0.0;
   {
     servo::Host host(std::move(arm).value(), servo::HostOptions{.max_late = 1'000'000});
     std::printf("%s\n", host.device().title.c_str());
@@ -52,13 +52,13 @@ int main() {
     host.start();
     host.begin();
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-    while (most_N < 0.3 && std::chrono::steady_clock::now() < end) {
+    while (max_N < 0.3 && std::chrono::steady_clock::now() < end) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
       (void)host.snapshot();
-      most_N = sizeAt(*far);
+      max_N = sizeAt(*far);
     }
   }
-  std::printf("%s\n%s\n", most_N >= 0.3 ? "pushed" : "did not push", sizeAt(*far) == 0.0 ? "rests" : "pushes still");
+  std::printf("%s\n%s\n", max_N >= 0.3 ? "pushed" : "did not push", sizeAt(*far) == 0.0 ? "rests" : "pushes still");
   std::printf("%s\n", far->isOpen() ? "open" : "closed");
   return 0;
 }

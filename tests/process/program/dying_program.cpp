@@ -38,14 +38,14 @@ bool isOfBusyMachine(FaultKind kind) {
 }
 
 /// A word on standard output for everything that happens: the test listens there.
-void follow(servo::Host& host, const std::string& way) {
+void follow(servo::Host& host, const std::string& ending) {
   bool told = false, guarded = true;
   for (;;) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     host.drain([](const servo::TickRecord&) {});
     const servo::Snapshot snapshot = host.snapshot();
     if (const auto fault = host.takeFault()) {
-      if (!told || (way == "go on" && isOfBusyMachine(fault->fault.kind))) host.start();
+      if (!told || (ending == "go on" && isOfBusyMachine(fault->fault.kind))) host.start();
       if (told) say(std::string("fault ") + name(fault->fault.kind));
     }
     if (const bool is_guarded = host.unguarded().empty(); told && std::exchange(guarded, is_guarded) != is_guarded)
@@ -55,10 +55,10 @@ void follow(servo::Host& host, const std::string& way) {
     told = true;
     guarded = host.unguarded().empty();
     say("pushing");
-    if (way == "abort") std::abort();
-    if (way == "segv") std::raise(SIGSEGV);
-    if (way == "exit") std::_Exit(3);
-    if (way == "return") return;
+    if (ending == "abort") std::abort();
+    if (ending == "segv") std::raise(SIGSEGV);
+    if (ending == "exit") std::_Exit(3);
+    if (ending == "return") return;
   }
 }
 

@@ -29,8 +29,8 @@ except ModuleNotFoundError as missing:
     print(f"SKIPPED: {missing.name} is not installed, so no hostile sessions were made.")
     sys.exit(77)
 
-MOST_S = 10.0 * float(os.environ.get("UNDERACT_SLOW", "1"))
-MOST_MIB = 400
+MAX_S = 10.0 * float(os.environ.get("UNDERACT_SLOW", "1"))
+MAX_MIB = 400
 FAULT_KINDS = {
     "tick": "<i8",
     "kind": "u1",
@@ -123,11 +123,11 @@ class Trial:
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CORE, (0, 0)),
         ) as process:
             try:
-                said, _ = process.communicate(timeout=MOST_S)
+                said, _ = process.communicate(timeout=MAX_S)
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.communicate()
-                self.bad.append(f"{what}: {words[0]} {words[1]} took longer than {MOST_S:.0f} s")
+                self.bad.append(f"{what}: {words[0]} {words[1]} took longer than {MAX_S:.0f} s")
                 return
         told = said.decode(errors="replace").strip()
         if process.returncode < 0 or process.returncode > 128:
@@ -413,7 +413,7 @@ def main() -> int:
             trial.draw(name, path, FORMS if name in EVERY_FORM else ())
             trial.ask(name, path, ALL)
         odd_files(trial)
-        if trial.peak_mib() > MOST_MIB:
+        if trial.peak_mib() > MAX_MIB:
             trial.bad.append(f"a process took {trial.peak_mib()} MiB")
     finally:
         shutil.rmtree(trial.folder, ignore_errors=True)

@@ -48,11 +48,11 @@ def program_marks(
     """The marks of a step as `underact-cli lab step` gives them; where there is no such command,
     our own.
     """
-    said = programs.lab_step(numerator, denominator) if programs is not None else None
-    if said is None:
+    found = programs.lab_step(numerator, denominator) if programs is not None else None
+    if found is None:
         return marks(numerator, denominator, end_s)
     return Marks(
-        *(math.nan if said[key] is None else float(said[key]) for key in Marks.__dataclass_fields__)
+        *(math.nan if found[key] is None else float(found[key]) for key in Marks.__dataclass_fields__)
     )
 
 

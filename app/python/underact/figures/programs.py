@@ -40,8 +40,8 @@ class Programs:
         except OSError as error:
             raise ProgramError(f"{self.cli} cannot be run: {error.strerror}.") from error
         if done.returncode != 0:
-            said = (done.stderr or done.stdout).strip()
-            sentence = f"{self.cli.name} {' '.join(words)} ended with {done.returncode}: {said}"
+            output = (done.stderr or done.stdout).strip()
+            sentence = f"{self.cli.name} {' '.join(words)} ended with {done.returncode}: {output}"
             raise ProgramError(sentence, done.returncode)
         return done.stdout
 

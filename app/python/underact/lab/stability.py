@@ -22,11 +22,11 @@ TITLES = {
 COLOURS = (style.DARK, style.BLUE, style.GREEN, style.ORANGE, style.VERMILLION, style.PURPLE)
 MARKS = ("o", "s", "^", "D", "v", "P")
 NOMINAL_N_PER_M = 500.0
-LEAST_KD = 0.03  # where B = 0 stands on a logarithmic axis
+MIN_KD = 0.03  # where B = 0 stands on a logarithmic axis
 
 
 def _kd(rows: list[dict]) -> np.ndarray:
-    return np.maximum([row["kd_N_s_per_m"] for row in rows], LEAST_KD)
+    return np.maximum([row["kd_N_s_per_m"] for row in rows], MIN_KD)
 
 
 def _column(rows: list[dict], key: str) -> np.ndarray:
@@ -41,13 +41,13 @@ def _axes(axes, title: str) -> None:
     axes.set_xlabel("damping of the wall B [N s/m]")
     axes.set_ylabel("stiffness K [N/m]")
     axes.set_title(title, loc="left")
-    axes.set_xticks([LEAST_KD, 0.1, 1.0, 10.0], ["0", "0.1", "1", "10"])
+    axes.set_xticks([MIN_KD, 0.1, 1.0, 10.0], ["0", "0.1", "1", "10"])
     axes.minorticks_off()
 
 
 def _nominal(axes) -> None:
     axes.plot(
-        [LEAST_KD],
+        [MIN_KD],
         [NOMINAL_N_PER_M],
         "*",
         color=style.VERMILLION,

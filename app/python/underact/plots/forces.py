@@ -13,7 +13,7 @@ from ..thin import evenly
 from .view import View
 
 _POINTS = 6000  # of a cloud or a way in space: more are not told apart in print
-_MOST_SHAPES = 200  # more of them hide each other, and take minutes
+_MAX_SHAPES = 200  # more of them hide each other, and take minutes
 # Drawn axes: z of W towards the reader, x right, y up, which keeps a right hand a right hand.
 _DRAWN = [2, 0, 1]
 
@@ -58,7 +58,7 @@ def draw_path(axes: Axes, view: View, figure: Figure, bar: bool = True) -> None:
     """
     p_mm = view["p_WT_mm"]
     reach = [p_mm[:, _DRAWN]]
-    for constraint in view.scene.get("constraints", [])[:_MOST_SHAPES]:
+    for constraint in view.scene.get("constraints", [])[:_MAX_SHAPES]:
         lines = [line[:, _DRAWN] for line in outlines(constraint, p_mm)]
         if lines:
             width = 0.5 if len(lines) > 3 else 1.2
@@ -66,10 +66,10 @@ def draw_path(axes: Axes, view: View, figure: Figure, bar: bool = True) -> None:
                 Line3DCollection(lines, colors=style.CONSTRAINT, linewidths=width, alpha=0.7)
             )
             reach.extend(lines)
-    way = p_mm[evenly(len(p_mm), _POINTS)][:, _DRAWN]
+    path = p_mm[evenly(len(p_mm), _POINTS)][:, _DRAWN]
     force = np.linalg.norm(view["force_sent_N"], axis=1)[evenly(len(p_mm), _POINTS)]
     segments = (
-        np.stack([way[:-1], way[1:]], axis=1) if len(way) > 1 else np.stack([way, way], axis=1)
+        np.stack([path[:-1], path[1:]], axis=1) if len(path) > 1 else np.stack([path, way], axis=1)
     )
     size = force[: len(segments)]
     collection = Line3DCollection(
@@ -77,8 +77,8 @@ def draw_path(axes: Axes, view: View, figure: Figure, bar: bool = True) -> None:
     )
     collection.set_array(size)
     axes.add_collection3d(collection)
-    axes.plot(*way[0], "o", color=style.STYLUS, markersize=3)
-    axes.text(*way[0], " start", fontsize=6, color=style.STYLUS)
+    axes.plot(*path[0], "o", color=style.STYLUS, markersize=3)
+    axes.text(*path[0], " start", fontsize=6, color=style.STYLUS)
     if bar:
         label = f"force sent [{layout.unit('force_sent_N')}]"
         figure.colorbar(collection, ax=axes, shrink=0.6, pad=0.09, label=label)

@@ -10,7 +10,7 @@ from .. import layout, style
 from ..thin import evenly, thin
 from .view import View
 
-_MOST_EVENTS = 200  # marks, and faults, that are drawn: more are one black bar, and take hours
+_MAX_EVENTS = 200  # marks, and faults, that are drawn: more are one black bar, and take hours
 _TURN = np.pi  # a step of more than half a turn between two ticks is a wrap, not a motion
 
 
@@ -70,7 +70,7 @@ def _finish(view: View, figure: Figure, panels: list[Axes]) -> Figure:
 
 
 def _some(events: list[tuple[float, str]]) -> list[tuple[float, str]]:
-    return [events[index] for index in evenly(len(events), _MOST_EVENTS)]
+    return [events[index] for index in evenly(len(events), _MAX_EVENTS)]
 
 
 def error_time(view: View, width_in: float) -> Figure:
