@@ -15,3 +15,5 @@ endforeach()
 # Later formats keep when each file was made, and no two builds would give the same bytes.
 qt_add_resources(underact_gui_model languages PREFIX /languages BASE ${PROJECT_BINARY_DIR}/languages FILES ${languages}
                  OPTIONS --format-version 1)
+# The words themselves, in which the palette finds a command by its name in another language.
+qt_add_resources(underact_gui_model words PREFIX /words BASE ${PROJECT_SOURCE_DIR}/resources/languages FILES ${texts} OPTIONS --format-version 1)

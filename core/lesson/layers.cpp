@@ -17,19 +17,18 @@ std::span<const Layer> layers() {
        TRANSLATE_NOOP("layer", "The point to which the tip is pulled, and the line to it.")},
       {"force", &Layers::force, Group::Scene, TRANSLATE_NOOP("layer", "&Force"), "Alt+5",
        TRANSLATE_NOOP("layer", "The force that is sent, as an arrow.")},
-      {"influence", &Layers::influence, Group::Scene, TRANSLATE_NOOP("layer", "&Influence"), "Ctrl+Alt+I",
+      {"influence", &Layers::influence, Group::Scene, TRANSLATE_NOOP("layer", "&Influence"), "",
        TRANSLATE_NOOP("layer",
                       "The point that the stylus points at (o), the point nearest to the tip (p), and the arc of the "
                       "target between them.")},
-      {"robot", &Layers::robot, Group::Scene, TRANSLATE_NOOP("layer", "&Virtual robot"), "Ctrl+Alt+R",
+      {"robot", &Layers::robot, Group::Scene, TRANSLATE_NOOP("layer", "&Virtual robot"), "",
        TRANSLATE_NOOP(
            "layer", "The virtual robots with their joints, and the directions in which their end effectors can move.")},
       {"path", &Layers::path, Group::Scene, TRANSLATE_NOOP("layer", "Recorded &path"), "Alt+P",
        TRANSLATE_NOOP("layer", "The path of the tip in the replayed session; the more force, the more vermillion.")},
-      {"desk", &Layers::desk, Group::Scene, TRANSLATE_NOOP("layer", "&Desk"), "Ctrl+Alt+Shift+K",
+      {"desk", &Layers::desk, Group::Scene, TRANSLATE_NOOP("layer", "&Desk"), "",
        TRANSLATE_NOOP("layer", "The reference points on the desk with which the arm was registered.")},
-      {"from_desk", &Layers::from_desk, Group::Scene, TRANSLATE_NOOP("layer", "As se&en from the desk"),
-       "Ctrl+Alt+Shift+V",
+      {"from_desk", &Layers::from_desk, Group::Scene, TRANSLATE_NOOP("layer", "As se&en from the desk"), "",
        TRANSLATE_NOOP(
            "layer",
            "Left, right and up are those of the desk, however a registered arm is turned. Off: those of the arm.")},

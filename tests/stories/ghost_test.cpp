@@ -184,7 +184,7 @@ TEST(GhostStory, NothingOfItIsDrawnWhenItIsClosed) {
 
 TEST(GhostStory, AllOfItIsDoneByKeys) {
   Class story;
-  story.key(Qt::Key_G, Qt::ControlModifier | Qt::AltModifier | Qt::ShiftModifier);
+  story.byPalette("follow a recorded");
   auto* dialog = story.find<QFileDialog>("dialog.follow");
   ASSERT_NE(dialog, nullptr);
   dialog->close();

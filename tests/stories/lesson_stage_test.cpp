@@ -99,9 +99,12 @@ TEST(LessonStageStory, ACompleteLessonSaysSoAndBeginsTheNext) {
   EXPECT_EQ(stepTitle(story), "Count");
 }
 
-TEST(LessonStageStory, TheToolBarAndTheMenuLeadToTheLessons) {
+TEST(LessonStageStory, TheRailAndTheMenuLeadToTheLessons) {
   Story story("02_sphere");
-  story.click(story.find("button.dock.lessons"));
+  story.perform("purpose.teach");
+  story.settle();
+  story.perform("dock.lessons", false);
+  story.click(story.find("rail.lessons"));
   story.settle();
   EXPECT_TRUE(story.find("panel.lessons.list")->isVisible());
   auto* const menu = story.window().findChild<QMenu*>("menu.lessons.all");

@@ -68,6 +68,8 @@ TEST(PlotsStory, AtTheFirstStartPlotsNumbersAndFramesAreFoldedAway) {
   EXPECT_FALSE(story.view().layers().workspace);
   EXPECT_FALSE(story.view().layers().triads);
   story.savePicture("first_start");
+  story.perform("purpose.research");
+  story.settle();
   story.click(story.find("rail.plots"));
   story.settle();
   EXPECT_FALSE(story.find<QDockWidget>("dock.plots")->isHidden());
@@ -85,7 +87,7 @@ TEST(PlotsStory, AtEverySizeNothingIsBeyondTheWindowAndTheRailHasNames) {
     EXPECT_TRUE(story.window().rect().contains(rail->geometry())) << size.width();
     EXPECT_LE(story.window().width(), size.width());
     EXPECT_LE(story.window().height(), size.height());
-    for (const char* name : {"rail.scenes", "rail.lessons", "rail.plots"}) {
+    for (const char* name : {"rail.scenes", "rail.feel", "rail.more"}) {
       const QWidget* const button = story.find(name);
       EXPECT_TRUE(button->isVisible()) << name << size.width();
       EXPECT_GE(button->width(), button->sizeHint().width()) << name;

@@ -135,6 +135,16 @@ void Story::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
   QTest::keyClick(window, key, modifiers);
 }
 
+void Story::byPalette(const QString& words) {
+  perform("help.find");
+  auto* const line = find<QLineEdit>("palette.words");
+  ASSERT_NE(line, nullptr);
+  line->setText(words);
+  line->setFocus();
+  QTest::keyClick(line, Qt::Key_Return);
+  settle();
+}
+
 void Story::bringToFront(QWidget* window) {
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window));
   window->activateWindow();

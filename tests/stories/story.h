@@ -62,6 +62,7 @@ class Story {
   void click(QWidget* at, const QPoint& where);
   void click(QWidget* at) { click(at, at->rect().center()); }
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {});
+  void byPalette(const QString& words);             // what these letters find first is done
   void bringToFront(QWidget* window);               // with the keyboard: there is no window manager to do it
   void type(QWidget* number, const QString& text);  // over what is there, then Enter
   /// The stylus from where it is to p_W (m), in steps, with ticks in between; the button stays down with hold.

@@ -75,10 +75,14 @@ TEST(WindowStory, EveryWidgetThatTakesInputHasANameForStoriesAndOneForScreenRead
   EXPECT_GT(seen, 30);
 }
 
-TEST(WindowStory, EveryActionHasAMenuEntryAShortcutOfItsOwnAndATip) {
+TEST(WindowStory, EveryActionHasAMenuEntryForSomePurposeAShortcutOfItsOwnIfAnyAndATip) {
   Story story("02_sphere");
   QSet<QAction*> in_menus;
-  for (QAction* top : story.window().menuBar()->actions()) collect(top->menu(), in_menus);
+  for (const char* const purpose : {"demonstrate", "teach", "research"}) {
+    story.perform(QString("purpose.%1").arg(purpose), true);
+    story.settle();
+    for (const QMenu* const menu : story.window().findChildren<QMenu*>()) collect(menu, in_menus);
+  }
   QSet<QString> shortcuts;
   for (const QString& name : story.window().actions().names()) {
     QAction* action = story.window().actions().find(name);
@@ -87,8 +91,7 @@ TEST(WindowStory, EveryActionHasAMenuEntryAShortcutOfItsOwnAndATip) {
     EXPECT_TRUE(in_menus.contains(action)) << name.toStdString();
     EXPECT_FALSE(action->statusTip().isEmpty()) << name.toStdString();
     const QString keys = action->shortcut().toString();
-    EXPECT_FALSE(keys.isEmpty()) << name.toStdString();
-    EXPECT_FALSE(shortcuts.contains(keys)) << name.toStdString() << " " << keys.toStdString();
+    EXPECT_FALSE(!keys.isEmpty() && shortcuts.contains(keys)) << name.toStdString() << " " << keys.toStdString();
     shortcuts.insert(keys);
   }
 }

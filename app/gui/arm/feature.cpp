@@ -37,9 +37,9 @@ Panel* makeArmPanel(const FeatureParts& parts, QWidget* parent) {
 }  // namespace
 
 FeatureRow armFeature() {
-  return {.panels = {{"arm", QT_TRANSLATE_NOOP("panel", "Arm"), Qt::RightDockWidgetArea, "Ctrl+Alt+4",
+  return {.panels = {{"arm", QT_TRANSLATE_NOOP("panel", "Arm"), Qt::RightDockWidgetArea,
                       QT_TRANSLATE_NOOP("panel", "The scene's arm: its joint angles, tip position and faults."),
-                      makeArmPanel, nullptr, true}},
+                      makeArmPanel}},
           .pages = {{"panel.arm", "window#arm"},
                     {"dialog.scene_arm", "arm_files#in-a-scene"},
                     {"dialog.scene_arm_problems", "arm_files#in-a-scene"}},

@@ -60,7 +60,7 @@ CompareTool::~CompareTool() = default;
 void CompareTool::addActions() {
   parts_.actions.add({"compare.on",
                       tr("&Compare two scenes"),
-                      QKeySequence("Ctrl+Alt+Shift+C"),
+                      {},
                       tr("Opens a second view with the scene as it is now. Change gains, and compare the forces before "
                          "and after the change on the same motion."),
                       {},
@@ -70,19 +70,23 @@ void CompareTool::addActions() {
                        setOn(on.value(0).toBool());
                        return isOn() == on.value(0).toBool();
                      });
-  parts_.actions.add({"compare.swap", tr("S&wap compared scenes"), QKeySequence("Ctrl+Alt+Shift+X"),
+  parts_.actions.add({"compare.swap",
+                      tr("S&wap compared scenes"),
+                      {},
                       tr("Makes the other scene the one that is felt; the felt scene moves to the second view.")},
                      [this](const QVariantList&) { return swap(); });
-  parts_.actions.add({"compare.same", tr("Compare with the scene as it is &now"), QKeySequence("Ctrl+Alt+Shift+N"),
+  parts_.actions.add({"compare.same",
+                      tr("Compare with the scene as it is &now"),
+                      {},
                       tr("Copies the felt scene, as it is now, to the second view.")},
                      [this](const QVariantList&) { return isOn() && compareWith(parts_.document.scene()); });
-  parts_.actions.add({"compare.open", tr("Compar&e with another scene…"), QKeySequence("Ctrl+Alt+Shift+F"),
-                      tr("Opens a scene file in the second view.")},
-                     [this](const QVariantList& path) {
-                       if (!path.isEmpty()) return open(path.first().toString());
-                       chooseAndOpen();
-                       return true;
-                     });
+  parts_.actions.add(
+      {"compare.open", tr("Compar&e with another scene…"), {}, tr("Opens a scene file in the second view.")},
+      [this](const QVariantList& path) {
+        if (!path.isEmpty()) return open(path.first().toString());
+        chooseAndOpen();
+        return true;
+      });
   for (const char* name : {"compare.swap", "compare.same"}) parts_.actions.find(name)->setEnabled(false);
 }
 

@@ -40,10 +40,12 @@ void makeCurve(const FeatureParts& parts, ServoListeners&) {
                                      .read = readCurve,
                                      .make = makePath},
                                     parts.document, parts.files, parts.loads, parts.window);
-  files->addAction(
-      parts.actions,
-      {"curve.add", tr("Add &curve…"), QKeySequence("Ctrl+Shift+C"),
-       tr("Loads a file of points and adds their curve to the scene, or makes a new scene of it."), "curve"});
+  files->addAction(parts.actions,
+                   {"curve.add",
+                    tr("Add &curve…"),
+                    {},
+                    tr("Loads a file of points and adds their curve to the scene, or makes a new scene of it."),
+                    "curve"});
 }
 
 }  // namespace

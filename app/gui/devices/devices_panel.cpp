@@ -67,11 +67,12 @@ DevicesPanel::DevicesPanel(const Parts& parts, QWidget* parent)
 
 void DevicesPanel::addActions() {
   parts_.actions.addCommand("devices.use", [this](const QVariantList& name) { return use(name.value(0).toString()); });
-  parts_.actions.add({"devices.simulated", tr("Use the si&mulated arm"), QKeySequence("Ctrl+Alt+Z"),
+  parts_.actions.add({"devices.simulated",
+                      tr("Use the si&mulated arm"),
+                      {},
                       tr("Closes the arm in use. The mouse moves the simulated arm again.")},
                      [this](const QVariantList&) { return use("simulated"); });
-  parts_.actions.add({"devices.look", tr("&Look for arms"), QKeySequence("Ctrl+Alt+Shift+L"),
-                      tr("Looks again for arms that are plugged in.")},
+  parts_.actions.add({"devices.look", tr("&Look for arms"), {}, tr("Looks again for arms that are plugged in.")},
                      [this](const QVariantList&) {
                        bringForward();
                        search_->search();

@@ -42,7 +42,9 @@ FaultWatch::FaultWatch(const FeatureParts& parts)
     if (dialog_ != nullptr) dialog_->close();
   });
   actions_
-      .add({"servo.fault", tr("Show the last &fault"), QKeySequence("Ctrl+Alt+F"),
+      .add({"servo.fault",
+            tr("Show the last &fault"),
+            {},
             tr("Shows what last stopped the servo, and where the fault file is.")},
            [this](const QVariantList&) { return showLast(); })
       ->setEnabled(false);

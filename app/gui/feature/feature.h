@@ -9,16 +9,14 @@
 
 namespace underact::gui {
 
-/// A panel of the window; its menu entry and shortcut are made from this row.
+/// A panel of the window; its action is made from this row.
 struct PanelRow {
   const char* key;  // "feel": the dock is named dock.feel, its action dock.feel
   const char* title;
   Qt::DockWidgetArea area;
-  const char* shortcut;
   const char* tip;
   Panel* (*make)(const FeatureParts& parts, QWidget* parent);
-  const char* behind = nullptr;  // key of the panel it shares a place with; initially closed
-  bool is_folded = false;        // initially closed, with a place of its own
+  const char* behind = nullptr;  // key of the panel it shares a place with
 };
 
 using ServoListeners = std::vector<ServoListener*>;

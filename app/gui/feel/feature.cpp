@@ -7,7 +7,7 @@
 namespace underact::gui {
 
 FeatureRow feelFeature() {
-  return {.panels = {{"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea, "Ctrl+Alt+2",
+  return {.panels = {{"feel", QT_TRANSLATE_NOOP("panel", "Feel"), Qt::RightDockWidgetArea,
                       QT_TRANSLATE_NOOP("panel", "How hard the constraint pulls, axis by axis."),
                       [](const FeatureParts& all, QWidget* parent) -> Panel* {
                         return new FeelPanel({all.servo, all.document, all.actions, all.rate}, parent);

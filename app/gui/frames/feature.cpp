@@ -9,13 +9,13 @@ namespace underact::gui {
 
 FeatureRow framesFeature() {
   return {
-      .panels = {{"dh", QT_TRANSLATE_NOOP("panel", "DH table"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+E",
+      .panels = {{"dh", QT_TRANSLATE_NOOP("panel", "DH table"), Qt::LeftDockWidgetArea,
                   QT_TRANSLATE_NOOP("panel", "A DH table to edit, drawn beside the arm with the same joint angles."),
                   [](const FeatureParts& all, QWidget* parent) -> Panel* {
                     return new DhPanel({all.document, all.actions, all.view}, parent);
                   },
                   "scenes"},
-                 {"transform", QT_TRANSLATE_NOOP("panel", "Transforms"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+O",
+                 {"transform", QT_TRANSLATE_NOOP("panel", "Transforms"), Qt::LeftDockWidgetArea,
                   QT_TRANSLATE_NOOP("panel", "Rotations and translations composed in both orders, side by side."),
                   [](const FeatureParts& all, QWidget* parent) -> Panel* {
                     return new TransformPanel({all.actions, all.view}, parent);

@@ -28,7 +28,9 @@ GalleryCallbacks waysOf(Actions& actions, QWidget* window) {
 
 void addGalleryActions(Actions& actions, QWidget* window) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("underact::gui", text); };
-  actions.add({"help.figures", tr("&Figures of the thesis"), QKeySequence("Ctrl+Alt+G"),
+  actions.add({"help.figures",
+               tr("&Figures of the thesis"),
+               {},
                tr("Shows the figures of the thesis as this program makes them, with their numbers checked.")},
               [&actions, window](const QVariantList& only) {
                 auto* dialog = window->findChild<GalleryDialog*>();

@@ -67,7 +67,9 @@ void addOptions(Actions& actions, GhostHand& ghost) {
 }  // namespace
 
 void addGhostActions(Actions& actions, GhostHand& ghost, const Document& document, SceneFiles& files, QWidget* window) {
-  actions.add({"ghost.open", tr("Follow a &recorded hand…"), QKeySequence("Ctrl+Alt+Shift+G"),
+  actions.add({"ghost.open",
+               tr("Follow a &recorded hand…"),
+               {},
                tr("Shows a recorded stylus as a ghost beside yours, and your distance to it.")},
               [&actions, &ghost, window](const QVariantList& path) {
                 if (!path.isEmpty()) return ghost.open(path.first().toString());

@@ -32,6 +32,16 @@ GuideTool::GuideTool(const FeatureParts& parts)
   actions_.add({"help.guide", tr("&Guide"), QKeySequence("F1"),
                 tr("Opens the guide at the page for whatever has the focus."), "help", tr("Guide")},
                [this, wanted](const QVariantList& arguments) { return open(wanted(arguments)); });
+  actions_.addChoices([] {
+    std::vector<Choice> pages;
+    const Result<std::string> folder = system::findResource(system::Resource::Guide);
+    const Result<guide::Guide> read = folder ? guide::readGuide(folder.value()) : folder.problems();
+    if (!read) return pages;
+    for (const guide::Entry& one : read.value().entries)
+      pages.push_back(
+          {QString::fromStdString(one.page.title), tr("Guide"), "help.guide", QString::fromStdString(one.name)});
+    return pages;
+  });
   actions_.addCommand("guide.search", [this](const QVariantList& words) {
     if (!open(this->place())) return false;
     window_->search(words.value(0).toString());

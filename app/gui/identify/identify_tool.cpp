@@ -20,13 +20,17 @@ IdentifyTool::IdentifyTool(const FeatureParts& parts)
       run_(parts_, this) {
   connect(&parts.arms, &ArmChoice::began, this, &IdentifyTool::end);  // the measurement was of the previous arm
   actions_.add(
-      {"identify.open", tr("Me&asure the arm…"), QKeySequence("Ctrl+Alt+M"),
+      {"identify.open",
+       tr("Me&asure the arm…"),
+       {},
        tr("Measures mass, friction, damping, encoder resolution and rendered stiffness of this arm, step by step.")},
       [this](const QVariantList&) {
         openProcedure(wizard_, run_, parts_, theme_, window_);
         return true;
       });
-  actions_.add({"arm.open", tr("&Open a measured arm…"), QKeySequence("Ctrl+Alt+X"),
+  actions_.add({"arm.open",
+                tr("&Open a measured arm…"),
+                {},
                 tr("Gives the simulated arm the values of a measured arm, from its file.")},
                [this](const QVariantList& path) {
                  if (!path.isEmpty()) return openArm(path.first().toString());
@@ -34,12 +38,12 @@ IdentifyTool::IdentifyTool(const FeatureParts& parts)
                      QFileDialog::getOpenFileName(window_, tr("Open a measured arm"), {}, tr("Arm models (*.json)"));
                  return !chosen.isEmpty() && openArm(chosen);
                });
-  QAction* const vendors = actions_.add({"arm.vendor", tr("&Vendor's arm"), QKeySequence("Ctrl+Alt+V"),
-                                         tr("Gives the simulated arm the vendor's values again.")},
-                                        [this](const QVariantList&) {
-                                          parts_.in_use.useVendors();
-                                          return true;
-                                        });
+  QAction* const vendors =
+      actions_.add({"arm.vendor", tr("&Vendor's arm"), {}, tr("Gives the simulated arm the vendor's values again.")},
+                   [this](const QVariantList&) {
+                     parts_.in_use.useVendors();
+                     return true;
+                   });
   const auto follow = [this, vendors] {  // no change of arm during a measurement
     vendors->setEnabled(parts_.in_use.isMeasured() && !run_.isRunning());
     actions_.find("arm.open")->setEnabled(parts_.in_use.hasSimulatedArm() && !run_.isRunning());

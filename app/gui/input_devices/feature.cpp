@@ -7,7 +7,7 @@
 namespace underact::gui {
 
 FeatureRow inputDevicesFeature() {
-  return {.panels = {{"hands", QT_TRANSLATE_NOOP("panel", "Input devices"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+H",
+  return {.panels = {{"hands", QT_TRANSLATE_NOOP("panel", "Input devices"), Qt::LeftDockWidgetArea,
                       QT_TRANSLATE_NOOP(
                           "panel",
                           "Mouse, game controllers and 3D mice: which are plugged in, and how they move the stylus."),

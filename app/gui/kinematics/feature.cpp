@@ -7,7 +7,7 @@
 namespace underact::gui {
 
 FeatureRow kinematicsFeature() {
-  return {.panels = {{"kinematics", QT_TRANSLATE_NOOP("panel", "Kinematics"), Qt::LeftDockWidgetArea, "Ctrl+Alt+6",
+  return {.panels = {{"kinematics", QT_TRANSLATE_NOOP("panel", "Kinematics"), Qt::LeftDockWidgetArea,
                       QT_TRANSLATE_NOOP("panel", "Joints, DH table, inverse solutions, Jacobian and singularities."),
                       [](const FeatureParts& all, QWidget* parent) -> Panel* {
                         return new KinematicsPanel({all.document, all.actions, all.view, all.player, all.arms}, parent);

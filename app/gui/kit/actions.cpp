@@ -51,6 +51,14 @@ bool Actions::perform(const QString& name, const QVariantList& arguments) {
   return (*run)(arguments);
 }
 
+std::vector<Choice> Actions::choices() const {
+  std::vector<Choice> all;
+  for (const auto& make : choices_) {
+    for (Choice& one : make()) all.push_back(std::move(one));
+  }
+  return all;
+}
+
 void Actions::allowOnly(const QSet<QString>& names) {
   allowed_ = names;
   enableGroups(false);

@@ -7,6 +7,8 @@
 #include <QVariantList>
 #include <functional>
 #include <optional>
+#include <utility>
+#include <vector>
 
 class QAction;
 class QWidget;
@@ -22,6 +24,14 @@ struct ActionInfo {
   QString icon = {};    // of icons.h; empty: none
   QString button = {};  // a shorter text for the tool bar
   bool checkable = false;
+};
+
+/// Something to open by its name, besides the actions themselves: a scene, a lesson, a page of the guide.
+struct Choice {
+  QString text;
+  QString kind;    // "Scene"
+  QString action;  // performed with that argument
+  QString argument;
 };
 
 /// Everything the window can be asked to do, by name. Menus, tool bar, shortcuts and stories all go through here, so
@@ -50,6 +60,10 @@ class Actions : public QObject {
     return perform(name, QVariantList{QVariant(arguments)...});
   }
 
+  /// make is asked anew each time.
+  void addChoices(std::function<std::vector<Choice>()> make) { choices_.push_back(std::move(make)); }
+  std::vector<Choice> choices() const;
+
   /// From now on only these have an effect, whether asked for by menu, shortcut, button or name.
   void allowOnly(const QSet<QString>& names);
   void allowAll();
@@ -69,6 +83,7 @@ class Actions : public QObject {
   QHash<QString, QAction*> actions_;
   QHash<QString, QString> icons_;
   QHash<QString, Run> runs_;
+  std::vector<std::function<std::vector<Choice>()>> choices_;
   std::optional<QSet<QString>> allowed_;  // none: all
 };
 

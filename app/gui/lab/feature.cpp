@@ -7,7 +7,7 @@
 namespace underact::gui {
 
 FeatureRow labFeature() {
-  return {.panels = {{"lab", QT_TRANSLATE_NOOP("panel", "Lab"), Qt::LeftDockWidgetArea, "Ctrl+Alt+Q",
+  return {.panels = {{"lab", QT_TRANSLATE_NOOP("panel", "Lab"), Qt::LeftDockWidgetArea,
                       QT_TRANSLATE_NOOP("panel",
                                         "Measures what each choice between speed and accuracy costs, with a slider "
                                         "along the best combinations."),

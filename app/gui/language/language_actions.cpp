@@ -41,16 +41,15 @@ void offerRestart(QWidget* window) {
 
 void addLanguageActions(Actions& actions, QWidget* window) {
   struct Row {
-    QString key, text, shortcut, tip;
+    QString key, text, tip;
   };
   // Languages are called by their own names.
-  const Row rows[] = {
-      {"system", tr("Follow the &system"), "Ctrl+Alt+Shift+1", tr("Uses the system's language from the next start.")},
-      {"en", "&English", "Ctrl+Alt+Shift+2", tr("Uses English from the next start.")},
-      {"de", "&Deutsch", "Ctrl+Alt+Shift+3", tr("Uses German from the next start.")}};
+  const Row rows[] = {{"system", tr("Follow the &system"), tr("Uses the system's language from the next start.")},
+                      {"en", "&English", tr("Uses English from the next start.")},
+                      {"de", "&Deutsch", tr("Uses German from the next start.")}};
   auto* group = new QActionGroup(&actions);
   for (const Row& row : rows) {
-    QAction* action = actions.add({"language." + row.key, row.text, QKeySequence(row.shortcut), row.tip, {}, {}, true},
+    QAction* action = actions.add({"language." + row.key, row.text, {}, row.tip, {}, {}, true},
                                   [window, key = row.key](const QVariantList&) {
                                     if (key == chosenLanguage()) return true;
                                     chooseLanguage(key);

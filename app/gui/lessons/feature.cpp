@@ -10,7 +10,7 @@ namespace underact::gui {
 FeatureRow lessonsFeature() {
   return {
       .panels =
-          {{"lessons", QT_TRANSLATE_NOOP("panel", "Lessons"), Qt::LeftDockWidgetArea, "Ctrl+L",
+          {{"lessons", QT_TRANSLATE_NOOP("panel", "Lessons"), Qt::LeftDockWidgetArea,
             QT_TRANSLATE_NOOP("panel", "Exercises in robot kinematics and forces that check what your hand does."),
             [](const FeatureParts& all, QWidget* parent) -> Panel* {
               return new LessonsPanel({all.document, all.actions, all.view, all.player, all.servo, all.hand}, parent);

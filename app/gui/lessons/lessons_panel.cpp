@@ -57,20 +57,19 @@ LessonsPanel::LessonsPanel(const LessonParts& parts, QWidget* parent)
 }
 
 void LessonsPanel::addActions() {
-  parts_.actions.add(
-      {"lesson.open", tr("&Open a lesson…"), QKeySequence("Ctrl+Shift+Y"), tr("Opens a lesson from a file.")},
-      [this](const QVariantList& path) {
-        if (!path.isEmpty()) return start(path.first().toString());
-        chooseLesson();
-        return true;
-      });
-  parts_.actions.add({"lesson.leave", tr("&Leave the lesson"), QKeySequence("Ctrl+Shift+L"),
-                      tr("Restores the scene and the panels from before the lesson.")},
-                     [this](const QVariantList&) {
-                       const bool was_on = run_->isOn();
-                       run_->leave();
-                       return was_on;
+  parts_.actions.add({"lesson.open", tr("&Open a lesson…"), {}, tr("Opens a lesson from a file.")},
+                     [this](const QVariantList& path) {
+                       if (!path.isEmpty()) return start(path.first().toString());
+                       chooseLesson();
+                       return true;
                      });
+  parts_.actions.add(
+      {"lesson.leave", tr("&Leave the lesson"), {}, tr("Restores the scene and the panels from before the lesson.")},
+      [this](const QVariantList&) {
+        const bool was_on = run_->isOn();
+        run_->leave();
+        return was_on;
+      });
   parts_.actions.add({"lesson.report", tr("Save &report…"), QKeySequence("Ctrl+Shift+S"),
                       tr("Saves what you did and measured in the lesson as a web page.")},
                      [this](const QVariantList& path) {
@@ -93,6 +92,13 @@ void LessonsPanel::addActions() {
       });
   parts_.actions.addCommand("lesson.start",
                             [this](const QVariantList& name) { return start(lessonPath(name.value(0).toString())); });
+  parts_.actions.addChoices([this] {
+    std::vector<Choice> lessons;
+    for (const lesson::Lesson& one : shipped())
+      lessons.push_back(
+          {QString::fromStdString(one.title), tr("Lesson"), "lesson.start", QString::fromStdString(one.file)});
+    return lessons;
+  });
   parts_.actions.addCommand("lesson.answer", [this](const QVariantList& values) {  // number of the check, answer
     const int check = values.value(0).toInt();
     return values.size() == 2 && check > 0 && run_->answer(static_cast<std::size_t>(check - 1), values[1].toDouble());
@@ -130,13 +136,12 @@ void LessonsPanel::addStepActions() {
                      [this](const QVariantList&) { return step(1); });
   parts_.actions.add({"lesson.back", tr("&Back"), QKeySequence("F7"), tr("Goes to the previous step of the lesson.")},
                      [this](const QVariantList&) { return step(-1); });
-  parts_.actions.add(
-      {"lesson.hint", tr("&Show me"), QKeySequence("Ctrl+Shift+U"), tr("Shows a hint for this step, below its text.")},
-      [this](const QVariantList&) {
-        const bool shown = page_->showHint();
-        enableActions();
-        return shown;
-      });
+  parts_.actions.add({"lesson.hint", tr("&Show me"), {}, tr("Shows a hint for this step, below its text.")},
+                     [this](const QVariantList&) {
+                       const bool shown = page_->showHint();
+                       enableActions();
+                       return shown;
+                     });
 }
 
 bool LessonsPanel::start(const QString& path) {

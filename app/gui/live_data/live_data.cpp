@@ -38,7 +38,7 @@ void LiveData::present(const servo::Snapshot&) {
 void LiveData::addActions(QWidget* window) {
   actions_.add({"live.send",
                 tr("Send &live data to PlotJuggler"),
-                QKeySequence("Ctrl+Alt+J"),
+                {},
                 tr("Sends every tick as JSON over UDP: to this computer, unless you give another address."),
                 {},
                 {},
@@ -52,8 +52,7 @@ void LiveData::addActions(QWidget* window) {
                  if (!problems.empty()) askForAddress(window, sentencesOf(problems));
                  return problems.empty();
                });
-  actions_.add({"live.address", tr("Send live &data to…"), QKeySequence("Ctrl+Alt+A"),
-                tr("Sends every tick to an address that you give.")},
+  actions_.add({"live.address", tr("Send live &data to…"), {}, tr("Sends every tick to an address that you give.")},
                [this, window](const QVariantList& address) {
                  if (address.isEmpty()) {
                    askForAddress(window, {});

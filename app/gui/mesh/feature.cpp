@@ -63,7 +63,9 @@ void makeMesh(const FeatureParts& parts, ServoListeners& listeners) {
       {"mesh.add", tr("Add &mesh…"), QKeySequence("Ctrl+M"),
        tr("Loads an STL, OBJ, PLY or OFF file and adds it to the scene, or makes a new scene of it."), "open"});
   parts.actions.add(
-      {"mesh.report", tr("Mesh &report"), QKeySequence("Ctrl+Shift+M"),
+      {"mesh.report",
+       tr("Mesh &report"),
+       {},
        tr("What the file of the scene's mesh contains, what was repaired, and how the mesh can be felt.")},
       [files, &document = parts.document](const QVariantList& index) {
         return showReport(*files, document.scene(),

@@ -13,7 +13,7 @@ void addLeftHandAction(Actions& actions, Document& document) {
   QAction* const action =
       actions.add({"scene.left_handed",
                    tr("&Left-handed"),
-                   QKeySequence("Ctrl+Alt+Shift+M"),
+                   {},
                    tr("Mirrors every scene for the left hand; lessons and recordings are not mirrored."),
                    {},
                    {},

@@ -13,6 +13,7 @@ QString keyOf(const lesson::Layer& layer) {
   return QString("layers/%1").arg(layer.name);
 }
 
+const QString kLayouts = "window/layouts/";
 constexpr const char* kSectionKeys[] = {"layers/section_x_mm", "layers/section_y_mm", "layers/section_z_mm"};
 
 }  // namespace
@@ -24,7 +25,10 @@ Settings readSettings() {
   settings.are_newer = stored.value("settings/version", kSettingsVersion).toInt() > kSettingsVersion;
   if (settings.are_newer) return settings;
   settings.geometry = stored.value("window/geometry").toByteArray();
-  settings.layout = stored.value("window/layout").toByteArray();
+  settings.purpose = stored.value("window/purpose").toString();
+  for (const QString& key : stored.allKeys()) {
+    if (key.startsWith(kLayouts)) settings.layouts[key.sliced(kLayouts.size())] = stored.value(key).toByteArray();
+  }
   const QString theme = stored.value("window/theme").toString();
   settings.theme = theme == "light" ? ThemeChoice::Light : theme == "dark" ? ThemeChoice::Dark : ThemeChoice::System;
   for (const lesson::Layer& layer : lesson::layers()) {
@@ -59,7 +63,9 @@ void writeSettings(const Settings& settings) {
   QSettings stored;
   stored.setValue("settings/version", kSettingsVersion);
   stored.setValue("window/geometry", settings.geometry);
-  stored.setValue("window/layout", settings.layout);
+  stored.setValue("window/purpose", settings.purpose);
+  for (auto one = settings.layouts.begin(); one != settings.layouts.end(); ++one)
+    stored.setValue(kLayouts + one.key(), one.value());
   stored.setValue("window/theme", settings.theme == ThemeChoice::Light  ? "light"
                                   : settings.theme == ThemeChoice::Dark ? "dark"
                                                                         : "system");

@@ -1,5 +1,6 @@
 #pragma once
 #include <QByteArray>
+#include <QHash>
 #include <QStringList>
 
 #include "app/gui/kit/theme.h"
@@ -18,7 +19,8 @@ inline Layers quietLayers() {
 struct Settings {
   bool are_newer = false;  // the stored settings are of a newer version: they are neither read nor changed
   QByteArray geometry;
-  QByteArray layout;  // of the tool bar and docks
+  QString purpose;                     // what the window is used for; empty: not chosen yet
+  QHash<QString, QByteArray> layouts;  // of the tool bar and docks, by purpose
   ThemeChoice theme = ThemeChoice::System;
   Layers layers = quietLayers();
   QStringList recent;

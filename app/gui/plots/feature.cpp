@@ -8,13 +8,12 @@ namespace underact::gui {
 
 FeatureRow plotsFeature() {
   return {
-      .panels = {{"plots", QT_TRANSLATE_NOOP("panel", "Plots"), Qt::BottomDockWidgetArea, "Ctrl+Alt+5",
+      .panels = {{"plots", QT_TRANSLATE_NOOP("panel", "Plots"), Qt::BottomDockWidgetArea,
                   QT_TRANSLATE_NOOP(
                       "panel", "Error and force over the last 10 s, and force against displacement along one axis."),
                   [](const FeatureParts& all, QWidget* parent) -> Panel* {
                     return new PlotsPanel({all.document, all.actions, all.player, all.settings}, parent);
-                  },
-                  nullptr, true}},
+                  }}},
       .pages = {{"panel.plots", "window#plots"}, {"dialog.save_plot", "window#plots"}}};
 }
 

@@ -17,7 +17,7 @@ Projector::Projector(const FeatureParts& parts)
     : QObject(parts.window), window_(parts.window), view_(parts.view), theme_(parts.theme), chrome_(parts.window) {
   parts.actions.add({"view.projector",
                      tr("&Projector layout"),
-                     QKeySequence("Ctrl+Shift+J"),
+                     {},
                      tr("For teaching: hides the panels and shows the view in high contrast with a large force gauge "
                         "and large text."),
                      {},

@@ -36,7 +36,9 @@ std::optional<Pose> placeOfSecondArm(const std::optional<Registration>& first,
 RegistrationTool::RegistrationTool(const FeatureParts& parts) : QObject(parts.window), parts_(parts), run_(this) {
   connect(this, &RegistrationTool::changed, this, [this] { parts_.where_it_stands.say(sentence(Which::First)); });
   parts_.actions.add(
-      {"registration.open", tr("Re&gister the arm…"), QKeySequence("Ctrl+Alt+Shift+R"),
+      {"registration.open",
+       tr("Re&gister the arm…"),
+       {},
        tr("Finds the pose of the arm on the desk from reference points that its tip touches, step by step.")},
       [this](const QVariantList&) {
         openProcedure(wizard_, *this, parts_.theme, parts_.window);

@@ -23,7 +23,7 @@ void makeReplay(const FeatureParts& parts, ServoListeners& listeners) {
 }  // namespace
 
 FeatureRow replayFeature() {
-  return {.panels = {{"session", QT_TRANSLATE_NOOP("panel", "Session plots"), Qt::BottomDockWidgetArea, "Ctrl+Alt+P",
+  return {.panels = {{"session", QT_TRANSLATE_NOOP("panel", "Session plots"), Qt::BottomDockWidgetArea,
                       QT_TRANSLATE_NOOP(
                           "panel", "Plots of the whole session that is replayed: force, angles, energy, spectrum."),
                       [](const FeatureParts& all, QWidget* parent) -> Panel* {

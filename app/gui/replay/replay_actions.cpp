@@ -117,7 +117,9 @@ void addReplayActions(Actions& actions, Player& player, SceneFiles& files, QWidg
                 actions.perform("calibration.cancel");
                 return player.open(path.first().toString());
               });
-  actions.add({"replay.files", tr("Folder w&ith meshes and curves…"), QKeySequence("Ctrl+Alt+Shift+I"),
+  actions.add({"replay.files",
+               tr("Folder w&ith meshes and curves…"),
+               {},
                tr("Sets a folder in which replays look for meshes and curves: sessions store only their file names.")},
               [&actions, &player, &files, window](const QVariantList& folder) {
                 if (folder.isEmpty()) {
@@ -130,7 +132,7 @@ void addReplayActions(Actions& actions, Player& player, SceneFiles& files, QWidg
   addPlaying(actions, player);
   actions.add({"replay.what_if",
                tr("&What if"),
-               QKeySequence("Ctrl+Alt+W"),
+               {},
                tr("Replays the recorded hand with the scene and gains of the window instead of the recorded ones."),
                {},
                {},
@@ -139,13 +141,13 @@ void addReplayActions(Actions& actions, Player& player, SceneFiles& files, QWidg
                 player.setWhatIf(on.value(0).toBool());
                 return true;
               });
-  actions.add({"replay.close", tr("&Close session"), QKeySequence("Ctrl+Shift+W"),
-               tr("Ends the replay and restores the previous arm and scene.")},
-              [&player, &files](const QVariantList&) {
-                if (!files.settleEdits()) return false;
-                player.close();
-                return true;
-              });
+  actions.add(
+      {"replay.close", tr("&Close session"), {}, tr("Ends the replay and restores the previous arm and scene.")},
+      [&player, &files](const QVariantList&) {
+        if (!files.settleEdits()) return false;
+        player.close();
+        return true;
+      });
   addCommands(actions, player);
   const auto enable = [&actions, &player] {
     for (const char* name : {"play", "back", "forward", "loop", "loop_in", "loop_out", "what_if", "close"})

@@ -7,7 +7,7 @@
 namespace underact::gui {
 
 FeatureRow robotFeature() {
-  return {.panels = {{"robot", QT_TRANSLATE_NOOP("panel", "Robot"), Qt::LeftDockWidgetArea, "Ctrl+Alt+7",
+  return {.panels = {{"robot", QT_TRANSLATE_NOOP("panel", "Robot"), Qt::LeftDockWidgetArea,
                       QT_TRANSLATE_NOOP("panel", "The virtual robot: joints, springs, rotational stiffness, solver."),
                       [](const FeatureParts& all, QWidget* parent) -> Panel* {
                         return new RobotPanel({all.servo, all.document, all.actions}, parent);

@@ -7,7 +7,7 @@
 namespace underact::gui {
 
 FeatureRow scenesFeature() {
-  return {.panels = {{"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea, "Ctrl+Alt+1",
+  return {.panels = {{"scenes", QT_TRANSLATE_NOOP("panel", "Scenes"), Qt::LeftDockWidgetArea,
                       QT_TRANSLATE_NOOP("panel", "The scenes that come with the program, and your own."),
                       [](const FeatureParts& all, QWidget* parent) -> Panel* {
                         return new ScenesPanel({all.document, all.recent, all.actions}, parent);

@@ -102,6 +102,13 @@ ScenesPanel::ScenesPanel(const Parts& parts, QWidget* parent)
   }
   column->addWidget(open);
 
+  parts_.actions.addChoices([this] {
+    std::vector<Choice> scenes;
+    for (const SceneEntry& one : shipped_) scenes.push_back({one.title, tr("Scene"), "scene.open", one.path});
+    for (const QString& path : parts_.recent.paths())
+      scenes.push_back({QFileInfo(path).fileName(), tr("Recent file"), "scene.open", path});
+    return scenes;
+  });
   parts_.actions.add(
       {"scenes.find", tr("&Find a scene"), QKeySequence("Ctrl+F"), tr("Moves the cursor to the filter.")},
       [this](const QVariantList&) {

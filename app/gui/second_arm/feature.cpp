@@ -7,7 +7,7 @@
 namespace underact::gui {
 
 FeatureRow secondArmFeature() {
-  return {.panels = {{"second", QT_TRANSLATE_NOOP("panel", "Second arm"), Qt::LeftDockWidgetArea, "Ctrl+Alt+T",
+  return {.panels = {{"second", QT_TRANSLATE_NOOP("panel", "Second arm"), Qt::LeftDockWidgetArea,
                       QT_TRANSLATE_NOOP("panel", "Another arm beside the first, with a scene of its own."),
                       [](const FeatureParts& all, QWidget* parent) -> Panel* {
                         return new SecondArmPanel({all.actions, all.second}, parent);

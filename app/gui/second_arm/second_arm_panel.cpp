@@ -74,7 +74,7 @@ void SecondArmPanel::addActions() {
   parts_.actions.add(
       {"second.on",
        tr("A s&econd arm"),
-       QKeySequence("Ctrl+Alt+Shift+T"),
+       {},
        tr("Adds an arm beside the first, with its own servo and scene. Start and Stop apply to both arms."),
        {},
        {},

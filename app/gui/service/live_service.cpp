@@ -89,7 +89,7 @@ void LiveService::addActions() {
   actions_.addCommand("service.hold", [this](const QVariantList&) { return hold(); });
   actions_.add({"service.on",
                 tr("Let pro&grams steer"),
-                QKeySequence("Ctrl+Alt+Shift+J"),
+                {},
                 tr("Lets other programs of this computer listen to the scene and steer it. They need a token."),
                 {},
                 {},
@@ -110,7 +110,7 @@ void LiveService::addActions() {
   actions_
       .add({"service.take_back",
             tr("Ta&ke steering back"),
-            QKeySequence("Ctrl+Alt+Shift+Q"),
+            {},
             tr("Ends what a program does to the scene, and lets none steer until this is turned off."),
             {},
             {},

@@ -9,7 +9,7 @@ namespace underact::gui {
 FeatureRow servoFeature() {
   return {
       .panels =
-          {{"servo", QT_TRANSLATE_NOOP("panel", "Servo"), Qt::LeftDockWidgetArea, "Ctrl+Alt+9",
+          {{"servo", QT_TRANSLATE_NOOP("panel", "Servo"), Qt::LeftDockWidgetArea,
             QT_TRANSLATE_NOOP(
                 "panel",
                 "How evenly the servo loop runs, which limits reduce the force, and which scheduling is in effect."),

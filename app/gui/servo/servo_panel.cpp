@@ -43,7 +43,7 @@ ServoPanel::ServoPanel(const Parts& parts, QWidget* parent) : Panel(parent), par
 void ServoPanel::addActions() {
   parts_.actions.add({"session.hold_to_run",
                       tr("&Hold to run"),
-                      QKeySequence("Ctrl+Alt+H"),
+                      {},
                       tr("There is force only while the stylus button is held."),
                       {},
                       {},
@@ -57,7 +57,9 @@ void ServoPanel::addActions() {
                      [this](const QVariantList&) { return restart(); });
   parts_.actions.addCommand("servo.rate",
                             [this](const QVariantList& rate_hz) { return setRate(rate_hz.value(0).toInt()); });
-  parts_.actions.add({"servo.check", tr("&Check the servo…"), QKeySequence("Ctrl+Alt+K"),
+  parts_.actions.add({"servo.check",
+                      tr("&Check the servo…"),
+                      {},
                       tr("Measures the latency of the servo and compares it with the best this machine can do.")},
                      [this](const QVariantList&) {
                        if (check_ == nullptr) {

@@ -7,7 +7,7 @@
 namespace underact::gui {
 
 FeatureRow sessionsFeature() {
-  return {.panels = {{"sessions", QT_TRANSLATE_NOOP("panel", "Sessions"), Qt::LeftDockWidgetArea, "Ctrl+Alt+N",
+  return {.panels = {{"sessions", QT_TRANSLATE_NOOP("panel", "Sessions"), Qt::LeftDockWidgetArea,
                       QT_TRANSLATE_NOOP("panel", "Record, set markers, and find recorded sessions."),
                       [](const FeatureParts& all, QWidget* parent) -> Panel* {
                         return new SessionsPanel({all.actions, all.status, all.recording}, parent);

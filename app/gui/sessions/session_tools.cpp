@@ -44,46 +44,45 @@ SessionTools::SessionTools(Actions& actions, SessionList& list, JobStrip& job, Q
 }
 
 void SessionTools::addActions() {
-  const auto add = [this](const char* name, const QString& text, const char* keys, const QString& tip,
+  const auto add = [this](const char* name, const QString& text, const QString& tip,
                           std::function<bool(const QVariantList&)> run) {
-    actions_.add({name, text, QKeySequence(keys), tip}, std::move(run));
+    actions_.add({name, text, {}, tip}, std::move(run));
   };
   actions_.addCommand("sessions.choose",
                       [this](const QVariantList& path) { return list_.choose(path.value(0).toString()); });
-  add("sessions.export", tr("Export as &CSV…"), "Ctrl+Shift+E",
-      tr("Saves the ticks of the selected session as a table."), [this](const QVariantList& path) {
+  add("sessions.export", tr("Export as &CSV…"), tr("Saves the ticks of the selected session as a table."),
+      [this](const QVariantList& path) {
         if (!path.isEmpty()) return write(path.first().toString(), &JobStrip::beginCsv);
         chooseFile(tr("Export the session as CSV"), "csv", "sessions.export");
         return true;
       });
-  add("sessions.plots", tr("&Plots as PDF…"), "Ctrl+Shift+P",
-      tr("Saves all plots of the selected session, one file each."), [this](const QVariantList& path) {
+  add("sessions.plots", tr("&Plots as PDF…"), tr("Saves all plots of the selected session, one file each."),
+      [this](const QVariantList& path) {
         if (!path.isEmpty()) return write(path.first().toString(), &JobStrip::beginPlots);
         chooseFile(tr("Save the plots"), "pdf", "sessions.plots");
         return true;
       });
-  add("sessions.rerun", tr("Run a&gain"), "Ctrl+Shift+A",
+  add("sessions.rerun", tr("Run a&gain"),
       tr("Makes the run of the selected session again from its file, and compares every tick to the last bit."),
       [this](const QVariantList&) {
         const bool begun = job_.beginRerun(list_.chosen()->path);
         presentChosen();
         return begun;
       });
-  add("sessions.follow", tr("Fo&llow"), "Ctrl+Shift+G",
+  add("sessions.follow", tr("Fo&llow"),
       tr("Shows the recorded stylus of the selected session as a ghost for a hand to follow."),
       [this](const QVariantList&) { return actions_.perform("ghost.open", list_.chosen()->path); });
-  add("sessions.show", tr("&Show in folder"), "Ctrl+Alt+O", tr("Opens the folder of the selected session."),
+  add("sessions.show", tr("&Show in folder"), tr("Opens the folder of the selected session."),
       [this](const QVariantList&) {
         return QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(list_.chosen()->path).absolutePath()));
       });
-  add("sessions.edit", tr("&Edit metadata…"), "Ctrl+Alt+E",
+  add("sessions.edit", tr("&Edit metadata…"),
       tr("Edits the name, notes, tags, subject and consent of the selected session."),
       [this](const QVariantList&) { return edit(); });
-  add("sessions.recover", tr("Rec&over"), "Ctrl+Alt+U",
+  add("sessions.recover", tr("Rec&over"),
       tr("Repairs a session that was not closed, so that every program can open it."),
       [this](const QVariantList&) { return recover(); });
-  add("sessions.delete", tr("&Delete…"), "Ctrl+Shift+Del",
-      tr("Moves the selected session to the bin, or deletes it permanently."),
+  add("sessions.delete", tr("&Delete…"), tr("Moves the selected session to the bin, or deletes it permanently."),
       [this](const QVariantList& asked) { return moveToBin(asked.value(0).toBool()); });
   actions_.addCommand("sessions.remove", [this](const QVariantList& asked) {
     return list_.chosen() != nullptr && remove(asked.value(0).toBool());

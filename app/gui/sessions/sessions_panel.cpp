@@ -65,19 +65,14 @@ SessionsPanel::SessionsPanel(const Parts& parts, QWidget* parent)
 }
 
 void SessionsPanel::addRecordActions() {
-  QAction* const record = parts_.actions.add({"session.record",
-                                              tr("&Record"),
-                                              QKeySequence("Ctrl+Shift+R"),
-                                              tr("Starts recording immediately, or stops it."),
-                                              "record",
-                                              {},
-                                              true},
-                                             [this](const QVariantList& on) {
-                                               if (!on.value(0).toBool()) return recording_->stop();
-                                               const bool begun = recording_->start();
-                                               if (!begun) bringForward();  // it shows the reason
-                                               return begun;
-                                             });
+  QAction* const record = parts_.actions.add(
+      {"session.record", tr("&Record"), {}, tr("Starts recording immediately, or stops it."), "record", {}, true},
+      [this](const QVariantList& on) {
+        if (!on.value(0).toBool()) return recording_->stop();
+        const bool begun = recording_->start();
+        if (!begun) bringForward();  // it shows the reason
+        return begun;
+      });
   record->setProperty("widestText", tr("Stop recording %1").arg(clockText(0.0)));
   parts_.actions
       .add({"session.mark", tr("Set a &marker"), QKeySequence("M"), tr("Marks this moment in the recording."), {}},
@@ -85,8 +80,7 @@ void SessionsPanel::addRecordActions() {
              return recording_->mark(label.isEmpty() ? record_->takeLabel() : label.first().toString());
            })
       ->setEnabled(false);
-  parts_.actions.add({"sessions.find", tr("&Find a session"), QKeySequence("Ctrl+Shift+F"),
-                      tr("Puts the cursor in the search field.")},
+  parts_.actions.add({"sessions.find", tr("&Find a session"), {}, tr("Puts the cursor in the search field.")},
                      [this](const QVariantList&) {
                        bringForward();
                        list_->focusSearch();
@@ -95,13 +89,13 @@ void SessionsPanel::addRecordActions() {
 }
 
 QAction* SessionsPanel::addFolderAction() {
-  return parts_.actions.add({"sessions.folder", tr("C&hoose folder…"), QKeySequence("Ctrl+Alt+C"),
-                             tr("Sets the folder in which sessions are saved and listed.")},
-                            [this](const QVariantList& path) {
-                              if (!path.isEmpty()) return setFolder(path.first().toString());
-                              chooseFolder();
-                              return true;
-                            });
+  return parts_.actions.add(
+      {"sessions.folder", tr("C&hoose folder…"), {}, tr("Sets the folder in which sessions are saved and listed.")},
+      [this](const QVariantList& path) {
+        if (!path.isEmpty()) return setFolder(path.first().toString());
+        chooseFolder();
+        return true;
+      });
 }
 
 void SessionsPanel::chooseFolder() {

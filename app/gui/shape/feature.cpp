@@ -7,12 +7,11 @@
 namespace underact::gui {
 
 FeatureRow shapeFeature() {
-  return {.panels = {{"shape", QT_TRANSLATE_NOOP("panel", "Shape"), Qt::RightDockWidgetArea, "Ctrl+Alt+3",
+  return {.panels = {{"shape", QT_TRANSLATE_NOOP("panel", "Shape"), Qt::RightDockWidgetArea,
                       QT_TRANSLATE_NOOP("panel", "The geometry of the constraint in numbers, and the distance to it."),
                       [](const FeatureParts& all, QWidget* parent) -> Panel* {
                         return new ShapePanel({all.document, all.actions}, parent);
-                      },
-                      nullptr, true}},
+                      }}},
           .pages = {{"panel.shape", "window#shape"}}};
 }
 

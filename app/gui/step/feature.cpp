@@ -7,7 +7,7 @@
 namespace underact::gui {
 
 FeatureRow stepFeature() {
-  return {.panels = {{"step", QT_TRANSLATE_NOOP("panel", "Step response"), Qt::LeftDockWidgetArea, "Ctrl+Alt+B",
+  return {.panels = {{"step", QT_TRANSLATE_NOOP("panel", "Step response"), Qt::LeftDockWidgetArea,
                       QT_TRANSLATE_NOOP("panel",
                                         "How the tip follows a target that jumps: rise time, settling time, overshoot, "
                                         "poles, and the measured arm beside the model."),

@@ -117,17 +117,17 @@ void addSectionAxes(Actions& actions, SceneView& view) {
 
 void addThemes(Actions& actions, ThemeWatcher& theme) {
   struct Row {
-    const char *name, *text, *shortcut, *tip;
+    const char *name, *text, *tip;
     ThemeChoice choice;
   };
   const Row rows[] = {
-      {"view.theme.system", QT_TR_NOOP("Follow the &system"), "Ctrl+Alt+S",
+      {"view.theme.system", QT_TR_NOOP("Follow the &system"),
        QT_TR_NOOP("Follows the light or dark theme of the desktop, also while the program runs."), ThemeChoice::System},
-      {"view.theme.light", QT_TR_NOOP("&Light"), "Ctrl+Alt+L", QT_TR_NOOP("Always light."), ThemeChoice::Light},
-      {"view.theme.dark", QT_TR_NOOP("&Dark"), "Ctrl+Alt+D", QT_TR_NOOP("Always dark."), ThemeChoice::Dark}};
+      {"view.theme.light", QT_TR_NOOP("&Light"), QT_TR_NOOP("Always light."), ThemeChoice::Light},
+      {"view.theme.dark", QT_TR_NOOP("&Dark"), QT_TR_NOOP("Always dark."), ThemeChoice::Dark}};
   auto* group = new QActionGroup(&actions);
   for (const Row& row : rows) {
-    QAction* action = actions.add({row.name, tr(row.text), QKeySequence(row.shortcut), tr(row.tip), {}, {}, true},
+    QAction* action = actions.add({row.name, tr(row.text), QKeySequence(), tr(row.tip), {}, {}, true},
                                   [&theme, choice = row.choice](const QVariantList&) {
                                     theme.choose(choice);
                                     return true;

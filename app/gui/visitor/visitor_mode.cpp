@@ -53,7 +53,9 @@ VisitorMode::VisitorMode(const FeatureParts& parts)
       chrome_(parts.window) {
   parts.middle.addWidget(card_);
   parts_.actions.add(
-      {named("start"), tr("&Visitor mode"), QKeySequence("Ctrl+Alt+Shift+S"),
+      {named("start"),
+       tr("&Visitor mode"),
+       {},
        tr("Full screen for visitors: shows scenes in turn with reduced force and locks everything else.")},
       [this](const QVariantList& scenes) { return start(scenes.value(0).toStringList()); });
   parts_.actions

@@ -47,10 +47,10 @@ constexpr std::array kStops{
          QT_TRANSLATE_NOOP("tour",
                            "Always up to date: the state of the servo and its rate, with latency and scheduling in "
                            "the tip, the arm, and the force with its limit, as on the gauge in the view.")},
-    Stop{"button.session.record", QT_TRANSLATE_NOOP("tour", "Record"),
+    Stop{"button.purpose", QT_TRANSLATE_NOOP("tour", "What you do"),
          QT_TRANSLATE_NOOP("tour",
-                           "Press it to record every tick in a session; press it again to stop. The Sessions panel "
-                           "lists, replays and exports sessions.")},
+                           "Demonstrate, Teach or Research: each shows the panels, menus and buttons that it takes. "
+                           "All panels, at the end of the rail, and Ctrl+Shift+P find the rest.")},
     Stop{"dock.devices", QT_TRANSLATE_NOOP("tour", "Devices"),
          QT_TRANSLATE_NOOP("tour",
                            "Which arms are plugged in, what is missing to use one, and which one is in use. A real arm "
@@ -83,7 +83,9 @@ Tour::Tour(const FeatureParts& parts)
   setAttribute(Qt::WA_NoMousePropagation);
   hide();
   build();
-  actions_.add({"help.tour", tr("&Tour of the window"), QKeySequence("Ctrl+Shift+T"),
+  actions_.add({"help.tour",
+                tr("&Tour of the window"),
+                {},
                 tr("Shows what is where in the window, in eight stops; Esc leaves the tour at any stop.")},
                [this](const QVariantList&) {
                  begin();

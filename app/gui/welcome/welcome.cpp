@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -87,12 +88,12 @@ Welcome::Welcome(const FeatureParts& parts)
   setAttribute(Qt::WA_NoMousePropagation);  // a drag on the card must not rotate the view behind it
   hide();
   build(parts.actions);
-  parts.actions.add({"help.welcome", tr("&Welcome"), QKeySequence("Ctrl+Alt+Shift+W"),
-                     tr("Three things to try first: push, move a slider, turn the stylus.")},
-                    [this](const QVariantList&) {
-                      ask();
-                      return true;
-                    });
+  parts.actions.add(
+      {"help.welcome", tr("&Welcome"), {}, tr("Three things to try first: push, move a slider, turn the stylus.")},
+      [this](const QVariantList&) {
+        ask();
+        return true;
+      });
   connect(&document_, &Document::opened, this, [this] { tell(); });
   connect(&document_, &Document::editedHere, this, [this] { edited_ = true; });
 }
@@ -111,6 +112,19 @@ void Welcome::build(Actions& actions) {
   }
   column->addWidget(confirmed_);
   column->addWidget(live_);
+  column->addWidget(messageLabel("welcome.ask", tr("What do you want to do?"), "", this));
+  findChild<QLabel*>("welcome.ask")->setText(tr("What do you want to do? You can change it at the top right."));
+  auto* const purposes = new QHBoxLayout;
+  for (const QString& name : actions.names()) {
+    if (!name.startsWith("purpose.")) continue;
+    auto* const choice = new QToolButton(this);
+    choice->setDefaultAction(actions.find(name));
+    nameWidget(choice, "welcome." + name, actions.find(name)->text());
+    choice->setFocusPolicy(Qt::StrongFocus);
+    purposes->addWidget(choice);
+  }
+  purposes->addStretch();
+  column->addLayout(purposes);
   auto* tour = pushButton("welcome.tour", tr("Tour of the window"),
                           tr("Shows what is where in the window, in eight stops."), this);
   auto* leave = pushButton("welcome.close", tr("Close"), tr("Closes this card; the Help menu brings it back."), this);

@@ -9,6 +9,7 @@
 
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/message_label.h"
+#include "app/gui/window/purpose.h"
 
 namespace underact::gui {
 namespace {
@@ -27,7 +28,7 @@ void heighten(QDockWidget* dock) {
 QAction* addDockAction(Actions& actions, const PanelRow& row, QDockWidget* dock) {
   QAction* action = actions.add({dock->objectName(),
                                  dock->windowTitle(),
-                                 QKeySequence(row.shortcut),
+                                 {},
                                  QCoreApplication::translate("panel", row.tip),
                                  row.key,  // its icon
                                  {},
@@ -83,23 +84,21 @@ Docks::Docks(const std::vector<FeatureRow>& rows, const FeatureParts& parts)
     addDockAction(parts.actions, row, made);
     docks_.insert(row.key, made);
     panels_.push_back(panel);
-    if (row.is_folded) made->hide();
-    if (row.behind == nullptr) continue;
-    if (QDockWidget* front = dock(row.behind)) window_->tabifyDockWidget(front, made);
-    made->hide();
+    made->hide();  // until the layout says which are seen
+    if (QDockWidget* front = row.behind == nullptr ? nullptr : dock(row.behind)) window_->tabifyDockWidget(front, made);
   }
   for (QLineEdit* line : window_->findChildren<QLineEdit*>())
     line->setAcceptDrops(false);  // scenes are dropped on the window
 }
 
-void Docks::arrange() {
+void Docks::arrange(const Purpose& purpose) {
   for (const PanelRow& row : rows_) {
     QDockWidget* one = dock(row.key);
     one->setFloating(false);
     window_->addDockWidget(row.area, one);
     QDockWidget* front = row.behind == nullptr ? nullptr : dock(row.behind);
     if (front != nullptr) window_->tabifyDockWidget(front, one);
-    one->setVisible(row.behind == nullptr && !row.is_folded);
+    one->setVisible(purpose.opened.contains(row.key));
   }
   resize(window_, {{dock("feel"), 18}}, Qt::Horizontal);
   widen(window_, dock("scenes"));

@@ -23,6 +23,7 @@
 #include "app/gui/view/hand.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/window/docks.h"
+#include "app/gui/window/purpose.h"
 #include "app/gui/window/stop_banner.h"
 #include "app/gui/window/window_watch.h"
 
@@ -130,7 +131,8 @@ bool MainWindow::event(QEvent* event) {
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   pacer_->setSeen(true);
-  if (!arranged_ && settings_.layout.isEmpty()) docks_->arrange();  // sizes are not known earlier
+  if (!arranged_ && settings_.layouts.value(purpose().key).isEmpty())
+    docks_->arrange(purpose());  // sizes are not known earlier
   if (!std::exchange(arranged_, true)) services_.actions->perform("view.projector", settings_.projector);
 }
 

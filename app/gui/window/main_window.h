@@ -13,6 +13,7 @@ class FramePacer;
 class StopBanner;
 class DeferredStyleSheet;
 class WindowWatch;
+struct Purpose;
 
 /// The window: the view in the middle and the features around it. Each frame it hands the servo's newest snapshot to
 /// all of them.
@@ -40,6 +41,9 @@ class MainWindow : public QMainWindow {
  private:
   void drain();  // gives everybody the ticks since the last time
   void buildFeatures();
+  void buildBars();
+  void choosePurpose(const QString& key);
+  const Purpose& purpose() const;
   void presentMode(const servo::Snapshot& snapshot);
   void sceneOpened();
   void updateTitle();

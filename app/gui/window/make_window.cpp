@@ -20,6 +20,7 @@
 #include "app/gui/window/main_window.h"
 #include "app/gui/window/menus.h"
 #include "app/gui/window/notice.h"
+#include "app/gui/window/purpose.h"
 #include "app/gui/window/rail.h"
 #include "app/gui/window/stop_banner.h"
 #include "app/gui/window/window_actions.h"
@@ -27,7 +28,7 @@
 
 namespace underact::gui {
 
-constexpr int kLayoutVersion = 9;  // count up when a dock is added: an old layout would hide it
+constexpr int kLayoutVersion = 10;  // count up when a dock is added: an old layout would hide it
 
 MainWindow::MainWindow(const WindowParts& given, std::vector<FeatureRow> rows)
     : given_(given),
@@ -68,7 +69,13 @@ void MainWindow::buildFeatures() {
   const FeatureParts parts = services_.parts(given_, settings_, pages_, [this] { return busyReason(); });
   services_.steered->setDrain([this] { drain(); });
   new Notice(view(), actions());
-  addWindowActions(parts, rows_, [this] { docks_->arrange(); });
+  addWindowActions(
+      parts, rows_, [this] { docks_->arrange(purpose()); },
+      [this](const QString& key) {
+        // Later: the button and the menu that asked for it are replaced.
+        QMetaObject::invokeMethod(
+            this, [this, key] { choosePurpose(key); }, Qt::QueuedConnection);
+      });
   addViewActions(actions(), view(), given_.theme);
   addHandActions(actions(), parts.hand, settings_.keeps_holding);
   ServoListeners tools;
@@ -78,18 +85,37 @@ void MainWindow::buildFeatures() {
   docks_ = std::make_unique<Docks>(rows_, parts);
   listeners_.assign(docks_->panels().begin(), docks_->panels().end());
   listeners_.insert(listeners_.end(), tools.begin(), tools.end());
-  buildMenus(this, actions(), parts.recent);
-  buildToolBar(this, actions());
-  buildRail(this, actions());
+  buildBars();
+}
+
+void MainWindow::buildBars() {
+  buildMenus(this, actions(), *services_.recent, purpose());
+  buildToolBar(this, actions(), purpose());
+  buildRail(this, actions(), purpose());
+  actions().find(QString("purpose.%1").arg(purpose().key))->setChecked(true);
   // From left to right and top to bottom: tool bar, rail, the first panel, the view and its strips, then the other
   // panels.
   const std::vector<Panel*>& panels = docks_->panels();
   QList<QWidget*> groups{findChild<QToolBar*>("toolbar"), findChild<QToolBar*>("rail")};
   if (!panels.empty()) groups << panels.front();
   groups << &view();
-  for (int index = 1; index < parts.middle.count(); ++index) groups << parts.middle.itemAt(index)->widget();
+  for (int index = 1; index < services_.middle->count(); ++index) groups << services_.middle->itemAt(index)->widget();
   for (std::size_t index = 1; index < panels.size(); ++index) groups << panels[index];
   orderTabs(groups);
+}
+
+const Purpose& MainWindow::purpose() const {
+  return purposeOf(settings_.purpose);
+}
+
+/// Each purpose has a layout of its own, which comes back with it.
+void MainWindow::choosePurpose(const QString& key) {
+  if (key == purpose().key) return;
+  settings_.layouts[purpose().key] = saveState(kLayoutVersion);
+  settings_.purpose = key;
+  buildBars();
+  setTheme(given_.theme.theme());  // the new buttons' icons
+  if (!restoreState(settings_.layouts.value(key), kLayoutVersion)) docks_->arrange(purpose());
 }
 
 void MainWindow::restore() {
@@ -102,7 +128,8 @@ void MainWindow::restore() {
     });
   }
   if (!settings_.geometry.isEmpty()) restoreGeometry(settings_.geometry);
-  if (!settings_.layout.isEmpty() && !restoreState(settings_.layout, kLayoutVersion)) settings_.layout.clear();
+  QByteArray& layout = settings_.layouts[purpose().key];
+  if (!layout.isEmpty() && !restoreState(layout, kLayoutVersion)) layout.clear();
   actions().perform("scene.left_handed", settings_.left_handed);
 }
 
@@ -110,7 +137,8 @@ void MainWindow::remember() {
   for (ServoListener* listener : listeners_) listener->remember(settings_);
   services_.remember(settings_);
   settings_.geometry = saveGeometry();
-  settings_.layout = saveState(kLayoutVersion);
+  settings_.purpose = purpose().key;
+  settings_.layouts[settings_.purpose] = saveState(kLayoutVersion);
   settings_.theme = given_.theme.choice();
   if (given_.chosen != nullptr) settings_.device = services_.arms->wanted();
   writeSettings(settings_);

@@ -1,34 +1,46 @@
 #include "app/gui/window/menus.h"
 
 #include <QAction>
-#include <QDockWidget>
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
 #include <QToolButton>
+#include <algorithm>
 #include <utility>
 
-#include "app/gui/feature/panel.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/message_label.h"
 #include "app/gui/kit/stop_key.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/scene_library.h"
 #include "app/gui/window/narrow_bar.h"
+#include "app/gui/window/purpose.h"
 #include "core/lesson/layers.h"
 
 namespace underact::gui {
 namespace {
 
-// names: of actions; "-": a separator. Actions that no feature of this window adds are skipped.
-void fillMenu(QMenu* menu, const Actions& actions, const QStringList& names) {
+// names: of actions; "-": a separator. Skipped: what no feature of this window adds, and what the purpose does not
+// take.
+void fillMenu(QMenu* menu, const Actions& actions, const Purpose& purpose, const QStringList& names) {
   for (const QString& name : names) {
-    QAction* const action = actions.find(name);
+    QAction* const action = purpose.hasInMenus(name) ? actions.find(name) : nullptr;
     if (name == "-")
-      menu->addSeparator();
+      menu->addSeparator();  // a menu shows none at its ends, and one of several
     else if (action != nullptr)
       menu->addAction(action);
+  }
+}
+
+/// Menus without an entry are left out, but for that of recent files, which fills.
+void removeEmpty(QMenuBar* bar) {
+  const QList<QMenu*> menus = bar->findChildren<QMenu*>();
+  for (auto menu = menus.rbegin(); menu != menus.rend(); ++menu) {  // those inside others first
+    const QList<QAction*> entries = (*menu)->actions();
+    const bool is_empty = std::all_of(entries.begin(), entries.end(), [](QAction* one) { return one->isSeparator(); });
+    if (is_empty && (*menu)->objectName() != "menu.recent") delete *menu;
   }
 }
 
@@ -58,6 +70,29 @@ void keepWidth(QToolBar* bar, QAction* action) {
   button->setMinimumWidth(metrics.horizontalAdvance(widest.isEmpty() ? action->iconText() : widest) + margins);
 }
 
+const char* roleOf(const QString& name) {
+  return name == "hand.keep" ? "hold" : name == "session.record" ? "record" : name.startsWith("menu.") ? "menu" : "";
+}
+
+void addTo(QMenu* menu, QAction* action) {
+  if (action != nullptr) menu->addAction(action);
+}
+
+/// Where the purpose is switched.
+void addPurposes(QToolBar* bar, Actions& actions, const Purpose& chosen) {
+  auto* const button = new QToolButton(bar);
+  nameWidget(button, "button.purpose", tr("What you do"), tr("Which panels, menus and buttons are shown."));
+  button->setText(QCoreApplication::translate("purpose", chosen.title));
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setPopupMode(QToolButton::InstantPopup);
+  button->setProperty("role", "menu");
+  auto* const menu = new QMenu(button);
+  menu->setObjectName("toolbar.purposes");
+  for (const Purpose& one : purposes()) addTo(menu, actions.find(QString("purpose.%1").arg(one.key)));
+  button->setMenu(menu);
+  bar->addWidget(button);
+}
+
 QStringList layerNames() {
   QStringList names;
   auto group = lesson::Layer::Group::Scene;
@@ -70,76 +105,74 @@ QStringList layerNames() {
 
 }  // namespace
 
-void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent) {
+void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent, const Purpose& purpose) {
   QMenuBar* bar = window->menuBar();
+  qDeleteAll(bar->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly));
   nameWidget(bar, "menubar", tr("Menu"));
+  const auto fill = [&](QMenu* menu, const QStringList& names) {
+    fillMenu(menu, actions, purpose, names);
+    return menu;
+  };
   QMenu* file = named(bar->addMenu(tr("&File")), "menu.file");
-  fillMenu(file, actions, {"scene.open", "mesh.add", "mesh.report", "curve.add"});
+  fill(file, {"scene.open", "mesh.add", "mesh.report", "curve.add"});
   QMenu* recent_menu = named(file->addMenu(tr("Open rece&nt")), "menu.recent");
   fillRecent(recent_menu, actions, recent);
   QObject::connect(&recent, &RecentFiles::changed, recent_menu,
                    [recent_menu, &actions, &recent] { fillRecent(recent_menu, actions, recent); });
-  fillMenu(file, actions,
-           {"scenes.find", "-", "scene.save_as", "-", "live.send", "live.address", "service.on", "service.take_back",
-            "-", "app.quit"});
-  fillMenu(named(bar->addMenu(tr("&Edit")), "menu.edit"), actions,
-           {"edit.undo", "edit.redo", "-", "gains.reset", "-", "scene.left_handed"});
-  fillMenu(named(bar->addMenu(tr("&Servo")), "menu.servo"), actions,
-           {"session.start",
-            "session.stop",
-            "session.hold_to_run",
-            "-",
-            "hand.keep",
-            "hand.let_go",
-            "-",
-            "servo.restart",
-            "servo.check",
-            "servo.fault",
-            "-",
-            "devices.look",
-            "devices.simulated",
-            "second.on",
-            "registration.open",
-            "-",
-            "identify.open",
-            "arm.open",
-            "arm.vendor",
-            "-",
-            "calibration.left",
-            "calibration.right"});
-  fillMenu(named(bar->addMenu(tr("Sessio&ns")), "menu.sessions"), actions,
-           {"session.record", "session.mark", "-", "sessions.find", "sessions.export", "sessions.plots",
-            "sessions.follow", "sessions.rerun", "sessions.show", "sessions.edit", "sessions.recover",
-            "sessions.delete", "-", "sessions.folder"});
-  QMenu* replay = named(bar->addMenu(tr("&Replay")), "menu.replay");
-  fillMenu(replay, actions,
-           {"replay.open", "-", "replay.play", "replay.back", "replay.forward", "-", "replay.loop", "replay.loop_in",
-            "replay.loop_out", "-", "replay.what_if", "-", "replay.files", "replay.close", "-", "ghost.open"});
-  fillMenu(named(replay->addMenu(tr("&Ghost")), "menu.ghost"), actions, {"ghost.play", "ghost.restart", "ghost.close"});
-  fillMenu(named(bar->addMenu(tr("Less&ons")), "menu.lessons"), actions,
-           {"lesson.all", "lesson.open", "-", "lesson.back", "lesson.next", "lesson.hint", "lesson.after", "-",
-            "lesson.report", "lesson.leave"});
-  QMenu* view = named(bar->addMenu(tr("&View")), "menu.view");
-  fillMenu(view, actions,
-           {"view.fit", "view.selection", "view.home", "-", "view.front", "view.top", "view.side", "view.isometric",
-            "view.left", "view.back", "view.bottom", "-", "view.parallel", "-", "view.focus", "-"});
-  fillMenu(named(view->addMenu(tr("L&ayers")), "menu.layers"), actions, layerNames());
-  fillMenu(named(view->addMenu(tr("T&heme")), "menu.theme"), actions,
-           {"view.theme.system", "view.theme.light", "view.theme.dark"});
-  fillMenu(named(view->addMenu(tr("Lan&guage")), "menu.language"), actions,
-           {"language.system", "language.en", "language.de"});
-  fillMenu(view, actions,
-           {"-", "compare.on", "compare.swap", "compare.same", "compare.open", "-", "view.projector", "visitor.start",
-            "visitor.demonstrator"});
-  QMenu* layout = named(bar->addMenu(tr("&Layout")), "menu.layout");
-  QMenu* panels = named(layout->addMenu(tr("&Panels")), "menu.panels");
-  for (const QDockWidget* dock : docksOf(window)) panels->addAction(actions.find(dock->objectName()));
-  fillMenu(layout, actions, {"-", "layout.reset"});
-  fillMenu(named(bar->addMenu(tr("&Help")), "menu.help"), actions,
-           {"help.guide", "help.welcome", "help.tour", "help.keys", "help.figures", "-", "help.about"});
+  fill(file, {"scenes.find", "-", "scene.save_as", "-", "live.send", "live.address", "service.on", "service.take_back",
+              "-", "app.quit"});
+  fill(named(bar->addMenu(tr("&Edit")), "menu.edit"),
+       {"edit.undo", "edit.redo", "-", "gains.reset", "-", "scene.left_handed"});
+  fill(named(bar->addMenu(tr("&Servo")), "menu.servo"), {"session.start",
+                                                         "session.stop",
+                                                         "session.hold_to_run",
+                                                         "-",
+                                                         "hand.keep",
+                                                         "hand.let_go",
+                                                         "-",
+                                                         "servo.restart",
+                                                         "servo.check",
+                                                         "servo.fault",
+                                                         "-",
+                                                         "devices.look",
+                                                         "devices.simulated",
+                                                         "second.on",
+                                                         "registration.open",
+                                                         "-",
+                                                         "identify.open",
+                                                         "arm.open",
+                                                         "arm.vendor",
+                                                         "-",
+                                                         "calibration.left",
+                                                         "calibration.right"});
+  QMenu* replay = named(new QMenu(tr("&Replay"), bar), "menu.replay");
+  fill(replay,
+       {"replay.open", "-", "replay.play", "replay.back", "replay.forward", "-", "replay.loop", "replay.loop_in",
+        "replay.loop_out", "-", "replay.what_if", "-", "replay.files", "replay.close", "-", "ghost.open"});
+  fill(named(replay->addMenu(tr("&Ghost")), "menu.ghost"), {"ghost.play", "ghost.restart", "ghost.close"});
+  QMenu* view = named(new QMenu(tr("&View"), bar), "menu.view");
+  fill(view, {"view.fit", "view.selection", "view.home", "-", "view.front", "view.top", "view.side", "view.isometric",
+              "view.left", "view.back", "view.bottom", "-", "view.parallel", "-", "view.focus", "-"});
+  fill(named(view->addMenu(tr("L&ayers")), "menu.layers"), layerNames());
+  fill(named(view->addMenu(tr("T&heme")), "menu.theme"), {"view.theme.system", "view.theme.light", "view.theme.dark"});
+  fill(named(view->addMenu(tr("Lan&guage")), "menu.language"), {"language.system", "language.en", "language.de"});
+  fill(view, {"-", "compare.on", "compare.swap", "compare.same", "compare.open", "-", "view.projector", "visitor.start",
+              "visitor.demonstrator"});
+  QMenu* const sessions = fill(named(new QMenu(tr("Sessio&ns"), bar), "menu.sessions"),
+                               {"session.record", "session.mark", "-", "sessions.find", "sessions.export",
+                                "sessions.plots", "sessions.follow", "sessions.rerun", "sessions.show", "sessions.edit",
+                                "sessions.recover", "sessions.delete", "-", "sessions.folder"});
+  QMenu* const lessons = fill(named(new QMenu(tr("Less&ons"), bar), "menu.lessons"),
+                              {"lesson.all", "lesson.open", "-", "lesson.back", "lesson.next", "lesson.hint",
+                               "lesson.after", "-", "lesson.report", "lesson.leave"});
+  for (QMenu* const menu : {sessions, replay, lessons, view}) bar->addMenu(menu);
+  fill(named(bar->addMenu(tr("&Help")), "menu.help"),
+       {"help.guide", "help.find", "help.welcome", "help.tour", "help.keys", "help.figures", "-", "help.about"});
+  removeEmpty(bar);
 }
 
-void buildToolBar(QMainWindow* window, Actions& actions) {
+void buildToolBar(QMainWindow* window, Actions& actions, const Purpose& purpose) {
+  delete window->findChild<QToolBar*>("toolbar");
   auto* bar = new QToolBar(tr("Tool bar"), window);
   nameWidget(bar, "toolbar", tr("Tool bar"));
   bar->setMovable(false);
@@ -160,28 +193,27 @@ void buildToolBar(QMainWindow* window, Actions& actions) {
   button("session.stop", "stop");
   if (QAction* stop = actions.find("session.stop")) bar->widgetForAction(stop)->setProperty(StopKey::kStops, true);
   bar->addSeparator();
-  button("hand.keep", "hold");
-  button("session.record", "record");
-  if (QAction* record = actions.find("session.record")) keepWidth(bar, record);
-  // What the arm does is at the left, what is seen of it at the right: between them the record button may grow.
+  QAction* layers = actions.find("menu.layers");
+  auto* menu = new QMenu(layers->text(), bar);
+  menu->setObjectName("toolbar.layers");
+  for (const QString& name : layerNames()) {
+    if (name == "-")
+      menu->addSeparator();
+    else
+      addTo(menu, actions.find(name));
+  }
+  layers->setMenu(menu);
+  for (const QString& name : purpose.buttons) button(name, roleOf(name));
+  if (QAction* record = actions.find("session.record"); purpose.buttons.contains("session.record") && record != nullptr)
+    keepWidth(bar, record);
+  if (auto* const chooser = qobject_cast<QToolButton*>(bar->widgetForAction(layers)))
+    chooser->setPopupMode(QToolButton::InstantPopup);
   auto* const between = new QWidget(bar);
   between->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(between);
-  for (const char* name : {"view.fit", "view.front", "view.top", "view.side"}) button(name, "");
-  bar->addSeparator();
-  QAction* layers = actions.find("menu.layers");
-  auto* menu = new QMenu(layers->text(), window);
-  menu->setObjectName("toolbar.layers");
-  fillMenu(menu, actions, layerNames());
-  layers->setMenu(menu);
-  button("menu.layers", "menu");
-  qobject_cast<QToolButton*>(bar->widgetForAction(layers))->setPopupMode(QToolButton::InstantPopup);
-  bar->addSeparator();
-  button("dock.lessons", "");
-  button("help.guide", "");
-  // The axes in the corner of the view look from the sides, too.
-  new NarrowBar(bar, {"button.view.side", "button.view.top", "button.view.front", "button.view.fit",
-                      "button.menu.layers", "button.hand.keep", "button.help.guide"});
+  addPurposes(bar, actions, purpose);
+  new NarrowBar(bar, {"button.view.fit", "button.menu.layers", "button.visitor.start", "button.hand.keep",
+                      "button.help.guide", "button.purpose"});
 }
 
 }  // namespace underact::gui

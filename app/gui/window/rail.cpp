@@ -10,15 +10,12 @@
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/message_label.h"
 #include "app/gui/window/narrow_bar.h"
+#include "app/gui/window/purpose.h"
 
 namespace underact::gui {
 namespace {
 
 constexpr int kNamesFrom_px = 1100;  // the width of a window from which on the names are there
-
-// The others are in the menu at the end.
-constexpr const char* kOften[] = {"scenes", "lessons",    "feel", "shape",    "arm", "plots",
-                                  "robot",  "kinematics", "dh",   "sessions", "lab", "devices"};
 
 void dress(QToolBar* rail, QAction* action, const QString& name) {
   auto* const button = qobject_cast<QToolButton*>(rail->widgetForAction(action));
@@ -30,7 +27,8 @@ void dress(QToolBar* rail, QAction* action, const QString& name) {
 
 }  // namespace
 
-void buildRail(QMainWindow* window, Actions& actions) {
+void buildRail(QMainWindow* window, Actions& actions, const Purpose& purpose) {
+  delete window->findChild<QToolBar*>("rail");
   auto* const rail = new QToolBar(QToolBar::tr("Panels"), window);
   nameWidget(rail, "rail", QToolBar::tr("Panels"));
   rail->setMovable(false);
@@ -39,21 +37,18 @@ void buildRail(QMainWindow* window, Actions& actions) {
   rail->setIconSize({icon, icon});
   rail->setContextMenuPolicy(Qt::PreventContextMenu);
   window->addToolBar(Qt::LeftToolBarArea, rail);
-  QStringList shown;
-  for (const char* const key : kOften) {
-    QAction* const action = actions.find(QString("dock.%1").arg(key));
+  for (const QString& key : purpose.panels) {
+    QAction* const action = actions.find("dock." + key);
     if (action == nullptr) continue;
     rail->addAction(action);
-    dress(rail, action, QString("rail.%1").arg(key));
-    shown << action->objectName();
+    dress(rail, action, "rail." + key);
   }
   QAction* const more = actions.find("menu.panels");
-  auto* const menu = new QMenu(more->text(), window);
+  auto* const menu = new QMenu(more->text(), rail);
   menu->setObjectName("rail.more.menu");
-  for (const QDockWidget* dock : docksOf(window)) {
-    QAction* const action = actions.find(dock->objectName());
-    if (!shown.contains(action->objectName())) menu->addAction(action);
-  }
+  for (const QDockWidget* dock : docksOf(window)) menu->addAction(actions.find(dock->objectName()));
+  menu->addSeparator();
+  menu->addAction(actions.find("layout.reset"));
   more->setMenu(menu);
   rail->addAction(more);
   dress(rail, more, "rail.more");

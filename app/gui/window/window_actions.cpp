@@ -1,6 +1,8 @@
 #include "app/gui/window/window_actions.h"
 
 #include <QAction>
+#include <QActionGroup>
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QMainWindow>
 
@@ -10,6 +12,7 @@
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/left_hand.h"
+#include "app/gui/window/purpose.h"
 
 namespace underact::gui {
 namespace {
@@ -94,25 +97,37 @@ void addUndo(Actions& actions, QUndoStack& undo) {
                    [forth](const QString& what) { follow(forth, tr("&Redo"), tr("&Redo %1"), what); });
 }
 
+void addPurposes(Actions& actions, const std::function<void(const QString&)>& choose) {
+  auto* const group = new QActionGroup(&actions);
+  for (const Purpose& one : purposes()) {
+    const auto words = [](const char* text) { return QCoreApplication::translate("purpose", text); };
+    QAction* const action =
+        actions.add({QString("purpose.%1").arg(one.key), words(one.title), {}, words(one.tip), {}, {}, true},
+                    [choose, key = QString(one.key)](const QVariantList& on) {
+                      if (on.value(0).toBool()) choose(key);
+                      return true;
+                    });
+    group->addAction(action);
+  }
+}
+
 }  // namespace
 
 void addWindowActions(const FeatureParts& parts, const std::vector<FeatureRow>& rows,
-                      const std::function<void()>& arrange) {
+                      const std::function<void()>& arrange, const std::function<void(const QString&)>& choose) {
   addServo(parts);
   addFiles(parts, rows);
   addUndo(parts.actions, parts.document.undoStack());
-  parts.actions.add({"menu.layers", tr("La&yers"), QKeySequence("Ctrl+Alt+Y"), tr("Shows or hides parts of the view."),
-                     "layers", tr("Layers")},
+  addPurposes(parts.actions, choose);
+  parts.actions.add({"menu.layers", tr("La&yers"), {}, tr("Shows or hides parts of the view."), "layers", tr("Layers")},
                     [](const QVariantList&) { return true; });
-  parts.actions.add(
-      {"menu.panels", tr("More panels"), QKeySequence("Ctrl+Alt+Shift+P"), tr("The other panels."), "more", tr("More")},
-      [](const QVariantList&) { return true; });
-  parts.actions.add(
-      {"layout.reset", tr("&Reset"), QKeySequence("Ctrl+Alt+0"), tr("Restores the default layout of the panels.")},
-      [arrange](const QVariantList&) {
-        arrange();
-        return true;
-      });
+  parts.actions.add({"menu.panels", tr("All panels"), {}, tr("Shows or hides any panel."), "more", tr("All panels")},
+                    [](const QVariantList&) { return true; });
+  parts.actions.add({"layout.reset", tr("&Reset the layout"), {}, tr("Restores the default layout of the panels.")},
+                    [arrange](const QVariantList&) {
+                      arrange();
+                      return true;
+                    });
 }
 
 }  // namespace underact::gui

@@ -4,12 +4,14 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QSet>
 #include <QToolBar>
 
 #include "app/gui/feature/panel.h"
 #include "app/gui/model/scene_library.h"
 #include "app/gui/model/servo_rate.h"
 #include "app/gui/window/menus.h"
+#include "app/gui/window/purpose.h"
 #include "tests/gui/desk.h"
 
 namespace underact::gui::test {
@@ -47,23 +49,46 @@ TEST(Docks, APanelIsOpenedAndClosedByTheActionOfItsKeyAndOneBehindAnotherIsClose
   EXPECT_TRUE(two->isHidden());
 }
 
-TEST(Menus, HaveEveryActionOfThisWindowOnceAndNoneOfAnother) {
+TEST(Menus, HaveEveryActionOfThisWindowOnceForSomePurposeAndNoneOfAnother) {
   Desk desk(twoPanels());
-  buildMenus(&desk.window(), desk.actions(), *desk.services().recent);
-  QHash<QAction*, int> count;
-  for (const QMenu* menu : desk.window().menuBar()->findChildren<QMenu*>())
-    for (QAction* action : menu->actions())
-      if (!action->isSeparator() && action->menu() == nullptr) ++count[action];
-  for (const QString& name : desk.actions().names()) {
-    QAction* action = desk.actions().find(name);
-    if (name.startsWith("menu.")) continue;  // a button of the tool bar that opens a menu
-    EXPECT_EQ(count.value(action), action == nullptr ? 0 : 1) << name.toStdString();
+  QSet<QString> in_some;
+  for (const Purpose& purpose : purposes()) {
+    buildMenus(&desk.window(), desk.actions(), *desk.services().recent, purpose);
+    QHash<QAction*, int> count;
+    for (const QMenu* menu : desk.window().menuBar()->findChildren<QMenu*>()) {
+      EXPECT_TRUE(!menu->isEmpty() || menu->objectName() == "menu.recent") << menu->objectName().toStdString();
+      for (QAction* action : menu->actions())
+        if (!action->isSeparator() && action->menu() == nullptr) ++count[action];
+    }
+    for (const QString& name : desk.actions().names()) {
+      const int times = count.value(desk.actions().find(name));
+      EXPECT_LE(times, desk.actions().find(name) == nullptr ? 0 : 1) << purpose.key << " " << name.toStdString();
+      if (times > 0) in_some.insert(name);
+    }
   }
+  for (const QString& name : desk.actions().names()) {
+    const bool is_elsewhere = name.startsWith("menu.") || name.startsWith("dock.") || name.startsWith("purpose.");
+    if (desk.actions().find(name) != nullptr && !is_elsewhere && name != "layout.reset")  // in the rail and tool bar
+      EXPECT_TRUE(in_some.contains(name)) << name.toStdString();
+  }
+}
+
+TEST(Purposes, ShowFourToSixPanelsThatExistAndOpenSomeOfThem) {
+  QStringList known;
+  for (const PanelRow& row : panelsOf(features())) known << row.key;
+  for (const Purpose& purpose : purposes()) {
+    EXPECT_GE(purpose.panels.size(), 4) << purpose.key;
+    EXPECT_LE(purpose.panels.size(), 6) << purpose.key;
+    EXPECT_LE(purpose.buttons.size(), 4) << purpose.key << ": Start and Stop stand beside them";
+    for (const QString& panel : purpose.panels) EXPECT_TRUE(known.contains(panel)) << panel.toStdString();
+    for (const QString& panel : purpose.opened) EXPECT_TRUE(purpose.panels.contains(panel)) << panel.toStdString();
+  }
+  EXPECT_EQ(QString(purposeOf("nonsense").key), QString(purposes().front().key));
 }
 
 TEST(Menus, FilesOpenedLatelyAreListedByTheirNames) {
   Desk desk(twoPanels());
-  buildMenus(&desk.window(), desk.actions(), *desk.services().recent);
+  buildMenus(&desk.window(), desk.actions(), *desk.services().recent, purposeOf({}));
   auto* recent = desk.window().findChild<QMenu*>("menu.recent");
   ASSERT_NE(recent, nullptr);
   desk.services().recent->add(desk.fileOf("mine.json", "{}"));
