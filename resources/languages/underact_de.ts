@@ -7161,6 +7161,33 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     </message>
 </context>
 <context>
+    <name>purpose</name>
+    <message>
+        <source>Demonstrate</source>
+        <translation>Vorführen</translation>
+    </message>
+    <message>
+        <source>Let visitors feel scenes.</source>
+        <translation>Besucher Szenen fühlen lassen.</translation>
+    </message>
+    <message>
+        <source>Teach</source>
+        <translation>Unterrichten</translation>
+    </message>
+    <message>
+        <source>Explain kinematics and haptics to a class, with lessons.</source>
+        <translation>Einer Klasse Kinematik und Haptik erklären, mit Lektionen.</translation>
+    </message>
+    <message>
+        <source>Research</source>
+        <translation>Forschen</translation>
+    </message>
+    <message>
+        <source>Record, measure and compare.</source>
+        <translation>Aufzeichnen, messen und vergleichen.</translation>
+    </message>
+</context>
+<context>
     <name>scene text</name>
     <message>
         <source>Free space</source>
@@ -8496,20 +8523,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Kurve</translation>
     </message>
     <message>
-        <source>Point</source>
-        <translation>Punkt</translation>
-    </message>
-    <message>
-        <source>Position</source>
-        <translation>Position</translation>
-    </message>
-    <message>
         <source>Centre</source>
         <translation>Mittelpunkt</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>Radius</translation>
     </message>
     <message>
         <source>Through</source>
@@ -8520,8 +8535,20 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Normale</translation>
     </message>
     <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
         <source>x axis</source>
         <translation>x-Achse</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
     </message>
     <message>
         <source>Sphere</source>
@@ -8705,12 +8732,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Immer aktuell: der Zustand des Servos und seine Rate, mit Latenz und Scheduling im Tipp, der Arm und die Kraft mit ihrer Grenze, wie auf der Anzeige in der Ansicht.</translation>
     </message>
     <message>
-        <source>Record</source>
-        <translation>Aufzeichnen</translation>
+        <source>What you do</source>
+        <translation>Was Sie tun</translation>
     </message>
     <message>
-        <source>Press it to record every tick in a session; press it again to stop. The Sessions panel lists, replays and exports sessions.</source>
-        <translation>Drücken Sie die Schaltfläche, um jeden Takt in einer Sitzung aufzuzeichnen, und noch einmal, um zu stoppen. Der Bereich Sitzungen listet Sitzungen auf, gibt sie wieder und exportiert sie.</translation>
+        <source>Demonstrate, Teach or Research: each shows the panels, menus and buttons that it takes. All panels, at the end of the rail, and Ctrl+Shift+P find the rest.</source>
+        <translation>Vorführen, Unterrichten oder Forschen: jedes zeigt die Bereiche, Menüs und Knöpfe, die es braucht. „Alle Bereiche“ am Ende der Leiste und Strg+Umschalt+P finden den Rest.</translation>
     </message>
     <message>
         <source>Devices</source>
@@ -9160,6 +9187,18 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Spiegelt jede Szene für die linke Hand; Lektionen und Aufzeichnungen werden nicht gespiegelt.</translation>
     </message>
     <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command…</source>
+        <translation>Be&amp;fehl suchen …</translation>
+    </message>
+    <message>
+        <source>Finds commands, scenes, lessons, pages and settings by name.</source>
+        <translation>Findet Befehle, Szenen, Lektionen, Seiten und Einstellungen nach ihrem Namen.</translation>
+    </message>
+    <message>
         <source>Underact: reference points for registering an arm. Print at 100 % and tape to the desk, the arm behind or beside it. This edge faces away from you.</source>
         <translation>Underact: Messpunkte zum Registrieren eines Arms. Mit 100 % drucken, auf den Tisch kleben, der Arm dahinter oder daneben. Diese Kante zeigt von Ihnen weg.</translation>
     </message>
@@ -9448,6 +9487,14 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Immer dunkel.</translation>
     </message>
     <message>
+        <source>What you do</source>
+        <translation>Was Sie tun</translation>
+    </message>
+    <message>
+        <source>Which panels, menus and buttons are shown.</source>
+        <translation>Welche Bereiche, Menüs und Knöpfe gezeigt werden.</translation>
+    </message>
+    <message>
         <source>Menu</source>
         <translation>Menü</translation>
     </message>
@@ -9468,20 +9515,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>&amp;Servo</translation>
     </message>
     <message>
-        <source>Sessio&amp;ns</source>
-        <translation>Sitzu&amp;ngen</translation>
-    </message>
-    <message>
         <source>&amp;Replay</source>
         <translation>&amp;Wiedergabe</translation>
     </message>
     <message>
         <source>&amp;Ghost</source>
         <translation>&amp;Geisterbild</translation>
-    </message>
-    <message>
-        <source>Less&amp;ons</source>
-        <translation>&amp;Lektionen</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -9500,12 +9539,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Sp&amp;rache</translation>
     </message>
     <message>
-        <source>&amp;Layout</source>
-        <translation>La&amp;yout</translation>
+        <source>Sessio&amp;ns</source>
+        <translation>Sitzu&amp;ngen</translation>
     </message>
     <message>
-        <source>&amp;Panels</source>
-        <translation>&amp;Bereiche</translation>
+        <source>Less&amp;ons</source>
+        <translation>&amp;Lektionen</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -9608,20 +9647,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Ebenen</translation>
     </message>
     <message>
-        <source>More panels</source>
-        <translation>Weitere Bereiche</translation>
+        <source>All panels</source>
+        <translation>Alle Bereiche</translation>
     </message>
     <message>
-        <source>The other panels.</source>
-        <translation>Die übrigen Bereiche.</translation>
+        <source>Shows or hides any panel.</source>
+        <translation>Zeigt oder verbirgt jeden Bereich.</translation>
     </message>
     <message>
-        <source>More</source>
-        <translation>Mehr</translation>
-    </message>
-    <message>
-        <source>&amp;Reset</source>
-        <translation>&amp;Zurücksetzen</translation>
+        <source>&amp;Reset the layout</source>
+        <translation>Anordnung zu&amp;rücksetzen</translation>
     </message>
     <message>
         <source>Restores the default layout of the panels.</source>
@@ -13181,6 +13216,10 @@ und %2 weitere</translation>
         <translation>Beginnt die Lektion, die auf diese folgt.</translation>
     </message>
     <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
         <source>All lessons</source>
         <translation>Alle Lektionen</translation>
     </message>
@@ -13954,6 +13993,53 @@ und %2 weitere</translation>
     <message>
         <source>Open in browser</source>
         <translation>Im Browser öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::Palette</name>
+    <message>
+        <source>Hint</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>What to find</source>
+        <translation>Was gesucht wird</translation>
+    </message>
+    <message>
+        <source>Command, scene, lesson, page or setting</source>
+        <translation>Befehl, Szene, Lektion, Seite oder Einstellung</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Gefunden</translation>
+    </message>
+    <message>
+        <source>%1  (%2)</source>
+        <translation>%1  (%2)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Nothing has this name. Try another word, or fewer letters.</source>
+        <translation>Nichts heißt so. Versuchen Sie ein anderes Wort oder weniger Buchstaben.</translation>
+    </message>
+    <message>
+        <source>Type more letters to find fewer.</source>
+        <translation>Mehr Buchstaben finden weniger.</translation>
+    </message>
+    <message>
+        <source>Enter does what is selected.</source>
+        <translation>Die Eingabetaste führt das Gewählte aus.</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible now.</source>
+        <translation>„%1“ ist jetzt nicht möglich.</translation>
     </message>
 </context>
 <context>
@@ -15117,6 +15203,14 @@ und %2 weitere</translation>
     <message>
         <source>Why there are no scenes</source>
         <translation>Warum es keine Szenen gibt</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Recent file</source>
+        <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>&amp;Find a scene</source>
@@ -17020,6 +17114,14 @@ und %2 weitere</translation>
     <message>
         <source>To try</source>
         <translation>Zum Probieren</translation>
+    </message>
+    <message>
+        <source>What do you want to do?</source>
+        <translation>Was möchten Sie tun?</translation>
+    </message>
+    <message>
+        <source>What do you want to do? You can change it at the top right.</source>
+        <translation>Was möchten Sie tun? Oben rechts lässt es sich ändern.</translation>
     </message>
     <message>
         <source>Tour of the window</source>
