@@ -216,4 +216,15 @@ TEST(WelcomeStory, PicturesOfWelcomeAndTour) {
   }
 }
 
+TEST(WelcomeStory, ItAsksWhatTheWindowIsFor) {
+  FirstStart first;
+  auto* const teach = first.story->find<QToolButton>("welcome.purpose.teach");
+  ASSERT_TRUE(teach->isVisible());
+  first.story->savePicture("welcome_purpose");
+  teach->click();
+  first.story->settle();
+  EXPECT_TRUE(first.story->find("rail.lessons")->isVisible());
+  EXPECT_TRUE(teach->isChecked());
+}
+
 }  // namespace underact::gui::test

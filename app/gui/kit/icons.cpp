@@ -244,6 +244,11 @@ void drawCurve(QPainter& painter, const Theme& theme) {
   path.cubicTo(QPointF(9, -4), QPointF(12, 26), QPointF(21, 6));
   painter.drawPath(path);
 }
+void drawVisitor(QPainter& painter, const Theme& theme) {
+  painter.setPen(ink(theme, 1.8));
+  painter.drawEllipse(QPointF(12, 8), 4, 4);
+  painter.drawArc(QRectF(4, 14.5, 16, 14), 0, 180 * 16);
+}
 void drawUnderact(QPainter& painter, const Theme& theme) {
   drawSphere(painter, theme);
   painter.setPen(QPen(theme.force, 2.4, Qt::SolidLine, Qt::RoundCap));
@@ -268,7 +273,8 @@ const QHash<QString, Draw>& drawings() {
                                          {"circle", drawCircle},     {"cylinder", drawCylinder},
                                          {"box", drawBox},           {"virtual_manipulator", drawRobot},
                                          {"mesh", drawMesh},         {"curve", drawCurve},
-                                         {"underact", drawUnderact}, {"hold", drawHold}};
+                                         {"underact", drawUnderact}, {"hold", drawHold},
+                                         {"visitor", drawVisitor}};
   return kAll;
 }
 

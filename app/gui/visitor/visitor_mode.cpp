@@ -56,7 +56,8 @@ VisitorMode::VisitorMode(const FeatureParts& parts)
       {named("start"),
        tr("&Visitor mode"),
        {},
-       tr("Full screen for visitors: shows scenes in turn with reduced force and locks everything else.")},
+       tr("Full screen for visitors: shows scenes in turn with reduced force and locks everything else."),
+       "visitor"},
       [this](const QVariantList& scenes) { return start(scenes.value(0).toStringList()); });
   parts_.actions
       .add({named("demonstrator"), tr("&Demonstrator's panel"), QKeySequence("Ctrl+Alt+Shift+U"),

@@ -84,8 +84,9 @@ Docks::Docks(const std::vector<FeatureRow>& rows, const FeatureParts& parts)
     addDockAction(parts.actions, row, made);
     docks_.insert(row.key, made);
     panels_.push_back(panel);
-    made->hide();  // until the layout says which are seen
-    if (QDockWidget* front = row.behind == nullptr ? nullptr : dock(row.behind)) window_->tabifyDockWidget(front, made);
+    if (row.behind == nullptr) continue;
+    if (QDockWidget* front = dock(row.behind)) window_->tabifyDockWidget(front, made);
+    made->hide();
   }
   for (QLineEdit* line : window_->findChildren<QLineEdit*>())
     line->setAcceptDrops(false);  // scenes are dropped on the window

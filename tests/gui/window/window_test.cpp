@@ -28,8 +28,8 @@ Panel* makePlain(const FeatureParts&, QWidget* parent) {
 
 /// Two panels, the second one behind the first.
 FeatureRow twoPanels() {
-  return {.panels = {{"one", "One", Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+F1", "The first.", makePlain},
-                     {"two", "Two", Qt::LeftDockWidgetArea, "Ctrl+Alt+Shift+F2", "The second.", makePlain, "one"}}};
+  return {.panels = {{"one", "One", Qt::LeftDockWidgetArea, "The first.", makePlain},
+                     {"two", "Two", Qt::LeftDockWidgetArea, "The second.", makePlain, "one"}}};
 }
 
 }  // namespace
