@@ -314,7 +314,7 @@ TEST(SimulatedArm, BecomesAnotherArmAtItsTipAndBeginsANewEpoch) {
   EXPECT_LT((arm::tipPosition(omni.geometry, sample.q_rad) - p_WT).norm(), 1e-4);
 }
 
-TEST(Catalogue, OfAnArmThatIsNotThereEachRowSaysSoInASentence) {
+TEST(Catalogue, EachRowReportsAnAbsentArmInASentence) {
   EXPECT_EQ(findDevice("omni"), nullptr);
   for (const Row& row : catalogue()) {
     ASSERT_EQ(findDevice(row.key), &row);

@@ -32,7 +32,7 @@ long double lengthOfPiece(const Oracle& oracle, int i, int chords) {
   return (4.0L * lengthByChords(oracle, i, 2 * chords) - lengthByChords(oracle, i, chords)) / 3.0L;
 }
 
-TEST(Curve, OfTooFewPointsOrImpossibleOnesIsRefused) {
+TEST(Curve, RefusesTooFewOrInvalidPoints) {
   EXPECT_EQ(sentenceOf({}), "A curve needs at least 2 different points.");
   EXPECT_EQ(sentenceOf({{1, 2, 3}}), "A curve needs at least 2 different points.");
   EXPECT_EQ(sentenceOf({{1, 2, 3}, {1, 2, 3 + 1e-14}}), "A curve needs at least 2 different points.");

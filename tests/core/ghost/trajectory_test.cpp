@@ -91,7 +91,7 @@ TEST(Trajectory, JointsThatAreNoNumbersStandStill) {
   EXPECT_EQ(trajectory.jumps, 0);
 }
 
-TEST(Trajectory, OfNoTicksHasNoRows) {
+TEST(Trajectory, HasNoPointsWithoutTicks) {
   EXPECT_TRUE(TrajectoryBuilder(geometry(), 1000.0).take().rows.empty());
 }
 

@@ -171,7 +171,7 @@ TEST(Json, BothHalvesOfAPairOfEscapesAreNeeded) {
             "1:2: A \\u escape in this text is half of a pair; its other half is missing.");
 }
 
-TEST(Json, WhatIsNotUtf8IsRefusedAtItsFirstByte) {
+TEST(Json, RefusesInvalidUtf8AtItsFirstByte) {
   const char* sentence = ": This is not text in UTF-8; save the file as UTF-8.";
   for (const char* bytes : {"\x80", "\xC0\xAF", "\xC3", "\xE0\x80\xAF", "\xED\xA0\x80", "\xF0\x80\x80\x80",
                             "\xF4\x90\x80\x80", "\xF5\x80\x80\x80", "\xE2\x82", "\xFF"}) {

@@ -71,7 +71,7 @@ TEST(StepMetrics, FirstOrderAgreesWithItsClosedForm) {
   }
 }
 
-TEST(StepMetrics, WhatGrowsOrDriftsHasNoNumbers) {
+TEST(StepMetrics, GivesNoNumbersWhereTheResponseGrowsOrDrifts) {
   for (const std::vector<double>& den : {std::vector<double>{1, -1}, {1, 0}, {1, 1, 0}, {1, 0, 0}, {1, 0, 2, 0, 1}}) {
     const StepMetrics metrics = metricsOf(TransferFunction{{1.0}, den});
     EXPECT_FALSE(metrics.final_value || metrics.rise_10_90_s || metrics.settling_2pct_s || metrics.peak_time_s ||

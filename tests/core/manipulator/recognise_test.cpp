@@ -55,7 +55,7 @@ TEST(Recognise, ASphereIsThereWhereverItsCentreIs) {
   EXPECT_EQ(kindOf(of(twoTurns(Vec3::UnitZ(), Vec3::UnitY(), {0, 0.02, 0.03}, {0.04, 0, 0.07}))), Kind::Sphere);
 }
 
-TEST(Recognise, WhatTheFormsDoNotKnowIsLeftToTheSolver) {
+TEST(Recognise, LeavesOtherFormsToTheSolver) {
   const Vec3 x_W = Vec3::UnitX(), y_W = Vec3::UnitY(), z_W = Vec3::UnitZ();
   const auto none = [](Wanted wanted) { return !kindOf(std::move(wanted)).has_value(); };
   EXPECT_TRUE(none(of(test::ring(), Orientation::Angle)));

@@ -64,7 +64,7 @@ TEST(SceneNotes, ARotationOfFourDecimalsIsTakenAndNoted) {
   EXPECT_EQ(notes[0].place.line, 2);
 }
 
-TEST(MeshScene, WhatIsLeftOutIsUsual) {
+TEST(MeshScene, TakesTheDefaultOfEachAbsentKey) {
   const Constraint constraint =
       sceneOf(R"({"type": "mesh", "file": "a.stl", "friction": {"static": 0.4}})").constraints.at(0);
   const Mesh& mesh = std::get<Mesh>(constraint.shape);
@@ -75,7 +75,7 @@ TEST(MeshScene, WhatIsLeftOutIsUsual) {
   EXPECT_EQ(constraint.friction->dynamic_share, 0.4);
 }
 
-TEST(MeshScene, WhatCannotBeIsSaidWithItsPlace) {
+TEST(MeshScene, NamesEachInvalidKeyWithItsPlace) {
   EXPECT_NE(firstProblemOf(R"({"type": "mesh"})").find("The key \"file\" is missing; a mesh needs it."),
             std::string::npos);
   EXPECT_NE(firstProblemOf(R"({"type": "mesh", "file": ""})").find("A mesh needs the name of its file."),
@@ -165,7 +165,7 @@ TEST(CurveScene, IsReadWholeAndWrittenBack) {
   EXPECT_TRUE(isSame(scene, again.value())) << writeScene(scene);
 }
 
-TEST(CurveScene, WhatCannotBeIsSaidWithItsPlace) {
+TEST(CurveScene, NamesEachInvalidKeyWithItsPlace) {
   const auto guide = [](const std::string& text) {
     return firstProblemOf(R"({"type": "curve", "file": "a", "guide": )" + text + "}");
   };

@@ -226,7 +226,7 @@ TEST(Setting, IsFoundByItsPathAndByItsPattern) {
   EXPECT_EQ(everywhere("title"), "");
 }
 
-TEST(Setting, ThatIsNotThereIsSaidSo) {
+TEST(Setting, NamesASettingThatDoesNotExist) {
   const Description scene = readScene(kEverything, "").value();
   const auto wrong = [&](const std::string& path, const std::string& text) {
     return std::string(withText(scene, path, text).problems().front().sentence);
@@ -257,7 +257,7 @@ TEST(Setting, TextsAreThoseOfFiles) {
   EXPECT_EQ(set("/constraints/1/influence/t", "none", "/constraints/1/influence/blend_deg"), "null");
 }
 
-TEST(Setting, OfWhatIsNotThereMakesItWithTheRestAsUsual) {
+TEST(Setting, MakesAnAbsentPartWithDefaults) {
   const Description scene =
       readScene(test::sceneWith(R"({"type": "line", "point_mm": [0, 0, 0], "direction": [1, 0, 0]})"), "").value();
   const Description rough = withValue(scene, "/constraints/0/friction/static", 0.4).value();
