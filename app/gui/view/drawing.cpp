@@ -20,7 +20,7 @@ constexpr int kSides = 4;  // of a stylus: the lines along it
 }  // namespace
 
 DrawingPicture::DrawingPicture()
-    : actor_(makeActor(lines_.data(), Kind::Mark)), lit_actor_(makeActor(lit_.data(), Kind::Mark)) {}
+    : actor_(makeActor(lines_.data(), PieceKind::Mark)), lit_actor_(makeActor(lit_.data(), PieceKind::Mark)) {}
 
 void DrawingPicture::setLineWidth(double scale) {
   actor_->GetProperty()->SetLineWidth(static_cast<float>(2.0 * scale));

@@ -28,7 +28,7 @@ double numberAt(const json::Value& object, const char* key) {
 
 void expectNear(const std::optional<double>& found, const json::Value* wanted, const std::string& what) {
   ASSERT_NE(wanted, nullptr) << what;
-  if (wanted->kind == json::Kind::Null) {
+  if (wanted->kind == json::JsonKind::Null) {
     EXPECT_FALSE(found.has_value()) << what;
     return;
   }

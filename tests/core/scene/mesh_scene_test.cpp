@@ -154,7 +154,7 @@ TEST(CurveScene, IsReadWholeAndWrittenBack) {
       R"({"type": "curve", "file": "a.txt", "scale_mm_per_unit": 2, "kind": "polyline", "closed": true, "search": "global",
           "guide": {"speed_mm_per_s": -30, "t": 0.25, "lead_mm": 5}, "friction": {"static": 0.2}})");
   const Curve& curve = std::get<Curve>(scene.constraints.at(0).shape);
-  EXPECT_EQ(curve.kind, curve::Kind::Polyline);
+  EXPECT_EQ(curve.kind, curve::CurveKind::Polyline);
   EXPECT_TRUE(curve.closed);
   EXPECT_EQ(curve.search, Search::Global);
   EXPECT_EQ(curve.guide->speed_mm_per_s, -30.0);
@@ -212,7 +212,7 @@ TEST(CurveScene, AnEditThatMovesNothingKeepsTheCurve) {
     change();
     return made() != first;
   };
-  EXPECT_TRUE(changed([&] { curve.kind = curve::Kind::Polyline; }));
+  EXPECT_TRUE(changed([&] { curve.kind = curve::CurveKind::Polyline; }));
   EXPECT_TRUE(changed([&] { curve.closed = true; }));
   EXPECT_TRUE(changed([&] { curve.scale_mm_per_unit = 2.0; }));
   EXPECT_TRUE(changed([&] { curve.X_WM(2, 3) = 1e-9; }));

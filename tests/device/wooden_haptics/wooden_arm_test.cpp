@@ -4,7 +4,7 @@
 
 #include "core/arm/forward.h"
 #include "core/servo/host.h"
-#include "device/catalogue.h"
+#include "device/driver.h"
 #include "device/wooden_haptics/wooden.h"
 #include "tests/support/comes.h"
 #include "tests/support/hid_double.h"
