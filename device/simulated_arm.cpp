@@ -20,8 +20,8 @@ constexpr double kMouseFilter_s = 0.015;
 sim::HandSetpoint approach(const sim::HandSetpoint& heeded, const sim::HandSetpoint& goal, const Vec3& p_WT,
                            double dt_s) noexcept UNDERACT_REAL_TIME {
   if (!goal.holds) return {p_WT, Vec3::Zero(), goal.R_WT, goal.turns, false, {}};
-  const Vec3 way_W = (goal.p_WT - heeded.p_WT) * (dt_s / (kMouseFilter_s + dt_s));
-  return {heeded.p_WT + way_W, way_W / dt_s, goal.R_WT, goal.turns, true, goal.posture};
+  const Vec3 travel_W = (goal.p_WT - heeded.p_WT) * (dt_s / (kMouseFilter_s + dt_s));
+  return {heeded.p_WT + travel_W, travel_W / dt_s, goal.R_WT, goal.turns, true, goal.posture};
 }
 
 /// In one number, so that two threads always see both parts together.

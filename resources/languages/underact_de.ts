@@ -3085,8 +3085,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Der Arm der Szene: Gelenkwinkel, Lage der Spitze und Fehler.</translation>
     </message>
     <message>
-        <source>Calibration</source>
-        <translation>Kalibrierung</translation>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
     </message>
     <message>
         <source>Measures the smallest difference of stiffness that a hand can feel, with two beams.</source>
@@ -4000,8 +4000,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>A calibration needs a scene with two beams: two virtual robots, each with one revolute joint and a spring. Open the scene "Two beams, one softer".</source>
-        <translation>Eine Kalibrierung braucht eine Szene mit zwei Balken: zwei virtuelle Roboter, jeder mit einem Drehgelenk und einer Feder. Öffnen Sie die Szene „Zwei Balken, einer weicher“.</translation>
+        <source>A threshold measurement needs a scene with two beams: two virtual robots, each with one revolute joint and a spring. Open the scene "Two beams, one softer".</source>
+        <translation>Eine Schwellenmessung braucht eine Szene mit zwei Balken: zwei virtuelle Roboter, jeder mit einem Drehgelenk und einer Feder. Öffnen Sie die Szene „Zwei Balken, einer weicher“.</translation>
     </message>
     <message>
         <source>Joint %1: the axis has no direction.</source>
@@ -7670,8 +7670,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Zwei Balken, einer weicher</translation>
     </message>
     <message>
-        <source>Two cantilever beams, 70 mm long, clamped at the back. The left one bends by 1 mm for 0.03 N at its tip, the right one for 0.045 N (EI = k L^3 / 3: 3430 and 5145 N mm^2). Press each one down, and tell which is stiffer. Each beam is a robot with one elastic joint and a link of 0.85 L (Howell's pseudo-rigid-body model, 2001), whose end effector follows the deflection curve of the beam to within half a percent of its length. The panel Calibration measures how small a difference you can feel.</source>
-        <translation>Zwei Kragbalken, 70 mm lang, hinten eingespannt. Der linke biegt sich bei 0,03 N an seiner Spitze um 1 mm durch, der rechte bei 0,045 N (EI = k L^3 / 3: 3430 und 5145 N mm^2). Drücken Sie beide nach unten und sagen Sie, welcher steifer ist. Jeder Balken ist ein Roboter mit einem elastischen Gelenk und einem Glied von 0,85 L (Pseudo-Starrkörper-Modell von Howell, 2001), dessen Endeffektor der Durchbiegungskurve des Balkens auf ein halbes Prozent seiner Länge genau folgt. Der Bereich Kalibrierung misst, einen wie kleinen Unterschied Sie fühlen können.</translation>
+        <source>Two cantilever beams, 70 mm long, clamped at the back. The left one bends by 1 mm for 0.03 N at its tip, the right one for 0.045 N (EI = k L^3 / 3: 3430 and 5145 N mm^2). Press each one down, and tell which is stiffer. Each beam is a robot with one elastic joint and a link of 0.85 L (Howell's pseudo-rigid-body model, 2001), whose end effector follows the deflection curve of the beam to within half a percent of its length. The panel Threshold measures how small a difference you can feel.</source>
+        <translation>Zwei Kragbalken, 70 mm lang, hinten eingespannt. Der linke biegt sich bei 0,03 N an seiner Spitze um 1 mm durch, der rechte bei 0,045 N (EI = k L^3 / 3: 3430 und 5145 N mm^2). Drücken Sie beide nach unten und sagen Sie, welcher steifer ist. Jeder Balken ist ein Roboter mit einem elastischen Gelenk und einem Glied von 0,85 L (Pseudo-Starrkörper-Modell von Howell, 2001), dessen Endeffektor der Durchbiegungskurve des Balkens auf ein halbes Prozent seiner Länge genau folgt. Der Bereich Schwelle misst, einen wie kleinen Unterschied Sie fühlen können.</translation>
     </message>
     <message>
         <source>Two beams that bend, one softer than the other.</source>
@@ -10021,8 +10021,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Öffnet die Szene „Zwei Balken, einer weicher“.</translation>
     </message>
     <message>
-        <source>A calibration needs a scene with two beams whose stiffness can be set. This scene has no such beams.</source>
-        <translation>Eine Kalibrierung braucht eine Szene mit zwei Balken, deren Steifigkeit sich einstellen lässt. Diese Szene hat keine solchen Balken.</translation>
+        <source>A threshold measurement needs a scene with two beams whose stiffness can be set. This scene has no such beams.</source>
+        <translation>Eine Schwellenmessung braucht eine Szene mit zwei Balken, deren Steifigkeit sich einstellen lässt. Diese Szene hat keine solchen Balken.</translation>
     </message>
     <message>
         <source>Answers that the %1 beam is stiffer; possible once you have pressed both.</source>

@@ -284,10 +284,10 @@ Request requestFor(const char* address) {
 }
 
 TEST(Catalogue, OpensTheSimulatedArm) {
-  const Row& row = *findDevice("simulated");
-  const Result<std::unique_ptr<servo::DevicePort>> port = row.open(requestFor(""));
+  const Driver& driver = *findDevice("simulated");
+  const Result<std::unique_ptr<servo::DevicePort>> port = driver.open(requestFor(""));
   ASSERT_TRUE(port);
-  EXPECT_EQ(port.value()->info().title, row.name);
+  EXPECT_EQ(port.value()->info().title, driver.name);
   arm::Sample sample;
   EXPECT_TRUE(port.value()->read(sample));
   EXPECT_EQ(sample.time_ns, 2'000'000);
@@ -314,14 +314,14 @@ TEST(SimulatedArm, BecomesAnotherArmAtItsTipAndBeginsANewEpoch) {
   EXPECT_LT((arm::tipPosition(omni.geometry, sample.q_rad) - p_WT).norm(), 1e-4);
 }
 
-TEST(Catalogue, OfAnArmThatIsNotThereEachRowSaysSoInASentence) {
+TEST(Catalogue, EachRowReportsAnAbsentArmInASentence) {
   EXPECT_EQ(findDevice("omni"), nullptr);
-  for (const Row& row : catalogue()) {
-    ASSERT_EQ(findDevice(row.key), &row);
-    for (const Found& found : row.search()) EXPECT_NE(found.title, "") << row.key;
-    if (std::string_view(row.key) == "simulated") continue;
-    const Result<std::unique_ptr<servo::DevicePort>> port = row.open(requestFor("nobody has an arm of this name"));
-    ASSERT_FALSE(port) << row.key;
+  for (const Driver& driver : catalogue()) {
+    ASSERT_EQ(findDevice(driver.key), &driver);
+    for (const Found& found : driver.search()) EXPECT_NE(found.title, "") << driver.key;
+    if (std::string_view(driver.key) == "simulated") continue;
+    const Result<std::unique_ptr<servo::DevicePort>> port = driver.open(requestFor("nobody has an arm of this name"));
+    ASSERT_FALSE(port) << driver.key;
     EXPECT_EQ(port.problems().front().sentence.back(), '.') << port.problems().front().sentence;
   }
 }

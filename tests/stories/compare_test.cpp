@@ -119,7 +119,7 @@ TEST(CompareStory, ASceneWithAMeshIsLoadedMeanwhile) {
   EXPECT_GT(desk.right().trianglesDrawn(), 1000u);
 }
 
-TEST(CompareStory, WhatCannotBeComparedIsSaid) {
+TEST(CompareStory, NamesWhatCannotBeCompared) {
   CompareDesk desk;
   EXPECT_FALSE(desk.story.perform("compare.open", temporaryFile("no_scene.json", "{")));
   EXPECT_FALSE(desk.text("compare.told").isEmpty());

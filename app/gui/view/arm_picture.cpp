@@ -107,7 +107,7 @@ Finishes armFinishes(const Theme& theme) {
   return {ink(0.58), ink(0.86), ink(0.5), theme.ink};
 }
 
-ArmPicture::ArmPicture() : outline_actor_(makeActor(outlines_.data(), Kind::Line)) {
+ArmPicture::ArmPicture() : outline_actor_(makeActor(outlines_.data(), PieceKind::Line)) {
   setArm(*arm::findModel(arm::kDefaultArm));
 }
 
@@ -132,7 +132,7 @@ void ArmPicture::setArm(const arm::Model& model) {
   X_WLinks_.assign(chain_.joints.size() + 1, Pose::Identity());
   actors_.clear();
   for (std::size_t link = 0; link <= chain_.joints.size(); ++link) {
-    actors_.push_back(makeActor(meshOfLink(arm_.solids, link, armFinishes(theme_)), Kind::Solid));
+    actors_.push_back(makeActor(meshOfLink(arm_.solids, link, armFinishes(theme_)), PieceKind::Solid));
     vtkProperty& property = *actors_.back()->GetProperty();
     property.SetAmbient(kArmAmbient);
     property.SetDiffuse(kArmDiffuse);

@@ -57,11 +57,11 @@ void addDashes(Lines& lines, const Vec3& a_mm, const Vec3& b_mm, double dash_mm,
 }
 
 KinematicsPicture::KinematicsPicture()
-    : thin_actor_(makeActor(thin_.data(), Kind::Line)),
-      frame_actor_(makeActor(frame_.data(), Kind::Mark)),
-      mark_actor_(makeActor(mark_.data(), Kind::Mark)),
-      motion_actor_(makeActor(unitSphere(40, 20), Kind::Tint)),
-      force_actor_(makeActor(unitSphere(40, 20), Kind::Tint)) {
+    : thin_actor_(makeActor(thin_.data(), PieceKind::Line)),
+      frame_actor_(makeActor(frame_.data(), PieceKind::Mark)),
+      mark_actor_(makeActor(mark_.data(), PieceKind::Mark)),
+      motion_actor_(makeActor(unitSphere(40, 20), PieceKind::Tint)),
+      force_actor_(makeActor(unitSphere(40, 20), PieceKind::Tint)) {
   for (vtkActor* actor : {motion_actor_.Get(), force_actor_.Get()}) {
     actor->SetVisibility(false);
     actor->GetProperty()->SetOpacity(kEllipsoidOpacity);

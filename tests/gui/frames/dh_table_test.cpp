@@ -62,10 +62,10 @@ TEST(DhTable, TheMeasuresOfARowLeadFromTheFrameBeforeItToItsOwn) {
       EXPECT_EQ(measure.axis, measure.text.startsWith("θ") || measure.text.startsWith("d") ? 2 : 0);
       if (measure.turn_rad == 0.0) {
         EXPECT_TRUE(measure.p_W.isApprox(at_W, 1e-9)) << measure.text.toStdString();
-        at_W += measure.way_W;
+        at_W += measure.to_end_W;
         continue;
       }
-      const Vec3 leg_W = Eigen::AngleAxisd(measure.turn_rad, measure.axis_W) * measure.way_W.normalized();
+      const Vec3 leg_W = Eigen::AngleAxisd(measure.turn_rad, measure.axis_W) * measure.to_end_W.normalized();
       (measure.axis == 0 ? z_W : x_W) = leg_W;
     }
     EXPECT_TRUE(at_W.isApprox(frames[row + 1].translation(), 1e-9)) << row;
