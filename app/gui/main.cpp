@@ -16,6 +16,7 @@
 #include "app/gui/model/language.h"
 #include "app/gui/model/scene_library.h"
 #include "app/gui/model/simulated_host.h"
+#include "app/gui/view/film.h"
 #include "app/gui/view/gl_surface.h"
 #include "app/gui/view/picture.h"
 #include "app/gui/view/scene_view.h"
@@ -153,6 +154,17 @@ int run(int argc, char** argv) {
   QApplication::setWindowIcon(QIcon::fromTheme("underact"));  // if it is installed
   QApplication::setStyle(new FocusStyle);
   makeWidgetsAccessible();
+  if (!options.film.empty()) {
+    speak(chosenLanguage());
+    const QSize size = filmSize(options.film_size);
+    if (size.isEmpty()) {
+      std::fputs("--size needs two even numbers from 64 to 4096, as 1280x720.\n", stderr);
+      return 2;
+    }
+    const int exit = makeFilm({options.film, options.out, options.film_hand, options.film_seconds, options.film_speed,
+                               options.film_fps, size, options.overwrite, options.progress_lines});
+    return hasOpenGl() || exit == 2 ? exit : endWithoutOpenGl();
+  }
   // Pictures are for the guide.
   speak(options.picture.empty() && options.small_pictures.empty() ? chosenLanguage() : "en");
   if (!options.picture.empty() || !options.small_pictures.empty()) {

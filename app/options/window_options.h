@@ -12,7 +12,12 @@ namespace underact::options {
 struct WindowOptions {
   std::string scene;    // to open, or a recorded session; empty: the last one, or the sphere
   std::string picture;  // a scene to draw into out, without a window
+  std::string film;     // a scene or session to film into out, without a window
   std::string out;
+  std::string film_size = "1280x720", film_hand = "sweep";
+  int film_fps = 30;
+  double film_seconds = 10.0, film_speed = 1.0;
+  bool overwrite = false, progress_lines = false;
   std::string small_pictures;  // a folder for those in the list of scenes
   bool visitors = false;       // visitor mode, with those scenes; none: those chosen last
   std::vector<std::string> visitor_scenes;

@@ -9307,6 +9307,18 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>„%1“ wurde nicht geöffnet. Szene und Arm sind unverändert.</translation>
     </message>
     <message>
+        <source>Interrupted: no film was written.</source>
+        <translation>Unterbrochen: Es wurde kein Film geschrieben.</translation>
+    </message>
+    <message>
+        <source>A film is a file.webm, file.mp4 or file.gif.</source>
+        <translation>Ein Film ist eine Datei.webm, Datei.mp4 oder Datei.gif.</translation>
+    </message>
+    <message>
+        <source>%1 exists. --overwrite replaces it.</source>
+        <translation>%1 gibt es schon. --overwrite ersetzt es.</translation>
+    </message>
+    <message>
         <source>&amp;Keep holding</source>
         <translation>&amp;Weiter festhalten</translation>
     </message>
@@ -11748,6 +11760,76 @@ und %2 weitere</translation>
     <message>
         <source>The figures were not made. %1</source>
         <translation>Die Abbildungen wurden nicht erstellt. %1</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::FilmEncoder</name>
+    <message>
+        <source>The program ffmpeg, which encodes films, was not found. Install it (Debian: apt install ffmpeg).</source>
+        <translation>Das Programm ffmpeg, das Filme kodiert, wurde nicht gefunden. Installieren Sie es (Debian: apt install ffmpeg).</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 kann nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>ffmpeg has ended before the film did.</source>
+        <translation>ffmpeg hat vor dem Film geendet.</translation>
+    </message>
+    <message>
+        <source>ffmpeg says: %1</source>
+        <translation>ffmpeg sagt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::FilmTool</name>
+    <message>
+        <source>Fil&amp;m…</source>
+        <translation>Fil&amp;m …</translation>
+    </message>
+    <message>
+        <source>Saves a film of the scene in a scripted hand, or of the open session.</source>
+        <translation>Speichert einen Film der Szene in einer vorgegebenen Hand oder der offenen Sitzung.</translation>
+    </message>
+    <message>
+        <source>A film is being made.</source>
+        <translation>Ein Film entsteht gerade.</translation>
+    </message>
+    <message>
+        <source>Save the film</source>
+        <translation>Film speichern</translation>
+    </message>
+    <message>
+        <source>Films (*.webm *.mp4 *.gif)</source>
+        <translation>Filme (*.webm *.mp4 *.gif)</translation>
+    </message>
+    <message>
+        <source>Save the scene first: a film shows the scene's file.</source>
+        <translation>Speichern Sie zuerst die Szene: Ein Film zeigt die Datei der Szene.</translation>
+    </message>
+    <message>
+        <source>Filming %1</source>
+        <translation>%1 wird gefilmt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Progress of the film</source>
+        <translation>Fortschritt des Films</translation>
+    </message>
+    <message>
+        <source>Film saved as %1.</source>
+        <translation>Film als %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>The film was not made.</source>
+        <translation>Der Film ist nicht entstanden.</translation>
     </message>
 </context>
 <context>

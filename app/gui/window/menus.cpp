@@ -156,8 +156,8 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent, cons
   fill(named(view->addMenu(tr("L&ayers")), "menu.layers"), layerNames());
   fill(named(view->addMenu(tr("T&heme")), "menu.theme"), {"view.theme.system", "view.theme.light", "view.theme.dark"});
   fill(named(view->addMenu(tr("Lan&guage")), "menu.language"), {"language.system", "language.en", "language.de"});
-  fill(view, {"-", "compare.on", "compare.swap", "compare.same", "compare.open", "-", "view.projector", "visitor.start",
-              "visitor.demonstrator"});
+  fill(view, {"-", "compare.on", "compare.swap", "compare.same", "compare.open", "-", "view.film", "view.projector",
+              "visitor.start", "visitor.demonstrator"});
   QMenu* const sessions = fill(named(new QMenu(tr("Sessio&ns"), bar), "menu.sessions"),
                                {"session.record", "session.mark", "-", "sessions.find", "sessions.export",
                                 "sessions.plots", "sessions.follow", "sessions.rerun", "sessions.show", "sessions.edit",
