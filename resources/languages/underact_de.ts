@@ -9319,6 +9319,22 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>%1 gibt es schon. --overwrite ersetzt es.</translation>
     </message>
     <message>
+        <source>The program ffmpeg, which encodes films, was not found. Install it (Debian: apt install ffmpeg).</source>
+        <translation>Das Programm ffmpeg, das Filme kodiert, wurde nicht gefunden. Installieren Sie es (Debian: apt install ffmpeg).</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 kann nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>ffmpeg has ended before the film did.</source>
+        <translation>ffmpeg hat vor dem Film geendet.</translation>
+    </message>
+    <message>
+        <source>ffmpeg says: %1</source>
+        <translation>ffmpeg sagt: %1</translation>
+    </message>
+    <message>
         <source>&amp;Keep holding</source>
         <translation>&amp;Weiter festhalten</translation>
     </message>
@@ -11760,25 +11776,6 @@ und %2 weitere</translation>
     <message>
         <source>The figures were not made. %1</source>
         <translation>Die Abbildungen wurden nicht erstellt. %1</translation>
-    </message>
-</context>
-<context>
-    <name>underact::gui::FilmEncoder</name>
-    <message>
-        <source>The program ffmpeg, which encodes films, was not found. Install it (Debian: apt install ffmpeg).</source>
-        <translation>Das Programm ffmpeg, das Filme kodiert, wurde nicht gefunden. Installieren Sie es (Debian: apt install ffmpeg).</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2.</source>
-        <translation>%1 kann nicht geschrieben werden: %2.</translation>
-    </message>
-    <message>
-        <source>ffmpeg has ended before the film did.</source>
-        <translation>ffmpeg hat vor dem Film geendet.</translation>
-    </message>
-    <message>
-        <source>ffmpeg says: %1</source>
-        <translation>ffmpeg sagt: %1</translation>
     </message>
 </context>
 <context>

@@ -27,6 +27,20 @@ const QHash<QString, QStringList>& formats() {
   return kAll;
 }
 
+QString missing() {
+  return tr("The program ffmpeg, which encodes films, was not found. Install it (Debian: apt install ffmpeg).");
+}
+
+QString unwritable(const QString& out, const std::error_code& error) {
+  return tr("%1 cannot be written: %2.").arg(out, QString::fromStdString(error.message()));
+}
+
+QString failed(QProcess& process) {
+  process.waitForFinished(1000);
+  const QString last = QString::fromLocal8Bit(process.readAll()).trimmed().section('\n', -1);
+  return last.isEmpty() ? tr("ffmpeg has ended before the film did.") : tr("ffmpeg says: %1").arg(last);
+}
+
 }  // namespace
 
 bool isFilmName(const QString& out) {
@@ -50,7 +64,7 @@ QString FilmEncoder::begin(const QString& out, const QSize& size, int fps) {
   process_.setProcessChannelMode(QProcess::MergedChannels);
   process_.start("ffmpeg", words);
   if (process_.waitForStarted(kStart_ms)) return {};
-  return tr("The program ffmpeg, which encodes films, was not found. Install it (Debian: apt install ffmpeg).");
+  return missing();
 }
 
 QString FilmEncoder::add(const QImage& picture) {
@@ -58,7 +72,7 @@ QString FilmEncoder::add(const QImage& picture) {
   for (int row = 0; row < rgb.height(); ++row)  // without what pads the rows of an image
     process_.write(reinterpret_cast<const char*>(rgb.constScanLine(row)), qint64{3} * rgb.width());
   while (process_.bytesToWrite() > 0) {
-    if (!process_.waitForBytesWritten(kPicture_ms)) return failed();
+    if (!process_.waitForBytesWritten(kPicture_ms)) return failed(process_);
   }
   return {};
 }
@@ -66,18 +80,12 @@ QString FilmEncoder::add(const QImage& picture) {
 QString FilmEncoder::finish() {
   process_.closeWriteChannel();
   const bool has_ended = process_.waitForFinished(kFinish_ms);
-  if (!has_ended || process_.exitStatus() != QProcess::NormalExit || process_.exitCode() != 0) return failed();
+  if (!has_ended || process_.exitStatus() != QProcess::NormalExit || process_.exitCode() != 0) return failed(process_);
   std::error_code error;
   std::filesystem::rename(part_.toStdString(), out_.toStdString(), error);
-  if (error) return tr("%1 cannot be written: %2.").arg(out_, QString::fromStdString(error.message()));
+  if (error) return unwritable(out_, error);
   part_.clear();
   return {};
-}
-
-QString FilmEncoder::failed() {
-  process_.waitForFinished(1000);
-  const QString last = QString::fromLocal8Bit(process_.readAll()).trimmed().section('\n', -1);
-  return last.isEmpty() ? tr("ffmpeg has ended before the film did.") : tr("ffmpeg says: %1").arg(last);
 }
 
 }  // namespace underact::gui

@@ -20,8 +20,6 @@ class FilmEncoder {
   QString finish();
 
  private:
-  QString failed();
-
   QProcess process_;
   QString out_, part_;
 };
