@@ -1358,8 +1358,8 @@ Grenze: %4 (%5).</translation>
         <translation>Kra&amp;ftellipsoid (f)</translation>
     </message>
     <message>
-        <source>The forces for joint torques of magnitude 0.05 N m, to the scale of the force arrow.</source>
-        <translation>Die Kräfte bei Gelenkdrehmomenten vom Betrag 0,05 N m, im Maßstab des Kraftpfeils.</translation>
+        <source>The forces for joint torques of one magnitude, which the panel Kinematics names, to the scale of the force arrow.</source>
+        <translation>Die Kräfte bei Gelenkdrehmomenten von einem Betrag, den das Panel Kinematik nennt, im Maßstab des Kraftpfeils.</translation>
     </message>
     <message>
         <source>Mes&amp;h: triangles</source>
@@ -12818,8 +12818,8 @@ und %2 weitere</translation>
         <translation>%1, in der Ansicht</translation>
     </message>
     <message>
-        <source>v: displacement of the tip for 0.25 rad of joint rotation. f: force for 0.05 N m.</source>
-        <translation>v: Weg der Spitze bei 0,25 rad Gelenkdrehung. f: Kraft bei 0,05 N m.</translation>
+        <source>v: displacement of the tip for 0.25 rad of joint rotation. f: force for %1 N m.</source>
+        <translation>v: Weg der Spitze bei 0,25 rad Gelenkdrehung. f: Kraft bei %1 N m.</translation>
     </message>
     <message>
         <source>The replay moves the arm. Close the session to use the sliders.</source>

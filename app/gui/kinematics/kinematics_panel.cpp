@@ -12,6 +12,7 @@
 #include "app/gui/kinematics/sections.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/message_label.h"
+#include "app/gui/kit/number_box.h"
 #include "app/gui/kit/number_table.h"
 #include "app/gui/kit/panel_scroll.h"
 #include "app/gui/model/arm_choice.h"
@@ -97,9 +98,7 @@ void KinematicsPanel::buildSwitches(QVBoxLayout* column) {
     grid->addWidget(box, index / 2, index % 2);
   }
   column->addLayout(grid);
-  column->addWidget(quietLabel("panel.kinematics.scale",
-                               tr("v: displacement of the tip for 0.25 rad of joint rotation. f: force for 0.05 N m."),
-                               this));
+  column->addWidget(scale_ = quietLabel("panel.kinematics.scale", QString(), this));
 }
 
 void KinematicsPanel::sceneOpened() {
@@ -125,6 +124,8 @@ void KinematicsPanel::sceneOpened() {
 bool KinematicsPanel::showAll(bool on) {
   for (const char* layer : kLayers) parts_.actions.perform(layer, on);
   parts_.actions.perform("dock.kinematics", on);
+  scale_->setText(tr("v: displacement of the tip for 0.25 rad of joint rotation. f: force for %1 N m.")
+                      .arg(localNumber(ellipsoidTorque_N_m(preset_, model_), 'g', 3)));
   return true;
 }
 

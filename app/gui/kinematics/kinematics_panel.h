@@ -6,6 +6,7 @@
 #include "core/arm/model.h"
 #include "core/sim/hand.h"
 
+class QLabel;
 class QVBoxLayout;
 
 namespace underact::gui {
@@ -53,6 +54,7 @@ class KinematicsPanel : public Panel {
   DhSection* dh_ = nullptr;
   AnglesSection* angles_ = nullptr;
   JacobianSection* jacobian_ = nullptr;
+  QLabel* scale_ = nullptr;
 
   arm::Model model_;  // of the scene's arm
   arm::Preset preset_;
