@@ -12841,6 +12841,30 @@ und %2 weitere</translation>
         <translation>Wahlmöglichkeiten dieser Szene</translation>
     </message>
     <message>
+    <message>
+        <source>The encoder of joint %1 steps by %2°: that is as near as it comes.</source>
+        <translation>Der Encoder von Gelenk %1 hat Schritte von %2°: Näher kommt es nicht.</translation>
+    </message>
+    <message>
+        <source>The replay moves the arm. Close the session to move it here.</source>
+        <translation>Die Wiedergabe bewegt den Arm. Schließen Sie die Sitzung, um ihn hier zu bewegen.</translation>
+    </message>
+    <message>
+        <source>A real arm is moved by hand.</source>
+        <translation>Einen echten Arm bewegt die Hand.</translation>
+    </message>
+    <message>
+        <source>The servo is running. Press Stop (Esc) to move the arm.</source>
+        <translation>Der Servo läuft. Drücken Sie Stopp (Esc), um den Arm zu bewegen.</translation>
+    </message>
+    <message>
+        <source>Solution %1 does not exist here.</source>
+        <translation>Lösung %1 gibt es hier nicht.</translation>
+    </message>
+    <message>
+        <source>Solution %1 is outside the joint limits.</source>
+        <translation>Lösung %1 liegt außerhalb der Gelenkgrenzen.</translation>
+    </message>
         <source>Predicted time of a tick</source>
         <translation>Vorhergesagte Dauer eines Takts</translation>
     </message>
@@ -15927,12 +15951,16 @@ und %2 weitere</translation>
         <translation>Alle Sätze von Gelenkwerten, die die jetzige Lage des Stifts ergeben; für einen Arm ohne geschlossene Form die, die eine Suche findet. Für einen haptischen Arm: Thesis, Gl. 3.11 bis 3.20 und Abbildung 3.4, mit ihren Errata.</translation>
     </message>
     <message>
-        <source>&amp;Go there</source>
-        <translation>&amp;Dorthin</translation>
+        <source>Show the &amp;way</source>
+        <translation>&amp;Weg zeigen</translation>
     </message>
     <message>
-        <source>Show &amp;none</source>
-        <translation>&amp;Keine zeigen</translation>
+        <source>Show none</source>
+        <translation>Keine zeigen</translation>
+    </message>
+    <message>
+        <source>Move the &amp;arm there</source>
+        <translation>&amp;Arm dorthin bewegen</translation>
     </message>
     <message>
         <source>Move the ghost to the selected solution</source>
@@ -15961,6 +15989,14 @@ und %2 weitere</translation>
     <message>
         <source>elbow</source>
         <translation>Ellbogen</translation>
+    </message>
+    <message>
+        <source>Move the arm to the selected solution</source>
+        <translation>Den Arm zur gewählten Lösung bewegen</translation>
+    </message>
+    <message>
+        <source>Moves the simulated arm from the current joint angles to the selected solution.</source>
+        <translation>Bewegt den simulierten Arm von den jetzigen Gelenkwinkeln zur gewählten Lösung.</translation>
     </message>
     <message>
         <source>wrist</source>

@@ -45,16 +45,22 @@ class KinematicsPanel : public Panel {
   bool showAll(bool on);
   bool isDue(const servo::Snapshot& snapshot);
   bool setJoint(int joint, double angle_deg, bool relative);
+  bool moveToSolution(int number);
+  void moveArm(const arm::JointAngles& q_rad);
+  void settleArm(std::int64_t now_ns);
+  bool leadsArm() const;
   bool showSolution(int number);
+  QString whyNotTo(int number) const;
+  QString whyNotAsTyped() const;
 
   Parts parts_;
+  QLabel* scale_ = nullptr;
   JointsSection* joints_ = nullptr;
   SingularitiesSection* singularities_ = nullptr;
   SolutionsSection* solutions_ = nullptr;
   DhSection* dh_ = nullptr;
   AnglesSection* angles_ = nullptr;
   JacobianSection* jacobian_ = nullptr;
-  QLabel* scale_ = nullptr;
 
   arm::Model model_;  // of the scene's arm
   arm::Preset preset_;
@@ -70,6 +76,8 @@ class KinematicsPanel : public Panel {
   // them, so steps from the actual angles would never add up.
   arm::JointAngles setpoint_rad_{};
   std::optional<sim::HandSetpoint> setpoint_;
+  bool is_settled_ = true;      // the arm stands where it was commanded to
+  std::int64_t rests_ns_ = -1;  // since when it has the angles of the last snapshot
 };
 
 }  // namespace underact::gui
