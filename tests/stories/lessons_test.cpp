@@ -207,8 +207,23 @@ TEST(LessonsStory, AfterALessonTheWindowIsAsBefore) {
   EXPECT_FALSE(story.perform("lesson.next"));
 }
 
-TEST(LessonsStory, EditsFromBeforeAreAskedAboutAndNotLost) {
+TEST(LessonsStory, TheGhostOfALessonDoesNotStayInTheNext) {
   Story story("02_sphere");
+  ASSERT_TRUE(story.perform("lesson.start", "04_inverse"));
+  story.settle();
+  story.run(300);
+  ASSERT_TRUE(story.perform("solution.show", 3));
+  ASSERT_TRUE(story.view().chosenSolution_rad().has_value());
+  ASSERT_TRUE(story.perform("lesson.start", "05_jacobian"));
+  story.settle();
+  story.run(300);
+  EXPECT_FALSE(story.view().chosenSolution_rad().has_value());
+}
+
+TEST(LessonsStory, EditsFromBeforeAreAskedAboutAndNotLost) {
+  QFile shipped(shippedScene("02_sphere"));
+  ASSERT_TRUE(shipped.open(QIODevice::ReadOnly));
+  Story story(temporaryFile("own_sphere.json", shipped.readAll()));  // of one that ships nobody is asked
   story.perform("gains.set", "kp", "x", 0.7);
   answerUnsaved(QMessageBox::Cancel);
   EXPECT_FALSE(story.perform("lesson.start", "06_statics"));

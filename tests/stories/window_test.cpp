@@ -5,8 +5,11 @@
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QHash>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
@@ -17,6 +20,7 @@
 #include <QSettings>
 #include <QTabBar>
 
+#include "tests/stories/language_desk.h"
 #include "tests/stories/story.h"
 
 namespace underact::gui::test {
@@ -151,6 +155,22 @@ TEST(WindowStory, LayoutThemeLayersAndFilesAreRememberedAndResetPutsThePanelsBac
   story.perform("layout.reset");
   EXPECT_FALSE(story.find("dock.shape")->isVisible());
   EXPECT_TRUE(story.find("dock.scenes")->isVisible());
+}
+
+TEST(WindowStory, InverseSolutionsBelongToASceneAndAreGoneWithItWithTheLayoutAndAfterARestart) {
+  {
+    Story story("02_sphere");
+    ASSERT_TRUE(story.perform("layer.ghosts", true));
+    ASSERT_TRUE(story.perform("scene.open", shippedScene("04_plane")));
+    EXPECT_FALSE(story.view().layers().ghosts);
+    EXPECT_FALSE(story.window().actions().find("layer.ghosts")->isChecked());
+    ASSERT_TRUE(story.perform("layer.ghosts", true));
+    ASSERT_TRUE(story.perform("layout.reset"));
+    EXPECT_FALSE(story.view().layers().ghosts);
+    ASSERT_TRUE(story.perform("layer.ghosts", true));
+  }
+  Story again({}, {.first_start = false});
+  EXPECT_FALSE(again.view().layers().ghosts);
 }
 
 TEST(WindowStory, SettingsOfANewerProgramAreSaidToBeAndLeftAsTheyAre) {

@@ -115,4 +115,5 @@ void addWindowActions(const FeatureParts& parts, const std::vector<FeatureRow>& 
       });
 }
 
+        actions.perform("layer.ghosts", false);
 }  // namespace underact::gui
