@@ -108,7 +108,7 @@ bool SceneFiles::put(scene::Description scene) {
     problems_->show(path, problems);
     return false;
   }
-  problems_->hide();
+  closeProblems();
   if (!path.isEmpty() && !isShipped(path)) recent_.add(path);
   return true;
 }
