@@ -154,6 +154,14 @@ TEST(MeshStory, WhatWasSaidOfAFileThatFailedGoesWithTheNextOne) {
   EXPECT_FALSE(story.find("dialog.problems")->isVisible());
 }
 
+TEST(MeshStory, TheHintOfWhatThePointerWasOverIsGoneAfterADrop) {
+  Story story("02_sphere");
+  story.moveTo(story.find("panel.feel.button.edit.redo"), QPoint(8, 8));
+  ASSERT_FALSE(story.find<QLabel>("status.tip")->text().isEmpty());
+  drop(story, shippedScene("04_plane"));
+  EXPECT_EQ(story.find<QLabel>("status.tip")->text(), QString());
+}
+
 TEST(MeshStory, ABigOneLoadsWhileTheServoRunsIsCancelledAndIsDrawnCoarser) {
   constexpr int kSectors = 560, kRings = 280;  // 312 480 triangles
   const QString path = temporaryFile("big.stl", ballStl(kRadius_mm, Vec3::Zero(), kSectors, kRings));

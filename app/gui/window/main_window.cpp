@@ -157,6 +157,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
   if (services_.actions->isLocked()) return;
   event->acceptProposedAction();
+  services_.status->setTip({});  // the pointer came without leaving what it was over
   services_.actions->perform("scene.open", event->mimeData()->urls().first().toLocalFile());
 }
 
