@@ -9536,6 +9536,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Szene gespeichert als %1.</translation>
     </message>
     <message>
+        <source>Tuned as you left it. Undo (Ctrl+Z) brings the scene back as it came.</source>
+        <translation>Eingestellt wie zuletzt. Rückgängig (Strg+Z) stellt die Szene wieder her, wie sie kam.</translation>
+    </message>
+    <message>
         <source>&amp;Open file…</source>
         <translation>&amp;Datei öffnen …</translation>
     </message>
@@ -11189,6 +11193,10 @@ und %2 weitere</translation>
 </context>
 <context>
     <name>underact::gui::Document</name>
+    <message>
+        <source>tuning of last time</source>
+        <translation>Einstellung vom letzten Mal</translation>
+    </message>
     <message>
         <source>edits</source>
         <translation>Änderungen</translation>

@@ -140,9 +140,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
   for (ServoListener* listener : listeners_) listener->leave();
   if (!services_.files->settleEdits()) return event->ignore();
+  const bool shows_another = services_.document->showsRecorded();
   for (ServoListener* listener : listeners_) listener->finish();
   services_.player->close();
-  if (!services_.files->settleEdits()) return event->ignore();  // edits from before the replay
+  if (shows_another && !services_.files->settleEdits()) return event->ignore();  // edits from before the replay
   given_.host.stop();
   services_.second->setOn(false);
   remember();
@@ -156,8 +157,8 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
   if (services_.actions->isLocked()) return;
-  event->acceptProposedAction();
   services_.status->setTip({});  // the pointer came without leaving what it was over
+  event->acceptProposedAction();
   services_.actions->perform("scene.open", event->mimeData()->urls().first().toLocalFile());
 }
 
