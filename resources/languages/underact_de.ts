@@ -15803,6 +15803,10 @@ und %2 weitere</translation>
         <translation>Aufzeichnung gespeichert: %1 (%2)</translation>
     </message>
     <message>
+        <source>The recording %1 was cut off. Press Show to recover it.</source>
+        <translation>Die Aufzeichnung %1 brach ab. Mit „Zeigen“ können Sie sie retten.</translation>
+    </message>
+    <message>
         <source>&amp;Record</source>
         <translation>&amp;Aufzeichnen</translation>
     </message>
