@@ -173,6 +173,17 @@ TEST(WindowStory, InverseSolutionsBelongToASceneAndAreGoneWithItWithTheLayoutAnd
   EXPECT_FALSE(again.view().layers().ghosts);
 }
 
+TEST(WindowStory, TheFocusIsSeenOnStop) {
+  Story story("02_sphere");
+  QWidget* const stop = story.find("button.session.stop");
+  story.view().setFocus();
+  story.settle();
+  const QImage without = stop->grab().toImage();
+  stop->setFocus(Qt::TabFocusReason);
+  story.settle();
+  EXPECT_NE(stop->grab().toImage(), without);
+}
+
 TEST(WindowStory, SettingsOfANewerProgramAreSaidToBeAndLeftAsTheyAre) {
   {
     Story older("04_plane");  // without a version, as the first release wrote them
