@@ -207,6 +207,23 @@ TEST(LessonsStory, AfterALessonTheWindowIsAsBefore) {
   EXPECT_FALSE(story.perform("lesson.next"));
 }
 
+TEST(LessonsStory, TheKeyboardBeginsWithTheTextAndNotWithBack) {
+  Story story("02_sphere");
+  ASSERT_TRUE(story.perform("dock.lessons", true));
+  auto* const list = story.find<QListWidget>("panel.lessons.list");
+  list->setFocus(Qt::TabFocusReason);
+  ASSERT_TRUE(story.perform("lesson.start", "04_inverse"));
+  story.settle();
+  EXPECT_TRUE(story.find("panel.lessons.text")->hasFocus()) << QApplication::focusWidget()->objectName().toStdString();
+  while (story.perform("lesson.next")) {
+    EXPECT_FALSE(story.find("panel.lesson.back")->hasFocus());
+    auto* const number = story.window().findChild<QWidget*>("panel.lessons.check1.number");
+    (number != nullptr ? number : story.find("panel.lesson.next"))->setFocus(Qt::TabFocusReason);
+  }
+  story.settle();
+  EXPECT_FALSE(story.find("panel.lesson.back")->hasFocus());
+}
+
 TEST(LessonsStory, TheGhostOfALessonDoesNotStayInTheNext) {
   Story story("02_sphere");
   ASSERT_TRUE(story.perform("lesson.start", "04_inverse"));
