@@ -282,6 +282,24 @@ TEST(SceneView, AHandThatOnlyTurnsIsLooseUnlessItKeepsHoldingOrHasMoved) {
   EXPECT_TRUE(holds.back()) << "moved first, then turned";
 }
 
+TEST(SceneView, TheStylusIsGrabbedFifteenPixelsBesideItAndByItsGimbal) {
+  Shown shown(sceneOf(kSphere));
+  const servo::Snapshot snapshot = snapshotAt(kTipInFront, kTipInFront, kNoForce);
+  shown.view.present(snapshot);
+  QSignalSpy grabbed(&shown.view, &SceneView::handGrabbed);
+  const QPointF tip = shown.view.screenOf(kTipInFront);
+  const Mat3 R_WT = arm::tipPose(preset().geometry, snapshot.report.sample.q_rad).linear();
+  const QPointF body = shown.view.screenOf(kTipInFront + 0.05 * R_WT.col(2));
+  const QPointF along = body - tip;
+  const QPointF aside = QPointF(-along.y(), along.x()) / std::hypot(along.x(), along.y());
+  int places = 0;
+  for (const QPointF& place :
+       {tip + 15.0 * aside, body - 15.0 * aside, tip - 0.5 * along / std::hypot(along.x(), along.y()) * 28.0}) {
+    shown.drag(place, place + QPointF(4, 0));
+    EXPECT_EQ(grabbed.count(), ++places);
+  }
+}
+
 TEST(SceneView, ThePointerShowsWhatItCanGrab) {
   Shown shown(sceneOf(kSphere));
   shown.view.present(snapshotAt(kTipInFront, kTipInFront, kNoForce));
