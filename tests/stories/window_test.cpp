@@ -221,6 +221,21 @@ TEST(WindowStory, NothingIsCutAtTheSmallestUsableSize) {
   }
 }
 
+TEST(WindowStory, AtTheSmallestSizeAllButtonsOfTheToolBarAndTheFieldsOfFeelAreInTheWindow) {
+  Story story("14_circle_influence", {.size = QSize(800, 560)});
+  story.settle(200);
+  ASSERT_EQ(story.window().size(), QSize(800, 560));
+  for (const char* part : {"toolbar", "panel.feel"}) {
+    for (QWidget* widget : story.find(part)->findChildren<QWidget*>()) {
+      if (!widget->isVisible() || widget->objectName().startsWith("qt_") || widget->objectName().isEmpty()) continue;
+      const int right = widget->mapTo(&story.window(), QPoint(widget->width(), 0)).x();
+      EXPECT_LE(right, story.window().width()) << widget->objectName().toStdString();
+    }
+  }
+  for (const char* button : {"button.help.guide", "button.dock.lessons", "button.session.record"})
+    EXPECT_TRUE(story.find(button)->isVisible()) << button;
+}
+
 TEST(WindowStory, WhatAStoryHoldsBackIsPaintedWhenItWaitsOrASecondHasPassed) {
   Story story("02_sphere");
   const auto moveAndRun = [&story](double x_m, int ticks) {
