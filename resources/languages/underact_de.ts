@@ -8496,20 +8496,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Kurve</translation>
     </message>
     <message>
-        <source>Point</source>
-        <translation>Punkt</translation>
-    </message>
-    <message>
-        <source>Position</source>
-        <translation>Position</translation>
-    </message>
-    <message>
         <source>Centre</source>
         <translation>Mittelpunkt</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>Radius</translation>
     </message>
     <message>
         <source>Through</source>
@@ -8520,8 +8508,20 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Normale</translation>
     </message>
     <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
         <source>x axis</source>
         <translation>x-Achse</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
     </message>
     <message>
         <source>Sphere</source>
@@ -9501,7 +9501,7 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     </message>
     <message>
         <source>&amp;Layout</source>
-        <translation>La&amp;yout</translation>
+        <translation>Layo&amp;ut</translation>
     </message>
     <message>
         <source>&amp;Panels</source>
@@ -11750,7 +11750,7 @@ und %2 weitere</translation>
     <name>underact::gui::GainSection</name>
     <message>
         <source>L&amp;ink x, y and z</source>
-        <translation>x, y, z &amp;koppeln</translation>
+        <translation>x, y, z k&amp;oppeln</translation>
     </message>
     <message>
         <source>Link x, y and z</source>
@@ -11762,7 +11762,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>L&amp;ink q1, q2 and q3</source>
-        <translation>q1, q2, q3 &amp;koppeln</translation>
+        <translation>q1, q2, q3 k&amp;oppeln</translation>
     </message>
 </context>
 <context>
@@ -12841,14 +12841,6 @@ und %2 weitere</translation>
         <source>The servo is running. Press Stop (Esc) to move the arm with the sliders.</source>
         <translation>Der Servo läuft. Drücken Sie Stopp (Esc), um den Arm mit den Schiebereglern zu bewegen.</translation>
     </message>
-</context>
-<context>
-    <name>underact::gui::LabPanel</name>
-    <message>
-        <source>Choices of this scene</source>
-        <translation>Wahlmöglichkeiten dieser Szene</translation>
-    </message>
-    <message>
     <message>
         <source>The encoder of joint %1 steps by %2°: that is as near as it comes.</source>
         <translation>Der Encoder von Gelenk %1 hat Schritte von %2°: Näher kommt es nicht.</translation>
@@ -12873,6 +12865,14 @@ und %2 weitere</translation>
         <source>Solution %1 is outside the joint limits.</source>
         <translation>Lösung %1 liegt außerhalb der Gelenkgrenzen.</translation>
     </message>
+</context>
+<context>
+    <name>underact::gui::LabPanel</name>
+    <message>
+        <source>Choices of this scene</source>
+        <translation>Wahlmöglichkeiten dieser Szene</translation>
+    </message>
+    <message>
         <source>Predicted time of a tick</source>
         <translation>Vorhergesagte Dauer eines Takts</translation>
     </message>
@@ -15991,6 +15991,14 @@ und %2 weitere</translation>
         <translation>Entfernt das Geisterbild der gewählten Lösung.</translation>
     </message>
     <message>
+        <source>Move the arm to the selected solution</source>
+        <translation>Den Arm zur gewählten Lösung bewegen</translation>
+    </message>
+    <message>
+        <source>Moves the simulated arm from the current joint angles to the selected solution.</source>
+        <translation>Bewegt den simulierten Arm von den jetzigen Gelenkwinkeln zur gewählten Lösung.</translation>
+    </message>
+    <message>
         <source>no.</source>
         <translation>Nr.</translation>
     </message>
@@ -16001,14 +16009,6 @@ und %2 weitere</translation>
     <message>
         <source>elbow</source>
         <translation>Ellbogen</translation>
-    </message>
-    <message>
-        <source>Move the arm to the selected solution</source>
-        <translation>Den Arm zur gewählten Lösung bewegen</translation>
-    </message>
-    <message>
-        <source>Moves the simulated arm from the current joint angles to the selected solution.</source>
-        <translation>Bewegt den simulierten Arm von den jetzigen Gelenkwinkeln zur gewählten Lösung.</translation>
     </message>
     <message>
         <source>wrist</source>

@@ -173,6 +173,41 @@ TEST(WindowStory, InverseSolutionsBelongToASceneAndAreGoneWithItWithTheLayoutAnd
   EXPECT_FALSE(again.view().layers().ghosts);
 }
 
+/// The letters that Alt opens a menu or does something else with, and what in the panels takes one of them, too.
+QStringList takenTwice(Story& story) {
+  QHash<QKeySequence, QString> taken;
+  QStringList wrong;
+  for (const QAction* menu : story.window().menuBar()->actions())
+    taken.insert(QKeySequence::mnemonic(menu->text()), menu->text());
+  for (const QAction* action : story.window().findChildren<QAction*>()) {
+    if (!action->shortcut().toString().startsWith("Alt+")) continue;
+    if (taken.contains(action->shortcut())) wrong << action->objectName() + " and " + taken.value(action->shortcut());
+    taken.insert(action->shortcut(), action->objectName());
+  }
+  for (const QWidget* widget : story.window().findChildren<QWidget*>()) {
+    const auto* const label = qobject_cast<const QLabel*>(widget);
+    const auto* const button = qobject_cast<const QAbstractButton*>(widget);
+    const QKeySequence key = label != nullptr && label->buddy() != nullptr ? QKeySequence::mnemonic(label->text())
+                             : button != nullptr                           ? button->shortcut()
+                                                                           : QKeySequence();
+    if (!key.isEmpty() && taken.contains(key))
+      wrong << widget->objectName() + ": " + key.toString() + " of " + taken.value(key);
+  }
+  return wrong;
+}
+
+TEST(WindowStory, NoLetterInAPanelTakesTheKeyOfAMenuOrOfAnAction) {
+  {
+    Story story("02_sphere");
+    EXPECT_TRUE(takenTwice(story).isEmpty()) << takenTwice(story).join("\n").toStdString();
+    story.key(Qt::Key_C, Qt::AltModifier);
+    EXPECT_TRUE(story.view().layers().section);
+  }
+  const German german;
+  Story story("02_sphere");
+  EXPECT_TRUE(takenTwice(story).isEmpty()) << takenTwice(story).join("\n").toStdString();
+}
+
 TEST(WindowStory, TheFocusIsSeenOnStop) {
   Story story("02_sphere");
   QWidget* const stop = story.find("button.session.stop");
