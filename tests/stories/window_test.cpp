@@ -208,6 +208,32 @@ TEST(WindowStory, NoLetterInAPanelTakesTheKeyOfAMenuOrOfAnAction) {
   EXPECT_TRUE(takenTwice(story).isEmpty()) << takenTwice(story).join("\n").toStdString();
 }
 
+TEST(WindowStory, TabGoesOnThroughTabbedPanelsAndRoundAgain) {
+  Story story("02_sphere");
+  for (const char* dock : {"dock.kinematics", "dock.robot", "dock.sessions", "dock.servo", "dock.lab"})
+    story.perform(dock, true);
+  for (const char* dock : {"dock.shape", "dock.arm", "dock.devices"}) {
+    story.window().tabifyDockWidget(story.find<QDockWidget>("dock.feel"), story.find<QDockWidget>(dock));
+    story.find(dock)->show();
+  }
+  story.find("dock.feel")->raise();
+  story.settle();
+  QWidget* const save = story.find("panel.feel.button.scene.save_as");
+  save->setFocus(Qt::TabFocusReason);
+  QSet<QWidget*> seen;
+  QWidget* last = nullptr;
+  for (int tabs = 0; tabs < 400 && !seen.contains(QApplication::focusWidget()); ++tabs) {
+    last = QApplication::focusWidget();
+    ASSERT_NE(last, nullptr);
+    ASSERT_TRUE(last->isVisible());
+    seen.insert(last);
+    story.key(Qt::Key_Tab);
+    ASSERT_NE(QApplication::focusWidget(), last) << last->objectName().toStdString() << " keeps the focus";
+  }
+  EXPECT_TRUE(seen.contains(story.find("button.session.start"))) << last->objectName().toStdString();
+  EXPECT_EQ(QApplication::focusWidget(), save) << "it goes round";
+}
+
 TEST(WindowStory, TheFocusIsSeenOnStop) {
   Story story("02_sphere");
   QWidget* const stop = story.find("button.session.stop");
@@ -217,6 +243,23 @@ TEST(WindowStory, TheFocusIsSeenOnStop) {
   stop->setFocus(Qt::TabFocusReason);
   story.settle();
   EXPECT_NE(stop->grab().toImage(), without);
+}
+
+TEST(WindowStory, AfterARestartWhileMaximisedTheNormalSizeIsTheOneFromBefore) {
+  QSize normal;
+  {
+    Story story("02_sphere", {.size = QSize(1100, 700)});
+    normal = story.window().normalGeometry().size();
+    story.window().showMaximized();
+    story.settle(200);
+    story.window().document().undoStack().setClean();
+    story.window().close();
+  }
+  for (int restart = 0; restart < 2; ++restart) {
+    Story story("02_sphere", {.first_start = false});
+    EXPECT_TRUE(story.window().isMaximized());
+    EXPECT_EQ(story.window().normalGeometry().size(), normal) << restart;
+  }
 }
 
 TEST(WindowStory, SettingsOfANewerProgramAreSaidToBeAndLeftAsTheyAre) {
