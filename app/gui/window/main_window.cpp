@@ -27,6 +27,11 @@
 #include "app/gui/window/window_watch.h"
 
 namespace underact::gui {
+namespace {
+
+constexpr int kNarrow_px = 900;
+
+}  // namespace
 
 /// Also for a window that was never closed: features end while everything they restore still exists.
 MainWindow::~MainWindow() {
@@ -121,6 +126,8 @@ bool MainWindow::event(QEvent* event) {
       bar->setElideMode(Qt::ElideNone);  // scroll many tabs rather than shorten them to "S…"
     }
   }
+  // In the smallest window the view gives up what its panels need to be seen whole.
+  if (event->type() == QEvent::Resize) services_.view->setMinimumWidth(width() < kNarrow_px ? 300 : 320);
   if (event->type() == QEvent::WindowStateChange || event->type() == QEvent::Hide) {
     pacer_->setSeen(isVisible() && !isMinimized());
   }

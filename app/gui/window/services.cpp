@@ -65,7 +65,7 @@ Services::Services(const WindowParts& given, const Settings& settings, QMainWind
 
 /// The view, and the progress strips below it.
 void Services::buildMiddle() {
-  view->setMinimumSize(300, 240);  // with the panels beside it: 800
+  view->setMinimumSize(320, 240);
   middle = new QVBoxLayout(new QWidget(window));
   middle->setContentsMargins(0, 0, 0, 0);
   middle->setSpacing(0);
