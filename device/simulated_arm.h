@@ -65,7 +65,7 @@ class SimulatedArm final : public servo::DevicePort {
   /// that a jump of the mouse is not an infinite velocity; v_WT is not used. Any one thread, never blocks the
   /// servo; ends a script.
   void setSetpoint(const sim::HandSetpoint& setpoint);
-  /// The same for a hand that is told its places now and then, 10 or 1000 times a second: from one to the next it
+  /// Where a hand that is told its places now and then, 10 or 1000 times a second, wants to be: from one to the next it
   /// moves uniformly in 1.1 times what passed between the last two, so that one that comes a little late does not stop
   /// it; at most in kLongestGlide_ns.
   void glideTo(const sim::HandSetpoint& setpoint);

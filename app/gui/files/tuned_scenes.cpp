@@ -12,7 +12,7 @@
 namespace underact::gui::tuned_scenes {
 namespace {
 
-QString keyOf(const scene::Description& original) {
+QString tuningKey(const scene::Description& original) {
   return "tuned/" + QFileInfo(QString::fromStdString(original.file)).completeBaseName();
 }
 
@@ -24,13 +24,13 @@ QString textOf(const scene::Description& scene) {
 
 void keep(const scene::Description& original, const scene::Description& tuned) {
   if (scene::isSame(original, tuned))
-    QSettings().remove(keyOf(original));
+    QSettings().remove(tuningKey(original));
   else
-    QSettings().setValue(keyOf(original), QStringList{textOf(original), textOf(tuned)});
+    QSettings().setValue(tuningKey(original), QStringList{textOf(original), textOf(tuned)});
 }
 
 std::optional<scene::Description> of(const scene::Description& original) {
-  const QStringList texts = QSettings().value(keyOf(original)).toStringList();
+  const QStringList texts = QSettings().value(tuningKey(original)).toStringList();
   if (texts.size() != 2 || texts.front() != textOf(original)) return {};
   Result<scene::Description> read = scene::readScene(texts.back().toStdString(), original.file);
   if (!read) return {};
