@@ -210,8 +210,15 @@ TEST(LessonsStory, AfterALessonTheWindowIsAsBefore) {
 TEST(LessonsStory, TheKeyboardBeginsWithTheTextAndNotWithBack) {
   Story story("02_sphere");
   ASSERT_TRUE(story.perform("dock.lessons", true));
-  auto* const list = story.find<QListWidget>("panel.lessons.list");
-  list->setFocus(Qt::TabFocusReason);
+  for (const char* focus : {"panel.lessons.list", "panel.feel.law"}) {  // the second one goes with its panel
+    story.find(focus)->setFocus(Qt::TabFocusReason);
+    ASSERT_TRUE(story.perform("lesson.start", "01_frames"));
+    story.settle();
+    EXPECT_FALSE(story.find("panel.lesson.back")->hasFocus()) << focus;
+    ASSERT_TRUE(story.perform("lesson.leave"));
+    story.settle();
+  }
+  story.find("panel.lessons.list")->setFocus(Qt::TabFocusReason);
   ASSERT_TRUE(story.perform("lesson.start", "04_inverse"));
   story.settle();
   EXPECT_TRUE(story.find("panel.lessons.text")->hasFocus()) << QApplication::focusWidget()->objectName().toStdString();
