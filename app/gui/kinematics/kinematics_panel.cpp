@@ -32,7 +32,10 @@ namespace {
 constexpr const char* kLayers[] = {"layer.link_frames", "layer.ghosts", "layer.motion_ellipsoid",
                                    "layer.force_ellipsoid"};
 constexpr double kShown_rad = 0.05 * kRadPerDegree;  // half a digit of what is shown
-constexpr std::int64_t kRests_ns = 100'000'000;      // of servo time: the arm has come to rest
+constexpr double kStill_rad = 1e-5;                  // from one frame to the next
+constexpr std::int64_t kTravel_ns = 800'000'000;     // to a solution, as its ghost
+constexpr std::int64_t kLongestMotion_ns = 3'000'000'000;
+constexpr std::int64_t kRests_ns = 100'000'000;  // of servo time: the arm has come to rest
 
 }  // namespace
 
@@ -152,9 +155,12 @@ void KinematicsPanel::present(const servo::Snapshot& snapshot) {
   if (snapshot.ticks == 0 || !std::all_of(q_rad.begin(), q_rad.end(), [](double q) { return std::isfinite(q); })) {
     return;
   }
-  if (q_rad != q_rad_ || rests_ns_ < 0) rests_ns_ = snapshot.report.sample.time_ns;
+  const std::int64_t now_ns = snapshot.report.sample.time_ns;
+  const auto isStill = [](double before, double after) { return std::abs(after - before) < kStill_rad; };
+  if (rests_ns_ < 0 || !std::equal(q_rad.begin(), q_rad.end(), q_rad_.begin(), isStill)) rests_ns_ = now_ns;
   q_rad_ = q_rad;
-  settleArm(snapshot.report.sample.time_ns);
+  travel(now_ns);
+  settleArm(now_ns);
   if (!isSeen() || !isDue(snapshot)) return;
   const bool omni = arm::isOmniForm(preset_);
   const KinematicsNow now = kinematicsNow(preset_, model_, finder_, q_rad);
@@ -175,18 +181,23 @@ void KinematicsPanel::present(const servo::Snapshot& snapshot) {
   jacobian_->present(now);
 }
 
+bool KinematicsPanel::mayMove() const {
+  return parts_.arms.simulated() != nullptr && !parts_.player.isOpen() && mode_ == servo::Mode::Idle;
+}
+
 /// Whether the arm is still where it was commanded to, or on its way there.
 bool KinematicsPanel::leadsArm() const {
-  const device::SimulatedArm* const arm = parts_.arms.simulated();
-  if (arm == nullptr || !setpoint_ || parts_.player.isOpen() || mode_ != servo::Mode::Idle) return false;
-  const sim::HandSetpoint& last = arm->setpoint();
+  if (!mayMove() || !setpoint_ || travel_) return false;
+  const sim::HandSetpoint& last = parts_.arms.simulated()->setpoint();
   return last.p_WT == setpoint_->p_WT && last.R_WT == setpoint_->R_WT && last.turns &&
          last.posture == setpoint_->posture;
 }
 
 /// Friction stops the arm a little short of what was typed: once it rests it is put there.
 void KinematicsPanel::settleArm(std::int64_t now_ns) {
-  if (is_settled_ || !leadsArm() || now_ns - rests_ns_ < kRests_ns) return;
+  if (commanded_ns_ < 0) commanded_ns_ = now_ns;
+  const bool moves = now_ns - rests_ns_ < kRests_ns && now_ns - commanded_ns_ < kLongestMotion_ns;
+  if (is_settled_ || !leadsArm() || moves) return;
   is_settled_ = true;
   parts_.arms.simulated()->standAt(setpoint_rad_);
   parts_.arms.simulated()->setSetpoint(*setpoint_);
@@ -207,7 +218,8 @@ QString KinematicsPanel::whyNotAsTyped() const {
 }
 
 bool KinematicsPanel::setJoint(int joint, double angle_deg, bool relative) {
-  if (parts_.arms.simulated() == nullptr || parts_.player.isOpen() || mode_ != servo::Mode::Idle) return false;
+  if (!mayMove()) return false;
+  travel_.reset();
   arm::JointAngles q_rad = leadsArm() ? setpoint_rad_ : q_rad_;
   const auto index = static_cast<std::size_t>(joint);
   if (index >= model_.rows.size()) return false;
@@ -231,8 +243,22 @@ QString KinematicsPanel::whyNotTo(int number) const {
 
 bool KinematicsPanel::moveToSolution(int number) {
   if (!whyNotTo(number).isEmpty()) return false;
-  moveArm(solutions_->find(number)->q);
+  travel_ = Travel{q_rad_, solutions_->find(number)->q};
   return true;
+}
+
+/// A frame of the way to a solution: its joints move evenly, whatever their masses.
+void KinematicsPanel::travel(std::int64_t now_ns) {
+  if (!travel_) return;
+  if (!mayMove()) return travel_.reset();
+  if (travel_->began_ns < 0) travel_->began_ns = now_ns;
+  const double share = std::min(1.0, static_cast<double>(now_ns - travel_->began_ns) / static_cast<double>(kTravel_ns));
+  parts_.arms.simulated()->standAt(arm::interpolated(travel_->from, travel_->to, share));
+  if (share < 1.0) return;
+  const arm::JointAngles there = travel_->to;
+  travel_.reset();
+  moveArm(there);
+  is_settled_ = true;
 }
 
 void KinematicsPanel::moveArm(const arm::JointAngles& q_rad) {
@@ -243,7 +269,7 @@ void KinematicsPanel::moveArm(const arm::JointAngles& q_rad) {
   if (!arm::isOmniForm(preset_)) setpoint_->posture = setpoint_rad_;
   arm->setSetpoint(*setpoint_);
   is_settled_ = false;
-  rests_ns_ = -1;
+  rests_ns_ = commanded_ns_ = -1;
 }
 
 bool KinematicsPanel::showSolution(int number) {

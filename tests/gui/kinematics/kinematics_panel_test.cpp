@@ -119,7 +119,7 @@ TEST(KinematicsPanel, TheArmMovesToASolutionWhereItIsSimulatedAndElseIsToldWhyNo
   ASSERT_TRUE(desk.perform("solution.show", 3));
   ASSERT_TRUE(move->isEnabled());
   move->click();
-  desk.run(4000);
+  desk.run(1500);
   const arm::JointAngles q_rad = desk.host().snapshot().report.sample.q_rad;
   for (std::size_t joint = 0; joint < 6; ++joint)
     EXPECT_NEAR(std::remainder(q_rad[joint] - wanted[joint], 2.0 * kPi), 0.0, 2e-3) << joint;
