@@ -4,6 +4,7 @@
 #include <QSignalSpy>
 #include <cmath>
 
+#include "app/gui/view/arm_picture.h"
 #include "app/gui/view/gl_surface.h"
 #include "core/base/units.h"
 #include "core/scene/compile.h"
@@ -298,6 +299,25 @@ TEST(SceneView, TheStylusIsGrabbedFifteenPixelsBesideItAndByItsGimbal) {
     shown.drag(place, place + QPointF(4, 0));
     EXPECT_EQ(grabbed.count(), ++places);
   }
+}
+
+TEST(SceneView, EachPartOfTheGimbalIsGrabbedAndTheArmIsNot) {
+  Shown shown(sceneOf(kSphere));
+  const servo::Snapshot snapshot = snapshotAt(kTipInFront, kTipInFront, kNoForce);
+  shown.view.present(snapshot);
+  QSignalSpy grabbed(&shown.view, &SceneView::handGrabbed);
+  ArmPicture arm;
+  ASSERT_TRUE(arm.present(snapshot.report.sample.q_rad));
+  ASSERT_FALSE(arm.gimbalRods().empty());
+  int places = 0;
+  for (const ShadowRod& rod : arm.gimbalRods()) {
+    const QPointF place = shown.view.screenOf(0.5 * (rod.from_W + rod.to_W));
+    shown.drag(place, place + QPointF(4, 0));
+    EXPECT_EQ(grabbed.count(), ++places);
+  }
+  const QPointF elbow = shown.view.screenOf(arm::skeleton(preset().geometry, snapshot.report.sample.q_rad).p_WElbow);
+  shown.drag(elbow, elbow + QPointF(4, 0));
+  EXPECT_EQ(grabbed.count(), places);
 }
 
 TEST(SceneView, ThePointerShowsWhatItCanGrab) {
