@@ -1358,8 +1358,8 @@ Grenze: %4 (%5).</translation>
         <translation>Kra&amp;ftellipsoid (f)</translation>
     </message>
     <message>
-        <source>The forces for joint torques of magnitude 0.05 N m, to the scale of the force arrow.</source>
-        <translation>Die Kräfte bei Gelenkdrehmomenten vom Betrag 0,05 N m, im Maßstab des Kraftpfeils.</translation>
+        <source>The forces for joint torques of one magnitude, which the panel Kinematics names, to the scale of the force arrow.</source>
+        <translation>Die Kräfte bei Gelenkdrehmomenten von einem Betrag, den das Panel Kinematik nennt, im Maßstab des Kraftpfeils.</translation>
     </message>
     <message>
         <source>Mes&amp;h: triangles</source>
@@ -9603,6 +9603,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Szene gespeichert als %1.</translation>
     </message>
     <message>
+        <source>Tuned as you left it. Undo (Ctrl+Z) brings the scene back as it came.</source>
+        <translation>Eingestellt wie zuletzt. Rückgängig (Strg+Z) stellt die Szene wieder her, wie sie kam.</translation>
+    </message>
+    <message>
         <source>&amp;Open file…</source>
         <translation>&amp;Datei öffnen …</translation>
     </message>
@@ -11253,6 +11257,10 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::Document</name>
     <message>
+        <source>tuning of last time</source>
+        <translation>Einstellung vom letzten Mal</translation>
+    </message>
+    <message>
         <source>edits</source>
         <translation>Änderungen</translation>
     </message>
@@ -11856,7 +11864,7 @@ und %2 weitere</translation>
     <name>underact::gui::GainSection</name>
     <message>
         <source>L&amp;ink x, y and z</source>
-        <translation>x, y, z &amp;koppeln</translation>
+        <translation>x, y, z k&amp;oppeln</translation>
     </message>
     <message>
         <source>Link x, y and z</source>
@@ -11868,7 +11876,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>L&amp;ink q1, q2 and q3</source>
-        <translation>q1, q2, q3 &amp;koppeln</translation>
+        <translation>q1, q2, q3 k&amp;oppeln</translation>
     </message>
 </context>
 <context>
@@ -12932,8 +12940,8 @@ und %2 weitere</translation>
         <translation>%1, in der Ansicht</translation>
     </message>
     <message>
-        <source>v: displacement of the tip for 0.25 rad of joint rotation. f: force for 0.05 N m.</source>
-        <translation>v: Weg der Spitze bei 0,25 rad Gelenkdrehung. f: Kraft bei 0,05 N m.</translation>
+        <source>v: displacement of the tip for 0.25 rad of joint rotation. f: force for %1 N m.</source>
+        <translation>v: Weg der Spitze bei 0,25 rad Gelenkdrehung. f: Kraft bei %1 N m.</translation>
     </message>
     <message>
         <source>The replay moves the arm. Close the session to use the sliders.</source>
@@ -12946,6 +12954,30 @@ und %2 weitere</translation>
     <message>
         <source>The servo is running. Press Stop (Esc) to move the arm with the sliders.</source>
         <translation>Der Servo läuft. Drücken Sie Stopp (Esc), um den Arm mit den Schiebereglern zu bewegen.</translation>
+    </message>
+    <message>
+        <source>The encoder of joint %1 steps by %2°: that is as near as it comes.</source>
+        <translation>Der Encoder von Gelenk %1 hat Schritte von %2°: Näher kommt es nicht.</translation>
+    </message>
+    <message>
+        <source>The replay moves the arm. Close the session to move it here.</source>
+        <translation>Die Wiedergabe bewegt den Arm. Schließen Sie die Sitzung, um ihn hier zu bewegen.</translation>
+    </message>
+    <message>
+        <source>A real arm is moved by hand.</source>
+        <translation>Einen echten Arm bewegt die Hand.</translation>
+    </message>
+    <message>
+        <source>The servo is running. Press Stop (Esc) to move the arm.</source>
+        <translation>Der Servo läuft. Drücken Sie Stopp (Esc), um den Arm zu bewegen.</translation>
+    </message>
+    <message>
+        <source>Solution %1 does not exist here.</source>
+        <translation>Lösung %1 gibt es hier nicht.</translation>
+    </message>
+    <message>
+        <source>Solution %1 is outside the joint limits.</source>
+        <translation>Lösung %1 liegt außerhalb der Gelenkgrenzen.</translation>
     </message>
 </context>
 <context>
@@ -15944,6 +15976,10 @@ und %2 weitere</translation>
         <translation>Aufzeichnung gespeichert: %1 (%2)</translation>
     </message>
     <message>
+        <source>The recording %1 was cut off. Press Show to recover it.</source>
+        <translation>Die Aufzeichnung %1 brach ab. Mit „Zeigen“ können Sie sie retten.</translation>
+    </message>
+    <message>
         <source>&amp;Record</source>
         <translation>&amp;Aufzeichnen</translation>
     </message>
@@ -16100,12 +16136,16 @@ und %2 weitere</translation>
         <translation>Alle Sätze von Gelenkwerten, die die jetzige Lage des Stifts ergeben; für einen Arm ohne geschlossene Form die, die eine Suche findet. Für einen haptischen Arm: Thesis, Gl. 3.11 bis 3.20 und Abbildung 3.4, mit ihren Errata.</translation>
     </message>
     <message>
-        <source>&amp;Go there</source>
-        <translation>&amp;Dorthin</translation>
+        <source>Show the &amp;way</source>
+        <translation>&amp;Weg zeigen</translation>
     </message>
     <message>
-        <source>Show &amp;none</source>
-        <translation>&amp;Keine zeigen</translation>
+        <source>Show none</source>
+        <translation>Keine zeigen</translation>
+    </message>
+    <message>
+        <source>Move the &amp;arm there</source>
+        <translation>&amp;Arm dorthin bewegen</translation>
     </message>
     <message>
         <source>Move the ghost to the selected solution</source>
@@ -16122,6 +16162,14 @@ und %2 weitere</translation>
     <message>
         <source>Removes the ghost of the selected solution.</source>
         <translation>Entfernt das Geisterbild der gewählten Lösung.</translation>
+    </message>
+    <message>
+        <source>Move the arm to the selected solution</source>
+        <translation>Den Arm zur gewählten Lösung bewegen</translation>
+    </message>
+    <message>
+        <source>Moves the simulated arm from the current joint angles to the selected solution.</source>
+        <translation>Bewegt den simulierten Arm von den jetzigen Gelenkwinkeln zur gewählten Lösung.</translation>
     </message>
     <message>
         <source>no.</source>

@@ -25,6 +25,7 @@
 #include "app/gui/window/stop_banner.h"
 #include "app/gui/window/window_actions.h"
 #include "app/gui/window/window_watch.h"
+#include "app/gui/window/yield_letters.h"
 
 namespace underact::gui {
 
@@ -93,6 +94,7 @@ void MainWindow::buildBars() {
   buildToolBar(this, actions(), purpose());
   buildRail(this, actions(), purpose());
   actions().find(QString("purpose.%1").arg(purpose().key))->setChecked(true);
+  yieldLetters(*this);
   // From left to right and top to bottom: tool bar, rail, the first panel, the view and its strips, then the other
   // panels.
   const std::vector<Panel*>& panels = docks_->panels();

@@ -213,7 +213,7 @@ void buildToolBar(QMainWindow* window, Actions& actions, const Purpose& purpose)
   bar->addWidget(between);
   addPurposes(bar, actions, purpose);
   new NarrowBar(bar, {"button.view.fit", "button.menu.layers", "button.visitor.start", "button.hand.keep",
-                      "button.help.guide", "button.purpose"});
+                      "button.help.guide", "button.purpose", "button.session.record"});
 }
 
 }  // namespace underact::gui

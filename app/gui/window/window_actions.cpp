@@ -44,6 +44,10 @@ void addFiles(const FeatureParts& parts, const std::vector<FeatureRow>& rows) {
   QObject::connect(&files, &SceneFiles::saved, &actions, [&actions](const QString& path) {
     actions.perform("notice.tell", tr("Scene saved as %1.").arg(QFileInfo(path).fileName()), path);
   });
+  QObject::connect(&files, &SceneFiles::tunedAgain, &actions, [&actions] {
+    actions.perform("notice.tell", tr("Tuned as you left it. Undo (Ctrl+Z) brings the scene back as it came."),
+                    QString());
+  });
   actions.add({"scene.open", tr("&Open file…"), QKeySequence::Open, tr("Opens a scene file."), "open"},
               [&actions, &files, rows](const QVariantList& path) {
                 if (path.isEmpty()) {
@@ -124,8 +128,9 @@ void addWindowActions(const FeatureParts& parts, const std::vector<FeatureRow>& 
   parts.actions.add({"menu.panels", tr("All panels"), {}, tr("Shows or hides any panel."), "more", tr("All panels")},
                     [](const QVariantList&) { return true; });
   parts.actions.add({"layout.reset", tr("&Reset the layout"), {}, tr("Restores the default layout of the panels.")},
-                    [arrange](const QVariantList&) {
+                    [arrange, &actions = parts.actions](const QVariantList&) {
                       arrange();
+                      actions.perform("layer.ghosts", false);
                       return true;
                     });
 }
