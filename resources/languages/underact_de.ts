@@ -9191,8 +9191,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Befehl</translation>
     </message>
     <message>
-        <source>&amp;Find a command…</source>
-        <translation>Be&amp;fehl suchen …</translation>
+        <source>Find a &amp;command…</source>
+        <translation>Befehl &amp;suchen …</translation>
     </message>
     <message>
         <source>Finds commands, scenes, lessons, pages and settings by name.</source>
@@ -11789,8 +11789,8 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::FilmTool</name>
     <message>
-        <source>Fil&amp;m…</source>
-        <translation>Fil&amp;m …</translation>
+        <source>Film…</source>
+        <translation>Film …</translation>
     </message>
     <message>
         <source>Saves a film of the scene in a scripted hand, or of the open session.</source>

@@ -32,7 +32,8 @@ Desk::Desk(FeatureRow row, const QString& scene, const Settings& settings)
   services_ = std::make_unique<Services>(given, settings_, window_.get());
   const FeatureParts parts = services_->parts(given, settings_, pages_, [] { return QStringList(); });
   const std::vector<FeatureRow> rows{std::move(row)};
-  addWindowActions(parts, rows, [] {}, [](const QString&) {});
+  addWindowActions(
+      parts, rows, [] {}, [](const QString&) {});
   addViewActions(*services_->actions, *services_->view, theme_);
   if (rows.front().make != nullptr) rows.front().make(parts, listeners_);
   docks_ = std::make_unique<Docks>(rows, parts);

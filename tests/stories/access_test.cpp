@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QRegularExpression>
@@ -163,7 +164,7 @@ TEST(AccessStory, SoDoesEveryDialogAndWizard) {
   QSet<QString> seen;
   QStringList wrong;
   for (const char* name : {"help.keys", "help.about", "live.address", "servo.check", "help.figures",
-                           "registration.open", "identify.open", "help.guide", "language.en"}) {
+                           "registration.open", "identify.open", "help.guide", "help.find", "language.en"}) {
     EXPECT_TRUE(story.perform(name)) << name;
     story.settle();
     wrong << wrongInWindows(story, seen);
@@ -180,6 +181,14 @@ TEST(AccessStory, SoDoesEveryDialogAndWizard) {
     story.settle();
     wrong << wrongInWindows(story, seen);
   }
+  const QString slow = temporaryFile("slow_film", "#!/bin/sh\nsleep 2\nexit 1\n");
+  QFile::setPermissions(slow, QFileDevice::ReadOwner | QFileDevice::ExeOwner);
+  qputenv("UNDERACT_PROGRAM", slow.toLocal8Bit());
+  EXPECT_TRUE(story.perform("view.film", temporaryFile("a.webm", "")));
+  wrong << wrongInWindows(story, seen);
+  EXPECT_TRUE(
+      QTest::qWaitFor([&story] { return story.window().findChild<QWidget*>("dialog.film_problems"); }, kLong_ms));
+  wrong << wrongInWindows(story, seen);
   auto* fix = new FixDialog("Touch, Omni", {{"The driver is missing.", "sudo apt install a-driver"}}, &story.window());
   fix->setAttribute(Qt::WA_DeleteOnClose);
   fix->show();

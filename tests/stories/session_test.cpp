@@ -31,6 +31,8 @@ TEST(SessionStory, OneClickRecordsAtOnceAndTheFileSaysWhoAndWhat) {
   desk.fill("panel.sessions.name", "first try");
   desk.fill("panel.sessions.tags", "pilot, left");
   desk.fill("panel.sessions.subject", "S07");
+  desk.story->perform("purpose.research");
+  desk.story->settle();
   desk.story->click(desk.story->find("button.session.record"));
   ASSERT_TRUE(desk.story->window().actions().find("session.record")->isChecked());
   EXPECT_EQ(desk.files().size(), 1);

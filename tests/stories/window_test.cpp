@@ -319,7 +319,7 @@ TEST(WindowStory, AtTheSmallestSizeAllButtonsOfTheToolBarAndTheFieldsOfFeelAreIn
       EXPECT_LE(right, story.window().width()) << widget->objectName().toStdString();
     }
   }
-  for (const char* button : {"button.help.guide", "button.dock.lessons", "button.session.record"})
+  for (const char* button : {"button.help.guide", "button.purpose", "button.hand.keep"})
     EXPECT_TRUE(story.find(button)->isVisible()) << button;
 }
 

@@ -16,7 +16,8 @@ struct PanelRow {
   Qt::DockWidgetArea area;
   const char* tip;
   Panel* (*make)(const FeatureParts& parts, QWidget* parent);
-  const char* behind = nullptr;  // key of the panel it shares a place with
+  const char* behind = nullptr;    // key of the panel it shares a place with
+  const char* shortcut = nullptr;  // of a panel that is opened often
 };
 
 using ServoListeners = std::vector<ServoListener*>;

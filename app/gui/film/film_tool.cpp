@@ -20,7 +20,7 @@ FilmTool::FilmTool(const FeatureParts& parts)
       player_(parts.player),
       window_(parts.window) {
   actions_.add(
-      {"view.film", tr("Fil&m…"), {}, tr("Saves a film of the scene in a scripted hand, or of the open session.")},
+      {"view.film", tr("Film…"), {}, tr("Saves a film of the scene in a scripted hand, or of the open session.")},
       [this](const QVariantList& out) { return out.isEmpty() ? ask() : begin(out.first().toString()); });
   process_.setProcessChannelMode(QProcess::MergedChannels);
   connect(&process_, &QProcess::readyRead, this, &FilmTool::read);

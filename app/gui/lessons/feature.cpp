@@ -15,7 +15,7 @@ FeatureRow lessonsFeature() {
             [](const FeatureParts& all, QWidget* parent) -> Panel* {
               return new LessonsPanel({all.document, all.actions, all.view, all.player, all.servo, all.hand}, parent);
             },
-            "scenes"}},
+            "scenes", "Ctrl+L"}},
       .pages = {{"panel.lessons", "lessons"},
                 {"dialog.open_lesson", "lessons"},
                 {"dialog.save_lesson_report", "lessons#the-report"}},

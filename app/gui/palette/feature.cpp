@@ -10,7 +10,7 @@ namespace underact::gui {
 namespace {
 
 void makePalette(const FeatureParts& parts, ServoListeners&) {
-  parts.actions.add({"help.find", tr("&Find a command…"), QKeySequence("Ctrl+Shift+P"),
+  parts.actions.add({"help.find", tr("Find a &command…"), QKeySequence("Ctrl+Shift+P"),
                      tr("Finds commands, scenes, lessons, pages and settings by name."), "find"},
                     [&actions = parts.actions, window = parts.window](const QVariantList&) {
                       auto* const palette = new Palette(paletteEntries(actions, *window), window);

@@ -28,7 +28,7 @@ void heighten(QDockWidget* dock) {
 QAction* addDockAction(Actions& actions, const PanelRow& row, QDockWidget* dock) {
   QAction* action = actions.add({dock->objectName(),
                                  dock->windowTitle(),
-                                 {},
+                                 QKeySequence(row.shortcut),
                                  QCoreApplication::translate("panel", row.tip),
                                  row.key,  // its icon
                                  {},
