@@ -279,12 +279,12 @@ BREAKAGES = [
     ),
     Breakage(
         says="a joint without a motor passes torque on",
-        file="core/arm/general_arm.cpp",
+        file="core/arm/mechanism.cpp",
         old="  return reached - slack;",
         new="  return slack.isZero() ? slack : reached;",
         program="arm_test",
         test="arm_test",
-        only="GeneralArm.*",
+        only="Mechanism.*",
     ),
     Breakage(
         says="the simulated arm drives joints that have no motor",
@@ -351,12 +351,12 @@ BREAKAGES = [
     ),
     Breakage(
         says="a moment is sent by an arm whose motors do not render it",
-        file="core/arm/general_arm.cpp",
+        file="core/arm/mechanism.cpp",
         old="  if (joints < 6 || !std::all_of",
         new="  if (joints < 6 && !std::all_of",
         program="arm_test",
         test="arm_test",
-        only="GeneralArm.*",
+        only="Mechanism.*",
     ),
     Breakage(
         says="at a joint's stop the tip may not come back either",

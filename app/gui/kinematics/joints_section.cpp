@@ -35,7 +35,7 @@ void JointsSection::setArm(const arm::Preset& preset, const arm::Model& model) {
     const bool slides = model.rows[joint].type == chain::JointType::Prismatic;
     const bool driven = model.joints[joint].driven;
     const int number = static_cast<int>(joint) + 1;
-    if (arm::isOmniForm(preset)) {
+    if (arm::isDevice(preset)) {
       rows_[joint]->setJoint(names[joint],
                              (driven ? tr("Angle q%1 of thesis table 3.1: measured and driven.")
                                      : tr("Angle q%1 of thesis table 3.1: measured, not driven."))
