@@ -8,8 +8,8 @@ namespace underact::arm {
 
 /// X_WT and the geometric Jacobian at the tip, rows v (m/rad) then w (rad/rad), in W: a column for each joint.
 using chain::Kinematics;
-/// What of it an arm that solvesInTick() is asked for, beside the tip's position. Without the orientation that is the
-/// identity, and J has the columns of joints 1 to 3, which alone move the tip; without J it has none.
+/// What of it is asked for, beside the tip's position. A chain gives all of it. Lengths leave the orientation the
+/// identity where it is not asked for, and give the columns of J of joints 1 to 3, which alone move the tip.
 struct Parts {
   bool orientation = true, jacobian = true;
 };
@@ -20,12 +20,14 @@ struct Parts {
 Kinematics kinematics(const Geometry& geometry, const JointAngles& q_rad,
                       const Parts& parts = {}) noexcept UNDERACT_REAL_TIME;
 
-/// p_WT, and J_p, m/rad: the columns of v of the first three watched joints.
+/// p_WT, m, and J_p, m/rad: the columns of v of the first three watched joints.
 struct Tip {
   Vec3 p_WT = Vec3::Zero();
   Mat3 J_p = Mat3::Zero();
 };
+/// Of kinematics().
 Tip tip(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
+/// J_p of tip().
 Mat3 positionJacobian(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
 /// The image of a ball of joint rates under J_p: axes_W its principal directions in W (columns, right-handed), gain_m

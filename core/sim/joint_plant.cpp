@@ -308,9 +308,14 @@ PlantState advanceBy(const Plant& plant, PlantState state, const Pushed& pushed,
   return state;
 }
 
+/// An encoder measures its own joint.
+arm::JointAngles ownAngles(const arm::JointAngles& q) noexcept UNDERACT_REAL_TIME {
+  return q;
+}
+
 }  // namespace
 
-const Mechanics kSixJointMechanics{jointsAtRest<6>, advanceBy<6>};
-const Mechanics kJointMechanics{jointsAtRest<arm::kMaxJoints>, advanceBy<arm::kMaxJoints>};
+const Mechanics kSixJointMechanics{jointsAtRest<6>, advanceBy<6>, ownAngles, ownAngles};
+const Mechanics kJointMechanics{jointsAtRest<arm::kMaxJoints>, advanceBy<arm::kMaxJoints>, ownAngles, ownAngles};
 
 }  // namespace underact::sim

@@ -22,13 +22,16 @@ struct Pushed {
   Vec3 f_T_W = Vec3::Zero(), m_T_W = Vec3::Zero();
 };
 
-/// What an arm's kinematics make of its motion.
+/// How an arm rests and moves, and what its encoders measure.
 struct Mechanics {
   /// At rest with the tip at p_WT, or as near as it comes; nullptr: where the arm is when nobody has moved it.
   PlantState (*restAt)(const Plant& plant, const Vec3* p_WT) noexcept UNDERACT_REAL_TIME;
   /// What sim::advance() does, of finite numbers; after an overflow a state that is not finite.
   PlantState (*advance)(const Plant& plant, PlantState state, const Pushed& pushed, const HandSetpoint& wish,
                         std::int64_t period_ns) noexcept UNDERACT_REAL_TIME;
+  /// The angles that the encoders measure, and the joints for such angles.
+  arm::JointAngles (*measuredOf)(const arm::JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
+  arm::JointAngles (*jointsOf)(const arm::JointAngles& measured) noexcept UNDERACT_REAL_TIME;
 };
 
 /// Whether position and velocities are finite.

@@ -27,14 +27,6 @@ double encoderStep(const arm::Preset& arm, std::size_t joint) noexcept UNDERACT_
   return (arm::slides(arm.geometry, joint) ? kMetrePerMillimetre : 2.0 * kPi) / counts;
 }
 
-/// The angles that the encoders measure, and what they tell of the joints.
-arm::JointAngles measuredOf(const arm::Preset& arm, const arm::JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
-  return arm::solvesInTick(arm.geometry) ? arm::deviceFromDh(q_rad) : q_rad;
-}
-arm::JointAngles jointsFor(const arm::Preset& arm, const arm::JointAngles& measured) noexcept UNDERACT_REAL_TIME {
-  return arm::solvesInTick(arm.geometry) ? arm::dhFromDevice(measured) : measured;
-}
-
 }  // namespace
 
 bool isFinite(const PlantState& state) noexcept {
@@ -69,12 +61,13 @@ PlantState advance(const Plant& plant, PlantState state, const Vec3& f_T_W, cons
 }
 
 arm::JointAngles quantized(const arm::Preset& arm, const arm::JointAngles& q_rad) noexcept {
-  arm::JointAngles measured = measuredOf(arm, q_rad);
+  const Mechanics& mechanics = mechanicsOf(arm.geometry);
+  arm::JointAngles measured = mechanics.measuredOf(q_rad);
   for (std::size_t joint = 0; joint < measured.size(); ++joint) {
     const double step = encoderStep(arm, joint);
     if (std::isfinite(step)) measured[joint] = step * std::round(measured[joint] / step);
   }
-  return jointsFor(arm, measured);
+  return mechanics.jointsOf(measured);
 }
 
 arm::JointAngles shownAngles(const Plant& plant, const PlantState& state) noexcept {
@@ -84,9 +77,10 @@ arm::JointAngles shownAngles(const Plant& plant, const PlantState& state) noexce
 arm::JointAngles afterEncoderStep(const arm::Preset& arm, const arm::JointAngles& q_rad, std::size_t joint) noexcept {
   const double step = encoderStep(arm, joint);
   if (!std::isfinite(step)) return q_rad;
-  arm::JointAngles measured = measuredOf(arm, q_rad);
+  const Mechanics& mechanics = mechanicsOf(arm.geometry);
+  arm::JointAngles measured = mechanics.measuredOf(q_rad);
   measured[joint] += step;
-  return jointsFor(arm, measured);
+  return mechanics.jointsOf(measured);
 }
 
 }  // namespace underact::sim

@@ -120,6 +120,6 @@ PlantState advanceTip(const Plant& plant, PlantState state, const Pushed& pushed
 
 }  // namespace
 
-const Mechanics kTipMechanics{tipAtRest, advanceTip};
+const Mechanics kTipMechanics{tipAtRest, advanceTip, arm::deviceFromDh, arm::dhFromDevice};
 
 }  // namespace underact::sim

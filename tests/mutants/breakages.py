@@ -307,7 +307,7 @@ BREAKAGES = [
     Breakage(
         says="a force out of a planar arm's plane is sent",
         file="core/tick/motion.cpp",
-        old="motion.renders_all = false;",
+        old="motion.renders_all = program.watched.push_freely;",
         new="motion.renders_all = true;",
         program="tick_test",
         test="tick_test",
@@ -316,8 +316,8 @@ BREAKAGES = [
     Breakage(
         says="the heat of driven joints beyond the third is not watched",
         file="core/tick/motion.cpp",
-        old="motion.count = program.watched.count;",
-        new="motion.count = std::min<std::size_t>(3, program.watched.count);",
+        old="motion.count = watched.count;",
+        new="motion.count = std::min<std::size_t>(3, watched.count);",
         program="tick_test",
         test="tick_test",
         only="Arms.*",
@@ -360,7 +360,7 @@ BREAKAGES = [
     ),
     Breakage(
         says="at a joint's stop the tip may not come back either",
-        file="core/sim/plant.cpp",
+        file="core/sim/tip_plant.cpp",
         old="std::max(0.0, state.v_WT.dot(out_W)) * out_W",
         new="state.v_WT.dot(out_W) * out_W",
         program="sim_test",

@@ -1,5 +1,5 @@
-// Arms that are not of the Omni's form, as scenes have them: which forces their motors can render, and which models a
-// scene takes.
+// The mechanisms of arms: that they move the tip as the kinematics say, which forces their motors can render, and which
+// models a scene takes.
 #include "core/arm/mechanism.h"
 
 #include "core/arm/forward.h"
@@ -64,6 +64,26 @@ TEST(Mechanism, TipAndJacobianAreThoseOfItsChain) {
       EXPECT_EQ(tipPose(preset.geometry, q).matrix(), at.X_WT.matrix());
       EXPECT_EQ(tip(preset.geometry, q).J_p.col(0), Vec3(at.J.col(0).head<3>()));
       EXPECT_EQ(positionJacobian(preset.geometry, q), tip(preset.geometry, q).J_p);
+    }
+  }
+}
+
+TEST(Mechanism, OfEveryArmMovesTheTipAsItsKinematicsSay) {
+  test::Random random(test::Seed{20261128});
+  for (const Preset& preset : sceneArms()) {
+    for (int i = 0; i < 100; ++i) {
+      const JointAngles q = drawnWithin(preset, random);
+      const Kinematics at = kinematics(preset.geometry, q);
+      const chain::Kinematics by_chain = chain::kinematics(preset.geometry.mechanism->chain, q);
+      ASSERT_LT((at.X_WT.matrix() - by_chain.X_WT.matrix()).norm(), 1e-14) << preset.name;
+      ASSERT_EQ(at.J.cols(), by_chain.J.cols()) << preset.name;
+      ASSERT_LT((at.J - by_chain.J).norm(), 1e-14) << preset.name;
+      const Kinematics pose = kinematics(preset.geometry, q, {true, false});
+      const Kinematics moved = kinematics(preset.geometry, q, {false, true});
+      ASSERT_EQ(pose.X_WT.matrix(), at.X_WT.matrix()) << "to the bit, whatever else is asked for: " << preset.name;
+      ASSERT_EQ(moved.X_WT.translation(), at.X_WT.translation()) << preset.name;
+      ASSERT_EQ(moved.J, at.J.leftCols(moved.J.cols())) << preset.name;
+      ASSERT_GE(moved.J.cols(), std::min<Eigen::Index>(3, at.J.cols())) << preset.name;
     }
   }
 }
